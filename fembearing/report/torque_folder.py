@@ -5,6 +5,7 @@ picture.
 """
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -72,13 +73,13 @@ def write_torque(
     renderer : the command that draws; VTK's without it
     Gives what the folder lacks, as `torque_with_files`.
     """
-    records = []
+    records, numbers = [], result.places.computed
     points = result.friction.inner_speed.size
     for point in range(points):
         progress(COMPUTED + (RECORDED - COMPUTED) * point / points, f"cage, point {point + 1}")
         record = record_cage(result.scene, result.friction, point)
         if record is not None:
-            records.append(record)
+            records.append(replace(record, point=numbers[point] + 1))
     if records:
         progress(RECORDED, "plots and pictures")
         written, lacking = _write_motions(records, folder, renderer)

@@ -1,5 +1,6 @@
 """`fembearing torque` as a user sees it: tables of 80 characters, JSON, exit status, one line for each mistake."""
 
+import csv
 import json
 from dataclasses import replace
 from io import StringIO
@@ -9,9 +10,13 @@ import numpy as np
 import pytest
 from rich.console import Console
 
+from analytic.errors import ConvergenceError
+from analytic.result import FrictionTorque
+from analytic.scene import Scene
 from analytic.scenefile.read import parse_scene
 from analytic.scenefile.template import Choice, scene_text
 from fembearing.cli.status import CHECK_FAILED, DONE, INPUT_AT_FAULT, NOT_SOLVED
+from fembearing.compare.torque import left_out
 from fembearing.compare.torque.scene_torque import torque_of_scene
 from fembearing.report.document.verdicts import Verdicts
 from fembearing.report.terminal.torque import print_torque
@@ -300,10 +305,57 @@ def test_a_series_loses_only_its_bad_points(command, tmp_path: Path, monkeypatch
     kept = command("torque", "bad.toml", "--keep-going", "--json")
     found = json.loads(kept.out)
     assert kept.status == 3
-    assert found["points"] == good["points"]
+    assert [found["points"][place] for place in (0, 2)] == good["points"]
+    lost = found["points"][1]
+    assert (lost["radial_load"], lost["axial_load"], lost["torque"]["total"]) == (-1.4e9, 700.0, None)
+    assert lost.keys() == good["points"][0].keys()
     (reason,) = set(found["warnings"]) - set(good["warnings"])
     assert reason.startswith("operating point 2 of 3 is left out: the axial load of 0.7 kN and radial load of 1.4e+06")
     assert "lower the load" in reason
+    (said,) = found["left_out"]
+    assert (said["point"], said["radial_load"]) == (1, -1.4e9)
+    assert reason.endswith(said["reason"])
+    assert good["left_out"] == []
+    for name in ("low", "high"):
+        band = found["catalogue_band"][name]
+        assert [band[0], band[1], band[2]] == [good["catalogue_band"][name][0], None, good["catalogue_band"][name][1]]
+    worst = {each["name"]: each["point"] for each in good["verdicts"]["physical"]}
+    assert 1 in worst.values()  # of two points; the same point is the third of three
+    numbers = {each["name"]: each["point"] for each in found["verdicts"]["physical"]}
+    assert numbers == {name: {0: 0, 1: 2}[point] for name, point in worst.items()}
     worse = text.replace('radial_load = "0 N"', 'radial_load = ["1e9 N", "2e9 N"]')
     (tmp_path / "worse.toml").write_text(worse, "utf-8")
     assert command("torque", "worse.toml", "--keep-going").status == 2
+    rows = [line.split() for line in command("torque", "bad.toml", "--keep-going").out.splitlines()]
+    (row,) = (row for row in rows if row[:1] == ["2"] and row[-2:] == ["left", "out"])
+    assert "-1.4e+09" in row
+    assert command("torque", "bad.toml", "--keep-going", "--out", "kept.csv").status == 3
+    head, *lines = csv.reader((tmp_path / "kept.csv").read_text("utf-8").splitlines())
+    table = [dict(zip(head, line, strict=True)) for line in lines]
+    assert [row["point"] for row in table] == ["1", "2", "3"]
+    assert [row["radial_load [N]"] for row in table] == ["100", "-1400000000", "300"]
+    totals = [row["torque_total [N mm]"] for row in table]
+    assert totals[1] == ""
+    assert [float(totals[0]), float(totals[2])] == pytest.approx(
+        [1e3 * each["torque"]["total"] for each in good["points"]]
+    )
+    for name in ("kept.png", "kept.html", "kept"):
+        assert command("torque", "bad.toml", "--keep-going", "--out", name).status == 3
+    assert '<th scope="row">3</th>' in (tmp_path / "kept.html").read_text("utf-8")
+
+
+def test_a_point_without_a_model_uncertainty_is_lost_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As where only thicker films do not converge."""
+
+    def fail(scene: Scene, result: FrictionTorque) -> FrictionTorque:
+        if np.any(scene.operation.axial_load == 500.0):
+            raise ConvergenceError(iterations=7, residual=3.0, tolerance=0.2)
+        return result
+
+    monkeypatch.setattr(left_out, "with_model_uncertainty", fail)
+    text = changed('"700 N"', '["300 N", "500 N", "800 N"]', changed(SPEEDS, '"700 rpm"'))
+    text += "[friction]\ncoefficient = 0.08"
+    found = torque_of_scene(parse_scene(text, origin="here"), keep_going=True)
+    assert found.places.computed == [0, 2]
+    np.testing.assert_array_equal(found.to_dataset()["torque_total"].isnull(), [False, True, False])
+    assert found.to_dataset()["axial_load"].values.tolist() == [300.0, 500.0, 800.0]

@@ -6,7 +6,6 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from analytic.brief import Brief, span
 from analytic.errors import FembearingError, InputError
@@ -20,6 +19,7 @@ from analytic.verdicts import numerical_check, physical_checks
 from analytic.words import MICROMETRE, NEWTON_MILLIMETRE
 from fembearing.compare.torque.catalogue import BesideCatalogue, beside_catalogue
 from fembearing.compare.torque.catalogue_models import CatalogueBand
+from fembearing.compare.torque.left_out import LeftOut, Places, torque_where_it_is
 from fembearing.compare.torque.verdicts import Verdicts
 from fembearing.progress import Progress, silent
 
@@ -46,7 +46,7 @@ class SceneTorque(Brief):
         None  # with the balls that the ratings fit nearly as well, if there are any
     )
     prediction: "Prediction | None" = None  # the interval; None: not asked for
-    left_out: tuple[str, ...] = ()  # operating points of the scene that have no torque, and why; warnings say it too
+    left_out: tuple[LeftOut, ...] = ()  # operating points of the scene that have no torque; warnings say it too
 
     def __post_init__(self) -> None:
         """Raises InputError for a number that is not finite, so that no face shows it: terminal, files or page."""
@@ -71,10 +71,16 @@ class SceneTorque(Brief):
     @cached_property
     def verdicts(self) -> Verdicts:
         """Whether it is solved within the tolerance, and the bearing within its physical limits."""
+        numbers = self.places.computed
         return Verdicts(
             numerical=numerical_check(self.friction, tolerance=self.scene.tolerance),
-            physical=physical_checks(self.friction),
+            physical=[replace(each, point=numbers[each.point]) for each in physical_checks(self.friction)],
         )
+
+    @property
+    def places(self) -> Places:
+        """The operating points of the scene as it was given, with those that have no torque."""
+        return Places(size=self.friction.inner_speed.size + len(self.left_out), left_out=self.left_out)
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -102,13 +108,16 @@ class SceneTorque(Brief):
             )
 
     def columns(self) -> dict[str, Labelled]:
-        """Every number that stands at each operating point, SI: the points, and what is computed and known there."""
+        """Every number that stands at each operating point, SI: the points, and what is computed and known there.
+
+        NaN at the points that have no torque.
+        """
         given = {name: (getattr(self.friction, name), column) for name, column in COORDINATES.items()}
         computed = {name: (values, COLUMNS[name]) for name, values in self.friction.columns().items()}
         beside = {name: (values, BESIDE[name]) for name, values in self._beside()}
-        return {
-            name: Labelled((POINT,), values, column) for name, (values, column) in (given | computed | beside).items()
-        }
+        every = given | computed | beside
+        whole = self.places.columns({name: values for name, (values, _) in every.items()})
+        return {name: Labelled((POINT,), whole[name], column) for name, (_, column) in every.items()}
 
     def _beside(self) -> Iterator[tuple[str, Array]]:
         interval = None if self.prediction is None else self.prediction.total
@@ -127,16 +136,34 @@ class SceneTorque(Brief):
         return frame_of(self.to_dataset(), POINT)
 
     def to_json(self) -> dict[str, Any]:
-        """The torque as plain types, SI, with the catalogue band, None where there is none."""
-        return self.friction.to_json() | {
+        """The torque as plain types, SI, with the catalogue band, None where there is none.
+
+        Numbers at the points that have no torque are None; `left_out` says why.
+        """
+        places, computed = self.places, self.friction.to_json()
+        prediction = None if self.prediction is None else self.prediction.to_json()
+        for rows in (computed, computed["pair"], prediction):
+            if rows is not None:
+                rows["points"] = places.rows(rows["points"])
+        return computed | {
             "tolerance": self.scene.tolerance,
-            "catalogue_band": self.catalogue.to_json(),
+            "catalogue_band": self._catalogue_to_json(),
             "verdicts": self.verdicts.to_json(),
             "notes": list(self.notes),
             "inputs": [_input_to_json(each) for each in self.inputs],
             "other_candidate": self._other_to_json(),
-            "prediction": None if self.prediction is None else self.prediction.to_json(),
+            "prediction": prediction,
+            "left_out": places.to_json(),
         }
+
+    def _catalogue_to_json(self) -> dict[str, Any]:
+        """The catalogue band at every point."""
+        band = self.catalogue.to_json()
+        if self.catalogue.band is None:
+            return band
+        rows = self.places.rows
+        values = {name: rows(each) for name, each in band["values"].items()}
+        return band | {"low": rows(band["low"]), "high": rows(band["high"]), "values": values}
 
     def _other_to_json(self) -> dict[str, Any] | None:
         """Balls and total of the other candidate."""
@@ -144,7 +171,7 @@ class SceneTorque(Brief):
         if other is None or self.other_candidate is None:
             return None
         balls = {"ball_count": other.ball_count, "ball_diameter": other.ball_diameter}
-        return balls | {"total": self.other_candidate.torque.total.tolist()}
+        return balls | {"total": self.places.rows(self.other_candidate.torque.total.tolist())}
 
 
 def _input_to_json(given: StatedInput) -> dict[str, Any]:
@@ -183,9 +210,14 @@ def torque_of_scene(
     progress : called with the share of the samples done
     Raises InputError as friction_torque, and with samples as predict; with keep_going where no point has a torque.
     """
-    scene, left_out = _computable(scene) if keep_going else (scene, ())
-    friction = with_model_uncertainty(scene, friction_torque(scene))
-    friction = replace(friction, warnings=(*friction.warnings, *left_out))
+    left_out: tuple[LeftOut, ...] = ()
+    if keep_going:
+        size = scene.operation.as_series().inner_speed.size
+        scene, friction, left_out = torque_where_it_is(scene)
+        reasons = (f"operating point {each.point + 1} of {size} is left out: {each.reason}" for each in left_out)
+        friction = replace(friction, warnings=(*friction.warnings, *reasons))
+    else:
+        friction = with_model_uncertainty(scene, friction_torque(scene))
     other, friction = _with_other_balls(scene, friction)
     prediction = None
     if samples is not None:
@@ -200,34 +232,6 @@ def torque_of_scene(
         prediction=prediction,
         left_out=left_out,
     )
-
-
-def _computable(scene: Scene) -> tuple[Scene, tuple[str, ...]]:
-    """The scene at the operating points that have a torque, and a sentence on each of the others."""
-    operation = scene.operation.as_series()
-
-    def at(points: NDArray[np.intp]) -> Scene:
-        series = {name: values[points] for name, values in vars(operation).items()}
-        return replace(scene, operation=replace(operation, **series))
-
-    reasons: dict[int, FembearingError] = {}
-
-    def try_out(points: NDArray[np.intp]) -> None:
-        try:
-            friction_torque(at(points))
-        except FembearingError as problem:
-            if points.size == 1:
-                reasons[int(points[0])] = problem
-            else:
-                for half in np.array_split(points, 2):
-                    try_out(half)
-
-    every = np.arange(operation.inner_speed.size)
-    try_out(every)
-    if len(reasons) == every.size:
-        raise reasons[0]
-    words = (f"operating point {point + 1} of {every.size} is left out: {why}" for point, why in reasons.items())
-    return at(np.delete(every, [*reasons])), tuple(words)
 
 
 def _with_other_balls(scene: Scene, friction: FrictionTorque) -> tuple[FrictionTorque | None, FrictionTorque]:

@@ -28,7 +28,7 @@ DARK = "0.25"
 
 def figure_of_torque(result: SceneTorque) -> Figure:
     """The figure of a torque at all of its operating points."""
-    points = [Point.model_validate(point) for point in result.to_json()["points"]]
+    points = [Point.model_validate(point) for point in result.friction.to_json()["points"]]
     bearings = "" if result.friction.pair is None else "two "
     name = f"{bearings}{result.scene.bearing.name}"
     if len(points) == 1:

@@ -1,6 +1,6 @@
 """The 95 % interval of a torque as tables for a terminal."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from rich.console import Console
 
@@ -13,15 +13,15 @@ NM = NEWTON_MILLIMETRE.factor
 MOST_INPUTS = 8
 
 
-def print_prediction(out: Console, prediction: Prediction, points: Sequence[int]) -> None:
-    """Print the interval at some operating points, what it is made of, and the inputs that make it."""
+def print_prediction(out: Console, prediction: Prediction, points: Mapping[int, int]) -> None:
+    """Print the interval, what it is made of, and the inputs that make it; points : place and number of each."""
     heads = ("#", "total", "95 %", "+-", "numerical", "inputs", "formulas")
     table = table_of(heads, title=f"95 % interval of the total, {NEWTON_MILLIMETRE.name}", fixed=heads[:3])
-    for number in points:
-        point = prediction.points[number]
+    for place, number in points.items():
+        point = prediction.points[place]
         total, made = point.total, point.made_of
         table.add_row(
-            str(number + 1),
+            str(number),
             f"{point.nominal * NM:.4g}",
             interval_at(point),
             f"{total.low_error * NM:.1g}, {total.high_error * NM:.1g}",

@@ -43,11 +43,11 @@ HEADS = {
 
 def print_torque(out: Console, result: SceneTorque) -> None:
     """Print a friction torque: parts, contacts, cage and effects, and the verdicts, in the last line in a word each."""
-    friction, count = result.friction, result.friction.inner_speed.size
-    points = shown_points(count)
+    friction, numbers = result.friction, result.places.computed
+    points = {point: numbers[point] + 1 for point in shown_points(len(numbers))}  # place in the arrays, and number
     _print_parts(out, result, points)
-    if len(points) < count:
-        out.print(f"{len(points)} of {count} operating points; --json has all of them.")
+    if len(points) < len(numbers) or len(result.left_out) > MOST_POINTS:
+        out.print(f"{len(points)} of {result.places.size} operating points; --json has all of them.")
     scene = result.scene
     model = None if friction.model_uncertainty is None else float(friction.model_uncertainty.max())
     varied = {name: float(part.max()) for name, part in (friction.model_parts or {}).items()}
@@ -106,31 +106,32 @@ def point_columns(series: Mapping[str, Sequence[float]]) -> tuple[dict[str, list
     return columns, fixed
 
 
-def _print_parts(out: Console, result: SceneTorque, points: Sequence[int]) -> None:
-    """A row for each point: parts, total, uncertainty and catalogue band."""
-    friction, band = result.friction, result.catalogue.band
-    columns, fixed = point_columns({name: getattr(friction, name).tolist() for name in COORDINATES})
+def _print_parts(out: Console, result: SceneTorque, points: Mapping[int, int]) -> None:
+    """A row for each point: parts, total, uncertainty and catalogue band; a point without a torque has none."""
+    friction, band, whole = result.friction, result.catalogue.band, result.columns()
+    columns, fixed = point_columns({name: np.asarray(whole[name].values).tolist() for name in COORDINATES})
     bearings = "" if friction.pair is None else "two "
     words = ", ".join([f"Friction torque of {bearings}{result.scene.bearing.name}", *fixed])
     out.print(words, style="italic", markup=False)
     parts = {name: values for name in HEADS if (values := getattr(friction.torque, name)) is not None}
     totals = ("total", "+-", *(("catalogue",) if band is not None else ()))
     table = table_of(("#", *columns, *(HEADS[name] for name in parts), *totals), fixed=totals)
-    for point in points:
+    rows = {each.point + 1: [*("" for _ in parts), "left out"] for each in result.left_out[:MOST_POINTS]}
+    for point, number in points.items():
         total = friction.torque.total[point]
         shown = (part[point] if part[point] > RESIDUE * total else 0.0 for part in parts.values())
-        table.add_row(
-            str(point + 1),
-            *(values[point] for values in columns.values()),
+        rows[number] = [
             *(f"{part * NM:.3g}" for part in shown),
             f"{total * NM:.4g}",
             percent(float(friction.numerical_uncertainty[point])),
             *(() if band is None else (f"{band.low[point] * NM:.3g}-{band.high[point] * NM:.3g}",)),
-        )
+        ]
+    for number, cells in sorted(rows.items()):
+        table.add_row(str(number), *(values[number - 1] for values in columns.values()), *cells)
     out.print(table)
 
 
-def _print_pair(out: Console, pair: PairPart, points: Sequence[int]) -> None:
+def _print_pair(out: Console, pair: PairPart, points: Mapping[int, int]) -> None:
     """The loads and the torque of each bearing of a pair, and the pair's stiffness."""
     found = pair.equilibrium
     sideways = {name: QUANTITIES[name].shown for name in ("radial_load", "moment") if np.any(getattr(found, name))}
@@ -148,7 +149,7 @@ def _print_pair(out: Console, pair: PairPart, points: Sequence[int]) -> None:
     for point in points:
         for bearing, name in enumerate(("first", "second")):
             table.add_row(
-                str(point + 1),
+                str(points[point]),
                 f"{name}, relieved" if found.is_relieved[bearing, point] else name,
                 f"{found.axial_load[bearing, point]:.4g}",
                 *(f"{unit.number(getattr(found, load)[bearing, point]):.4g}" for load, unit in sideways.items()),
@@ -160,7 +161,7 @@ def _print_pair(out: Console, pair: PairPart, points: Sequence[int]) -> None:
     out.print(f"{pair_of(pair)}\n", style="dim", markup=False)
 
 
-def _print_contacts(out: Console, friction: FrictionTorque, points: Sequence[int]) -> None:
+def _print_contacts(out: Console, friction: FrictionTorque, points: Mapping[int, int]) -> None:
     """The ball that presses hardest, on both races."""
     quantities = {name: CONTACT[name] for name in ("peak_pressure", "semi_axis_rolling", "semi_axis_transverse")}
     heads = ["#", "race", "load, N", *(f"{each.symbol}, {each.shown.name}" for each in quantities.values())]
@@ -176,7 +177,7 @@ def _print_contacts(out: Console, friction: FrictionTorque, points: Sequence[int
         for race in ("inner", "outer"):
             contact = getattr(friction, race)
             table.add_row(
-                str(point + 1),
+                str(points[point]),
                 race,
                 f"{contact.load[point]:.4g}",
                 *(f"{getattr(contact, name)[point] * each.shown.factor:.4g}" for name, each in quantities.items()),
@@ -193,7 +194,7 @@ def _print_contacts(out: Console, friction: FrictionTorque, points: Sequence[int
     )
 
 
-def _print_cage(out: Console, friction: FrictionTorque, points: Sequence[int]) -> None:
+def _print_cage(out: Console, friction: FrictionTorque, points: Mapping[int, int]) -> None:
     """The cage at the points where it moved."""
     if friction.cage is None or not any(friction.cage.motion):
         return
@@ -206,7 +207,7 @@ def _print_cage(out: Console, friction: FrictionTorque, points: Sequence[int]) -
             continue
         blocks = motion.block
         table.add_row(
-            str(point + 1),
+            str(points[point]),
             motion.state,
             f"{motion.mean_force:.3g}",
             f"{motion.max_force:.3g}",
@@ -222,7 +223,7 @@ def _print_cage(out: Console, friction: FrictionTorque, points: Sequence[int]) -
     _print_regimes(out, friction, points)
 
 
-def _print_regimes(out: Console, friction: FrictionTorque, points: Sequence[int]) -> None:
+def _print_regimes(out: Console, friction: FrictionTorque, points: Mapping[int, int]) -> None:
     """How the cage goes round at the points where it moved, and what that asks of the races."""
     heads = ("#", "state", f"whirl, {RPM.name}", f"wobble, {MICRO.name}", f"ball lead, {MICRO.name}")
     table = table_of(
@@ -237,7 +238,7 @@ def _print_regimes(out: Console, friction: FrictionTorque, points: Sequence[int]
         if motion is None:
             continue
         table.add_row(
-            str(point + 1),
+            str(points[point]),
             motion.state,
             f"{motion.whirl_speed * RPM.factor:.4g}",
             f"{motion.wobble * MICRO.factor:.3g}",

@@ -67,7 +67,7 @@ def rectangles(panel: Axes) -> list[Rectangle]:
 
 def test_the_terminal_shows_ends_parts_inputs_and_failures() -> None:
     out = StringIO()
-    print_prediction(Console(file=out, width=80), Prediction.model_validate(content()), [0, 1])
+    print_prediction(Console(file=out, width=80), Prediction.model_validate(content()), {0: 1, 1: 2})
     said = out.getvalue()
     assert max(map(len, said.splitlines())) <= 80
     rows = [line.split() for line in said.splitlines()]
@@ -90,7 +90,7 @@ def test_shares_of_a_regression_that_predicts_nothing_are_said_to_be_unknown() -
     failed = content()
     failed["points"][1]["explained"] = -1600.7
     out = StringIO()
-    print_prediction(Console(file=out, width=80), Prediction.model_validate(failed), [0, 1])
+    print_prediction(Console(file=out, width=80), Prediction.model_validate(failed), {0: 1, 1: 2})
     assert "predicts 0 % or more of the variance: which inputs matter is not known" in " ".join(out.getvalue().split())
 
 
