@@ -6,6 +6,7 @@ import os
 import subprocess
 import sys
 import warnings
+from argparse import Namespace
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
@@ -298,11 +299,12 @@ def test_a_test_that_hangs_without_a_mutant_has_not_passed(part: Any, tree: Any,
 def test_a_draw_that_is_nearly_all_refused_is_a_fault(part: Any) -> None:
     run, watched = part("run"), part("watched")
 
-    def row(refused: int, done: int) -> Any:
+    def row(refused: int, done: int, minutes: float = math.inf) -> Any:
         outcomes = refused * ["refused"] + done * ["done"]
         results = (watched.Tried("kind", seed, outcome, 0.7, 3e8) for seed, outcome in enumerate(outcomes))
-        return run.gathered("part", results, None)
+        return run.gathered("part", results, run.Place(Path(), Namespace(minutes=minutes), run.SHORT))
 
+    assert row(7, 3, minutes=0.0).outcomes.total() == 1
     assert row(70, 30).faults == []
     assert row(90, 10).faults == ["90 % are refused: the draw tests little else"]
     assert row(3, 0).faults == []  # too few to tell

@@ -2,7 +2,7 @@
 
 import shutil
 import tempfile
-from collections.abc import Iterable, Iterator
+from collections.abc import Generator, Iterable
 from pathlib import Path
 
 import numpy as np
@@ -43,7 +43,7 @@ COMMANDS = {  # of a damaged file
 }
 
 
-def scenes_through_faces(seeds: Iterable[int], folder: Path, base: float) -> Iterator[Tried]:
+def scenes_through_faces(seeds: Iterable[int], folder: Path, base: float) -> Generator[Tried]:
     """The torque of extreme scenes, each shown or written in another way; base : memory of a command, bytes."""
     for seed in seeds:
         text, face = extreme_scene(np.random.default_rng(seed)), list(OPTIONS)[seed % len(OPTIONS)]
@@ -54,7 +54,7 @@ def scenes_through_faces(seeds: Iterable[int], folder: Path, base: float) -> Ite
         yield _tried(face, seed, done, fault, base, text.encode())
 
 
-def damaged_through_commands(seeds: Iterable[int], files: Files, base: float) -> Iterator[Tried]:
+def damaged_through_commands(seeds: Iterable[int], files: Files, base: float) -> Generator[Tried]:
     """The commands that read a file of each kind; of a mesh the reader, as no command takes one."""
     for seed in seeds:
         given = files.input(seed)

@@ -7,6 +7,7 @@ each new load counts.
 import ctypes
 import gc
 import multiprocessing
+import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from multiprocessing.connection import Connection
@@ -39,28 +40,34 @@ class Growth:
         return "" if self.gained < MOST[self.function] else f"grows by {self.gained / 1e6:.1f} MB"
 
 
-def growth_of(function: str, calls: int) -> Growth:
+def growth_of(function: str, calls: int, *, seconds: float = np.inf) -> Growth:
+    """The memory gained by so many calls, or by as many as there is time for."""
     receiver, sender = multiprocessing.Pipe(duplex=False)
-    process = multiprocessing.Process(target=_measure, args=(function, calls, sender))
+    process = multiprocessing.Process(target=_measure, args=(function, calls, seconds, sender))
     process.start()
     sender.close()
     try:
-        gained = receiver.recv()
+        done, gained = receiver.recv()
     except EOFError:
-        gained = np.inf
+        done, gained = calls, np.inf
     process.join()
-    return Growth(function, calls, gained)
+    return Growth(function, done, gained)
 
 
-def _measure(function: str, calls: int, sender: Connection) -> None:
+def _measure(function: str, calls: int, seconds: float, sender: Connection) -> None:
     call = {"friction_torque": _torque, "solve_contact": _contact}[function](calls)
-    warm = max(round(WARM * calls), 1)
-    for number in range(warm):
-        call(number)
-    before = resident()
-    for number in range(warm, calls):
-        call(number)
-    sender.send(resident() - before)
+    begun, done = time.monotonic(), 0
+
+    def call_until(share: float) -> float:
+        """The memory after this share of the calls, or of the time."""
+        nonlocal done
+        while done < max(share * calls, 1) and time.monotonic() - begun < share * seconds:
+            call(done)
+            done += 1
+        return resident()
+
+    before = call_until(WARM)
+    sender.send((done, call_until(1.0) - before))
 
 
 def oiled() -> Scene:

@@ -9,7 +9,7 @@ import json
 import os
 import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -63,7 +63,7 @@ class Killed:
     fault: str  # "" where there is none
 
 
-def kills(count: int, seed: int, report: Path, solved: Path) -> Iterator[Killed]:
+def kills(count: int, seed: int, report: Path, solved: Path) -> Generator[Killed]:
     """Disturb the commands `count` times in turn, at random steps: nine times of ten by a kill.
 
     report : a folder with a report;  solved : a file with its contacts, pickled

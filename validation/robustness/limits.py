@@ -8,7 +8,7 @@ import os
 import resource
 import shutil
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -135,7 +135,7 @@ ODD_FILES: dict[str, Callable[[Path], object]] = {
 }
 
 
-def ended(report: Path, *, every: int = 1) -> Iterator[Ended]:
+def ended(report: Path, *, every: int = 1) -> Generator[Ended]:
     """Every command in every situation; report : a folder with a report; every : take only every so many of them."""
     number = 0
     for situation in situations():

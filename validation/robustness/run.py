@@ -24,11 +24,15 @@ import sys
 import tempfile
 import time
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
+from contextlib import closing
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from functools import cached_property
 from pathlib import Path
+from typing import TypeVar
+
+import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # for adversary
 
@@ -44,6 +48,7 @@ from watched import Tried, tried
 
 from fembearing.report.folder import write_report
 
+Each = TypeVar("Each")
 RECORD, FIRST_ROW = "robustness.md", 6  # the line of the page
 MOST_REFUSED = 0.8  # share of the inputs; with more, the draw tests little but the first check of a reader
 ENOUGH = 40  # inputs for a share that means something
@@ -97,6 +102,7 @@ def main(argv: list[str] | None = None) -> int:
         parser.add_argument(
             f"--{name}", type=int, help=f"in place of {getattr(LONG, name)}, {getattr(SHORT, name)} short"
         )
+    parser.add_argument("--minutes", type=float, default=np.inf, help="a row ends then, with as many tries as it has")
     parser.add_argument("--before", default="", help="what the tests of a mutant are started by, as 'nice -n 15'")
     parser.add_argument("--out", type=Path, help=f"folder for {RECORD} and mutation.csv; nothing is written without it")
     parser.add_argument("--keep", type=Path, default=Path("robustness-faults"), help="folder for inputs with a fault")
@@ -132,6 +138,15 @@ class Place:
     folder: Path
     options: argparse.Namespace
     budget: Budget
+
+    def within_minutes(self, results: Generator[Each]) -> Iterator[Each]:
+        """The results that come in time."""
+        begun = time.monotonic()
+        with closing(results):
+            for each in results:
+                yield each
+                if time.monotonic() - begun > 60 * self.options.minutes:
+                    return
 
     @property
     def seeds(self) -> range:
@@ -182,9 +197,9 @@ def damaged(place: Place) -> Iterator[Row]:
         yield gathered("damaged, commands", found, place)
 
 
-def gathered(part: str, results: Iterator[Tried], place: Place) -> Row:
+def gathered(part: str, results: Generator[Tried], place: Place) -> Row:
     row = Row(part)
-    for each in results:
+    for each in place.within_minutes(results):
         row.outcomes["faults" if each.is_fault else each.outcome] += 1
         row.slowest, row.largest = max(row.slowest, each.seconds), max(row.largest, each.memory)
         if each.is_fault:
@@ -198,7 +213,7 @@ def gathered(part: str, results: Iterator[Tried], place: Place) -> Row:
 
 def killed(place: Place) -> Iterator[Row]:
     rows: dict[str, Row] = {}
-    for each in kills(place.budget.kills, place.options.seed, place.report, place.solved):
+    for each in place.within_minutes(kills(place.budget.kills, place.options.seed, place.report, place.solved)):
         row = rows.setdefault(each.command, Row(f"kills, {each.command}"))
         row.outcomes[f"{each.what} at {each.step.split()[0]}"] += 1
         row.faults += [f"{each.what} at {each.step}: {each.fault}"] if each.fault else []
@@ -207,7 +222,7 @@ def killed(place: Place) -> Iterator[Row]:
 
 def limited(place: Place) -> Iterator[Row]:
     row = Row("limits")
-    for each in ended(place.report, every=place.budget.every):
+    for each in place.within_minutes(ended(place.report, every=place.budget.every)):
         row.outcomes[each.outcome] += 1
         row.faults += [f"{each.situation}, {each.command}: {each.fault}"] if each.fault else []
     yield row
@@ -215,8 +230,8 @@ def limited(place: Place) -> Iterator[Row]:
 
 def growing(place: Place) -> Iterator[Row]:
     for function, calls in zip(MOST, place.budget.calls, strict=True):
-        found = growth_of(function, calls)
-        row = Row(f"growth, {function}", Counter(calls=calls), [found.fault] if found.fault else [])
+        found = growth_of(function, calls, seconds=60 * place.options.minutes)
+        row = Row(f"growth, {function}", Counter(calls=found.calls), [found.fault] if found.fault else [])
         row.largest = max(found.gained, 0.0)
         yield row
 

@@ -12,7 +12,7 @@ import signal
 import sys
 import time
 import warnings
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Generator, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from multiprocessing.connection import Connection, wait
@@ -71,7 +71,7 @@ class Input:
     run: Callable[[], object]
 
 
-def tried(make: Callable[[int], Input], seeds: Iterable[int], *, jobs: int = 1) -> Iterator[Tried]:
+def tried(make: Callable[[int], Input], seeds: Iterable[int], *, jobs: int = 1) -> Generator[Tried]:
     """Make the input of each seed and run it, in `jobs` processes."""
     context = multiprocessing.get_context("fork")
     every = list(seeds)
@@ -88,21 +88,26 @@ def tried(make: Callable[[int], Input], seeds: Iterable[int], *, jobs: int = 1) 
 
     for number in ahead:
         start(number)
-    while at_work:
-        for receiver in cast("list[Connection]", wait([*at_work])):
-            number, process = at_work[receiver]
-            try:
-                result = receiver.recv()
-            except EOFError:
-                del at_work[receiver]
-                process.join()
-                if ahead[number]:
-                    seed = ahead[number].pop(0)
-                    yield Tried("unknown", seed, f"the process ended with status {process.exitcode}", 0.0, 0.0)
-                    start(number)
-            else:
-                ahead[number].remove(result.seed)
-                yield result
+    try:
+        while at_work:
+            for receiver in cast("list[Connection]", wait([*at_work])):
+                number, process = at_work[receiver]
+                try:
+                    result = receiver.recv()
+                except EOFError:
+                    del at_work[receiver]
+                    process.join()
+                    if ahead[number]:
+                        seed = ahead[number].pop(0)
+                        yield Tried("unknown", seed, f"the process ended with status {process.exitcode}", 0.0, 0.0)
+                        start(number)
+                else:
+                    ahead[number].remove(result.seed)
+                    yield result
+    finally:
+        for _, process in at_work.values():  # of results that nobody waits for
+            process.terminate()
+            process.join()
 
 
 def _work(make: Callable[[int], Input], seeds: list[int], sender: Connection) -> None:
