@@ -1,8 +1,10 @@
 """A solved contact as named columns of one value each: what datasets, sweeps and notebooks show."""
 
+import math
 from collections.abc import Mapping
 from typing import Any
 
+from analytic.errors import InputError
 from analytic.labelled import Column, Labelled, dataset_of, html_table
 from fembearing.quantities import CONTACT, QUANTITIES
 
@@ -22,6 +24,19 @@ COLUMNS: dict[str, Column] = {
     "unknowns": Column("1", "unknowns of the finest mesh"),
 }
 VERDICT = "verdict"  # a word that goes with the columns
+
+
+def require_finite_columns(values: Mapping[str, float]) -> None:
+    """Raise InputError for a number that is not finite, so that no face of the result shows it.
+
+    values : of COLUMNS
+    """
+    for name, value in values.items():
+        if not math.isfinite(value):
+            raise InputError(
+                f"the {COLUMNS[name].meaning} comes out as {value:g} under a load of {values['load']:g} N: the numbers "
+                "of the scene lie beyond what can be computed; give usual ones"
+            )
 
 
 def contact_dataset(values: Mapping[str, float], attributes: Mapping[str, Any]) -> Any:

@@ -14,7 +14,7 @@ from analytic.errors import require_non_negative
 from analytic.scene import Contact, Pair, Scene
 from analytic.scenefile.by_name import Given, with_tolerance
 from fembearing.compare.contact.approach_curve import ApproachCurve, approach_over_load
-from fembearing.compare.contact.columns import VERDICT, contact_dataset, contact_html
+from fembearing.compare.contact.columns import VERDICT, contact_dataset, contact_html, require_finite_columns
 from fembearing.compare.contact.comparison_error import Comparison, comparison_of
 from fembearing.compare.contact.grid_convergence import Estimate
 from fembearing.compare.contact.hertz import CorrectedHertz, corrected_hertz, hertz_quantities
@@ -61,6 +61,10 @@ class ContactSolution(Brief):
     pressure_profile: Profiles
     refinement: Refinement = "levels"  # how the error of the meshes was removed
     peak_memory: int | None  # of the process when the contact was solved, bytes
+
+    def __post_init__(self) -> None:
+        """Raises InputError for a number that is not finite."""
+        require_finite_columns(self.columns())
 
     def _facts(self) -> Iterator[str]:
         yield from (self.contact.pair, self.geometry, f"{self.contact.load:.4g} N", self.shown_verdict)
@@ -336,8 +340,7 @@ def compare_contact(
 
     accuracy : required of the finite elements, relative; the tolerance unless given
     Finer levels follow where one misses the accuracy, or leaves a verdict undecided that a finer mesh could decide. A
-    sheet has no verdict; only its approach and stiffness
-    must reach the accuracy.
+    sheet has no verdict; only its approach and stiffness must reach the accuracy.
     """
     start = time.perf_counter()
     contact = as_meshed(contact, recipe=recipe)

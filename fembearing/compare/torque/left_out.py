@@ -23,7 +23,7 @@ class LeftOut:
     axial_load: float  # N
     radial_load: float  # N
     moment: float  # N m
-    reason: str
+    reason: str  # why, in words
 
 
 @dataclass(frozen=True, kw_only=True)

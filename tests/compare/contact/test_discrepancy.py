@@ -1,5 +1,6 @@
 """One contact by Hertz and by finite elements: what is reported against what was solved."""
 
+import math
 from collections.abc import Callable
 from dataclasses import replace
 from io import StringIO
@@ -8,6 +9,7 @@ from types import SimpleNamespace
 import pytest
 from rich.console import Console
 
+from analytic.errors import InputError
 from analytic.scene import Contact
 from fembearing.compare.contact import discrepancy as module
 from fembearing.compare.contact.discrepancy import ContactSolution, compare_contact
@@ -46,6 +48,25 @@ def test_each_shoulder_that_is_reached_is_named_with_its_side_and_distance(cut_c
     assert "half of" not in " ".join(shoulder_lines(contact_table(equal)))
     warning = shoulder_warning(unequal.contact, Reference(**{part: getattr(unequal, part) for part in PARTS}))
     assert "cut off on both sides, its shoulders stand at y = -0.865 mm and 0.800 mm" in warning
+
+
+@pytest.mark.parametrize(
+    ("part", "changed", "words"),
+    [
+        ("estimates", {"mesh": math.nan}, "numerical uncertainty of the approach, relative, 95 % comes out as nan"),
+        ("estimates", {"beyond": math.inf}, "approach, finite elements comes out as inf"),
+        ("hertz", {"approach": math.nan}, "approach, Hertz comes out as nan"),
+    ],
+)
+def test_a_contact_with_a_number_that_is_not_finite_is_no_result(
+    cut_contact: ContactSolution, part: str, changed: dict[str, float], words: str
+) -> None:
+    if part == "hertz":
+        whole: object = replace(cut_contact.hertz, **changed)
+    else:
+        whole = cut_contact.estimates | {"approach": replace(cut_contact.estimates["approach"], **changed)}
+    with pytest.raises(InputError, match=words):
+        replace(cut_contact, **{part: whole})
 
 
 def test_the_pressure_of_a_cut_contact_is_not_called_its_peak(cut_contact: ContactSolution) -> None:
@@ -132,7 +153,7 @@ def test_an_ellipse_within_a_twentieth_of_its_shoulder_is_not_judged(
 ) -> None:
     contact = contacts["inner"]
     solved = replace(hertz_quantities(contact), semi_axis_transverse=0.9e-3)
-    meshes = (SimpleNamespace(level=3, quantities=solved, shoulder=None),)
+    meshes = (SimpleNamespace(level=3, quantities=solved, shoulder=None, unknowns=7),)
     values = {name: 3 * (value,) for name, value in vars(solved).items()}
     estimates = {name: Estimate(values=part, order=None, richardson=None, mesh=0.001) for name, part in values.items()}
     reference = SimpleNamespace(meshes=meshes, estimates=estimates, shoulder={}, refinement="twin")
