@@ -62,6 +62,16 @@ def test_nodes_lie_on_seat_groove_and_lands(contact: Contact) -> None:
     assert mesh_quality(body.mesh).valid
 
 
+@pytest.mark.parametrize(("thickness", "reach"), [(3.1e-3, 4 * 3.1e-3), (14.7e-3, 0.9 * np.pi * 15.53e-3)])
+def test_the_piece_reaches_four_thicknesses_and_never_round_the_whole_ring(thickness: float, reach: float) -> None:
+    """Along the bottom of the groove, from under the ball to the cut."""
+    ring = replace(INNER_RING, seat_radius=INNER_RING.bottom_radius - thickness)
+    piece = ring_piece(replace(INNER, ring=ring), RACE, 2, AXES)
+    end = piece.body.mesh.doflocs[:, piece.end]
+    angle = np.arctan2(end[0], ring.bottom_radius + end[2])
+    np.testing.assert_allclose(angle * ring.bottom_radius, reach, rtol=1e-9)  # round-off
+
+
 @BOTH
 def test_its_volume_is_that_of_the_revolved_section(contact: Contact) -> None:
     ring, piece = ring_of(contact), ring_piece(contact, RACE, 3, AXES)

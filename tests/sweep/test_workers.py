@@ -21,7 +21,7 @@ import dask.config
 import distributed
 import pytest
 
-from analytic.errors import InputError
+from analytic.errors import FembearingError, InputError
 from fembearing.sweep import cluster, parts
 from fembearing.sweep.cluster import AHEAD, LostWorkerError, each_done
 from fembearing.sweep.grid import load_grid
@@ -103,6 +103,24 @@ import sys
 import fembearing
 fembearing.run_sweep(sys.argv[1], out=sys.argv[2])
 """
+
+
+@pytest.mark.parametrize(("workers", "expected"), [(None, 5), (3, 3), (40, 7)])
+def test_there_is_a_process_for_each_core_unless_a_number_is_given(
+    monkeypatch: pytest.MonkeyPatch, workers: int | None, expected: int
+) -> None:
+    """And never more of them than tasks."""
+    asked: list[int] = []
+
+    def start(**options: Any) -> None:
+        asked.append(options["n_workers"])
+        raise RuntimeError("they end at once")
+
+    monkeypatch.setattr("distributed.LocalCluster", start)
+    monkeypatch.setattr("dask.system.CPU_COUNT", 5)
+    with pytest.raises(FembearingError, match="end as soon as they start"):
+        next(each_done(operator.neg, {number: (number,) for number in range(7)}, workers=workers))
+    assert asked == [expected]
 
 
 @pytest.mark.slow

@@ -102,6 +102,18 @@ def test_approaches_are_in_micrometres_with_their_intervals(document: Report) ->
     assert np.isnan(points_of(line_of(figure.axes[4], "Hertz, corrected"))[:, 0]).all()  # no fit reaches a pocket
 
 
+def test_contacts_stand_side_by_side_in_rows_of_equal_length(document: Report) -> None:
+    """At most four beside each other, each with its two panels one above the other."""
+    for count, rows, columns in ((2, 1, 2), (4, 1, 4), (5, 2, 3), (9, 3, 3)):
+        contacts = (3 * list(document.contacts))[:count]
+        figure, _ = approach_plot(document.model_copy(update={"contacts": contacts}))
+        places = [present(panel.get_subplotspec()) for panel in present(figure).axes]
+        found = [(place.rowspan.start, place.colspan.start) for place in places]
+        assert len(found) == 2 * count
+        assert {row for row, _ in found} == {*range(2 * rows)}
+        assert {column for _, column in found} == {*range(columns)}
+
+
 def test_pressure_is_drawn_in_semi_axes_and_less_hertz(checked: Validation) -> None:
     document = report_of(checked)
     figure = present(pressure_plot(document)[0])

@@ -1,0 +1,31 @@
+"""The figure of a torque alone: by its operating points a series or bars, and for one point a bar for each part."""
+
+import numpy as np
+import pytest
+
+from analytic.scenefile.read import parse_scene
+from fembearing.compare.torque.scene_torque import torque_of_scene
+from fembearing.report.figures.torque_alone import figure_of_torque
+from tests.analytic.scenefile.scene_texts import OILED, SPEEDS, changed
+
+
+def test_one_point_has_a_bar_for_each_part_with_its_number() -> None:
+    result = torque_of_scene(parse_scene(changed(SPEEDS, '"300 rpm"', OILED), origin="here"))
+    (panel,) = figure_of_torque(result).axes
+    names = [label.get_text() for label in panel.get_yticklabels()]
+    parts = [part for part in vars(result.friction.torque).values() if part is not None]
+    assert names[-1] == "total"
+    assert len(names) < len(parts) + 1
+    widths = [patch.get_width() for patch in panel.patches]  # pyright: ignore[reportAttributeAccessIssue]
+    assert widths[-1] == pytest.approx(1e3 * result.friction.torque.total[0], rel=1e-12)  # N mm
+    assert np.sum(widths[:-1]) == pytest.approx(widths[-1], rel=1e-9)  # round-off of the sum
+    numbers = [each.get_text() for each in panel.texts]
+    assert numbers[-1] == f"{widths[-1]:.4g}"
+
+
+def test_points_at_several_speeds_are_a_line_over_speed() -> None:
+    result = torque_of_scene(parse_scene(changed(SPEEDS, '["300 rpm", "700 rpm"]', OILED), origin="here"))
+    (panel,) = figure_of_torque(result).axes
+    assert "speed" in panel.get_xlabel()
+    (total,) = (line for line in panel.lines if line.get_label() == "total")
+    np.testing.assert_allclose(np.asarray(total.get_ydata()), 1e3 * result.friction.torque.total, rtol=1e-12)
