@@ -131,18 +131,21 @@ def tabulated_asperities(*, summits: Summits, modulus: float, hardness: float) -
     v = v[np.diff(v, prepend=-np.inf) > 1e-6]  # one of two knots that nearly coincide
     t = np.sinh(v)
     load, area, _ = summit_integrals(t, np.full_like(t, yielding))
-    if not (np.all(load > 0) and np.all(area > 0)):  # the loads of nearly flat summits underflow
+    higher, scaled = _log_upper_tails(t), np.maximum(t, 0.0) ** 2 / 2
+    with np.errstate(divide="ignore"):
+        log_load, log_area = np.log(load) - scaled, np.log(area) - scaled
+    falling = np.arcsinh(log_load)
+    # The loads of nearly flat summits underflow, or differ by round-off alone.
+    if not (np.all(load > 0) and np.all(area > 0) and np.all(np.diff(falling) < 0)):
         raise InputError(
             f"summits of radius {length_of(float(summits.radius))} whose heights deviate by {length_of(deviation)} are "
             "all but flat: give a rougher surface, or an rms_roughness of 0"
         )
-    higher, scaled = _log_upper_tails(t), np.maximum(t, 0.0) ** 2 / 2
-    log_load, log_area = np.log(load) - scaled, np.log(area) - scaled
     log_area_scale = float(np.log(np.pi * summits.radius * summits.density * deviation))
     cubics, (pressure_pieces, area_pieces, height_pieces) = together(
         smooth_cubic(v, log_load - higher),
         smooth_cubic(v, log_area - higher),
-        smooth_cubic(np.arcsinh(log_load[::-1]), v[::-1]),
+        smooth_cubic(falling[::-1], v[::-1]),
     )
     return AsperityTable(
         summits=summits,
