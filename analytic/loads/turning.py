@@ -52,14 +52,30 @@ def ruled_forces(
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class RuledTurning:
-    """By closed kinematics at the pitch of outer control."""
+    """Balls that turn by closed kinematics, at the pitch of outer control."""
 
     bearing: Bearing
     inner_speed: Array  # (n,) w, rad/s, of any sign; the outer ring stands still
-    centrifugal: bool
-    gyroscopic: bool
+    centrifugal: bool  # whether the force counts
+    gyroscopic: bool  # whether the moment counts
 
     def motion(self, inner_angle: Array, outer_angle: Array) -> BallKinematics:
+        """The speeds of the balls for 1 rad/s of the inner ring.
+
+        Parameters
+        ----------
+        inner_angle, outer_angle : ndarray
+            Contact angles, rad, (n, m), in [-pi/2, pi/2].
+
+        Returns
+        -------
+        BallKinematics
+            Speeds over that of the inner ring, each (n, m).
+
+        Notes
+        -----
+        Source: [Harris2007]; `analytic.loads.kinematics.ball_kinematics` has the formulas.
+        """
         return ball_kinematics(
             inner_speed=1.0,
             inner_angle=inner_angle,

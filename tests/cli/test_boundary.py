@@ -21,7 +21,10 @@ def in_shell(line: str, *, cwd: Path, **environment: str) -> subprocess.Complete
     return subprocess.run(
         ["bash", "-c", line],
         cwd=cwd,
-        env={**os.environ, "PYTHONPATH": str(Path(cli.__file__).parents[2]), **environment},
+        # Byte code that a limit cuts short would be kept, and end every later start: Python 3.11 does not look.
+        env=os.environ
+        | {"PYTHONPATH": str(Path(cli.__file__).parents[2]), "PYTHONDONTWRITEBYTECODE": "1"}
+        | environment,
         capture_output=True,
         text=True,
         check=False,

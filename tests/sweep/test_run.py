@@ -2,6 +2,7 @@
 
 import re
 import shutil
+import sys
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -176,9 +177,12 @@ def test_missing_files_of_a_folder_are_computed_again(grid_file: Write, tmp_path
 
 @pytest.mark.usefixtures("in_process")
 @pytest.mark.parametrize(("space", "kept"), [(200, 0), (9_000, 0), (40_000, 48)])
-def test_a_full_disk_is_one_line_and_nothing_is_lost(grid_file: Write, tmp_path: Path, space: int, kept: int) -> None:
+def test_a_full_disk_is_one_line_and_nothing_is_lost(
+    grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, space: int, kept: int
+) -> None:
     """The disk is full when the grid, a piece, or the dataset is written."""
     resource = pytest.importorskip("resource")
+    monkeypatch.setattr(sys, "dont_write_bytecode", True)  # half of a file of it would be kept
     path, out = grid_file(AXES), tmp_path / "out"
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (space, limits[1]))

@@ -75,7 +75,9 @@ FREE = Limits()
 
 def run(arguments: Sequence[str], cwd: Path, limits: Limits = FREE, program: Sequence[str] = PROGRAM) -> Run:
     """Run a command in a folder; it and its children are ended after DEAF seconds."""
-    environment = {**os.environ, "PYTHONPATH": str(ROOT), "OMP_NUM_THREADS": "1", **limits.environment}
+    # Byte code that a limit cuts short would be kept, and end every later start: Python 3.11 does not look.
+    own = {"PYTHONPATH": str(ROOT), "OMP_NUM_THREADS": "1", "PYTHONDONTWRITEBYTECODE": "1"}
+    environment = {**os.environ, **own, **limits.environment}
     process = subprocess.Popen(
         [*limits.before, sys.executable, *program, *arguments],
         cwd=cwd,

@@ -34,7 +34,7 @@ def report_of(
             "verdicts": [row for contact in result.contacts if contact.judged for row in _verdicts(contact)],
             "uncertainties": WHY,
             "contacts": [contact.to_json() for contact in result.contacts],
-            "torque": None if torque is None else _torque(torque),
+            "torque": None if torque is None else torque.to_json(),
             "torque_change": None if change is None else change.to_json(),
             "cage_motion": None if torque is None else _cage_motion(torque),
             "cage_records": [record.drawn(most=INSTANTS) for record in result.cage_records],
@@ -74,11 +74,6 @@ def _verdicts(contact: ContactSolution) -> Iterator[dict[str, Any]]:
             "comparison": contact.comparisons[name].to_json(),
             "verdict": contact.verdicts[name],
         }
-
-
-def _torque(torque: SceneTorque) -> dict[str, Any]:
-    """The torque of a check, which leaves no operating point out."""
-    return {name: value for name, value in torque.to_json().items() if name != "left_out"}
 
 
 def _cage_motion(torque: SceneTorque) -> list[dict[str, Any]] | None:
