@@ -165,17 +165,6 @@ class Clearances(Table):
     ball_load: float
 
 
-class LeftOut(Table):
-    """An operating point without a torque, in rad/s, N and N m."""
-
-    point: Annotated[int, Field(ge=0)]  # number of the operating point, from 0
-    inner_speed: float
-    axial_load: float
-    radial_load: float
-    moment: float
-    reason: str  # why, in words
-
-
 class Torque(Table):
     """The friction torque that `fembearing torque` computes."""
 
@@ -195,7 +184,7 @@ class Torque(Table):
     inputs: list[StatedInput]
     other_candidate: OtherCandidate | None
     prediction: Prediction | None = None  # a report of before has none
-    left_out: list[LeftOut] = Field(default_factory=list, max_length=0)  # a check leaves no operating point out
+    left_out: list[dict[str, float | str]] = Field(default_factory=list, max_length=0)  # none in a check
 
     @model_validator(mode="after")
     def the_band_is_whole(self) -> "Torque":
