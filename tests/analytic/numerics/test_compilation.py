@@ -164,16 +164,22 @@ assert here.split(here.arguments()[0])[1][1, 0] == 1.4
 """
 
 
-def in_process(folder: Path) -> tuple[float, str, str]:
-    """Result of the function in a new process, whether numba is there, and what is said."""
-    done = subprocess.run(
-        [sys.executable, "-c", PROGRAM],
+def ended(program: str, folder: Path) -> subprocess.CompletedProcess[str]:
+    """A program in a new process, which keeps machine code in a folder."""
+    return subprocess.run(
+        [sys.executable, "-c", program],
         env=os.environ | {FOLDER: str(folder)},
         cwd=Path(__file__).parents[3],
         capture_output=True,
         text=True,
-        check=True,
+        check=False,
     )
+
+
+def in_process(folder: Path) -> tuple[float, str, str]:
+    """Result of the function in a new process, whether numba is there, and what is said."""
+    done = ended(PROGRAM, folder)
+    assert done.returncode == 0, done.stderr
     result, with_numba = done.stdout.split()
     return float(result), with_numba, done.stderr
 
@@ -221,13 +227,6 @@ def test_threads_may_make_the_first_call_together(tmp_path: Path) -> None:
     """LLVM takes one thread at a time: without a lock most such processes crash."""
     expected = sorted([fill(*arguments())[1], powers_of(0.7).sum()])
     for cache in ("empty", "filled"):
-        ended = subprocess.run(
-            [sys.executable, "-c", THREADS],
-            env=os.environ | {FOLDER: str(tmp_path)},
-            cwd=Path(__file__).parents[3],
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        assert ended.returncode == 0, (cache, ended.stderr)
-        assert [float(word) for word in ended.stdout.split()] == expected
+        done = ended(THREADS, tmp_path)
+        assert done.returncode == 0, (cache, done.stderr)
+        assert [float(word) for word in done.stdout.split()] == expected
