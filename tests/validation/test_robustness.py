@@ -8,7 +8,6 @@ import sys
 import warnings
 from argparse import Namespace
 from collections import Counter
-from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -22,17 +21,6 @@ from analytic.scenefile.read import parse_scene
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "validation" / "robustness"
 pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="calls are limited by signals and processes")
-
-
-@pytest.fixture(scope="module")
-def part() -> Iterator[Any]:
-    """Imports a file of the folder."""
-    import importlib
-
-    with pytest.MonkeyPatch.context() as patch:
-        for folder in (ROOT / "validation", FOLDER):
-            patch.syspath_prepend(folder)
-        yield importlib.import_module
 
 
 @pytest.fixture(scope="module")
