@@ -18,6 +18,7 @@ import os
 os.environ.setdefault("OMP_NUM_THREADS", "1")  # before NumPy loads its threads
 
 import argparse
+import compileall
 import pickle
 import shlex
 import sys
@@ -36,7 +37,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # for adversary
 
-from commands import run
+from commands import ROOT, run
 from damage import Files, solved_contacts
 from extreme import scene_input
 from faces import damaged_through_commands, scenes_through_faces
@@ -111,6 +112,8 @@ def main(argv: list[str] | None = None) -> int:
     given = {name: getattr(options, name) for name in ("inputs", "commands", "kills", "mutants")}
     budget = Budget(**vars(size) | {name: value for name, value in given.items() if value is not None})
     parts = options.parts or [part for part in PARTS if part != "mutation" or budget.mutants]
+    for package in ("analytic", "fembearing"):  # the commands keep no byte code, and would make it at each start
+        compileall.compile_dir(ROOT / package, quiet=1)
     begun, rows = time.perf_counter(), []
     with tempfile.TemporaryDirectory() as folder:
         place = Place(Path(folder), options, budget)
