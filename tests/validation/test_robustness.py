@@ -329,6 +329,18 @@ def test_no_two_loads_of_the_growth_are_alike(part: Any) -> None:
     assert (drawn.min(), drawn.max()) == pytest.approx((50.0, 2000.0))
 
 
+def test_growth_counts_all_calls_and_the_memory_after_the_first_ones(
+    part: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    growth, kept, sent = part("growth"), [0.0], []
+    monkeypatch.setattr(
+        growth, "_torque", lambda _: lambda number: kept.append(kept[-1] + (9.0 if number < 3 else 2.0))
+    )
+    monkeypatch.setattr(growth, "resident", lambda: kept[-1])
+    growth._measure("friction_torque", 30, math.inf, Namespace(send=sent.append))
+    assert sent == [(30, 27 * 2.0)]
+
+
 def test_the_short_form_names_its_parts() -> None:
     command = [sys.executable, FOLDER / "run.py", "--help"]
     words = subprocess.run(command, check=True, capture_output=True, text=True, timeout=120).stdout

@@ -66,8 +66,9 @@ def _measure(function: str, calls: int, seconds: float, sender: Connection) -> N
             done += 1
         return resident()
 
-    before = call_until(WARM)
-    sender.send((done, call_until(1.0) - before))
+    gained = -call_until(WARM)
+    gained += call_until(1.0)
+    sender.send((done, gained))
 
 
 def oiled() -> Scene:
