@@ -10,6 +10,7 @@ import numpy as np
 
 from analytic.contact.factors import ContactCorrection
 from analytic.effects.ledger import Ledger, share_in
+from analytic.effects.limits import require_on_grooves
 from analytic.effects.loads import ChosenBalls, chosen_balls
 from analytic.effects.sliding import Resisting, decide_creep, decide_sliding, decide_whether_sliding, mixed_contacts
 from analytic.effects.table import ENTRIES
@@ -90,6 +91,8 @@ def race_torque(
     allowed = scene.tolerance - ledger.left_out
 
     if slides and creep is not None:
+        # Where there is no contact, the search for the balls' rotation takes seconds.
+        require_on_grooves(scene.bearing, operation, chosen.balls)
         problem = FreeProblem(
             bearing=scene.bearing,
             contact_angle=scene.contact_angle,

@@ -94,11 +94,11 @@ def check_limits(scene: Scene, operation: Operation, balls: LoadedBalls, ledger:
     operation : every array (n,)
     Raises InputError for a contact that has left its race.
     """
-    distance = _shoulder_distance(scene.bearing, balls)
+    distance = require_on_grooves(scene.bearing, operation, balls)
     low = with_shoulders(scene.bearing, USUAL_SHOULDERS[0])
     lowest = distance if low is scene.bearing else _shoulder_distance(low, balls)
     warnings = (
-        *_shoulder(distance, operation, balls, ledger),
+        *_shoulder(distance, balls, ledger),
         *_plasticity(balls, ledger),
     )
     cut_off = cut_off_share(np.maximum(lowest, 0.0), balls.contact.semi_axis_y).max(axis=2)
@@ -134,6 +134,29 @@ def check_limits(scene: Scene, operation: Operation, balls: LoadedBalls, ledger:
     )
 
 
+def require_on_grooves(bearing: Bearing, operation: Operation, balls: LoadedBalls) -> Array:
+    """(2, n, m) from the contacts' centres to their nearer shoulders, m; infinite without load, NaN if not known.
+
+    operation : every array (n,)
+    Raises InputError for a contact that has left its race.
+    """
+    distance = _shoulder_distance(bearing, balls)
+    for index, name in enumerate(RACES):
+        if not np.any(distance[index] <= 0):
+            continue
+        point, ball = np.unravel_index(np.nanargmin(distance[index]), distance[index].shape)
+        angles = balls.contact_angle[:, point, ball]
+        # The ball's inertia separates its two angles: without it both would be near their mean.
+        separated = np.min(shoulder_distances(bearing, name, contact_angle=angles.mean())) > 0
+        speed = f"the speed of {speed_of(operation.inner_speed[point])}, whose centrifugal force moves it there"
+        raise InputError(
+            f"{_loads(operation, int(point))}: the contact moves to {angle_of(angles[index])}, beyond the {name} "
+            f"race's shoulder: lower {speed if separated else 'the load'}, reduce the clearance or raise "
+            "shoulder_half_width"
+        )
+    return distance
+
+
 def cut_off_share(distance: Array, semi_axis: Array) -> Array:
     """Share of an ellipse's load beyond a line across it, of one shape: (2 - 3 t + t^3)/4, t = distance/semi_axis.
 
@@ -156,24 +179,13 @@ def _shoulder_distance(bearing: Bearing, balls: LoadedBalls) -> Array:
     return np.where(balls.load > 0, distance, np.inf)
 
 
-def _shoulder(distance: Array, operation: Operation, balls: LoadedBalls, ledger: Ledger) -> Iterator[str]:
-    b, bearing = balls.contact.semi_axis_y, ledger.scene.bearing
+def _shoulder(distance: Array, balls: LoadedBalls, ledger: Ledger) -> Iterator[str]:
+    b = balls.contact.semi_axis_y
     left, nearest, unknown = np.inf, ENTRIES["shoulder"].idle, []
     for index, name in enumerate(RACES):
         if np.isnan(distance[index]).any():
             unknown.append(name)
             continue
-        point, ball = np.unravel_index(np.argmin(distance[index]), distance[index].shape)
-        if distance[index, point, ball] <= 0:
-            angles = balls.contact_angle[:, point, ball]
-            # The ball's inertia separates its two angles: without it both would be near their mean.
-            separated = np.min(shoulder_distances(bearing, name, contact_angle=angles.mean())) > 0
-            speed = f"the speed of {speed_of(operation.inner_speed[point])}, whose centrifugal force moves it there"
-            raise InputError(
-                f"{_loads(operation, int(point))}: the contact moves to {angle_of(angles[index])}, beyond the {name} "
-                f"race's shoulder: lower {speed if separated else 'the load'}, reduce the clearance or raise "
-                "shoulder_half_width"
-            )
         worst = np.unravel_index(np.argmin(distance[index] - b[index]), distance[index].shape)
         axis, space = b[index][worst], distance[index][worst]
         if space - axis < left:

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from analytic.effects.table import LIMITS, PER_CUT_SHARE
+from analytic.errors import InputError
 from analytic.result import FrictionTorque
 from analytic.scene import Bearing, Cage, ContactAngle, Operation, Scene
 from analytic.torque import friction_torque
@@ -159,3 +160,13 @@ def test_the_torque_with_unknown_shoulders_is_more_uncertain(scene: Scene) -> No
         apart = np.abs(unknown.torque.total / other.torque.total - 1)
         assert (apart < unknown.numerical_uncertainty).all()
     assert any("shoulder not known" in warning for warning in unknown.warnings)
+
+
+def test_a_ball_beyond_its_shoulder_is_refused_before_its_rotation_is_sought(
+    scene: Scene, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The search takes seconds for loads that no groove holds: 3 kN m tilt the inner race out of the balls' way."""
+    monkeypatch.setattr("analytic.races.slide_freely", None)
+    tilted = replace(scene.operation, moment=3000.0)
+    with pytest.raises(InputError, match=r"beyond the \w+ race's shoulder: lower the load"):
+        friction_torque(replace(scene, spin_rule="free", operation=tilted, contact_angle=ContactAngle(rule="solved")))
