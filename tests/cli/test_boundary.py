@@ -14,7 +14,7 @@ from analytic.errors import ResourceError, StorageError
 from fembearing import cli
 
 POSIX = pytest.mark.skipif(os.name == "nt", reason="signals, limits and devices of POSIX")
-RUN = f'"{sys.executable}" -m fembearing.cli'
+RUN = f'"{sys.executable}" -m fembearing'
 
 
 def in_shell(line: str, *, cwd: Path, **environment: str) -> subprocess.CompletedProcess[str]:

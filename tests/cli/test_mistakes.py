@@ -81,7 +81,7 @@ def test_a_mistyped_command_gets_one_line_too(command, arguments: list[str], wor
 def test_a_result_that_cannot_be_written_is_a_failure(tmp_path: Path, target: str, status: int) -> None:
     if not Path("/dev/full").exists():
         pytest.skip("this system has no /dev/full")
-    line = f'"{sys.executable}" -m fembearing.cli mesh --level 1 --out "{tmp_path}/made" --json {target}'
+    line = f'"{sys.executable}" -m fembearing mesh --level 1 --out "{tmp_path}/made" --json {target}'
     script = f"{line}; exit ${{PIPESTATUS[0]}}"
     done = subprocess.run(["bash", "-c", script], capture_output=True, text=True, check=False)
     assert done.returncode == status, done.stderr

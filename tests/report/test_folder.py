@@ -168,7 +168,7 @@ def test_a_second_signal_does_not_stop_the_clearing_up(tmp_path: Path, monkeypat
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows ends a process without a signal")
 def test_a_process_that_is_told_to_end_leaves_nothing(tmp_path: Path) -> None:
-    run = subprocess.Popen([sys.executable, "-m", "fembearing.cli", "validate", "--out", str(tmp_path / "report")])
+    run = subprocess.Popen([sys.executable, "-m", "fembearing", "validate", "--out", str(tmp_path / "report")])
     try:
         for _ in range(600):  # the folder is there before anything is computed
             if list(tmp_path.iterdir()):
