@@ -5,6 +5,7 @@ turns in a browser. Where VTK cannot draw, a plain map of the pressure takes the
 """
 
 import json
+import re
 import subprocess
 import sys
 from collections.abc import Callable, Sequence
@@ -28,6 +29,7 @@ from fembearing.report.pictures.framing import Frame, PressureScale, frame_of
 from fembearing.report.pictures.plain_map import draw_map
 
 RENDERER = (sys.executable, "-m", "fembearing.report.pictures.render")
+COLOURS = re.compile(r"\x1b\[[0-9;]*m")  # of a terminal, in what VTK says
 PATIENCE = 300  # s for all pictures; they take about ten
 LIFTED = 0.35  # of the ball's radius: how far it is drawn off the race
 
@@ -138,7 +140,7 @@ def _run(renderer: Sequence[str], jobs: bytes) -> tuple[int, list[str]] | None:
         finally:
             limit.cancel()
             process.kill()
-    return None if late.is_set() else (status, said.strip().splitlines())
+    return None if late.is_set() else (status, COLOURS.sub("", said).strip().splitlines())
 
 
 def _jobs(contact: ContactSolution, folder: Path) -> list[dict[str, Any]]:
