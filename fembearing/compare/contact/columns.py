@@ -26,16 +26,16 @@ COLUMNS: dict[str, Column] = {
 VERDICT = "verdict"  # a word that goes with the columns
 
 
-def require_finite_columns(values: Mapping[str, float]) -> None:
+def require_finite_results(values: Mapping[str, float | None], *, of: str) -> None:
     """Raise InputError for a number that is not finite, so that no face of the result shows it.
 
-    values : of COLUMNS
+    values : by their meaning; None where one is left out;  of : what they belong to
     """
-    for name, value in values.items():
-        if not math.isfinite(value):
+    for meaning, value in values.items():
+        if value is not None and not math.isfinite(value):
             raise InputError(
-                f"the {COLUMNS[name].meaning} comes out as {value:g} under a load of {values['load']:g} N: the numbers "
-                "of the scene lie beyond what can be computed; give usual ones"
+                f"the {meaning} comes out as {value:g}, {of}: the numbers of the scene lie beyond what can be "
+                "computed; give usual ones"
             )
 
 

@@ -14,7 +14,7 @@ from analytic.errors import require_non_negative
 from analytic.scene import Contact, Pair, Scene
 from analytic.scenefile.by_name import Given, with_tolerance
 from fembearing.compare.contact.approach_curve import ApproachCurve, approach_over_load
-from fembearing.compare.contact.columns import VERDICT, contact_dataset, contact_html, require_finite_columns
+from fembearing.compare.contact.columns import COLUMNS, VERDICT, contact_dataset, contact_html, require_finite_results
 from fembearing.compare.contact.comparison_error import Comparison, comparison_of
 from fembearing.compare.contact.grid_convergence import Estimate
 from fembearing.compare.contact.hertz import CorrectedHertz, corrected_hertz, hertz_quantities
@@ -64,7 +64,8 @@ class ContactSolution(Brief):
 
     def __post_init__(self) -> None:
         """Raises InputError for a number that is not finite."""
-        require_finite_columns(self.columns())
+        found = {COLUMNS[name].meaning: value for name, value in self.columns().items()}
+        require_finite_results(found, of=f"{self.contact.pair} under {self.contact.load:g} N")
 
     def _facts(self) -> Iterator[str]:
         yield from (self.contact.pair, self.geometry, f"{self.contact.load:.4g} N", self.shown_verdict)

@@ -19,7 +19,7 @@ from analytic.errors import InputError, require_non_negative
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.scene import Contact, Pair, Scene
 from analytic.scenefile.by_name import Given, with_tolerance
-from fembearing.compare.contact.columns import COLUMNS, VERDICT
+from fembearing.compare.contact.columns import COLUMNS, VERDICT, require_finite_results
 from fembearing.compare.contact.grid_convergence import Estimate
 from fembearing.compare.contact.hertz import hertz_quantities
 from fembearing.compare.contact.mesh_refinement import estimates_of
@@ -67,6 +67,17 @@ class LoadPoint:
     tangent: float | None  # by finite elements; None for a single load
     tangent_uncertainty: float | None  # None without a third load, which shows the deviation from a power law
     verdict: Verdict  # on Hertz's approach
+
+    def __post_init__(self) -> None:
+        """Raises InputError for a number that is not finite."""
+        found = {
+            "approach": self.approach.value,
+            "uncertainty of the approach": self.approach.total,
+            "approach by Hertz": self.hertz_approach,
+            "tangent": self.tangent,
+            "uncertainty of the tangent": self.tangent_uncertainty,
+        }
+        require_finite_results(found, of=f"under {self.load:g} N")
 
     @property
     def discrepancy(self) -> float:

@@ -7,6 +7,7 @@ interference fit on a stiff shaft or in a stiff housing.
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from fembearing.compare.contact.columns import require_finite_results
 from fembearing.compare.contact.grid_convergence import Estimate
 from fembearing.fem.ring_structure import block_compression, ring_compression
 from fembearing.fem.solution import MeshSolution
@@ -26,6 +27,10 @@ class RingStructure:
     mesh: float  # m, half-width from the meshes
     domain: float  # m, half-width from the block that stands for the half space
     reach: float  # m, half-width from the length of the meshed piece of the ring
+
+    def __post_init__(self) -> None:
+        """Raises InputError for a number that is not finite."""
+        require_finite_results({"part of the approach": self.approach, "uncertainty": self.uncertainty}, of="ring")
 
     @property
     def uncertainty(self) -> float:

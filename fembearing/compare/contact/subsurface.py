@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from analytic.contact.subsurface import subsurface_maximum
+from fembearing.compare.contact.columns import require_finite_results
 from fembearing.compare.contact.discrepancy import ContactSolution
 from fembearing.compare.contact.grid_convergence import FINEST, LEAST, UNSTEADY
 from fembearing.fem.subsurface import Array, Side, SubsurfaceStress, subsurface_stress
@@ -26,6 +27,12 @@ class SubsurfaceComparison:
     hertz: dict[str, float]
     fe: dict[str, float]  # on the finest mesh
     uncertainty: dict[str, float]  # half-widths, Pa and m; not relative, as a depth may be 0
+
+    def __post_init__(self) -> None:
+        """Raises InputError for a number that is not finite."""
+        for by, numbers in (("Hertz", self.hertz), ("finite elements", self.fe), ("its uncertainty", self.uncertainty)):
+            found = {name.replace("_", " "): value for name, value in numbers.items()}
+            require_finite_results(found, of=f"{by}, below the {self.side} surface")
 
     def discrepancy(self, name: str) -> float | None:
         """Production over reference less one; None for the depth of a maximum on the surface, of either."""
