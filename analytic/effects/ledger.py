@@ -93,11 +93,14 @@ class Ledger:
 
     def leaves_out(self, bound: Array) -> bool:
         """Whether something with this bound, (n,), fits into what the budget leaves; if so, it counts as left out."""
-        together = self.left_out + (1 + self.left_out) * bound
-        if not _largest(together) <= self.budget:
+        if not self.fits(bound):
             return False
-        self.left_out = together
+        self.left_out = self._with(bound)
         return True
+
+    def fits(self, bound: Array) -> bool:
+        """Whether something with this bound, (n,), fits into what the budget leaves."""
+        return _largest(self._with(bound)) <= self.budget
 
     def settle(self, name: str, *, on: bool, reason: str, share: Array | float | None = None) -> None:
         """Record an effect about which there is nothing to decide, with its bound where one is known.
@@ -126,6 +129,9 @@ class Ledger:
             replace(self.made[name], share=_largest(share_in(parts[name], total))) if name in parts else self.made[name]
             for name in ENTRIES
         )
+
+    def _with(self, bound: Array) -> Array:
+        return self.left_out + (1 + self.left_out) * bound
 
     def _settle(self, name: str, *, on: bool, share: Array | float | None, reason: str) -> bool:
         if not on and self.scene.effects.get(name) == "on":

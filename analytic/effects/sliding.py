@@ -10,6 +10,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from analytic.effects.ledger import Ledger
 from analytic.effects.table import ENTRIES, PER_GYROSCOPIC_SLIP, PER_ROLL_CREEP, PER_SPIN_CREEP, ruled
@@ -17,6 +18,7 @@ from analytic.errors import InputError
 from analytic.free_ball.rotation import Creep
 from analytic.loads.balls import LoadedBalls
 from analytic.loads.inertia import gyroscopic_moment, ratio
+from analytic.numerics.interpolated import far_points
 from analytic.oil.inlets import Inlets
 from analytic.oil.lubricated_races import LubricatedRaces
 from analytic.oil.mixed import MixedContact
@@ -27,6 +29,7 @@ from analytic.words import percent_of
 LIGHT = 0.01  # of the heaviest ball's load: a film of a lighter ball hardly changes the torque
 # Of the heaviest ball's load, a judgement: a lighter ball is at the edge of the loaded zone, and its slip costs little.
 IN_LOADED_ZONE = 0.1
+SERIES, LOOKED_AT = 500, 64  # points from which on some are looked at first, and how many
 TURNING_FREELY = ("free_ball", "closed_creep", "marched_creep")  # methods of sliding for free balls
 
 
@@ -40,6 +43,23 @@ class Resisting:
     inlets: Inlets | None  # None: no lubricant
     oiled: LubricatedRaces | None  # None: the friction coefficient is given, or nothing slides
     friction_coefficient: float = 0.0  # where it is given
+
+    def at(self, points: NDArray[np.intp]) -> "Resisting":
+        """The same at some operating points."""
+        return replace(
+            self,
+            balls=self.balls.at(points),
+            constant=self.constant[points],
+            rolling=None if self.rolling is None else self.rolling[:, points],
+            inlets=None if self.inlets is None else self.inlets.at(points),
+            oiled=None if self.oiled is None else self.oiled.at(points),
+        )
+
+    def far_points(self, ring_speed: Array) -> NDArray[np.intp]:
+        """Some points that differ most in load and speed; ring_speed : w, (n,), rad/s."""
+        load = self.balls.load.max(axis=(0, 2))
+        moving = np.flatnonzero((ring_speed != 0) & (load > 0))
+        return moving[far_points(np.log(np.stack([load, np.abs(ring_speed)], axis=1)[moving]), LOOKED_AT)]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -60,8 +80,20 @@ def decide_sliding(scene: Scene, resisting: Resisting, ledger: Ledger, *, slides
     """Settle asperities, inlet_heating, starvation and spin; return the estimate that they come from.
 
     slides : whether spin or conformity is computed; if not, inlets act on rolling alone
+    In a long series far points are looked at first: where an effect counts at one of them, the others need not be known.
     """
-    estimate = Estimate(resisting, ledger, slides=slides)
+    estimate, speed = Estimate(resisting, ledger, slides=slides), scene.operation.as_series().inner_speed
+    far = resisting.far_points(speed) if speed.size >= SERIES else np.array([], dtype=np.intp)
+    at_far = Estimate(resisting.at(far), ledger, slides=slides) if far.size else None
+
+    def change(name: str, regime: Regime, other: Regime) -> Array:
+        if at_far is not None and not ledger.rules_out(name):
+            bound = np.zeros_like(speed)
+            bound[far] = at_far.change(regime, other)
+            if not ledger.fits(bound):
+                return bound
+        return estimate.change(regime, other)
+
     regime = Regime(
         asperities=resisting.oiled is not None and not ledger.rules_out("asperities"),
         inlet_heating=resisting.inlets is not None and not ledger.rules_out("inlet_heating"),
@@ -75,7 +107,7 @@ def decide_sliding(scene: Scene, resisting: Resisting, ledger: Ledger, *, slides
     for name, can_act in acts.items():
         other = replace(regime, **{name: not getattr(regime, name)})
         possible = can_act and ENTRIES[name].lacks(scene) is None
-        bound = estimate.change(regime, other) if possible else None
+        bound = change(name, regime, other) if possible else None
         demanded = _carried(estimate.mixed(regime), scene.tolerance) if name == "asperities" and possible else None
         on = ledger.decide(name, bound=bound, lacks=None if can_act else ENTRIES[name].idle, demanded=demanded)
         regime = replace(regime, **{name: on})
@@ -198,8 +230,9 @@ class Estimate:
         return _over(total(least[None]), total(without + rolling) + self.resisting.constant)
 
     def creep(self) -> Array:
-        """(n,) estimate of the change of the torque by sliding that elastic creep makes, in the last regime."""
-        balls, torque = self.resisting.balls, list(self.known.values())[-1]
+        """(n,) estimate of the change of the torque by sliding that elastic creep makes, in the regime decided."""
+        assert self.regime is not None
+        balls, torque = self.resisting.balls, self._at(self.regime)
         contacts = balls.contacts
         friction = np.divide(
             np.max(torque.friction, axis=0), balls.load, out=np.zeros_like(balls.load), where=balls.load > 0
@@ -215,8 +248,9 @@ class Estimate:
         return np.where(loaded >= 1, np.inf, loaded)
 
     def gyroscopic(self, scene: Scene) -> Array:
-        """(n,) gyroscopic moment of a ball over what friction across both grooves holds, in the last regime."""
-        friction = np.min(list(self.known.values())[-1].friction, axis=0)
+        """(n,) gyroscopic moment of a ball over what friction across both grooves holds, in the regime decided."""
+        assert self.regime is not None
+        friction = np.min(self._at(self.regime).friction, axis=0)
         return self._gyroscopic(scene, friction).max(axis=1)
 
     def gyroscopic_hold(self, scene: Scene) -> Array:

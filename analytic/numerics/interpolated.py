@@ -11,9 +11,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from analytic.numerics.compilation import compiled
 from analytic.scene import Array
 
 FIRST, MORE, MOST = 48, 16, 512  # points of a sample: at first, each time it grows by doubt and by chance, in all
+TRIED = 2048  # points, by chance, at which interpolations are compared
 # The bound on the error anywhere is so many times the largest error at the points that joined, in the last two rounds:
 # a kink may pass between the points (compared in tests/analytic/numerics/test_interpolated.py).
 SAFETY = 4.0
@@ -54,29 +56,29 @@ def sampled_series(
     few = FIRST + MORE
     if len(np.unique(points[:, 0])) < few and len(np.unique(points, axis=0)) < few:
         return None  # a sample of so few different points is all of them
+    chance = np.random.default_rng(SEED)
+    tried = chance.choice(len(points), min(TRIED, len(points)), replace=False)
     at = far_points(coordinates, FIRST)
-    known = evaluate(at)
+    known, errors = evaluate(at), [np.inf]
 
-    def interpolated(count: int) -> Array:
-        return RBFInterpolator(points[at[:count]], known[:count], kernel="cubic")(points)
+    def through(count: int) -> RBFInterpolator:
+        return RBFInterpolator(points[at[:count]], known[:count], kernel="cubic")
 
-    before, last = interpolated(len(at) - len(at) // 3), interpolated(len(at))
-    chance, errors = np.random.default_rng(SEED), [np.inf]
-    while len(at) < min(MOST, len(points)):
-        doubt = np.max(np.abs(last - before), axis=1)
-        joining = _spread(points, MORE, known=at, weight=doubt + np.mean(doubt))
+    before, last = through(len(at) - len(at) // 3), through(len(at))
+    while len(at) < min(MOST, len(points)) and allowed() > 0:  # else it is wrong wherever the others lie
+        doubt = np.max(np.abs(last(points[tried]) - before(points[tried])), axis=1)
+        joining = tried[_spread(points[tried], MORE, points[at], doubt + np.mean(doubt))]
         joining = np.setdiff1d(np.concatenate([joining, chance.choice(len(points), MORE, replace=False)]), at)
         if joining.size == 0:
             break
         true = evaluate(joining)
-        errors.append(SAFETY * float(np.max(missed(last[joining], true, joining))))
+        errors.append(SAFETY * float(np.max(missed(last(points[joining]), true, joining))))
         at, known = np.concatenate([at, joining]), np.concatenate([known, true])
-        before, last = last, interpolated(len(at))
+        before, last = last, through(len(at))
         if max(errors[-IN_A_ROW:]) <= allowed():
-            last[at] = known
-            return SampledSeries(values=last, at=at, error=max(errors[-IN_A_ROW:]))
-        if allowed() <= 0:
-            break  # what is computed is not accurate enough, wherever the others lie
+            values = last(points)
+            values[at] = known
+            return SampledSeries(values=values, at=at, error=max(errors[-IN_A_ROW:]))
     return None
 
 
@@ -86,7 +88,7 @@ def far_points(coordinates: Array, count: int) -> NDArray[np.intp]:
     coordinates : (n, d)
     """
     points = _principal(coordinates) if np.any(np.ptp(coordinates, axis=0)) else coordinates
-    return _spread(points, count, known=np.array([], dtype=np.intp), weight=np.ones(len(points)))
+    return _spread(points, count, np.empty((0, points.shape[1])), np.ones(len(points)))
 
 
 def _principal(coordinates: Array) -> Array:
@@ -96,28 +98,34 @@ def _principal(coordinates: Array) -> Array:
     return centred @ directions[extent > FLAT * extent[0]].T
 
 
-def _spread(points: Array, count: int, *, known: NDArray[np.intp], weight: Array) -> NDArray[np.intp]:
-    """Indices of points that are far from the known ones and from each other; none twice.
+@compiled
+def _spread(points: Array, count: int, known: Array, weight: Array) -> NDArray[np.intp]:
+    """Indices of `count` points or fewer that are far from known places, (k, d), and from each other; none twice.
 
-    weight : (n,) of each point; the point with the largest distance squared times weight comes next
+    weight : (n,) of each point; the point with the largest distance squared times weight comes next. Without known
+    places the first one is the farthest from 0.
     """
-    columns = np.ascontiguousarray(points.T)  # long rows add up several times as fast as short ones
-
-    def distances(place: Array) -> Array:
-        return np.sum((columns - place[:, None]) ** 2, axis=0)
-
-    order = list(known[:0])
-    nearest = np.full(len(points), np.inf)
-    for index in known:
-        nearest = np.minimum(nearest, distances(points[index]))
-    if known.size == 0:
-        nearest = distances(np.zeros(len(columns)))
-    for _ in range(count):
-        farthest = int(np.argmax(nearest * weight))
+    order, nearest = np.empty(count, np.int64), np.full(len(points), np.inf)
+    for place in known:
+        _approach(nearest, points, place)
+    if len(known) == 0:
+        _approach(nearest, points, np.zeros(points.shape[1]))
+    for number in range(count):
+        farthest = np.argmax(nearest * weight)
         if nearest[farthest] == 0:
-            break
-        if known.size == 0 and not order:
+            return order[:number]
+        if len(known) == 0 and number == 0:
             nearest[:] = np.inf
-        order.append(farthest)
-        nearest = np.minimum(nearest, distances(points[farthest]))
-    return np.array(order, dtype=np.intp)
+        order[number] = farthest
+        _approach(nearest, points, points[farthest])
+    return order
+
+
+@compiled
+def _approach(nearest: Array, points: Array, place: Array) -> None:
+    """Lower the distances squared to the nearest place by one more place."""
+    for i in range(len(points)):
+        distance = 0.0
+        for k in range(len(place)):
+            distance += (points[i, k] - place[k]) ** 2
+        nearest[i] = min(nearest[i], distance)

@@ -3,14 +3,16 @@
 Both act on the film and on the resistance to rolling, as factors on flooded and isothermal ones.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from analytic.contact.rolling_contact import ContactNumbers, contact_at
 from analytic.loads.balls import LoadedBalls
 from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.elements import elements_of
 from analytic.oil.asymptotes import FilmAsymptotes, Inflow, asymptotes_of, log_film_of
 from analytic.oil.film import heated_part, shear_heat, smallest_ratio
 from analytic.oil.rolling import heated_rolling, replenished, replenishment_rate
@@ -100,6 +102,15 @@ class Inlets:
     film_heating: Array  # share of the film that remains when shear heats the inlet
     rolling_heating: Array  # share of the rolling torque that remains then
     starvation: Starvation | None  # None: the scene gives neither the degree nor the ring diameters
+
+    def at(self, points: NDArray[np.intp]) -> "Inlets":
+        """The same at some operating points."""
+
+        def chosen(value: Array) -> Array:
+            return value[:, points]
+
+        starvation = None if self.starvation is None else elements_of(self.starvation, chosen)
+        return replace(elements_of(self, chosen), starvation=starvation)
 
     def film_factor(self, *, heats: bool, starves: bool) -> Array | float:
         factor = self.film_heating if heats else 1.0

@@ -4,9 +4,10 @@ The film is flooded, and the balls roll nearly without sliding. The oil has its 
 Arrays are (2, n, m): races, operating points, balls.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from analytic.loads.balls import LoadedBalls
 from analytic.oil.asymptotes import FilmAsymptotes
@@ -32,6 +33,11 @@ class LubricatedRaces:
     ring_speed: Array  # (n,) w, rad/s
     film: FilmAsymptotes  # (2, n, m) of smooth surfaces, flooded and isothermal
     variation: Variation
+
+    def at(self, points: NDArray[np.intp]) -> "LubricatedRaces":
+        """The same at some operating points."""
+        film = FilmAsymptotes(*(values[:, points] for values in self.film))
+        return replace(self, balls=self.balls.at(points), ring_speed=self.ring_speed[points], film=film)
 
     def mixed(self, *, asperities: bool, film_factor: Array | float) -> MixedContact:
         """The load, shared by film and asperities or carried by the film alone; (2, n, m).

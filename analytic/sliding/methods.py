@@ -126,18 +126,16 @@ def race_sliding(
 
     expected = allowed_of(balls.total(cheap.torque.spin), balls.total(cheap.torque.conformity))
     *cheaper, last = [each for each in QUADRATURES if model.method in ("auto", each.rule.method)]
-    some = _some(expected.size, FORETOLD)
-    foretold = sliders.errors_at(_rows(cheap, some), some)
+    some = sliders.far if sliders.is_sampled else _some(expected.size, FORETOLD)
+    foretold, between = sliders.errors_at(_rows(cheap, some), some), BETWEEN if sliders.is_sampled else 1.0
     for quadrature in cheaper:
         # Every method spreads the power over contacts and effects in nearly the same way.
-        if np.any(foretold(quadrature) > expected[some]):
+        if np.any(between * foretold(quadrature) > expected[some]):
             continue
-        if sliders.is_sampled and BETWEEN * np.max(sliders.own_error(quadrature)) > np.min(expected):
-            continue  # a sample would not do, and all points take long
         result = sliders.result(quadrature, cheap, expected)
-        if np.all(result.error <= allowed_of(result.spin, result.conformity)):
+        if result is not None and np.all(result.error <= allowed_of(result.spin, result.conformity)):
             return result
-    return sliders.result(last, cheap, expected)
+    return sliders.result(last, cheap, expected) or sliders.at_all_points(last, sliders.slide(last), expected)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -201,13 +199,9 @@ class Sliders:
         """Whether the series is so long that a sample stands for it, as its balls are alike."""
         return bool(self.balls.load.shape[2] == 1 and np.count_nonzero(self.ring_speed) >= SERIES)
 
-    def own_error(self, quadrature: Quadrature) -> Array:
-        """(k,) estimate of the error of a method at its own sliding at some far points, relative to its power."""
-        return self.errors_at(self.slide(quadrature, self._far), self._far)(quadrature)
-
     @cached_property
-    def _far(self) -> NDArray[np.intp]:
-        """Some far points."""
+    def far(self) -> NDArray[np.intp]:
+        """Some far points that move, where balls are alike."""
         moving = np.flatnonzero(self.ring_speed)
         return moving[far_points(self._coordinates(moving), FORETOLD)]
 
@@ -238,17 +232,17 @@ class Sliders:
         pair = elements_of(inner, chosen), elements_of(outer, chosen)
         return pair, (elements_of(inner_law, chosen), elements_of(outer_law, chosen))
 
-    def result(self, quadrature: Quadrature, cheap: SlipFriction, allowed: Array) -> Sliding:
-        """The torque by a quadrature, at all points or at a sample of them."""
+    def result(self, quadrature: Quadrature, cheap: SlipFriction, allowed: Array) -> Sliding | None:
+        """The torque by a quadrature, at all points or at a sample of them; None where the sample is too wrong."""
         if quadrature is QUADRATURES[0]:
-            return self._all_points(quadrature, cheap, allowed)
+            return self.at_all_points(quadrature, cheap, allowed)
         if self.is_sampled:
-            sampled = self._sampled(quadrature, cheap, np.flatnonzero(self.ring_speed), allowed)
-            if sampled is not None:
+            sampled, worst = self._sampled(quadrature, cheap, np.flatnonzero(self.ring_speed), allowed)
+            if sampled is not None or worst >= np.min(allowed):
                 return sampled
-        return self._all_points(quadrature, self.slide(quadrature), allowed)
+        return self.at_all_points(quadrature, self.slide(quadrature), allowed)
 
-    def _all_points(self, quadrature: Quadrature, result: SlipFriction, allowed: Array) -> Sliding:
+    def at_all_points(self, quadrature: Quadrature, result: SlipFriction, allowed: Array) -> Sliding:
         """At all points; the error in a long series is the largest of a sample at each point where that is allowed."""
         if self.ring_speed.size < SERIES or self._has_closed_form(quadrature):
             error = self.errors_at(result)(quadrature)
@@ -268,15 +262,15 @@ class Sliders:
 
     def _sampled(
         self, quadrature: Quadrature, cheap: SlipFriction, moving: NDArray[np.intp], allowed: Array
-    ) -> Sliding | None:
-        """From a sample of the points; None if that does not pay or is not accurate enough.
+    ) -> tuple[Sliding | None, float]:
+        """From a sample of the points, None if that does not pay or is not accurate enough; and the method's error.
 
         Under thrust all balls are alike, and the difference between two methods depends on load and speed alone.
         """
         base = _quantities(cheap)
         whole = base[:, :2].sum(axis=1)
         if not (np.all(whole > 0) and np.all(base[:, 2:] > 0)):
-            return None
+            return None, 0.0
         scale = np.stack([whole, whole, base[:, 2], base[:, 3]], axis=1)
 
         worst = 0.0
@@ -299,13 +293,13 @@ class Sliders:
             allowed=lambda: float(np.min(allowed)) - worst,
         )
         if series is None:
-            return None
+            return None, worst
         values = base.copy()
         values[moving] += scale[moving] * series.values
         standing = np.flatnonzero(self.ring_speed == 0)
         if standing.size:
             values[standing] = _quantities(self.slide(quadrature, standing))
-        return Sliding(
+        sliding = Sliding(
             spin=self.balls.alike * values[:, 0],
             conformity=self.balls.alike * values[:, 1],
             coefficient=values[:, 2:].T[..., None],
@@ -313,6 +307,7 @@ class Sliders:
             error=np.full(base.shape[0], worst + series.error),
             computed=series.at.size + standing.size,
         )
+        return sliding, worst
 
 
 def _quantities(result: SlipFriction) -> Array:
