@@ -50,8 +50,8 @@ class SingularError(ConvergenceError):
         FembearingError.__init__(self, f"{problem}. {remedy}")
 
 
-# Formulas call these often with few numbers: minimum and maximum are fast, and comparisons with NaN fail. One number
-# needs no array.
+# Formulas call these often with few numbers: the ends are fast, and comparisons with NaN fail. One number needs no array.
+FEW = 4  # numbers that are compared faster one by one
 
 
 def require_finite(**values: ArrayLike) -> None:
@@ -60,7 +60,7 @@ def require_finite(**values: ArrayLike) -> None:
         if type(value) is float and -np.inf < value < np.inf:
             continue
         array = real_numbers(name, value)
-        if array.size and not (array.min() > -np.inf and array.max() < np.inf):
+        if not all(-np.inf < each < np.inf for each in _ends(array)):
             _refuse(name, array, np.isfinite(array), "finite")
 
 
@@ -70,7 +70,7 @@ def require_positive(**values: ArrayLike) -> None:
         if type(value) is float and 0.0 < value < np.inf:
             continue
         array = real_numbers(name, value)
-        if array.size and not (array.min() > 0 and array.max() < np.inf):
+        if not all(0 < each < np.inf for each in _ends(array)):
             _refuse(name, array, np.isfinite(array) & (array > 0), "positive and finite")
 
 
@@ -80,8 +80,13 @@ def require_non_negative(**values: ArrayLike) -> None:
         if type(value) is float and 0.0 <= value < np.inf:
             continue
         array = real_numbers(name, value)
-        if array.size and not (array.min() >= 0 and array.max() < np.inf):
+        if not all(0 <= each < np.inf for each in _ends(array)):
             _refuse(name, array, np.isfinite(array) & (array >= 0), "at least 0 and finite")
+
+
+def _ends(array: NDArray[np.float64]) -> list[float]:
+    """Numbers that lie between limits if all do: the ends, or all of a few; NaN where one is NaN."""
+    return array.ravel().tolist() if array.size <= FEW else [float(array.min()), float(array.max())]
 
 
 def real_numbers(name: str, value: ArrayLike) -> NDArray[np.float64]:

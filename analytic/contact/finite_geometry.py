@@ -3,7 +3,7 @@
 `analytic.contact.finite_geometry_fit` has the fit and says where it comes from.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 
@@ -100,7 +100,7 @@ def finite_geometry_factors(shape: ContactShape) -> CorrectedGeometry:
     the factors are 1, and the uncertainty holds all of that change. The warnings say which ratios lie outside.
     """
     rows, of = _rows(shape)
-    return _corrected(_geometries(fit_numbers(), rows).reshape(-1, *of), rows.reshape(-1, *of))
+    return _corrected(_geometries(fit_numbers(), rows).reshape(-1, *of), lambda: shape)
 
 
 def race_geometry(bearing: Bearing, race: Race, *, contact_angle: ArrayLike, ball_load: ArrayLike) -> CorrectedGeometry:
@@ -109,11 +109,14 @@ def race_geometry(bearing: Bearing, race: Race, *, contact_angle: ArrayLike, bal
     Of shoulders that are not known the factors are those of a typical height. Their uncertainty reaches to those of a
     low and of a high one, and nothing is covered.
     """
+    require_contact_angle(np.abs(contact_angle))
     numbers = race_numbers(bearing, race)
+    rows, of = rows_of(contact_angle, ball_load)
     taken = with_shoulders(bearing, USUAL_SHOULDERS[1])
-    shapes, of = _rows(race_shape(taken, race, contact_angle=contact_angle, ball_load=ball_load))
-    rows, _ = rows_of(contact_angle, ball_load)
-    found = _corrected(_geometries_on(fit_numbers(), numbers, rows).reshape(-1, *of), shapes.reshape(-1, *of))
+    found = _corrected(
+        _geometries_on(fit_numbers(), numbers, rows).reshape(-1, *of),
+        lambda: race_shape(taken, race, contact_angle=contact_angle, ball_load=ball_load),
+    )
     if not np.isnan(numbers.near_shoulder):
         return found
     least, typical, most = USUAL_SHOULDERS
@@ -168,21 +171,20 @@ def shape_bases(shape: ContactShape) -> dict[str, Array]:
     return {name: sides if name in SIDES else sides[0] for name, sides in bases.items()}
 
 
-def _corrected(fields: Array, shapes: Array) -> CorrectedGeometry:
-    """The correction from the fields of `_put` and the ratios of the shapes that it was applied to."""
+def _corrected(fields: Array, shape: Callable[[], ContactShape]) -> CorrectedGeometry:
+    """The correction from the fields of `_put`; shape : that it was applied to, of the same dimensions."""
     quantities, size = FactorNumbers._fields, len(FactorNumbers._fields)
     factors, farthest, uncertainty = (
         dict(zip(quantities, fields[first : first + size], strict=True)) for first in (0, size, 2 * size)
     )
     beyond, applied = fields[-2:]
-    values = dict(zip(ShapeNumbers._fields, shapes, strict=True))
     return CorrectedGeometry(
         factors=ContactFactors(**factors),
         farthest=ContactFactors(**farthest),
         uncertainty=MappingProxyType(uncertainty),
         covered=beyond == 0,
         applied=applied,
-        warnings=tuple(_outside(values, applied)),
+        warnings=tuple(_outside(shape(), applied)) if beyond.any() else (),
     )
 
 
@@ -200,8 +202,10 @@ def _range(name: str, value: float, low: float, high: float) -> str:
     return f"{name.replace('_', ' ')} {unit.written(value, '.4g')} is outside {ends}"
 
 
-def _outside(values: Mapping[str, Array], applied: Array) -> Iterator[str]:
+def _outside(shape: ContactShape, applied: Array) -> Iterator[str]:
     """Which ratios lie outside the range, and what the correction does there."""
+    rows, of = _rows(shape)
+    values = dict(zip(ShapeNumbers._fields, rows.reshape(-1, *of), strict=True))
 
     def done(least: float) -> str:
         if least == 1:

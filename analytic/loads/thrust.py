@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 
 from analytic.brief import Brief
 from analytic.contact.factors import ContactCorrection, correction_fields, correction_of
-from analytic.contact.hertz import HertzContact, hertz_fields, loaded_contact
+from analytic.contact.hertz import HertzContact, hertz_fields, loaded_hertz
 from analytic.errors import ConvergenceError, InputError, require_finite, require_positive
 from analytic.loads.numbers import BearingNumbers, bearing_numbers
 from analytic.loads.thrust_ball import (
@@ -209,11 +209,7 @@ def _at_rest(numbers: BearingNumbers, fields: Array, shape: tuple[int, ...]) -> 
 
 def _loaded(fields: Array, shape: tuple[int, ...]) -> tuple[HertzContact, HertzContact]:
     """The contacts of both races under their loads."""
-    inner, outer = (
-        loaded_contact(hertz_fields(unit, (unit.shape[1],)), load=load).reshape(shape)
-        for unit, load in ((fields[5:10], fields[3]), (fields[10:15], fields[4]))
-    )
-    return inner, outer
+    return hertz_fields(fields[5:10], shape), hertz_fields(fields[10:15], shape)
 
 
 def _settled(fields: Array, push: Array) -> Array:
@@ -238,14 +234,18 @@ def unsettled(push: Array, change: float, accuracy: float) -> ConvergenceError:
 
 @compiled
 def _put(point: ThrustPoint, fields: Array) -> None:
+    inner, outer = (
+        loaded_hertz(point.inner, point.ball.inner_load),
+        loaded_hertz(point.outer, point.ball.outer_load),
+    )
     for k in range(5):
-        fields[k], fields[5 + k], fields[10 + k] = point.ball[k], point.inner[k], point.outer[k]
+        fields[k], fields[5 + k], fields[10 + k] = point.ball[k], inner[k], outer[k]
     fields[15] = point.change
 
 
 @compiled
 def _thrust_points(bearing: BearingNumbers, rows: Array, centrifugal: bool, gyroscopic: bool) -> Array:
-    """(16, n): ball, contacts of inner and outer race under 1 N, change; rows : load, speed, factors."""
+    """(16, n): ball, contacts of inner and outer race, change; rows : load, speed, factors."""
     fields = np.empty((16, rows.shape[1]))
     for i in range(rows.shape[1]):
         rule = TurningRule(rows[1, i], centrifugal, gyroscopic)

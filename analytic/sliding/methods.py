@@ -190,7 +190,7 @@ class Sliders:
 
         return error
 
-    def _error_at(self, points: NDArray[np.intp], result: SlipFriction, quadrature: Quadrature) -> Array:
+    def _error_at(self, points: Points, result: SlipFriction, quadrature: Quadrature) -> Array:
         """(k,) estimate of the error of a method at some points; result : at all of them."""
         return self.errors_at(_rows(result, points), points)(quadrature)
 
@@ -359,15 +359,17 @@ def _over(part: Array, whole: Array) -> Array:
     return np.divide(part, whole, out=np.zeros_like(part), where=whole > 0)
 
 
-def _some(points: int, most: int) -> NDArray[np.intp]:
+def _some(points: int, most: int) -> Points:
     """All points, or so many at random."""
     if points <= most:
-        return np.arange(points)
+        return slice(None)
     return np.random.default_rng(SEED).choice(points, most, replace=False)
 
 
-def _rows(result: SlipFriction, points: NDArray[np.intp]) -> SlipFriction:
+def _rows(result: SlipFriction, points: Points) -> SlipFriction:
     """The result at some operating points."""
+    if isinstance(points, slice):
+        return result
     torque = MicroslipTorque(**{name: value[points] for name, value in vars(result.torque).items()})
     rest = {name: value[points] for name, value in vars(result).items() if name != "torque"}
     return SlipFriction(torque=torque, **rest)
