@@ -83,8 +83,8 @@ def asymptotes_of(contact: ContactNumbers, inflow: Inflow) -> FilmAsymptotes:
     scale = log_u / 2 - log_rolling if moving else -np.inf  # ln of R_x U^(1/2)
     ellipticity = transverse / rolling
     log_ratio = np.log(ellipticity)
-    elastic = np.log1p(0.006 * log_ratio + 0.63 * ellipticity ** (4 / 7))
-    log_ri = LOG_RI - 15 / 7 * np.log1p(0.796 * ellipticity ** (14 / 15)) - log_ratio - 2 * log_m
+    elastic = np.log1p(0.006 * log_ratio + 0.63 * np.exp(4 / 7 * log_ratio))
+    log_ri = LOG_RI - 15 / 7 * np.log1p(0.796 * np.exp(14 / 15 * log_ratio)) - log_ratio - 2 * log_m
     log_rp = LOG_RP - 2 / 3 * np.log1p(0.691 * ellipticity) + 2 / 3 * log_l
     log_ei = LOG_EI - 14 / 25 * elastic - log_ratio / 15
     log_ep = LOG_EP - 7 / 20 * elastic - log_ratio / 24 + 3 / 4 * log_l

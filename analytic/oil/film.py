@@ -51,7 +51,7 @@ def smallest_ratio(contact: ContactNumbers, inflow: Inflow) -> float:
     k = contact.semi_axis_transverse / a if a > 0.0 else 0.0
     if u == 0.0 or g == 0.0 or w == 0.0 or k == 0.0:  # the fits have no meaning
         return 1.0
-    ratio = 3.63 / 2.69 * u**0.01 * g**-0.04 * w**-0.006
+    ratio = 3.63 / 2.69 * np.exp(0.01 * np.log(u) - 0.04 * np.log(g) - 0.006 * np.log(w))
     return min(ratio * -np.expm1(-0.68 * k) / (1 - 0.61 * np.exp(-0.73 * k)), 1.0)
 
 
@@ -64,8 +64,9 @@ def shear_heat(viscosity: float, viscosity_temperature: float, speed: float, con
 @compiled
 def heated_part(peak_pressure: float, modulus: float, loading: float, slide_to_roll: float) -> float:
     """Film over the isothermal one, as `inlet_heating_factor` says; loading : L_t."""
-    shear = 0.213 * (1 + 2.23 * slide_to_roll**0.83) * loading**0.64
-    return max(1 - 13.2 * peak_pressure / (2 * modulus) * loading**0.42, 0.0) / (1 + shear)
+    log_loading = np.log(loading)
+    shear = 0.213 * (1 + 2.23 * slide_to_roll**0.83) * np.exp(0.64 * log_loading)
+    return max(1 - 13.2 * peak_pressure / (2 * modulus) * np.exp(0.42 * log_loading), 0.0) / (1 + shear)
 
 
 @compiled

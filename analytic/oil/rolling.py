@@ -51,6 +51,12 @@ class RollingGroups(NamedTuple):
 
 
 @compiled
+def _power_three_quarters(x: float) -> float:
+    root = np.sqrt(x)
+    return root * np.sqrt(root)
+
+
+@compiled
 def rolling_groups(contact: ContactNumbers, unit: HertzNumbers, viscosity: float, speed: float) -> RollingGroups:
     """unit : Hertz's contact of this one under 1 N;  viscosity : eta_0, Pa s;  speed : |u|, m/s"""
     rolling, transverse, stiffness = contact.curvature_rolling, contact.curvature_transverse, 2 * contact.modulus
@@ -59,9 +65,9 @@ def rolling_groups(contact: ContactNumbers, unit: HertzNumbers, viscosity: float
     integral_k, share = elliptic_integrals(squared)
     beta = 4 / np.pi * integral_k * (1 - (1 - squared) * share) / (1 + transverse / rolling)  # E = K - m D
     load = contact.load * rolling**2 / stiffness
-    heavy = beta**0.25 * slenderness * load  # M U^(3/4), finite at standstill
+    heavy = np.sqrt(np.sqrt(beta)) * slenderness * load  # M U^(3/4), finite at standstill
     relative = 2 * viscosity * speed * rolling / stiffness
-    power = relative**0.75
+    power = _power_three_quarters(relative)
     return RollingGroups(
         stiffness,
         1 / rolling,
@@ -81,8 +87,9 @@ def truncation(group: RollingGroups, reach: float) -> float:
     """C of `hydrodynamic_rolling`; reach : r."""
     if reach == 0.0:  # without load
         return 1.0
-    slender = min(group.slenderness, 1.0)
-    shorter = (0.15 + 4.72 * group.loading**-0.39 * slender ** (0.484 * group.loading**0.165)) / 0.85  # 1/c - 1
+    slender, log_loading = min(group.slenderness, 1.0), np.log(group.loading)
+    fading = -0.39 * log_loading + 0.484 * np.exp(0.165 * log_loading) * np.log(slender)
+    shorter = (0.15 + 4.72 * np.exp(fading)) / 0.85  # 1/c - 1
     weaker = np.log(shorter) + (2 - slender) * (0.0018 * group.loading + 1.33) * np.log(reach)
     return 1 / (1 + np.exp(weaker))
 
@@ -90,8 +97,8 @@ def truncation(group: RollingGroups, reach: float) -> float:
 @compiled
 def biboulet_force(contact: ContactNumbers, group: RollingGroups) -> tuple[float, bool]:
     """f of `hydrodynamic_rolling`, N, and whether rigid bodies resist less than elastic ones."""
-    rising = 0.77 * group.beta ** (-1 / 3) * group.slenderness**0.12 * group.speed ** (2 / 3)
-    level = 1.8 * group.beta**-0.25 * group.speed**0.75
+    rising = 0.77 / np.cbrt(group.beta) * group.slenderness**0.12 * np.cbrt(group.speed) ** 2
+    level = 1.8 / np.sqrt(np.sqrt(group.beta)) * _power_three_quarters(group.speed)
     width = 2 * group.semi_axis * group.stiffness * group.radius
     diameter = 2 / (1 / contact.deformed_radius + contact.curvature_transverse / 2)  # as RollingContact.ball_diameter
     cut = truncation(group, min(2 * group.semi_axis / diameter, 1.0))
@@ -146,7 +153,7 @@ def _houpert_forces(rows: Array) -> Array:
 def heated_rolling(mean_diameter: float, ring_speed: float, kinematic_viscosity: float) -> float:
     """phi_ish of `inlet_shear_factor`; arguments in SI as there."""
     surface = PER_MINUTE * ring_speed * mean_diameter * 1e3  # n d_m, mm/min
-    return 1 / (1 + 1.84e-9 * surface**1.28 * (SQUARE_MILLIMETRES * kinematic_viscosity) ** 0.64)
+    return 1 / (1 + 1.84e-9 * (surface**2 * SQUARE_MILLIMETRES * kinematic_viscosity) ** 0.64)
 
 
 @compiled

@@ -27,7 +27,7 @@ LOG_NEAR, LOG_FAR = float(np.log(NEAR)), float(np.log(FAR))
 LOG_THINNING = float(np.log(3.06))
 LOG_2 = float(np.log(2))
 MOST_STEPS = 200  # each halves the bracket or the step before the last; 3 to 6 are usual
-LAST_STEP = 1e-12  # of ln(m - 1)
+LAST_STEP = 3e-8  # of ln(m - 1): Newton's quadratic steps then leave round-off
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -51,6 +51,15 @@ def log_thickening(growth: float, exponent: float, pressure: float) -> float:
 
 
 @compiled
+def thickened(law: PointLaw, pressure: float) -> PointLaw:
+    """The law at the pressure p, Pa, with the oil as thick as it is there."""
+    if law.growth == 0.0:
+        return law
+    fluidity = law.fluidity * np.exp(log_thickening(law.growth, law.exponent, law.share * pressure))
+    return PointLaw(law.boundary, law.plain, law.limit, law.eyring, fluidity, law.share, 0.0, law.exponent)
+
+
+@compiled
 def stress_and_slope(law: PointLaw, pressure: float, speed: float) -> tuple[float, float]:
     """Stress of a `PointLaw`, Pa, and its slope over the speed, Pa s/m; pressure : p, Pa;  speed : v, m/s; numbers."""
     steady = law.boundary * pressure + law.plain
@@ -59,7 +68,7 @@ def stress_and_slope(law: PointLaw, pressure: float, speed: float) -> tuple[floa
     limit = law.limit * pressure
     if law.fluidity == np.inf:
         return steady + limit, 0.0
-    fluidity = law.fluidity * np.exp(log_thickening(law.growth, law.exponent, law.share * pressure))
+    fluidity = thickened(law, pressure).fluidity
     rate = fluidity * speed if speed > 0.0 else 0.0  # also of a film so thin that the fluidity overflows
     oil = law.eyring * np.arcsinh(rate)
     if not oil < limit:

@@ -40,6 +40,7 @@ from analytic.sliding.long_ellipse import (
     Slip,
     balanced_line,
     code_of,
+    line_laws,
     line_slip,
     require_balance,
     slip_along_lines,
@@ -164,11 +165,11 @@ def slips_over_contacts(
     """
     inner, outer = slider_of(contacts[0]), slider_of(contacts[1])
     inner_law, outer_law = at_ring_speed(laws[0], ring_speed), at_ring_speed(laws[1], ring_speed)
-    share, rest = float(rule - 1), float(2 - rule)
+    share, rest, lines = float(rule - 1), float(2 - rule), line_laws(contacts, laws)
     if rule == 0:
-        share, rest = balanced_line(contacts, laws, ring_speed, spin_difference)
-    creep = line_slip(contacts[0], laws[0], ring_speed, share * spin_difference)[0].creep
-    other_creep = line_slip(contacts[1], laws[1], ring_speed, rest * spin_difference)[0].creep
+        share, rest = balanced_line(contacts, lines, ring_speed, spin_difference)
+    creep = line_slip(contacts[0], lines[0], ring_speed, share * spin_difference)[0].creep
+    other_creep = line_slip(contacts[1], lines[1], ring_speed, rest * spin_difference)[0].creep
     low, high, step, before, count = 0.0, 1.0, 1.0, 1.0, 0
     sums = other = NO_SUMS
     for _ in range(MOST_STEPS):

@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike
 from analytic.contact.rolling_contact import ContactNumbers, Pair, RollingContact, contact_at
 from analytic.errors import ConvergenceError, InputError, require_finite, require_non_negative, require_positive
 from analytic.numerics.compilation import compiled, rows_of
-from analytic.oil.traction import PointLaw, law_at, stress_and_slope
+from analytic.oil.traction import PointLaw, law_at, stress_and_slope, thickened
 from analytic.scene import Array, SpinRule
 
 LARGEST = float(np.finfo(np.float64).max)
@@ -40,36 +40,37 @@ def half_distance(ratio: float) -> float:
 
 
 @compiled
-def spin_moment(ratio: float) -> float:
-    """M_spin/(mu Q b) for eps >= 0: 3 eps d (1 - eps^2 - d^2), the factorised bracket of `microslip_moments`."""
-    eps, d = min(ratio, FULL_SPIN), half_distance(ratio)
+def spin_moment(ratio: float, d: float) -> float:
+    """M_spin/(mu Q b) for eps >= 0: 3 eps d (1 - eps^2 - d^2), the factorised bracket of `microslip_moments`.
+
+    d : `half_distance`, as below
+    """
+    eps = min(ratio, FULL_SPIN)
     return 3 * eps * d * (1 - eps**2 - d**2)
 
 
 @compiled
-def spin_stiffness(ratio: float) -> float:
+def spin_stiffness(ratio: float, d: float) -> float:
     """Derivative of `spin_moment` by eps. It falls from 0.916 to 0 at eps = 1/2; at most round-off is below 0."""
     if ratio >= FULL_SPIN:
         return 0.0
-    d = half_distance(ratio)
     bracket = 1 - ratio**2 - d**2
     return 3 * d * bracket - 12 * ratio**2 * d**3 / bracket
 
 
 @compiled
-def rolling_moment(ratio: float) -> float:
+def rolling_moment(ratio: float, d: float) -> float:
     """M_roll R/(mu Q b^2) for eps >= 0: the bracket of `microslip_moments` in eps and d; 0 from eps = 1/2 on."""
     if ratio >= FULL_SPIN:
         return 0.0
-    d = half_distance(ratio)
     cubes, fifths = 3 * ratio**2 + d**2, 5 * ratio**4 + 10 * ratio**2 * d**2 + d**4
     return max(0.1 - d * cubes / 2 + 0.3 * d * fifths, 0.0)
 
 
 @compiled
-def creep_number(ratio: float) -> float:
+def creep_number(ratio: float, d: float) -> float:
     """c 2 R/(w_roll b^2) of no net force for eps >= 0: -g1 g2; 0 where one line has left the contact."""
-    return half_distance(ratio) ** 2 - ratio**2 if ratio < FULL_SPIN else 0.0
+    return d**2 - ratio**2 if ratio < FULL_SPIN else 0.0
 
 
 @compiled
@@ -93,6 +94,21 @@ class Slip(NamedTuple):
 
 
 @compiled
+def mean_pressure(contact: ContactNumbers) -> float:
+    """Q/(pi a b), Pa; 0 where the contact is a point."""
+    area = np.pi * contact.semi_axis_rolling * contact.semi_axis_transverse
+    return contact.load / area if area > 0.0 else 0.0
+
+
+@compiled
+def line_laws(
+    contacts: tuple[ContactNumbers, ContactNumbers], laws: tuple[PointLaw, PointLaw]
+) -> tuple[PointLaw, PointLaw]:
+    """The laws at the mean pressures, which are all that `line_slip` needs: so the oil thickens but once."""
+    return thickened(laws[0], mean_pressure(contacts[0])), thickened(laws[1], mean_pressure(contacts[1]))
+
+
+@compiled
 def line_slip(contact: ContactNumbers, law: PointLaw, ring_speed: float, spin_rate: float) -> tuple[Slip, float]:
     """The slip of a long ellipse with one coefficient, and the slope of its spin moment over w_s/w, N m.
 
@@ -100,15 +116,15 @@ def line_slip(contact: ContactNumbers, law: PointLaw, ring_speed: float, spin_ra
     sliding speed |w| (M_roll w_roll + M_spin w_s)/(mu Q), whose slope over w_s/w is |w| M_spin/(mu Q).
     """
     eps, b, roll = abs(spin_to_roll(contact, spin_rate)), contact.semi_axis_transverse, contact.rolling_rate
-    per_force, curved = b * spin_moment(eps), b**2 / contact.deformed_radius * rolling_moment(eps)
+    d = half_distance(eps)
+    per_force, curved = b * spin_moment(eps, d), b**2 / contact.deformed_radius * rolling_moment(eps, d)
     speed = ring_speed * (per_force * abs(spin_rate) + curved * roll)
-    area = np.pi * contact.semi_axis_rolling * b
-    pressure = contact.load / area if area > 0.0 else 0.0
+    area, pressure = np.pi * contact.semi_axis_rolling * b, mean_pressure(contact)
     stress, steepness = stress_and_slope(law, pressure, speed)
     force = law.boundary * contact.load + area * (stress - law.boundary * pressure)
     slope = area * steepness * ring_speed * per_force**2
     if spin_rate != 0.0:
-        slope += force * b * spin_stiffness(eps) * eps / abs(spin_rate)
+        slope += force * b * spin_stiffness(eps, d) * eps / abs(spin_rate)
     else:
         slope += force * b * SPIN_STIFFNESS * spin_to_roll(contact, 1.0)
     return (
@@ -118,7 +134,7 @@ def line_slip(contact: ContactNumbers, law: PointLaw, ring_speed: float, spin_ra
             force * curved,
             force / contact.load if contact.load > 0.0 else 0.0,
             speed,
-            roll * b**2 / (2 * contact.deformed_radius) * creep_number(eps),
+            roll * b**2 / (2 * contact.deformed_radius) * creep_number(eps, d),
         ),
         slope,
     )
@@ -180,7 +196,7 @@ def line_slips(
 
     spin_difference : (w_s,i - w_s,o)/w, >= 0
     """
-    share, rest = float(rule - 1), float(2 - rule)
+    share, rest, laws = float(rule - 1), float(2 - rule), line_laws(contacts, laws)
     if rule == 0:
         share, rest = balanced_line(contacts, laws, ring_speed, spin_difference)
     inner, _ = line_slip(contacts[0], laws[0], ring_speed, share * spin_difference)
@@ -370,5 +386,6 @@ def _numbers(ratio: Array) -> tuple[Array, Array, Array]:
 def _of_each_ratio(ratios: Array) -> Array:
     numbers = np.empty((3, ratios.size))
     for i in range(ratios.size):
-        numbers[:, i] = spin_moment(ratios[i]), rolling_moment(ratios[i]), half_distance(ratios[i])
+        d = half_distance(ratios[i])
+        numbers[:, i] = spin_moment(ratios[i], d), rolling_moment(ratios[i], d), d
     return numbers
