@@ -91,7 +91,7 @@ def corrected(contact: HertzNumbers, factors: FactorNumbers) -> HertzNumbers:
         contact.semi_axis_y * factors.semi_axis_transverse,
         contact.peak_pressure / product if np.isnan(own) else contact.peak_pressure * own,
         contact.approach * factors.approach,
-        contact.stiffness * factors.approach**-1.5,
+        contact.stiffness / (factors.approach * np.sqrt(factors.approach)),
     )
 
 

@@ -3,7 +3,7 @@
 from analytic.contact.factors import correction_of_ball
 from analytic.loads.ring_balance import RingPoint, RingWork
 from analytic.loads.ring_rounds import OPEN, SETTLED, RingLoad, RingNumbers, Round, settle_ruled_ring
-from analytic.loads.thrust_ball import thrust_point
+from analytic.loads.thrust_ball import first_contacts, thrust_point
 from analytic.numerics.compilation import compiled
 
 
@@ -15,7 +15,8 @@ def load_by_rule(ring: RingNumbers, load: RingLoad, point: RingPoint, work: Ring
     """
     if work is not None:
         return settle_ruled_ring(ring, load, point, work, start)
-    found = thrust_point(ring.bearing, load.force[0], load.rule, correction_of_ball(load.factors, 0))
+    first, correction = first_contacts(ring.bearing), correction_of_ball(load.factors, 0)
+    found = thrust_point(ring.bearing, first, load.force[0], load.rule, correction)
     point.load[0, 0], point.load[1, 0] = found.ball.inner_load, found.ball.outer_load
     point.angle[0, 0], point.angle[1, 0] = found.ball.inner_angle, found.ball.outer_angle
     for k in range(5):

@@ -23,6 +23,7 @@ from analytic.loads.thrust_ball import (
     MOST_ROUNDS,
     SETTLED,
     ThrustPoint,
+    first_contacts,
     frozen_point,
     thrust_point,
 )
@@ -246,19 +247,18 @@ def _put(point: ThrustPoint, fields: Array) -> None:
 @compiled
 def _thrust_points(bearing: BearingNumbers, rows: Array, centrifugal: bool, gyroscopic: bool) -> Array:
     """(16, n): ball, contacts of inner and outer race, change; rows : load, speed, factors."""
-    fields = np.empty((16, rows.shape[1]))
+    fields, first = np.empty((16, rows.shape[1])), first_contacts(bearing)
     for i in range(rows.shape[1]):
         rule = TurningRule(rows[1, i], centrifugal, gyroscopic)
-        _put(thrust_point(bearing, rows[0, i], rule, correction_of(rows[2:, i])), fields[:, i])
+        _put(thrust_point(bearing, first, rows[0, i], rule, correction_of(rows[2:, i])), fields[:, i])
     return fields
 
 
 @compiled
 def _frozen_points(bearing: BearingNumbers, rows: Array) -> Array:
     """(16, n) likewise; rows : load, factors."""
-    fields = np.empty((16, rows.shape[1]))
+    fields, first = np.empty((16, rows.shape[1])), first_contacts(bearing)
     for i in range(rows.shape[1]):
-        _put(
-            frozen_point(bearing, rows[0, i] / bearing.ball_count, correction_of(rows[1:, i]), LAST_STEP), fields[:, i]
-        )
+        push, correction = rows[0, i] / bearing.ball_count, correction_of(rows[1:, i])
+        _put(frozen_point(bearing, first, push, correction, LAST_STEP), fields[:, i])
     return fields

@@ -7,8 +7,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from analytic.contact.factors import CorrectionNumbers
-from analytic.contact.hertz import HertzNumbers
+from analytic.contact.factors import CorrectionNumbers, corrected
+from analytic.contact.geometry import rolling_curvature
+from analytic.contact.hertz import HertzNumbers, unit_hertz
 from analytic.loads.numbers import BearingNumbers
 from analytic.loads.race_contacts import unit_contact_on
 from analytic.loads.turning import TurningRule, ruled_forces
@@ -153,13 +154,30 @@ def contacts_at(
 
 
 @compiled
-def frozen_point(bearing: BearingNumbers, push: float, correction: CorrectionNumbers, last_step: float) -> ThrustPoint:
-    """At rest, with the contacts of the free angle, or of the angle 0 where there is no free angle.
+def first_contacts(bearing: BearingNumbers) -> tuple[HertzNumbers, HertzNumbers]:
+    """Of both races under 1 N by Hertz, at the given angle, else the free one, and 0 where there is none."""
+    angle = bearing.free_angle if np.isnan(bearing.given_angle) else bearing.given_angle
+    angle = 0.0 if np.isnan(angle) else angle
+    inner, outer = bearing.inner, bearing.outer
+    return (
+        unit_hertz(rolling_curvature(inner, angle), inner.curvature_transverse, inner.modulus),
+        unit_hertz(rolling_curvature(outer, angle), outer.curvature_transverse, outer.modulus),
+    )
 
-    last_step : as in `balanced`
+
+@compiled
+def frozen_point(
+    bearing: BearingNumbers,
+    first: tuple[HertzNumbers, HertzNumbers],
+    push: float,
+    correction: CorrectionNumbers,
+    last_step: float,
+) -> ThrustPoint:
+    """At rest, with the contacts of the free angle.
+
+    first : `first_contacts`;  last_step : as in `balanced`
     """
-    angle = 0.0 if np.isnan(bearing.free_angle) else bearing.free_angle
-    inner, outer = contacts_at(bearing, angle, angle, correction)
+    inner, outer = corrected(first[0], correction.inner), corrected(first[1], correction.outer)
     # The start adds up what opens the angle: the play, the load on a bearing without play (or against its preload), a
     # load that dwarfs A0.
     distance, play = bearing.groove_centre_distance, bearing.play
@@ -174,19 +192,23 @@ def frozen_point(bearing: BearingNumbers, push: float, correction: CorrectionNum
 
 @compiled
 def thrust_point(
-    bearing: BearingNumbers, axial_load: float, rule: TurningRule, correction: CorrectionNumbers
+    bearing: BearingNumbers,
+    first: tuple[HertzNumbers, HertzNumbers],
+    axial_load: float,
+    rule: TurningRule,
+    correction: CorrectionNumbers,
 ) -> ThrustPoint:
     """The balls under thrust, by the bearing's contact angle; at rest where the rule has no speed or no effect.
 
-    axial_load : Fa, N, > 0
+    first : `first_contacts`;  axial_load : Fa, N, > 0
     A solved angle takes rounds until one changes nothing; each holds contacts and forces of the last angles.
     """
     push = axial_load / bearing.ball_count
     if not np.isnan(bearing.given_angle):
-        inner, outer = contacts_at(bearing, bearing.given_angle, bearing.given_angle, correction)
+        inner, outer = corrected(first[0], correction.inner), corrected(first[1], correction.outer)
         ball = ball_at(push, np.tan(bearing.given_angle), Held(inner.approach, outer.approach, 0.0, 0.0, 0.0))
         return ThrustPoint(ball, inner, outer, 0.0)
-    point = frozen_point(bearing, push, correction, ROUGH_STEP)
+    point = frozen_point(bearing, first, push, correction, ROUGH_STEP)
     last, inner, outer, change = point.ball, point.inner, point.outer, 0.0  # no rate yet
     held = Held(inner.approach, outer.approach, 0.0, 0.0, 0.0)
     for rounds in range(MOST_ROUNDS):

@@ -15,7 +15,7 @@ from analytic.loads.numbers import bearing_numbers
 from analytic.loads.race_contacts import contacts_of_ball
 from analytic.loads.ring import ring_equilibrium
 from analytic.loads.thrust import ThrustAtSpeed, thrust_at_speed, thrust_equilibrium
-from analytic.loads.thrust_ball import thrust_point
+from analytic.loads.thrust_ball import first_contacts, thrust_point
 from analytic.loads.turning import RuledTurning, TurningRule
 from analytic.scene import Bearing, ContactAngle, Operation
 
@@ -93,7 +93,7 @@ def test_one_point_in_numbers_gives_the_contacts_of_the_arrays(bearing_6205: Bea
     correction = ContactCorrection(outer=factors)
     balls = thrust_balls(bearing_6205, SOLVED, operation, LoadEffects(gyroscopic=False), correction=correction)
     numbers, row = bearing_numbers(bearing_6205, SOLVED), np.array(correction_fields(correction), dtype=float)
-    point = thrust_point(numbers, 430.0, TurningRule(-910.0, True, False), correction_of(row))
+    point = thrust_point(numbers, first_contacts(numbers), 430.0, TurningRule(-910.0, True, False), correction_of(row))
     angles = point.ball.inner_angle, point.ball.outer_angle
     loads = point.ball.inner_load, point.ball.outer_load
     motion = ruled_motion(numbers, 1.0, *angles)
