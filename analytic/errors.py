@@ -50,7 +50,7 @@ class SingularError(ConvergenceError):
         FembearingError.__init__(self, f"{problem}. {remedy}")
 
 
-# Formulas call these often with few numbers: the ends are fast, and comparisons with NaN fail. One number needs no array.
+# Formulas call these often with few numbers: the ends are fast, and comparisons with NaN fail. One number is no array.
 FEW = 4  # numbers that are compared faster one by one
 
 

@@ -22,6 +22,7 @@ from analytic.numerics.interpolated import far_points
 from analytic.oil.inlets import Inlets
 from analytic.oil.lubricated_races import LubricatedRaces
 from analytic.oil.mixed import MixedContact
+from analytic.oil.traction import MixedTraction
 from analytic.scene import Array, Scene
 from analytic.sliding.levers import creep_numbers, full_spin_lever, largest_error, largest_spin_lever, rolling_lever
 from analytic.words import percent_of
@@ -80,15 +81,16 @@ def decide_sliding(scene: Scene, resisting: Resisting, ledger: Ledger, *, slides
     """Settle asperities, inlet_heating, starvation and spin; return the estimate that they come from.
 
     slides : whether spin or conformity is computed; if not, inlets act on rolling alone
-    In a long series far points are looked at first: where an effect counts at one of them, the others need not be known.
+    In a long series far points are looked at first: where an effect counts at one of them, the others may stay unknown.
     """
-    estimate, speed = Estimate(resisting, ledger, slides=slides), scene.operation.as_series().inner_speed
-    far = resisting.far_points(speed) if speed.size >= SERIES else np.array([], dtype=np.intp)
-    at_far = Estimate(resisting.at(far), ledger, slides=slides) if far.size else None
+    estimate, count, far, at_far = Estimate(resisting, ledger, slides=slides), resisting.constant.size, None, None
+    if count >= SERIES:
+        far = resisting.far_points(scene.operation.as_series().inner_speed)
+        at_far = Estimate(resisting.at(far), ledger, slides=slides) if far.size else None
 
     def change(name: str, regime: Regime, other: Regime) -> Array:
         if at_far is not None and not ledger.rules_out(name):
-            bound = np.zeros_like(speed)
+            bound = np.zeros(count)
             bound[far] = at_far.change(regime, other)
             if not ledger.fits(bound):
                 return bound
@@ -176,6 +178,7 @@ class _Torque(NamedTuple):
     """What resists in one regime; arrays (2, n, m)."""
 
     mixed: MixedContact | None
+    traction: MixedTraction | None  # None: by a given coefficient
     friction: tuple[Array, ...]  # N, at each of the levers
     boundary: Array  # N, part of the friction by asperities and films of a molecule
     rolling: Array  # N m
@@ -220,7 +223,7 @@ class Estimate:
 
     def spin(self, scene: Scene, regime: Regime) -> Array:
         """(n,) estimate from above of what spin adds, over the torque without it."""
-        _, friction, _, rolling = self._at(regime)
+        _, _, friction, _, rolling = self._at(regime)
         if len(self.levers) < 2:
             return np.zeros_like(self.resisting.constant)
         with_spin, without = friction[1] * self.levers[1], friction[0] * self.rolls
@@ -275,11 +278,10 @@ class Estimate:
     def _most_friction(self) -> Array:
         """(2, n, m) N: of contacts that slide as fast as they roll, in the regime that was decided."""
         assert self.regime is not None
-        balls, oiled, mixed = self.resisting.balls, self.resisting.oiled, self._at(self.regime).mixed
-        if oiled is None or mixed is None:
+        balls, oiled, traction = self.resisting.balls, self.resisting.oiled, self._at(self.regime).traction
+        if oiled is None or traction is None:
             return self.resisting.friction_coefficient * balls.load
-        friction = oiled.traction(mixed).force(balls.contacts)
-        return friction(np.abs(oiled.ring_speed)[:, None] * balls.motion.entrainment_speed)
+        return traction.force(balls.contacts)(np.abs(oiled.ring_speed)[:, None] * balls.motion.entrainment_speed)
 
     def _gyroscopic(self, scene: Scene, friction: Array) -> Array:
         """(n, m) gyroscopic moment of a ball over what friction across both grooves holds; friction : (2, n, m), N."""
@@ -308,14 +310,15 @@ class Estimate:
             rolling = self.resisting.rolling * factor
         if oiled is None or inlets is None:
             force = self.resisting.friction_coefficient * balls.load
-            return _Torque(None, tuple(force for _ in self.levers), force, rolling)
+            return _Torque(None, None, tuple(force for _ in self.levers), force, rolling)
         factor = inlets.film_factor(heats=regime.inlet_heating, starves=regime.starvation)
         mixed = oiled.mixed(asperities=regime.asperities, film_factor=factor)
-        friction = oiled.traction(mixed).force(balls.contacts)
+        traction = oiled.traction(mixed)
+        friction = traction.force(balls.contacts)
         speed = np.abs(oiled.ring_speed)[:, None]
         slips = (self.rolls, self.rolls + full_spin_lever(balls))[: len(self.levers)]
         boundary = oiled.surface.boundary_friction * mixed.boundary_share * balls.load
-        return _Torque(mixed, tuple(friction(speed * np.stack(slips))), boundary, rolling)
+        return _Torque(mixed, traction, tuple(friction(speed * np.stack(slips))), boundary, rolling)
 
 
 def _over(part: Array | float, floor: Array) -> Array:

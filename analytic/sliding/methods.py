@@ -111,9 +111,8 @@ def race_sliding(
     allowed : (n,) error that the method may have, relative to the whole torque
     """
     sliders = Sliders(balls=balls, traction=traction, model=model, ring_speed=ring_speed)
-    cheap = sliders.slide(QUADRATURES[0])
     if model.microslip == "as_printed":
-        return _as_printed(sliders, cheap)
+        return _as_printed(sliders, sliders.cheap)
     if model.microslip != "derived":
         raise InputError(f'microslip must be "derived" or "as_printed", got {model.microslip!r}')
 
@@ -124,18 +123,20 @@ def race_sliding(
             allowed * (counted + other_torque), counted, out=np.full_like(counted, np.inf), where=counted > 0
         )
 
-    expected = allowed_of(balls.total(cheap.torque.spin), balls.total(cheap.torque.conformity))
+    expected = allowed_of(balls.total(sliders.cheap.torque.spin), balls.total(sliders.cheap.torque.conformity))
     *cheaper, last = [each for each in QUADRATURES if model.method in ("auto", each.rule.method)]
-    some = sliders.far if sliders.is_sampled else _some(expected.size, FORETOLD)
-    foretold, between = sliders.errors_at(_rows(cheap, some), some), BETWEEN if sliders.is_sampled else 1.0
+    some, foretold, between = slice(None), sliders.foretold, BETWEEN if sliders.is_sampled else 1.0
+    if sliders.is_sampled or expected.size > FORETOLD:
+        some = sliders.far if sliders.is_sampled else _some(expected.size, FORETOLD)
+        foretold = sliders.errors_at(_rows(sliders.cheap, some), some)
     for quadrature in cheaper:
         # Every method spreads the power over contacts and effects in nearly the same way.
         if np.any(between * foretold(quadrature) > expected[some]):
             continue
-        result = sliders.result(quadrature, cheap, expected)
+        result = sliders.result(quadrature, expected)
         if result is not None and np.all(result.error <= allowed_of(result.spin, result.conformity)):
             return result
-    return sliders.result(last, cheap, expected) or sliders.at_all_points(last, sliders.slide(last), expected)
+    return sliders.result(last, expected) or sliders.at_all_points(last, sliders.slide(last), expected)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -146,6 +147,16 @@ class Sliders:
     traction: Tractions
     model: SlidingModel
     ring_speed: Array
+
+    @cached_property
+    def cheap(self) -> SlipFriction:
+        """All points by the cheapest method."""
+        return self.slide(QUADRATURES[0])
+
+    @cached_property
+    def foretold(self) -> Callable[[Quadrature], Array]:
+        """`errors_at` all points, at the sliding by the cheapest method."""
+        return self.errors_at(self.cheap)
 
     def slide(self, quadrature: Quadrature, points: Points = slice(None)) -> SlipFriction:
         shape = self.balls.load.shape[1:]
@@ -190,7 +201,7 @@ class Sliders:
 
         return error
 
-    def _error_at(self, points: Points, result: SlipFriction, quadrature: Quadrature) -> Array:
+    def _error_at(self, points: NDArray[np.intp], result: SlipFriction, quadrature: Quadrature) -> Array:
         """(k,) estimate of the error of a method at some points; result : at all of them."""
         return self.errors_at(_rows(result, points), points)(quadrature)
 
@@ -232,12 +243,12 @@ class Sliders:
         pair = elements_of(inner, chosen), elements_of(outer, chosen)
         return pair, (elements_of(inner_law, chosen), elements_of(outer_law, chosen))
 
-    def result(self, quadrature: Quadrature, cheap: SlipFriction, allowed: Array) -> Sliding | None:
+    def result(self, quadrature: Quadrature, allowed: Array) -> Sliding | None:
         """The torque by a quadrature, at all points or at a sample of them; None where the sample is too wrong."""
         if quadrature is QUADRATURES[0]:
-            return self.at_all_points(quadrature, cheap, allowed)
+            return self.at_all_points(quadrature, self.cheap, allowed)
         if self.is_sampled:
-            sampled, worst = self._sampled(quadrature, cheap, np.flatnonzero(self.ring_speed), allowed)
+            sampled, worst = self._sampled(quadrature, np.flatnonzero(self.ring_speed), allowed)
             if sampled is not None or worst >= np.min(allowed):
                 return sampled
         return self.at_all_points(quadrature, self.slide(quadrature), allowed)
@@ -245,7 +256,7 @@ class Sliders:
     def at_all_points(self, quadrature: Quadrature, result: SlipFriction, allowed: Array) -> Sliding:
         """At all points; the error in a long series is the largest of a sample at each point where that is allowed."""
         if self.ring_speed.size < SERIES or self._has_closed_form(quadrature):
-            error = self.errors_at(result)(quadrature)
+            error = (self.foretold if result is self.cheap else self.errors_at(result))(quadrature)
         else:
             some = _some(self.ring_speed.size, JUDGED)
             error = np.full_like(self.ring_speed, BETWEEN * np.max(self._error_at(some, result, quadrature)))
@@ -261,13 +272,13 @@ class Sliders:
         )
 
     def _sampled(
-        self, quadrature: Quadrature, cheap: SlipFriction, moving: NDArray[np.intp], allowed: Array
+        self, quadrature: Quadrature, moving: NDArray[np.intp], allowed: Array
     ) -> tuple[Sliding | None, float]:
         """From a sample of the points, None if that does not pay or is not accurate enough; and the method's error.
 
         Under thrust all balls are alike, and the difference between two methods depends on load and speed alone.
         """
-        base = _quantities(cheap)
+        base = _quantities(self.cheap)
         whole = base[:, :2].sum(axis=1)
         if not (np.all(whole > 0) and np.all(base[:, 2:] > 0)):
             return None, 0.0
@@ -359,17 +370,13 @@ def _over(part: Array, whole: Array) -> Array:
     return np.divide(part, whole, out=np.zeros_like(part), where=whole > 0)
 
 
-def _some(points: int, most: int) -> Points:
-    """All points, or so many at random."""
-    if points <= most:
-        return slice(None)
-    return np.random.default_rng(SEED).choice(points, most, replace=False)
+def _some(points: int, count: int) -> NDArray[np.intp]:
+    """So many of the points, at random."""
+    return np.random.default_rng(SEED).choice(points, count, replace=False)
 
 
-def _rows(result: SlipFriction, points: Points) -> SlipFriction:
+def _rows(result: SlipFriction, points: NDArray[np.intp]) -> SlipFriction:
     """The result at some operating points."""
-    if isinstance(points, slice):
-        return result
     torque = MicroslipTorque(**{name: value[points] for name, value in vars(result.torque).items()})
     rest = {name: value[points] for name, value in vars(result).items() if name != "torque"}
     return SlipFriction(torque=torque, **rest)
