@@ -45,6 +45,12 @@ class Resisting:
     oiled: LubricatedRaces | None  # None: the friction coefficient is given, or nothing slides
     friction_coefficient: float = 0.0  # where it is given
 
+    @cached_property
+    def starvation_thins(self) -> bool:
+        """Whether an inlet is so starved that its film is thinner."""
+        starvation = None if self.inlets is None else self.inlets.starvation
+        return starvation is not None and bool(np.any(starvation.film_factor < 1))
+
     def at(self, points: NDArray[np.intp]) -> "Resisting":
         """The same at some operating points."""
         return replace(
@@ -103,8 +109,7 @@ def decide_sliding(scene: Scene, resisting: Resisting, ledger: Ledger, *, slides
         and resisting.inlets.starvation is not None
         and not ledger.rules_out("starvation"),
     )
-    rolls, shears, inlets = resisting.rolling is not None, resisting.oiled is not None, resisting.inlets
-    thins = inlets is not None and inlets.starvation is not None and bool(np.any(inlets.starvation.film_factor < 1))
+    rolls, shears, thins = resisting.rolling is not None, resisting.oiled is not None, resisting.starvation_thins
     acts = {"asperities": slides, "inlet_heating": rolls or shears, "starvation": rolls or (shears and thins)}
     for name, can_act in acts.items():
         other = replace(regime, **{name: not getattr(regime, name)})
@@ -308,6 +313,8 @@ class Estimate:
         if self.resisting.rolling is not None and inlets is not None:
             factor = inlets.rolling_factor(heats=regime.inlet_heating, starves=regime.starvation)
             rolling = self.resisting.rolling * factor
+        if regime.starvation and not self.resisting.starvation_thins:
+            return self._at(replace(regime, starvation=False))._replace(rolling=rolling)
         if oiled is None or inlets is None:
             force = self.resisting.friction_coefficient * balls.load
             return _Torque(None, None, tuple(force for _ in self.levers), force, rolling)

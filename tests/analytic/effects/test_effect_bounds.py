@@ -5,9 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from analytic.effects import sliding
 from analytic.effects.ledger import Ledger
 from analytic.effects.table import COMPUTED
 from analytic.scene import Autocorrelation, Bearing, ContactAngle, Operation, Scene
+from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
 from tests.analytic.specimens import EVERYTHING, FINISH, OIL, drawn, idling, without
 
@@ -174,3 +176,25 @@ def test_auto_meets_everything_on(bearing_6205: Bearing, seed: int) -> None:
         error = np.abs(found.torque.total / exact - 1)
         assert np.all(error < tolerance)
         assert np.all(error <= found.numerical_uncertainty)
+
+
+def test_a_long_series_decides_as_all_of_its_points_do(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Far points are looked at first: what they say of an effect that counts is what all points say, less what differs.
+
+    At 5 % the far points settle every effect here; at 30 % some are left out, by the bounds of all points.
+    """
+    load, speed = np.random.default_rng(3).uniform([90.0, 12.0], [1900.0, 160.0], (600, 2)).T
+    scene = load_scene("validation/scenes/6205_physical.toml")
+    for tolerance in (0.05, 0.3):
+        long = replace(scene, tolerance=tolerance, operation=Operation(axial_load=load, inner_speed=speed))
+        looked_at = friction_torque(long)
+        with monkeypatch.context() as all_points:
+            all_points.setattr(sliding, "SERIES", 10_000)
+            known = friction_torque(long)
+        np.testing.assert_array_equal(looked_at.torque.total, known.torque.total)
+        np.testing.assert_array_equal(looked_at.numerical_uncertainty, known.numerical_uncertainty)
+        for mine, theirs in zip(looked_at.effects, known.effects, strict=True):
+            assert mine.decision == theirs.decision
+            if mine.share is not None and theirs.share is not None and np.isfinite(theirs.share):
+                # The far points hold the ends of the series, where a bound is largest, to within their distance.
+                assert 0.8 * theirs.share <= mine.share <= theirs.share * (1 + 1e-12)
