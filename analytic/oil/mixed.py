@@ -78,7 +78,7 @@ def shared_load(film: FilmAsymptotes, gap: GapNumbers, log_softness: float, load
     Where both carry, the film is as thick as the gap that asperities leave. The unknown is z = ln(s/(1 - s)), which
     keeps the digits of s and 1 - s. The search begins where both would meet if ln h were linear in ln(1 - s), and ln p
     in ln h. Newton's method in a bracket follows, from the second step on with the point before: an inverse cubic. A
-    film under the load 1 - s is at least that of rigid bodies, h_RI (1 - s)^-2, which bounds z.
+    film under the load 1 - s is at least that of rigid bodies, h_RI (1 - s)^-2, or fills its clearance, which bounds z.
     """
     log_film, thicker = log_film_of(film, 0.0)
     dry = log_film == -np.inf
@@ -106,7 +106,8 @@ def shared_load(film: FilmAsymptotes, gap: GapNumbers, log_softness: float, load
                 return SharedLoad(0.0, log_film, 0.0)
         else:
             low = z
-            high = min(high, max((log_gap - film.rigid) / 2, z) + 1.0)
+            reach = (log_gap - film.rigid) / 2 if log_gap <= film.clearance else NEARLY_ALL
+            high = min(high, max(reach, z) + 1.0)
             if height >= film.clearance:
                 log_dry = log_gap_of(gap, -log_softness)[0]
                 if log_dry >= film.clearance:

@@ -3,7 +3,7 @@
 import hypothesis.strategies as st
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from scipy.optimize import brentq
 
 from analytic.errors import InputError
@@ -28,6 +28,7 @@ def separation(height: float, gap: TruncatedGap) -> float:
 
 
 @given(load=loads, speed=speeds, sq=roughnesses, alpha=st.sampled_from([0.0, 2.1e-8]), room=st.floats(-7, 0))
+@example(load=1.3, speed=1.1, sq=1.1e-6, alpha=0.0, room=-5.75)  # the film fills a clearance narrower than the gap
 def test_both_equations_hold(load: float, speed: float, sq: float, alpha: float, room: float) -> None:
     gap, largest_gap = rough(sq), 10.0**room
     changed = {"load": load, "entrainment_speed": speed, "pressure_viscosity": alpha}
