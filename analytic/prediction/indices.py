@@ -32,15 +32,15 @@ def indices_of(regression: Regression, scores: Array, values: Array) -> SobolInd
 
     scores, values : of the samples, (N, d) and (N, n), which it was fitted to
     """
-    inputs, found = scores.shape[1], []
-    for column in range(values.shape[1]):
-        if np.ptp(values[:, column]) == 0:
-            found.append(np.zeros((4, inputs)))
-            continue
-        repeated = regression.without_groups(scores, values, column)
-        indices = sobol_indices(func=repeated, n=POINTS, dists=[norm()] * inputs, rng=np.random.default_rng(SEED))
-        parts = [indices.first_order, indices.total_order]  # (1 + GROUPS, d)
-        errors = [np.sqrt((GROUPS - 1) / GROUPS * np.sum((p[1:] - p[1:].mean(axis=0)) ** 2, axis=0)) for p in parts]
-        found.append(np.stack([*(part[0] for part in parts), *errors]))
-    first, total, first_error, total_error = np.stack(found, axis=-1)
+    inputs, varies = scores.shape[1], np.flatnonzero(np.ptp(values, axis=0))
+    first, total, first_error, total_error = found = np.zeros((4, inputs, values.shape[1]))
+    if not varies.size:
+        return SobolIndices(first=first, total=total, first_error=first_error, total_error=total_error)
+    repeated = regression.without_groups(scores, values, varies)
+    indices = sobol_indices(func=repeated, n=POINTS, dists=[norm()] * inputs, rng=np.random.default_rng(SEED))
+    for place, part in enumerate((indices.first_order, indices.total_order)):
+        of_all = part.reshape(1 + GROUPS, varies.size, inputs)
+        off = of_all[1:] - of_all[1:].mean(axis=0)
+        found[place][:, varies] = of_all[0].T
+        found[2 + place][:, varies] = np.sqrt((GROUPS - 1) / GROUPS * np.sum(off**2, axis=0)).T
     return SobolIndices(first=first, total=total, first_error=first_error, total_error=total_error)

@@ -172,7 +172,7 @@ def predict(
     seed : int
         Number that fixes the points.
     workers : int, optional
-        Number of processes; None: one for each core that this process may use. The result does not depend on it.
+        Number of processes, with this one; None: one for each core that it may use. The result does not depend on it.
     progress : callable
         Called with the share done, 0 to 1 (dimensionless), and a text with the time left.
 
@@ -213,15 +213,15 @@ def predict(
         more = min(more, MOST_SAMPLES - found.count)
         seeds = (seed, found.count)
         found = found.together(sampled(problem, count=more, seed=seeds, workers=workers, progress=progress))
-    parts = {}
-    for place, name in enumerate(problem.parts):
-        parts[name] = interval_of(regression_of(found.scores, found.torque[:, place]), scores, found.torque[:, place])
     totals = found.torque[:, 0]
     regression = regression_of(found.scores, totals)
+    parts = {}
+    for name, values in zip(problem.parts[1:], np.moveaxis(found.torque[:, 1:], 1, 0), strict=True):
+        parts[name] = interval_of(regression_of(found.scores, values), scores, values)
     return Prediction(
         nominal=nominal,
         inputs=problem.inputs,
-        total=parts.pop("total"),
+        total=interval_of(regression, scores, totals),
         parts=MappingProxyType(parts),
         made_of=MappingProxyType(_made_of(regression, scores, problem, nominal.torque.total)),
         indices=indices_of(regression, found.scores, totals),
