@@ -29,7 +29,18 @@ from analytic.free_ball.layout import (
     UNIT_POWER,
 )
 from analytic.free_ball.stress import yielding
-from analytic.free_ball.strips import Quadrature, hold_flows, peak_pressure, shear_at, strip_closed, strip_marched
+from analytic.free_ball.strips import (
+    LATERAL,
+    SLIDE,
+    Quadrature,
+    hold_flows,
+    march_strips,
+    marched_strip,
+    peak_pressure,
+    shear_at,
+    strip_closed,
+    strip_state,
+)
 from analytic.numerics.compilation import compiled
 from analytic.scene import Array
 
@@ -38,6 +49,7 @@ LEAST_SHARE = 1e-4  # of a Newton step
 ROUND_OFF = 4 * np.finfo(np.float64).eps  # of the speeds
 HARDER = 10.0  # between two stages of a ball whose Newton's method stalls
 STAGES = 6
+FAST = frozenset(("contract", "reassoc", "arcp", "nsz"))  # sums over the nodes may round in any order
 
 
 @compiled
@@ -80,7 +92,7 @@ def _add(width, forces, stiffness, rows, force, tangent):
         tangent[3, c] += width * (pulled[0] * along_3 + pulled[2] * spin_3)
 
 
-@compiled
+@compiled(fastmath=FAST)
 def _contact(contact, ball, velocity, passing, quadrature, flows, sums):
     """Add one contact to sums: forces A^T stress and their tangent; write its outcome, without the law's powers.
 
@@ -95,6 +107,13 @@ def _contact(contact, ball, velocity, passing, quadrature, flows, sums):
     length = contact[FLEXIBILITY] * abs(passing) * (a if quadrature.marched else peak)
     outcome[:] = 0.0
     rows[2, 2], rows[2, 3] = contact[NORMAL_R] / ball[BALL_RADIUS], contact[NORMAL_Z] / ball[BALL_RADIUS]
+    state = strip_state(sines.shape[0])
+    if quadrature.marched:
+        for j in range(sines.shape[0]):
+            carried = _rows_of(contact, ball, b * sines[j], rows)
+            state[SLIDE + j] = velocity[0] + rows[0, 2] * velocity[2] + rows[0, 3] * velocity[3] - carried
+            state[LATERAL + j] = rows[1, 1] * velocity[1]
+        march_strips(contact, spin, (flow, length), quadrature, flows, state)
     for j in range(sines.shape[0]):
         y = b * sines[j]
         carried = _rows_of(contact, ball, y, rows)
@@ -102,7 +121,7 @@ def _contact(contact, ball, velocity, passing, quadrature, flows, sums):
         slip = (slide, rows[1, 1] * velocity[1], spin)
         strip = (a * cosines[j], flow, peak * cosines[j], length)
         if quadrature.marched:
-            forces, stiffness, friction = strip_marched(contact, slip, strip, quadrature, flows[j])
+            forces, stiffness, friction = marched_strip(state, j)
         else:
             forces, stiffness, friction = strip_closed(contact, slip, strip, quadrature.along, flows[j])
         width = weights[j] * b * cosines[j]

@@ -13,7 +13,7 @@ from analytic.oil.traction import PointLaw, log_thickening
 
 SOLID = 1e250  # fluidity from which oil does not flow: it shears at its limit
 NEARLY_LINEAR = 0.3  # sinh of it is 1.5 % larger: a start for what follows
-LAST_STEP = 1e-5  # relative; what the method leaves is of the order of its third power
+LAST_STEP = 1e-3  # of y, or of 1 where y is larger; the method leaves a sixth of its third power
 
 
 class Shear(NamedTuple):
@@ -48,7 +48,11 @@ def yielding(slip, shear):
 
 @compiled(inline=True)
 def _hyperbolic(y):
-    """sinh and cosh from one exponential, without the cancellation near 0."""
+    """sinh and cosh: near 0 by their series, whose next terms are below rounding, else from one exponential."""
+    if y <= NEARLY_LINEAR:
+        z = y * y
+        sinh = y * (1.0 + z / 6.0 * (1.0 + z / 20.0 * (1.0 + z / 42.0 * (1.0 + z / 72.0 * (1.0 + z / 110.0)))))
+        return sinh, 1.0 + z / 2.0 * (1.0 + z / 12.0 * (1.0 + z / 30.0 * (1.0 + z / 56.0 * (1.0 + z / 90.0))))
     above = np.expm1(y)
     below = above / (1.0 + above)  # 1 - exp(-y)
     return (above + below) / 2.0, 1.0 + above * below / 2.0
@@ -76,6 +80,6 @@ def sheared(reach, compliance, shear):
         step = newton / (1.0 - newton * sinh * per_slope / 2.0)
         y -= step
         cosh -= step * sinh
-        if abs(step) <= LAST_STEP * y:
+        if abs(step) <= LAST_STEP * min(y, 1.0):
             break
     return shear.steady + shear.eyring * y, shear.eyring * shear.fluidity / (cosh + softness)

@@ -25,6 +25,16 @@ from analytic.numerics.compilation import compiled
 from analytic.oil.traction import PointLaw
 from analytic.scene import Array
 
+PITCH = 200  # between rows of numbers of strips, of which there are at most 192
+# Where the rows begin: of slip, half-length and L u over it; stress at the last node and the one before; reach of slip
+# at a node, and stress and slope there. Then sums of three forces and of friction, and for each kind of slip four rows
+# of what it does to both stresses, and three of its stiffness.
+SLIDE, LATERAL, HALF, PER_STEP = range(0, 4 * PITCH, PITCH)
+STRESS_X, STRESS_Y, OLDER_X, OLDER_Y = range(4 * PITCH, 8 * PITCH, PITCH)
+REACH_X, REACH_Y, REACH, STRESS, SLOPE = range(8 * PITCH, 13 * PITCH, PITCH)
+FORCES, ALL_FRICTION = 13 * PITCH, 16 * PITCH
+BY_SLIDE, BY_LATERAL, BY_SPIN = range(17 * PITCH, 38 * PITCH, 7 * PITCH)
+ROWS = 38
 NO_SLIP = 1e-200  # m: keeps a direction where nothing slides
 
 
@@ -78,45 +88,102 @@ def strip_closed(contact, slip, strip, along, flows):
 
 
 @compiled(inline=True)
-def strip_marched(contact, slip, strip, quadrature, flows):
-    """One strip, marched from its leading edge; arguments and results of `strip_closed`, p0 L u/a being L u there."""
-    slide, lateral, spin = slip
-    half, flow, middle, length = strip
+def march_strips(contact, spin, flow, quadrature, flows, state):
+    """All strips, marched side by side from their leading edges; writes their forces, stiffness and friction.
+
+    spin : slip by it;  flow : its direction, and L u;  flows : (strips, 2, nodes) as in `strip_closed`
+    state : of `strip_state`, with slip along and across
+    Nodes of different strips do not wait for each other, as those of one strip do. Where nothing is decided a processor
+    takes several at once, as the compiler knows how far apart the rows are.
+    """
+    side, length = flow
     sines, cosines, weights = quadrature.along[0], quadrature.along[1], quadrature.along[2]
-    per_step = length / half
-    f_p = f_l = f_n = pp = pl = pn = lp = ll = ln = np_ = nl = nn = friction = 0.0
-    stress_x = stress_y = older_x = older_y = 0.0
-    xp = xl = xn = yp = yl = yn = old_xp = old_xl = old_xn = old_yp = old_yl = old_yn = 0.0
+    peak, across = peak_pressure(contact), quadrature.across[1]
+    for j in range(across.shape[0]):
+        state[HALF + j] = contact[ROLLING] * across[j]
+        state[PER_STEP + j] = length / state[HALF + j]
     for k in range(sines.shape[0]):
-        pressure, area, x = middle * cosines[k], weights[k] * half * cosines[k], flow * half * sines[k]
-        acting = x if k > 0 else flow * half * (sines[0] - 1.0) / 2.0  # halfway from the edge
-        from_last, from_older = per_step * quadrature.steps[1, k], per_step * quadrature.steps[2, k]
-        reach_x = slide + from_last * stress_x - from_older * older_x
-        reach_y = lateral + spin * acting + from_last * stress_y - from_older * older_y
-        reach = max(np.sqrt(reach_x * reach_x + reach_y * reach_y), NO_SLIP)
-        older_x, older_y = stress_x, stress_y
-        shear = shear_at(contact, pressure, flows[0, k], flows[1, k])
-        stress, slope = sheared(reach, per_step * quadrature.steps[0, k], shear)
-        per_reach = 1.0 / reach
-        e_x, e_y, over = reach_x * per_reach, reach_y * per_reach, stress * per_reach
-        stress_x, stress_y = stress * e_x, stress * e_y
-        xx, xy = over + (slope - over) * e_x * e_x, (slope - over) * e_x * e_y
-        yy = over + (slope - over) * e_y * e_y
-        to_xp, to_yp = 1.0 + from_last * xp - from_older * old_xp, from_last * yp - from_older * old_yp
-        to_xl, to_yl = from_last * xl - from_older * old_xl, 1.0 + from_last * yl - from_older * old_yl
-        to_xn, to_yn = from_last * xn - from_older * old_xn, acting + from_last * yn - from_older * old_yn
-        old_xp, old_xl, old_xn, old_yp, old_yl, old_yn = xp, xl, xn, yp, yl, yn
-        xp, yp = xx * to_xp + xy * to_yp, xy * to_xp + yy * to_yp
-        xl, yl = xx * to_xl + xy * to_yl, xy * to_xl + yy * to_yl
-        xn, yn = xx * to_xn + xy * to_yn, xy * to_xn + yy * to_yn
-        f_p += area * stress_x
-        f_l += area * stress_y
-        f_n += area * stress_y * x
-        pp, pl, pn = pp + area * xp, pl + area * xl, pn + area * xn
-        lp, ll, ln = lp + area * yp, ll + area * yl, ln + area * yn
-        np_, nl, nn = np_ + area * yp * x, nl + area * yl * x, nn + area * yn * x
-        friction += area * stress
-    return (f_p, f_l, f_n), (pp, pl, pn, lp, ll, ln, np_, nl, nn), friction
+        place = side * sines[k]
+        halfway = place if k > 0 else side * (sines[0] - 1.0) / 2.0  # from the edge
+        to_here, to_last, to_older = quadrature.steps[0, k], quadrature.steps[1, k], quadrature.steps[2, k]
+        for j in range(across.shape[0]):
+            from_last, from_older = state[PER_STEP + j] * to_last, state[PER_STEP + j] * to_older
+            last_x, last_y = state[STRESS_X + j], state[STRESS_Y + j]
+            reach_x = state[SLIDE + j] + from_last * last_x - from_older * state[OLDER_X + j]
+            reach_y = state[LATERAL + j] + spin * halfway * state[HALF + j]
+            reach_y += from_last * last_y - from_older * state[OLDER_Y + j]
+            state[OLDER_X + j], state[OLDER_Y + j] = last_x, last_y
+            state[REACH_X + j], state[REACH_Y + j] = reach_x, reach_y
+            state[REACH + j] = np.sqrt(reach_x * reach_x + reach_y * reach_y) + NO_SLIP
+        for j in range(across.shape[0]):
+            shear = shear_at(contact, peak * across[j] * cosines[k], flows[j, 0, k], flows[j, 1, k])
+            state[STRESS + j], state[SLOPE + j] = sheared(state[REACH + j], state[PER_STEP + j] * to_here, shear)
+        for j in range(across.shape[0]):
+            half, stress, slope, per_reach = (
+                state[HALF + j],
+                state[STRESS + j],
+                state[SLOPE + j],
+                1.0 / state[REACH + j],
+            )
+            x, area = half * place, weights[k] * half * cosines[k]
+            e_x, e_y, over = state[REACH_X + j] * per_reach, state[REACH_Y + j] * per_reach, stress * per_reach
+            state[STRESS_X + j], state[STRESS_Y + j] = stress * e_x, stress * e_y
+            state[FORCES + j] += area * stress * e_x
+            state[FORCES + PITCH + j] += area * stress * e_y
+            state[FORCES + 2 * PITCH + j] += area * stress * e_y * x
+            state[ALL_FRICTION + j] += area * stress
+            yields = over + (slope - over) * e_x * e_x, (slope - over) * e_x * e_y, over + (slope - over) * e_y * e_y
+            pulls = state[PER_STEP + j] * to_last, state[PER_STEP + j] * to_older
+            _respond(state, BY_SLIDE + j, (1.0, 0.0), pulls, yields, (area, x))
+            _respond(state, BY_LATERAL + j, (0.0, 1.0), pulls, yields, (area, x))
+            _respond(state, BY_SPIN + j, (0.0, halfway * half), pulls, yields, (area, x))
+
+
+@compiled(inline=True)
+def _respond(state, first, own, pulls, yields, node):
+    """Go on by a node with what one kind of slip does to the stress, and add it to the stiffness.
+
+    first : of its rows in the state;  own : how it moves the node itself;  pulls : of the last nodes' stress
+    yields : slopes of the stress, along and across;  node : area and place
+    """
+    area, x = node
+    last_x, last_y = state[first], state[first + PITCH]
+    to_x = own[0] + pulls[0] * last_x - pulls[1] * state[first + 2 * PITCH]
+    to_y = own[1] + pulls[0] * last_y - pulls[1] * state[first + 3 * PITCH]
+    by_x, by_y = yields[0] * to_x + yields[1] * to_y, yields[1] * to_x + yields[2] * to_y
+    state[first], state[first + PITCH] = by_x, by_y
+    state[first + 2 * PITCH], state[first + 3 * PITCH] = last_x, last_y
+    state[first + 4 * PITCH] += area * by_x
+    state[first + 5 * PITCH] += area * by_y
+    state[first + 6 * PITCH] += area * by_y * x
+
+
+@compiled(inline=True)
+def strip_state(strips):
+    """Rows of numbers of strips, for `march_strips`."""
+    state = np.empty(ROWS * PITCH)
+    for row in range(ROWS):
+        state[row * PITCH : row * PITCH + strips] = 0.0
+    return state
+
+
+@compiled(inline=True)
+def marched_strip(state, j):
+    """Results of `strip_closed` for a strip that is marched."""
+    slide, lateral, turn = BY_SLIDE + 4 * PITCH + j, BY_LATERAL + 4 * PITCH + j, BY_SPIN + 4 * PITCH + j
+    stiffness = (
+        state[slide],
+        state[lateral],
+        state[turn],
+        state[slide + PITCH],
+        state[lateral + PITCH],
+        state[turn + PITCH],
+        state[slide + 2 * PITCH],
+        state[lateral + 2 * PITCH],
+        state[turn + 2 * PITCH],
+    )
+    forces = (state[FORCES + j], state[FORCES + PITCH + j], state[FORCES + 2 * PITCH + j])
+    return forces, stiffness, state[ALL_FRICTION + j]
 
 
 @compiled(inline=True)
