@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
-from itertools import repeat
+from itertools import chain
 from math import ceil
 from time import perf_counter
 
@@ -23,8 +23,8 @@ from analytic.scene import Array
 
 Progress = Callable[[float, str], None]  # share done, 0 to 1, and what is being done
 LARGEST_FAILURE = 0.01  # share of samples without a torque, beyond which the interval would be that of the others
-SHORT = 4.0  # s: work that new processes, which take some seconds to start, do not shorten
-EACH = 1.0  # s: of a task
+SHORT = 2.0  # s: work that new processes, which take a second or two to start, hardly shorten
+EACH = 0.2  # s: of a task
 SHOWN_REASONS = 3
 
 
@@ -61,7 +61,7 @@ def sampled(problem: Problem, *, count: int, seed: Sequence[int], workers: int |
     """The torque at `count` Latin hypercube points; the same numbers for any number of processes.
 
     seed : numbers that the points follow from
-    workers : processes; None: one for each core that this process may use, or none where the work is short; 1: none
+    workers : processes, with this one; None: one for each core that it may use, or no other where the work is short
     Raises InputError where more than 1 % of the samples have no torque; ResourceError where a process dies.
     """
     cube = qmc.LatinHypercube(len(problem.inputs), rng=np.random.default_rng(list(seed)))
@@ -73,17 +73,17 @@ def sampled(problem: Problem, *, count: int, seed: Sequence[int], workers: int |
     pieces = [scores[start : start + each] for start in range(0, count, each)]
     done, seconds, begun = 0, 0.0, perf_counter()
     torque = np.full((count, len(problem.parts), problem.held.size), np.nan)
-    reasons: Counter[str] = Counter()
-    computed = _on_processes(problem, pieces, width) if width > 1 else (evaluated(problem, piece) for piece in pieces)
-    for piece, (values, why, spent) in zip(pieces, computed, strict=True):
-        rows = slice(done, done + piece.shape[0])
-        torque[rows] = values
-        reasons.update(why)
+    failed: dict[int, list[str]] = {}
+    for place, (values, why, spent) in _on_processes(problem, pieces, width):
+        first = place * each
+        torque[first : first + len(values)] = values
+        failed[place] = why
         seconds += spent
-        done = rows.stop
+        done += len(values)
         left = (perf_counter() - begun) / done * (count - done)
         progress(done / count, f"{done} of {count} samples, {left:.0f} s left")
     good = np.isfinite(torque[:, 0]).all(axis=-1)
+    reasons = Counter(chain.from_iterable(failed[place] for place in range(len(pieces))))
     words = tuple(f"{reason} ({times} times)" for reason, times in reasons.most_common(SHOWN_REASONS))
     if np.count_nonzero(~good) > LARGEST_FAILURE * count:
         raise InputError(
@@ -93,12 +93,22 @@ def sampled(problem: Problem, *, count: int, seed: Sequence[int], workers: int |
     return Samples(scores=scores[good], torque=torque[good], count=count, reasons=words, seconds=seconds)
 
 
-def _on_processes(problem: Problem, pieces: Sequence[Array], width: int) -> Iterator[tuple[Array, list[str], float]]:
-    """`evaluated` for each piece, in order, by processes of this machine that end with the iterator."""
+def _on_processes(
+    problem: Problem, pieces: Sequence[Array], width: int
+) -> Iterator[tuple[int, tuple[Array, list[str], float]]]:
+    """The number of each piece and `evaluated` for it, by this process and by others that end with the iterator.
+
+    This one takes pieces from the end that no other has begun, also while the others start.
+    """
+    if width == 1:
+        yield from enumerate(evaluated(problem, piece) for piece in pieces)
+        return
     context = multiprocessing.get_context("spawn")
-    pool = ProcessPoolExecutor(width, mp_context=context, initializer=_begin)
+    pool = ProcessPoolExecutor(width - 1, mp_context=context, initializer=_begin)
     try:
-        yield from pool.map(evaluated, repeat(problem), pieces)
+        begun = [pool.submit(evaluated, problem, piece) for piece in pieces]
+        for place in reversed(range(len(pieces))):
+            yield place, evaluated(problem, pieces[place]) if begun[place].cancel() else begun[place].result()
     except BrokenProcessPool as fault:
         raise ResourceError(
             "a process that computes samples ended: the system ends one that takes too much memory, and a script of "
