@@ -132,21 +132,32 @@ def taken(value: Any) -> tuple[Kind, list[Any]]:
 
     Raises TypeError for what machine code does not take.
     """
+    pieces: list[Any] = []
+    return _kind_of(value, pieces), pieces
+
+
+def _kind_of(value: Any, pieces: list[Any]) -> Kind:
+    """Append the pieces of a value."""
+    if type(value) is float:  # most of what a scene is
+        pieces.append(value)
+        return "float64"
     match value:
         case np.ndarray():
-            layout = "C" if value.flags.c_contiguous else "A"
-            pieces = [None, None, value.size, value.itemsize, value.ctypes.data, *value.shape, *value.strides]
-            return ("array", value.dtype.char, value.ndim, layout), pieces
-        case bool() | np.bool_():
-            return "boolean", [bool(value)]
-        case float():
-            return "float64", [value]
-        case int() | np.integer():
-            return "int64", [int(value)]
+            pieces += (None, None, value.size, value.itemsize, value.ctypes.data)
+            pieces += value.shape
+            pieces += value.strides
+            return "array", value.dtype.char, value.ndim, "C" if value.flags.c_contiguous else "A"
         case tuple():
-            inside = [taken(each) for each in value]
-            pieces = [piece for _, pieces in inside for piece in pieces]
-            return ("tuple", type(value), *(kind for kind, _ in inside)), pieces
+            return ("tuple", type(value), *[_kind_of(each, pieces) for each in value])
+        case bool() | np.bool_():
+            pieces.append(bool(value))
+            return "boolean"
+        case float():
+            pieces.append(value)
+            return "float64"
+        case int() | np.integer():
+            pieces.append(int(value))
+            return "int64"
     raise TypeError(f"compiled functions take no {type(value).__name__}")
 
 
