@@ -32,8 +32,7 @@ from analytic.numerics.compilation import compiled
 STEADY = 1e-6  # relative, of the forces on a ball from one round to the next: a torque needs three digits
 ROUGHLY_STEADY = 1e-4  # likewise, of a pass that cannot be the last
 SKIDS = 5  # beside the ends of `Round`: a ball finds no steady rotation
-# Residual of the rotation, over all friction, that is enough for a round: in the first one, and over the last change.
-FIRST, OF_CHANGE = 3e-2, 0.1
+OF_CHANGE = 0.1  # residual of the rotation, over all friction, that is enough for a round, over the last change
 LEAST_ANGLE, MOST_ANGLE = 1e-6, 1.5  # rad, where a search begins
 
 
@@ -51,8 +50,8 @@ def placed_ball(point: RingPoint, j: int) -> PlacedBall:
 
 @compiled
 def _next(nodes: FreeNodes, change: float) -> FreeNodes:
-    """Nodes for the round after one that changed angles or forces by this much, relative."""
-    return FreeNodes(nodes.coarse, nodes.fine, min(max(OF_CHANGE * change, ACCURACY), FIRST), nodes.steady)
+    """Nodes for the round after one that changed angles or forces by this much, relative; nodes : of the first one."""
+    return FreeNodes(nodes.coarse, nodes.fine, min(max(OF_CHANGE * change, ACCURACY), nodes.accuracy), nodes.steady)
 
 
 @compiled
@@ -70,7 +69,7 @@ def settle_free_thrust(
         placed.loads[0],
         placed.loads[1],
     )
-    held, change, speed, now = Held(0.0, 0.0, 0.0, 0.0, 0.0), 1.0, load.rule.inner_speed, _next(nodes, 1.0)
+    held, change, speed, now = Held(0.0, 0.0, 0.0, 0.0, 0.0), 1.0, load.rule.inner_speed, nodes
     for number in range(MOST_ROUNDS):
         inner, outer = contacts_at(bearing, in_groove(last.inner_angle), in_groove(last.outer_angle), correction)
         for k in range(5):
@@ -111,7 +110,7 @@ def settle_free_ring(
     nodes: FreeNodes,
 ) -> Round:
     """The ring and its balls, from what the point holds; writes point and balls."""
-    end, steps, now = Round(OPEN, 0, 0.0, 0.0), 0, _next(nodes, 1.0)
+    end, steps, now = Round(OPEN, 0, 0.0, 0.0), 0, nodes
     point.own[:], point.ring_force[:] = np.inf, np.inf  # all forces are to change
     for number in range(MOST_ROUNDS + 1):
         hold_contacts(ring, load.factors, point)

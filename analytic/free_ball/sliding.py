@@ -12,7 +12,15 @@ from analytic.contact.factors import ContactCorrection
 from analytic.contact.hertz import HertzContact, HertzNumbers, contact_modulus, loaded_contact
 from analytic.errors import ConvergenceError
 from analytic.free_ball.layout import LAW_POWER, LOAD, MOST_STEPS, UNIT_POWER
-from analytic.free_ball.passes import FreeModel, FreeSettings, FreeSpace, settle_ring_points, settle_thrust_points
+from analytic.free_ball.passes import (
+    FreeModel,
+    FreeSettings,
+    FreeSpace,
+    no_start,
+    settle_ring_points,
+    settle_thrust_points,
+    write_law_powers,
+)
 from analytic.free_ball.rotation import COARSE, QUADRATURES, STIFFER, Creep, quadrature_of
 from analytic.free_ball.rounds import SKIDS
 from analytic.free_ball.turning import ENOUGH, FreeNumbers, ball_rows
@@ -103,7 +111,8 @@ def settled_points(
 ) -> tuple[FreeSpace, Array]:
     """Balls and ends of n points, as `settle_thrust_points` and `settle_ring_points` write them."""
     count, balls = len(loads.force), len(model.ring.rows.travel) if is_ring else 1
-    space, ends = FreeSpace(ring_points(count, balls), ball_rows((count, balls))), np.full((count, 7), np.nan)
+    space = FreeSpace(ring_points(count, balls), ball_rows((count, balls)), no_start(count, balls))
+    ends = np.full((count, 7), np.nan)
     allowed = np.array(allowed, dtype=np.float64)
     if is_ring:
         settle_ring_points(model, loads, oil, space, ring_work(balls), allowed, ends)
@@ -132,6 +141,7 @@ def _settled(problem: FreeProblem, *, allowed: Array) -> FreeSliding:
     )
     space, ends = settled_points(model, loads, problem.oil, is_ring=is_ring, allowed=allowed)
     _require_settled(problem, ring.rows, loads, space, ends)
+    write_law_powers(settings.quadratures, space)
     load, angle = (np.moveaxis(each, 1, 0) for each in (space.point.load, space.point.angle))
     contacts = tuple(
         loaded_contact(

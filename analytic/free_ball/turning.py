@@ -69,7 +69,7 @@ class FreeNodes(NamedTuple):
 
     coarse: Quadrature  # for a start
     fine: Quadrature
-    accuracy: float  # of the residual force of this round, over all friction of the ball
+    accuracy: float  # of the residual force of this round, or of the first one, over all friction of the ball
     steady: float  # relative, of the forces on a ball from one round to the next
 
 
@@ -96,10 +96,7 @@ def turned(
 
     speed : w, rad/s
     """
-    body, velocity = balls.bodies[j], balls.velocity[j]
-    outer_reach = bearing.outer.groove_radius - bearing.ball_radius
-    outer_reach += placed.outer.approach * np.cbrt(placed.loads[1]) ** 2
-    orbit = free.orbit + outer_reach * np.cos(placed.angles[1])
+    body, velocity, orbit = balls.bodies[j], balls.velocity[j], orbit_at(bearing, free, placed)
     inertia = 0.4 * bearing.ball_mass
     body[BALL_RADIUS], body[ORBIT_RADIUS] = bearing.ball_radius, orbit
     body[INERTIA] = inertia * speed**2 if free.gyroscopic else 0.0
@@ -111,7 +108,7 @@ def turned(
         row[NORMAL_R], row[NORMAL_Z] = side * np.cos(placed.angles[race]), side * np.sin(placed.angles[race])
         row[RING], row[FLEXIBILITY] = 1.0 - race, free.flexibility[race]
     if np.isnan(velocity[0]):
-        _roll_by_rule(bearing, placed.angles, orbit, velocity)
+        roll_by_rule(bearing, placed.angles, orbit, velocity)
     if np.isnan(balls.given[j, 0]):  # of this pass
         turn_ball(balls.contacts[j], body, velocity, nodes.coarse, ROUGH, balls.outcomes[j])
     balls.residual[j] = turn_ball(balls.contacts[j], body, velocity, nodes.fine, nodes.accuracy, balls.outcomes[j])
@@ -123,7 +120,15 @@ def turned(
 
 
 @compiled
-def _roll_by_rule(bearing: BearingNumbers, angles: tuple[float, float], orbit: float, velocity: Array) -> None:
+def orbit_at(bearing: BearingNumbers, free: FreeNumbers, placed: PlacedBall) -> float:
+    """Radius of the ball's orbit, m."""
+    outer_reach = bearing.outer.groove_radius - bearing.ball_radius
+    outer_reach += placed.outer.approach * np.cbrt(placed.loads[1]) ** 2
+    return free.orbit + outer_reach * np.cos(placed.angles[1])
+
+
+@compiled
+def roll_by_rule(bearing: BearingNumbers, angles: tuple[float, float], orbit: float, velocity: Array) -> None:
     """Write the velocity of a ball that rolls under outer control."""
     motion = ruled_motion(bearing, 1.0, angles[0], angles[1])
     velocity[0], velocity[1] = orbit * motion.cage_speed, 0.0

@@ -6,8 +6,10 @@ from time import perf_counter
 import numpy as np
 
 from analytic.errors import FembearingError
+from analytic.oil.variation import Variation
 from analytic.point.settled import settled_parts
 from analytic.prediction.spreads import NUMERICAL, UncertainInput
+from analytic.prediction.starts import SampleStarts, starts_of
 from analytic.prediction.variants import varied_scene
 from analytic.result import FrictionTorque, TorqueParts
 from analytic.scene import Array, Scene
@@ -22,6 +24,7 @@ class Problem:
     inputs: tuple[UncertainInput, ...]  # the numerical one last, if there is one
     numerical: Array  # (n,) relative standard deviation of the total by the numerical uncertainty
     parts: tuple[str, ...]  # of the torque that are there, "total" first
+    starts: SampleStarts | None  # of free balls
     held: Array  # (n,) N m that is added to the races' part in the total: a cage whose motion is not computed again
     seconds: float  # that one evaluation takes
 
@@ -45,7 +48,15 @@ def problem_of(scene: Scene, nominal: FrictionTorque, inputs: tuple[UncertainInp
         source = "bound or estimate by the model of its own computation, as two standard deviations"
         largest = float(numerical.max())
         inputs = (*inputs, UncertainInput(key=NUMERICAL, value=1.0, unit="", deviation=largest, source=source))
-    problem = Problem(scene=settled, inputs=inputs, numerical=numerical, parts=tuple(names), held=held, seconds=0.0)
+    problem = Problem(
+        scene=settled,
+        inputs=inputs,
+        numerical=numerical,
+        parts=tuple(names),
+        starts=starts_of(lambda score: _varied(settled, inputs, score), len(inputs)),
+        held=held,
+        seconds=0.0,
+    )
     nothing = np.zeros((1, len(inputs)))
     evaluated(problem, nothing)  # the first one of a process takes longer, as it loads what it computes with
     return replace(problem, seconds=evaluated(problem, nothing)[2])
@@ -60,11 +71,11 @@ def evaluated(problem: Problem, scores: Array) -> tuple[Array, list[str], float]
     torque = np.full((scores.shape[0], len(problem.parts), problem.held.size), np.nan)
     reasons = []
     for row, score in enumerate(scores):
-        values = {each.key: float(each.at(part)) for each, part in zip(problem.inputs, score, strict=True)}
-        values.pop(NUMERICAL, None)
         try:
-            scene, variation = varied_scene(problem.scene, values)
-            parts = settled_parts(scene, variation) or friction_torque(scene, variation=variation).torque
+            scene, variation = _varied(problem.scene, problem.inputs, score)
+            parts = settled_parts(scene, variation, problem.starts and problem.starts.at(score))
+            if parts is None:
+                parts = friction_torque(scene, variation=variation).torque
         except FembearingError as failure:
             reasons.append(str(failure))
             continue
@@ -75,3 +86,9 @@ def evaluated(problem: Problem, scores: Array) -> tuple[Array, list[str], float]
         if problem.inputs[-1].key == NUMERICAL:
             torque[row, 0] *= np.exp(problem.numerical * score[-1])
     return torque, reasons, perf_counter() - begun
+
+
+def _varied(scene: Scene, inputs: tuple[UncertainInput, ...], score: Array) -> tuple[Scene, Variation]:
+    values = {each.key: float(each.at(part)) for each, part in zip(inputs, score, strict=True)}
+    values.pop(NUMERICAL, None)
+    return varied_scene(scene, values)

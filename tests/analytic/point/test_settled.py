@@ -8,11 +8,9 @@ import numpy as np
 import pytest
 
 from analytic import friction_torque, load_scene, torque_function
-from analytic.free_ball import sliding
-from analytic.free_ball.passes import FreeModel, settle_thrust_points
-from analytic.free_ball.rounds import SKIDS
-from analytic.loads.ring_rounds import RingLoads
 from analytic.oil.variation import Variation
+from analytic.point import settled as point_settled
+from analytic.point.free import torques_of_alike_balls
 from analytic.point.function import AT_REST
 from analytic.point.settled import settled_parts
 from analytic.result import TorqueParts
@@ -82,11 +80,11 @@ def test_free_balls_with_a_cage_and_a_given_coefficient() -> None:
 def test_a_free_ball_that_does_not_settle_has_no_answer(monkeypatch: pytest.MonkeyPatch) -> None:
     free = settled("6205_physical", spin_rule="free", sliding="marched_creep")
 
-    def skid(model: FreeModel, loads: RingLoads, *rest: Any) -> None:
-        settle_thrust_points(model, loads, *rest)
-        rest[-1][1, 0] = SKIDS
+    def skid(*given: Any) -> None:
+        torques_of_alike_balls(*given)
+        given[-1][:, 1:] = np.nan  # as from the second point on
 
-    monkeypatch.setattr(sliding, "settle_thrust_points", skid)
+    monkeypatch.setattr(point_settled, "torques_of_alike_balls", skid)
     assert settled_parts(free, OTHER) is None
 
 
