@@ -4,6 +4,7 @@ import os
 import re
 import reprlib
 import tomllib
+from math import log10
 from typing import Any
 
 from analytic.errors import InputError
@@ -13,6 +14,7 @@ from analytic.reading import content_of
 BARE_VALUE = re.compile(r"""[=\[,]\s*([^\s"'=,\[\]{}#][^"'=,\[\]{}#]*)""")
 IN_WORDS = re.compile(r"[^\W\d_]|[°%]")
 CURLED = re.compile("[\N{LEFT DOUBLE QUOTATION MARK}\N{RIGHT DOUBLE QUOTATION MARK}\N{DOUBLE LOW-9 QUOTATION MARK}]")
+MOST_BITS = 2000  # of a whole number in a message
 LONGEST_LINE = 200  # that is searched for a slip
 LARGEST_FILE = 256_000  # bytes: a series of 20 000 points
 # Keys of a scene have at most four parts. The memory of the TOML parser grows with the square of the number of parts.
@@ -71,15 +73,22 @@ def _remedy(text: str, reason: str) -> str:
     return f'; write the value in quotes: "{plain(value)}"'
 
 
+class ShortRepr(reprlib.Repr):
+    """A value in one line of limited length."""
+
+    def repr_int(self, x: int, level: int) -> str:
+        """Python refuses to print integers of thousands of digits."""
+        if x.bit_length() > MOST_BITS:
+            return f"a number of some {x.bit_length() * log10(2):.0f} digits"
+        return super().repr_int(x, level)
+
+
 def shown(value: object) -> str:
     """A value for a message: one line of limited length."""
-    brief = reprlib.Repr()
+    brief = ShortRepr()
     brief.maxstring = brief.maxother = 60
     brief.maxlong, brief.maxlevel, brief.maxlist, brief.maxdict = 40, 2, 3, 3
-    try:
-        return brief.repr(value)
-    except ValueError:  # Python refuses to print integers of thousands of digits
-        return "a number of thousands of digits"
+    return brief.repr(value)
 
 
 def plain(text: str) -> str:
