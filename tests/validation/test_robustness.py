@@ -139,6 +139,9 @@ def test_how_a_command_ends_is_judged(part: Any, status: int, out: str, err: str
 def test_a_slow_or_large_command_is_a_fault(part: Any) -> None:
     commands = part("commands")
     assert commands.fault_of(commands.Run(0, "", "", 11.0, 3e8)) == "11 s"
+    compiling = "fembearing: compiling formulas, once for this machine; this may take a minute\n"
+    assert commands.fault_of(commands.Run(0, "", compiling, 50.0, 3e8)) == ""
+    assert commands.fault_of(commands.Run(0, "", compiling, 130.0, 3e8)) == "130 s"
     assert commands.fault_of(commands.Run(0, "", "", 2.0, 1.5e9), base=2e8) == "1300 MB"
 
 
