@@ -136,8 +136,8 @@ def _reader_is_gone() -> bool:
 def _lacks_memory(problem: BaseException) -> bool:
     if isinstance(problem, MemoryError) or (isinstance(problem, OSError) and problem.errno == errno.ENOMEM):
         return True
-    said = str(problem)  # of the loader of libraries, and of Python where a thread has no memory for its stack
-    return isinstance(problem, ImportError | RuntimeError) and (
+    said = f"{problem} {problem.__context__}"  # of the loader of libraries, and of Python where a thread has no stack
+    return isinstance(problem, ImportError | RuntimeError | OSError) and (
         "failed to map segment" in said or "cannot allocate memory" in said.lower() or "can't start new thread" in said
     )
 

@@ -31,6 +31,17 @@ def in_shell(line: str, *, cwd: Path, **environment: str) -> subprocess.Complete
     )
 
 
+def unloaded(reason: str) -> OSError:
+    """As llvmlite says it, which leaves out the loader's reason."""
+    try:
+        try:
+            raise OSError(reason)
+        except OSError:
+            raise OSError("Could not find/load shared object file 'liby.so'")  # noqa: B904 - as llvmlite does
+    except OSError as problem:
+        return problem
+
+
 @pytest.mark.parametrize(
     ("problem", "status", "words"),
     [
@@ -42,6 +53,7 @@ def in_shell(line: str, *, cwd: Path, **environment: str) -> subprocess.Complete
         (OSError(errno.ENOMEM, "Cannot allocate memory"), 71, ["Cannot allocate memory"]),
         (RuntimeError("can't start new thread"), 71, ["can't start new thread"]),
         (ImportError("libx.so: failed to map segment from shared object"), 71, ["libx.so", "ulimit -v"]),
+        (unloaded("libllvmlite.so: failed to map segment from shared object"), 71, ["liby.so", "ulimit -v"]),
         (ResourceError("a process ended; free some memory"), 71, ["a process ended"]),
         (StorageError("'a.csv' cannot be written"), 74, ["'a.csv'"]),
         (OSError(errno.EIO, "Input/output error", "/disk/a"), 74, ["'/disk/a'", "Input/output error", "check"]),

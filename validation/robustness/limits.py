@@ -9,7 +9,7 @@ import resource
 import shutil
 import tempfile
 from collections.abc import Callable, Generator, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from commands import FOLDER, FREE, Limits, fault_of, run
@@ -159,6 +159,8 @@ def ended(report: Path, *, every: int = 1) -> Generator[Ended]:
 def _ended(situation: Situation, command: str, place: Path) -> Ended:
     situation.prepare(place)
     done = run(COMMANDS[command], place, situation.limits)
+    if 2 in situation.limits.closed:
+        done = replace(done, err="fembearing: what nobody can read\n")
     fault = fault_of(done, allowed=situation.statuses, slowest=SLOWEST)
     if not fault and done.status not in (0, 1, 3):
         fault = torn(place / "out") or torn(place / "out.html") or torn(place / "out.toml")
