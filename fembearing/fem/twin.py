@@ -26,6 +26,7 @@ from analytic.scene import Contact, Material
 from fembearing.fem.condensation import CondensedBody, condense
 from fembearing.fem.contact import press
 from fembearing.fem.elasticity import surface_mass
+from fembearing.fem.factor import solver_threads
 from fembearing.fem.half_space import approach_under, curvatures_under, plane_strain_modulus
 from fembearing.fem.measure import Quantities, nodal_pressure, peak_pressure, semi_axis
 from fembearing.fem.solution import MeshSolution, solve_on_mesh
@@ -73,11 +74,11 @@ def twin_on_level(contact: Contact, *, recipe: Recipe, level: int, start: tuple[
     """
     semi_axes, good = shared_axes(start), GOOD[level > recipe.levels[0]]
     for _ in range(MOST_GUESSES):
-        with ThreadPoolExecutor(1) as beside:  # half spaces are condensed while the contact is solved
-            half_spaces = beside.submit(_half_spaces, contact, recipe, level, Footprint(semi_axes=semi_axes))
+        with ThreadPoolExecutor(1) as beside:
+            if solver_threads() > 1:  # half spaces are condensed, and kept, while the contact is solved
+                beside.submit(_half_spaces, contact, recipe, level, Footprint(semi_axes=semi_axes))
             mesh = solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=semi_axes)
         begun = time.perf_counter()
-        half_spaces.result()
         if mesh.pair.footprint.cut or _deviation(mesh.semi_axes, semi_axes) > FARTHEST:
             return None
         factors = twin_factors(mesh, recipe=recipe)

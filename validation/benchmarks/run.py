@@ -204,6 +204,8 @@ def print_table(compared: Iterable[Compared], *, against: str) -> None:
 
 
 def record(compared: Sequence[Compared], *, commit: str, against: str) -> None:
+    from speed_figure import draw  # with matplotlib
+
     result = {
         "commit": commit,
         "against": against,
@@ -218,6 +220,7 @@ def record(compared: Sequence[Compared], *, commit: str, against: str) -> None:
     )
     lines = "\n".join(f"| {' | '.join(line)} |" for line in table)
     RECORD.with_suffix(".md").write_text(f"{title}\n{lines}\n\n{machine()}; {result['versions']}.\n", "utf-8")
+    draw(result, RECORD.with_suffix(".png"))
 
 
 def as_json(each: Compared) -> dict[str, Any]:
