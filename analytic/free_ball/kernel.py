@@ -270,7 +270,7 @@ def _newton(contacts, ball, velocity, passing, nodes, tolerance, outcome):
         step[:] = -force
         _solved(tangent.copy(), step)
         length = np.sqrt(np.sum(step * step))
-        if length <= ROUND_OFF * np.sqrt(np.sum(velocity * velocity)):
+        if length <= ROUND_OFF * ball[ORBIT_RADIUS]:  # the size of any speed per unit ring speed
             return 0.0  # no double is nearer: contacts so small that they creep by less than a rounding of the speed
         share = min(1.0, 4.0 * share)
         while True:

@@ -9,6 +9,7 @@ import pytest
 from analytic.errors import InputError
 from analytic.loads.balls import LoadEffects, ring_balls
 from analytic.scene import Bearing, ContactAngle, Operation, Scene, SlidingMethod
+from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
 from tests.analytic.specimens import FINISH, OIL, present
 
@@ -231,3 +232,54 @@ def test_loads_that_the_scene_leaves_out_stay_out_beside_weight(scene: Scene) ->
         for radial in (30.0, 0.0)
     )
     np.testing.assert_array_equal(aside, alone)
+
+
+RUNAWAY = """
+name = "light and slow"
+tolerance = 0.03
+[bearing]
+name = "hybrid"
+ball_count = 9
+ball_diameter = "14.5742599 mm"
+ball_mass = "5.1869031 g"
+ball_material = "silicon_nitride"
+bore_diameter = "36.6338128 mm"
+outside_diameter = "94.9447589 mm"
+contact_angle = { rule = "solved", free = "0.371642219 rad" }
+[bearing.inner]
+bottom_radius = "25.6040364 mm"
+groove_radius = "7.77195019 mm"
+shoulder_half_width = "6.1229778 mm"
+material = "steel"
+[bearing.outer]
+bottom_radius = "40.1852495 mm"
+groove_radius = "7.72029054 mm"
+shoulder_half_width = "6.1229778 mm"
+material = "steel"
+[operation]
+axial_load = "0.288781307 N"
+radial_load = "0.00918955702 N"
+moment = "0.285573304 N mm"
+inner_speed = "0.0283056796 rad/s"
+[lubricant]
+viscosity = "0.0381157807 Pa s"
+pressure_viscosity = "1.01685486e-08 1/Pa"
+eyring_stress = "511008.0890912163 Pa"
+supply = "oil_bath"
+starvation_degree = 1.00334294
+[friction]
+hysteresis_loss = 0.0153003
+spin_rule = "free"
+coefficient = 0.0325691
+"""
+
+
+def test_no_ball_turns_faster_than_the_ring_can_drive_it() -> None:
+    """Newton's method once left a ball turning at 1e212 rad/s, where no step is longer than the round-off of that.
+
+    Friction slips no faster than a few times the ring's surface moves: mu Q times that and no more is lost.
+    """
+    found = friction_torque(parse_scene(RUNAWAY, origin="here"))
+    loads = 2 * 9 * max(found.inner.load[0], found.outer.load[0])  # of the heaviest ball, on both races
+    most = 3 * 0.0325691 * loads * 40.2e-3
+    assert 0 < found.torque.total[0] < most
