@@ -275,7 +275,7 @@ coefficient = 0.0325691
 
 
 def test_no_ball_turns_faster_than_the_ring_can_drive_it() -> None:
-    """Newton's method once left a ball turning at 1e212 rad/s, where no step is longer than the round-off of that.
+    """The speed of a ball ran away once, to a torque of 3e212 N m: a step below its round-off passed for the end.
 
     Friction slips no faster than a few times the ring's surface moves: mu Q times that and no more is lost.
     """
