@@ -61,6 +61,19 @@ def test_every_forbidden_outcome_is_detected(
     assert watched.outcome_of(lambda: None) == "done"  # the limits end with the call
 
 
+def test_time_that_compiles_is_not_the_time_of_a_call(watched: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(watched, "SLOWEST", 0.2)
+    monkeypatch.setattr(watched, "FIRST_USES", ("compiler",))
+    spin = "import time\ndef spin(end=0.5):\n    start = time.process_time()\n"
+    spin += "    while time.process_time() < start + end: pass\n"
+    compiler: dict[str, Any] = {}
+    exec(compile(spin, "compiler", "exec"), compiler)
+    call: dict[str, Any] = {}
+    exec(compile(spin, "call", "exec"), call)
+    assert watched.outcome_of(compiler["spin"]) == "done"
+    assert "more than 0.2 s" in watched.outcome_of(lambda: (compiler["spin"](), call["spin"]()))
+
+
 def refuse() -> None:
     raise InputError("too much")
 
