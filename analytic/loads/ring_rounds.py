@@ -181,9 +181,10 @@ def beyond_groove(rows: BallRows, point: RingPoint) -> Beyond:
             radial += rows.travel[j, 0, i] * point.place[i]
         moved = max(moved, abs(radial))
         passed = distance - play + radial < 0  # the centres of the grooves, each other; no inertia of balls does that
-        angle = abs(point.angle[0, j])
-        if angle > farthest and (passed or point.load[0, j] > 0):
-            farthest, has_passed = angle, passed
+        for race in range(2):
+            angle = abs(point.angle[race, j])
+            if angle > farthest and (passed or point.load[race, j] > 0):
+                farthest, has_passed = angle, passed
     if farthest == np.pi / 2:
         return Beyond(0.0, moved, False)
     # A move by that much is the load's, whatever inertia adds.

@@ -184,14 +184,21 @@ def require_settled(
         return
     worst = int(np.argmax(rounds.end))
     if rounds.end[worst] == BEYOND_GROOVE:
-        _refuse(bearing, loads.force[worst], float(speed[worst]), beyond_groove(rows, point_of(points, worst)))
+        weight = bearing.ball_mass * STANDARD_GRAVITY * len(rows.weight) if np.any(rows.weight) else 0.0
+        beyond = beyond_groove(rows, point_of(points, worst))
+        _refuse(bearing, loads.force[worst], weight, float(speed[worst]), beyond)
     problem, iterations, remedy = LOOSE[int(rounds.end[worst])]
     left, tolerance = float(rounds.left[worst]), float(rounds.tolerance[worst])
     raise ConvergenceError(iterations=iterations, residual=left, tolerance=tolerance, problem=problem, remedy=remedy)
 
 
-def _refuse(bearing: Bearing, load: Array, speed: float, beyond: Beyond) -> NoReturn:
-    """Raise InputError for a point whose ball has left its groove; load : (5,)"""
+def _refuse(bearing: Bearing, load: Array, weight: float, speed: float, beyond: Beyond) -> NoReturn:
+    """Raise InputError for a point whose ball has left its groove; load : (5,);  weight : of all balls, N"""
+    if beyond.is_by_load and weight > np.max(np.abs(load)):
+        raise InputError(
+            f"the weight of the balls, {weight:.3g} N, moves the rings by {length_of(beyond.moved, '.2g')}, and "
+            "balls leave their grooves: take stiffer materials"
+        )
     if beyond.is_by_load:
         raise InputError(
             f"the {_load_words(load, bearing)} moves the rings by {length_of(beyond.moved, '.2g')}, and balls leave "

@@ -7,6 +7,7 @@ from pydantic import Field, model_validator
 from fembearing.report.document.table import (
     Count,
     Geometry,
+    NotNegative,
     Numbers,
     OfQuantities,
     Pair,
@@ -41,17 +42,17 @@ class PressureProfile(Table):
 class ApproachCurve(Series):
     """Approach over load; None where the fit for finite geometry ends."""
 
-    load: Numbers
+    load: list[Positive]
     hertz: Annotated[list[Positive], Field(min_length=1)]
-    corrected: list[float | None]
-    uncertainty: list[float | None]
+    corrected: list[Positive | None]
+    uncertainty: list[NotNegative | None]
 
 
 class Corrected(Table):
     """Hertz corrected for finite geometry."""
 
-    values: OfQuantities[float]
-    uncertainty: OfQuantities[float]
+    values: OfQuantities[Positive]
+    uncertainty: OfQuantities[NotNegative]
     interpolation_error: OfQuantities[float]
 
 
@@ -60,14 +61,14 @@ class Ring(Table):
 
     approach: float
     share: float
-    uncertainty: float
+    uncertainty: NotNegative
 
 
 class Estimated(Table):
     """A quantity at a shoulder, by finite elements."""
 
     fe: float
-    uncertainty: float
+    uncertainty: NotNegative
     values: list[float]
     order: float | None
 
@@ -107,10 +108,10 @@ class Study(Table):
     grid_convergence_index: float | None
     formal_order: float | None
     richardson: Positive | None
-    mesh: float
+    mesh: NotNegative
     beyond: float
     sides: float = 0.0
-    domain: float
+    domain: NotNegative
     corrected: Annotated[list[Positive], Field(default_factory=list)]
 
 
@@ -119,13 +120,13 @@ class Mesh(Table):
 
     level: int
     unknowns: Count
-    seconds: float
+    seconds: NotNegative
 
 
 class SolveCost(Table):
     """What a contact cost to solve."""
 
-    seconds: float
+    seconds: NotNegative
     unknowns: Count
     peak_memory: Count | None
 
@@ -135,10 +136,10 @@ class Contact(Table):
 
     pair: Pair
     geometry: Geometry
-    load: float
+    load: Positive
     contact_angle: float
-    fe: OfQuantities[float]
-    uncertainty: OfQuantities[float]
+    fe: OfQuantities[Positive]
+    uncertainty: OfQuantities[NotNegative]
     hertz: OfQuantities[Positive]
     discrepancy: OfQuantities[float]
     corrected: Corrected | None

@@ -4,7 +4,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from fembearing.report.document.table import Count, Label, Numbers, Positive, Table, Two
+from fembearing.report.document.table import Count, Label, NotNegative, Numbers, Positive, Table, Two
 
 
 class Interval(Table):
@@ -13,8 +13,8 @@ class Interval(Table):
     low: float
     median: float
     high: float
-    low_error: float
-    high_error: float
+    low_error: NotNegative
+    high_error: NotNegative
 
 
 class Indices(Table):
@@ -64,8 +64,8 @@ class Prediction(Table):
     failed: int
     reasons: list[str]
     seed: int
-    seconds: float
-    evaluation_seconds: float
+    seconds: NotNegative
+    evaluation_seconds: NotNegative
 
     @property
     def failures(self) -> str:

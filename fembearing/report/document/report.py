@@ -8,7 +8,17 @@ from analytic.report_details import PublishedCase, UnitSystem
 from fembearing.quantities import SYSTEMS, Units
 from fembearing.report.document.contact import Contact
 from fembearing.report.document.scene import Scene
-from fembearing.report.document.table import Count, Geometry, Label, OfQuantities, Pair, Positive, Table, Verdict
+from fembearing.report.document.table import (
+    Count,
+    Geometry,
+    Label,
+    NotNegative,
+    OfQuantities,
+    Pair,
+    Positive,
+    Table,
+    Verdict,
+)
 from fembearing.report.document.torque import CageAtRest, CageRecord, MovedCage, Sensitivity, Torque, TorqueChange
 from fembearing.report.document.verdicts import PhysicalVerdict, Summary
 
@@ -32,10 +42,10 @@ class Comparison(Table):
     """Hertz less finite elements, and the uncertainty of that difference, in the unit of the quantity."""
 
     error: float
-    numerical: float
-    input: float
-    reference: float
-    total: float
+    numerical: NotNegative
+    input: NotNegative
+    reference: NotNegative
+    total: NotNegative
     resolved: bool
 
 
@@ -48,7 +58,7 @@ class VerdictRow(Table):
     production: float
     reference: Positive
     discrepancy: float
-    uncertainty: float
+    uncertainty: NotNegative
     exceeds_uncertainty: bool
     comparison: Comparison
     verdict: Verdict
@@ -103,10 +113,10 @@ class Method(Table):
     error: float | None
     bound: float | None
     seconds: Annotated[float, Field(gt=0, lt=1e12)] | None
-    spread: float | None
+    spread: NotNegative | None
     repeats: int
-    warm_up: float | None
-    predicted: float | None
+    warm_up: NotNegative | None
+    predicted: NotNegative | None
     memory: Count | None
     unknowns: Count | None
     known_error: float | None
@@ -119,8 +129,8 @@ class Choice(Table):
 
     tolerance: float
     method: str | None = Field(alias="rung")
-    seconds: float | None
-    price: float | None
+    seconds: NotNegative | None
+    price: NotNegative | None
 
 
 class Ladder(Table):

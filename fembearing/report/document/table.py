@@ -9,6 +9,7 @@ Pair = Literal["inner", "outer", "pocket"]
 Geometry = Literal["real", "hertzian", "wall", "ring"]
 Verdict = Literal["pass", "fail", "undecided", "outside validity"]
 Positive = Annotated[float, Field(gt=0)]
+NotNegative = Annotated[float, Field(ge=0)]
 Two = Annotated[list[float], Field(min_length=2, max_length=2)]  # JSON has no tuples
 Numbers = Annotated[list[float], Field(min_length=1)]
 Count = Annotated[int, Field(gt=0, lt=2**63)]

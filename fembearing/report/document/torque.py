@@ -8,6 +8,7 @@ from fembearing.report.document.prediction import Prediction
 from fembearing.report.document.ring import RingState
 from fembearing.report.document.table import (
     Label,
+    NotNegative,
     Numbers,
     OnContacts,
     OnRaces,
@@ -46,19 +47,19 @@ class Parts(Table):
 class Uncertainty(Table):
     """Uncertainty of the total; None where it is not known."""
 
-    numerical: float | None
-    model: float | None
-    model_parts: dict[str, float] | None  # of the model's, by the formula that is varied
+    numerical: NotNegative | None
+    model: NotNegative | None
+    model_parts: dict[str, NotNegative] | None  # of the model's, by the formula that is varied
 
 
 class LoadedContact(Table):
     """The heaviest ball on one race."""
 
-    load: float
-    semi_axis_rolling: float
-    semi_axis_transverse: float
-    peak_pressure: float
-    approach: float
+    load: NotNegative
+    semi_axis_rolling: NotNegative
+    semi_axis_transverse: NotNegative
+    peak_pressure: NotNegative
+    approach: NotNegative
 
 
 class BothRaces(Table):
@@ -140,7 +141,7 @@ class StatedInput(Table):
     value: float | Label | None
     unit: str
     status: Literal["given", "printed", "derived", "assumed", "not known"]
-    uncertainty: float | None
+    uncertainty: NotNegative | None
     source: str
 
 
@@ -176,8 +177,8 @@ class Torque(Table):
     warnings: list[str]
     unknown: list[str]  # why the numerical uncertainty is not known
     provenance: dict[str, str]
-    seconds: float
-    tolerance: float
+    seconds: NotNegative
+    tolerance: Positive
     catalogue_band: Band
     verdicts: Verdicts
     notes: list[str]  # none of them is judged
@@ -228,7 +229,7 @@ class FittedChange(Table):
     """What the fit for finite geometry changes at each point; None where it ends."""
 
     change: list[float | None]
-    uncertainty: list[float | None]
+    uncertainty: list[NotNegative | None]
 
 
 class TorqueChange(Table):
@@ -237,8 +238,8 @@ class TorqueChange(Table):
     contact_angle: BeforeAndAfter
     torque: BeforeAndAfter
     change: PartChanges
-    uncertainty: float
-    uncertainties: dict[str, float]
+    uncertainty: NotNegative
+    uncertainties: dict[str, NotNegative]
     finite_geometry: FittedChange | None  # None: it is in the production's contacts
     verdict: Verdict
     note: str
@@ -334,7 +335,7 @@ class CageRecord(Table):
     start_up: Positive
     torque: float
     torque_interval: Two
-    max_force: Annotated[float, Field(ge=0)]
+    max_force: NotNegative
     max_force_interval: Two
     block: float
     block_maxima: Numbers

@@ -4,14 +4,14 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from fembearing.report.document.table import Label, Positive, Table, Verdict
+from fembearing.report.document.table import Label, NotNegative, Positive, Table, Verdict
 
 
 class NumericalVerdict(Table):
     """Whether the torque is solved within the tolerance; uncertainty None: not known, for the reason given."""
 
     verdict: Literal["pass", "not reached"]
-    uncertainty: Annotated[float, Field(ge=0)] | None
+    uncertainty: NotNegative | None
     tolerance: Positive
     reason: str
 

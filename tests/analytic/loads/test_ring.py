@@ -14,7 +14,7 @@ from analytic.errors import InputError
 from analytic.loads.kinematics import ball_kinematics
 from analytic.loads.ring import RingEquilibrium, ring_equilibrium
 from analytic.loads.thrust import thrust_equilibrium
-from analytic.scene import Bearing, ContactAngle
+from analytic.scene import Bearing, ContactAngle, Material
 
 SOLVED = ContactAngle(rule="solved")
 MIXED: dict[str, Any] = {
@@ -336,6 +336,15 @@ def test_impossible_input_is_refused(
     with pytest.raises(InputError) as refusal:
         ring_equilibrium(bearing_6205, angle, axial_load=5.0, **changed)
     assert all(word in str(refusal.value) for word in words), refusal.value
+
+
+def test_a_weight_that_sinks_balls_through_soft_races_is_named(bearing_6205: Bearing) -> None:
+    """Balls at the top hang on the inner race and are past the centre of the outer groove: 1 kPa, 2 mN each."""
+    soft = Material(name="jelly", source="a guess", youngs_modulus=1.3e3, poisson_ratio=0.31, density=7.8e3)
+    rings = replace(bearing_6205, inner=replace(bearing_6205.inner, material=soft))
+    rings = replace(rings, outer=replace(rings.outer, material=soft))
+    with pytest.raises(InputError, match=r"weight of the balls, 0\.18 N, moves the rings by .* stiffer materials"):
+        ring_equilibrium(rings, SOLVED, axial_load=1e-5, inner_speed=1.05, ball_weight=(0.02, 0.0, 0.0))
 
 
 @pytest.mark.parametrize(("load", "speed"), [(1.1e5, 100.0), (1.9e5, 0.0)])

@@ -144,6 +144,22 @@ def test_no_damage_is_answered_by_a_traceback(document: Document) -> None:
     assert 45 < refused < 90  # most of it is read
 
 
+def test_a_number_of_the_other_sign_is_drawn_or_refused(document: Document) -> None:
+    of_plots = OF_PLOTS | {"fe": approach_plot, "uncertainty": approach_plot}
+    of_kinds = {tuple(step for step in place if not isinstance(step, int)): place for place in places(document)}
+    read = [place for place in of_kinds.values() if any(step in of_plots for step in place)]
+    numbers = [place for place in read if isinstance(at(document, place), float)]
+    drawn = 0
+    for place in numbers:
+        plot = next(of_plots[str(step)] for step in reversed(place) if step in of_plots)
+        try:
+            changed = Report.model_validate(damaged(document, place, -at(document, place) or -1e-9))
+        except ValidationError:
+            continue
+        drawn += plot(changed)[0] is not None
+    assert drawn > 80  # most numbers may have either sign
+
+
 @pytest.mark.parametrize(
     ("place", "value", "words"),
     [
@@ -154,9 +170,11 @@ def test_no_damage_is_answered_by_a_traceback(document: Document) -> None:
         (("cage_records", 0, "exceedance", "share"), [1.0], "values that belong together"),
         (("verdicts", 1, "production"), -1e308, "-1e.308 is larger than 1e.200"),
         (("cage_records", 0, "forces", "sum"), [-1e201], "is larger than"),
+        (("contacts", 0, "fe", "approach"), -1e-6, "greater than 0"),
+        (("contacts", 1, "uncertainty", "approach"), -1e-6, "greater than or equal to 0"),
     ],
 )
-def test_lists_that_belong_together_are_of_one_length(
+def test_what_no_figure_can_show_is_refused(
     document: Document, place: tuple[str | int, ...], value: object, words: str
 ) -> None:
     with pytest.raises(ValidationError, match=words):
