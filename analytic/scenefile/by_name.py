@@ -72,8 +72,8 @@ def _with_units(table: Mapping[str, Any], path: str) -> dict[str, Any]:
             written[key] = _with_units(value, place)
         elif isinstance(value, float | int) and not isinstance(value, bool):
             dimension = scene_key(place).dimension
-            has_unit = dimension is not None and dimension.unit
-            written[key] = f"{float(value)!r} {dimension.unit}" if dimension is not None and has_unit else value
+            unit = "" if dimension is None else dimension.unit
+            written[key] = f"{float(value)!r} {unit}" if unit else value
         else:
             written[key] = value
     return written

@@ -16,7 +16,7 @@ from fembearing.report.phrases import place_of
 SAME = 1e-6  # relative: what is nearer to its limit is drawn here
 BELOW = 0.4  # of the least point of a panel: where the slope to compare with ends
 HIGH = 3.5  # inches
-SHORT = 50.0  # from the least unknowns to the most: beyond, ticks at 3, 30, 300 run into their neighbours
+SHORT = 100.0  # from the least unknowns to the most: beyond, ticks at 3, 30, 300 run into their neighbours
 DIMENSIONS = 3  # cells of size h are as h^-3 unknowns
 CAPTION = (
     "Distance of each quantity from the value that its meshes are extrapolated to, against the number of unknowns; the "

@@ -7,12 +7,24 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 from scipy.stats import norm
 
+from analytic.oil.mixed import _inverse_cubic
 from analytic.scene import AsperityLaw
 from analytic.surface.asperity import asperity_load
 from analytic.surface.moments import Summits
 from analytic.surface.truncated_gap import TruncatedGap
 from tests.analytic.oil.mixed_contacts import ACCURACY, CONTACT, OIL, E, H, area, mixed, rough, smooth_film
 from tests.analytic.specimens import hertzian
+
+
+def test_the_next_step_is_exact_where_the_root_is_a_cubic_of_the_value() -> None:
+    """x = 0.7 + 1.9 v - 0.8 v^2 + 0.3 v^3, from v = 0.41 and, before it, 0.57: the root is at 0.7."""
+
+    def place(v: float) -> tuple[float, float]:
+        return 0.7 + v * (1.9 + v * (-0.8 + v * 0.3)), 1 / (1.9 + v * (-1.6 + v * 0.9))
+
+    (here, slope), (before, slope_before) = place(0.41), place(0.57)
+    step = _inverse_cubic(0.41, slope, 0.57, slope_before, here - before)
+    assert here + step == pytest.approx(0.7, rel=1e-13)  # differences of numbers near 1, over a step of 0.16
 
 
 def printed_film(share: mpmath.mpf, **changed: float) -> mpmath.mpf:

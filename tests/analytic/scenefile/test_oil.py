@@ -202,6 +202,10 @@ def test_python_takes_units_and_an_oil_of_ones_own() -> None:
 def test_an_oil_without_a_line_takes_a_viscosity_at_its_temperature() -> None:
     more = 'pressure_viscosity = "2e-8 1/Pa"\neyring_stress = "5 MPa"\ndensity = "0.9 g/cm^3"\n'
     assert oil(f'name = "NSK MTE"\n{more}').viscosity == pytest.approx(23e-6 * 900, rel=1e-12)
+    unknown = more.partition("density = ")[0]  # of the print, which gives none
+    assert oil(f'name = "NSK MTE"\n{unknown}viscosity = "7 mPa s"').viscosity == 7e-3
+    for kinematic in ("", 'viscosity = "7 mm^2/s"'):
+        assert "lubricant.density is missing" in refused(f'name = "NSK MTE"\n{unknown}{kinematic}')
     warm = f'name = "NSK MTE"\ntemperature = "70 degC"\n{more}'
     assert "lubricant.temperature must be 40 degC, got 70 degC" in refused(warm)
     assert oil(f'{warm}viscosity = "7 mPa s"').viscosity == 7e-3

@@ -193,6 +193,8 @@ def test_a_smooth_surface_is_a_wall() -> None:
     np.testing.assert_array_equal(computed.area_fraction, [1, 1, 0, 0])
     np.testing.assert_array_equal(computed.pressure_slope, 0)
     np.testing.assert_array_equal(separation(np.array([0.0, 3e-9, 2e9]), smooth), [np.inf, 0, 0])
+    no_summits = Summits(density=0.0, radius=np.inf, height_deviation=0.3e-6, mean_height=0.0)
+    np.testing.assert_array_equal(contact(np.array([-1e-9, 2e-7]), no_summits).pressure[1:], 0)
     # A thousandth of the roughness is near this limit.
     almost = Summits(density=5e8, radius=50e-3, height_deviation=0.8e-9, mean_height=1.3e-9)
     assert abs(separation(1e9, almost)) < 2e-7  # 1e9 Pa: elastic at the depth (3 p/(4 density E* sqrt(R_a)))^(2/3)

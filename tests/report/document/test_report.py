@@ -179,3 +179,11 @@ def test_what_no_figure_can_show_is_refused(
 ) -> None:
     with pytest.raises(ValidationError, match=words):
         Report.model_validate(damaged(document, place, value))
+
+
+def test_a_verdict_is_on_a_point_of_the_series(document: Document) -> None:
+    count = len(document["torque"]["points"])
+    place = ("torque", "verdicts", "physical", 0, "point")
+    Report.model_validate(damaged(document, place, count - 1))
+    with pytest.raises(ValidationError, match=f"verdict on point {count}, and {count} points"):
+        Report.model_validate(damaged(document, place, count))

@@ -64,6 +64,13 @@ def test_the_formal_order_is_a_slope_below_all_points(panels: dict[str, Axes]) -
     assert "formal order" not in drawn_in(panels["peak pressure"])  # it has none
 
 
+def test_every_axis_of_a_convergence_has_at_least_two_numbers(panels: dict[str, Axes]) -> None:
+    """The axis of unknowns goes from 1000 to 51 000: of the powers of ten it has one alone."""
+    for axes in panels.values():
+        for low, high, ticks in ((*axes.get_xlim(), axes.get_xticks()), (*axes.get_ylim(), axes.get_yticks())):
+            assert sum(low <= tick <= high for tick in ticks) >= 2
+
+
 def test_every_contact_is_in_every_panel(panels: dict[str, Axes]) -> None:
     assert set(panels) == {"approach", "semi-axis a", "semi-axis b", "peak pressure", "stiffness"}
     for axes in panels.values():

@@ -149,6 +149,15 @@ def test_without_memory_there_is_no_panel_for_it() -> None:
     assert len(cost_figures(listed(bare), tolerance=0.1)[0].axes) == 1
 
 
+def test_a_method_without_a_price_or_an_error_is_not_drawn() -> None:
+    unknown = method("b", error=None, seconds=0.2)
+    unpriced = method("c", error=0.3, seconds=None)
+    ladder = Ladder(quantity="q", reference="r", methods=(method("a", error=0.01, seconds=0.1), unknown, unpriced))
+    (panel,) = cost_figures(listed(ladder), tolerance=0.1)[0].axes
+    assert ([0.1], [1.0]) in drawn(panel)
+    assert all(x == [0.1] for x, y in drawn(panel) if 0 < len(x) == len(y))
+
+
 def test_the_table_holds_every_method_and_what_is_absent() -> None:
     hertz, second, failed, finest, absent = csv.DictReader(StringIO(cost_table(listed(CONTACT, ABSENT))))
     assert (hertz["name"], float(hertz["error"]), float(hertz["bound"])) == ("Hertz", 0.031, 0.036)

@@ -215,6 +215,13 @@ def test_without_cage_and_friction_there_is_neither_pocket_nor_torque(checked: V
     assert "K_pb" not in page.text
 
 
+def test_a_calibration_is_named_or_said_to_be_absent(checked: Validation, page: Page, tmp_path: Path) -> None:
+    assert "the scene names no input that was chosen until a number came out" in page.text
+    other = page_of(with_scene(checked, replace(checked.scene, calibration="viscosity to the race torque")), tmp_path)
+    assert "viscosity to the race torque" in other.text
+    assert "the scene names no input" not in other.text
+
+
 def test_a_clearance_is_that_of_a_radial_bearing_alone(checked: Validation, page: Page, tmp_path: Path) -> None:
     """The grooves of washers lie on one circle, so that the formula of the clearance says nothing there."""
     washers = replace(checked.scene, bearing=replace(checked.scene.bearing, kind="thrust"))

@@ -191,6 +191,18 @@ def test_each_operating_point_has_its_torque_and_what_contacts_change_in_it(tabl
     assert "the torque does not depend on speed" not in tables.text  # no lubricant, and yet it does
 
 
+def test_each_row_has_a_cell_for_each_head(tables: Tables) -> None:
+    """A row of one cell is a heading between rows."""
+    assert len(tables.rows) > 15
+    for heading, (head, *rows) in tables.rows.items():
+        assert {len(row) for row in rows} <= {1, len(head)}, heading
+
+
+def test_each_input_stands_with_its_origin(tables: Tables) -> None:
+    rows = tables.rows["Where the inputs come from"][1:]
+    assert ("bearing.ball_count", "9", "printed", "Table 1 of [Paper]") in rows
+
+
 def test_each_effect_stands_with_its_share_and_reason(tables: Tables) -> None:
     assert tables.rows["Effects"][1:] == [
         ("spin", "on", "56.2 %", "asked for"),
