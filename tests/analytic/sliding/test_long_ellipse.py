@@ -10,14 +10,16 @@ from hypothesis import example, given
 from scipy.integrate import quad
 from scipy.optimize import brentq, minimize_scalar
 
-from analytic.contact.rolling_contact import RollingContact
+from analytic.contact.rolling_contact import ContactNumbers, RollingContact
 from analytic.errors import InputError
 from analytic.loads.balls import LoadEffects, thrust_balls
 from analytic.loads.kinematics import ball_kinematics
 from analytic.oil.rolling import hysteresis_moment
+from analytic.oil.traction import PointLaw
 from analytic.scene import Bearing, ContactAngle, SpinRule
 from analytic.sliding.long_ellipse import (
     MicroslipTorque,
+    line_slip,
     microslip_moments,
     microslip_torque,
     pure_rolling_lines,
@@ -142,6 +144,16 @@ def test_moments_are_continuous_with_their_slopes(edge: float) -> None:
     np.testing.assert_allclose((right - left) / scale, 2 * step * np.array([0.91622, 0.0]) * (edge == 0), atol=1e-10)
     # Second differences of a function with a continuous slope fall with the step: a kink would leave 1e-6.
     np.testing.assert_allclose((right - 2 * at + left) / scale, 0.0, atol=1e-10)
+
+
+@pytest.mark.parametrize("spin", [-0.47, -0.013, 0.021, 0.31])
+def test_the_slope_of_a_spin_moment_is_its_derivative(spin: float) -> None:
+    """By central differences on both sides of 1/2 in spin_to_roll; the oil shears harder at a higher speed."""
+    contact = ContactNumbers(Q, 0.13e-3, B, 310.0, 14.7, 1.1e11, R, 2.9, 8.3e-3)
+    law = PointLaw(boundary=0.021, eyring=5.3e6, fluidity=0.061, share=0.8, growth=9.1, exponent=0.62)
+    step = 1e-5 * abs(spin)
+    (_, slope), (beyond, _), (before, _) = (line_slip(contact, law, 21.0, spin + d) for d in (0.0, step, -step))
+    assert slope == pytest.approx((beyond.spin_moment - before.spin_moment) / (2 * step), rel=1e-6)
 
 
 def both_contacts(bearing: Bearing, *, angle: float) -> tuple[RollingContact, RollingContact]:

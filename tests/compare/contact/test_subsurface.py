@@ -152,6 +152,12 @@ def test_a_second_maximum_as_great_is_in_the_interval(
     assert (width >= away) == reached
 
 
+def test_the_ends_of_a_curve_can_be_its_tops() -> None:
+    depth = np.array([0.0, 0.2, 0.5, 0.9, 1.4])
+    np.testing.assert_array_equal(module._tops(depth, np.array([3.1, 2.0, 2.7, 1.5, 2.9]), least=2.8), [0.0, 1.4])
+    np.testing.assert_array_equal(module._tops(depth, np.array([1.1, 2.0, 2.7, 1.5, 1.2]), least=1.0), [0.5])
+
+
 def test_the_far_boundary_and_a_chance_agreement_add_their_share(
     ideal: ContactSolution, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -36,6 +36,13 @@ def test_a_measured_ladder_agrees_with_that_of_a_solution(
 ) -> None:
     """The errors computed here from the solution; the ladder measured, and taken from the solution without a solve."""
     steps: list[float] = []
+    known: list[int] = []
+
+    def noted(level: int, *, known: Any, levels: list[int] = known) -> float:
+        levels.append(known.level)
+        return predicted_seconds(level, known=known)
+
+    monkeypatch.setattr(contact_ladder, "predicted_seconds", noted)
     run = contact_ladder.measured_contact(
         contacts["inner"], recipe=coarse, tolerance=0.01, progress=lambda share, _: steps.append(share)
     )
@@ -68,6 +75,7 @@ def test_a_measured_ladder_agrees_with_that_of_a_solution(
     assert present(twin.error) < present(twin.bound) + 2e-4 < present(levels[-1].bound)
     assert steps == sorted(steps)
     assert 0 <= steps[0] < steps[-1] < 1
+    assert known == [2, 2, 2]  # of the meshes before, the largest is that of level 2, which sized the contact
 
 
 def test_the_shown_time_is_that_of_all_runs_two_for_an_expensive_mesh(

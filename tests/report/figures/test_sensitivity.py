@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
+from matplotlib.text import Annotation
 
 from fembearing.report.document.report import Report, ReportDetails
 from fembearing.report.document.torque import Sensitivity
@@ -85,6 +86,19 @@ def test_bars_reach_to_the_changes_in_per_cent(document: Report) -> None:
     assert [text.get_text() for text in slow.texts] == ["180 GPa", "230 GPa", "0.2 um", "0.5 um", "0.508"]
     assert "shear" in caption  # moves nothing
     assert "groove, 0.498: no" in caption
+
+
+def test_values_at_bars_on_one_side_stand_apart(document: Report) -> None:
+    """Bars are 0.36 of a row apart, and the letters of a row are nearly as high as that: each is moved outwards."""
+    figure, _ = sensitivity_plot(document)
+    present(figure).canvas.draw()
+    panel = present(figure).axes[0]
+    texts = {text.get_text(): text for text in panel.texts if isinstance(text, Annotation)}
+    low, high = texts["0.2 um"], texts["0.5 um"]
+    ends = panel.transData.transform([low.xy, high.xy])[:, 1]
+    moved = low.xyann[1] - high.xyann[1]
+    assert moved != 0
+    assert np.sign(moved) == np.sign(ends[0] - ends[1])
 
 
 def test_a_radial_load_stands_with_its_point(inputs: list[dict[str, Any]]) -> None:

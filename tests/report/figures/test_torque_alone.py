@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from matplotlib.patches import Rectangle
 
 from analytic.scenefile.read import parse_scene
 from fembearing.compare.torque.scene_torque import torque_of_scene
@@ -29,3 +30,17 @@ def test_points_at_several_speeds_are_a_line_over_speed() -> None:
     assert "speed" in panel.get_xlabel()
     (total,) = (line for line in panel.lines if line.get_label() == "total")
     np.testing.assert_allclose(np.asarray(total.get_ydata()), 1e3 * result.friction.torque.total, rtol=1e-12)
+
+
+def test_points_that_no_line_joins_have_bars_that_add_up_to_their_totals() -> None:
+    """Speed and load change from point to point."""
+    text = changed(SPEEDS, '["300 rpm", "700 rpm"]', OILED)
+    result = torque_of_scene(parse_scene(changed('"700 N"', '["900 N", "400 N"]', text), origin="here"))
+    (panel,) = figure_of_torque(result).axes
+    ends = np.zeros(2)
+    for patch in panel.patches:
+        assert isinstance(patch, Rectangle)
+        row = round(patch.get_y() + patch.get_height() / 2)
+        assert patch.get_x() == pytest.approx(ends[row], rel=1e-12)
+        ends[row] += patch.get_width()
+    np.testing.assert_allclose(ends, 1e3 * result.friction.torque.total, rtol=1e-9)  # N mm
