@@ -12,6 +12,7 @@ import pytest
 
 from analytic.scenefile.read import load_scene
 from fembearing import cli
+from fembearing.cli import contact as contact_command
 from fembearing.compare import validation
 from fembearing.compare.contact import discrepancy
 from fembearing.compare.cost import contact_ladder, ladder
@@ -187,6 +188,13 @@ def test_the_far_boundary_has_an_uncertainty_of_its_own(validated: dict[str, Any
         for name, part in contact["convergence"].items():
             assert 0 < part["domain"] < 0.01
             assert contact["uncertainty"][name] == pytest.approx(part["mesh"] + part["domain"], rel=1e-12)  # round-off
+
+
+def test_an_uncertainty_just_beyond_the_accuracy_is_not_solved(capsys: pytest.CaptureFixture[str]) -> None:
+    uncertainties = {"peak_pressure": 0.0013, "approach": 0.0002}
+    assert contact_command._status(uncertainties, 0.0014) == 0
+    assert contact_command._status(uncertainties, 0.0012) == 3
+    assert "not solved to 0.12 %: peak pressure is left uncertain by 0.13 %" in capsys.readouterr().err
 
 
 @pytest.mark.usefixtures("coarse")

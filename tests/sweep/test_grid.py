@@ -1,5 +1,6 @@
 """Grid files: the scenes that they give, and the mistakes that they refuse."""
 
+import os
 from collections.abc import Callable
 from pathlib import Path
 
@@ -152,6 +153,17 @@ def test_a_mistake_is_one_line(grid_file: Callable[..., Path], axes: str, compla
         load_grid(path)
     assert "\n" not in str(found.value)
     assert str(path) in str(found.value)
+
+
+def test_as_many_points_as_half_of_the_memory_holds_are_accepted(
+    grid_file: Callable[..., Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """At 400 bytes a point: 12 of them in half of 3 pages of 3200 bytes."""
+    monkeypatch.setattr(os, "sysconf", {"SC_PAGE_SIZE": 3200, "SC_PHYS_PAGES": 3}.get)
+    speeds = 'operation.inner_speed = { from = "60 rpm", to = "600 rpm", count = COUNT }'
+    assert load_grid(grid_file(LOADS + speeds.replace("COUNT", "6"))).size == 12
+    with pytest.raises(InputError, match=r"2 x 7 = 14 points are too many .* which holds the results of 12;"):
+        load_grid(grid_file(LOADS + speeds.replace("COUNT", "7")))
 
 
 @pytest.mark.parametrize(

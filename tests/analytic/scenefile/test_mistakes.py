@@ -170,6 +170,10 @@ MISTAKES = [  # text, and words of the message: key, value, what is accepted
     (with_bearing('bore_diameter = "31.06 mm"'), ("bearing.bore_diameter = '31.06 mm'", "below", "31.06 mm")),
     (with_bearing('outside_diameter = "46.9 mm"'), ("bearing.outside_diameter = '46.9 mm'", "exceed", "46.96 mm")),
     (with_bearing('width = "6.1 mm"'), ("bearing.width = '6.1 mm'", "exceed", "6.2 mm")),
+    (
+        with_bearing('width = "6.3 mm"\ninner.shoulder_half_width = "3.2 mm"'),
+        ("bearing.width = '6.3 mm'", "the wider groove, 6.4 mm"),
+    ),
     (with_bearing("width = 15"), ("bearing.width = 15", "no unit")),
     (changed('{ rule = "solved" }', '"solved"'), ("bearing.contact_angle = 'solved'", "not a table", "rule")),
     (changed('"solved"', '"sloved"'), ("bearing.contact_angle.rule = 'sloved'", "'solved' or 'given'")),
@@ -188,6 +192,10 @@ MISTAKES = [  # text, and words of the message: key, value, what is accepted
     (CAGE + 'pocket_depth = "4.1 mm"', ("cage.pocket_depth = '4.1 mm'", "4.07 mm")),
     (CAGE + 'wall_thickness = "4.5 mm"', ("cage.wall_thickness = '4.5 mm'", "4.07 mm")),
     (CAGE + 'pocket_diameter = "12.9 mm"', ("cage.wall_thickness = '0.9 mm'", "0.442206 mm")),
+    (
+        CAGE + 'pocket_diameter = "12.9 mm"\nwall_thickness = "0.45 mm"',
+        ("cage.wall_thickness = '0.45 mm'", "at most the web between pockets, 0.442206 mm"),
+    ),
     (CAGE + 'variant = "printed"', ("cage.variant = 'printed'", "as_printed")),
     (CAGE + "variant = [7]", ("cage.variant = [7]", "as_printed")),
     (CAGE + 'variant = "as_printed"\npocket_depth = "5 mm"', ("cage.pocket_depth = '5 mm'", "cage.variant")),
@@ -222,6 +230,10 @@ def test_a_mistake_is_named_in_one_line(text: str, words: tuple[str, ...]) -> No
     assert len(message) < 1000
     missing = [word for word in words if word not in message]
     assert not missing, message
+
+
+def test_a_wall_as_thick_as_the_web_between_pockets_is_accepted() -> None:
+    assert scene(CAGE + 'pocket_diameter = "12.9 mm"\nwall_thickness = "0.44 mm"').cage is not None
 
 
 def test_a_misspelt_key_explains_the_keys_that_are_missing_without_it() -> None:

@@ -225,3 +225,5 @@ def test_heights_up_to_the_limit_are_accepted(tmp_path: Path) -> None:
     heights = np.zeros((40, 40))
     heights[7, 9] = HIGHEST
     assert read_height_map(saved(tmp_path / "high.npy", heights), spacing=SPACING).heights.max() > 0
+    heights[7, 9] = 1.1e-3
+    assert "heights span 1.1 mm, more than 1 mm" in refusal(saved(tmp_path / "higher.npy", heights))

@@ -1,10 +1,13 @@
 """The verdict by the position of the whole uncertainty interval."""
 
+from dataclasses import replace
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fembearing.compare.contact.verdict import Verdict, judge, worst
+from fembearing.compare.contact.grid_convergence import Estimate
+from fembearing.compare.contact.verdict import Verdict, judge, verdict_on, worst
 
 TOLERANCE = 0.031
 
@@ -30,6 +33,14 @@ def test_verdict_follows_the_interval(discrepancy: float, uncertainty: float, ex
 
 def test_meshes_that_do_not_converge_are_undecided() -> None:
     assert judge(discrepancy=0.002, uncertainty=0.003, tolerance=TOLERANCE, settled=False, spread=0.02) == "undecided"
+
+
+def test_meshes_that_neither_converge_nor_agree_leave_a_close_value_undecided() -> None:
+    """5.0 against 4.9 is within the tolerance of 3.1 %; the meshes differ by 8 %, and by 0.2 %."""
+    apart = Estimate(values=(5.3, 5.0, 4.9), order=None, richardson=None, mesh=0.001, settled=False)
+    assert verdict_on(5.0, apart, tolerance=TOLERANCE, valid=True) == "undecided"
+    alike = replace(apart, values=(4.91, 4.905, 4.9))
+    assert verdict_on(5.0, alike, tolerance=TOLERANCE, valid=True) == "pass"
 
 
 def test_noise_far_below_the_tolerance_is_agreement() -> None:
