@@ -12,18 +12,22 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from matplotlib.figure import Figure
 
 from analytic.errors import InputError
 from analytic.scenefile.read import load_scene
 from analytic.writing import new_folder
 from fembearing import cli
 from fembearing.cli.boundary import end
+from fembearing.compare.cost.scene_cost import Cost
 from fembearing.compare.validation import Validation
 from fembearing.report import folder as module
 from fembearing.report.document.build import report_of
-from fembearing.report.folder import validate
+from fembearing.report.figures import style
+from fembearing.report.folder import validate, write_cost
 from fembearing.report.page import write as page
 from fembearing.report.pictures import draw as pictures
+from tests.report.figures.test_cost import CONTACT, LOAD
 
 BROKEN = ("/nowhere/python",)  # a renderer that draws nothing; maps take the place of its pictures
 
@@ -53,6 +57,23 @@ def test_a_report_holds_page_numbers_pictures_and_meshes(solved: Validation, tmp
     assert {picture["file"] for picture in content["pictures"]} <= names
     assert content["renderer"] == "VTK"
     assert [step for _, step in steps] == ["report"]
+
+
+@pytest.mark.parametrize("count", [2, 5])
+def test_the_picture_of_a_cost_holds_all_of_its_panels(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, count: int
+) -> None:
+    """One for each quantity, and one for their memory."""
+    drawn: list[Figure] = []
+    monkeypatch.setattr(style, "png", lambda *figures: drawn.extend(figures) or b"a picture")
+    ladders = (CONTACT, LOAD, *(replace(LOAD, quantity=f"quantity {number}") for number in range(3)))[:count]
+    cost = Cost(
+        scene=load_scene("6205-dry"), tolerance=0.04, ladders=ladders, seconds=3.2, peak_memory=None, provenance={}
+    )
+    write_cost(cost, tmp_path)
+    (figure,) = drawn
+    assert len({panel.get_title() for panel in figure.axes}) == count + 1
+    assert {path.name for path in tmp_path.iterdir()} == {"cost.png", "cost.csv", "cost.json"}
 
 
 def test_the_folder_is_open_to_those_whom_the_umask_lets_in(tmp_path: Path) -> None:

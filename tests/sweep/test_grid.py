@@ -115,7 +115,7 @@ def test_pieces_are_short_where_balls_carry_unlike_loads(
         ('operation.axial_load = ["3 N", 4]', r"axial_load\[1\] = 4 has no unit"),
         ("operation.axial_load = []", "axial_load is empty; give at least one value"),
         ('operation.axial_load = "3 N"', "is no list; give"),
-        ('operation.axial_load = ["3 N", "0.003 kN"]', "has 3.0 twice"),
+        ('operation.axial_load = ["7 N", "3 N", "0.003 kN"]', "has 3.0 twice"),
         ('operation.axial_load = { from = "1 N", to = "3 N" }', "axial_load.count is missing"),
         ('operation.axial_load = { from = "1 N", to = "3 N", count = 1 }', "count = 1 is no count"),
         ('operation.axial_load = { from = "1 N", to = "1 N", count = 4 }', "from and to are the same"),

@@ -287,6 +287,20 @@ def test_a_cage_and_a_pair_take_their_values() -> None:
         assert uncertain_value(other, key) == value
 
 
+def test_only_a_clearance_that_closes_at_an_angle_follows_the_grooves() -> None:
+    """One that a scene gives stays as it is, and so does one that nobody says where it is from."""
+    text = OILED.replace('catalog = "paper_6205"', 'catalog = "6205"\nclearance = "13 um"')
+    scene = parse_scene(text, origin="here")
+    bare = replace(scene, bearing=replace(scene.bearing, origins={}))
+    assert scene.bearing.origins["clearance"].status == "given"
+    for given in (scene, bare):
+        for key, factor in (("bearing.ball_diameter", 1.003), ("bearing.outer.conformity", 1.02)):
+            other, _ = varied_scene(given, {key: factor * (uncertain_value(given, key) or np.nan)})
+            assert other.bearing.groove_centre_distance != given.bearing.groove_centre_distance
+            # 1e-9: a difference of radii a thousand times as large
+            assert other.bearing.diametral_clearance == pytest.approx(13e-6, rel=1e-9)
+
+
 def _free_angle(scene: Scene) -> float:
     """At which balls touch both races without load, by the triangle of the groove centres."""
     bearing = scene.bearing

@@ -206,6 +206,11 @@ def test_grade_d_is_refused_with_what_to_measure() -> None:
         (HAND + PLAY + 'outer.shoulder_diameter = "61 mm"\n', ("shoulder_diameter = '61 mm'", "60.008", "49.408")),
         (HAND + PLAY + 'outer.shoulder_diameter = "49 mm"\n', ("shoulder_diameter = '49 mm'", "60.008", "49.408")),
         (
+            HAND.replace('pitch_diameter = "50 mm"\n', 'outer.bottom_radius = "30.02 mm"\n')
+            + 'inner = { bottom_radius = "20 mm", shoulder_diameter = "40 mm" }\n',  # at the bottom: no shoulder
+            ("bearing.inner.shoulder_diameter = '40 mm' must be between", "40 mm, and 50.6 mm"),
+        ),
+        (
             HAND + PLAY + 'inner.bottom_radius = "20 mm"\nouter.bottom_radius = "30 mm"\n',
             ("bearing.clearance = '16 um' follows from the bottom_radius", "bearing.pitch_diameter = '50 mm' follows"),
         ),

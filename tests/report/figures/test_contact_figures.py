@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
+from matplotlib.collections import PolyCollection
 from matplotlib.container import ErrorbarContainer
 from matplotlib.lines import Line2D
 
@@ -107,6 +108,23 @@ def test_approaches_are_in_micrometres_with_their_intervals(document: Report) ->
     np.testing.assert_allclose(np.diff(segment[:, 1]), 2 * half, rtol=1e-9)
     assert len(figure.axes) == 8
     assert np.isnan(points_of(line_of(figure.axes[4], "Hertz, corrected"))[:, 0]).all()  # no fit reaches a pocket
+
+
+def test_the_band_of_corrected_hertz_is_its_uncertainty_to_both_sides(document: Report) -> None:
+    curve = document.contacts[0].approach_curve
+    known = [number for number, approach in enumerate(curve.corrected) if approach is not None]
+    half = np.linspace(0.004, 0.029, len(curve.load))
+    curve = curve.model_copy(update={"uncertainty": half.tolist()})
+    contact = document.contacts[0].model_copy(update={"approach_curve": curve})
+    figure = present(approach_plot(document.model_copy(update={"contacts": [contact]}))[0])
+    (band,) = (each for each in figure.axes[1].collections if isinstance(each, PolyCollection))
+    load, hertz, corrected = (np.array(values)[known] for values in (curve.load, curve.hertz, curve.corrected))
+    assert len(known) > 2
+    corners = np.concatenate([np.asarray(path.vertices, dtype=float) for path in band.get_paths()])
+    for at, ratio, part in zip(load, (corrected / hertz).astype(float), half[known], strict=True):
+        heights = corners[np.isclose(corners[:, 0], at, rtol=1e-9), 1]  # round-off
+        ends = 100 * (ratio * (1 - part) - 1), 100 * (ratio * (1 + part) - 1)
+        np.testing.assert_allclose((heights.min(), heights.max()), ends, rtol=1e-9, atol=1e-9)  # %, near values
 
 
 def test_contacts_stand_side_by_side_in_rows_of_equal_length(document: Report) -> None:

@@ -19,6 +19,7 @@ from fembearing.report.document.torque import CageRecord as Motion
 from fembearing.report.figures.cage import cage_plot, orbit_figure
 from fembearing.report.pictures.cage import cage_job, picture_caption, view_of
 from fembearing.report.pictures.draw import RENDERER, rendered
+from fembearing.report.pictures.render_cage import cage_parts
 from tests.analytic.scenefile.scene_texts import MINE, changed
 from tests.analytic.specimens import present
 from tests.report.figures.figure_reader import as_document, line_of, points_of
@@ -97,6 +98,18 @@ def test_forces_are_drawn_over_time_in_ms(record: CageRecord, panels: list[Axes]
     total = points_of(line_of(forces, "sum over all balls"))[-1, 1]
     np.testing.assert_allclose(total, 6.58e-3 * 9.80665, rtol=0.05)  # weight; the forces fan out over three balls
     assert (forces.get_xlabel(), forces.get_ylabel()) == ("time, ms", "force on the cage, N")
+
+
+def test_the_axis_of_forces_reaches_below_the_least_of_them(record: CageRecord) -> None:
+    """Half of the least force above 0, as long as that is no tiny share of the largest ones."""
+    motion = motion_of(record)
+    largest = np.linspace(0.4, 1.9, len(motion.forces.time))
+    largest[5] = 0.0
+    forces = motion.forces.model_copy(update={"largest": largest.tolist(), "sum": (1.3 * largest).tolist()})
+    known = motion.model_copy(update={"forces": forces, "max_force": 2.7})
+    panel = orbit_figure(known, METRIC).axes[1]
+    assert panel.get_ylim()[0] == pytest.approx(0.4 / 2, rel=1e-12)  # round-off
+    assert panel.get_ylim()[1] > 1.3 * 1.9
 
 
 def test_an_exceedance_counts_what_is_above(record: CageRecord) -> None:
@@ -305,6 +318,24 @@ def test_a_pocket_is_pressed_where_its_ball_is(known: CageRecord) -> None:
     gap = np.linalg.norm(np.array(job["pockets"]) - view.balls, axis=1)
     room = job["pocket_radius"] - job["ball_radius"]
     np.testing.assert_allclose(gap / room, np.hypot(80, 40) / 100, rtol=1e-9)
+
+
+def test_a_bar_of_the_cage_begins_and_ends_in_the_middle_of_a_pockets_wall() -> None:
+    """In unequal steps, in mm: bars join pockets 30, 40 and 50 mm apart."""
+    job = {
+        "pocket_radius": 6e-3,
+        "wall": 1.4e-3,
+        "ball_radius": 5e-3,
+        "pockets": [[0.0, 0.0, 0.0], [30e-3, 0.0, 0.0], [30e-3, 40e-3, 0.0]],
+    }
+    parts = cage_parts(job)
+    places, bars = 1e3 * np.array(job["pockets"]), parts[1::2]
+    assert len(parts) == 6
+    for place, following, bar in zip(places, np.roll(places, -1, axis=0), bars, strict=True):
+        length = float(np.linalg.norm(following - place))
+        along = (bar.points - place) @ (following - place) / length
+        # single precision of the points
+        np.testing.assert_allclose((along.min(), along.max()), (6.7, length - 6.7), rtol=1e-5)
 
 
 def test_words_tell_instant_regime_and_what_is_not_to_scale(known: CageRecord) -> None:

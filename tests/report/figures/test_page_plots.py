@@ -1,0 +1,32 @@
+"""How a plot becomes part of the page."""
+
+import base64
+from io import BytesIO
+
+import matplotlib.image
+from matplotlib.figure import Figure
+
+from fembearing.report.document.report import Report
+from fembearing.report.figures.page_plots import PIXELS, Plot, plots_of
+
+
+def test_a_figure_comes_as_a_picture_of_its_width_and_none_as_its_reason_alone() -> None:
+    figures = [Figure(figsize=(2.5, 0.75)), Figure(figsize=(3.25, 0.5))]
+    plots = [
+        Plot(section="torque", heading="Drawn", draw=lambda _: (figures[0], "what is drawn")),
+        Plot(section="torque", heading="Empty", draw=lambda _: (None, "why there is none")),
+        Plot(section="cost", heading="Two", draw=lambda _: (figures, "what both show")),
+    ]
+    shown = plots_of(Report.model_construct(), plots)
+    assert {section: [(plot.heading, plot.caption) for plot in drawn] for section, drawn in shown.items()} == {
+        "torque": [("Drawn", "what is drawn"), ("Empty", "why there is none")],
+        "cost": [("Two", "what both show"), ("Two, continued", "")],
+    }
+    drawn, empty = shown["torque"]
+    assert (empty.source, empty.width) == (None, 0)
+    for plot, inches in zip((drawn, *shown["cost"]), (2.5, 2.5, 3.25), strict=True):
+        assert plot.width == PIXELS * inches
+        kind, content = (plot.source or "").split(",")
+        assert kind == "data:image/png;base64"
+        picture = matplotlib.image.imread(BytesIO(base64.b64decode(content)), format="png")
+        assert picture.shape[1] / picture.shape[0] > 3  # wide, as both figures are
