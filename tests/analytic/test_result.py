@@ -33,6 +33,9 @@ def test_what_is_left_out_is_none_and_said(scene: Scene) -> None:
     assert list(told) == list(ENTRIES)
     assert (told["spin"].decision, told["spin"].share, told["spin"].reason) == ("on", 1.0, "the scene says on")
     assert (told["conformity"].decision, told["conformity"].share) == ("off", None)
+    assert found.is_on("spin")
+    assert not found.is_on("conformity")
+    assert not found.is_on("no effect")
     assert "says off" in told["conformity"].reason
     assert "friction.hysteresis_loss" in told["hysteresis"].reason
     assert "no lubricant is given" in told["rolling"].reason

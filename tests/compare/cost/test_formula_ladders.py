@@ -181,6 +181,14 @@ def test_differences_of_heights_miss_slopes_of_a_smooth_surface_only(
     assert bound("gaussian") > bound("exponential") + 0.005
 
 
+def test_the_scatter_of_a_generated_map_depends_on_its_correlation_lengths_alone() -> None:
+    waves = Autocorrelation(kind="exponential", length=21e-6, spacing=1.3e-6)
+    larger = replace(waves, length=3 * waves.length, spacing=3 * waves.spacing)
+    bound = formula_ladders._bound_of_generated
+    assert bound(larger, 350) == pytest.approx(bound(waves, 350), rel=1e-12)  # round-off
+    assert bound(replace(waves, length=3 * waves.length), 1050) == pytest.approx(bound(waves, 350), rel=1e-12)
+
+
 def without_friction(scene: Scene) -> Scene:
     return replace(scene, friction_coefficient=None)
 
