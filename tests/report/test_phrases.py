@@ -1,7 +1,9 @@
 """The sentences that page and terminal share."""
 
+import pytest
+
 from analytic.verdicts import NumericalCheck
-from fembearing.report.phrases import numerical_words
+from fembearing.report.phrases import numerical_words, place_of
 
 
 def test_an_uncertainty_has_its_number_or_the_reason_why_it_is_not_known() -> None:
@@ -12,3 +14,16 @@ def test_an_uncertainty_has_its_number_or_the_reason_why_it_is_not_known() -> No
         words = numerical_words(NumericalCheck(uncertainty=uncertainty, tolerance=0.04, reason=""))
         assert f"{100 * uncertainty:g} %, {side} the tolerance 4 %" in words
         assert "not known" not in words
+
+
+@pytest.mark.parametrize(
+    ("pair", "geometry", "words"),
+    [
+        ("pocket", "wall", "ball in cage pocket, sheet on its rim"),
+        ("pocket", "real", "ball in cage pocket, thick seat"),
+        ("outer", "hertzian", "ball on outer race, idealised"),
+        ("inner", "real", "ball on inner race"),
+    ],
+)
+def test_a_contact_is_named_by_its_race_or_its_seat(pair: str, geometry: str, words: str) -> None:
+    assert place_of(pair, geometry) == words
