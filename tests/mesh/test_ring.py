@@ -72,6 +72,16 @@ def test_the_piece_reaches_four_thicknesses_and_never_round_the_whole_ring(thick
     np.testing.assert_allclose(angle * ring.bottom_radius, reach, rtol=1e-9)  # round-off
 
 
+def test_a_wide_ring_has_as_fine_cells_as_a_narrow_one() -> None:
+    """The cells beyond the race's block grow by the same factor from one to the next, however far the side is."""
+    width = 6 * INNER_RING.width  # 90 mm, beyond the length of the piece
+    wide = ring_piece(replace(INNER, ring=replace(INNER_RING, width=width)), RACE, 2, AXES).body.mesh
+    narrow = ring_piece(INNER, RACE, 2, AXES).body.mesh
+    across = (np.unique(np.round(mesh.doflocs[1] / AXES[1], 3)) for mesh in (wide, narrow))
+    assert wide.nelements > narrow.nelements
+    assert np.greater(*(each.size for each in across))
+
+
 @BOTH
 def test_its_volume_is_that_of_the_revolved_section(contact: Contact) -> None:
     ring, piece = ring_of(contact), ring_piece(contact, RACE, 3, AXES)

@@ -188,6 +188,22 @@ def one_contact(row: np.ndarray, slip: tuple[float, float, float], *, passing: f
     return outcome, force, tangent
 
 
+def test_a_ball_that_rolls_does_not_slide_at_the_middle_of_its_contact() -> None:
+    """Its surface and that of a ring that turns at 0.37 move alike there; it keeps its orbit and its spin."""
+    row = contact(RING=0.37)
+    ball = np.zeros(BALL)
+    ball[BALL_RADIUS], ball[ORBIT_RADIUS] = 4e-3, 0.02
+    before = np.array([0.0021, 0.0, -0.0043, 0.0017])
+    velocity = before.copy()
+    kernel._roll(row, ball, velocity)
+    n_r, n_z = row[NORMAL_R], row[NORMAL_Z]
+    of_ball, of_ring = velocity[0] - n_z * velocity[2] + n_r * velocity[3], 0.37 * (0.02 + 4e-3 * n_r)
+    assert of_ball == pytest.approx(of_ring, rel=1e-12)  # round-off
+    spin, spin_before = (n_r * each[2] + n_z * each[3] for each in (velocity, before))
+    assert spin == pytest.approx(spin_before, rel=1e-12)
+    assert tuple(velocity[:2]) == tuple(before[:2])
+
+
 @pytest.mark.parametrize("marched", [False, True])
 @pytest.mark.parametrize("times", [0.3, 1.0, 4.0])
 def test_an_even_slip_gives_the_force_of_a_strip(times: float, marched: bool) -> None:

@@ -292,6 +292,7 @@ def test_every_oil_of_the_catalog_is_read(name: str) -> None:
         float(catalog.rows("oils")[name]["viscosity_40 [mm^2/s]"]) * 850e-6, rel=1e-9
     )
     assert catalog.description("oils", name).count("\n") == 0
+    assert catalog.description("oils", name).startswith(("oil, ", "grease, base oil "))
     row = catalog.rows("oils")[name]
     if row["base oil"] in catalog.rows("base_oils"):
         complete = analytic.lubricant(name)

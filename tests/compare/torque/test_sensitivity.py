@@ -69,6 +69,17 @@ def test_peak_pressures_follow_hertz(pressures: Sensitivity) -> None:
     np.testing.assert_allclose(changes(pressures, "contact angle"), np.tile(steeper, 2), rtol=0.1)
 
 
+def test_balls_of_another_material_change_their_poisson_ratio_as_much_as_the_rings(dry: Scene) -> None:
+    """1/E* is the sum of (1 - nu^2)/E of both bodies; p0 goes as E*^(2/3)."""
+    ceramic = replace(dry.bearing.ball_material, youngs_modulus=310e9, poisson_ratio=0.26)
+    ring = dry.bearing.inner.material
+    found = sensitivity_of(replace(dry, bearing=replace(dry.bearing, ball_material=ceramic)))
+    more = np.array([[-0.015], [0.0], [0.015]])
+    low, same, high = (1 - (0.26 + more) ** 2) / 310e9 + (1 - (ring.poisson_ratio + more) ** 2) / ring.youngs_modulus
+    expected = (same / np.array([low, high])) ** (2 / 3) - 1
+    np.testing.assert_allclose(changes(found, "Poisson's ratio"), np.tile(expected, 2), rtol=1e-9)  # near 1
+
+
 def test_a_groove_moves_its_own_race_alone(pressures: Sensitivity) -> None:
     for column, race in enumerate(("inner", "outer")):
         found = changes(pressures, f"conformity, {race}")

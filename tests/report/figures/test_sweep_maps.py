@@ -36,6 +36,12 @@ def test_values_out_of_order_make_the_same_map() -> None:
         assert panel.get_ylim() == (0.0, 1100.0)  # half a step beyond 100 and 900
 
 
+def test_an_axis_is_logarithmic_where_it_is_wide_and_its_steps_grow() -> None:
+    for speeds, scale in (([1.0, 3.0, 10.0, 31.0], "log"), ([1.0, 1.1, 1.21, 1.33], "linear"), ([1, 11, 21], "linear")):
+        (panel,) = map_figure(made(speed=speeds), "torque_total").axes
+        assert panel.get_xscale() == scale
+
+
 def test_two_values_of_an_axis_are_two_lines() -> None:
     (panel,) = map_figure(made(roughness=[0.1, 0.3], load=[1.0, 2.0, 3.0]), "torque_total").axes
     assert [line.get_label() for line in panel.lines] == ["roughness 0.1", "roughness 0.3"]
