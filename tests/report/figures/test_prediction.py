@@ -109,11 +109,6 @@ def test_the_figure_has_the_ends_of_every_part_and_the_indices_of_the_inputs_tha
     assert widths == pytest.approx([61, 55, 14, 11])
 
 
-def test_inputs_are_ranked_by_their_largest_index_at_either_end() -> None:
-    read = Prediction.model_validate(content())
-    assert read.ranked == [1, 0, 2]  # 0.61, 0.44 and 0.001
-
-
 def test_indices_of_other_inputs_are_refused() -> None:
     damaged = content()
     damaged["points"][1]["indices"]["total"] = [0.1]

@@ -5,10 +5,14 @@ from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from fembearing.compare.contact.ring import RingStructure
+from fembearing.compare.torque.catalogue import BesideCatalogue
+from fembearing.compare.torque.catalogue_models import CatalogueBand
 from fembearing.compare.validation import Validation
+from tests.analytic.specimens import present
 from tests.report.page.page_writer import written_page
 
 Row = tuple[str, ...]
@@ -196,6 +200,15 @@ def test_each_row_has_a_cell_for_each_head(tables: Tables) -> None:
     assert len(tables.rows) > 15
     for heading, (head, *rows) in tables.rows.items():
         assert {len(row) for row in rows} <= {1, len(head)}, heading
+
+
+def test_each_point_has_its_catalogue_band_where_there_is_one(made: Validation, tmp_path: Path) -> None:
+    torque = present(made.torque)
+    band = CatalogueBand(low=np.array([27e-3, 31e-3, 36e-3]), high=np.array([41e-3, 46e-3, 53e-3]), values={})
+    result = replace(made, torque=replace(torque, catalogue=BesideCatalogue(band=band, note="a band")))
+    head, *rows = Tables(written_page(result, tmp_path)).rows["Torque at every operating point"]
+    assert head[-1] == "catalogue band"
+    assert [row[-1] for row in rows] == ["27-41", "31-46", "36-53"]
 
 
 def test_each_input_stands_with_its_origin(tables: Tables) -> None:
