@@ -293,6 +293,16 @@ def test_a_turning_ball_is_in_balance_by_newton_and_euler(bearing_6205: Bearing,
     np.testing.assert_allclose(ring_total, expected, atol=1e-7 * np.abs(expected).max())
 
 
+@pytest.mark.parametrize("across", [1e-4, 3e-4, 9e-4])
+def test_a_ring_that_hardly_touches_settles_under_a_moment(bearing_6205: Bearing, across: float) -> None:
+    """Two balls carry it; full Newton steps would swing to and fro between pairs of balls."""
+    loose = with_clearance(bearing_6205, 22e-6)
+    found = ring_equilibrium(loose, SOLVED, axial_load=1e-3, moment_x=0.224, moment_y=across)
+    borne = force_and_moment(loose, found.inner_angle, found.inner_load)
+    # The largest load is 18 N; 1e-9 of it, and of the moments, is what the balance leaves
+    np.testing.assert_allclose(borne, [1e-3, 0.0, 0.0, 0.224, across], atol=2e-8)
+
+
 def test_speed_parts_the_contact_angles_and_vanishes_with_them(bearing_6205: Bearing) -> None:
     speeds = np.array([0.0, 1e-3, 400.0, 1600.0])
     equilibrium = ring_equilibrium(bearing_6205, SOLVED, axial_load=520.0, inner_speed=speeds)
