@@ -18,6 +18,8 @@ from dataclasses import dataclass
 from multiprocessing.connection import Connection, wait
 from typing import Any, cast
 
+import numpy as np
+
 from analytic.errors import ConvergenceError, FembearingError
 from analytic.numerics import compilation
 from fembearing.compare.memory import peak_memory, peak_while
@@ -74,8 +76,8 @@ class Input:
 def tried(make: Callable[[int], Input], seeds: Iterable[int], *, jobs: int = 1) -> Generator[Tried]:
     """Make the input of each seed and run it, in `jobs` processes."""
     context = multiprocessing.get_context("fork")
-    every = list(seeds)
-    ahead = {number: every[number::jobs] for number in range(jobs)}
+    # In order, as every so many seeds make one kind of input, which may take longer than others.
+    ahead = {number: part.tolist() for number, part in enumerate(np.array_split(list(seeds), jobs))}
     at_work: dict[Connection, tuple[int, Any]] = {}
 
     def start(number: int) -> None:
