@@ -42,7 +42,10 @@ def opened(path: str | os.PathLike[str], *, most: int, remedy: str, linked: bool
 def content_of(path: str | os.PathLike[str], *, most: int, remedy: str, linked: bool = True) -> bytes:
     """The content of a regular file of at most `most` bytes; arguments and errors of `opened`."""
     with opened(path, most=most, remedy=remedy, linked=linked) as file:
-        return file.read(most)  # no more, should it grow meanwhile
+        try:
+            return file.read(most)  # no more, should it grow meanwhile
+        except OSError as problem:  # of the disk
+            raise InputError(f"cannot be read: {problem.strerror}; {remedy}") from problem
 
 
 def require_regular(path: str | os.PathLike[str], *, most: int, remedy: str) -> None:

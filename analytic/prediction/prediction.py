@@ -29,11 +29,13 @@ from analytic.prediction.spreads import NUMERICAL, UncertainInput, uncertain_inp
 from analytic.result import COORDINATES, POINT, FrictionTorque
 from analytic.scene import Array, Scene
 from analytic.scenefile.by_name import with_tolerance
+from analytic.scenefile.text import shown
 from analytic.torque import friction_torque
 from analytic.units import Quantity
 from analytic.words import NEWTON_MILLIMETRE
 
 SAMPLES, MOST_SAMPLES = 512, 4096  # by default: more until the ends are known well enough, and beyond this no more
+LARGEST_SAMPLE = 1_000_000  # that a user may give: more is a slip, and would take hours
 ENOUGH = 0.03  # standard error of each end of the total's interval, over that end
 SEED = 1
 ENDS_IN_WORDS = {"low": "lower end of the 95 % interval", "high": "upper end of the 95 % interval"}
@@ -244,13 +246,15 @@ def predicted_interval(scene: Scene, nominal: FrictionTorque, *, samples: int) -
 
 
 def require_samples(samples: int, inputs: tuple[UncertainInput, ...]) -> None:
-    """Raises InputError for fewer samples than the ends of an interval and its regression need."""
+    """Raises InputError for fewer samples than an interval and its regression need, or too many."""
     least = least_samples(len(inputs))
     if samples < least:
         raise InputError(
             f"samples = {samples}: an interval of {100 * COVERED:g} % with {len(inputs)} uncertain inputs "
             f"needs at least {least}; {SAMPLES} are usual"
         )
+    if samples > LARGEST_SAMPLE:
+        raise InputError(f"samples = {shown(samples)}: at most {LARGEST_SAMPLE}; {SAMPLES} are usual")
 
 
 def _problem(scene: Scene, nominal: FrictionTorque, samples: int | None) -> Problem:

@@ -39,7 +39,8 @@ def sweep(
             progress(1.0, "maps")
             maps = _maps(result)
     except KeyboardInterrupt:
-        complain(f"stopped; what is done is kept in {folder}: the same command goes on", INTERRUPTED)
+        kept = f"what is done is kept in {folder}: the same command goes on"
+        complain(f"stopped; {kept if folder.exists() else 'nothing is done yet'}", INTERRUPTED)
         raise
     if as_json:
         print_json(result.to_json() | {"maps": [str(file) for file in maps]})

@@ -62,6 +62,14 @@ def test_a_link_is_followed_only_where_it_may_be(tmp_path: Path) -> None:
         content_of(tmp_path / "there", most=6, remedy="give less")
 
 
+def test_a_file_that_the_disk_does_not_give_is_an_input_that_cannot_be_read() -> None:
+    """As the memory of a process, whose first page is none."""
+    if not Path("/proc/self/mem").is_file():
+        pytest.skip("this system has no such file")
+    with pytest.raises(InputError, match="cannot be read: Input/output error; give another"):
+        content_of("/proc/self/mem", most=7, remedy="give another")
+
+
 def test_errors_of_what_is_done_with_the_file_stay_themselves(tmp_path: Path) -> None:
     (tmp_path / "there").write_bytes(b"\xff")
     with pytest.raises(UnicodeDecodeError), opened(tmp_path / "there", most=7, remedy="") as file:

@@ -21,6 +21,7 @@ from fembearing.compare.hard import table as hard_cases
 from fembearing.compare.hard.case import HardCase
 from fembearing.fem import solution
 from fembearing.mesh.recipe import load_recipe
+from fembearing.sweep import run as sweep_run
 from tests.analytic.scenefile.scene_texts import MINE
 
 COMPARED = {"semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach"}  # held to the asked accuracy
@@ -188,6 +189,21 @@ def test_the_far_boundary_has_an_uncertainty_of_its_own(validated: dict[str, Any
         for name, part in contact["convergence"].items():
             assert 0 < part["domain"] < 0.01
             assert contact["uncertainty"][name] == pytest.approx(part["mesh"] + part["domain"], rel=1e-12)  # round-off
+
+
+@pytest.mark.parametrize(("there", "words"), [(True, "is kept in "), (False, "stopped; nothing is done yet")])
+def test_a_sweep_that_is_stopped_says_what_is_kept(
+    command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, there: bool, words: str
+) -> None:
+    def stopped(*_: Any, out: Path, **__: Any) -> None:
+        if there:
+            out.mkdir()
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(sweep_run, "run_sweep", stopped)
+    result = command("sweep", str(tmp_path / "grid.toml"), "--out", str(tmp_path / "swept"))
+    assert result.status == 130
+    assert words in " ".join(result.err.split())
 
 
 def test_an_uncertainty_just_beyond_the_accuracy_is_not_solved(capsys: pytest.CaptureFixture[str]) -> None:

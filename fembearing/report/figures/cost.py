@@ -42,8 +42,8 @@ def cost_figures(ladders: Sequence[Ladder], *, tolerance: float, most: int = SID
     times = [place[0] for ladder in shown for method in ladder.methods if (place := _place(method, "seconds"))]
     low, high = min(times, default=1.0) / ROOM, max(times, default=1.0) * ROOM
     for panel in panels:
-        panel.axhline(100 * tolerance, color="red", linestyle=":", label="tolerance")
         panel.set(xscale="log", yscale="log", ylim=(LEAST / 3, MOST), xlabel=UNITS["seconds"][1], xlim=(low, high))
+        panel.axhline(100 * tolerance, color="red", linestyle=":", label="tolerance")
         panel.xaxis.set_major_locator(LogLocator(numticks=5))
         panel.xaxis.set_minor_formatter(NullFormatter())
         panel.grid(alpha=0.3)

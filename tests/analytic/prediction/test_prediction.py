@@ -12,11 +12,11 @@ from analytic.errors import InputError
 from analytic.inputs import UNCERTAIN, uncertain_value
 from analytic.oil.variation import Variation
 from analytic.prediction import evaluation
-from analytic.prediction.prediction import SAMPLES, Prediction, predict
+from analytic.prediction.prediction import SAMPLES, Prediction, predict, require_samples
 from analytic.prediction.spreads import DEFAULTS, UncertainInput, uncertain_inputs
 from analytic.prediction.variants import varied_scene
 from analytic.scene import Arrangement, ContactAngle, Losses, Scene
-from analytic.scenefile.read import parse_scene
+from analytic.scenefile.read import load_scene, parse_scene
 from analytic.torque import friction_torque
 from tests.analytic.scenefile.scene_texts import OILED
 
@@ -201,6 +201,12 @@ def test_an_angle_near_0_has_its_default_spread_to_both_sides(angle: ContactAngl
     assert found.failed == 0
     mirrored = [varied_scene(scene, {key: value})[0].contact_angle for value in (-0.04, 0.04)]
     assert mirrored[0] == mirrored[1]
+
+
+@pytest.mark.parametrize("samples", [1_000_001, 10**20, 10**400])
+def test_too_many_samples_are_refused_before_any_is_drawn(samples: int) -> None:
+    with pytest.raises(InputError, match=rf"samples = \d+.*: at most 1000000; {SAMPLES} are usual"):
+        require_samples(samples, uncertain_inputs(load_scene("6205-dry")))
 
 
 def test_too_few_samples_are_refused_with_the_least_number() -> None:

@@ -1,6 +1,7 @@
 """The cost figure by the points that are drawn, and its table, against ladders made by hand."""
 
 import csv
+import warnings
 from dataclasses import replace
 from io import StringIO
 
@@ -11,7 +12,7 @@ from matplotlib.figure import Figure
 
 from fembearing.compare.cost.ladder import Ladder, Method
 from fembearing.report.document.report import Ladder as DocumentLadder
-from fembearing.report.figures.cost import LEAST, cost_figures, cost_table
+from fembearing.report.figures.cost import LEAST, MOST, cost_figures, cost_table
 from fembearing.report.phrases import choices_line
 from tests.analytic.specimens import present
 
@@ -156,6 +157,15 @@ def test_a_method_without_a_price_or_an_error_is_not_drawn() -> None:
     (panel,) = cost_figures(listed(ladder), tolerance=0.1)[0].axes
     assert ([0.1], [1.0]) in drawn(panel)
     assert all(x == [0.1] for x, y in drawn(panel) if 0 < len(x) == len(y))
+
+
+@pytest.mark.parametrize("tolerance", [1e-308, 0.04, 1e190])
+def test_the_scale_of_errors_does_not_depend_on_the_tolerance(tolerance: float) -> None:
+    """A damaged report can have any; Matplotlib warns where an axis has no width."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        (figure,) = cost_figures(listed(CONTACT, LOAD), tolerance=tolerance)
+    assert {panel.get_ylim() for panel in figure.axes} == {(LEAST / 3, MOST)}
 
 
 def test_the_table_holds_every_method_and_what_is_absent() -> None:
