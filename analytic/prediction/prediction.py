@@ -35,7 +35,7 @@ from analytic.units import Quantity
 from analytic.words import NEWTON_MILLIMETRE
 
 SAMPLES, MOST_SAMPLES = 512, 4096  # by default: more until the ends are known well enough, and beyond this no more
-LARGEST_SAMPLE = 1_000_000  # that a user may give: more is a slip, and would take hours
+LARGEST_SAMPLE = 1_000_000  # that a user may give: more is a slip
 ENOUGH = 0.03  # standard error of each end of the total's interval, over that end
 SEED = 1
 ENDS_IN_WORDS = {"low": "lower end of the 95 % interval", "high": "upper end of the 95 % interval"}

@@ -126,7 +126,7 @@ def tabulated_asperities(*, summits: Summits, modulus: float, hardness: float) -
         raise InputError("summits must be those of one surface, numbers: make a table for each surface")
     deviation = float(summits.height_deviation)
     yielding = float(first_yield(summits.radius, modulus, hardness)) / deviation
-    if np.spacing(PLASTIC_RATIO * yielding) > KINK_STEP:  # round-off of t hides the heights where summits yield
+    if not np.spacing(PLASTIC_RATIO * yielding) <= KINK_STEP:  # round-off of t hides where summits yield; inf: NaN
         raise InputError(
             f"summits of radius {length_of(float(summits.radius))} whose heights deviate by {length_of(deviation)} are "
             "all but flat: give a rougher surface, or an rms_roughness of 0"
