@@ -151,6 +151,14 @@ def fit_numbers() -> FitNumbers:
     )
 
 
+@cache
+def fit_record() -> np.record:
+    """The stored fit as a record."""
+    fit = fit_numbers()
+    kinds = [(name, table.dtype, table.shape) for name, table in zip(FitNumbers._fields, fit, strict=True)]
+    return np.array([tuple(fit)], dtype=np.dtype(kinds, align=True)).view(np.recarray)[0]
+
+
 @compiled
 def steps_beyond(fit: FitNumbers, shape: ShapeNumbers) -> float:
     """How far a shape lies outside the range of the fit, in steps of each ratio; the largest of these, 0 within.
@@ -169,23 +177,12 @@ def steps_beyond(fit: FitNumbers, shape: ShapeNumbers) -> float:
 @compiled
 def held_shape(fit: FitNumbers, shape: ShapeNumbers) -> ShapeNumbers:
     """The nearest shape within the range."""
-    size = _clipped(fit, shape, 2)
-    return ShapeNumbers(
-        _clipped(fit, shape, 0),
-        _clipped(fit, shape, 1),
-        size,
-        _clipped(fit, shape, 3),
-        _clipped(fit, shape, 4),
-        _clipped(fit, shape, 5),
-        max(_clipped(fit, shape, 6), OFF_SHOULDER * size),
-        max(_clipped(fit, shape, 7), OFF_SHOULDER * size),
-        _clipped(fit, shape, 8),
-    )
-
-
-@compiled
-def _clipped(fit: FitNumbers, shape: ShapeNumbers, k: int) -> float:
-    return min(max(shape[k], fit.low[k]), fit.high[k])
+    held = np.empty(9)
+    for k in range(9):
+        held[k] = min(max(shape[k], fit.low[k]), fit.high[k])
+    nearest = OFF_SHOULDER * held[2]
+    near, far = max(held[6], nearest), max(held[7], nearest)
+    return ShapeNumbers(held[0], held[1], held[2], held[3], held[4], held[5], near, far, held[8])
 
 
 @compiled
@@ -258,10 +255,10 @@ def geometry_of(fit: FitNumbers, shape: ShapeNumbers) -> GeometryNumbers:
     near, far = bases_of(held, unit, held.shoulder, -slope), bases_of(held, unit, held.far_shoulder, slope)
     powers = np.empty(SIDED + EXPONENTS**2)
     _fill_powers(near, far, powers)
-    rolling = _change(fit, 0, powers) * grown ** fit.size_power[0]
-    transverse = _change(fit, 1, powers) * grown ** fit.size_power[1]
-    approach = _change(fit, 2, powers) * grown ** fit.size_power[2]
-    pressure = _change(fit, 3, powers) * grown ** fit.size_power[3]
+    changes = np.empty(4)
+    for quantity in range(4):
+        changes[quantity] = _change(fit, quantity, powers) * grown ** fit.size_power[quantity]
+    rolling, transverse, approach, pressure = changes[0], changes[1], changes[2], changes[3]
     beyond = steps_beyond(fit, shape)
     applied = min(max(2 - beyond, 0.0), 1.0)
     growth = HELD * min(beyond, 1.0) + FADED * (1 - applied)
@@ -324,50 +321,23 @@ def geometry_on(fit: FitNumbers, race: RaceNumbers, contact_angle: float, load: 
 
     Then the uncertainty reaches to the factors of a low and of a high shoulder.
     """
-    typical = geometry_of(fit, shape_on(race, shoulders_of(race, USUAL_SHOULDERS[1]), contact_angle, load))
-    if not np.isnan(race.near_shoulder):
-        return typical
-    low = geometry_of(fit, shape_on(race, shoulders_of(race, USUAL_SHOULDERS[0]), contact_angle, load))
-    high = geometry_of(fit, shape_on(race, shoulders_of(race, USUAL_SHOULDERS[2]), contact_angle, load))
-    return GeometryNumbers(
-        typical.factors,
-        FactorNumbers(
-            _farthest(typical, low, high, 0),
-            _farthest(typical, low, high, 1),
-            _farthest(typical, low, high, 2),
-            _farthest(typical, low, high, 3),
-        ),
-        FactorNumbers(
-            _reach(typical, low, high, 0),
-            _reach(typical, low, high, 1),
-            _reach(typical, low, high, 2),
-            _reach(typical, low, high, 3),
-        ),
-        typical.beyond,
-        typical.applied,
-    )
+    known = not np.isnan(race.near_shoulder)
+    typical, farthest, reach = np.empty(4), np.empty(4), np.empty(4)
+    beyond = applied = 0.0
+    for number in range(1 if known else 3):  # the typical height first
+        height = USUAL_SHOULDERS[(1, 0, 2)[number]]
+        found = geometry_of(fit, shape_on(race, shoulders_of(race, height), contact_angle, load))
+        for k in range(4):
+            if number == 0:
+                typical[k], farthest[k], reach[k] = found.factors[k], found.farthest[k], found.uncertainty[k]
+                beyond, applied = found.beyond, found.applied
+                continue
+            if abs(found.farthest[k] - typical[k]) > abs(farthest[k] - typical[k]):
+                farthest[k] = found.farthest[k]
+            reach[k] = max(reach[k], abs(found.factors[k] - typical[k]) + found.uncertainty[k])
+    return GeometryNumbers(_factors(typical), _factors(farthest), _factors(reach), beyond, applied)
 
 
 @compiled
-def _farthest(typical: GeometryNumbers, low: GeometryNumbers, high: GeometryNumbers, quantity: int) -> float:
-    """The farthest factor of three shoulders from the typical factor."""
-    middle, farthest = typical.factors[quantity], typical.farthest[quantity]
-    for other in (low.farthest[quantity], high.farthest[quantity]):
-        if abs(other - middle) > abs(farthest - middle):
-            farthest = other
-    return farthest
-
-
-@compiled
-def _reach(typical: GeometryNumbers, low: GeometryNumbers, high: GeometryNumbers, quantity: int) -> float:
-    """Largest distance of the factors of three shoulders, with their uncertainties, from the typical one."""
-    middle = typical.factors[quantity]
-    to_low = abs(low.factors[quantity] - middle) + low.uncertainty[quantity]
-    to_high = abs(high.factors[quantity] - middle) + high.uncertainty[quantity]
-    return max(typical.uncertainty[quantity], max(to_low, to_high))
-
-
-@compiled
-def factors_on(fit: FitNumbers, race: RaceNumbers, contact_angle: float, load: float) -> FactorNumbers:
-    """The factors alone of `geometry_on`."""
-    return geometry_of(fit, shape_on(race, shoulders_of(race, USUAL_SHOULDERS[1]), contact_angle, load)).factors
+def _factors(numbers: Array) -> FactorNumbers:
+    return FactorNumbers(numbers[0], numbers[1], numbers[2], numbers[3])

@@ -26,7 +26,7 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from analytic.free_ball.strips import Quadrature
+from analytic.free_ball.state import QUADRATURE
 from analytic.scene import Array
 
 Creep = Literal["none", "closed", "marched"]
@@ -45,16 +45,30 @@ QUADRATURES = (Nodes(16, 12), Nodes(32, 20), Nodes(64, 36), Nodes(128, 72), Node
 
 
 @cache
-def quadrature_of(nodes: Nodes, *, marched: bool) -> Quadrature:
+def quadratures_of(creep: Creep) -> Array:
+    """(k,) of `state.QUADRATURE`: a coarse one, and that of each pass."""
+    each = (COARSE, *QUADRATURES)
+    quadratures = np.zeros(len(each), QUADRATURE)
+    for quadrature, nodes in zip(quadratures, each, strict=True):
+        _write_nodes(quadrature, nodes, marched=creep == "marched")
+    return quadratures
+
+
+def _write_nodes(quadrature: np.void, nodes: Nodes, *, marched: bool) -> None:
     """Marched nodes lie at equal steps of the angle, without the ends."""
+    count = nodes.along - 1 if marched else nodes.along
+    quadrature["strips"], quadrature["nodes"], quadrature["marched"] = nodes.across, count, marched
+    quadrature["across"][:, : nodes.across] = _gauss(nodes.across)
     if not marched:
-        return Quadrature(_gauss(nodes.across), _gauss(nodes.along), np.zeros((3, nodes.along)), False)
+        quadrature["along"][:, :count] = _gauss(count)
+        return
     angle = np.pi * (np.arange(1, nodes.along) / nodes.along - 0.5)
     step = np.diff(np.sin(angle), prepend=-1.0)
     ratio = np.append(0.0, step[1:] / step[:-1])
-    steps = np.stack([(1 + 2 * ratio) / (1 + ratio), 1 + ratio, ratio**2 / (1 + ratio)]) / step
-    along = np.stack([np.sin(angle), np.cos(angle), np.full(angle.size, np.pi / nodes.along)])
-    return Quadrature(_gauss(nodes.across), along, steps, True)
+    quadrature["steps"][:, :count] = (
+        np.stack([(1 + 2 * ratio) / (1 + ratio), 1 + ratio, ratio**2 / (1 + ratio)]) / step
+    )
+    quadrature["along"][:, :count] = [np.sin(angle), np.cos(angle), np.full(count, np.pi / nodes.along)]
 
 
 def _gauss(nodes: int) -> Array:

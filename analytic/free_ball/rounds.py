@@ -1,20 +1,20 @@
-"""The equilibria of balls that turn freely, compiled: rounds in which loads and rotation follow each other."""
+"""The equilibria of balls that turn freely: rounds in which loads and rotation follow each other."""
 
 import numpy as np
 
-from analytic.contact.factors import correction_of_ball
-from analytic.contact.hertz import HertzNumbers
-from analytic.free_ball.turning import ACCURACY, ENOUGH, BallRows, FreeNodes, FreeNumbers, PlacedBall, turned
+from analytic.contact.factors import CorrectionNumbers
+from analytic.free_ball.turning import ACCURACY, ENOUGH, FreeNodes, FreeNumbers, turned
 from analytic.loads.numbers import BearingNumbers
-from analytic.loads.ring_balance import RingPoint, RingWork
+from analytic.loads.race_contacts import put_unit
 from analytic.loads.ring_rounds import (
     MOST_ROUNDS,
     OPEN,
     SETTLED,
-    RingLoad,
     RingNumbers,
     Round,
+    begin_rounds,
     hold_contacts,
+    put_turning,
     settle_round,
 )
 from analytic.loads.thrust_ball import (
@@ -28,24 +28,13 @@ from analytic.loads.thrust_ball import (
     in_groove,
 )
 from analytic.numerics.compilation import compiled
+from analytic.scene import Array
 
 STEADY = 1e-6  # relative, of the forces on a ball from one round to the next: a torque needs three digits
 ROUGHLY_STEADY = 1e-4  # likewise, of a pass that cannot be the last
 SKIDS = 5  # beside the ends of `Round`: a ball finds no steady rotation
 OF_CHANGE = 0.1  # residual of the rotation, over all friction, that is enough for a round, over the last change
 LEAST_ANGLE, MOST_ANGLE = 1e-6, 1.5  # rad, where a search begins
-
-
-@compiled
-def placed_ball(point: RingPoint, j: int) -> PlacedBall:
-    """Ball j at the angles and loads of a point, with the contacts that it holds."""
-    a, b = point.unit[0], point.unit[1]
-    return PlacedBall(
-        (in_groove(point.angle[0, j]), in_groove(point.angle[1, j])),
-        (point.load[0, j], point.load[1, j]),
-        HertzNumbers(a[0, j], a[1, j], a[2, j], a[3, j], a[4, j]),
-        HertzNumbers(b[0, j], b[1, j], b[2, j], b[3, j], b[4, j]),
-    )
 
 
 @compiled
@@ -56,27 +45,26 @@ def _next(nodes: FreeNodes, change: float) -> FreeNodes:
 
 @compiled
 def settle_free_thrust(
-    bearing: BearingNumbers, free: FreeNumbers, load: RingLoad, point: RingPoint, balls: BallRows, nodes: FreeNodes
+    bearing: BearingNumbers, free: FreeNumbers, speed: float, axial_load: float, ball: np.record, contacts: Array,
+    nodes: FreeNodes
 ) -> Round:
-    """The balls under thrust, which are alike, from what the point holds; writes point and balls."""
-    push = load.force[0] / bearing.ball_count
-    correction = correction_of_ball(load.factors, 0)
-    placed = placed_ball(point, 0)
+    """The balls under thrust, which are alike, from where one of them is; writes it.
+
+    speed : w, rad/s;  axial_load : Fa, N
+    """
+    push, correction = axial_load / bearing.ball_count, CorrectionNumbers(ball.inner_factors, ball.outer_factors)
+    start = min(max(in_groove(ball.angle[0]), LEAST_ANGLE), MOST_ANGLE)
     last = ThrustedBall(
-        np.tan(min(max(placed.angles[0], LEAST_ANGLE), MOST_ANGLE)),
-        placed.angles[0],
-        placed.angles[1],
-        placed.loads[0],
-        placed.loads[1],
+        np.tan(start), in_groove(ball.angle[0]), in_groove(ball.angle[1]), ball.load[0], ball.load[1]
     )
-    held, change, speed, now = Held(0.0, 0.0, 0.0, 0.0, 0.0), 1.0, load.rule.inner_speed, nodes
+    held, change, now = Held(0.0, 0.0, 0.0, 0.0, 0.0), 1.0, nodes
     for number in range(MOST_ROUNDS):
         inner, outer = contacts_at(bearing, in_groove(last.inner_angle), in_groove(last.outer_angle), correction)
-        for k in range(5):
-            point.unit[0, k, 0], point.unit[1, k, 0] = inner[k], outer[k]
-        forces = turned(bearing, free, speed, placed_ball(point, 0), balls, 0, now)
-        if not balls.residual[0] <= max(ENOUGH, now.accuracy):
-            return Round(SKIDS, number, balls.residual[0], ENOUGH)
+        put_unit(ball.inner_unit, inner)
+        put_unit(ball.outer_unit, outer)
+        forces = turned(bearing, free, speed, ball, contacts, now)
+        if not ball.residual <= max(ENOUGH, now.accuracy):
+            return Round(SKIDS, number, ball.residual, ENOUGH)
         if not np.isnan(bearing.given_angle):  # which holds loads and angles, but not how the balls turn
             return Round(SETTLED, number, 0.0, nodes.steady)
         outward = forces.centrifugal / push
@@ -86,41 +74,40 @@ def settle_free_thrust(
             outward = (outward + held.outward) / 2
             inner_lean, outer_lean = (inner_lean + held.inner_lean) / 2, (outer_lean + held.outer_lean) / 2
         held = Held(inner.approach, outer.approach, outward, inner_lean, outer_lean)
-        ball = balanced(bearing, push, held, last.tangent, ROUGH_STEP)
-        change = change_of(last, ball)
-        point.load[0, 0], point.load[1, 0] = ball.inner_load, ball.outer_load
-        point.angle[0, 0], point.angle[1, 0] = ball.inner_angle, ball.outer_angle
+        found = balanced(bearing, push, held, last.tangent, ROUGH_STEP)
+        change = change_of(last, found)
+        ball.load[0], ball.load[1] = found.inner_load, found.outer_load
+        ball.angle[0], ball.angle[1] = found.inner_angle, found.outer_angle
         if np.isnan(change):
             break
         # The balls keep the motion of the last round, so that this round must change nothing.
         if change <= nodes.steady:
             return Round(SETTLED, number, change, nodes.steady)
-        last, now = ball, _next(nodes, change)
+        last, now = found, _next(nodes, change)
     return Round(OPEN, MOST_ROUNDS, change, nodes.steady)
 
 
 @compiled
 def settle_free_ring(
-    ring: RingNumbers,
+    numbers: RingNumbers,
     free: FreeNumbers,
-    load: RingLoad,
-    point: RingPoint,
-    work: RingWork,
-    balls: BallRows,
+    speed: float,
+    ring: np.record,
+    balls: Array,
+    contacts: Array,
     nodes: FreeNodes,
 ) -> Round:
-    """The ring and its balls, from what the point holds; writes point and balls."""
+    """The ring and its balls, from where they are; writes them. speed : w, rad/s;  contacts : (Z, 2)"""
     end, steps, now = Round(OPEN, 0, 0.0, 0.0), 0, nodes
-    point.own[:], point.ring_force[:] = np.inf, np.inf  # all forces are to change
+    begin_rounds(ring, balls)
     for number in range(MOST_ROUNDS + 1):
-        hold_contacts(ring, load.factors, point)
-        for j in range(len(point.own)):
-            forces = turned(ring.bearing, free, load.rule.inner_speed, placed_ball(point, j), balls, j, now)
-            if not balls.residual[j] <= max(ENOUGH, now.accuracy):
-                return Round(SKIDS, number, balls.residual[j], ENOUGH)
-            for k in range(4):
-                point.turning[k, j] = forces[k]
-        end = settle_round(ring.rows, load.force, point, work, number, nodes.steady)
+        hold_contacts(numbers.bearing, balls)
+        for j in range(len(balls)):
+            ball = balls[j]
+            put_turning(ball, turned(numbers.bearing, free, speed, ball, contacts[j], now))
+            if not ball.residual <= max(ENOUGH, now.accuracy):
+                return Round(SKIDS, number, ball.residual, ENOUGH)
+        end = settle_round(numbers.grooves, ring, balls, number, nodes.steady)
         steps += end.steps
         if end.end != OPEN:
             break

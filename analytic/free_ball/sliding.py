@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from analytic.contact.factors import ContactCorrection
 from analytic.contact.hertz import HertzContact, HertzNumbers, contact_modulus, loaded_contact
 from analytic.errors import ConvergenceError
-from analytic.free_ball.layout import LAW_POWER, LOAD, MOST_STEPS, UNIT_POWER
+
 from analytic.free_ball.passes import (
     FreeModel,
     FreeSettings,

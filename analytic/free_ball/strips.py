@@ -1,25 +1,10 @@
 """Forces of one strip of a contact along rolling, compiled, with their stiffness.
 
-Rates are per unit ring speed w, so slip is a length. One contact is a row of numbers (`analytic.free_ball.layout`).
+Rates are per unit ring speed w, so slip is a length. Contacts and nodes are records of `analytic.free_ball.state`.
 """
-
-from typing import NamedTuple
 
 import numpy as np
 
-from analytic.free_ball.layout import (
-    BOUNDARY,
-    EXPONENT,
-    EYRING,
-    FLUIDITY,
-    GROWTH,
-    LIMIT,
-    LOAD,
-    PLAIN,
-    ROLLING,
-    SHARE,
-    TRANSVERSE,
-)
 from analytic.free_ball.stress import Shear, flow_at, sheared, yielding
 from analytic.numerics.compilation import compiled
 from analytic.oil.traction import PointLaw
@@ -38,29 +23,18 @@ ROWS = 38
 NO_SLIP = 1e-200  # m: keeps a direction where nothing slides
 
 
-class Quadrature(NamedTuple):
-    """Nodes of the ellipse of a contact, on strips along rolling; angles as sines, cosines and weights."""
-
-    across: Array  # (3, strips)
-    along: Array  # (3, nodes) of a strip, which is marched from its leading edge
-    # (3, nodes) of second-order backward differences between them, times the half-length: how far stress at the node,
-    # at the last one and at the one before pulls the slip. The first step is exact where nothing slides.
-    steps: Array
-    marched: bool
-
-
 @compiled(inline=True)
-def strip_closed(contact, slip, strip, along, flows):
+def strip_closed(contact, slip, strip, quadrature, flows):
     """One strip by the closed law: forces and stiffness by slip along it, across it and by spin, and all friction.
 
     slip : (along, across, spin);  strip : half-length, direction of the flow, pressure at its middle, p0 L u/a
-    along : sines, cosines and weights of the nodes;  flows : (2, nodes) fluidity and `most`
+    flows : (2, nodes) fluidity and `most`
     """
     slide, lateral, spin = slip
     half, flow, middle, length = strip
-    sines, cosines, weights = along[0], along[1], along[2]
+    sines, cosines, weights = quadrature.along[0], quadrature.along[1], quadrature.along[2]
     f_p = f_l = f_n = pp = pl = pn = ll = ln = nn = friction = 0.0
-    for k in range(sines.shape[0]):
+    for k in range(quadrature.nodes):
         pressure, area, x = middle * cosines[k], weights[k] * half * cosines[k], flow * half * sines[k]
         across = lateral + spin * x
         size = max(np.sqrt(slide * slide + across * across), NO_SLIP)
@@ -99,14 +73,14 @@ def march_strips(contact, spin, flow, quadrature, flows, state):
     side, length = flow
     sines, cosines, weights = quadrature.along[0], quadrature.along[1], quadrature.along[2]
     peak, across = peak_pressure(contact), quadrature.across[1]
-    for j in range(across.shape[0]):
-        state[HALF + j] = contact[ROLLING] * across[j]
+    for j in range(quadrature.strips):
+        state[HALF + j] = contact.semi_axis_rolling * across[j]
         state[PER_STEP + j] = length / state[HALF + j]
-    for k in range(sines.shape[0]):
+    for k in range(quadrature.nodes):
         place = side * sines[k]
         halfway = place if k > 0 else side * (sines[0] - 1.0) / 2.0  # from the edge
         to_here, to_last, to_older = quadrature.steps[0, k], quadrature.steps[1, k], quadrature.steps[2, k]
-        for j in range(across.shape[0]):
+        for j in range(quadrature.strips):
             from_last, from_older = state[PER_STEP + j] * to_last, state[PER_STEP + j] * to_older
             last_x, last_y = state[STRESS_X + j], state[STRESS_Y + j]
             reach_x = state[SLIDE + j] + from_last * last_x - from_older * state[OLDER_X + j]
@@ -115,10 +89,10 @@ def march_strips(contact, spin, flow, quadrature, flows, state):
             state[OLDER_X + j], state[OLDER_Y + j] = last_x, last_y
             state[REACH_X + j], state[REACH_Y + j] = reach_x, reach_y
             state[REACH + j] = np.sqrt(reach_x * reach_x + reach_y * reach_y) + NO_SLIP
-        for j in range(across.shape[0]):
+        for j in range(quadrature.strips):
             shear = shear_at(contact, peak * across[j] * cosines[k], flows[j, 0, k], flows[j, 1, k])
             state[STRESS + j], state[SLOPE + j] = sheared(state[REACH + j], state[PER_STEP + j] * to_here, shear)
-        for j in range(across.shape[0]):
+        for j in range(quadrature.strips):
             half, stress, slope, per_reach = (
                 state[HALF + j],
                 state[STRESS + j],
@@ -190,28 +164,28 @@ def marched_strip(state, j):
 def shear_at(contact, pressure, fluidity, most):
     """The law at a node."""
     return Shear(
-        contact[BOUNDARY] * pressure + contact[PLAIN], contact[LIMIT] * pressure, contact[EYRING], fluidity, most
+        contact.boundary * pressure + contact.plain, contact.limit * pressure, contact.eyring, fluidity, most
     )
 
 
 @compiled
-def hold_flows(contact: Array, quadrature: Quadrature, flows: Array) -> None:
+def hold_flows(contact: np.record, quadrature: np.record, flows: Array) -> None:
     """Write (across, 2, along) fluidity and `most` of the nodes, which do not change with the slip.
 
     The nodes lie in pairs about the middle of the ellipse, where the pressure is the same.
     """
     law = PointLaw(
-        contact[BOUNDARY],
-        contact[PLAIN],
-        contact[LIMIT],
-        contact[EYRING],
-        contact[FLUIDITY],
-        contact[SHARE],
-        contact[GROWTH],
-        contact[EXPONENT],
+        contact.boundary,
+        contact.plain,
+        contact.limit,
+        contact.eyring,
+        contact.fluidity,
+        contact.share,
+        contact.growth,
+        contact.exponent,
     )
     strips, nodes = quadrature.across[1], quadrature.along[1]
-    last_strip, last_node = strips.shape[0] - 1, nodes.shape[0] - 1
+    last_strip, last_node = quadrature.strips - 1, quadrature.nodes - 1
     peak = peak_pressure(contact)
     for j in range(last_strip // 2 + 1):
         for k in range(last_node // 2 + 1):
@@ -222,6 +196,6 @@ def hold_flows(contact: Array, quadrature: Quadrature, flows: Array) -> None:
 
 
 @compiled
-def peak_pressure(contact: Array) -> float:
+def peak_pressure(contact: np.record) -> float:
     """p0, Pa."""
-    return 1.5 * contact[LOAD] / (np.pi * contact[ROLLING] * contact[TRANSVERSE])
+    return 1.5 * contact.load / (np.pi * contact.semi_axis_rolling * contact.semi_axis_transverse)

@@ -9,30 +9,16 @@ from typing import NamedTuple
 
 import numpy as np
 
-from analytic.contact.hertz import HertzNumbers, loaded_hertz
+from analytic.contact.hertz import contact_modulus, loaded_hertz
 from analytic.free_ball.kernel import turn_ball
-from analytic.free_ball.layout import (
-    ACROSS,
-    BALL_RADIUS,
-    BOUNDARY,
-    CONTACT,
-    FLEXIBILITY,
-    INERTIA,
-    LOAD,
-    NORMAL_R,
-    NORMAL_Z,
-    ORBIT_RADIUS,
-    RADIUS,
-    RING,
-    ROLLING,
-    TRANSVERSE,
-)
-from analytic.free_ball.strips import Quadrature
+from analytic.free_ball.rotation import STIFFER, Creep
 from analytic.loads.kinematics import BallMotion, ruled_motion
 from analytic.loads.numbers import BearingNumbers
+from analytic.loads.thrust_ball import in_groove
 from analytic.loads.turning import ForcesOfTurning
 from analytic.numerics.compilation import compiled
-from analytic.scene import Array
+from analytic.oil.traction import PointLaw
+from analytic.scene import Array, Bearing
 
 ACCURACY = 1e-10  # of the residual force, over all friction of the ball
 ENOUGH = 1e-7  # likewise, where round-off of stiff surfaces leaves no better
@@ -49,82 +35,60 @@ class FreeNumbers(NamedTuple):
     gyroscopic: bool  # whether the moment counts
 
 
-class BallRows(NamedTuple):
-    """m free balls of one point; races are inner and outer."""
-
-    velocity: Array  # (m, 4) v of `analytic.free_ball.rotation`, m per unit ring speed; NaN: not known
-    contacts: Array  # (m, 2, CONTACT), with the laws of traction that a pass holds
-    bodies: Array  # (m, BALL)
-    outcomes: Array  # (m, 2, OUTCOME)
-    motion: Array  # (m, 10) as `BallMotion`
-    # Centrifugal force, and friction on both races, N: what the last round had, what came of it, and the difference
-    given: Array  # (m, 3)
-    gave: Array
-    left: Array
-    residual: Array  # (m,) of the rotation, over all friction
-
-
 class FreeNodes(NamedTuple):
     """Of the quadratures of a pass, and how far its rounds go."""
 
-    coarse: Quadrature  # for a start
-    fine: Quadrature
+    coarse: np.record  # for a start
+    fine: np.record
     accuracy: float  # of the residual force of this round, or of the first one, over all friction of the ball
     steady: float  # relative, of the forces on a ball from one round to the next
 
 
-class PlacedBall(NamedTuple):
-    """A ball between its races in one round."""
-
-    angles: tuple[float, float]  # al_i, al_o, rad, in [-pi/2, pi/2]
-    loads: tuple[float, float]  # Q_i, Q_o, N
-    inner: HertzNumbers  # under 1 N
-    outer: HertzNumbers
-
-
 @compiled
 def turned(
-    bearing: BearingNumbers,
-    free: FreeNumbers,
-    speed: float,
-    placed: PlacedBall,
-    balls: BallRows,
-    j: int,
-    nodes: FreeNodes,
+    bearing: BearingNumbers, free: FreeNumbers, speed: float, ball: np.record, contacts: Array, nodes: FreeNodes
 ) -> ForcesOfTurning:
-    """What acts on ball j once it turns steadily, from where it turned last; writes its row.
+    """What acts on a ball once it turns steadily at its place, from where it turned last; writes its state.
 
-    speed : w, rad/s
+    speed : w, rad/s;  contacts : (2,) of inner and outer race
     """
-    body, velocity, orbit = balls.bodies[j], balls.velocity[j], orbit_at(bearing, free, placed)
+    angles, velocity = angles_in_grooves(ball), ball.velocity
+    orbit = orbit_at(bearing, free, ball)
     inertia = 0.4 * bearing.ball_mass
-    body[BALL_RADIUS], body[ORBIT_RADIUS] = bearing.ball_radius, orbit
-    body[INERTIA] = inertia * speed**2 if free.gyroscopic else 0.0
+    ball.radius, ball.orbit_radius = bearing.ball_radius, orbit
+    ball.inertia = inertia * speed**2 if free.gyroscopic else 0.0
     for race in range(2):
-        unit, side = (placed.inner, -1.0) if race == 0 else (placed.outer, 1.0)
-        hertz, row = loaded_hertz(unit, placed.loads[race]), balls.contacts[j, race]
-        row[LOAD], row[ROLLING], row[TRANSVERSE] = placed.loads[race], hertz.semi_axis_x, hertz.semi_axis_y
-        row[RADIUS] = bearing.inner.deformed_radius if race == 0 else bearing.outer.deformed_radius
-        row[NORMAL_R], row[NORMAL_Z] = side * np.cos(placed.angles[race]), side * np.sin(placed.angles[race])
-        row[RING], row[FLEXIBILITY] = 1.0 - race, free.flexibility[race]
+        unit, side = (ball.inner_unit, -1.0) if race == 0 else (ball.outer_unit, 1.0)
+        hertz, contact = loaded_hertz(unit, ball.load[race]), contacts[race]
+        contact.load = ball.load[race]
+        contact.semi_axis_rolling, contact.semi_axis_transverse = hertz.semi_axis_x, hertz.semi_axis_y
+        contact.radius = bearing.inner.deformed_radius if race == 0 else bearing.outer.deformed_radius
+        contact.normal_radial, contact.normal_axial = side * np.cos(angles[race]), side * np.sin(angles[race])
+        contact.ring_rate, contact.flexibility = 1.0 - race, free.flexibility[race]
     if np.isnan(velocity[0]):
-        roll_by_rule(bearing, placed.angles, orbit, velocity)
-    if np.isnan(balls.given[j, 0]):  # of this pass
-        turn_ball(balls.contacts[j], body, velocity, nodes.coarse, ROUGH, balls.outcomes[j])
-    balls.residual[j] = turn_ball(balls.contacts[j], body, velocity, nodes.fine, nodes.accuracy, balls.outcomes[j])
+        roll_by_rule(bearing, angles, orbit, velocity)
+    if np.isnan(ball.given[0]):  # of this pass
+        turn_ball(contacts, ball, nodes.coarse, ROUGH)
+    ball.residual = turn_ball(contacts, ball, nodes.fine, nodes.accuracy)
     rate = velocity[0] / orbit
     centrifugal = bearing.ball_mass * orbit * (rate * speed) ** 2 if free.centrifugal else 0.0
-    _mix(balls, j, (centrifugal, balls.outcomes[j, 0, ACROSS], balls.outcomes[j, 1, ACROSS]))
+    _mix(ball, (centrifugal, contacts[0].across, contacts[1].across))
     moment = inertia * bearing.ball_radius * speed**2 * rate * velocity[2] if free.gyroscopic else 0.0
-    return ForcesOfTurning(balls.given[j, 0], balls.given[j, 1], balls.given[j, 2], moment)
+    return ForcesOfTurning(ball.given[0], ball.given[1], ball.given[2], moment)
 
 
 @compiled
-def orbit_at(bearing: BearingNumbers, free: FreeNumbers, placed: PlacedBall) -> float:
+def angles_in_grooves(ball: np.record) -> tuple[float, float]:
+    """al_i, al_o, rad, in [-pi/2, pi/2]."""
+    return in_groove(ball.angle[0]), in_groove(ball.angle[1])
+
+
+@compiled
+def orbit_at(bearing: BearingNumbers, free: FreeNumbers, ball: np.record) -> float:
     """Radius of the ball's orbit, m."""
     outer_reach = bearing.outer.groove_radius - bearing.ball_radius
-    outer_reach += placed.outer.approach * np.cbrt(placed.loads[1]) ** 2
-    return free.orbit + outer_reach * np.cos(placed.angles[1])
+    outer_reach += ball.outer_unit.approach * np.cbrt(ball.load[1]) ** 2
+    return free.orbit + outer_reach * np.cos(in_groove(ball.angle[1]))
 
 
 @compiled
@@ -137,9 +101,9 @@ def roll_by_rule(bearing: BearingNumbers, angles: tuple[float, float], orbit: fl
 
 
 @compiled
-def _mix(balls: BallRows, j: int, now: tuple[float, float, float]) -> None:
-    """Write the forces on ball j for the next round; now : those that came of the last one, N."""
-    given, gave, left = balls.given[j], balls.gave[j], balls.left[j]
+def _mix(ball: np.record, now: tuple[float, float, float]) -> None:
+    """Write the forces on a ball for the next round; now : those that came of the last one, N."""
+    given, gave, left = ball.given, ball.gave, ball.left
     product = size = error = 0.0
     for k in range(3):
         change = now[k] - given[k] - left[k]
@@ -195,23 +159,19 @@ def _rates(
 
 
 @compiled
-def hold_law(row: Array, law: tuple[float, ...], speed: float) -> None:
-    """Write the law of traction of a contact; law : `PointLaw`;  speed : w, rad/s."""
-    for k in range(8):
-        row[BOUNDARY + k] = law[k]
-    row[BOUNDARY + 4] = np.inf if law[4] == np.inf else law[4] * abs(speed)
+def hold_law(contact: np.record, law: PointLaw, speed: float) -> None:
+    """Write the law of traction of a contact; speed : w, rad/s."""
+    contact.boundary, contact.plain, contact.limit, contact.eyring = law.boundary, law.plain, law.limit, law.eyring
+    contact.fluidity = np.inf if law.fluidity == np.inf else law.fluidity * abs(speed)
+    contact.share, contact.growth, contact.exponent = law.share, law.growth, law.exponent
 
 
-def ball_rows(count: tuple[int, ...]) -> BallRows:
-    """Arrays for balls, with axes of points in front of that of the balls."""
-    return BallRows(
-        velocity=np.full((*count, 4), np.nan),
-        contacts=np.zeros((*count, 2, CONTACT)),
-        bodies=np.zeros((*count, 3)),
-        outcomes=np.zeros((*count, 2, 7)),
-        motion=np.zeros((*count, 10)),
-        given=np.full((*count, 3), np.nan),
-        gave=np.full((*count, 3), np.nan),
-        left=np.full((*count, 3), np.nan),
-        residual=np.zeros(count),
+def free_numbers(bearing: Bearing, *, creep: Creep, inertia: tuple[bool, bool]) -> FreeNumbers:
+    """How the balls of a bearing turn freely; inertia : whether centrifugal force and gyroscopic moment count."""
+    softer = 1 / STIFFER if creep == "none" else 1.0
+    inner, outer = (
+        softer * 32 / (3 * np.pi**2 * float(contact_modulus(bearing.ball_material, groove.material)))
+        for groove in (bearing.inner, bearing.outer)
     )
+    above = 0.0 if bearing.kind == "thrust" else bearing.outer.groove_radius  # the profile's centre over the bottom
+    return FreeNumbers(float(bearing.outer.bottom_radius - above), (inner, outer), *map(bool, inertia))

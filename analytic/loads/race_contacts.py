@@ -24,6 +24,13 @@ def unit_contact_on(race: RaceNumbers, contact_angle: float, factors: FactorNumb
 
 
 @compiled
+def put_unit(unit: np.record, contact: HertzNumbers) -> None:
+    """Write a contact under 1 N into a ball's state."""
+    unit.semi_axis_x, unit.semi_axis_y = contact.semi_axis_x, contact.semi_axis_y
+    unit.peak_pressure, unit.approach, unit.stiffness = contact.peak_pressure, contact.approach, contact.stiffness
+
+
+@compiled
 def contact_under(
     race: RaceNumbers,
     unit: HertzNumbers,

@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from analytic.contact.hertz import HertzNumbers
 from analytic.loads.ball_balance import Grooves, Tangent, settled_ball
+from analytic.loads.state import FREEDOMS, ball_states
 from analytic.numerics.compilation import compiled
 from analytic.numerics.newton import MOST_STEPS, is_too_long, newton_step
 from analytic.scene import Array, Bearing
@@ -25,8 +25,8 @@ BALL_ROUND_OFF = 16 * np.finfo(np.float64).eps
 # Of the balls' loads times A0, whose rounding moves them, or times the way of a load that no bearing survives.
 ENERGY_ROUND_OFF = 16 * np.finfo(np.float64).eps
 LEAST_BALLS = 3  # of a row that hold a ring in all five freedoms
-FREEDOMS = 5
-APPROACH = HertzNumbers._fields.index("approach")
+
+Weight = tuple[float, float, float]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -45,42 +45,6 @@ class GrooveTravel(NamedTuple):
     azimuth: Array  # (Z,) rad
     offset: Array  # (Z,) along z where nothing is displaced, m
     travel: Array  # (Z, 2, 5) radial and axial, by each freedom; tilts times R
-
-
-class BallRows(NamedTuple):
-    """The balls of all rows as their ring sees them."""
-
-    grooves: Grooves
-    offset: Array  # (Z,) as GrooveTravel has them
-    travel: Array  # (Z, 2, 5)
-    weight: Array  # (Z, 2) radial and axial, N
-
-
-class RingPoint(NamedTuple):
-    """A ring at one operating point: what a round holds, and then the balls at its place; races are inner and outer."""
-
-    unit: Array  # (2, 5, Z) contacts under 1 N, with the fields of HertzNumbers
-    turning: Array  # (4, Z) what acts on the balls because they turn, as ForcesOfTurning
-    own: Array  # (Z, 2) force of the ball's own, N
-    friction: Array  # (Z, 2) of the ball on the inner groove, N
-    ring_force: Array  # (5,) load and friction of the balls
-    place: Array  # (5,) m
-    tangent: Array  # (5, 5) second derivative of the energy, N/m
-    force: Array  # (Z, 2) of the contact on the inner groove, N
-    load: Array  # (2, Z) Q, N
-    angle: Array  # (2, Z) al, rad
-    moved: Array  # (Z, 2) balls by their own force, m; a start
-
-
-class RingWork(NamedTuple):
-    """Arrays to work in, which one ring after the other may use."""
-
-    arm: Array  # (2, Z, 2) as BallBalance has them, m
-    own: Array  # (Z, 2) of the next round
-    gradient: Array  # (5,)
-    step: Array  # (5,)
-    origin: Array  # (5,) place from which a step goes
-    factor: Array  # (5, 5)
 
 
 class Balance(NamedTuple):
@@ -111,50 +75,15 @@ def groove_travel(bearing: Bearing, rows: tuple[Row, ...] = (Row(),)) -> GrooveT
     return GrooveTravel(arm, azimuth, offset, np.stack([radial.T, axial.T], axis=1))
 
 
-def ring_points(count: int, balls: int) -> RingPoint:
-    """Arrays for n points, with an axis for them in front."""
-    return RingPoint(
-        unit=np.zeros((count, 2, 5, balls)),
-        turning=np.zeros((count, 4, balls)),
-        own=np.zeros((count, balls, 2)),
-        friction=np.zeros((count, balls, 2)),
-        ring_force=np.zeros((count, FREEDOMS)),
-        place=np.zeros((count, FREEDOMS)),
-        tangent=np.zeros((count, FREEDOMS, FREEDOMS)),
-        force=np.zeros((count, balls, 2)),
-        load=np.zeros((count, 2, balls)),
-        angle=np.zeros((count, 2, balls)),
-        moved=np.zeros((count, balls, 2)),
-    )
-
-
-@compiled
-def point_of(points: RingPoint, i: int) -> RingPoint:
-    """One of n points."""
-    return RingPoint(
-        points.unit[i],
-        points.turning[i],
-        points.own[i],
-        points.friction[i],
-        points.ring_force[i],
-        points.place[i],
-        points.tangent[i],
-        points.force[i],
-        points.load[i],
-        points.angle[i],
-        points.moved[i],
-    )
-
-
-def ring_work(balls: int) -> RingWork:
-    return RingWork(
-        arm=np.zeros((2, balls, 2)),
-        own=np.zeros((balls, 2)),
-        gradient=np.zeros(FREEDOMS),
-        step=np.zeros(FREEDOMS),
-        origin=np.zeros(FREEDOMS),
-        factor=np.zeros((FREEDOMS, FREEDOMS)),
-    )
+def placed_balls(bearing: Bearing, rows: tuple[Row, ...] = (Row(),), weight: Weight = (0.0, 0.0, 0.0)) -> Array:
+    """(Z,) `state.BALL_STATE` of the balls of all rows; weight : of each ball along x, y and z of the shaft, N."""
+    _, azimuth, offset, travel = groove_travel(bearing, rows)
+    side = np.repeat([row.side for row in rows], bearing.ball_count)
+    balls = ball_states(azimuth.size)
+    balls["offset"], balls["travel"] = offset, travel
+    x, y, z = weight
+    balls["weight"] = np.stack([x * np.cos(azimuth) + y * np.sin(azimuth), side * z], axis=-1)
+    return balls
 
 
 @compiled
@@ -177,40 +106,41 @@ def mirror(tangent: Array) -> None:
 
 
 @compiled
-def _balance_at(rows: BallRows, point: RingPoint, work: RingWork) -> Balance:
+def _balance_at(grooves: Grooves, ring: np.record, balls: Array) -> Balance:
     """The balance of a ring at its place, with its balls settled; writes their forces and the tangent."""
-    distance, travel = rows.grooves.distance, rows.travel
-    place, tangent, gradient = point.place, point.tangent, work.gradient
+    distance, place, tangent, gradient = grooves.distance, ring.place, ring.tangent, ring.gradient
     energy = stiffness = heaviest = most = reach = trace = all_loads = farthest = left = 0.0
     has_own_force = False
     for i in range(FREEDOMS):
-        gradient[i] = -point.ring_force[i]
-        energy -= point.ring_force[i] * place[i]
-        most, reach = max(most, abs(point.ring_force[i])), max(reach, abs(place[i]))
+        gradient[i] = -ring.force[i]
+        energy -= ring.force[i] * place[i]
+        most, reach = max(most, abs(ring.force[i])), max(reach, abs(place[i]))
         for k in range(i + 1):
             tangent[i, k] = 0.0
-    for j in range(len(travel)):
-        radial, axial = 0.0, rows.offset[j]
+    for j in range(len(balls)):
+        ball = balls[j]
+        travel, own = ball.travel, (ball.own[0], ball.own[1])
+        radial, axial = 0.0, ball.offset
         for i in range(FREEDOMS):
-            radial += travel[j, 0, i] * place[i]
-            axial += travel[j, 1, i] * place[i]
-        softness, own = (point.unit[0, APPROACH, j], point.unit[1, APPROACH, j]), (point.own[j, 0], point.own[j, 1])
-        ball = settled_ball(rows.grooves, (radial, axial), softness, own, (point.moved[j, 0], point.moved[j, 1]))
-        if not ball.left <= ball.tolerance:
-            return Balance(energy, 0.0, ball.left, ball.tolerance, distance, True)
+            radial += travel[0, i] * place[i]
+            axial += travel[1, i] * place[i]
+        softness = (ball.inner_unit.approach, ball.outer_unit.approach)
+        settled = settled_ball(grooves, (radial, axial), softness, own, (ball.moved[0], ball.moved[1]))
+        if not settled.left <= settled.tolerance:
+            return Balance(energy, 0.0, settled.left, settled.tolerance, distance, True)
         for k in range(2):
-            point.force[j, k], point.moved[j, k] = ball.force[k], ball.moved[k]
-            work.arm[0, j, k], work.arm[1, j, k] = ball.inner_arm[k], ball.outer_arm[k]
-        point.load[0, j], point.load[1, j] = ball.inner_load, ball.outer_load
+            ball.force[k], ball.moved[k] = settled.force[k], settled.moved[k]
+            ball.inner_arm[k], ball.outer_arm[k] = settled.inner_arm[k], settled.outer_arm[k]
+        ball.load[0], ball.load[1] = settled.inner_load, settled.outer_load
         for i in range(FREEDOMS):
-            gradient[i] += travel[j, 0, i] * ball.force[0] + travel[j, 1, i] * ball.force[1]
-        add_stiffness(tangent, ball.tangent, travel[j])
-        energy += ball.energy
-        all_loads += ball.outer_load
-        heaviest, farthest = max(heaviest, ball.outer_load), max(farthest, abs(rows.offset[j]))
+            gradient[i] += travel[0, i] * settled.force[0] + travel[1, i] * settled.force[1]
+        add_stiffness(tangent, settled.tangent, travel)
+        energy += settled.energy
+        all_loads += settled.outer_load
+        heaviest, farthest = max(heaviest, settled.outer_load), max(farthest, abs(ball.offset))
         if own[0] != 0.0 or own[1] != 0.0:
             has_own_force = True
-        stiffness += 1.5 * np.cbrt(ball.inner_load) / softness[0]  # dQ/d delta, N/m
+        stiffness += 1.5 * np.cbrt(settled.inner_load) / softness[0]  # dQ/d delta, N/m
     for i in range(FREEDOMS):
         left = max(left, abs(gradient[i]))
         trace += tangent[i, i]
@@ -230,19 +160,20 @@ def _balance_at(rows: BallRows, point: RingPoint, work: RingWork) -> Balance:
 
 
 @compiled
-def settle_ring(rows: BallRows, point: RingPoint, work: RingWork) -> tuple[Balance, int]:
+def settle_ring(grooves: Grooves, ring: np.record, balls: Array) -> tuple[Balance, int]:
     """Move a ring to the place of least energy of what is held; the balance there, and Newton's steps to it."""
-    place, origin, step = point.place, work.origin, work.step
-    now = _balance_at(rows, point, work)
+    place, origin, step = ring.place, ring.origin, ring.step
+    now = _balance_at(grooves, ring, balls)
     steps = 0
     while now.left > now.tolerance and steps < MOST_STEPS and not now.has_loose_ball:
-        promised = newton_step(point.tangent, work.gradient, now.longest_step, work.factor, step)
-        origin[:] = place
+        promised = newton_step(ring.tangent, ring.gradient, now.longest_step, ring.factor, step)
+        for i in range(FREEDOMS):
+            origin[i] = place[i]
         energy, rounding, share = now.energy, now.energy_rounding, 1.0
         while True:
             for i in range(FREEDOMS):
                 place[i] = origin[i] + share * step[i]
-            now = _balance_at(rows, point, work)
+            now = _balance_at(grooves, ring, balls)
             if not is_too_long(energy, now.energy, share * promised, rounding):
                 break
             share /= 2

@@ -7,14 +7,16 @@ the last one has nothing to do. Balls that turn freely have rounds of their own 
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from analytic.contact.factors import FactorNumbers, corrected
-from analytic.contact.geometry import RaceNumbers, rolling_curvature
-from analytic.contact.hertz import HertzNumbers, unit_hertz
+from analytic.contact.factors import corrected
+from analytic.contact.geometry import rolling_curvature
+from analytic.contact.hertz import unit_hertz
+from analytic.loads.ball_balance import Grooves
 from analytic.loads.numbers import BearingNumbers
-from analytic.loads.ring_balance import APPROACH, FREEDOMS, BallRows, RingPoint, RingWork, point_of, settle_ring
-from analytic.loads.turning import TurningRule, ruled_forces
+from analytic.loads.race_contacts import put_unit
+from analytic.loads.ring_balance import settle_ring
+from analytic.loads.state import FREEDOMS
+from analytic.loads.turning import ForcesOfTurning, TurningRule, ruled_forces
 from analytic.numerics.compilation import compiled
 from analytic.numerics.newton import MOST_STEPS
 from analytic.scene import Array
@@ -30,28 +32,11 @@ BY_LOAD, BY_PLACE, BY_POINT = range(3)  # from where a point begins: from its lo
 
 
 class RingNumbers(NamedTuple):
-    """A ring with its rows of balls, in numbers."""
+    """A ring in numbers."""
 
     bearing: BearingNumbers
-    rows: BallRows
+    grooves: Grooves
     angle: float  # near which the contact angles are, rad
-
-
-class RingLoad(NamedTuple):
-    """What acts on the ring at one operating point."""
-
-    force: Array  # (5,) load, N (moments over R)
-    rule: TurningRule  # how the balls turn
-    factors: Array  # (2, 4, Z) or (2, 4, 1) on Hertz's contacts, with the fields of FactorNumbers
-
-
-class RingLoads(NamedTuple):
-    """`RingLoad` of n operating points."""
-
-    force: Array  # (n, 5)
-    inner_speed: Array  # (n,) rad/s
-    inertia: tuple[bool, bool]  # whether centrifugal force and gyroscopic moment count
-    factors: Array  # (n, 2, 4, Z), or axes of 1 for n and Z
 
 
 class Round(NamedTuple):
@@ -72,80 +57,87 @@ class Beyond(NamedTuple):
 
 
 @compiled
-def _unit_hertz_at(race: RaceNumbers, angle: float) -> HertzNumbers:
-    return unit_hertz(rolling_curvature(race, angle), race.curvature_transverse, race.modulus)
-
-
-@compiled
-def hold_contacts(ring: RingNumbers, factors: Array, point: RingPoint) -> None:
+def hold_contacts(bearing: BearingNumbers, balls: Array) -> None:
     """Write the contacts under 1 N at the balls' angles."""
-    last = factors.shape[2] - 1
     for race in range(2):
-        numbers, angle = ring.bearing.inner if race == 0 else ring.bearing.outer, point.angle[race, 0]
-        hertz = _unit_hertz_at(numbers, angle)
-        for j in range(len(point.own)):
-            if point.angle[race, j] != angle:  # under a radial load alone all angles are 0
-                angle = point.angle[race, j]
-                hertz = _unit_hertz_at(numbers, angle)
-            f = factors[race, :, min(j, last)]
-            unit = corrected(hertz, FactorNumbers(f[0], f[1], f[2], f[3]))
-            for k in range(len(unit)):
-                point.unit[race, k, j] = unit[k]
+        numbers, angle = bearing.inner if race == 0 else bearing.outer, np.nan
+        hertz = unit_hertz(1.0, 1.0, 1.0)
+        for j in range(len(balls)):
+            ball = balls[j]
+            if ball.angle[race] != angle:  # under a radial load alone all angles are 0
+                angle = ball.angle[race]
+                hertz = unit_hertz(rolling_curvature(numbers, angle), numbers.curvature_transverse, numbers.modulus)
+            if race == 0:
+                put_unit(ball.inner_unit, corrected(hertz, ball.inner_factors))
+            else:
+                put_unit(ball.outer_unit, corrected(hertz, ball.outer_factors))
 
 
 @compiled
-def _hold_ruled_forces(ring: RingNumbers, rule: TurningRule, point: RingPoint) -> None:
+def put_turning(ball: np.record, forces: ForcesOfTurning) -> None:
+    """Write what acts on a ball because it turns."""
+    ball.turning.centrifugal, ball.turning.gyroscopic = forces.centrifugal, forces.gyroscopic
+    ball.turning.inner_friction, ball.turning.outer_friction = forces.inner_friction, forces.outer_friction
+
+
+@compiled
+def _hold_ruled_forces(bearing: BearingNumbers, rule: TurningRule, balls: Array) -> None:
     """Write what acts on balls that turn by rule."""
     most = np.pi / 2  # before it settles a ball may leave its groove
-    for j in range(len(point.own)):
-        angles = min(max(point.angle[0, j], -most), most), min(max(point.angle[1, j], -most), most)
-        forces = ruled_forces(ring.bearing, rule, angles, (point.load[0, j], point.load[1, j]))
-        for k in range(len(forces)):
-            point.turning[k, j] = forces[k]
+    for j in range(len(balls)):
+        ball = balls[j]
+        angles = min(max(ball.angle[0], -most), most), min(max(ball.angle[1], -most), most)
+        put_turning(ball, ruled_forces(bearing, rule, angles, (ball.load[0], ball.load[1])))
 
 
 @compiled
-def _hold_forces(rows: BallRows, force: Array, point: RingPoint, work: RingWork, share: float) -> float:
+def _hold_forces(ring: np.record, balls: Array, share: float) -> float:
     """Write the forces on ring and balls, and return by how much the largest component changes, N.
 
-    force : load on the ring;  share : of the way from the last forces to those that `turning` gives
+    share : of the way from the last forces to those that `turning` gives
     """
-    ring_force, own = work.gradient, work.own
-    ring_force[:] = force
+    ring_force = ring.gradient
+    for i in range(FREEDOMS):
+        ring_force[i] = ring.load[i]
     largest = change = 0.0
-    for j in range(len(own)):
-        inner, outer = point.angle[0, j], point.angle[1, j]
-        at_inner, at_outer = point.turning[1, j], point.turning[2, j]
+    for j in range(len(balls)):
+        ball = balls[j]
+        inner, outer = ball.angle[0], ball.angle[1]
+        at_inner, at_outer = ball.turning.inner_friction, ball.turning.outer_friction
         friction = (at_inner * np.sin(inner), -at_inner * np.cos(inner))
-        own[j, 0] = point.turning[0, j] + friction[0] - at_outer * np.sin(outer) + rows.weight[j, 0]
-        own[j, 1] = friction[1] + at_outer * np.cos(outer) + rows.weight[j, 1]
-        point.friction[j, 0], point.friction[j, 1] = friction
+        own = ball.next_own
+        own[0] = ball.turning.centrifugal + friction[0] - at_outer * np.sin(outer) + ball.weight[0]
+        own[1] = friction[1] + at_outer * np.cos(outer) + ball.weight[1]
+        ball.friction[0], ball.friction[1] = friction
         for i in range(FREEDOMS):
-            ring_force[i] -= rows.travel[j, 0, i] * friction[0] + rows.travel[j, 1, i] * friction[1]
-        largest = max(largest, own[j, 0] ** 2 + own[j, 1] ** 2)
-    for j in range(len(own)):
-        is_remainder = own[j, 0] ** 2 + own[j, 1] ** 2 <= FORCE_ROUND_OFF**2 * largest
+            ring_force[i] -= ball.travel[0, i] * friction[0] + ball.travel[1, i] * friction[1]
+        largest = max(largest, own[0] ** 2 + own[1] ** 2)
+    for j in range(len(balls)):
+        ball = balls[j]
+        own = ball.next_own
+        is_remainder = own[0] ** 2 + own[1] ** 2 <= FORCE_ROUND_OFF**2 * largest
         for k in range(2):
-            now = 0.0 if is_remainder else own[j, k]
-            step = now - point.own[j, k]
-            point.own[j, k] = now if share == 1 else point.own[j, k] + share * step
+            now = 0.0 if is_remainder else own[k]
+            step = now - ball.own[k]
+            ball.own[k] = now if share == 1 else ball.own[k] + share * step
             change = max(change, share * abs(step))
     for i in range(FREEDOMS):
-        step = ring_force[i] - point.ring_force[i]
-        point.ring_force[i] = ring_force[i] if share == 1 else point.ring_force[i] + share * step
+        step = ring_force[i] - ring.force[i]
+        ring.force[i] = ring_force[i] if share == 1 else ring.force[i] + share * step
         change = max(change, share * abs(step))
     return change
 
 
 @compiled
-def _place_by_load(rows: BallRows, force: Array, point: RingPoint) -> None:
+def _place_by_load(grooves: Grooves, ring: np.record, balls: Array) -> None:
     """Write a place where balls touch.
 
     It is the displacement by each part of the load if one ball took it, with the largest part in full.
     """
-    play, distance = rows.grooves.play, rows.grooves.distance
+    play, distance, force = grooves.play, grooves.distance, ring.load
     parts = (abs(force[0]), np.hypot(force[1], force[2]), np.hypot(force[3], force[4]))
-    largest, softness = max(max(parts[0], parts[1]), parts[2]), point.unit[0, APPROACH, 0] + point.unit[1, APPROACH, 0]
+    largest = max(max(parts[0], parts[1]), parts[2])
+    softness = balls[0].inner_unit.approach + balls[0].outer_unit.approach
     for i in range(FREEDOMS):
         part = parts[(i + 1) // 2]
         if part > 0:
@@ -154,36 +146,48 @@ def _place_by_load(rows: BallRows, force: Array, point: RingPoint) -> None:
                 reach = approach + max(play, 0.0)
             else:
                 reach = np.sqrt(max((approach + play) * (2 * distance + approach - play), 0.0))
-            point.place[i] = force[i] / largest * reach
+            ring.place[i] = force[i] / largest * reach
         else:
-            point.place[i] = 0.0
+            ring.place[i] = 0.0
 
 
 @compiled
-def _begin(ring: RingNumbers, load: RingLoad, point: RingPoint, start: int) -> None:
+def begin_rounds(ring: np.record, balls: Array) -> None:
+    """Let all forces change in the first round."""
+    for i in range(FREEDOMS):
+        ring.force[i] = np.inf
+    for j in range(len(balls)):
+        balls[j].own[0] = balls[j].own[1] = np.inf
+
+
+@compiled
+def _begin(numbers: RingNumbers, ring: np.record, balls: Array, start: int) -> None:
     """Write the contacts that a point begins with, and what it does not yet hold; all forces are then to change."""
     if start != BY_POINT:
-        point.angle[:], point.load[:], point.moved[:] = ring.angle, 0.0, 0.0
-        point.own[:], point.ring_force[:] = np.inf, np.inf
-    hold_contacts(ring, load.factors, point)
+        begin_rounds(ring, balls)
+        for j in range(len(balls)):
+            ball = balls[j]
+            ball.angle[0] = ball.angle[1] = numbers.angle
+            ball.load[0] = ball.load[1] = ball.moved[0] = ball.moved[1] = 0.0
+    hold_contacts(numbers.bearing, balls)
     if start == BY_LOAD:
-        _place_by_load(ring.rows, load.force, point)
+        _place_by_load(numbers.grooves, ring, balls)
 
 
 @compiled
-def beyond_groove(rows: BallRows, point: RingPoint) -> Beyond:
+def beyond_groove(grooves: Grooves, ring: np.record, balls: Array) -> Beyond:
     """A ball of a settled ring that no groove bears any more, because its contact angle is beyond pi/2."""
-    distance, play = rows.grooves.distance, rows.grooves.play
+    distance, play = grooves.distance, grooves.play
     farthest, moved, has_passed = np.pi / 2, 0.0, False
-    for j in range(len(point.own)):
-        radial = 0.0
+    for j in range(len(balls)):
+        ball, radial = balls[j], 0.0
         for i in range(FREEDOMS):
-            radial += rows.travel[j, 0, i] * point.place[i]
+            radial += ball.travel[0, i] * ring.place[i]
         moved = max(moved, abs(radial))
         passed = distance - play + radial < 0  # the centres of the grooves, each other; no inertia of balls does that
         for race in range(2):
-            angle = abs(point.angle[race, j])
-            if angle > farthest and (passed or point.load[race, j] > 0):
+            angle = abs(ball.angle[race])
+            if angle > farthest and (passed or ball.load[race] > 0):
                 farthest, has_passed = angle, passed
     if farthest == np.pi / 2:
         return Beyond(0.0, moved, False)
@@ -192,17 +196,19 @@ def beyond_groove(rows: BallRows, point: RingPoint) -> Beyond:
 
 
 @compiled
-def settle_round(rows: BallRows, force: Array, point: RingPoint, work: RingWork, number: int, accuracy: float) -> Round:
+def settle_round(grooves: Grooves, ring: np.record, balls: Array, number: int, accuracy: float) -> Round:
     """One round, for which contacts and turning are written.
 
     number : of the round, from 0;  accuracy : relative, of the forces that turning gives; 0: they are exact
     """
-    change = _hold_forces(rows, force, point, work, 0.5 if number > STEADYING else 1.0)
-    heaviest = np.max(point.load[1])
-    balance, steps = settle_ring(rows, point, work)
-    for race in range(2):
-        for j in range(len(point.own)):
-            point.angle[race, j] = np.arctan2(work.arm[race, j, 1], work.arm[race, j, 0])
+    change, heaviest = _hold_forces(ring, balls, 0.5 if number > STEADYING else 1.0), 0.0
+    for j in range(len(balls)):
+        heaviest = max(heaviest, balls[j].load[1])
+    balance, steps = settle_ring(grooves, ring, balls)
+    for j in range(len(balls)):
+        ball = balls[j]
+        ball.angle[0] = np.arctan2(ball.inner_arm[1], ball.inner_arm[0])
+        ball.angle[1] = np.arctan2(ball.outer_arm[1], ball.outer_arm[0])
     if balance.has_loose_ball:
         return Round(LOOSE_BALL, steps, balance.left, balance.tolerance)
     if steps == MOST_STEPS or np.isnan(balance.left):
@@ -211,69 +217,45 @@ def settle_round(rows: BallRows, force: Array, point: RingPoint, work: RingWork,
     enough = max(balance.tolerance, accuracy * heaviest)
     if change > enough or (steps > 0 and accuracy == 0):
         return Round(OPEN, steps, change, enough)
-    end = BEYOND_GROOVE if beyond_groove(rows, point).angle > 0 else SETTLED
+    end = BEYOND_GROOVE if beyond_groove(grooves, ring, balls).angle > 0 else SETTLED
     return Round(end, steps, balance.left, balance.tolerance)
 
 
 @compiled
-def settle_ruled_ring(ring: RingNumbers, load: RingLoad, point: RingPoint, work: RingWork, start: int) -> Round:
-    """All rounds of a point whose balls turn by rule; writes the point.
+def settle_ruled_ring(numbers: RingNumbers, rule: TurningRule, ring: np.record, balls: Array, start: int) -> Round:
+    """All rounds of a point whose balls turn by rule; writes ring and balls.
 
-    start : BY_LOAD; BY_PLACE, where the point holds a place with balls that touch; or BY_POINT, where it has settled
-        under nearly the same load or factors. The equilibrium does not depend on it.
+    ring.load : N;  start : BY_LOAD; BY_PLACE, where the ring has a place with balls that touch; or BY_POINT, where it
+        has settled under nearly the same load or factors. The equilibrium does not depend on it.
     """
-    _begin(ring, load, point, start)
+    _begin(numbers, ring, balls, start)
     end, steps = Round(OPEN, 0, 0.0, 0.0), 0
     for number in range(MOST_ROUNDS + 1):
         if number > 0:
-            hold_contacts(ring, load.factors, point)
-        _hold_ruled_forces(ring, load.rule, point)
-        end = settle_round(ring.rows, load.force, point, work, number, 0.0)
+            hold_contacts(numbers.bearing, balls)
+        _hold_ruled_forces(numbers.bearing, rule, balls)
+        end = settle_round(numbers.grooves, ring, balls, number, 0.0)
         steps += end.steps
         if end.end != OPEN:
             break
     return Round(end.end, steps, end.left, end.tolerance)
 
 
-class Rounds(NamedTuple):
-    """`Round` of n points."""
-
-    end: NDArray[np.int64]
-    steps: NDArray[np.int64]
-    left: Array
-    tolerance: Array
-
-
-def rounds_of(count: int) -> Rounds:
-    """Arrays for n points."""
-    return Rounds(
-        end=np.zeros(count, dtype=np.int64),
-        steps=np.zeros(count, dtype=np.int64),
-        left=np.zeros(count),
-        tolerance=np.zeros(count),
-    )
-
-
-@compiled
-def _note(rounds: Rounds, i: int, end: Round) -> None:
-    rounds.end[i], rounds.left[i], rounds.tolerance[i] = end.end, end.left, end.tolerance
-    rounds.steps[i] += end.steps
-
-
-@compiled
-def load_of(loads: RingLoads, i: int) -> RingLoad:
-    """One of n points."""
-    rule = TurningRule(loads.inner_speed[i], loads.inertia[0], loads.inertia[1])
-    return RingLoad(loads.force[i], rule, loads.factors[min(i, len(loads.factors) - 1)])
+ROUND = np.dtype([("end", "i8"), ("steps", "i8"), ("left", "f8"), ("tolerance", "f8")])  # `Round` as a record
 
 
 @compiled
 def settle_ruled_rings(
-    ring: RingNumbers, loads: RingLoads, points: RingPoint, work: RingWork, rounds: Rounds, start: int
+    numbers: RingNumbers, speed: Array, inertia: tuple[bool, bool], rings: Array, balls: Array, ends: Array, start: int
 ) -> None:
-    """`settle_ruled_ring` of n points, up to the first that does not settle."""
-    for i in range(len(loads.force)):
-        end = settle_ruled_ring(ring, load_of(loads, i), point_of(points, i), work, start)
-        _note(rounds, i, end)
+    """`settle_ruled_ring` of n points, up to the first that does not settle.
+
+    speed : w, (n,), rad/s;  inertia : whether centrifugal force and gyroscopic moment count
+    rings : (n,);  balls : (n, Z);  ends : (n,) of ROUND
+    """
+    for i in range(len(rings)):
+        rule = TurningRule(speed[i], inertia[0], inertia[1])
+        end = settle_ruled_ring(numbers, rule, rings[i], balls[i], start)
+        ends[i].end, ends[i].steps, ends[i].left, ends[i].tolerance = end.end, end.steps, end.left, end.tolerance
         if end.end != SETTLED:
             return

@@ -2,26 +2,16 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
 
-from analytic.contact.factors import ContactCorrection, factor_fields
+from analytic.contact.factors import ContactCorrection, FactorNumbers, factor_fields
 from analytic.contact.hertz import HertzContact, HertzNumbers
 from analytic.errors import ConvergenceError, InputError
-from analytic.loads.ball_balance import grooves_of
+from analytic.loads.ball_balance import Grooves, grooves_of
 from analytic.loads.numbers import bearing_numbers
-from analytic.loads.ring_balance import (
-    BallRows,
-    GrooveTravel,
-    RingPoint,
-    Row,
-    groove_travel,
-    point_of,
-    ring_points,
-    ring_work,
-)
+from analytic.loads.ring_balance import GrooveTravel, Row, Weight, groove_travel, placed_balls
 from analytic.loads.ring_rounds import (
     BEYOND_GROOVE,
     BY_LOAD,
@@ -30,16 +20,16 @@ from analytic.loads.ring_rounds import (
     LOOSE_RING,
     MOST_ROUNDS,
     OPEN,
+    ROUND,
     Beyond,
-    RingLoads,
     RingNumbers,
-    Rounds,
     beyond_groove,
-    rounds_of,
     settle_ruled_rings,
 )
+from analytic.loads.state import RING_STATE
 from analytic.loads.turning import RuledTurning
 from analytic.numerics.newton import MOST_STEPS
+from analytic.numerics.records import as_record
 from analytic.scene import STANDARD_GRAVITY, Array, Bearing, ContactAngle
 from analytic.words import angle_of, length_of, speed_of
 
@@ -68,7 +58,7 @@ class RowsOfBalls:
     correction: ContactCorrection  # numbers, or (n, Z) for the balls of all rows
     turning: RuledTurning
     speed: Array  # (n,) of the inner part, rad/s
-    ball_weight: tuple[float, float, float] = (0.0, 0.0, 0.0)  # of each ball along x, y and z of the shaft, N
+    ball_weight: Weight = (0.0, 0.0, 0.0)  # of each ball along x, y and z of the shaft, N
     rows: tuple[Row, ...] = (Row(),)
 
     @cached_property
@@ -76,12 +66,8 @@ class RowsOfBalls:
         return groove_travel(self.bearing, self.rows)
 
     @cached_property
-    def numbers(self) -> BallRows:
-        _, azimuth, offset, travel = self.travel
-        side = np.repeat([row.side for row in self.rows], self.bearing.ball_count)
-        x, y, z = self.ball_weight
-        weight = np.stack([x * np.cos(azimuth) + y * np.sin(azimuth), side * z], axis=-1)
-        return BallRows(grooves_of(self.bearing, self.play), offset, travel, weight)
+    def grooves(self) -> Grooves:
+        return grooves_of(self.bearing, self.play)
 
     def displaced(self, place: Array) -> tuple[Array, Array]:
         """(n, Z) radial and axial displacement of the inner groove at each ball, m; place : (n, 5), m"""
@@ -89,25 +75,19 @@ class RowsOfBalls:
         return place @ radial.T, place @ axial.T + self.travel.offset
 
 
-def ring_numbers(
-    bearing: Bearing, contact_angle: ContactAngle, *, down: tuple[float, float, float] | None
-) -> tuple[RingNumbers, float]:
-    """One row of balls, and the arm R of its inner groove centres, m.
+def ring_numbers(bearing: Bearing, contact_angle: ContactAngle) -> RingNumbers:
+    """A ring of one row of balls; a given contact angle has no play, and the ring is not solved for then.
 
-    down : direction of the balls' weight, of length 1; None: left out
-    A given contact angle has no play; the ring is not solved for then. Raises InputError as bearing_numbers does.
+    Raises InputError as bearing_numbers does.
     """
-    numbers, still = bearing_numbers(bearing, contact_angle), np.zeros(1)
+    numbers = bearing_numbers(bearing, contact_angle)
+    return RingNumbers(numbers, grooves_of(bearing, _known(numbers.play)), _known(numbers.free_angle))
+
+
+def weight_of_ball(bearing: Bearing, down: tuple[float, float, float] | None) -> Weight:
+    """Along x, y and z, N; down : direction of gravity, of length 1; None: left out."""
     x, y, z = bearing.ball_mass * STANDARD_GRAVITY * np.array(down or (0.0, 0.0, 0.0))
-    rows = RowsOfBalls(
-        bearing=bearing,
-        play=_known(numbers.play),
-        correction=ContactCorrection(),
-        turning=RuledTurning(bearing=bearing, inner_speed=still, centrifugal=False, gyroscopic=False),
-        speed=still,
-        ball_weight=(float(x), float(y), float(z)),
-    )
-    return RingNumbers(numbers, rows.numbers, _known(numbers.free_angle)), rows.travel.arm
+    return float(x), float(y), float(z)
 
 
 def _known(number: float) -> float:
@@ -140,71 +120,72 @@ def settled_rings(ring: RowsOfBalls, load: Array, *, angle: float, place: Array 
     Raises ConvergenceError where a ball, a ring or the rounds do not settle, and InputError where a ball leaves its
     groove (an angle beyond pi/2).
     """
-    turning, count, balls = ring.turning, len(load), len(ring.travel.travel)
-    numbers = RingNumbers(bearing_numbers(ring.bearing), ring.numbers, float(angle))
-    points, rounds, start = ring_points(count, balls), rounds_of(count), BY_LOAD if place is None else BY_PLACE
-    points.place[:] = 0.0 if place is None else place
-    loads = RingLoads(
-        force=np.array(load, dtype=np.float64),
-        inner_speed=np.array(turning.inner_speed, dtype=np.float64),
-        inertia=(bool(turning.centrifugal), bool(turning.gyroscopic)),
-        factors=factors_of(ring.correction),
-    )
-    settle_ruled_rings(numbers, loads, points, ring_work(balls), rounds, start)
-    require_settled(ring.bearing, ring.numbers, ring.speed, loads, points, rounds)
-    inner, outer = _contacts(points.unit)
+    turning, count = ring.turning, len(load)
+    numbers = RingNumbers(bearing_numbers(ring.bearing), ring.grooves, float(angle))
+    rings = np.zeros(count, RING_STATE)
+    rings["load"], rings["place"] = load, 0.0 if place is None else place
+    balls = np.repeat(placed_balls(ring.bearing, ring.rows, ring.ball_weight)[None], count, axis=0)
+    correct_balls(balls, factors_of(ring.correction))
+    ends, inertia = np.zeros(count, ROUND), (bool(turning.centrifugal), bool(turning.gyroscopic))
+    speed, start = np.array(turning.inner_speed, dtype=np.float64), BY_LOAD if place is None else BY_PLACE
+    settle_ruled_rings(numbers, speed, inertia, rings, balls, ends, start)
+    if ends["end"].any():
+        worst = int(np.argmax(ends["end"]))
+        raise unsettled_ring(ring.bearing, ring.grooves, float(speed[worst]), rings[worst], balls[worst], ends[worst])
     return RingsAtRest(
-        place=points.place,
-        tangent=points.tangent,
-        residual=rounds.left,
-        steps=rounds.steps,
-        force=points.force + points.friction,
-        inner_load=points.load[:, 0],
-        outer_load=points.load[:, 1],
-        inner_angle=points.angle[:, 0],
-        outer_angle=points.angle[:, 1],
-        inner=inner,
-        outer=outer,
-        centrifugal_force=points.turning[:, 0],
-        gyroscopic_moment=points.turning[:, 3],
+        place=rings["place"],
+        tangent=rings["tangent"],
+        residual=ends["left"],
+        steps=ends["steps"],
+        force=balls["force"] + balls["friction"],
+        inner_load=balls["load"][..., 0],
+        outer_load=balls["load"][..., 1],
+        inner_angle=balls["angle"][..., 0],
+        outer_angle=balls["angle"][..., 1],
+        inner=HertzContact(**{name: balls["inner_unit"][name] for name in HertzNumbers._fields}),
+        outer=HertzContact(**{name: balls["outer_unit"][name] for name in HertzNumbers._fields}),
+        centrifugal_force=balls["turning"]["centrifugal"],
+        gyroscopic_moment=balls["turning"]["gyroscopic"],
     )
 
 
-def _contacts(unit: Array) -> tuple[HertzContact, HertzContact]:
-    """On inner and outer race, from (n, 2, 5, Z)."""
-    inner, outer = (dict(zip(HertzNumbers._fields, np.moveaxis(unit[:, race], 1, 0), strict=True)) for race in (0, 1))
-    return HertzContact(**inner), HertzContact(**outer)
+def correct_balls(balls: Array, factors: Array) -> None:
+    """Write the factors on Hertz's contacts; balls : (n, Z);  factors : (n or 1, 2, 4, Z or 1)"""
+    for race, side in enumerate(("inner_factors", "outer_factors")):
+        for place, name in enumerate(FactorNumbers._fields):
+            balls[side][name] = factors[:, race, place]
 
 
-def require_settled(
-    bearing: Bearing, rows: BallRows, speed: Array, loads: RingLoads, points: RingPoint, rounds: Rounds
-) -> None:
-    """Raise ConvergenceError or InputError for the worst of n points, see `settled_rings`; speed : (n,)"""
-    if not rounds.end.any():
-        return
-    worst = int(np.argmax(rounds.end))
-    if rounds.end[worst] == BEYOND_GROOVE:
-        weight = bearing.ball_mass * STANDARD_GRAVITY * len(rows.weight) if np.any(rows.weight) else 0.0
-        beyond = beyond_groove(rows, point_of(points, worst))
-        _refuse(bearing, loads.force[worst], weight, float(speed[worst]), beyond)
-    problem, iterations, remedy = LOOSE[int(rounds.end[worst])]
-    left, tolerance = float(rounds.left[worst]), float(rounds.tolerance[worst])
-    raise ConvergenceError(iterations=iterations, residual=left, tolerance=tolerance, problem=problem, remedy=remedy)
+def unsettled_ring(
+    bearing: Bearing, grooves: Grooves, speed: float, ring: np.record, balls: Array, end: np.record
+) -> ConvergenceError | InputError:
+    """The error of a ring that has not settled; speed : rad/s;  balls : (Z,);  end : of ROUND"""
+    if end["end"] == BEYOND_GROOVE:
+        weight = bearing.ball_mass * STANDARD_GRAVITY * len(balls) if np.any(balls["weight"]) else 0.0
+        return _left_groove(bearing, ring["load"], weight, speed, beyond_groove(grooves, as_record(ring), balls))
+    problem, iterations, remedy = LOOSE[int(end["end"])]
+    return ConvergenceError(
+        iterations=iterations,
+        residual=float(end["left"]),
+        tolerance=float(end["tolerance"]),
+        problem=problem,
+        remedy=remedy,
+    )
 
 
-def _refuse(bearing: Bearing, load: Array, weight: float, speed: float, beyond: Beyond) -> NoReturn:
-    """Raise InputError for a point whose ball has left its groove; load : (5,);  weight : of all balls, N"""
+def _left_groove(bearing: Bearing, load: Array, weight: float, speed: float, beyond: Beyond) -> InputError:
+    """The error of a point whose ball has left its groove; load : (5,);  weight : of all balls, N"""
     if beyond.is_by_load and weight > np.max(np.abs(load)):
-        raise InputError(
+        return InputError(
             f"the weight of the balls, {weight:.3g} N, moves the rings by {length_of(beyond.moved, '.2g')}, and "
             "balls leave their grooves: take stiffer materials"
         )
     if beyond.is_by_load:
-        raise InputError(
+        return InputError(
             f"the {_load_words(load, bearing)} moves the rings by {length_of(beyond.moved, '.2g')}, and balls leave "
             "their grooves: lower the load"
         )
-    raise InputError(
+    return InputError(
         f"the speed, {speed_of(speed)}, drives a ball {angle_of(beyond.angle)} out of its groove, past 90 deg: no "
         "contact bears it, lower the speed"
     )

@@ -11,7 +11,7 @@ from analytic.contact.factors import CorrectionNumbers, corrected
 from analytic.contact.geometry import rolling_curvature
 from analytic.contact.hertz import HertzNumbers, unit_hertz
 from analytic.loads.numbers import BearingNumbers
-from analytic.loads.race_contacts import unit_contact_on
+from analytic.loads.race_contacts import put_unit, unit_contact_on
 from analytic.loads.turning import TurningRule, ruled_forces
 from analytic.numerics.compilation import compiled
 
@@ -238,3 +238,18 @@ def change_of(last: ThrustedBall, ball: ThrustedBall) -> float:
     logarithm, start = np.log(ball.tangent), np.log(last.tangent)
     angles = max(abs(ball.inner_angle - last.inner_angle), abs(ball.outer_angle - last.outer_angle))
     return max(abs(logarithm - start) / (1 + abs(start)), angles)
+
+
+@compiled
+def settle_ruled_thrust(bearing: BearingNumbers, rule: TurningRule, axial_load: float, ball: np.record) -> float:
+    """Write load, angles and contacts under 1 N of a ball that stands for all; returns the change of `ThrustPoint`.
+
+    axial_load : Fa, N, > 0
+    """
+    first, correction = first_contacts(bearing), CorrectionNumbers(ball.inner_factors, ball.outer_factors)
+    found = thrust_point(bearing, first, axial_load, rule, correction)
+    ball.load[0], ball.load[1] = found.ball.inner_load, found.ball.outer_load
+    ball.angle[0], ball.angle[1] = found.ball.inner_angle, found.ball.outer_angle
+    put_unit(ball.inner_unit, found.inner)
+    put_unit(ball.outer_unit, found.outer)
+    return found.change

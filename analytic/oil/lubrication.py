@@ -1,8 +1,4 @@
-"""A lubricated contact of a ball with its race as one compiled formula: film, shared load, traction, rolling.
-
-`analytic.oil.inlets`, `analytic.oil.lubricated_races` and `analytic.races` do the same for arrays of contacts, step by
-step; every step is the same compiled formula.
-"""
+"""A lubricated contact of a ball with its race: film, shared load, traction and resistance to rolling."""
 
 from typing import NamedTuple
 
@@ -11,20 +7,21 @@ import numpy as np
 from analytic.contact.hertz import HertzNumbers
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.numerics.compilation import compiled
-from analytic.oil.asymptotes import asymptotes_of
+from analytic.oil.asymptotes import FITTED_ELLIPTICITY, asymptotes_of
 from analytic.oil.inlets import InletNumbers, OilSupply, inflow_of, inlet_of
 from analytic.oil.mixed import MixedNumbers, mixed_of, oil_beside
 from analytic.oil.rolling import biboulet_force, houpert_force, rolling_groups
 from analytic.oil.traction import PointLaw, law_of_oil
 from analytic.oil.variation import Variation
 from analytic.oil.viscosity import OilNumbers
-from analytic.surface.gap import SMOOTH, GapNumbers
+from analytic.scene import Array
+from analytic.surface.gap import SMOOTH, GapForm, GapNumbers
 
 
 class Lubrication(NamedTuple):
     """What all contacts of a race share besides the oil, and what counts in them."""
 
-    gap: GapNumbers
+    gap: GapForm
     boundary_friction: float
     supply: OilSupply
     asperities: bool  # they carry load
@@ -43,6 +40,8 @@ class LubricatedContact(NamedTuple):
     law: PointLaw
     inlet: InletNumbers
     rolling_torque: float  # about the bearing axis, N m
+    film_extrapolated: bool  # the ellipse is not of a shape that the film formula was fitted to
+    rolling_extrapolated: bool  # longer along rolling than across, or so fast that rigid bodies resist less
 
 
 @compiled
@@ -53,17 +52,23 @@ def rolling_torque_of(
     inlet: InletNumbers,
     lubrication: Lubrication,
     ring_speed: float,
-) -> float:
-    """Torque by hydrodynamic rolling about the bearing axis, N m; arguments as in `lubricated_contact`."""
+) -> tuple[float, bool]:
+    """Torque by hydrodynamic rolling about the bearing axis, N m, and whether the formula is extrapolated.
+
+    Arguments as in `lubricated_contact`.
+    """
     group = rolling_groups(contact, unit, oil.viscosity, abs(ring_speed * contact.entrainment))
-    houpert = lubrication.houpert
-    force = houpert_force(group, oil.pressure_viscosity) if houpert else biboulet_force(contact, group)[0]
+    if lubrication.houpert:
+        force, too_fast = houpert_force(group, oil.pressure_viscosity), False
+    else:
+        force, too_fast = biboulet_force(contact, group)
     left = lubrication.rolling
     if lubrication.heats:
         left *= inlet.rolling_heating
     if lubrication.starves:
         left *= inlet.starvation.rolling_factor
-    return left * 2.0 * force * contact.entrainment
+    longer = contact.curvature_rolling < contact.curvature_transverse
+    return left * 2.0 * force * contact.entrainment, too_fast or longer
 
 
 @compiled
@@ -73,10 +78,12 @@ def lubricated_contact(
     peak_pressure: float,
     oil: OilNumbers,
     lubrication: Lubrication,
+    cubics: Array,
     ring_speed: float,
 ) -> LubricatedContact:
     """A contact of a ball with its race in oil.
 
+    cubics : the splines of the gap law
     unit : under 1 N by Hertz alone, as the formula for rolling has it;  peak_pressure : p0, Pa
     ring_speed : w, rad/s, of either sign
     mixed.asperity_share or inlet.starvation.degree of NaN: the root was not found
@@ -90,20 +97,23 @@ def lubricated_contact(
     if lubrication.starves:
         thinner *= inlet.starvation.film_factor
     kind = lubrication.gap.kind if lubrication.asperities else SMOOTH
-    gap = GapNumbers(kind, lubrication.gap.cubics, lubrication.gap.truncated, lubrication.gap.elastic)
+    gap = GapNumbers(kind, cubics, lubrication.gap.truncated, lubrication.gap.elastic)
     mixed = mixed_of(contact, film, gap, thinner, lubrication.asperity_pressure)
     area, thickness = oil_beside(mixed.area_fraction, mixed.film_thickness, mixed.without_film)
     boundary = lubrication.boundary_friction * mixed.boundary_share
+    rolling, rolling_extrapolated = rolling_torque_of(contact, unit, oil, inlet, lubrication, ring_speed)
     return LubricatedContact(
         mixed,
         law_of_oil(oil, boundary, 1.0 - mixed.asperity_share, area, thickness),
         inlet,
-        rolling_torque_of(contact, unit, oil, inlet, lubrication, ring_speed),
+        rolling,
+        not FITTED_ELLIPTICITY[0] <= film.ellipticity <= FITTED_ELLIPTICITY[1],
+        rolling_extrapolated,
     )
 
 
 def lubrication_of(
-    gap: GapNumbers,
+    gap: GapForm,
     supply: OilSupply,
     *,
     boundary_friction: float,

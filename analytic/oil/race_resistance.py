@@ -1,6 +1,6 @@
 """What a race of a scene resists, compiled: the law of traction of a ball on it, and the torque by its rolling."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -10,16 +10,18 @@ from analytic.contact.rolling_contact import ContactNumbers
 from analytic.numerics.compilation import compiled
 from analytic.oil.inlets import OilSupply, oil_supply
 from analytic.oil.lubrication import Lubrication, lubricated_contact, lubrication_of
+from analytic.oil.mixed import MixedNumbers
 from analytic.oil.rolling import hysteresis
 from analytic.oil.traction import PointLaw
 from analytic.oil.variation import Variation
 from analytic.oil.viscosity import OilNumbers
-from analytic.scene import Material, Scene
-from analytic.surface.gap import GapNumbers, gap_law, gap_numbers
+from analytic.scene import Array, Material, Scene
+from analytic.surface.gap import GapForm, GapLaw, gap_forms, gap_law
 from analytic.surface.roughness import gap_roughness
 
 NO_OIL = OilNumbers(300.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 1.0, 0.0, True, False)
-DRY = Lubrication(gap_numbers(None), 0.0, OilSupply(1.0, np.nan, np.nan), False, False, False, 1.0, 1.0, 1.0, False)
+SMOOTH_FORM = gap_forms(None)[0][0]
+DRY = Lubrication(SMOOTH_FORM, 0.0, OilSupply(1.0, np.nan, np.nan), False, False, False, 1.0, 1.0, 1.0, False)
 
 
 class RaceResistance(NamedTuple):
@@ -38,13 +40,21 @@ class ResistedContact(NamedTuple):
 
     contact: ContactNumbers
     law: PointLaw
+    mixed: MixedNumbers  # NaN without oil and surface
     rolling_torque: float  # hydrodynamic, about the bearing axis, N m
     hysteresis_torque: float  # likewise
+    starvation_degree: float  # of the inlet; NaN: no degree leaves the rolling that is known
+    film_extrapolated: bool  # as `LubricatedContact` has them
+    rolling_extrapolated: bool
+
+
+NOT_MIXED = MixedNumbers(np.nan, np.nan, np.nan, np.nan, False, False)
 
 
 @compiled
 def resisted_contact(
     resistance: RaceResistance,
+    cubics: Array,
     oil: OilNumbers,
     race: int,
     contact: ContactNumbers,
@@ -53,26 +63,45 @@ def resisted_contact(
 ) -> ResistedContact:
     """A ball on its inner (0) or outer race (1).
 
+    cubics : the splines of the gap laws
     oil : at its temperature;  peak_pressure : p0, Pa;  ring_speed : w, rad/s, of either sign
     """
     law, rolling = PointLaw(resistance.coefficient, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0
+    mixed, degree, thin, fast = NOT_MIXED, 1.0, False, False
     if resistance.has_oil:
         alone = unit_hertz(contact.curvature_rolling, contact.curvature_transverse, contact.modulus)
         lubrication = resistance.inner if race == 0 else resistance.outer
-        oiled = lubricated_contact(contact, alone, peak_pressure, oil, lubrication, ring_speed)
-        rolling = oiled.rolling_torque if resistance.rolls else 0.0
+        oiled = lubricated_contact(contact, alone, peak_pressure, oil, lubrication, cubics, ring_speed)
+        degree = oiled.inlet.starvation.degree
+        if resistance.rolls:
+            rolling, fast = oiled.rolling_torque, oiled.rolling_extrapolated
         if np.isnan(resistance.coefficient):
-            law = oiled.law
+            law, mixed, thin = oiled.law, oiled.mixed, oiled.film_extrapolated
     lost = hysteresis(contact, resistance.hysteresis_loss) * contact.rolling_rate
-    return ResistedContact(contact, law, rolling, lost)
+    return ResistedContact(contact, law, mixed, rolling, lost, degree, thin, fast)
 
 
-def resistance_of(scene: Scene, is_on: Callable[[str], bool], variation: Variation) -> RaceResistance:
-    """Of a scene; is_on : whether an effect counts;  variation : of the formulas. Raises InputError as these do."""
-    given = scene.friction_coefficient
-    inner, outer = (
-        _lubrication(scene, groove.material, is_on, variation) for groove in (scene.bearing.inner, scene.bearing.outer)
-    )
+def resistance_of(
+    scene: Scene, forms: Sequence[GapForm], is_on: Callable[[str], bool], variation: Variation
+) -> RaceResistance:
+    """Of a scene; forms : the gap laws of inner and outer race;  is_on : whether an effect counts.
+
+    variation : of the formulas. Raises InputError as these do.
+    """
+    given, inner, outer = scene.friction_coefficient, DRY, DRY
+    if scene.lubricant is not None:
+        inner, outer = (
+            lubrication_of(
+                form,
+                oil_supply(scene.bearing, scene.lubricant),
+                boundary_friction=0.0 if scene.surface is None else scene.surface.boundary_friction,
+                asperities=is_on("asperities"),
+                heats=is_on("inlet_heating"),
+                starves=is_on("starvation"),
+                variation=variation,
+            )
+            for form in forms
+        )
     return RaceResistance(
         inner=inner,
         outer=outer,
@@ -83,24 +112,9 @@ def resistance_of(scene: Scene, is_on: Callable[[str], bool], variation: Variati
     )
 
 
-def _lubrication(scene: Scene, race: Material, is_on: Callable[[str], bool], variation: Variation) -> Lubrication:
-    """Of the balls on a race of this material."""
-    if scene.lubricant is None:
-        return DRY
-    return lubrication_of(
-        gap_numbers_of(scene, (scene.bearing.ball_material, race)),
-        oil_supply(scene.bearing, scene.lubricant),
-        boundary_friction=0.0 if scene.surface is None else scene.surface.boundary_friction,
-        asperities=is_on("asperities"),
-        heats=is_on("inlet_heating"),
-        starves=is_on("starvation"),
-        variation=variation,
-    )
-
-
-def gap_numbers_of(scene: Scene, bodies: tuple[Material, Material]) -> GapNumbers:
-    """The gap law of the scene's surfaces on two bodies; smooth where its friction coefficient is given."""
+def gap_law_of(scene: Scene, bodies: tuple[Material, Material]) -> GapLaw | None:
+    """The gap law of the scene's surfaces on two bodies; None: smooth, or its friction coefficient is given."""
     if scene.surface is None or scene.friction_coefficient is not None:
-        return gap_numbers(None)
+        return None
     modulus = float(contact_modulus(*bodies))
-    return gap_numbers(gap_law(scene.surface, gap_roughness(scene.surface), modulus=modulus, bodies=bodies))
+    return gap_law(scene.surface, gap_roughness(scene.surface), modulus=modulus, bodies=bodies)

@@ -25,12 +25,11 @@ from analytic.oil.traction import PointLaw, Traction, law_at
 from analytic.scene import Array, SlidingMethod, SpinRule
 from analytic.sliding.ellipse import (
     BALANCED,
+    NO_SUMS,
     NODES,
-    Quadrature,
     Slider,
     SlipSums,
     forceless_slip,
-    power_of_panels,
     quadrature_of,
     require_forceless,
     slider_of,
@@ -46,7 +45,6 @@ from analytic.sliding.long_ellipse import (
     slip_along_lines,
 )
 
-NO_SUMS = SlipSums(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 INTEGRATED = {"along_axis": False, "over_ellipse": True}  # whether sideways
 NEARLY_BALANCED = 1e-7  # net force over all friction while the share of spin is sought; the last search is exact
 LAST_STEP = 1e-6  # of the share of spin: the power is least at the balance, so its error is the square of this step
@@ -155,7 +153,7 @@ def slips_over_contacts(
     ring_speed: float,
     spin_difference: float,
     rule: int,
-    quadrature: Quadrature,
+    quadrature: np.record,
     sideways: bool,
 ) -> tuple[Slip, Slip, int]:
     """The slip of a ball on both races by integrals; arguments as `long_ellipse.line_slips`, and `ellipse.slip_sums`.
@@ -225,7 +223,7 @@ def _slip(
 
 
 @compiled
-def _slips_of_each(rows: Array, rule: int, quadrature: Quadrature, sideways: bool) -> Array:
+def _slips_of_each(rows: Array, rule: int, quadrature: np.record, sideways: bool) -> Array:
     fields = np.empty((13, rows.shape[1]))
     for i in range(rows.shape[1]):
         contacts, laws = (contact_at(rows, 0, i), contact_at(rows, 9, i)), (law_at(rows, 18, i), law_at(rows, 26, i))
@@ -236,7 +234,7 @@ def _slips_of_each(rows: Array, rule: int, quadrature: Quadrature, sideways: boo
     return fields
 
 
-def _integrated(rows: Array, rule: int, quadrature: Quadrature, sideways: bool) -> Array:
+def _integrated(rows: Array, rule: int, quadrature: np.record, sideways: bool) -> Array:
     fields = _slips_of_each(rows, rule, quadrature, sideways)
     require_balance(fields)
     require_forceless(fields[12])
@@ -252,38 +250,3 @@ def _in_blocks(numbers: tuple[Any, ...], shape: tuple[int, ...], evaluate: Calla
         for start in range(0, max(size, 1), BLOCK)
     ]
     return np.concatenate(blocks, axis=1).reshape(-1, *shape)
-
-
-def slip_power(
-    contacts: Pair,
-    traction: Tractions,
-    sliding: SlipFriction,
-    *,
-    ring_speed: ArrayLike,
-    nodes: tuple[int, int],
-    sideways: bool,
-) -> Array:
-    """Powers over w of each race and panel, N m, at spin and creep that are known; (2, 2, 3, *shape of sliding).
-
-    Races, then slip and net force, then panels; see `ellipse.power_of_panels`.
-
-    sliding : by any method and nodes; its creep and spin rates count. Panels as in `ellipse.slip_power`
-    nodes, sideways : of the one evaluation of the integrals
-    """
-    torque, speed, powers = sliding.torque, np.abs(np.asarray(ring_speed, dtype=np.float64)), []
-    known = (torque.inner_spin_rate, sliding.inner_creep), (torque.outer_spin_rate, sliding.outer_creep)
-    for contact, law, (rate, creep) in zip(contacts, traction, known, strict=True):
-        numbers = law.point_law
-        with np.errstate(invalid="ignore"):  # at standstill the film is 0 too, and the oil shears at its limit
-            fluidity = np.where(np.isinf(numbers.fluidity), np.inf, np.asarray(numbers.fluidity) * speed)
-        powers.append(
-            power_of_panels(
-                contact,
-                law=numbers._replace(fluidity=fluidity),
-                spin_rate=rate,
-                creep_speed=creep,
-                nodes=nodes,
-                sideways=sideways,
-            )
-        )
-    return np.stack(powers).reshape(2, 2, 3, *powers[0].shape[1:])

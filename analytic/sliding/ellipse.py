@@ -30,7 +30,19 @@ ROUND_OFF = 1e-10  # of c, relative: a secant over less would be round-off
 RESOLVED = 1e-5  # v_y at the rim over the slope of v_x along b, from which nodes at the end of a panel see the turn
 MOST_STEPS = 200  # 3 to 8 are usual; halving the bracket alone takes 60
 NODES = (16, 16)  # transverse and rolling: Coulomb's moments to 1e-5 of mu Q b at any spin and shape, see the tests
-Quadrature = tuple[Array, Array, Array, Array]
+MOST_NODES = 48  # in either direction
+
+QUADRATURE = np.dtype(
+    [
+        ("across", "i8"),  # nodes of a transverse panel
+        ("along", "i8"),  # nodes along rolling, from the middle to the end
+        ("places", "f8", MOST_NODES),  # in a panel, from 0 to 1
+        ("widths", "f8", MOST_NODES),  # their weights
+        ("reaches", "f8", MOST_NODES),  # along rolling, from 0 to 1
+        ("lengths", "f8", MOST_NODES),  # their weights
+    ],
+    align=True,
+)
 
 
 class Slider(NamedTuple):
@@ -54,6 +66,12 @@ class SlipSums(NamedTuple):
     by_creep: float  # -d force/dc, N s/m, >= 0
     mixed: float  # d force/d spin = -d(spin moment)/dc
     by_spin: float  # d(spin moment)/d spin, >= 0
+    far_power: float  # W, of the panel at negative y
+    middle_power: float
+    near_power: float
+
+
+NO_SUMS = SlipSums(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 @compiled
@@ -72,18 +90,16 @@ def slip_sums(
     law: PointLaw,
     creep: float,
     spin: float,
-    quadrature: Quadrature,
+    quadrature: np.record,
     sideways: bool,
-    panels: tuple[int, int],
 ) -> SlipSums:
-    """The sums over some of three transverse panels, which meet where v_x = 0 on the axis.
+    """The sums over three transverse panels, which meet where v_x = 0 on the axis.
 
-    creep : c, m/s;  spin : |w_s| b, m/s;  sideways : with v_y;  panels : (0, 3) for all
-    quadrature : places and weights in a panel, and those along rolling, from 0 to 1
+    creep : c, m/s;  spin : |w_s| b, m/s;  sideways : with v_y;  quadrature : `quadrature_of`
     """
-    places, widths, along, lengths = quadrature
+    places, widths, along, lengths = quadrature.places, quadrature.widths, quadrature.reaches, quadrature.lengths
     if slider.peak == 0.0:
-        return SlipSums(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+        return NO_SUMS
     root = np.sqrt(max(spin * spin + 4.0 * slider.roll * creep, 0.0))
     near = 2.0 * creep / (spin + root) if spin + root > 0.0 else 0.0
     far = -(spin + root) / (2.0 * slider.roll) if slider.roll > 0.0 else -1.0
@@ -93,11 +109,16 @@ def slip_sums(
     turn_at_rim = spin * arm if turns else 0.0  # |v_y| at x = a
     force = moment = rolling = power = unit = friction = by_creep = mixed = by_spin = 0.0
     least = 1e-200 * (slider.roll + spin if slider.roll + spin > 0.0 else 1.0)
-    for panel in range(panels[0], panels[1]):
+    far_power = middle_power = 0.0
+    for panel in range(3):
+        if panel == 1:
+            far_power = power
+        elif panel == 2:
+            middle_power = power - far_power
         low, length = edges[panel], edges[panel + 1] - edges[panel]
         if length <= 0.0:
             continue
-        for j in range(places.size):
+        for j in range(quadrature.across):
             y = low + length * places[j]
             slide = (slider.roll * y + spin) * y - creep
             half = np.sqrt((1.0 - y) * (1.0 + y))  # half-length in the direction of rolling, in units of a
@@ -105,7 +126,7 @@ def slip_sums(
             # |v| = sqrt(slide^2 + (turn x)^2) has a near kink at x = 0 where slide is small; x ~ sinh(z t) removes it.
             steep = max(turn_at_rim * half / max(abs(slide), least), 1e-8)  # at 1e-8 sinh is its argument
             z = np.arcsinh(steep) if turns else 0.0
-            for k in range(along.size):
+            for k in range(quadrature.along):
                 x, weight = along[k], lengths[k]
                 if turns:
                     grown = np.expm1(z * x)
@@ -137,14 +158,17 @@ def slip_sums(
         if turn_at_rim > RESOLVED * steepness or abs(line) == 1.0 or steepness == 0.0:
             continue
         half, jump = np.sqrt((1.0 - line) * (1.0 + line)), 0.0
-        for k in range(along.size):
+        for k in range(quadrature.along):
             height = np.sqrt((1.0 - along[k]) * (1.0 + along[k]))
             jump += lengths[k] * stress_and_slope(law, slider.peak * half * height, 0.0)[0]
         jump *= 4.0 * slider.rolling * slider.transverse * half / steepness
         by_creep += jump
         mixed += jump * line
         by_spin += jump * line * line
-    return SlipSums(force, moment, rolling, power, unit, friction, by_creep, mixed, by_spin)
+    near_power = power - far_power - middle_power
+    return SlipSums(
+        force, moment, rolling, power, unit, friction, by_creep, mixed, by_spin, far_power, middle_power, near_power
+    )
 
 
 @compiled
@@ -153,7 +177,7 @@ def forceless_slip(
     law: PointLaw,
     start: float,
     spin: float,
-    quadrature: Quadrature,
+    quadrature: np.record,
     sideways: bool,
     balanced: float,
 ) -> tuple[float, SlipSums, int]:
@@ -166,11 +190,13 @@ def forceless_slip(
     vertex = -spin / (2.0 * roll) if spin < 2.0 * roll else -1.0
     low, high = (roll * vertex + spin) * vertex, roll + spin
     creep, step, before = min(max(start, low), high), high - low, high - low
-    older, older_force = creep, np.inf
-    for number in range(1, MOST_STEPS):
-        sums = slip_sums(slider, law, creep, spin, quadrature, sideways, (0, 3))
-        if abs(sums.force) <= balanced * sums.friction:
-            return creep, sums, number
+    older, older_force, found, ends = creep, np.inf, 0, False
+    sums = NO_SUMS
+    for number in range(1, MOST_STEPS + 1):
+        sums = slip_sums(slider, law, creep, spin, quadrature, sideways)
+        if ends or abs(sums.force) <= balanced * sums.friction:
+            found = number
+            break
         if sums.force > 0.0:
             low = creep
         elif sums.force < 0.0:
@@ -185,13 +211,12 @@ def forceless_slip(
         if not (low <= creep + step <= high and abs(step) <= abs(before) / 2):
             step = (low + high) / 2.0 - creep
         before, creep = last, creep + step
-        if abs(step) <= LAST_STEP * abs(creep):
-            return creep, slip_sums(slider, law, creep, spin, quadrature, sideways, (0, 3)), number + 1
-    return creep, slip_sums(slider, law, creep, spin, quadrature, sideways, (0, 3)), 0
+        ends = abs(step) <= LAST_STEP * abs(creep)  # one more evaluation, of the sums there
+    return creep, sums, found
 
 
 @compiled
-def _moments_of_each(rows: Array, quadrature: Quadrature, sideways: bool) -> Array:
+def _moments_of_each(rows: Array, quadrature: np.record, sideways: bool) -> Array:
     fields = np.empty((6, rows.shape[1]))
     for i in range(rows.shape[1]):
         contact, law, rate = contact_at(rows, 0, i), law_at(rows, 9, i), rows[17, i]
@@ -202,19 +227,6 @@ def _moments_of_each(rows: Array, quadrature: Quadrature, sideways: bool) -> Arr
         fields[1, i] = sums.rolling * slider.transverse**2 / (2 * contact.deformed_radius)
         fields[2, i], fields[3, i], fields[4, i], fields[5, i] = sums.power, sums.unit, creep, number
     return fields
-
-
-@compiled
-def _powers_of_each(rows: Array, quadrature: Quadrature, sideways: bool) -> Array:
-    powers = np.empty((6, rows.shape[1]))
-    for i in range(rows.shape[1]):
-        contact, law, rate, creep = contact_at(rows, 0, i), law_at(rows, 9, i), rows[17, i], rows[18, i]
-        slider = slider_of(contact)
-        spin = abs(rate) * slider.transverse
-        for panel in range(3):
-            sums = slip_sums(slider, law, creep, spin, quadrature, sideways, (panel, panel + 1))
-            powers[panel, i], powers[3 + panel, i] = sums.power, creep * sums.force
-    return powers
 
 
 @dataclass(frozen=True, eq=False)
@@ -264,24 +276,6 @@ def slip_along_axis(
     return _slip(contact, law, spin_rate, nodes=nodes, sideways=False)
 
 
-def power_of_panels(
-    contact: RollingContact,
-    *,
-    law: PointLaw,
-    spin_rate: ArrayLike,
-    creep_speed: ArrayLike,
-    nodes: tuple[int, int],
-    sideways: bool,
-) -> Array:
-    """What each of the three transverse panels adds to two powers at a given c, (6, *points), W: one evaluation.
-
-    creep_speed : c, m/s, of a solution, perhaps with other nodes;  sideways : with v_y;  others as `slip_over_ellipse`
-    The powers are those of slip, int tau |v| dA, and of the net force, c int tau v_x/|v| dA.
-    """
-    rows, shape = rows_of(*contact.fields, *law, spin_rate, creep_speed)
-    return _powers_of_each(rows, quadrature_of(nodes), sideways).reshape(6, *shape)
-
-
 def _slip(
     contact: RollingContact, law: PointLaw, spin_rate: ArrayLike, *, nodes: tuple[int, int], sideways: bool
 ) -> SlipMoments:
@@ -314,11 +308,18 @@ def require_forceless(sums: Array) -> None:
 
 
 @cache
-def quadrature_of(nodes: tuple[int, int]) -> Quadrature:
-    """Places and weights of so many transverse nodes in a panel, denser at its ends, and of those along rolling."""
+def quadrature_of(nodes: tuple[int, int]) -> np.record:
+    """So many transverse nodes in a panel, denser at its ends, and so many along rolling; at most MOST_NODES each."""
+    quadrature = np.zeros(1, QUADRATURE).view(np.recarray)[0]
+    quadrature.across, quadrature.along = nodes
     (t, weight), (s, length) = (_unit_gauss(count) for count in nodes)
+    quadrature.places[: t.size], quadrature.widths[: t.size] = (
+        t**3 * (10 - 15 * t + 6 * t**2),
+        30 * t**2 * (1 - t) ** 2 * weight,
+    )
     # Along rolling x = s (2 - s) makes the root of the pressure at the rim smooth.
-    return t**3 * (10 - 15 * t + 6 * t**2), 30 * t**2 * (1 - t) ** 2 * weight, s * (2 - s), 2 * (1 - s) * length
+    quadrature.reaches[: s.size], quadrature.lengths[: s.size] = s * (2 - s), 2 * (1 - s) * length
+    return quadrature
 
 
 def _unit_gauss(nodes: int) -> tuple[Array, Array]:

@@ -1,7 +1,7 @@
 """The gap law of a scene's surfaces: how much room they leave for the oil while asperities carry a pressure."""
 
 from functools import lru_cache
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
@@ -35,6 +35,14 @@ class GapNumbers(NamedTuple):
 
     kind: int
     cubics: Array  # of `analytic.numerics.cubic.Pieces`
+    truncated: TruncatedNumbers
+    elastic: ElasticNumbers
+
+
+class GapForm(NamedTuple):
+    """`GapNumbers` without the splines, for a record of a model."""
+
+    kind: int
     truncated: TruncatedNumbers
     elastic: ElasticNumbers
 
@@ -127,3 +135,21 @@ def gap_numbers(law: GapLaw | None) -> GapNumbers:
     if isinstance(numbers, TruncatedNumbers):
         return GapNumbers(TRUNCATED, law.cubics, numbers, NOT_ELASTIC)
     return GapNumbers(ELASTIC, law.cubics, NOT_TRUNCATED, numbers)
+
+
+def gap_forms(*laws: GapLaw | None) -> tuple[list[GapForm], Array]:
+    """Laws as parts of a record, and the splines of all of them in one array; None: smooth."""
+    forms, rows = [], []
+    for law in laws:
+        numbers, before = gap_numbers(law), sum(map(len, rows))
+        forms.append(_behind(GapForm(numbers.kind, numbers.truncated, numbers.elastic), before))
+        rows.append(numbers.cubics)
+    return forms, np.concatenate(rows)
+
+
+def _behind(numbers: Any, before: int) -> Any:
+    """The numbers of a law whose splines stand behind so many rows."""
+    if isinstance(numbers, Pieces):
+        return Pieces(numbers.first + before, numbers.beyond + before)
+    inside = {name: getattr(numbers, name) for name in numbers._fields}
+    return numbers._replace(**{name: _behind(part, before) for name, part in inside.items() if isinstance(part, tuple)})

@@ -1,0 +1,57 @@
+"""Records of a free ball's contacts and of their nodes. Rates are per unit ring speed, so slip is a length."""
+
+import numpy as np
+
+from analytic.scene import Array
+
+MOST_STRIPS, MOST_NODES = 192, 108  # of a quadrature, across and along rolling
+
+CONTACT_STATE = np.dtype(
+    [
+        ("load", "f8"),  # Q, N
+        ("semi_axis_rolling", "f8"),  # a, m
+        ("semi_axis_transverse", "f8"),  # b, m
+        ("radius", "f8"),  # of the contact surface across rolling, m
+        ("normal_radial", "f8"),  # out of the ball
+        ("normal_axial", "f8"),
+        ("ring_rate", "f8"),  # of its ring
+        ("flexibility", "f8"),  # L/a, 1/Pa
+        # The law of traction, as `analytic.oil.traction.PointLaw` has it for speeds per unit ring speed
+        ("boundary", "f8"),
+        ("plain", "f8"),
+        ("limit", "f8"),
+        ("eyring", "f8"),
+        ("fluidity", "f8"),
+        ("share", "f8"),
+        ("growth", "f8"),
+        ("exponent", "f8"),
+        # What the contact does
+        ("along", "f8"),  # force on the ball along the orbit, N
+        ("across", "f8"),  # and across the groove, N
+        ("power", "f8"),  # by slip, N m
+        ("spin_power", "f8"),  # part of it by spin, N m
+        ("friction", "f8"),  # sum of its magnitudes, N
+        ("law_power", "f8"),  # of the law of traction at the slip without creep, N m
+        ("unit_power", "f8"),  # of a friction coefficient of 1 at the same slip, N m
+    ],
+    align=True,
+)
+
+QUADRATURE = np.dtype(
+    [
+        ("strips", "i8"),  # along rolling
+        ("nodes", "i8"),  # of a strip, which is marched from its leading edge
+        ("marched", "?"),
+        ("across", "f8", (3, MOST_STRIPS)),  # sines, cosines and weights of the angles at which the strips lie
+        ("along", "f8", (3, MOST_NODES)),  # likewise of the nodes
+        # Second-order backward differences between the nodes, times the half-length: how far stress at the node, at the
+        # last one and at the one before pulls the slip. The first step is exact where nothing slides.
+        ("steps", "f8", (3, MOST_NODES)),
+    ],
+    align=True,
+)
+
+
+def contact_states(balls: int) -> Array:
+    """(Z, 2) contacts of balls with inner and outer race."""
+    return np.zeros((balls, 2), CONTACT_STATE)

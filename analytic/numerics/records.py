@@ -1,0 +1,35 @@
+"""Records of numbers for compiled formulas: the named fields of a named tuple in one block of memory.
+
+A compiled function takes a record by its address. A tuple of as many numbers is an argument for each of them, which
+costs time at every call and multiplies that of compiling.
+"""
+
+from functools import cache
+from typing import Any, get_args, get_origin, get_type_hints
+
+import numpy as np
+
+SCALARS = {float: np.float64, int: np.int64, bool: np.bool_}
+
+
+@cache
+def dtype_of(numbers: type) -> np.dtype:
+    """The structured type of a named tuple whose fields are numbers, pairs of numbers, and such named tuples."""
+    return np.dtype([(name, *_field_of(hint)) for name, hint in get_type_hints(numbers).items()], align=True)
+
+
+def record_of(numbers: Any) -> np.record:
+    """A named tuple of numbers as a record; formulas take either, field by field."""
+    return np.array([numbers], dtype=dtype_of(type(numbers))).view(np.recarray)[0]
+
+
+def as_record(element: Any) -> np.record:
+    """An element of a structured array as a record, which compiled formulas take."""
+    return element if isinstance(element, np.record) else element.reshape(1).view(np.recarray)[0]
+
+
+def _field_of(hint: Any) -> tuple[Any, ...]:
+    if get_origin(hint) is tuple:
+        first, *rest = get_args(hint)
+        return *_field_of(first), 1 + len(rest)
+    return (SCALARS[hint],) if hint in SCALARS else (dtype_of(hint),)

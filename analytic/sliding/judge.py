@@ -1,0 +1,106 @@
+"""How wrong a method of sliding is at one ball, by other nodes over the whole ellipse.
+
+The power by the method's own nodes is compared with that by other nodes at the spin and the creep that the method
+found. This sees the error of the nodes and what the method leaves out. Spin and creep matter in second order with
+Coulomb friction; else the net force by the other nodes shows them. Differences add up with their magnitudes over races
+and panels, so that they do not cancel by chance. Where a kink of the stress is all that the nodes miss, two sets of
+nodes may agree by chance: three rarely do.
+The estimate is the difference times a safety factor. It is no bound. The random balls of
+`validation/benchmarks/friction.py --nodes` needed a factor of at most 1.5 for `single_coefficient` and `along_axis`,
+and 2.4 for `over_ellipse`.
+With Coulomb friction the error of `single_coefficient` is that of a long ellipse, in closed form: E(m) - 1 of the power
+beyond full spin, with m = 1 - (a/b)^2. It is largest just before full spin: 1.11 times as much at a spin-to-roll ratio
+of 0.43.
+"""
+
+import numpy as np
+
+from analytic.contact.hertz import elliptic_integrals
+from analytic.contact.rolling_contact import ContactNumbers
+from analytic.numerics.compilation import compiled
+from analytic.oil.traction import PointLaw
+from analytic.scene import SlidingMethod
+from analytic.sliding.ball import at_ring_speed
+from analytic.scene import Array
+from analytic.sliding.ellipse import quadrature_of, slider_of, slip_sums
+from analytic.sliding.long_ellipse import Slip
+
+SINGLE_COEFFICIENT, ALONG_AXIS, OVER_ELLIPSE, FINE, AS_PRINTED = range(5)
+METHODS: tuple[SlidingMethod, ...] = ("single_coefficient", "along_axis", "over_ellipse", "over_ellipse")
+# Nodes over a contact: first those of a method over the ellipse, then those that judge them and are nobody's own.
+NODES = np.stack([quadrature_of(nodes) for nodes in ((12, 8), (24, 24), (17, 13), (37, 41), (48, 48))])
+OWN_NODES = (0, 0, 0, 1)  # of each method in NODES; a single coefficient is judged by them
+JUDGES = ((0, 0), (1, 1), (2, 1), (3, 4))  # in NODES
+SAFETY = 2.0  # times the difference of two sets of nodes
+SAFETY_OF_THREE = 3.0  # times the larger difference of three, over the whole ellipse
+LEAST = 1e-7  # the estimate of an error that is smaller: of creep and spin, and of the judging nodes themselves
+BELOW_FULL_SPIN = 1.15  # times E(m) - 1; the largest observed factor is 1.11, with both contacts together
+
+
+@compiled
+def long_ellipse_error(contact: ContactNumbers) -> float:
+    """Error of a long ellipse relative to the true power; at most that of a circle, also where a > b."""
+    if contact.semi_axis_transverse <= 0.0:
+        return 0.0
+    squared = min(contact.semi_axis_rolling / contact.semi_axis_transverse, 1.0) ** 2
+    if squared == 0.0:
+        return 0.0
+    integral, share = elliptic_integrals(squared)
+    return BELOW_FULL_SPIN * (integral * (1 - (1 - squared) * share) - 1)
+
+
+@compiled
+def judged(
+    contacts: tuple[ContactNumbers, ContactNumbers],
+    laws: tuple[PointLaw, PointLaw],
+    slips: tuple[Slip, Slip],
+    ring_speed: float,
+    method: int,
+    nodes: Array,
+) -> tuple[float, float]:
+    """What a method misses of a ball's power over the ring speed, and that power, N m.
+
+    contacts, laws, slips : on inner and outer race, as the method found them;  ring_speed : |w|, rad/s
+    method : SINGLE_COEFFICIENT to FINE;  nodes : NODES
+    """
+    missed = whole = slipped = first_force = second_force = 0.0
+    for race in range(2):
+        contact, slip, law = contacts[race], slips[race], at_ring_speed(laws[race], ring_speed)
+        slider = slider_of(contact)
+        own = slip.spin_moment * slip.spin_rate + slip.rolling_moment * contact.rolling_rate
+        if method == SINGLE_COEFFICIENT and law.eyring == 0.0 and law.plain == 0.0:  # Coulomb friction
+            error = long_ellipse_error(contact)
+            missed += own * error / (1 - error)
+            whole += own
+            continue
+        powers = np.zeros((3, 4))  # by the own nodes, and by both judges: of three panels, and of the net force
+        for which in range(3):
+            if which == 2 and JUDGES[method][0] == JUDGES[method][1]:
+                for k in range(4):
+                    powers[2, k] = powers[1, k]
+                continue
+            number = OWN_NODES[method] if which == 0 else JUDGES[method][which - 1]
+            sideways = which > 0 or method != ALONG_AXIS
+            spin = abs(slip.spin_rate) * slider.transverse
+            sums = slip_sums(slider, law, slip.creep, spin, nodes[number], sideways)
+            powers[which, 0], powers[which, 1] = sums.far_power, sums.middle_power
+            powers[which, 2], powers[which, 3] = sums.near_power, slip.creep * sums.force
+            if method == SINGLE_COEFFICIENT:
+                break
+        if method == SINGLE_COEFFICIENT:
+            missed += SAFETY * abs(powers[0, 0] + powers[0, 1] + powers[0, 2] - own)
+            whole += own
+            continue
+        for k in range(3):
+            whole += powers[0, k]
+            slipped += max(abs(powers[1, k] - powers[0, k]), abs(powers[2, k] - powers[0, k]))
+        first_force += abs(powers[1, 3] - powers[0, 3])
+        second_force += abs(powers[2, 3] - powers[0, 3])
+    safety = SAFETY if method == ALONG_AXIS else SAFETY_OF_THREE
+    return missed + safety * max(slipped, first_force, second_force), whole
+
+
+@compiled
+def error_of(missed: float, whole: float) -> float:
+    """The estimate for sums over the balls of both numbers of `judged`, N m."""
+    return missed + LEAST * whole if whole > 0.0 else 0.0

@@ -1,0 +1,618 @@
+"""The torque of a bearing at operating points, compiled: every step by the formula of its own folder.
+
+The balls are loaded, turn by rule or freely, lubricate, slide and roll; the cage rests on them. A point that does not
+settle gets a status in place of a torque, and costs no other point.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from analytic.cage.steady import braking_torque, hanging_torque
+from analytic.contact.factors import CorrectionNumbers, FactorNumbers
+from analytic.contact.finite_geometry_fit import geometry_on, shoulders_of
+from analytic.contact.geometry import USUAL_SHOULDERS, distances_to_shoulders
+from analytic.contact.hertz import HertzNumbers, loaded_hertz, unit_hertz
+from analytic.contact.rolling_contact import ContactNumbers
+from analytic.free_ball.kernel import add_law_powers
+from analytic.free_ball.passes import FreeAccuracy, FreeModel, put_motion, settle_freely
+from analytic.free_ball.rounds import SKIDS
+from analytic.loads.inertia import moment_of_turned_axis
+from analytic.loads.kinematics import BallMotion, ruled_motion
+from analytic.loads.race_contacts import contact_under
+from analytic.loads.ring_rounds import BY_LOAD, BY_POINT, Round, settle_ruled_ring
+from analytic.loads.ring_rounds import SETTLED as ROUNDS_SETTLED
+from analytic.loads.thrust_ball import first_contacts, settle_ruled_thrust, thrust_point
+from analytic.loads.turning import TurningRule
+from analytic.numerics.compilation import compiled
+from analytic.oil.asymptotes import Inflow, asymptotes_of
+from analytic.oil.mixed import mixed_of, oil_beside
+from analytic.oil.race_resistance import ResistedContact, resisted_contact
+from analytic.oil.traction import PointLaw, law_of_oil, mean_force, stress_and_slope
+from analytic.oil.viscosity import OilNumbers, oil_at
+from analytic.scene import STANDARD_GRAVITY, Array
+from analytic.sliding.as_printed import as_printed_slip
+from analytic.sliding.ball import slips_over_contacts
+from analytic.sliding.judge import (
+    AS_PRINTED,
+    OVER_ELLIPSE,
+    OWN_NODES,
+    SINGLE_COEFFICIENT,
+    error_of,
+    judged,
+)
+from analytic.sliding.levers import creep_share
+from analytic.sliding.long_ellipse import Slip, line_slips
+from analytic.solve.model import CageNumbers, ModelNumbers, Tables, Workspace
+from analytic.solve.records import (
+    BEYOND_GROOVE,
+    BEYOND_SHOULDER,
+    LOOSE_BALL,
+    LOOSE_RING,
+    NO_CAGE_DRIVE,
+    NO_CREEP_SPEED,
+    NO_DISTRIBUTION,
+    NO_MENISCUS,
+    NO_SHARED_LOAD,
+    NO_SPIN_BALANCE,
+    NO_STEADY_ROTATION,
+    NO_THRUST,
+    OPEN_ANGLE,
+    OPEN_FORCES,
+    SETTLED,
+    THROWN,
+    THROWN_WASHERS,
+)
+from analytic.surface.gap import GapNumbers
+
+LEAST_GRAVITY = 1e-3 * STANDARD_GRAVITY  # m/s^2, of a cage without gravity: a film needs a load
+# Centrifugal force over the ball load beyond which balls hang in the outer race and skid on the inner one. A bearing
+# needs at least a hundredth of that to roll, and the equilibrium of the ring converges up to some 6000.
+MOST_CENTRIFUGAL = 1000.0
+# Heaviest ball of Z under a radial load Fr without clearance: 4.37 Fr/Z [Stribeck1907]: it is the load-distribution
+# integral of point contacts, 1/J_r(0.5) = 4.37.
+STRIBECK = 4.37
+# Ball load over centrifugal force in a thrust bearing, below which balls leave the middle of their grooves.
+PRESSED = 10.0
+# Of the heaviest ball's load, a judgement: a lighter ball is at the edge of the loaded zone, and its slip costs little.
+IN_LOADED_ZONE = 0.1
+STATUS_OF_ROUND = (SETTLED, OPEN_FORCES, LOOSE_BALL, LOOSE_RING, BEYOND_GROOVE, NO_STEADY_ROTATION)
+
+
+class Load(NamedTuple):
+    """An operating point."""
+
+    axial: float  # Fa, N
+    radial: float  # Fr along x, N
+    moment: float  # M about y, N m
+    speed: float  # w of the inner ring, rad/s, of either sign
+
+
+AS_HERTZ = FactorNumbers(1.0, 1.0, 1.0, np.nan)
+UNCORRECTED = CorrectionNumbers(AS_HERTZ, AS_HERTZ)
+
+
+@compiled
+def solve(
+    model: ModelNumbers, tables: Tables, points: Array, work: Workspace, balls: Array, out: Array, has_ring: bool | None
+) -> None:
+    """Write the records of n operating points whose balls turn by rule.
+
+    points : (n, 5) of `Load`, and the temperature of the oil, K
+    balls : (n, Z) of `records.BALL`, or (0, 0) where nobody reads them;  out : (n,) of `records.POINT`
+    has_ring : None: all points are under thrust, and no ring is compiled
+    """
+    for i in range(points.shape[0]):
+        load, of_point = begin(model, tables, points, i, work, out), out[i]
+        count = load_balls(model, tables, load, work, has_ring, of_point)
+        if count == 0:
+            continue
+        written = balls[min(i, balls.shape[0] - 1)]
+        slide_by_rule(model, tables, load, work.balls[:count], written, of_point)
+        finish(model, tables, load, count, written, of_point)
+
+
+@compiled
+def solve_free(
+    model: ModelNumbers, tables: Tables, points: Array, work: Workspace, balls: Array, out: Array, has_ring: bool | None
+) -> None:
+    """The same for balls that turn freely; each point begins where the last one has settled."""
+    for i in range(points.shape[0]):
+        load, of_point = begin(model, tables, points, i, work, out), out[i]
+        count = load_balls(model, tables, load, work, has_ring, of_point)
+        if count == 0:
+            work.ring.passes = 0
+            continue
+        written = balls[min(i, balls.shape[0] - 1)]
+        slide_freely(model, tables, load, work, has_ring, count, written, of_point)
+        if of_point.status == SETTLED:
+            finish(model, tables, load, count, written, of_point)
+
+
+@compiled
+def begin(model: ModelNumbers, tables: Tables, points: Array, i: int, work: Workspace, out: Array) -> Load:
+    """Begin a point: its load, the oil at its temperature, the factors that are given on its contacts."""
+    of_point, given = out[i], tables.factors
+    reset(of_point)
+    if model.has_oil and points[i, 4] != model.warm.temperature:
+        put_oil(model.warm, oil_at(model.oil, points[i, 4]))
+    last = given.shape[3] - 1
+    for j in range(len(work.balls)):
+        for race in range(2):
+            factors = work.balls[j].inner_factors if race == 0 else work.balls[j].outer_factors
+            if given.shape[0] == 0:
+                put_factors(factors, AS_HERTZ)
+            else:
+                f = given[min(i, given.shape[0] - 1), race]
+                at = min(j, last)
+                put_factors(factors, FactorNumbers(f[0, at], f[1, at], f[2, at], f[3, at]))
+    return Load(points[i, 0], points[i, 1], points[i, 2], points[i, 3])
+
+
+@compiled
+def put_factors(factors: np.record, found: FactorNumbers) -> None:
+    """Write factors on a contact."""
+    factors.semi_axis_rolling, factors.semi_axis_transverse = found.semi_axis_rolling, found.semi_axis_transverse
+    factors.approach, factors.peak_pressure = found.approach, found.peak_pressure
+
+
+@compiled
+def put_oil(oil: np.record, found: OilNumbers) -> None:
+    """Write what of an oil changes with the temperature."""
+    oil.temperature, oil.viscosity, oil.growth = found.temperature, found.viscosity, found.growth
+    oil.pressure_viscosity, oil.viscosity_temperature = found.pressure_viscosity, found.viscosity_temperature
+
+
+@compiled
+def reset(out: np.record) -> None:
+    """Begin the sums of a point."""
+    out.total = out.spin = out.conformity = out.hysteresis = out.rolling = out.cage = out.sliding_error = 0.0
+    out.orbit_rate = out.ball_rate = out.contact_angle = out.ball_lead = out.slowness = 0.0
+    out.creep, out.passes, out.heaviest, out.overhang, out.gyroscopic_hold = 0.0, 0, 0, -np.inf, 0.0
+    for race in range(2):
+        out.peak_pressure[race] = out.cut_off[race] = out.rolling_force[race] = out.most_friction[race] = 0.0
+        out.rolling_extrapolated[race] = False
+    out.beyond_fit = out.fit_applied = False
+    out.status, out.steps, out.left, out.tolerance, out.worst_ball = SETTLED, 0, 0.0, 0.0, 0
+
+
+@compiled
+def spoil(out: np.record) -> None:
+    """Take the torque of a point that has not settled."""
+    out.total = out.spin = out.conformity = out.hysteresis = out.rolling = out.cage = np.nan
+
+
+@compiled
+def thrown(model: ModelNumbers, load: Load) -> float:
+    """Centrifugal force of a ball over the load of the heaviest one, about; 0 where estimates say that it is small."""
+    bearing = model.ring.bearing
+    washers = bearing.inner.bottom_angle > 0.0
+    if not (model.counted.centrifugal or washers):
+        return 0.0
+    most = 1 / PRESSED if washers else MOST_CENTRIFUGAL
+    # A ball passes at half the ring's speed at most, and under unequal loads the heaviest one has this load at least.
+    force = bearing.ball_mass * bearing.pitch_diameter / 2 * (load.speed / 2) ** 2
+    unequal = STRIBECK * (abs(load.radial) + abs(load.moment) / bearing.pitch_diameter)
+    if force * bearing.ball_count <= most * (load.axial + unequal):
+        return 0.0
+    angle, pressing = model.ring.angle, load.axial / bearing.ball_count
+    if load.axial > 0.0:
+        rule = TurningRule(0.0, False, False)
+        at_rest = thrust_point(bearing, first_contacts(bearing), load.axial, rule, UNCORRECTED)
+        angle, pressing = at_rest.ball.inner_angle, at_rest.ball.inner_load
+    motion = ruled_motion(bearing, load.speed, angle, angle)
+    force = bearing.ball_mass * bearing.pitch_diameter / 2 * motion.cage_speed**2
+    pressing += unequal / bearing.ball_count
+    return force / pressing if pressing > 0.0 else np.inf
+
+
+@compiled
+def load_balls(
+    model: ModelNumbers, tables: Tables, load: Load, work: Workspace, has_ring: bool | None, out: np.record
+) -> int:
+    """Load the balls by rule, with their finite geometry; the number of balls that differ, 0 where they do not settle.
+
+    Under thrust one ball stands for all.
+    """
+    ratio, washers = thrown(model, load), model.ring.bearing.inner.bottom_angle > 0.0
+    if ratio > (1 / PRESSED if washers else MOST_CENTRIFUGAL):
+        out.status = THROWN_WASHERS if washers else THROWN
+        spoil(out)
+        return 0
+    count, corrects = 0, model.counted.finite_geometry and tables.factors.shape[0] == 0
+    for start in (BY_LOAD, BY_POINT):
+        count = balance(model, load, work, has_ring, start, model.counted.gyroscopic, out)
+        if count == 0 or not corrects or start == BY_POINT:
+            break
+        correct(model, tables, work.balls[:count], out)
+    return count
+
+
+@compiled
+def correct(model: ModelNumbers, tables: Tables, balls: Array, out: np.record) -> None:
+    """Write the factors of the balls' finite geometry at their loads by Hertz."""
+    bearing = model.ring.bearing
+    for j in range(len(balls)):
+        ball = balls[j]
+        for race in range(2):
+            numbers = bearing.inner if race == 0 else bearing.outer
+            angle = abs(ball.angle[race]) if ball.load[race] > 0.0 else 0.0
+            found = geometry_on(tables.fit, numbers, angle, ball.load[race])
+            put_factors(
+                ball.inner_factors if race == 0 else ball.outer_factors,
+                found.farthest if model.farthest else found.factors,
+            )
+            if found.beyond > 0.0 or np.isnan(numbers.near_shoulder):
+                out.beyond_fit = True
+            if found.applied > 0.0:
+                out.fit_applied = True
+
+
+@compiled
+def balance(
+    model: ModelNumbers,
+    load: Load,
+    work: Workspace,
+    has_ring: bool | None,
+    start: int,
+    gyroscopic: bool,
+    out: np.record,
+) -> int:
+    """The equilibrium of the balls by rule, with the factors that they have; returns as `load_balls`.
+
+    start : of `settle_ruled_ring`
+    """
+    counted, ring = model.counted, work.ring
+    unequal = load.radial != 0.0 or load.moment != 0.0
+    is_ring = (unequal and counted.load_distribution) or counted.weight
+    if not is_ring and not load.axial > 0.0:
+        out.status = NO_DISTRIBUTION if unequal else NO_THRUST
+        spoil(out)
+        return 0
+    for i in range(5):
+        ring.load[i] = 0.0
+    ring.load[0] = load.axial
+    if counted.load_distribution:
+        ring.load[1], ring.load[4] = load.radial, load.moment / model.arm
+    rule, count = TurningRule(load.speed, counted.centrifugal, gyroscopic), 1
+    if is_ring and has_ring is not None:
+        count = len(work.balls)
+        end = settle_ruled_ring(model.ring, rule, ring, work.balls, start)
+        out.status = STATUS_OF_ROUND[end.end]
+    else:
+        left = settle_ruled_thrust(model.ring.bearing, rule, load.axial, work.balls[0])
+        end = Round(ROUNDS_SETTLED, 0, left, 0.0)
+        out.status = SETTLED if left == 0.0 else OPEN_ANGLE
+    if out.status != SETTLED:
+        out.steps, out.left, out.tolerance = end.steps, end.left, end.tolerance
+        spoil(out)
+        return 0
+    return count
+
+
+class LoadedContact(NamedTuple):
+    """A ball on a race as the kernel sums it up."""
+
+    resisted: ResistedContact
+    hertz: HertzNumbers  # under its load
+
+
+@compiled
+def contact_of_ball(
+    model: ModelNumbers, tables: Tables, speed: float, race: int, ball: np.record, motion: BallMotion
+) -> LoadedContact:
+    """A loaded ball on its inner (0) or outer race (1)."""
+    numbers = model.ring.bearing.inner if race == 0 else model.ring.bearing.outer
+    unit = ball.inner_unit if race == 0 else ball.outer_unit
+    rate = motion.inner_rolling_rate if race == 0 else motion.outer_rolling_rate
+    entrainment = motion.inner_entrainment if race == 0 else motion.outer_entrainment
+    contact = contact_under(numbers, unit, abs(ball.angle[race]), ball.load[race], rate, entrainment)
+    hertz = loaded_hertz(unit, ball.load[race])
+    resistance, oil = model.resistance, model.warm
+    resisted = resisted_contact(resistance, tables.cubics, oil, race, contact, hertz.peak_pressure, speed)
+    return LoadedContact(resisted, hertz)
+
+
+@compiled
+def note_limits(model: ModelNumbers, race: int, ball: np.record, found: LoadedContact, j: int, out: np.record) -> None:
+    """Look after the limits of a contact of ball j."""
+    numbers = model.ring.bearing.inner if race == 0 else model.ring.bearing.outer
+    contact, is_known = found.resisted.contact, not np.isnan(numbers.near_shoulder)
+    if contact.load > 0.0:
+        near, far = distances_to_shoulders(numbers, shoulders_of(numbers, USUAL_SHOULDERS[0]), ball.angle[race])
+        distance, b = min(near, far), contact.semi_axis_transverse
+        if is_known:
+            out.overhang = max(out.overhang, b - distance)
+        if is_known and distance <= 0.0:
+            out.status, out.worst_ball = BEYOND_SHOULDER, j
+        t = min(max(distance, 0.0), b) / b
+        out.cut_off[race] = max(out.cut_off[race], (1 - t) ** 2 * (2 + t) / 4)
+    out.peak_pressure[race] = max(out.peak_pressure[race], found.hertz.peak_pressure)
+    if found.resisted.rolling_extrapolated:
+        out.rolling_extrapolated[race] = True
+    if model.has_oil and np.isnan(model.resistance.coefficient) and np.isnan(found.resisted.mixed.asperity_share):
+        out.status = NO_SHARED_LOAD
+    if np.isnan(found.resisted.starvation_degree):
+        out.status = NO_MENISCUS
+
+
+@compiled
+def friction_held(resisted: ResistedContact, ring_speed: float) -> float:
+    """Friction of a contact that slides as fast as it rolls, N."""
+    return mean_force(resisted.law, resisted.contact, abs(ring_speed) * resisted.contact.entrainment)
+
+
+@compiled
+def add_ball(
+    model: ModelNumbers,
+    load: Load,
+    ball: np.record,
+    contacts: tuple[LoadedContact, LoadedContact],
+    motion: BallMotion,
+    place: tuple[int, int],
+    out: np.record,
+) -> None:
+    """Add what a ball loses besides sliding, how it drives the cage, and what its friction can hold.
+
+    place : number of the ball, and of those that differ
+    """
+    j, count = place
+    alike, slides = model.ring.bearing.ball_count / count, model.counted.spin or model.counted.conformity
+    drives = max(ball.load[0], ball.load[1]) > 0.0
+    out.orbit_rate += motion.cage_speed if drives else np.nan  # nothing turns a ball without load
+    out.ball_rate += motion.ball_speed
+    out.contact_angle += abs(ball.angle[0] + ball.angle[1]) / 2
+    out.ball_lead += np.cos(2 * np.pi * j / count) / motion.cage_speed
+    out.slowness += 1 / motion.cage_speed
+    for race in range(2):
+        found = contacts[race]
+        resisted = found.resisted
+        note_limits(model, race, ball, found, j, out)
+        out.hysteresis += alike * resisted.hysteresis_torque
+        out.rolling += alike * resisted.rolling_torque
+        if resisted.contact.entrainment > 0.0:
+            out.rolling_force[race] += alike * resisted.rolling_torque / (2 * resisted.contact.entrainment)
+        if slides:
+            out.most_friction[race] += alike * friction_held(resisted, load.speed)
+            share = creep_share(resisted.contact, resisted.law, abs(load.speed), abs(motion.spin_difference))
+            out.creep = max(out.creep, share)
+
+
+@compiled
+def write_ball(
+    model: ModelNumbers,
+    load: Load,
+    state: np.record,
+    contacts: tuple[LoadedContact, LoadedContact],
+    coefficients: tuple[float, float],
+    motion: BallMotion,
+    ball: np.record,
+) -> None:
+    """Write the record of a ball."""
+    bearing, held = model.ring.bearing, 0.0
+    for race in range(2):
+        resisted, hertz = contacts[race].resisted, contacts[race].hertz
+        mixed = resisted.mixed
+        ball.load[race], ball.angle[race] = state.load[race], state.angle[race]
+        ball.semi_axis_rolling[race], ball.semi_axis_transverse[race] = hertz.semi_axis_x, hertz.semi_axis_y
+        ball.peak_pressure[race], ball.approach[race] = hertz.peak_pressure, hertz.approach
+        ball.friction_coefficient[race] = coefficients[race]
+        ball.film[race], ball.asperity_share[race] = mixed.film_thickness, mixed.asperity_share
+        ball.boundary_share[race], ball.film_capped[race] = mixed.boundary_share, mixed.capped
+        ball.film_extrapolated[race] = resisted.film_extrapolated
+        held += friction_held(resisted, load.speed)
+    turning = moment_of_turned_axis(
+        bearing.ball_mass,
+        2 * bearing.ball_radius,
+        load.speed * motion.ball_speed,
+        load.speed * motion.cage_speed,
+        motion.pitch,
+    )
+    both = state.load[0] > 0.0 and state.load[1] > 0.0
+    ball.gyroscopic_hold = 0.0
+    if both and turning != 0.0:
+        ball.gyroscopic_hold = abs(turning) / (bearing.ball_radius * held) if held > 0.0 else np.inf
+    put_motion(ball, motion)
+
+
+@compiled
+def slide_by_rule(
+    model: ModelNumbers, tables: Tables, load: Load, states: Array, balls: Array, out: np.record
+) -> None:
+    """What the balls lose that turn by the spin rule; states : of the balls that differ"""
+    counted, count = model.counted, len(states)
+    alike, slides = model.ring.bearing.ball_count / count, counted.spin or counted.conformity
+    missed = whole = 0.0
+    for j in range(count):
+        state = states[j]
+        motion = ruled_motion(model.ring.bearing, 1.0, state.angle[0], state.angle[1])
+        inner = contact_of_ball(model, tables, load.speed, 0, state, motion)
+        outer = contact_of_ball(model, tables, load.speed, 1, state, motion)
+        add_ball(model, load, state, (inner, outer), motion, (j, count), out)
+        coefficients = (np.nan, np.nan)
+        if slides:
+            difference = abs(motion.spin_difference) if counted.spin else 0.0
+            contacts = (inner.resisted.contact, outer.resisted.contact)
+            laws = (inner.resisted.law, outer.resisted.law)
+            slips = slips_of(model, tables, contacts, laws, abs(load.speed), difference, out)
+            coefficients = (slips[0].coefficient, slips[1].coefficient)
+            for race in range(2):
+                out.spin += alike * slips[race].spin_moment * slips[race].spin_rate
+                out.conformity += alike * slips[race].rolling_moment * contacts[race].rolling_rate
+            if model.judges and model.method != AS_PRINTED:
+                of_ball, power = judged(contacts, laws, slips, abs(load.speed), model.method, tables.nodes)
+                missed += alike * of_ball
+                whole += alike * power
+        if j < len(balls):
+            write_ball(model, load, state, (inner, outer), coefficients, motion, balls[j])
+    out.sliding_error = np.inf if model.method == AS_PRINTED else error_of(missed, whole)
+
+
+@compiled
+def slips_of(
+    model: ModelNumbers,
+    tables: Tables,
+    contacts: tuple[ContactNumbers, ContactNumbers],
+    laws: tuple[PointLaw, PointLaw],
+    ring_speed: float,
+    spin_difference: float,
+    out: np.record,
+) -> tuple[Slip, Slip]:
+    """The slip of a ball on both races by the model's method."""
+    method = model.method
+    if method == SINGLE_COEFFICIENT or method == AS_PRINTED:
+        inner, outer = line_slips(contacts, laws, ring_speed, spin_difference, model.spin_rule)
+        if np.isnan(inner.spin_rate):
+            out.status = NO_SPIN_BALANCE
+        if method == AS_PRINTED:
+            radius = model.ring.bearing.ball_radius
+            return as_printed_slip(contacts[0], inner, radius), as_printed_slip(contacts[1], outer, radius)
+        return inner, outer
+    nodes = tables.nodes[OWN_NODES[method]]
+    inner, outer, number = slips_over_contacts(
+        contacts, laws, ring_speed, spin_difference, model.spin_rule, nodes, method >= OVER_ELLIPSE
+    )
+    if number == 0:
+        out.status = NO_CREEP_SPEED
+    return inner, outer
+
+
+@compiled
+def slide_freely(
+    model: ModelNumbers,
+    tables: Tables,
+    load: Load,
+    work: Workspace,
+    has_ring: bool | None,
+    count: int,
+    balls: Array,
+    out: np.record,
+) -> None:
+    """What the balls lose that turn freely; count : balls that differ"""
+    counted, states, contacts = model.counted, work.balls[:count], work.contacts[:count]
+    if counted.gyroscopic and balance(model, load, work, has_ring, BY_LOAD, False, out) == 0:
+        return
+    free = FreeModel(model.ring, model.resistance, tables.cubics, model.free, tables.quadratures)
+    wanted = FreeAccuracy(model.allowed, model.passes, model.nearly)
+    is_ring = None if has_ring is None else count > 1
+    end = settle_freely(free, load.speed, model.warm, work.ring, states, contacts, wanted, is_ring)
+    last = end.round
+    out.steps, out.left, out.tolerance, out.passes = last.steps, last.left, last.tolerance, work.ring.passes
+    if last.end != ROUNDS_SETTLED:
+        out.status = STATUS_OF_ROUND[last.end]
+        if count == 1 and out.status == OPEN_FORCES:
+            out.status = OPEN_ANGLE
+        for j in range(count):
+            if last.end == SKIDS and not states[j].residual <= states[out.worst_ball].residual:
+                out.worst_ball = j
+        spoil(out)
+        return
+    out.spin, out.conformity, out.sliding_error = end.spin, end.torque - end.spin, end.error
+    quadrature = tables.quadratures[work.ring.passes]
+    for j in range(count):
+        state, of_ball = states[j], contacts[j]
+        motion = motion_of(state)
+        inner = contact_of_ball(model, tables, load.speed, 0, state, motion)
+        outer = contact_of_ball(model, tables, load.speed, 1, state, motion)
+        add_ball(model, load, state, (inner, outer), motion, (j, count), out)
+        if j < len(balls):
+            add_law_powers(of_ball, state, quadrature)
+            write_ball(model, load, state, (inner, outer), coefficients_of(of_ball), motion, balls[j])
+
+
+@compiled
+def motion_of(ball: np.record) -> BallMotion:
+    """How a ball moves, per unit ring speed."""
+    m = ball.motion
+    return BallMotion(
+        m.inner_radius,
+        m.outer_radius,
+        m.cage_speed,
+        m.ball_speed,
+        m.inner_entrainment,
+        m.outer_entrainment,
+        m.inner_rolling_rate,
+        m.outer_rolling_rate,
+        m.spin_difference,
+        m.pitch,
+    )
+
+
+@compiled
+def coefficients_of(contacts: Array) -> tuple[float, float]:
+    """Friction coefficients that lose the power of the law of traction at the slip without creep; 0 without load."""
+    inner, outer = contacts[0], contacts[1]
+    return (
+        inner.law_power / inner.unit_power if inner.unit_power > 0.0 else 0.0,
+        outer.law_power / outer.unit_power if outer.unit_power > 0.0 else 0.0,
+    )
+
+
+@compiled
+def finish(model: ModelNumbers, tables: Tables, load: Load, count: int, balls: Array, out: np.record) -> None:
+    """Add the cage and sum up, once the balls of a point have their parts."""
+    heaviest = 0.0
+    for j in range(min(count, len(balls))):
+        largest = max(balls[j].load[0], balls[j].load[1])
+        if largest > heaviest:
+            heaviest, out.heaviest = largest, j
+    for j in range(min(count, len(balls))):
+        if max(balls[j].load[0], balls[j].load[1]) >= IN_LOADED_ZONE * heaviest:
+            out.gyroscopic_hold = max(out.gyroscopic_hold, balls[j].gyroscopic_hold)
+    for j in range(count, len(balls)):
+        balls[j] = balls[0]
+    out.orbit_rate /= count
+    out.ball_rate /= count
+    out.contact_angle /= count
+    # First harmonic of the slowness of the balls round their orbit, see `analytic.cage.grip.ball_lead`
+    out.ball_lead = -model.ring.bearing.pitch_diameter * out.ball_lead / out.slowness if count > 1 else 0.0
+    if model.counted.cage:
+        out.cage = cage_torque(model, tables, load.speed, out)
+        if np.isnan(out.cage):
+            out.status = NO_CAGE_DRIVE
+    if not model.counted.spin:
+        out.spin = 0.0
+    if not model.counted.conformity:
+        out.conformity = 0.0
+    out.total = out.spin + out.conformity + out.hysteresis + out.rolling + out.cage + model.declared
+    if out.status != SETTLED:
+        spoil(out)
+
+
+@compiled
+def cage_torque(model: ModelNumbers, tables: Tables, ring_speed: float, out: np.record) -> float:
+    """Of a cage at rest on its balls; NaN where balls that lead squeeze it, or nothing turns a ball."""
+    cage, bearing, oil = model.cage, model.ring.bearing, model.warm
+    if abs(out.ball_lead) >= cage.room or (ring_speed != 0.0 and np.isnan(out.orbit_rate)):
+        return np.nan
+    orbit_speed, ball_speed = out.orbit_rate * abs(ring_speed), out.ball_rate * abs(ring_speed)
+    coefficient = cage.coefficient
+    if np.isnan(coefficient):
+        load = cage.mass * max(cage.gravity, LEAST_GRAVITY) / bearing.ball_count
+        coefficient = _pocket_coefficient(cage, tables.cubics, oil, load, ball_speed * bearing.ball_radius)
+    weight, surface_rate = cage.mass * cage.gravity, out.ball_rate * bearing.ball_radius
+    if cage.lies_along:  # the cage lies on its balls where their surfaces are slowest
+        torque = coefficient * weight * surface_rate * np.sin(out.contact_angle)
+    else:
+        torque = hanging_torque(coefficient, weight, surface_rate, out.contact_angle)
+    surface_speed = ball_speed * bearing.ball_radius
+    return torque + braking_torque(
+        cage.drag, coefficient, out.orbit_rate, orbit_speed, surface_speed, bearing.pitch_diameter / 2
+    )
+
+
+@compiled
+def _pocket_coefficient(cage: CageNumbers, cubics: Array, oil: OilNumbers, load: float, surface_speed: float) -> float:
+    """Friction of a ball on its pocket by oil and surface, see `analytic.cage.pocket_friction`; load : N."""
+    hertz = loaded_hertz(unit_hertz(cage.curvature, cage.curvature, cage.modulus), load)
+    a = hertz.semi_axis_x
+    contact = ContactNumbers(load, a, a, cage.curvature, cage.curvature, cage.modulus, np.nan, np.nan, np.nan)
+    film = asymptotes_of(
+        contact, Inflow(surface_speed / 2, oil.viscosity, oil.pressure_viscosity, oil.compressible, cage.largest_gap)
+    )
+    gap = GapNumbers(cage.gap.kind, cubics, cage.gap.truncated, cage.gap.elastic)
+    mixed = mixed_of(contact, film, gap, 1.0, 1.0)
+    area, thickness = oil_beside(mixed.area_fraction, mixed.film_thickness, mixed.without_film)
+    law = law_of_oil(oil, cage.boundary_friction * mixed.boundary_share, 1.0 - mixed.asperity_share, area, thickness)
+    pressure = load / (np.pi * a * a)
+    return stress_and_slope(law, pressure, surface_speed)[0] / pressure
