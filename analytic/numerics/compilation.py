@@ -1,42 +1,133 @@
-"""Functions that numba compiles, once for a machine; later processes load them without numba.
+"""Functions that numba compiles once on a machine and keeps between processes.
 
     @compiled
     def slope(x: float) -> float: ...
 
-Python calls them as machine code, and they call each other. They take and give floats, integers, bools, arrays, and
-tuples of these, named or not, and take such constants from their modules. They raise nothing: a function that fails
-gives NaN or a status, and a division by zero gives infinity or NaN. `analytic.numerics.machine_code` keeps the code.
+Python calls them, and they call each other. They raise nothing: a function that fails gives NaN or a status, and a
+division by zero gives infinity or NaN.
+
+Numba keeps them in the folder FEMBEARING_CACHE, else in the platform's folder for caches. Numba notices a change of a
+function's own file, but none of a function that it calls or of a constant that it takes. A digest of all files of this
+package is therefore part of the folder's name; any of them may hold such a constant. The folder can be deleted at any
+time.
 """
 
-import dis
-import inspect
-import re
+import gc
+import hashlib
+import os
 import sys
-from collections.abc import Callable, Iterator
+import tempfile
+import time
+from collections.abc import Callable
 from contextlib import suppress
-from functools import cached_property, update_wrapper
-from threading import RLock
-from types import CodeType, FunctionType, ModuleType
-from typing import Any, TypeVar, cast, overload
+from pathlib import Path
+from shutil import rmtree
+from typing import Any, TypeVar, overload
 
+import llvmlite
+import numba
 import numpy as np
+from numba.core import event
 from numpy.typing import ArrayLike, NDArray
-
-from analytic.errors import StorageError
-from analytic.numerics import machine_code
-from analytic.numerics.machine_code import Kind, MachineCode
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 Freedoms = frozenset[str]  # of the compiler with floating point: flags of LLVM
 EXACT: Freedoms = frozenset()
-DIVISION = "numpy"  # by zero
-INSIDE = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}  # only machine code calls it; a quarter of the time
-CONSTANT_MODULES = ("numpy", "math")  # others may change without a change of the byte code
 
-MOST_TUPLES = 16  # that a function remembers
-FIRST_TIME = "compiling formulas, once for this machine; this may take a minute"
+FOLDER = "FEMBEARING_CACHE"  # of the environment
+PREFIX = "formulas-"  # of the folders in it, one for each version
+UNUSED = 30 * 24 * 3600.0  # s after which the folder of another version is deleted
+SEAL = "sha256"  # name of the file with the digest of a function's other files
+COMPILING = "compiling formulas, once on this machine"
 said: set[str] = set()  # lines on standard error: each once a process
-_making = RLock()  # LLVM takes code from one thread at a time; a function that is compiled may need another
+
+
+def cache_folder() -> Path:
+    """Where the folders of all versions are. Raises OSError if the user has none."""
+    home = os.path.expanduser("~")
+    caches = {"darwin": "Library/Caches", "win32": "AppData/Local"}.get(sys.platform, ".cache")
+    given = os.environ.get(FOLDER) or os.path.join(os.environ.get("XDG_CACHE_HOME") or f"{home}/{caches}", "fembearing")
+    if given.startswith("~"):
+        raise OSError("the user has no home folder")
+    return Path(given).absolute()
+
+
+def _folder_of_this_version() -> Path:
+    """Raises OSError if it cannot be written."""
+    version = hashlib.sha256(f"{sys.version} {numba.__version__} {llvmlite.__version__}".encode())
+    for file in sorted(Path(__file__).parents[1].rglob("*.*")):
+        if file.is_file() and "__pycache__" not in file.parts:
+            version.update(file.read_bytes())
+    folder = cache_folder() / f"{PREFIX}{version.hexdigest()[:16]}"
+    if not folder.exists():
+        for other in cache_folder().glob(f"{PREFIX}*"):
+            if other.stat().st_mtime < time.time() - UNUSED:
+                rmtree(other, ignore_errors=True)
+    folder.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryFile(dir=folder):  # it also marks the folder as used
+        return folder
+
+
+try:
+    KEPT_IN, PROBLEM = _folder_of_this_version(), None
+except OSError as problem:
+    KEPT_IN, PROBLEM = None, problem
+
+
+def _say(line: str) -> None:
+    if line not in said:
+        said.add(line)
+        with suppress(OSError, AttributeError):  # it takes no more, or a process without a terminal has none
+            sys.stderr.write(f"fembearing: {line}\n")
+
+
+def _say_why(problem: OSError) -> None:
+    _say(f"compiled formulas cannot be kept ({problem}); give a writable folder in {FOLDER}")
+
+
+def show(count: int, most: int) -> None:
+    """Called for each function that is compiled, and with a count of 0 after the last; most : functions that may be.
+
+    A program with a progress bar puts its own function in the place of this one.
+    """
+    if sys.stderr is None or not sys.stderr.isatty():
+        _say(COMPILING)
+    else:
+        with suppress(OSError):
+            sys.stderr.write(f"\r\x1b[Kfembearing: {COMPILING}: {count} of at most {most}" if count else "\r\x1b[K")
+            sys.stderr.flush()
+
+
+class _Compilation(event.Listener):
+    """Shows which functions are compiled. The garbage collector waits: types and code stay, and are many."""
+
+    def __init__(self) -> None:
+        self.functions: set[Any] = set()
+        self.count = self.depth = 0
+        self.collects = True
+
+    def on_start(self, event: Any) -> None:
+        if event.data["dispatcher"] in self.functions:
+            if PROBLEM is not None:
+                _say_why(PROBLEM)
+            if self.depth == 0:
+                self.collects = gc.isenabled()
+                gc.disable()
+            self.depth += 1
+            self.count += 1
+            show(self.count, len(self.functions))
+
+    def on_end(self, event: Any) -> None:
+        if event.data["dispatcher"] in self.functions:
+            self.depth -= 1
+            if self.depth == 0:
+                show(0, len(self.functions))
+                if self.collects:
+                    gc.enable()
+
+
+_compilation = _Compilation()
+event.register("numba:compile", _compilation)
 
 
 @overload
@@ -48,108 +139,49 @@ def compiled(function: Any = None, /, *, fastmath: Freedoms = EXACT, inline: boo
 
     `inspect.unwrap` gives the same in Python.
     """
-    options = {"fastmath": {*fastmath}, "inline": "always" if inline else "never"}
-    return Compiled(function, options) if function else lambda function: Compiled(function, options)
+    if function is None:
+        return lambda function: _compiled(function, {*fastmath}, "always" if inline else "never")
+    return _compiled(function, {*fastmath}, "always" if inline else "never")
 
 
-class Compiled:
-    """A compiled function."""
+def _compiled(function: Any, fastmath: set[str], inline: str) -> Any:
+    own, others = f"{function.__module__}.{function.__qualname__}", numba.config.CACHE_DIR
+    numba.config.CACHE_DIR = str(KEPT_IN / own) if KEPT_IN else ""
+    options: Any = {"error_model": "numpy", "nogil": True, "no_cfunc_wrapper": True, "inline": inline}
+    dispatcher = numba.njit(cache=KEPT_IN is not None, fastmath=fastmath, **options)(function)
+    numba.config.CACHE_DIR = others
+    _compilation.functions.add(dispatcher)
+    if KEPT_IN is not None:
+        _guard(dispatcher)
+    return dispatcher
 
-    def __init__(self, function: FunctionType, options: dict[str, Any]) -> None:
-        self.function, self.options = function, options  # of numba.njit
-        update_wrapper(self, function)
-        self._variants: dict[Any, Callable[..., Any]] = {}  # by the kinds of the arguments
-        self._of_numbers: dict[tuple[type, ...], Callable[..., Any]] = {}  # which need not be looked at
-        self._tuples: dict[int, tuple[tuple[Any, ...], Any, list[Any]]] = {}  # taken apart once, by their identity
 
-    def __call__(self, *given: Any) -> Any:
-        """Raises TypeError for an argument that machine code does not take, RuntimeError where the function raises."""
-        of_numbers = self._of_numbers.get(tuple(map(type, given)))
-        if of_numbers is not None:
-            return of_numbers(given)
-        kinds, flat = [], []
-        for place, value in enumerate(given):
-            if isinstance(value, tuple):
-                known = self._tuples.get(id(value))
-                if known is None:
-                    known = value, *machine_code.taken(value)
-                    if len(self._tuples) >= MOST_TUPLES:
-                        self._tuples.clear()
-                    self._tuples[id(value)] = known
-                _, kind, pieces = known
-            else:
-                kind, pieces = machine_code.taken(float(value) if place in self._floats else value)
-            kinds.append(kind)
-            flat += pieces
-        variant = self._variants.get(tuple(kinds))
-        if variant is None:
-            with _making:
-                variant = self._variants.get(tuple(kinds)) or self._variant(kinds)
-                self._variants[tuple(kinds)] = variant
-        if all(isinstance(value, float | int) for value in given):
-            self._of_numbers[tuple(map(type, given))] = variant
-        return variant(flat)
+def _guard(dispatcher: Any) -> None:
+    """Have a damaged file compiled again, and a full disk keep nothing."""
+    unguarded, folder = dispatcher.compile, Path(dispatcher.stats.cache_path)
+    seal = folder / SEAL
 
-    @cached_property
-    def _floats(self) -> set[int]:
-        """Arguments that are floats by their annotations, and may be given as integers."""
-        hints = [each.annotation for each in inspect.signature(self.function).parameters.values()]
-        return {place for place, hint in enumerate(hints) if hint in (float, "float")}
+    def digest() -> str:
+        files = sorted(file for file in folder.iterdir() if file.suffix in (".nbi", ".nbc"))
+        return hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest()
 
-    def _variant(self, kinds: list[Any]) -> Callable[..., Any]:
-        name = f"{self.function.__module__}.{self.function.__qualname__}"
-        key = "\n".join((*map(_text_of, kinds), *self.source()))
-        made = machine_code.kept(name, key)
-        if made is None:
-            _say(FIRST_TIME)
-            made = _compile(self, kinds)
-            try:
-                machine_code.keep(made, name, key)
-            except (OSError, StorageError) as problem:
-                _say(
-                    f"compiled formulas cannot be kept ({problem}), so that every start compiles them again; give a "
-                    f"folder that can be written in {machine_code.FOLDER}"
-                )
-        return machine_code.callable_of(made, kinds)
+    def compile_guarded(signature: Any) -> Any:
+        try:
+            intact = seal.read_bytes() == digest().encode()
+        except OSError:  # most often there is none yet
+            intact = False
+        try:
+            if not intact:
+                for index in folder.glob("*.nbi"):
+                    index.unlink()
+            unguarded(signature)
+            if not intact or dispatcher.stats.cache_misses:
+                seal.write_text(digest())
+        except OSError as problem:
+            _say_why(problem)
+        return unguarded(signature)  # at once: numba has it
 
-    def source(self) -> Iterator[str]:
-        """All that the machine code depends on: byte code, constants, and the same of the functions that are called."""
-        ahead: list[Compiled] = [self]
-        known = {*ahead}
-        while ahead:
-            current = ahead.pop()
-            yield f"{current.function.__qualname__} {sorted(current.options['fastmath'])} {current.options['inline']}"
-            for code in _codes(current.function.__code__):
-                yield f"{code.co_code.hex()} {code.co_names} {code.co_varnames}"
-                yield from (repr(value) for value in code.co_consts if not isinstance(value, CodeType))
-            for name, value in current.globals.items():
-                if not isinstance(value, Compiled):
-                    yield f"{name} {_constant(value)}"
-                elif value not in known:
-                    known.add(value)
-                    ahead.append(value)
-
-    @property
-    def globals(self) -> dict[str, object]:
-        """What it takes from its module; and, at no harm, what has the name of an attribute."""
-        around = self.function.__globals__
-        names = {name for code in _codes(self.function.__code__) for name in code.co_names}
-        return {name: around[name] for name in sorted(names & around.keys())}
-
-    @cached_property
-    def dispatcher(self) -> Any:
-        """The same for numba."""
-        from numba import njit
-
-        return njit(error_model=DIVISION, **INSIDE, **self.options)(self.of_numba())
-
-    def of_numba(self) -> FunctionType:
-        """The function with what numba calls in place of the compiled functions."""
-        around, codes = self.function.__globals__, _codes(self.function.__code__)
-        names = {each.argval for code in codes for each in dis.get_instructions(code) if each.opname == "LOAD_GLOBAL"}
-        called = {name: around[name] for name in names if isinstance(around.get(name), Compiled)}
-        numbas = {name: value.dispatcher for name, value in called.items()}
-        return FunctionType(self.function.__code__, around | numbas, self.function.__name__)
+    dispatcher.compile = compile_guarded
 
 
 def rows_of(*values: ArrayLike) -> tuple[NDArray[np.float64], tuple[int, ...]]:
@@ -159,80 +191,3 @@ def rows_of(*values: ArrayLike) -> tuple[NDArray[np.float64], tuple[int, ...]]:
     for row, value in enumerate(values):
         together[row] = value
     return together.reshape(len(values), -1), shape
-
-
-def _say(line: str) -> None:
-    if line not in said:
-        said.add(line)
-        with suppress(OSError, AttributeError):  # it takes no more, or a process without a terminal has none
-            sys.stderr.write(f"fembearing: {line}\n")
-
-
-def _compile(function: Compiled, kinds: list[Any]) -> MachineCode:
-    """Raises TypeError for a result that machine code cannot hand to Python."""
-    from numba.core import compiler, registry, types
-
-    def type_of(kind: Kind) -> Any:
-        match kind:
-            case ("array", letter, dimension, layout):
-                return types.Array(getattr(types, np.dtype(letter).name), dimension, layout)
-            case ("tuple", made, *inside):
-                return types.BaseTuple.from_types([type_of(each) for each in inside], None if made is tuple else made)
-        return getattr(types, kind)
-
-    def kind_of(given: Any) -> Kind:
-        result = types.unliteral(given)
-        if isinstance(result, types.BaseTuple):
-            made = getattr(result, "instance_class", None)
-            name = "" if made is None else f"{made.__module__}:{made.__qualname__}"
-            return ("tuple", name, *(kind_of(each) for each in tuple(cast(Any, result))))
-        if isinstance(result, types.Array) and result.layout == "C":
-            return ("array", np.dtype(result.dtype.name).char, result.ndim, "C")
-        for name in (*machine_code.NUMBERS, "none"):
-            if result == getattr(types, name):
-                return name
-        raise TypeError(f"{function.function.__qualname__} cannot give {result}")
-
-    flags: Any = compiler.Flags()
-    flags.nrt, flags.error_model, flags.fastmath = True, DIVISION, function.options["fastmath"]
-    flags.no_cpython_wrapper = flags.no_cfunc_wrapper = True  # they need numba in the process
-    target, arguments = registry.cpu_target, [type_of(kind) for kind in kinds]
-    made = compiler.compile_extra(
-        target.typing_context, target.target_context, function.of_numba(), arguments, None, flags, {}
-    )
-    return MachineCode(
-        code=made.library._get_compiled_object(),
-        symbol=made.fndesc.llvm_func_name,
-        result=kind_of(made.signature.return_type),
-        needs=re.findall(r'^declare .*?@"?(?!llvm\.)([^"( ]+)', made.library.get_llvm_str(), re.MULTILINE),
-    )
-
-
-def _text_of(kind: Kind) -> str:
-    """A text that changes with a kind, and with the names of a tuple."""
-    match kind:
-        case ("tuple", made, *inside):
-            return f"{made.__qualname__}{getattr(made, '_fields', '')}({', '.join(map(_text_of, inside))})"
-    return str(kind)
-
-
-def _codes(code: CodeType) -> Iterator[CodeType]:
-    yield code
-    for value in code.co_consts:
-        if isinstance(value, CodeType):
-            yield from _codes(value)
-
-
-def _constant(value: object) -> str:
-    """A text that changes with a value of a module."""
-    if isinstance(value, ModuleType):
-        if value.__name__ not in CONSTANT_MODULES:
-            raise TypeError(f"a compiled function names {value.__name__}: import what it takes from there by name")
-        return value.__name__
-    if isinstance(value, tuple):
-        return f"({', '.join(map(_constant, value))})"
-    if isinstance(value, np.ndarray):
-        return f"{value.dtype} {value.shape} {value.tobytes().hex()}"
-    if isinstance(value, int | float | str | None):
-        return repr(value)
-    return f"{type(value).__name__} {getattr(value, '__qualname__', '')} {getattr(value, '_fields', '')}"
