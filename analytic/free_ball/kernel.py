@@ -267,16 +267,18 @@ def _newton(contacts, ball, velocity, passing, nodes, tolerance, outcome):
         held = LEAST_TANGENT * (tangent[0, 0] + tangent[1, 1] + tangent[2, 2] + tangent[3, 3])
         for c in range(4):
             tangent[c, c] += held
-        step[:] = -force
+            step[c] = -force[c]
         _solved(tangent.copy(), step)
         length = np.sqrt(np.sum(step * step))
         if length <= ROUND_OFF * ball[ORBIT_RADIUS]:  # the size of any speed per unit ring speed
             return 0.0  # no double is nearer: contacts so small that they creep by less than a rounding of the speed
         share = min(1.0, 4.0 * share)
         while True:
-            trial[:] = velocity + share * step
+            for c in range(4):
+                trial[c] = velocity[c] + share * step[c]
             tried = _residual(contacts, ball, trial, passing, quadrature, flows, there)
-            next_step[:] = -trial_force
+            for c in range(4):
+                next_step[c] = -trial_force[c]
             _solved(tangent.copy(), next_step)
             if np.sqrt(np.sum(next_step * next_step)) <= (1.0 - share / 4.0) * length or share < LEAST_SHARE:
                 break
@@ -284,7 +286,10 @@ def _newton(contacts, ball, velocity, passing, nodes, tolerance, outcome):
         if share < LEAST_SHARE:
             _residual(contacts, ball, velocity, passing, quadrature, flows, here)  # not the trial's
             break
-        velocity[:], force[:], tangent[:] = trial, trial_force, trial_tangent
+        for c in range(4):
+            velocity[c], force[c] = trial[c], trial_force[c]
+            for d in range(4):
+                tangent[c, d] = trial_tangent[c, d]
         friction = tried
     return np.sqrt(np.sum(force * force)) / friction
 
@@ -300,7 +305,7 @@ def turn_ball(
     The speed of the surfaces through each contact is that of the start. Where Newton's method stalls, softer surfaces
     come first: they creep as if the speed through the contact were higher.
     """
-    passing, start = np.zeros(2), np.zeros(4)
+    passing = np.zeros(2)
     flows = np.empty((2, quadrature.across.shape[1], 2, quadrature.along.shape[1]))
     for race in range(2):
         passing[race] = _passing(contacts[race], ball, velocity)
@@ -308,10 +313,11 @@ def turn_ball(
             hold_flows(contacts[race], quadrature, flows[race])
     if contacts[0, LOAD] == 0.0 or contacts[1, LOAD] == 0.0:
         _roll(contacts[0] if contacts[0, LOAD] > 0.0 else contacts[1], ball, velocity)
-    start[:] = velocity
+    start = velocity.copy()
     left = _newton(contacts, ball, velocity, passing, (quadrature, flows), tolerance, outcome)
     if left > tolerance:
-        velocity[:] = start
+        for c in range(4):
+            velocity[c] = start[c]
         softer = HARDER**STAGES
         for _ in range(STAGES + 1):
             left = _newton(contacts, ball, velocity, softer * passing, (quadrature, flows), tolerance, outcome)

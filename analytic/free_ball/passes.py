@@ -127,7 +127,9 @@ def settle_freely(
         fine, first, steady, accuracy = quadratures[number], FIRST, STEADY if number > 1 else ROUGHLY_STEADY, ACCURACY
         if known > 0:
             first, steady, accuracy = NEARLY, ROUGHLY_STEADY, NEARLY
-            balls.given[:] = start.forces
+            for j in range(count):
+                for k in range(3):
+                    balls.given[j, k] = start.forces[j, k]
         nodes = FreeNodes(quadratures[number - 1], fine, first, steady)
         if work is not None:
             end = settle_free_ring(model.ring, free, load, point, work, balls, nodes)

@@ -237,7 +237,8 @@ def settle_ring(rows: BallRows, point: RingPoint, work: RingWork) -> tuple[Balan
     steps = 0
     while now.left > now.tolerance and steps < MOST_STEPS and not now.has_loose_ball:
         promised = newton_step(point.tangent, work.gradient, now.longest_step, work.factor, step)
-        origin[:] = place
+        for i in range(FREEDOMS):
+            origin[i] = place[i]
         energy, rounding, share = now.energy, now.energy_rounding, 1.0
         while True:
             for i in range(FREEDOMS):

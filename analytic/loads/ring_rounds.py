@@ -111,7 +111,8 @@ def _hold_forces(rows: BallRows, force: Array, point: RingPoint, work: RingWork,
     force : load on the ring;  share : of the way from the last forces to those that `turning` gives
     """
     ring_force, own = work.gradient, work.own
-    ring_force[:] = force
+    for i in range(ring_force.size):
+        ring_force[i] = force[i]
     largest = change = 0.0
     for j in range(len(own)):
         inner, outer = point.angle[0, j], point.angle[1, j]
