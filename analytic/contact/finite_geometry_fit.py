@@ -169,23 +169,23 @@ def steps_beyond(fit: FitNumbers, shape: ShapeNumbers) -> float:
 @compiled
 def held_shape(fit: FitNumbers, shape: ShapeNumbers) -> ShapeNumbers:
     """The nearest shape within the range."""
-    size = _clipped(fit, shape, 2)
+    size = _clipped(fit, shape.size, 2)
     return ShapeNumbers(
-        _clipped(fit, shape, 0),
-        _clipped(fit, shape, 1),
+        _clipped(fit, shape.conformity, 0),
+        _clipped(fit, shape.rolling_curvature, 1),
         size,
-        _clipped(fit, shape, 3),
-        _clipped(fit, shape, 4),
-        _clipped(fit, shape, 5),
-        max(_clipped(fit, shape, 6), OFF_SHOULDER * size),
-        max(_clipped(fit, shape, 7), OFF_SHOULDER * size),
-        _clipped(fit, shape, 8),
+        _clipped(fit, shape.ball_poisson_ratio, 3),
+        _clipped(fit, shape.race_poisson_ratio, 4),
+        _clipped(fit, shape.ball_share, 5),
+        max(_clipped(fit, shape.shoulder, 6), OFF_SHOULDER * size),
+        max(_clipped(fit, shape.far_shoulder, 7), OFF_SHOULDER * size),
+        _clipped(fit, shape.contact_angle, 8),
     )
 
 
 @compiled
-def _clipped(fit: FitNumbers, shape: ShapeNumbers, k: int) -> float:
-    return min(max(shape[k], fit.low[k]), fit.high[k])
+def _clipped(fit: FitNumbers, value: float, k: int) -> float:
+    return min(max(value, fit.low[k]), fit.high[k])
 
 
 @compiled

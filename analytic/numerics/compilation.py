@@ -77,7 +77,7 @@ class Compiled:
     def _dispatcher(self) -> Any:
         from numba import njit
 
-        code, around, folder = self.function.__code__, self.function.__globals__, _folder()
+        code, around, folder = self.function.__code__, self.function.__globals__, kept_in()
         called = {name: around[name].dispatcher for name in _names(code) if isinstance(around.get(name), Compiled)}
         copy = FunctionType(code, around | called, argdefs=self.function.__defaults__)
         update_wrapper(copy, self.function)
@@ -102,7 +102,7 @@ def rows_of(*values: ArrayLike) -> tuple[NDArray[np.float64], tuple[int, ...]]:
     return together.reshape(len(values), -1), shape
 
 
-def cache_folder() -> Path:
+def cachekept_in() -> Path:
     """Where the folders of all versions are. Raises OSError if the user has none."""
     caches = {"darwin": "~/Library/Caches", "win32": "~/AppData/Local"}.get(sys.platform, "~/.cache")
     given = os.environ.get(FOLDER) or os.path.join(os.environ.get("XDG_CACHE_HOME") or caches, "fembearing")
@@ -113,8 +113,8 @@ def cache_folder() -> Path:
 
 
 @cache
-def _folder() -> Path | None:
-    """The folder of this version; None: it cannot be written, which is said."""
+def kept_in() -> Path | None:
+    """The folder of this version, in which compiled functions are kept; None: it cannot be written, which is said."""
     import llvmlite
     import numba
 
@@ -123,9 +123,9 @@ def _folder() -> Path | None:
         if file.is_file() and "__pycache__" not in file.parts:
             version.update(file.read_bytes())
     try:
-        folder = cache_folder() / f"{PREFIX}{version.hexdigest()[:16]}"
+        folder = cachekept_in() / f"{PREFIX}{version.hexdigest()[:16]}"
         if not folder.exists():
-            for other in cache_folder().glob(f"{PREFIX}*"):
+            for other in cachekept_in().glob(f"{PREFIX}*"):
                 if other.stat().st_mtime < time.time() - UNUSED:
                     rmtree(other, ignore_errors=True)
         folder.mkdir(parents=True, exist_ok=True)
