@@ -102,7 +102,7 @@ def rows_of(*values: ArrayLike) -> tuple[NDArray[np.float64], tuple[int, ...]]:
     return together.reshape(len(values), -1), shape
 
 
-def cachekept_in() -> Path:
+def cache_folder() -> Path:
     """Where the folders of all versions are. Raises OSError if the user has none."""
     caches = {"darwin": "~/Library/Caches", "win32": "~/AppData/Local"}.get(sys.platform, "~/.cache")
     given = os.environ.get(FOLDER) or os.path.join(os.environ.get("XDG_CACHE_HOME") or caches, "fembearing")
@@ -123,9 +123,9 @@ def kept_in() -> Path | None:
         if file.is_file() and "__pycache__" not in file.parts:
             version.update(file.read_bytes())
     try:
-        folder = cachekept_in() / f"{PREFIX}{version.hexdigest()[:16]}"
+        folder = cache_folder() / f"{PREFIX}{version.hexdigest()[:16]}"
         if not folder.exists():
-            for other in cachekept_in().glob(f"{PREFIX}*"):
+            for other in cache_folder().glob(f"{PREFIX}*"):
                 if other.stat().st_mtime < time.time() - UNUSED:
                     rmtree(other, ignore_errors=True)
         folder.mkdir(parents=True, exist_ok=True)
@@ -137,21 +137,24 @@ def kept_in() -> Path | None:
 
 
 def _kept(function: FunctionType, options: dict[str, Any], folder: Path) -> Any:
-    from numba import config, njit
+    import numba
 
+    config: Any = numba.config
     before, own = config.CACHE_DIR, folder / f"{function.__module__}.{function.__qualname__}"
     config.CACHE_DIR = str(own)  # numba takes it from here only
-    made: Any = njit(cache=True, **options)(function)
+    made: Any = numba.njit(cache=True, **options)(function)
     config.CACHE_DIR = before
     if own in Path(made.stats.cache_path).parents:
         _guard(made)
         return made
     _say_why(f"{own} is not writable")  # numba has chosen a folder that takes no notice of other files
-    return njit(**options)(function)
+    return numba.njit(**options)(function)
 
 
 def _guard(dispatcher: Any) -> None:
     """Have a function with a damaged file compiled again, and do without files where none can be written."""
+    from numba.types import unliteral
+
     unguarded, folder = dispatcher.compile, Path(dispatcher.stats.cache_path)
     seal = folder / SEAL
 
@@ -159,7 +162,8 @@ def _guard(dispatcher: Any) -> None:
         files = sorted(file for file in folder.iterdir() if file.suffix in (".nbi", ".nbc"))
         return hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest().encode()
 
-    def compile_guarded(signature: Any) -> Any:
+    def compile_guarded(given: Any) -> Any:
+        signature = tuple(map(unliteral, given))  # 3 is no other type than 4, which would be compiled once more
         try:
             intact = seal.exists() and seal.read_bytes() == digest()
             if not intact:
