@@ -138,12 +138,13 @@ def kept_in() -> Path | None:
 
 def _kept(function: FunctionType, options: dict[str, Any], folder: Path) -> Any:
     import numba
+    from numba.core import config
 
-    config: Any = numba.config
-    before, own = config.CACHE_DIR, folder / f"{function.__module__}.{function.__qualname__}"
-    config.CACHE_DIR = str(own)  # numba takes it from here only
+    settings: Any = config  # it has no types
+    before, own = settings.CACHE_DIR, folder / f"{function.__module__}.{function.__qualname__}"
+    settings.CACHE_DIR = str(own)  # numba takes it from here only
     made: Any = numba.njit(cache=True, **options)(function)
-    config.CACHE_DIR = before
+    settings.CACHE_DIR = before
     if own in Path(made.stats.cache_path).parents:
         _guard(made)
         return made
@@ -153,7 +154,7 @@ def _kept(function: FunctionType, options: dict[str, Any], folder: Path) -> Any:
 
 def _guard(dispatcher: Any) -> None:
     """Have a function with a damaged file compiled again, and do without files where none can be written."""
-    from numba.types import unliteral
+    from numba.core.types import unliteral
 
     unguarded, folder = dispatcher.compile, Path(dispatcher.stats.cache_path)
     seal = folder / SEAL

