@@ -53,7 +53,7 @@ def compiled_in_silence() -> None:
     """Tests of messages do not depend on whether the machine has compiled the loops before."""
     from analytic.numerics import compilation  # it loads NumPy: not before the threads are set
 
-    compilation.said.add(compilation.FIRST_TIME)
+    compilation.said.add(compilation.COMPILING)
 
 
 @pytest.fixture(scope="session")

@@ -1,15 +1,96 @@
-"""Formulas compiled by numba (stand-in)."""
-from typing import Any
-import numba
+"""Functions that numba compiles once on a machine and keeps between processes.
+
+    @compiled
+    def slope(x: float) -> float: ...
+
+Python calls them, and they call each other by names of their modules, but not in a circle. They raise nothing: a
+function that fails gives NaN or a status, and a division by zero gives infinity or NaN.
+
+Numba keeps them in the folder FEMBEARING_CACHE, else in the platform's folder for caches. Numba notices a change of a
+function's own file, but none of a function that it calls or of a constant that it takes. A digest of all files of this
+package is therefore part of the folder's name: any of them may hold such a constant. The folder can be deleted at any
+time.
+"""
+
+import gc
+import hashlib
+import os
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from functools import cache, cached_property, update_wrapper
+from pathlib import Path
+from shutil import rmtree
+from threading import RLock
+from types import CodeType, FunctionType
+from typing import Any, TypeVar, overload
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+Function = TypeVar("Function", bound=Callable[..., Any])
+Freedoms = frozenset[str]  # of the compiler with floating point: flags of LLVM
+EXACT: Freedoms = frozenset()
 
-def compiled(function: Any = None, /, *, fastmath: Any = frozenset(), inline: bool = False) -> Any:
-    def make(f: Any) -> Any:
-        return numba.njit(f, cache=True, error_model="numpy", nogil=True, fastmath=set(fastmath) or False, inline="always" if inline else "never")
+FOLDER = "FEMBEARING_CACHE"  # of the environment
+PREFIX = "formulas-"  # of the folders in it, one for each version
+UNUSED = 30 * 24 * 3600.0  # s after which the folder of another version is deleted
+SEAL = "sha256"  # name of the file with the digest of a function's other files
+COMPILING = "compiling formulas, once on this machine"
+said: set[str] = set()  # lines on standard error: each once a process
+_making = RLock()  # a function must not become two for numba, and may need others
 
-    return make(function) if function else make
+
+@overload
+def compiled(function: Function, /) -> Function: ...
+@overload
+def compiled(*, fastmath: Freedoms = EXACT, inline: bool = False) -> Callable[[Function], Function]: ...
+def compiled(function: Any = None, /, *, fastmath: Freedoms = EXACT, inline: bool = False) -> Any:
+    """The compiled function; inline : into others, before types are known, which is quicker where it takes many tuples.
+
+    `inspect.unwrap` gives the same in Python.
+    """
+    options = {"fastmath": {*fastmath}, "inline": "always" if inline else "never"}
+    return Compiled(function, options) if function else lambda function: Compiled(function, options)
+
+
+class Compiled:
+    """A function that numba gets with its first call: many commands need no formula, and numba is slow to import."""
+
+    def __init__(self, function: FunctionType, options: dict[str, Any]) -> None:
+        self.function, self.options = function, options  # of numba.njit
+        update_wrapper(self, function)
+
+    def __call__(self, *given: Any) -> Any:
+        return self.dispatcher(*given)
+
+    @cached_property
+    def dispatcher(self) -> Any:
+        """The function of numba. It calls functions of numba, in place of ours."""
+        with _making:
+            if "dispatcher" not in vars(self):  # another thread has made it
+                vars(self)["dispatcher"] = self._dispatcher()
+        return vars(self)["dispatcher"]
+
+    def _dispatcher(self) -> Any:
+        from numba import njit
+
+        code, around, folder = self.function.__code__, self.function.__globals__, kept_in()
+        called = {name: around[name].dispatcher for name in _names(code) if isinstance(around.get(name), Compiled)}
+        copy = FunctionType(code, around | called, argdefs=self.function.__defaults__)
+        update_wrapper(copy, self.function)
+        options: Any = {"error_model": "numpy", "nogil": True, "no_cfunc_wrapper": True, **self.options}
+        made = njit(**options)(copy) if folder is None else _kept(copy, options, folder)
+        _compilation().functions.add(made)
+        return made
+
+
+def _names(code: CodeType) -> set[str]:
+    """All that code, and comprehensions in it, may take from its module."""
+    inside = (_names(value) for value in code.co_consts if isinstance(value, CodeType))
+    return {*code.co_names}.union(*inside)
 
 
 def rows_of(*values: ArrayLike) -> tuple[NDArray[np.float64], tuple[int, ...]]:
@@ -19,3 +100,138 @@ def rows_of(*values: ArrayLike) -> tuple[NDArray[np.float64], tuple[int, ...]]:
     for row, value in enumerate(values):
         together[row] = value
     return together.reshape(len(values), -1), shape
+
+
+def cache_folder() -> Path:
+    """Where the folders of all versions are. Raises OSError if the user has none."""
+    caches = {"darwin": "~/Library/Caches", "win32": "~/AppData/Local"}.get(sys.platform, "~/.cache")
+    given = os.environ.get(FOLDER) or os.path.join(os.environ.get("XDG_CACHE_HOME") or caches, "fembearing")
+    folder = Path(os.path.expanduser(given)).absolute()
+    if "~" in folder.parts:
+        raise OSError("the user has no home folder")
+    return folder
+
+
+@cache
+def kept_in() -> Path | None:
+    """The folder of this version, in which compiled functions are kept; None: it cannot be written, which is said."""
+    import llvmlite
+    import numba
+
+    version = hashlib.sha256(f"{sys.version} {numba.__version__} {llvmlite.__version__}".encode())
+    for file in sorted(Path(__file__).parents[1].rglob("*.*")):
+        if file.is_file() and "__pycache__" not in file.parts:
+            version.update(file.read_bytes())
+    try:
+        folder = cache_folder() / f"{PREFIX}{version.hexdigest()[:16]}"
+        if not folder.exists():
+            for other in cache_folder().glob(f"{PREFIX}*"):
+                if other.stat().st_mtime < time.time() - UNUSED:
+                    rmtree(other, ignore_errors=True)
+        folder.mkdir(parents=True, exist_ok=True)
+        tempfile.TemporaryFile(dir=folder).close()  # it also marks the folder as used
+    except OSError as problem:
+        _say_why(problem)
+        return None
+    return folder
+
+
+def _kept(function: FunctionType, options: dict[str, Any], folder: Path) -> Any:
+    import numba
+    from numba.core import config
+
+    settings: Any = config  # it has no types
+    before, own = settings.CACHE_DIR, folder / f"{function.__module__}.{function.__qualname__}"
+    settings.CACHE_DIR = str(own)  # numba takes it from here only
+    made: Any = numba.njit(cache=True, **options)(function)
+    settings.CACHE_DIR = before
+    if own in Path(made.stats.cache_path).parents:
+        _guard(made)
+        return made
+    _say_why(f"{own} is not writable")  # numba has chosen a folder that takes no notice of other files
+    return numba.njit(**options)(function)
+
+
+def _guard(dispatcher: Any) -> None:
+    """Have a function with a damaged file compiled again, and do without files where none can be written."""
+    from numba.core.types import unliteral
+
+    unguarded, folder = dispatcher.compile, Path(dispatcher.stats.cache_path)
+    seal = folder / SEAL
+
+    def digest() -> bytes:
+        files = sorted(file for file in folder.iterdir() if file.suffix in (".nbi", ".nbc"))
+        return hashlib.sha256(b"".join(file.read_bytes() for file in files)).hexdigest().encode()
+
+    def compile_guarded(given: Any) -> Any:
+        signature = tuple(map(unliteral, given))  # 3 is no other type than 4, which would be compiled once more
+        try:
+            intact = seal.exists() and seal.read_bytes() == digest()
+            if not intact:
+                for index in folder.glob("*.nbi"):
+                    index.unlink()
+            unguarded(signature)
+            if not intact or dispatcher.stats.cache_misses:
+                seal.write_bytes(digest())
+        except OSError as problem:
+            _say_why(problem)
+        return unguarded(signature)  # numba has it already
+
+    dispatcher.compile = compile_guarded
+
+
+def _say(line: str) -> None:
+    if line not in said:
+        said.add(line)
+        with suppress(OSError, AttributeError):  # it takes no more, or a process without a terminal has none
+            sys.stderr.write(f"fembearing: {line}\n")
+
+
+def _say_why(problem: object) -> None:
+    _say(f"compiled formulas cannot be kept ({problem}); give a writable folder in {FOLDER}")
+
+
+def show(count: int, most: int) -> None:
+    """Called when a function is compiled, the `count`th of `most` or fewer; and with a count of 0 when that is done.
+
+    A program with a progress bar puts its own function in the place of this one.
+    """
+    if sys.stderr is None or not sys.stderr.isatty():
+        _say(COMPILING)
+    else:
+        with suppress(OSError):
+            sys.stderr.write(f"\r\x1b[Kfembearing: {COMPILING}: {count} of {most}" if count else "\r\x1b[K")
+            sys.stderr.flush()
+
+
+@cache
+def _compilation() -> Any:
+    """What hears of each function that numba compiles."""
+    from numba.core import event
+
+    class Compilation(event.Listener):
+        def __init__(self) -> None:
+            self.functions: set[Any] = set()  # ours: the user may have others
+            self.count = self.depth = 0
+            self.collects = True
+
+        def on_start(self, event: Any) -> None:
+            if event.data["dispatcher"] in self.functions:
+                if self.depth == 0:
+                    self.collects = gc.isenabled()
+                    gc.disable()  # what the compiler makes is much, and stays
+                self.depth += 1
+                self.count += 1
+                show(self.count, len(self.functions))
+
+        def on_end(self, event: Any) -> None:
+            if event.data["dispatcher"] in self.functions:
+                self.depth -= 1
+                if self.depth == 0:
+                    show(0, len(self.functions))
+                    if self.collects:
+                        gc.enable()
+
+    listener = Compilation()
+    event.register("numba:compile", listener)
+    return listener

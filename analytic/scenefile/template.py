@@ -4,11 +4,11 @@ import json
 import math
 import textwrap
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from analytic.catalog.bearing_rows import CatalogBearing, clearance_group, find_bearing
 from analytic.errors import InputError
 from analytic.scene import Origin
+from analytic.scenefile.choice import USUAL, Choice
 
 SCHEMA_NAME = "fembearing-scene.schema.json"  # of the file beside the scene
 RADIAL_SHARE, AXIAL_SHARE = 0.05, 0.02  # of C0: a light load on a deep groove, and on an angular contact bearing
@@ -53,18 +53,7 @@ hysteresis_loss = 0.007                   # assumed: 0.003 to 0.025 are in use, 
 """
 
 
-@dataclass(frozen=True, kw_only=True)
-class Choice:
-    """What a written scene gives beside its bearing; as in a scene file."""
-
-    axial_load: str | None = None  # None of both loads: a light load that suits the bearing
-    radial_load: str | None = None
-    inner_speed: str = "1000 rpm"
-    oil: str = "ISO VG 68"
-    temperature: str = "60 degC"
-
-
-def scene_text(designation: str, choice: Choice = Choice()) -> str:
+def scene_text(designation: str, choice: Choice = USUAL) -> str:
     """The scene of a bearing, in TOML with comments; it runs as it is.
 
     Raises InputError for a designation that the catalogue does not have. The texts of the choice are not checked.

@@ -387,5 +387,5 @@ def _of_each_ratio(ratios: Array) -> Array:
     numbers = np.empty((3, ratios.size))
     for i in range(ratios.size):
         d = half_distance(ratios[i])
-        numbers[:, i] = spin_moment(ratios[i], d), rolling_moment(ratios[i], d), d
+        numbers[0, i], numbers[1, i], numbers[2, i] = spin_moment(ratios[i], d), rolling_moment(ratios[i], d), d
     return numbers

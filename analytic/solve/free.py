@@ -1,7 +1,7 @@
 """The torque of a bearing at points whose balls turn freely, compiled.
 
 Loads by rule and what follows from the balls are those of `analytic.point.torque`; between them the balls settle by
-`analytic.free_ball.passes`, in the machine code that `analytic.torque.friction_torque` takes too.
+`analytic.free_ball.passes`, in the compiled functions that `analytic.torque.friction_torque` takes too.
 """
 
 from typing import NamedTuple

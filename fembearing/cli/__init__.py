@@ -73,6 +73,11 @@ COMMANDS = {
         "List what a scene may name: bearings of the catalogue, oils, materials, built-in scenes, effects.",
         "list bearings 62",
     ),
+    "warmup": Entry(
+        "warmup",
+        "Compile the formulas of ordinary scenes, so that later commands need not.",
+        "warmup",
+    ),
 }
 # Between two searches for garbage: imports make many objects, all of which stay. It saves a tenth of a second.
 OBJECTS = 100_000

@@ -22,16 +22,32 @@ out, err = Stream(highlight=False), Stream(stderr=True)
 
 @contextmanager
 def shown_progress() -> Iterator[Callable[[float, str], None]]:
-    """A bar with the time left on standard error, if that is a terminal."""
+    """A bar with the time left on standard error, if that is a terminal. It also shows which formula is compiled."""
     if not err.is_terminal:
         yield silent
         return
     from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 
+    from analytic.numerics import compilation
+
     columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn(), TimeRemainingColumn())
     with Progress(*columns, console=err, transient=True) as bar:
         task = bar.add_task("starting", total=1.0)
-        yield lambda share, step: bar.update(task, completed=share, description=step)
+        at_hand, without_bar = ["starting"], compilation.show
+
+        def update(share: float, step: str) -> None:
+            at_hand[0] = step
+            bar.update(task, completed=share, description=step)
+
+        def show(count: int, most: int) -> None:
+            words = f"{compilation.COMPILING}: {count} of {most}" if count else at_hand[0]
+            bar.update(task, description=words)
+
+        compilation.show = show
+        try:
+            yield update
+        finally:
+            compilation.show = without_bar
 
 
 def print_json(content: dict[str, Any]) -> None:

@@ -1,32 +1,31 @@
 """`fembearing contact`."""
 
 from dataclasses import replace
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from analytic.errors import InputError
-from analytic.scene import Pair, Scene
-from analytic.words import percent_of
-from fembearing.cli.console import out, print_json, shown_progress
 from fembearing.cli.options import (
-    LOAD,
     Accuracy,
     AsJson,
     Geometry,
     GeometryName,
     Loads,
+    PairName,
     SceneName,
-    read_option,
+    read_load,
     read_scene,
     read_tolerance,
 )
 from fembearing.cli.status import DONE, NOT_SOLVED, complain, print_warnings
 
+if TYPE_CHECKING:
+    from analytic.scene import Scene
+
 
 def contact(
     scene: SceneName = None,
-    pair: Annotated[Pair, typer.Option(help="Which contact.")] = "inner",
+    pair: Annotated[PairName, typer.Option(help="Which contact.")] = "inner",
     load: Loads = None,
     geometry: Geometry = "real",
     accuracy: Accuracy = None,
@@ -38,7 +37,7 @@ def contact(
     """
     given = read_scene(scene)
     limit = read_tolerance(accuracy, given)
-    loads = [read_option("--load", LOAD, text) for text in load or ()]
+    loads = [read_load(text) for text in load or ()]
     if len(loads) > 1:
         _load_series(given, loads, pair=pair, geometry=geometry, accuracy=limit, as_json=as_json)
     else:
@@ -46,8 +45,11 @@ def contact(
 
 
 def _one_contact(
-    given: Scene, load: float | None, *, pair: Pair, geometry: GeometryName, accuracy: float, as_json: bool
+    given: "Scene", load: float | None, *, pair: PairName, geometry: GeometryName, accuracy: float, as_json: bool
 ) -> None:
+    from analytic.errors import InputError
+    from analytic.words import percent_of
+    from fembearing.cli.console import out, print_json, shown_progress
     from fembearing.compare.contact.discrepancy import SHOWN_OF_A_SHEET, solve_contact
     from fembearing.compare.contact.mesh_refinement import COMPARED
     from fembearing.compare.contact.subsurface import compare_subsurface
@@ -77,8 +79,9 @@ def _one_contact(
 
 
 def _load_series(
-    given: Scene, loads: list[float], *, pair: Pair, geometry: GeometryName, accuracy: float, as_json: bool
+    given: "Scene", loads: list[float], *, pair: PairName, geometry: GeometryName, accuracy: float, as_json: bool
 ) -> None:
+    from fembearing.cli.console import out, print_json, shown_progress
     from fembearing.compare.contact.load_series import solve_load_series
     from fembearing.report.terminal.contacts import print_series
 
@@ -99,6 +102,8 @@ def _status(uncertainties: dict[str, float], accuracy: float) -> int:
     name = max(uncertainties, key=lambda name: uncertainties[name])
     if uncertainties[name] <= accuracy:
         return DONE
+    from analytic.words import percent_of
+
     return complain(
         f"not solved to {percent_of(accuracy, 2)}: {name.replace('_', ' ')} is left uncertain by "
         f"{percent_of(uncertainties[name], 2)}; ask for a larger --tolerance",

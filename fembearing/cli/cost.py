@@ -2,8 +2,6 @@
 
 from contextlib import nullcontext
 
-from analytic.writing import new_folder
-from fembearing.cli.console import out, print_json, shown_progress
 from fembearing.cli.options import AsJson, Folder, SceneName, Tolerance, read_scene, read_tolerance, require_folder_name
 from fembearing.cli.status import print_warnings
 
@@ -18,6 +16,8 @@ def cost(
     require_folder_name(folder)
     given = read_scene(scene)
     limit = read_tolerance(tolerance, given)
+    from analytic.writing import new_folder
+    from fembearing.cli.console import out, print_json, shown_progress
     from fembearing.compare.cost.scene_cost import measure_cost
     from fembearing.report.folder import write_cost
     from fembearing.report.terminal.cost import print_cost

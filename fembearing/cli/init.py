@@ -8,9 +8,7 @@ from typing import Annotated
 
 import typer
 
-from analytic.scenefile.template import SCHEMA_NAME, Choice, scene_text
-from analytic.writing import new_file
-from fembearing.cli.console import out
+from analytic.scenefile.choice import Choice
 from fembearing.cli.options import bearing_names_like
 
 
@@ -37,6 +35,9 @@ def init(
     """Write the scene of a bearing of the catalogue, ready to run and to edit. No file is replaced."""
     from analytic.scenefile.read import parse_scene
     from analytic.scenefile.schema import FILE as SCHEMA
+    from analytic.scenefile.template import SCHEMA_NAME, scene_text
+    from analytic.writing import new_file
+    from fembearing.cli.console import out
 
     choice = Choice(axial_load=axial_load, radial_load=radial_load, inner_speed=speed, oil=oil, temperature=temperature)
     text = scene_text(designation, choice)

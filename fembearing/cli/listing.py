@@ -6,8 +6,6 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args
 
 import typer
 
-from analytic.errors import InputError
-from fembearing.cli.console import out, print_json
 from fembearing.cli.options import AsJson
 
 if TYPE_CHECKING:
@@ -34,8 +32,12 @@ def listing(
     wanted = _plain(beginning)
     rows = rows_of[topic](lambda name: _plain(name).startswith(wanted))
     if not rows:
+        from analytic.errors import InputError
+
         raise InputError(f"none of the {topic} begins with {beginning!r}; `fembearing list {topic}` shows all")
     if as_json:
+        from fembearing.cli.console import print_json
+
         print_json({topic: rows})
     else:
         _print(COLUMNS[topic], rows)
@@ -167,6 +169,8 @@ COLUMNS: dict[Topic, Sequence[Column]] = {
 def _print(columns: Sequence[Column], rows: Sequence[Row]) -> None:
     from rich.box import SIMPLE_HEAD
     from rich.table import Table
+
+    from fembearing.cli.console import out
 
     gap = 0 if len(columns) > NARROW else 1  # beside the blank between columns
     table = Table(*(head for head, _ in columns), box=SIMPLE_HEAD, padding=(0, gap, 0, 0))

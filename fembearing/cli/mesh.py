@@ -6,17 +6,13 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from analytic.errors import InputError
-from analytic.scene import Pair
-from analytic.writing import scratch_folder
-from fembearing.cli.console import out, print_json
 from fembearing.cli.options import (
-    LOAD,
     AsJson,
     Geometry,
     Load,
+    PairName,
     SceneName,
-    read_option,
+    read_load,
     read_scene,
     require_folder_name,
 )
@@ -29,16 +25,19 @@ if TYPE_CHECKING:
 def mesh(
     folder: Annotated[Path, typer.Option("--out", help="Folder for the .vtu files; made if it is missing.")],
     scene: SceneName = None,
-    pair: Annotated[Pair, typer.Option(help="Which contact.")] = "inner",
+    pair: Annotated[PairName, typer.Option(help="Which contact.")] = "inner",
     geometry: Geometry = "real",
     level: Annotated[int | None, typer.Option(help="Level of the recipe; its finest without it.")] = None,
     load: Load = None,
     as_json: AsJson = False,
 ) -> None:
     """Write the two meshes of a contact and report their worst cells."""
+    from analytic.errors import InputError
+    from fembearing.cli.console import print_json
+
     require_folder_name(folder)
     given = read_scene(scene)
-    force = None if load is None else read_option("--load", LOAD, load)
+    force = None if load is None else read_load(load)
     if str(folder) in ("", ".") or (folder.exists() and not folder.is_dir()):
         raise InputError(f"--out {str(folder)!r}: give a folder for the meshes; it is made if it is missing")
     from fembearing.compare.contact.scene_contact import as_meshed, contact_of, recipe_of, traced_to_load
@@ -67,6 +66,8 @@ def mesh(
 
 def _write(files: dict[str, "BodyMesh"], folder: Path) -> dict[str, dict[str, Any]]:
     """Write both files or neither; the quality of each."""
+    from analytic.errors import InputError
+    from analytic.writing import scratch_folder
     from fembearing.mesh.meshfile import write_body
     from fembearing.mesh.quality import mesh_quality
 
@@ -85,6 +86,8 @@ def _write(files: dict[str, "BodyMesh"], folder: Path) -> dict[str, dict[str, An
 def _print_table(meshes: dict[str, dict[str, Any]]) -> None:
     from rich.box import SIMPLE_HEAD
     from rich.table import Table
+
+    from fembearing.cli.console import out
 
     table = Table("file", "body", "cells", "nodes", "least det J/mean", "there x, y, z, mm", box=SIMPLE_HEAD)
     for path, quality in meshes.items():

@@ -1,20 +1,16 @@
 """Arguments and options that several commands take, each described once, and how their texts are read."""
 
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from analytic import catalog
-from analytic.errors import InputError
-from analytic.scene import Scene
-from analytic.scenefile.quantity import Dimension
-from analytic.scenefile.read import load_scene
+if TYPE_CHECKING:
+    from analytic.scene import Scene
 
 BUILTIN = "paper_6205"
-TOLERANCE = Dimension(unit="", low=1e-6, high=1.0, example='"1 %" or 0.01')
-LOAD = Dimension(unit="N", low=1e-12, high=1e7, example='"620 N"')
 OF_FILES = (".csv", ".html", ".json", ".nc", ".pdf", ".png", ".toml", ".vtu")  # endings
+PairName = Literal["inner", "outer", "pocket"]
 GeometryName = Literal["real", "hertzian", "wall", "ring"]
 
 
@@ -27,6 +23,8 @@ def bearing_names_like(incomplete: str) -> list[str]:
 
 def scene_names_like(incomplete: str) -> list[str]:
     """Scene files, folders, built-in scenes and bearings that begin so, for the completion of a shell."""
+    from analytic import catalog
+
     found = [path for path in sorted(Path().glob(f"{incomplete}*")) if path.is_dir() or path.suffix == ".toml"]
     files = [f"{path}/" if path.is_dir() else str(path) for path in found]
     builtin = [name for name in catalog.names("scenes") if name.startswith(incomplete)]
@@ -86,34 +84,51 @@ Geometry = Annotated[
 ]
 
 
-def read_scene(name: str | None) -> Scene:
+def read_scene(name: str | None) -> "Scene":
     """The scene of that name; the built-in one without a name."""
+    from analytic.scenefile.read import load_scene
+
     return load_scene(BUILTIN if name is None else name)
 
 
 def require_folder_name(folder: Path | None) -> None:
     """Raises InputError for a folder whose name would be one of a file."""
     if folder is not None and folder.suffix.casefold() in OF_FILES:
+        from analytic.errors import InputError
+
         raise InputError(
             f"--out {str(folder)!r} ends with {folder.suffix!r} as a file, and this command writes a folder; give a "
             "name without it"
         )
 
 
-def read_tolerance(given: str | None, scene: Scene) -> float:
+def read_tolerance(given: str | None, scene: "Scene") -> float:
     """The tolerance of an option, or the scene's."""
-    return scene.tolerance if given is None else read_option("--tolerance", TOLERANCE, given)
+    if given is None:
+        return scene.tolerance
+    return read_option("--tolerance", given, unit="", low=1e-6, high=1.0, example='"1 %" or 0.01')
+
+
+def read_load(given: str) -> float:
+    """The load of an option in N."""
+    return read_option("--load", given, unit="N", low=1e-12, high=1e7, example='"620 N"')
 
 
 def read_samples(given: int | None, *, with_interval: bool) -> int | Literal["enough"] | None:
     """The samples of an interval; None: no interval. Raises InputError for samples without an interval."""
     if given is not None and not with_interval:
+        from analytic.errors import InputError
+
         raise InputError(f"--samples {given} goes with --interval; give both, or leave it out")
     return "enough" if with_interval and given is None else given
 
 
-def read_option(option: str, dimension: Dimension, given: str) -> float:
-    """The value of an option in SI. Raises InputError for a text that is not a value of this dimension."""
+def read_option(option: str, given: str, *, unit: str, low: float, high: float, example: str) -> float:
+    """The value of an option in SI. Raises InputError for a text that is not a value of this unit, or out of range."""
+    from analytic.errors import InputError
+    from analytic.scenefile.quantity import Dimension
+
+    dimension = Dimension(unit=unit, low=low, high=high, example=example)
     try:
         number: object = float(given)  # on the command line a pure number is text too
     except ValueError:

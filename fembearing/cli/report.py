@@ -5,7 +5,6 @@ from typing import Annotated
 
 import typer
 
-from fembearing.cli.console import out, print_json
 from fembearing.cli.options import AsJson
 from fembearing.cli.report_options import given_details, with_report_options
 from fembearing.cli.status import say
@@ -23,6 +22,7 @@ def report(
     as_json: AsJson = False,
 ) -> None:
     """Make the page of a report again from its numbers and the pictures in the same folder."""
+    from fembearing.cli.console import out, print_json
     from fembearing.report.page.rebuild import rebuild_page
 
     result = rebuild_page(numbers, out=page, details=given_details())

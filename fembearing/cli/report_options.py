@@ -8,10 +8,7 @@ from typing import Annotated, Any
 
 import typer
 
-from analytic.errors import InputError
 from analytic.report_details import UnitSystem
-from analytic.scenefile.keys import scene_key
-from analytic.scenefile.text import shown
 
 OPTIONS: dict[str, Any] = {
     "author": Annotated[str | None, typer.Option(help="Who made the report; the scene says so without it.")],
@@ -40,6 +37,10 @@ def with_report_options(command: Callable[..., None]) -> Callable[..., None]:
 
 def given_details() -> dict[str, str]:
     """The details of the report that options give. Raises InputError for a text that no key of [report] takes."""
+    from analytic.errors import InputError
+    from analytic.scenefile.keys import scene_key
+    from analytic.scenefile.text import shown
+
     details = {name: text for name, text in GIVEN.get().items() if text is not None}
     for name, text in details.items():
         try:

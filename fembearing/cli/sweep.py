@@ -5,8 +5,6 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from analytic.writing import new_folder, remove_whole
-from fembearing.cli.console import out, print_json, shown_progress
 from fembearing.cli.options import AsJson, require_folder_name
 from fembearing.cli.status import DONE, INTERRUPTED, NOT_SOLVED, complain, say
 
@@ -29,6 +27,7 @@ def sweep(
     operation.axial_load = { from = "100 N", to = "2 kN", count = 20, spacing = "log" } or conformity = [0.51, 0.52].
     """
     require_folder_name(folder)
+    from fembearing.cli.console import print_json, shown_progress
     from fembearing.sweep.run import run_sweep
 
     try:
@@ -55,6 +54,8 @@ def _announce(dashboard: str) -> None:
 
 def _maps(result: "Sweep") -> list[Path]:
     """The maps of the dataset. They are drawn again where they are older than it."""
+    from analytic.writing import new_folder, remove_whole
+
     folder, dataset = Path(result.folder) / MAPS, Path(result.file)
     if folder.exists() and folder.stat().st_mtime_ns < dataset.stat().st_mtime_ns:
         remove_whole(folder)
@@ -67,6 +68,8 @@ def _maps(result: "Sweep") -> list[Path]:
 
 
 def _print(result: "Sweep", maps: list[Path]) -> None:
+    from fembearing.cli.console import out
+
     def line(text: str) -> None:
         out.print(text, soft_wrap=True, markup=False)
 

@@ -5,7 +5,6 @@ from typing import Annotated
 
 import typer
 
-from fembearing.cli.console import out, print_json, shown_progress
 from fembearing.cli.options import (
     AsJson,
     Samples,
@@ -34,6 +33,7 @@ def torque(
     """Friction torque of a scene by effect, and which effects were computed or left out."""
     given, count = read_scene(scene), read_samples(samples, with_interval=with_interval)
     given = replace(given, tolerance=read_tolerance(tolerance, given))
+    from fembearing.cli.console import out, print_json, shown_progress
     from fembearing.report.terminal.torque import print_torque
     from fembearing.report.torque_folder import torque_with_files
 

@@ -5,7 +5,6 @@ from typing import Annotated
 
 import typer
 
-from fembearing.cli.console import out, print_json, shown_progress
 from fembearing.cli.options import (
     AsJson,
     Folder,
@@ -37,6 +36,7 @@ def validate(
     given, details = read_scene(scene), given_details()
     given = replace(given, report=replace(given.report, **details))
     limit = read_tolerance(tolerance, given)
+    from fembearing.cli.console import out, print_json, shown_progress
     from fembearing.report.document.build import report_of
     from fembearing.report.folder import validate as run
     from fembearing.report.terminal.validation import print_validation

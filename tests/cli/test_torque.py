@@ -13,8 +13,9 @@ from rich.console import Console
 from analytic.errors import ConvergenceError
 from analytic.result import FrictionTorque
 from analytic.scene import Scene
+from analytic.scenefile.choice import Choice
 from analytic.scenefile.read import parse_scene
-from analytic.scenefile.template import Choice, scene_text
+from analytic.scenefile.template import scene_text
 from fembearing.cli.status import CHECK_FAILED, DONE, INPUT_AT_FAULT, NOT_SOLVED
 from fembearing.compare.torque import left_out
 from fembearing.compare.torque.scene_torque import torque_of_scene

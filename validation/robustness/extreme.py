@@ -20,9 +20,9 @@ from adversary import INPUTS, scene_text
 from analytic import catalog, friction_torque
 from analytic.catalog.bearing_rows import bearing_names
 from analytic.errors import InputError
+from analytic.scenefile.choice import Choice
 from analytic.scenefile.keys import SceneKey, paths, scene_key, with_key
 from analytic.scenefile.read import parse_scene
-from analytic.scenefile.template import Choice
 from analytic.scenefile.template import scene_text as template
 
 SCENES = Path(__file__).resolve().parents[1] / "scenes"

@@ -16,7 +16,7 @@ from commands import FOLDER, FREE, Limits, fault_of, run
 from kills import GRID, SCENE, hidden_in
 
 UNPRIVILEGED = ("setpriv", "--bounding-set", "-dac_override,-dac_read_search")  # permissions hold for root too
-SLOWEST = 30.0  # s of the processor: where machine code cannot be kept, it is compiled
+SLOWEST = 30.0  # s of the processor: where compiled formulas cannot be kept, they are compiled
 COMMANDS = {
     "torque": ("torque", "scene.toml"),
     "torque --json": ("torque", "scene.toml", "--json"),

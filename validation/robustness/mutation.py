@@ -2,8 +2,8 @@
 
 Each mutant runs in a copy of the tree with the tests that mirror its module's folder, the module's own tests first,
 until one fails. A test that fails, or tests that hang, have seen the mutant; any other end of pytest is an error.
-Machine code of formulas is kept in a copy of the cache, where it is known by its source, so that only what a mutant
-changes is compiled again. In the end the tests that failed run on the source as it is: they must pass.
+Each mutant has all formulas that its tests take compiled, in a folder that is deleted after it. In the end the tests
+that failed run on the source as it is: they must pass.
 """
 
 import compileall
@@ -24,12 +24,15 @@ from queue import SimpleQueue
 
 from mutants import PACKAGES, Mutant, drawn
 
-from analytic.numerics.machine_code import FOLDER, cache_folder
+from analytic.numerics.compilation import FOLDER
 
 ROOT = Path(__file__).resolve().parents[2]
 LEFT_OUT = (".git", ".venv*", ".*_cache", "__pycache__", "build", "dist", "*.egg-info")  # of the copies
 MEMORY = 8_000_000_000  # bytes of data of a process
-LONGEST, DEAF = 400, 3000  # s of the processor and of the clock; tests that do not end have seen the mutant
+LONGEST, DEAF = (
+    700,
+    3000,
+)  # s of the processor, of which up to 300 compile, and of the clock; tests that do not end have seen the mutant
 LIMITED = f'ulimit -t {LONGEST}; ulimit -d {MEMORY // 1024}; exec "$@"'
 TIMED_OUT = (124, 137, 152, -9, -24)  # statuses of `timeout`, and of a process that the limit ends
 FAILED = 1  # status of pytest where a test fails
@@ -64,8 +67,8 @@ class Outcome:
 class Tree:
     """A copy of the tree, in which one mutant at a time is tested."""
 
-    def __init__(self, folder: Path, cache: Path, before: Sequence[str]) -> None:
-        self.root, self.cache, self.before = folder, cache, before
+    def __init__(self, folder: Path, before: Sequence[str]) -> None:
+        self.root, self.before = folder, before
         shutil.copytree(ROOT, self.root, ignore=shutil.ignore_patterns(*LEFT_OUT), symlinks=True)
         for package in (*PACKAGES, "tests"):
             compileall.compile_dir(self.root / package, quiet=1)
@@ -93,12 +96,12 @@ class Tree:
         limits = ("timeout", "--kill-after=10", str(DEAF), "bash", "-c", LIMITED, "limited")
         pytest = (sys.executable, "-m", "pytest", "-q", "-x", "-rfE", "-p", "no:cacheprovider")
         own = {"PYTHONPATH": str(self.root), "PYTHONDONTWRITEBYTECODE": "1", "CI": "true", "OMP_NUM_THREADS": "1"}
-        with tempfile.TemporaryFile() as output:
+        with tempfile.TemporaryFile() as output, tempfile.TemporaryDirectory() as cache:
             start = time.monotonic()
             done = subprocess.run(
                 [*self.before, *limits, *pytest, *tests],
                 cwd=self.root,
-                env=os.environ | own | {FOLDER: str(self.cache)},
+                env=os.environ | own | {FOLDER: cache},
                 stdin=subprocess.DEVNULL,
                 stdout=output,
                 stderr=subprocess.STDOUT,
@@ -153,12 +156,8 @@ def test_mutants(count: int, seed: int, *, jobs: int, before: Sequence[str], rec
     ]
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(jobs) as pool:
         trees: SimpleQueue[Tree] = SimpleQueue()
-        cache, shared = Path(folder) / "cache", cache_folder()
-        cache.mkdir()
-        if shared is not None and shared.is_dir():
-            shutil.copytree(shared, cache, dirs_exist_ok=True)
         for number in range(jobs):
-            trees.put(Tree(Path(folder) / str(number), cache, before))
+            trees.put(Tree(Path(folder) / str(number), before))
 
         def test(mutant: Mutant) -> None:
             tree = trees.get()
@@ -183,9 +182,7 @@ def failing_without(record: Path, before: Sequence[str]) -> Iterator[str]:
             test = row["test"].partition(" ")[2].partition("[")[0]
             files.setdefault(test.partition("::")[0], set()).add(test)
     with tempfile.TemporaryDirectory() as folder:
-        cache = Path(folder) / "cache"
-        cache.mkdir()
-        tree = Tree(Path(folder) / "tree", cache, before)
+        tree = Tree(Path(folder) / "tree", before)
         for file, tests in files.items():
             outcome, seconds, words = tree.run(sorted(tests))
             if outcome != "survived":

@@ -158,7 +158,7 @@ def _writes(path: Any, mode: Any) -> bool:
 
 
 def _is_first_use() -> bool:
-    """Whether the call imports a module, or compiles a formula, whose machine code is kept."""
+    """Whether the call imports a module, or compiles a formula, which is kept."""
     frame = sys._getframe()
     while frame is not None and frame.f_code is not outcome_of.__code__:
         if frame.f_code.co_filename in FIRST_USES:

@@ -1,21 +1,23 @@
 """Compiled functions against the same functions in Python, and what is kept of them between processes."""
 
 import os
+import shutil
 import subprocess
 import sys
+import time
 from inspect import unwrap
 from pathlib import Path
-from typing import Any, NamedTuple, cast
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
 
-from analytic.numerics.compilation import FIRST_TIME, Compiled, compiled
-from analytic.numerics.machine_code import FOLDER
+from analytic.numerics import compilation
+from analytic.numerics.compilation import COMPILING, FOLDER, PREFIX, UNUSED, compiled
 from analytic.scene import Array
 
+ROOT = Path(__file__).parents[3]
 POWERS = np.array([0.3, 1.7, 2.9])
-EXTRA = 0.25
 
 
 class Law(NamedTuple):
@@ -36,16 +38,13 @@ class Sums(NamedTuple):
 
 @compiled
 def powers_of(base: float) -> Array:
-    found = np.zeros(3)
-    for index in range(3):
-        found[index] = base ** POWERS[index]
-    return found
+    return np.array([base**power for power in POWERS])
 
 
 @compiled(inline=True)
 def both(base, law):
     total = powers_of(base).sum() * law.factor + law.table[1, 0]
-    return total, total + law.shift[0] * law.shift[1] + EXTRA
+    return total, total + law.shift[0] * law.shift[1]
 
 
 @compiled
@@ -58,67 +57,21 @@ def fill(bases: Array, out: Array, count: int, law: Law) -> tuple[Sums, float]:
     return Sums((not law.doubled, count), total), np.arcsinh(total)
 
 
-@compiled
-def pairs(count: int) -> Array:
-    found = np.empty((count, 2))
-    for index in range(count):
-        found[index, 0], found[index, 1] = index, -0.5 * index
-    return found
-
-
-@compiled
-def split(values: Array):
-    return Sums((False, values.size), values[0]), values.reshape((2, -1)) * 2.0
-
-
-@compiled
-def refuse(value: float) -> None:
-    if value > 0.0:
-        raise ValueError("above zero")
-
-
-def arguments(*, doubled: bool = False) -> tuple[Array, Array, Any, Law]:
+def arguments(*, doubled: bool = False) -> tuple[Array, Array, int, Law]:
     table = np.array([[0.1, 0.2], [0.4, 0.9]])
-    return np.array([0.2, 1.9, 0.7, 1.3]), np.zeros((4, 2)), np.int64(3), Law(doubled, 0.7, (5, 0.3), table)
+    return np.array([0.2, 1.9, 0.7, 1.3]), np.zeros((4, 2)), 3, Law(doubled, 0.7, (5, 0.3), table)
 
 
 @pytest.mark.parametrize("doubled", [False, True])
-def test_machine_code_does_what_python_does(doubled: bool) -> None:
+def test_numba_does_what_python_does(doubled: bool) -> None:
     ours, theirs = arguments(doubled=doubled), arguments(doubled=doubled)
     found, expected = fill(*ours), unwrap(fill)(*theirs)
     assert isinstance(found[0], Sums)
-    assert (found[0].law, type(found[0].law[0])) == ((not doubled, 3), bool)
+    assert found[0].law == (not doubled, 3)
     assert found[0].total == pytest.approx(expected[0].total, rel=1e-14)  # some roundings of libm
     assert found[1] == pytest.approx(expected[1], rel=1e-14)
     np.testing.assert_allclose(ours[1], theirs[1], rtol=1e-14)
     assert ours[1][3].tolist() == [0.0, 0.0]  # beyond the count
-
-
-def test_any_array_is_read_where_it_lies() -> None:
-    bases, out, count, law = arguments()
-    fill(bases, out, count, law)
-    wide, transposed = np.zeros((2, 4)), law._replace(table=law.table.T.copy().T)
-    assert not transposed.table.flags.c_contiguous
-    wide.flags.writeable, bases.flags.writeable = True, False
-    fill(np.repeat(bases, 2)[::2], wide.T, 3, transposed)
-    np.testing.assert_array_equal(wide.T, out)
-    law.table[1, 0] += 0.05  # the same tuple, whose array has changed
-    fill(bases, out, count, law)
-    assert np.all(wide.T[:3, 0] + 0.05 - out[:3, 0] == pytest.approx(0.0, abs=1e-15))
-
-
-def test_arrays_are_given_with_their_shapes() -> None:
-    assert pairs(3).tolist() == [[0.0, 0.0], [1.0, -0.5], [2.0, -1.0]]
-    assert pairs(0).shape == (0, 2)
-    many = [pairs(1000) for _ in range(300)]  # memory that is given back is used again, and no array changes
-    assert all(np.array_equal(each, many[0]) for each in many)
-    np.testing.assert_allclose(powers_of(2), [2**0.3, 2**1.7, 2**2.9], rtol=1e-14)  # an integer for a float
-
-
-def test_results_have_their_names_without_annotations() -> None:
-    sums, doubled = split(np.array([0.5, 1.5, 2.5, 3.5]))
-    assert (type(sums), sums) == (Sums, ((False, 4), 0.5))
-    assert doubled.tolist() == [[1.0, 3.0], [5.0, 7.0]]  # by a function of numba's own, for the shape
 
 
 def test_a_division_by_zero_gives_infinity() -> None:
@@ -128,105 +81,186 @@ def test_a_division_by_zero_gives_infinity() -> None:
     assert out[1, 1] == np.inf
 
 
-def test_what_machine_code_does_not_take_is_refused() -> None:
-    with pytest.raises(TypeError, match="take no str"):
-        fill(*arguments()[:2], cast(Any, "3"), arguments()[3])
-    with pytest.raises(TypeError, match="take no list"):
-        fill(*arguments()[:3], cast(Any, ([1.0], 2)))
-    refuse(-0.5)
-    with pytest.raises(RuntimeError, match="refuse"):
-        refuse(0.5)
+# Two files of formulas, which lie beside a copy of the compiler in a package of their own
+INNER = """
+from analytic.numerics.compilation import compiled
 
+FACTOR = 3.0
 
-def test_all_that_a_function_depends_on_is_in_its_source(monkeypatch: pytest.MonkeyPatch) -> None:
-    def source() -> list[str]:
-        return [*cast(Compiled, fill).source()]
-
-    before = source()
-    assert source() == before
-    for name, value in (("POWERS", POWERS + 1e-15), ("EXTRA", 0.5), ("both", powers_of), ("Sums", Law)):
-        with monkeypatch.context() as patched:
-            patched.setitem(globals(), name, value)
-            assert source() != before
-    fast = Compiled(cast(Any, unwrap(fill)), {"fastmath": {"contract"}, "inline": "never"})
-    assert [*fast.source()] != before
-    monkeypatch.setitem(globals(), "EXTRA", sys.modules["pathlib"])
-    with pytest.raises(TypeError, match="pathlib: import what it takes"):
-        source()
-
-
-PROGRAM = """
-import sys
-from tests.analytic.numerics import test_compilation as here
-print(here.fill(*here.arguments())[1], "numba" in sys.modules)
-assert here.split(here.arguments()[0])[1][1, 0] == 1.4
-
+@compiled
+def scaled(x):
+    return FACTOR * x
 """
+OUTER = """
+from analytic.inner import scaled
+
+from analytic.numerics.compilation import compiled
+
+@compiled
+def shifted(x):
+    return scaled(x) + 0.25
+"""
+PROGRAM = "from analytic import outer; print(outer.shifted(7.0))"
 
 
-def ended(program: str, folder: Path) -> subprocess.CompletedProcess[str]:
-    """A program in a new process, which keeps machine code in a folder."""
-    return subprocess.run(
-        [sys.executable, "-c", program],
-        env=os.environ | {FOLDER: str(folder)},
-        cwd=Path(__file__).parents[3],
-        capture_output=True,
+@pytest.fixture
+def program(tmp_path: Path) -> Path:
+    """The folder of the program; its files are files of the package, as those of formulas are."""
+    folder = tmp_path / "program"
+    for name in ("__init__.py", "__init__.pyi", "numerics/__init__.py", "numerics/compilation.py"):
+        (folder / "analytic" / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / "analytic" / name, folder / "analytic" / name)
+    (folder / "analytic/inner.py").write_text(INNER)
+    (folder / "analytic/outer.py").write_text(OUTER)
+    return folder
+
+
+def start(program: Path, cache: Path, code: str = PROGRAM) -> subprocess.Popen[str]:
+    return subprocess.Popen(
+        [sys.executable, "-c", code],
+        env={**os.environ, "PYTHONPATH": str(program), FOLDER: str(cache)},
+        cwd=program,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
         text=True,
-        check=False,
     )
 
 
-def in_process(folder: Path) -> tuple[float, str, str]:
-    """Result of the function in a new process, whether numba is there, and what is said."""
-    done = ended(PROGRAM, folder)
-    assert done.returncode == 0, done.stderr
-    result, with_numba = done.stdout.split()
-    return float(result), with_numba, done.stderr
+def result_of(process: subprocess.Popen[str]) -> tuple[float, str]:
+    """The number that the program prints, and what it says on standard error."""
+    out, said = process.communicate(timeout=300)
+    assert process.returncode == 0, said
+    return float(out), said
 
 
-def test_a_function_is_compiled_once_and_loaded_without_numba(tmp_path: Path) -> None:
-    expected = fill(*arguments())[1]
-    assert in_process(tmp_path) == (expected, "True", f"fembearing: {FIRST_TIME}\n")
-    assert in_process(tmp_path) == (expected, "False", "")
-    file, other = sorted(tmp_path.iterdir())
-    assert [each.name.partition("-")[0].rpartition(".")[2] for each in (file, other)] == ["fill", "split"]
-    whole = file.read_bytes()
-    file.write_bytes(whole[: len(whole) // 2])
-    assert in_process(tmp_path) == (expected, "True", f"fembearing: {FIRST_TIME}\n")
-    assert in_process(tmp_path) == (expected, "False", "")
+def run(program: Path, cache: Path) -> tuple[float, str]:
+    return result_of(start(program, cache))
 
 
-def test_without_a_folder_the_answer_is_the_same(tmp_path: Path) -> None:
-    occupied = tmp_path / "file"
-    occupied.touch()
-    result, with_numba, said = in_process(occupied / "inside")
-    assert (result, with_numba) == (fill(*arguments())[1], "True")
+SAID = f"fembearing: {COMPILING}\n"
+
+
+def kept_files(cache: Path) -> list[Path]:
+    return sorted(path for path in cache.rglob("*") if path.is_file())
+
+
+def test_a_function_is_compiled_once(program: Path, tmp_path: Path) -> None:
+    assert run(program, tmp_path / "cache") == (21.25, SAID)
+    before = {path: path.stat().st_mtime_ns for path in kept_files(tmp_path / "cache")}
+    assert {path.suffix for path in before} == {".nbi", ".nbc", ""}
+    assert run(program, tmp_path / "cache") == (21.25, "")
+    assert {path: path.stat().st_mtime_ns for path in kept_files(tmp_path / "cache")} == before
+
+
+@pytest.mark.parametrize(("old", "new", "expected"), [("FACTOR * x", "FACTOR - x", -3.75), ("3.0", "5.0", 35.25)])
+def test_a_change_in_the_file_of_a_called_function_counts(
+    program: Path, tmp_path: Path, old: str, new: str, expected: float
+) -> None:
+    assert run(program, tmp_path / "cache")[0] == 21.25
+    (program / "analytic/inner.py").write_text(INNER.replace(old, new))
+    assert run(program, tmp_path / "cache") == (expected, SAID)
+
+
+def damaged(content: bytes, how: str) -> bytes:
+    half = len(content) // 2
+    if how == "cut":
+        return content[:half]
+    return content[:half] + bytes([content[half] ^ 4]) + content[half + 1 :]  # one bit, often of the code itself
+
+
+@pytest.mark.parametrize("how", ["cut", "bit"])
+def test_damaged_files_are_compiled_again(program: Path, tmp_path: Path, how: str) -> None:
+    assert run(program, tmp_path / "cache")[0] == 21.25
+    for file in kept_files(tmp_path / "cache"):
+        if how == "bit" and file.suffix != ".nbc":
+            continue  # numba sees by itself what is wrong there
+        file.write_bytes(damaged(file.read_bytes(), how))
+    assert run(program, tmp_path / "cache") == (21.25, SAID)
+    assert run(program, tmp_path / "cache") == (21.25, "")
+
+
+def test_foreign_files_do_no_harm(program: Path, tmp_path: Path) -> None:
+    cache = tmp_path / "cache"
+    assert run(program, cache)[0] == 21.25
+    for folder in {cache, *(file.parent for file in kept_files(cache))}:
+        (folder / "foreign.txt").write_text("of somebody else")
+    assert run(program, cache) == (21.25, "")
+    (cache / f"{PREFIX}0").write_text("a file where a folder is expected")
+    assert run(program, cache) == (21.25, "")
+
+
+def test_without_a_writable_folder_the_answer_is_the_same(program: Path, tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    number, said = run(program, tmp_path / "file" / "cache")  # as a home that cannot be written, for the superuser too
+    assert number == 21.25
     first, second = said.splitlines()
-    assert first == f"fembearing: {FIRST_TIME}"
-    assert "cannot be kept" in second
-    assert FOLDER in second
+    assert "cannot be kept" in first
+    assert f"give a writable folder in {FOLDER}" in first
+    assert second == SAID.strip()
+
+
+def test_a_function_without_a_folder_is_compiled_each_time(program: Path, tmp_path: Path) -> None:
+    """Numba would keep it beside its source, where a change of another file goes unnoticed."""
+    cache = tmp_path / "cache"
+    assert run(program, cache)[0] == 21.25
+    (folder,) = {file.parents[1] for file in kept_files(cache) if "outer" in str(file)}
+    shutil.rmtree(folder)
+    folder.touch()
+    for _ in range(2):
+        number, said = run(program, cache)
+        assert number == 21.25
+        assert f"cannot be kept ({folder} is not writable)" in said
+        assert SAID in said
+    assert not [*(program / "analytic").rglob("*.nb?")]
+
+
+def test_processes_may_compile_at_once(program: Path, tmp_path: Path) -> None:
+    cache = tmp_path / "cache"
+    together = [start(program, cache) for _ in range(2)]
+    assert [result_of(process) for process in together] == [(21.25, SAID)] * 2
+    assert run(program, cache) == (21.25, "")
+
+
+def test_folders_of_other_versions_are_deleted_when_nobody_uses_them(program: Path, tmp_path: Path) -> None:
+    cache = tmp_path / "cache"
+    for name, age in (("old", 1.1 * UNUSED), ("new", 0.9 * UNUSED)):
+        (cache / f"{PREFIX}{name}").mkdir(parents=True)
+        then = time.time() - age
+        os.utime(cache / f"{PREFIX}{name}", (then, then))
+    run(program, cache)
+    assert not (cache / f"{PREFIX}old").exists()
+    assert (cache / f"{PREFIX}new").exists()
 
 
 THREADS = """
 from concurrent.futures import ThreadPoolExecutor
 from threading import Barrier
-from tests.analytic.numerics.test_compilation import arguments, fill, powers_of
+from analytic.inner import scaled
+from analytic.outer import shifted
 
 start = Barrier(8)
 
 def called(number):
     start.wait()
-    return fill(*arguments())[1] if number % 2 else powers_of(0.7).sum()
+    return shifted(7.0) if number % 2 else scaled(7.0)
 
 with ThreadPoolExecutor(8) as threads:
     print(*sorted(set(threads.map(called, range(8)))))
 """
 
 
-def test_threads_may_make_the_first_call_together(tmp_path: Path) -> None:
-    """LLVM takes one thread at a time: without a lock most such processes crash."""
-    expected = sorted([fill(*arguments())[1], powers_of(0.7).sum()])
-    for cache in ("empty", "filled"):
-        done = ended(THREADS, tmp_path)
-        assert done.returncode == 0, (cache, done.stderr)
-        assert [float(word) for word in done.stdout.split()] == expected
+def test_threads_may_make_the_first_call_together(program: Path, tmp_path: Path) -> None:
+    for _ in ("empty", "filled"):
+        process = start(program, tmp_path / "cache", THREADS)
+        out, said = process.communicate(timeout=300)
+        assert (process.returncode, out) == (0, "21.0 21.25\n"), said
+
+
+def test_a_user_keeps_numbas_own_settings() -> None:
+    from numba.core import config
+
+    settings: Any = config  # it has no types
+    before = settings.CACHE_DIR
+    assert powers_of(2.0)[0] == pytest.approx(2**0.3, rel=1e-14)
+    assert before == settings.CACHE_DIR
+    assert compilation.cache_folder().is_absolute()

@@ -15,8 +15,9 @@ from hypothesis import given
 from analytic.catalog.bearing_rows import bearing_names, find_bearing, series_of_size
 from analytic.errors import InputError
 from analytic.scene import Bearing, Operation, Scene
+from analytic.scenefile.choice import Choice
 from analytic.scenefile.read import load_scene, parse_scene, scene_of
-from analytic.scenefile.template import Choice, scene_text
+from analytic.scenefile.template import scene_text
 from fembearing.compare.torque.catalogue_models import (
     CatalogueBand,
     CatalogueCase,
