@@ -4,7 +4,7 @@ The balls are first loaded and turned by closed kinematics. From these it is dec
 counts they then turn freely, which changes loads and angles too, and all is computed from the balls that come out.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -15,12 +15,10 @@ from analytic.effects.loads import ChosenBalls, chosen_balls
 from analytic.effects.sliding import Resisting, decide_creep, decide_sliding, decide_whether_sliding, mixed_contacts
 from analytic.effects.table import ENTRIES
 from analytic.errors import require_finite
-from analytic.free_ball.sliding import FreeProblem, slide_freely
 from analytic.loads.balls import LoadedBalls
 from analytic.oil.inlets import inlets_of
 from analytic.oil.lubricated_races import lubricate_races
 from analytic.oil.mixed import MixedContact
-from analytic.oil.race_resistance import NO_OIL, resistance_of
 from analytic.oil.rolling import (
     HYSTERESIS_LOSS,
     RollingResistance,
@@ -31,10 +29,11 @@ from analytic.oil.rolling import (
 )
 from analytic.oil.traction import CoulombTraction
 from analytic.oil.variation import Variation
-from analytic.oil.viscosity import inlet_viscosity, oil_numbers
+from analytic.oil.viscosity import inlet_viscosity
 from analytic.scene import Array, Operation
 from analytic.sliding.ball import Tractions
 from analytic.sliding.methods import Sliding, SlidingModel, race_sliding
+from analytic.solve.freely import slide_freely
 
 BY_SLIP = ("spin", "conformity")
 
@@ -93,18 +92,14 @@ def race_torque(
     if slides and creep is not None:
         # Where there is no contact, the search for the balls' rotation takes seconds.
         require_on_grooves(scene.bearing, operation, chosen.balls)
-        problem = FreeProblem(
-            bearing=scene.bearing,
-            contact_angle=scene.contact_angle,
-            operation=operation,
-            effects=replace(chosen.effects, gyroscopic=ledger.is_on("gyroscopic")),
+        free = slide_freely(
+            scene,
+            {name: ledger.is_on(name) for name in ledger.made},
             creep=creep,
-            correction=chosen.correction,
-            resistance=resistance_of(scene, ledger.is_on, variation),
-            oil=NO_OIL if scene.lubricant is None else oil_numbers(scene.lubricant),
-            other=_other(ledger, resisting),
+            correction=correction,
+            variation=variation,
+            allowed=float(np.min(allowed)),
         )
-        free = slide_freely(problem, chosen.balls, allowed=allowed)
         chosen, sliding = chosen.turning(free.balls), free.sliding
         resisting, resistance = _resisting(ledger, chosen.balls, speed, slides=slides, variation=variation)
         mixed = mixed_contacts(ledger, resisting)

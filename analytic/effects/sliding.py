@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.effects.ledger import Ledger
-from analytic.effects.table import ENTRIES, PER_GYROSCOPIC_SLIP, PER_ROLL_CREEP, PER_SPIN_CREEP, ruled
+from analytic.effects.table import ENTRIES, PER_GYROSCOPIC_SLIP, ruled
 from analytic.errors import InputError
 from analytic.free_ball.rotation import Creep
 from analytic.loads.balls import LoadedBalls
@@ -24,7 +24,8 @@ from analytic.oil.lubricated_races import LubricatedRaces
 from analytic.oil.mixed import MixedContact
 from analytic.oil.traction import MixedTraction
 from analytic.scene import Array, Scene
-from analytic.sliding.levers import creep_numbers, full_spin_lever, largest_error, largest_spin_lever, rolling_lever
+from analytic.sliding.creep import creep_shares
+from analytic.sliding.levers import full_spin_lever, largest_error, largest_spin_lever, rolling_lever
 from analytic.words import percent_of
 
 LIGHT = 0.01  # of the heaviest ball's load: a film of a lighter ball hardly changes the torque
@@ -240,20 +241,7 @@ class Estimate:
     def creep(self) -> Array:
         """(n,) estimate of the change of the torque by sliding that elastic creep makes, in the regime decided."""
         assert self.regime is not None
-        balls, torque = self.resisting.balls, self._at(self.regime)
-        contacts = balls.contacts
-        friction = np.divide(
-            np.max(torque.friction, axis=0), balls.load, out=np.zeros_like(balls.load), where=balls.load > 0
-        )
-        sliding, spinning = creep_numbers(
-            contacts,
-            friction_coefficient=friction,
-            entrainment_speed=balls.motion.entrainment_speed,
-            spin_rate=np.abs(balls.motion.spin_difference),
-        )
-        share = np.minimum(_over(PER_SPIN_CREEP, spinning) + _over(PER_ROLL_CREEP, sliding), 1e9)
-        loaded = np.where(balls.load > 0, share, 0.0).max(axis=(0, 2))
-        return np.where(loaded >= 1, np.inf, loaded)
+        return creep_shares(self.resisting.balls, np.max(self._at(self.regime).friction, axis=0))
 
     def gyroscopic(self, scene: Scene) -> Array:
         """(n,) gyroscopic moment of a ball over what friction across both grooves holds, in the regime decided."""

@@ -12,6 +12,7 @@ from analytic.cage.grip import LARGEST_GRIP
 from analytic.contact.geometry import USUAL_SHOULDERS
 from analytic.oil.rolling import HYSTERESIS_LOSS
 from analytic.scene import Scene
+from analytic.sliding.creep import PER_ROLL_CREEP, PER_SPIN_CREEP
 from analytic.words import percent_of, pressure_of
 
 # Change of the torque over how unequal the balls' loads are: below 0.7 where they are little so, 1.13 at most.
@@ -28,10 +29,6 @@ LEAST_WHIRL = 1.0  # of the whirl number: a cage cannot whirl below
 # Simulated time that `auto` allows, with start-up and all seeds, s: about ten minutes of computing in default steps
 LONGEST_MOTION = 500.0
 LONGEST_FREE_MOTION = 4.0  # s, the same of balls and cage together, at 4 to 10 us a step: minutes too
-# Change of the torque by sliding that elastic creep makes, over 1/K of spin and of conformity
-# (`analytic.sliding.levers.creep_numbers`): 4.0 and 0.8 at most in 150 scenes with angles of 0.05 to 0.75 rad and
-# friction of 0.005 to 0.3.
-PER_SPIN_CREEP, PER_ROLL_CREEP = 4.5, 1.0
 # Change of the torque by sliding over the share of friction across the grooves that holds the gyroscopic moment: slip
 # across the groove comes with it, and near 1 the ball's axis follows.
 PER_GYROSCOPIC_SLIP = 3.0

@@ -1,7 +1,7 @@
 """The compiled rotation of a free ball; `analytic.free_ball.rotation` says what it solves.
 
-Rates are per unit ring speed w, so slip is a length and an inertia carries w^2. The nodes of a quadrature lie on strips along rolling, at y = b sin(angle), where the
-pressure is smooth.
+Rates are per unit ring speed w, so slip is a length and an inertia carries w^2. The nodes of a quadrature lie on strips
+along rolling, at y = b sin(angle), where the pressure is smooth.
 """
 
 import numpy as np

@@ -38,9 +38,9 @@ LEAST_ANGLE, MOST_ANGLE = 1e-6, 1.5  # rad, where a search begins
 
 
 @compiled
-def _next(nodes: FreeNodes, change: float) -> FreeNodes:
-    """Nodes for the round after one that changed angles or forces by this much, relative; nodes : of the first one."""
-    return FreeNodes(nodes.coarse, nodes.fine, min(max(OF_CHANGE * change, ACCURACY), nodes.accuracy), nodes.steady)
+def _next_accuracy(nodes: FreeNodes, change: float) -> float:
+    """For the round after one that changed angles or forces by this much, relative; nodes : of the first one."""
+    return min(max(OF_CHANGE * change, ACCURACY), nodes.accuracy)
 
 
 @compiled
@@ -83,7 +83,8 @@ def settle_free_thrust(
         # The balls keep the motion of the last round, so that this round must change nothing.
         if change <= nodes.steady:
             return Round(SETTLED, number, change, nodes.steady)
-        last, now = found, _next(nodes, change)
+        last = found
+        now = FreeNodes(nodes.coarse, nodes.fine, _next_accuracy(nodes, change), nodes.steady)
     return Round(OPEN, MOST_ROUNDS, change, nodes.steady)
 
 
@@ -111,5 +112,6 @@ def settle_free_ring(
         steps += end.steps
         if end.end != OPEN:
             break
-        now = _next(nodes, nodes.steady * end.left / end.tolerance)
+        accuracy = _next_accuracy(nodes, nodes.steady * end.left / end.tolerance)
+        now = FreeNodes(nodes.coarse, nodes.fine, accuracy, nodes.steady)
     return Round(end.end, steps, end.left, end.tolerance)

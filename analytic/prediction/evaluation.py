@@ -7,7 +7,7 @@ import numpy as np
 
 from analytic.errors import FembearingError
 from analytic.oil.variation import Variation
-from analytic.point.settled import settled_parts
+from analytic.prediction.settled import settled_parts
 from analytic.prediction.spreads import NUMERICAL, UncertainInput
 from analytic.prediction.starts import SampleStarts, starts_of
 from analytic.prediction.variants import varied_scene

@@ -10,9 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from analytic.errors import FembearingError
-from analytic.free_ball.passes import FreeStart
 from analytic.oil.variation import Variation
-from analytic.point.settled import free_start
+from analytic.prediction.settled import FreeStart, free_start
 from analytic.scene import Array, Scene
 
 
@@ -21,12 +20,12 @@ class SampleStarts:
     """Of scenes with d uncertain inputs."""
 
     nominal: FreeStart
-    slopes: FreeStart  # (d, ...) by the scores; `last` stays
+    slopes: FreeStart  # (d, ...) by the scores; `passes` stays
 
     def at(self, score: Array) -> FreeStart:
         """Of the sample with this score, (d,)."""
         both = zip(self.nominal[1:], self.slopes[1:], strict=True)
-        return FreeStart(self.nominal.last.copy(), *(here + np.tensordot(score, slope, 1) for here, slope in both))
+        return FreeStart(self.nominal.passes, *(here + np.tensordot(score, slope, 1) for here, slope in both))
 
 
 def starts_of(varied: Callable[[Array], tuple[Scene, Variation]], inputs: int) -> SampleStarts | None:
@@ -38,16 +37,16 @@ def starts_of(varied: Callable[[Array], tuple[Scene, Variation]], inputs: int) -
     unmoved = varied(np.zeros(inputs))
     by_rule = free_start(*unmoved)
     nominal = None if by_rule is None else free_start(*unmoved, by_rule)  # to the accuracy of the samples
-    if nominal is None or not nominal.last.all():
+    if nominal is None or not nominal.passes.all():
         return None
-    slopes = FreeStart(nominal.last, *(np.zeros((inputs, *each.shape)) for each in nominal[1:]))
+    slopes = FreeStart(nominal.passes, *(np.zeros((inputs, *each.shape)) for each in nominal[1:]))
     starts = SampleStarts(nominal=nominal, slopes=slopes)
     for place, score in enumerate(np.eye(inputs)):
         try:
             moved = free_start(*varied(score), starts.at(np.zeros(inputs)))
         except FembearingError:
             continue
-        if moved is not None and moved.last.all():
+        if moved is not None and moved.passes.all():
             for slope, here, there in zip(slopes[1:], nominal[1:], moved[1:], strict=True):
                 slope[place] = there - here
     return starts

@@ -16,14 +16,14 @@ of 0.43.
 import numpy as np
 
 from analytic.contact.hertz import elliptic_integrals
-from analytic.contact.rolling_contact import ContactNumbers
-from analytic.numerics.compilation import compiled
-from analytic.oil.traction import PointLaw
+from analytic.contact.rolling_contact import ContactNumbers, Pair, contact_at
+from analytic.numerics.compilation import compiled, rows_of
+from analytic.oil.traction import PointLaw, law_at
 from analytic.scene import SlidingMethod
 from analytic.sliding.ball import at_ring_speed
 from analytic.scene import Array
 from analytic.sliding.ellipse import quadrature_of, slider_of, slip_sums
-from analytic.sliding.long_ellipse import Slip
+from analytic.sliding.long_ellipse import Slip, slip_at
 
 SINGLE_COEFFICIENT, ALONG_AXIS, OVER_ELLIPSE, FINE, AS_PRINTED = range(5)
 METHODS: tuple[SlidingMethod, ...] = ("single_coefficient", "along_axis", "over_ellipse", "over_ellipse")
@@ -38,11 +38,14 @@ BELOW_FULL_SPIN = 1.15  # times E(m) - 1; the largest observed factor is 1.11, w
 
 
 @compiled
-def long_ellipse_error(contact: ContactNumbers) -> float:
-    """Error of a long ellipse relative to the true power; at most that of a circle, also where a > b."""
-    if contact.semi_axis_transverse <= 0.0:
+def error_of_long_ellipse(a: float, b: float) -> float:
+    """Error of a long ellipse relative to the true power; at most that of a circle, also where a > b.
+
+    a, b : semi-axes along and across rolling, m
+    """
+    if b <= 0.0:
         return 0.0
-    squared = min(contact.semi_axis_rolling / contact.semi_axis_transverse, 1.0) ** 2
+    squared = min(a / b, 1.0) ** 2
     if squared == 0.0:
         return 0.0
     integral, share = elliptic_integrals(squared)
@@ -69,7 +72,7 @@ def judged(
         slider = slider_of(contact)
         own = slip.spin_moment * slip.spin_rate + slip.rolling_moment * contact.rolling_rate
         if method == SINGLE_COEFFICIENT and law.eyring == 0.0 and law.plain == 0.0:  # Coulomb friction
-            error = long_ellipse_error(contact)
+            error = error_of_long_ellipse(contact.semi_axis_rolling, contact.semi_axis_transverse)
             missed += own * error / (1 - error)
             whole += own
             continue
@@ -104,3 +107,26 @@ def judged(
 def error_of(missed: float, whole: float) -> float:
     """The estimate for sums over the balls of both numbers of `judged`, N m."""
     return missed + LEAST * whole if whole > 0.0 else 0.0
+
+
+def judged_balls(
+    contacts: Pair, laws: tuple[PointLaw, PointLaw], slip: Array, *, ring_speed: Array, method: int
+) -> tuple[Array, Array]:
+    """Both numbers of `judged` for many balls; all broadcast.
+
+    slip : (12, ...) the fields of `Slip` on inner and outer race;  ring_speed : w, rad/s
+    """
+    fields = (*contacts[0].fields, *contacts[1].fields, *laws[0], *laws[1], *slip, np.abs(ring_speed))
+    rows, shape = rows_of(*fields)
+    missed, whole = _judged(rows, method, NODES).reshape(2, *shape)
+    return missed, whole
+
+
+@compiled
+def _judged(rows: Array, method: int, nodes: Array) -> Array:
+    both = np.empty((2, rows.shape[1]))
+    for i in range(rows.shape[1]):
+        contacts, laws = (contact_at(rows, 0, i), contact_at(rows, 9, i)), (law_at(rows, 18, i), law_at(rows, 26, i))
+        slips = (slip_at(rows, 34, i), slip_at(rows, 40, i))
+        both[0, i], both[1, i] = judged(contacts, laws, slips, rows[46, i], method, nodes)
+    return both

@@ -94,6 +94,19 @@ class Slip(NamedTuple):
 
 
 @compiled
+def slip_at(rows: Array, first: int, index: int) -> Slip:
+    """The slip whose fields are six rows from the first on, of the element at the index."""
+    return Slip(
+        rows[first, index],
+        rows[first + 1, index],
+        rows[first + 2, index],
+        rows[first + 3, index],
+        rows[first + 4, index],
+        rows[first + 5, index],
+    )
+
+
+@compiled
 def mean_pressure(contact: ContactNumbers) -> float:
     """Q/(pi a b), Pa; 0 where the contact is a point."""
     area = np.pi * contact.semi_axis_rolling * contact.semi_axis_transverse

@@ -1,23 +1,12 @@
 """The torque that the balls lose by sliding on their races, by the cheapest method that is accurate enough.
 
-The methods are those of `analytic.sliding.ball`. The error of a method is estimated from several rules: the power by
-its own rule, and by other nodes over the whole ellipse, at the spin and the creep that the method found. Each other
-rule costs one evaluation. It sees the error of the nodes and what the method leaves out. Spin and creep stay those of
-the first rule, which matters in second order with Coulomb friction; else the net force by the other rule shows it.
-Differences add up with their magnitudes over races and panels, so that they do not cancel by chance. The estimate is
-their sum times a safety factor. It is no bound; the factors held on the random balls of
-`validation/benchmarks/friction.py --nodes`, which needed at most 1.5 for `single_coefficient` and `along_axis` and 2.4
-for `over_ellipse`.
-The same rules at the spin and the creep of `single_coefficient` foretell the error of a method before it is computed.
-
-With Coulomb friction the error of `single_coefficient` is that of the long ellipse, and has a closed form: E(m) - 1 of
-the power beyond full spin, with m = 1 - (a/b)^2. It is largest just before full spin: 1.11 times as much at a
-spin-to-roll ratio of 0.43.
+The methods are those of `analytic.sliding.ball`, and `analytic.sliding.judge` estimates the error of each. At the spin
+and the creep of `single_coefficient` it foretells the error of a method before it is computed.
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cached_property
 from typing import Literal
 
 import numpy as np
@@ -37,12 +26,10 @@ from analytic.sliding.ball import (
     SlipRule,
     Tractions,
     slip_friction,
-    slip_power,
 )
-from analytic.sliding.levers import long_ellipse_error
+from analytic.sliding.judge import LEAST, judged_balls
 from analytic.sliding.long_ellipse import MicroslipTorque
 
-LEAST = 1e-7  # the estimate of an error that is smaller: of creep and spin, and of the judging rule itself
 Points = NDArray[np.intp] | slice
 
 SERIES = 1000  # from this number of points on, a sample of them costs less
@@ -52,23 +39,11 @@ BETWEEN = 1.25  # times the largest error at the points of a sample: what lies b
 SEED = 31
 
 
-@dataclass(frozen=True, kw_only=True)
-class Quadrature:
-    """A method with the nodes of its quadrature, and the nodes over the whole ellipse that judge it.
-
-    Where a kink of the stress is all that the nodes miss, two rules may agree by chance: three rarely do.
-    """
-
-    rule: SlipRule
-    judges: tuple[tuple[int, int], ...] = ((24, 24),)
-    safety: float = 2.0  # times the difference of the rules
-
-
-QUADRATURES = (  # from cheap to accurate
-    Quadrature(rule=SlipRule("single_coefficient"), judges=((12, 8),)),  # its error is far above that of few nodes
-    Quadrature(rule=SlipRule("along_axis", (12, 8))),
-    Quadrature(rule=SlipRule("over_ellipse", (12, 8)), judges=((17, 13), (24, 24)), safety=3.0),
-    Quadrature(rule=SlipRule("over_ellipse", (24, 24)), judges=((37, 41), (48, 48)), safety=3.0),
+QUADRATURES = (  # from cheap to accurate, in the order of `judge`
+    SlipRule("single_coefficient"),
+    SlipRule("along_axis", (12, 8)),
+    SlipRule("over_ellipse", (12, 8)),
+    SlipRule("over_ellipse", (24, 24)),
 )
 
 
@@ -124,7 +99,7 @@ def race_sliding(
         )
 
     expected = allowed_of(balls.total(sliders.cheap.torque.spin), balls.total(sliders.cheap.torque.conformity))
-    *cheaper, last = [each for each in QUADRATURES if model.method in ("auto", each.rule.method)]
+    *cheaper, last = [each for each in QUADRATURES if model.method in ("auto", each.method)]
     some, foretold, between = slice(None), sliders.foretold, BETWEEN if sliders.is_sampled else 1.0
     if sliders.is_sampled or expected.size > FORETOLD:
         some = sliders.far if sliders.is_sampled else _some(expected.size, FORETOLD)
@@ -154,11 +129,11 @@ class Sliders:
         return self.slide(QUADRATURES[0])
 
     @cached_property
-    def foretold(self) -> Callable[[Quadrature], Array]:
+    def foretold(self) -> Callable[[SlipRule], Array]:
         """`errors_at` all points, at the sliding by the cheapest method."""
         return self.errors_at(self.cheap)
 
-    def slide(self, quadrature: Quadrature, points: Points = slice(None)) -> SlipFriction:
+    def slide(self, quadrature: SlipRule, points: Points = slice(None)) -> SlipFriction:
         shape = self.balls.load.shape[1:]
         difference = np.abs(self.balls.motion.spin_difference) if self.model.spins else np.zeros(shape)
         contacts, traction = self._at(points)
@@ -168,40 +143,30 @@ class Sliders:
             ring_speed=self.ring_speed[points, None],
             spin_difference=difference[points],
             spin_rule=self.model.spin_rule,
-            rule=quadrature.rule,
+            rule=quadrature,
         )
 
-    def errors_at(self, result: SlipFriction, points: Points = slice(None)) -> Callable[[Quadrature], Array]:
+    def errors_at(self, result: SlipFriction, points: Points = slice(None)) -> Callable[[SlipRule], Array]:
         """(n,) estimate of the error of any method, relative to its power, at the sliding of a result at these points.
 
         The result may be that of a cheaper method. Methods that are judged by the same nodes share them.
         """
 
-        @cache
-        def powers(nodes: tuple[int, int], sideways: bool) -> Array:
-            return self.powers(result, nodes, points, sideways=sideways)
-
-        def error(quadrature: Quadrature) -> Array:
-            if self._has_closed_form(quadrature):
-                error = long_ellipse_error(self.balls)[:, points]
-                return np.sum(_weight(self._at(points)[0], result) * error / (1 - error), axis=(0, 2))
-            judges = [powers(nodes, True) for nodes in quadrature.judges]
-            if quadrature.rule.method == "single_coefficient":
-                own = _race_power(self._at(points)[0], result)
-                differences = [np.abs(judge[:, 0].sum(axis=1) - own).sum(axis=0) for judge in judges]
-                whole = own.sum(axis=0)
-            else:
-                own = powers(quadrature.rule.nodes, quadrature.rule.method == "over_ellipse")
-                whole = own[:, 0].sum(axis=(0, 1))
-                slip = np.max([np.abs(judge - own)[:, 0] for judge in judges], axis=0).sum(axis=(0, 1))
-                force = [np.abs((judge - own)[:, 1].sum(axis=1)).sum(axis=0) for judge in judges]
-                differences = [slip, *force]
-            missed = np.max(differences, axis=0)
-            return quadrature.safety * _over(missed.sum(axis=-1), whole.sum(axis=-1)) + LEAST
+        def error(quadrature: SlipRule) -> Array:
+            contacts, traction = self._at(points)
+            missed, whole = judged_balls(
+                contacts,
+                (traction[0].point_law, traction[1].point_law),
+                _slip_fields(result),
+                ring_speed=self.ring_speed[points, None],
+                method=QUADRATURES.index(quadrature),
+            )
+            least = 0.0 if self._has_closed_form(quadrature) else LEAST
+            return _over(missed.sum(axis=-1), whole.sum(axis=-1)) + least
 
         return error
 
-    def _error_at(self, points: NDArray[np.intp], result: SlipFriction, quadrature: Quadrature) -> Array:
+    def _error_at(self, points: NDArray[np.intp], result: SlipFriction, quadrature: SlipRule) -> Array:
         """(k,) estimate of the error of a method at some points; result : at all of them."""
         return self.errors_at(_rows(result, points), points)(quadrature)
 
@@ -220,17 +185,9 @@ class Sliders:
         """(k, 2) what the torque of balls that are alike depends on."""
         return np.log(np.stack([self.balls.load[0, points, 0], np.abs(self.ring_speed[points])], axis=1))
 
-    def _has_closed_form(self, quadrature: Quadrature) -> bool:
+    def _has_closed_form(self, quadrature: SlipRule) -> bool:
         by_coulomb = all(isinstance(law, CoulombTraction) for law in self.traction)
-        return by_coulomb and quadrature.rule.method == "single_coefficient"
-
-    def powers(
-        self, result: SlipFriction, nodes: tuple[int, int], points: Points = slice(None), *, sideways: bool
-    ) -> Array:
-        """(2, 2, 3, n, m) N m, as `ball.slip_power`, at the sliding of a result at these points."""
-        contacts, traction = self._at(points)
-        speed = self.ring_speed[points, None]
-        return slip_power(contacts, traction, result, ring_speed=speed, nodes=nodes, sideways=sideways)
+        return by_coulomb and quadrature.method == "single_coefficient"
 
     def _at(self, points: Points) -> tuple[Pair, Tractions]:
         (inner, outer), (inner_law, outer_law) = self.balls.races, self.traction
@@ -243,7 +200,7 @@ class Sliders:
         pair = elements_of(inner, chosen), elements_of(outer, chosen)
         return pair, (elements_of(inner_law, chosen), elements_of(outer_law, chosen))
 
-    def result(self, quadrature: Quadrature, allowed: Array) -> Sliding | None:
+    def result(self, quadrature: SlipRule, allowed: Array) -> Sliding | None:
         """The torque by a quadrature, at all points or at a sample of them; None where the sample is too wrong."""
         if quadrature is QUADRATURES[0]:
             return self.at_all_points(quadrature, self.cheap, allowed)
@@ -253,7 +210,7 @@ class Sliders:
                 return sampled
         return self.at_all_points(quadrature, self.slide(quadrature), allowed)
 
-    def at_all_points(self, quadrature: Quadrature, result: SlipFriction, allowed: Array) -> Sliding:
+    def at_all_points(self, quadrature: SlipRule, result: SlipFriction, allowed: Array) -> Sliding:
         """At all points; the error in a long series is the largest of a sample at each point where that is allowed."""
         if self.ring_speed.size < SERIES or self._has_closed_form(quadrature):
             error = (self.foretold if result is self.cheap else self.errors_at(result))(quadrature)
@@ -267,12 +224,12 @@ class Sliders:
             spin=self.balls.total(result.torque.spin),
             conformity=self.balls.total(result.torque.conformity),
             coefficient=np.stack([result.inner_coefficient, result.outer_coefficient]),
-            method=quadrature.rule.method,
+            method=quadrature.method,
             error=error,
         )
 
     def _sampled(
-        self, quadrature: Quadrature, moving: NDArray[np.intp], allowed: Array
+        self, quadrature: SlipRule, moving: NDArray[np.intp], allowed: Array
     ) -> tuple[Sliding | None, float]:
         """From a sample of the points, None if that does not pay or is not accurate enough; and the method's error.
 
@@ -314,7 +271,7 @@ class Sliders:
             spin=self.balls.alike * values[:, 0],
             conformity=self.balls.alike * values[:, 1],
             coefficient=values[:, 2:].T[..., None],
-            method=quadrature.rule.method,
+            method=quadrature.method,
             error=np.full(base.shape[0], worst + series.error),
             computed=series.at.size + standing.size,
         )
@@ -348,21 +305,25 @@ def _as_printed(sliders: Sliders, derived: SlipFriction) -> Sliding:
     )
 
 
-def _race_power(contacts: Pair, result: SlipFriction) -> Array:
-    """(2, n, m) slip power of each contact over the ring speed, N m."""
+def _slip_fields(result: SlipFriction) -> Array:
+    """(12, n, m) fields of `long_ellipse.Slip` on inner and outer race."""
     torque = result.torque
     return np.stack(
-        [
-            torque.inner_spin_moment * torque.inner_spin_rate + torque.inner_rolling_moment * contacts[0].rolling_rate,
-            torque.outer_spin_moment * torque.outer_spin_rate + torque.outer_rolling_moment * contacts[1].rolling_rate,
-        ]
+        np.broadcast_arrays(
+            torque.inner_spin_rate,
+            torque.inner_spin_moment,
+            torque.inner_rolling_moment,
+            result.inner_coefficient,
+            result.inner_slip_speed,
+            result.inner_creep,
+            torque.outer_spin_rate,
+            torque.outer_spin_moment,
+            torque.outer_rolling_moment,
+            result.outer_coefficient,
+            result.outer_slip_speed,
+            result.outer_creep,
+        )
     )
-
-
-def _weight(contacts: Pair, result: SlipFriction) -> Array:
-    """(2, n, m) share of each contact in the slip power of its operating point."""
-    power = _race_power(contacts, result)
-    return _over(power, np.broadcast_to(np.sum(power, axis=(0, 2), keepdims=True), power.shape))
 
 
 def _over(part: Array, whole: Array) -> Array:

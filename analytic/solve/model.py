@@ -1,10 +1,11 @@
 """A scene in the numbers that the kernel takes: made once, for any operating point."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from analytic.cage.drive import GRAVITY, pocket_shape_of
 from analytic.cage.steady import lead_room
@@ -82,6 +83,7 @@ class ModelNumbers(NamedTuple):
     free: FreeNumbers
     allowed: float  # error of the sliding of free balls, relative to the whole torque
     passes: int  # quadrature of free balls; 0: the first that is accurate enough
+    cold: bool  # free balls of every operating point begin by rule
     nearly: bool  # one rough pass is enough for free balls whose start is known
     cage: CageNumbers
     declared: float  # torque of seals and drag, N m
@@ -110,6 +112,18 @@ class Model:
     creep: Creep | None  # of freely turning balls; None: they turn by rule
     temperature: float  # of the oil, K; 0 without
 
+    def at(self, points: NDArray[np.intp]) -> "Model":
+        """The model of some operating points: factors that are given belong to points."""
+        factors = self.tables.factors
+        return self if len(factors) < 2 else replace(self, tables=self.tables._replace(factors=factors[points]))
+
+    def with_numbers(self, **changed: float) -> "Model":
+        """The model with other fields of `ModelNumbers`."""
+        numbers = self.numbers.copy()
+        for name, value in changed.items():
+            setattr(numbers, name, value)
+        return replace(self, numbers=numbers)
+
 
 class Workspace(NamedTuple):
     """The state of one operating point after the other: what one leaves is the start of the next."""
@@ -133,6 +147,7 @@ def model_of(
     creep: Creep | None = None,
     allowed: float = 0.0,
     passes: int = 0,
+    cold: bool = True,
     nearly: bool = False,
     correction: ContactCorrection | None = None,
     farthest: bool = False,
@@ -143,7 +158,7 @@ def model_of(
     counted : whether each effect of `Counted` counts; those left out do not
     method, judges : for balls that turn by rule, as in `ModelNumbers`
     creep : how the surfaces of freely turning balls creep; None: the balls turn by the scene's spin rule
-    allowed, passes, nearly, farthest : as in `ModelNumbers`
+    allowed, passes, cold, nearly, farthest : as in `ModelNumbers`
     correction : factors on Hertz's contacts in place of those of the fit;  variation : of the formulas
     Raises InputError as the formulas do that take the scene's numbers.
     """
@@ -167,6 +182,7 @@ def model_of(
         free=free_numbers(bearing, creep=creep or "none", inertia=(effects.centrifugal, effects.gyroscopic)),
         allowed=allowed,
         passes=passes,
+        cold=cold,
         nearly=nearly,
         cage=NO_CAGE if scene.cage is None else _cage(scene, scene.cage, forms[2]),
         declared=float(declared_torque(scene.losses) or 0.0),

@@ -16,6 +16,7 @@ BALL = np.dtype(
         ("semi_axis_transverse", "f8", 2),  # b, m
         ("peak_pressure", "f8", 2),  # p0, Pa
         ("approach", "f8", 2),  # delta, m
+        ("stiffness", "f8", 2),  # K, N/m^1.5
         ("friction_coefficient", "f8", 2),  # of the Coulomb friction that loses the same power; NaN: nothing slides
         ("film", "f8", 2),  # h, m; this and both shares are NaN without oil and surface
         ("asperity_share", "f8", 2),  # s, of the load

@@ -1,0 +1,365 @@
+"""The friction torque as a function for loops over time steps."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import product
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.brief import Brief
+from analytic.effects.sliding import TURNING_FREELY
+from analytic.effects.table import ENTRIES
+from analytic.errors import FembearingError, InputError, real_numbers
+from analytic.scene import OIL_TEMPERATURES, Array, Operation, Scene
+from analytic.sliding.judge import AS_PRINTED, METHODS
+from analytic.solve.freely import METHODS as FREE_METHODS
+from analytic.solve.kernel import solve, solve_free
+from analytic.solve.model import Counted, Model, Workspace, model_of, workspace
+from analytic.solve.records import BALL, POINT, SETTLED
+from analytic.solve.solution import solved
+from analytic.torque import friction_torque
+
+Invalid = Literal["raise", "nan"]
+GIVEN = "axial_load", "radial_load", "moment", "inner_speed", "temperature"
+AT_REST = {"cage_dynamics": "off", "ball_dynamics": "off"}
+NO_BALLS = np.zeros((0, 0), BALL)
+# Steps of a central difference over the argument: the error of the difference goes with the square of the step, that by
+# the accuracy of the torque, 1e-12 by rule and 3e-7 for free balls, with its inverse.
+STEP, FREE_STEP = 1e-4, 1e-2
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class TorqueFunction(Brief):
+    """The torque of a scene at any load, speed and oil temperature; `torque_function` makes it.
+
+    The balls of one call are the start of the next. So an instance serves one thread: `copy` makes another one.
+    """
+
+    scene: Scene  # with every effect settled
+    invalid: Invalid  # what a call gives for numbers without an answer
+    model: Model | None  # None: of a pair, and each call is a `friction_torque`
+    work: Workspace | None  # the balls of the last call
+    points: Array  # (1, 5) of one call: N, N, N m, rad/s, K
+    out: Array  # (1,) `records.POINT` of one call
+
+    def _facts(self) -> Iterator[str]:
+        yield from (self.scene.name, "two bearings" if self.model is None else self.scene.sliding)
+
+    def copy(self) -> "TorqueFunction":
+        """Another instance, for another thread; it begins by rule, and shares all that does not change."""
+        work = None if self.model is None else workspace(self.model)
+        model = None if self.model is None else self.model.with_numbers()
+        return replace(self, model=model, work=work, points=self.points.copy(), out=self.out.copy())
+
+    def __call__(
+        self,
+        *,
+        axial_load: float,
+        inner_speed: float,
+        radial_load: float = 0.0,
+        moment: float = 0.0,
+        temperature: float | None = None,
+    ) -> float:
+        """Torque about the bearing axis, a magnitude: it opposes inner_speed.
+
+        Parameters
+        ----------
+        axial_load : float
+            Along z, N.
+        inner_speed : float
+            In rad/s, of either sign.
+        radial_load, moment : float
+            Along x, N, and about y, N m.
+        temperature : float, optional
+            Of the oil at the inlets, K; None: the scene's.
+
+        Returns
+        -------
+        float
+            In N m.
+
+        Raises
+        ------
+        InputError
+            As `friction_torque`; NaN instead where `invalid` is "nan".
+        ConvergenceError
+            Likewise.
+        """
+        warm, point = self._temperature if temperature is None else temperature, self.points[0]
+        for place, given in enumerate((axial_load, radial_load, moment, inner_speed, warm)):
+            point[place] = given if isinstance(given, float) else _one_number(GIVEN[place], given)
+        if self.model is not None and self._takes(point):
+            has_ring = True if point[1] or point[2] or self._weighs else None
+            kernel = solve if self.model.creep is None else solve_free
+            kernel(self.model.numbers, self.model.tables, self.points, self.work, NO_BALLS, self.out, has_ring)
+            if self.out["status"][0] == SETTLED:
+                return float(self.out["total"][0])
+        return self._slowly(point)
+
+    def series(
+        self,
+        *,
+        axial_load: ArrayLike,
+        inner_speed: ArrayLike,
+        radial_load: ArrayLike = 0.0,
+        moment: ArrayLike = 0.0,
+        temperature: ArrayLike | None = None,
+    ) -> Array:
+        """The torque at many points, on all cores; the arguments broadcast.
+
+        Parameters
+        ----------
+        axial_load : array_like
+            Along z, N.
+        inner_speed : array_like
+            In rad/s, of either sign.
+        radial_load, moment : array_like
+            Along x, N, and about y, N m.
+        temperature : array_like, optional
+            Of the oil at the inlets, K; None: the scene's.
+
+        Returns
+        -------
+        ndarray
+            N m, of the broadcast shape; it opposes inner_speed.
+
+        Raises
+        ------
+        InputError
+            As `friction_torque`; NaN instead where `invalid` is "nan".
+        ConvergenceError
+            Likewise.
+        """
+        warm = self._temperature if temperature is None else temperature
+        named = zip(GIVEN, (axial_load, radial_load, moment, inner_speed, warm), strict=True)
+        numbers = [real_numbers(name, values) for name, values in named]
+        try:
+            given = np.broadcast_arrays(*numbers)
+        except ValueError as problem:
+            raise InputError(f"{', '.join(GIVEN)} have shapes that do not fit: give equal lengths") from problem
+        points = np.stack([each.ravel() for each in given], axis=-1)
+        torques = np.full(len(points), np.nan)
+        if self.model is not None and len(points):
+            torques = solved(self.model, points, keeps_balls=False).points["total"].copy()
+            torques[[not self._takes(point) for point in points]] = np.nan
+        for index in np.flatnonzero(np.isnan(torques)):
+            torques[index] = self._slowly(points[index])
+        return torques.reshape(given[0].shape)
+
+    def gradient(
+        self,
+        *,
+        axial_load: float,
+        inner_speed: float,
+        radial_load: float = 0.0,
+        moment: float = 0.0,
+        temperature: float | None = None,
+    ) -> dict[str, float]:
+        """Derivatives of the torque by each argument, by central differences that begin by rule.
+
+        Parameters
+        ----------
+        axial_load : float
+            Along z, N.
+        inner_speed : float
+            In rad/s, of either sign.
+        radial_load, moment : float
+            Along x, N, and about y, N m.
+        temperature : float, optional
+            Of the oil at the inlets, K; None: the scene's.
+
+        Returns
+        -------
+        dict of str to float
+            By the names of the arguments: N m per N, N, N m, rad/s and K; temperature is missing without an oil.
+
+        Raises
+        ------
+        InputError
+            As `friction_torque`; NaN instead where `invalid` is "nan".
+        ConvergenceError
+            Likewise.
+
+        Notes
+        -----
+        Neither this instance nor the history of its calls has a part in it. Where the torque has a kink, at a speed of
+        0, it is the mean of both sides.
+        """
+        warm = self._temperature if temperature is None else temperature
+        given = dict(zip(GIVEN, (axial_load, radial_load, moment, inner_speed, warm), strict=True))
+        point = {name: _one_number(name, value) for name, value in given.items()}
+        if self.scene.lubricant is None:
+            point.pop("temperature")
+        free = self.model is not None and self.model.creep is not None
+        load = np.hypot(point["axial_load"], point["radial_load"])
+        scales = {
+            "axial_load": load,
+            "radial_load": load,
+            "moment": max(abs(point["moment"]), load * self.scene.bearing.pitch_diameter / 2),
+            "inner_speed": abs(point["inner_speed"]) or 1.0,
+            "temperature": 100.0,  # K, over which viscosity changes by much
+        }
+        slopes = {}
+        for name, value in point.items():
+            step = (FREE_STEP if free else STEP) * scales[name]
+            low, high = value - step, value + step
+            if name == "axial_load":
+                low = max(low, 0.0)
+            ends = [self.copy()(**{**point, name: end}) for end in (low, high)]
+            slopes[name] = (ends[1] - ends[0]) / (high - low)
+        return slopes
+
+    @cached_property
+    def _temperature(self) -> float:
+        return 0.0 if self.scene.lubricant is None else float(self.scene.lubricant.temperature)
+
+    @cached_property
+    def _weighs(self) -> bool:
+        return self.model is not None and bool(self.model.numbers.counted.weight)
+
+    @cached_property
+    def _temperatures(self) -> tuple[float, float]:
+        return (-np.inf, np.inf) if self.scene.lubricant is None else OIL_TEMPERATURES
+
+    def _takes(self, point: Array) -> bool:
+        """Whether the kernel may answer: it does not refuse a thrust the wrong way, or an oil that is no oil."""
+        coldest, hottest = self._temperatures
+        return bool(point[0] >= 0.0 and coldest <= point[4] <= hottest and np.isfinite(point).all())
+
+    def _slowly(self, point: Array) -> float:
+        """By `friction_torque`, which has every closed form and every error."""
+        axial, radial, moment, speed, temperature = (float(value) for value in point)
+        coldest, hottest = self._temperatures
+        try:
+            if not coldest <= temperature <= hottest:
+                raise InputError(
+                    f"temperature must be {coldest:g} to {hottest:g} K, got {temperature:g}: give that of the oil in K"
+                )
+            load = {"axial_load": axial, "radial_load": radial, "moment": moment, "inner_speed": speed}
+            operation = Operation(**{name: np.array([value]) for name, value in load.items()})
+            scene, oil = replace(self.scene, operation=operation), self.scene.lubricant
+            if oil is not None and temperature != oil.temperature:
+                scene = replace(scene, lubricant=replace(oil, temperature=temperature))
+            return float(friction_torque(scene).torque.total[0])
+        except FembearingError:
+            if self.invalid == "nan":
+                return np.nan
+            raise
+
+
+def torque_function(
+    scene: Scene, *, invalid: Invalid = "raise", over: Mapping[str, tuple[float, float]] | None = None
+) -> TorqueFunction:
+    """The friction torque of a scene as a function of load, speed and temperature, for a loop over time steps.
+
+    Parameters
+    ----------
+    scene : Scene
+        Its own operating points settle how balls turn and slide.
+    invalid : {"raise", "nan"}
+        What a call gives for numbers without an answer: an error, or NaN.
+    over : mapping of str to (float, float), optional
+        Ranges of axial_load, N, radial_load, N, moment, N m, and inner_speed, rad/s. Their corners settle how balls
+        turn and slide, and effects count that the scene's tolerance calls for there. None: every effect counts.
+
+    Returns
+    -------
+    TorqueFunction
+        A call takes N, N m, rad/s and K and returns N m; `series` takes arrays, and `gradient` gives derivatives.
+
+    Raises
+    ------
+    InputError
+        A scene whose cage has to move, ranges that are none, and as `friction_torque` does at the scene's points.
+
+    Notes
+    -----
+    Nothing is decided from call to call. The cage rests on its balls. Of a pair of bearings each call is a
+    `friction_torque`; all others are compiled.
+    Sources: those of `friction_torque`, whose formulas are compiled.
+    """
+    if invalid not in ("raise", "nan"):
+        raise InputError(f'invalid must be "raise" or "nan", got {invalid!r}')
+    for name in AT_REST:
+        if scene.effects.get(name) == "on":
+            raise InputError(f'effects.{name} = "on": a moving cage has no torque at one instant; give "auto" or "off"')
+    weight = {} if scene.down is not None else {"weight": "off"}  # its direction is not known
+    still = replace(scene, effects={**scene.effects, **AT_REST, **weight})
+    if over is not None:
+        still = replace(still, operation=_corners(scene.operation.as_series(), over))
+    result = friction_torque(still)
+    settled = result.settled(still) if over is not None else _everything_on(still, result.sliding)
+    model = None
+    if scene.arrangement is None:
+        turns_freely = result.sliding in TURNING_FREELY
+        creeps = {method: creep for creep, method in FREE_METHODS.items()}
+        method = AS_PRINTED if scene.microslip == "as_printed" else max(METHODS.index(_ruled(result.sliding)), 0)
+        model = model_of(
+            settled,
+            _counted(settled),
+            method=method,
+            judges=False,
+            creep=creeps[result.sliding] if turns_freely else None,
+            allowed=still.tolerance,
+            cold=False,
+        )
+    return TorqueFunction(
+        scene=settled,
+        invalid=invalid,
+        model=model,
+        work=None if model is None else workspace(model),
+        points=np.zeros((1, 5)),
+        out=np.zeros(1, POINT),
+    )
+
+
+def _ruled(sliding: str) -> Any:
+    return sliding if sliding in METHODS else METHODS[0]
+
+
+def _everything_on(scene: Scene, sliding: Any) -> Scene:
+    """The scene with its method of sliding settled, and a tolerance for which every effect counts."""
+    free = sliding in TURNING_FREELY
+    on = {name: "on" for name in Counted._fields if free and _acts(scene, name)}
+    return replace(
+        scene,
+        tolerance=scene.tolerance if free else 0.0,
+        sliding=scene.sliding if sliding == "auto" else sliding,
+        spin_rule=scene.spin_rule if free or scene.spin_rule != "free" else "balanced",
+        effects={**scene.effects, **on},
+    )
+
+
+def _acts(scene: Scene, name: str) -> bool:
+    """Whether an effect has its input and is not ruled out."""
+    lacks = name in ENTRIES and ENTRIES[name].lacks(scene) is not None
+    return scene.effects.get(name) != "off" and not lacks
+
+
+def _counted(scene: Scene) -> dict[str, bool]:
+    """Every effect that the scene has the input for and does not rule out."""
+    on = {name: _acts(scene, name) for name in Counted._fields}
+    return on | {"weight": on["weight"] and scene.down is not None}
+
+
+def _corners(operation: Operation, over: Mapping[str, tuple[float, float]]) -> Operation:
+    """The corners of ranges; what has no range has that of the scene."""
+    names = GIVEN[:4]
+    if wrong := set(over) - set(names):
+        raise InputError(f"over: {min(wrong)} is no range; known are {', '.join(names)}")
+    ends = []
+    for name in names:
+        given = real_numbers(f"over: {name}", over.get(name, np.asarray(getattr(operation, name))))
+        ends.append(sorted({float(given.min()), float(given.max())}))
+    return Operation(**dict(zip(names, np.array(list(product(*ends))).T, strict=True)))
+
+
+def _one_number(name: str, given: Any) -> float:
+    """Raises InputError for anything but one real number."""
+    number = real_numbers(name, given)
+    if number.ndim:
+        raise InputError(f"{name} must be one number, got {given!r:.80}; `series` takes arrays")
+    return float(number)

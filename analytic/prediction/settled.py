@@ -1,0 +1,133 @@
+"""The parts of the torque of a scene in which every effect and method is fixed, without deciding anything again."""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from analytic.effects.declared import declared_torque
+from analytic.effects.sliding import TURNING_FREELY
+from analytic.oil.variation import NOMINAL, Variation
+from analytic.result import TorqueParts
+from analytic.scene import Array, Scene
+from analytic.sliding.judge import METHODS as SLIDING_METHODS
+from analytic.solve.model import Counted, Model, Workspace, model_of, workspace
+from analytic.solve.solution import points_of, solved
+
+PARTS = ("spin", "conformity", "hysteresis", "rolling", "cage")
+OF_ONE_RULE = ("single_coefficient", "along_axis")  # methods of sliding whose nodes do not depend on the torque
+LEFT_OUT = ("cage_dynamics", "ball_dynamics")
+# Of speeds and loads, relative, from a start to where the balls settle; films are those of the start. 300 samples of a
+# 6205 under thrust move by 0.021 at most, and their torque errs by a thousandth. On a ring this is the median ball: one
+# that is hardly loaded moves by more, and makes no torque.
+FAR = 0.03
+
+
+class FreeStart(NamedTuple):
+    """Where the free balls of n operating points begin, over what the rule gives them; Z balls, as `BALL_STATE`."""
+
+    passes: NDArray[np.int64]  # (n,) quadrature in which they settled; 0: not known
+    velocity: Array  # (n, Z, 4)
+    angle: Array  # (n, Z, 2)
+    load: Array  # (n, Z, 2)
+    forces: Array  # (n, Z, 3)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Settled:
+    """A scene with fixed effects at its operating points."""
+
+    counted: dict[str, bool]
+    points: Array  # (n,) of `records.POINT`
+    start: FreeStart | None  # how free balls settled; None: they turn by rule
+
+
+def settled_parts(scene: Scene, variation: Variation, start: FreeStart | None = None) -> TorqueParts | None:
+    """The torque at the operating points of the scene; each part (n,), N m.
+
+    scene : with its effects "on" or "off", and its method of sliding;  variation : of the formulas
+    None: `friction_torque` has to compute it. A cage moves, a point does not settle, sliding over the ellipse takes
+    as many nodes as its error needs, or the scene is of a kind that `friction_torque` checks for its limits: two
+    bearings, a thrust bearing, or unequal loads at a given contact angle.
+    start : of free balls, as `free_start` has it from a scene with nearly the same numbers
+    Raises InputError as the formulas do that take the scene's numbers.
+    """
+    found = settle(scene, variation, start)
+    if found is None or found.points["status"].any():
+        return None
+    parts, declared = found.points, declared_torque(scene.losses)
+    return TorqueParts(
+        total=parts["total"],
+        race=parts["spin"] + parts["conformity"] + parts["hysteresis"] + parts["rolling"],
+        declared=None if declared is None else np.full_like(parts["total"], declared),
+        **{name: parts[name] if found.counted[name] else None for name in PARTS},
+    )
+
+
+def free_start(scene: Scene, variation: Variation = NOMINAL, start: FreeStart | None = None) -> FreeStart | None:
+    """Where the free balls of scenes with nearly the same numbers begin; None: they do not turn freely.
+
+    scene, variation, start : as in `settled_parts`
+    """
+    found = settle(scene, variation, start)
+    return None if found is None else found.start
+
+
+def settle(scene: Scene, variation: Variation, start: FreeStart | None) -> Settled | None:
+    """The kernel at the operating points of a scene; arguments and None as in `settled_parts`."""
+    counted = {name: scene.effects.get(name) == "on" for name in Counted._fields}
+    operation = scene.operation.as_series()
+    slides = counted["spin"] or counted["conformity"]
+    held = not counted["load_distribution"] and not operation.is_thrust
+    moves = any(scene.effects.get(name) == "on" for name in LEFT_OUT)
+    special = scene.arrangement is not None or scene.bearing.kind == "thrust" or scene.microslip != "derived"
+    free = slides and scene.sliding in TURNING_FREELY
+    if held or moves or special or (slides and not free and scene.sliding not in OF_ONE_RULE):
+        return None
+    if not free:
+        method = SLIDING_METHODS.index(scene.sliding) if scene.sliding in OF_ONE_RULE else 0
+        model = model_of(scene, counted, method=method, judges=False, variation=variation)
+        found = solved(model, points_of(operation, model.temperature))
+        return Settled(counted=counted, points=found.points, start=None)
+    creep = "closed" if scene.sliding == "closed_creep" else "marched"
+    model = model_of(
+        scene,
+        counted,
+        creep=creep if scene.effects.get("creep") == "on" else "none",
+        allowed=scene.tolerance,
+        cold=False,
+        nearly=True,
+        variation=variation,
+    )
+    points = points_of(operation, model.temperature)
+    ends = [_turn_freely(model, points[i : i + 1], start, i, scene.bearing.pitch_diameter) for i in range(len(points))]
+    balls = np.stack([work.balls for _, work in ends])
+    fields = (balls[name] for name in ("start_velocity", "start_angle", "start_load", "start_forces"))
+    return Settled(
+        counted=counted,
+        points=np.concatenate([point for point, _ in ends]),
+        start=FreeStart(np.array([work.ring.passes for _, work in ends]), *fields),
+    )
+
+
+def _turn_freely(
+    model: Model, point: Array, start: FreeStart | None, i: int, pitch_diameter: float
+) -> tuple[Array, Workspace]:
+    """One operating point, (1,) of `records.POINT`, from its start if that is near; point : (1, 5)"""
+    work = workspace(model)
+    if start is not None and start.passes[i] > 0:
+        work.ring.passes = start.passes[i]
+        for name, values in zip(FreeStart._fields[1:], start[1:], strict=True):
+            work.balls[f"start_{name}"] = values[i]
+        found = solved(model, point, work=work).points
+        speed = pitch_diameter / 4  # of a ball along its orbit, nearly, per unit ring speed
+        alike = not (point[0, 1] or point[0, 2] or model.numbers.counted.weight)
+        moved = np.maximum(
+            np.abs(work.balls["start_velocity"] - start.velocity[i]).max(axis=1) / speed,
+            np.abs(work.balls["start_load"] - start.load[i]).max(axis=1),
+        )[: 1 if alike else None]
+        if found["status"][0] == 0 and np.median(moved) <= FAR:
+            return found, work
+        work = workspace(model)
+    return solved(model, point, work=work).points, work
