@@ -1,10 +1,10 @@
 from .contact.hertz import hertz_contact as hertz_contact
+from .function import torque_function as torque_function
 from .loads.finite_geometry import thrust_correction as thrust_correction
 from .loads.ring import ring_equilibrium as ring_equilibrium
 from .loads.thrust import thrust_equilibrium as thrust_equilibrium
 from .mounting.clearance import Mounting as Mounting
 from .mounting.clearance import mounted as mounted
-from .function import torque_function as torque_function
 from .prediction.prediction import predict as predict
 from .scene import Cage as Cage
 from .scene import ContactAngle as ContactAngle

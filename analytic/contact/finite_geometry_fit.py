@@ -26,6 +26,7 @@ from analytic.contact.factors import FactorNumbers
 from analytic.contact.geometry import USUAL_SHOULDERS, RaceNumbers, distances_to_shoulders, rolling_curvature
 from analytic.contact.hertz import HertzNumbers, unit_hertz
 from analytic.numerics.compilation import compiled
+from analytic.numerics.root import cube_root
 from analytic.scene import Array
 
 OFF_SHOULDER = 1.15  # least distance from a fitted contact's centre to the shoulder, in Hertz's semi-axes b
@@ -296,7 +297,7 @@ def shape_on(race: RaceNumbers, shoulders: tuple[float, float], contact_angle: f
     return ShapeNumbers(
         race.groove_radius / (2 * race.ball_radius),
         race.ball_radius * curvature - 1,
-        unit.semi_axis_y * np.cbrt(load) / race.ball_radius,
+        unit.semi_axis_y * cube_root(load) / race.ball_radius,
         race.ball_poisson_ratio,
         race.race_poisson_ratio,
         race.ball_share,

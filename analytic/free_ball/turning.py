@@ -17,6 +17,7 @@ from analytic.loads.numbers import BearingNumbers
 from analytic.loads.thrust_ball import in_groove
 from analytic.loads.turning import ForcesOfTurning
 from analytic.numerics.compilation import compiled
+from analytic.numerics.root import cube_root
 from analytic.oil.traction import PointLaw
 from analytic.scene import Array, Bearing
 
@@ -87,7 +88,7 @@ def angles_in_grooves(ball: np.record) -> tuple[float, float]:
 def orbit_at(bearing: BearingNumbers, free: FreeNumbers, ball: np.record) -> float:
     """Radius of the ball's orbit, m."""
     outer_reach = bearing.outer.groove_radius - bearing.ball_radius
-    outer_reach += ball.outer_unit.approach * np.cbrt(ball.load[1]) ** 2
+    outer_reach += ball.outer_unit.approach * cube_root(ball.load[1]) ** 2
     return free.orbit + outer_reach * np.cos(in_groove(ball.angle[1]))
 
 

@@ -10,6 +10,7 @@ from analytic.contact.rolling_contact import ContactNumbers
 from analytic.loads.kinematics import BallMotion
 from analytic.loads.numbers import BearingNumbers
 from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.records import record_of
 from analytic.scene import Array, Bearing
 
 
@@ -87,7 +88,7 @@ def unit_contacts(
     inner_angle, outer_angle : al_i, al_o, rad, in [0, pi/2]
     analytic.contact.hertz.loaded_contact gives the contacts under load. Raises InputError as race_curvatures does.
     """
-    races = race_numbers(bearing, "inner"), race_numbers(bearing, "outer")
+    races = record_of(race_numbers(bearing, "inner")), record_of(race_numbers(bearing, "outer"))
     angles = require_contact_angle(inner_angle), require_contact_angle(outer_angle)
     inner, outer = (
         _on_race(race, *rows_of(angle, *factor_fields(factors)))

@@ -14,6 +14,7 @@ from analytic.loads.ball_balance import Grooves, Tangent, settled_ball
 from analytic.loads.state import FREEDOMS, ball_states
 from analytic.numerics.compilation import compiled
 from analytic.numerics.newton import MOST_STEPS, is_too_long, newton_step
+from analytic.numerics.root import cube_root
 from analytic.scene import Array, Bearing
 
 # Of the load and the largest ball load: Newton's quadratic steps reach it at once, and rounding is a thousandth of it.
@@ -140,7 +141,7 @@ def _balance_at(grooves: Grooves, ring: np.record, balls: Array) -> Balance:
         heaviest, farthest = max(heaviest, settled.outer_load), max(farthest, abs(ball.offset))
         if own[0] != 0.0 or own[1] != 0.0:
             has_own_force = True
-        stiffness += 1.5 * np.cbrt(settled.inner_load) / softness[0]  # dQ/d delta, N/m
+        stiffness += 1.5 * cube_root(settled.inner_load) / softness[0]  # dQ/d delta, N/m
     for i in range(FREEDOMS):
         left = max(left, abs(gradient[i]))
         trace += tangent[i, i]

@@ -19,6 +19,7 @@ from analytic.loads.state import FREEDOMS
 from analytic.loads.turning import ForcesOfTurning, TurningRule, ruled_forces
 from analytic.numerics.compilation import compiled
 from analytic.numerics.newton import MOST_STEPS
+from analytic.numerics.root import cube_root
 from analytic.scene import Array
 
 # Contact stiffness, centrifugal and friction force follow the angles: 3 or 4 rounds at rest, about 10 at high speed.
@@ -141,7 +142,7 @@ def _place_by_load(grooves: Grooves, ring: np.record, balls: Array) -> None:
     for i in range(FREEDOMS):
         part = parts[(i + 1) // 2]
         if part > 0:
-            approach = softness * np.cbrt(part) ** 2
+            approach = softness * cube_root(part) ** 2
             if i == 1 or i == 2:
                 reach = approach + max(play, 0.0)
             else:

@@ -29,7 +29,7 @@ from analytic.loads.ring_rounds import (
 from analytic.loads.state import RING_STATE
 from analytic.loads.turning import RuledTurning
 from analytic.numerics.newton import MOST_STEPS
-from analytic.numerics.records import as_record
+from analytic.numerics.records import as_record, record_of
 from analytic.scene import STANDARD_GRAVITY, Array, Bearing, ContactAngle
 from analytic.words import angle_of, length_of, speed_of
 
@@ -121,7 +121,7 @@ def settled_rings(ring: RowsOfBalls, load: Array, *, angle: float, place: Array 
     groove (an angle beyond pi/2).
     """
     turning, count = ring.turning, len(load)
-    numbers = RingNumbers(bearing_numbers(ring.bearing), ring.grooves, float(angle))
+    numbers = record_of(RingNumbers(bearing_numbers(ring.bearing), ring.grooves, float(angle)))
     rings = np.zeros(count, RING_STATE)
     rings["load"], rings["place"] = load, 0.0 if place is None else place
     balls = np.repeat(placed_balls(ring.bearing, ring.rows, ring.ball_weight)[None], count, axis=0)

@@ -19,9 +19,8 @@ from analytic.contact.hertz import elliptic_integrals
 from analytic.contact.rolling_contact import ContactNumbers, Pair, contact_at
 from analytic.numerics.compilation import compiled, rows_of
 from analytic.oil.traction import PointLaw, law_at
-from analytic.scene import SlidingMethod
+from analytic.scene import Array, SlidingMethod
 from analytic.sliding.ball import at_ring_speed
-from analytic.scene import Array
 from analytic.sliding.ellipse import quadrature_of, slider_of, slip_sums
 from analytic.sliding.long_ellipse import Slip, slip_at
 

@@ -33,6 +33,7 @@ from analytic.oil.viscosity import OilNumbers, oil_at
 from analytic.scene import STANDARD_GRAVITY, Array
 from analytic.sliding.as_printed import as_printed_slip
 from analytic.sliding.ball import slips_over_contacts
+from analytic.sliding.creep import creep_share
 from analytic.sliding.judge import (
     AS_PRINTED,
     OVER_ELLIPSE,
@@ -41,7 +42,6 @@ from analytic.sliding.judge import (
     error_of,
     judged,
 )
-from analytic.sliding.creep import creep_share
 from analytic.sliding.long_ellipse import Slip, line_slips
 from analytic.solve.model import CageNumbers, ModelNumbers, Tables, Workspace
 from analytic.solve.records import (
