@@ -16,7 +16,7 @@ in. This is derived here; the sphere of [Sternberg1952] has such a logarithm.
 """
 
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -153,11 +153,11 @@ def fit_numbers() -> FitNumbers:
 
 
 @cache
-def fit_record() -> np.record:
+def fit_record() -> FitNumbers:
     """The stored fit as a record."""
     fit = fit_numbers()
     kinds = [(name, table.dtype, table.shape) for name, table in zip(FitNumbers._fields, fit, strict=True)]
-    return np.array([tuple(fit)], dtype=np.dtype(kinds, align=True)).view(np.recarray)[0]
+    return cast(Any, np.array([tuple(fit)], dtype=np.dtype(kinds, align=True)).view(np.recarray)[0])
 
 
 @compiled

@@ -19,6 +19,7 @@ from analytic.free_ball.strips import (
     strip_state,
 )
 from analytic.numerics.compilation import compiled
+from analytic.numerics.records import Record, Records
 from analytic.scene import Array
 
 LEAST_TANGENT = 1e-14  # of the trace of the tangent
@@ -30,7 +31,7 @@ STAGES = 6
 
 
 @compiled
-def _rows_of(contact: Array, ball: Array, y: float, rows: Array) -> float:
+def _rows_of(contact: Record, ball: Record, y: float, rows: Array) -> float:
     """Write what the velocity of a ball does to the slip on a strip; returns what its ring does along the strip.
 
     y : of the strip across the groove, m;  rows : (3, 4) by slip along the strip, across it and by spin
@@ -137,7 +138,7 @@ def _add_law_powers(contact, ball, velocity, quadrature, flows, rows):
 
 
 @compiled
-def _spin(contact: Array, ball: Array, velocity: Array) -> float:
+def _spin(contact: Record, ball: Record, velocity: Array) -> float:
     turns = contact.normal_radial * velocity[2] + contact.normal_axial * velocity[3]
     return turns / ball.radius - contact.ring_rate * contact.normal_axial
 
@@ -295,7 +296,7 @@ def _newton(contacts, ball, velocity, passing, nodes, tolerance):
 
 
 @compiled
-def turn_ball(contacts: Array, ball: np.record, quadrature: np.record, tolerance: float) -> float:
+def turn_ball(contacts: Records, ball: Record, quadrature: Record, tolerance: float) -> float:
     """Turn a ball to where no moment and no force along the orbit is left on it; returns the residual.
 
     contacts : (2,) of `state.CONTACT_STATE`;  ball.velocity : start, overwritten
@@ -328,7 +329,7 @@ def turn_ball(contacts: Array, ball: np.record, quadrature: np.record, tolerance
 
 
 @compiled
-def add_law_powers(contacts: Array, ball: np.record, quadrature: np.record) -> None:
+def add_law_powers(contacts: Records, ball: Record, quadrature: Record) -> None:
     """Add what the law of traction loses at the slip of a ball without creep; arguments of `turn_ball`."""
     velocity, rows = np.empty(4), np.zeros((3, 4))
     flows = np.empty((2, quadrature.strips, 2, quadrature.nodes))

@@ -7,6 +7,7 @@ import numpy as np
 
 from analytic.free_ball.stress import FAST, Shear, flow_at, sheared, yielding
 from analytic.numerics.compilation import compiled
+from analytic.numerics.records import Record
 from analytic.oil.traction import PointLaw
 from analytic.scene import Array
 
@@ -163,13 +164,11 @@ def marched_strip(state, j):
 @compiled
 def shear_at(contact, pressure, fluidity, most):
     """The law at a node."""
-    return Shear(
-        contact.boundary * pressure + contact.plain, contact.limit * pressure, contact.eyring, fluidity, most
-    )
+    return Shear(contact.boundary * pressure + contact.plain, contact.limit * pressure, contact.eyring, fluidity, most)
 
 
 @compiled
-def hold_flows(contact: np.record, quadrature: np.record, flows: Array) -> None:
+def hold_flows(contact: Record, quadrature: Record, flows: Array) -> None:
     """Write (across, 2, along) fluidity and `most` of the nodes, which do not change with the slip.
 
     The nodes lie in pairs about the middle of the ellipse, where the pressure is the same.
@@ -196,6 +195,6 @@ def hold_flows(contact: np.record, quadrature: np.record, flows: Array) -> None:
 
 
 @compiled
-def peak_pressure(contact: np.record) -> float:
+def peak_pressure(contact: Record) -> float:
     """p0, Pa."""
     return 1.5 * contact.load / (np.pi * contact.semi_axis_rolling * contact.semi_axis_transverse)

@@ -10,7 +10,7 @@ from analytic.contact.rolling_contact import ContactNumbers
 from analytic.loads.kinematics import BallMotion
 from analytic.loads.numbers import BearingNumbers
 from analytic.numerics.compilation import compiled, rows_of
-from analytic.numerics.records import record_of
+from analytic.numerics.records import Record, record_of
 from analytic.scene import Array, Bearing
 
 
@@ -25,7 +25,7 @@ def unit_contact_on(race: RaceNumbers, contact_angle: float, factors: FactorNumb
 
 
 @compiled
-def put_unit(unit: np.record, contact: HertzNumbers) -> None:
+def put_unit(unit: Record, contact: HertzNumbers) -> None:
     """Write a contact under 1 N into a ball's state."""
     unit.semi_axis_x, unit.semi_axis_y = contact.semi_axis_x, contact.semi_axis_y
     unit.peak_pressure, unit.approach, unit.stiffness = contact.peak_pressure, contact.approach, contact.stiffness

@@ -14,6 +14,7 @@ from analytic.loads.numbers import BearingNumbers
 from analytic.loads.race_contacts import put_unit, unit_contact_on
 from analytic.loads.turning import TurningRule, ruled_forces
 from analytic.numerics.compilation import compiled
+from analytic.numerics.records import Record
 from analytic.numerics.root import cube_root
 
 # ln(tan b) of every angle that a double can tell from 0 or from pi/2; the square of tan b stays a double.
@@ -242,7 +243,7 @@ def change_of(last: ThrustedBall, ball: ThrustedBall) -> float:
 
 
 @compiled
-def settle_ruled_thrust(bearing: BearingNumbers, rule: TurningRule, axial_load: float, ball: np.record) -> float:
+def settle_ruled_thrust(bearing: BearingNumbers, rule: TurningRule, axial_load: float, ball: Record) -> float:
     """Write load, angles and contacts under 1 N of a ball that stands for all; returns the change of `ThrustPoint`.
 
     axial_load : Fa, N, > 0

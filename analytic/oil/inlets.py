@@ -127,7 +127,9 @@ def inlets_of(bearing: Bearing, balls: LoadedBalls, lubricant: Lubricant, *, rin
     supply = oil_supply(bearing, lubricant)
     known = balls.contacts.fields[:8]  # but the entrainment
     rows, shape = rows_of(*known, balls.motion.entrainment_speed, balls.contact.peak_pressure, ring_speed[:, None])
-    film_heating, rolling_heating, *starved = _inlets(rows, record_of(oil_numbers(lubricant)), record_of(supply)).reshape(6, *shape)
+    film_heating, rolling_heating, *starved = _inlets(
+        rows, record_of(oil_numbers(lubricant)), record_of(supply)
+    ).reshape(6, *shape)
     if np.isnan(starved[0]).any():
         raise no_meniscus()
     return Inlets(

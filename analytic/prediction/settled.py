@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from analytic.effects.declared import declared_torque
 from analytic.effects.sliding import TURNING_FREELY
+from analytic.numerics.records import Records
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.result import TorqueParts
 from analytic.scene import Array, Scene
@@ -39,7 +40,7 @@ class Settled:
     """A scene with fixed effects at its operating points."""
 
     counted: dict[str, bool]
-    points: Array  # (n,) of `records.POINT`
+    points: Records  # (n,) of `records.POINT`
     start: FreeStart | None  # how free balls settled; None: they turn by rule
 
 
@@ -113,7 +114,7 @@ def settle(scene: Scene, variation: Variation, start: FreeStart | None) -> Settl
 
 def _turn_freely(
     model: Model, point: Array, start: FreeStart | None, i: int, pitch_diameter: float
-) -> tuple[Array, Workspace]:
+) -> tuple[Records, Workspace]:
     """One operating point, (1,) of `records.POINT`, from its start if that is near; point : (1, 5)"""
     work = workspace(model)
     if start is not None and start.passes[i] > 0:
