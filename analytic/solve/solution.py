@@ -72,10 +72,9 @@ def solved(model: Model, points: Array, *, work: Workspace | None = None, keeps_
                 tables = tables._replace(factors=tables.factors[at])
         kernel(numbers, tables, points[at], work or workspace(model), balls[at], out[at], has_ring)
 
-    parts = np.array_split(np.arange(count), threads)
     if threads == 1:
-        solve_slice(parts[0])
+        solve_slice(np.arange(count))
     else:
         with ThreadPoolExecutor(threads) as pool:
-            list(pool.map(solve_slice, parts))
+            list(pool.map(solve_slice, np.array_split(np.arange(count), threads)))
     return Solution(points=out, balls=balls)
