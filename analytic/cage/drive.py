@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from analytic.cage.grip import LARGEST_GRIP, RaceGrip, grip_number, race_grip, squeeze_force
 from analytic.cage.pocket import PocketShape, pocket_shape, pocket_stiffness
 from analytic.cage.pocket_friction import PocketFriction, friction_in_pocket
-from analytic.cage.races import Races, ring_races, thrust_races
+from analytic.cage.raceways import Raceways, ring_raceways, thrust_raceways
 from analytic.cage.steady import STANDARD_GRAVITY, lead_room, whirl_force, whirl_speed
 from analytic.contact.geometry import pocket_contact
 from analytic.contact.hertz import contact_modulus
@@ -109,7 +109,7 @@ class CageDrive:
         """(n,) whether a whirl would use more of the races' grip than given balls have; mu_c, (n,)."""
         return self.grip_number(friction_coefficient) > LARGEST_GRIP
 
-    def races(self, scene: Scene, point: int) -> Races:
+    def races(self, scene: Scene, point: int) -> Raceways:
         """Both races of one operating point, for balls that move freely; friction : mean over the balls by load.
 
         Errors as those of `analytic.cage.races`.
@@ -120,10 +120,10 @@ class CageDrive:
         inner, outer = np.sum(mu[:, point] * load, axis=1) / np.maximum(load.sum(axis=1), LEAST_LOAD)
         friction, speed = (float(inner), float(outer)), float(self.inner_speed[point])
         if self.balls.method == "thrust":
-            return thrust_races(self.bearing, self.balls, point=point, inner_speed=speed, friction=friction)
+            return thrust_raceways(self.bearing, self.balls, point=point, inner_speed=speed, friction=friction)
         whole = scene.operation.as_series()
         operation = Operation(**{name: values[[point]] for name, values in vars(whole).items()})
-        return ring_races(self.bearing, scene.contact_angle, operation, LoadEffects(), friction=friction)
+        return ring_raceways(self.bearing, scene.contact_angle, operation, LoadEffects(), friction=friction)
 
     def pocket_friction(self, scene: Scene, force: Array) -> PocketFriction:
         """Friction of the balls when their normal forces add up to `force`, (n,), N, > 0."""

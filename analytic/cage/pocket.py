@@ -1,4 +1,4 @@
-"""A ball in its cage pocket: two half-shells that join in a plane, and the force of the ball on them.
+"""A ball in its cage pocket: two half-shells that join in a plane, the force of the ball on them, and its friction.
 
 Frame of the pocket (frame p of the paper): x is the axis of the pocket, from one half-shell to the other. In a stamped
 cage, whose halves are riveted together from both sides, x is the axis of the bearing; `Cage.pocket_axis` names it.
@@ -9,13 +9,17 @@ The forces of both shells are added: the ball touches both at once where |x| < D
 Source: equations 13 to 17 of [Paper]; damping by [Hunt1975], with the loss of an impact derived here.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.errors import InputError, require_non_negative, require_positive
+from analytic.numerics.compilation import compiled
 from analytic.scene import Array
+
+FAST = frozenset(("contract", "reassoc", "arcp", "nsz", "afn"))  # NaN and infinity keep their meaning
+SATURATED = 20.0  # |v|/v0 from where tanh is 1 in double precision
 
 SHELLS = np.array([1.0, -1.0])  # s
 LEAST_RESTITUTION = 0.05  # below, the damping force exceeds twenty times the elastic force
@@ -157,3 +161,113 @@ def _require_wider_pocket(ball_diameter: ArrayLike, pocket_diameter: ArrayLike) 
             f"pocket_diameter {float(pocket.flat[tight[0]])!r} m must exceed ball_diameter "
             f"{float(ball.flat[tight[0]])!r} m: the ball has no clearance; usual is 0.1 to 0.3 mm more"
         )
+
+
+Vector = tuple[float, float, float]
+
+
+class Body(NamedTuple):
+    """The cage as its loads depend on it."""
+
+    place: Vector
+    velocity: Vector
+    rotation: tuple[float, float, float, float, float, float, float, float, float]  # matrix by rows
+    angular_velocity: Vector
+
+
+class BallInPocket(NamedTuple):
+    """A ball as its pocket feels it, in the fixed frame."""
+
+    offset: Vector  # from the centre of the pocket to that of the ball
+    axis: Vector  # through the centres of both shells
+    centre: Vector  # from the centre of the cage to that of the ball
+    velocity: Vector  # of its centre
+    rotation: Vector
+
+
+class Push(NamedTuple):
+    """What a ball does to its pocket; powers in W, forces in N."""
+
+    force: Vector
+    moment: Vector  # about the centre of the cage
+    slip: float  # power lost by friction
+    damping: float  # in impacts
+    work: float  # power of the ball on the cage
+    normal: float  # sum of the normal forces on both shells
+    largest: float  # of these forces
+    deepest: float  # penetration, m
+
+
+@compiled(fastmath=FAST, inline=True)
+def is_clear(cage, offset, axis):
+    """Whether a ball touches neither shell; offset, axis : as in BallInPocket."""
+    ux, uy, uz = offset
+    along = ux * axis[0] + uy * axis[1] + uz * axis[2]
+    reach = cage.half_clearance * cage.half_clearance
+    return ux * ux + uy * uy + uz * uz + cage.centre_offset * (2.0 * abs(along) + cage.centre_offset) <= reach
+
+
+@compiled(fastmath=FAST, inline=True)
+def rubbing(cage, normal, speed):
+    """mu N tanh(|v|/v0)/|v|, N s/m: friction over the sliding speed."""
+    per_speed = cage.friction * normal
+    if speed < SATURATED * cage.smoothing:
+        ratio = speed / cage.smoothing
+        return per_speed * (np.tanh(ratio) / speed if ratio > 1e-8 else 1.0 / cage.smoothing)
+    return per_speed / speed
+
+
+@compiled(fastmath=FAST, inline=True)
+def pushed(cage, ball, body, impact_speed):
+    """Push of a BallInPocket on both shells.
+
+    cage : CAGE of `analytic.cage.motion`;  impact_speed : (2,) m/s of each shell: the fastest closing speed of its
+    contact since that began, 0 without contact; it is updated
+    """
+    ux, uy, uz = ball.offset
+    ex, ey, ez = ball.axis
+    cx, cy, cz = ball.centre
+    bx, by, bz = ball.velocity
+    tx, ty, tz = ball.rotation
+    vx, vy, vz = body.velocity
+    wx, wy, wz = body.angular_velocity
+    radius = cage.ball_radius
+    fx = fy = fz = mx = my = mz = slip = damping = work = pressed = largest = deepest = 0.0
+    aside = cage.centre_offset
+    for shell in range(1 if aside == 0.0 else 2):  # without an offset both shells are one sphere
+        nx, ny, nz = ux + aside * ex, uy + aside * ey, uz + aside * ez
+        distance = np.sqrt(nx * nx + ny * ny + nz * nz)
+        depth = distance - cage.half_clearance
+        # Each shell is a half sphere.
+        facing = aside == 0.0 or aside * (ux * ex + uy * ey + uz * ez + aside) > 0.0
+        aside = -aside
+        if depth <= 0.0 or not facing:
+            impact_speed[shell] = 0.0
+            continue
+        nx, ny, nz = nx / distance, ny / distance, nz / distance
+        # Velocity of the ball's surface: that of its centre, and its own rotation.
+        sx, sy, sz = (
+            bx + radius * (ty * nz - tz * ny),
+            by + radius * (tz * nx - tx * nz),
+            bz + radius * (tx * ny - ty * nx),
+        )
+        px, py, pz = cx + radius * nx, cy + radius * ny, cz + radius * nz
+        gx, gy, gz = sx - vx - wy * pz + wz * py, sy - vy - wz * px + wx * pz, sz - vz - wx * py + wy * px
+        closing = gx * nx + gy * ny + gz * nz
+        fastest = max(impact_speed[shell], closing, cage.least_impact)
+        impact_speed[shell] = fastest
+        elastic = cage.stiffness * depth * np.sqrt(depth)
+        normal = max(elastic * (1.0 + cage.damping * closing / fastest), 0.0)
+        gx, gy, gz = gx - closing * nx, gy - closing * ny, gz - closing * nz
+        speed = np.sqrt(gx * gx + gy * gy + gz * gz)
+        per_speed = rubbing(cage, normal, speed)
+        qx, qy, qz = normal * nx + per_speed * gx, normal * ny + per_speed * gy, normal * nz + per_speed * gz
+        fx, fy, fz = fx + qx, fy + qy, fz + qz
+        mx, my, mz = mx + py * qz - pz * qy, my + pz * qx - px * qz, mz + px * qy - py * qx
+        slip += per_speed * speed * speed
+        damping += (normal - elastic) * closing
+        work += qx * sx + qy * sy + qz * sz
+        pressed += normal
+        largest = max(largest, normal)
+        deepest = max(deepest, depth)
+    return Push((fx, fy, fz), (mx, my, mz), slip, damping, work, pressed, largest, deepest)

@@ -13,7 +13,7 @@ from analytic.brief import Brief
 from analytic.cage.drive import GRAVITY, CageDrive, pocket_shape_of, pocket_stiffness_of
 from analytic.cage.grip import LARGEST_GRIP, LOST_TO_RACES, SQUEEZE_SPREAD, used_share
 from analytic.cage.pocket_friction import PocketFriction
-from analytic.cage.races import Races
+from analytic.cage.raceways import Raceways
 from analytic.cage.statistics import CageStatistics, measured_motion
 from analytic.cage.steady import (
     STANDARD_GRAVITY,
@@ -62,7 +62,7 @@ class CagePart(Brief):
     unknown: tuple[str, ...]  # why, where it is infinite
     driven: tuple[DrivenCage | None, ...]  # the cage that moved; None: by a closed form
     motion: tuple[CageStatistics | None, ...]  # its motion; likewise
-    races: tuple[Races | None, ...]  # on which the balls moved freely; None: their motion was given
+    races: tuple[Raceways | None, ...]  # on which the balls moved freely; None: their motion was given
     warnings: tuple[str, ...]  # one line each
     provenance: str  # methods of motion, stiffness and friction
 
@@ -273,7 +273,7 @@ def _at_rest(drive: CageDrive, friction_coefficient: Array) -> tuple[Array, Arra
 
 
 def _moved(
-    drive: CageDrive, point: int, friction_coefficient: float, races: Races | None
+    drive: CageDrive, point: int, friction_coefficient: float, races: Raceways | None
 ) -> tuple[DrivenCage, CageStatistics]:
     cage, speed = drive.cage, float(drive.inner_speed[point])
     assert cage.start is not None  # else no motion is called for

@@ -6,10 +6,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from analytic.cage.free_motion import FreeCageMotion, FreePassage
-from analytic.cage.motion import CageMotion
+from analytic.cage.motion import CageMotion, MeanMotion
 from analytic.cage.race_law import LOAD_BY_RHO
-from analytic.cage.races import Races, ring_races
+from analytic.cage.raceways import Raceways, ring_raceways
 from analytic.cage.statistics import measured_motion
 from analytic.errors import InputError
 from analytic.loads.balls import LoadEffects
@@ -25,7 +24,7 @@ RACES = races_under_thrust()
 def energy_error(steps_per_contact: float) -> float:
     """Share of the ring's work that neither losses nor kinetic energy account for, after a sudden start."""
     cage = cage_on(RACES, gravity=WEIGHTLESS, restitution=0.6, drag=2e-6)
-    motion = FreeCageMotion(cage, RACES, begin="sudden", seed=0, steps_per_contact=steps_per_contact)
+    motion = CageMotion(cage, RACES, begin="sudden", seed=0, steps_per_contact=steps_per_contact)
     before, passages = motion.kinetic_energy, [motion.advance(4e-3)]
     while motion.forces().any():  # a pressed pocket holds energy that is not counted
         passages.append(motion.advance(motion.step))
@@ -38,15 +37,15 @@ def energy_error(steps_per_contact: float) -> float:
     return (joules("ring_power") - lost - (motion.kinetic_energy - before)) / joules("ring_power")
 
 
-def measured(cage: Any, races: Races, begin: Any, *, after: float, during: float, steps: float = 40) -> FreePassage:
-    motion = FreeCageMotion(cage, races, begin=begin, seed=0, steps_per_contact=steps)
+def measured(cage: Any, races: Raceways, begin: Any, *, after: float, during: float, steps: float = 40) -> MeanMotion:
+    motion = CageMotion(cage, races, begin=begin, seed=0, steps_per_contact=steps)
     motion.advance(after)
     return motion.advance(during)
 
 
 def test_without_traction_of_the_races_momentum_about_the_axis_is_constant() -> None:
     races = races_under_thrust(friction=FRICTIONLESS)
-    motion = FreeCageMotion(cage_on(races, gravity=WEIGHTLESS), races, begin="sudden", seed=0)
+    motion = CageMotion(cage_on(races, gravity=WEIGHTLESS), races, begin="sudden", seed=0)
     before = motion.axial_momentum
     passed = motion.advance(9e-3)
     assert passed.max_force > 10
@@ -60,7 +59,7 @@ def test_without_traction_of_the_races_pockets_take_all_energy_that_is_lost() ->
     """A cage that flies and tumbles between its balls: friction turns them about all three axes."""
     races = races_under_thrust(friction=FRICTIONLESS)
     cage = cage_on(races, friction=0.3, gravity=WEIGHTLESS)
-    motion = FreeCageMotion(cage, races, begin="sudden", steps_per_contact=160)
+    motion = CageMotion(cage, races, begin="sudden", steps_per_contact=160)
     motion.launch(velocity=np.array([0.2, -0.3, 0.9]), angular_velocity=np.array([9.0, -7.0, 14.0]))
     before, passages = motion.kinetic_energy, [motion.advance(2e-3)]
     while motion.forces().any():
@@ -92,7 +91,7 @@ def test_firm_races_make_it_the_motion_on_given_balls(begin: Any) -> None:
 
 
 def test_balls_and_cage_at_one_speed_never_touch() -> None:
-    motion = FreeCageMotion(cage_on(RACES, gravity=WEIGHTLESS), RACES, begin="rest")
+    motion = CageMotion(cage_on(RACES, gravity=WEIGHTLESS), RACES, begin="rest")
     passed = motion.advance(0.01)
     assert passed.max_force == 0
     np.testing.assert_allclose(motion.offsets, 0, atol=1e-11)  # round-off of sums of 45 000 steps
@@ -106,7 +105,7 @@ def test_balls_and_cage_at_one_speed_never_touch() -> None:
 def test_the_forces_of_an_instant_carry_the_cage() -> None:
     """And asking for them changes nothing."""
     cage = cage_on(RACES)
-    motion, asked = (FreeCageMotion(cage, RACES, begin="rest", steps_per_contact=20) for _ in range(2))
+    motion, asked = (CageMotion(cage, RACES, begin="rest", steps_per_contact=20) for _ in range(2))
     passed = motion.advance(0.01), asked.advance(0.01)
     total = asked.forces().sum(axis=0)
     np.testing.assert_allclose(
@@ -150,7 +149,7 @@ def test_a_cage_that_slightly_loaded_balls_cannot_drive_slows_down() -> None:
     """Z times the braking limit; the cage at the speed at which its drag takes that."""
     races = races_under((0.5, 0.5), (0.303, 0.303), inner_speed=W, friction=0.05)
     cage = cage_on(races, gravity=WEIGHTLESS, drag=1e-3)
-    motion = FreeCageMotion(cage, races, begin="rest", seed=1, steps_per_contact=10)
+    motion = CageMotion(cage, races, begin="rest", seed=1, steps_per_contact=10)
     motion.advance(0.09)
     passed = motion.advance(0.01)
     np.testing.assert_allclose(passed.force, 0.4091, rtol=0.01)  # the loads change by half of mu_c N
@@ -174,7 +173,7 @@ def test_light_balls_do_not_keep_a_cage_whirling() -> None:
 def test_balls_under_radial_load_lead_without_pressing_a_wide_cage() -> None:
     """A lead of 119 um, and 0.2 mm of clearance: the cage gives way and hangs as at rest."""
     operation = Operation(axial_load=np.array([1000.0]), inner_speed=np.array([W]), radial_load=500.0)
-    races = ring_races(BEARING_6205, ANGLE, operation, LoadEffects(), friction=(0.1, 0.1))
+    races = ring_raceways(BEARING_6205, ANGLE, operation, LoadEffects(), friction=(0.1, 0.1))
     cage = cage_on(races)
     passed = measured(cage, races, "rest", after=0.03, during=0.03, steps=20)
     np.testing.assert_allclose(passed.slip_power / W, 0.062e-3, rtol=0.03)  # of another program, rounded
@@ -187,7 +186,7 @@ def test_running_backwards_is_the_mirror_image() -> None:
     for sign in (1, -1):
         races = replace(RACES, inner_speed=sign * W)
         cage = cage_on(races, gravity=(-9.80665, 0.0, 0.0))
-        motion = FreeCageMotion(cage, races, begin="sudden")
+        motion = CageMotion(cage, races, begin="sudden")
         motion.launch(velocity=np.array([0.11, sign * 0.2, 0.05]), angular_velocity=np.array([sign * 3.0, 4.0, 0.0]))
         results.append((motion.advance(1e-3), motion.centre * [1, sign, 1]))
     (ahead, there), (back, mirrored) = results
@@ -197,7 +196,7 @@ def test_running_backwards_is_the_mirror_image() -> None:
 
 
 def test_a_slow_ramp_ends_at_rest() -> None:
-    passed = FreeCageMotion(cage_on(RACES), RACES, begin="ramp", ramp=0.06, steps_per_contact=20)
+    passed = CageMotion(cage_on(RACES), RACES, begin="ramp", ramp=0.06, steps_per_contact=20)
     passed.advance(0.09)
     resting = passed.advance(0.02)
     np.testing.assert_allclose(resting.slip_power / W, 0.0596e-3, rtol=0.03)
@@ -211,7 +210,7 @@ def test_statistics_take_free_balls_too() -> None:
     assert statistics.state == "whirl"
     blocks = []
     for seed in range(2):
-        motion = FreeCageMotion(cage, RACES, begin="whirl", seed=seed, steps_per_contact=20)
+        motion = CageMotion(cage, RACES, begin="whirl", seed=seed, steps_per_contact=20)
         motion.advance(8e-3)
         blocks += [motion.advance(8e-4) for _ in range(10)]
     slip = np.mean([block.slip_power for block in blocks])
@@ -246,11 +245,11 @@ def test_statistics_take_free_balls_too() -> None:
 )
 def test_impossible_input_is_refused(change: dict[str, Any], options: dict[str, Any], words: str) -> None:
     with pytest.raises(InputError, match=words):
-        FreeCageMotion(cage_on(RACES, **change), RACES, **options)
+        CageMotion(cage_on(RACES, **change), RACES, **options)
 
 
 def test_an_impact_too_hard_for_the_steps_is_refused() -> None:
-    motion = FreeCageMotion(cage_on(RACES, gravity=WEIGHTLESS), RACES, begin="sudden", steps_per_contact=10)
+    motion = CageMotion(cage_on(RACES, gravity=WEIGHTLESS), RACES, begin="sudden", steps_per_contact=10)
     motion.launch(velocity=np.array([90.0, 0.0, 0.0]), angular_velocity=np.zeros(3))
     with pytest.raises(InputError, match=r"an impact of .* N had .* steps: .* raise cage\.steps_per_contact .* times"):
         motion.advance(1e-5)

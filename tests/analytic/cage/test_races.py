@@ -9,7 +9,7 @@ import pytest
 from scipy.optimize import root
 
 from analytic.cage import race_law
-from analytic.cage.races import LEAST_CREEP, Races, ring_races, thrust_races
+from analytic.cage.raceways import LEAST_CREEP, Raceways, ring_raceways, thrust_raceways
 from analytic.errors import InputError
 from analytic.loads.ball_balance import grooves_of, settled_ball
 from analytic.loads.balls import LoadEffects, ring_balls, thrust_balls
@@ -31,7 +31,7 @@ def at(*, load: float, moment: float = 0.0, axial: float = 1000.0) -> Operation:
     return Operation(axial_load=np.array([axial]), inner_speed=np.array([W]), radial_load=load, moment=moment)
 
 
-def balance(races: Races, speeds: Array, strips: int, *, azimuth: int = 0) -> tuple[Array, float]:
+def balance(races: Raceways, speeds: Array, strips: int, *, azimuth: int = 0) -> tuple[Array, float]:
     """Force on a ball by its four speeds, N, and power of slip, W; by NumPy and its own arctan, from the formulas."""
     nodes, weights = np.polynomial.legendre.leggauss(strips)
     phi, weight = np.pi / 2 * nodes, np.pi / 2 * weights * 0.75 * np.cos(np.pi / 2 * nodes) ** 3
@@ -132,7 +132,7 @@ def test_balls_alone_agree_with_another_program(
 
 def test_a_force_on_a_ball_changes_its_loads_as_the_equilibrium_says() -> None:
     """Against the ball settled between grooves that stand still, by differences; with centrifugal force."""
-    races = ring_races(BEARING_6205, ANGLE, at(load=310.0), LoadEffects(gyroscopic=False), friction=(0.1, 0.1))
+    races = ring_raceways(BEARING_6205, ANGLE, at(load=310.0), LoadEffects(gyroscopic=False), friction=(0.1, 0.1))
     contacts, point = races.contacts, 17
     load, angle = contacts.load[:, point], contacts.contact_angle[:, point]
     stiffness = contacts.contact.stiffness[:, point]
@@ -174,7 +174,7 @@ def test_a_race_that_the_pocket_unloads_leaves_its_share_to_the_other() -> None:
 @pytest.mark.parametrize(("load", "moment", "rolling"), [(1000.0, 0.0, 199e-6), (0.0, 2.0, 82.6e-6)])
 def test_balls_lead_and_lag_where_their_contact_angles_differ(load: float, moment: float, rolling: float) -> None:
     """Against the orbit speed of a ball in balance at each azimuth, and a ball that rolls at the contacts' centres."""
-    races = ring_races(BEARING_6205, ANGLE, at(load=load, moment=moment), STANDING, friction=(0.1, 0.1))
+    races = ring_raceways(BEARING_6205, ANGLE, at(load=load, moment=moment), STANDING, friction=(0.1, 0.1))
     points = range(0, races.contacts.load.shape[1], 12)
     speeds = [
         root(lambda v, p: balance(races, v, 100, azimuth=p)[0], races.alone.speeds[p], args=(p,), tol=1e-9).x[0]
@@ -191,8 +191,8 @@ def test_balls_lead_and_lag_where_their_contact_angles_differ(load: float, momen
 def test_the_ring_without_radial_load_has_the_races_of_thrust() -> None:
     operation = at(load=0.0)
     balls = thrust_balls(BEARING_6205, ANGLE, operation, LoadEffects())
-    thrust = thrust_races(BEARING_6205, balls, point=0, inner_speed=W, friction=(0.1, 0.07))
-    ring = ring_races(BEARING_6205, ANGLE, operation, LoadEffects(), friction=(0.1, 0.07))
+    thrust = thrust_raceways(BEARING_6205, balls, point=0, inner_speed=W, friction=(0.1, 0.07))
+    ring = ring_raceways(BEARING_6205, ANGLE, operation, LoadEffects(), friction=(0.1, 0.07))
     # The ring divides the gyroscopic moment a little differently, by the balls' own angles.
     np.testing.assert_allclose(ring.table, np.broadcast_to(thrust.table, ring.table.shape), rtol=1e-5, atol=1e-12)
     np.testing.assert_allclose(ring.alone.orbit_speed, thrust.alone.orbit_speed, rtol=1e-5)
@@ -201,7 +201,7 @@ def test_the_ring_without_radial_load_has_the_races_of_thrust() -> None:
 
 def test_the_azimuths_of_a_ring_are_those_of_its_balls() -> None:
     operation = at(load=430.0, moment=0.7)
-    races = ring_races(BEARING_6205, ANGLE, operation, LoadEffects(), friction=(0.1, 0.1))
+    races = ring_raceways(BEARING_6205, ANGLE, operation, LoadEffects(), friction=(0.1, 0.1))
     balls = ring_balls(BEARING_6205, ANGLE, operation, LoadEffects())
     each = races.contacts.load.shape[1] // 9
     np.testing.assert_allclose(races.contacts.load[:, ::each], balls.load[:, 0], rtol=1e-9)
@@ -232,10 +232,10 @@ def test_impossible_races_are_refused(change: dict[str, Any], words: str) -> Non
 
 def test_a_ball_without_any_load_is_refused() -> None:
     with pytest.raises(InputError, match=r"degrees from the radial load is pressed by 0 N: it needs more than 0 N"):
-        ring_races(BEARING_6205, ANGLE, at(load=700.0, axial=20.0), STANDING, friction=(0.1, 0.1))
+        ring_raceways(BEARING_6205, ANGLE, at(load=700.0, axial=20.0), STANDING, friction=(0.1, 0.1))
 
 
 def test_balls_of_a_ring_are_not_taken_for_balls_under_thrust() -> None:
     balls = ring_balls(BEARING_6205, ANGLE, at(load=100.0), LoadEffects())
-    with pytest.raises(InputError, match="balls by the method 'ring' differ over a turn: take `ring_races`"):
-        thrust_races(BEARING_6205, balls, point=0, inner_speed=W, friction=(0.1, 0.1))
+    with pytest.raises(InputError, match="balls by the method 'ring' differ over a turn: take `ring_raceways`"):
+        thrust_raceways(BEARING_6205, balls, point=0, inner_speed=W, friction=(0.1, 0.1))

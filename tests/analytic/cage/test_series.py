@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 import xarray
 
-from analytic.cage.free_motion import FreeCageMotion
 from analytic.cage.motion import CageMotion
 from analytic.cage.series import recorded_motion
 from analytic.errors import InputError
@@ -84,7 +83,7 @@ def test_a_series_needs_a_positive_duration() -> None:
 def test_free_balls_are_recorded_with_their_own_places() -> None:
     """They orbit at the speed that their races give them, and their offsets are those of the motion at its end."""
     races = races_under_thrust()
-    motion = FreeCageMotion(cage_on(races), races, begin="rest")
+    motion = CageMotion(cage_on(races), races, begin="rest")
     series = recorded_motion(motion, duration=1e-3, samples=50)
     speed = motion.races.alone.orbit_speed
     np.testing.assert_allclose(
