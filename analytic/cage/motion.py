@@ -64,7 +64,7 @@ NARROW = 0.9  # of the room that free balls may lead and lag by at the beginning
 # full speed at once;  land_radius : 0: no land;  land_side : of the contact along the displacement of the cage, -1 at
 # the bore of the cage, +1 outside;  deepest : penetration at which the motion has diverged, m
 CAGE = np.dtype(
-    numbers("mass", "axial_inertia", "transverse_inertia", "pitch_radius", "ball_radius", "drag")
+    numbers("mass", "inverse_mass", "inverse_axial_inertia", "inverse_transverse_inertia", "pitch_radius", "ball_radius", "drag")
     + numbers("half_clearance", "centre_offset", "stiffness", "damping", "least_impact", "friction", "smoothing")
     + numbers("orbit_speed", "spin_axial", "spin_radial", "lead", "ramp", "deepest")
     + numbers("land_radius", "land_half_clearance", "land_side", "land_speed", "land_half_width")
@@ -143,7 +143,7 @@ def _kicked(cage, flight, loads, time):
     """The Flight after Loads that act for a time."""
     x, y, z = flight.velocity
     lx, ly, lz = flight.momentum
-    force, moment, each = loads.force, loads.moment, time * (1.0 / cage.mass)
+    force, moment, each = loads.force, loads.moment, time * cage.inverse_mass
     return Flight(
         flight.place,
         (x + each * force[0], y + each * force[1], z + each * force[2]),
@@ -163,9 +163,9 @@ def _flown(cage, flight, r, step):
     vx, vy, vz = flight.velocity
     a, b, c, d = flight.orientation
     lx, ly, lz = flight.momentum
-    soft = 1.0 / cage.transverse_inertia
+    soft = cage.inverse_transverse_inertia
     half = 0.5 * step
-    turn = half * (r[2] * lx + r[5] * ly + r[8] * lz) * (1.0 / cage.axial_inertia - soft)
+    turn = half * (r[2] * lx + r[5] * ly + r[8] * lz) * (cage.inverse_axial_inertia - soft)
     a, b, c, d = a - turn * d, b + turn * c, c - turn * b, d + turn * a
     px, py, pz = half * soft * lx, half * soft * ly, half * soft * lz
     a, b, c, d = (
@@ -187,8 +187,8 @@ def _flown(cage, flight, r, step):
 def _body(cage, flight, r):
     """The Body of a Flight; r : its rotation matrix."""
     lx, ly, lz = flight.momentum
-    soft = 1.0 / cage.transverse_inertia
-    own = (r[2] * lx + r[5] * ly + r[8] * lz) * (1.0 / cage.axial_inertia - soft)
+    soft = cage.inverse_transverse_inertia
+    own = (r[2] * lx + r[5] * ly + r[8] * lz) * (cage.inverse_axial_inertia - soft)
     return Body(
         flight.place, flight.velocity, r, (lx * soft + own * r[2], ly * soft + own * r[5], lz * soft + own * r[8])
     )
@@ -242,14 +242,15 @@ def _loads_beside_balls(cage, body, speed_share, span, totals):
 
 
 @compiled(fastmath=FAST)
-def _step_free_ball(raceways, table, at, ball, push, step, speed_share, totals):
-    """One implicit step of a ball over the time since its last; push : its force, N, and moment, N m, on the cage.
+def _step_free_ball(raceways, table, ball, push, step, speed_share, totals):
+    """One implicit step of a ball over the time since its last.
 
-    The moment is about the centre of the ball.
+    push : its force, N, and moment about the centre of the cage, N m, on the cage, and from that centre to the ball's
     """
-    (qx, qy, qz), (tx, ty, tz) = push
+    (qx, qy, qz), (tx, ty, tz), (cx, cy, cz) = push
+    tx, ty, tz = tx - cy * qz + cz * qy, ty - cz * qx + cx * qz, tz - cx * qy + cy * qx  # about the ball's centre
     cosine, sine, lever = np.cos(ball.azimuth), np.sin(ball.azimuth), step / raceways.ball_radius
-    interpolate(table, ball.azimuth, at)
+    interpolate(table, ball)
     impulses = (
         step * (qx * sine - qy * cosine),
         lever * (tx * sine - ty * cosine),
@@ -257,8 +258,8 @@ def _step_free_ball(raceways, table, at, ball, push, step, speed_share, totals):
         -lever * tz,
     )
     on_ball = PocketPush(-qx * cosine - qy * sine, -qz, impulses)
-    done = step_ball(raceways, at, ball, on_ball, ball.since_step, speed_share)
-    totals.alone_power += at.slip_without_cage * ball.since_step
+    done = step_ball(raceways, ball, on_ball, ball.since_step, speed_share)
+    totals.alone_power += ball.contacts.slip_without_cage * ball.since_step
     totals.ring_power += done.ring_work
     totals.race_power += done.slip
     totals.numerical_power += done.numerical
@@ -269,7 +270,7 @@ def _step_free_ball(raceways, table, at, ball, push, step, speed_share, totals):
 
 
 @compiled(fastmath=FAST, inline=True)
-def _loads(cage, raceways, table, at, balls, body, orbit, step, is_first, is_last, totals):
+def _loads(cage, raceways, table, balls, body, orbit, step, is_first, is_last, totals):
     """All Loads on the Body; moves free balls, and adds to the totals, but for the first of a call."""
     x, y, z = body.place
     xx, xy, xz, yx, yy, yz, zx, zy, zz = body.rotation
@@ -278,12 +279,13 @@ def _loads(cage, raceways, table, at, balls, body, orbit, step, is_first, is_las
     fx, fy, fz = beside.force
     mx, my, mz = beside.moment
     deepest = beside.deepest
-    is_free, rate = table.shape[0] > 0, cage.orbit_speed * orbit.speed_share
+    slip = damping = work = normal = turning = largest = 0.0
+    rate = cage.orbit_speed * orbit.speed_share
     for number in range(balls.shape[0]):
         ball = balls[number]
         c, s = ball.pocket_cosine, ball.pocket_sine
         along = pitch * rate
-        if is_free:
+        if raceways is not None:
             ball.azimuth += span * ball.along / pitch
             ball.since_step += span
             bc, bs = np.cos(ball.azimuth), np.sin(ball.azimuth)
@@ -297,9 +299,15 @@ def _loads(cage, raceways, table, at, balls, body, orbit, step, is_first, is_las
         offset = (pitch * (bc - px) - x, pitch * (bs - py) - y, -pitch * pz - z)
         axis = (xz, yz, zz) if cage.axial_pockets else (px, py, pz)
         force, moment = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
-        touches = not is_clear(cage, offset, axis)
-        if touches:
-            if is_free:
+        clear = is_clear(cage, offset, axis)
+        if clear:
+            ball.impact_speed[0] = ball.impact_speed[1] = 0.0
+            if is_last:
+                ball.force[0] = ball.force[1] = ball.force[2] = 0.0
+            if not is_last and ball.since_step < (STEPS_UNTOUCHED - 0.5) * step:
+                continue
+        else:
+            if raceways is not None:
                 along, about, outward, axial = ball.along, ball.about / radius, ball.outward / radius, ball.axial / radius
             else:
                 about, outward = 0.0, cage.spin_radial * orbit.speed_share
@@ -312,26 +320,25 @@ def _loads(cage, raceways, table, at, balls, body, orbit, step, is_first, is_las
             fx, fy, fz = fx + force[0], fy + force[1], fz + force[2]
             mx, my, mz = mx + moment[0], my + moment[1], mz + moment[2]
             deepest = max(deepest, push.deepest)
+            slip += push.slip
+            damping += push.damping
+            work += push.work
+            normal += push.normal
+            turning += moment[2]
+            largest = max(largest, push.largest)
+            if is_last:
+                ball.force[0], ball.force[1], ball.force[2] = force
+        if raceways is not None:
             if not is_first:
-                totals.moment += span * moment[2]
-                totals.slip_power += span * push.slip
-                totals.damping_power += span * push.damping
-                totals.ball_power += span * push.work
-                totals.force += span * push.normal
-                totals.max_force = max(totals.max_force, push.largest)
-            cx, cy, cz = centre
-            moment = (
-                moment[0] - cy * force[2] + cz * force[1],
-                moment[1] - cz * force[0] + cx * force[2],
-                moment[2] - cx * force[1] + cy * force[0],
-            )
-        else:
-            ball.impact_speed[0] = ball.impact_speed[1] = 0.0
-        if is_last:
-            ball.force[0], ball.force[1], ball.force[2] = force
-        if is_free and not is_first:
-            if touches or is_last or ball.since_step >= (STEPS_UNTOUCHED - 0.5) * step:
-                _step_free_ball(raceways, table, at, ball, (force, moment), step, orbit.speed_share, totals)
+                arm = (pitch * bc - x, pitch * bs - y, -z)
+                _step_free_ball(raceways, table, ball, (force, moment, arm), step, orbit.speed_share, totals)
+    if not is_first:
+        totals.slip_power += step * slip
+        totals.damping_power += step * damping
+        totals.ball_power += step * work
+        totals.force += step * normal
+        totals.moment += step * turning
+        totals.max_force = max(totals.max_force, largest)
     return Loads((fx, fy, fz), (mx, my, mz), deepest)
 
 
@@ -359,7 +366,6 @@ def advance(cage: Any, raceways: Any, table: Any, balls: Any, state: Any, totals
     turned, time, angle = state.orientation, state.time, state.orbit_angle
     orientation = turned[0], turned[1], turned[2], turned[3]
     flight = Flight(_three(state.place), _three(state.velocity), orientation, _three(state.momentum))
-    at = np.zeros(1, AZIMUTH)[0] if table.shape[0] == 0 else table[:1].copy()[0]
     loads = Loads((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0)
     r = _rotation(flight.orientation)
     half, share = 0.5 * step, _speed_share(cage, time)
@@ -374,7 +380,7 @@ def advance(cage: Any, raceways: Any, table: Any, balls: Any, state: Any, totals
         # Friction and damping see the velocities that the previous loads would give. At first there are none.
         body = _body(cage, _kicked(cage, flight, loads, half), r)
         orbit = Orbit(np.cos(angle), np.sin(angle), share)
-        loads = _loads(cage, raceways, table, at, balls, body, orbit, step, done == 0, done == steps, totals)
+        loads = _loads(cage, raceways, table, balls, body, orbit, step, done == 0, done == steps, totals)
         if done == 0:
             continue
         flight = _kicked(cage, flight, loads, half)
@@ -441,8 +447,9 @@ def _cage_constants(cage: DrivenCage, ramp: float) -> np.void:
     land, surface = cage.land, abs(cage.ball_speed) * cage.ball_radius
     values: dict[str, Any] = {
         "mass": cage.mass,
-        "axial_inertia": axial,
-        "transverse_inertia": transverse,
+        "inverse_mass": 1 / cage.mass,
+        "inverse_axial_inertia": 1 / axial,
+        "inverse_transverse_inertia": 1 / transverse,
         "pitch_radius": cage.pitch_radius,
         "ball_radius": cage.ball_radius,
         "drag": cage.drag,
@@ -515,7 +522,7 @@ class CageMotion:
         self._balls = np.zeros(cage.ball_count, BALL)
         azimuth = 2 * np.pi * np.arange(cage.ball_count) / cage.ball_count
         self._balls["pocket_cosine"], self._balls["pocket_sine"] = np.cos(azimuth), np.sin(azimuth)
-        self._on_raceways, self._table = np.zeros(1, BALL_ON_RACEWAYS)[0], np.zeros(0, AZIMUTH)
+        self._on_raceways = self._table = None
         beginning = cage
         if raceways is not None:
             _require_free_balls(cage, raceways, steps_per_contact)
@@ -656,7 +663,7 @@ class CageMotion:
         leading = replace(cage, ball_lead=float(np.clip(alone.lead, -room, room)))
         places = leading.ball_places(0.0)
         azimuth = np.arctan2(places[:, 1], places[:, 0]) % (2 * np.pi)
-        self._balls["azimuth"] = azimuth
+        self._balls["azimuth"], self._balls["contacts"] = azimuth, self._table[0]
         if at_full_speed:
             grid = 2 * np.pi * np.arange(len(alone.speeds)) / len(alone.speeds)
             for name, speed in zip(SPEEDS, alone.speeds.T, strict=True):

@@ -218,12 +218,7 @@ def rubbing(cage, normal, speed):
 
 
 @compiled(fastmath=FAST, inline=True)
-def pushed(cage, ball, body, impact_speed):
-    """Push of a BallInPocket on both shells.
-
-    cage : CAGE of `analytic.cage.motion`;  impact_speed : (2,) m/s of each shell: the fastest closing speed of its
-    contact since that began, 0 without contact; it is updated
-    """
+def _pushed_on_shell(cage, ball, body, impact_speed, shell):
     ux, uy, uz = ball.offset
     ex, ey, ez = ball.axis
     cx, cy, cz = ball.centre
@@ -232,42 +227,63 @@ def pushed(cage, ball, body, impact_speed):
     vx, vy, vz = body.velocity
     wx, wy, wz = body.angular_velocity
     radius = cage.ball_radius
-    fx = fy = fz = mx = my = mz = slip = damping = work = pressed = largest = deepest = 0.0
-    aside = cage.centre_offset
-    for shell in range(1 if aside == 0.0 else 2):  # without an offset both shells are one sphere
-        nx, ny, nz = ux + aside * ex, uy + aside * ey, uz + aside * ez
-        distance = np.sqrt(nx * nx + ny * ny + nz * nz)
-        depth = distance - cage.half_clearance
-        # Each shell is a half sphere.
-        facing = aside == 0.0 or aside * (ux * ex + uy * ey + uz * ez + aside) > 0.0
-        aside = -aside
-        if depth <= 0.0 or not facing:
-            impact_speed[shell] = 0.0
-            continue
-        nx, ny, nz = nx / distance, ny / distance, nz / distance
-        # Velocity of the ball's surface: that of its centre, and its own rotation.
-        sx, sy, sz = (
-            bx + radius * (ty * nz - tz * ny),
-            by + radius * (tz * nx - tx * nz),
-            bz + radius * (tx * ny - ty * nx),
-        )
-        px, py, pz = cx + radius * nx, cy + radius * ny, cz + radius * nz
-        gx, gy, gz = sx - vx - wy * pz + wz * py, sy - vy - wz * px + wx * pz, sz - vz - wx * py + wy * px
-        closing = gx * nx + gy * ny + gz * nz
-        fastest = max(impact_speed[shell], closing, cage.least_impact)
-        impact_speed[shell] = fastest
-        elastic = cage.stiffness * depth * np.sqrt(depth)
-        normal = max(elastic * (1.0 + cage.damping * closing / fastest), 0.0)
-        gx, gy, gz = gx - closing * nx, gy - closing * ny, gz - closing * nz
-        speed = np.sqrt(gx * gx + gy * gy + gz * gz)
-        per_speed = rubbing(cage, normal, speed)
-        qx, qy, qz = normal * nx + per_speed * gx, normal * ny + per_speed * gy, normal * nz + per_speed * gz
-        fx, fy, fz = fx + qx, fy + qy, fz + qz
-        mx, my, mz = mx + py * qz - pz * qy, my + pz * qx - px * qz, mz + px * qy - py * qx
-        slip += per_speed * speed * speed
-        damping += (normal - elastic) * closing
-        work += qx * sx + qy * sy + qz * sz
-        pressed += normal
-        largest = max(largest, normal)
-        deepest = max(deepest, depth)
-    return Push((fx, fy, fz), (mx, my, mz), slip, damping, work, pressed, largest, deepest)
+    aside = cage.centre_offset if shell == 0 else -cage.centre_offset
+    nx, ny, nz = ux + aside * ex, uy + aside * ey, uz + aside * ez
+    distance = np.sqrt(nx * nx + ny * ny + nz * nz)
+    depth = distance - cage.half_clearance
+    # Each shell is a half sphere.
+    facing = aside == 0.0 or aside * (ux * ex + uy * ey + uz * ez + aside) > 0.0
+    if depth <= 0.0 or not facing:
+        impact_speed[shell] = 0.0
+        return Push((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    nx, ny, nz = nx / distance, ny / distance, nz / distance
+    # Velocity of the ball's surface: that of its centre, and its own rotation.
+    sx, sy, sz = (
+        bx + radius * (ty * nz - tz * ny),
+        by + radius * (tz * nx - tx * nz),
+        bz + radius * (tx * ny - ty * nx),
+    )
+    px, py, pz = cx + radius * nx, cy + radius * ny, cz + radius * nz
+    gx, gy, gz = sx - vx - wy * pz + wz * py, sy - vy - wz * px + wx * pz, sz - vz - wx * py + wy * px
+    closing = gx * nx + gy * ny + gz * nz
+    fastest = max(impact_speed[shell], closing, cage.least_impact)
+    impact_speed[shell] = fastest
+    elastic = cage.stiffness * depth * np.sqrt(depth)
+    normal = max(elastic * (1.0 + cage.damping * closing / fastest), 0.0)
+    gx, gy, gz = gx - closing * nx, gy - closing * ny, gz - closing * nz
+    speed = np.sqrt(gx * gx + gy * gy + gz * gz)
+    per_speed = rubbing(cage, normal, speed)
+    qx, qy, qz = normal * nx + per_speed * gx, normal * ny + per_speed * gy, normal * nz + per_speed * gz
+    return Push(
+        (qx, qy, qz),
+        (py * qz - pz * qy, pz * qx - px * qz, px * qy - py * qx),
+        per_speed * speed * speed,
+        (normal - elastic) * closing,
+        qx * sx + qy * sy + qz * sz,
+        normal,
+        normal,
+        depth,
+    )
+
+
+@compiled(fastmath=FAST, inline=True)
+def pushed(cage, ball, body, impact_speed):
+    """Push of a BallInPocket on both shells.
+
+    cage : CAGE of `analytic.cage.motion`;  impact_speed : (2,) m/s of each shell: the fastest closing speed of its
+    contact since that began, 0 without contact; it is updated
+    """
+    one = _pushed_on_shell(cage, ball, body, impact_speed, 0)
+    if cage.centre_offset == 0.0:  # both shells are one sphere
+        return one
+    two = _pushed_on_shell(cage, ball, body, impact_speed, 1)
+    return Push(
+        (one.force[0] + two.force[0], one.force[1] + two.force[1], one.force[2] + two.force[2]),
+        (one.moment[0] + two.moment[0], one.moment[1] + two.moment[1], one.moment[2] + two.moment[2]),
+        one.slip + two.slip,
+        one.damping + two.damping,
+        one.work + two.work,
+        one.normal + two.normal,
+        max(one.largest, two.largest),
+        max(one.deepest, two.deepest),
+    )

@@ -84,12 +84,14 @@ CONTACT = np.dtype(
 )
 # Both contacts at an azimuth; slip_without_cage : power of slip in both of a ball without a cage, W
 AZIMUTH = np.dtype([*((name, CONTACT) for name in RACES), *numbers("slip_without_cage")])
-# A ball: azimuth, rad; speeds, m/s; time since its last step, s; cosine and sine of the place of its pocket in the
-# cage; the fastest closing speed of the present contact with each shell, m/s, 0 without contact; its force on the cage
-# at the end of the last call, N
+# A ball: cosine and sine of the place of its pocket in the cage; the fastest closing speed of the present contact with
+# each shell, m/s, 0 without contact; its force on the cage at the end of the last call, N. Of a free ball also its
+# azimuth, rad; speeds, m/s; time since its last step, s; and its contacts.
 BALL = np.dtype(
-    numbers("azimuth", *SPEEDS, "since_step", "pocket_cosine", "pocket_sine")
+    numbers("pocket_cosine", "pocket_sine")
     + [("impact_speed", np.float64, 2), ("force", np.float64, 3)]
+    + numbers("azimuth", *SPEEDS, "since_step")
+    + [("contacts", AZIMUTH)]
 )
 PATH = np.dtype(numbers("azimuth", *SPEEDS, "ring_work", "slip", "grip"))  # of a ball, at the end of each step
 
@@ -160,19 +162,18 @@ def _interpolate_contact(first: Any, second: Any, part: float, at: Any) -> None:
 
 
 @compiled(fastmath=FAST)
-def interpolate(table: Any, azimuth: float, at: Any) -> None:
-    """Set the AZIMUTH `at` to the table, (n,) of AZIMUTH over a turn, at an azimuth in rad."""
+def interpolate(table: Any, ball: Any) -> None:
+    """Set the contacts of a BALL to the table, (n,) of AZIMUTH over a turn, at the azimuth of the ball."""
     points = table.shape[0]
     if points == 1:
-        return  # `at` has it from the beginning
-    where = azimuth * (points / (2.0 * np.pi))
+        return  # they are those of the table from the beginning
+    where = ball.azimuth * (points / (2.0 * np.pi))
     floor = np.floor(where)
-    part = where - floor
-    number = int(floor) % points
-    first, second = table[number], table[number + 1 if number + 1 < points else 0]
-    _interpolate_contact(first.inner, second.inner, part, at.inner)
-    _interpolate_contact(first.outer, second.outer, part, at.outer)
-    at.slip_without_cage = (1.0 - part) * first.slip_without_cage + part * second.slip_without_cage
+    part, number = where - floor, int(floor) % points
+    first, second, contacts = table[number], table[(number + 1) % points], ball.contacts
+    _interpolate_contact(first.inner, second.inner, part, contacts.inner)
+    _interpolate_contact(first.outer, second.outer, part, contacts.outer)
+    contacts.slip_without_cage = (1.0 - part) * first.slip_without_cage + part * second.slip_without_cage
 
 
 @compiled(fastmath=FAST)
@@ -193,24 +194,25 @@ def _contact(race: Any, at: Any, load: float, turn: float, speed_share: float) -
 
 
 @compiled(fastmath=FAST)
-def pressed_contacts(raceways: Any, at: Any, radial: float, axial: float, speed_share: float) -> tuple[Contact, Contact]:
+def pressed_contacts(raceways: Any, contacts: Any, radial: float, axial: float, speed_share: float) -> tuple[Contact, Contact]:
     """Inner and outer Contact of a ball under the force of its pocket, N.
 
-    raceways : BALL_ON_RACEWAYS;  at : AZIMUTH of the ball;  speed_share : of the ring's speed that is reached
+    raceways : BALL_ON_RACEWAYS;  contacts : AZIMUTH of the ball;  speed_share : of the ring's speed that is reached
     A raceway that the force unloads leaves its share to the other.
     """
-    inner_load = at.inner.load + at.inner.load_by_radial * radial + at.inner.load_by_axial * axial
-    outer_load = at.outer.load + at.outer.load_by_radial * radial + at.outer.load_by_axial * axial
+    inner, outer = contacts.inner, contacts.outer
+    inner_load = inner.load + inner.load_by_radial * radial + inner.load_by_axial * axial
+    outer_load = outer.load + outer.load_by_radial * radial + outer.load_by_axial * axial
     if inner_load < 0.0:
         inner_load, outer_load = 0.0, outer_load - inner_load
     elif outer_load < 0.0:
         inner_load, outer_load = inner_load - outer_load, 0.0
     outer_load = max(outer_load, 0.0)
-    inner_turn = at.inner.turn_by_radial * radial + at.inner.turn_by_axial * axial
-    outer_turn = at.outer.turn_by_radial * radial + at.outer.turn_by_axial * axial
+    inner_turn = inner.turn_by_radial * radial + inner.turn_by_axial * axial
+    outer_turn = outer.turn_by_radial * radial + outer.turn_by_axial * axial
     return (
-        _contact(raceways.inner, at.inner, inner_load, inner_turn, speed_share),
-        _contact(raceways.outer, at.outer, outer_load, outer_turn, speed_share),
+        _contact(raceways.inner, inner, inner_load, inner_turn, speed_share),
+        _contact(raceways.outer, outer, outer_load, outer_turn, speed_share),
     )
 
 
@@ -297,13 +299,13 @@ def _solved(a, b):
 
 
 @compiled(fastmath=FAST)
-def step_ball(raceways: Any, at: Any, ball: Any, push: PocketPush, span: float, speed_share: float) -> BallStep:
+def step_ball(raceways: Any, ball: Any, push: PocketPush, span: float, speed_share: float) -> BallStep:
     """Change the speeds of a ball over a time span, s, by the backward Euler method.
 
-    raceways : BALL_ON_RACEWAYS;  at : AZIMUTH of the ball;  ball : BALL;  speed_share : of the ring's speed reached
+    raceways : BALL_ON_RACEWAYS;  ball : BALL;  speed_share : of the ring's speed that is reached
     m and J/r^2 = (2/5) m are the masses that belong to the speeds.
     """
-    inner, outer = pressed_contacts(raceways, at, push.radial, push.axial, speed_share)
+    inner, outer = pressed_contacts(raceways, ball.contacts, push.radial, push.axial, speed_share)
     m, j = raceways.ball_mass, 0.4 * raceways.ball_mass
     pitch_radius = raceways.pitch_radius
     ring_speed = raceways.ring_speed * speed_share
@@ -375,11 +377,10 @@ def roll_without_cage(raceways: Any, table: Any, ball: Any, path: Any, step: flo
 
     raceways : BALL_ON_RACEWAYS;  table : (n,) of AZIMUTH over a turn;  ball : BALL;  path : (steps,) of PATH, to be set
     """
-    at = table[:1].copy()[0]
     for number in range(path.shape[0]):
         ball.azimuth += step * ball.along / raceways.pitch_radius
-        interpolate(table, ball.azimuth, at)
-        done = step_ball(raceways, at, ball, NO_PUSH, step, 1.0)
+        interpolate(table, ball)
+        done = step_ball(raceways, ball, NO_PUSH, step, 1.0)
         if not done.settled:
             return number
         end = path[number]
@@ -525,6 +526,7 @@ class Raceways:
         """A BALL at the azimuth 0 that rolls."""
         inner_angle, outer_angle = self.contacts.contact_angle[:, 0]
         bearing, ball = self.bearing, np.zeros(1, BALL)[0]
+        ball["contacts"] = self.table[0]
         moving = ball_kinematics(
             inner_speed=self.inner_speed,
             inner_angle=inner_angle,
