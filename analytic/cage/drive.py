@@ -6,10 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.cage.grip import LARGEST_GRIP, RaceGrip, grip_number, race_grip, squeeze_force
-from analytic.cage.pocket import PocketShape, pocket_shape, pocket_stiffness
-from analytic.cage.pocket_friction import PocketFriction, friction_in_pocket
+from analytic.cage.pocket import PocketFriction, PocketShape, friction_in_pocket, pocket_shape, pocket_stiffness
 from analytic.cage.raceways import Raceways, ring_raceways, thrust_raceways
-from analytic.cage.steady import STANDARD_GRAVITY, lead_room, whirl_force, whirl_speed
+from analytic.cage.steady import STANDARD_GRAVITY, RestingCage, lead_room, whirl_force, whirl_speed
 from analytic.contact.geometry import pocket_contact
 from analytic.contact.hertz import contact_modulus
 from analytic.errors import InputError
@@ -68,12 +67,7 @@ class CageDrive:
     @property
     def room(self) -> float:
         """Lead of the balls that the pockets leave free, m."""
-        guided = np.inf if self.cage.land is None else self.cage.land.clearance / 2
-        return lead_room(
-            half_clearance=self.shape.half_clearance,
-            centre_offset=self.shape.centre_offset,
-            land_half_clearance=guided,
-        )
+        return resting_cage(self.bearing, self.cage).room
 
     @property
     def is_squeezed(self) -> NDArray[np.bool_]:
@@ -153,6 +147,25 @@ def cage_drive(
         grip=race_grip(balls, friction_coefficient, pitch_radius=bearing.pitch_diameter / 2),
         balls=balls,
         friction_coefficient=friction_coefficient,
+    )
+
+
+def resting_cage(bearing: Bearing, cage: Cage) -> RestingCage:
+    """Raises InputError for a pocket without clearance for its ball."""
+    shape = pocket_shape_of(bearing, cage)
+    return RestingCage(
+        mass=float(cage.mass),
+        gravity=float(np.linalg.norm(GRAVITY[cage.gravity])),
+        lies_along=cage.gravity == "along",
+        drag=float(cage.drag),
+        room=lead_room(
+            half_clearance=shape.half_clearance,
+            centre_offset=shape.centre_offset,
+            land_half_clearance=np.inf if cage.land is None else cage.land.clearance / 2,
+        ),
+        ball_count=bearing.ball_count,
+        ball_radius=bearing.ball_radius,
+        pitch_radius=bearing.pitch_diameter / 2,
     )
 
 

@@ -27,9 +27,7 @@ import numpy as np
 
 from analytic.cage.pocket import FAST, BallInPocket, Body, Vector, impact, impact_damping, is_clear, pushed, rubbing
 from analytic.cage.raceways import (
-    AZIMUTH,
     BALL,
-    BALL_ON_RACEWAYS,
     SPEEDS,
     PocketPush,
     Raceways,
@@ -64,7 +62,15 @@ NARROW = 0.9  # of the room that free balls may lead and lag by at the beginning
 # full speed at once;  land_radius : 0: no land;  land_side : of the contact along the displacement of the cage, -1 at
 # the bore of the cage, +1 outside;  deepest : penetration at which the motion has diverged, m
 CAGE = np.dtype(
-    numbers("mass", "inverse_mass", "inverse_axial_inertia", "inverse_transverse_inertia", "pitch_radius", "ball_radius", "drag")
+    numbers(
+        "mass",
+        "inverse_mass",
+        "inverse_axial_inertia",
+        "inverse_transverse_inertia",
+        "pitch_radius",
+        "ball_radius",
+        "drag",
+    )
     + numbers("half_clearance", "centre_offset", "stiffness", "damping", "least_impact", "friction", "smoothing")
     + numbers("orbit_speed", "spin_axial", "spin_radial", "lead", "ramp", "deepest")
     + numbers("land_radius", "land_half_clearance", "land_side", "land_speed", "land_half_width")
@@ -308,7 +314,12 @@ def _loads(cage, raceways, table, balls, body, orbit, step, is_first, is_last, t
                 continue
         else:
             if raceways is not None:
-                along, about, outward, axial = ball.along, ball.about / radius, ball.outward / radius, ball.axial / radius
+                along, about, outward, axial = (
+                    ball.along,
+                    ball.about / radius,
+                    ball.outward / radius,
+                    ball.axial / radius,
+                )
             else:
                 about, outward = 0.0, cage.spin_radial * orbit.speed_share
                 axial = cage.spin_axial * orbit.speed_share + along / pitch

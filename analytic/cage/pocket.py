@@ -7,16 +7,32 @@ x = -s (D_p/2 - k). Offsets are from the centre of the pocket to that of the bal
 The ball slides inside nearly equal radii, where Hertz's K_pb is only an estimate; finite elements can replace it.
 The forces of both shells are added: the ball touches both at once where |x| < D_p/2 - k, not only at x = 0.
 Source: equations 13 to 17 of [Paper]; damping by [Hunt1975], with the loss of an impact derived here.
+
+The friction coefficient is given, or that of mixed lubrication. The pocket stands still against the rotating ball, so
+the rolling and entrainment speed is half of the sliding speed. This is far outside the range that film formulas were
+fitted to. Between nearly equal radii and under the small forces of a cage the computed film is thicker than the
+clearance, and it is limited to the clearance. Oil is then taken to shear in the contact of Hertz alone; its shear in
+the rest of the pocket is not in the coefficient.
 """
 
-from typing import Any, NamedTuple
+from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.errors import InputError, require_non_negative, require_positive
-from analytic.numerics.compilation import compiled
-from analytic.scene import Array
+from analytic.contact.geometry import pocket_contact
+from analytic.contact.hertz import contact_modulus, loaded_hertz, unit_hertz
+from analytic.contact.rolling_contact import ContactNumbers
+from analytic.errors import ConvergenceError, InputError, require_non_negative, require_positive
+from analytic.numerics.compilation import compiled, rows_of
+from analytic.oil.asymptotes import Inflow, asymptotes_of
+from analytic.oil.mixed import LAST_STEP, MOST_STEPS, mixed_of, oil_beside
+from analytic.oil.race_resistance import NO_OIL, gap_numbers_of
+from analytic.oil.traction import law_of_oil, mean_force
+from analytic.oil.viscosity import OilNumbers, oil_numbers
+from analytic.scene import Array, Cage, Scene
+from analytic.surface.gap import GapNumbers, gap_numbers
 
 FAST = frozenset(("contract", "reassoc", "arcp", "nsz", "afn"))  # NaN and infinity keep their meaning
 SATURATED = 20.0  # |v|/v0 from where tanh is 1 in double precision
@@ -287,3 +303,108 @@ def pushed(cage, ball, body, impact_speed):
         max(one.largest, two.largest),
         max(one.deepest, two.deepest),
     )
+
+
+class PocketNumbers(NamedTuple):
+    """A ball on its pocket, in numbers for its friction."""
+
+    coefficient: float  # mu; NaN: by oil and surface
+    curvature: float  # of ball against pocket, 1/m, both ways
+    modulus: float  # E*, Pa
+    largest_gap: float  # m
+    gap: GapNumbers
+    boundary_friction: float
+
+
+NO_POCKET = PocketNumbers(0.0, 1.0, 1.0, 1.0, gap_numbers(None), 0.0)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PocketFriction:
+    """The friction coefficient at every operating point, where it comes from, and its warnings."""
+
+    coefficient: Array  # (n,)
+    source: str  # a key of the scene file, or the model
+    warnings: tuple[str, ...] = ()
+
+
+def pocket_numbers(scene: Scene, cage: Cage) -> PocketNumbers:
+    """mu of ball on pocket is that of the cage, else that of the races, else by lubricant and surface.
+
+    Raises InputError for a scene without any of these.
+    """
+    given = scene.friction_coefficient if cage.friction_coefficient is None else cage.friction_coefficient
+    if given is None and (scene.lubricant is None or scene.surface is None):
+        raise InputError("the friction of ball on pocket is not known: add [cage] friction_coefficient = 0.1")
+    pocket = pocket_contact(scene.bearing, cage, load=0.0)
+    bodies = pocket.ball_material, pocket.race_material
+    return PocketNumbers(
+        coefficient=np.nan if given is None else float(given),
+        curvature=1 / pocket.ball_radius - 1 / pocket.groove_radius,
+        modulus=float(contact_modulus(*bodies)),
+        largest_gap=pocket.groove_radius - pocket.ball_radius,
+        gap=gap_numbers(None) if given is not None else gap_numbers_of(scene, bodies),
+        boundary_friction=0.0 if scene.surface is None else float(scene.surface.boundary_friction),
+    )
+
+
+@compiled
+def pocket_coefficient(pocket: PocketNumbers, oil: OilNumbers, load: float, surface_speed: float) -> tuple[float, bool]:
+    """mu, NaN where its film does not settle, and whether the film fills the clearance; load : of one ball, N, > 0."""
+    if not np.isnan(pocket.coefficient):
+        return pocket.coefficient, False
+    curvature, modulus = pocket.curvature, pocket.modulus
+    a = loaded_hertz(unit_hertz(curvature, curvature, modulus), load).semi_axis_x
+    contact = ContactNumbers(load, a, a, curvature, curvature, modulus, np.nan, np.nan, np.nan)
+    film = asymptotes_of(
+        contact, Inflow(surface_speed / 2, oil.viscosity, oil.pressure_viscosity, oil.compressible, pocket.largest_gap)
+    )
+    mixed = mixed_of(contact, film, pocket.gap, 1.0, 1.0)
+    area, thickness = oil_beside(mixed.area_fraction, mixed.film_thickness, mixed.without_film)
+    law = law_of_oil(oil, pocket.boundary_friction * mixed.boundary_share, 1.0 - mixed.asperity_share, area, thickness)
+    return mean_force(law, contact, surface_speed) / load, mixed.capped
+
+
+@compiled
+def _pocket_coefficients(pocket: PocketNumbers, oil: OilNumbers, rows: Array) -> Array:
+    found = np.empty(rows.shape)
+    for i in range(rows.shape[1]):
+        found[0, i], found[1, i] = pocket_coefficient(pocket, oil, rows[0, i], rows[1, i])
+    return found
+
+
+def friction_in_pocket(scene: Scene, *, load: ArrayLike, surface_speed: ArrayLike) -> PocketFriction:
+    """mu of ball on pocket, see `pocket_numbers`.
+
+    load : of one ball on the pocket, (n,), N, > 0;  surface_speed : w_b r, (n,), m/s, >= 0
+    Raises InputError for a scene without a cage, or for one whose friction is not known; ConvergenceError if load and
+    film do not settle.
+    """
+    if scene.cage is None:
+        raise InputError("the scene has no [cage], so there is no pocket: add an empty table [cage] for the catalog's")
+    require_positive(load=load)
+    require_non_negative(surface_speed=surface_speed)
+    oil = NO_OIL if scene.lubricant is None else oil_numbers(scene.lubricant)
+    pocket = pocket_numbers(scene, scene.cage)
+    rows, shape = rows_of(load, surface_speed)
+    coefficient, capped = _pocket_coefficients(pocket, oil, rows).reshape(2, *shape)
+    if np.isnan(coefficient).any():
+        raise ConvergenceError(
+            iterations=MOST_STEPS,
+            residual=np.nan,
+            tolerance=LAST_STEP,
+            unit="of ln(s/(1 - s))",
+            problem="the load shared by film and asperities in the cage pockets",
+            remedy="Check that load, speed, viscosity and roughness are of ordinary size.",
+        )
+    source = "mixed lubrication"
+    if not np.isnan(pocket.coefficient):
+        source = "friction.coefficient" if scene.cage.friction_coefficient is None else "cage.friction_coefficient"
+    warnings = ()
+    if np.any(capped):
+        warnings = (
+            "the computed film in the cage pockets is thicker than their clearance: its formula does not hold between "
+            "nearly equal radii, and oil that shears outside the contact is not counted; [cage] friction_coefficient "
+            "replaces both",
+        )
+    return PocketFriction(coefficient=coefficient, source=source, warnings=warnings)

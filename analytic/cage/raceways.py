@@ -176,7 +176,7 @@ def interpolate(table: Any, ball: Any) -> None:
     contacts.slip_without_cage = (1.0 - part) * first.slip_without_cage + part * second.slip_without_cage
 
 
-@compiled(fastmath=FAST)
+@compiled(fastmath=FAST, inline=True)
 def _contact(race: Any, at: Any, load: float, turn: float, speed_share: float) -> Contact:
     """The Contact under a load, N; race : friction and curvature ratio;  turn : of the normal, rad."""
     turn = min(max(turn, -LARGEST_TURN), LARGEST_TURN)
@@ -193,8 +193,10 @@ def _contact(race: Any, at: Any, load: float, turn: float, speed_share: float) -
     )
 
 
-@compiled(fastmath=FAST)
-def pressed_contacts(raceways: Any, contacts: Any, radial: float, axial: float, speed_share: float) -> tuple[Contact, Contact]:
+@compiled(fastmath=FAST, inline=True)
+def pressed_contacts(
+    raceways: Any, contacts: Any, radial: float, axial: float, speed_share: float
+) -> tuple[Contact, Contact]:
     """Inner and outer Contact of a ball under the force of its pocket, N.
 
     raceways : BALL_ON_RACEWAYS;  contacts : AZIMUTH of the ball;  speed_share : of the ring's speed that is reached
@@ -276,7 +278,7 @@ def traction(contact: Contact, along: float, about: float, outward: float, axial
     )
 
 
-@compiled(fastmath=FAST)
+@compiled(fastmath=FAST, inline=True)
 def _solved(a, b):
     """x of a x = b with four unknowns, by elimination without exchange: the symmetric part of a is positive."""
     (a00, a01, a02, a03), (a10, a11, a12, a13), (a20, a21, a22, a23), (a30, a31, a32, a33) = a

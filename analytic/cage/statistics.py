@@ -94,9 +94,7 @@ def measured_motion(
 
     def blocks(begin: CageStart, seed: int) -> list[MeanMotion]:
         """The measured time of one seed in blocks."""
-        motion = CageMotion(
-            cage, races, begin=begin, seed=seed, ramp=duration, steps_per_contact=steps_per_contact
-        )
+        motion = CageMotion(cage, races, begin=begin, seed=seed, ramp=duration, steps_per_contact=steps_per_contact)
         motion.advance(duration)
         return [motion.advance(duration / BLOCKS) for _ in range(BLOCKS)]
 

@@ -8,15 +8,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from analytic.cage.steady import braking_torque, hanging_torque
+from analytic.cage.pocket import pocket_coefficient
+from analytic.cage.steady import DrivingBalls, resting_load, resting_torque
 from analytic.contact.finite_geometry_fit import factors_on
 from analytic.contact.geometry import distances_to_shoulders
-from analytic.contact.hertz import HertzNumbers, loaded_hertz, unit_hertz
-from analytic.contact.rolling_contact import ContactNumbers
+from analytic.contact.hertz import HertzNumbers
 from analytic.effects.loads import MOST_CENTRIFUGAL
 from analytic.effects.table import PRESSED
 from analytic.loads.kinematics import BallMotion, ruled_motion
-from analytic.loads.numbers import BearingNumbers
 from analytic.loads.race_contacts import contact_under
 from analytic.loads.ring_balance import RingPoint
 from analytic.loads.ring_rounds import BY_LOAD, BY_POINT, SETTLED, RingLoad
@@ -24,17 +23,12 @@ from analytic.loads.ruled_point import load_by_rule
 from analytic.loads.shares import STRIBECK
 from analytic.loads.turning import TurningRule
 from analytic.numerics.compilation import compiled
-from analytic.oil.asymptotes import Inflow, asymptotes_of
-from analytic.oil.mixed import mixed_of, oil_beside
 from analytic.oil.race_resistance import ResistedContact, resisted_contact
-from analytic.oil.traction import law_of_oil, stress_and_slope
 from analytic.oil.viscosity import OilNumbers, oil_at
-from analytic.point.numbers import ALONG_AXIS, SINGLE_COEFFICIENT, CageNumbers, PointModel, Slipping, Workspace
-from analytic.scene import STANDARD_GRAVITY, Array
+from analytic.point.numbers import ALONG_AXIS, SINGLE_COEFFICIENT, PointModel, Slipping, Workspace
+from analytic.scene import Array
 from analytic.sliding.ball import slips_over_contacts
 from analytic.sliding.long_ellipse import Slip, line_slips
-
-LEAST_GRAVITY = 1e-3 * STANDARD_GRAVITY  # m/s^2, of a cage without gravity: a film needs a load
 
 
 class PointTorque(NamedTuple):
@@ -46,15 +40,6 @@ class PointTorque(NamedTuple):
     hysteresis: float
     rolling: float
     cage: float
-
-
-class CageDriveNumbers(NamedTuple):
-    """How the balls drive a cage: means over balls and races."""
-
-    orbit_rate: float  # w_c/w
-    ball_rate: float  # w_b/w
-    contact_angle: float  # al, rad
-    lead: float  # A of the balls, m
 
 
 NO_SLIP = Slip(np.nan, np.nan, np.nan, np.nan, np.nan, np.nan)
@@ -145,10 +130,10 @@ def whole_torque(
     if counted.cage:
         # 2 r_m times the first harmonic, see `ball_lead`
         lead = bearing.pitch_diameter * losses.lead / losses.slowness if balls > 1 else 0.0
-        drive = CageDriveNumbers(losses.orbit / balls, losses.own / balls, losses.angles / balls, lead)
+        drive = DrivingBalls(losses.orbit / balls, losses.own / balls, losses.angles / balls)
         if load.speed != 0.0 and np.isnan(drive.orbit_rate):
             return NO_TORQUE  # nothing turns a ball, and it cannot drive the cage
-        cage = _cage_torque(model.cage, oil, bearing, drive, load.speed)
+        cage = _cage_torque(model, oil, drive, lead, load.speed)
     spin, conformity = slid[0] * counted.spin, slid[1] * counted.conformity
     hysteresis, rolling = alike * losses.hysteresis, alike * losses.rolling
     total = spin + conformity + hysteresis + rolling + cage + model.declared
@@ -258,42 +243,14 @@ def _slips(
 
 
 @compiled
-def _cage_torque(
-    cage: CageNumbers, oil: OilNumbers, bearing: BearingNumbers, drive: CageDriveNumbers, ring_speed: float
-) -> float:
-    """Of a cage at rest on its balls; NaN where balls that lead squeeze it."""
-    if abs(drive.lead) >= cage.room:
+def _cage_torque(model: PointModel, oil: OilNumbers, balls: DrivingBalls, lead: float, ring_speed: float) -> float:
+    """Of a cage at rest on its balls; NaN where balls that lead squeeze it. lead : A, m."""
+    cage = model.cage
+    if abs(lead) >= cage.room:
         return np.nan
-    orbit_speed, ball_speed = drive.orbit_rate * abs(ring_speed), drive.ball_rate * abs(ring_speed)
-    coefficient = cage.coefficient
-    if np.isnan(coefficient):
-        load = cage.mass * max(cage.gravity, LEAST_GRAVITY) / bearing.ball_count
-        coefficient = _pocket_coefficient(cage, oil, load, ball_speed * bearing.ball_radius)
-    weight, surface_rate = cage.mass * cage.gravity, drive.ball_rate * bearing.ball_radius
-    if cage.lies_along:  # the cage lies on its balls where their surfaces are slowest
-        torque = coefficient * weight * surface_rate * np.sin(drive.contact_angle)
-    else:
-        torque = hanging_torque(coefficient, weight, surface_rate, drive.contact_angle)
-    surface_speed = ball_speed * bearing.ball_radius
-    return torque + braking_torque(
-        cage.drag, coefficient, drive.orbit_rate, orbit_speed, surface_speed, bearing.pitch_diameter / 2
-    )
-
-
-@compiled
-def _pocket_coefficient(cage: CageNumbers, oil: OilNumbers, load: float, surface_speed: float) -> float:
-    """Friction of a ball on its pocket by oil and surface, see `analytic.cage.pocket_friction`; load : N."""
-    hertz = loaded_hertz(unit_hertz(cage.curvature, cage.curvature, cage.modulus), load)
-    a = hertz.semi_axis_x
-    contact = ContactNumbers(load, a, a, cage.curvature, cage.curvature, cage.modulus, np.nan, np.nan, np.nan)
-    film = asymptotes_of(
-        contact, Inflow(surface_speed / 2, oil.viscosity, oil.pressure_viscosity, oil.compressible, cage.largest_gap)
-    )
-    mixed = mixed_of(contact, film, cage.gap, 1.0, 1.0)
-    area, thickness = oil_beside(mixed.area_fraction, mixed.film_thickness, mixed.without_film)
-    law = law_of_oil(oil, cage.boundary_friction * mixed.boundary_share, 1.0 - mixed.asperity_share, area, thickness)
-    pressure = load / (np.pi * a * a)
-    return stress_and_slope(law, pressure, surface_speed)[0] / pressure
+    surface_speed = balls.ball_rate * abs(ring_speed) * cage.ball_radius
+    coefficient, _ = pocket_coefficient(model.pocket, oil, resting_load(cage), surface_speed)
+    return resting_torque(cage, balls, coefficient, ring_speed)[0]
 
 
 @compiled
