@@ -79,9 +79,11 @@ CAGE = np.dtype(
 )
 # orientation : quaternion, scalar first;  momentum : angular;  orbit_angle : of prescribed balls, rad
 STATE = np.dtype(
-    numbers("time", "orbit_angle")
-    + [("place", np.float64, 3), ("velocity", np.float64, 3), ("orientation", np.float64, 4)]
-    + [("momentum", np.float64, 3)]
+    [
+        *numbers("time", "orbit_angle"),
+        *((name, np.float64, 3) for name in ("place", "velocity", "momentum")),
+        ("orientation", np.float64, 4),
+    ]
 )
 # Integrals over the time of a call. Powers in J: of friction in the pockets, of friction at the land, of damping, of
 # drag, of the balls on the cage, of the inner ring, of slip in the raceways, of that without a cage, and of the
@@ -112,6 +114,17 @@ class Orbit(NamedTuple):
     cosine: float  # of the angle of the orbit
     sine: float
     speed_share: float  # that is reached, 0 to 1
+
+
+class BallMotion(NamedTuple):
+    """Where a ball is on the pitch circle, and how it moves."""
+
+    cosine: float  # of its azimuth
+    sine: float
+    along: float  # speed along the orbit, m/s
+    about: float  # absolute rotation about the direction of the orbit, rad/s
+    outward: float
+    axial: float
 
 
 class Loads(NamedTuple):
@@ -247,15 +260,70 @@ def _loads_beside_balls(cage, body, speed_share, span, totals):
     return Loads((fx, fy, fz), (mx, my, mz), deepest)
 
 
+@compiled(fastmath=FAST, inline=True)
+def _prescribed_ball(cage, orbit, ball):
+    """BallMotion on an Orbit."""
+    c, s, share = ball.pocket_cosine, ball.pocket_sine, orbit.speed_share
+    cosine, sine = orbit.cosine * c - orbit.sine * s, orbit.sine * c + orbit.cosine * s
+    rate = cage.orbit_speed * share
+    if cage.lead != 0.0:
+        rate *= 1.0 + cage.lead * cosine
+        turn_c, turn_s = np.cos(cage.lead * sine), np.sin(cage.lead * sine)
+        cosine, sine = cosine * turn_c - sine * turn_s, sine * turn_c + cosine * turn_s
+    return BallMotion(
+        cosine, sine, cage.pitch_radius * rate, 0.0, cage.spin_radial * share, cage.spin_axial * share + rate
+    )
+
+
+@compiled(fastmath=FAST, inline=True)
+def _free_ball(cage, ball, span):
+    """BallMotion of a ball that has gone on with its speed for a time span."""
+    ball.azimuth += span * ball.along / cage.pitch_radius
+    ball.since_step += span
+    radius = cage.ball_radius
+    return BallMotion(
+        np.cos(ball.azimuth),
+        np.sin(ball.azimuth),
+        ball.along,
+        ball.about / radius,
+        ball.outward / radius,
+        ball.axial / radius,
+    )
+
+
+@compiled(fastmath=FAST, inline=True)
+def _offset(cage, body, ball, motion):
+    """From the centre of the pocket to that of its ball, m, and the axis of the pocket."""
+    x, y, z = body.place
+    xx, xy, xz, yx, yy, yz, zx, zy, zz = body.rotation
+    c, s, pitch = ball.pocket_cosine, ball.pocket_sine, cage.pitch_radius
+    px, py, pz = xx * c + xy * s, yx * c + yy * s, zx * c + zy * s
+    offset = (pitch * (motion.cosine - px) - x, pitch * (motion.sine - py) - y, -pitch * pz - z)
+    return offset, (xz, yz, zz) if cage.axial_pockets else (px, py, pz)
+
+
+@compiled(fastmath=FAST, inline=True)
+def _ball_in_pocket(cage, body, motion, offset, axis):
+    (x, y, z), pitch, c, s = body.place, cage.pitch_radius, motion.cosine, motion.sine
+    return BallInPocket(
+        offset,
+        axis,
+        (pitch * c - x, pitch * s - y, -z),
+        (-motion.along * s, motion.along * c, 0.0),
+        (motion.outward * c - motion.about * s, motion.outward * s + motion.about * c, motion.axial),
+    )
+
+
 @compiled(fastmath=FAST)
-def _step_free_ball(raceways, table, ball, push, step, speed_share, totals):
+def _step_free_ball(cage, raceways, table, ball, body, push, step, speed_share, totals):
     """One implicit step of a ball over the time since its last.
 
-    push : its force, N, and moment about the centre of the cage, N m, on the cage, and from that centre to the ball's
+    push : of the ball on the cage, force, N, and moment about the cage's centre, N m
     """
-    (qx, qy, qz), (tx, ty, tz), (cx, cy, cz) = push
-    tx, ty, tz = tx - cy * qz + cz * qy, ty - cz * qx + cx * qz, tz - cx * qy + cy * qx  # about the ball's centre
-    cosine, sine, lever = np.cos(ball.azimuth), np.sin(ball.azimuth), step / raceways.ball_radius
+    (qx, qy, qz), (mx, my, mz), (x, y, z) = *push, body.place
+    cosine, sine, lever = np.cos(ball.azimuth), np.sin(ball.azimuth), step / cage.ball_radius
+    cx, cy, cz = cage.pitch_radius * cosine - x, cage.pitch_radius * sine - y, -z
+    tx, ty, tz = mx - cy * qz + cz * qy, my - cz * qx + cx * qz, mz - cx * qy + cy * qx  # about the ball's centre
     interpolate(table, ball)
     impulses = (
         step * (qx * sine - qy * cosine),
@@ -278,71 +346,35 @@ def _step_free_ball(raceways, table, ball, push, step, speed_share, totals):
 @compiled(fastmath=FAST, inline=True)
 def _loads(cage, raceways, table, balls, body, orbit, step, is_first, is_last, totals):
     """All Loads on the Body; moves free balls, and adds to the totals, but for the first of a call."""
-    x, y, z = body.place
-    xx, xy, xz, yx, yy, yz, zx, zy, zz = body.rotation
-    pitch, radius, span = cage.pitch_radius, cage.ball_radius, 0.0 if is_first else step
+    span = 0.0 if is_first else step
     beside = _loads_beside_balls(cage, body, orbit.speed_share, span, totals)
-    fx, fy, fz = beside.force
-    mx, my, mz = beside.moment
-    deepest = beside.deepest
+    (fx, fy, fz), (mx, my, mz), deepest = beside.force, beside.moment, beside.deepest
     slip = damping = work = normal = turning = largest = 0.0
-    rate = cage.orbit_speed * orbit.speed_share
     for number in range(balls.shape[0]):
         ball = balls[number]
-        c, s = ball.pocket_cosine, ball.pocket_sine
-        along = pitch * rate
-        if raceways is not None:
-            ball.azimuth += span * ball.along / pitch
-            ball.since_step += span
-            bc, bs = np.cos(ball.azimuth), np.sin(ball.azimuth)
-        else:
-            bc, bs = orbit.cosine * c - orbit.sine * s, orbit.sine * c + orbit.cosine * s
-            if cage.lead != 0.0:
-                along *= 1.0 + cage.lead * bc
-                turn_c, turn_s = np.cos(cage.lead * bs), np.sin(cage.lead * bs)
-                bc, bs = bc * turn_c - bs * turn_s, bs * turn_c + bc * turn_s
-        px, py, pz = xx * c + xy * s, yx * c + yy * s, zx * c + zy * s
-        offset = (pitch * (bc - px) - x, pitch * (bs - py) - y, -pitch * pz - z)
-        axis = (xz, yz, zz) if cage.axial_pockets else (px, py, pz)
+        motion = _prescribed_ball(cage, orbit, ball) if raceways is None else _free_ball(cage, ball, span)
+        offset, axis = _offset(cage, body, ball, motion)
         force, moment = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
-        clear = is_clear(cage, offset, axis)
-        if clear:
+        if is_clear(cage, offset, axis):
             ball.impact_speed[0] = ball.impact_speed[1] = 0.0
-            if is_last:
-                ball.force[0] = ball.force[1] = ball.force[2] = 0.0
             if not is_last and ball.since_step < (STEPS_UNTOUCHED - 0.5) * step:
                 continue
         else:
-            if raceways is not None:
-                along, about, outward, axial = (
-                    ball.along,
-                    ball.about / radius,
-                    ball.outward / radius,
-                    ball.axial / radius,
-                )
-            else:
-                about, outward = 0.0, cage.spin_radial * orbit.speed_share
-                axial = cage.spin_axial * orbit.speed_share + along / pitch
-            centre = (pitch * bc - x, pitch * bs - y, -z)
-            velocity = (-along * bs, along * bc, 0.0)
-            rotation = (outward * bc - about * bs, outward * bs + about * bc, axial)
-            push = pushed(cage, BallInPocket(offset, axis, centre, velocity, rotation), body, ball.impact_speed)
+            push = pushed(cage, _ball_in_pocket(cage, body, motion, offset, axis), body, ball.impact_speed)
             force, moment = push.force, push.moment
             fx, fy, fz = fx + force[0], fy + force[1], fz + force[2]
             mx, my, mz = mx + moment[0], my + moment[1], mz + moment[2]
-            deepest = max(deepest, push.deepest)
             slip += push.slip
             damping += push.damping
             work += push.work
             normal += push.normal
             turning += moment[2]
             largest = max(largest, push.largest)
-            if is_last:
-                ball.force[0], ball.force[1], ball.force[2] = force
-        if raceways is not None:
-            if not is_first:
-                arm = (pitch * bc - x, pitch * bs - y, -z)
-                _step_free_ball(raceways, table, ball, (force, moment, arm), step, orbit.speed_share, totals)
+            deepest = max(deepest, push.deepest)
+        if is_last:
+            ball.force[0], ball.force[1], ball.force[2] = force
+        if raceways is not None and not is_first:
+            _step_free_ball(cage, raceways, table, ball, body, (force, moment), step, orbit.speed_share, totals)
     if not is_first:
         totals.slip_power += step * slip
         totals.damping_power += step * damping
@@ -370,8 +402,7 @@ def _add_place(flight, body, step, totals):
 def advance(cage: Any, raceways: Any, table: Any, balls: Any, state: Any, totals: Any, step: float, steps: int) -> int:
     """Advance state and balls in place by steps of `step` seconds; returns the number of steps done, less if diverging.
 
-    cage : CAGE;  raceways : BALL_ON_RACEWAYS
-    table : (n,) of AZIMUTH over a turn; (0,) for balls whose motion is prescribed, which need no raceways
+    cage : CAGE;  raceways : BALL_ON_RACEWAYS, table : (n,) of AZIMUTH over a turn; both None for prescribed balls
     balls : (Z,) of BALL;  state : STATE;  totals : TOTALS, to which those of the steps are added
     """
     turned, time, angle = state.orientation, state.time, state.orbit_angle

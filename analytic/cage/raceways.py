@@ -88,10 +88,13 @@ AZIMUTH = np.dtype([*((name, CONTACT) for name in RACES), *numbers("slip_without
 # each shell, m/s, 0 without contact; its force on the cage at the end of the last call, N. Of a free ball also its
 # azimuth, rad; speeds, m/s; time since its last step, s; and its contacts.
 BALL = np.dtype(
-    numbers("pocket_cosine", "pocket_sine")
-    + [("impact_speed", np.float64, 2), ("force", np.float64, 3)]
-    + numbers("azimuth", *SPEEDS, "since_step")
-    + [("contacts", AZIMUTH)]
+    [
+        *numbers("pocket_cosine", "pocket_sine"),
+        ("impact_speed", np.float64, 2),
+        ("force", np.float64, 3),
+        *numbers("azimuth", *SPEEDS, "since_step"),
+        ("contacts", AZIMUTH),
+    ]
 )
 PATH = np.dtype(numbers("azimuth", *SPEEDS, "ring_work", "slip", "grip"))  # of a ball, at the end of each step
 
