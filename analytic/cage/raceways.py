@@ -303,6 +303,31 @@ def _solved(a, b):
     return (b0 - a01 * x1 - a02 * x2 - a03 * x3) * p, x1, x2, x3
 
 
+@compiled(fastmath=FAST, inline=True)
+def _newton_change(e, f, masses, gyroscopic, turning, span, missing):
+    """Newton's change of the four speeds; e, f : Traction of both raceways;  missing : momentum by the speeds, N s.
+
+    gyroscopic : J w_c/r^2 and its change with r_m w_c;  turning : r w_phi, r w_rho
+    """
+    m, j = masses
+    skew, whirl = span * gyroscopic[0], span * gyroscopic[1]
+    k01 = span * (e.along_about + f.along_about)
+    k02 = span * (e.along_outward + f.along_outward)
+    k03 = span * (e.along_axial + f.along_axial)
+    k12 = span * (e.about_outward + f.about_outward)
+    k13 = span * (e.about_axial + f.about_axial)
+    k23 = span * (e.outward_axial + f.outward_axial)
+    return _solved(
+        (
+            (m + span * (e.along_along + f.along_along), k01, k02, k03),
+            (k01 + whirl * turning[1], j + span * (e.about_about + f.about_about), k12 + skew, k13),
+            (k02 - whirl * turning[0], k12 - skew, j + span * (e.outward_outward + f.outward_outward), k23),
+            (k03, k13, k23, j + span * (e.axial_axial + f.axial_axial)),
+        ),
+        missing,
+    )
+
+
 @compiled(fastmath=FAST)
 def step_ball(raceways: Any, ball: Any, push: PocketPush, span: float, speed_share: float) -> BallStep:
     """Change the speeds of a ball over a time span, s, by the backward Euler method.
@@ -338,22 +363,7 @@ def step_ball(raceways: Any, ball: Any, push: PocketPush, span: float, speed_sha
             v0, v1, v2, v3 = o0 + c0, o1 + c1, o2 + c2, o3 + c3
             continue
         nearest = far
-        skew, whirl = span * turn, span * j / pitch_radius
-        k01 = span * (e.along_about + f.along_about)
-        k02 = span * (e.along_outward + f.along_outward)
-        k03 = span * (e.along_axial + f.along_axial)
-        k12 = span * (e.about_outward + f.about_outward)
-        k13 = span * (e.about_axial + f.about_axial)
-        k23 = span * (e.outward_axial + f.outward_axial)
-        c0, c1, c2, c3 = _solved(
-            (
-                (m + span * (e.along_along + f.along_along), k01, k02, k03),
-                (k01 + whirl * v2, j + span * (e.about_about + f.about_about), k12 + skew, k13),
-                (k02 - whirl * v1, k12 - skew, j + span * (e.outward_outward + f.outward_outward), k23),
-                (k03, k13, k23, j + span * (e.axial_axial + f.axial_axial)),
-            ),
-            (-r0, -r1, -r2, -r3),
-        )
+        c0, c1, c2, c3 = _newton_change(e, f, (m, j), (turn, j / pitch_radius), (v1, v2), span, (-r0, -r1, -r2, -r3))
         o0, o1, o2, o3 = v0, v1, v2, v3
         v0, v1, v2, v3 = v0 + c0, v1 + c1, v2 + c2, v3 + c3
         if max(abs(c0), abs(c1), abs(c2), abs(c3)) <= close:
@@ -495,9 +505,7 @@ class Raceways:
         points, radius = self.contacts.load.shape[1], self.bearing.pitch_diameter / 2
         ball = self._rolling_ball()
         if points == 1:
-            for step in STARTING:
-                path = self._rolled(ball, STARTING_STEPS, step)
-            last = path[-1:]
+            last = [self._rolled(ball, STARTING_STEPS, step)[-1:] for step in STARTING][-1]
             return UncagedBall(
                 orbit_speed=float(last["along"][0]) / radius,
                 lead=0.0,

@@ -10,8 +10,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.brief import Brief
-from analytic.cage.drive import GRAVITY, CageDrive, pocket_shape_of, pocket_stiffness_of, resting_cage
-from analytic.cage.grip import LARGEST_GRIP, LOST_TO_RACES, SQUEEZE_SPREAD, used_share
+from analytic.cage.drive import (
+    GRAVITY,
+    LARGEST_GRIP,
+    LOST_TO_RACES,
+    SQUEEZE_SPREAD,
+    CageDrive,
+    pocket_shape_of,
+    pocket_stiffness_of,
+    resting_cage,
+    used_share,
+)
 from analytic.cage.pocket import PocketFriction
 from analytic.cage.raceways import Raceways
 from analytic.cage.statistics import CageStatistics, measured_motion
