@@ -11,7 +11,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.cage.grip import LARGEST_GRIP
+from analytic.cage.drive import LARGEST_GRIP
 from analytic.contact.geometry import RACES, USUAL_SHOULDERS
 from analytic.effects.table import MOST_CUT, STATIC_LIMIT
 from analytic.result import FrictionTorque

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from analytic.cage.motion import CageMotion
-from analytic.cage.pocket_friction import friction_in_pocket
+from analytic.cage.pocket import friction_in_pocket
 from analytic.cage.statistics import CageStatistics, measured_motion
 from analytic.cage.steady import DrivenCage
 from analytic.loads.kinematics import ball_kinematics

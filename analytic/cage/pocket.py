@@ -1,4 +1,4 @@
-"""A ball in its cage pocket: two half-shells that join in a plane, and the force of the ball on them.
+"""A ball in its cage pocket: two half-shells that join in a plane, the force of the ball on them, and its friction.
 
 Frame of the pocket (frame p of the paper): x is the axis of the pocket, from one half-shell to the other. In a stamped
 cage, whose halves are riveted together from both sides, x is the axis of the bearing; `Cage.pocket_axis` names it.
@@ -7,15 +7,36 @@ x = -s (D_p/2 - k). Offsets are from the centre of the pocket to that of the bal
 The ball slides inside nearly equal radii, where Hertz's K_pb is only an estimate; finite elements can replace it.
 The forces of both shells are added: the ball touches both at once where |x| < D_p/2 - k, not only at x = 0.
 Source: equations 13 to 17 of [Paper]; damping by [Hunt1975], with the loss of an impact derived here.
+
+The friction coefficient is given, or that of mixed lubrication. The pocket stands still against the rotating ball, so
+the rolling and entrainment speed is half of the sliding speed. This is far outside the range that film formulas were
+fitted to. Between nearly equal radii and under the small forces of a cage the computed film is thicker than the
+clearance, and it is limited to the clearance. Oil is then taken to shear in the contact of Hertz alone; its shear in
+the rest of the pocket is not in the coefficient.
 """
 
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.errors import InputError, require_non_negative, require_positive
-from analytic.scene import Array
+from analytic.contact.geometry import pocket_contact
+from analytic.contact.hertz import contact_modulus, loaded_hertz, unit_hertz
+from analytic.contact.rolling_contact import ContactNumbers
+from analytic.errors import ConvergenceError, InputError, require_non_negative, require_positive
+from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.records import record_of
+from analytic.oil.asymptotes import Inflow, asymptotes_of
+from analytic.oil.mixed import LAST_STEP, MOST_STEPS, mixed_of, oil_beside
+from analytic.oil.race_resistance import NO_OIL, SMOOTH_FORM, gap_law_of
+from analytic.oil.traction import law_of_oil, mean_force
+from analytic.oil.viscosity import OilNumbers, oil_numbers
+from analytic.scene import Array, Cage, Scene
+from analytic.surface.gap import GapForm, GapLaw, GapNumbers, gap_forms
+
+FAST = frozenset(("contract", "reassoc", "arcp", "nsz", "afn"))  # NaN and infinity keep their meaning
+SATURATED = 20.0  # |v|/v0 from where tanh is 1 in double precision
 
 SHELLS = np.array([1.0, -1.0])  # s
 LEAST_RESTITUTION = 0.05  # below, the damping force exceeds twenty times the elastic force
@@ -157,3 +178,248 @@ def _require_wider_pocket(ball_diameter: ArrayLike, pocket_diameter: ArrayLike) 
             f"pocket_diameter {float(pocket.flat[tight[0]])!r} m must exceed ball_diameter "
             f"{float(ball.flat[tight[0]])!r} m: the ball has no clearance; usual is 0.1 to 0.3 mm more"
         )
+
+
+Vector = tuple[float, float, float]
+
+
+class Body(NamedTuple):
+    """The cage as its loads depend on it."""
+
+    place: Vector
+    velocity: Vector
+    rotation: tuple[float, float, float, float, float, float, float, float, float]  # matrix by rows
+    angular_velocity: Vector
+
+
+class BallInPocket(NamedTuple):
+    """A ball as its pocket feels it, in the fixed frame."""
+
+    offset: Vector  # from the centre of the pocket to that of the ball
+    axis: Vector  # through the centres of both shells
+    centre: Vector  # from the centre of the cage to that of the ball
+    velocity: Vector  # of its centre
+    rotation: Vector
+
+
+class Push(NamedTuple):
+    """What a ball does to its pocket; powers in W, forces in N."""
+
+    force: Vector
+    moment: Vector  # about the centre of the cage
+    slip: float  # power lost by friction
+    damping: float  # in impacts
+    work: float  # power of the ball on the cage
+    normal: float  # sum of the normal forces on both shells
+    largest: float  # of these forces
+    deepest: float  # penetration, m
+
+
+@compiled(fastmath=FAST, inline=True)
+def is_clear(cage, offset, axis):
+    """Whether a ball touches neither shell; offset, axis : as in BallInPocket."""
+    ux, uy, uz = offset
+    along = ux * axis[0] + uy * axis[1] + uz * axis[2]
+    reach = cage.half_clearance * cage.half_clearance
+    return ux * ux + uy * uy + uz * uz + cage.centre_offset * (2.0 * abs(along) + cage.centre_offset) <= reach
+
+
+@compiled(fastmath=FAST, inline=True)
+def rubbing(cage, normal, speed):
+    """mu N tanh(|v|/v0)/|v|, N s/m: friction over the sliding speed."""
+    per_speed = cage.friction * normal
+    if speed < SATURATED * cage.smoothing:
+        ratio = speed / cage.smoothing
+        return per_speed * (np.tanh(ratio) / speed if ratio > 1e-8 else 1.0 / cage.smoothing)
+    return per_speed / speed
+
+
+@compiled(fastmath=FAST, inline=True)
+def _pushed_on_shell(cage, ball, body, impact_speed, shell):
+    ux, uy, uz = ball.offset
+    ex, ey, ez = ball.axis
+    cx, cy, cz = ball.centre
+    bx, by, bz = ball.velocity
+    tx, ty, tz = ball.rotation
+    vx, vy, vz = body.velocity
+    wx, wy, wz = body.angular_velocity
+    radius = cage.ball_radius
+    aside = cage.centre_offset if shell == 0 else -cage.centre_offset
+    nx, ny, nz = ux + aside * ex, uy + aside * ey, uz + aside * ez
+    distance = np.sqrt(nx * nx + ny * ny + nz * nz)
+    depth = distance - cage.half_clearance
+    # Each shell is a half sphere.
+    facing = aside == 0.0 or aside * (ux * ex + uy * ey + uz * ez + aside) > 0.0
+    if depth <= 0.0 or not facing:
+        impact_speed[shell] = 0.0
+        return Push((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    nx, ny, nz = nx / distance, ny / distance, nz / distance
+    # Velocity of the ball's surface: that of its centre, and its own rotation.
+    sx, sy, sz = (
+        bx + radius * (ty * nz - tz * ny),
+        by + radius * (tz * nx - tx * nz),
+        bz + radius * (tx * ny - ty * nx),
+    )
+    px, py, pz = cx + radius * nx, cy + radius * ny, cz + radius * nz
+    gx, gy, gz = sx - vx - wy * pz + wz * py, sy - vy - wz * px + wx * pz, sz - vz - wx * py + wy * px
+    closing = gx * nx + gy * ny + gz * nz
+    fastest = max(impact_speed[shell], closing, cage.least_impact)
+    impact_speed[shell] = fastest
+    elastic = cage.stiffness * depth * np.sqrt(depth)
+    normal = max(elastic * (1.0 + cage.damping * closing / fastest), 0.0)
+    gx, gy, gz = gx - closing * nx, gy - closing * ny, gz - closing * nz
+    speed = np.sqrt(gx * gx + gy * gy + gz * gz)
+    per_speed = rubbing(cage, normal, speed)
+    qx, qy, qz = normal * nx + per_speed * gx, normal * ny + per_speed * gy, normal * nz + per_speed * gz
+    return Push(
+        (qx, qy, qz),
+        (py * qz - pz * qy, pz * qx - px * qz, px * qy - py * qx),
+        per_speed * speed * speed,
+        (normal - elastic) * closing,
+        qx * sx + qy * sy + qz * sz,
+        normal,
+        normal,
+        depth,
+    )
+
+
+@compiled(fastmath=FAST, inline=True)
+def pushed(cage, ball, body, impact_speed):
+    """Push of a BallInPocket on both shells.
+
+    cage : CAGE of `analytic.cage.motion`;  impact_speed : (2,) m/s of each shell: the fastest closing speed of its
+    contact since that began, 0 without contact; it is updated
+    """
+    one = _pushed_on_shell(cage, ball, body, impact_speed, 0)
+    if cage.centre_offset == 0.0:  # both shells are one sphere
+        return one
+    two = _pushed_on_shell(cage, ball, body, impact_speed, 1)
+    return Push(
+        (one.force[0] + two.force[0], one.force[1] + two.force[1], one.force[2] + two.force[2]),
+        (one.moment[0] + two.moment[0], one.moment[1] + two.moment[1], one.moment[2] + two.moment[2]),
+        one.slip + two.slip,
+        one.damping + two.damping,
+        one.work + two.work,
+        one.normal + two.normal,
+        max(one.largest, two.largest),
+        max(one.deepest, two.deepest),
+    )
+
+
+class PocketNumbers(NamedTuple):
+    """A ball on its pocket, in numbers for its friction."""
+
+    coefficient: float  # mu; NaN: by oil and surface
+    curvature: float  # of ball against pocket, 1/m, both ways
+    modulus: float  # E*, Pa
+    largest_gap: float  # m
+    gap: GapForm
+    boundary_friction: float
+
+
+NO_POCKET = PocketNumbers(0.0, 1.0, 1.0, 1.0, SMOOTH_FORM, 0.0)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class PocketFriction:
+    """The friction coefficient at every operating point, where it comes from, and its warnings."""
+
+    coefficient: Array  # (n,)
+    source: str  # a key of the scene file, or the model
+    warnings: tuple[str, ...] = ()
+
+
+def pocket_gap(scene: Scene, cage: Cage) -> GapLaw | None:
+    """The gap law of ball and pocket; None: smooth, or their friction coefficient is given."""
+    if cage.friction_coefficient is not None:
+        return None
+    return gap_law_of(scene, (scene.bearing.ball_material, cage.material))
+
+
+def pocket_numbers(scene: Scene, cage: Cage, gap: GapForm) -> PocketNumbers:
+    """mu of ball on pocket is that of the cage, else that of the races, else by lubricant and surface.
+
+    gap : of `pocket_gap`
+    Raises InputError for a scene without any of these.
+    """
+    given = scene.friction_coefficient if cage.friction_coefficient is None else cage.friction_coefficient
+    if given is None and (scene.lubricant is None or scene.surface is None):
+        raise InputError("the friction of ball on pocket is not known: add [cage] friction_coefficient = 0.1")
+    pocket = pocket_contact(scene.bearing, cage, load=0.0)
+    return PocketNumbers(
+        coefficient=np.nan if given is None else float(given),
+        curvature=1 / pocket.ball_radius - 1 / pocket.groove_radius,
+        modulus=float(contact_modulus(pocket.ball_material, pocket.race_material)),
+        largest_gap=pocket.groove_radius - pocket.ball_radius,
+        gap=gap,
+        boundary_friction=0.0 if scene.surface is None else float(scene.surface.boundary_friction),
+    )
+
+
+@compiled
+def pocket_coefficient(
+    pocket: PocketNumbers, cubics: Array, oil: OilNumbers, load: float, surface_speed: float
+) -> tuple[float, bool]:
+    """mu, NaN where its film does not settle, and whether the film fills the clearance; load : of one ball, N, > 0.
+
+    cubics : the splines of the gap law
+    """
+    if not np.isnan(pocket.coefficient):
+        return pocket.coefficient, False
+    curvature, modulus = pocket.curvature, pocket.modulus
+    a = loaded_hertz(unit_hertz(curvature, curvature, modulus), load).semi_axis_x
+    contact = ContactNumbers(load, a, a, curvature, curvature, modulus, np.nan, np.nan, np.nan)
+    film = asymptotes_of(
+        contact, Inflow(surface_speed / 2, oil.viscosity, oil.pressure_viscosity, oil.compressible, pocket.largest_gap)
+    )
+    gap = GapNumbers(pocket.gap.kind, cubics, pocket.gap.truncated, pocket.gap.elastic)
+    mixed = mixed_of(contact, film, gap, 1.0, 1.0)
+    area, thickness = oil_beside(mixed.area_fraction, mixed.film_thickness, mixed.without_film)
+    law = law_of_oil(oil, pocket.boundary_friction * mixed.boundary_share, 1.0 - mixed.asperity_share, area, thickness)
+    return mean_force(law, contact, surface_speed) / load, mixed.capped
+
+
+@compiled
+def _pocket_coefficients(pocket: PocketNumbers, cubics: Array, oil: OilNumbers, rows: Array) -> Array:
+    found = np.empty(rows.shape)
+    for i in range(rows.shape[1]):
+        found[0, i], found[1, i] = pocket_coefficient(pocket, cubics, oil, rows[0, i], rows[1, i])
+    return found
+
+
+def friction_in_pocket(scene: Scene, *, load: ArrayLike, surface_speed: ArrayLike) -> PocketFriction:
+    """mu of ball on pocket, see `pocket_numbers`.
+
+    load : of one ball on the pocket, (n,), N, > 0;  surface_speed : w_b r, (n,), m/s, >= 0
+    Raises InputError for a scene without a cage, or for one whose friction is not known; ConvergenceError if load and
+    film do not settle.
+    """
+    if scene.cage is None:
+        raise InputError("the scene has no [cage], so there is no pocket: add an empty table [cage] for the catalog's")
+    require_positive(load=load)
+    require_non_negative(surface_speed=surface_speed)
+    oil = NO_OIL if scene.lubricant is None else oil_numbers(scene.lubricant)
+    (form,), cubics = gap_forms(pocket_gap(scene, scene.cage))
+    pocket = record_of(pocket_numbers(scene, scene.cage, form))
+    rows, shape = rows_of(load, surface_speed)
+    coefficient, capped = _pocket_coefficients(pocket, cubics, record_of(oil), rows).reshape(2, *shape)
+    if np.isnan(coefficient).any():
+        raise ConvergenceError(
+            iterations=MOST_STEPS,
+            residual=np.nan,
+            tolerance=LAST_STEP,
+            unit="of ln(s/(1 - s))",
+            problem="the load shared by film and asperities in the cage pockets",
+            remedy="Check that load, speed, viscosity and roughness are of ordinary size.",
+        )
+    source = "mixed lubrication"
+    if not np.isnan(pocket.coefficient):
+        source = "friction.coefficient" if scene.cage.friction_coefficient is None else "cage.friction_coefficient"
+    warnings = ()
+    if np.any(capped):
+        warnings = (
+            "the computed film in the cage pockets is thicker than their clearance: its formula does not hold between "
+            "nearly equal radii, and oil that shears outside the contact is not counted; [cage] friction_coefficient "
+            "replaces both",
+        )
+    return PocketFriction(coefficient=coefficient, source=source, warnings=warnings)

@@ -18,9 +18,8 @@ from typing import Literal
 
 import numpy as np
 
-from analytic.cage.free_motion import FreeCageMotion, FreePassage
-from analytic.cage.motion import CageMotion, Passage
-from analytic.cage.races import Races
+from analytic.cage.motion import CageMotion, MeanMotion
+from analytic.cage.raceways import Raceways
 from analytic.cage.steady import DrivenCage, whirl_number
 from analytic.errors import InputError, require_positive
 from analytic.scene import Cage, CageStart
@@ -70,7 +69,7 @@ class CageStatistics:
 def measured_motion(
     cage: DrivenCage,
     *,
-    races: Races | None = None,
+    races: Raceways | None = None,
     start: CageStart,
     seeds: int = Cage.seeds,
     duration: float = Cage.duration,
@@ -93,10 +92,9 @@ def measured_motion(
     if not seeds >= 2:
         raise InputError(f"seeds must be at least 2, got {seeds!r}: one motion does not show the spread")
 
-    def blocks(begin: CageStart, seed: int) -> list[Passage]:
+    def blocks(begin: CageStart, seed: int) -> list[MeanMotion]:
         """The measured time of one seed in blocks."""
-        options = {"begin": begin, "seed": seed, "ramp": duration, "steps_per_contact": steps_per_contact}
-        motion = CageMotion(cage, **options) if races is None else FreeCageMotion(cage, races, **options)
+        motion = CageMotion(cage, races, begin=begin, seed=seed, ramp=duration, steps_per_contact=steps_per_contact)
         motion.advance(duration)
         return [motion.advance(duration / BLOCKS) for _ in range(BLOCKS)]
 
@@ -110,7 +108,8 @@ def measured_motion(
         return float(np.mean([getattr(block, name) for run in runs for block in run]))
 
     over_speed = 1 / abs(cage.ring_speed)
-    excess = np.array([_race_excess(run) for run in runs]) * over_speed
+    # Power of slip in the raceways beyond that of the same balls without a cage; 0 for prescribed balls
+    excess = np.array([np.mean([block.race_power - block.alone_power for block in run]) for run in runs]) * over_speed
     return CageStatistics(
         torque=float(torques.mean()),
         torque_interval=_of_mean(torques),
@@ -130,22 +129,16 @@ def measured_motion(
         other=_other(cage, state, start, blocks),
         race_excess_torque=float(excess.mean()),
         race_excess_interval=_of_mean(excess),
-        grip_used=max((block.grip for run in runs for block in run if isinstance(block, FreePassage)), default=0.0),
+        grip_used=max(block.grip for run in runs for block in run),
     )
 
 
-def _torque(cage: DrivenCage, blocks: list[Passage]) -> float:
+def _torque(cage: DrivenCage, blocks: list[MeanMotion]) -> float:
     power = np.mean([block.slip_power + block.land_power + block.drag_power for block in blocks])
     return float(power) / abs(cage.ring_speed)
 
 
-def _race_excess(blocks: list[Passage]) -> float:
-    """Power of slip in the races beyond that of the same balls without a cage, W; 0 where their motion is given."""
-    free = [block.race_power - block.alone_power for block in blocks if isinstance(block, FreePassage)]
-    return float(np.mean(free)) if free else 0.0
-
-
-def _state(cage: DrivenCage, blocks: list[Passage]) -> State:
+def _state(cage: DrivenCage, blocks: list[MeanMotion]) -> State:
     """The state of the blocks of one seed, all of one length."""
     places = np.array([block.place for block in blocks])
     around_place = np.array([block.place_deviation for block in blocks])
@@ -161,7 +154,7 @@ def _state(cage: DrivenCage, blocks: list[Passage]) -> State:
     return whole if of_blocks == {whole} else "irregular"
 
 
-def _wobble(blocks: list[Passage]) -> float:
+def _wobble(blocks: list[MeanMotion]) -> float:
     """Root mean square deviation of the distance from the axis over blocks of one length, m."""
     within = np.mean([block.distance_deviation**2 for block in blocks])
     return float(np.sqrt(within + np.var([block.distance for block in blocks])))
@@ -175,7 +168,7 @@ def _steady_state(cage: DrivenCage, *, place_deviation: float, distance_deviatio
 
 
 def _other(
-    cage: DrivenCage, state: State, start: CageStart, blocks: Callable[[CageStart, int], list[Passage]]
+    cage: DrivenCage, state: State, start: CageStart, blocks: Callable[[CageStart, int], list[MeanMotion]]
 ) -> OtherStart | None:
     """A motion from whirl for a cage that rests, else from rest; "sudden" if that is the given start already."""
     number = whirl_number(

@@ -11,6 +11,7 @@ Source: derived here.
 """
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -21,6 +22,8 @@ from analytic.errors import InputError, require_finite, require_non_negative, re
 from analytic.numerics.compilation import compiled, rows_of
 from analytic.scene import STANDARD_GRAVITY, Array, PocketAxis
 from analytic.words import length_of
+
+LEAST_GRAVITY = 1e-3 * STANDARD_GRAVITY  # m/s^2, of a cage without gravity, for the load of its film
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -248,6 +251,57 @@ def braking_torque(
 ) -> float:
     """The formula of `braked_torque`; ball_surface_speed : r w_b, m/s."""
     return drag * cage_rate * (orbit_speed + mu * ball_surface_speed / pitch_radius)
+
+
+class RestingCage(NamedTuple):
+    """A cage that rests on its balls, in numbers."""
+
+    mass: float  # kg
+    gravity: float  # g along or across the axis, m/s^2
+    lies_along: bool  # gravity is along the axis
+    drag: float  # N m s
+    room: float  # lead of the balls that the pockets leave free, m
+    ball_count: int
+    ball_radius: float  # m
+    pitch_radius: float  # m
+
+
+class DrivingBalls(NamedTuple):
+    """How the balls drive a cage: means over balls and races."""
+
+    orbit_rate: float  # w_c/w
+    ball_rate: float  # w_b/w
+    contact_angle: float  # al, rad
+
+
+@compiled
+def resting_load(cage: RestingCage) -> float:
+    """Of each ball, N, > 0: without gravity a little of the weight, as a film needs a load."""
+    return cage.mass * max(cage.gravity, LEAST_GRAVITY) / cage.ball_count
+
+
+@compiled
+def resting_torque(cage: RestingCage, balls: DrivingBalls, mu: float, ring_speed: float) -> tuple[float, float]:
+    """Torque, N m, and sum of the normal forces, N, of a cage that rests on its balls; mu : of ball on pocket."""
+    weight, surface_rate = cage.mass * cage.gravity, balls.ball_rate * cage.ball_radius
+    orbit_speed, surface_speed = balls.orbit_rate * abs(ring_speed), surface_rate * abs(ring_speed)
+    if cage.lies_along:  # the cage lies on its balls where their surfaces are slowest
+        force, torque = weight, mu * weight * surface_rate * np.sin(balls.contact_angle)
+    else:
+        force = weight / np.sqrt(1 + mu**2)
+        torque = hanging_torque(mu, weight, surface_rate, balls.contact_angle)
+    braking = braking_torque(cage.drag, mu, balls.orbit_rate, orbit_speed, surface_speed, cage.pitch_radius)
+    return torque + braking, force + cage.drag * orbit_speed / cage.pitch_radius
+
+
+@compiled
+def resting_torques(cage: RestingCage, mu: Array, rows: Array) -> Array:
+    """(2, n) of `resting_torque`; rows : (4, n) of `DrivingBalls` and the ring's speed, rad/s."""
+    both = np.empty((2, mu.size))
+    for i in range(mu.size):
+        balls = DrivingBalls(rows[0, i], rows[1, i], rows[2, i])
+        both[0, i], both[1, i] = resting_torque(cage, balls, mu[i], rows[3, i])
+    return both
 
 
 @compiled

@@ -10,20 +10,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.brief import Brief
-from analytic.cage.drive import GRAVITY, CageDrive, pocket_shape_of, pocket_stiffness_of
-from analytic.cage.grip import LARGEST_GRIP, LOST_TO_RACES, SQUEEZE_SPREAD, used_share
-from analytic.cage.pocket_friction import PocketFriction
-from analytic.cage.races import Races
-from analytic.cage.statistics import CageStatistics, measured_motion
-from analytic.cage.steady import (
-    STANDARD_GRAVITY,
-    DrivenCage,
-    LandGuidance,
-    braked_torque,
-    rest_torque,
-    sliding_torque,
+from analytic.cage.drive import (
+    GRAVITY,
+    LARGEST_GRIP,
+    LOST_TO_RACES,
+    SQUEEZE_SPREAD,
+    CageDrive,
+    pocket_shape_of,
+    pocket_stiffness_of,
+    resting_cage,
+    used_share,
 )
+from analytic.cage.pocket import PocketFriction
+from analytic.cage.raceways import Raceways
+from analytic.cage.statistics import CageStatistics, measured_motion
+from analytic.cage.steady import DrivenCage, LandGuidance, resting_load, resting_torques, sliding_torque
 from analytic.contact.geometry import known_half_widths
+from analytic.numerics.compilation import rows_of
 from analytic.scene import Array, Bearing, Cage, Scene
 from analytic.words import length_of, percent_of, speed_of, torque_of
 
@@ -62,7 +65,7 @@ class CagePart(Brief):
     unknown: tuple[str, ...]  # why, where it is infinite
     driven: tuple[DrivenCage | None, ...]  # the cage that moved; None: by a closed form
     motion: tuple[CageStatistics | None, ...]  # its motion; likewise
-    races: tuple[Races | None, ...]  # on which the balls moved freely; None: their motion was given
+    races: tuple[Raceways | None, ...]  # on which the balls moved freely; None: their motion was given
     warnings: tuple[str, ...]  # one line each
     provenance: str  # methods of motion, stiffness and friction
 
@@ -150,7 +153,8 @@ def cage_friction(scene: Scene, drive: CageDrive, *, moves: bool, frees: NDArray
     """
     drive.grip.require_grip(drive.inner_speed)
     cage, points = drive.cage, drive.inner_speed.size
-    weight = np.full(points, cage.mass * max(drive.gravity, 1e-3 * STANDARD_GRAVITY))  # > 0: a film needs a load
+    bearing = drive.bearing
+    weight = np.full(points, bearing.ball_count * resting_load(resting_cage(bearing, cage)))
     squeezing = drive.grip.alike * drive.squeezing_force(np.zeros(points)).sum(axis=1)
     pressed = np.maximum(np.maximum(drive.whirling_force, weight) if moves else weight, squeezing)
     friction = drive.pocket_friction(scene, pressed)
@@ -228,7 +232,8 @@ def _sliding_balls(drive: CageDrive, point: int, used: float) -> str:
 
 def _by_closed_form(drive: CageDrive, friction_coefficient: Array) -> tuple[Array, Array]:
     """Torque, N m, and sum of the normal forces, N, of a cage at rest, or squeezed by balls that lead too far."""
-    torque, force = _at_rest(drive, friction_coefficient)
+    rows, _ = rows_of(drive.orbit_rate, drive.ball_rate, drive.contact_angle, drive.inner_speed)
+    torque, force = resting_torques(resting_cage(drive.bearing, drive.cage), friction_coefficient, rows)
     squeezing = drive.grip.alike * drive.squeezing_force(friction_coefficient).sum(axis=1)
     squeezed = sliding_torque(
         friction_coefficient=friction_coefficient,
@@ -239,41 +244,8 @@ def _by_closed_form(drive: CageDrive, friction_coefficient: Array) -> tuple[Arra
     return torque + squeezed, force + squeezing
 
 
-def _at_rest(drive: CageDrive, friction_coefficient: Array) -> tuple[Array, Array]:
-    """Torque, N m, and sum of the normal forces, N, of a cage that rests on its balls."""
-    bearing, cage, mu = drive.bearing, drive.cage, friction_coefficient
-    weight = np.full(mu.shape, cage.mass * drive.gravity)
-    if cage.gravity == "along":  # the cage lies on its balls where their surfaces are slowest
-        torque = sliding_torque(
-            friction_coefficient=mu,
-            force=weight,
-            ball_rate=drive.ball_rate * np.sin(drive.contact_angle),
-            ball_radius=bearing.ball_radius,
-        )
-    else:
-        torque = rest_torque(
-            friction_coefficient=mu,
-            cage_mass=cage.mass,
-            ball_rate=drive.ball_rate,
-            ball_radius=bearing.ball_radius,
-            contact_angle=drive.contact_angle,
-            gravity=drive.gravity,
-        )
-        weight = weight / np.sqrt(1 + mu**2)
-    braked = braked_torque(
-        drag=cage.drag,
-        friction_coefficient=mu,
-        cage_rate=drive.orbit_rate,
-        orbit_speed=drive.orbit_speed,
-        pitch_radius=bearing.pitch_diameter / 2,
-        ball_speed=drive.ball_speed,
-        ball_radius=bearing.ball_radius,
-    )
-    return torque + braked, weight + cage.drag * drive.orbit_speed / (bearing.pitch_diameter / 2)
-
-
 def _moved(
-    drive: CageDrive, point: int, friction_coefficient: float, races: Races | None
+    drive: CageDrive, point: int, friction_coefficient: float, races: Raceways | None
 ) -> tuple[DrivenCage, CageStatistics]:
     cage, speed = drive.cage, float(drive.inner_speed[point])
     assert cage.start is not None  # else no motion is called for

@@ -7,8 +7,7 @@ says how the motion starts (`cage.start`), the cage could whirl, and a whirl cou
 import numpy as np
 from numpy.typing import NDArray
 
-from analytic.cage.drive import CageDrive
-from analytic.cage.grip import LARGEST_GRIP
+from analytic.cage.drive import LARGEST_GRIP, CageDrive
 from analytic.cage.steady import sliding_torque, whirl_number
 from analytic.effects.ledger import Ledger
 from analytic.effects.table import ENTRIES, LEAST_WHIRL, LONGEST_FREE_MOTION, LONGEST_MOTION

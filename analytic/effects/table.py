@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
-from analytic.cage.grip import LARGEST_GRIP
+from analytic.cage.drive import LARGEST_GRIP
 from analytic.contact.geometry import USUAL_SHOULDERS
 from analytic.oil.rolling import HYSTERESIS_LOSS
 from analytic.scene import Scene

@@ -8,11 +8,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from analytic.cage.steady import braking_torque, hanging_torque
+from analytic.cage.pocket import pocket_coefficient
+from analytic.cage.steady import DrivingBalls, resting_load, resting_torque
 from analytic.contact.factors import CorrectionNumbers, FactorNumbers
 from analytic.contact.finite_geometry_fit import geometry_on, shoulders_of
 from analytic.contact.geometry import USUAL_SHOULDERS, distances_to_shoulders
-from analytic.contact.hertz import HertzNumbers, loaded_hertz, unit_hertz
+from analytic.contact.hertz import HertzNumbers, loaded_hertz
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.free_ball.kernel import add_law_powers
 from analytic.free_ball.passes import FreeAccuracy, FreeEnd, FreeModel, put_motion, settle_freely
@@ -26,12 +27,10 @@ from analytic.loads.thrust_ball import first_contacts, settle_ruled_thrust, thru
 from analytic.loads.turning import TurningRule
 from analytic.numerics.compilation import compiled
 from analytic.numerics.records import Record, Records
-from analytic.oil.asymptotes import Inflow, asymptotes_of
-from analytic.oil.mixed import mixed_of, oil_beside
 from analytic.oil.race_resistance import ResistedContact, resisted_contact
-from analytic.oil.traction import PointLaw, law_of_oil, mean_force, stress_and_slope
+from analytic.oil.traction import PointLaw, mean_force
 from analytic.oil.viscosity import OilNumbers, oil_at
-from analytic.scene import STANDARD_GRAVITY, Array
+from analytic.scene import Array
 from analytic.sliding.as_printed import as_printed_slip
 from analytic.sliding.ball import slips_over_contacts
 from analytic.sliding.creep import creep_share
@@ -44,7 +43,7 @@ from analytic.sliding.judge import (
     judged,
 )
 from analytic.sliding.long_ellipse import Slip, line_slips
-from analytic.solve.model import CageNumbers, ModelNumbers, Tables, Workspace
+from analytic.solve.model import ModelNumbers, Tables, Workspace
 from analytic.solve.records import (
     BEYOND_GROOVE,
     BEYOND_SHOULDER,
@@ -64,9 +63,7 @@ from analytic.solve.records import (
     THROWN,
     THROWN_WASHERS,
 )
-from analytic.surface.gap import GapNumbers
 
-LEAST_GRAVITY = 1e-3 * STANDARD_GRAVITY  # m/s^2, of a cage without gravity: a film needs a load
 # Centrifugal force over the ball load beyond which balls hang in the outer race and skid on the inner one. A bearing
 # needs at least a hundredth of that to roll, and the equilibrium of the ring converges up to some 6000.
 MOST_CENTRIFUGAL = 1000.0
@@ -602,38 +599,10 @@ def finish(model: ModelNumbers, tables: Tables, load: Load, count: int, balls: R
 
 @compiled
 def cage_torque(model: ModelNumbers, tables: Tables, ring_speed: float, out: Record) -> float:
-    """Of a cage at rest on its balls; NaN where balls that lead squeeze it, or nothing turns a ball."""
-    cage, bearing, oil = model.cage, model.ring.bearing, model.warm
+    """Of a cage at rest on its balls, N m; NaN where balls that lead squeeze it, or nothing turns a ball."""
+    cage, balls = model.cage, DrivingBalls(out.orbit_rate, out.ball_rate, out.contact_angle)
     if abs(out.ball_lead) >= cage.room or (ring_speed != 0.0 and np.isnan(out.orbit_rate)):
         return np.nan
-    orbit_speed, ball_speed = out.orbit_rate * abs(ring_speed), out.ball_rate * abs(ring_speed)
-    coefficient = cage.coefficient
-    if np.isnan(coefficient):
-        load = cage.mass * max(cage.gravity, LEAST_GRAVITY) / bearing.ball_count
-        coefficient = _pocket_coefficient(cage, tables.cubics, oil, load, ball_speed * bearing.ball_radius)
-    weight, surface_rate = cage.mass * cage.gravity, out.ball_rate * bearing.ball_radius
-    if cage.lies_along:  # the cage lies on its balls where their surfaces are slowest
-        torque = coefficient * weight * surface_rate * np.sin(out.contact_angle)
-    else:
-        torque = hanging_torque(coefficient, weight, surface_rate, out.contact_angle)
-    surface_speed = ball_speed * bearing.ball_radius
-    return torque + braking_torque(
-        cage.drag, coefficient, out.orbit_rate, orbit_speed, surface_speed, bearing.pitch_diameter / 2
-    )
-
-
-@compiled
-def _pocket_coefficient(cage: CageNumbers, cubics: Array, oil: OilNumbers, load: float, surface_speed: float) -> float:
-    """Friction of a ball on its pocket by oil and surface, see `analytic.cage.pocket_friction`; load : N."""
-    hertz = loaded_hertz(unit_hertz(cage.curvature, cage.curvature, cage.modulus), load)
-    a = hertz.semi_axis_x
-    contact = ContactNumbers(load, a, a, cage.curvature, cage.curvature, cage.modulus, np.nan, np.nan, np.nan)
-    film = asymptotes_of(
-        contact, Inflow(surface_speed / 2, oil.viscosity, oil.pressure_viscosity, oil.compressible, cage.largest_gap)
-    )
-    gap = GapNumbers(cage.gap.kind, cubics, cage.gap.truncated, cage.gap.elastic)
-    mixed = mixed_of(contact, film, gap, 1.0, 1.0)
-    area, thickness = oil_beside(mixed.area_fraction, mixed.film_thickness, mixed.without_film)
-    law = law_of_oil(oil, cage.boundary_friction * mixed.boundary_share, 1.0 - mixed.asperity_share, area, thickness)
-    pressure = load / (np.pi * a * a)
-    return stress_and_slope(law, pressure, surface_speed)[0] / pressure
+    surface_speed = out.ball_rate * abs(ring_speed) * cage.ball_radius
+    coefficient, _ = pocket_coefficient(model.pocket, tables.cubics, model.warm, resting_load(cage), surface_speed)
+    return resting_torque(cage, balls, coefficient, ring_speed)[0]

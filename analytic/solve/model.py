@@ -7,14 +7,12 @@ from typing import Any, NamedTuple, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from analytic.cage.drive import GRAVITY, pocket_shape_of
-from analytic.cage.steady import lead_room
+from analytic.cage.drive import resting_cage
+from analytic.cage.pocket import NO_POCKET, PocketNumbers, pocket_gap, pocket_numbers
+from analytic.cage.steady import RestingCage
 from analytic.contact.factors import ContactCorrection
 from analytic.contact.finite_geometry_fit import FitNumbers, fit_record
-from analytic.contact.geometry import pocket_contact
-from analytic.contact.hertz import contact_modulus
 from analytic.effects.declared import declared_torque
-from analytic.errors import InputError
 from analytic.free_ball.rotation import Creep, quadratures_of
 from analytic.free_ball.state import contact_states
 from analytic.free_ball.turning import FreeNumbers, free_numbers
@@ -23,13 +21,13 @@ from analytic.loads.ring_rounds import RingNumbers
 from analytic.loads.ring_series import factors_of, ring_numbers, weight_of_ball
 from analytic.loads.state import ring_state
 from analytic.numerics.records import Record, Records, record_of
-from analytic.oil.race_resistance import NO_OIL, SMOOTH_FORM, RaceResistance, gap_law_of, resistance_of
+from analytic.oil.race_resistance import NO_OIL, RaceResistance, gap_law_of, resistance_of
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.oil.viscosity import OilNumbers, oil_numbers
-from analytic.scene import Array, Cage, Scene
+from analytic.scene import Array, Scene
 from analytic.sliding.judge import NODES, SINGLE_COEFFICIENT
 from analytic.sliding.long_ellipse import RULES
-from analytic.surface.gap import GapForm, GapLaw, gap_forms
+from analytic.surface.gap import GapLaw, gap_forms
 
 
 class Counted(NamedTuple):
@@ -48,22 +46,6 @@ class Counted(NamedTuple):
     hysteresis: bool
     rolling: bool  # resistance of the oil to it
     cage: bool
-
-
-class CageNumbers(NamedTuple):
-    """A cage at rest on its balls."""
-
-    mass: float  # kg
-    gravity: float  # g along or across the axis, m/s^2
-    lies_along: bool  # gravity is along the axis
-    drag: float  # N m s
-    room: float  # lead of the balls that the pockets leave free, m
-    coefficient: float  # of ball on pocket; NaN: by oil and surface
-    curvature: float  # of ball against pocket, 1/m, both ways
-    modulus: float  # Pa
-    largest_gap: float  # m
-    gap: GapForm
-    boundary_friction: float
 
 
 class ModelNumbers(NamedTuple):
@@ -85,11 +67,12 @@ class ModelNumbers(NamedTuple):
     passes: int  # quadrature of free balls; 0: the first that is accurate enough
     cold: bool  # free balls of every operating point begin by rule
     nearly: bool  # one rough pass is enough for free balls whose start is known
-    cage: CageNumbers
+    cage: RestingCage
+    pocket: PocketNumbers
     declared: float  # torque of seals and drag, N m
 
 
-NO_CAGE = CageNumbers(0.0, 0.0, False, 0.0, np.inf, 0.0, 1.0, 1.0, 1.0, SMOOTH_FORM, 0.0)
+NO_CAGE = RestingCage(0.0, 0.0, False, 0.0, np.inf, 1, 1.0, 1.0)
 
 
 class Tables(NamedTuple):
@@ -184,7 +167,8 @@ def model_of(
         passes=passes,
         cold=cold,
         nearly=nearly,
-        cage=NO_CAGE if scene.cage is None else _cage(scene, scene.cage, forms[2]),
+        cage=NO_CAGE if scene.cage is None else resting_cage(bearing, scene.cage),
+        pocket=NO_POCKET if scene.cage is None else pocket_numbers(scene, scene.cage, forms[2]),
         declared=float(declared_torque(scene.losses) or 0.0),
     )
     return Model(
@@ -205,38 +189,5 @@ def model_of(
 def _gap_laws(scene: Scene) -> list[GapLaw | None]:
     """Of the balls on inner race, outer race and cage pockets."""
     bearing, ball = scene.bearing, scene.bearing.ball_material
-    others = [bearing.inner.material, bearing.outer.material]
-    if scene.cage is not None and _pocket_friction(scene, scene.cage) is None:
-        others.append(scene.cage.material)
-    laws = [gap_law_of(scene, (ball, other)) for other in others]
-    return [*laws, None][:3]
-
-
-def _pocket_friction(scene: Scene, cage: Cage) -> float | None:
-    """Friction coefficient of ball on pocket that the scene gives."""
-    return scene.friction_coefficient if cage.friction_coefficient is None else cage.friction_coefficient
-
-
-def _cage(scene: Scene, cage: Cage, gap: GapForm) -> CageNumbers:
-    bearing, pocket = scene.bearing, pocket_contact(scene.bearing, cage, load=0.0)
-    shape, gravity = pocket_shape_of(bearing, cage), float(np.linalg.norm(GRAVITY[cage.gravity]))
-    given = _pocket_friction(scene, cage)
-    if given is None and (scene.lubricant is None or scene.surface is None):
-        raise InputError("the friction of ball on pocket is not known: add [cage] friction_coefficient = 0.1")
-    return CageNumbers(
-        mass=cage.mass,
-        gravity=gravity,
-        lies_along=cage.gravity == "along",
-        drag=cage.drag,
-        room=lead_room(
-            half_clearance=shape.half_clearance,
-            centre_offset=shape.centre_offset,
-            land_half_clearance=np.inf if cage.land is None else cage.land.clearance / 2,
-        ),
-        coefficient=np.nan if given is None else float(given),
-        curvature=1 / pocket.ball_radius - 1 / pocket.groove_radius,
-        modulus=float(contact_modulus(pocket.ball_material, pocket.race_material)),
-        largest_gap=pocket.groove_radius - pocket.ball_radius,
-        gap=gap,
-        boundary_friction=0.0 if given is not None or scene.surface is None else scene.surface.boundary_friction,
-    )
+    races = [gap_law_of(scene, (ball, groove.material)) for groove in (bearing.inner, bearing.outer)]
+    return [*races, None if scene.cage is None else pocket_gap(scene, scene.cage)]

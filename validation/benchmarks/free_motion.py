@@ -19,9 +19,8 @@ import numpy as np
 from rich.console import Console
 from rich.table import Table
 
-from analytic.cage.free_motion import FreeCageMotion, FreePassage
-from analytic.cage.motion import CageMotion
-from analytic.cage.races import Races, thrust_races
+from analytic.cage.motion import CageMotion, MeanMotion
+from analytic.cage.raceways import Raceways, thrust_raceways
 from analytic.cage.steady import DrivenCage
 from analytic.cage.torque import driven_cage
 from analytic.loads.balls import LoadEffects, thrust_balls
@@ -54,7 +53,7 @@ def main() -> None:
     limits(duration=options.duration)
 
 
-def example(*, axial_load: float = 1000.0, rpm: float = 500.0, friction: float = 0.1) -> tuple[DrivenCage, Races]:
+def example(*, axial_load: float = 1000.0, rpm: float = 500.0, friction: float = 0.1) -> tuple[DrivenCage, Raceways]:
     """The built-in bearing and cage, one coefficient at both races, 0.1 in the pockets."""
     scene = load_scene("6205-dry")
     assert scene.cage is not None
@@ -70,7 +69,7 @@ def example(*, axial_load: float = 1000.0, rpm: float = 500.0, friction: float =
         ball_speed=float(balls.motion.ball_speed[0, 0] * speed),
         contact_angle=float(balls.contact_angle.mean()),
     )
-    return cage, thrust_races(scene.bearing, balls, point=0, inner_speed=speed, friction=(friction, friction))
+    return cage, thrust_raceways(scene.bearing, balls, point=0, inner_speed=speed, friction=(friction, friction))
 
 
 def times(*, repeats: int) -> None:
@@ -78,7 +77,7 @@ def times(*, repeats: int) -> None:
     table = Table(*columns, title="Nine balls, one core, warm; medians of one run")
     for name, load, rpm, start in CASES:
         cage, races = example(axial_load=load, rpm=rpm)
-        given, free = CageMotion(cage, begin=start, seed=0), FreeCageMotion(cage, races, begin=start, seed=0)
+        given, free = CageMotion(cage, begin=start, seed=0), CageMotion(cage, races, begin=start, seed=0)
         free.advance(0.01)
         taken = [(step_time(given), step_time(free)) for _ in range(repeats)]  # in turn: other work slows both
         each = [statistics.median(of_motion) * 1e6 for of_motion in zip(*taken, strict=True)]
@@ -101,14 +100,14 @@ def energy() -> None:
     for steps_per_contact in (20, 40, 80, 160):
         cage, races = example()
         cage = replace(cage, gravity=(0.0, 0.0, 0.0), restitution=0.6)
-        motion = FreeCageMotion(cage, races, begin="sudden", seed=0, steps_per_contact=steps_per_contact)
+        motion = CageMotion(cage, races, begin="sudden", seed=0, steps_per_contact=steps_per_contact)
         before, passed = motion.kinetic_energy, motion.advance(4e-3)
         work, change = passed.ring_power * passed.duration, motion.kinetic_energy - before
         table.add_row(f"{steps_per_contact}", f"{(work - lost(passed) * passed.duration - change) / work:.1e}")
     out.print(table)
 
 
-def lost(passed: FreePassage) -> float:
+def lost(passed: MeanMotion) -> float:
     """W."""
     in_pockets = passed.slip_power + passed.damping_power + passed.land_power + passed.drag_power
     return in_pockets + passed.race_power + passed.numerical_power
@@ -125,8 +124,8 @@ def steps(*, duration: float) -> None:
     out.print(table)
 
 
-def run(cage: DrivenCage, races: Races, *, duration: float, **options: Any) -> FreePassage:
-    motion = FreeCageMotion(cage, races, seed=0, **options)
+def run(cage: DrivenCage, races: Raceways, *, duration: float, **options: Any) -> MeanMotion:
+    motion = CageMotion(cage, races, seed=0, **options)
     motion.advance(duration)
     return motion.advance(duration)
 

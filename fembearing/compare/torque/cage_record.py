@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 
 from analytic.brief import Brief
-from analytic.cage.free_motion import FreeCageMotion
 from analytic.cage.motion import CageMotion
 from analytic.cage.series import CageSeries, recorded_motion
 from analytic.cage.statistics import CageStatistics
@@ -133,14 +132,13 @@ def record_cage(scene: Scene, friction: FrictionTorque, point: int) -> CageRecor
         half_clearance=cage.half_clearance,
     )
     turns = 2 * noun.duration * abs(float(whirl) + cage.orbit_speed) / (2 * np.pi)
-    races = part.races[point]
     start = {
         "begin": statistics.start,
         "seed": SEED,
         "ramp": noun.duration,
         "steps_per_contact": noun.steps_per_contact,
     }
-    motion = CageMotion(cage, **start) if races is None else FreeCageMotion(cage, races, **start)
+    motion = CageMotion(cage, part.races[point], **start)
     return CageRecord(
         scene=scene,
         point=point + 1,

@@ -7,7 +7,7 @@ from rich.console import Console
 from rich.markup import escape
 from rich.padding import Padding
 
-from analytic.cage.grip import LARGEST_GRIP
+from analytic.cage.drive import LARGEST_GRIP
 from analytic.result import COLUMNS, COORDINATES, FrictionTorque, PairPart
 from analytic.words import angle_of
 from fembearing.compare.torque.scene_torque import SceneTorque

@@ -9,7 +9,7 @@ from hypothesis import given
 from scipy.integrate import solve_ivp
 from scipy.optimize import linprog
 
-from analytic.cage.grip import (
+from analytic.cage.drive import (
     SQUEEZE_SPREAD,
     ball_lead,
     carried_force,

@@ -1,7 +1,5 @@
 """The cage in motion, against closed forms, limits and mirror images."""
 
-import subprocess
-import sys
 from dataclasses import replace
 from typing import Any
 
@@ -195,11 +193,6 @@ def test_a_diverged_motion_is_reported_with_time_and_state() -> None:
 def test_impossible_input_is_refused(options: dict[str, Any], words: str) -> None:
     with pytest.raises(InputError, match=words):
         CageMotion(CAGE, **options)
-
-
-def test_numba_is_not_imported_before_the_first_motion() -> None:
-    show = "import sys, analytic, analytic.torque, analytic.cage.motion; print('numba' in sys.modules)"
-    assert subprocess.run([sys.executable, "-c", show], capture_output=True, check=True, text=True).stdout == "False\n"
 
 
 def test_drag_power_is_the_energy_loss_in_free_flight() -> None:

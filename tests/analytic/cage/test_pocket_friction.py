@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from analytic.cage.pocket_friction import friction_in_pocket
+from analytic.cage.pocket import friction_in_pocket
 from analytic.contact.rolling_contact import elliptic_contact
 from analytic.oil.film import central_film
 from analytic.scene import Bearing, ContactAngle, Operation, Scene

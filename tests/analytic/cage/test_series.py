@@ -7,11 +7,10 @@ import numpy as np
 import pytest
 import xarray
 
-from analytic.cage.free_motion import FreeCageMotion
 from analytic.cage.motion import CageMotion
 from analytic.cage.series import recorded_motion
 from analytic.errors import InputError
-from tests.analytic.cage.race_specimens import cage_on, races_under_thrust
+from tests.analytic.cage.raceway_specimens import cage_on, races_under_thrust
 from tests.analytic.cage.specimens import CAGE
 
 SEVEN = replace(CAGE, ball_count=7, orbit_speed=21.0, ball_speed=123.0)
@@ -84,9 +83,9 @@ def test_a_series_needs_a_positive_duration() -> None:
 def test_free_balls_are_recorded_with_their_own_places() -> None:
     """They orbit at the speed that their races give them, and their offsets are those of the motion at its end."""
     races = races_under_thrust()
-    motion = FreeCageMotion(cage_on(races), races, begin="rest")
+    motion = CageMotion(cage_on(races), races, begin="rest")
     series = recorded_motion(motion, duration=1e-3, samples=50)
-    speed = motion.races.alone.orbit_speed
+    speed = races.alone.orbit_speed
     np.testing.assert_allclose(
         series.ball_angle, speed * series.time, rtol=1e-3
     )  # the cage at rest brakes them a little

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from analytic import friction_torque, load_scene
-from analytic.cage.pocket_friction import friction_in_pocket
+from analytic.cage.pocket import friction_in_pocket
 from analytic.cage.statistics import measured_motion
 from analytic.cage.torque import driven_cage
 from analytic.errors import InputError

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from analytic.cage.grip import LARGEST_GRIP
+from analytic.cage.drive import LARGEST_GRIP
 from fembearing.quantities import Units
 from fembearing.report.document.contact import Contact
 from fembearing.report.document.report import Report

@@ -1,20 +1,28 @@
 """The races as free balls feel them: creep against a marched strip, derivatives against equilibria, balls alone."""
 
 from dataclasses import replace
-from inspect import unwrap
 from typing import Any
 
 import numpy as np
 import pytest
 from scipy.optimize import root
 
-from analytic.cage import race_law
-from analytic.cage.races import LEAST_CREEP, Races, ring_races, thrust_races
+from analytic.cage.raceways import (
+    CONTACT,
+    LEAST_CREEP,
+    STRIPS,
+    Raceways,
+    pressed_contacts,
+    ring_raceways,
+    thrust_raceways,
+    traction,
+)
+from analytic.contact.geometry import RACES
 from analytic.errors import InputError
 from analytic.loads.ball_balance import grooves_of, settled_ball
 from analytic.loads.balls import LoadEffects, ring_balls, thrust_balls
 from analytic.scene import Array, Operation
-from tests.analytic.cage.race_specimens import ANGLE, races_under, races_under_thrust
+from tests.analytic.cage.raceway_specimens import ANGLE, races_under, races_under_thrust
 from tests.analytic.cage.specimens import W
 from tests.analytic.specimens import BEARING_6205
 
@@ -31,7 +39,7 @@ def at(*, load: float, moment: float = 0.0, axial: float = 1000.0) -> Operation:
     return Operation(axial_load=np.array([axial]), inner_speed=np.array([W]), radial_load=load, moment=moment)
 
 
-def balance(races: Races, speeds: Array, strips: int, *, azimuth: int = 0) -> tuple[Array, float]:
+def balance(races: Raceways, speeds: Array, strips: int, *, azimuth: int = 0) -> tuple[Array, float]:
     """Force on a ball by its four speeds, N, and power of slip, W; by NumPy and its own arctan, from the formulas."""
     nodes, weights = np.polynomial.legendre.leggauss(strips)
     phi, weight = np.pi / 2 * nodes, np.pi / 2 * weights * 0.75 * np.cos(np.pi / 2 * nodes) ** 3
@@ -43,7 +51,7 @@ def balance(races: Races, speeds: Array, strips: int, *, azimuth: int = 0) -> tu
         width = races.contacts.contact.semi_axis_y[race, azimuth]
         conformity = groove.groove_radius / (2 * RADIUS)
         depth = width**2 * np.sin(phi) ** 2 / (2 * 2 * conformity * 2 * RADIUS / (2 * conformity + 1))
-        creep = races.table[azimuth, race, race_law.CREEP] * np.cbrt(load) + LEAST_CREEP
+        creep = races.table[azimuth][RACES[race]]["creep"] * np.cbrt(load) + LEAST_CREEP
         outward, axial = speeds[2] / RADIUS, speeds[3] / RADIUS - ring
         across = -np.sin(angle) * outward + np.cos(angle) * axial
         normal = np.cos(angle) * outward + np.sin(angle) * axial
@@ -78,7 +86,7 @@ def test_creep_of_a_6205_agrees_with_independent_numbers() -> None:
     load = 1000 / 9 / np.sin(0.18)
     races = races_under((load, load), (0.18, 0.18), inner_speed=W, friction=0.1)
     rolling = W * (PITCH**2 - (RADIUS * np.cos(0.18)) ** 2) / (2 * PITCH)
-    creep = races.table[0, :, race_law.CREEP] * np.cbrt(load) / rolling
+    creep = np.array([races.table[0][race]["creep"] for race in RACES]) * np.cbrt(load) / rolling
     np.testing.assert_allclose(creep, [0.0020845, 0.0018872], rtol=2e-4)  # rounded, and other digits of G
 
 
@@ -86,20 +94,19 @@ def test_the_compiled_tractions_are_those_of_the_formulas() -> None:
     """At speeds that no symmetry favours; and they fall with the speeds by their derivative."""
     races = races_under((381.0, 297.0), (0.31, 0.22), inner_speed=W, friction=0.13)
     speeds = races.alone.speeds[0] + [1.1e-3, -0.7e-3, 1.9e-3, -2.3e-3]
-    row, law = races.table[0], races.law()
+    constants = races.constants
 
     def both(v: Array) -> tuple[Array, Array]:
-        inner, outer = unwrap(race_law.seats)(law, row, 0.0, 0.0, 1.0)
-        ring = W * PITCH, W * RADIUS
-        first = race_law.traction(inner, v[0] - ring[0], v[1], v[2], v[3] - ring[1])
-        second = race_law.traction(outer, *v)
+        inner, outer = pressed_contacts(constants, races.table[0], 0.0, 0.0, 1.0)
+        first = traction(inner, v[0] - W * PITCH, v[1], v[2], v[3] - W * RADIUS)
+        total = np.add(first, traction(outer, *v))
         fall = np.zeros((4, 4))
-        fall[np.triu_indices(4)] = np.add(first.fall, second.fall)
-        return np.add(first.force, second.force), fall + np.triu(fall, 1).T
+        fall[np.triu_indices(4)] = total[4:]
+        return total[:4], fall + np.triu(fall, 1).T
 
     force, fall = both(speeds)
-    gyroscopic = 0.4 * law.ball_mass * speeds[0] / PITCH * np.array([0, -speeds[2], speeds[1], 0])
-    exact, _ = balance(races, speeds, race_law.STRIPS)
+    gyroscopic = 0.4 * constants["ball_mass"] * speeds[0] / PITCH * np.array([0, -speeds[2], speeds[1], 0])
+    exact, _ = balance(races, speeds, STRIPS)
     np.testing.assert_allclose(force, exact - gyroscopic, rtol=0, atol=1e-9 * max(abs(exact)))  # arctan to 2e-13
     for index, change in enumerate(1e-8 * np.eye(4)):
         difference = (both(speeds - change)[0] - both(speeds + change)[0]) / 2e-8
@@ -132,7 +139,7 @@ def test_balls_alone_agree_with_another_program(
 
 def test_a_force_on_a_ball_changes_its_loads_as_the_equilibrium_says() -> None:
     """Against the ball settled between grooves that stand still, by differences; with centrifugal force."""
-    races = ring_races(BEARING_6205, ANGLE, at(load=310.0), LoadEffects(gyroscopic=False), friction=(0.1, 0.1))
+    races = ring_raceways(BEARING_6205, ANGLE, at(load=310.0), LoadEffects(gyroscopic=False), friction=(0.1, 0.1))
     contacts, point = races.contacts, 17
     load, angle = contacts.load[:, point], contacts.contact_angle[:, point]
     stiffness = contacts.contact.stiffness[:, point]
@@ -150,31 +157,32 @@ def test_a_force_on_a_ball_changes_its_loads_as_the_equilibrium_says() -> None:
         angles = [np.arctan2(arm[1], arm[0]) for arm in (ball.inner_arm, ball.outer_arm)]
         return np.array([ball.inner_load, ball.outer_load, *angles])
 
-    columns = race_law.LOAD_BY_RHO, race_law.ANGLE_BY_RHO
-    for direction, force in enumerate(1e-3 * np.eye(2)):
+    contact = races.table[point]
+    for direction, force in zip(("radial", "axial"), 1e-3 * np.eye(2), strict=True):
         by_force = (settled(force) - settled(-force)) / 2e-3
-        table = np.concatenate([races.table[point, :, column + direction] for column in columns])
+        table = [contact[race][f"{what}_by_{direction}"] for what in ("load", "turn") for race in RACES]
         np.testing.assert_allclose(table, by_force, rtol=1e-5)  # of differences
     # Across the bearing both races share the force, but for the turn of their normals.
-    shared = races.table[point, :, race_law.LOAD_BY_RHO] @ [-1, 1]
+    shared = contact["outer"]["load_by_radial"] - contact["inner"]["load_by_radial"]
     np.testing.assert_allclose(shared, np.cos(angle.mean()), rtol=0.01)
 
 
 def test_a_race_that_the_pocket_unloads_leaves_its_share_to_the_other() -> None:
     races = races_under((40.0, 40.0), (0.3, 0.3), inner_speed=W, friction=0.1)
-    law, row = races.law(), races.table[0]
-    light, pressed = unwrap(race_law.seats)(law, row, 60.0, 0.0, 1.0)
-    lifted = unwrap(race_law.seats)(law, row, 200.0, 0.0, 1.0)
+    constants, at = races.constants, races.table[0]
+    light, pressed = pressed_contacts(constants, at, 60.0, 0.0, 1.0)
+    lifted = pressed_contacts(constants, at, 200.0, 0.0, 1.0)
     assert 0 < light.limit < 0.1 * 40 < pressed.limit
     assert lifted[0].limit == 0
     # The other race bears what the derivatives give both: the force across the bearing, less what angles turn.
-    np.testing.assert_allclose(lifted[1].limit, 0.1 * 200 * row[:, race_law.LOAD_BY_RHO] @ [-1, 1], rtol=1e-12)
+    shared = at["outer"]["load_by_radial"] - at["inner"]["load_by_radial"]
+    np.testing.assert_allclose(lifted[1].limit, 0.1 * 200 * shared, rtol=1e-12)
 
 
 @pytest.mark.parametrize(("load", "moment", "rolling"), [(1000.0, 0.0, 199e-6), (0.0, 2.0, 82.6e-6)])
 def test_balls_lead_and_lag_where_their_contact_angles_differ(load: float, moment: float, rolling: float) -> None:
     """Against the orbit speed of a ball in balance at each azimuth, and a ball that rolls at the contacts' centres."""
-    races = ring_races(BEARING_6205, ANGLE, at(load=load, moment=moment), STANDING, friction=(0.1, 0.1))
+    races = ring_raceways(BEARING_6205, ANGLE, at(load=load, moment=moment), STANDING, friction=(0.1, 0.1))
     points = range(0, races.contacts.load.shape[1], 12)
     speeds = [
         root(lambda v, p: balance(races, v, 100, azimuth=p)[0], races.alone.speeds[p], args=(p,), tol=1e-9).x[0]
@@ -191,17 +199,19 @@ def test_balls_lead_and_lag_where_their_contact_angles_differ(load: float, momen
 def test_the_ring_without_radial_load_has_the_races_of_thrust() -> None:
     operation = at(load=0.0)
     balls = thrust_balls(BEARING_6205, ANGLE, operation, LoadEffects())
-    thrust = thrust_races(BEARING_6205, balls, point=0, inner_speed=W, friction=(0.1, 0.07))
-    ring = ring_races(BEARING_6205, ANGLE, operation, LoadEffects(), friction=(0.1, 0.07))
+    thrust = thrust_raceways(BEARING_6205, balls, point=0, inner_speed=W, friction=(0.1, 0.07))
+    ring = ring_raceways(BEARING_6205, ANGLE, operation, LoadEffects(), friction=(0.1, 0.07))
     # The ring divides the gyroscopic moment a little differently, by the balls' own angles.
-    np.testing.assert_allclose(ring.table, np.broadcast_to(thrust.table, ring.table.shape), rtol=1e-5, atol=1e-12)
+    for race in RACES:
+        for name in CONTACT.names or ():
+            np.testing.assert_allclose(ring.table[race][name], thrust.table[race][name][0], rtol=1e-5, atol=1e-12)
     np.testing.assert_allclose(ring.alone.orbit_speed, thrust.alone.orbit_speed, rtol=1e-5)
     np.testing.assert_allclose(ring.alone.slip_power.mean(), thrust.alone.slip_power[0], rtol=1e-4)
 
 
 def test_the_azimuths_of_a_ring_are_those_of_its_balls() -> None:
     operation = at(load=430.0, moment=0.7)
-    races = ring_races(BEARING_6205, ANGLE, operation, LoadEffects(), friction=(0.1, 0.1))
+    races = ring_raceways(BEARING_6205, ANGLE, operation, LoadEffects(), friction=(0.1, 0.1))
     balls = ring_balls(BEARING_6205, ANGLE, operation, LoadEffects())
     each = races.contacts.load.shape[1] // 9
     np.testing.assert_allclose(races.contacts.load[:, ::each], balls.load[:, 0], rtol=1e-9)
@@ -232,10 +242,10 @@ def test_impossible_races_are_refused(change: dict[str, Any], words: str) -> Non
 
 def test_a_ball_without_any_load_is_refused() -> None:
     with pytest.raises(InputError, match=r"degrees from the radial load is pressed by 0 N: it needs more than 0 N"):
-        ring_races(BEARING_6205, ANGLE, at(load=700.0, axial=20.0), STANDING, friction=(0.1, 0.1))
+        ring_raceways(BEARING_6205, ANGLE, at(load=700.0, axial=20.0), STANDING, friction=(0.1, 0.1))
 
 
 def test_balls_of_a_ring_are_not_taken_for_balls_under_thrust() -> None:
     balls = ring_balls(BEARING_6205, ANGLE, at(load=100.0), LoadEffects())
-    with pytest.raises(InputError, match="balls by the method 'ring' differ over a turn: take `ring_races`"):
-        thrust_races(BEARING_6205, balls, point=0, inner_speed=W, friction=(0.1, 0.1))
+    with pytest.raises(InputError, match="balls by the method 'ring' differ over a turn: take `ring_raceways`"):
+        thrust_raceways(BEARING_6205, balls, point=0, inner_speed=W, friction=(0.1, 0.1))

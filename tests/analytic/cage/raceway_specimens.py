@@ -1,11 +1,11 @@
-"""Races of a 6205 under thrust or under given loads, and the cage that their balls drive."""
+"""Raceways of a 6205 under thrust or under given loads, and the cage that their balls drive."""
 
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from analytic.cage.races import RaceContacts, Races, thrust_races
+from analytic.cage.raceways import RaceContacts, Raceways, thrust_raceways
 from analytic.cage.steady import DrivenCage
 from analytic.cage.torque import driven_cage
 from analytic.contact.geometry import race_curvatures
@@ -20,18 +20,18 @@ from tests.contacts import STEEL
 ANGLE = ContactAngle(rule="solved", free=0.18)
 
 
-def races_under_thrust(*, axial_load: float = 1000.0, rpm: float = 500.0, friction: float = 0.1) -> Races:
-    """Races of a 6205 with a free contact angle of 0.18 rad."""
+def races_under_thrust(*, axial_load: float = 1000.0, rpm: float = 500.0, friction: float = 0.1) -> Raceways:
+    """Raceways of a 6205 with a free contact angle of 0.18 rad."""
     speed = rpm * RPM
     operation = Operation(axial_load=np.array([axial_load]), inner_speed=np.array([speed]))
     balls = thrust_balls(BEARING_6205, ANGLE, operation, LoadEffects())
-    return thrust_races(BEARING_6205, balls, point=0, inner_speed=speed, friction=(friction, friction))
+    return thrust_raceways(BEARING_6205, balls, point=0, inner_speed=speed, friction=(friction, friction))
 
 
 def races_under(
     loads: tuple[float, float], angles: tuple[float, float], *, inner_speed: float, friction: float
-) -> Races:
-    """Races of a 6205 whose balls all have these loads, N, and angles, rad, on the inner and the outer race."""
+) -> Raceways:
+    """Raceways of a 6205 whose balls all have these loads, N, and angles, rad, on the inner and the outer race."""
     pairs = [
         race_curvatures(BEARING_6205, race, contact_angle=np.array([angle]))
         for race, angle in zip(("inner", "outer"), angles, strict=True)
@@ -42,10 +42,10 @@ def races_under(
         curvature_x=rolling, curvature_y=transverse, load=load, modulus=contact_modulus(STEEL, STEEL)
     )
     contacts = RaceContacts(load=load, contact_angle=np.reshape(angles, (2, 1)), contact=contact)
-    return Races(bearing=BEARING_6205, contacts=contacts, friction=(friction, friction), inner_speed=inner_speed)
+    return Raceways(bearing=BEARING_6205, contacts=contacts, friction=(friction, friction), inner_speed=inner_speed)
 
 
-def cage_on(races: Races, *, friction: float = 0.1, **changed: Any) -> DrivenCage:
+def cage_on(races: Raceways, *, friction: float = 0.1, **changed: Any) -> DrivenCage:
     """The stamped cage at the speed of these races, with 0.2 mm of clearance."""
     angle = float(races.contacts.contact_angle.mean())
     moving = ball_kinematics(
