@@ -25,7 +25,7 @@ def angular_contact() -> Bearing:
         Groove(
             bottom_radius=(PITCH + side * (DIAMETER + play / 2)) / 2,
             groove_radius=conformity * DIAMETER,
-            shoulder_half_width=5.5e-3,
+            shoulder_half_width=None,
             material=STEEL,
         )
         for side, conformity in ((-1, 0.52), (1, 0.53))

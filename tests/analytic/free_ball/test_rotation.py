@@ -1,5 +1,7 @@
 """Free balls against two other programs, closed forms of creep, limits, and the equations that define them."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -111,9 +113,10 @@ DIAMETER_OVER_PITCH = 11.906 / 60
 
 
 def test_any_start_leads_to_one_rotation() -> None:
-    balls, contacts, random = *under_thrust(
-        *STEEP, load=500.0, speed=628.3, friction=0.1, creep="marched"
-    ).work[1:], np.random.default_rng(8)
+    balls, contacts, random = (
+        *under_thrust(*STEEP, load=500.0, speed=628.3, friction=0.1, creep="marched").work[1:],
+        np.random.default_rng(8),
+    )
     ball, nodes = as_record(balls[0]), as_record(quadratures_of("marched")[FINE])
     found = ball.velocity.copy()
     for _ in range(18):
@@ -126,12 +129,14 @@ def test_any_start_leads_to_one_rotation() -> None:
 
 
 def test_a_ball_without_a_steady_rotation_is_named() -> None:
-    """In a series, that of the first point that has none: 500 N at so high a speed."""
+    """In a series that of the first point that has none, as if it were alone."""
+    grooves = {race: replace(getattr(BEARING_6205, race), shoulder_half_width=None) for race in ("inner", "outer")}
     load, speed = np.array([55.0, 500.0, 410.0, 77.0]), np.array([83.0, 1e5, 1e5, 90.0])
     series, alone = (
-        dry_scene(BEARING_6205, 0.31, 0.07, load=load[some], speed=speed[some]) for some in (slice(None), slice(1, 2))
+        dry_scene(replace(BEARING_6205, **grooves), 0.31, 0.07, load=load[some], speed=speed[some])
+        for some in (slice(None), slice(1, 2))
     )
-    named = r"rotation of ball 0 under [\d.]+ N on the inner and [\d.]+ N on the outer race"
+    named = r"rotation of ball 0 under 7\d\.\d+ N on the inner and 4\d+ N on the outer race"
     with pytest.raises(ConvergenceError, match=named) as of_series:
         friction_torque(series)
     with pytest.raises(ConvergenceError) as of_point:
@@ -164,7 +169,9 @@ def quadrature_of(nodes: Nodes, *, marched: bool) -> np.record:
     return as_record(quadrature[0])
 
 
-def one_contact(state: Array, slip: tuple[float, float, float], *, passing: float, marched: bool, nodes: Nodes) -> Array:
+def one_contact(
+    state: Array, slip: tuple[float, float, float], *, passing: float, marched: bool, nodes: Nodes
+) -> Array:
     """What a contact on a flat surface does that slides along rolling, across it and by spin.
 
     The ball does not turn else, and is so large that its own rotation does not matter.
@@ -204,7 +211,9 @@ def test_an_even_slip_gives_the_force_of_a_strip(times: float, marched: bool) ->
     slip = times * row["flexibility"] * peak * row["boundary"] * passing
     outcome = one_contact(row, (slip, 0.0, 0.0), passing=passing, marched=marched, nodes=Nodes(40, 60))
     share = 2 / np.pi * (np.arctan(times) + times / (1 + times**2))
-    assert -outcome["along"] == pytest.approx(row["boundary"] * row["load"] * share, rel=2e-3)  # second order in 60 steps
+    assert -outcome["along"] == pytest.approx(
+        row["boundary"] * row["load"] * share, rel=2e-3
+    )  # second order in 60 steps
 
 
 SPUN = {30.0: 0.374212, 10.0: 0.368666, 5.0: 0.353548, 3.0: 0.326983, 2.0: 0.291488, 1.0: 0.204930, 0.5: 0.119219}

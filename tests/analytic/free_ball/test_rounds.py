@@ -36,7 +36,9 @@ def test_a_root_finder_settles_loads_and_rotation_at_the_same_place(
     balls = under_thrust(bearing, free_angle, load=load, speed=speed, friction=friction, creep="closed")
     numbers = bearing_numbers(bearing, ContactAngle(rule="solved", free=free_angle))
     nodes, contacts, ball = (
-        as_record(quadratures_of("closed")[FINE]), balls.work.contacts[0], as_record(balls.work.balls[0])
+        as_record(quadratures_of("closed")[FINE]),
+        balls.work.contacts[0],
+        as_record(balls.work.balls[0]),
     )
     passing = np.array([kernel._passing(as_record(contacts[race]), ball, ball.velocity) for race in range(2)])
     flows = np.zeros((2, nodes.strips, 2, nodes.nodes))  # Coulomb friction has none
