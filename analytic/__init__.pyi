@@ -1,11 +1,9 @@
 from .contact.hertz import hertz_contact as hertz_contact
-from .loads.finite_geometry import thrust_correction as thrust_correction
-from .loads.ring import ring_equilibrium as ring_equilibrium
-from .loads.thrust import thrust_equilibrium as thrust_equilibrium
-from .mounting.clearance import Mounting as Mounting
-from .mounting.clearance import mounted as mounted
+from .errors import InputError as InputError
 from .function import torque_function as torque_function
+from .prediction.prediction import Prediction as Prediction
 from .prediction.prediction import predict as predict
+from .result import FrictionTorque as FrictionTorque
 from .scene import Cage as Cage
 from .scene import ContactAngle as ContactAngle
 from .scene import Scene as Scene

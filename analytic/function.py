@@ -13,6 +13,8 @@ from analytic.brief import Brief
 from analytic.effects.sliding import TURNING_FREELY
 from analytic.effects.table import ENTRIES
 from analytic.errors import FembearingError, InputError, real_numbers
+from analytic.free_ball.rotation import Creep
+from analytic.numerics.records import Records
 from analytic.scene import OIL_TEMPERATURES, Array, Operation, Scene
 from analytic.sliding.judge import AS_PRINTED, METHODS
 from analytic.solve.freely import METHODS as FREE_METHODS
@@ -43,7 +45,7 @@ class TorqueFunction(Brief):
     model: Model | None  # None: of a pair, and each call is a `friction_torque`
     work: Workspace | None  # the balls of the last call
     points: Array  # (1, 5) of one call: N, N, N m, rad/s, K
-    out: Array  # (1,) `records.POINT` of one call
+    out: Records  # (1,) `records.POINT` of one call
 
     def _facts(self) -> Iterator[str]:
         yield from (self.scene.name, "two bearings" if self.model is None else self.scene.sliding)
@@ -91,7 +93,7 @@ class TorqueFunction(Brief):
         warm, point = self._temperature if temperature is None else temperature, self.points[0]
         for place, given in enumerate((axial_load, radial_load, moment, inner_speed, warm)):
             point[place] = given if isinstance(given, float) else _one_number(GIVEN[place], given)
-        if self.model is not None and self._takes(point):
+        if self.model is not None and self.work is not None and self._takes(point):
             has_ring = True if point[1] or point[2] or self._weighs else None
             kernel = solve if self.model.creep is None else solve_free
             kernel(self.model.numbers, self.model.tables, self.points, self.work, NO_BALLS, self.out, has_ring)
@@ -295,7 +297,7 @@ def torque_function(
     model = None
     if scene.arrangement is None:
         turns_freely = result.sliding in TURNING_FREELY
-        creeps = {method: creep for creep, method in FREE_METHODS.items()}
+        creeps: dict[Any, Creep] = {method: creep for creep, method in FREE_METHODS.items()}
         method = AS_PRINTED if scene.microslip == "as_printed" else max(METHODS.index(_ruled(result.sliding)), 0)
         model = model_of(
             settled,

@@ -13,6 +13,7 @@ from time import perf_counter
 from types import MappingProxyType
 
 import numpy as np
+from numpy.typing import NDArray
 
 from analytic.cage.drive import cage_drive
 from analytic.cage.torque import CagePart, cage_friction
@@ -186,24 +187,34 @@ def friction_torque(
     )
     if races.chosen.farthest is not None:
         result = _beyond_the_fit(scene, result, races.chosen.farthest, variation)
-    if races.chosen.any_direction:
-        result = _in_any_direction(scene, result, correction, variation)
+    at = np.flatnonzero(races.chosen.any_direction)
+    if at.size:
+        result = _in_any_direction(scene, result, at, correction, variation)
     return require_numbers(replace(result, seconds=perf_counter() - started))
 
 
 def _in_any_direction(
-    scene: Scene, result: FrictionTorque, correction: ContactCorrection | None, variation: Variation
+    scene: Scene,
+    result: FrictionTorque,
+    at: NDArray[np.intp],
+    correction: ContactCorrection | None,
+    variation: Variation,
 ) -> FrictionTorque:
     """The torque with the uncertainty of the balls' weight, whose direction the scene does not give.
 
+    at : operating points at which the weight counts
     It is the largest change of the race torque over six directions, by the cheapest method.
     """
     effects = {**result.settled(scene).effects, **NO_CAGE, "creep": "off"}
+    operation, own = scene.operation.as_series(), correction
+    some = replace(operation, **{name: values[at] for name, values in vars(operation).items()})
+    if own is not None:
+        own = own.mapped(lambda factors: factors[at])
 
     def torque(down: tuple[float, float, float] | None) -> Array:
         weight = {"load_distribution": "on", "weight": "off" if down is None else "on"}
-        settled = replace(scene, sliding="single_coefficient", down=down, effects=effects | weight)
-        return friction_torque(settled, correction=correction, variation=variation).torque.race
+        settled = replace(scene, operation=some, sliding="single_coefficient", down=down, effects=effects | weight)
+        return friction_torque(settled, correction=own, variation=variation).torque.race
 
     try:
         without = torque(None)
@@ -211,9 +222,12 @@ def _in_any_direction(
     except FembearingError as problem:
         why = str(problem).removesuffix(".")
         reason = f"the balls' weight counts, its direction is not given, and with one there may be no answer: {why}"
-        unsure = np.full(result.inner_speed.shape, np.inf)
-        return replace(result, numerical_uncertainty=unsure, unknown=(*result.unknown, reason))
-    spread = BETWEEN * share_in(np.max(changes, axis=0), without) * share_in(result.torque.race, result.torque.total)
+        uncertainty = result.numerical_uncertainty.copy()
+        uncertainty[at] = np.inf
+        return replace(result, numerical_uncertainty=uncertainty, unknown=(*result.unknown, reason))
+    spread = np.zeros(result.inner_speed.shape)
+    spread[at] = share_in(np.max(changes, axis=0), without)
+    spread *= BETWEEN * share_in(result.torque.race, result.torque.total)
     return replace(result, numerical_uncertainty=result.numerical_uncertainty + spread)
 
 

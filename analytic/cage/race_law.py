@@ -18,6 +18,7 @@ import numpy as np
 
 from analytic.cage.law import FAST
 from analytic.numerics.compilation import compiled
+from analytic.numerics.root import cube_root
 
 # In a 6205 under 1000 N: 4 give 2.5 times the torque of a whirling cage. 24 leave 0.2 % of it, 0.8 % of the torque of
 # the races and 2 % of the lead of balls under radial load: slip changes its sign within a tenth of the width.
@@ -109,7 +110,7 @@ def _seat(friction, hollow, load, row, turn):
     turn = min(max(turn, -LARGEST_TURN), LARGEST_TURN)
     rho, z = rho - turn * z, z + turn * rho
     length = 1.0 / np.sqrt(rho * rho + z * z)
-    size = np.cbrt(load)
+    size = cube_root(load)
     return Seat(friction * load, rho * length, z * length, row[WIDTH] * size, hollow, row[CREEP] * size)
 
 

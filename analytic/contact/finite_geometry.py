@@ -19,7 +19,7 @@ from analytic.contact.finite_geometry_fit import (
     GeometryNumbers,
     ShapeNumbers,
     bases_of,
-    fit_numbers,
+    fit_record,
     geometry_of,
     geometry_on,
     limits,
@@ -36,6 +36,7 @@ from analytic.contact.geometry import (
 )
 from analytic.contact.hertz import ball_share, contact_modulus, hertz_contact
 from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.records import record_of
 from analytic.scene import Array, Bearing, Contact
 from analytic.words import DEGREE, Unit, percent_of
 
@@ -100,7 +101,7 @@ def finite_geometry_factors(shape: ContactShape) -> CorrectedGeometry:
     the factors are 1, and the uncertainty holds all of that change. The warnings say which ratios lie outside.
     """
     rows, of = _rows(shape)
-    return _corrected(_geometries(fit_numbers(), rows).reshape(-1, *of), lambda: shape)
+    return _corrected(_geometries(fit_record(), rows).reshape(-1, *of), lambda: shape)
 
 
 def race_geometry(bearing: Bearing, race: Race, *, contact_angle: ArrayLike, ball_load: ArrayLike) -> CorrectedGeometry:
@@ -114,7 +115,7 @@ def race_geometry(bearing: Bearing, race: Race, *, contact_angle: ArrayLike, bal
     rows, of = rows_of(contact_angle, ball_load)
     taken = with_shoulders(bearing, USUAL_SHOULDERS[1])
     found = _corrected(
-        _geometries_on(fit_numbers(), numbers, rows).reshape(-1, *of),
+        _geometries_on(fit_record(), record_of(numbers), rows).reshape(-1, *of),
         lambda: race_shape(taken, race, contact_angle=contact_angle, ball_load=ball_load),
     )
     if not np.isnan(numbers.near_shoulder):
@@ -138,7 +139,7 @@ def race_shape(bearing: Bearing, race: Race, *, contact_angle: ArrayLike, ball_l
     """
     require_contact_angle(np.abs(contact_angle))
     rows, of = rows_of(contact_angle, ball_load)
-    shapes = _shapes_on(race_numbers(bearing, race), rows).reshape(-1, *of)
+    shapes = _shapes_on(record_of(race_numbers(bearing, race)), rows).reshape(-1, *of)
     return ContactShape(**dict(zip(ShapeNumbers._fields, shapes, strict=True)))
 
 

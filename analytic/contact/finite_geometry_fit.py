@@ -16,7 +16,7 @@ in. This is derived here; the sphere of [Sternberg1952] has such a logarithm.
 """
 
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +26,7 @@ from analytic.contact.factors import FactorNumbers
 from analytic.contact.geometry import USUAL_SHOULDERS, RaceNumbers, distances_to_shoulders, rolling_curvature
 from analytic.contact.hertz import HertzNumbers, unit_hertz
 from analytic.numerics.compilation import compiled
+from analytic.numerics.root import cube_root
 from analytic.scene import Array
 
 OFF_SHOULDER = 1.15  # least distance from a fitted contact's centre to the shoulder, in Hertz's semi-axes b
@@ -152,11 +153,11 @@ def fit_numbers() -> FitNumbers:
 
 
 @cache
-def fit_record() -> np.record:
+def fit_record() -> FitNumbers:
     """The stored fit as a record."""
     fit = fit_numbers()
     kinds = [(name, table.dtype, table.shape) for name, table in zip(FitNumbers._fields, fit, strict=True)]
-    return np.array([tuple(fit)], dtype=np.dtype(kinds, align=True)).view(np.recarray)[0]
+    return cast(Any, np.array([tuple(fit)], dtype=np.dtype(kinds, align=True)).view(np.recarray)[0])
 
 
 @compiled
@@ -296,7 +297,7 @@ def shape_on(race: RaceNumbers, shoulders: tuple[float, float], contact_angle: f
     return ShapeNumbers(
         race.groove_radius / (2 * race.ball_radius),
         race.ball_radius * curvature - 1,
-        unit.semi_axis_y * np.cbrt(load) / race.ball_radius,
+        unit.semi_axis_y * cube_root(load) / race.ball_radius,
         race.ball_poisson_ratio,
         race.race_poisson_ratio,
         race.ball_share,

@@ -16,6 +16,7 @@ from analytic.contact.hertz import ball_share, contact_modulus
 from analytic.contact.rolling_contact import deformed_radius
 from analytic.errors import InputError, require_non_negative
 from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.records import record_of
 from analytic.scene import Array, Bearing, Cage, Contact, Groove, Ring, Wall
 from analytic.words import angle_of, length_of
 
@@ -111,7 +112,7 @@ def race_curvatures(bearing: Bearing, race: Race, *, contact_angle: ArrayLike) -
     """
     angle = require_contact_angle(contact_angle)
     numbers = race_numbers(bearing, race)
-    rolling = _rolling_curvatures(numbers, angle.ravel()).reshape(angle.shape)
+    rolling = _rolling_curvatures(record_of(numbers), angle.ravel()).reshape(angle.shape)
     return rolling, np.full_like(angle, numbers.curvature_transverse)
 
 
@@ -127,7 +128,7 @@ def shoulder_distances(bearing: Bearing, race: Race, *, contact_angle: ArrayLike
     """
     (signed,), shape = rows_of(contact_angle)
     require_contact_angle(np.abs(signed))
-    towards, away = _shoulder_distances(race_numbers(bearing, race), signed)
+    towards, away = _shoulder_distances(record_of(race_numbers(bearing, race)), signed)
     return towards.reshape(shape), away.reshape(shape)
 
 
@@ -180,7 +181,7 @@ def race_contact(bearing: Bearing, race: Race, *, contact_angle: float, ball_loa
                 f"{length_of(groove.groove_radius)}): "
                 "lower the load, reduce the clearance or raise shoulder_half_width"
             )
-    curvature = float(curvature_of_race(race_numbers(bearing, race), float(angle)))
+    curvature = float(curvature_of_race(record_of(race_numbers(bearing, race)), float(angle)))
     return Contact(
         pair=race,
         ball_radius=bearing.ball_radius,

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike
 from analytic.brief import Brief
 from analytic.errors import ConvergenceError, InputError, require_non_negative, require_positive
 from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.root import cube_root
 from analytic.scene import Array, Contact, Material
 
 # Newton converges quadratically with |error_next| < 0.015 error^2, so a step below this leaves less than round-off.
@@ -128,7 +129,7 @@ def unit_hertz(curvature_x: float, curvature_y: float, modulus: float) -> HertzN
     x_is_minor = curvature_x >= curvature_y
     larger, smaller = max(curvature_x, curvature_y), min(curvature_x, curvature_y)
     ellipse = ellipse_of(np.log(larger / smaller))
-    major = np.cbrt(3 * ellipse.integral_d / (np.pi * modulus * smaller))
+    major = cube_root(3 * ellipse.integral_d / (np.pi * modulus * smaller))
     minor = np.sqrt(ellipse.squared_ratio) * major
     approach = 3 * ellipse.integral_k / (2 * np.pi * modulus * major)
     return HertzNumbers(
@@ -143,7 +144,7 @@ def unit_hertz(curvature_x: float, curvature_y: float, modulus: float) -> HertzN
 @compiled
 def loaded_hertz(unit: HertzNumbers, load: float) -> HertzNumbers:
     """The contact under a load, N, from that under 1 N: axes and pressure grow as Q^(1/3), the approach as Q^(2/3)."""
-    root = np.cbrt(load)
+    root = cube_root(load)
     return HertzNumbers(
         unit.semi_axis_x * root,
         unit.semi_axis_y * root,

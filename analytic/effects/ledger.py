@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from analytic.effects.table import CHOSEN, ENTRIES, LIMITS
 from analytic.errors import InputError
@@ -97,6 +98,12 @@ class Ledger:
             return False
         self.left_out = self._with(bound)
         return True
+
+    def leaves_out_at(self, bound: Array) -> NDArray[np.bool_]:
+        """(n,) where something with this bound fits into what the budget leaves; there it counts as left out."""
+        fits = self._with(bound) <= self.budget
+        self.left_out = np.where(fits, self._with(bound), self.left_out)
+        return fits
 
     def fits(self, bound: Array) -> bool:
         """Whether something with this bound, (n,), fits into what the budget leaves."""

@@ -9,6 +9,7 @@ state of the balls says whether their own forces count. Contacts are Hertz's, or
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from analytic.contact.factors import ContactCorrection
 from analytic.contact.finite_geometry import RaceCorrections
@@ -44,8 +45,8 @@ class ChosenBalls:
     warnings: tuple[str, ...] = ()
     # Factors on Hertz's contacts at the far end of what is not known outside the fit's range; None: all lie within
     farthest: ContactCorrection | None = None
-    # Whether the balls' weight counts and nobody knows its direction: its spread is part of the uncertainty
-    any_direction: bool = False
+    # (n,) whether the balls' weight counts and nobody knows its direction: its spread is part of the uncertainty
+    any_direction: NDArray[np.bool_]
 
     def turning(self, balls: LoadedBalls) -> "ChosenBalls":
         """The same with balls that turn in another way."""
@@ -125,8 +126,8 @@ def _decide_distribution(shares: LoadShares, ledger: Ledger) -> bool:
 
 def _decide_own_forces(
     operation: Operation, balls: LoadedBalls, shares: LoadShares, ledger: Ledger, *, distributed: bool
-) -> tuple[LoadEffects, bool]:
-    """centrifugal, gyroscopic and weight; whether weight counts in an unknown direction.
+) -> tuple[LoadEffects, NDArray[np.bool_]]:
+    """centrifugal, gyroscopic and weight; (n,) whether weight counts in an unknown direction.
 
     balls : without these. Raises InputError for balls that skid.
     """
@@ -156,7 +157,9 @@ def _decide_own_forces(
     bound = PER_CENTRIFUGAL * weight
     weighs = ledger.decide("weight", bound=bound, demanded=demanded)
     unknown = ledger.scene.down is None and ledger.scene.contact_angle.rule == "solved"
-    any_direction = unknown and not ledger.rules_out("weight") and not ledger.leaves_out(bound)
+    any_direction = np.zeros(bound.shape, dtype=bool)
+    if unknown and not ledger.rules_out("weight"):
+        any_direction = ~ledger.leaves_out_at(bound)
     effects = LoadEffects(
         load_distribution=distributed,
         centrifugal=centrifugal,

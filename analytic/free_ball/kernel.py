@@ -6,7 +6,7 @@ along rolling, at y = b sin(angle), where the pressure is smooth.
 
 import numpy as np
 
-from analytic.free_ball.stress import yielding
+from analytic.free_ball.stress import FAST, yielding
 from analytic.free_ball.strips import (
     LATERAL,
     SLIDE,
@@ -19,6 +19,7 @@ from analytic.free_ball.strips import (
     strip_state,
 )
 from analytic.numerics.compilation import compiled
+from analytic.numerics.records import Record, Records
 from analytic.scene import Array
 
 LEAST_TANGENT = 1e-14  # of the trace of the tangent
@@ -27,11 +28,10 @@ MOST_STEPS = 100  # of Newton's method
 ROUND_OFF = 4 * np.finfo(np.float64).eps  # of the speeds
 HARDER = 10.0  # between two stages of a ball whose Newton's method stalls
 STAGES = 6
-FAST = frozenset(("contract", "reassoc", "arcp", "nsz"))  # sums over the nodes may round in any order
 
 
 @compiled
-def _rows_of(contact: Array, ball: Array, y: float, rows: Array) -> float:
+def _rows_of(contact: Record, ball: Record, y: float, rows: Array) -> float:
     """Write what the velocity of a ball does to the slip on a strip; returns what its ring does along the strip.
 
     y : of the strip across the groove, m;  rows : (3, 4) by slip along the strip, across it and by spin
@@ -43,7 +43,7 @@ def _rows_of(contact: Array, ball: Array, y: float, rows: Array) -> float:
     return contact.ring_rate * (ball.orbit_radius + depth * n_r - y * n_z)
 
 
-@compiled(inline=True)
+@compiled
 def _add(width, forces, stiffness, rows, force, tangent):
     """Add A^T f to the force and A^T S A to the tangent; A : rows, whose other fields are 0."""
     along_2, along_3, across, spin_2, spin_3 = rows[0, 2], rows[0, 3], rows[1, 1], rows[2, 2], rows[2, 3]
@@ -138,12 +138,12 @@ def _add_law_powers(contact, ball, velocity, quadrature, flows, rows):
 
 
 @compiled
-def _spin(contact: Array, ball: Array, velocity: Array) -> float:
+def _spin(contact: Record, ball: Record, velocity: Array) -> float:
     turns = contact.normal_radial * velocity[2] + contact.normal_axial * velocity[3]
     return turns / ball.radius - contact.ring_rate * contact.normal_axial
 
 
-@compiled(inline=True)
+@compiled
 def _passing(contact, ball, velocity):
     """Mean velocity of both surfaces through the contact, m per unit w, along the orbit."""
     orbit = velocity[0] / ball.orbit_radius
@@ -207,7 +207,7 @@ def _roll(contact, ball, velocity):
     velocity[3] -= n_r * slide
 
 
-@compiled(inline=True)
+@compiled
 def _solved(matrix, right):
     """The solution of a system of four by elimination with pivots; both are overwritten."""
     for column in range(4):
@@ -296,7 +296,7 @@ def _newton(contacts, ball, velocity, passing, nodes, tolerance):
 
 
 @compiled
-def turn_ball(contacts: Array, ball: np.record, quadrature: np.record, tolerance: float) -> float:
+def turn_ball(contacts: Records, ball: Record, quadrature: Record, tolerance: float) -> float:
     """Turn a ball to where no moment and no force along the orbit is left on it; returns the residual.
 
     contacts : (2,) of `state.CONTACT_STATE`;  ball.velocity : start, overwritten
@@ -304,7 +304,8 @@ def turn_ball(contacts: Array, ball: np.record, quadrature: np.record, tolerance
     The speed of the surfaces through each contact is that of the start. Where Newton's method stalls, softer surfaces
     come first: they creep as if the speed through the contact were higher.
     """
-    velocity, passing, start = ball.velocity, np.zeros(2), np.zeros(4)
+    velocity, passing, start = np.empty(4), np.zeros(2), np.zeros(4)
+    _copy(ball.velocity, velocity)
     flows = np.empty((2, quadrature.strips, 2, quadrature.nodes))
     for race in range(2):
         passing[race] = _passing(contacts[race], ball, velocity)
@@ -323,14 +324,17 @@ def turn_ball(contacts: Array, ball: np.record, quadrature: np.record, tolerance
         left = _newton(contacts, ball, velocity, softer * passing, (quadrature, flows), tolerance)
         if stage == 0 and left <= tolerance:
             break
+    _copy(velocity, ball.velocity)
     return left
 
 
 @compiled
-def add_law_powers(contacts: Array, ball: np.record, quadrature: np.record) -> None:
+def add_law_powers(contacts: Records, ball: Record, quadrature: Record) -> None:
     """Add what the law of traction loses at the slip of a ball without creep; arguments of `turn_ball`."""
-    rows, flows = np.zeros((3, 4)), np.empty((quadrature.strips, 2, quadrature.nodes))
+    velocity, rows = np.empty(4), np.zeros((3, 4))
+    flows = np.empty((2, quadrature.strips, 2, quadrature.nodes))
+    _copy(ball.velocity, velocity)
     for race in range(2):
         if contacts[race].load > 0.0:
-            hold_flows(contacts[race], quadrature, flows)
-            _add_law_powers(contacts[race], ball, ball.velocity, quadrature, flows, rows)
+            hold_flows(contacts[race], quadrature, flows[race])
+            _add_law_powers(contacts[race], ball, velocity, quadrature, flows[race], rows)

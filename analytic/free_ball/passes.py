@@ -28,6 +28,7 @@ from analytic.loads.race_contacts import contact_under
 from analytic.loads.ring_rounds import SETTLED, RingNumbers, Round
 from analytic.loads.thrust_ball import in_groove
 from analytic.numerics.compilation import compiled
+from analytic.numerics.records import Record, Records
 from analytic.oil.race_resistance import RaceResistance, resisted_contact
 from analytic.oil.viscosity import OilNumbers
 from analytic.scene import Array
@@ -53,7 +54,7 @@ class FreeModel(NamedTuple):
     resistance: RaceResistance
     cubics: Array  # splines of the gap laws
     free: FreeNumbers
-    quadratures: Array  # (k,) of `state.QUADRATURE`: a coarse one, and that of each pass
+    quadratures: Records  # (k,) of `state.QUADRATURE`: a coarse one, and that of each pass
 
 
 class FreeAccuracy(NamedTuple):
@@ -78,9 +79,9 @@ def settle_freely(
     model: FreeModel,
     speed: float,
     oil: OilNumbers,
-    ring: np.record,
-    balls: Array,
-    contacts: Array,
+    ring: Record,
+    balls: Records,
+    contacts: Records,
     wanted: FreeAccuracy,
     is_ring: bool | None,
 ) -> FreeEnd:
@@ -144,9 +145,9 @@ def _one_pass(
     model: FreeModel,
     speed: float,
     oil: OilNumbers,
-    ring: np.record,
-    balls: Array,
-    contacts: Array,
+    ring: Record,
+    balls: Records,
+    contacts: Records,
     number: int,
     nearly: bool,
     is_ring: bool | None,
@@ -177,13 +178,13 @@ def _one_pass(
 
 
 @compiled
-def angles_of(ball: np.record) -> tuple[float, float]:
+def angles_of(ball: Record) -> tuple[float, float]:
     """al_i, al_o, rad."""
     return ball.angle[0], ball.angle[1]
 
 
 @compiled
-def put_motion(ball: np.record, found: BallMotion) -> None:
+def put_motion(ball: Record, found: BallMotion) -> None:
     """Write how a ball moves, per unit ring speed."""
     motion = ball.motion
     motion.inner_radius, motion.outer_radius = found.inner_radius, found.outer_radius
@@ -194,7 +195,7 @@ def put_motion(ball: np.record, found: BallMotion) -> None:
 
 
 @compiled
-def _begin(model: FreeModel, ball: np.record, is_known: bool) -> None:
+def _begin(model: FreeModel, ball: Record, is_known: bool) -> None:
     """Let a ball, which is loaded by rule, begin by rule or at a start that it holds."""
     bearing, velocity = model.ring.bearing, ball.velocity
     if not is_known:
@@ -214,7 +215,7 @@ def _begin(model: FreeModel, ball: np.record, is_known: bool) -> None:
 
 
 @compiled
-def _leave(model: FreeModel, ball: np.record, by_rule: Array) -> None:
+def _leave(model: FreeModel, ball: Record, by_rule: Array) -> None:
     """Write how a ball settled as a start; by_rule : (4,) both angles and both loads by rule."""
     for race in range(2):
         ball.start_angle[race] = ball.angle[race] - by_rule[race]
@@ -227,7 +228,7 @@ def _leave(model: FreeModel, ball: np.record, by_rule: Array) -> None:
 
 
 @compiled
-def _hold_laws(model: FreeModel, speed: float, oil: OilNumbers, ball: np.record, contacts: Array) -> float:
+def _hold_laws(model: FreeModel, speed: float, oil: OilNumbers, ball: Record, contacts: Records) -> float:
     """Write the laws of traction of a ball; returns its torque by all but sliding, N m."""
     bearing, angles, motion, other = model.ring.bearing, angles_in_grooves(ball), ball.motion, 0.0
     for race in range(2):

@@ -27,6 +27,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from analytic.free_ball.state import QUADRATURE
+from analytic.numerics.records import Record, Records
 from analytic.scene import Array
 
 Creep = Literal["none", "closed", "marched"]
@@ -45,7 +46,7 @@ QUADRATURES = (Nodes(16, 12), Nodes(32, 20), Nodes(64, 36), Nodes(128, 72), Node
 
 
 @cache
-def quadratures_of(creep: Creep) -> Array:
+def quadratures_of(creep: Creep) -> Records:
     """(k,) of `state.QUADRATURE`: a coarse one, and that of each pass."""
     each = (COARSE, *QUADRATURES)
     quadratures = np.zeros(len(each), QUADRATURE)
@@ -54,7 +55,7 @@ def quadratures_of(creep: Creep) -> Array:
     return quadratures
 
 
-def _write_nodes(quadrature: np.void, nodes: Nodes, *, marched: bool) -> None:
+def _write_nodes(quadrature: Record, nodes: Nodes, *, marched: bool) -> None:
     """Marched nodes lie at equal steps of the angle, without the ends."""
     count = nodes.along - 1 if marched else nodes.along
     quadrature["strips"], quadrature["nodes"], quadrature["marched"] = nodes.across, count, marched
@@ -65,9 +66,7 @@ def _write_nodes(quadrature: np.void, nodes: Nodes, *, marched: bool) -> None:
     angle = np.pi * (np.arange(1, nodes.along) / nodes.along - 0.5)
     step = np.diff(np.sin(angle), prepend=-1.0)
     ratio = np.append(0.0, step[1:] / step[:-1])
-    quadrature["steps"][:, :count] = (
-        np.stack([(1 + 2 * ratio) / (1 + ratio), 1 + ratio, ratio**2 / (1 + ratio)]) / step
-    )
+    quadrature["steps"][:, :count] = np.stack([(1 + 2 * ratio) / (1 + ratio), 1 + ratio, ratio**2 / (1 + ratio)]) / step
     quadrature["along"][:, :count] = [np.sin(angle), np.cos(angle), np.full(count, np.pi / nodes.along)]
 
 

@@ -28,7 +28,7 @@ from analytic.loads.thrust_ball import (
     in_groove,
 )
 from analytic.numerics.compilation import compiled
-from analytic.scene import Array
+from analytic.numerics.records import Record, Records
 
 STEADY = 1e-6  # relative, of the forces on a ball from one round to the next: a torque needs three digits
 ROUGHLY_STEADY = 1e-4  # likewise, of a pass that cannot be the last
@@ -45,8 +45,13 @@ def _next_accuracy(nodes: FreeNodes, change: float) -> float:
 
 @compiled
 def settle_free_thrust(
-    bearing: BearingNumbers, free: FreeNumbers, speed: float, axial_load: float, ball: np.record, contacts: Array,
-    nodes: FreeNodes
+    bearing: BearingNumbers,
+    free: FreeNumbers,
+    speed: float,
+    axial_load: float,
+    ball: Record,
+    contacts: Records,
+    nodes: FreeNodes,
 ) -> Round:
     """The balls under thrust, which are alike, from where one of them is; writes it.
 
@@ -54,9 +59,7 @@ def settle_free_thrust(
     """
     push, correction = axial_load / bearing.ball_count, CorrectionNumbers(ball.inner_factors, ball.outer_factors)
     start = min(max(in_groove(ball.angle[0]), LEAST_ANGLE), MOST_ANGLE)
-    last = ThrustedBall(
-        np.tan(start), in_groove(ball.angle[0]), in_groove(ball.angle[1]), ball.load[0], ball.load[1]
-    )
+    last = ThrustedBall(np.tan(start), in_groove(ball.angle[0]), in_groove(ball.angle[1]), ball.load[0], ball.load[1])
     held, change, now = Held(0.0, 0.0, 0.0, 0.0, 0.0), 1.0, nodes
     for number in range(MOST_ROUNDS):
         inner, outer = contacts_at(bearing, in_groove(last.inner_angle), in_groove(last.outer_angle), correction)
@@ -93,9 +96,9 @@ def settle_free_ring(
     numbers: RingNumbers,
     free: FreeNumbers,
     speed: float,
-    ring: np.record,
-    balls: Array,
-    contacts: Array,
+    ring: Record,
+    balls: Records,
+    contacts: Records,
     nodes: FreeNodes,
 ) -> Round:
     """The ring and its balls, from where they are; writes them. speed : w, rad/s;  contacts : (Z, 2)"""

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from analytic.scene import Array
+from analytic.numerics.records import Records
 
 MOST_STRIPS, MOST_NODES = 192, 108  # of a quadrature, across and along rolling
 
@@ -52,6 +52,6 @@ QUADRATURE = np.dtype(
 )
 
 
-def contact_states(balls: int) -> Array:
+def contact_states(balls: int) -> Records:
     """(Z, 2) contacts of balls with inner and outer race."""
     return np.zeros((balls, 2), CONTACT_STATE)

@@ -11,6 +11,7 @@ import numpy as np
 from analytic.numerics.compilation import compiled
 from analytic.oil.traction import PointLaw, log_thickening
 
+FAST = frozenset(("contract", "reassoc", "arcp", "nsz"))  # sums over the nodes may round in any order
 SOLID = 1e250  # fluidity from which oil does not flow: it shears at its limit
 NEARLY_LINEAR = 0.3  # sinh of it is 1.5 % larger: a start for what follows
 LAST_STEP = 1e-3  # of y, or of 1 where y is larger; the method leaves a sixth of its third power
@@ -37,7 +38,7 @@ def flow_at(law: PointLaw, pressure: float) -> tuple[float, float]:
     return fluidity, np.sinh(law.limit * pressure / law.eyring) / fluidity
 
 
-@compiled(inline=True)
+@compiled(fastmath=FAST)
 def yielding(slip, shear):
     """Stress of a point that slides, and its slope."""
     if slip >= shear.most:
@@ -46,7 +47,7 @@ def yielding(slip, shear):
     return shear.steady + shear.eyring * np.arcsinh(rate), shear.eyring * shear.fluidity / np.sqrt(1.0 + rate * rate)
 
 
-@compiled(inline=True)
+@compiled(fastmath=FAST)
 def _hyperbolic(y):
     """sinh and cosh: near 0 by their series, whose next terms are below rounding, else from one exponential."""
     if y <= NEARLY_LINEAR:
@@ -58,7 +59,7 @@ def _hyperbolic(y):
     return (above + below) / 2.0, 1.0 + above * below / 2.0
 
 
-@compiled(inline=True)
+@compiled(fastmath=FAST)
 def sheared(reach, compliance, shear):
     """Stress and slope of a point whose surfaces would slip by `reach` without stress: g + compliance T(g) = reach."""
     whole = shear.steady + shear.limit

@@ -5,8 +5,9 @@ Rates are per unit ring speed w, so slip is a length. Contacts and nodes are rec
 
 import numpy as np
 
-from analytic.free_ball.stress import Shear, flow_at, sheared, yielding
+from analytic.free_ball.stress import FAST, Shear, flow_at, sheared, yielding
 from analytic.numerics.compilation import compiled
+from analytic.numerics.records import Record
 from analytic.oil.traction import PointLaw
 from analytic.scene import Array
 
@@ -23,7 +24,7 @@ ROWS = 38
 NO_SLIP = 1e-200  # m: keeps a direction where nothing slides
 
 
-@compiled(inline=True)
+@compiled(fastmath=FAST)
 def strip_closed(contact, slip, strip, quadrature, flows):
     """One strip by the closed law: forces and stiffness by slip along it, across it and by spin, and all friction.
 
@@ -61,7 +62,7 @@ def strip_closed(contact, slip, strip, quadrature, flows):
     return (f_p, f_l, f_n), (pp, pl, pn, pl, ll, ln, pn, ln, nn), friction
 
 
-@compiled(inline=True)
+@compiled(fastmath=FAST)
 def march_strips(contact, spin, flow, quadrature, flows, state):
     """All strips, marched side by side from their leading edges; writes their forces, stiffness and friction.
 
@@ -113,7 +114,7 @@ def march_strips(contact, spin, flow, quadrature, flows, state):
             _respond(state, BY_SPIN + j, (0.0, halfway * half), pulls, yields, (area, x))
 
 
-@compiled(inline=True)
+@compiled(fastmath=FAST)
 def _respond(state, first, own, pulls, yields, node):
     """Go on by a node with what one kind of slip does to the stress, and add it to the stiffness.
 
@@ -132,7 +133,7 @@ def _respond(state, first, own, pulls, yields, node):
     state[first + 6 * PITCH] += area * by_y * x
 
 
-@compiled(inline=True)
+@compiled
 def strip_state(strips):
     """Rows of numbers of strips, for `march_strips`."""
     state = np.empty(ROWS * PITCH)
@@ -141,7 +142,7 @@ def strip_state(strips):
     return state
 
 
-@compiled(inline=True)
+@compiled
 def marched_strip(state, j):
     """Results of `strip_closed` for a strip that is marched."""
     slide, lateral, turn = BY_SLIDE + 4 * PITCH + j, BY_LATERAL + 4 * PITCH + j, BY_SPIN + 4 * PITCH + j
@@ -160,16 +161,14 @@ def marched_strip(state, j):
     return forces, stiffness, state[ALL_FRICTION + j]
 
 
-@compiled(inline=True)
+@compiled
 def shear_at(contact, pressure, fluidity, most):
     """The law at a node."""
-    return Shear(
-        contact.boundary * pressure + contact.plain, contact.limit * pressure, contact.eyring, fluidity, most
-    )
+    return Shear(contact.boundary * pressure + contact.plain, contact.limit * pressure, contact.eyring, fluidity, most)
 
 
 @compiled
-def hold_flows(contact: np.record, quadrature: np.record, flows: Array) -> None:
+def hold_flows(contact: Record, quadrature: Record, flows: Array) -> None:
     """Write (across, 2, along) fluidity and `most` of the nodes, which do not change with the slip.
 
     The nodes lie in pairs about the middle of the ellipse, where the pressure is the same.
@@ -196,6 +195,6 @@ def hold_flows(contact: np.record, quadrature: np.record, flows: Array) -> None:
 
 
 @compiled
-def peak_pressure(contact: np.record) -> float:
+def peak_pressure(contact: Record) -> float:
     """p0, Pa."""
     return 1.5 * contact.load / (np.pi * contact.semi_axis_rolling * contact.semi_axis_transverse)

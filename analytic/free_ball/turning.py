@@ -17,6 +17,8 @@ from analytic.loads.numbers import BearingNumbers
 from analytic.loads.thrust_ball import in_groove
 from analytic.loads.turning import ForcesOfTurning
 from analytic.numerics.compilation import compiled
+from analytic.numerics.records import Record, Records
+from analytic.numerics.root import cube_root
 from analytic.oil.traction import PointLaw
 from analytic.scene import Array, Bearing
 
@@ -38,15 +40,15 @@ class FreeNumbers(NamedTuple):
 class FreeNodes(NamedTuple):
     """Of the quadratures of a pass, and how far its rounds go."""
 
-    coarse: np.record  # for a start
-    fine: np.record
+    coarse: Record  # for a start
+    fine: Record
     accuracy: float  # of the residual force of this round, or of the first one, over all friction of the ball
     steady: float  # relative, of the forces on a ball from one round to the next
 
 
 @compiled
 def turned(
-    bearing: BearingNumbers, free: FreeNumbers, speed: float, ball: np.record, contacts: Array, nodes: FreeNodes
+    bearing: BearingNumbers, free: FreeNumbers, speed: float, ball: Record, contacts: Records, nodes: FreeNodes
 ) -> ForcesOfTurning:
     """What acts on a ball once it turns steadily at its place, from where it turned last; writes its state.
 
@@ -78,16 +80,16 @@ def turned(
 
 
 @compiled
-def angles_in_grooves(ball: np.record) -> tuple[float, float]:
+def angles_in_grooves(ball: Record) -> tuple[float, float]:
     """al_i, al_o, rad, in [-pi/2, pi/2]."""
     return in_groove(ball.angle[0]), in_groove(ball.angle[1])
 
 
 @compiled
-def orbit_at(bearing: BearingNumbers, free: FreeNumbers, ball: np.record) -> float:
+def orbit_at(bearing: BearingNumbers, free: FreeNumbers, ball: Record) -> float:
     """Radius of the ball's orbit, m."""
     outer_reach = bearing.outer.groove_radius - bearing.ball_radius
-    outer_reach += ball.outer_unit.approach * np.cbrt(ball.load[1]) ** 2
+    outer_reach += ball.outer_unit.approach * cube_root(ball.load[1]) ** 2
     return free.orbit + outer_reach * np.cos(in_groove(ball.angle[1]))
 
 
@@ -101,7 +103,7 @@ def roll_by_rule(bearing: BearingNumbers, angles: tuple[float, float], orbit: fl
 
 
 @compiled
-def _mix(ball: np.record, now: tuple[float, float, float]) -> None:
+def _mix(ball: Record, now: tuple[float, float, float]) -> None:
     """Write the forces on a ball for the next round; now : those that came of the last one, N."""
     given, gave, left = ball.given, ball.gave, ball.left
     product = size = error = 0.0
@@ -159,7 +161,7 @@ def _rates(
 
 
 @compiled
-def hold_law(contact: np.record, law: PointLaw, speed: float) -> None:
+def hold_law(contact: Record, law: PointLaw, speed: float) -> None:
     """Write the law of traction of a contact; speed : w, rad/s."""
     contact.boundary, contact.plain, contact.limit, contact.eyring = law.boundary, law.plain, law.limit, law.eyring
     contact.fluidity = np.inf if law.fluidity == np.inf else law.fluidity * abs(speed)

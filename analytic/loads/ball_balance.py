@@ -17,6 +17,7 @@ import numpy as np
 
 from analytic.numerics.compilation import compiled
 from analytic.numerics.newton import MOST_STEPS, is_too_long, plane_step
+from analytic.numerics.root import cube_root
 from analytic.scene import Bearing
 
 PLACE_ROUND_OFF = 4 * np.finfo(np.float64).eps  # of the distances between ball and groove centres
@@ -172,7 +173,7 @@ def _pushed_ball(ball: _Pushed, middle: Vector, near: Vector, touching: bool) ->
         place = (middle[0] + near[0], middle[1] + near[1])
     else:
         push = np.sqrt(own[0] * own[0] + own[1] * own[1])
-        reach = longest + ball.softness[1] * np.cbrt(push) ** 2
+        reach = longest + ball.softness[1] * cube_root(push) ** 2
         place = (reach * own[0] / push, reach * own[1] / push)
     now = _at(ball, place)
     for _ in range(MOST_STEPS):

@@ -10,6 +10,7 @@ from analytic.errors import require_non_negative, require_positive
 from analytic.loads.kinematics import ball_kinematics, ruled_motion
 from analytic.loads.numbers import BearingNumbers, bearing_numbers
 from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.records import record_of
 from analytic.scene import Array, Bearing
 
 
@@ -75,7 +76,7 @@ def force_and_moment(
     inner_angle, outer_angle : al_i, al_o, rad, in [-pi/2, pi/2]
     """
     rows, shape = rows_of(inner_speed, inner_angle, outer_angle)
-    force, moment = _inertia_of_balls(bearing_numbers(bearing), rows)
+    force, moment = _inertia_of_balls(record_of(bearing_numbers(bearing)), rows)
     return force.reshape(shape), moment.reshape(shape)
 
 

@@ -10,6 +10,7 @@ from analytic.contact.rolling_contact import ContactNumbers
 from analytic.loads.kinematics import BallMotion
 from analytic.loads.numbers import BearingNumbers
 from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.records import Record, record_of
 from analytic.scene import Array, Bearing
 
 
@@ -24,7 +25,7 @@ def unit_contact_on(race: RaceNumbers, contact_angle: float, factors: FactorNumb
 
 
 @compiled
-def put_unit(unit: np.record, contact: HertzNumbers) -> None:
+def put_unit(unit: Record, contact: HertzNumbers) -> None:
     """Write a contact under 1 N into a ball's state."""
     unit.semi_axis_x, unit.semi_axis_y = contact.semi_axis_x, contact.semi_axis_y
     unit.peak_pressure, unit.approach, unit.stiffness = contact.peak_pressure, contact.approach, contact.stiffness
@@ -87,7 +88,7 @@ def unit_contacts(
     inner_angle, outer_angle : al_i, al_o, rad, in [0, pi/2]
     analytic.contact.hertz.loaded_contact gives the contacts under load. Raises InputError as race_curvatures does.
     """
-    races = race_numbers(bearing, "inner"), race_numbers(bearing, "outer")
+    races = record_of(race_numbers(bearing, "inner")), record_of(race_numbers(bearing, "outer"))
     angles = require_contact_angle(inner_angle), require_contact_angle(outer_angle)
     inner, outer = (
         _on_race(race, *rows_of(angle, *factor_fields(factors)))

@@ -14,6 +14,8 @@ from analytic.loads.ball_balance import Grooves, Tangent, settled_ball
 from analytic.loads.state import FREEDOMS, ball_states
 from analytic.numerics.compilation import compiled
 from analytic.numerics.newton import MOST_STEPS, is_too_long, newton_step
+from analytic.numerics.records import Record, Records
+from analytic.numerics.root import cube_root
 from analytic.scene import Array, Bearing
 
 # Of the load and the largest ball load: Newton's quadratic steps reach it at once, and rounding is a thousandth of it.
@@ -75,7 +77,7 @@ def groove_travel(bearing: Bearing, rows: tuple[Row, ...] = (Row(),)) -> GrooveT
     return GrooveTravel(arm, azimuth, offset, np.stack([radial.T, axial.T], axis=1))
 
 
-def placed_balls(bearing: Bearing, rows: tuple[Row, ...] = (Row(),), weight: Weight = (0.0, 0.0, 0.0)) -> Array:
+def placed_balls(bearing: Bearing, rows: tuple[Row, ...] = (Row(),), weight: Weight = (0.0, 0.0, 0.0)) -> Records:
     """(Z,) `state.BALL_STATE` of the balls of all rows; weight : of each ball along x, y and z of the shaft, N."""
     _, azimuth, offset, travel = groove_travel(bearing, rows)
     side = np.repeat([row.side for row in rows], bearing.ball_count)
@@ -106,7 +108,7 @@ def mirror(tangent: Array) -> None:
 
 
 @compiled
-def _balance_at(grooves: Grooves, ring: np.record, balls: Array) -> Balance:
+def _balance_at(grooves: Grooves, ring: Record, balls: Records) -> Balance:
     """The balance of a ring at its place, with its balls settled; writes their forces and the tangent."""
     distance, place, tangent, gradient = grooves.distance, ring.place, ring.tangent, ring.gradient
     energy = stiffness = heaviest = most = reach = trace = all_loads = farthest = left = 0.0
@@ -140,7 +142,7 @@ def _balance_at(grooves: Grooves, ring: np.record, balls: Array) -> Balance:
         heaviest, farthest = max(heaviest, settled.outer_load), max(farthest, abs(ball.offset))
         if own[0] != 0.0 or own[1] != 0.0:
             has_own_force = True
-        stiffness += 1.5 * np.cbrt(settled.inner_load) / softness[0]  # dQ/d delta, N/m
+        stiffness += 1.5 * cube_root(settled.inner_load) / softness[0]  # dQ/d delta, N/m
     for i in range(FREEDOMS):
         left = max(left, abs(gradient[i]))
         trace += tangent[i, i]
@@ -160,7 +162,7 @@ def _balance_at(grooves: Grooves, ring: np.record, balls: Array) -> Balance:
 
 
 @compiled
-def settle_ring(grooves: Grooves, ring: np.record, balls: Array) -> tuple[Balance, int]:
+def settle_ring(grooves: Grooves, ring: Record, balls: Records) -> tuple[Balance, int]:
     """Move a ring to the place of least energy of what is held; the balance there, and Newton's steps to it."""
     place, origin, step = ring.place, ring.origin, ring.step
     now = _balance_at(grooves, ring, balls)

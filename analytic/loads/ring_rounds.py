@@ -19,6 +19,8 @@ from analytic.loads.state import FREEDOMS
 from analytic.loads.turning import ForcesOfTurning, TurningRule, ruled_forces
 from analytic.numerics.compilation import compiled
 from analytic.numerics.newton import MOST_STEPS
+from analytic.numerics.records import Record, Records
+from analytic.numerics.root import cube_root
 from analytic.scene import Array
 
 # Contact stiffness, centrifugal and friction force follow the angles: 3 or 4 rounds at rest, about 10 at high speed.
@@ -57,7 +59,7 @@ class Beyond(NamedTuple):
 
 
 @compiled
-def hold_contacts(bearing: BearingNumbers, balls: Array) -> None:
+def hold_contacts(bearing: BearingNumbers, balls: Records) -> None:
     """Write the contacts under 1 N at the balls' angles."""
     for race in range(2):
         numbers, angle = bearing.inner if race == 0 else bearing.outer, np.nan
@@ -74,14 +76,14 @@ def hold_contacts(bearing: BearingNumbers, balls: Array) -> None:
 
 
 @compiled
-def put_turning(ball: np.record, forces: ForcesOfTurning) -> None:
+def put_turning(ball: Record, forces: ForcesOfTurning) -> None:
     """Write what acts on a ball because it turns."""
     ball.turning.centrifugal, ball.turning.gyroscopic = forces.centrifugal, forces.gyroscopic
     ball.turning.inner_friction, ball.turning.outer_friction = forces.inner_friction, forces.outer_friction
 
 
 @compiled
-def _hold_ruled_forces(bearing: BearingNumbers, rule: TurningRule, balls: Array) -> None:
+def _hold_ruled_forces(bearing: BearingNumbers, rule: TurningRule, balls: Records) -> None:
     """Write what acts on balls that turn by rule."""
     most = np.pi / 2  # before it settles a ball may leave its groove
     for j in range(len(balls)):
@@ -91,7 +93,7 @@ def _hold_ruled_forces(bearing: BearingNumbers, rule: TurningRule, balls: Array)
 
 
 @compiled
-def _hold_forces(ring: np.record, balls: Array, share: float) -> float:
+def _hold_forces(ring: Record, balls: Records, share: float) -> float:
     """Write the forces on ring and balls, and return by how much the largest component changes, N.
 
     share : of the way from the last forces to those that `turning` gives
@@ -129,7 +131,7 @@ def _hold_forces(ring: np.record, balls: Array, share: float) -> float:
 
 
 @compiled
-def _place_by_load(grooves: Grooves, ring: np.record, balls: Array) -> None:
+def _place_by_load(grooves: Grooves, ring: Record, balls: Records) -> None:
     """Write a place where balls touch.
 
     It is the displacement by each part of the load if one ball took it, with the largest part in full.
@@ -141,7 +143,7 @@ def _place_by_load(grooves: Grooves, ring: np.record, balls: Array) -> None:
     for i in range(FREEDOMS):
         part = parts[(i + 1) // 2]
         if part > 0:
-            approach = softness * np.cbrt(part) ** 2
+            approach = softness * cube_root(part) ** 2
             if i == 1 or i == 2:
                 reach = approach + max(play, 0.0)
             else:
@@ -152,7 +154,7 @@ def _place_by_load(grooves: Grooves, ring: np.record, balls: Array) -> None:
 
 
 @compiled
-def begin_rounds(ring: np.record, balls: Array) -> None:
+def begin_rounds(ring: Record, balls: Records) -> None:
     """Let all forces change in the first round."""
     for i in range(FREEDOMS):
         ring.force[i] = np.inf
@@ -161,7 +163,7 @@ def begin_rounds(ring: np.record, balls: Array) -> None:
 
 
 @compiled
-def _begin(numbers: RingNumbers, ring: np.record, balls: Array, start: int) -> None:
+def _begin(numbers: RingNumbers, ring: Record, balls: Records, start: int) -> None:
     """Write the contacts that a point begins with, and what it does not yet hold; all forces are then to change."""
     if start != BY_POINT:
         begin_rounds(ring, balls)
@@ -175,7 +177,7 @@ def _begin(numbers: RingNumbers, ring: np.record, balls: Array, start: int) -> N
 
 
 @compiled
-def beyond_groove(grooves: Grooves, ring: np.record, balls: Array) -> Beyond:
+def beyond_groove(grooves: Grooves, ring: Record, balls: Records) -> Beyond:
     """A ball of a settled ring that no groove bears any more, because its contact angle is beyond pi/2."""
     distance, play = grooves.distance, grooves.play
     farthest, moved, has_passed = np.pi / 2, 0.0, False
@@ -196,7 +198,7 @@ def beyond_groove(grooves: Grooves, ring: np.record, balls: Array) -> Beyond:
 
 
 @compiled
-def settle_round(grooves: Grooves, ring: np.record, balls: Array, number: int, accuracy: float) -> Round:
+def settle_round(grooves: Grooves, ring: Record, balls: Records, number: int, accuracy: float) -> Round:
     """One round, for which contacts and turning are written.
 
     number : of the round, from 0;  accuracy : relative, of the forces that turning gives; 0: they are exact
@@ -222,7 +224,7 @@ def settle_round(grooves: Grooves, ring: np.record, balls: Array, number: int, a
 
 
 @compiled
-def settle_ruled_ring(numbers: RingNumbers, rule: TurningRule, ring: np.record, balls: Array, start: int) -> Round:
+def settle_ruled_ring(numbers: RingNumbers, rule: TurningRule, ring: Record, balls: Records, start: int) -> Round:
     """All rounds of a point whose balls turn by rule; writes ring and balls.
 
     ring.load : N;  start : BY_LOAD; BY_PLACE, where the ring has a place with balls that touch; or BY_POINT, where it
@@ -246,7 +248,13 @@ ROUND = np.dtype([("end", "i8"), ("steps", "i8"), ("left", "f8"), ("tolerance", 
 
 @compiled
 def settle_ruled_rings(
-    numbers: RingNumbers, speed: Array, inertia: tuple[bool, bool], rings: Array, balls: Array, ends: Array, start: int
+    numbers: RingNumbers,
+    speed: Array,
+    inertia: tuple[bool, bool],
+    rings: Records,
+    balls: Records,
+    ends: Records,
+    start: int,
 ) -> None:
     """`settle_ruled_ring` of n points, up to the first that does not settle.
 

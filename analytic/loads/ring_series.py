@@ -29,7 +29,7 @@ from analytic.loads.ring_rounds import (
 from analytic.loads.state import RING_STATE
 from analytic.loads.turning import RuledTurning
 from analytic.numerics.newton import MOST_STEPS
-from analytic.numerics.records import as_record
+from analytic.numerics.records import Record, Records, as_record, record_of
 from analytic.scene import STANDARD_GRAVITY, Array, Bearing, ContactAngle
 from analytic.words import angle_of, length_of, speed_of
 
@@ -121,7 +121,7 @@ def settled_rings(ring: RowsOfBalls, load: Array, *, angle: float, place: Array 
     groove (an angle beyond pi/2).
     """
     turning, count = ring.turning, len(load)
-    numbers = RingNumbers(bearing_numbers(ring.bearing), ring.grooves, float(angle))
+    numbers = record_of(RingNumbers(bearing_numbers(ring.bearing), ring.grooves, float(angle)))
     rings = np.zeros(count, RING_STATE)
     rings["load"], rings["place"] = load, 0.0 if place is None else place
     balls = np.repeat(placed_balls(ring.bearing, ring.rows, ring.ball_weight)[None], count, axis=0)
@@ -149,7 +149,7 @@ def settled_rings(ring: RowsOfBalls, load: Array, *, angle: float, place: Array 
     )
 
 
-def correct_balls(balls: Array, factors: Array) -> None:
+def correct_balls(balls: Records, factors: Array) -> None:
     """Write the factors on Hertz's contacts; balls : (n, Z);  factors : (n or 1, 2, 4, Z or 1)"""
     for race, side in enumerate(("inner_factors", "outer_factors")):
         for place, name in enumerate(FactorNumbers._fields):
@@ -157,7 +157,7 @@ def correct_balls(balls: Array, factors: Array) -> None:
 
 
 def unsettled_ring(
-    bearing: Bearing, grooves: Grooves, speed: float, ring: np.record, balls: Array, end: np.record
+    bearing: Bearing, grooves: Grooves, speed: float, ring: Record, balls: Records, end: Record
 ) -> ConvergenceError | InputError:
     """The error of a ring that has not settled; speed : rad/s;  balls : (Z,);  end : of ROUND"""
     if end["end"] == BEYOND_GROOVE:

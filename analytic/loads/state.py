@@ -10,8 +10,7 @@ from analytic.contact.factors import FactorNumbers
 from analytic.contact.hertz import HertzNumbers
 from analytic.loads.kinematics import BallMotion
 from analytic.loads.turning import ForcesOfTurning
-from analytic.numerics.records import dtype_of
-from analytic.scene import Array
+from analytic.numerics.records import Record, Records, dtype_of
 
 FREEDOMS = 5  # of a ring: along z, x and y, tilts about x and y
 
@@ -73,12 +72,12 @@ RING_STATE = np.dtype(
 )
 
 
-def ring_state() -> np.record:
+def ring_state() -> Record:
     """A ring without load."""
     return np.zeros(1, RING_STATE).view(np.recarray)[0]
 
 
-def ball_states(count: int) -> Array:
+def ball_states(count: int) -> Records:
     """(Z,) balls that are concentric with their ring, with contacts by Hertz."""
     balls = np.zeros(count, BALL_STATE)
     for side in ("inner_factors", "outer_factors"):

@@ -29,6 +29,7 @@ from analytic.loads.thrust_ball import (
 )
 from analytic.loads.turning import RuledTurning, TurningRule
 from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.records import record_of
 from analytic.scene import Array, Bearing, ContactAngle
 from analytic.words import length_of
 
@@ -108,7 +109,7 @@ def thrust_equilibrium(
             require_right_angle(contact_angle)
         elif contact_angle.value is None or not 0 < contact_angle.value < np.pi / 2:
             raise InputError(f"a given contact angle must lie between 0 and pi/2 rad, got {contact_angle.value!r}")
-    numbers = bearing_numbers(bearing, contact_angle)
+    numbers = record_of(bearing_numbers(bearing, contact_angle))
     factors = correction_fields(correction or ContactCorrection())
     rows, shape = rows_of(axial_load, 0.0, *factors)
     return _at_rest(numbers, _settled(_thrust_points(numbers, rows, False, False), rows[0] / bearing.ball_count), shape)
@@ -132,7 +133,7 @@ def thrust_equilibrium_frozen(
             "the frozen stiffness solves for the loaded contact angle, which the rule 'given' gives: "
             "use thrust_equilibrium, or the rule 'solved'"
         )
-    numbers = bearing_numbers(bearing, contact_angle)
+    numbers = record_of(bearing_numbers(bearing, contact_angle))
     if np.isnan(numbers.free_angle):
         raise InputError(
             "the frozen stiffness is that of the free contact angle, which a preload of "
@@ -169,7 +170,7 @@ def thrust_at_speed(
     """
     require_finite(inner_speed=inner_speed)
     require_positive(axial_load=axial_load, ball_count=bearing.ball_count)
-    numbers, factors = bearing_numbers(bearing, contact_angle), correction or ContactCorrection()
+    numbers, factors = record_of(bearing_numbers(bearing, contact_angle)), correction or ContactCorrection()
     rows, shape = rows_of(axial_load, inner_speed, *correction_fields(factors))
     if turning is None:
         turning = RuledTurning(bearing=bearing, inner_speed=rows[1], centrifugal=True, gyroscopic=True)

@@ -14,6 +14,8 @@ from analytic.loads.numbers import BearingNumbers
 from analytic.loads.race_contacts import put_unit, unit_contact_on
 from analytic.loads.turning import TurningRule, ruled_forces
 from analytic.numerics.compilation import compiled
+from analytic.numerics.records import Record
+from analytic.numerics.root import cube_root
 
 # ln(tan b) of every angle that a double can tell from 0 or from pi/2; the square of tan b stays a double.
 LEAST, MOST = -740.0, 340.0
@@ -69,8 +71,8 @@ def balanced(bearing: BearingNumbers, push: float, held: Held, start: float, las
     inner_turn, inner_side = np.cos(held.inner_lean), np.sin(held.inner_lean)
     outer_turn, outer_side = np.cos(held.outer_lean), np.sin(held.outer_lean)
     # delta under a load of (Fa/Z) cos p, m
-    inner = held.inner_approach * np.cbrt(push * inner_turn) ** 2
-    outer = held.outer_approach * np.cbrt(push * outer_turn) ** 2
+    inner = held.inner_approach * cube_root(push * inner_turn) ** 2
+    outer = held.outer_approach * cube_root(push * outer_turn) ** 2
     clearance, preload = max(bearing.play, 0.0), max(-bearing.play, 0.0)
     inner_length = bearing.inner.groove_radius - bearing.ball_radius
     outer_length = bearing.outer.groove_radius - bearing.ball_radius
@@ -116,7 +118,7 @@ def _distances(tangent: float, rate: float, lean: tuple[float, float], alone: fl
     turn, side = lean
     cosine_al, sine_al = cosine * turn + sine * side, sine * turn - cosine * side
     turned = rate * sine * cosine  # db/dx
-    approach = alone / np.cbrt(sine) ** 2
+    approach = alone / cube_root(sine) ** 2
     return _Distances(
         approach * cosine_al,
         length * sine_al**2 / (1 + cosine_al),
@@ -181,7 +183,7 @@ def frozen_point(
     # The start adds up what opens the angle: the play, the load on a bearing without play (or against its preload), a
     # load that dwarfs A0.
     distance, play = bearing.groove_centre_distance, bearing.play
-    approach = (inner.approach + outer.approach) * np.cbrt(push) ** 2
+    approach = (inner.approach + outer.approach) * cube_root(push) ** 2
     flat = (2 * approach / distance) ** (3 / 8)
     if play < 0:
         flat = min(flat, (approach / -play) ** 1.5)
@@ -241,7 +243,7 @@ def change_of(last: ThrustedBall, ball: ThrustedBall) -> float:
 
 
 @compiled
-def settle_ruled_thrust(bearing: BearingNumbers, rule: TurningRule, axial_load: float, ball: np.record) -> float:
+def settle_ruled_thrust(bearing: BearingNumbers, rule: TurningRule, axial_load: float, ball: Record) -> float:
     """Write load, angles and contacts under 1 N of a ball that stands for all; returns the change of `ThrustPoint`.
 
     axial_load : Fa, N, > 0

@@ -5,9 +5,14 @@ costs time at every call and multiplies that of compiling.
 """
 
 from functools import cache
-from typing import Any, get_args, get_origin, get_type_hints
+from typing import Any, TypeVar, cast, get_args, get_origin, get_type_hints
 
 import numpy as np
+
+# Type checkers know no fields of records.
+Record = Any  # one record
+Records = Any  # an array of records
+Numbers = TypeVar("Numbers")
 
 SCALARS = {float: np.float64, int: np.int64, bool: np.bool_}
 
@@ -18,12 +23,12 @@ def dtype_of(numbers: type) -> np.dtype:
     return np.dtype([(name, *_field_of(hint)) for name, hint in get_type_hints(numbers).items()], align=True)
 
 
-def record_of(numbers: Any) -> np.record:
+def record_of(numbers: Numbers) -> Numbers:
     """A named tuple of numbers as a record; formulas take either, field by field."""
-    return np.array([numbers], dtype=dtype_of(type(numbers))).view(np.recarray)[0]
+    return cast(Numbers, np.array([numbers], dtype=dtype_of(type(numbers))).view(np.recarray)[0])
 
 
-def as_record(element: Any) -> np.record:
+def as_record(element: Any) -> Record:
     """An element of a structured array as a record, which compiled formulas take."""
     return element if isinstance(element, np.record) else element.reshape(1).view(np.recarray)[0]
 

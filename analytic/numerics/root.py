@@ -10,11 +10,18 @@ from typing import NamedTuple
 import numpy as np
 
 from analytic.errors import ConvergenceError
+from analytic.numerics.compilation import compiled
 from analytic.scene import Array
 
 # Each step halves the bracket or the step before the last; 4 to 8 are usual, and bisection alone takes 60.
 MOST_STEPS = 200
 LEAST_STEP = 1e-10  # relative, of a secant
+
+
+@compiled
+def cube_root(x: float) -> float:
+    """Of a number of either sign. Numba compiles each np.cbrt for itself, and this once."""
+    return np.cbrt(x)
 
 
 class Sought(NamedTuple):

@@ -13,6 +13,7 @@ from analytic.contact.rolling_contact import ContactNumbers, contact_at
 from analytic.loads.balls import LoadedBalls
 from analytic.numerics.compilation import compiled, rows_of
 from analytic.numerics.elements import elements_of
+from analytic.numerics.records import record_of
 from analytic.oil.asymptotes import FilmAsymptotes, Inflow, asymptotes_of, log_film_of
 from analytic.oil.film import heated_part, shear_heat, smallest_ratio
 from analytic.oil.rolling import heated_rolling, replenished, replenishment_rate
@@ -126,7 +127,9 @@ def inlets_of(bearing: Bearing, balls: LoadedBalls, lubricant: Lubricant, *, rin
     supply = oil_supply(bearing, lubricant)
     known = balls.contacts.fields[:8]  # but the entrainment
     rows, shape = rows_of(*known, balls.motion.entrainment_speed, balls.contact.peak_pressure, ring_speed[:, None])
-    film_heating, rolling_heating, *starved = _inlets(rows, oil_numbers(lubricant), supply).reshape(6, *shape)
+    film_heating, rolling_heating, *starved = _inlets(
+        rows, record_of(oil_numbers(lubricant)), record_of(supply)
+    ).reshape(6, *shape)
     if np.isnan(starved[0]).any():
         raise no_meniscus()
     return Inlets(

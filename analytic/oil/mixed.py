@@ -18,9 +18,10 @@ from analytic.contact.rolling_contact import ContactNumbers, EllipticContact, co
 from analytic.errors import ConvergenceError, InputError, require_non_negative, require_positive
 from analytic.numerics.compilation import compiled, rows_of
 from analytic.numerics.elements import elements_of
+from analytic.numerics.records import record_of
 from analytic.oil.asymptotes import FilmAsymptotes, film_at, log_film_of, thinned
 from analytic.scene import Array
-from analytic.surface.gap import SMOOTH, GapLaw, GapNumbers, area_of, gap_numbers, log_gap_of, rough_log_pressure
+from analytic.surface.gap import SMOOTH, GapForm, GapLaw, GapNumbers, area_of, gap_forms, log_gap_of, rough_log_pressure
 
 # Thickness over which a film turns into a layer of molecules that shears like a boundary film, a choice of this model:
 # measured films follow the formula for films down to about 1 nm [Johnston1991].
@@ -157,7 +158,8 @@ def _oils(rows: Array) -> Array:
 
 
 @compiled
-def _mixed(rows: Array, gap: GapNumbers, pressure_factor: float) -> Array:
+def _mixed(rows: Array, form: GapForm, cubics: Array, pressure_factor: float) -> Array:
+    gap = GapNumbers(form.kind, cubics, form.truncated, form.elastic)
     fields = np.empty((6, rows.shape[1]))
     for i in range(rows.shape[1]):
         found = mixed_of(contact_at(rows, 8, i), film_at(rows, i), gap, rows[17, i], pressure_factor)
@@ -234,7 +236,8 @@ def mixed_contact(
         raise InputError(
             "the arguments of a mixed contact have shapes that do not fit together: give equal lengths"
         ) from problem
-    fields = _mixed(rows, gap_numbers(gap), float(pressure_factor)).reshape(6, *shape)
+    (form,), cubics = gap_forms(gap)
+    fields = _mixed(rows, record_of(form), cubics, float(pressure_factor)).reshape(6, *shape)
     share, boundary_share, thickness, touched, capped, without_film = fields
     if np.isnan(share).any():
         raise ConvergenceError(

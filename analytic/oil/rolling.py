@@ -16,6 +16,7 @@ from analytic.contact.hertz import HertzNumbers, elliptic_integrals, unit_hertz
 from analytic.contact.rolling_contact import ContactNumbers, EllipticContact, RollingContact, contact_at
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
 from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.root import cube_root
 from analytic.scene import Array, Supply
 
 STARVATION: dict[Supply, float] = {"oil_bath": 3e-8, "oil_spot": 6e-8, "grease": 6e-8}  # K_rs
@@ -72,7 +73,7 @@ def rolling_groups(contact: ContactNumbers, unit: HertzNumbers, viscosity: float
         stiffness,
         1 / rolling,
         transverse / rolling,
-        unit.semi_axis_y * np.cbrt(contact.load),
+        unit.semi_axis_y * cube_root(contact.load),
         slenderness,
         beta,
         load,
@@ -97,7 +98,7 @@ def truncation(group: RollingGroups, reach: float) -> float:
 @compiled
 def biboulet_force(contact: ContactNumbers, group: RollingGroups) -> tuple[float, bool]:
     """f of `hydrodynamic_rolling`, N, and whether rigid bodies resist less than elastic ones."""
-    rising = 0.77 / np.cbrt(group.beta) * group.slenderness**0.12 * np.cbrt(group.speed) ** 2
+    rising = 0.77 / cube_root(group.beta) * group.slenderness**0.12 * cube_root(group.speed) ** 2
     level = 1.8 / np.sqrt(np.sqrt(group.beta)) * _power_three_quarters(group.speed)
     width = 2 * group.semi_axis * group.stiffness * group.radius
     diameter = 2 / (1 / contact.deformed_radius + contact.curvature_transverse / 2)  # as RollingContact.ball_diameter
@@ -109,7 +110,7 @@ def biboulet_force(contact: ContactNumbers, group: RollingGroups) -> tuple[float
 def houpert_force(group: RollingGroups, pressure_viscosity: float) -> float:
     """f of `houpert_rolling`, N."""
     rigid = 0.835 * group.ellipticity**-0.358 * group.speed**0.636 * group.load**0.364
-    elastic = 1.544 * np.cbrt(group.beta) * group.slenderness**-0.577 * group.speed**0.656 * group.load**0.466
+    elastic = 1.544 * cube_root(group.beta) * group.slenderness**-0.577 * group.speed**0.656 * group.load**0.466
     elastic *= (pressure_viscosity * group.stiffness) ** 0.022
     return group.stiffness * group.radius**2 * (group.rigid * rigid + (1 - group.rigid) * elastic)
 

@@ -8,11 +8,13 @@ from numpy.typing import NDArray
 
 from analytic.effects.declared import declared_torque
 from analytic.effects.sliding import TURNING_FREELY
+from analytic.numerics.records import Record, Records
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.result import TorqueParts
 from analytic.scene import Array, Scene
 from analytic.sliding.judge import METHODS as SLIDING_METHODS
 from analytic.solve.model import Counted, Model, Workspace, model_of, workspace
+from analytic.solve.records import POINT, SETTLED
 from analytic.solve.solution import points_of, solved
 
 PARTS = ("spin", "conformity", "hysteresis", "rolling", "cage")
@@ -39,7 +41,7 @@ class Settled:
     """A scene with fixed effects at its operating points."""
 
     counted: dict[str, bool]
-    points: Array  # (n,) of `records.POINT`
+    points: Records  # (n,) of `records.POINT`
     start: FreeStart | None  # how free balls settled; None: they turn by rule
 
 
@@ -101,33 +103,34 @@ def settle(scene: Scene, variation: Variation, start: FreeStart | None) -> Settl
         variation=variation,
     )
     points = points_of(operation, model.temperature)
-    ends = [_turn_freely(model, points[i : i + 1], start, i, scene.bearing.pitch_diameter) for i in range(len(points))]
-    balls = np.stack([work.balls for _, work in ends])
-    fields = (balls[name] for name in ("start_velocity", "start_angle", "start_load", "start_forces"))
-    return Settled(
-        counted=counted,
-        points=np.concatenate([point for point, _ in ends]),
-        start=FreeStart(np.array([work.ring.passes for _, work in ends]), *fields),
-    )
+    count, balls = len(points), len(model.balls)
+    out, work = np.zeros(count, POINT), workspace(model)
+    left = FreeStart(np.zeros(count, np.int64), *(np.empty((count, balls, size)) for size in (4, 2, 2, 3)))
+    for i in range(count):
+        out[i] = _turn_freely(model, points[i : i + 1], start, i, work, scene.bearing.pitch_diameter)
+        left.passes[i] = work.ring["passes"]
+        for name, values in zip(FreeStart._fields[1:], left[1:], strict=True):
+            values[i] = work.balls[f"start_{name}"]
+    return Settled(counted=counted, points=out, start=left)
 
 
 def _turn_freely(
-    model: Model, point: Array, start: FreeStart | None, i: int, pitch_diameter: float
-) -> tuple[Array, Workspace]:
-    """One operating point, (1,) of `records.POINT`, from its start if that is near; point : (1, 5)"""
-    work = workspace(model)
+    model: Model, point: Array, start: FreeStart | None, i: int, work: Workspace, pitch_diameter: float
+) -> Record:
+    """One operating point, `records.POINT`, from its start if that is near; point : (1, 5)"""
+    work.ring["passes"] = 0
     if start is not None and start.passes[i] > 0:
-        work.ring.passes = start.passes[i]
+        work.ring["passes"] = start.passes[i]
         for name, values in zip(FreeStart._fields[1:], start[1:], strict=True):
             work.balls[f"start_{name}"] = values[i]
-        found = solved(model, point, work=work).points
+        found = solved(model, point, work=work, keeps_balls=False).points[0]
         speed = pitch_diameter / 4  # of a ball along its orbit, nearly, per unit ring speed
         alike = not (point[0, 1] or point[0, 2] or model.numbers.counted.weight)
         moved = np.maximum(
             np.abs(work.balls["start_velocity"] - start.velocity[i]).max(axis=1) / speed,
             np.abs(work.balls["start_load"] - start.load[i]).max(axis=1),
         )[: 1 if alike else None]
-        if found["status"][0] == 0 and np.median(moved) <= FAR:
-            return found, work
-        work = workspace(model)
-    return solved(model, point, work=work).points, work
+        if found["status"] == SETTLED and np.median(moved) <= FAR:
+            return found
+        work.ring["passes"] = 0
+    return solved(model, point, work=work, keeps_balls=False).points[0]

@@ -21,6 +21,7 @@ from numpy.typing import ArrayLike
 from analytic.contact.rolling_contact import ContactNumbers, Pair, contact_at
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
 from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.records import Record
 from analytic.oil.traction import PointLaw, Traction, law_at
 from analytic.scene import Array, SlidingMethod, SpinRule
 from analytic.sliding.ellipse import (
@@ -153,7 +154,7 @@ def slips_over_contacts(
     ring_speed: float,
     spin_difference: float,
     rule: int,
-    quadrature: np.record,
+    quadrature: Record,
     sideways: bool,
 ) -> tuple[Slip, Slip, int]:
     """The slip of a ball on both races by integrals; arguments as `long_ellipse.line_slips`, and `ellipse.slip_sums`.
@@ -223,7 +224,7 @@ def _slip(
 
 
 @compiled
-def _slips_of_each(rows: Array, rule: int, quadrature: np.record, sideways: bool) -> Array:
+def _slips_of_each(rows: Array, rule: int, quadrature: Record, sideways: bool) -> Array:
     fields = np.empty((13, rows.shape[1]))
     for i in range(rows.shape[1]):
         contacts, laws = (contact_at(rows, 0, i), contact_at(rows, 9, i)), (law_at(rows, 18, i), law_at(rows, 26, i))
@@ -234,7 +235,7 @@ def _slips_of_each(rows: Array, rule: int, quadrature: np.record, sideways: bool
     return fields
 
 
-def _integrated(rows: Array, rule: int, quadrature: np.record, sideways: bool) -> Array:
+def _integrated(rows: Array, rule: int, quadrature: Record, sideways: bool) -> Array:
     fields = _slips_of_each(rows, rule, quadrature, sideways)
     require_balance(fields)
     require_forceless(fields[12])

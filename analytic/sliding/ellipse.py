@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike
 from analytic.contact.rolling_contact import ContactNumbers, RollingContact, contact_at
 from analytic.errors import ConvergenceError, InputError, require_finite, require_positive
 from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.records import Record
 from analytic.oil.traction import PointLaw, law_at, stress_and_slope
 from analytic.scene import Array
 
@@ -90,7 +91,7 @@ def slip_sums(
     law: PointLaw,
     creep: float,
     spin: float,
-    quadrature: np.record,
+    quadrature: Record,
     sideways: bool,
 ) -> SlipSums:
     """The sums over three transverse panels, which meet where v_x = 0 on the axis.
@@ -177,7 +178,7 @@ def forceless_slip(
     law: PointLaw,
     start: float,
     spin: float,
-    quadrature: np.record,
+    quadrature: Record,
     sideways: bool,
     balanced: float,
 ) -> tuple[float, SlipSums, int]:
@@ -216,7 +217,7 @@ def forceless_slip(
 
 
 @compiled
-def _moments_of_each(rows: Array, quadrature: np.record, sideways: bool) -> Array:
+def _moments_of_each(rows: Array, quadrature: Record, sideways: bool) -> Array:
     fields = np.empty((6, rows.shape[1]))
     for i in range(rows.shape[1]):
         contact, law, rate = contact_at(rows, 0, i), law_at(rows, 9, i), rows[17, i]
@@ -308,7 +309,7 @@ def require_forceless(sums: Array) -> None:
 
 
 @cache
-def quadrature_of(nodes: tuple[int, int]) -> np.record:
+def quadrature_of(nodes: tuple[int, int]) -> Record:
     """So many transverse nodes in a panel, denser at its ends, and so many along rolling; at most MOST_NODES each."""
     quadrature = np.zeros(1, QUADRATURE).view(np.recarray)[0]
     quadrature.across, quadrature.along = nodes

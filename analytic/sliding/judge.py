@@ -18,10 +18,10 @@ import numpy as np
 from analytic.contact.hertz import elliptic_integrals
 from analytic.contact.rolling_contact import ContactNumbers, Pair, contact_at
 from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.records import Records
 from analytic.oil.traction import PointLaw, law_at
-from analytic.scene import SlidingMethod
+from analytic.scene import Array, SlidingMethod
 from analytic.sliding.ball import at_ring_speed
-from analytic.scene import Array
 from analytic.sliding.ellipse import quadrature_of, slider_of, slip_sums
 from analytic.sliding.long_ellipse import Slip, slip_at
 
@@ -59,7 +59,7 @@ def judged(
     slips: tuple[Slip, Slip],
     ring_speed: float,
     method: int,
-    nodes: Array,
+    nodes: Records,
 ) -> tuple[float, float]:
     """What a method misses of a ball's power over the ring speed, and that power, N m.
 
@@ -123,7 +123,7 @@ def judged_balls(
 
 
 @compiled
-def _judged(rows: Array, method: int, nodes: Array) -> Array:
+def _judged(rows: Array, method: int, nodes: Records) -> Array:
     both = np.empty((2, rows.shape[1]))
     for i in range(rows.shape[1]):
         contacts, laws = (contact_at(rows, 0, i), contact_at(rows, 9, i)), (law_at(rows, 18, i), law_at(rows, 26, i))

@@ -228,9 +228,7 @@ class Sliders:
             error=error,
         )
 
-    def _sampled(
-        self, quadrature: SlipRule, moving: NDArray[np.intp], allowed: Array
-    ) -> tuple[Sliding | None, float]:
+    def _sampled(self, quadrature: SlipRule, moving: NDArray[np.intp], allowed: Array) -> tuple[Sliding | None, float]:
         """From a sample of the points, None if that does not pay or is not accurate enough; and the method's error.
 
         Under thrust all balls are alike, and the difference between two methods depends on load and speed alone.

@@ -53,9 +53,7 @@ def slide_freely(
     Raises ConvergenceError where a ball finds no steady rotation, or loads and rotation do not settle.
     """
     operation = scene.operation.as_series()
-    model = model_of(
-        scene, counted, creep=creep, allowed=allowed, correction=correction, variation=variation
-    )
+    model = model_of(scene, counted, creep=creep, allowed=allowed, correction=correction, variation=variation)
     points = points_of(operation, model.temperature)
     if len(points) <= FAR:
         found = solved(model, points)

@@ -25,6 +25,7 @@ from analytic.loads.ring_rounds import SETTLED as ROUNDS_SETTLED
 from analytic.loads.thrust_ball import first_contacts, settle_ruled_thrust, thrust_point
 from analytic.loads.turning import TurningRule
 from analytic.numerics.compilation import compiled
+from analytic.numerics.records import Record, Records
 from analytic.oil.asymptotes import Inflow, asymptotes_of
 from analytic.oil.mixed import mixed_of, oil_beside
 from analytic.oil.race_resistance import ResistedContact, resisted_contact
@@ -33,6 +34,7 @@ from analytic.oil.viscosity import OilNumbers, oil_at
 from analytic.scene import STANDARD_GRAVITY, Array
 from analytic.sliding.as_printed import as_printed_slip
 from analytic.sliding.ball import slips_over_contacts
+from analytic.sliding.creep import creep_share
 from analytic.sliding.judge import (
     AS_PRINTED,
     OVER_ELLIPSE,
@@ -41,7 +43,6 @@ from analytic.sliding.judge import (
     error_of,
     judged,
 )
-from analytic.sliding.creep import creep_share
 from analytic.sliding.long_ellipse import Slip, line_slips
 from analytic.solve.model import CageNumbers, ModelNumbers, Tables, Workspace
 from analytic.solve.records import (
@@ -94,7 +95,13 @@ UNCORRECTED = CorrectionNumbers(AS_HERTZ, AS_HERTZ)
 
 @compiled
 def solve(
-    model: ModelNumbers, tables: Tables, points: Array, work: Workspace, balls: Array, out: Array, has_ring: bool | None
+    model: ModelNumbers,
+    tables: Tables,
+    points: Array,
+    work: Workspace,
+    balls: Records,
+    out: Records,
+    has_ring: bool | None,
 ) -> None:
     """Write the records of n operating points whose balls turn by rule.
 
@@ -114,7 +121,13 @@ def solve(
 
 @compiled
 def solve_free(
-    model: ModelNumbers, tables: Tables, points: Array, work: Workspace, balls: Array, out: Array, has_ring: bool | None
+    model: ModelNumbers,
+    tables: Tables,
+    points: Array,
+    work: Workspace,
+    balls: Records,
+    out: Records,
+    has_ring: bool | None,
 ) -> None:
     """The same for balls that turn freely; each point begins where the last one has settled."""
     for i in range(points.shape[0]):
@@ -132,7 +145,7 @@ def solve_free(
 
 
 @compiled
-def begin(model: ModelNumbers, tables: Tables, points: Array, i: int, work: Workspace, out: Array) -> Load:
+def begin(model: ModelNumbers, tables: Tables, points: Array, i: int, work: Workspace, out: Records) -> Load:
     """Begin a point: its load, the oil at its temperature, the factors that are given on its contacts."""
     of_point, given = out[i], tables.factors
     reset(of_point)
@@ -152,21 +165,21 @@ def begin(model: ModelNumbers, tables: Tables, points: Array, i: int, work: Work
 
 
 @compiled
-def put_factors(factors: np.record, found: FactorNumbers) -> None:
+def put_factors(factors: Record, found: FactorNumbers) -> None:
     """Write factors on a contact."""
     factors.semi_axis_rolling, factors.semi_axis_transverse = found.semi_axis_rolling, found.semi_axis_transverse
     factors.approach, factors.peak_pressure = found.approach, found.peak_pressure
 
 
 @compiled
-def put_oil(oil: np.record, found: OilNumbers) -> None:
+def put_oil(oil: Record, found: OilNumbers) -> None:
     """Write what of an oil changes with the temperature."""
     oil.temperature, oil.viscosity, oil.growth = found.temperature, found.viscosity, found.growth
     oil.pressure_viscosity, oil.viscosity_temperature = found.pressure_viscosity, found.viscosity_temperature
 
 
 @compiled
-def reset(out: np.record) -> None:
+def reset(out: Record) -> None:
     """Begin the sums of a point."""
     out.total = out.spin = out.conformity = out.hysteresis = out.rolling = out.cage = out.sliding_error = 0.0
     out.orbit_rate = out.ball_rate = out.contact_angle = out.ball_lead = out.slowness = 0.0
@@ -179,7 +192,7 @@ def reset(out: np.record) -> None:
 
 
 @compiled
-def spoil(out: np.record) -> None:
+def spoil(out: Record) -> None:
     """Take the torque of a point that has not settled."""
     out.total = out.spin = out.conformity = out.hysteresis = out.rolling = out.cage = np.nan
 
@@ -210,7 +223,7 @@ def thrown(model: ModelNumbers, load: Load) -> float:
 
 @compiled
 def load_balls(
-    model: ModelNumbers, tables: Tables, load: Load, work: Workspace, has_ring: bool | None, out: np.record
+    model: ModelNumbers, tables: Tables, load: Load, work: Workspace, has_ring: bool | None, out: Record
 ) -> int:
     """Load the balls by rule, with their finite geometry; the number of balls that differ, 0 where they do not settle.
 
@@ -231,7 +244,7 @@ def load_balls(
 
 
 @compiled
-def correct(model: ModelNumbers, tables: Tables, balls: Array, out: np.record) -> None:
+def correct(model: ModelNumbers, tables: Tables, balls: Records, out: Record) -> None:
     """Write the factors of the balls' finite geometry at their loads by Hertz."""
     bearing = model.ring.bearing
     for j in range(len(balls)):
@@ -258,7 +271,7 @@ def balance(
     has_ring: bool | None,
     start: int,
     gyroscopic: bool,
-    out: np.record,
+    out: Record,
 ) -> int:
     """The equilibrium of the balls by rule, with the factors that they have; returns as `load_balls`.
 
@@ -301,7 +314,7 @@ class LoadedContact(NamedTuple):
 
 @compiled
 def contact_of_ball(
-    model: ModelNumbers, tables: Tables, speed: float, race: int, ball: np.record, motion: BallMotion
+    model: ModelNumbers, tables: Tables, speed: float, race: int, ball: Record, motion: BallMotion
 ) -> LoadedContact:
     """A loaded ball on its inner (0) or outer race (1)."""
     numbers = model.ring.bearing.inner if race == 0 else model.ring.bearing.outer
@@ -316,7 +329,7 @@ def contact_of_ball(
 
 
 @compiled
-def note_limits(model: ModelNumbers, race: int, ball: np.record, found: LoadedContact, j: int, out: np.record) -> None:
+def note_limits(model: ModelNumbers, race: int, ball: Record, found: LoadedContact, j: int, out: Record) -> None:
     """Look after the limits of a contact of ball j."""
     numbers = model.ring.bearing.inner if race == 0 else model.ring.bearing.outer
     contact, is_known = found.resisted.contact, not np.isnan(numbers.near_shoulder)
@@ -348,11 +361,11 @@ def friction_held(resisted: ResistedContact, ring_speed: float) -> float:
 def add_ball(
     model: ModelNumbers,
     load: Load,
-    ball: np.record,
+    ball: Record,
     contacts: tuple[LoadedContact, LoadedContact],
     motion: BallMotion,
     place: tuple[int, int],
-    out: np.record,
+    out: Record,
 ) -> None:
     """Add what a ball loses besides sliding, how it drives the cage, and what its friction can hold.
 
@@ -384,11 +397,11 @@ def add_ball(
 def write_ball(
     model: ModelNumbers,
     load: Load,
-    state: np.record,
+    state: Record,
     contacts: tuple[LoadedContact, LoadedContact],
     coefficients: tuple[float, float],
     motion: BallMotion,
-    ball: np.record,
+    ball: Record,
 ) -> None:
     """Write the record of a ball."""
     bearing, held = model.ring.bearing, 0.0
@@ -420,7 +433,7 @@ def write_ball(
 
 @compiled
 def slide_by_rule(
-    model: ModelNumbers, tables: Tables, load: Load, states: Array, balls: Array, out: np.record
+    model: ModelNumbers, tables: Tables, load: Load, states: Records, balls: Records, out: Record
 ) -> None:
     """What the balls lose that turn by the spin rule; states : of the balls that differ"""
     counted, count = model.counted, len(states)
@@ -459,11 +472,11 @@ def slips_of(
     laws: tuple[PointLaw, PointLaw],
     ring_speed: float,
     spin_difference: float,
-    out: np.record,
+    out: Record,
 ) -> tuple[Slip, Slip]:
     """The slip of a ball on both races by the model's method."""
     method = model.method
-    if method == SINGLE_COEFFICIENT or method == AS_PRINTED:
+    if method in (SINGLE_COEFFICIENT, AS_PRINTED):
         inner, outer = line_slips(contacts, laws, ring_speed, spin_difference, model.spin_rule)
         if np.isnan(inner.spin_rate):
             out.status = NO_SPIN_BALANCE
@@ -488,8 +501,8 @@ def slide_freely(
     work: Workspace,
     has_ring: bool | None,
     count: int,
-    balls: Array,
-    out: np.record,
+    balls: Records,
+    out: Record,
 ) -> None:
     """What the balls lose that turn freely; count : balls that differ"""
     states, contacts = work.balls[:count], work.contacts[:count]
@@ -530,7 +543,7 @@ def slide_freely(
 
 
 @compiled
-def motion_of(ball: np.record) -> BallMotion:
+def motion_of(ball: Record) -> BallMotion:
     """How a ball moves, per unit ring speed."""
     m = ball.motion
     return BallMotion(
@@ -548,7 +561,7 @@ def motion_of(ball: np.record) -> BallMotion:
 
 
 @compiled
-def coefficients_of(contacts: Array) -> tuple[float, float]:
+def coefficients_of(contacts: Records) -> tuple[float, float]:
     """Friction coefficients that lose the power of the law of traction at the slip without creep; 0 without load."""
     inner, outer = contacts[0], contacts[1]
     return (
@@ -558,7 +571,7 @@ def coefficients_of(contacts: Array) -> tuple[float, float]:
 
 
 @compiled
-def finish(model: ModelNumbers, tables: Tables, load: Load, count: int, balls: Array, out: np.record) -> None:
+def finish(model: ModelNumbers, tables: Tables, load: Load, count: int, balls: Records, out: Record) -> None:
     """Add the cage and sum up, once the balls of a point have their parts."""
     heaviest = 0.0
     for j in range(min(count, len(balls))):
@@ -589,7 +602,7 @@ def finish(model: ModelNumbers, tables: Tables, load: Load, count: int, balls: A
 
 
 @compiled
-def cage_torque(model: ModelNumbers, tables: Tables, ring_speed: float, out: np.record) -> float:
+def cage_torque(model: ModelNumbers, tables: Tables, ring_speed: float, out: Record) -> float:
     """Of a cage at rest on its balls; NaN where balls that lead squeeze it, or nothing turns a ball."""
     cage, bearing, oil = model.cage, model.ring.bearing, model.warm
     if abs(out.ball_lead) >= cage.room or (ring_speed != 0.0 and np.isnan(out.orbit_rate)):

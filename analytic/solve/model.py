@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from analytic.cage.drive import GRAVITY, pocket_shape_of
 from analytic.cage.steady import lead_room
 from analytic.contact.factors import ContactCorrection
-from analytic.contact.finite_geometry_fit import fit_record
+from analytic.contact.finite_geometry_fit import FitNumbers, fit_record
 from analytic.contact.geometry import pocket_contact
 from analytic.contact.hertz import contact_modulus
 from analytic.effects.declared import declared_torque
@@ -22,7 +22,7 @@ from analytic.loads.ring_balance import placed_balls
 from analytic.loads.ring_rounds import RingNumbers
 from analytic.loads.ring_series import factors_of, ring_numbers, weight_of_ball
 from analytic.loads.state import ring_state
-from analytic.numerics.records import record_of
+from analytic.numerics.records import Record, Records, record_of
 from analytic.oil.race_resistance import NO_OIL, SMOOTH_FORM, RaceResistance, gap_law_of, resistance_of
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.oil.viscosity import OilNumbers, oil_numbers
@@ -95,10 +95,10 @@ NO_CAGE = CageNumbers(0.0, 0.0, False, 0.0, np.inf, 0.0, 1.0, 1.0, 1.0, SMOOTH_F
 class Tables(NamedTuple):
     """What a model has of arrays."""
 
-    fit: np.record  # for finite geometry
+    fit: FitNumbers  # for finite geometry, a record
     cubics: Array  # splines of the gap laws
-    nodes: Array  # of contacts that balls by rule slide on, `judge.NODES`
-    quadratures: Array  # of contacts of free balls
+    nodes: Records  # of contacts that balls by rule slide on, `judge.NODES`
+    quadratures: Records  # of contacts of free balls
     factors: Array  # (n or 1, 2, 4, Z or 1) given on Hertz's contacts; (0, 2, 4, 1): none
 
 
@@ -106,9 +106,9 @@ class Tables(NamedTuple):
 class Model:
     """A scene without its operating points."""
 
-    numbers: np.record  # of ModelNumbers
+    numbers: ModelNumbers  # a record
     tables: Tables
-    balls: Array  # (Z,) of `state.BALL_STATE`, at rest
+    balls: Records  # (Z,) of `state.BALL_STATE`, at rest
     creep: Creep | None  # of freely turning balls; None: they turn by rule
     temperature: float  # of the oil, K; 0 without
 
@@ -119,7 +119,7 @@ class Model:
 
     def with_numbers(self, **changed: float) -> "Model":
         """The model with other fields of `ModelNumbers`."""
-        numbers = self.numbers.copy()
+        numbers: Record = cast(Any, self.numbers).copy()
         for name, value in changed.items():
             setattr(numbers, name, value)
         return replace(self, numbers=numbers)
@@ -128,9 +128,9 @@ class Model:
 class Workspace(NamedTuple):
     """The state of one operating point after the other: what one leaves is the start of the next."""
 
-    ring: np.record  # of `state.RING_STATE`
-    balls: Array  # (Z,) of `state.BALL_STATE`
-    contacts: Array  # (Z, 2) of `free_ball.state.CONTACT_STATE`
+    ring: Record  # of `state.RING_STATE`
+    balls: Records  # (Z,) of `state.BALL_STATE`
+    contacts: Records  # (Z, 2) of `free_ball.state.CONTACT_STATE`
 
 
 def workspace(model: Model) -> Workspace:

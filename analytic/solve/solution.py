@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from analytic.contact.hertz import HertzContact, HertzNumbers
 from analytic.loads.balls import LoadedBalls, balls_between
 from analytic.loads.kinematics import BallKinematics, BallMotion
+from analytic.numerics.records import Records
 from analytic.scene import Array, Bearing, Operation
 from analytic.solve.kernel import solve, solve_free
 from analytic.solve.model import Model, Workspace, workspace
@@ -23,8 +24,8 @@ LEAST_SLICE = 64  # points for a thread of its own
 class Solution:
     """n operating points, Z balls."""
 
-    points: Array  # (n,) of `records.POINT`
-    balls: Array  # (n, Z) of `records.BALL`
+    points: Records  # (n,) of `records.POINT`
+    balls: Records  # (n, Z) of `records.BALL`
 
     def loaded_balls(self, bearing: Bearing, method: Literal["thrust", "ring"]) -> LoadedBalls:
         """The balls as arrays by name; method : "thrust", where one stands for all"""
@@ -66,15 +67,14 @@ def solved(model: Model, points: Array, *, work: Workspace | None = None, keeps_
         at = slice(part[0], part[-1] + 1)
         tables, numbers = model.tables, model.numbers
         if threads > 1:  # the kernel writes the oil of a point into the record
-            numbers = numbers.copy()
+            numbers = model.with_numbers().numbers
             if len(tables.factors) > 1:
                 tables = tables._replace(factors=tables.factors[at])
         kernel(numbers, tables, points[at], work or workspace(model), balls[at], out[at], has_ring)
 
-    parts = np.array_split(np.arange(count), threads)
     if threads == 1:
-        solve_slice(parts[0])
+        solve_slice(np.arange(count))
     else:
         with ThreadPoolExecutor(threads) as pool:
-            list(pool.map(solve_slice, parts))
+            list(pool.map(solve_slice, np.array_split(np.arange(count), threads)))
     return Solution(points=out, balls=balls)

@@ -19,9 +19,11 @@ import numpy as np
 from rich.console import Console
 from rich.table import Table
 
-from analytic import hertz_contact, load_scene, ring_equilibrium, thrust_equilibrium
+from analytic import hertz_contact, load_scene
 from analytic.loads.balls import LoadEffects
 from analytic.loads.pair import PairContacts, pair_equilibrium
+from analytic.loads.ring import ring_equilibrium
+from analytic.loads.thrust import thrust_equilibrium
 from analytic.scene import Arrangement, Bearing, ContactAngle, Groove, Material, Operation
 
 PUBLISHED = Path(__file__).parents[1] / "published"

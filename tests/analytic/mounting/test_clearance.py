@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-import analytic
 from analytic.errors import InputError
+from analytic.loads.ring import ring_equilibrium
 from analytic.mounting.clearance import Mounting, mounted
 from analytic.scene import Bearing, Clearances, ContactAngle, Groove, Material
 
@@ -122,7 +122,7 @@ def test_a_warm_housing_of_aluminium_lets_go_of_the_ring() -> None:
 def test_the_preload_of_the_balls_is_that_of_the_rings_equilibrium() -> None:
     tight, found = mounted(bearing(), seats(shaft_interference=38e-6))
     assert found.operating < 0
-    balls = analytic.ring_equilibrium(tight, ContactAngle(rule="solved"))
+    balls = ring_equilibrium(tight, ContactAngle(rule="solved"))
     np.testing.assert_allclose(balls.inner_load, found.ball_load, rtol=1e-9)  # the iteration's tolerance
     assert seated().ball_load == 0
 

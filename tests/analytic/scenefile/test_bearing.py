@@ -9,6 +9,7 @@ import pytest
 import analytic
 from analytic.catalog.bearing_rows import bearing_names, find_bearing
 from analytic.errors import InputError
+from analytic.loads.thrust import thrust_equilibrium
 from analytic.scene import Bearing
 from analytic.scenefile.fit import bearing_misfits
 from tests.analytic.scenefile.scene_texts import refusal, scene
@@ -45,7 +46,7 @@ def test_a_ball_without_mass_is_solid() -> None:
 def test_the_nominal_angle_is_that_of_the_unloaded_bearing() -> None:
     """The free angle by the ring's own equilibrium, at a load that does not press the contacts together."""
     made = scene(HAND.replace("700 N", "1e-6 N") + 'contact_angle = { nominal = "23 deg" }\n')
-    balls = analytic.thrust_equilibrium(made.bearing, made.contact_angle, axial_load=made.operation.axial_load)
+    balls = thrust_equilibrium(made.bearing, made.contact_angle, axial_load=made.operation.axial_load)
     # 1e-6 N presses by 1e-10 m of a groove distance of 0.6 mm.
     assert math.degrees(float(np.ravel(balls.contact_angle)[0])) == pytest.approx(23, rel=1e-4)
 
