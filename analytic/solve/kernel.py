@@ -137,6 +137,8 @@ def solve_free(
         slide_freely(model, tables, load, work, has_ring, count, written, of_point)
         if of_point.status == SETTLED:
             finish(model, tables, load, count, written, of_point)
+        else:
+            spoil(of_point)
 
 
 @compiled
@@ -523,7 +525,6 @@ def slide_freely(
         for j in range(count):
             if last.end == SKIDS and not states[j].residual <= states[out.worst_ball].residual:
                 out.worst_ball = j
-        spoil(out)
         return
     out.spin, out.conformity, out.sliding_error = end.spin, end.torque - end.spin, end.error
     quadrature = tables.quadratures[work.ring.passes]

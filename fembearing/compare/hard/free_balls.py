@@ -5,12 +5,11 @@ from typing import Any
 
 import numpy as np
 
-from analytic.free_ball.sliding import FreeProblem, slide_freely
-from analytic.loads.balls import LoadEffects, loaded_balls
 from analytic.loads.kinematics import ball_kinematics
-from analytic.oil.race_resistance import DRY, NO_OIL, RaceResistance
 from analytic.result import FrictionTorque
-from analytic.scene import Operation
+from analytic.scene import Operation, Scene
+from analytic.solve.model import model_of
+from analytic.solve.solution import points_of, solved
 from analytic.torque import friction_torque
 from fembearing.compare.hard.case import HardCase
 from fembearing.compare.hard.friction import FREE
@@ -20,7 +19,7 @@ HIGHEST_SPEED = 3e6 / 39.01 * np.pi / 30  # rad/s, n d_m = 3e6 mm/min
 STEADY = (1e-6, "the friction of the last two rounds differs by so much at most")
 
 
-def free(*, load: float = 410.0, speed: float = 83.0, friction: float = 0.07, **changed: Any) -> FrictionTorque:
+def free_scene(*, load: float = 410.0, speed: float = 83.0, friction: float = 0.07, **changed: Any) -> Scene:
     """The 6205 dry and without a cage, under thrust, with marched creep."""
     scene = replace(
         scene_6205(),
@@ -32,7 +31,11 @@ def free(*, load: float = 410.0, speed: float = 83.0, friction: float = 0.07, **
         sliding="marched_creep",
         effects={"finite_geometry": "off", "weight": "off"},
     )
-    return friction_torque(replace(scene, **changed))
+    return replace(scene, **changed)
+
+
+def free(**changed: Any) -> FrictionTorque:
+    return friction_torque(free_scene(**changed))
 
 
 def total(**changed: Any) -> float:
@@ -41,26 +44,21 @@ def total(**changed: Any) -> float:
 
 def orbit_at_own_pitch() -> float:
     """Orbital speed under 90 N at the highest speed, over that of closed kinematics at the pitch of the ball's axis."""
-    bearing = scene_6205().bearing
-    operation = Operation(axial_load=np.array([90.0]), inner_speed=np.array([HIGHEST_SPEED])).as_series()
-    problem = FreeProblem(
-        bearing=bearing,
-        contact_angle=FREE,
-        operation=operation,
-        effects=LoadEffects(),
-        creep="marched",
-        correction=None,
-        resistance=RaceResistance(DRY, DRY, False, False, coefficient=0.07, hysteresis_loss=0.0),
-        oil=NO_OIL,
-        other=np.zeros(1),
+    scene = free_scene(load=90.0, speed=HIGHEST_SPEED)
+    counted = dict.fromkeys(("centrifugal", "gyroscopic", "spin", "conformity"), True)
+    model = model_of(scene, counted, creep="marched", allowed=0.01)
+    ball = solved(model, points_of(scene.operation, 0.0)).balls[0, 0]
+    (inner, outer), motion, size = ball["angle"], ball["motion"], scene.bearing.ball_diameter
+    pitch_diameter = 2 * motion["inner_radius"] + size * np.cos(inner)
+    rolling = ball_kinematics(
+        inner_speed=1.0,
+        inner_angle=inner,
+        outer_angle=outer,
+        pitch_diameter=float(pitch_diameter),
+        ball_diameter=size,
+        pitch=motion["pitch"],
     )
-    ruled = loaded_balls(bearing, FREE, operation, LoadEffects())
-    balls = slide_freely(problem, ruled, allowed=np.array([0.01])).balls
-    angles = {"inner_angle": balls.contact_angle[0], "outer_angle": balls.contact_angle[1]}
-    orbit = balls.motion.inner_radius + bearing.ball_radius * np.cos(balls.contact_angle[0])
-    sizes = {"pitch_diameter": 2 * float(orbit[0, 0]), "ball_diameter": bearing.ball_diameter}
-    rolling = ball_kinematics(inner_speed=1.0, **angles, **sizes, pitch=balls.motion.pitch)
-    return float((balls.motion.cage_speed / rolling.cage_speed)[0, 0])
+    return float(motion["cage_speed"] / rolling.cage_speed)
 
 
 def one_ball() -> float:

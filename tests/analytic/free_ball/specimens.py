@@ -5,20 +5,16 @@ from typing import NamedTuple
 
 import numpy as np
 
-from analytic.contact.factors import ContactCorrection
-from analytic.free_ball.passes import FreeModel
-from analytic.free_ball.rotation import Creep, Nodes, quadrature_of
-from analytic.free_ball.sliding import free_settings, settled_points
-from analytic.free_ball.turning import BallRows
-from analytic.loads.kinematics import BallMotion
-from analytic.loads.ring_rounds import SETTLED, RingLoads
-from analytic.loads.ring_series import factors_of, ring_numbers
-from analytic.oil.race_resistance import DRY, NO_OIL, RaceResistance
-from analytic.scene import Array, Bearing, ContactAngle, Groove
+from analytic.free_ball.rotation import Creep
+from analytic.scene import Array, Bearing, ContactAngle, Groove, Operation, Scene
+from analytic.solve.model import Workspace, model_of, workspace
+from analytic.solve.records import SETTLED
+from analytic.solve.solution import points_of, solved
 from tests.analytic.specimens import BEARING_6205
 from tests.contacts import STEEL
 
-FINE = Nodes(32, 24)
+FINE = 2  # quadrature of 32 strips with 20 nodes
+COUNTED = dict.fromkeys(("load_distribution", "centrifugal", "gyroscopic", "spin", "conformity"), True)
 DIAMETER, PITCH, FREE_ANGLE = 11.906e-3, 60e-3, np.radians(40)
 
 
@@ -29,7 +25,7 @@ def angular_contact() -> Bearing:
         Groove(
             bottom_radius=(PITCH + side * (DIAMETER + play / 2)) / 2,
             groove_radius=conformity * DIAMETER,
-            shoulder_half_width=5.5e-3,
+            shoulder_half_width=None,
             material=STEEL,
         )
         for side, conformity in ((-1, 0.52), (1, 0.53))
@@ -43,25 +39,30 @@ class Turned(NamedTuple):
 
     load: Array  # (2,) N
     angle: Array  # (2,) rad
-    rows: BallRows
-    motion: dict[str, float]
+    motion: Array  # record of `BallMotion`
+    work: Workspace  # with the first ball and its contacts as they have settled
     torque: float  # of all balls, N m
+
+
+def dry_scene(bearing: Bearing, free_angle: float | None, friction: float, *, load: Array, speed: Array) -> Scene:
+    """Of a bearing under thrust; load : N;  speed : rad/s"""
+    return Scene(
+        name="free balls",
+        bearing=bearing,
+        contact_angle=ContactAngle(rule="solved", free=free_angle),
+        operation=Operation(axial_load=load, inner_speed=speed),
+        friction_coefficient=friction,
+    )
 
 
 def under_thrust(
     bearing: Bearing, free_angle: float | None, *, load: float, speed: float, friction: float, creep: Creep
 ) -> Turned:
-    """With Coulomb friction: every pass has the same law, and here the same nodes."""
-    ring, _ = ring_numbers(bearing, ContactAngle(rule="solved", free=free_angle), down=None)
-    settings = free_settings(bearing, creep=creep, inertia=(True, True))
-    fine = quadrature_of(FINE, marched=creep == "marched")
-    settings = settings._replace(quadratures=(fine,) * len(settings.quadratures))
-    resistance = RaceResistance(DRY, DRY, False, False, friction, 0.0)
-    loads = RingLoads(
-        np.array([[load, 0.0, 0.0, 0.0, 0.0]]), np.array([speed]), (True, True), factors_of(ContactCorrection())
-    )
-    model = FreeModel(ring, resistance, settings)
-    space, ends = settled_points(model, loads, NO_OIL, is_ring=False, allowed=np.array([np.inf]))
-    assert ends[0, 0] == SETTLED
-    motion = dict(zip(BallMotion._fields, space.balls.motion[0, 0], strict=True))
-    return Turned(space.point.load[0, :, 0], space.point.angle[0, :, 0], space.balls, motion, float(ends[0, 4]))
+    """With the same nodes in every pass."""
+    scene = dry_scene(bearing, free_angle, friction, load=np.array([load]), speed=np.array([speed]))
+    model = model_of(scene, COUNTED, creep=creep, passes=FINE)
+    work = workspace(model)
+    found = solved(model, points_of(scene.operation, 0.0), work=work)
+    point, ball = found.points[0], found.balls[0, 0]
+    assert point["status"] == SETTLED
+    return Turned(ball["load"], ball["angle"], ball["motion"], work, float(point["total"]))

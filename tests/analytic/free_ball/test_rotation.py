@@ -1,37 +1,23 @@
 """Free balls against two other programs, closed forms of creep, limits, and the equations that define them."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from analytic.errors import ConvergenceError
-from analytic.free_ball import kernel, layout, sliding, strips
-from analytic.free_ball.layout import (
-    ACROSS,
-    ALONG,
-    BALL,
-    BALL_RADIUS,
-    BOUNDARY,
-    CONTACT,
-    FLEXIBILITY,
-    LOAD,
-    NORMAL_R,
-    NORMAL_Z,
-    ORBIT_RADIUS,
-    OUTCOME,
-    ROLLING,
-    SPIN_POWER,
-    TRANSVERSE,
-)
-from analytic.free_ball.passes import settle_thrust_points
-from analytic.free_ball.rotation import Nodes, quadrature_of
-from analytic.free_ball.rounds import SKIDS
+from analytic.free_ball import kernel, strips
+from analytic.free_ball.rotation import Nodes, _write_nodes, quadratures_of
+from analytic.free_ball.state import QUADRATURE, contact_states
 from analytic.loads.balls import LoadEffects, loaded_balls
 from analytic.loads.kinematics import ball_kinematics
+from analytic.loads.state import ball_states
+from analytic.numerics.records import as_record
 from analytic.oil.traction import CoulombTraction
-from analytic.scene import Bearing, ContactAngle, Operation, Scene
+from analytic.scene import Array, ContactAngle, Operation
 from analytic.sliding.ball import SlipRule, slip_friction
 from analytic.torque import friction_torque
-from tests.analytic.free_ball.specimens import FINE, angular_contact, under_thrust
+from tests.analytic.free_ball.specimens import FINE, angular_contact, dry_scene, under_thrust
 from tests.analytic.specimens import BEARING_6205
 
 DEEP, STEEP = (BEARING_6205, 0.18), (angular_contact(), None)
@@ -120,100 +106,114 @@ def test_a_ball_near_its_limit_pitches_down_and_does_not_turn_across() -> None:
     angle, (bearing, _) = balls.angle[1], STEEP
     control = np.arctan2(np.sin(angle), np.cos(angle) + DIAMETER_OVER_PITCH)
     assert 0 < balls.motion["pitch"] < 0.5 * control
-    assert abs(balls.rows.velocity[0, 0, 1]) < 1e-2 * bearing.ball_radius * balls.motion["ball_speed"]
+    assert abs(balls.work.balls[0]["velocity"][1]) < 1e-2 * bearing.ball_radius * balls.motion["ball_speed"]
 
 
 DIAMETER_OVER_PITCH = 11.906 / 60
 
 
 def test_any_start_leads_to_one_rotation() -> None:
-    rows = under_thrust(*STEEP, load=500.0, speed=628.3, friction=0.1, creep="marched").rows
-    found, random, nodes = rows.velocity[0, 0], np.random.default_rng(8), quadrature_of(FINE, marched=True)
+    balls, contacts, random = (
+        *under_thrust(*STEEP, load=500.0, speed=628.3, friction=0.1, creep="marched").work[1:],
+        np.random.default_rng(8),
+    )
+    ball, nodes = as_record(balls[0]), as_record(quadratures_of("marched")[FINE])
+    found = ball.velocity.copy()
     for _ in range(18):
         pitch, across = random.uniform(-0.3, 1.3), random.uniform(-0.3, 0.3)
         speed = float(np.linalg.norm(found[1:]))
-        again = np.array([found[0], across * speed, speed * np.sin(pitch), -speed * np.cos(pitch)])
+        ball.velocity = found[0], across * speed, speed * np.sin(pitch), -speed * np.cos(pitch)
         for _ in range(20):  # each takes the speed of the surfaces through the contacts from the last
-            kernel.turn_ball(rows.contacts[0, 0], rows.bodies[0, 0], again, nodes, 1e-10, np.zeros((2, OUTCOME)))
-        np.testing.assert_allclose(again, found, rtol=1e-6, atol=1e-6 * speed)  # of a residual of 1e-10
+            kernel.turn_ball(contacts[0], ball, nodes, 1e-10)
+        np.testing.assert_allclose(ball.velocity, found, rtol=1e-6, atol=1e-6 * speed)  # of a residual of 1e-10
 
 
-def test_a_ball_without_a_steady_rotation_is_named(bearing_6205: Bearing, monkeypatch: pytest.MonkeyPatch) -> None:
-    def skid(model, loads, oil, space, allowed, ends) -> None:
-        settle_thrust_points(model, loads, oil, space, allowed, ends)
-        ends[:, 0], ends[:, 2], space.balls.residual[:] = SKIDS, 0.3, 0.3
-
-    monkeypatch.setattr(sliding, "settle_thrust_points", skid)
-    running = Operation(axial_load=np.array([1000.0]), inner_speed=np.array([31.0]))
-    scene = Scene(
-        name="skids",
-        bearing=bearing_6205,
-        contact_angle=ContactAngle(rule="solved", free=0.18),
-        operation=running,
-        friction_coefficient=0.1,
-        sliding="marched_creep",
+def test_a_ball_without_a_steady_rotation_is_named() -> None:
+    """In a series that of the first point that has none, as if it were alone."""
+    grooves = {race: replace(getattr(BEARING_6205, race), shoulder_half_width=None) for race in ("inner", "outer")}
+    load, speed = np.array([55.0, 500.0, 410.0, 77.0]), np.array([83.0, 1e5, 1e5, 90.0])
+    series, alone = (
+        dry_scene(replace(BEARING_6205, **grooves), 0.31, 0.07, load=load[some], speed=speed[some])
+        for some in (slice(None), slice(1, 2))
     )
-    with pytest.raises(
-        ConvergenceError, match=r"rotation of ball 0 under 37\d\.\d N on the inner .* residual 3\.0e-01"
-    ):
-        friction_torque(scene)
+    named = r"rotation of ball 0 under 7\d\.\d+ N on the inner and 4\d+ N on the outer race"
+    with pytest.raises(ConvergenceError, match=named) as of_series:
+        friction_torque(series)
+    with pytest.raises(ConvergenceError) as of_point:
+        friction_torque(alone)
+    assert str(of_series.value) == str(of_point.value)
 
 
-def contact(**changed: float) -> np.ndarray:
+def contact(**changed: float) -> Array:
     """An inner contact of a ball of 4 mm that orbits at 20 mm, far longer across rolling than along it."""
     values = {
-        "LOAD": 300.0, "ROLLING": 2e-5, "TRANSVERSE": 1.1e-3, "RADIUS": 4.1e-3, "NORMAL_R": -0.96, "NORMAL_Z": -0.28,
-        "RING": 0.0, "FLEXIBILITY": 9.5e-12, "BOUNDARY": 0.07,
+        "load": 300.0, "semi_axis_rolling": 2e-5, "semi_axis_transverse": 1.1e-3, "radius": 4.1e-3,
+        "normal_radial": -0.96, "normal_axial": -0.28, "ring_rate": 0.0, "flexibility": 9.5e-12, "boundary": 0.07,
     } | changed  # fmt: skip
-    row = np.zeros(CONTACT)
+    state = contact_states(1)[0, 0]
     for name, value in values.items():
-        row[getattr(layout, name)] = value
-    return row
+        state[name] = value
+    return state
 
 
-def one_contact(row: np.ndarray, slip: tuple[float, float, float], *, passing: float, marched: bool, nodes: Nodes):
-    """Outcome of a contact on a flat surface that slides along rolling, across it and by spin, over a ball that does
-    not turn else; the ball is so large that its own rotation does not matter."""
-    along, _, spin = slip
-    size = 4e-3
-    ball = np.zeros(BALL)
-    ball[BALL_RADIUS], ball[ORBIT_RADIUS] = size, 0.02
-    n_r, n_z = row[NORMAL_R], row[NORMAL_Z]
-    velocity = np.array([along, -slip[1], size * spin * n_r, size * spin * n_z])
-    outcome, force, tangent = np.zeros(OUTCOME), np.zeros(4), np.zeros((4, 4))
+def ball_of(velocity: tuple[float, ...], inertia: float = 0.0) -> np.record:
+    """The ball of these contacts."""
+    ball = as_record(ball_states(1)[0])
+    ball.radius, ball.orbit_radius, ball.inertia, ball.velocity = 4e-3, 0.02, inertia, velocity
+    return ball
+
+
+def quadrature_of(nodes: Nodes, *, marched: bool) -> np.record:
+    quadrature = np.zeros(1, QUADRATURE)
+    _write_nodes(quadrature[0], nodes, marched=marched)
+    return as_record(quadrature[0])
+
+
+def one_contact(
+    state: Array, slip: tuple[float, float, float], *, passing: float, marched: bool, nodes: Nodes
+) -> Array:
+    """What a contact on a flat surface does that slides along rolling, across it and by spin.
+
+    The ball does not turn else, and is so large that its own rotation does not matter.
+    """
+    along, across, spin = slip
+    contact, size = as_record(state.copy()), 4e-3
+    velocity = np.array([along, -across, size * spin * contact.normal_radial, size * spin * contact.normal_axial])
     quadrature = quadrature_of(nodes, marched=marched)
-    flows = np.empty((quadrature.across.shape[1], 2, quadrature.along.shape[1]))
-    strips.hold_flows(row, quadrature, flows)
-    kernel._contact(row, ball, velocity, passing, quadrature, flows, (force, tangent, outcome, np.zeros((3, 4))))
-    return outcome, force, tangent
+    flows = np.empty((quadrature.strips, 2, quadrature.nodes))
+    strips.hold_flows(contact, quadrature, flows)
+    sums = np.zeros(4), np.zeros((4, 4)), np.zeros((3, 4))
+    kernel._contact(contact, ball_of((0.0,) * 4), velocity, passing, quadrature, flows, sums)
+    return contact
 
 
 def test_a_ball_that_rolls_does_not_slide_at_the_middle_of_its_contact() -> None:
     """Its surface and that of a ring that turns at 0.37 move alike there; it keeps its orbit and its spin."""
-    row = contact(RING=0.37)
-    ball = np.zeros(BALL)
-    ball[BALL_RADIUS], ball[ORBIT_RADIUS] = 4e-3, 0.02
-    before = np.array([0.0021, 0.0, -0.0043, 0.0017])
-    velocity = before.copy()
-    kernel._roll(row, ball, velocity)
-    n_r, n_z = row[NORMAL_R], row[NORMAL_Z]
-    of_ball, of_ring = velocity[0] - n_z * velocity[2] + n_r * velocity[3], 0.37 * (0.02 + 4e-3 * n_r)
-    assert of_ball == pytest.approx(of_ring, rel=1e-12)  # round-off
+    of_ring = as_record(contact(ring_rate=0.37))
+    before = (0.0021, 0.0, -0.0043, 0.0017)
+    ball = ball_of(before)
+    velocity = ball.velocity
+    kernel._roll(of_ring, ball, velocity)
+    n_r, n_z = of_ring.normal_radial, of_ring.normal_axial
+    of_surface = velocity[0] - n_z * velocity[2] + n_r * velocity[3]
+    assert of_surface == pytest.approx(0.37 * (0.02 + 4e-3 * n_r), rel=1e-12)  # round-off
     spin, spin_before = (n_r * each[2] + n_z * each[3] for each in (velocity, before))
     assert spin == pytest.approx(spin_before, rel=1e-12)
-    assert tuple(velocity[:2]) == tuple(before[:2])
+    assert tuple(velocity[:2]) == before[:2]
 
 
 @pytest.mark.parametrize("marched", [False, True])
 @pytest.mark.parametrize("times", [0.3, 1.0, 4.0])
 def test_an_even_slip_gives_the_force_of_a_strip(times: float, marched: bool) -> None:
     """mu Q f(k), f = (2/pi)[atan k + k/(1 + k^2)], k the slip over s_c = L p0 mu u/a: both laws, by Polach."""
-    row, passing = contact(RADIUS=1e9), 0.01
-    peak = 1.5 * row[LOAD] / (np.pi * row[ROLLING] * row[TRANSVERSE])
-    slip = times * row[FLEXIBILITY] * peak * row[BOUNDARY] * passing
-    outcome, _, _ = one_contact(row, (slip, 0.0, 0.0), passing=passing, marched=marched, nodes=Nodes(40, 60))
+    row, passing = contact(radius=1e9), 0.01
+    peak = 1.5 * row["load"] / (np.pi * row["semi_axis_rolling"] * row["semi_axis_transverse"])
+    slip = times * row["flexibility"] * peak * row["boundary"] * passing
+    outcome = one_contact(row, (slip, 0.0, 0.0), passing=passing, marched=marched, nodes=Nodes(40, 60))
     share = 2 / np.pi * (np.arctan(times) + times / (1 + times**2))
-    assert -outcome[ALONG] == pytest.approx(row[BOUNDARY] * row[LOAD] * share, rel=2e-3)  # second order in 60 steps
+    assert -outcome["along"] == pytest.approx(
+        row["boundary"] * row["load"] * share, rel=2e-3
+    )  # second order in 60 steps
 
 
 SPUN = {30.0: 0.374212, 10.0: 0.368666, 5.0: 0.353548, 3.0: 0.326983, 2.0: 0.291488, 1.0: 0.204930, 0.5: 0.119219}
@@ -222,51 +222,50 @@ SPUN = {30.0: 0.374212, 10.0: 0.368666, 5.0: 0.353548, 3.0: 0.326983, 2.0: 0.291
 @pytest.mark.parametrize(("ratio", "expected"), SPUN.items())
 def test_spin_of_a_long_ellipse_by_the_closed_law(ratio: float, expected: float) -> None:
     """M_spin/(mu Q b) over w_s b/s_c, from another program."""
-    row, passing = contact(RADIUS=1e9), 0.01
-    peak = 1.5 * row[LOAD] / (np.pi * row[ROLLING] * row[TRANSVERSE])
-    spin = ratio * row[FLEXIBILITY] * peak * row[BOUNDARY] * passing / row[TRANSVERSE]
-    outcome, _, _ = one_contact(row, (0.0, 0.0, spin), passing=passing, marched=False, nodes=Nodes(60, 12))
-    moment = outcome[SPIN_POWER] / spin
+    row, passing = contact(radius=1e9), 0.01
+    peak = 1.5 * row["load"] / (np.pi * row["semi_axis_rolling"] * row["semi_axis_transverse"])
+    spin = ratio * row["flexibility"] * peak * row["boundary"] * passing / row["semi_axis_transverse"]
+    outcome = one_contact(row, (0.0, 0.0, spin), passing=passing, marched=False, nodes=Nodes(60, 12))
+    moment = outcome["spin_power"] / spin
     # the ellipse is 55 times as long as wide, and not endless: 1e-3
-    assert moment / (row[BOUNDARY] * row[LOAD] * row[TRANSVERSE]) == pytest.approx(expected, rel=2e-3)
+    assert moment / (row["boundary"] * row["load"] * row["semi_axis_transverse"]) == pytest.approx(expected, rel=2e-3)
 
 
 def test_slight_spin_pushes_across_the_groove_only_when_marched() -> None:
     """Where nothing slides the stress is int w_s x dx/(L u) from the leading edge, and its sum pi a^3 b w_s/(4 L u)."""
-    row, passing, spin = contact(RADIUS=1e9, ROLLING=2e-4), 0.01, 1e-6
-    marched, _, _ = one_contact(row, (0.0, 0.0, spin), passing=passing, marched=True, nodes=Nodes(24, 48))
-    closed, _, _ = one_contact(row, (0.0, 0.0, spin), passing=passing, marched=False, nodes=Nodes(24, 48))
-    a, b = row[ROLLING], row[TRANSVERSE]
-    expected = np.pi / 4 * a**3 * b * spin / (row[FLEXIBILITY] * a * passing)
-    assert marched[ACROSS] == pytest.approx(expected, rel=2e-3)  # second order in 48 steps
-    assert abs(closed[ACROSS]) < 1e-10 * expected
+    row, passing, spin = contact(radius=1e9, semi_axis_rolling=2e-4), 0.01, 1e-6
+    marched = one_contact(row, (0.0, 0.0, spin), passing=passing, marched=True, nodes=Nodes(24, 48))
+    closed = one_contact(row, (0.0, 0.0, spin), passing=passing, marched=False, nodes=Nodes(24, 48))
+    a, b = row["semi_axis_rolling"], row["semi_axis_transverse"]
+    expected = np.pi / 4 * a**3 * b * spin / (row["flexibility"] * a * passing)
+    assert marched["across"] == pytest.approx(expected, rel=2e-3)  # second order in 48 steps
+    assert abs(closed["across"]) < 1e-10 * expected
 
 
 OILED = {
-    "BOUNDARY": 0.02, "EYRING": 4.7e6, "FLUIDITY": 3e3, "LIMIT": 0.05, "SHARE": 0.9, "GROWTH": 7.0, "EXPONENT": 0.6,
+    "boundary": 0.02, "eyring": 4.7e6, "fluidity": 3e3, "limit": 0.05, "share": 0.9, "growth": 7.0, "exponent": 0.6,
 }  # fmt: skip
 
 
 @pytest.mark.parametrize("marched", [False, True])
 @pytest.mark.parametrize("law", [{}, OILED])
 def test_the_tangent_is_the_derivative_of_the_force(law: dict[str, float], marched: bool) -> None:
-    inner = contact(RING=1.0, ROLLING=2e-4, **law)
-    outer = contact(NORMAL_R=0.97, NORMAL_Z=0.243, ROLLING=2.2e-4, LOAD=340.0, **law)
-    contacts, ball = np.stack([inner, outer]), np.array([4e-3, 0.02, 3.0])
-    quadrature = quadrature_of(Nodes(12, 10), marched=marched)
-    flows = np.empty((2, quadrature.across.shape[1], 2, quadrature.along.shape[1]))
+    inner = contact(ring_rate=1.0, semi_axis_rolling=2e-4, **law)
+    outer = contact(normal_radial=0.97, normal_axial=0.243, semi_axis_rolling=2.2e-4, load=340.0, **law)
+    contacts, start = np.stack([inner, outer]), (8.03e-3, 2e-5, 1.7e-3, -8.2e-3)
+    ball, quadrature = ball_of(start, inertia=3.0), quadrature_of(Nodes(12, 10), marched=marched)
+    flows = np.empty((2, quadrature.strips, 2, quadrature.nodes))
     for race in range(2):
-        strips.hold_flows(contacts[race], quadrature, flows[race])
-    start = np.array([8.03e-3, 2e-5, 1.7e-3, -8.2e-3])
-    passing = np.array([kernel._passing(each, ball, start) for each in contacts])
+        strips.hold_flows(as_record(contacts[race]), quadrature, flows[race])
+    passing = np.array([kernel._passing(as_record(each), ball, ball.velocity) for each in contacts])
 
-    def residual(velocity: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def residual(velocity: Array) -> tuple[Array, Array]:
         force, tangent = np.zeros(4), np.zeros((4, 4))
-        sums = (force, tangent, np.zeros((2, OUTCOME)), np.zeros((3, 4)))
+        sums = (force, tangent, np.zeros((3, 4)))
         kernel._residual(contacts, ball, velocity, passing, quadrature, flows, sums)
         return force, tangent
 
-    _, tangent = residual(start)
+    _, tangent = residual(np.array(start))
     for column in range(4):
         step = 1e-10 * np.eye(4)[column]
         slope = (residual(start + step)[0] - residual(start - step)[0]) / 2e-10
@@ -275,12 +274,12 @@ def test_the_tangent_is_the_derivative_of_the_force(law: dict[str, float], march
 
 
 def test_oil_in_series_with_the_surfaces_is_softer_than_either() -> None:
-    row, slip, passing = contact(**(OILED | {"RADIUS": 1e9, "BOUNDARY": 0.0, "FLUIDITY": 1e7})), (3e-9, 0.0, 0.0), 0.01
+    row, slip, passing = contact(**(OILED | {"radius": 1e9, "boundary": 0.0, "fluidity": 1e7})), (3e-9, 0.0, 0.0), 0.01
     along = {}
-    for name, changed in (("both", {}), ("oil", {"FLEXIBILITY": 1e-18}), ("surfaces", {"FLUIDITY": 1e30})):
+    for name, changed in (("both", {}), ("oil", {"flexibility": 1e-18}), ("surfaces", {"fluidity": 1e30})):
         softened = row.copy()
         for key, value in changed.items():
-            softened[getattr(layout, key)] = value
-        outcome, _, _ = one_contact(softened, slip, passing=passing, marched=True, nodes=Nodes(16, 16))
-        along[name] = -outcome[ALONG]
+            softened[key] = value
+        outcome = one_contact(softened, slip, passing=passing, marched=True, nodes=Nodes(16, 16))
+        along[name] = -outcome["along"]
     assert 0 < along["both"] < min(along["oil"], along["surfaces"])

@@ -6,23 +6,13 @@ from scipy.optimize import brentq, root
 
 from analytic.contact.factors import FactorNumbers
 from analytic.free_ball import kernel, turning
-from analytic.free_ball.layout import (
-    ACROSS,
-    INERTIA,
-    LOAD,
-    NORMAL_R,
-    NORMAL_Z,
-    ORBIT_RADIUS,
-    OUTCOME,
-    ROLLING,
-    TRANSVERSE,
-)
-from analytic.free_ball.rotation import quadrature_of
+from analytic.free_ball.rotation import quadratures_of
 from analytic.free_ball.stress import Shear, sheared
-from analytic.free_ball.turning import ball_rows
 from analytic.loads.numbers import bearing_numbers
 from analytic.loads.race_contacts import unit_contact_on
-from analytic.scene import Bearing, ContactAngle
+from analytic.loads.state import ball_states
+from analytic.numerics.records import as_record
+from analytic.scene import Array, Bearing, ContactAngle
 from tests.analytic.free_ball.specimens import FINE, angular_contact, under_thrust
 from tests.analytic.specimens import BEARING_6205
 
@@ -45,37 +35,33 @@ def test_a_root_finder_settles_loads_and_rotation_at_the_same_place(
     load, speed, friction = running
     balls = under_thrust(bearing, free_angle, load=load, speed=speed, friction=friction, creep="closed")
     numbers = bearing_numbers(bearing, ContactAngle(rule="solved", free=free_angle))
-    nodes, contacts, body = (
-        quadrature_of(FINE, marched=False),
-        balls.rows.contacts[0, 0].copy(),
-        balls.rows.bodies[0, 0],
+    nodes, contacts, ball = (
+        as_record(quadratures_of("closed")[FINE]),
+        balls.work.contacts[0],
+        as_record(balls.work.balls[0]),
     )
-    passing = np.array([kernel._passing(contacts[race], body, balls.rows.velocity[0, 0]) for race in range(2)])
-    flows = np.zeros((2, nodes.across.shape[1], 2, nodes.along.shape[1]))  # Coulomb friction has none
-    found = np.array([*balls.angle, *balls.load, *balls.rows.velocity[0, 0]])
+    passing = np.array([kernel._passing(as_record(contacts[race]), ball, ball.velocity) for race in range(2)])
+    flows = np.zeros((2, nodes.strips, 2, nodes.nodes))  # Coulomb friction has none
+    found = np.array([*balls.angle, *balls.load, *ball.velocity])
     scale = np.array([1.0, 1.0, *balls.load, *np.full(4, np.abs(found[4:]).max())])
 
-    def lacks(unknown: np.ndarray) -> np.ndarray:
+    def lacks(unknown: Array) -> Array:
         angle, loads, velocity = (unknown * scale)[:2], (unknown * scale)[2:4], (unknown * scale)[4:]
         reach, outer_reach = -numbers.groove_centre_distance + numbers.play, 0.0
         for race, side in enumerate(RACES):
             groove = numbers.inner if race == 0 else numbers.outer
-            unit, row = unit_contact_on(groove, angle[race], AS_HERTZ), contacts[race]
-            row[LOAD] = loads[race]
-            row[ROLLING], row[TRANSVERSE] = (
-                unit.semi_axis_x * np.cbrt(loads[race]),
-                unit.semi_axis_y * np.cbrt(loads[race]),
-            )
-            row[NORMAL_R], row[NORMAL_Z] = side * np.cos(angle[race]), side * np.sin(angle[race])
+            unit, contact = unit_contact_on(groove, angle[race], AS_HERTZ), contacts[race]
+            contact["load"] = loads[race]
+            contact["semi_axis_rolling"] = unit.semi_axis_x * np.cbrt(loads[race])
+            contact["semi_axis_transverse"] = unit.semi_axis_y * np.cbrt(loads[race])
+            contact["normal_radial"], contact["normal_axial"] = side * np.cos(angle[race]), side * np.sin(angle[race])
             outer_reach = groove.groove_radius - numbers.ball_radius + unit.approach * np.cbrt(loads[race]) ** 2
             reach += outer_reach * np.cos(angle[race])
         orbit = bearing.outer.bottom_radius - bearing.outer.groove_radius + outer_reach * np.cos(angle[1])
-        ball = body.copy()
-        ball[ORBIT_RADIUS], ball[INERTIA] = orbit, 0.4 * bearing.ball_mass * speed**2
-        force, outcome = np.zeros(4), np.zeros((2, OUTCOME))
-        sums = (force, np.zeros((4, 4)), outcome, np.zeros((3, 4)))
-        kernel._residual(contacts, ball, velocity, passing, nodes, flows, sums)
-        across, push = outcome[:, ACROSS], load / bearing.ball_count
+        ball.orbit_radius, ball.inertia = orbit, 0.4 * bearing.ball_mass * speed**2
+        force = np.zeros(4)
+        kernel._residual(contacts, ball, velocity, passing, nodes, flows, (force, np.zeros((4, 4)), np.zeros((3, 4))))
+        across, push = contacts["across"], load / bearing.ball_count
         centrifugal = bearing.ball_mass * orbit * (velocity[0] / orbit * speed) ** 2
         axial = loads * np.sin(angle) - across * np.cos(angle) - push
         radial = loads * np.cos(angle) + across * np.sin(angle)
@@ -93,14 +79,12 @@ def test_a_root_finder_settles_loads_and_rotation_at_the_same_place(
 @pytest.mark.parametrize("slope", [-0.4, -1.7, -3.0, 0.6])
 def test_forces_that_swing_from_round_to_round_settle_by_a_secant(slope: float) -> None:
     """Forces that come of a round are c + slope (those it had): plain rounds diverge from a slope of -1 on."""
-    balls, constant = ball_rows((2,)), np.array([9.2, -0.013, 0.31])
-    forces = np.array([4.0, 0.002, -0.05])
+    ball, constant = as_record(ball_states(1)[0]), np.array([9.2, -0.013, 0.31])
+    ball.given, ball.gave, ball.left = (4.0, 0.002, -0.05), np.nan, np.nan
     for _ in range(5):
-        came = constant + slope * forces
-        turning._mix(balls, 1, (came[0], came[1], came[2]))
-        forces = balls.given[1].copy()
-    np.testing.assert_allclose(forces, constant / (1 - slope), rtol=1e-9)
-    assert np.isnan(balls.given[0]).all()  # each ball has its own
+        came = constant + slope * ball.given
+        turning._mix(ball, (came[0], came[1], came[2]))
+    np.testing.assert_allclose(ball.given, constant / (1 - slope), rtol=1e-9)
 
 
 def test_the_stress_of_a_creeping_point_by_a_bracketing_search() -> None:

@@ -1,4 +1,4 @@
-"""The torque of free balls: limits, directions, hard corners, oil, the sample of a long series, and weight."""
+"""The torque of free balls: limits, directions, hard corners, oil, and weight."""
 
 from dataclasses import replace
 from typing import Any
@@ -102,21 +102,6 @@ def test_one_ball_carries_a_radial_load(scene: Scene) -> None:
     found = friction_torque(loose)
     assert np.isfinite(found.torque.total[0])
     assert found.is_on("weight")
-
-
-def test_a_series_from_a_sample_agrees_with_its_points(scene: Scene) -> None:
-    random = np.random.default_rng(3)
-    load, speed = 10 ** random.uniform(1.5, 3.2, 600), 10 ** random.uniform(0, 3.2, 600)
-    weightless = replace(scene, effects={**scene.effects, "weight": "off"})
-    long = friction_torque(replace(weightless, operation=Operation(axial_load=load, inner_speed=speed)))
-    assert " of 600 points" in long.provenance["sliding"]
-    some = np.arange(0, 600, 60)
-    each = friction_torque(replace(weightless, operation=Operation(axial_load=load[some], inner_speed=speed[some])))
-    error = np.abs(long.torque.total[some] / each.torque.total - 1)
-    assert np.all(error <= long.numerical_uncertainty[some] + each.numerical_uncertainty)
-    assert np.all(long.numerical_uncertainty <= scene.tolerance)
-    for name in ("load", "peak_pressure"):
-        np.testing.assert_allclose(getattr(long.outer, name)[some], getattr(each.outer, name), rtol=0.01)  # as asked
 
 
 def test_the_outer_ring_carries_load_and_weight(bearing_6205: Bearing) -> None:

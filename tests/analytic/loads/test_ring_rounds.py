@@ -8,7 +8,7 @@ import pytest
 
 from analytic.errors import ConvergenceError
 from analytic.loads.ring import ring_equilibrium
-from analytic.loads.ring_balance import point_of, ring_points, ring_work
+from analytic.loads.ring_balance import placed_balls
 from analytic.loads.ring_rounds import (
     BY_LOAD,
     BY_PLACE,
@@ -18,13 +18,13 @@ from analytic.loads.ring_rounds import (
     MOST_ROUNDS,
     OPEN,
     SETTLED,
-    RingLoad,
     RingNumbers,
     hold_contacts,
     settle_round,
     settle_ruled_ring,
 )
-from analytic.loads.ring_series import ring_numbers
+from analytic.loads.ring_series import correct_balls, ring_numbers
+from analytic.loads.state import ring_state
 from analytic.loads.turning import TurningRule
 from analytic.scene import Array, Bearing, ContactAngle
 
@@ -35,6 +35,7 @@ SERIES: dict[str, Any] = {
     "moment_y": np.array([-1.9, 0.0, 0.4]),
 }
 SPEED = 900.0
+WANTED = (310.0, 540.0, -20.0, 30.0, -11.0)  # N, moments over R
 LOOSE = (np.arange(9) == 4) * 1.0  # the ball that a radial load along x does not reach
 
 
@@ -51,19 +52,20 @@ def test_a_point_does_not_know_the_others(bearing_6205: Bearing) -> None:
 @pytest.mark.parametrize("start", [BY_PLACE, BY_POINT])
 def test_the_equilibrium_does_not_depend_on_the_start(bearing_6205: Bearing, start: int) -> None:
     """From the place, or all, that other factors and loads gave."""
-    ring = ring_of(bearing_6205)
-    rule, factors = TurningRule(SPEED, True, True), np.ones((2, 4, 1))
-    wanted = RingLoad(np.array([310.0, 540.0, -20.0, 30.0, -11.0]), rule, factors)
-    other = RingLoad(np.array([290.0, 555.0, -12.0, 31.0, -9.0]), rule, 0.97 * factors)
-    points, work = ring_points(2, 9), ring_work(9)
-    cold, warm = point_of(points, 0), point_of(points, 1)
-    assert settle_ruled_ring(ring, wanted, cold, work, BY_LOAD).end == SETTLED
-    assert settle_ruled_ring(ring, other, warm, work, BY_LOAD).end == SETTLED
-    before = warm.load.copy()
-    assert settle_ruled_ring(ring, wanted, warm, work, start).end == SETTLED
-    assert np.abs(warm.load - before).max() > 1.0
-    np.testing.assert_allclose(warm.load, cold.load, rtol=0, atol=1e-10 * cold.load.max())  # tolerance of the residual
-    np.testing.assert_allclose(warm.angle, cold.angle, rtol=0, atol=1e-10)
+    numbers, rule = numbers_of(bearing_6205), TurningRule(SPEED, True, True)
+    (cold, cold_balls), (warm, warm_balls) = (at_rest(bearing_6205, WANTED) for _ in range(2))
+    assert settle_ruled_ring(numbers, rule, cold, cold_balls, BY_LOAD).end == SETTLED
+    warm.load = 290.0, 555.0, -12.0, 31.0, -9.0
+    correct_balls(warm_balls, np.full((1, 2, 4, 1), 0.97))
+    assert settle_ruled_ring(numbers, rule, warm, warm_balls, BY_LOAD).end == SETTLED
+    before = warm_balls["load"].copy()
+    warm.load = WANTED
+    correct_balls(warm_balls, np.ones((1, 2, 4, 1)))
+    assert settle_ruled_ring(numbers, rule, warm, warm_balls, start).end == SETTLED
+    found, expected = warm_balls["load"], cold_balls["load"]
+    assert np.abs(found - before).max() > 1.0
+    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-10 * expected.max())  # tolerance of the residual
+    np.testing.assert_allclose(warm_balls["angle"], cold_balls["angle"], rtol=0, atol=1e-10)
 
 
 @pytest.mark.parametrize("remainder", [-3e-17, 4e-17])
@@ -87,26 +89,32 @@ def test_forces_that_swing_to_and_fro_are_steadied(bearing_6205: Bearing) -> Non
 def test_balls_and_forces_that_do_not_settle_are_reported(bearing_6205: Bearing) -> None:
     assert pressed(bearing_6205, lambda _: np.nan * LOOSE)[0] == LOOSE_BALL
     assert pressed(bearing_6205, lambda load: LOOSE * np.where(load < 20.0, 40.0, 3.0))[0] == OPEN
-    ring, point, work = ring_of(bearing_6205), point_of(ring_points(1, 9), 0), ring_work(9)
-    no_number = RingLoad(np.array([310.0, np.nan, 0.0, 0.0, 0.0]), TurningRule(SPEED, True, True), np.ones((2, 4, 1)))
-    assert settle_ruled_ring(ring, no_number, point, work, BY_LOAD).end == LOOSE_RING
+    ring, balls = at_rest(bearing_6205, (310.0, np.nan, 0.0, 0.0, 0.0))
+    rule = TurningRule(SPEED, True, True)
+    assert settle_ruled_ring(numbers_of(bearing_6205), rule, ring, balls, BY_LOAD).end == LOOSE_RING
     with pytest.raises(ConvergenceError, match=r"a ball between its races did not settle.*the ball's mass"):
         ring_equilibrium(bearing_6205, SOLVED, radial_load_x=310.0, inner_speed=1e160)  # a force of no number
 
 
-def ring_of(bearing: Bearing) -> RingNumbers:
-    return ring_numbers(bearing, ContactAngle(rule="solved"), down=None)[0]
+def numbers_of(bearing: Bearing) -> RingNumbers:
+    return ring_numbers(bearing, SOLVED)
+
+
+def at_rest(bearing: Bearing, load: tuple[float, ...]) -> tuple[np.record, Array]:
+    """A ring under a load, N, that has not moved, and its balls."""
+    ring = ring_state()
+    ring.load = load
+    return ring, placed_balls(bearing)
 
 
 def pressed(bearing: Bearing, outward: Callable[[Array], Array]) -> tuple[int, Array]:
     """How the rounds end with outward forces, N, that follow the load on the outer race; and the loads, (2, Z)."""
-    ring, point, work = ring_of(bearing), point_of(ring_points(1, 9), 0), ring_work(9)
-    force, factors = np.array([0.0, 310.0, 0.0, 0.0, 0.0]), np.ones((2, 4, 1))
-    settle_ruled_ring(ring, RingLoad(force, TurningRule(0.0, False, False), factors), point, work, BY_LOAD)
+    numbers, (ring, balls) = numbers_of(bearing), at_rest(bearing, (0.0, 310.0, 0.0, 0.0, 0.0))
+    settle_ruled_ring(numbers, TurningRule(0.0, False, False), ring, balls, BY_LOAD)
     for number in range(MOST_ROUNDS):
-        hold_contacts(ring, factors, point)
-        point.turning[0] = outward(point.load[1])
-        end = settle_round(ring.rows, force, point, work, number, 0.0).end
+        hold_contacts(numbers.bearing, balls)
+        balls["turning"]["centrifugal"] = outward(balls["load"][:, 1])
+        end = settle_round(numbers.grooves, ring, balls, number, 0.0).end
         if end != OPEN:
-            return end, point.load
-    return OPEN, point.load
+            return end, balls["load"].T
+    return OPEN, balls["load"].T

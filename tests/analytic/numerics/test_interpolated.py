@@ -97,10 +97,11 @@ def test_few_points_are_all_computed_at_most_once(points: int) -> None:
 
 @pytest.fixture(scope="module")
 def series() -> Scene:
-    """A map of load and speed, with standstill, and an oil that needs the accurate methods of sliding."""
+    """A map of load and speed, with standstill; balls turn by rule, and oil needs the accurate methods of sliding."""
     load, speed = np.meshgrid(np.geomspace(90, 2100, 27), np.linspace(0.0, 290.0, 41))
     scene = load_scene("validation/scenes/6205_physical.toml")
-    return replace(scene, operation=Operation(axial_load=load.ravel(), inner_speed=speed.ravel()))
+    operation = Operation(axial_load=load.ravel(), inner_speed=speed.ravel())
+    return replace(scene, operation=operation, spin_rule="balanced")
 
 
 @pytest.mark.parametrize("tolerance", [0.05, 0.02])
