@@ -31,7 +31,7 @@ ROUND_OFF = 1e-10  # of c, relative: a secant over less would be round-off
 RESOLVED = 1e-5  # v_y at the rim over the slope of v_x along b, from which nodes at the end of a panel see the turn
 MOST_STEPS = 200  # 3 to 8 are usual; halving the bracket alone takes 60
 NODES = (16, 16)  # transverse and rolling: Coulomb's moments to 1e-5 of mu Q b at any spin and shape, see the tests
-MOST_NODES = 48  # in either direction
+MOST_NODES = 96  # in either direction
 
 QUADRATURE = np.dtype(
     [

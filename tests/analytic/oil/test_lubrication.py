@@ -17,7 +17,7 @@ from analytic.oil.traction import mean_force
 from analytic.oil.variation import Variation
 from analytic.oil.viscosity import inlet_viscosity, oil_at, oil_numbers, roelands_viscosity
 from analytic.scene import Bearing, ContactAngle, Lubricant, Operation, Surface
-from analytic.surface.gap import gap_numbers
+from analytic.surface.gap import gap_forms
 from tests.analytic.specimens import BEARING_6205, FINISH, OIL
 
 WARM = replace(OIL, temperature=331.0)
@@ -44,8 +44,9 @@ def alone(
     variation = changed.pop("variation", Variation())
     counts = {"asperities": True, "heats": True, "starves": True} | changed
     races = lubricate_races(bearing, balls, lubricant=oil, surface=finish, ring_speed=SPEEDS, variation=variation)
+    (form,), cubics = gap_forms(races.gaps[race])
     lubrication = lubrication_of(
-        gap_numbers(races.gaps[race]),
+        form,
         oil_supply(bearing, oil),
         boundary_friction=finish.boundary_friction,
         variation=variation,
@@ -54,7 +55,7 @@ def alone(
     contact = contact_numbers(balls, race, point)
     unit = unit_hertz(contact.curvature_rolling, contact.curvature_transverse, contact.modulus)
     peak = float(balls.contact.peak_pressure[race, point, 0])
-    return contact, lubricated_contact(contact, unit, peak, oil_numbers(oil), lubrication, SPEEDS[point])
+    return contact, lubricated_contact(contact, unit, peak, oil_numbers(oil), lubrication, cubics, SPEEDS[point])
 
 
 @pytest.mark.parametrize(

@@ -258,7 +258,7 @@ def test_the_slopes_of_the_sums_are_their_differences(law: PointLaw, sideways: b
     step = 1e-5 * slider.roll
 
     def sums(c: float, w: float) -> SlipSums:
-        return slip_sums(slider, law, c, w, nodes, sideways, (0, 3))
+        return slip_sums(slider, law, c, w, nodes, sideways)
 
     at, close = sums(creep, spin), 2e-3  # of the nodes near the line where the slip turns round
     by_creep = [(a - b) / (2 * step) for a, b in zip(sums(creep + step, spin), sums(creep - step, spin), strict=True)]

@@ -8,13 +8,14 @@ import numpy as np
 import pytest
 
 from analytic import friction_torque, load_scene, torque_function
+from analytic.function import AT_REST
 from analytic.oil.variation import Variation
-from analytic.point import settled as point_settled
-from analytic.point.free import torques_of_alike_balls
-from analytic.point.function import AT_REST
-from analytic.point.settled import settled_parts
+from analytic.prediction import settled as of_samples
+from analytic.prediction.settled import settled_parts
 from analytic.result import TorqueParts
 from analytic.scene import Losses, Operation, Scene, SlidingMethod
+from analytic.solve.records import NO_STEADY_ROTATION
+from analytic.solve.solution import Solution, solved
 
 SCENES = Path(__file__).parents[3] / "validation" / "scenes"
 ROUND_OFF = 1e-11  # the ring settles to 1e-12 of its load, from two different starts
@@ -80,11 +81,12 @@ def test_free_balls_with_a_cage_and_a_given_coefficient() -> None:
 def test_a_free_ball_that_does_not_settle_has_no_answer(monkeypatch: pytest.MonkeyPatch) -> None:
     free = settled("6205_physical", spin_rule="free", sliding="marched_creep")
 
-    def skid(*given: Any) -> None:
-        torques_of_alike_balls(*given)
-        given[-1][:, 1:] = np.nan  # as from the second point on
+    def skid(*given: Any, **more: Any) -> Solution:
+        found = solved(*given, **more)
+        found.points["status"][-1] = NO_STEADY_ROTATION
+        return found
 
-    monkeypatch.setattr(point_settled, "torques_of_alike_balls", skid)
+    monkeypatch.setattr(of_samples, "solved", skid)
     assert settled_parts(free, OTHER) is None
 
 
