@@ -229,7 +229,12 @@ class TorqueFunction(Brief):
     def _takes(self, point: Array) -> bool:
         """Whether the kernel may answer: it does not refuse a thrust the wrong way, or an oil that is no oil."""
         coldest, hottest = self._temperatures
-        return bool(point[0] >= 0.0 and coldest <= point[4] <= hottest and np.isfinite(point).all())
+        known = point[0] >= 0.0 and coldest <= point[4] <= hottest and np.isfinite(point).all()
+        return bool(known and (self._distributes or not (point[1] or point[2])))
+
+    @cached_property
+    def _distributes(self) -> bool:
+        return ENTRIES["load_distribution"].lacks(self.scene) is None
 
     def _slowly(self, point: Array) -> float:
         """By `friction_torque`, which has every closed form and every error."""

@@ -125,10 +125,9 @@ def settle_freely(
             continue
         if number > 1:
             error = max(SAFETY * abs(whole - before), LEAST[number - 1] * torque)
-            if error <= wanted.allowed * whole:
-                break
-        if number == last:
-            break
+        if number == last or (number > 1 and error <= wanted.allowed * whole):
+            refines = False  # the same quadrature again, until it holds the laws of its own loads and speeds
+            continue
         number += 1
         for j in range(count):
             balls[j].given[0] = np.nan  # the next quadrature begins on the nodes of this one
