@@ -61,7 +61,7 @@ def slide_freely(
         error = _relative_error(found)
     else:
         far = far_points(points / np.maximum(np.abs(points).max(axis=0), 1e-300), FAR)
-        at_far = solved(model.at(far).with_numbers(allowed=allowed / BETWEEN), points[far])
+        at_far = solved(model.with_numbers(allowed=allowed / BETWEEN).at(far), points[far])
         _require_settled(scene, model.at(far), points[far], at_far)
         series = model.with_numbers(passes=int(at_far.points["passes"].max()), cold=False)
         found = solved(series, points)

@@ -45,7 +45,7 @@ def total(**changed: Any) -> float:
 def orbit_at_own_pitch() -> float:
     """Orbital speed under 90 N at the highest speed, over that of closed kinematics at the pitch of the ball's axis."""
     scene = free_scene(load=90.0, speed=HIGHEST_SPEED)
-    counted = dict.fromkeys(("centrifugal", "gyroscopic", "spin", "conformity"), True)
+    counted: dict[str, bool] = dict.fromkeys(("centrifugal", "gyroscopic", "spin", "conformity"), True)
     model = model_of(scene, counted, creep="marched", allowed=0.01)
     ball = solved(model, points_of(scene.operation, 0.0)).balls[0, 0]
     (inner, outer), motion, size = ball["angle"], ball["motion"], scene.bearing.ball_diameter

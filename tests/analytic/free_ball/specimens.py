@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from analytic.free_ball.rotation import Creep
+from analytic.numerics.records import Record
 from analytic.scene import Array, Bearing, ContactAngle, Groove, Operation, Scene
 from analytic.solve.model import Workspace, model_of, workspace
 from analytic.solve.records import SETTLED
@@ -14,7 +15,7 @@ from tests.analytic.specimens import BEARING_6205
 from tests.contacts import STEEL
 
 FINE = 2  # quadrature of 32 strips with 20 nodes
-COUNTED = dict.fromkeys(("load_distribution", "centrifugal", "gyroscopic", "spin", "conformity"), True)
+COUNTED: dict[str, bool] = dict.fromkeys(("load_distribution", "centrifugal", "gyroscopic", "spin", "conformity"), True)
 DIAMETER, PITCH, FREE_ANGLE = 11.906e-3, 60e-3, np.radians(40)
 
 
@@ -39,7 +40,7 @@ class Turned(NamedTuple):
 
     load: Array  # (2,) N
     angle: Array  # (2,) rad
-    motion: Array  # record of `BallMotion`
+    motion: Record  # of `BallMotion`
     work: Workspace  # with the first ball and its contacts as they have settled
     torque: float  # of all balls, N m
 

@@ -12,7 +12,7 @@ from analytic.free_ball.state import QUADRATURE, contact_states
 from analytic.loads.balls import LoadEffects, loaded_balls
 from analytic.loads.kinematics import ball_kinematics
 from analytic.loads.state import ball_states
-from analytic.numerics.records import as_record
+from analytic.numerics.records import Record, as_record
 from analytic.oil.traction import CoulombTraction
 from analytic.scene import Array, ContactAngle, Operation
 from analytic.sliding.ball import SlipRule, slip_friction
@@ -144,7 +144,7 @@ def test_a_ball_without_a_steady_rotation_is_named() -> None:
     assert str(of_series.value) == str(of_point.value)
 
 
-def contact(**changed: float) -> Array:
+def contact(**changed: float) -> Record:
     """An inner contact of a ball of 4 mm that orbits at 20 mm, far longer across rolling than along it."""
     values = {
         "load": 300.0, "semi_axis_rolling": 2e-5, "semi_axis_transverse": 1.1e-3, "radius": 4.1e-3,
@@ -156,22 +156,22 @@ def contact(**changed: float) -> Array:
     return state
 
 
-def ball_of(velocity: tuple[float, ...], inertia: float = 0.0) -> np.record:
+def ball_of(velocity: tuple[float, ...], inertia: float = 0.0) -> Record:
     """The ball of these contacts."""
     ball = as_record(ball_states(1)[0])
     ball.radius, ball.orbit_radius, ball.inertia, ball.velocity = 4e-3, 0.02, inertia, velocity
     return ball
 
 
-def quadrature_of(nodes: Nodes, *, marched: bool) -> np.record:
+def quadrature_of(nodes: Nodes, *, marched: bool) -> Record:
     quadrature = np.zeros(1, QUADRATURE)
     _write_nodes(quadrature[0], nodes, marched=marched)
     return as_record(quadrature[0])
 
 
 def one_contact(
-    state: Array, slip: tuple[float, float, float], *, passing: float, marched: bool, nodes: Nodes
-) -> Array:
+    state: Record, slip: tuple[float, float, float], *, passing: float, marched: bool, nodes: Nodes
+) -> Record:
     """What a contact on a flat surface does that slides along rolling, across it and by spin.
 
     The ball does not turn else, and is so large that its own rotation does not matter.

@@ -80,7 +80,7 @@ def test_a_root_finder_settles_loads_and_rotation_at_the_same_place(
 def test_forces_that_swing_from_round_to_round_settle_by_a_secant(slope: float) -> None:
     """Forces that come of a round are c + slope (those it had): plain rounds diverge from a slope of -1 on."""
     ball, constant = as_record(ball_states(1)[0]), np.array([9.2, -0.013, 0.31])
-    ball.given, ball.gave, ball.left = (4.0, 0.002, -0.05), np.nan, np.nan
+    ball.given, ball.gave, ball.left = np.array([4.0, 0.002, -0.05]), np.nan, np.nan
     for _ in range(5):
         came = constant + slope * ball.given
         turning._mix(ball, (came[0], came[1], came[2]))

@@ -26,6 +26,7 @@ from analytic.loads.ring_rounds import (
 from analytic.loads.ring_series import correct_balls, ring_numbers
 from analytic.loads.state import ring_state
 from analytic.loads.turning import TurningRule
+from analytic.numerics.records import Record, Records
 from analytic.scene import Array, Bearing, ContactAngle
 
 SOLVED = ContactAngle(rule="solved")
@@ -100,7 +101,7 @@ def numbers_of(bearing: Bearing) -> RingNumbers:
     return ring_numbers(bearing, SOLVED)
 
 
-def at_rest(bearing: Bearing, load: tuple[float, ...]) -> tuple[np.record, Array]:
+def at_rest(bearing: Bearing, load: tuple[float, ...]) -> tuple[Record, Records]:
     """A ring under a load, N, that has not moved, and its balls."""
     ring = ring_state()
     ring.load = load

@@ -1,4 +1,4 @@
-"""Series of points with free balls: each begins where the last one settled, and must not know it."""
+"""Series of points with free balls: each begins where the last one settled, and its torque does not depend on that."""
 
 from dataclasses import replace
 
@@ -72,7 +72,7 @@ def test_a_series_in_reverse_order_has_the_same_torques(bearing_6205: Bearing, c
 
 @pytest.mark.parametrize("radial", [False, True])
 def test_a_far_start_gives_the_torque_of_a_cold_one(bearing_6205: Bearing, radial: bool) -> None:
-    """From a light fast point to a heavy slow one and back; 1e-6 : see above."""
+    """From a light fast point to a heavy slow one and back; passes end where the torque changes by 3e-7."""
     operation = {"axial_load": np.array([31.0, 1700.0, 31.0]), "inner_speed": np.array([980.0, 13.0, 980.0])}
     if radial:
         operation["radial_load"] = np.array([120.0, 890.0, 120.0])
@@ -86,7 +86,7 @@ def test_a_far_start_gives_the_torque_of_a_cold_one(bearing_6205: Bearing, radia
 
 
 def test_a_point_that_does_not_settle_costs_no_other(bearing_6205: Bearing) -> None:
-    """Skidding balls, and balls that turn no axis: their points alone have no torque."""
+    """The contact angle of one point and the rotation of another do not settle."""
     load = np.array([410.0, 2.0, 300.0, 410.0, 520.0])
     speed = np.array([83.0, 8e3, 90.0, 1e5, 71.0])
     scene = scene_of(bearing_6205, axial_load=load, inner_speed=speed)
