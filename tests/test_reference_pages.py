@@ -71,5 +71,5 @@ def test_every_exported_name_is_there() -> None:
     page = api_page()
     for package in (analytic, fembearing):
         assert [name for name in package.__all__ if f"\n   {package.__name__}.{name}\n" not in page] == []
-    assert "\n   analytic.result.FrictionTorque\n" in page
-    assert "\n   analytic.errors.InputError\n" in page
+    assert "\n   analytic.result.TorqueParts\n" in page
+    assert "\n   analytic.errors.ConvergenceError\n" in page

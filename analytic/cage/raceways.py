@@ -455,7 +455,7 @@ class Raceways:
 
     @cached_property
     def table(self) -> NDArray[np.void]:
-        """(n,) of AZIMUTH over a turn, with a slip power of 0."""
+        """(n,) records of AZIMUTH over a turn, SI, with a slip power of 0 W."""
         bearing, contacts = self.bearing, self.contacts
         load, angle = contacts.load, contacts.contact_angle
         grooves = (bearing.inner, bearing.outer)

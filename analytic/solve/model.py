@@ -96,12 +96,34 @@ class Model:
     temperature: float  # of the oil, K; 0 without
 
     def at(self, points: NDArray[np.intp]) -> "Model":
-        """The model of some operating points: factors that are given belong to points."""
+        """The model of some operating points: factors that are given belong to points.
+
+        Parameters
+        ----------
+        points : ndarray, shape (k,)
+            Numbers of the points, from 0.
+
+        Returns
+        -------
+        Model
+            Of k points.
+        """
         factors = self.tables.factors
         return self if len(factors) < 2 else replace(self, tables=self.tables._replace(factors=factors[points]))
 
     def with_numbers(self, **changed: float) -> "Model":
-        """The model with other fields of `ModelNumbers`."""
+        """The model with other fields of `ModelNumbers`.
+
+        Parameters
+        ----------
+        **changed : float
+            By their names, each in the unit of its field.
+
+        Returns
+        -------
+        Model
+            With a record of its own.
+        """
         numbers: Record = cast(Any, self.numbers).copy()
         for name, value in changed.items():
             setattr(numbers, name, value)

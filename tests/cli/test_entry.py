@@ -99,7 +99,7 @@ def test_warmup_compiles_what_a_scene_needs(command) -> None:
     told = command("warmup")
     assert (told.status, told.err) == (0, "")
     folder = Path(told.out.removeprefix("formulas are kept in ").strip())
-    assert any(folder.glob("analytic.free_ball.passes.settle_ring_points/*/*.nbc"))
+    assert any(folder.glob("analytic.solve.kernel.solve_free/*/*.nbc"))
 
 
 def test_the_list_of_commands_says_what_each_says_of_itself(command) -> None:

@@ -234,7 +234,7 @@ def test_a_mutant_is_tested_in_a_copy_that_is_restored(
 ) -> None:
     """A tree of one formula, with a test that sees its sign and not its coefficient."""
     mutants, mutation = part("mutants"), part("mutation")
-    for folder in ("analytic", "tests/analytic", "fembearing", "cache"):
+    for folder in ("analytic", "tests/analytic", "fembearing"):
         (tmp_path / "small" / folder).mkdir(parents=True)
     (tmp_path / "small" / "analytic" / "__init__.py").touch()
     module = tmp_path / "small" / "analytic" / "law.py"
@@ -243,7 +243,7 @@ def test_a_mutant_is_tested_in_a_copy_that_is_restored(
     test += "from analytic.law import law\ndef test_law():\n    assert law(0) > law(3)\n"
     (tmp_path / "small" / "tests" / "analytic" / "test_law.py").write_text(test)
     monkeypatch.setattr(mutation, "ROOT", tmp_path / "small")
-    tree = mutation.Tree(tmp_path / "copy", tmp_path / "small" / "cache", ())
+    tree = mutation.Tree(tmp_path / "copy", ())
     found = {each.after: tree.test(each).outcome for each in mutants.mutants(tmp_path / "small", "analytic/law.py")}
     assert found == {
         "5.0 + 2.5 * x": "killed",
@@ -268,7 +268,7 @@ def tree(part: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Any:
     }.items():
         (folder / f"test_{name}.py").write_text(f"import os, time\ndef test_it():\n    {line}\n")
     monkeypatch.setattr(mutation, "ROOT", tmp_path / "small")
-    return mutation.Tree(tmp_path / "copy", tmp_path / "cache", ())
+    return mutation.Tree(tmp_path / "copy", ())
 
 
 @pytest.mark.parametrize(

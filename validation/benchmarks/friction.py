@@ -40,9 +40,10 @@ from analytic.scene import (
     SpinRule,
     Surface,
 )
-from analytic.sliding.ball import SlipRule, slip_friction
+from analytic.sliding.ball import SlipFriction, SlipRule, slip_friction
+from analytic.sliding.ellipse import slip_over_ellipse
 from analytic.sliding.long_ellipse import MicroslipTorque
-from analytic.sliding.methods import QUADRATURES, Quadrature, Sliders, SlidingModel
+from analytic.sliding.methods import QUADRATURES, Sliders, SlidingModel
 from random_contacts import sliding_balls
 from random_scenes import of_oil_and_finish, thrust_scene
 
@@ -249,7 +250,7 @@ class Judged:
 
 def estimates(balls: int, first: int, out: Console) -> bool:
     """Do the estimates of `analytic.sliding.methods` hold on so many random balls between two contacts each?"""
-    judged: dict[tuple[str, Quadrature], list[Judged]] = defaultdict(list)
+    judged: dict[tuple[str, SlipRule], list[Judged]] = defaultdict(list)
     seeds = range(first, first + -(-balls // AT_ONCE))
     for seed in track(seeds, console=Console(stderr=True)):
         for quadrature, each in judged_methods(seed):
@@ -271,7 +272,7 @@ def estimates(balls: int, first: int, out: Console) -> bool:
         matters = error > ROUND_OFF
         wide = np.median(stated[matters] / error[matters]) if matters.any() else np.nan
         table.add_row(
-            *(traction, quadrature.rule.method, "{} by {}".format(*quadrature.rule.nodes), str(error.size)),
+            *(traction, quadrature.method, "{} by {}".format(*quadrature.nodes), str(error.size)),
             *(f"{np.median(error):.1e}", f"{error.max():.1e}", f"{wide:.2f}", f"{worst.used.max():.2f}"),
             f"{worst.seed}, {worst.used.argmax()}",
         )
@@ -279,7 +280,18 @@ def estimates(balls: int, first: int, out: Console) -> bool:
     return all(each.used.max() <= 1 for some in judged.values() for each in some)
 
 
-def judged_methods(seed: int) -> Iterator[tuple[Quadrature, Judged]]:
+def power_of(sliders: Sliders, result: SlipFriction) -> np.ndarray:
+    """(n,) slip power over the ring speed by MANY nodes, N m, at the spin of a result."""
+    rates = result.torque.inner_spin_rate, result.torque.outer_spin_rate
+    power = np.zeros(sliders.ring_speed.size)
+    for contact, traction, rate in zip(sliders.balls.races, sliders.traction, rates, strict=True):
+        law = traction.point_law
+        law = law._replace(fluidity=np.asarray(law.fluidity) * np.abs(sliders.ring_speed[:, None]))
+        power += slip_over_ellipse(contact, law=law, spin_rate=rate, nodes=MANY).slip_power.sum(axis=1)
+    return power
+
+
+def judged_methods(seed: int) -> Iterator[tuple[SlipRule, Judged]]:
     rng = np.random.default_rng(seed)
     balls, traction, speed, name = sliding_balls(rng, AT_ONCE)
     rules: tuple[SpinRule, ...] = ("balanced", "balanced", "inner_control", "outer_control")
@@ -287,7 +299,7 @@ def judged_methods(seed: int) -> Iterator[tuple[Quadrature, Judged]]:
     model = SlidingModel(spins=True, conforms=True, spin_rule=rule, microslip="derived", method="auto")
     sliders = Sliders(balls=balls, traction=traction, model=model, ring_speed=speed)
     results = {quadrature: sliders.slide(quadrature) for quadrature in QUADRATURES}
-    true = sliders.powers(results[QUADRATURES[-1]], MANY, sideways=True)[:, 0].sum(axis=(0, 1, 3))
+    true = power_of(sliders, results[QUADRATURES[-1]])
     for quadrature, result in results.items():
         own = np.sum(result.torque.spin + result.torque.conformity, axis=1)
         stated = sliders.errors_at(result)(quadrature)

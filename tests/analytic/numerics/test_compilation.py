@@ -217,7 +217,9 @@ def test_a_function_without_a_folder_is_compiled_each_time(program: Path, tmp_pa
 def test_processes_may_compile_at_once(program: Path, tmp_path: Path) -> None:
     cache = tmp_path / "cache"
     together = [start(program, cache) for _ in range(2)]
-    assert [result_of(process) for process in together] == [(21.25, SAID)] * 2
+    for number, said in map(result_of, together):
+        assert number == 21.25
+        assert said in (SAID, "")  # one of them may find what the other has kept
     assert run(program, cache) == (21.25, "")
 
 
