@@ -156,7 +156,8 @@ def test_ranges_leave_out_what_hardly_counts_there() -> None:
     some, every = torque_function(scene, over=ranges), torque_function(scene)
     assert some.model is not None
     assert every.model is not None
-    counts = [[bool(f.model.numbers.counted[name]) for name in Counted._fields] for f in (some, every)]
+    models = (some.model, every.model)
+    counts = [[bool(getattr(each.numbers.counted, name)) for name in Counted._fields] for each in models]
     assert sum(counts[0]) < sum(counts[1])
     for axial, speed in ((430.0, 57.0), (880.0, 23.0)):
         at = {"axial_load": axial, "inner_speed": speed}
