@@ -64,7 +64,7 @@ POINT = np.dtype(
     align=True,
 )
 
-# How a point ends. The words are those of `analytic.solve.refusal`.
+# How a point ends. The words are those of `analytic.solve.freely`.
 (
     SETTLED,
     NO_THRUST,

@@ -38,6 +38,7 @@ class Row:
     title: str
     measure: Callable[[Tree], Sample]
     goal: float | None = None
+    worst: float = 1.5  # times as bad as at the recorded commit
     unit: Literal["s", "times"] = "s"  # times as fast: more is better
     clock: Literal["cpu", "wall"] = "cpu"
     once: bool = False
@@ -127,6 +128,9 @@ COMMANDS = (
         title="fembearing torque, built-in with a coefficient",
         measure=lambda tree: tree.command("torque", str(dry_file(tree.folder)), "--json"),
         goal=0.5,
+        # A known loss: numba's own cache imports numba and scipy.linalg, 0.6 s, where our loader needed neither. The
+        # goal is missed until commands with dry contacts do without compiled code, or the record is renewed.
+        worst=3.0,
         short=True,
     ),
     Row(
