@@ -16,12 +16,13 @@ from analytic.errors import FembearingError, InputError, real_numbers
 from analytic.free_ball.rotation import Creep
 from analytic.numerics.records import Records
 from analytic.scene import OIL_TEMPERATURES, Array, Operation, Scene
-from analytic.sliding.judge import AS_PRINTED, METHODS
+from analytic.sliding.judge import AS_PRINTED, METHODS, SINGLE_COEFFICIENT
 from analytic.solve.freely import METHODS as FREE_METHODS
+from analytic.solve.freely import settled_at_far_points
 from analytic.solve.kernel import solve, solve_free
 from analytic.solve.model import Counted, Model, Workspace, model_of, workspace
 from analytic.solve.records import BALL, POINT, SETTLED
-from analytic.solve.solution import solved
+from analytic.solve.solution import points_of, solved
 from analytic.torque import friction_torque
 
 Invalid = Literal["raise", "nan"]
@@ -196,7 +197,7 @@ class TorqueFunction(Brief):
         if self.scene.lubricant is None:
             point.pop("temperature")
         free = self.model is not None and self.model.creep is not None
-        load = np.hypot(point["axial_load"], point["radial_load"])
+        load = float(np.hypot(point["axial_load"], point["radial_load"]))
         scales = {
             "axial_load": load,
             "radial_load": load,
@@ -265,7 +266,7 @@ def torque_function(
     Parameters
     ----------
     scene : Scene
-        Its own operating points settle how balls turn and slide.
+        Its own operating points settle how balls turn and slide, and by how many nodes.
     invalid : {"raise", "nan"}
         What a call gives for numbers without an answer: an error, or NaN.
     over : mapping of str to (float, float), optional
@@ -301,18 +302,8 @@ def torque_function(
     settled = result.settled(still) if over is not None else _everything_on(still, result.sliding)
     model = None
     if scene.arrangement is None:
-        turns_freely = result.sliding in TURNING_FREELY
-        creeps: dict[Any, Creep] = {method: creep for creep, method in FREE_METHODS.items()}
-        method = AS_PRINTED if scene.microslip == "as_printed" else max(METHODS.index(_ruled(result.sliding)), 0)
-        model = model_of(
-            settled,
-            _counted(settled),
-            method=method,
-            judges=False,
-            creep=creeps[result.sliding] if turns_freely else None,
-            allowed=still.tolerance,
-            cold=False,
-        )
+        # Half of the tolerance may be gone for effects that ranges leave out.
+        model = _model(settled, result.sliding, still.tolerance if over is None else still.tolerance / 2)
     return TorqueFunction(
         scene=settled,
         invalid=invalid,
@@ -323,8 +314,24 @@ def torque_function(
     )
 
 
-def _ruled(sliding: str) -> Any:
-    return sliding if sliding in METHODS else METHODS[0]
+def _model(scene: Scene, sliding: str, allowed: float) -> Model:
+    """The model of a scene with fixed effects; allowed : error of the sliding of free balls."""
+    creeps: dict[str, Creep] = {method: creep for creep, method in FREE_METHODS.items()}
+    methods: tuple[str, ...] = METHODS
+    ruled = methods.index(sliding) if sliding in methods else SINGLE_COEFFICIENT
+    model = model_of(
+        scene,
+        _counted(scene),
+        method=AS_PRINTED if scene.microslip == "as_printed" else ruled,
+        judges=False,
+        creep=creeps.get(sliding),
+        allowed=allowed,
+    )
+    if model.creep is None:
+        return model
+    # One quadrature for all calls: the torque neither jumps from call to call nor depends on their order.
+    at_far = settled_at_far_points(scene, model, points_of(scene.operation.as_series(), model.temperature))
+    return model.with_numbers(passes=int(at_far.points["passes"].max()), cold=False)
 
 
 def _everything_on(scene: Scene, sliding: Any) -> Scene:

@@ -27,14 +27,14 @@ FASTEST, SLOWEST = 6000 * np.pi / 30, 1.0  # rad/s
 # %%
 # The torque as a function
 # ------------------------
-# Everything is settled when the function is made; a call takes less than a tenth of a millisecond.
+# Everything is settled when the function is made; a call takes a quarter of a millisecond.
 
 scene = replace(
     analytic.load_scene("6206"),
     operation=analytic.operation(axial_load="150 N", radial_load="400 N", inner_speed="6000 rpm"),
     lubricant=analytic.lubricant("ISO VG 46", temperature="40 degC"),
     surface=analytic.surfaces(finish="ground and honed"),
-    spin_rule="balanced",  # balls by closed kinematics, which are compiled
+    spin_rule="balanced",  # closed kinematics: free balls take some fifty times as long
 )
 torque_of = analytic.torque_function(scene)
 

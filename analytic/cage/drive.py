@@ -288,7 +288,7 @@ class CageDrive:
     def races(self, scene: Scene, point: int) -> Raceways:
         """Both races of one operating point, for balls that move freely; friction : mean over the balls by load.
 
-        Errors as those of `analytic.cage.races`.
+        Errors as those of `analytic.cage.raceways`.
         """
         load = self.balls.load[:, point]
         given = 0.0 if self.friction_coefficient is None else self.friction_coefficient

@@ -6,7 +6,7 @@ p0 sqrt(1 - x^2/a^2 - y^2/b^2). A ball that rolls with w_roll and spins with w_s
 Every point resists with a stress against v, which is a function of pressure and speed. c leaves no net force.
 `slip_over_ellipse` has both components. `slip_along_axis` leaves out v_y: this is the limit of a long ellipse, and with
 Coulomb friction its moments are those of `analytic.sliding.long_ellipse.microslip_moments`. Elastic creep is left out
-(`analytic.sliding.levers.creep_numbers` says when it matters, `analytic.free_ball` has it).
+(`analytic.sliding.creep.creep_numbers` says when it matters, `analytic.free_ball` has it).
 Source: derived here.
 """
 

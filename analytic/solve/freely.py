@@ -60,9 +60,7 @@ def slide_freely(
         _require_settled(scene, model, points, found)
         error = _relative_error(found)
     else:
-        far = far_points(points / np.maximum(np.abs(points).max(axis=0), 1e-300), FAR)
-        at_far = solved(model.with_numbers(allowed=allowed / BETWEEN).at(far), points[far])
-        _require_settled(scene, model.at(far), points[far], at_far)
+        at_far = settled_at_far_points(scene, model, points)
         series = model.with_numbers(passes=int(at_far.points["passes"].max()), cold=False)
         found = solved(series, points)
         _require_settled(scene, series, points, found)
@@ -80,6 +78,19 @@ def slide_freely(
             error=error,
         ),
     )
+
+
+def settled_at_far_points(scene: Scene, model: Model, points: Array) -> Solution:
+    """Up to FAR points of a series, which choose the quadrature of all; each refines its own.
+
+    points : (n, 5);  model : its allowed error holds for all points, so those between the far ones have room
+    Raises ConvergenceError as `slide_freely`.
+    """
+    far = far_points(points / np.maximum(np.abs(points).max(axis=0), 1e-300), FAR)
+    strict = model.with_numbers(allowed=model.numbers.allowed / BETWEEN).at(far)
+    found = solved(strict, points[far])
+    _require_settled(scene, strict, points[far], found)
+    return found
 
 
 def _relative_error(found: Solution) -> Array:

@@ -583,7 +583,7 @@ def finish(model: ModelNumbers, tables: Tables, load: Load, count: int, balls: R
     out.orbit_rate /= count
     out.ball_rate /= count
     out.contact_angle /= count
-    # First harmonic of the slowness of the balls round their orbit, see `analytic.cage.grip.ball_lead`
+    # First harmonic of the slowness of the balls round their orbit, see `analytic.cage.drive.ball_lead`
     out.ball_lead = -model.ring.bearing.pitch_diameter * out.ball_lead / out.slowness if count > 1 else 0.0
     if model.counted.cage:
         out.cage = cage_torque(model, tables, load.speed, out)

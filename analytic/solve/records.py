@@ -44,7 +44,7 @@ POINT = np.dtype(
         ("orbit_rate", "f8"),  # w_c/w, mean over the balls; NaN: nothing turns a ball
         ("ball_rate", "f8"),  # w_b/w, mean over the balls
         ("contact_angle", "f8"),  # |al|, mean over balls and races, rad
-        ("ball_lead", "f8"),  # A, m, see `analytic.cage.grip`
+        ("ball_lead", "f8"),  # A, m, see `analytic.cage.drive`
         ("slowness", "f8"),  # sum of w/w_c over the balls
         ("peak_pressure", "f8", 2),  # of the worst ball, Pa
         ("cut_off", "f8", 2),  # of the worst ball: share of its load beyond a shoulder
@@ -64,7 +64,7 @@ POINT = np.dtype(
     align=True,
 )
 
-# How a point ends. The words are those of `analytic.solve.freely`.
+# How a point ends: settled, or what has no answer there.
 (
     SETTLED,
     NO_THRUST,

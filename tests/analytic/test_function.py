@@ -19,6 +19,8 @@ from analytic.solve.records import NO_CAGE_DRIVE
 
 SCENES = Path(__file__).parents[2] / "validation" / "scenes"
 ROUND_OFF = 1e-11  # the ring settles to 1e-12 of its load, from two different starts
+# The torque of free balls by one quadrature repeats to 3e-7 between two passes; a start moves it by some of these.
+ONE_QUADRATURE = 1e-6
 LOADS = [(310.0, 0.0, 0.0), (120.0, 770.0, 0.0), (900.0, 130.0, 2.3), (45.0, 0.0, -0.7)]  # N, N, N m
 
 
@@ -90,10 +92,10 @@ def test_a_series_is_its_points() -> None:
 
 @pytest.mark.parametrize("radial", [0.0, 320.0])
 def test_free_balls_have_the_torque_of_the_series(radial: float) -> None:
-    """The first call refines its quadratures as a series of one point does."""
+    """The scene's points choose the quadrature that a series of this one point chooses too, on another way."""
     function = torque_function(scene_of("6205_physical", spin_rule="free", sliding="closed_creep"))
     given = {"axial_load": 600.0, "inner_speed": 41.0, "radial_load": radial}
-    np.testing.assert_allclose(function(**given), by_series(function, **given), rtol=1e-9)  # of the same passes
+    np.testing.assert_allclose(function(**given), by_series(function, **given), rtol=ONE_QUADRATURE)
 
 
 @pytest.mark.parametrize("sliding", ["closed_creep", "marched_creep"])
@@ -105,9 +107,22 @@ def test_what_was_called_before_moves_no_torque(sliding: str, radial: float) -> 
     other = {"axial_load": 410.0, "inner_speed": 67.0, "radial_load": 1.3 * radial, "temperature": 317.0}
     cold = function(**first)
     away = function(**other)
-    np.testing.assert_allclose(function(**first), cold, rtol=2e-6)  # rounds end at 1e-6 of the forces
-    np.testing.assert_allclose(function.copy()(**other), away, rtol=5e-3)  # its own number of nodes
+    np.testing.assert_allclose(function(**first), cold, rtol=ONE_QUADRATURE)
+    np.testing.assert_allclose(function.copy()(**other), away, rtol=ONE_QUADRATURE)
     assert abs(away / cold - 1) > 0.02
+
+
+def test_the_first_call_does_not_choose_the_nodes_of_the_others() -> None:
+    """At 0.2 % a series of one of these points takes fewer nodes than the scene's points do, and 1e-4 less torque."""
+    function = torque_function(scene_of("6205_physical", spin_rule="free", sliding="closed_creep", tolerance=2e-3))
+    light, heavy = {"axial_load": 60.0, "inner_speed": 41.0}, {"axial_load": 2500.0, "inner_speed": 1.0}
+    forth, back = function.copy(), function.copy()
+    found = forth(**light), forth(**heavy)
+    np.testing.assert_allclose((back(**heavy), back(**light))[::-1], found, rtol=ONE_QUADRATURE)
+    table = function.series(axial_load=[60.0, 2500.0], inner_speed=[41.0, 1.0])
+    np.testing.assert_allclose(table, found, rtol=ONE_QUADRATURE)
+    for at, torque in zip((light, heavy), found, strict=True):
+        np.testing.assert_allclose(torque, by_series(function, **at), rtol=2e-3)
 
 
 def test_a_pair_is_a_series_at_each_call() -> None:
@@ -126,21 +141,37 @@ def test_the_paper_s_printed_moments_are_compiled() -> None:
     np.testing.assert_allclose(function(**given), by_series(function, **given), rtol=1e-9)
 
 
-@pytest.mark.parametrize(("name", "rule"), [("6205_physical", "balanced"), ("6205_physical", "free")])
-def test_the_gradient_is_that_of_torques_that_begin_by_rule(name: str, rule: str) -> None:
-    """Against wider differences, whose error of the third order is four times as large."""
-    function = torque_function(scene_of(name, spin_rule=rule, sliding="auto" if rule == "balanced" else "closed_creep"))
+STEPS = {"axial_load": 8.0, "inner_speed": 0.9, "radial_load": 8.0, "moment": 0.05, "temperature": 1.5}
+
+
+@pytest.mark.parametrize("rule", ["balanced", "free"])
+def test_the_gradient_is_that_of_torques_of_the_series(rule: str) -> None:
+    """Against wider differences; their error of third order is below 2 % of the slope, or 1e-4 of the torque a step."""
+    function = torque_function(
+        scene_of("6205_physical", spin_rule=rule, sliding="auto" if rule == "balanced" else "closed_creep")
+    )
     at = {"axial_load": 520.0, "inner_speed": 61.0, "radial_load": 140.0, "moment": 0.4, "temperature": 334.0}
-    function(**{**at, "axial_load": 777.0})
     slopes = function.gradient(**at)
     assert set(slopes) == set(at)
-    assert function.gradient(**at) == slopes
-    steps = {"axial_load": 8.0, "inner_speed": 0.9, "radial_load": 8.0, "moment": 0.05, "temperature": 1.5}
-    for name_of, step in steps.items():
-        ends = [function.copy()(**{**at, name_of: at[name_of] + sign * step}) for sign in (-1, 1)]
-        largest = max(abs(ends[0]), abs(ends[1])) / steps[name_of]
-        np.testing.assert_allclose(slopes[name_of], (ends[1] - ends[0]) / (2 * step), rtol=0.02, atol=1e-4 * largest)
+    for name, step in STEPS.items():
+        ends = [by_series(function, **{**at, name: at[name] + sign * step}) for sign in (-1, 1)]
+        np.testing.assert_allclose(
+            slopes[name], (ends[1] - ends[0]) / (2 * step), rtol=0.02, atol=1e-4 * ends[1] / step
+        )
+    # Warm oil resists less to rolling, which is most of the torque here.
     assert slopes["axial_load"] > 0 > slopes["temperature"]
+
+
+@pytest.mark.parametrize("rule", ["balanced", "free"])
+def test_the_gradient_does_not_depend_on_calls(rule: str) -> None:
+    """Neither on where balls settled last, nor on the oil there, nor does a call depend on the gradient."""
+    function = torque_function(scene_of("6205_physical", spin_rule=rule))
+    at = {"axial_load": 520.0, "inner_speed": 61.0, "radial_load": 140.0}
+    before = function.gradient(**at)
+    torque = function(axial_load=777.0, inner_speed=-33.0, temperature=351.7)
+    assert function.gradient(**at) == before
+    other = function.copy()
+    assert other(axial_load=777.0, inner_speed=-33.0, temperature=351.7) == torque
 
 
 def test_a_torque_without_oil_has_no_slope_by_temperature() -> None:
@@ -151,17 +182,20 @@ def test_a_torque_without_oil_has_no_slope_by_temperature() -> None:
 
 
 def test_ranges_leave_out_what_hardly_counts_there() -> None:
-    scene = scene_of("6205_physical", tolerance=0.1)
+    scene = scene_of("6205_physical", tolerance=0.05)
     ranges = {"axial_load": (400.0, 900.0), "inner_speed": (20.0, 60.0), "radial_load": (0.0, 0.0)}
     some, every = torque_function(scene, over=ranges), torque_function(scene)
     assert some.model is not None
     assert every.model is not None
-    models = (some.model, every.model)
-    counts = [[bool(getattr(each.numbers.counted, name)) for name in Counted._fields] for each in models]
-    assert sum(counts[0]) < sum(counts[1])
+    counts = [
+        {name for name in Counted._fields if getattr(model.numbers.counted, name)}
+        for model in (some.model, every.model)
+    ]
+    assert counts[0] < counts[1]
     for axial, speed in ((430.0, 57.0), (880.0, 23.0)):
         at = {"axial_load": axial, "inner_speed": speed}
-        np.testing.assert_allclose(some(**at), every(**at), rtol=0.1)
+        np.testing.assert_allclose(some(**at), every(**at), rtol=0.05)
+        assert some(**at) != every(**at)
 
 
 def test_a_range_of_nothing_known_is_refused() -> None:
