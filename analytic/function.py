@@ -266,7 +266,8 @@ def torque_function(
     Parameters
     ----------
     scene : Scene
-        Its own operating points settle how balls turn and slide, and by how many nodes.
+        Its own operating points settle how balls turn and slide, and by how many nodes. Give
+        points that span the range of the calls: elsewhere, nothing bounds the error of the nodes.
     invalid : {"raise", "nan"}
         What a call gives for numbers without an answer: an error, or NaN.
     over : mapping of str to (float, float), optional

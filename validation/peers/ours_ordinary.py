@@ -9,7 +9,7 @@ from peer import Solve, serve
 
 
 def load() -> Solve:
-    from fembearing.compare.contact.mesh_refinement import solve_reference
+    from fembearing.compare.contact.reference import solve_reference
     from fembearing.mesh.recipe import load_recipe
     from fembearing.progress import silent
     from idealised import idealised_contact
