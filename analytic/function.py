@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.brief import Brief
-from analytic.effects.sliding import TURNING_FREELY
 from analytic.effects.table import ENTRIES
 from analytic.errors import FembearingError, InputError, real_numbers
 from analytic.free_ball.rotation import Creep
@@ -22,7 +21,7 @@ from analytic.solve.freely import settled_at_far_points
 from analytic.solve.kernel import solve, solve_free
 from analytic.solve.model import Counted, Model, Workspace, model_of, workspace
 from analytic.solve.records import BALL, POINT, SETTLED
-from analytic.solve.solution import points_of, solved
+from analytic.solve.solution import FAR, points_of, solved
 from analytic.torque import friction_torque
 
 Invalid = Literal["raise", "nan"]
@@ -331,13 +330,15 @@ def _model(scene: Scene, sliding: str, allowed: float) -> Model:
     if model.creep is None:
         return model
     # One quadrature for all calls: the torque neither jumps from call to call nor depends on their order.
-    at_far = settled_at_far_points(scene, model, points_of(scene.operation.as_series(), model.temperature))
+    # A cage that leading balls squeeze has its torque from `friction_torque`.
+    bare = model.counting(_counted(scene) | {"cage": False})
+    at_far = settled_at_far_points(scene, bare, points_of(scene.operation.as_series(), model.temperature))
     return model.with_numbers(passes=int(at_far.points["passes"].max()), cold=False)
 
 
 def _everything_on(scene: Scene, sliding: Any) -> Scene:
     """The scene with its method of sliding settled, and a tolerance for which every effect counts."""
-    free = sliding in TURNING_FREELY
+    free = sliding in FREE_METHODS.values()
     on = {name: "on" for name in Counted._fields if free and _acts(scene, name)}
     return replace(
         scene,
@@ -361,15 +362,18 @@ def _counted(scene: Scene) -> dict[str, bool]:
 
 
 def _corners(operation: Operation, over: Mapping[str, tuple[float, float]]) -> Operation:
-    """The corners of ranges; what has no range has that of the scene."""
+    """A grid over ranges, with their corners; what has no range has that of the scene."""
     names = GIVEN[:4]
     if wrong := set(over) - set(names):
         raise InputError(f"over: {min(wrong)} is no range; known are {', '.join(names)}")
-    ends = []
+    ranges = []
     for name in names:
         given = real_numbers(f"over: {name}", over.get(name, np.asarray(getattr(operation, name))))
-        ends.append(sorted({float(given.min()), float(given.max())}))
-    return Operation(**dict(zip(names, np.array(list(product(*ends))).T, strict=True)))
+        ranges.append((float(given.min()), float(given.max())))
+    wide = sum(low < high for low, high in ranges)
+    # More than FAR points: a trial then leaves out what hardly counts.
+    each = [np.linspace(low, high, int(np.ceil((FAR + 1) ** (1 / wide))) if low < high else 1) for low, high in ranges]
+    return Operation(**dict(zip(names, np.array(list(product(*each))).T, strict=True)))
 
 
 def _one_number(name: str, given: Any) -> float:

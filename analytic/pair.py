@@ -14,7 +14,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.contact.factors import ContactCorrection
-from analytic.effects.declared import declared_torque
 from analytic.effects.ledger import share_in
 from analytic.errors import InputError
 from analytic.loads.balls import LoadEffects
@@ -92,7 +91,7 @@ def pair_torque(scene: Scene, both: PairSeries, each: FrictionTorque) -> Frictio
     assert scene.arrangement is not None
     operation, found = scene.operation.as_series(), both.equilibrium
     count = operation.inner_speed.size
-    at_rest = declared_torque(scene.losses)
+    at_rest = scene.losses.total
     by_bearing = np.full((2, count), 0.0 if at_rest is None else at_rest)
     for total, points, rows in zip(by_bearing, both.points, both.rows, strict=True):
         total[points] = each.torque.total[rows]

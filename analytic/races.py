@@ -1,70 +1,149 @@
-"""The torque of balls on races: loads, sliding and rolling together, as the decisions of the scene have it.
+"""What balls and races lose, by the kernel: which effects count, how the balls turn, and by which method they slide."""
 
-The balls are first loaded and turned by closed kinematics. From these it is decided what counts. Where their own axis
-counts they then turn freely, which changes loads and angles too, and all is computed from the balls that come out.
-"""
-
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import get_args
 
 import numpy as np
+from numpy.typing import NDArray
 
 from analytic.contact.factors import ContactCorrection
-from analytic.effects.ledger import Ledger, share_in
-from analytic.effects.limits import require_on_grooves
-from analytic.effects.loads import ChosenBalls, chosen_balls
-from analytic.effects.sliding import Resisting, decide_creep, decide_sliding, decide_whether_sliding, mixed_contacts
-from analytic.effects.table import ENTRIES
-from analytic.errors import require_finite
-from analytic.loads.balls import LoadedBalls
-from analytic.oil.inlets import inlets_of
-from analytic.oil.lubricated_races import lubricate_races
-from analytic.oil.mixed import MixedContact
-from analytic.oil.rolling import (
-    HYSTERESIS_LOSS,
-    RollingResistance,
-    houpert_rolling,
-    hydrodynamic_rolling,
-    hysteresis_moment,
-    rolling_torque,
+from analytic.effects.ledger import Ledger
+from analytic.effects.table import ENTRIES, PER_CENTRIFUGAL, PER_LAG, TRIED, ruled
+from analytic.effects.trial import (
+    Trial,
+    at_all_points,
+    decide_effects,
+    left_out_at_all,
+    possible,
+    slip_by_gyroscopic_moment,
+    slip_by_weight,
+    trial_of,
+    unequal_loads,
 )
-from analytic.oil.traction import CoulombTraction
-from analytic.oil.variation import Variation
-from analytic.oil.viscosity import inlet_viscosity
-from analytic.scene import Array, Operation
-from analytic.sliding.ball import Tractions
-from analytic.sliding.methods import Sliding, SlidingModel, race_sliding
-from analytic.solve.freely import slide_freely
+from analytic.errors import InputError, require_finite, require_positive
+from analytic.free_ball.rotation import Creep
+from analytic.loads.balls import LoadedBalls
+from analytic.loads.finite_geometry import corrections_of
+from analytic.loads.ring_balance import require_enough_balls
+from analytic.loads.thrust import require_given_angle
+from analytic.numerics.records import Records
+from analytic.oil.variation import NOMINAL, Variation
+from analytic.scene import Array, Decision, Microslip, Operation, Scene, SlidingMethod, SpinRule
+from analytic.scene import Sliding as Method
+from analytic.sliding.judge import ALONG_AXIS, AS_PRINTED, FINE, METHODS, OVER_ELLIPSE
+from analytic.solve.failures import require_settled, undistributed
+from analytic.solve.freely import BETWEEN, error_of_sliding, part_by_sliding, slide_freely
+from analytic.solve.freely import METHODS as FREE_METHODS
+from analytic.solve.model import weights_of
+from analytic.solve.sample import BY_SLIP, slide_by_sample
+from analytic.solve.solution import Solution, solved
+from analytic.surface.roughness import GapRoughness, gap_roughness
+from analytic.words import NEWTON, NEWTON_MILLIMETRE
 
-BY_SLIP = ("spin", "conformity")
+# rad: below, a force across a contact turns it by more of its own angle, and spin follows the angle. The torque changes
+# by 6.8 shares of the weight at 0.1 rad, by 5.3 at 0.28 and by 4.8 at 0.25 (validation/adversary/run.py).
+FLAT_ANGLE = 0.5
+TINIEST = 1e-300
+LOADING = ("load_distribution", "weight", "centrifugal", "gyroscopic", "finite_geometry")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class RaceTorque:
-    """What the races resist, and of which balls; (n,) operating points."""
+    """What the races resist, and of which balls; n operating points."""
 
-    chosen: ChosenBalls  # with the balls that turn as computed
-    parts: dict[str, Array]  # N m
-    resisting: Resisting
-    resistance: RollingResistance | None  # None: rolling is left out
-    mixed: MixedContact | None  # None: nothing slides, or its coefficient is given
-    sliding: Sliding | None  # None: nothing slides
-    sliding_number: Array | None  # (2, n) of each race; None: nothing slides, or rolling is left out
-    gyroscopic_hold: Array | None  # of the worst ball; None: nothing slides, or the moment is left out
+    scene: Scene
+    trial: Trial
+    counted: Mapping[str, bool]  # every effect of balls and races but creep
+    found: Solution
+    method: Method  # by which sliding is computed; auto: nothing slides
+    error: Array  # (n,) of the method, relative to the torque by sliding
+    computed: int  # number of points by the method; the others are interpolated
+    warnings: tuple[str, ...]  # of the contacts' finite geometry
+    beyond_fit: bool  # a contact lies outside the fit for finite geometry
+    any_direction: NDArray[np.bool_]  # (n,) whether the balls' weight counts and nobody knows its direction
 
-    @property
+    @cached_property
     def balls(self) -> LoadedBalls:
-        return self.chosen.balls
+        """The loaded balls as arrays."""
+        return self.found.loaded_balls(self.scene.bearing)
 
     @property
+    def slides(self) -> bool:
+        """Whether spin or conformity counts."""
+        return self.method != "auto"
+
+    @cached_property
+    def parts(self) -> dict[str, Array]:
+        """Each (n,), N m, of the effects that count."""
+        names = ("hysteresis", "rolling", *BY_SLIP)
+        return {name: self.found.points[name].copy() for name in names if self.counted[name]}
+
+    @cached_property
     def total(self) -> Array:
         """(n,) N m."""
-        return sum(self.parts.values(), start=np.zeros(self.balls.load.shape[1]))
+        return self.found.race_torque
 
     @property
-    def sliding_part(self) -> Array:
-        """(n,) N m, the part by spin and conformity."""
-        slipping = (part for name, part in self.parts.items() if name in BY_SLIP)
-        return sum(slipping, start=np.zeros(self.balls.load.shape[1]))
+    def coefficient(self) -> Array | None:
+        """(2, n, m) friction coefficient of each contact; None: nothing slides."""
+        return np.moveaxis(self.found.balls["friction_coefficient"], -1, 0) if self.slides else None
+
+    @property
+    def is_mixed(self) -> bool:
+        """Whether film and asperities share the load of the contacts."""
+        return self.slides and self.scene.friction_coefficient is None
+
+    @property
+    def are_alike(self) -> bool:
+        """Whether one ball stands for all."""
+        return self.found.balls.shape[1] == 1
+
+    @cached_property
+    def heaviest(self) -> Records:
+        """(n,) `records.BALL`: the ball that presses hardest on a race at each operating point."""
+        balls = self.found.balls
+        return balls[np.arange(len(balls)), balls["load"].max(axis=2).argmax(axis=1)]
+
+    @cached_property
+    def gap_roughness(self) -> GapRoughness | None:
+        """Of ball and race together; None: nothing slides, or its friction coefficient is given."""
+        surface = self.scene.surface
+        return gap_roughness(surface) if self.slides and surface is not None else None
+
+    @property
+    def sliding_number(self) -> Array | None:
+        """(2, n) rolling force of the oil on all balls over the most friction of each race; None: not computed.
+
+        A race turns its balls against this force. Beyond 1 it cannot, and the balls skid.
+        """
+        return self.found.sliding_number if self.slides and self.counted["rolling"] else None
+
+    @property
+    def gyroscopic_hold(self) -> Array | None:
+        """(n,) gyroscopic moment over the most that friction holds, of the worst ball; None: it has no part."""
+        known = ENTRIES["gyroscopic"].lacks(self.scene) is None and self.scene.effects.get("gyroscopic") != "off"
+        return self.found.points["gyroscopic_hold"].copy() if self.slides and known else None
+
+    def by_rule(self, at: NDArray[np.intp], weights: Array | None = None, *, farthest: bool = False) -> Array:
+        """(k,) race torque at some points with the same effects, by the cheapest method; NaN where there is none.
+
+        weights : of the balls, as `Model` has them, under their own loads; None: as they were
+        farthest : contacts outside the fit have the factors at the far end of what is not known
+        """
+        counted = dict(self.counted)
+        if weights is not None:
+            counted |= {"load_distribution": True, "weight": bool(weights.any())}
+        model = self.trial.model.weighing(self.trial.model.weights if weights is None else weights)
+        found = solved(
+            model.counting(counted).with_numbers(farthest=farthest, judges=False).at(at), self.trial.points[at]
+        )
+        return found.race_torque
+
+    def with_weight(self, at: NDArray[np.intp], down: tuple[float, float, float] | None) -> Array:
+        """(k,) race torque at some points with the balls' weight in a direction; None: without weight."""
+        return self.by_rule(at, weights_of(self.scene.bearing, down))
 
 
 def race_torque(
@@ -75,135 +154,214 @@ def race_torque(
     operation : the scene's, every array (n,);  correction, variation : as in `analytic.torque.friction_torque`
     Raises InputError and ConvergenceError as the loads and the sliding do.
     """
-    scene, speed = ledger.scene, operation.inner_speed
-    require_finite(**{"operation.inner_speed": speed})
-    chosen = chosen_balls(scene, operation, ledger, correction=correction)
-    ledger.decide("hysteresis")
-    ledger.decide("rolling")
-    slides = decide_whether_sliding(ledger)
-    resisting, resistance = _resisting(ledger, chosen.balls, speed, slides=slides, variation=variation)
-    estimate = decide_sliding(scene, resisting, ledger, slides=slides)
-    creep = decide_creep(scene, estimate, ledger, slides=slides)
-    turns = slides and not ledger.rules_out("gyroscopic") and ENTRIES["gyroscopic"].lacks(scene) is None
-    sliding: Sliding | None = None
-    mixed = estimate.decided
+    scene = ledger.scene
+    _require_loads(scene, operation)
+    trial = trial_of(scene, operation, correction, variation)
+    base = _base(scene, trial, operation)
+    counted = decide_effects(ledger, trial, base, has_factors=correction is not None)
+    any_direction = _any_direction(ledger, trial, counted)
+    slides = counted["spin"] or counted["conformity"]
+    creep = _free_creep(ledger, trial, counted, base, slides=slides)
     allowed = scene.tolerance - ledger.left_out
-
-    if slides and creep is not None:
-        # Where there is no contact, the search for the balls' rotation takes seconds.
-        require_on_grooves(scene.bearing, operation, chosen.balls)
-        free = slide_freely(
-            scene,
-            {name: ledger.is_on(name) for name in ledger.made},
-            creep=creep,
-            correction=correction,
-            variation=variation,
-            allowed=float(np.min(allowed)),
-        )
-        chosen, sliding = chosen.turning(free.balls), free.sliding
-        resisting, resistance = _resisting(ledger, chosen.balls, speed, slides=slides, variation=variation)
-        mixed = mixed_contacts(ledger, resisting)
-    if slides and sliding is None:
-        model = SlidingModel(
-            spins=ledger.is_on("spin"),
-            conforms=ledger.is_on("conformity"),
-            spin_rule="balanced" if scene.spin_rule == "free" else scene.spin_rule,
-            microslip=scene.microslip,
-            method=scene.sliding,
-        )
-        laws = _tractions(ledger, resisting, mixed)
-        sliding = race_sliding(
-            chosen.balls, laws, model, ring_speed=speed, other_torque=_other(ledger, resisting), allowed=allowed
-        )
-    parts = {"hysteresis": resisting.constant} if ledger.is_on("hysteresis") else {}
-    if resisting.rolling is not None:
-        parts["rolling"] = _rolled(ledger, resisting)
-    if sliding is not None:
-        parts |= {name: getattr(sliding, name) for name in BY_SLIP if ledger.is_on(name)}
-    races = RaceTorque(
-        chosen=chosen,
-        parts=parts,
-        resisting=resisting,
-        resistance=resistance,
-        mixed=mixed,
-        sliding=sliding,
-        sliding_number=estimate.sliding_number() if slides else None,
-        gyroscopic_hold=estimate.gyroscopic_hold(scene) if turns else None,
+    method: Method = "auto"
+    computed = len(trial.points)
+    if creep is not None:
+        model = trial.model.counting(counted).turning_freely(scene.bearing, creep)
+        found, error = slide_freely(scene, model.with_numbers(allowed=float(allowed.min())), trial.points)
+        method = FREE_METHODS[creep]
+    else:
+        found, error, method, computed = _slide_by_rule(scene, trial, counted, allowed, slides=slides)
+    warnings, beyond = _finite_geometry(ledger, scene, found, is_given=correction is not None)
+    return RaceTorque(
+        scene=scene,
+        trial=trial,
+        counted=counted,
+        found=found,
+        method=method,
+        error=error,
+        computed=computed,
+        warnings=warnings,
+        beyond_fit=beyond,
+        any_direction=any_direction,
     )
-    reason = ENTRIES["hysteresis"].lacks(scene)
-    if reason is not None:
-        most = share_in(_hysteresis(chosen.balls, HYSTERESIS_LOSS[1]), races.total)
-        ledger.settle("hysteresis", on=False, share=most, reason=reason)
-    return races
 
 
-def _hysteresis(balls: LoadedBalls, loss: float) -> Array:
-    """(n,) torque by hysteresis, N m; loss : alpha'."""
-    return balls.total(hysteresis_moment(balls.contacts, hysteresis_loss=loss) * balls.contacts.rolling_rate)
+def loaded_balls_of(scene: Scene) -> LoadedBalls:
+    """The loaded balls at every operating point, with every effect on their loads that the scene does not rule out.
+
+    They turn by closed kinematics. Raises InputError and ConvergenceError as `friction_torque` does.
+    """
+    operation = scene.operation.as_series()
+    _require_loads(scene, operation)
+    off: dict[str, Decision] = {name: "off" for name in TRIED if name not in LOADING}
+    # Loads are the same whatever resists sliding, which the scene may lack.
+    bare = replace(scene, lubricant=None, surface=None, effects={**scene.effects, **off})
+    trial = trial_of(bare, operation, None, NOMINAL)
+    _base(bare, trial, operation)
+    model = trial.model.counting(possible(bare))
+    found = solved(model, trial.points)
+    require_settled(bare, model, trial.points, found)
+    return found.loaded_balls(scene.bearing)
 
 
-def _other(ledger: Ledger, resisting: Resisting) -> Array:
-    """(n,) torque by all but sliding, N m."""
-    return resisting.constant if resisting.rolling is None else resisting.constant + _rolled(ledger, resisting)
+def _require_loads(scene: Scene, operation: Operation) -> None:
+    """Raise InputError for loads that no method takes."""
+    bearing = scene.bearing
+    require_finite(**{f"operation.{name}": values for name, values in vars(operation).items()})
+    require_positive(ball_count=bearing.ball_count)
+    require_given_angle(bearing, scene.contact_angle)
+    for name, known in (
+        ("microslip", get_args(Microslip)),
+        ("spin_rule", get_args(SpinRule)),
+        ("sliding", ("auto", *get_args(SlidingMethod))),
+    ):
+        if (value := getattr(scene, name)) not in known:
+            raise InputError(f"{name} must be {', '.join(known[:-1])} or {known[-1]}, got {value!r}")
+    if operation.is_thrust:
+        require_positive(axial_load=operation.axial_load)
+    elif bearing.kind == "thrust":
+        _require_thrust(operation)
+    elif ENTRIES["load_distribution"].lacks(scene) is None and scene.effects.get("load_distribution") != "off":
+        require_enough_balls(bearing)
 
 
-def _rolled(ledger: Ledger, resisting: Resisting) -> Array:
-    """(n,) torque by hydrodynamic rolling, N m."""
-    assert resisting.rolling is not None
-    assert resisting.inlets is not None
-    left = resisting.inlets.rolling_factor(heats=ledger.is_on("inlet_heating"), starves=ledger.is_on("starvation"))
-    return resisting.balls.total(resisting.rolling * left)
-
-
-def _resisting(
-    ledger: Ledger, balls: LoadedBalls, speed: Array, *, slides: bool, variation: Variation
-) -> tuple[Resisting, RollingResistance | None]:
-    """What resists the balls; speed : w, (n,), rad/s."""
-    scene, lubricant = ledger.scene, ledger.scene.lubricant
-    constant = np.zeros(balls.load.shape[1])
-    if ledger.is_on("hysteresis"):
-        assert scene.hysteresis_loss is not None
-        constant = _hysteresis(balls, scene.hysteresis_loss)
-    resistance: RollingResistance | None = None
-    rolling: Array | None = None
-    if ledger.is_on("rolling"):
-        assert lubricant is not None
-        oil, entrainment = inlet_viscosity(lubricant), speed[:, None] * balls.motion.entrainment_speed
-        if variation.rolling_formula == "houpert":
-            resistance = houpert_rolling(
-                balls.contacts,
-                viscosity=oil.viscosity,
-                pressure_viscosity=oil.pressure_viscosity,
-                entrainment_speed=entrainment,
+def _require_thrust(operation: Operation) -> None:
+    """Raise InputError for loads that a thrust bearing does not take."""
+    for name, unit in (("radial_load", NEWTON), ("moment", NEWTON_MILLIMETRE)):
+        values = np.asarray(getattr(operation, name))
+        if np.any(values):
+            largest = unit.written(values.flat[np.argmax(np.abs(values))], "g")
+            raise InputError(
+                f"operation.{name} = {largest}: a thrust bearing carries axial_load alone; leave {name} out"
             )
-        else:
-            resistance = hydrodynamic_rolling(balls.contacts, viscosity=oil.viscosity, entrainment_speed=entrainment)
-        rolling = variation.rolling * rolling_torque(resistance, entrainment_rate=balls.motion.entrainment_speed)
-    oiled = None
-    if slides and lubricant is not None and scene.surface is not None:
-        oiled = lubricate_races(
-            scene.bearing,
-            balls,
-            lubricant=lubricant,
-            surface=scene.surface,
-            ring_speed=speed,
-            variation=variation,
-        )
-    resisting = Resisting(
-        balls=balls,
-        constant=constant,
-        rolling=rolling,
-        inlets=None if lubricant is None else inlets_of(scene.bearing, balls, lubricant, ring_speed=speed),
-        oiled=oiled,
-        friction_coefficient=scene.friction_coefficient or 0.0,
+
+
+def _base(scene: Scene, trial: Trial, operation: Operation) -> Solution:
+    """The tried points with every effect. Raises the error of the first that has no torque."""
+    counted, points = possible(scene), trial.points[trial.tried]
+    base, lacks = trial.solved(counted), ENTRIES["load_distribution"].lacks(scene)
+    if lacks is not None and not operation.is_thrust:
+        unequal = float(unequal_loads(scene, operation, trial.under_thrust).max())
+        if unequal > scene.tolerance:
+            raise undistributed(unequal, lacks)
+    if base.points["status"].any():  # what is wrong without the balls' own forces has the better words
+        still = counted | dict.fromkeys(("weight", "centrifugal", "gyroscopic", "finite_geometry"), False)
+        require_settled(scene, trial.model.counting(still).at(trial.tried), points, trial.solved(still))
+        require_settled(scene, trial.model.at(trial.tried), points, base)
+    return base
+
+
+def _any_direction(ledger: Ledger, trial: Trial, counted: Mapping[str, bool]) -> NDArray[np.bool_]:
+    """(n,) where the balls' weight counts, and nobody knows its direction."""
+    scene = ledger.scene
+    unknown = scene.down is None and scene.contact_angle.rule == "solved"
+    if not unknown or ledger.rules_out("weight"):
+        return np.zeros(len(trial.points), dtype=bool)
+    found = trial.solved(counted)
+    if not trial.is_of_all:
+        loads = {name: counted[name] for name in LOADING}
+        found = solved(trial.model.counting(loads), trial.points, keeps_balls=False)
+    lean = np.maximum(FLAT_ANGLE / np.maximum(found.points["contact_angle"], TINIEST), 1.0)
+    return ~ledger.leaves_out_at(PER_CENTRIFUGAL * lean * found.points["weight_share"])
+
+
+def _free_creep(
+    ledger: Ledger, trial: Trial, counted: dict[str, bool], base: Solution, *, slides: bool
+) -> Creep | None:
+    """Settle creep; how the surfaces of freely turning balls creep, or None where closed kinematics turn them.
+
+    Raises InputError for a method of sliding for free balls where something else in the scene says otherwise.
+    """
+    scene, contrary = ledger.scene, ruled(ledger.scene)
+    wanted = {"closed_creep": "closed", "marched_creep": "marched"}.get(scene.sliding)
+    if wanted is not None and ledger.rules_out("creep"):
+        contrary = contrary or 'effects.creep = "off" leaves the creep out: use "auto"'
+    asked = scene.sliding in FREE_METHODS.values()
+    if slides and contrary is not None and asked:
+        raise InputError(f'friction.sliding = "{scene.sliding}" cannot be had: {contrary}')
+    tried, between = trial.solved(counted) if slides else base, 1.0 if trial.is_of_all else BETWEEN
+    share = tried.points["creep"] + PER_LAG * tried.sliding_number.max(axis=0)
+    on = ledger.decide(
+        "creep",
+        bound=np.full_like(ledger.left_out, between * share.max()) if slides else None,
+        lacks=None if slides else ENTRIES["creep"].idle,
+        demanded=None if wanted is None else f'friction.sliding = "{scene.sliding}" has it',
     )
-    return resisting, resistance
+    if not slides or contrary is not None:
+        return None
+    if on:
+        creep: Creep = "closed" if scene.sliding == "closed_creep" else "marched"
+    elif asked or not _rule_suffices(ledger, trial, counted, tried):
+        creep = "none"
+    else:
+        return None
+    if not counted["spin"]:
+        counted["spin"] = True
+        ledger.settle("spin", on=True, reason=ENTRIES["spin"].given)
+    return creep
 
 
-def _tractions(ledger: Ledger, resisting: Resisting, mixed: MixedContact | None) -> Tractions:
-    oiled = resisting.oiled
-    if oiled is None or mixed is None:
-        assert ledger.scene.friction_coefficient is not None
-        law = CoulombTraction(friction_coefficient=ledger.scene.friction_coefficient)
-        return law, law
-    return oiled.traction(mixed.race(0)), oiled.traction(mixed.race(1))
+def _rule_suffices(ledger: Ledger, trial: Trial, counted: Mapping[str, bool], tried: Solution) -> bool:
+    """Whether closed kinematics turn balls well enough: friction holds them, and their inertia hardly counts."""
+    inertia = [name for name in ("centrifugal", "gyroscopic") if counted[name]]
+    bound = np.zeros_like(ledger.left_out)
+    if inertia:
+        bound = left_out_at_all(ledger, trial.share_by_parts(counted, *inertia))
+    if counted["weight"]:
+        bound = bound + at_all_points(ledger, slip_by_weight(ledger.scene.bearing, tried))
+    if counted["gyroscopic"]:
+        bound = bound + slip_by_gyroscopic_moment(ledger, tried)
+    return ledger.leaves_out(bound)
+
+
+def _slide_by_rule(
+    scene: Scene, trial: Trial, counted: Mapping[str, bool], allowed: Array, *, slides: bool
+) -> tuple[Solution, Array, Method, int]:
+    """Every operating point by the cheapest method whose error is allowed at the tried ones, or by the best one.
+
+    allowed : (n,) relative to the whole torque
+    Returns the points, the error relative to the torque by sliding, the method, and how many points it computed.
+    Raises ConvergenceError for a point without a torque.
+    """
+    model, between = trial.model.counting(counted), 1.0 if trial.is_of_all else BETWEEN
+    if not slides:
+        found = solved(model, trial.points)
+        require_settled(scene, model, trial.points, found)
+        return found, np.zeros(len(trial.points)), "auto", len(trial.points)
+    printed = scene.microslip == "as_printed"
+    methods = [AS_PRINTED] if printed else [k for k, m in enumerate(METHODS) if scene.sliding in ("auto", m)]
+    for method in methods[:-1]:
+        tried = trial.solved(counted, method)
+        missed = error_of_sliding(tried) * part_by_sliding(tried)
+        largest = np.nan_to_num(missed, nan=np.inf).max()
+        if between * largest <= allowed.min():
+            break
+        if largest <= allowed.min():  # near the limit: the error of every point decides
+            found = solved(model.with_numbers(method=method, judges=True), trial.points)
+            error = error_of_sliding(found)
+            if np.all(error * part_by_sliding(found) <= allowed.min()):
+                return found, error, METHODS[method], len(trial.points)
+    else:
+        method = methods[-1]
+        tried = trial.solved(counted, method)
+    found, error, model = tried, error_of_sliding(tried), model.with_numbers(method=method)
+    sampled = None
+    if not trial.is_of_all:
+        alike = tried.balls.shape[1] == 1 and len(model.tables.factors) < 2
+        if alike and method in (ALONG_AXIS, OVER_ELLIPSE, FINE):
+            sampled = slide_by_sample(model, trial.points, allowed)
+        found = solved(model.with_numbers(judges=False), trial.points) if sampled is None else sampled.found
+        error = np.full(len(trial.points), between * error.max() if sampled is None else sampled.error)
+    require_settled(scene, model, trial.points, found)
+    computed = len(trial.points) if sampled is None else sampled.computed
+    return found, error, "single_coefficient" if printed else METHODS[method], computed
+
+
+def _finite_geometry(ledger: Ledger, scene: Scene, found: Solution, *, is_given: bool) -> tuple[tuple[str, ...], bool]:
+    """What is said of contacts outside the fit for finite geometry, and whether there are any."""
+    if is_given or not ledger.is_on("finite_geometry") or not found.points["beyond_fit"].any():
+        return (), False
+    warnings = corrections_of(scene.bearing, found.loaded_balls(scene.bearing)).warnings
+    if not found.points["fit_applied"].any():
+        ledger.not_applied("finite_geometry", f"not applied: {'; '.join(warnings)}")
+    return warnings, True

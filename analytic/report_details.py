@@ -1,4 +1,4 @@
-"""What the report of a scene says beside its numbers: who signs it, in which units, and next to which published case.
+"""What the report of a scene says beside its numbers: who signs it, and in which units.
 
 Nothing here changes a number.
 """
@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import Literal
 
 UnitSystem = Literal["metric", "inch"]
-PublishedCase = Literal["paper_6205"]  # of the paper behind the model: see `fembearing.compare.torque.published`
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -19,4 +18,3 @@ class ReportDetails:
     revision: str | None = None  # of the report
     date: str | None = None  # of the revision, not of the computation
     units: UnitSystem = "metric"  # that pages and tables show
-    published: PublishedCase | None = None  # None: the report has no published numbers

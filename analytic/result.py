@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from analytic.brief import Brief, points_of, span
 from analytic.cage.torque import CAGE_KEYS, CagePart
-from analytic.effects.ledger import Effect
+from analytic.effects.ledger import Effect, Effects
 from analytic.effects.limits import LimitNumbers
-from analytic.effects.table import CHOSEN, DECLARED
+from analytic.effects.table import CHOSEN, DECLARED, TRIED
 from analytic.errors import InputError
 from analytic.labelled import Column, Labelled, dataset_of, frame_of, html_table
 from analytic.loads.pair import PairEquilibrium
@@ -155,8 +155,8 @@ class FrictionTorque(Brief):
     contact_angle: Array  # al, loaded, the mean of both races, rad; this and what follows of the heaviest ball
     ball_load: Array  # Q, on the race where it is larger, N
     torque: TorqueParts
-    # Of the total, relative: bounds on what auto left out and on the method of sliding, and what contacts past a limit
-    # or outside the fit for finite geometry change; infinite where it is not known.
+    # Of the total, relative: what auto left out, the method of sliding, and what contacts past a limit or outside the
+    # fit for finite geometry change; infinite where it is not known.
     numerical_uncertainty: Array
     friction_coefficient: FrictionCoefficients
     film: OnRaces  # h, mean gap that the oil fills, m; None without a lubrication model
@@ -165,7 +165,7 @@ class FrictionTorque(Brief):
     inner: LoadedContact
     outer: LoadedContact
     limits: LimitNumbers  # of the worst ball of all
-    effects: tuple[Effect, ...]
+    effects: Effects
     sliding: Sliding  # the method that integrated it; auto: nothing slides
     warnings: tuple[str, ...]  # one line each
     provenance: Mapping[str, str]  # where decisions and numbers come from, by subject
@@ -212,7 +212,7 @@ class FrictionTorque(Brief):
         Scene
             Without `auto`.
         """
-        decisions = {effect.name: effect.decision for effect in self.effects if effect.name in CHOSEN}
+        decisions = {name: decision for name, decision in self.effects.decisions.items() if name in CHOSEN}
         return replace(scene, effects={**scene.effects, **decisions}, sliding=self.sliding)
 
     def is_on(self, name: str) -> bool:
@@ -228,7 +228,7 @@ class FrictionTorque(Brief):
         bool
             As it was decided.
         """
-        return any(effect.name == name and effect.decision == "on" for effect in self.effects)
+        return self.effects.decisions.get(name) == "on"
 
     def to_json(self) -> dict[str, Any]:
         """Plain Python numbers, texts, lists and dicts, all SI; None where a part was left out or is not modelled."""
@@ -245,7 +245,7 @@ class FrictionTorque(Brief):
         }
 
     def effects_to_json(self) -> list[dict[str, Any]]:
-        """Each effect, and what its share is: that of its own part, a bound, unbounded or unknown (both None)."""
+        """Each effect, and what its share is: of its own part, by trial, a bound, unbounded or unknown (both None)."""
         return [
             asdict(effect)
             | {"share": None if effect.share is None else _finite(effect.share), "share_is": self._kind_of(effect)}
@@ -319,12 +319,15 @@ class FrictionTorque(Brief):
         more = self.inner_speed.size - shown
         return html_table(head, rows, f"friction torque, {more} more points" if more else "friction torque")
 
-    def _kind_of(self, effect: Effect) -> Literal["part", "bound", "unbounded", "unknown"]:
+    def _kind_of(self, effect: Effect) -> Literal["part", "trial", "bound", "unbounded", "unknown"]:
         if effect.share is None:
             return "unknown"
         if not np.isfinite(effect.share):
             return "unbounded"
-        return "part" if getattr(self.torque, effect.name, None) is not None or effect.name in DECLARED else "bound"
+        if getattr(self.torque, effect.name, None) is not None or effect.name in DECLARED:
+            return "part"
+        by_trial = effect.decision == "on" or "the scene says off" in effect.reason
+        return "trial" if by_trial and effect.name in TRIED else "bound"
 
     def _point(self, index: int) -> dict[str, Any]:
         def here(group: object) -> dict[str, float | None]:

@@ -282,6 +282,12 @@ class Losses(Noun):
     drag: float | None = None  # of the oil that balls and cage move, N m, >= 0
     seals_are_estimated: bool = False  # by SKF's formula, not declared
 
+    @property
+    def total(self) -> float | None:
+        """Of seals and drag together, N m; None: nothing is declared."""
+        known = [value for value in (self.seals, self.drag) if value is not None]
+        return sum(known) if known else None
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Operation(Noun):

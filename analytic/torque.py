@@ -11,9 +11,9 @@ from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from time import perf_counter
 from types import MappingProxyType
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from analytic.cage.drive import cage_drive
 from analytic.cage.torque import CagePart, cage_friction
@@ -23,15 +23,17 @@ from analytic.effects.cage import decide_cage
 from analytic.effects.declared import declared_losses
 from analytic.effects.ledger import Ledger, share_in
 from analytic.effects.limits import check_limits
+from analytic.effects.table import ruled
+from analytic.effects.trial import of_methods, slip_by_weight
 from analytic.effects.warnings import torque_warnings
 from analytic.effects.washers import held_in_the_middle
-from analytic.errors import FembearingError, InputError, require_non_negative
-from analytic.loads.balls import LoadedBalls
+from analytic.errors import InputError, require_non_negative
 from analytic.loads.ring_state import state_of_ring
-from analytic.oil.inlets import Inlets, starvation_source
+from analytic.numerics.records import Records
+from analytic.oil.inlets import starvation_source
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.pair import pair_in_series, pair_torque
-from analytic.races import BY_SLIP, RaceTorque, race_torque
+from analytic.races import RaceTorque, race_torque
 from analytic.result import (
     FrictionCoefficients,
     FrictionTorque,
@@ -41,18 +43,21 @@ from analytic.result import (
     require_numbers,
 )
 from analytic.scene import Array, Decision, Scene
-from analytic.sliding.methods import Sliding
 from analytic.units import Quantity
 
-# Times the largest change over six directions: others change more, and so do other methods, up to 1.25 in 110 drawn
-# scenes (validation/adversary.py).
-BETWEEN = 1.5
 DIRECTIONS = ((1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, -1.0))
 # Rises whenever a formula changes a torque; CHANGELOG.md then has the old and the new torque of each shipped scene.
 # `python validation/model_version.py` prints both.
-MODEL_VERSION = 2
+MODEL_VERSION = 3
 NO_CAGE: Mapping[str, Decision] = dict.fromkeys(("cage", "cage_dynamics", "ball_dynamics"), "off")
-PARTS = (*BY_SLIP, "hysteresis", "rolling", "cage")
+PARTS = ("spin", "conformity", "hysteresis", "rolling", "cage")
+
+
+class Unsure(NamedTuple):
+    """A part of the numerical uncertainty."""
+
+    share: Array  # (n,) of the total, relative; infinite where it is not known
+    unknown: tuple[str, ...]  # why not
 
 
 def friction_torque(
@@ -100,8 +105,8 @@ def friction_torque(
     the surface: then sliding friction does not depend on speed, and at standstill it is that of the first motion.
     Rolling takes the oil at the inlet's temperature.
     With microslip "as_printed" the moments of [Paper] replace the derived ones, at the same spin and coefficients.
-    The scene's tolerance decides which effects are computed, and how (`analytic.effects`, `analytic.sliding.methods`);
-    the result lists them all, with the numerical uncertainty that remains.
+    The scene's tolerance decides which effects are computed, and how (`analytic.effects.trial`,
+    `analytic.sliding.judge`); the result lists them all, with the numerical uncertainty that remains.
     A scene with an arrangement has two bearings: the parts are sums over both, and `pair` has each of them.
     Sources: [Paper], and those of the modules named here.
     """
@@ -115,15 +120,20 @@ def friction_torque(
         both = pair_in_series(scene, scene.arrangement, correction)
         result = pair_torque(scene, both, friction_torque(both.scene, correction=correction, variation=variation))
         return require_numbers(replace(result, seconds=perf_counter() - started))
+    result = _of_one_bearing(scene, correction, variation)
+    return require_numbers(replace(result, seconds=perf_counter() - started))
+
+
+def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variation: Variation) -> FrictionTorque:
+    """As `friction_torque`, but for the seconds."""
     operation = scene.operation.as_series()
     speed = operation.inner_speed
     ledger = Ledger(scene, speed.size)
     races = race_torque(ledger, operation, correction=correction, variation=variation)
-    balls, sliding, mixed, parts = races.balls, races.sliding, races.mixed, dict(races.parts)
-    load_warnings = list(races.chosen.warnings)
-    race = races.total
-    coefficient = scene.friction_coefficient if sliding is None else sliding.coefficient
-    drive = None if scene.cage is None else cage_drive(scene, balls, coefficient, speed)
+    parts, race = dict(races.parts), races.total
+    load_warnings = list(races.warnings)
+    coefficient = races.coefficient if races.slides else scene.friction_coefficient
+    drive = None if scene.cage is None else cage_drive(scene, races.balls, coefficient, speed)
     frees = decide_cage(scene, drive, ledger, race=race)
     cage: CagePart | None = None
     if drive is not None and ledger.is_on("cage"):
@@ -134,117 +144,87 @@ def friction_torque(
     if cage is not None:
         parts["cage"] = cage.torque
         load_warnings = load_warnings + list(cage.warnings)
-    limits = check_limits(scene, operation, balls, ledger)
-    uncertainty = _uncertainty(ledger, races, total=total) + limits.uncertainty
-    uncertainty = uncertainty + held_in_the_middle(scene, operation, balls, parts=races.parts, total=total)
-    at, oiled = balls.heaviest, races.resisting.oiled
-    result = FrictionTorque(
+    limits = check_limits(scene, races.found, ledger)
+    unsure = _unsure(ledger, races, total)
+    by_cage = 0.0 if cage is None else share_in(cage.half_interval + cage.unsure, total)
+    heaviest = races.heaviest
+    return FrictionTorque(
         inner_speed=speed,
         axial_load=operation.axial_load,
         radial_load=np.asarray(operation.radial_load),
         moment=np.asarray(operation.moment),
-        contact_angle=balls.contact_angle.mean(axis=0)[at],
-        ball_load=balls.load.max(axis=0)[at],
+        contact_angle=np.abs(heaviest["angle"].mean(axis=1)),
+        ball_load=heaviest["load"].max(axis=1),
         torque=TorqueParts(total=total, race=race, declared=declared, **{name: parts.get(name) for name in PARTS}),
-        numerical_uncertainty=uncertainty
-        if cage is None
-        else uncertainty + share_in(cage.half_interval + cage.unsure, total),
+        numerical_uncertainty=unsure.share + limits.uncertainty + by_cage,
         friction_coefficient=FrictionCoefficients(
-            **_on_races(None if sliding is None else sliding.coefficient, at),
+            **_on_races(heaviest, "friction_coefficient", races.slides),
             pocket=None if cage is None else cage.friction_coefficient,
         ),
         cage=cage,
-        film=OnRaces(**_on_races(None if mixed is None else mixed.film_thickness, at)),
-        asperity_share=OnRaces(**_on_races(None if mixed is None else mixed.asperity_share, at)),
-        boundary_share=OnRaces(**_on_races(None if mixed is None else mixed.boundary_share, at)),
+        film=OnRaces(**_on_races(heaviest, "film", races.is_mixed)),
+        asperity_share=OnRaces(**_on_races(heaviest, "asperity_share", races.is_mixed)),
+        boundary_share=OnRaces(**_on_races(heaviest, "boundary_share", races.is_mixed)),
         limits=replace(
             limits.numbers,
             sliding_number=races.sliding_number,
             gyroscopic_hold=races.gyroscopic_hold,
             cage_grip=None if cage is None else cage.used_grip,
         ),
-        inner=_loaded(balls, 0, at),
-        outer=_loaded(balls, 1, at),
-        ring=state_of_ring(scene.bearing, scene.contact_angle, balls, operation),
-        effects=ledger.effects(parts, total),
-        sliding="auto" if sliding is None else sliding.method,
+        inner=_loaded(heaviest, 0),
+        outer=_loaded(heaviest, 1),
+        ring=state_of_ring(scene.bearing, scene.contact_angle, races.found.balls, operation),
+        effects=ledger.effects(parts, total, races.trial.measure(races.counted)),
+        sliding=races.method,
         clearances=scene.clearances,
-        gap_roughness=None if oiled is None else oiled.roughness.rms_roughness,
+        gap_roughness=None if races.gap_roughness is None else races.gap_roughness.rms_roughness,
         warnings=tuple(
-            torque_warnings(
-                ledger,
-                load=balls.load,
-                limits=limits.warnings,
-                oiled=oiled,
-                mixed=mixed,
-                resistance=races.resistance,
-            )
-            + load_warnings
+            torque_warnings(ledger, races.found, roughness=races.gap_roughness, limits=limits.warnings) + load_warnings
         ),
-        unknown=limits.unknown + _unknown_sliding(sliding) + (() if cage is None else cage.unknown),
+        unknown=limits.unknown + unsure.unknown + (() if cage is None else cage.unknown),
         provenance=_provenance(ledger, races, correction=correction, cage=cage),
-        seconds=perf_counter() - started,
+        seconds=0.0,
     )
-    if races.chosen.farthest is not None:
-        result = _beyond_the_fit(scene, result, races.chosen.farthest, variation)
-    at = np.flatnonzero(races.chosen.any_direction)
-    if at.size:
-        result = _in_any_direction(scene, result, at, correction, variation)
-    return require_numbers(replace(result, seconds=perf_counter() - started))
 
 
-def _in_any_direction(
-    scene: Scene,
-    result: FrictionTorque,
-    at: NDArray[np.intp],
-    correction: ContactCorrection | None,
-    variation: Variation,
-) -> FrictionTorque:
-    """The torque with the uncertainty of the balls' weight, whose direction the scene does not give.
-
-    at : operating points at which the weight counts
-    It is the largest change of the race torque over six directions, by the cheapest method.
-    """
-    effects = {**result.settled(scene).effects, **NO_CAGE, "creep": "off"}
-    operation, own = scene.operation.as_series(), correction
-    some = replace(operation, **{name: values[at] for name, values in vars(operation).items()})
-    if own is not None:
-        own = own.mapped(lambda factors: factors[at])
-
-    def torque(down: tuple[float, float, float] | None) -> Array:
-        weight = {"load_distribution": "on", "weight": "off" if down is None else "on"}
-        settled = replace(scene, operation=some, sliding="single_coefficient", down=down, effects=effects | weight)
-        return friction_torque(settled, correction=own, variation=variation).torque.race
-
-    try:
-        without = torque(None)
-        changes = [np.abs(torque(down) - without) for down in DIRECTIONS]
-    except FembearingError as problem:
-        why = str(problem).removesuffix(".")
-        reason = f"the balls' weight counts, its direction is not given, and with one there may be no answer: {why}"
-        uncertainty = result.numerical_uncertainty.copy()
-        uncertainty[at] = np.inf
-        return replace(result, numerical_uncertainty=uncertainty, unknown=(*result.unknown, reason))
-    spread = np.zeros(result.inner_speed.shape)
-    spread[at] = share_in(np.max(changes, axis=0), without)
-    spread *= BETWEEN * share_in(result.torque.race, result.torque.total)
-    return replace(result, numerical_uncertainty=result.numerical_uncertainty + spread)
+def _unsure(ledger: Ledger, races: RaceTorque, total: Array) -> Unsure:
+    """What is left out, the method of sliding, contacts outside the fit, the direction of the weight, held balls."""
+    beyond, weight = _beyond_the_fit(races, total), _in_any_direction(races, total)
+    held = held_in_the_middle(races.scene, races.found, parts=races.parts, total=total)
+    share = _uncertainty(ledger, races, total=total) + beyond.share + weight.share + held
+    return Unsure(share, _unknown_sliding(races) + beyond.unknown + weight.unknown)
 
 
-def _beyond_the_fit(
-    scene: Scene, result: FrictionTorque, farthest: ContactCorrection, variation: Variation
-) -> FrictionTorque:
-    """The torque with the uncertainty of contacts outside the fit for finite geometry: its change at their far end."""
-    settled = result.settled(scene)
-    settled = replace(settled, effects={**settled.effects, **NO_CAGE})
-    try:
-        other = friction_torque(settled, correction=farthest, variation=variation)
-    except FembearingError as problem:
-        reason = f"contacts outside the fit for finite geometry may be such that there is no answer: {problem}"
-        unsure = np.full(result.inner_speed.shape, np.inf)
-        return replace(result, numerical_uncertainty=unsure, unknown=(*result.unknown, reason))
-    moved = share_in(np.abs(other.torque.race - result.torque.race), result.torque.total)
-    return replace(result, numerical_uncertainty=result.numerical_uncertainty + moved)
+def _beyond_the_fit(races: RaceTorque, total: Array) -> Unsure:
+    """What contacts outside the fit for finite geometry may change: the torque at their far end."""
+    if not races.beyond_fit:
+        return Unsure(np.zeros_like(total), ())
+    every = np.arange(total.size)
+    change = np.abs(races.by_rule(every, farthest=True) - races.by_rule(every))
+    if np.isfinite(change).all():
+        return Unsure(share_in(change, total), ())
+    reason = "contacts outside the fit for finite geometry may be such that there is no answer"
+    return Unsure(np.where(np.isfinite(change), share_in(np.nan_to_num(change), total), np.inf), (reason,))
+
+
+def _in_any_direction(races: RaceTorque, total: Array) -> Unsure:
+    """What the balls' weight may change, whose direction the scene does not give: the largest change over six."""
+    unsure, at = np.zeros_like(total), np.flatnonzero(races.any_direction)
+    if not at.size:
+        return Unsure(unsure, ())
+    without = races.with_weight(at, None)
+    changes = np.max([np.abs(races.with_weight(at, down) - without) for down in DIRECTIONS], axis=0)
+    known = np.isfinite(changes)
+    change = of_methods(races.scene) * share_in(np.nan_to_num(changes), np.nan_to_num(without))
+    unsure[at] = np.where(known, change, np.inf)
+    if races.slides and ruled(races.scene) is None:
+        unsure[at] += slip_by_weight(races.scene.bearing, races.found)[at]
+    unsure *= share_in(races.total, total)
+    if known.all():
+        return Unsure(unsure, ())
+    return Unsure(
+        unsure, ("the balls' weight counts, its direction is not given, and with one there may be no answer",)
+    )
 
 
 def _require_friction(scene: Scene) -> None:
@@ -271,68 +251,61 @@ def _require_friction(scene: Scene) -> None:
 
 def _uncertainty(ledger: Ledger, races: RaceTorque, *, total: Array) -> Array:
     """(n,) of the total: estimates of what auto left out of the race torque, and of the sliding method's error."""
-    left_out = ledger.left_out * share_in(races.total, total)
-    if races.sliding is None:
-        return left_out
-    unknown = np.isinf(races.sliding.error)
-    error = share_in(np.where(unknown, 0.0, races.sliding.error) * races.sliding_part, total)
-    return left_out + np.where(unknown, np.inf, error)
+    unknown = np.isinf(races.error)
+    error = share_in(np.where(unknown, 0.0, races.error) * races.found.sliding_torque, total)
+    return ledger.left_out * share_in(races.total, total) + np.where(unknown, np.inf, error)
 
 
-def _unknown_sliding(sliding: Sliding | None) -> tuple[str, ...]:
-    if sliding is None or not np.any(np.isinf(sliding.error)):
+def _unknown_sliding(races: RaceTorque) -> tuple[str, ...]:
+    if not np.any(np.isinf(races.error)):
         return ()
-    return (f"no estimate of the error of sliding by the method {sliding.method} is known",)
+    return (f"no estimate of the error of sliding by the method {races.method} is known",)
 
 
-def _inlet_words(ledger: Ledger, inlets: Inlets | None) -> str:
+def _inlet_words(ledger: Ledger, races: RaceTorque) -> str:
     scene = ledger.scene
     if scene.lubricant is None:
         return "no lubricant"
     if not ledger.is_on("starvation"):
         return "flooded"
-    assert inlets is not None
-    assert inlets.starvation is not None
-    degree = float(np.min(inlets.starvation.degree))
+    degree = float(races.found.balls["starvation_degree"].min())
     return f"starved, {starvation_source(scene.bearing, scene.lubricant)}, m = {degree:.4g} at least"
 
 
-def _on_races(values: Array | None, at: tuple[Array, Array]) -> dict[str, Array]:
-    """inner, outer: of the heaviest ball at each point."""
-    return {} if values is None else {race: values[index][at] for index, race in enumerate(RACES)}
+def _sliding_words(races: RaceTorque) -> str:
+    if not races.slides:
+        return "nothing slides"
+    count = len(races.found.points)
+    return races.method if races.computed == count else f"{races.method} at {races.computed} of {count} points"
 
 
-def _loaded(balls: LoadedBalls, race: int, at: tuple[Array, Array]) -> LoadedContact:
-    contact = balls.contact
-    return LoadedContact(
-        load=balls.load[race][at],
-        semi_axis_rolling=contact.semi_axis_x[race][at],
-        semi_axis_transverse=contact.semi_axis_y[race][at],
-        peak_pressure=contact.peak_pressure[race][at],
-        approach=contact.approach[race][at],
-    )
+def _on_races(balls: Records, name: str, is_known: bool) -> dict[str, Array]:
+    """A field of balls, (n,), on inner and outer race."""
+    return {race: balls[name][:, index].copy() for index, race in enumerate(RACES)} if is_known else {}
+
+
+def _loaded(balls: Records, race: int) -> LoadedContact:
+    names = ("load", "semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")
+    return LoadedContact(**{name: balls[name][:, race].copy() for name in names})
 
 
 def _provenance(
     ledger: Ledger, races: RaceTorque, *, correction: ContactCorrection | None, cage: CagePart | None
 ) -> Mapping[str, str]:
     """How each step was computed, and the versions."""
-    scene, balls, sliding = ledger.scene, races.balls, races.sliding
+    scene = ledger.scene
     contacts = "Hertz, corrected for finite geometry" if ledger.is_on("finite_geometry") else "Hertz"
-    slid_by = "nothing slides" if sliding is None else sliding.method
-    if sliding is not None and sliding.computed is not None:
-        slid_by += f" at {sliding.computed} of {balls.load.shape[1]} points"
     return MappingProxyType(
         {
             "scene": scene.name,
             "contact_angle": scene.contact_angle.rule,
             "spin_rule": scene.spin_rule,
             "microslip": scene.microslip,
-            "loads": "thrust, all balls alike" if balls.method == "thrust" else "equilibrium of the ring",
+            "loads": "thrust, all balls alike" if races.are_alike else "equilibrium of the ring",
             "contacts": contacts if correction is None else "Hertz with given factors",
             "friction": "given coefficient" if scene.surface is None else "mixed lubrication",
-            "inlets": _inlet_words(ledger, races.resisting.inlets),
-            "sliding": slid_by,
+            "inlets": _inlet_words(ledger, races),
+            "sliding": _sliding_words(races),
             "cage": "left out" if cage is None else cage.provenance,
             "model_version": str(MODEL_VERSION),
             **_versions(),

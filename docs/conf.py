@@ -61,7 +61,7 @@ sphinx_gallery_conf = {
     "remove_config_comments": True,
     "min_reported_time": 0,
     "image_srcset": ["2x"],
-    "default_thumb_file": str(ROOT / "validation/reports/6205-inner-pressure.png"),
+    "default_thumb_file": str(ROOT / "docs/pictures/6205-inner-pressure.png"),
 }
 
 templates_path = ["_templates"]

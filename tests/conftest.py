@@ -14,14 +14,14 @@ from hypothesis import settings
 
 if TYPE_CHECKING:
     from analytic.scene import Contact
-    from fembearing.compare.contact.discrepancy import ContactSolution
-    from fembearing.compare.validation import Validation
     from fembearing.mesh.recipe import Recipe
+    from fembearing.verify.contact.discrepancy import ContactSolution
+    from fembearing.verify.validation import Validation
 
 if "PYTEST_XDIST_WORKER" in os.environ:  # before NumPy loads: the workers already use all cores
     os.environ.setdefault("OMP_NUM_THREADS", "1")
 
-SHARE_CHECKED = ("tests/report/", "tests/compare/test_validation.py")
+SHARE_CHECKED = ("tests/report/", "tests/verify/test_validation.py")
 PROFILE = "gate" if os.environ.get("CI") else "explore"
 
 # No deadline: the first call of a compiled kernel takes seconds, later ones microseconds.
@@ -67,7 +67,7 @@ def contacts() -> "dict[str, Contact]":
 @pytest.fixture(scope="session")
 def cut_contact(contacts: "dict[str, Contact]") -> "ContactSolution":
     """Half a contact on three meshes: its shoulder cuts it off, Hertz's semi-axis would be 0.946 mm."""
-    from fembearing.compare.contact.discrepancy import compare_contact
+    from fembearing.verify.contact.discrepancy import compare_contact
 
     narrow = replace(contacts["inner"], shoulder=0.8e-3)
     return compare_contact(narrow, recipe=shallow_recipe("race"), tolerance=0.9)
@@ -97,8 +97,8 @@ class Checked(NamedTuple):
 def checked_with_progress(shallow: "Callable[[str], Recipe]") -> Checked:
     """The built-in scene, checked on coarse meshes with a tolerance that needs no finer one."""
     from analytic.scenefile.read import load_scene
-    from fembearing.compare.contact import scene_contact
-    from fembearing.compare.validation import check_scene
+    from fembearing.verify.contact import scene_contact
+    from fembearing.verify.validation import check_scene
 
     shares: list[float] = []
     with pytest.MonkeyPatch.context() as patch:

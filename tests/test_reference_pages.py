@@ -10,8 +10,8 @@ from docs.extensions.commands_page import commands_page
 from docs.extensions.json_page import json_page
 from docs.extensions.keys_page import keys_page
 from fembearing.cli import COMMANDS
-from fembearing.compare.torque.scene_torque import torque_of_scene
 from fembearing.report.document.torque import Torque
+from fembearing.verify.torque.scene_torque import torque_of_scene
 
 
 def cells(page: str, heading: str) -> dict[str, list[str]]:

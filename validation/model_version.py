@@ -1,6 +1,6 @@
 """The torque of every shipped scene, old and new: python validation/model_version.py [--write]
 
-The table validation/reports/model_version.csv holds the torques of one model version. It detects that a formula changed
+The table validation/model_version.csv holds the torques of one model version. It detects that a formula changed
 a torque; it is our own output and validates nothing. Whoever changes a torque raises MODEL_VERSION in
 analytic/torque.py, copies the table that this program prints into CHANGELOG.md, and runs it with --write.
 """
@@ -19,7 +19,7 @@ from analytic.torque import MODEL_VERSION, friction_torque
 from analytic.words import RPM
 
 SCENES = Path(__file__).parent / "scenes"
-STORED = Path(__file__).parent / "reports" / "model_version.csv"
+STORED = Path(__file__).with_name("model_version.csv")
 HEAD = ("model_version", "scene", "inner_speed_rad_s", "total_N_m")
 
 

@@ -18,7 +18,7 @@ from typing import Any
 
 from rich.console import Console
 
-from report_check import BROWSERS, COMPLAINT, HEIGHT, WIDTHS, leave, run_browser
+from validation.report_check import BROWSERS, COMPLAINT, HEIGHT, WIDTHS, leave, run_browser
 
 # The outer page opens one page after the other in a frame. Each page ends with the probe, which sends what it sees.
 FRAME = """<!DOCTYPE html><body style="margin: 0">

@@ -112,13 +112,3 @@ def correction_of(row: Array) -> CorrectionNumbers:
     return CorrectionNumbers(
         FactorNumbers(row[0], row[1], row[2], row[3]), FactorNumbers(row[4], row[5], row[6], row[7])
     )
-
-
-@compiled
-def correction_of_ball(factors: Array, ball: int) -> CorrectionNumbers:
-    """The factors of one ball from (2, 4, m), races and fields of `FactorNumbers`; m may be 1 for all balls."""
-    j = min(ball, factors.shape[2] - 1)
-    return CorrectionNumbers(
-        FactorNumbers(factors[0, 0, j], factors[0, 1, j], factors[0, 2, j], factors[0, 3, j]),
-        FactorNumbers(factors[1, 0, j], factors[1, 1, j], factors[1, 2, j], factors[1, 3, j]),
-    )

@@ -102,6 +102,17 @@ def distances_to_shoulders(
     )
 
 
+@compiled
+def cut_off_share(distance: float, semi_axis: float) -> float:
+    """Share of an ellipse's load beyond a line across it: (2 - 3 t + t^3)/4, t = distance/semi_axis up to 1.
+
+    distance : of the line from the centre, m, >= 0;  semi_axis : b, to which the line is perpendicular, m, > 0
+    Hertz's pressure, integrated along rolling, is a parabola over b.
+    """
+    t = min(distance, semi_axis) / semi_axis
+    return (1 - t) ** 2 * (2 + t) / 4
+
+
 def race_curvatures(bearing: Bearing, race: Race, *, contact_angle: ArrayLike) -> tuple[Array, Array]:
     """Relative curvatures (rolling, transverse) of ball on race, 1/m, each with the shape of contact_angle.
 

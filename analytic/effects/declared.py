@@ -5,13 +5,7 @@ import numpy as np
 from analytic.effects.ledger import Ledger, share_in
 from analytic.effects.table import DECLARED, ENTRIES
 from analytic.errors import require_non_negative
-from analytic.scene import Array, Losses
-
-
-def declared_torque(losses: Losses) -> float | None:
-    """Of seals and drag together, N m; None: nothing is declared."""
-    known = [value for value in (losses.seals, losses.drag) if value is not None]
-    return sum(known) if known else None
+from analytic.scene import Array
 
 
 def declared_losses(ledger: Ledger, computed: Array) -> Array | None:
@@ -23,7 +17,7 @@ def declared_losses(ledger: Ledger, computed: Array) -> Array | None:
     given = {name: getattr(ledger.scene.losses, name) for name in DECLARED}
     known = {f"losses.{name}": value for name, value in given.items() if value is not None}
     require_non_negative(**known)
-    declared = declared_torque(ledger.scene.losses)
+    declared = ledger.scene.losses.total
     total = computed + (declared or 0.0)
     for name, value in given.items():
         share = None if value is None else share_in(np.full_like(total, value), total)

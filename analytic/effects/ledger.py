@@ -1,20 +1,20 @@
 """The decisions of one scene: which effects are computed, and what leaving out the others can change.
 
-`auto` leaves an effect out where the bound on its share of the torque fits into what remains of half the scene's
-tolerance. The other half is for the method by which sliding is integrated. The bounds of everything that `auto` leaves
-out compound to less than that half. An effect without a cheap bound is always computed, and so is one that the state
-of the balls demands. One decision holds for the whole series, by its worst point. Every effect of
-`analytic.effects.table` must be settled, whatever the scene.
+`auto` leaves an effect out where what it may change fits into what remains of half the scene's tolerance. A trial
+shows that (`analytic.effects.trial`), or a bound where a trial would cost more than the rest. All that is left out
+compounds to less than that half; the other half is for the method by which sliding is integrated. One decision holds
+for the whole series. Every effect of `analytic.effects.table` must be settled, whatever the scene.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Literal
+from functools import cached_property
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from analytic.effects.table import CHOSEN, ENTRIES, LIMITS
+from analytic.effects.table import CHOSEN, ENTRIES, LIMITS, TRIED
 from analytic.errors import InputError
 from analytic.scene import Array, Scene
 from analytic.words import percent_of
@@ -32,6 +32,42 @@ class Effect:
     # where it could be of any size, None where it is not known.
     share: float | None
     reason: str  # in words, with the bound or the limit
+
+
+class Effects(Sequence[Effect]):
+    """Every effect of a torque in the order of the table; shares by trial are measured when somebody reads them."""
+
+    def __init__(
+        self, made: Mapping[str, Effect], measure: Callable[[str], float] | None, tried: frozenset[str] = frozenset()
+    ) -> None:
+        """made : by name;  measure : the share of one of those that are `tried` and count; None: all are known"""
+        self._made, self._measure, self._tried = dict(made), measure, tried
+
+    @property
+    def decisions(self) -> dict[str, Literal["on", "off"]]:
+        """Whether each effect counts, by its name."""
+        return {name: effect.decision for name, effect in self._made.items()}
+
+    def __getitem__(self, index: Any) -> Any:
+        return self._all[index]
+
+    def __len__(self) -> int:
+        return len(self._made)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {"_made": {effect.name: effect for effect in self._all}, "_measure": None, "_tried": frozenset()}
+
+    @cached_property
+    def _all(self) -> tuple[Effect, ...]:
+        measure = self._measure
+        if measure is None:
+            return tuple(self._made.values())
+        return tuple(
+            replace(effect, share=measure(effect.name))
+            if effect.decision == "on" and effect.name in self._tried
+            else effect
+            for effect in self._made.values()
+        )
 
 
 def size_of(share: float) -> str:
@@ -78,10 +114,10 @@ class Ledger:
             return self._settle(name, on=False, share=bound, reason=lacks)
         if wanted == "on":
             return self._settle(name, on=True, share=bound, reason="the scene says on")
-        if bound is None:
-            return self._settle(name, on=True, share=None, reason="always computed: no cheaper bound is known")
         if demanded is not None:
             return self._settle(name, on=True, share=bound, reason=demanded)
+        if bound is None:
+            return self._settle(name, on=True, share=None, reason="always computed: no cheaper bound is known")
         worst, limit = _largest(bound), percent_of(self.budget)
         if self.leaves_out(bound):
             reason = f"at most {percent_of(worst, 2)} of the torque, within the {limit} that may be left out"
@@ -94,7 +130,7 @@ class Ledger:
 
     def leaves_out(self, bound: Array) -> bool:
         """Whether something with this bound, (n,), fits into what the budget leaves; if so, it counts as left out."""
-        if not self.fits(bound):
+        if _largest(self._with(bound)) > self.budget:
             return False
         self.left_out = self._with(bound)
         return True
@@ -104,10 +140,6 @@ class Ledger:
         fits = self._with(bound) <= self.budget
         self.left_out = np.where(fits, self._with(bound), self.left_out)
         return fits
-
-    def fits(self, bound: Array) -> bool:
-        """Whether something with this bound, (n,), fits into what the budget leaves."""
-        return _largest(self._with(bound)) <= self.budget
 
     def settle(self, name: str, *, on: bool, reason: str, share: Array | float | None = None) -> None:
         """Record an effect about which there is nothing to decide, with its bound where one is known.
@@ -127,15 +159,22 @@ class Ledger:
     def is_on(self, name: str) -> bool:
         return self.made[name].decision == "on"
 
-    def effects(self, parts: Mapping[str, Array], total: Array) -> tuple[Effect, ...]:
-        """Every effect in the order of the table; one with a part of the torque has its largest share for a bound."""
+    def effects(self, parts: Mapping[str, Array], total: Array, measure: Callable[[str], float]) -> Effects:
+        """Every effect; one with a part of the torque has its largest share for a bound.
+
+        measure : the share of an effect that counts, by trial
+        """
         unsettled = [name for name in ENTRIES if name not in self.made]
         if unsettled:
             raise RuntimeError(f"effects without a decision: {', '.join(unsettled)}")
-        return tuple(
-            replace(self.made[name], share=_largest(share_in(parts[name], total))) if name in parts else self.made[name]
+        made = {
+            name: replace(self.made[name], share=_largest(share_in(parts[name], total)))
+            if name in parts
+            else self.made[name]
             for name in ENTRIES
-        )
+        }
+        tried = frozenset(name for name in TRIED if name not in parts and made[name].reason != ENTRIES[name].given)
+        return Effects(made, measure, tried)
 
     def _with(self, bound: Array) -> Array:
         return self.left_out + (1 + self.left_out) * bound

@@ -9,13 +9,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from analytic.contact.geometry import RACES, USUAL_SHOULDERS, shoulder_distances, with_shoulders
+from analytic.contact.geometry import RACES, USUAL_SHOULDERS
 from analytic.effects.ledger import Ledger
 from analytic.effects.table import ENTRIES, MOST_CUT, PER_CUT_SHARE, STATIC_LIMIT
-from analytic.errors import InputError
-from analytic.loads.balls import LoadedBalls
-from analytic.scene import Array, Bearing, Operation, Scene
-from analytic.words import NEWTON, NEWTON_MILLIMETRE, angle_of, length_of, percent_of, pressure_of, speed_of
+from analytic.scene import Array, Bearing, Scene
+from analytic.solve.solution import Solution
+from analytic.words import length_of, percent_of, pressure_of
 
 CHECKED = "checked, not modelled"  # how a reason begins
 
@@ -88,24 +87,14 @@ class Limits:
     numbers: LimitNumbers  # of the contacts alone
 
 
-def check_limits(scene: Scene, operation: Operation, balls: LoadedBalls, ledger: Ledger) -> Limits:
-    """Settle every effect of the kind "limit" with its number as the reason; say what is past its limit.
-
-    operation : every array (n,)
-    Raises InputError for a contact that has left its race.
-    """
-    distance = require_on_grooves(scene.bearing, operation, balls)
-    low = with_shoulders(scene.bearing, USUAL_SHOULDERS[0])
-    lowest = distance if low is scene.bearing else _shoulder_distance(low, balls)
-    warnings = (
-        *_shoulder(distance, balls, ledger),
-        *_plasticity(balls, ledger),
-    )
-    cut_off = cut_off_share(np.maximum(lowest, 0.0), balls.contact.semi_axis_y).max(axis=2)
-    share = cut_off.max(axis=0)
-    plastic = balls.contact.peak_pressure.max(axis=(0, 2)) > STATIC_LIMIT
+def check_limits(scene: Scene, found: Solution, ledger: Ledger) -> Limits:
+    """Settle every effect of the kind "limit" with its number as the reason; say what is past its limit."""
+    warnings = (*_shoulder(scene.bearing, found, ledger), *_plasticity(found, ledger))
+    cut_off, peaks = found.points["cut_off"], found.points["peak_pressure"]
+    share, knows_shoulder = cut_off.max(axis=1), np.array(known_shoulders(scene.bearing))
+    plastic = peaks.max(axis=1) > STATIC_LIMIT
     unknown = []
-    if np.any(share > MOST_CUT) and np.isnan(distance).any():
+    if np.any(share > MOST_CUT) and not knows_shoulder.all():
         unknown.append(
             f"shoulder not known: a low one, of {USUAL_SHOULDERS[0]:g} ball diameters, would cut off "
             f"{percent_of(share.max(), 2)} of a contact's load, more than {percent_of(MOST_CUT)}; give "
@@ -126,68 +115,24 @@ def check_limits(scene: Scene, operation: Operation, balls: LoadedBalls, ledger:
         warnings=warnings,
         uncertainty=np.where(plastic | (share > MOST_CUT), np.inf, PER_CUT_SHARE * share),
         unknown=tuple(unknown),
-        numbers=LimitNumbers(
-            peak_pressure=balls.contact.peak_pressure.max(axis=2),
-            cut_off=cut_off,
-            knows_shoulder=np.array([not np.isnan(of_race).any() for of_race in distance]),
-        ),
+        numbers=LimitNumbers(peak_pressure=peaks.T.copy(), cut_off=cut_off.T.copy(), knows_shoulder=knows_shoulder),
     )
 
 
-def require_on_grooves(bearing: Bearing, operation: Operation, balls: LoadedBalls) -> Array:
-    """(2, n, m) from the contacts' centres to their nearer shoulders, m; infinite without load, NaN if not known.
-
-    operation : every array (n,)
-    Raises InputError for a contact that has left its race.
-    """
-    distance = _shoulder_distance(bearing, balls)
-    for index, name in enumerate(RACES):
-        if not np.any(distance[index] <= 0):
-            continue
-        point, ball = np.unravel_index(np.nanargmin(distance[index]), distance[index].shape)
-        angles = balls.contact_angle[:, point, ball]
-        # The ball's inertia separates its two angles: without it both would be near their mean.
-        separated = np.min(shoulder_distances(bearing, name, contact_angle=angles.mean())) > 0
-        speed = f"the speed of {speed_of(operation.inner_speed[point])}, whose centrifugal force moves it there"
-        raise InputError(
-            f"{_loads(operation, int(point))}: the contact moves to {angle_of(angles[index])}, beyond the {name} "
-            f"race's shoulder: lower {speed if separated else 'the load'}, reduce the clearance or raise "
-            "shoulder_half_width"
-        )
-    return distance
+def known_shoulders(bearing: Bearing) -> tuple[bool, bool]:
+    """Whether the shoulder of the inner and of the outer race is known."""
+    return bearing.inner.shoulder_half_width is not None, bearing.outer.shoulder_half_width is not None
 
 
-def cut_off_share(distance: Array, semi_axis: Array) -> Array:
-    """Share of an ellipse's load beyond a line across it, of one shape: (2 - 3 t + t^3)/4, t = distance/semi_axis.
-
-    distance : of the line from the centre, m, >= 0;  semi_axis : b, to which the line is perpendicular, m, >= 0
-    Hertz's pressure, integrated along rolling, is a parabola over b.
-    """
-    reach = np.minimum(distance, semi_axis)
-    t = np.divide(reach, semi_axis, out=np.ones(np.shape(semi_axis)), where=semi_axis > 0)
-    return (1 - t) ** 2 * (2 + t) / 4
-
-
-def _shoulder_distance(bearing: Bearing, balls: LoadedBalls) -> Array:
-    """(2, n, m) from the contacts' centres to their nearer shoulders, m; infinite without load, NaN if not known."""
-    distance = np.stack(
-        [
-            np.minimum(*shoulder_distances(bearing, race, contact_angle=angle))
-            for race, angle in zip(RACES, balls.contact_angle, strict=True)
-        ]
-    )
-    return np.where(balls.load > 0, distance, np.inf)
-
-
-def _shoulder(distance: Array, balls: LoadedBalls, ledger: Ledger) -> Iterator[str]:
-    b = balls.contact.semi_axis_y
+def _shoulder(bearing: Bearing, found: Solution, ledger: Ledger) -> Iterator[str]:
     left, nearest, unknown = np.inf, ENTRIES["shoulder"].idle, []
-    for index, name in enumerate(RACES):
-        if np.isnan(distance[index]).any():
+    for race, (name, is_known) in enumerate(zip(RACES, known_shoulders(bearing), strict=True)):
+        if not is_known:
             unknown.append(name)
             continue
-        worst = np.unravel_index(np.argmin(distance[index] - b[index]), distance[index].shape)
-        axis, space = b[index][worst], distance[index][worst]
+        b, distance = (found.balls[field][..., race] for field in ("semi_axis_transverse", "shoulder_distance"))
+        worst = np.unravel_index(np.argmin(distance - b), distance.shape)
+        axis, space = b[worst], distance[worst]
         if space - axis < left:
             left = space - axis
             nearest = f"semi-axis {length_of(axis)} of {length_of(space)} to the {name} race's shoulder"
@@ -202,8 +147,8 @@ def _shoulder(distance: Array, balls: LoadedBalls, ledger: Ledger) -> Iterator[s
     ledger.settle("shoulder", on=False, reason=f"{CHECKED}: {nearest}")
 
 
-def _plasticity(balls: LoadedBalls, ledger: Ledger) -> Iterator[str]:
-    peaks = balls.contact.peak_pressure.max(axis=(1, 2))
+def _plasticity(found: Solution, ledger: Ledger) -> Iterator[str]:
+    peaks = found.points["peak_pressure"].max(axis=0)
     share = peaks.max() / STATIC_LIMIT
     ledger.settle(
         "plasticity",
@@ -217,13 +162,3 @@ def _plasticity(balls: LoadedBalls, ledger: Ledger) -> Iterator[str]:
                 f"peak pressure on the {name} race, {pressure_of(peak)}, is above the static limit, "
                 f"{pressure_of(STATIC_LIMIT)}: the contact is no longer elastic"
             )
-
-
-def _loads(operation: Operation, point: int) -> str:
-    """The loads at an operating point as the scene gives them."""
-    found = f"operation.axial_load = {operation.axial_load[point]:g} N"
-    for name, unit in (("radial_load", NEWTON), ("moment", NEWTON_MILLIMETRE)):
-        value = np.asarray(getattr(operation, name))[point]
-        if value:
-            found += f", operation.{name} = {unit.written(value, 'g')}"
-    return found

@@ -1,4 +1,4 @@
-"""Every effect of the friction torque: what it is, what it needs, what bounds its share, and why it cannot act.
+"""Every effect of the friction torque: what it is, what it needs, and what bounds its share where no trial shows it.
 
 The order is that of the decisions: what costs most to compute comes first, so that leaving it out comes first too.
 The factors of the bounds stand here alone, and docs/effects.md shows this table.
@@ -13,18 +13,13 @@ from analytic.contact.geometry import USUAL_SHOULDERS
 from analytic.oil.rolling import HYSTERESIS_LOSS
 from analytic.scene import Scene
 from analytic.sliding.creep import PER_ROLL_CREEP, PER_SPIN_CREEP
-from analytic.words import percent_of, pressure_of
+from analytic.words import pressure_of
 
 # Change of the torque over how unequal the balls' loads are: below 0.7 where they are little so, 1.13 at most.
 PER_DISTRIBUTION = 1.25
 # Change of the torque over the centrifugal force's share of the ball load: 4/3 to 5/3 by the outer race's load alone.
 # The contact angles change too: 4.0 at most (tests/analytic/effects/test_effect_bounds.py compares with measured ones).
 PER_CENTRIFUGAL = 4.5
-# |e1| + e2 of `analytic.loads.shares.load_waves`: beyond, the waves are not small and the ring is solved
-LARGEST_WAVES = 0.1
-# Ball load over centrifugal force: a ball that is pressed with less on a race has its own force computed. One that the
-# loads leave free is pressed on the outer race by that force alone, and rolls against the oil there.
-PRESSED = 10.0
 LEAST_WHIRL = 1.0  # of the whirl number: a cage cannot whirl below
 # Simulated time that `auto` allows, with start-up and all seeds, s: about ten minutes of computing in default steps
 LONGEST_MOTION = 500.0
@@ -32,6 +27,12 @@ LONGEST_FREE_MOTION = 4.0  # s, the same of balls and cage together, at 4 to 10 
 # Change of the torque by sliding over the share of friction across the grooves that holds the gyroscopic moment: slip
 # across the groove comes with it, and near 1 the ball's axis follows.
 PER_GYROSCOPIC_SLIP = 3.0
+# Change of the torque over the weight's share of the ball load, of free balls that friction does not hold against it:
+# 0.16 at most of one that hardly slides, and 6 times the share of sliding besides (validation/adversary/run.py).
+PER_WEIGHT_SLIP, PER_WEIGHT_SLIDING = 0.5, 8.0
+# Change of the torque over the oil's force against rolling, in friction: a ball that lags behind rolls more slowly.
+# 1.45 at most (validation/adversary/run.py).
+PER_LAG = 3.0
 # Share of an ellipse's load beyond a shoulder, by Hertz, up to which its torque is known; and the change of the torque
 # over that share. By finite elements the loss by conformity falls by 1.6 shares at most, by spin by 0.7
 # (tests/fem/test_shoulder.py); the load's centroid moves as well, and with it the contact angle.
@@ -56,7 +57,7 @@ class Entry:
     meaning: str
     kind: Literal["computed", "cage", "declared", "limit"]
     needs: Need | None = None
-    # On its share of the torque, or the limit that is checked; None: no bound that is cheaper than the effect.
+    # On its share of the torque where no trial shows it, or the limit that is checked; None: always tried or computed.
     bound: str | None = None
     idle: str = ""  # why it is off in a scene that has what it needs
     given: str = ""  # why it is on without a decision
@@ -166,39 +167,37 @@ TABLE = (
         kind="computed",
         meaning="unequal ball loads by a radial load or a moment",
         needs=SOLVED_ANGLE,
-        bound=f"{PER_DISTRIBUTION:g} (Fr tan al + 2 M/d_m)/Fa; computed where the closed estimate of the loads' waves "
-        f"exceeds {percent_of(LARGEST_WAVES)}",
+        bound=f"where a given angle forbids it: {PER_DISTRIBUTION:g} (Fr tan al + 2 M/d_m)/Fa",
     ),
     Entry(
         name="centrifugal",
         kind="computed",
         meaning="centrifugal force on the balls",
         needs=SOLVED_ANGLE,
-        bound=f"{PER_CENTRIFUGAL:g} times the force over the load of the lightest ball; computed where it exceeds "
-        f"1/{PRESSED:g} of that load",
+        bound=f"where a given angle forbids it: {PER_CENTRIFUGAL:g} times the force over the load of the lightest ball",
     ),
     Entry(
         name="gyroscopic",
         kind="computed",
         meaning="gyroscopic moment on the balls",
         needs=TURNING_BALL,
-        bound="the axial pull of the friction that holds the moment, over a ball's thrust; under unequal loads all of "
-        f"that friction, over the load of the lightest ball; and {PER_GYROSCOPIC_SLIP:g} times the moment over what "
-        "friction holds",
+        bound="where a given angle forbids it: the friction that holds the moment, over the load of the lightest ball; "
+        f"on the slip across the grooves of balls by rule: {PER_GYROSCOPIC_SLIP:g} times the moment over what friction "
+        "holds",
     ),
     Entry(
         name="weight",
         kind="computed",
         meaning="weight of the balls",
         needs=DOWN,
-        bound=f"{PER_CENTRIFUGAL:g} times the weight over the load of the lightest ball; computed where it exceeds "
-        f"1/{PRESSED:g} of that load. Without a direction the spread over directions is in the uncertainty",
+        bound=f"without its direction: {PER_CENTRIFUGAL:g} times the weight over the load of the lightest ball; where "
+        "that is too much, the spread over six directions is in the uncertainty. Free balls that slip under it: "
+        f"{PER_WEIGHT_SLIP:g} times the weight over their mean load, and {PER_WEIGHT_SLIDING:g} times that of sliding",
     ),
     Entry(
         name="finite_geometry",
         kind="computed",
         meaning="the true shapes of ball and groove, which are no half spaces",
-        bound="the fit's own changes under thrust: twice that of b, that of a and that of the approach",
         given="the factors on the contacts come with the call",
     ),
     Entry(
@@ -206,7 +205,6 @@ TABLE = (
         kind="computed",
         meaning="load on asperities beside the oil film",
         needs=LUBRICATED_SURFACE,
-        bound="the change of friction, at mean pressure and slip, when the oil carries the whole load",
         idle='neither spin nor conformity is computed, so nothing slides: give effects.conformity = "auto"',
     ),
     Entry(
@@ -214,7 +212,6 @@ TABLE = (
         kind="computed",
         meaning="oil at the inlets that its own shear heats",
         needs=LUBRICANT,
-        bound="the rolling torque lost, and the friction that a thinner film adds",
         idle='nothing slides or rolls in oil: give effects.rolling = "auto"',
     ),
     Entry(
@@ -222,14 +219,12 @@ TABLE = (
         kind="computed",
         meaning="inlets to which the oil does not return in time",
         needs=RING_DIAMETERS,
-        bound="the rolling torque lost, and the friction that a thinner film adds",
-        idle='rolling is left out, and no film is so starved that it thins: give effects.rolling = "auto"',
+        idle='nothing slides or rolls in oil: give effects.rolling = "auto"',
     ),
     Entry(
         name="spin",
         kind="computed",
         meaning="spin of the balls about the contact normals",
-        bound="the friction of the race that spins in full, less that of races that only roll",
         given="balls that turn freely spin",
     ),
     Entry(
@@ -241,7 +236,8 @@ TABLE = (
         meaning="elastic creep of the surfaces, with balls that find their own axis and orbital speed",
         needs=FREE,
         bound=f"{PER_SPIN_CREEP:g} and {PER_ROLL_CREEP:g} over the ratios of slip by spin and by conformity to "
-        "the creep at which the surfaces slide everywhere",
+        f"the creep at which the surfaces slide everywhere, and {PER_LAG:g} times the oil's force against rolling over "
+        "the most friction",
         idle="nothing slides",
     ),
     Entry(
@@ -319,6 +315,7 @@ def _names(*kinds: str) -> tuple[str, ...]:
 
 
 COMPUTED = _names("computed")
+TRIED = tuple(name for name in COMPUTED if name != "creep")  # a trial shows their shares
 DECLARED = _names("declared")
 LIMITS = _names("limit")
 CHOSEN = _names("computed", "cage")  # a scene may say on or off

@@ -6,27 +6,22 @@ import numpy as np
 
 from analytic.contact.geometry import RACES
 from analytic.effects.ledger import Ledger, size_of
-from analytic.effects.sliding import LIGHT
 from analytic.effects.washers import HELD
-from analytic.oil.lubricated_races import LubricatedRaces
-from analytic.oil.mixed import MixedContact
-from analytic.oil.rolling import RollingResistance
-from analytic.scene import Array
+from analytic.numerics.records import Records
+from analytic.solve.solution import Solution
+from analytic.surface.roughness import GapRoughness
 from analytic.words import MICROMETRE
+
+LIGHT = 0.01  # of the heaviest ball's load: a film of a lighter ball hardly changes the torque
 
 
 def torque_warnings(
-    ledger: Ledger,
-    *,
-    load: Array,
-    limits: tuple[str, ...],
-    oiled: LubricatedRaces | None,
-    mixed: MixedContact | None,
-    resistance: RollingResistance | None,
+    ledger: Ledger, found: Solution, *, roughness: GapRoughness | None, limits: tuple[str, ...]
 ) -> list[str]:
     """Every warning.
 
-    load : (2, n, m) of each ball on each race, N;  limits : those of `analytic.effects.limits`
+    roughness : of ball and race together, where film and asperities share the load
+    limits : those of `analytic.effects.limits`
     """
     scene = ledger.scene
     warnings = [*scene.warnings]
@@ -57,12 +52,12 @@ def torque_warnings(
         )
     if scene.lubricant is None and not ledger.rules_out("rolling"):
         warnings.append("rolling needs [lubricant]: the total is too low by the hydrodynamic resistance to it")
-    if oiled is not None:
-        warnings += oiled.roughness.warnings
+    if roughness is not None:
+        warnings += roughness.warnings
     for race, name in enumerate(RACES):
-        if mixed is not None:
-            warnings += _film(mixed, load, race)
-        if resistance is not None and np.any(resistance.outside_range[race]):
+        if roughness is not None:
+            warnings += _film(found.balls, race)
+        if ledger.is_on("rolling") and found.points["rolling_extrapolated"][:, race].any():
             warnings.append(
                 f"rolling on the {name} race is extrapolated: its formula is for slow rolling of contacts that are "
                 "longer across it than along"
@@ -80,11 +75,11 @@ def _decisions(ledger: Ledger) -> Iterator[str]:
             yield f"{effect.name} is left out and {size_of(effect.share)}{beyond}: {effect.reason}"
 
 
-def _film(mixed: MixedContact, load: Array, race: int) -> Iterator[str]:
+def _film(balls: Records, race: int) -> Iterator[str]:
     """Films that the formula does not give, on balls that carry enough to matter."""
-    name = RACES[race]
-    carries = load[race] > LIGHT * np.max(load[race], axis=-1, keepdims=True, initial=0.0)
-    if np.any(mixed.outside_range[race] & carries):
-        yield f"the film on the {name} race is extrapolated: its ellipse is not of a shape that was fitted"
-    if np.any(mixed.capped[race] & carries):
-        yield f"the film on the {name} race is limited to the space between the bodies: the formula gave more"
+    load = balls["load"][..., race]
+    carries = load > LIGHT * np.max(load, axis=-1, keepdims=True, initial=0.0)
+    if np.any((balls["film_extrapolated"][..., race] != 0) & carries):
+        yield f"the film on the {RACES[race]} race is extrapolated: its ellipse is not of a shape that was fitted"
+    if np.any((balls["film_capped"][..., race] != 0) & carries):
+        yield f"the film on the {RACES[race]} race is limited to the space between the bodies: the formula gave more"

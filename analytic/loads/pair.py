@@ -22,7 +22,7 @@ from analytic.errors import InputError, require_positive
 from analytic.loads.balls import LoadEffects, balls_between
 from analytic.loads.finite_geometry import corrections_of, thrust_correction
 from analytic.loads.numbers import play_and_free_angle
-from analytic.loads.ring_balance import LEAST_BALLS, Row
+from analytic.loads.ring_balance import LEAST_BALLS, Row, require_enough_balls
 from analytic.loads.ring_series import RingsAtRest, RowsOfBalls, settled_rings
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.loads.turning import RuledTurning
@@ -82,11 +82,8 @@ def pair_equilibrium(
         raise InputError("arrangement.distance is missing: give it, or bearing.width, which it is by default")
     require_positive(**{"arrangement.distance": distance})
     distributed = contacts.effects.load_distribution and not operation.is_thrust
-    if bearing.ball_count < LEAST_BALLS and distributed:
-        raise InputError(
-            f"ball_count = {bearing.ball_count} carries thrust alone: a radial load or a moment needs at least "
-            f"{LEAST_BALLS} balls"
-        )
+    if distributed:
+        require_enough_balls(bearing)
     pair = _Pair(bearing, contact_angle, arrangement, contacts, distance)
     count = operation.axial_load.size
     preload = arrangement.preload

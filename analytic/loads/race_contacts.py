@@ -1,17 +1,14 @@
 """The contacts of balls with both races: by Hertz under 1 N, and one ball's under its loads."""
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from analytic.contact.factors import ContactCorrection, FactorNumbers, corrected, factor_fields
-from analytic.contact.geometry import RaceNumbers, race_numbers, require_contact_angle, rolling_curvature
-from analytic.contact.hertz import HertzContact, HertzNumbers, hertz_fields, loaded_hertz, unit_hertz
+from analytic.contact.factors import FactorNumbers, corrected
+from analytic.contact.geometry import RaceNumbers, rolling_curvature
+from analytic.contact.hertz import HertzNumbers, loaded_hertz, unit_hertz
 from analytic.contact.rolling_contact import ContactNumbers
-from analytic.loads.kinematics import BallMotion
-from analytic.loads.numbers import BearingNumbers
-from analytic.numerics.compilation import compiled, rows_of
-from analytic.numerics.records import Record, record_of
-from analytic.scene import Array, Bearing
+from analytic.numerics.compilation import compiled
+from analytic.numerics.records import Record
+from analytic.scene import Array
 
 
 @compiled
@@ -57,48 +54,6 @@ def contact_under(
         rolling_rate,
         entrainment,
     )
-
-
-@compiled
-def contacts_of_ball(
-    bearing: BearingNumbers,
-    angles: tuple[float, float],
-    loads: tuple[float, float],
-    units: tuple[HertzNumbers, HertzNumbers],
-    motion: BallMotion,
-) -> tuple[ContactNumbers, ContactNumbers]:
-    """A ball on its inner and on its outer race.
-
-    angles : al_i, al_o, rad;  loads : Q_i, Q_o, N;  units : the contacts under 1 N;  motion : per unit ring speed
-    """
-    inner = contact_under(
-        bearing.inner, units[0], angles[0], loads[0], motion.inner_rolling_rate, motion.inner_entrainment
-    )
-    outer = contact_under(
-        bearing.outer, units[1], angles[1], loads[1], motion.outer_rolling_rate, motion.outer_entrainment
-    )
-    return inner, outer
-
-
-def unit_contacts(
-    bearing: Bearing, *, inner_angle: ArrayLike, outer_angle: ArrayLike, correction: ContactCorrection
-) -> tuple[HertzContact, HertzContact]:
-    """A ball on its inner and on its outer race under 1 N by Hertz, corrected; of the angles' shape, which is one.
-
-    inner_angle, outer_angle : al_i, al_o, rad, in [0, pi/2]
-    analytic.contact.hertz.loaded_contact gives the contacts under load. Raises InputError as race_curvatures does.
-    """
-    races = record_of(race_numbers(bearing, "inner")), record_of(race_numbers(bearing, "outer"))
-    angles = require_contact_angle(inner_angle), require_contact_angle(outer_angle)
-    inner, outer = (
-        _on_race(race, *rows_of(angle, *factor_fields(factors)))
-        for race, angle, factors in zip(races, angles, (correction.inner, correction.outer), strict=True)
-    )
-    return inner, outer
-
-
-def _on_race(race: RaceNumbers, rows: Array, shape: tuple[int, ...]) -> HertzContact:
-    return hertz_fields(_unit_contacts(race, rows), shape)
 
 
 @compiled

@@ -22,7 +22,7 @@ from analytic.contact.factors import ContactCorrection
 from analytic.contact.hertz import HertzContact, loaded_contact
 from analytic.errors import InputError, require_finite, require_positive
 from analytic.loads.numbers import play_and_free_angle
-from analytic.loads.ring_balance import LEAST_BALLS
+from analytic.loads.ring_balance import require_enough_balls
 from analytic.loads.ring_series import RowsOfBalls, settled_rings
 from analytic.loads.turning import RuledTurning
 from analytic.scene import Array, Bearing, ContactAngle
@@ -124,7 +124,7 @@ def ring_equilibrium(
         "moment_y": moment_y,
         "inner_speed": inner_speed,
     }
-    require_finite(**given)
+    require_finite(**given, ball_weight=ball_weight)
     require_positive(ball_count=bearing.ball_count)
     if contact_angle.rule == "given":
         raise InputError(
@@ -134,7 +134,6 @@ def ring_equilibrium(
     arrays = np.broadcast_arrays(*(np.asarray(value, dtype=np.float64) for value in given.values()))
     shape, (axial, x, y, about_x, about_y, speed) = arrays[0].shape, (array.ravel() for array in arrays)
     factors = (correction or ContactCorrection()).mapped(lambda array: array.reshape(-1, bearing.ball_count))
-    require_finite(ball_weight=ball_weight)
     if turning is None:
         turning = RuledTurning(bearing=bearing, inner_speed=speed, centrifugal=True, gyroscopic=True)
     ring = RowsOfBalls(
@@ -142,11 +141,8 @@ def ring_equilibrium(
     )
     arm = ring.travel.arm
     load = np.stack([axial, x, y, about_x / arm, about_y / arm], axis=-1)
-    if bearing.ball_count < LEAST_BALLS and np.any(load[:, 1:]):
-        raise InputError(
-            f"ball_count = {bearing.ball_count} carries thrust alone: a radial load or a moment needs at least "
-            f"{LEAST_BALLS} balls"
-        )
+    if np.any(load[:, 1:]):
+        require_enough_balls(bearing)
     state = settled_rings(ring, load, angle=free or 0.0)
     unit = np.array([1.0, 1.0, 1.0, arm, arm])
     each, whole = (*shape, bearing.ball_count), (*shape, 5)

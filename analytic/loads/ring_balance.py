@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from analytic.errors import InputError
 from analytic.loads.ball_balance import Grooves, Tangent, settled_ball
 from analytic.loads.state import FREEDOMS, ball_states
 from analytic.numerics.compilation import compiled
@@ -75,6 +76,15 @@ def groove_travel(bearing: Bearing, rows: tuple[Row, ...] = (Row(),)) -> GrooveT
     if bearing.ball_count < LEAST_BALLS:
         radial[1:], axial[1:] = 0.0, 0.0
     return GrooveTravel(arm, azimuth, offset, np.stack([radial.T, axial.T], axis=1))
+
+
+def require_enough_balls(bearing: Bearing) -> None:
+    """Raise InputError for a row of balls that carries thrust alone."""
+    if bearing.ball_count < LEAST_BALLS:
+        raise InputError(
+            f"ball_count = {bearing.ball_count} carries thrust alone: a radial load or a moment needs at least "
+            f"{LEAST_BALLS} balls"
+        )
 
 
 def placed_balls(bearing: Bearing, rows: tuple[Row, ...] = (Row(),), weight: Weight = (0.0, 0.0, 0.0)) -> Records:

@@ -192,9 +192,10 @@ def _left_groove(bearing: Bearing, load: Array, weight: float, speed: float, bey
 
 
 def factors_of(correction: ContactCorrection) -> Array:
-    """(n, 2, 4, Z) with axes of 1 where all points or all balls have the same factors."""
+    """(n, 2, 4, Z) with axes of 1 where all points or all balls have the same factors; one of (n,) is of all balls."""
     given = [np.asarray(value) for side in (correction.inner, correction.outer) for value in factor_fields(side)]
-    together = np.stack(np.broadcast_arrays(*(value.reshape(value.shape or (1, 1)) for value in given)), axis=1)
+    each = (value if value.ndim > 1 else value.reshape(-1, 1) for value in given)
+    together = np.stack(np.broadcast_arrays(*each), axis=1)
     return np.array(together.reshape(len(together), 2, 4, -1), dtype=np.float64)
 
 

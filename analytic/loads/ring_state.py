@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 from analytic.brief import Brief, span
 from analytic.labelled import Column, Labelled, dataset_of
 from analytic.loads.ball_balance import contact_tangent, in_series
-from analytic.loads.balls import LoadedBalls
 from analytic.loads.numbers import play_and_free_angle
 from analytic.loads.ring_balance import add_stiffness, groove_travel, mirror
 from analytic.numerics.compilation import compiled
+from analytic.numerics.records import Records
 from analytic.scene import Array, Bearing, ContactAngle, Operation
 
 FREEDOMS = ("axial", "x", "y", "tilt_x", "tilt_y")
@@ -188,16 +188,16 @@ def _stiffness(springs: Array, travel: Array) -> Array:
     return stiffness
 
 
-def state_of_ring(bearing: Bearing, angle: ContactAngle, balls: LoadedBalls, operation: Operation) -> RingState:
-    """The state of ring and balls; balls : all of the bearing, under thrust one that stands for all.
+def state_of_ring(bearing: Bearing, angle: ContactAngle, balls: Records, operation: Operation) -> RingState:
+    """The state of ring and balls; balls : (n, Z) with the fields of `analytic.solve.records.BALL`, or (n, 1)
 
     operation : every array (n,)
     """
-    count = (2, balls.load.shape[1], bearing.ball_count)
-    each = (balls.load, balls.side * balls.contact_angle, balls.contact.approach)
-    load, contact_angle, approach = (np.broadcast_to(values, count).swapaxes(0, 1) for values in each)
-    sideways = np.zeros((len(load), len(FREEDOMS)))
-    if balls.load.shape[2] == 1:
+    count = (len(balls), 2, bearing.ball_count)
+    each = (np.swapaxes(balls[name], 1, 2) for name in ("load", "angle", "approach"))
+    load, contact_angle, approach = (np.broadcast_to(values, count) for values in each)
+    sideways = np.zeros((len(balls), len(FREEDOMS)))
+    if balls.shape[1] == 1:
         sideways[:, FREEDOMS.index("x")] = operation.radial_load
         sideways[:, FREEDOMS.index("tilt_y")] = operation.moment
     return RingState(

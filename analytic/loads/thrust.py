@@ -104,11 +104,7 @@ def thrust_equilibrium(
     bracketed in ln(tan al) at any load. Source: [Harris2007] section 7.
     """
     require_positive(axial_load=axial_load, ball_count=bearing.ball_count)
-    if contact_angle.rule == "given":
-        if bearing.kind == "thrust":
-            require_right_angle(contact_angle)
-        elif contact_angle.value is None or not 0 < contact_angle.value < np.pi / 2:
-            raise InputError(f"a given contact angle must lie between 0 and pi/2 rad, got {contact_angle.value!r}")
+    require_given_angle(bearing, contact_angle)
     numbers = record_of(bearing_numbers(bearing, contact_angle))
     factors = correction_fields(correction or ContactCorrection())
     rows, shape = rows_of(axial_load, 0.0, *factors)
@@ -189,13 +185,17 @@ def thrust_at_speed(
     )
 
 
-def require_right_angle(contact_angle: ContactAngle) -> None:
-    """Raise InputError unless this is the contact angle of a thrust bearing: given, 90 degrees."""
-    if contact_angle.rule != "given" or contact_angle.value != np.pi / 2:
-        raise InputError(
-            "a thrust bearing has a contact angle of 90 degrees under every load: give "
-            f"ContactAngle(rule='given', value=pi/2), got rule {contact_angle.rule!r}, value {contact_angle.value!r}"
-        )
+def require_given_angle(bearing: Bearing, contact_angle: ContactAngle) -> None:
+    """Raise InputError for a given contact angle outside its range; that of a thrust bearing is 90 degrees."""
+    if bearing.kind == "thrust":
+        if contact_angle.rule != "given" or contact_angle.value != np.pi / 2:
+            raise InputError(
+                "a thrust bearing has a contact angle of 90 degrees under every load: give "
+                f"ContactAngle(rule='given', value=pi/2), got rule {contact_angle.rule!r}, value "
+                f"{contact_angle.value!r}"
+            )
+    elif contact_angle.rule == "given" and not (contact_angle.value and 0 < contact_angle.value < np.pi / 2):
+        raise InputError(f"a given contact angle must lie between 0 and pi/2 rad, got {contact_angle.value!r}")
 
 
 def _at_rest(numbers: BearingNumbers, fields: Array, shape: tuple[int, ...]) -> ThrustEquilibrium:

@@ -112,10 +112,10 @@ def _spread(points: Array, count: int, known: Array, weight: Array) -> NDArray[n
         _approach(nearest, points, np.zeros(points.shape[1]))
     for number in range(count):
         farthest = np.argmax(nearest * weight)
-        if nearest[farthest] == 0:
-            return order[:number]
         if len(known) == 0 and number == 0:
             nearest[:] = np.inf
+        elif nearest[farthest] == 0:
+            return order[:number]
         order[number] = farthest
         _approach(nearest, points, points[farthest])
     return order

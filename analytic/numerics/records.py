@@ -33,6 +33,21 @@ def as_record(element: Any) -> Record:
     return element if isinstance(element, np.record) else element.reshape(1).view(np.recarray)[0]
 
 
+def copied(records: Any) -> Records:
+    """A copy of an array of records, or an array of one from a record; `record_in` gives that back.
+
+    NumPy copies structured arrays field by field, which takes forty times as long as their bytes. It reads and writes
+    nested fields of an array ten times as fast as those of a record.
+    """
+    copy = np.frombuffer(bytearray(records.tobytes()), records.dtype)
+    return copy if isinstance(records, np.void) else copy.reshape(records.shape)
+
+
+def record_in(records: Records) -> Record:
+    """The record of an array of one, in its memory."""
+    return records.view(np.recarray)[0]
+
+
 def _field_of(hint: Any) -> tuple[Any, ...]:
     if get_origin(hint) is tuple:
         first, *rest = get_args(hint)

@@ -15,7 +15,6 @@ from analytic.scene import Array
 
 # Each step halves the bracket or the step before the last; 4 to 8 are usual, and bisection alone takes 60.
 MOST_STEPS = 200
-LEAST_STEP = 1e-10  # relative, of a secant
 
 
 @compiled
@@ -72,22 +71,3 @@ def bracketed_root(
         problem=sought.problem,
         remedy=sought.remedy,
     )
-
-
-class SecantSlopes:
-    """A function for `bracketed_root` from one without slopes: each slope is the secant to the call before.
-
-    slopes : a guess for the first call; afterwards the last ones
-    A step so small that the secant would be round-off keeps the slope.
-    """
-
-    def __init__(self, rising: Callable[[Array], Array], slopes: Array) -> None:
-        self.slopes = slopes
-        self._rising, self._x, self._value = rising, np.full_like(slopes, np.nan), slopes
-
-    def __call__(self, x: Array) -> tuple[Array, Array]:
-        value = self._rising(x)
-        moved = np.abs(x - self._x) > LEAST_STEP * np.abs(x)  # not where x has settled, nor at first
-        self.slopes = np.divide(value - self._value, x - self._x, out=np.array(self.slopes), where=moved)
-        self._x, self._value = x, value
-        return value, self.slopes

@@ -26,8 +26,8 @@ from analytic.oil.asymptotes import (
 from analytic.scene import Array
 
 # Standard deviation of ln(film). Measured films of circular contacts spread by 12 to 17 % in the logarithm; those of
-# `validation/film.py` by 11 % where they are thick enough to be measured well. In the limit of a wide ellipse, and a
-# race is near it, the formula lies within -8 to +1 % of a 1-D solution for incompressible oil.
+# `validation/film` by 11 % where they are thick enough to be measured well. In the limit of a wide ellipse, and a race
+# is near it, the formula lies within -8 to +1 % of a 1-D solution for incompressible oil.
 FORMULA_UNCERTAINTY = 0.15
 FILM_FACTORS = float(np.exp(-2 * FORMULA_UNCERTAINTY)), float(np.exp(2 * FORMULA_UNCERTAINTY))  # 95 %: 0.74 and 1.35
 

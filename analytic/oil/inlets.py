@@ -3,31 +3,24 @@
 Both act on the film and on the resistance to rolling, as factors on flooded and isothermal ones.
 """
 
-from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from analytic.contact.rolling_contact import ContactNumbers, contact_at
-from analytic.loads.balls import LoadedBalls
-from analytic.numerics.compilation import compiled, rows_of
-from analytic.numerics.elements import elements_of
-from analytic.numerics.records import record_of
-from analytic.oil.asymptotes import FilmAsymptotes, Inflow, asymptotes_of, log_film_of
+from analytic.contact.rolling_contact import ContactNumbers
+from analytic.numerics.compilation import compiled
+from analytic.oil.asymptotes import FilmAsymptotes, Inflow, log_film_of
 from analytic.oil.film import heated_part, shear_heat, smallest_ratio
 from analytic.oil.rolling import heated_rolling, replenished, replenishment_rate
 from analytic.oil.starvation import (
     FLOODED,
-    Starvation,
     StarvedNumbers,
     checked_degrees,
-    no_meniscus,
     starved_by_degree,
     starved_by_factor,
 )
-from analytic.oil.viscosity import OilNumbers, oil_numbers
-from analytic.scene import Array, Bearing, Lubricant
+from analytic.oil.viscosity import OilNumbers
+from analytic.scene import Bearing, Lubricant
 
 
 class OilSupply(NamedTuple):
@@ -80,64 +73,6 @@ def inlet_of(
         heated_part(peak_pressure, contact.modulus, loading, 0.0),
         heated_rolling(supply.mean_diameter, abs(ring_speed), kinematic),
         starved,
-    )
-
-
-@compiled
-def _inlets(rows: Array, oil: OilNumbers, supply: OilSupply) -> Array:
-    fields = np.empty((6, rows.shape[1]))
-    for i in range(rows.shape[1]):
-        contact, ring_speed = contact_at(rows, 0, i), rows[10, i]
-        film = asymptotes_of(contact, inflow_of(contact, oil, ring_speed))
-        inlet = inlet_of(contact, rows[9, i], oil, film, supply, ring_speed)
-        fields[0, i], fields[1, i] = inlet.film_heating, inlet.rolling_heating
-        for k in range(4):
-            fields[2 + k, i] = inlet.starvation[k]
-    return fields
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Inlets:
-    """Factors on films and on rolling torques, each (2, n, m), 0 to 1."""
-
-    film_heating: Array  # share of the film that remains when shear heats the inlet
-    rolling_heating: Array  # share of the rolling torque that remains then
-    starvation: Starvation | None  # None: the scene gives neither the degree nor the ring diameters
-
-    def at(self, points: NDArray[np.intp]) -> "Inlets":
-        """The same at some operating points."""
-
-        def chosen(value: Array) -> Array:
-            return value[:, points]
-
-        starvation = None if self.starvation is None else elements_of(self.starvation, chosen)
-        return replace(elements_of(self, chosen), starvation=starvation)
-
-    def film_factor(self, *, heats: bool, starves: bool) -> Array | float:
-        factor = self.film_heating if heats else 1.0
-        return factor * self.starvation.film_factor if starves and self.starvation is not None else factor
-
-    def rolling_factor(self, *, heats: bool, starves: bool) -> Array | float:
-        factor = self.rolling_heating if heats else 1.0
-        return factor * self.starvation.rolling_factor if starves and self.starvation is not None else factor
-
-
-def inlets_of(bearing: Bearing, balls: LoadedBalls, lubricant: Lubricant, *, ring_speed: Array) -> Inlets:
-    """Both factors of the loaded balls; ring_speed : w, (n,), rad/s, of either sign."""
-    supply = oil_supply(bearing, lubricant)
-    known = balls.contacts.fields[:8]  # but the entrainment
-    rows, shape = rows_of(*known, balls.motion.entrainment_speed, balls.contact.peak_pressure, ring_speed[:, None])
-    film_heating, rolling_heating, *starved = _inlets(
-        rows, record_of(oil_numbers(lubricant)), record_of(supply)
-    ).reshape(6, *shape)
-    if np.isnan(starved[0]).any():
-        raise no_meniscus()
-    return Inlets(
-        film_heating=film_heating,
-        rolling_heating=rolling_heating,
-        starvation=None
-        if starvation_source(bearing, lubricant) is None
-        else Starvation(**dict(zip(StarvedNumbers._fields, starved, strict=True))),
     )
 
 

@@ -200,6 +200,18 @@ class MixedContact:
         return elements_of(self, itemgetter(race))
 
 
+def no_shared_load() -> ConvergenceError:
+    """Of a contact whose film and asperities find no common load."""
+    return ConvergenceError(
+        iterations=MOST_STEPS,
+        residual=np.nan,
+        tolerance=LAST_STEP,
+        unit="of ln(s/(1 - s))",
+        problem="the load shared by film and asperities",
+        remedy="Check that load, speed, viscosity and roughness are of ordinary size.",
+    )
+
+
 def mixed_contact(
     contact: EllipticContact,
     film: FilmAsymptotes,
@@ -240,14 +252,7 @@ def mixed_contact(
     fields = _mixed(rows, record_of(form), cubics, float(pressure_factor)).reshape(6, *shape)
     share, boundary_share, thickness, touched, capped, without_film = fields
     if np.isnan(share).any():
-        raise ConvergenceError(
-            iterations=MOST_STEPS,
-            residual=np.nan,
-            tolerance=LAST_STEP,
-            unit="of ln(s/(1 - s))",
-            problem="the load shared by film and asperities",
-            remedy="Check that load, speed, viscosity and roughness are of ordinary size.",
-        )
+        raise no_shared_load()
     return MixedContact(
         asperity_share=share,
         boundary_share=boundary_share,

@@ -144,7 +144,12 @@ def oil_numbers(lubricant: Lubricant) -> OilNumbers:
         reference_temperature=lubricant.reference_temperature,
         viscosity_temperature=lubricant.viscosity_temperature,
     )
-    require_non_negative(pressure_viscosity=lubricant.pressure_viscosity)
+    require_non_negative(pressure_viscosity=lubricant.pressure_viscosity, limiting_shear=lubricant.limiting_shear)
+    require_positive(
+        thermal_conductivity=lubricant.thermal_conductivity,
+        density=lubricant.density,
+        eyring_stress=lubricant.eyring_stress,
+    )
     growth = float(np.log(lubricant.viscosity)) - LOG_POLE_VISCOSITY
     reference = OilNumbers(
         temperature=float(lubricant.reference_temperature),

@@ -7,7 +7,7 @@ import numpy as np
 
 from analytic.errors import FembearingError
 from analytic.oil.variation import Variation
-from analytic.prediction.settled import settled_parts
+from analytic.prediction.settled import FreeStart, settled_parts
 from analytic.prediction.spreads import NUMERICAL, UncertainInput
 from analytic.prediction.starts import SampleStarts, starts_of
 from analytic.prediction.variants import varied_scene
@@ -36,11 +36,10 @@ def problem_of(scene: Scene, nominal: FrictionTorque, inputs: tuple[UncertainInp
     A numerical uncertainty that is known counts as two standard deviations of a normal one. A cage that moves keeps its
     torque, as each of its motions takes minutes.
     """
-    settled, torque = nominal.settled(scene), nominal.torque
+    settled, torque = without_moving_cage(scene, nominal), nominal.torque
     held = np.zeros_like(torque.total)
     names = [field.name for field in fields(TorqueParts) if getattr(torque, field.name) is not None]
-    if nominal.is_on("cage_dynamics") or nominal.is_on("ball_dynamics"):
-        settled = replace(settled, effects={**settled.effects, **NO_CAGE})
+    if cage_moves(nominal):
         held = np.zeros_like(held) if torque.cage is None else torque.cage
         names.remove("cage")
     numerical = np.where(np.isfinite(nominal.numerical_uncertainty), nominal.numerical_uncertainty / 2, 0.0)
@@ -53,13 +52,24 @@ def problem_of(scene: Scene, nominal: FrictionTorque, inputs: tuple[UncertainInp
         inputs=inputs,
         numerical=numerical,
         parts=tuple(names),
-        starts=starts_of(lambda score: _varied(settled, inputs, score), len(inputs)),
+        starts=starts_of(lambda score: moved_scene(settled, inputs, score), len(inputs)),
         held=held,
         seconds=0.0,
     )
     nothing = np.zeros((1, len(inputs)))
     evaluated(problem, nothing)  # the first one of a process takes longer, as it loads what it computes with
     return replace(problem, seconds=evaluated(problem, nothing)[2])
+
+
+def cage_moves(nominal: FrictionTorque) -> bool:
+    """Whether the motion of the cage was computed."""
+    return nominal.is_on("cage_dynamics") or nominal.is_on("ball_dynamics")
+
+
+def without_moving_cage(scene: Scene, nominal: FrictionTorque) -> Scene:
+    """The scene with the effects and methods of its torque, without a cage that moves."""
+    settled = nominal.settled(scene)
+    return replace(settled, effects={**settled.effects, **NO_CAGE}) if cage_moves(nominal) else settled
 
 
 def evaluated(problem: Problem, scores: Array) -> tuple[Array, list[str], float]:
@@ -72,23 +82,35 @@ def evaluated(problem: Problem, scores: Array) -> tuple[Array, list[str], float]
     reasons = []
     for row, score in enumerate(scores):
         try:
-            scene, variation = _varied(problem.scene, problem.inputs, score)
-            parts = settled_parts(scene, variation, problem.starts and problem.starts.at(score))
-            if parts is None:
-                parts = friction_torque(scene, variation=variation).torque
+            torque[row] = torque_at(problem, score)
         except FembearingError as failure:
             reasons.append(str(failure))
-            continue
-        for place, name in enumerate(problem.parts):
-            part = getattr(parts, name)
-            torque[row, place] = 0.0 if part is None else part
-        torque[row, 0] += problem.held
-        if problem.inputs[-1].key == NUMERICAL:
-            torque[row, 0] *= np.exp(problem.numerical * score[-1])
     return torque, reasons, perf_counter() - begun
 
 
-def _varied(scene: Scene, inputs: tuple[UncertainInput, ...], score: Array) -> tuple[Scene, Variation]:
+def torque_at(problem: Problem, score: Array) -> Array:
+    """(parts, n) the torque of one sample, N m; score : (d,). Raises InputError and ConvergenceError of its scene."""
+    scene, variation = moved_scene(problem.scene, problem.inputs, score)
+    parts = parts_of(scene, variation, problem.starts and problem.starts.at(score))
+    named = (getattr(parts, name) for name in problem.parts)
+    torque = np.stack([np.zeros_like(problem.held) if part is None else part for part in named])
+    torque[0] += problem.held
+    if problem.inputs[-1].key == NUMERICAL:
+        torque[0] *= np.exp(problem.numerical * score[-1])
+    return torque
+
+
+def parts_of(scene: Scene, variation: Variation, start: FreeStart | None = None) -> TorqueParts:
+    """The parts of the torque, (n,) each, of a scene in which every effect and method is fixed.
+
+    variation, start : as in `settled_parts`. Raises InputError and ConvergenceError as `friction_torque` does.
+    """
+    parts = settled_parts(scene, variation, start)
+    return friction_torque(scene, variation=variation).torque if parts is None else parts
+
+
+def moved_scene(scene: Scene, inputs: tuple[UncertainInput, ...], score: Array) -> tuple[Scene, Variation]:
+    """The scene with its uncertain inputs at a score, (d,), and the variation of the formulas."""
     values = {each.key: float(each.at(part)) for each, part in zip(inputs, score, strict=True)}
     values.pop(NUMERICAL, None)
     return varied_scene(scene, values)

@@ -6,13 +6,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from analytic.effects.declared import declared_torque
-from analytic.effects.sliding import TURNING_FREELY
 from analytic.numerics.records import Record, Records
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.result import TorqueParts
 from analytic.scene import Array, Scene
 from analytic.sliding.judge import METHODS as SLIDING_METHODS
+from analytic.solve.freely import METHODS as FREE_METHODS
 from analytic.solve.model import Counted, Model, Workspace, model_of, workspace
 from analytic.solve.records import POINT, SETTLED
 from analytic.solve.solution import points_of, solved
@@ -58,7 +57,7 @@ def settled_parts(scene: Scene, variation: Variation, start: FreeStart | None = 
     found = settle(scene, variation, start)
     if found is None or found.points["status"].any():
         return None
-    parts, declared = found.points, declared_torque(scene.losses)
+    parts, declared = found.points, scene.losses.total
     return TorqueParts(
         total=parts["total"],
         race=parts["spin"] + parts["conformity"] + parts["hysteresis"] + parts["rolling"],
@@ -84,7 +83,7 @@ def settle(scene: Scene, variation: Variation, start: FreeStart | None) -> Settl
     held = not counted["load_distribution"] and not operation.is_thrust
     moves = any(scene.effects.get(name) == "on" for name in LEFT_OUT)
     special = scene.arrangement is not None or scene.bearing.kind == "thrust" or scene.microslip != "derived"
-    free = slides and scene.sliding in TURNING_FREELY
+    free = slides and scene.sliding in FREE_METHODS.values()
     if held or moves or special or (slides and not free and scene.sliding not in OF_ONE_RULE):
         return None
     if not free:

@@ -1,10 +1,9 @@
 """The JSON Schema of a scene file, by which an editor completes keys and marks mistakes; made from the tables.
 
-`scene.schema.json` beside this file holds it. An editor knows less than the reader: of a quantity it sees that a number
+An editor knows less than the reader: of a quantity it sees that a number
 and a unit are there, not whether the unit fits.
 """
 
-from pathlib import Path
 from types import NoneType, UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
@@ -19,7 +18,6 @@ from analytic.scenefile.table import Table
 from analytic.scenefile.tables import BearingTable, CageTable, GrooveTable, MaterialTable, SceneTable
 from analytic.scenefile.viscosity import Viscosity
 
-FILE = Path(__file__).with_name("scene.schema.json")
 DIALECT = "http://json-schema.org/draft-07/schema#"  # that editors of TOML know
 FILLED = (BearingTable, GrooveTable, CageTable)  # by the catalog: no key of these tables is required
 WITH_UNIT = rf'^ *{NUMBER} *(?:1? */ *)?[A-Za-zµμ°Ω"][^,]*$'

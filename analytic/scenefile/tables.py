@@ -10,7 +10,7 @@ from pydantic import BeforeValidator, Field
 
 from analytic import catalog
 from analytic.mounting.clearance import Mounting
-from analytic.report_details import PublishedCase, ReportDetails, UnitSystem
+from analytic.report_details import ReportDetails, UnitSystem
 from analytic.scene import (
     OIL_TEMPERATURES,
     ArrangementKind,
@@ -349,7 +349,6 @@ class ReportTable(Table):
     revision: Text | None = None
     date: Text | None = None  # in quotes, in any form
     units: UnitSystem = ReportDetails.units
-    published: PublishedCase | None = None
 
 
 class SceneTable(Table):

@@ -11,17 +11,15 @@ net force.
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.contact.rolling_contact import ContactNumbers, Pair
+from analytic.contact.rolling_contact import ContactNumbers
 from analytic.errors import require_non_negative, require_positive
 from analytic.numerics.compilation import compiled, rows_of
 from analytic.scene import Array
 from analytic.sliding.long_ellipse import (
     FULL_SPIN,
-    MicroslipTorque,
     Slip,
     half_distance,
     spin_to_roll,
-    spin_to_roll_ratio,
 )
 
 
@@ -92,39 +90,3 @@ def _printed(rows: Array) -> Array:
     for i in range(rows.shape[1]):
         moments[0, i], moments[1, i] = printed_moments(rows[0, i], rows[1, i], rows[2, i], rows[3, i])
     return moments
-
-
-def as_printed_torque(
-    contacts: Pair,
-    *,
-    friction_force: tuple[ArrayLike, ArrayLike],
-    spin_rates: tuple[ArrayLike, ArrayLike],
-    ball_radius: ArrayLike,
-) -> MicroslipTorque:
-    """Torque of one ball from its slip on both races with the printed moments, N m; all fields and arguments broadcast.
-
-    contacts : on the inner and the outer race;  friction_force : mu Q on both, N, >= 0
-    spin_rates : w_s/w on both, of either sign, from `long_ellipse.microslip_torque`
-    ball_radius : r_b, m, > 0
-        spin = M_z,i |w_s,i|/w + M_z,o |w_s,o|/w,  conformity = M_r,i w_roll,i/w + M_r,o w_roll,o/w
-    These are equations 10 and 11 for one ball. The paper does not say which contact has the M_z of equation 10, so each
-    moment is multiplied by the spin of its own contact. Where no misprint applies, the torque differs from the derived
-    one only by the ball's radius in place of that of the contact surface.
-    Raises InputError for a ball_radius that is not positive.
-    """
-    inner_rate, outer_rate = (np.asarray(rate, dtype=np.float64) for rate in spin_rates)
-    (inner_spin, inner_roll), (outer_spin, outer_roll) = (
-        as_printed_moments(
-            friction_force=force,
-            semi_axis_transverse=contact.semi_axis_transverse,
-            ball_radius=ball_radius,
-            spin_to_roll=spin_to_roll_ratio(contact, spin_rate=np.abs(rate)),
-        )
-        for contact, force, rate in zip(contacts, friction_force, (inner_rate, outer_rate), strict=True)
-    )
-    return MicroslipTorque.of(
-        contacts,
-        spin_rates=(inner_rate, outer_rate),
-        spin_moments=(np.copysign(inner_spin, inner_rate), np.copysign(outer_spin, outer_rate)),
-        rolling_moments=(inner_roll, outer_roll),
-    )

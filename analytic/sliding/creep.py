@@ -2,11 +2,9 @@
 
 import numpy as np
 
-from analytic.contact.rolling_contact import ContactNumbers, contact_at
-from analytic.loads.balls import LoadedBalls
-from analytic.numerics.compilation import compiled, rows_of
+from analytic.contact.rolling_contact import ContactNumbers
+from analytic.numerics.compilation import compiled
 from analytic.oil.traction import PointLaw, mean_force
-from analytic.scene import Array
 from analytic.sliding.long_ellipse import half_distance, rolling_moment
 
 # Change of the torque by sliding that elastic creep makes, over 1/K of spin and of conformity: 4.0 and 0.8 at most in
@@ -45,30 +43,7 @@ def creep_share(contact: ContactNumbers, law: PointLaw, ring_speed: float, spin_
     rolls = b**2 / contact.deformed_radius * rolling_moment(0.0, half_distance(0.0)) * contact.rolling_rate
     friction = mean_force(law, contact, ring_speed * rolls)
     friction = max(friction, mean_force(law, contact, ring_speed * (rolls + 3 / 8 * b * spin_rate)))
-    return share_of_creep(contact, friction, spin_rate)
-
-
-@compiled
-def share_of_creep(contact: ContactNumbers, friction: float, spin_rate: float) -> float:
-    """`creep_share` of a contact with this friction, N."""
-    if not contact.load > 0.0:
-        return 0.0
     sliding, spinning = creep_numbers(contact, friction, spin_rate)
     share = (PER_SPIN_CREEP / spinning if spinning > 0.0 else np.inf) + PER_ROLL_CREEP / sliding
     share = min(share, MOST_SHARE)
     return np.inf if share >= 1.0 else share
-
-
-def creep_shares(balls: LoadedBalls, friction: Array) -> Array:
-    """(n,) `share_of_creep` of the worst contact; friction : (2, n, m), N"""
-    contacts = balls.contacts
-    rows, shape = rows_of(*contacts.fields[:8], balls.motion.entrainment_speed, friction, balls.motion.spin_difference)
-    return _shares(rows).reshape(shape).max(axis=(0, 2))
-
-
-@compiled
-def _shares(rows: Array) -> Array:
-    shares = np.empty(rows.shape[1])
-    for i in range(shares.size):
-        shares[i] = share_of_creep(contact_at(rows, 0, i), rows[9, i], abs(rows[10, i]))
-    return shares

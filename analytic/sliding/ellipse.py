@@ -3,25 +3,25 @@
 x is the direction of rolling, y is transverse, both from the contact's centre. The pressure is
 p0 sqrt(1 - x^2/a^2 - y^2/b^2). A ball that rolls with w_roll and spins with w_s over a surface of radius R slides by
     v_x = w_roll y^2/(2 R) + w_s y - c,  v_y = -w_s x
-Every point resists with a stress against v, which is a function of pressure and speed. c leaves no net force.
-`slip_over_ellipse` has both components. `slip_along_axis` leaves out v_y: this is the limit of a long ellipse, and with
-Coulomb friction its moments are those of `analytic.sliding.long_ellipse.microslip_moments`. Elastic creep is left out
-(`analytic.sliding.creep.creep_numbers` says when it matters, `analytic.free_ball` has it).
+Every point resists with a stress against v, which is a function of pressure and speed. c leaves no net force:
+    M_spin = int tau (v_x y - v_y x)/|v| dA,  M_roll = int tau v_x y^2/(2 R |v|) dA,  0 = int tau v_x/|v| dA
+Without v_y this is the limit of a long ellipse, and with Coulomb friction its moments are those of
+`analytic.sliding.long_ellipse.microslip_moments`; the stress still follows the pressure along rolling. Elastic creep is
+left out (`analytic.sliding.creep.creep_numbers` says when it matters, `analytic.free_ball` has it). A law with a kink,
+such as a cap, needs more nodes.
 Source: derived here.
 """
 
-from dataclasses import dataclass
 from functools import cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from analytic.contact.rolling_contact import ContactNumbers, RollingContact, contact_at
-from analytic.errors import ConvergenceError, InputError, require_finite, require_positive
-from analytic.numerics.compilation import compiled, rows_of
+from analytic.contact.rolling_contact import ContactNumbers
+from analytic.errors import ConvergenceError
+from analytic.numerics.compilation import compiled
 from analytic.numerics.records import Record
-from analytic.oil.traction import PointLaw, law_at, stress_and_slope
+from analytic.oil.traction import PointLaw, stress_and_slope
 from analytic.scene import Array
 
 BALANCED = 1e-14  # net force that counts as none, over all friction: round-off of the sum over a thousand nodes
@@ -30,7 +30,6 @@ LEAST_GAIN = 0.25  # of a step: where the net force falls by less, the next slop
 ROUND_OFF = 1e-10  # of c, relative: a secant over less would be round-off
 RESOLVED = 1e-5  # v_y at the rim over the slope of v_x along b, from which nodes at the end of a panel see the turn
 MOST_STEPS = 200  # 3 to 8 are usual; halving the bracket alone takes 60
-NODES = (16, 16)  # transverse and rolling: Coulomb's moments to 1e-5 of mu Q b at any spin and shape, see the tests
 MOST_NODES = 96  # in either direction
 
 QUADRATURE = np.dtype(
@@ -86,14 +85,16 @@ def slider_of(contact: ContactNumbers) -> Slider:
 
 
 @compiled
-def slip_sums(
-    slider: Slider,
-    law: PointLaw,
-    creep: float,
-    spin: float,
-    quadrature: Record,
-    sideways: bool,
-) -> SlipSums:
+def _edges(slider: Slider, creep: float, spin: float) -> tuple[float, float, float, float]:
+    """y/b of the edges of the three panels: both ends, and where v_x = 0 between them."""
+    root = np.sqrt(max(spin * spin + 4.0 * slider.roll * creep, 0.0))
+    near = 2.0 * creep / (spin + root) if spin + root > 0.0 else 0.0
+    far = -(spin + root) / (2.0 * slider.roll) if slider.roll > 0.0 else -1.0
+    return -1.0, min(max(far, -1.0), 1.0), min(max(near, -1.0), 1.0), 1.0
+
+
+@compiled
+def slip_sums(slider: Slider, law: PointLaw, creep: float, spin: float, quadrature: Record, sideways: bool) -> SlipSums:
     """The sums over three transverse panels, which meet where v_x = 0 on the axis.
 
     creep : c, m/s;  spin : |w_s| b, m/s;  sideways : with v_y;  quadrature : `quadrature_of`
@@ -101,16 +102,11 @@ def slip_sums(
     places, widths, along, lengths = quadrature.places, quadrature.widths, quadrature.reaches, quadrature.lengths
     if slider.peak == 0.0:
         return NO_SUMS
-    root = np.sqrt(max(spin * spin + 4.0 * slider.roll * creep, 0.0))
-    near = 2.0 * creep / (spin + root) if spin + root > 0.0 else 0.0
-    far = -(spin + root) / (2.0 * slider.roll) if slider.roll > 0.0 else -1.0
-    edges = (-1.0, min(max(far, -1.0), 1.0), min(max(near, -1.0), 1.0), 1.0)
-    arm = slider.rolling / slider.transverse
-    turns = sideways and spin > 0.0
+    edges = _edges(slider, creep, spin)
+    arm, turns = slider.rolling / slider.transverse, sideways and spin > 0.0
     turn_at_rim = spin * arm if turns else 0.0  # |v_y| at x = a
-    force = moment = rolling = power = unit = friction = by_creep = mixed = by_spin = 0.0
+    force = moment = rolling = power = unit = friction = by_creep = mixed = by_spin = far_power = middle_power = 0.0
     least = 1e-200 * (slider.roll + spin if slider.roll + spin > 0.0 else 1.0)
-    far_power = middle_power = 0.0
     for panel in range(3):
         if panel == 1:
             far_power = power
@@ -130,8 +126,7 @@ def slip_sums(
             for k in range(quadrature.along):
                 x, weight = along[k], lengths[k]
                 if turns:
-                    grown = np.expm1(z * x)
-                    x = (grown + grown / (grown + 1.0)) / (2.0 * steep)
+                    x = np.sinh(z * x) / steep
                     weight *= z * np.sqrt(1.0 / (steep * steep) + x * x)
                 turn, lever = turn_at_rim * half * x, arm * half * x
                 speed = np.sqrt(slide * slide + turn * turn)
@@ -154,22 +149,29 @@ def slip_sums(
                 by_creep += area * t_xx
                 mixed += area * (t_xx * y + t_xy * lever)
                 by_spin += area * (t_xx * y * y + 2.0 * t_xy * y * lever + t_yy * lever * lever)
-    for line in edges[1:3]:  # without v_y, or nearly, the stress jumps where the slip turns round: a slope too
+    for line in edges[1:3]:
         steepness = abs(2.0 * slider.roll * line + spin)
         if turn_at_rim > RESOLVED * steepness or abs(line) == 1.0 or steepness == 0.0:
             continue
-        half, jump = np.sqrt((1.0 - line) * (1.0 + line)), 0.0
-        for k in range(quadrature.along):
-            height = np.sqrt((1.0 - along[k]) * (1.0 + along[k]))
-            jump += lengths[k] * stress_and_slope(law, slider.peak * half * height, 0.0)[0]
-        jump *= 4.0 * slider.rolling * slider.transverse * half / steepness
+        # Without v_y, or nearly, the stress jumps where the slip turns round: a slope too.
+        jump = _jump_at(slider, law, line, quadrature) / steepness
         by_creep += jump
         mixed += jump * line
         by_spin += jump * line * line
     near_power = power - far_power - middle_power
-    return SlipSums(
-        force, moment, rolling, power, unit, friction, by_creep, mixed, by_spin, far_power, middle_power, near_power
-    )
+    by = by_creep, mixed, by_spin
+    return SlipSums(force, moment, rolling, power, unit, friction, *by, far_power, middle_power, near_power)
+
+
+@compiled
+def _jump_at(slider: Slider, law: PointLaw, line: float, quadrature: Record) -> float:
+    """By how much the force changes across the line y/b where the slip turns round, per slope of the slip, N m/s."""
+    half, jump = np.sqrt((1.0 - line) * (1.0 + line)), 0.0
+    for k in range(quadrature.along):
+        x = quadrature.reaches[k]
+        pressure = slider.peak * half * np.sqrt((1.0 - x) * (1.0 + x))
+        jump += quadrature.lengths[k] * stress_and_slope(law, pressure, 0.0)[0]
+    return jump * 4.0 * slider.rolling * slider.transverse * half
 
 
 @compiled
@@ -216,96 +218,16 @@ def forceless_slip(
     return creep, sums, found
 
 
-@compiled
-def _moments_of_each(rows: Array, quadrature: Record, sideways: bool) -> Array:
-    fields = np.empty((6, rows.shape[1]))
-    for i in range(rows.shape[1]):
-        contact, law, rate = contact_at(rows, 0, i), law_at(rows, 9, i), rows[17, i]
-        slider = slider_of(contact)
-        spin = abs(rate) * slider.transverse
-        creep, sums, number = forceless_slip(slider, law, slider.roll / 8, spin, quadrature, sideways, BALANCED)
-        fields[0, i] = np.sign(rate) * sums.spin * slider.transverse
-        fields[1, i] = sums.rolling * slider.transverse**2 / (2 * contact.deformed_radius)
-        fields[2, i], fields[3, i], fields[4, i], fields[5, i] = sums.power, sums.unit, creep, number
-    return fields
-
-
-@dataclass(frozen=True, eq=False)
-class SlipMoments:
-    """Friction of one or many contacts; every field has the broadcast shape of the arguments."""
-
-    spin_moment: Array  # N m, with the sign of the spin
-    rolling_moment: Array  # N m
-    slip_power: Array  # W: spin moment times w_s + rolling moment times w_roll
-    unit_power: Array  # W: what a friction coefficient of 1 would lose at the same sliding of every point
-    creep_speed: Array  # c, m/s
-    sums: Array  # number of integrals that each took
-
-
-def slip_over_ellipse(
-    contact: RollingContact,
-    *,
-    law: PointLaw,
-    spin_rate: ArrayLike,
-    nodes: tuple[int, int] = NODES,
-) -> SlipMoments:
-    """Moments of one contact by sliding in both directions at every point; fields and spin_rate broadcast.
-
-    contact : with semi-axes > 0; its pressure has the peak p0 = 3 Q/(2 pi a b), and its curvatures are not used
-    law : its numbers broadcast; Coulomb friction is `PointLaw(boundary=0.08)`. A law with a kink, such as a cap, needs
-        more nodes. Its fluidity belongs to |v| in the unit of the rates
-    spin_rate : w_s, any sign, in the unit of the contact's rolling_rate: rad/s, or per unit ring speed w. With rates
-        per unit w, speeds, creep speed and slip power are per unit w too
-    nodes : in the transverse direction for each of three panels that meet where v_x = 0, and in that of rolling
-        M_spin = int tau (v_x y - v_y x)/|v| dA,  M_roll = int tau v_x y^2/(2 R |v|) dA,  0 = int tau v_x/|v| dA
-    Raises InputError if an argument has the wrong sign or is not finite, ConvergenceError if no c is found.
-    """
-    return _slip(contact, law, spin_rate, nodes=nodes, sideways=True)
-
-
-def slip_along_axis(
-    contact: RollingContact,
-    *,
-    law: PointLaw,
-    spin_rate: ArrayLike,
-    nodes: tuple[int, int] = NODES,
-) -> SlipMoments:
-    """The same with v_y = 0, for a contact much longer transverse to rolling; arguments as in `slip_over_ellipse`.
-
-    The traction still follows the pressure at each point in the direction of rolling.
-    """
-    return _slip(contact, law, spin_rate, nodes=nodes, sideways=False)
-
-
-def _slip(
-    contact: RollingContact, law: PointLaw, spin_rate: ArrayLike, *, nodes: tuple[int, int], sideways: bool
-) -> SlipMoments:
-    require_positive(
-        semi_axis_rolling=contact.semi_axis_rolling, semi_axis_transverse=contact.semi_axis_transverse, nodes=nodes
+def no_creep_speed() -> ConvergenceError:
+    """Of a contact without a speed at which its friction along rolling vanishes."""
+    return ConvergenceError(
+        iterations=MOST_STEPS,
+        residual=float("nan"),
+        tolerance=BALANCED,
+        unit="of the friction",
+        problem="the balance of friction in the direction of rolling",
+        remedy="Check that the traction is finite, not negative and does not fall where the speed grows.",
     )
-    require_finite(spin_rate=spin_rate)
-    try:
-        rows, shape = rows_of(*contact.fields, *law, spin_rate)
-    except ValueError as problem:
-        raise InputError(
-            "the arguments of a slip have shapes that do not fit together: give equal lengths"
-        ) from problem
-    fields = _moments_of_each(rows, quadrature_of(nodes), sideways)
-    require_forceless(fields[5])
-    return SlipMoments(*fields.reshape(6, *shape))
-
-
-def require_forceless(sums: Array) -> None:
-    """Raise ConvergenceError where the number of sums of `forceless_slip` is 0."""
-    if not sums.all():
-        raise ConvergenceError(
-            iterations=MOST_STEPS,
-            residual=float("nan"),
-            tolerance=BALANCED,
-            unit="of the friction",
-            problem="the balance of friction in the direction of rolling",
-            remedy="Check that the traction is finite, not negative and does not fall where the speed grows.",
-        )
 
 
 @cache

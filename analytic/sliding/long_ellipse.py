@@ -11,13 +11,13 @@ Source: [Johnson1985] sections 8.5 and 9.2. The moments are derived here. They a
 with each moment in its right place and a continuous limit.
 """
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.contact.rolling_contact import ContactNumbers, Pair, RollingContact, contact_at
+from analytic.contact.rolling_contact import ContactNumbers, Pair, contact_at
 from analytic.errors import ConvergenceError, InputError, require_finite, require_non_negative, require_positive
 from analytic.numerics.compilation import compiled, rows_of
 from analytic.oil.traction import PointLaw, law_at, stress_and_slope, thickened
@@ -91,19 +91,6 @@ class Slip(NamedTuple):
     coefficient: float  # of the Coulomb friction that loses the same power at the same sliding; 0 without load
     slip_speed: float  # m/s, mean weighted by the pressure
     creep: float  # c/w, m
-
-
-@compiled
-def slip_at(rows: Array, first: int, index: int) -> Slip:
-    """The slip whose fields are six rows from the first on, of the element at the index."""
-    return Slip(
-        rows[first, index],
-        rows[first + 1, index],
-        rows[first + 2, index],
-        rows[first + 3, index],
-        rows[first + 4, index],
-        rows[first + 5, index],
-    )
 
 
 @compiled
@@ -228,42 +215,16 @@ def _line_slips_of_each(rows: Array, rule: int) -> Array:
     return fields
 
 
-def slip_along_lines(
-    contacts: Pair,
-    laws: tuple[PointLaw, PointLaw],
-    *,
-    ring_speed: ArrayLike,
-    spin_difference: ArrayLike,
-    spin_rule: str,
-) -> tuple[Array, ...]:
-    """The twelve fields of `Slip` on inner and outer race; all fields and arguments broadcast.
-
-    ring_speed : |w|, rad/s. Raises InputError for an unknown rule, ConvergenceError where no share of spin balances.
-    """
-    rows, shape = rows_of(*contacts[0].fields, *contacts[1].fields, *laws[0], *laws[1], ring_speed, spin_difference)
-    fields = _line_slips_of_each(rows, code_of(spin_rule))
-    require_balance(fields)
-    return tuple(fields.reshape(12, *shape))
-
-
-def code_of(spin_rule: str) -> int:
-    """The number of a rule in compiled code. Raises InputError for an unknown rule."""
-    if spin_rule not in RULES:
-        raise InputError(f'spin_rule must be "balanced", "inner_control" or "outer_control", got {spin_rule!r}')
-    return RULES[spin_rule]
-
-
-def require_balance(fields: Array) -> None:
-    """Raise ConvergenceError where the share of the spin, and so the fields (12, n) of a slip, are not numbers."""
-    if np.isnan(fields[0]).any():
-        raise ConvergenceError(
-            iterations=MOST_STEPS,
-            residual=float("nan"),
-            tolerance=ROUND_OFF,
-            unit="of the spin",
-            problem="the balance of spin between both races",
-            remedy="Check that loads, semi-axes, films and speeds of both contacts are of ordinary size.",
-        )
+def no_spin_balance() -> ConvergenceError:
+    """Of a ball whose spin moments on both races find no balance."""
+    return ConvergenceError(
+        iterations=MOST_STEPS,
+        residual=float("nan"),
+        tolerance=ROUND_OFF,
+        unit="of the spin",
+        problem="the balance of spin between both races",
+        remedy="Check that loads, semi-axes, films and speeds of both contacts are of ordinary size.",
+    )
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -278,25 +239,6 @@ class MicroslipTorque:
     outer_spin_moment: Array  # N m, with the sign of the spin
     inner_rolling_moment: Array  # N m, >= 0
     outer_rolling_moment: Array  # N m, >= 0
-
-    @classmethod
-    def of(
-        cls,
-        contacts: Pair,
-        *,
-        spin_rates: tuple[Array, Array],
-        spin_moments: tuple[Array, Array],
-        rolling_moments: tuple[Array, Array],
-    ) -> "MicroslipTorque":
-        """The torque of one ball, slip power over w, from its spin rates w_s/w and its moments on both races."""
-        values = np.broadcast_arrays(
-            spin_moments[0] * spin_rates[0] + spin_moments[1] * spin_rates[1],
-            rolling_moments[0] * contacts[0].rolling_rate + rolling_moments[1] * contacts[1].rolling_rate,
-            *spin_rates,
-            *spin_moments,
-            *rolling_moments,
-        )
-        return cls(**dict(zip((field.name for field in fields(cls)), values, strict=True)))
 
 
 def pure_rolling_lines(spin_to_roll: ArrayLike) -> tuple[Array, Array]:
@@ -364,28 +306,25 @@ def microslip_torque(
     for contact, force in zip(contacts, friction_force, strict=True):
         require_positive(rolling_rate=contact.rolling_rate)
         require_non_negative(friction_force=force)
+    if spin_rule not in RULES:
+        raise InputError(f'spin_rule must be "balanced", "inner_control" or "outer_control", got {spin_rule!r}')
     inner, outer = (replace(contact, load=force) for contact, force in zip(contacts, friction_force, strict=True))
     law = PointLaw(boundary=1.0)
-    slips = slip_along_lines(
-        (inner, outer), (law, law), ring_speed=0.0, spin_difference=spin_difference, spin_rule=spin_rule
+    rows, shape = rows_of(*inner.fields, *outer.fields, *law, *law, 0.0, spin_difference)
+    found = _line_slips_of_each(rows, RULES[spin_rule]).reshape(12, *shape)
+    if np.isnan(found[0]).any():
+        raise no_spin_balance()
+    inner_rate, inner_spin, inner_roll, outer_rate, outer_spin, outer_roll = found[[0, 1, 2, 6, 7, 8]]
+    return MicroslipTorque(
+        spin=inner_spin * inner_rate + outer_spin * outer_rate,
+        conformity=inner_roll * inner.rolling_rate + outer_roll * outer.rolling_rate,
+        inner_spin_rate=inner_rate,
+        outer_spin_rate=outer_rate,
+        inner_spin_moment=inner_spin,
+        outer_spin_moment=outer_spin,
+        inner_rolling_moment=inner_roll,
+        outer_rolling_moment=outer_roll,
     )
-    return MicroslipTorque.of(
-        contacts,
-        spin_rates=(slips[0], slips[6]),
-        spin_moments=(slips[1], slips[7]),
-        rolling_moments=(slips[2], slips[8]),
-    )
-
-
-def spin_to_roll_ratio(contact: RollingContact, *, spin_rate: ArrayLike) -> Array:
-    """eps = (w_s/w_roll)(R/b) of a contact that spins with w_s/w = spin_rate; fields and spin_rate broadcast.
-
-    For a contact that is a point, eps is the largest number if it spins, and 0 if it does not.
-    """
-    numerator = np.asarray(spin_rate) * np.asarray(contact.deformed_radius)
-    denominator = np.asarray(contact.rolling_rate) * np.asarray(contact.semi_axis_transverse)
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        return np.nan_to_num(numerator / denominator, nan=0.0)
 
 
 def _numbers(ratio: Array) -> tuple[Array, Array, Array]:

@@ -12,13 +12,13 @@ from analytic.cage.pocket import pocket_coefficient
 from analytic.cage.steady import DrivingBalls, resting_load, resting_torque
 from analytic.contact.factors import CorrectionNumbers, FactorNumbers
 from analytic.contact.finite_geometry_fit import geometry_on, shoulders_of
-from analytic.contact.geometry import USUAL_SHOULDERS, distances_to_shoulders
+from analytic.contact.geometry import USUAL_SHOULDERS, cut_off_share, distances_to_shoulders
 from analytic.contact.hertz import HertzNumbers, loaded_hertz
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.free_ball.kernel import add_law_powers
 from analytic.free_ball.passes import FreeAccuracy, FreeEnd, FreeModel, put_motion, settle_freely
 from analytic.free_ball.rounds import SKIDS
-from analytic.loads.inertia import moment_of_turned_axis
+from analytic.loads.inertia import moment_of_turned_axis, outward_force
 from analytic.loads.kinematics import BallMotion, ruled_motion
 from analytic.loads.race_contacts import contact_under
 from analytic.loads.ring_rounds import BY_LOAD, BY_POINT, Round, settle_ruled_ring
@@ -30,7 +30,7 @@ from analytic.numerics.records import Record, Records
 from analytic.oil.race_resistance import ResistedContact, resisted_contact
 from analytic.oil.traction import PointLaw, mean_force
 from analytic.oil.viscosity import OilNumbers, oil_at
-from analytic.scene import Array
+from analytic.scene import STANDARD_GRAVITY, Array
 from analytic.sliding.as_printed import as_printed_slip
 from analytic.sliding.ball import slips_over_contacts
 from analytic.sliding.creep import creep_share
@@ -180,7 +180,8 @@ def reset(out: Record) -> None:
     """Begin the sums of a point."""
     out.total = out.spin = out.conformity = out.hysteresis = out.rolling = out.cage = out.sliding_error = 0.0
     out.orbit_rate = out.ball_rate = out.contact_angle = out.ball_lead = out.slowness = 0.0
-    out.creep, out.passes, out.heaviest, out.overhang, out.gyroscopic_hold = 0.0, 0, 0, -np.inf, 0.0
+    out.creep, out.passes, out.heaviest, out.gyroscopic_hold = 0.0, 0, 0, 0.0
+    out.centrifugal_share = out.gyroscopic_share = out.weight_share = 0.0
     for race in range(2):
         out.peak_pressure[race] = out.cut_off[race] = out.rolling_force[race] = out.most_friction[race] = 0.0
         out.rolling_extrapolated[race] = False
@@ -226,9 +227,13 @@ def load_balls(
 
     Under thrust one ball stands for all.
     """
+    if load.axial == 0.0 and load.radial == 0.0 and load.moment == 0.0:
+        out.status = NO_THRUST
+        spoil(out)
+        return 0
     ratio, washers = thrown(model, load), model.ring.bearing.inner.bottom_angle > 0.0
     if ratio > (1 / PRESSED if washers else MOST_CENTRIFUGAL):
-        out.status = THROWN_WASHERS if washers else THROWN
+        out.status, out.left = THROWN_WASHERS if washers else THROWN, ratio
         spoil(out)
         return 0
     count, corrects = 0, model.counted.finite_geometry and tables.factors.shape[0] == 0
@@ -307,6 +312,7 @@ class LoadedContact(NamedTuple):
 
     resisted: ResistedContact
     hertz: HertzNumbers  # under its load
+    distance: float  # to the nearer shoulder, a low one where it is not known, m; infinite without load
 
 
 @compiled
@@ -322,23 +328,23 @@ def contact_of_ball(
     hertz = loaded_hertz(unit, ball.load[race])
     resistance, oil = model.resistance, model.warm
     resisted = resisted_contact(resistance, tables.cubics, oil, race, contact, hertz.peak_pressure, speed)
-    return LoadedContact(resisted, hertz)
+    distance = np.inf
+    if contact.load > 0.0:
+        near, far = distances_to_shoulders(numbers, shoulders_of(numbers, USUAL_SHOULDERS[0]), ball.angle[race])
+        distance = min(near, far)
+    return LoadedContact(resisted, hertz, distance)
 
 
 @compiled
-def note_limits(model: ModelNumbers, race: int, ball: Record, found: LoadedContact, j: int, out: Record) -> None:
+def note_limits(model: ModelNumbers, race: int, found: LoadedContact, j: int, out: Record) -> None:
     """Look after the limits of a contact of ball j."""
     numbers = model.ring.bearing.inner if race == 0 else model.ring.bearing.outer
     contact, is_known = found.resisted.contact, not np.isnan(numbers.near_shoulder)
     if contact.load > 0.0:
-        near, far = distances_to_shoulders(numbers, shoulders_of(numbers, USUAL_SHOULDERS[0]), ball.angle[race])
-        distance, b = min(near, far), contact.semi_axis_transverse
-        if is_known:
-            out.overhang = max(out.overhang, b - distance)
-        if is_known and distance <= 0.0:
+        b = contact.semi_axis_transverse
+        if is_known and found.distance <= 0.0:
             out.status, out.worst_ball = BEYOND_SHOULDER, j
-        t = min(max(distance, 0.0), b) / b
-        out.cut_off[race] = max(out.cut_off[race], (1 - t) ** 2 * (2 + t) / 4)
+        out.cut_off[race] = max(out.cut_off[race], cut_off_share(max(found.distance, 0.0), b))
     out.peak_pressure[race] = max(out.peak_pressure[race], found.hertz.peak_pressure)
     if found.resisted.rolling_extrapolated:
         out.rolling_extrapolated[race] = True
@@ -376,10 +382,11 @@ def add_ball(
     out.contact_angle += abs(ball.angle[0] + ball.angle[1]) / 2
     out.ball_lead += np.cos(2 * np.pi * j / count) / motion.cage_speed
     out.slowness += 1 / motion.cage_speed
+    note_own_forces(model, load.speed, min(ball.load[0], ball.load[1]), motion, out)
     for race in range(2):
         found = contacts[race]
         resisted = found.resisted
-        note_limits(model, race, ball, found, j, out)
+        note_limits(model, race, found, j, out)
         out.hysteresis += alike * resisted.hysteresis_torque
         out.rolling += alike * resisted.rolling_torque
         if resisted.contact.entrainment > 0.0:
@@ -388,6 +395,26 @@ def add_ball(
             out.most_friction[race] += alike * friction_held(resisted, load.speed)
             share = creep_share(resisted.contact, resisted.law, abs(load.speed), abs(motion.spin_difference))
             out.creep = max(out.creep, share)
+
+
+@compiled
+def note_own_forces(model: ModelNumbers, ring_speed: float, least: float, motion: BallMotion, out: Record) -> None:
+    """Compare a ball's own forces with its load on the race that presses less, N; its axis is upright to the orbit."""
+    bearing, orbit = model.ring.bearing, ring_speed * motion.cage_speed
+    outward = outward_force(bearing.ball_mass, bearing.pitch_diameter, orbit)
+    diameter = 2 * bearing.ball_radius
+    moment = moment_of_turned_axis(bearing.ball_mass, diameter, ring_speed * motion.ball_speed, orbit, np.pi / 2)
+    out.centrifugal_share = max(out.centrifugal_share, over_load(outward, least))
+    out.gyroscopic_share = max(out.gyroscopic_share, over_load(abs(moment) / bearing.ball_radius, least))
+    out.weight_share = max(out.weight_share, over_load(bearing.ball_mass * STANDARD_GRAVITY, least))
+
+
+@compiled
+def over_load(force: float, load: float) -> float:
+    """Their ratio: 0 without a force, infinite where there is a force alone."""
+    if force == 0.0:
+        return 0.0
+    return force / load if load > 0.0 else np.inf
 
 
 @compiled
@@ -401,19 +428,21 @@ def write_ball(
     ball: Record,
 ) -> None:
     """Write the record of a ball."""
-    bearing, held = model.ring.bearing, 0.0
+    bearing, held, used = model.ring.bearing, 0.0, 0.0
     for race in range(2):
         resisted, hertz = contacts[race].resisted, contacts[race].hertz
         mixed = resisted.mixed
         ball.load[race], ball.angle[race] = state.load[race], state.angle[race]
         ball.semi_axis_rolling[race], ball.semi_axis_transverse[race] = hertz.semi_axis_x, hertz.semi_axis_y
         ball.peak_pressure[race], ball.approach[race] = hertz.peak_pressure, hertz.approach
-        ball.stiffness[race] = hertz.stiffness
+        ball.stiffness[race], ball.shoulder_distance[race] = hertz.stiffness, contacts[race].distance
         ball.friction_coefficient[race] = coefficients[race]
         ball.film[race], ball.asperity_share[race] = mixed.film_thickness, mixed.asperity_share
         ball.boundary_share[race], ball.film_capped[race] = mixed.boundary_share, mixed.capped
         ball.film_extrapolated[race] = resisted.film_extrapolated
+        ball.starvation_degree[race] = resisted.starvation_degree
         held += friction_held(resisted, load.speed)
+        used += coefficients[race] * state.load[race]
     turning = moment_of_turned_axis(
         bearing.ball_mass,
         2 * bearing.ball_radius,
@@ -422,9 +451,10 @@ def write_ball(
         motion.pitch,
     )
     both = state.load[0] > 0.0 and state.load[1] > 0.0
-    ball.gyroscopic_hold = 0.0
+    ball.gyroscopic_hold = ball.gyroscopic_use = 0.0
     if both and turning != 0.0:
         ball.gyroscopic_hold = abs(turning) / (bearing.ball_radius * held) if held > 0.0 else np.inf
+        ball.gyroscopic_use = abs(turning) / (bearing.ball_radius * used) if used > 0.0 else np.inf
     put_motion(ball, motion)
 
 

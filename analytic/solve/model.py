@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple, cast
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,19 +12,19 @@ from analytic.cage.pocket import NO_POCKET, PocketNumbers, pocket_gap, pocket_nu
 from analytic.cage.steady import RestingCage
 from analytic.contact.factors import ContactCorrection
 from analytic.contact.finite_geometry_fit import FitNumbers, fit_record
-from analytic.effects.declared import declared_torque
+from analytic.errors import require_non_negative
 from analytic.free_ball.rotation import Creep, quadratures_of
-from analytic.free_ball.state import contact_states
+from analytic.free_ball.state import QUADRATURE, contact_states
 from analytic.free_ball.turning import FreeNumbers, free_numbers
 from analytic.loads.ring_balance import placed_balls
 from analytic.loads.ring_rounds import RingNumbers
 from analytic.loads.ring_series import factors_of, ring_numbers, weight_of_ball
 from analytic.loads.state import ring_state
-from analytic.numerics.records import Record, Records, record_of
+from analytic.numerics.records import Record, Records, copied, record_in, record_of
 from analytic.oil.race_resistance import NO_OIL, RaceResistance, gap_law_of, resistance_of
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.oil.viscosity import OilNumbers, oil_numbers
-from analytic.scene import Array, Scene
+from analytic.scene import Array, Bearing, Cage, Scene
 from analytic.sliding.judge import NODES, SINGLE_COEFFICIENT
 from analytic.sliding.long_ellipse import RULES
 from analytic.surface.gap import GapLaw, gap_forms
@@ -75,13 +75,16 @@ class ModelNumbers(NamedTuple):
 NO_CAGE = RestingCage(0.0, 0.0, False, 0.0, np.inf, 1, 1.0, 1.0)
 
 
+NO_QUADRATURES: Records = np.zeros(0, QUADRATURE)
+
+
 class Tables(NamedTuple):
     """What a model has of arrays."""
 
     fit: FitNumbers  # for finite geometry, a record
     cubics: Array  # splines of the gap laws
     nodes: Records  # of contacts that balls by rule slide on, `judge.NODES`
-    quadratures: Records  # of contacts of free balls
+    quadratures: Records  # of contacts of free balls; none of balls by rule
     factors: Array  # (n or 1, 2, 4, Z or 1) given on Hertz's contacts; (0, 2, 4, 1): none
 
 
@@ -92,6 +95,8 @@ class Model:
     numbers: ModelNumbers  # a record
     tables: Tables
     balls: Records  # (Z,) of `state.BALL_STATE`, at rest
+    weights: Array  # (Z, 2) of the balls, radial and axial, N; 0 where their direction is not known
+    loss: float  # alpha' by hysteresis, share of elastic energy; 0: not known
     creep: Creep | None  # of freely turning balls; None: they turn by rule
     temperature: float  # of the oil, K; 0 without
 
@@ -124,10 +129,80 @@ class Model:
         Model
             With a record of its own.
         """
-        numbers: Record = cast(Any, self.numbers).copy()
+        numbers = copied(self.numbers)
         for name, value in changed.items():
-            setattr(numbers, name, value)
-        return replace(self, numbers=numbers)
+            numbers[name] = value
+        return replace(self, numbers=record_in(numbers))
+
+    def counting(self, counted: Mapping[str, bool], *, loss: float | None = None) -> "Model":
+        """The model with other effects; those that are not named do not count.
+
+        Parameters
+        ----------
+        counted : mapping of str to bool
+            Whether each effect of `Counted` counts.
+        loss : float, optional
+            Share of elastic energy that hysteresis loses, dimensionless; None: the scene's.
+
+        Returns
+        -------
+        Model
+            With a record of its own.
+        """
+        numbers, effects = copied(self.numbers), _counted_of(counted)
+        numbers["counted"] = effects
+        resistance = numbers["resistance"]
+        resistance["rolls"] = effects.rolling
+        resistance["hysteresis_loss"] = (self.loss if loss is None else loss) * effects.hysteresis
+        for race in ("inner", "outer"):
+            lubrication = resistance[race]
+            supply = lubrication["supply"]
+            lubrication["asperities"], lubrication["heats"] = effects.asperities, effects.inlet_heating
+            known = not (np.isnan(supply["degree"][0]) and np.isnan(supply["rate"][0]))
+            lubrication["starves"] = effects.starvation and known
+        return replace(self, numbers=record_in(numbers), balls=self._weighed(self.weights * effects.weight))
+
+    def turning_freely(self, bearing: Bearing, creep: Creep) -> "Model":
+        """The model with balls that turn as friction has it.
+
+        Parameters
+        ----------
+        bearing : Bearing
+            That of the model.
+        creep : str
+            How the surfaces creep: none, closed or marched.
+
+        Returns
+        -------
+        Model
+            With a record of its own.
+        """
+        numbers = copied(self.numbers)
+        counted = numbers["counted"]
+        inertia = bool(counted["centrifugal"][0]), bool(counted["gyroscopic"][0])
+        numbers["free"] = record_of(free_numbers(bearing, creep=creep, inertia=inertia))
+        tables = self.tables._replace(quadratures=quadratures_of(creep))
+        return replace(self, numbers=record_in(numbers), creep=creep, tables=tables)
+
+    def weighing(self, weights: Array) -> "Model":
+        """The model with balls of this weight.
+
+        Parameters
+        ----------
+        weights : ndarray, shape (Z, 2)
+            Radial and axial, N.
+
+        Returns
+        -------
+        Model
+            With balls of its own.
+        """
+        return replace(self, weights=weights, balls=self._weighed(weights))
+
+    def _weighed(self, weights: Array) -> Records:
+        balls = copied(self.balls)
+        balls["weight"] = weights
+        return balls
 
 
 class Workspace(NamedTuple):
@@ -140,7 +215,7 @@ class Workspace(NamedTuple):
 
 def workspace(model: Model) -> Workspace:
     """A state for one thread."""
-    return Workspace(ring_state(), model.balls.copy(), contact_states(len(model.balls)))
+    return Workspace(ring_state(), copied(model.balls), contact_states(len(model.balls)))
 
 
 def model_of(
@@ -167,13 +242,14 @@ def model_of(
     correction : factors on Hertz's contacts in place of those of the fit;  variation : of the formulas
     Raises InputError as the formulas do that take the scene's numbers.
     """
-    effects = Counted(**{name: bool(counted.get(name, False)) for name in Counted._fields})
-    bearing = scene.bearing
-    ring = ring_numbers(bearing, scene.contact_angle)
+    effects, bearing = _counted_of(counted), scene.bearing
+    loss, boundary = scene.hysteresis_loss or 0.0, 0.0 if scene.surface is None else scene.surface.boundary_friction
+    require_non_negative(ball_mass=bearing.ball_mass, hysteresis_loss=loss, boundary_friction=boundary)
     oil = NO_OIL if scene.lubricant is None else oil_numbers(scene.lubricant)
-    forms, cubics = gap_forms(*_gap_laws(scene))
+    cage = scene.cage if effects.cage else None
+    forms, cubics = gap_forms(*_gap_laws(scene, cage))
     numbers = ModelNumbers(
-        ring=ring,
+        ring=ring_numbers(bearing, scene.contact_angle),
         arm=bearing.inner.bottom_radius + bearing.inner.groove_radius,
         counted=effects,
         farthest=farthest,
@@ -189,27 +265,43 @@ def model_of(
         passes=passes,
         cold=cold,
         nearly=nearly,
-        cage=NO_CAGE if scene.cage is None else resting_cage(bearing, scene.cage),
-        pocket=NO_POCKET if scene.cage is None else pocket_numbers(scene, scene.cage, forms[2]),
-        declared=float(declared_torque(scene.losses) or 0.0),
+        cage=NO_CAGE if cage is None else resting_cage(bearing, cage),
+        pocket=NO_POCKET if cage is None else pocket_numbers(scene, cage, forms[2]),
+        declared=float(scene.losses.total or 0.0),
     )
+    balls, weights = placed_balls(bearing), weights_of(bearing, scene.down)
+    if effects.weight:
+        balls["weight"] = weights
     return Model(
         numbers=record_of(numbers),
         tables=Tables(
             fit=fit_record(),
             cubics=cubics,
             nodes=NODES,
-            quadratures=quadratures_of(creep or "none"),
+            quadratures=NO_QUADRATURES if creep is None else quadratures_of(creep),
             factors=np.ones((0, 2, 4, 1)) if correction is None else factors_of(correction),
         ),
-        balls=placed_balls(bearing, weight=weight_of_ball(bearing, scene.down if effects.weight else None)),
+        balls=balls,
+        weights=weights,
+        loss=float(loss),
         creep=creep,
         temperature=0.0 if scene.lubricant is None else float(scene.lubricant.temperature),
     )
 
 
-def _gap_laws(scene: Scene) -> list[GapLaw | None]:
+def _counted_of(counted: Mapping[str, bool]) -> Counted:
+    return Counted(*(bool(counted.get(name, False)) for name in Counted._fields))
+
+
+def weights_of(bearing: Bearing, down: tuple[float, float, float] | None) -> Array:
+    """(Z, 2) of the balls, radial and axial, N; down : direction of gravity, of length 1; None: not known"""
+    if down is None:
+        return np.zeros((bearing.ball_count, 2))
+    return placed_balls(bearing, weight=weight_of_ball(bearing, down))["weight"].copy()
+
+
+def _gap_laws(scene: Scene, cage: Cage | None) -> list[GapLaw | None]:
     """Of the balls on inner race, outer race and cage pockets."""
     bearing, ball = scene.bearing, scene.bearing.ball_material
     races = [gap_law_of(scene, (ball, groove.material)) for groove in (bearing.inner, bearing.outer)]
-    return [*races, None if scene.cage is None else pocket_gap(scene, scene.cage)]
+    return [*races, None if cage is None else pocket_gap(scene, cage)]

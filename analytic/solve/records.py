@@ -17,13 +17,17 @@ BALL = np.dtype(
         ("peak_pressure", "f8", 2),  # p0, Pa
         ("approach", "f8", 2),  # delta, m
         ("stiffness", "f8", 2),  # K, N/m^1.5
+        # To the nearer shoulder, a low one where it is not known, m; infinite without load
+        ("shoulder_distance", "f8", 2),
         ("friction_coefficient", "f8", 2),  # of the Coulomb friction that loses the same power; NaN: nothing slides
         ("film", "f8", 2),  # h, m; this and both shares are NaN without oil and surface
         ("asperity_share", "f8", 2),  # s, of the load
         ("boundary_share", "f8", 2),  # s_b, of the load
         ("film_capped", "u1", 2),  # the film fills the space between the bodies
         ("film_extrapolated", "u1", 2),  # the ellipse is not of a shape that the film formula was fitted to
+        ("starvation_degree", "f8", 2),  # m of the inlet; 1: flooded
         ("gyroscopic_hold", "f8"),  # gyroscopic moment over the most that friction holds
+        ("gyroscopic_use", "f8"),  # the same over the friction at the ball's own slip
         ("motion", dtype_of(BallMotion)),
     ],
     align=True,
@@ -48,10 +52,13 @@ POINT = np.dtype(
         ("slowness", "f8"),  # sum of w/w_c over the balls
         ("peak_pressure", "f8", 2),  # of the worst ball, Pa
         ("cut_off", "f8", 2),  # of the worst ball: share of its load beyond a shoulder
-        ("overhang", "f8"),  # semi-axis over the distance to the shoulder less that, of the worst contact, m
         ("rolling_force", "f8", 2),  # of the oil on all balls, N
         ("most_friction", "f8", 2),  # of all balls, in contacts that slide as fast as they roll, N
         ("gyroscopic_hold", "f8"),  # of the worst ball in the loaded zone
+        # Of the lightest ball: its own forces over its load; infinite without load
+        ("centrifugal_share", "f8"),
+        ("gyroscopic_share", "f8"),  # gyroscopic moment of an upright ball over its radius
+        ("weight_share", "f8"),
         ("rolling_extrapolated", "u1", 2),
         ("beyond_fit", "?"),  # a contact lies outside the fit for finite geometry
         ("fit_applied", "?"),  # the fit changes a contact

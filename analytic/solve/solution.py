@@ -3,7 +3,6 @@
 import os
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,25 +10,49 @@ from numpy.typing import NDArray
 from analytic.contact.hertz import HertzContact, HertzNumbers
 from analytic.loads.balls import LoadedBalls, balls_between
 from analytic.loads.kinematics import BallKinematics, BallMotion
+from analytic.numerics.interpolated import far_points
 from analytic.numerics.records import Records
 from analytic.scene import Array, Bearing, Operation
 from analytic.solve.kernel import solve, solve_free
 from analytic.solve.model import Model, Workspace, workspace
 from analytic.solve.records import BALL, POINT
 
+OF_POINT = ("axial_load", "radial_load", "moment", "inner_speed", "temperature")  # columns of operating points, SI
 LEAST_SLICE = 64  # points for a thread of its own
+FAR = 8  # points of a series that decide for all
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Solution:
-    """n operating points, Z balls."""
+    """n operating points, m balls: all of the bearing, or one that stands for all."""
 
     points: Records  # (n,) of `records.POINT`
-    balls: Records  # (n, Z) of `records.BALL`
+    balls: Records  # (n, m) of `records.BALL`
 
-    def loaded_balls(self, bearing: Bearing, method: Literal["thrust", "ring"]) -> LoadedBalls:
-        """The balls as arrays by name; method : "thrust", where one stands for all"""
-        balls = self.balls[:, :1] if method == "thrust" else self.balls
+    @property
+    def sliding_torque(self) -> Array:
+        """(n,) by spin and conformity, N m; NaN where a point has no torque, here and below."""
+        return self.points["spin"] + self.points["conformity"]
+
+    @property
+    def race_parts(self) -> Array:
+        """(4, n) of what balls and races lose: spin, conformity, hysteresis and rolling, N m."""
+        return np.stack([self.points[name] for name in ("spin", "conformity", "hysteresis", "rolling")])
+
+    @property
+    def race_torque(self) -> Array:
+        """(n,) of all that balls and races lose, N m."""
+        return self.race_parts.sum(axis=0)
+
+    @property
+    def sliding_number(self) -> Array:
+        """(2, n) rolling force of the oil on all balls over the most friction of each race."""
+        force, most = self.points["rolling_force"].T, self.points["most_friction"].T
+        return np.divide(force, most, out=np.where(force > 0, np.inf, 0.0), where=most > 0)
+
+    def loaded_balls(self, bearing: Bearing) -> LoadedBalls:
+        """The balls as arrays by name."""
+        balls = self.balls
         contacts = [
             HertzContact(
                 semi_axis_x=balls["semi_axis_rolling"][..., race],
@@ -40,7 +63,7 @@ class Solution:
         ]
         return balls_between(
             bearing,
-            method=method,
+            method="thrust" if balls.shape[1] == 1 else "ring",
             load=np.moveaxis(balls["load"], -1, 0),
             angle=np.moveaxis(balls["angle"], -1, 0),
             contacts=(contacts[0], contacts[1]),
@@ -50,17 +73,41 @@ class Solution:
 
 def points_of(operation: Operation, temperature: float) -> Array:
     """(n, 5) operating points as the kernel takes them; temperature : of the oil, K"""
-    given = (operation.axial_load, operation.radial_load, operation.moment, operation.inner_speed, temperature)
-    return np.stack(np.broadcast_arrays(*given), axis=-1).astype(np.float64)
+    points = np.empty((np.size(operation.axial_load), len(OF_POINT)))
+    for place, name in enumerate(OF_POINT[:4]):
+        points[:, place] = getattr(operation, name)
+    points[:, 4] = temperature
+    return points
+
+
+def tried_points(points: Array, arm: float) -> NDArray[np.intp]:
+    """(k,) up to FAR of the operating points, (n, 5), which decide for all.
+
+    arm : of the moment that balls carry as a load, m
+    First come the ends of what effects follow: of load and speed, of how unequal the load is, and of inertia, speed
+    squared over load; then the points that differ most.
+    """
+    if len(points) <= FAR:
+        return np.arange(len(points))
+    axial, radial, moment, speed = np.abs(points[:, :4]).T
+    load = axial + radial + moment / arm
+    columns = np.stack([_logarithm(load), _logarithm(speed), (load - axial) / np.maximum(load, 1e-300)], axis=1)
+    inertia = 2 * columns[:, 1] - columns[:, 0]
+    ends = [inertia.argmax(), columns[:, 0].argmin(), columns[:, 1].argmin(), columns[:, 2].argmax(), inertia.argmin()]
+    extent = np.ptp(columns, axis=0)
+    far = far_points((columns - columns.min(axis=0)) / np.where(extent > 0, extent, 1.0), FAR)
+    return np.sort(np.array(list(dict.fromkeys([*map(int, ends), *far.tolist()]))[:FAR]))
 
 
 def solved(model: Model, points: Array, *, work: Workspace | None = None, keeps_balls: bool = True) -> Solution:
     """The kernel at n points, (n, 5); work : a state to begin with and to leave, for one thread; None: by rule."""
     count = len(points)
-    out, balls = np.zeros(count, POINT), np.zeros((count, len(model.balls)) if keeps_balls else (0, 0), BALL)
     kernel = solve if model.creep is None else solve_free
+    counted, unequal = model.numbers.counted, bool(points[:, 1:3].any())
     # Unequal loads, or weights, ask for a ring of all balls.
-    has_ring = True if points[:, 1:3].any() or model.numbers.counted.weight else None
+    has_ring = True if unequal or counted.weight else None
+    columns = len(model.balls) if (unequal and counted.load_distribution) or counted.weight else 1
+    out, balls = np.zeros(count, POINT), np.zeros((count, columns) if keeps_balls else (0, 0), BALL)
     threads = 1 if work is not None else min(os.cpu_count() or 1, max(count // LEAST_SLICE, 1))
 
     def solve_slice(part: NDArray[np.intp]) -> None:
@@ -78,3 +125,9 @@ def solved(model: Model, points: Array, *, work: Workspace | None = None, keeps_
         with ThreadPoolExecutor(threads) as pool:
             list(pool.map(solve_slice, np.array_split(np.arange(count), threads)))
     return Solution(points=out, balls=balls)
+
+
+def _logarithm(values: Array) -> Array:
+    """That of 0 is a tenth of the least."""
+    moving = values[values > 0]
+    return np.log(np.maximum(values, moving.min() / 10 if moving.size else 1.0))

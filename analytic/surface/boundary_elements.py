@@ -4,8 +4,8 @@ There is no friction, and all is elastic. Heights and gaps are over sigma, the r
 with slope the rms gradient. In these units neither a factor on heights nor one on lengths changes anything. Pressure p,
 gap g and displacement u of the half space satisfy
     p >= 0,  g >= 0,  p g = 0,  mean of p given,  u(q) = 2 p(q)/(E* q) for wavenumbers q > 0
-Source: conjugate gradients [Polonsky1999], here preconditioned. `python validation/elastic_gap.py --check` compares
-with another program.
+Source: conjugate gradients [Polonsky1999], here preconditioned. `python validation/film/elastic_gap.py --check`
+compares with another program.
 """
 
 from collections.abc import Callable, Iterator

@@ -5,7 +5,7 @@ everywhere, no friction. Asperities that touch press down the ground around them
 slowly than between undeformed surfaces that overlap.
 
 Gaps are over sigma, the rms height; pressures over E* slope, with slope = sqrt(2 m_2), the rms gradient.
-`python validation/elastic_gap.py` makes the stored curves.
+`python validation/film/elastic_gap.py` makes the stored curves.
 """
 
 from dataclasses import dataclass

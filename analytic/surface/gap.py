@@ -137,6 +137,7 @@ def gap_numbers(law: GapLaw | None) -> GapNumbers:
     return GapNumbers(ELASTIC, law.cubics, NOT_TRUNCATED, numbers)
 
 
+@lru_cache(maxsize=64)
 def gap_forms(*laws: GapLaw | None) -> tuple[list[GapForm], Array]:
     """Laws as parts of a record, and the splines of all of them in one array; None: smooth."""
     forms, rows = [], []

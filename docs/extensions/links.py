@@ -12,11 +12,9 @@ from sphinx.application import Sphinx
 
 PAGES = {  # files of the tree, and the pages that show them
     "README.md": "index.md",
-    "CHANGELOG.md": "changelog.md",
-    "CONTRIBUTING.md": "contributing.md",
     "examples/README.rst": "gallery/index.rst",
-    **{f"validation/reports/{name}.md": f"reports/{name}.md" for name in ("catalogue", "measured")},
-    "validation/reports/paper.md": "paper.md",
+    **{f"validation/{name}/{name}.md": f"{name}.md" for name in ("catalogue", "measured")},
+    "validation/paper/paper.md": "paper.md",
 }
 EXAMPLE = re.compile(r"examples/(plot_\w+)\.py")
 LINK = re.compile(r"(?<!!)\[(?P<words>[^]]+)\]\((?P<file>\.\./[^)#]+)(?P<place>#[^)]*)?\)")

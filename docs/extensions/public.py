@@ -9,7 +9,7 @@ from typing import Any
 
 import analytic
 import fembearing
-import fembearing.compare.torque.scene_torque as scene_torque
+import fembearing.verify.torque.scene_torque as scene_torque
 from analytic import errors
 from analytic.prediction.prediction import Prediction
 

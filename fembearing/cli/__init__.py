@@ -73,6 +73,11 @@ COMMANDS = {
         "List what a scene may name: bearings of the catalogue, oils, materials, built-in scenes, effects.",
         "list bearings 62",
     ),
+    "schema": Entry(
+        "schema",
+        "Print the JSON Schema of a file: scene and grid, by which editors complete keys, or a JSON result.",
+        "schema grid",
+    ),
     "warmup": Entry(
         "warmup",
         "Compile the formulas of ordinary scenes, so that later commands need not.",

@@ -50,11 +50,11 @@ def _one_contact(
     from analytic.errors import InputError
     from analytic.words import percent_of
     from fembearing.cli.console import out, print_json, shown_progress
-    from fembearing.compare.contact.discrepancy import SHOWN_OF_A_SHEET, solve_contact
-    from fembearing.compare.contact.mesh_refinement import COMPARED
-    from fembearing.compare.contact.subsurface import compare_subsurface
     from fembearing.report.document.build import contact_table
     from fembearing.report.terminal.contacts import print_contact, print_subsurface
+    from fembearing.verify.contact.discrepancy import SHOWN_OF_A_SHEET, solve_contact
+    from fembearing.verify.contact.mesh_refinement import COMPARED
+    from fembearing.verify.contact.subsurface import compare_subsurface
 
     with shown_progress() as progress:
         result = solve_contact(given, pair=pair, load=load, accuracy=accuracy, geometry=geometry, progress=progress)
@@ -82,8 +82,8 @@ def _load_series(
     given: "Scene", loads: list[float], *, pair: PairName, geometry: GeometryName, accuracy: float, as_json: bool
 ) -> None:
     from fembearing.cli.console import out, print_json, shown_progress
-    from fembearing.compare.contact.load_series import solve_load_series
     from fembearing.report.terminal.contacts import print_series
+    from fembearing.verify.contact.load_series import solve_load_series
 
     with shown_progress() as progress:
         result = solve_load_series(

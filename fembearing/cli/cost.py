@@ -18,9 +18,9 @@ def cost(
     limit = read_tolerance(tolerance, given)
     from analytic.writing import new_folder
     from fembearing.cli.console import out, print_json, shown_progress
-    from fembearing.compare.cost.scene_cost import measure_cost
     from fembearing.report.folder import write_cost
     from fembearing.report.terminal.cost import print_cost
+    from fembearing.verify.cost.scene_cost import measure_cost
 
     with shown_progress() as progress, nullcontext() if folder is None else new_folder(folder) as place:
         result = measure_cost(given, tolerance=limit, progress=progress)

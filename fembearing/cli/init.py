@@ -1,5 +1,6 @@
 """`fembearing init`."""
 
+import json
 import os
 import re
 import shlex
@@ -34,7 +35,7 @@ def init(
 ) -> None:
     """Write the scene of a bearing of the catalogue, ready to run and to edit. No file is replaced."""
     from analytic.scenefile.read import parse_scene
-    from analytic.scenefile.schema import FILE as SCHEMA
+    from analytic.scenefile.schema import scene_schema
     from analytic.scenefile.template import SCHEMA_NAME, scene_text
     from analytic.writing import new_file
     from fembearing.cli.console import out
@@ -48,6 +49,6 @@ def init(
     schema = path.with_name(SCHEMA_NAME)
     if not os.path.lexists(schema):
         with new_file(schema) as apart:
-            apart.write_text(SCHEMA.read_text("utf-8"), "utf-8")
+            apart.write_text(json.dumps(scene_schema(), indent=1, ensure_ascii=False), "utf-8")
     out.print(f"written: {path}; an editor completes its keys by {schema}", soft_wrap=True, markup=False)
     out.print(f"next: fembearing torque {shlex.quote(str(path))}", soft_wrap=True, markup=False)

@@ -40,10 +40,10 @@ def mesh(
     force = None if load is None else read_load(load)
     if str(folder) in ("", ".") or (folder.exists() and not folder.is_dir()):
         raise InputError(f"--out {str(folder)!r}: give a folder for the meshes; it is made if it is missing")
-    from fembearing.compare.contact.scene_contact import as_meshed, contact_of, recipe_of, traced_to_load
     from fembearing.fem.guess import expected_semi_axes
     from fembearing.mesh.pair import pair_mesh
     from fembearing.mesh.ring import ring_piece
+    from fembearing.verify.contact.scene_contact import as_meshed, contact_of, recipe_of, traced_to_load
 
     recipe = recipe_of(geometry, pair=pair)
     chosen = recipe.levels[-1] if level is None else level

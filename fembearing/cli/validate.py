@@ -24,7 +24,6 @@ def validate(
     scene: SceneName = None,
     tolerance: Tolerance = None,
     folder: Folder = None,
-    hard: Annotated[bool, typer.Option("--hard", help="Run the table of hard cases too.")] = False,
     with_cost: Annotated[
         bool, typer.Option("--cost", help="Measure every method to compute each quantity too.")
     ] = False,
@@ -46,7 +45,6 @@ def validate(
             given,
             out=folder,
             tolerance=limit,
-            hard=hard,
             cost=with_cost,
             samples="enough" if with_interval else None,
             progress=progress,

@@ -12,7 +12,7 @@ def warmup() -> None:
     from analytic.numerics.compilation import kept_in
     from analytic.scenefile.read import load_scene
     from fembearing.cli.console import out, shown_progress
-    from fembearing.compare.torque.scene_torque import torque_of_scene
+    from fembearing.verify.torque.scene_torque import torque_of_scene
 
     folder = kept_in()
     if folder is None:

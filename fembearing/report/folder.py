@@ -8,10 +8,10 @@ from pathlib import Path
 from analytic.scene import Scene
 from analytic.scenefile.by_name import Given
 from analytic.writing import new_folder, write
-from fembearing.compare.cost.scene_cost import Cost
-from fembearing.compare.torque.scene_torque import Samples
-from fembearing.compare.validation import Validation, check_scene
 from fembearing.progress import Progress, part_of, silent
+from fembearing.verify.cost.scene_cost import Cost
+from fembearing.verify.torque.scene_torque import Samples
+from fembearing.verify.validation import Validation, check_scene
 
 CHECKED = 0.75  # of the whole job, when the contacts are solved and the report is still to be written
 
@@ -21,7 +21,6 @@ def validate(
     *,
     out: Path | str | None = None,
     tolerance: Given | None = None,
-    hard: bool = False,
     cost: bool = False,
     samples: Samples = None,
     progress: Progress = silent,
@@ -36,8 +35,6 @@ def validate(
         Folder for report.html, report.json, pictures and meshes (.vtu); it must not exist yet. None writes nothing.
     tolerance : float or str, optional
         Relative (dimensionless); None: the scene's.
-    hard : bool
-        Run the table of hard cases too.
     cost : bool
         Measure every method of every ladder too.
     samples : int or "enough", optional
@@ -64,7 +61,7 @@ def validate(
     with nullcontext() if out is None else new_folder(Path(out)) as folder:
         checked = 1.0 if folder is None else CHECKED
         solving = part_of(progress, 0.0, checked)
-        result = check_scene(scene, tolerance=tolerance, hard=hard, cost=cost, samples=samples, progress=solving)
+        result = check_scene(scene, tolerance=tolerance, cost=cost, samples=samples, progress=solving)
         if folder is not None:
             progress(CHECKED, "report")
             result = write_report(result, folder)

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from analytic.words import angle_of, percent_of
-from fembearing.compare.cost.ladder import Ladder
 from fembearing.quantities import CONTACT, METRIC, Quantity, Units
+from fembearing.verify.cost.ladder import Ladder
 
 if TYPE_CHECKING:  # pydantic's models: only a report pays for them
     from analytic.result import PairPart
@@ -49,7 +49,7 @@ SHARES = (
     "Share: of the total, the largest of all operating points. A share with <= is an estimate from above of what "
     "leaving the effect out changes. The uncertainty of the torque does not count effects that the scene switches off."
 )
-MEASURED_RANGE = "12 to 48 %"  # of validation/reports/measured.csv, which a test compares
+MEASURED_RANGE = "12 to 48 %"  # of validation/measured/measured.csv, which a test compares
 MEASURED = f"In the one rig with measured torques, three balls in oil, the torque is {MEASURED_RANGE} too low."
 LEAST_EXPLAINED = 0.5  # share of the variance below which the shares of the inputs say nothing
 AXES = "a along rolling (x), b transverse (y), load along z"
@@ -171,11 +171,11 @@ def value_of(value: float | str | None, uncertainty: float | None, unit: str, un
 def share_of(kind: str, share: float | None) -> str:
     """An effect's largest share of the total.
 
-    kind : what the share is: of a part of its own, a bound, unbounded or unknown
+    kind : what the share is: of a part of its own, by trial, a bound, unbounded or unknown
     """
     if share is None:
         return "no known limit" if kind == "unbounded" else "not known"
-    return f"{'' if kind == 'part' else '<= '}{100 * share:{'.0f' if share > 1 else '.3g'}} %"
+    return f"{'<= ' if kind == 'bound' else ''}{100 * share:{'.0f' if share > 1 else '.3g'}} %"
 
 
 def uncertainty_of(model: float | None, parts: Mapping[str, float]) -> str:

@@ -6,9 +6,9 @@ from pathlib import Path
 from typing import Any
 
 from analytic.errors import InputError
-from fembearing.compare.torque.scene_torque import SceneTorque
 from fembearing.provenance import provenance_of
 from fembearing.report.torque_table import csv_of
+from fembearing.verify.torque.scene_torque import SceneTorque
 
 Content = Callable[[SceneTorque], bytes]
 

@@ -13,11 +13,11 @@ import numpy as np
 
 from analytic.scene import Scene
 from analytic.writing import being_written, new_file, new_folder, require_utf8, write
-from fembearing.compare.torque.cage_record import CageRecord, record_cage
-from fembearing.compare.torque.scene_torque import Samples, SceneTorque, torque_of_scene
 from fembearing.progress import Progress, part_of, silent
 from fembearing.quantities import METRIC
 from fembearing.report.torque_file import content_of, figure_file, numbers_file, table_file
+from fembearing.verify.torque.cage_record import CageRecord, record_cage
+from fembearing.verify.torque.scene_torque import Samples, SceneTorque, torque_of_scene
 
 if TYPE_CHECKING:
     from analytic.prediction.prediction import Prediction

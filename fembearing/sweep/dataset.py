@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.numerics.interpolated import SEED
-from fembearing.compare.contact.columns import VERDICT
 from fembearing.provenance import provenance_of
 from fembearing.quantities import QUANTITIES
 from fembearing.sweep.grid import Axis, Grid
 from fembearing.sweep.parts import Part, Piece, column_notes
+from fembearing.verify.contact.columns import VERDICT
 
 REASON = "failure"
 WORDS = {REASON: "why a point failed; empty where not", VERDICT: "verdict on Hertz by the scene's tolerance"}

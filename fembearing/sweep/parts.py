@@ -17,16 +17,14 @@ from numpy.typing import NDArray
 
 from analytic.errors import FembearingError
 from analytic.labelled import Column
+from analytic.prediction.formulas import with_model_uncertainty
 from analytic.result import COLUMNS, FrictionTorque
 from analytic.scene import Array, Scene
-from analytic.sliding.methods import SERIES
 from analytic.torque import friction_torque
-from analytic.uncertainty import with_model_uncertainty
-from fembearing.compare.contact import columns as of_contact
 from fembearing.sweep.grid import Grid
+from fembearing.verify.contact import columns as of_contact
 
-LONGEST = 25_000  # points of a series in one piece: about 3 s
-MOST_UNSAMPLED = 1000  # points in one piece, where each is integrated: about 5 s
+MOST_THRUST = 1000  # points in one piece under thrust: about 3 s with free balls
 MOST_SCENES = 50  # in one piece: about 3 s
 MOST_RADIAL = 16  # points in one piece, where each ball carries another load: 10 s with free balls and a film
 RADIAL = ("operation.radial_load", "operation.moment")
@@ -61,13 +59,13 @@ class Part:
 def pieces(grid: Grid) -> Iterator[Piece]:
     """All points, in pieces of a few seconds; each contact, and each scene with a moving cage, is its own piece."""
     length, size = grid.length, grid.size
-    together, longest = (MOST_RADIAL, MOST_RADIAL) if _is_radial(grid) else (MOST_UNSAMPLED, LONGEST)
+    together = MOST_RADIAL if _is_radial(grid) else MOST_THRUST
     if grid.what == "contact" or _cage_may_move(grid):
         ends = range(size + 1)
     elif grid.samples is not None:  # some hundred torques of each series
         ends = range(0, size + 1, length)
-    elif length >= SERIES or length > together:
-        each = ceil(length / longest)
+    elif length > together:
+        each = ceil(length / together)
         inside = [length * number // each for number in range(each)]
         ends = [*(scene * length + end for scene in range(size // length) for end in inside), size]
     else:
@@ -121,7 +119,7 @@ def _is_radial(grid: Grid) -> bool:
 def _contact(
     grid: Grid, scene: Scene, variant: int, _places: NDArray[np.intp], at: NDArray[np.intp], part: Part
 ) -> tuple[str, ...]:
-    from fembearing.compare.contact.discrepancy import solve_contact
+    from fembearing.verify.contact.discrepancy import solve_contact
 
     settings: dict[str, Any] = grid.settings(variant)
     try:

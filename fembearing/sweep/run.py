@@ -11,13 +11,13 @@ from typing import Any
 from analytic.brief import Brief
 from analytic.errors import InputError
 from analytic.scene import Scene
-from fembearing.compare.contact.mesh_seconds import about
 from fembearing.progress import Progress, silent
 from fembearing.sweep.cluster import LostWorkerError, each_done
 from fembearing.sweep.dataset import write_dataset
 from fembearing.sweep.grid import Grid, load_grid
 from fembearing.sweep.parts import Part, Piece, compute_part, pieces
 from fembearing.sweep.store import RESULT, Store, opened_store
+from fembearing.verify.contact.mesh_seconds import about
 
 SHOWN_REASONS = 5
 

@@ -1,12 +1,9 @@
-"""The JSON Schema of the grid file of a sweep, made from the tables of a scene file; `grid.schema.json` holds it."""
-
-from pathlib import Path
+"""The JSON Schema of the grid file of a sweep, made from the tables of a scene file."""
 
 from analytic.scenefile.schema import DIALECT, Schema, table_schema
 from analytic.scenefile.tables import SceneTable
 from fembearing.sweep.grid import MOST_COUNT, OF_CONTACT, OWN_QUANTITIES, OWN_WORDS, RANGE, SAMPLES
 
-FILE = Path(__file__).with_name("grid.schema.json")
 STEPS: Schema = {
     "type": "object",
     "additionalProperties": False,

@@ -20,6 +20,7 @@ from analytic.scene import (
     Scene,
     Surface,
 )
+from analytic.solve.freely import FAR
 from tests.contacts import STEEL
 
 # Table 1 of the paper, typed in a second time, so that an error in the catalog shows.
@@ -135,13 +136,13 @@ def drawn(bearing: Bearing, random: np.random.Generator, points: int) -> Scene:
 
 
 def idling(bearing: Bearing) -> Scene:
-    """Load, speed and roughness so small that auto leaves out every effect that it may."""
+    """Load, speed and roughness so small that auto leaves out all that it may, of a series just long enough."""
     return Scene(
         name="effects",
         tolerance=0.3,
         bearing=bearing,
         contact_angle=ContactAngle(rule="solved", free=0.02),
-        operation=Operation(axial_load=np.array([60.0, 45.0]), inner_speed=np.array([1.7, 2.3])),
+        operation=Operation(axial_load=np.linspace(60.0, 45.0, FAR + 1), inner_speed=np.linspace(1.7, 2.3, FAR + 1)),
         lubricant=OIL,
         surface=replace(FINISH, rms_roughness=1e-9),
         hysteresis_loss=0.006,

@@ -183,7 +183,9 @@ def test_a_torque_without_oil_has_no_slope_by_temperature() -> None:
 
 def test_ranges_leave_out_what_hardly_counts_there() -> None:
     scene = scene_of("6205_physical", tolerance=0.05)
-    ranges = {"axial_load": (400.0, 900.0), "inner_speed": (20.0, 60.0), "radial_load": (0.0, 0.0)}
+    # Sixteen corners: fewer than nine would compute every effect.
+    slight = {"radial_load": (0.0, 3.0), "moment": (0.0, 1e-3)}
+    ranges = {"axial_load": (400.0, 900.0), "inner_speed": (20.0, 60.0)} | slight
     some, every = torque_function(scene, over=ranges), torque_function(scene)
     assert some.model is not None
     assert every.model is not None
@@ -191,7 +193,7 @@ def test_ranges_leave_out_what_hardly_counts_there() -> None:
         {name for name in Counted._fields if getattr(model.numbers.counted, name)}
         for model in (some.model, every.model)
     ]
-    assert counts[0] < counts[1]
+    assert counts[0] < counts[1] - {"load_distribution"}
     for axial, speed in ((430.0, 57.0), (880.0, 23.0)):
         at = {"axial_load": axial, "inner_speed": speed}
         np.testing.assert_allclose(some(**at), every(**at), rtol=0.05)
@@ -229,7 +231,7 @@ def test_balls_that_squeeze_the_cage_have_the_series_closed_form() -> None:
 @pytest.mark.parametrize(
     ("changed", "message"),
     [
-        ({"axial_load": np.nan}, "axial_load must be positive and finite"),
+        ({"axial_load": np.nan}, "axial_load must be finite"),
         ({"inner_speed": np.inf}, "inner_speed must be finite"),
         ({"axial_load": -3.0}, "axial_load"),
         ({"axial_load": 9e6}, "shoulder|grooves"),

@@ -257,10 +257,11 @@ def test_rolling_stops_at_standstill_and_thins_with_heat(scene: Scene) -> None:
     assert np.all(present(hot.torque.rolling) < present(cold.torque.rolling))
 
 
-def test_rolling_is_left_out_where_the_scene_says_so(scene: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("analytic.races.hydrodynamic_rolling", None)  # would raise if it were called
+def test_rolling_is_left_out_where_the_scene_says_so(scene: Scene) -> None:
+    with_it = friction_torque(replace(scene, effects=PLAIN | {"rolling": "on"})).torque
     found = friction_torque(replace(scene, effects=PLAIN | {"rolling": "off"}))
     assert found.torque.rolling is None
+    np.testing.assert_allclose(found.torque.total, with_it.total - present(with_it.rolling), rtol=1e-12)  # round-off
     assert {effect.name: effect.reason for effect in found.effects}["rolling"].startswith("the scene says off")
 
 

@@ -13,15 +13,13 @@ import pytest
 from analytic.scenefile.read import load_scene
 from fembearing import cli
 from fembearing.cli import contact as contact_command
-from fembearing.compare import validation
-from fembearing.compare.contact import discrepancy
-from fembearing.compare.cost import contact_ladder, ladder
-from fembearing.compare.cost import scene_cost as cost
-from fembearing.compare.hard import table as hard_cases
-from fembearing.compare.hard.case import HardCase
 from fembearing.fem import solution
 from fembearing.mesh.recipe import load_recipe
 from fembearing.sweep import run as sweep_run
+from fembearing.verify import validation
+from fembearing.verify.contact import discrepancy
+from fembearing.verify.cost import contact_ladder, ladder
+from fembearing.verify.cost import scene_cost as cost
 from tests.analytic.scenefile.scene_texts import MINE
 
 COMPARED = {"semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach"}  # held to the asked accuracy
@@ -59,7 +57,7 @@ def test_validate_judges_every_quantity_of_all_three_pairs(validated: dict[str, 
 
 @pytest.mark.slow
 def test_the_answer_without_a_name_is_whole(validated: dict[str, Any]) -> None:
-    """Nothing is missing, every assumption has its source, and the paper's numbers at Sq 0.1 um stand beside ours."""
+    """Nothing is missing, every assumption has its source."""
     torque = validated["torque"]
     missing = [each["name"] for each in torque["effects"] if "not given" in each["reason"] or "add a" in each["reason"]]
     assert missing == []
@@ -68,7 +66,6 @@ def test_the_answer_without_a_name_is_whole(validated: dict[str, Any]) -> None:
     assert assumed["cage.start"]
     assert "ISO VG 68" in assumed["lubricant.viscosity"]
     assert all(assumed.values())
-    assert [row["rms_roughness"] for row in validated["published"]["rows"]] == [pytest.approx(1e-7)] * 8
 
 
 @pytest.mark.slow
@@ -313,13 +310,7 @@ def test_the_table_names_axes_and_units_within_80_columns(command) -> None:
 
 @pytest.mark.slow
 @pytest.mark.usefixtures("coarse")
-def test_hard_cases_run_with_validate(command, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    """A wrong case fails the whole run, whatever the verdicts of the contacts."""
-    cases = (
-        HardCase(name="two", problem="1 + 1", answer="2", evaluate=lambda: 2.0, expected=2.0),
-        HardCase(name="three", problem="1 + 2", answer="3", evaluate=lambda: 4.0, expected=3.0),
-    )
-    monkeypatch.setattr(hard_cases, "HARD_CASES", cases)
+def test_cost_is_measured_with_validate(command, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     measured = cost.Cost(
         scene=load_scene("6205-dry"),
         tolerance=0.9,
@@ -331,11 +322,11 @@ def test_hard_cases_run_with_validate(command, monkeypatch: pytest.MonkeyPatch, 
     monkeypatch.setattr(validation, "measure_cost", lambda *_, **__: measured)
     scene = tmp_path / "scene.toml"
     scene.write_text(MINE)
-    result = command("validate", str(scene), "--tolerance", "90 %", "--hard", "--cost")
-    assert result.status == 1
-    assert "three: 4, expected 3" in result.out
-    assert "2 hard cases: 1 right, 0 refused as they should be, 1 wrong" in result.out
-    assert "pocket" not in result.out  # no [cage], no pocket solve
+    result = command("validate", str(scene), "--tolerance", "90 %", "--cost", "--json")
+    assert result.status == 0
+    document = json.loads(result.out)
+    assert (document["cost"]["measured"], document["cost"]["ladders"]) == (True, [])
+    assert {contact["pair"] for contact in document["contacts"]} == {"inner", "outer"}  # no [cage], no pocket solve
 
 
 @pytest.mark.slow

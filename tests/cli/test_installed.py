@@ -7,10 +7,10 @@ from rich.console import Console
 
 from analytic.errors import InputError
 from analytic.scenefile.read import parse_scene
-from fembearing.compare.contact.discrepancy import solve_contact
-from fembearing.compare.torque.scene_torque import SceneTorque, torque_of_scene
 from fembearing.report.document.torque import Torque
 from fembearing.report.terminal.torque import print_torque
+from fembearing.verify.contact.discrepancy import solve_contact
+from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene
 
 SCENE = """\
 name = "installed"

@@ -29,7 +29,7 @@ for package in ("fembearing.mesh", "fembearing.fem"):
     for part in pkgutil.iter_modules(importlib.import_module(package).__path__, package + "."):
         importlib.import_module(part.name)
         print(part.name)
-print(*sorted(name for name in sys.modules if name.startswith(("analytic.", "fembearing.compare"))))
+print(*sorted(name for name in sys.modules if name.startswith(("analytic.", "fembearing.verify"))))
 """
 
 
@@ -47,7 +47,7 @@ from dataclasses import astuple
 
 import analytic, fembearing.fem.solution as solver
 from analytic.scene import Contact, Material
-from fembearing.compare.contact.hertz import hertz_quantities
+from fembearing.verify.contact.hertz import hertz_quantities
 from fembearing.mesh.recipe import load_recipe
 
 NOUNS = ("analytic.scene", "analytic.errors")

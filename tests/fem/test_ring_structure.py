@@ -9,12 +9,12 @@ from numpy.typing import NDArray
 from scipy.integrate import quad
 
 from analytic.scene import Contact, Material, Ring
-from fembearing.compare.contact.grid_convergence import Estimate
-from fembearing.compare.contact.meshed_region import boundary_effect
-from fembearing.compare.contact.ring import structure_of_ring
 from fembearing.fem.ring_structure import block_compression, ring_compression
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
 from fembearing.mesh.recipe import load_recipe
+from fembearing.verify.contact.grid_convergence import Estimate
+from fembearing.verify.contact.meshed_region import boundary_effect
+from fembearing.verify.contact.ring import structure_of_ring
 from tests import contacts
 from tests.contacts import INNER_RING, OUTER_RING, STEEL
 

@@ -2,18 +2,16 @@
 
 import importlib
 from dataclasses import replace
-from pathlib import Path
 from types import ModuleType
 
 import numpy as np
 import pytest
 from skfem import MeshHex2
 
-from analytic.effects.limits import cut_off_share
+from analytic.contact.geometry import cut_off_share
 from analytic.effects.table import PER_CUT_SHARE
 from analytic.errors import InputError
 from analytic.scene import Contact
-from fembearing.compare.contact.discrepancy import ContactSolution
 from fembearing.fem.condensation import condense, held_stiffness, middle_plane
 from fembearing.fem.farfield import point_load, pressed_ellipse
 from fembearing.fem.measure import STRIP
@@ -25,9 +23,9 @@ from fembearing.mesh.bodies import BodyMesh
 from fembearing.mesh.footprint import Footprint, Sides
 from fembearing.mesh.pair import PairMesh
 from fembearing.mesh.recipe import load_recipe
+from fembearing.verify.contact.discrepancy import ContactSolution
 from tests.fem.assembly import stiffness
 
-BENCHMARKS = Path(__file__).resolve().parents[2] / "validation" / "benchmarks"
 NAMES = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")
 SEMI_AXES = (0.103e-3, 0.939e-3)  # m, on the far side of the contact below
 
@@ -55,11 +53,10 @@ def test_half_of_a_symmetric_contact_is_its_quarter_twice(
 
 
 @pytest.fixture
-def calibrations(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+def calibrations() -> ModuleType:
     """The script that measures the constants; it holds the boundary elements."""
     pytest.importorskip("tamaas", reason="its wheels are for Linux on x86-64 only")
-    monkeypatch.syspath_prepend(str(BENCHMARKS))
-    return importlib.import_module("calibrations")
+    return importlib.import_module("validation.benchmarks.calibrations")
 
 
 def test_boundary_elements_agree_on_a_paraboloid_that_ends_at_the_shoulder(
@@ -207,7 +204,7 @@ def test_a_cut_contact_loses_less_within_what_is_stated_of_it(contacts: dict[str
         replace(contacts["inner"], contact_angle=0.0), recipe=load_recipe("race"), level=2, semi_axes=SEMI_AXES
     )
     before = least_loss(np.append(whole.y, -whole.y), np.append(whole.force, whole.force), 0.946e-3)
-    share = float(cut_off_share(np.array(0.8e-3), np.array(0.946e-3)))
+    share = float(cut_off_share(0.8e-3, 0.946e-3))
     y = np.linspace(0.8e-3, 0.946e-3, 2001) / 0.946e-3
     assert share == pytest.approx(0.75 * np.trapezoid(1 - y**2, y), rel=1e-5)  # a parabola of unit load
     change = least_loss(cut.y, cut.force, 0.946e-3) / before - 1

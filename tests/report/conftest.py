@@ -10,17 +10,17 @@ from analytic.effects.ledger import Effect
 from analytic.effects.limits import LimitNumbers
 from analytic.result import FrictionTorque, TorqueParts
 from analytic.scene import Operation
-from fembearing.compare.contact.discrepancy import ContactSolution
-from fembearing.compare.contact.grid_convergence import Estimate
-from fembearing.compare.contact.hertz import CorrectedHertz
-from fembearing.compare.cost.contact_ladder import contact_ladder_of
-from fembearing.compare.torque.change import FittedChange, TorqueChange
-from fembearing.compare.validation import Validation
 from fembearing.fem.measure import Quantities
 from fembearing.provenance import provenance_of
 from fembearing.report.document.build import report_of
 from fembearing.report.document.report import Report
 from fembearing.report.pictures.draw import Picture, draw_pictures
+from fembearing.verify.contact.discrepancy import ContactSolution
+from fembearing.verify.contact.grid_convergence import Estimate
+from fembearing.verify.contact.hertz import CorrectedHertz
+from fembearing.verify.cost.contact_ladder import contact_ladder_of
+from fembearing.verify.torque.change import FittedChange, TorqueChange
+from fembearing.verify.validation import Validation
 
 pytest.register_assert_rewrite("tests.report.pictures.picture_reader")  # its assertions show their values
 

@@ -14,12 +14,12 @@ from rich.console import Console
 from analytic.errors import InputError
 from analytic.result import COORDINATES, FrictionTorque
 from analytic.scene import Array
-from fembearing.compare.torque.change import TorqueChange
-from fembearing.compare.torque.scene_torque import SceneTorque, torque_of_scene
-from fembearing.compare.validation import Validation
 from fembearing.provenance import provenance_of
 from fembearing.report.terminal.torque import RESIDUE, print_torque
 from fembearing.report.torque_table import csv_of
+from fembearing.verify.torque.change import TorqueChange
+from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene
+from fembearing.verify.validation import Validation
 from tests.analytic.specimens import present
 from tests.drawn_scenes import drawn_scene
 from tests.report.page.page_writer import document_of, written_page
@@ -78,7 +78,6 @@ def checked_with(made: Validation, result: SceneTorque) -> Validation:
         torque_change=change,
         sensitivity=None,
         cage_records=(),
-        published=None,
     )
 
 

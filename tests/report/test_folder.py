@@ -19,14 +19,14 @@ from analytic.scenefile.read import load_scene
 from analytic.writing import new_folder
 from fembearing import cli
 from fembearing.cli.boundary import end
-from fembearing.compare.cost.scene_cost import Cost
-from fembearing.compare.validation import Validation
 from fembearing.report import folder as module
 from fembearing.report.document.build import report_of
 from fembearing.report.figures import style
 from fembearing.report.folder import validate, write_cost
 from fembearing.report.page import write as page
 from fembearing.report.pictures import draw as pictures
+from fembearing.verify.cost.scene_cost import Cost
+from fembearing.verify.validation import Validation
 from tests.report.figures.test_cost import CONTACT, LOAD
 
 BROKEN = ("/nowhere/python",)  # a renderer that draws nothing; maps take the place of its pictures

@@ -14,11 +14,11 @@ from matplotlib.image import imread
 from analytic.errors import InputError
 from analytic.scenefile.read import parse_scene
 from fembearing import cli
-from fembearing.compare.torque.scene_torque import SceneTorque, torque_of_scene
 from fembearing.report import torque_folder
 from fembearing.report.torque_file import CONTENTS
 from fembearing.report.torque_folder import torque_with_files
 from fembearing.report.torque_table import csv_of, shown_columns
+from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene
 from tests.analytic.scenefile.scene_texts import OILED, SPEEDS, changed
 from tests.analytic.specimens import present
 

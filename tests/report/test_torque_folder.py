@@ -14,10 +14,10 @@ from analytic.errors import InputError
 from analytic.scene import Scene
 from analytic.scenefile.read import load_scene, parse_scene
 from fembearing import cli
-from fembearing.compare.torque.scene_torque import SceneTorque, torque_of_scene
 from fembearing.provenance import provenance_of
 from fembearing.report import torque_folder as module
 from fembearing.report.torque_folder import torque_with_files, write_torque
+from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene
 from tests.analytic.specimens import present
 from tests.report.pictures.test_cage_pictures import MOVING
 

@@ -2,30 +2,20 @@
 
 import csv
 import pickle
-from collections.abc import Callable
 from pathlib import Path
-from types import ModuleType
 
 import numpy as np
 import pytest
 
 from analytic.scene import Scene
 from analytic.torque import friction_torque
+from validation.benchmarks import friction as ladder
+from validation.benchmarks import random_scenes
 
 
 def rows(path: Path) -> list[dict[str, str]]:
     with path.open(encoding="utf-8", newline="") as file:
         return list(csv.DictReader(line for line in file if not line.startswith("#")))
-
-
-@pytest.fixture(scope="module")
-def random_scenes(script: Callable[[str], ModuleType]) -> ModuleType:
-    return script("random_scenes")
-
-
-@pytest.fixture(scope="module")
-def ladder(script: Callable[[str], ModuleType]) -> ModuleType:
-    return script("friction")
 
 
 @pytest.mark.slow
@@ -45,19 +35,19 @@ def test_errors_of_cheap_methods_are_listed(run_script) -> None:
 
 
 @pytest.mark.parametrize("seed", [416, 1573, 648, 1156])
-def test_the_bound_on_cheap_methods_holds_in_the_worst_scenes(ladder: ModuleType, seed: int) -> None:
+def test_the_bound_on_cheap_methods_holds_in_the_worst_scenes(seed: int) -> None:
     """The worst of 1500: just below full spin, constant stress, and oil that stiffens with the pressure cubed."""
     for trial in ladder.trials_of(seed):
         assert abs(trial.error) <= trial.bound, trial
 
 
-def test_a_seed_gives_the_same_random_scene_again(random_scenes: ModuleType) -> None:
+def test_a_seed_gives_the_same_random_scene_again() -> None:
     first, again, other = (random_scenes.random_scene(np.random.default_rng(seed)) for seed in (7, 7, 8))
     assert first.operation.axial_load == again.operation.axial_load != other.operation.axial_load
     assert first.bearing == again.bearing != other.bearing
 
 
-def test_a_scene_and_its_result_can_be_pickled(random_scenes: ModuleType) -> None:
+def test_a_scene_and_its_result_can_be_pickled() -> None:
     scene: Scene = random_scenes.random_scene(np.random.default_rng(7))
     direct, sent = friction_torque(scene), pickle.loads(pickle.dumps(scene))
     assert sent.effects == scene.effects

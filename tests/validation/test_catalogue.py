@@ -3,25 +3,20 @@
 import math
 from collections.abc import Callable
 from pathlib import Path
-from types import ModuleType
 
 import numpy as np
-import pytest
+
+from validation.catalogue import run as catalogue
 
 
-@pytest.fixture(scope="module")
-def catalogue(script: Callable[[str], ModuleType]) -> ModuleType:
-    return script("catalogue")
-
-
-def test_factors_are_those_of_the_printed_tables(catalogue: ModuleType) -> None:
+def test_factors_are_those_of_the_printed_tables() -> None:
     static, dynamic = catalogue.factor_errors()
     # The tables are rounded to 0.1; that of f0 has four values that lie 0.003 beyond the rounding.
     assert dynamic < 0.05
     assert static < 0.055
 
 
-def test_made_up_balls_are_found_from_their_ratings(catalogue: ModuleType) -> None:
+def test_made_up_balls_are_found_from_their_ratings() -> None:
     """Ratings of 11 balls of 9.525 mm on 61.3 mm, to four digits."""
     count, diameter, pitch = np.array(11), np.array(9.525), 61.3
     gamma = diameter / pitch
@@ -39,7 +34,7 @@ def test_made_up_balls_are_found_from_their_ratings(catalogue: ModuleType) -> No
     assert best.score < 1 < second.score  # one standard deviation of the pitch is 0.6 %: (0.4/0.6)^2 = 0.44 at most
 
 
-def test_known_balls_are_found_again(catalogue: ModuleType) -> None:
+def test_known_balls_are_found_again() -> None:
     names = {"6001", "6206", "6309", "6804"}
     checks = catalogue.check_deep_groove(names)
     hits = catalogue.compare_balls(catalogue.supported(checks))
@@ -48,7 +43,7 @@ def test_known_balls_are_found_again(catalogue: ModuleType) -> None:
     assert all(check.agrees for check in checks if check.designation != "6001" and check.grade in ("A", "B"))
 
 
-def test_the_wrong_balls_are_seen(catalogue: ModuleType) -> None:
+def test_the_wrong_balls_are_seen() -> None:
     (check,) = (check for check in catalogue.check_deep_groove({"6206"}) if check.maker == "NSK")
     assert check.agrees
     wrong = type(check)(**{**vars(check), "listed": (8, 9.525)})
@@ -56,7 +51,7 @@ def test_the_wrong_balls_are_seen(catalogue: ModuleType) -> None:
     assert wrong.excess > catalogue.CLEAR
 
 
-def test_listed_balls_have_the_printed_ratings(catalogue: ModuleType) -> None:
+def test_listed_balls_have_the_printed_ratings() -> None:
     """All derived rows of grades A to C: at some pitch within the play the errors are those that the file states."""
     for name in ("deep_groove", "angular_contact"):
         for row in catalogue.read_rows(catalogue.ROWS / f"{name}.csv"):
@@ -84,7 +79,7 @@ def test_listed_balls_have_the_printed_ratings(catalogue: ModuleType) -> None:
 
 
 def test_the_script_writes_its_tables(run_script: Callable[..., str], tmp_path: Path) -> None:
-    text = run_script("catalogue.py", "--out", tmp_path)
+    text = run_script("catalogue/run.py", "--out", tmp_path)
     assert (tmp_path / "catalogue.md").read_text("utf-8") == text
     assert "| most makers | 31 | 29 | 27 | 25 | 21 |" in text  # stated in docs/catalogue.md
     rows = (tmp_path / "catalogue.csv").read_text("utf-8").splitlines()

@@ -1,7 +1,6 @@
 """Stored gaps of rough surfaces against an independent code and Tamaas, by the script's own comparison."""
 
 from collections.abc import Callable
-from types import ModuleType
 
 import numpy as np
 import pytest
@@ -9,15 +8,15 @@ import pytest
 from analytic import catalog
 from analytic.scene import Autocorrelation
 from analytic.surface.elastic_gap import declared_gap_curve
+from validation.film import elastic_gap
 
 
-def test_the_stored_curve_agrees_with_the_independent_code(script: Callable[[str], ModuleType]) -> None:
-    assert script("elastic_gap").against_published()
+def test_the_stored_curve_agrees_with_the_independent_code() -> None:
+    assert elastic_gap.against_published()
 
 
-def test_a_stored_curve_comes_from_the_command(script: Callable[[str], ModuleType]) -> None:
+def test_a_stored_curve_comes_from_the_command() -> None:
     """Two of its surfaces: within four standard deviations of two, at each pressure."""
-    elastic_gap = script("elastic_gap")
     stored = next(c for c in catalog.entry("corrections", "elastic_gap")["curve"] if c["points"] == 200)
     made = elastic_gap.mean_curve("exponential", 10, 2, jobs=1)
     error = np.log(made["gap"] / stored["gap"])
@@ -35,5 +34,5 @@ def test_pressures_of_the_file_are_the_knots() -> None:
 @pytest.mark.nightly
 def test_the_command_agrees_with_tamaas(run_script: Callable[..., str]) -> None:
     pytest.importorskip("tamaas", reason="its wheels are for Linux on x86-64 only")
-    printed = run_script("elastic_gap.py", "--check")
+    printed = run_script("film/elastic_gap.py", "--check")
     assert printed.count("Agrees within the tolerances") == 3

@@ -2,10 +2,8 @@
 
 import math
 import statistics
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -13,11 +11,12 @@ import pytest
 from scipy.stats import norm
 
 from analytic.oil.film import FILM_FACTORS, FORMULA_UNCERTAINTY
+from validation.film import run as film
 
 
 @pytest.fixture(scope="module")
-def comparison(script: Callable[[str], ModuleType]) -> Any:
-    return script("film").compare()
+def comparison() -> Any:
+    return film.compare()
 
 
 def test_the_formula_states_the_uncertainty_that_the_measured_films_show(comparison: Any) -> None:
@@ -64,7 +63,7 @@ def test_uncertainties_have_the_sizes_that_the_script_states(comparison: Any) ->
 
 @pytest.mark.slow
 def test_the_script_prints_and_draws(run_script, tmp_path: Path) -> None:
-    printed = run_script("film.py", "--out", tmp_path)
+    printed = run_script("film/run.py", "--out", tmp_path)
     assert "20 of 31 points are judged" in printed
     assert "E/D: mean" in printed
     assert (tmp_path / "film.png").stat().st_size > 0

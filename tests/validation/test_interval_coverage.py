@@ -1,14 +1,14 @@
 """Measured films and torques in the stated intervals."""
 
-from collections.abc import Callable
-from types import ModuleType
-
 import numpy as np
 import pytest
 
+from validation.intervals import run as intervals
+from validation.intervals import run as program
 
-def test_measured_films_lie_in_the_stated_interval(script: Callable[[str], ModuleType]) -> None:
-    found = {(each.what, each.interval): each for each in script("interval_coverage").films()}
+
+def test_measured_films_lie_in_the_stated_interval() -> None:
+    found = {(each.what, each.interval): each for each in intervals.films()}
     fast = found["films from 0.02 m/s", "film formula"]
     assert fast.points == 20
     assert fast.covered >= 19
@@ -18,10 +18,7 @@ def test_measured_films_lie_in_the_stated_interval(script: Callable[[str], Modul
 
 
 @pytest.mark.nightly
-def test_measured_torques_are_counted_against_an_interval_that_is_not_moved(
-    script: Callable[[str], ModuleType],
-) -> None:
-    program = script("interval_coverage")
+def test_measured_torques_are_counted_against_an_interval_that_is_not_moved() -> None:
     found = list(program.torques())
     assert {each.points for each in found} == {6}
     for each in found:

@@ -2,32 +2,27 @@
 
 import csv
 import re
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 import numpy as np
 import pytest
 
 from fembearing.report.phrases import MEASURED, MEASURED_RANGE
+from validation.measured import page
+from validation.measured import run as measured
 
 ROOT = Path(__file__).resolve().parents[2]
 
 
 @pytest.fixture(scope="module")
-def measured(script: Callable[[str], ModuleType]) -> ModuleType:
-    return script("measured")
-
-
-@pytest.fixture(scope="module")
-def rig(measured: ModuleType) -> Any:
+def rig() -> Any:
     """The balls of 3 mm."""
     return measured.compare(3.0)
 
 
-def test_the_spin_downs_are_those_of_the_file(measured: ModuleType) -> None:
+def test_the_spin_downs_are_those_of_the_file() -> None:
     small, large = measured.spin_downs(3.0), measured.spin_downs(6.35)
     assert small.shape == large.shape == (6, 6)
     assert np.sum(~np.isnan(small), axis=0).tolist() == [6, 5, 4, 3, 2, 1]  # a run passes the speeds below its first
@@ -69,17 +64,16 @@ def test_the_inputs_have_the_sizes_that_the_formula_says(rig: Any) -> None:
         assert np.all(rig.inputs[name] < 0.01 * rig.computed)
 
 
-def test_the_verdict_comes_first_and_is_true(rig: Any, script: Callable[[str], ModuleType]) -> None:
-    page = script("measured_page").page
+def test_the_verdict_comes_first_and_is_true(rig: Any) -> None:
     agreeing = replace(rig, computed=rig.measured * 1.01)
-    text = page([rig, agreeing], [])
+    text = page.page([rig, agreeing], [])
     assert re.match(r"# .*\n\n\|E\| > u_val at 6 of 12 points and > 2 u_val at 5: .* off to both sides", text)
-    assert "too low" in page([rig, rig], []).splitlines()[2]
+    assert "too low" in page.page([rig, rig], []).splitlines()[2]
 
 
 def test_the_sentences_quote_the_report() -> None:
-    """The range of E/D in README, the report and docs is that of validation/reports/measured.csv."""
-    with (ROOT / "validation" / "reports" / "measured.csv").open(encoding="utf-8") as file:
+    """The range of E/D in README, the report and docs is that of validation/measured/measured.csv."""
+    with (ROOT / "validation" / "measured" / "measured.csv").open(encoding="utf-8") as file:
         rows = [row for row in csv.DictReader(file) if row["rpm"].isdigit()]
     relative = [100 * float(row["E_over_D"]) for row in rows if row["ball_diameter_mm"] in ("3", "6.35")]
     assert len(relative) == 12
@@ -87,11 +81,11 @@ def test_the_sentences_quote_the_report() -> None:
     low, high = min(map(abs, relative)), max(map(abs, relative))
     assert f"{low:.0f} to {high:.0f} %" == MEASURED_RANGE
     assert MEASURED_RANGE in MEASURED
-    for page in (
+    for file in (
         "README.md",
         "docs/measured.md",
         "docs/limits.md",
         "docs/validation.md",
-        "validation/reports/measured.md",
+        "validation/measured/measured.md",
     ):
-        assert MEASURED_RANGE in (ROOT / page).read_text(encoding="utf-8"), page
+        assert MEASURED_RANGE in (ROOT / file).read_text(encoding="utf-8"), file

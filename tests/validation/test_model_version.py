@@ -1,14 +1,13 @@
 """No torque of a shipped scene changes unnoticed. The stored numbers are our own: they detect a change, no error."""
 
 import re
-from collections.abc import Callable
 from pathlib import Path
-from types import ModuleType
 
 import pytest
 
 from analytic.scenefile.read import load_scene
 from analytic.torque import MODEL_VERSION, friction_torque
+from validation import model_version as table
 
 ROOT = Path(__file__).parents[2]
 # Relative: iterations of the balls' equilibrium end at 1e-8 and below, and machines differ by rounding; a formula that
@@ -17,10 +16,7 @@ SAME = 1e-5
 REMEDY = "raise MODEL_VERSION in analytic/torque.py, write old and new into CHANGELOG.md: validation/model_version.py"
 
 
-def test_the_torques_of_the_shipped_scenes_are_those_of_this_model_version(
-    script: Callable[[str], ModuleType],
-) -> None:
-    table = script("model_version")
+def test_the_torques_of_the_shipped_scenes_are_those_of_this_model_version() -> None:
     stored, computed = table.stored(), list(table.computed())
     assert {row.version for row in stored} == {MODEL_VERSION}, REMEDY
     assert [row[1:3] for row in stored] == [row[1:3] for row in computed], REMEDY

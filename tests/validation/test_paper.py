@@ -2,39 +2,21 @@
 
 import json
 import re
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 import numpy as np
 import pytest
 
+from analytic.scene import CageStart
 from tests.analytic.specimens import present
+from validation.paper import cage, comparison
+from validation.paper import cage_scan as scan
+from validation.paper import printed_jumps as jumps
 
 SPEEDS = np.array([100.0, 300.0, 500.0]) * np.pi / 30
 RACES = ("inner_coefficient", "outer_coefficient")
-
-
-@pytest.fixture(scope="module")
-def comparison(script: Callable[[str], ModuleType]) -> ModuleType:
-    return script("paper_comparison")
-
-
-@pytest.fixture(scope="module")
-def cage(script: Callable[[str], ModuleType]) -> ModuleType:
-    return script("paper_cage")
-
-
-@pytest.fixture(scope="module")
-def scan(script: Callable[[str], ModuleType]) -> ModuleType:
-    return script("cage_scan")
-
-
-@pytest.fixture(scope="module")
-def jumps(script: Callable[[str], ModuleType]) -> ModuleType:
-    return script("printed_jumps")
 
 
 def series(**values: list[float]) -> dict[str, np.ndarray]:
@@ -48,7 +30,7 @@ def held(trends: list[Any], words: str) -> bool:
     return trend.held
 
 
-def test_the_published_numbers_are_read_in_si(comparison: ModuleType) -> None:
+def test_the_published_numbers_are_read_in_si() -> None:
     found = {(p.quantity, p.rms_roughness, round(p.inner_speed * 30 / np.pi)): p for p in comparison.published()}
     assert len(found) == 16
     assert found["total_torque", 0.1e-6, 500].value == pytest.approx(12.90e-3)  # as in its text
@@ -56,7 +38,7 @@ def test_the_published_numbers_are_read_in_si(comparison: ModuleType) -> None:
     assert {p.note for p in found.values() if p.quantity == "race_torque"} == {"about"}
 
 
-def test_a_curve_is_matched_if_all_its_points_are(comparison: ModuleType) -> None:
+def test_a_curve_is_matched_if_all_its_points_are() -> None:
     def curve(slow: float, fast: float) -> Any:
         ours = {"inner_speed": SPEEDS, "race_torque": np.array([slow, 5e-3, fast])}
         points = [p for p in comparison.published() if (p.quantity, p.rms_roughness) == ("race_torque", 0.1e-6)]
@@ -68,7 +50,7 @@ def test_a_curve_is_matched_if_all_its_points_are(comparison: ModuleType) -> Non
     assert curve(8e-3 / 2.5, 7e-3).worst == pytest.approx(2.5)  # too little counts like too much
 
 
-def test_a_cage_torque_counts_as_a_power_and_then_as_moments(comparison: ModuleType) -> None:
+def test_a_cage_torque_counts_as_a_power_and_then_as_moments() -> None:
     ours = series(cage_torque=[0.1e-3, 1e-3, 2e-3]) | {"cage_moments": np.array([0.6e-3, 3e-3, 8.2e-3])}
     points = [p for p in comparison.published() if (p.quantity, p.rms_roughness) == ("cage_torque", 1e-6)]
     power, moments = comparison.curves(tuple(row for point in points for row in comparison.beside(point, ours)))
@@ -77,7 +59,7 @@ def test_a_cage_torque_counts_as_a_power_and_then_as_moments(comparison: ModuleT
     assert moments.verdict == "matched"
 
 
-def test_trends_follow_the_numbers(comparison: ModuleType) -> None:
+def test_trends_follow_the_numbers() -> None:
     rough = series(
         total_torque=[9.0, 11.0, 14.0], race_torque=[7.0, 7.2, 7.1], inner_coefficient=[0.08, 0.081, 0.079],
         outer_coefficient=[0.07, 0.071, 0.07], cage_torque=[1, 3, 6], cage_max_force=[2, 9, 28],
@@ -103,14 +85,14 @@ def test_trends_follow_the_numbers(comparison: ModuleType) -> None:
     assert held(found, "rougher raises the pocket's")
 
 
-def test_the_calibrated_coefficient_is_a_power_of_the_speed(cage: ModuleType) -> None:
+def test_the_calibrated_coefficient_is_a_power_of_the_speed() -> None:
     speeds = np.array([100.0, np.sqrt(100 * 500), 500.0]) * np.pi / 30
     for roughness, (slow, fast) in cage.COEFFICIENTS.items():
         found = [cage.calibrated_coefficient(rms_roughness=roughness, inner_speed=speed) for speed in speeds]
         assert found == pytest.approx([slow, np.sqrt(slow * fast), fast], rel=1e-12)  # round-off
 
 
-def test_the_share_of_traction_balances_a_ball(cage: ModuleType) -> None:
+def test_the_share_of_traction_balances_a_ball() -> None:
     """Forces of both races on the ball against the force of the pocket and its friction, which turns the ball."""
     force, friction, limit = 3.7, 0.13, 2.9
     traction = np.linalg.solve([[1, 1], [1, -1]], [force, friction * force])  # along the orbit; about the ball's axis
@@ -119,9 +101,7 @@ def test_the_share_of_traction_balances_a_ball(cage: ModuleType) -> None:
 
 
 @pytest.mark.parametrize("start", ["rest", "whirl"])
-def test_friction_moments_cost_power_only_where_the_pockets_stand_still(
-    cage: ModuleType, comparison: ModuleType, start: str
-) -> None:
+def test_friction_moments_cost_power_only_where_the_pockets_stand_still(start: CageStart) -> None:
     """The balls slide on a resting cage with their own speed; a whirling one moves with their surfaces."""
     scene, speed, friction = comparison.load("calibrated"), 31.0, 0.11
     loose = cage.loose_cage(clearance=0.13e-3, start=start, friction_coefficient=friction)
@@ -146,9 +126,7 @@ def test_friction_moments_cost_power_only_where_the_pockets_stand_still(
         assert found.axial_moment > found.torque
 
 
-def test_a_constant_shear_stress_makes_the_coefficient_fall_with_the_force(
-    cage: ModuleType, comparison: ModuleType
-) -> None:
+def test_a_constant_shear_stress_makes_the_coefficient_fall_with_the_force() -> None:
     """Hertz's area grows with the power 2/3 of the force, so at one stress friction over force with the power -1/3."""
     scene = comparison.load("calibrated")
     smooth = cage.at_finish(replace(scene, operation=replace(scene.operation, inner_speed=np.full(5, 20.0))), 0.1e-6)
@@ -158,9 +136,7 @@ def test_a_constant_shear_stress_makes_the_coefficient_fall_with_the_force(
     np.testing.assert_allclose(found / found[0], np.array([1, 2, 4, 8, 27]) ** (-1 / 3), rtol=1e-6)
 
 
-def test_the_scan_takes_the_coefficient_that_gives_the_papers_cage_torque(
-    scan: ModuleType, comparison: ModuleType
-) -> None:
+def test_the_scan_takes_the_coefficient_that_gives_the_papers_cage_torque() -> None:
     scene, clearance, angle = comparison.load("calibrated"), 0.09e-3, 0.27
     found = scan.fitting_coefficient(scene, clearance=clearance, angle=angle, rms_roughness=0.1e-6, rpm=500.0)
     bearing, speed = scene.bearing, 500 * np.pi / 30
@@ -172,7 +148,7 @@ def test_the_scan_takes_the_coefficient_that_gives_the_papers_cage_torque(
     assert found * force * bearing.ball_radius == pytest.approx(6e-3, rel=3e-3)
 
 
-def test_the_printed_equations_jump_and_the_derived_ones_do_not(comparison: ModuleType, jumps: ModuleType) -> None:
+def test_the_printed_equations_jump_and_the_derived_ones_do_not() -> None:
     found = jumps.printed_jumps(comparison.load("as printed"))
     assert len(found) == 6
     scale = max(max(jump.printed) for jump in found if jump.quantity != "torque")
@@ -192,7 +168,7 @@ def test_the_printed_equations_jump_and_the_derived_ones_do_not(comparison: Modu
 
 @pytest.mark.nightly
 def test_the_script_makes_every_figure_and_the_calibrated_forces_are_within_1_7(run_script, tmp_path: Path) -> None:
-    printed = run_script("paper.py", "--out", tmp_path)
+    printed = run_script("paper/run.py", "--out", tmp_path)
     assert "no evidence for the model" in printed
     written = json.loads((tmp_path / "paper.json").read_text("utf-8"))
     assert [reading["name"] for reading in written["readings"]] == ["as printed", "calibrated", "physical"]

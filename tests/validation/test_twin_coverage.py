@@ -1,16 +1,14 @@
 """The program that tests intervals from meshes with a twin, and what it has recorded."""
 
-from collections.abc import Callable
-from types import ModuleType
-
 import numpy as np
 import pytest
 
+from validation.intervals import twin as program
 
-def test_the_recorded_intervals_hold(script: Callable[[str], ModuleType]) -> None:
+
+def test_the_recorded_intervals_hold() -> None:
     """On contacts that chose no constant; a pocket's approach has no limit and is not counted."""
-    program = script("twin_coverage")
-    rows = [row for row in program.read(program.HERE / "reports" / "twin_coverage.csv") if not row["trouble"]]
+    rows = [row for row in program.read(program.HERE / "twin_coverage.csv") if not row["trouble"]]
     chose = {*range(100, 140), *range(200, 236), *range(20000, 20086), *range(30000, 30124)}
     assert not {int(row["seed"]) for row in rows} & chose
     assert len(rows) >= 200
@@ -29,11 +27,8 @@ def test_the_recorded_intervals_hold(script: Callable[[str], ModuleType]) -> Non
 
 
 @pytest.mark.slow
-def test_a_contact_is_compared_as_recorded(script: Callable[[str], ModuleType]) -> None:
-    program = script("twin_coverage")
-    recorded = next(
-        row for row in program.read(program.HERE / "reports" / "twin_coverage.csv") if row["seed"] == "40001"
-    )
+def test_a_contact_is_compared_as_recorded() -> None:
+    recorded = next(row for row in program.read(program.HERE / "twin_coverage.csv") if row["seed"] == "40001")
     found = program.compared(40001)
     for name in program.COMPARED:
         for level in (2, 3):

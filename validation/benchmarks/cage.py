@@ -23,7 +23,7 @@ from analytic.cage.torque import driven_cage
 from analytic.loads.kinematics import ball_kinematics
 from analytic.scene import Cage, CageStart
 from analytic.scenefile.read import load_scene
-from machine import machine, versions
+from validation.benchmarks.machine import machine, versions
 
 SPEED = 500 * np.pi / 30  # rad/s
 ANGLE = 0.18  # rad

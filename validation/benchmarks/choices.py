@@ -27,13 +27,13 @@ from rich.table import Table
 
 from analytic.errors import FembearingError, InputError
 from analytic.scene import Scene
-from fembearing.compare.contact.scene_contact import RECIPES, contact_of
-from fembearing.compare.cost import contact_ladder, formula_ladders, ladder
-from fembearing.compare.cost.ladder import Ladder
-from fembearing.compare.cost.scene_cost import FORMULA_LADDERS
 from fembearing.mesh.recipe import load_recipe
-from machine import machine, versions
-from random_scenes import random_scene, with_cage
+from fembearing.verify.contact.scene_contact import RECIPES, contact_of
+from fembearing.verify.cost import contact_ladder, formula_ladders, ladder
+from fembearing.verify.cost.ladder import Ladder
+from fembearing.verify.cost.scene_cost import FORMULA_LADDERS
+from validation.benchmarks.machine import machine, versions
+from validation.benchmarks.random_scenes import random_scene, with_cage
 
 TOLERANCES = (0.1, 0.01, 0.001)
 FLOOR = 1e-10  # smaller errors are round-off of iterations, and their ratios mean nothing

@@ -14,7 +14,7 @@ from rich.table import Table
 
 from analytic import hertz_contact, load_scene
 from fembearing import solve_contact, solve_load_series
-from machine import machine
+from validation.benchmarks.machine import machine
 
 LOADS = (50.0, 200.0, 620.0, 2000.0)  # N
 RATIOS = (1.0, 1.0 + 1e-12, 1.37, 9.4, 310.0, 2.3e4, 1e6)

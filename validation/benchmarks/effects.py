@@ -5,7 +5,7 @@ computed with every effect on and sliding integrated over the ellipse, and then 
 and 0.1 %. For each tolerance the tables show the deviation of auto, how often its stated numerical uncertainty covers
 this deviation, how much faster it is (processor time, warm), the methods that it chose, and the effects that it left
 out. A scene that the model refuses is named and counted. Model against model: this verifies decisions, not physics.
-Prints tables and writes effects.csv and effects.png into the folder (validation/reports).
+Prints tables and writes effects.csv and effects.png into this folder.
 """
 
 import os
@@ -34,15 +34,15 @@ from analytic.effects.table import COMPUTED, ENTRIES
 from analytic.errors import FembearingError
 from analytic.result import FrictionTorque
 from analytic.scene import Scene
-from machine import machine, versions
-from random_scenes import random_scene
+from validation.benchmarks.machine import machine, versions
+from validation.benchmarks.random_scenes import random_scene
 
 mpl.use("agg")
 
 STRICT = 1e-6  # tolerance that selects the most nodes
 TOLERANCES = (0.1, 0.01, 0.001)
 SPREAD = 1.8  # largest factor of the random horizontal shift of points in the figure
-REPORTS = Path(__file__).parents[1] / "reports"
+HERE = Path(__file__).parent
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -71,7 +71,7 @@ class Trial:
 def main(
     scenes: Annotated[int, typer.Option(help="Random scenes.")] = 300,
     seed: Annotated[int, typer.Option(help="First seed; each scene has one of its own.")] = 30000,
-    out: Annotated[Path, typer.Option(help="Folder for effects.csv and effects.png.")] = REPORTS,
+    out: Annotated[Path, typer.Option(help="Folder for effects.csv and effects.png.")] = HERE,
 ) -> None:
     shown, trials = Console(width=130), []
     refused: dict[int, str] = {}

@@ -26,7 +26,7 @@ from analytic.cage.torque import driven_cage
 from analytic.loads.balls import LoadEffects, thrust_balls
 from analytic.scene import CageStart, ContactAngle, Operation
 from analytic.scenefile.read import load_scene
-from machine import machine, versions
+from validation.benchmarks.machine import machine, versions
 
 RPM = np.pi / 30  # rad/s
 ANGLE = ContactAngle(rule="solved", free=0.18)

@@ -5,7 +5,7 @@ idealisation these are Hertz's, which are exact; on true shapes they come from `
 proportions, corrected by what that mesh errs on the idealisation of the contact. Prints how often the 95 % interval
 contains the true value, the median of half-width over true error, and the largest of those corrections. Seeds 0 to 59,
 1000 to 1099, 5000 to 5019 and 7000 to 7099 were used to choose the factors of
-`fembearing.compare.contact.grid_convergence`; all others are a test of them.
+`fembearing.verify.contact.grid_convergence`; all others are a test of them.
 """
 
 import time
@@ -22,12 +22,12 @@ from rich.table import Table
 
 from analytic.errors import FembearingError
 from analytic.scene import Contact, Material
-from fembearing.compare.contact.hertz import hertz_quantities
-from fembearing.compare.contact.mesh_refinement import COMPARED
-from fembearing.compare.contact.reference import solve_reference
 from fembearing.fem.solution import fitted_solution, solve_on_mesh
 from fembearing.mesh.recipe import Cells, Depth, Domain, Patch, Recipe, load_recipe
 from fembearing.progress import silent
+from fembearing.verify.contact.hertz import hertz_quantities
+from fembearing.verify.contact.mesh_refinement import COMPARED
+from fembearing.verify.contact.reference import solve_reference
 
 ACCURACIES = (2e-3, 1e-3)
 SHARE_OF_POCKETS = 0.25  # of the idealised contacts; true shapes have none, as a seat's approach does not converge

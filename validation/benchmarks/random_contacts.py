@@ -5,46 +5,46 @@ size, contact angles from near pure rolling to 41 degrees, oils up to 1 Pa s, sm
 """
 
 from dataclasses import replace
+from typing import Any, Literal
 
 import numpy as np
 
-from analytic.errors import FembearingError
-from analytic.loads.balls import LoadedBalls, LoadEffects, thrust_balls
-from analytic.oil.lubricated_races import lubricate_races
-from analytic.oil.traction import CoulombTraction
-from analytic.oil.variation import Variation
-from analytic.scene import Array, Autocorrelation, Bearing, ContactAngle, Groove, Lubricant, Operation, Surface
-from analytic.sliding.ball import Tractions
-from random_scenes import BASE, SHOULDER
+from analytic.effects.table import COMPUTED
+from analytic.scene import Autocorrelation, Bearing, ContactAngle, Groove, Lubricant, Operation, Scene, Surface
+from validation.benchmarks.random_scenes import BASE, SHOULDER
 
 COULOMB, SMOOTH, INERT = 0.07, 0.2, 0.3  # shares of a given coefficient, of smooth surfaces, of balls with inertia
+RULES = ("balanced", "balanced", "inner_control", "outer_control")
 
 
-def sliding_balls(rng: np.random.Generator, points: int) -> tuple[LoadedBalls, Tractions, Array, str]:
-    """Balls of one bearing at random loads and speeds, what resists sliding, ring speeds in rad/s, name of the law."""
+def sliding_balls(rng: np.random.Generator, points: int) -> Scene:
+    """One bearing at random loads and speeds, in which nothing but sliding costs torque; its effects are on or off."""
     scale = 10 ** rng.uniform(-0.5, 0.7)
-    bearing = _scaled(rng, BASE.bearing, scale)
     load = 10 ** rng.uniform(-1, 3.5, points) * scale**2
     speed = 10 ** rng.uniform(-2, 4.3, points) * np.pi / 30 / scale
     angle = 10 ** rng.uniform(-3, -0.15) if rng.random() < 0.5 else rng.uniform(0.05, 0.7)
-    rule = (
-        ContactAngle(rule="given", value=angle)
-        if rng.random() < 0.5
-        else ContactAngle(rule="solved", free=max(angle, 0.01))
+    solved = ContactAngle(rule="solved", free=max(angle, 0.01))
+    return replace(
+        BASE,
+        bearing=_scaled(rng, BASE.bearing, scale),
+        contact_angle=ContactAngle(rule="given", value=angle) if rng.random() < 0.5 else solved,
+        operation=Operation(axial_load=load, inner_speed=speed),
+        spin_rule=str(rng.choice(RULES)),  # pyright: ignore[reportArgumentType]
+        effects=sliding_alone(centrifugal="on" if rng.random() < INERT else "off"),
+        **_friction(rng),
     )
-    operation = Operation(axial_load=load, inner_speed=speed)
-    still = LoadEffects(load_distribution=False, centrifugal=False, gyroscopic=False)
-    try:
-        balls = thrust_balls(bearing, rule, operation, replace(still, centrifugal=bool(rng.random() < INERT)))
-    except FembearingError:  # too fast for the load
-        balls = thrust_balls(bearing, rule, operation, still)
+
+
+def sliding_alone(centrifugal: Literal["on", "off"] = "off") -> dict[str, Any]:
+    """Effects of a scene in which nothing but sliding costs torque."""
+    on = dict.fromkeys(("spin", "conformity", "asperities"), "on")
+    return {**dict.fromkeys(COMPUTED, "off"), **on, "centrifugal": centrifugal}
+
+
+def _friction(rng: np.random.Generator) -> dict[str, Any]:
     if rng.random() < COULOMB:
-        law = CoulombTraction(friction_coefficient=10 ** rng.uniform(-2.3, -0.9))
-        return balls, (law, law), speed, "coulomb"
-    oil, surface = _oil(rng), _surface(rng)
-    races = lubricate_races(bearing, balls, lubricant=oil, surface=surface, ring_speed=speed, variation=Variation())
-    mixed = races.mixed(asperities=bool(rng.random() > SMOOTH), film_factor=10 ** rng.uniform(-1, 0))
-    return balls, (races.traction(mixed.race(0)), races.traction(mixed.race(1))), speed, oil.traction
+        return {"lubricant": None, "surface": None, "friction_coefficient": 10 ** rng.uniform(-2.3, -0.9)}
+    return {"lubricant": _oil(rng), "surface": _surface(rng)}
 
 
 def _scaled(rng: np.random.Generator, bearing: Bearing, scale: float) -> Bearing:
@@ -77,7 +77,7 @@ def _oil(rng: np.random.Generator) -> Lubricant:
 def _surface(rng: np.random.Generator) -> Surface:
     length = 10 ** rng.uniform(-4.7, -3.7)
     return Surface(
-        rms_roughness=10 ** rng.uniform(-8, -6),
+        rms_roughness=10 ** rng.uniform(-8, -6) if rng.random() > SMOOTH else 0.0,
         autocorrelation=Autocorrelation(kind="gaussian", length=length, spacing=length / 20),
         hardness=7.8e9,
         boundary_friction=rng.uniform(0.05, 0.15),

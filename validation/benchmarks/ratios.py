@@ -4,7 +4,7 @@ Solves the Hertzian idealisation at curvature ratios from 1 to 30 to 0.1 % and t
 mesh made for the ellipse known to 1 %, on the coarsest level whose four errors are small enough. `reference` is the
 procedure of `fembearing contact` for a given accuracy, which includes the size of the ellipse and the interval. Prints
 the errors of approach, both semi-axes and peak pressure against exact Hertz, with seconds and peak memory, and writes
-them with machine and command to ratios.json in validation/reports (--out names another folder). Each row has its own
+them with machine and command to ratios.json in this folder (--out names another folder). Each row has its own
 process, which solves another contact before the clock starts. The exit status is 1 if any row fails.
 """
 
@@ -18,9 +18,9 @@ import time
 from pathlib import Path
 from typing import Any
 
-from machine import machine
+from validation.benchmarks.machine import machine
 
-REPORTS = Path(__file__).resolve().parents[1] / "reports"
+HERE = Path(__file__).resolve().parent
 RATIOS = (1.0, 1.5, 2.0, 3.0, 5.0, 8.0, 13.0, 20.0, 30.0)  # rolling over transverse relative curvature
 TARGETS = {1e-3: (1.0, 0.5), 5e-4: (3.0, 1.0)}  # accuracy: target seconds and GB
 LEVELS = (1, 2, 3, 4)
@@ -38,7 +38,7 @@ def main(argv: list[str] | None = None) -> int:
     )
     parser.add_argument("--methods", nargs="+", choices=METHODS, default=METHODS, help="how the contact is solved")
     parser.add_argument("--repeats", type=int, default=1, help="processes for each row; their median counts")
-    parser.add_argument("--out", type=Path, default=REPORTS, help="folder for ratios.json")
+    parser.add_argument("--out", type=Path, default=HERE, help="folder for ratios.json")
     options = parser.parse_args(argv)
     if options.repeats < 1 or min(options.ratios) < 1:
         parser.error("--repeats and --ratios must be at least 1")
@@ -138,10 +138,10 @@ def solved(case: dict[str, Any]) -> dict[str, Any]:
 
     from analytic.contact.hertz import contact_modulus, hertz_contact
     from analytic.scene import Contact, Material
-    from fembearing.compare.contact.reference import solve_reference
     from fembearing.fem.solution import solve_on_mesh
     from fembearing.mesh.recipe import load_recipe
     from fembearing.progress import silent
+    from fembearing.verify.contact.reference import solve_reference
 
     steel = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="benchmark")
     contact = Contact(

@@ -8,8 +8,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Literal
 
-from jobs import JOBS, Job, dry_file, scene_file
-from trees import Sample, Tree
+from validation.benchmarks.jobs import JOBS, Job, dry_file, scene_file
+from validation.benchmarks.trees import Sample, Tree
 
 LONG_ENOUGH = 20.0  # s, of a sweep on one worker, so that its start does not count
 MAP = """
@@ -28,6 +28,12 @@ pair = ["inner", "outer"]
 ball_load = {{ from = "100 N", to = "600 N", count = {points}, spacing = "log" }}
 operation.inner_speed = ["100 rpm"]
 """
+
+
+# The cheapest method of sliding just misses the tolerance since the error between far points counts 1.25 times, so
+# 100 of the 200 points are integrated over the ellipse: its torque moves by 2 %. The goal: to judge such a series
+# more cheaply.
+KNOWN_LOSSES = {"short_series": 8.0}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -58,6 +64,7 @@ def job_row(name: str, job: Job) -> Row:
         clock=job.clock,
         once=job.once,
         short=job.short,
+        worst=KNOWN_LOSSES.get(name, 1.5),
     )
 
 

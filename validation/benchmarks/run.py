@@ -5,7 +5,7 @@ tree and in a temporary worktree of the recorded commit, in turns. Each figure i
 seconds, or in wall seconds where a job uses several processes. The table has both figures, their ratio and the goal.
 The exit status is 1 if a figure is more than 1.5 times as bad as at the recorded commit after three attempts, or if
 this tree cannot measure it. A row of rows.py may state another limit, with its reason. The record is benchmarks.json in
-validation/reports; --record renews it, with a table in benchmarks.md and the picture benchmarks.png. A clone without
+this folder; --record renews it, with a table in benchmarks.md and the picture benchmarks.png. A clone without
 the recorded commit compares nothing, and says so.
 
 --short measures some rows only, in less than a minute. The machine should be idle for figures to quote.
@@ -22,9 +22,9 @@ from contextlib import ExitStack, closing, suppress
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
-from machine import machine, versions
-from rows import ROWS, Row
-from trees import ROOT, CommitMissingError, FailedError, Sample, Tree, checked_out, last_change
+from validation.benchmarks.machine import machine, versions
+from validation.benchmarks.rows import ROWS, Row
+from validation.benchmarks.trees import ROOT, CommitMissingError, FailedError, Sample, Tree, checked_out, last_change
 
 RECORD = ROOT / "validation" / "reports" / "benchmarks.json"
 ATTEMPTS = 3  # until a row that became slower counts as such
@@ -205,7 +205,7 @@ def print_table(compared: Iterable[Compared], *, against: str) -> None:
 
 
 def record(compared: Sequence[Compared], *, commit: str, against: str) -> None:
-    from speed_figure import draw  # with matplotlib
+    from validation.benchmarks.speed_figure import draw  # with matplotlib
 
     result = {
         "commit": commit,

@@ -17,11 +17,11 @@ import numpy as np
 from numpy.typing import NDArray
 from rich.console import Console
 from rich.table import Table
-from solve import BOX, HERE, QUANTITIES, RANGE, read_rows
 
 from analytic import catalog
 from analytic.contact.finite_geometry import ContactShape, shape_bases
 from analytic.contact.finite_geometry_fit import OFF_SHOULDER, SMALL
+from validation.correction.solve import BOX, HERE, QUANTITIES, RANGE, read_rows
 
 STORED = catalog.path("corrections", "finite_geometry")
 MOST_TERMS = 40

@@ -13,12 +13,12 @@ from dataclasses import replace
 import numpy as np
 from rich.console import Console
 from rich.table import Table
-from solve import QUANTITIES, contact_of_shape
 
 from analytic.scene import Array, Contact
 from fembearing.fem.solution import fitted_solution, solve_on_mesh
 from fembearing.mesh.footprint import Sides
 from fembearing.mesh.recipe import load_recipe
+from validation.correction.solve import QUANTITIES, contact_of_shape
 
 # Rolling curvature r/R, contact angle in degrees, size b/r, and both shoulders over r
 CASES = (

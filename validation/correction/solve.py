@@ -35,10 +35,10 @@ from analytic.contact.finite_geometry_fit import OFF_SHOULDER
 from analytic.contact.hertz import contact_modulus
 from analytic.errors import FembearingError
 from analytic.scene import Contact, Material
-from fembearing.compare.contact.hertz import hertz_quantities
-from fembearing.compare.contact.reference import solve_reference
 from fembearing.mesh.recipe import load_recipe
 from fembearing.progress import silent
+from fembearing.verify.contact.hertz import hertz_quantities
+from fembearing.verify.contact.reference import solve_reference
 
 HERE = Path(__file__).parent
 SOLVES, BEARINGS = HERE / "solves.csv", HERE / "bearings.toml"
@@ -75,7 +75,7 @@ CATALOGUE = (0.01, 0.0217)  # p0/E* on steel at 0.02 to 0.2 C0, where 4.2 GPa ar
 SOLVER = (
     *("fem", "mesh"),
     *(
-        f"compare/contact/{part}.py"
+        f"verify/contact/{part}.py"
         for part in ("reference", "twin_refinement", "mesh_refinement", "grid_convergence", "meshed_region")
     ),
 )

@@ -12,13 +12,13 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from peer import SkippedError, Solve, peak_pressure, semi_axis, serve
+from validation.peers.peer import SkippedError, Solve, peak_pressure, semi_axis, serve
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from idealised import Quarter
+    from validation.peers.idealised import Quarter
 
 # Contact acts along the normal of the paraboloid, which is inclined by 2 % at the edge; Hertz neglects this. Flattening
 # the paraboloid by this factor and stiffening the steel by its inverse leaves pressure and ellipse unchanged.
@@ -35,7 +35,7 @@ def load() -> Solve:
         raise SkippedError(f"{PROGRAM} is not installed")
     import numpy as np
 
-    from idealised import quarter
+    from validation.peers.idealised import quarter
 
     def solve(case: dict[str, Any], level: int) -> dict[str, Any]:
         block = quarter(case, level)

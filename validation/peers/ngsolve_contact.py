@@ -7,7 +7,7 @@ the fastest direct solver of NGSolve: UMFPACK took five times as long with 20 00
 
 from typing import Any
 
-from peer import Solve, peak_pressure, serve
+from validation.peers.peer import Solve, peak_pressure, serve
 
 PENALTY = 1e5  # times E over the minor semi-axis: the paraboloid sinks in by 1e-5 of the approach
 MOST_ROUNDS = 40
@@ -20,7 +20,7 @@ def load() -> Solve:
     import ngsolve as ng  # pyright: ignore[reportMissingImports]
     import numpy as np
 
-    from idealised import FACES, Quarter, quarter
+    from validation.peers.idealised import FACES, Quarter, quarter
 
     ng.ngsglobals.msg_level = 0
 

@@ -10,7 +10,7 @@ elements along the minor semi-axis.
 
 from typing import Any
 
-from peer import Solve, peak_pressure, semi_axis, serve
+from validation.peers.peer import Solve, peak_pressure, semi_axis, serve
 
 WIDTH, DEPTH = 180, 90  # of the block, in minor semi-axes
 COARSE = 30  # largest size of a tetrahedron, in minor semi-axes

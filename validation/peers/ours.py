@@ -2,13 +2,13 @@
 
 from typing import Any
 
-from peer import Solve, serve
+from validation.peers.peer import Solve, serve
 
 
 def load() -> Solve:
     from fembearing.fem.solution import solve_on_mesh
     from fembearing.mesh.recipe import load_recipe
-    from idealised import idealised_contact
+    from validation.peers.idealised import idealised_contact
 
     def solve(case: dict[str, Any], level: int) -> dict[str, Any]:
         solution = solve_on_mesh(

@@ -5,14 +5,14 @@ The refinement is the number of digits of the accuracy: 2 for 1 %, 3 for 0.1 %. 
 
 from typing import Any
 
-from peer import Solve, serve
+from validation.peers.peer import Solve, serve
 
 
 def load() -> Solve:
-    from fembearing.compare.contact.reference import solve_reference
     from fembearing.mesh.recipe import load_recipe
     from fembearing.progress import silent
-    from idealised import idealised_contact
+    from fembearing.verify.contact.reference import solve_reference
+    from validation.peers.idealised import idealised_contact
 
     def solve(case: dict[str, Any], digits: int) -> dict[str, Any]:
         reference = solve_reference(

@@ -22,10 +22,9 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
-from cases import CASES, Case
+from validation.peers.cases import CASES, Case
 
 HERE = Path(__file__).resolve().parent
-REPORTS = HERE.parent / "reports"
 LIMIT = 600.0  # s, for one process
 NAMES = {
     "ours": "fembearing, finite elements",
@@ -54,7 +53,7 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--peers", nargs="+", choices=NAMES, default=list(NAMES), metavar="PEER", help=", ".join(NAMES))
     parser.add_argument("--workflows", nargs="+", choices=WORKFLOWS, default=list(WORKFLOWS), help="which comparison")
     parser.add_argument("--cases", nargs="+", choices=CASES, default=list(CASES), metavar="CASE", help=", ".join(CASES))
-    parser.add_argument("--out", type=Path, default=REPORTS, help="folder for peers.json and peers.png")
+    parser.add_argument("--out", type=Path, default=HERE, help="folder for peers.json and peers.png")
     parser.add_argument("--repeats", type=int, default=1, help="processes for each row; their median counts")
     parser.add_argument("--steps", type=int, help="number of refinements of each solver, coarsest first")
     parser.add_argument("--long", action="store_true", help="add the finest refinement of each solver")
@@ -84,7 +83,7 @@ def main(argv: list[str] | None = None) -> int:
                 rows.append({"workflow": workflow, "peer": peer, "case": case.name, "refinement": refinement, **row})
                 word = row.get("failed") or f"{row['solve_seconds']:.2f} s"
                 sys.stderr.write(f"{workflow}, {peer} {case.name} {refinement}: {word}\n")
-    from table import exact_answers, print_table, with_errors
+    from validation.peers.table import exact_answers, print_table, with_errors
 
     exact = exact_answers([CASES[name] for name in options.cases])
     result = {
@@ -101,7 +100,7 @@ def main(argv: list[str] | None = None) -> int:
     (options.out / "peers.json").write_text(json.dumps(result, indent=1) + "\n", "utf-8")
     print_table(result)
     if any("errors" in row for row in result["rows"]):
-        from figure import draw
+        from validation.peers.figure import draw
 
         draw(result, options.out / "peers.png", names=NAMES)
     return 1 if any("failed" in row for row in rows) else 0

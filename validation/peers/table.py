@@ -7,7 +7,7 @@ from rich.console import Console
 from rich.table import Table
 
 from analytic import hertz_contact
-from cases import Case
+from validation.peers.cases import Case
 
 COLUMNS = {"approach": "delta", "semi_axis_x": "a", "semi_axis_y": "b", "peak_pressure": "p0"}
 

@@ -6,7 +6,7 @@ rigid paraboloid.
 
 from typing import Any
 
-from peer import Solve, peak_pressure, semi_axis, serve
+from validation.peers.peer import Solve, peak_pressure, semi_axis, serve
 
 REACH = 1.1  # half a side of the grid, in semi-axes; just contains the contact
 # Residual of the conjugate gradients. With it each worst error is that of a residual of 1e-9 to a quarter, in a third

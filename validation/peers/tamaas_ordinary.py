@@ -6,7 +6,7 @@ system the approach is known only against the mean of the surface; it is read so
 
 from typing import Any
 
-from peer import Solve, peak_pressure, semi_axis, serve
+from validation.peers.peer import Solve, peak_pressure, semi_axis, serve
 
 PERIOD = 20  # semi-axes
 TOLERANCE = 1e-12

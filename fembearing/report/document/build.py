@@ -3,13 +3,13 @@
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from fembearing.compare.contact.comparison_error import WHY
-from fembearing.compare.contact.discrepancy import ContactSolution
-from fembearing.compare.torque.scene_torque import SceneTorque
-from fembearing.compare.validation import Validation
 from fembearing.plain_types import plain
 from fembearing.report.document.contact import Contact
 from fembearing.report.document.report import FORMAT, KIND, Report
+from fembearing.verify.contact.comparison_error import WHY
+from fembearing.verify.contact.discrepancy import ContactSolution
+from fembearing.verify.torque.scene_torque import SceneTorque
+from fembearing.verify.validation import Validation
 
 INSTANTS = 400  # of a cage's motion that are kept
 
@@ -39,7 +39,6 @@ def report_of(
             "cage_motion": None if torque is None else _cage_motion(torque),
             "cage_records": [record.drawn(most=INSTANTS) for record in result.cage_records],
             "sensitivity": plain(result.sensitivity),
-            "published": plain(result.published),
             "cost": {
                 "measured": result.measured,
                 "seconds": result.seconds,

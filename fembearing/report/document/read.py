@@ -45,8 +45,8 @@ def read_report(path: Path) -> Report:
         raise InputError(f"{str(path)!r} is JSON, but no report of `fembearing validate`; give the report.json of one")
     if content.get("format") != FORMAT:
         raise InputError(
-            f"{str(path)!r} has the format {content.get('format')!r}, and this fembearing {_ours()} reads {FORMAT}: "
-            "take the version that wrote it, or run `fembearing validate` again"
+            f"{str(path)!r} is of fembearing {_writer(content) or 'unknown'}, format {content.get('format')!r}; this "
+            f"fembearing {_ours()} reads format {FORMAT}: take that version, or run `fembearing validate` again"
         )
     try:
         return Report.model_validate(content)
@@ -82,11 +82,17 @@ def _shortened(value: object) -> str:
 
 def _remedy(content: dict[str, Any]) -> str:
     """What to do about a damaged report, with the versions that wrote and read it."""
+    wrote = _writer(content)
+    other = "" if wrote in (None, _ours()) else f" or was written by fembearing {wrote}, this is {_ours()}"
+    return f"it was changed{other}: run `fembearing validate` again"
+
+
+def _writer(content: dict[str, Any]) -> str | None:
+    """The version that wrote a report; None where it does not say."""
     origin = content.get("provenance")
     versions = origin.get("versions") if isinstance(origin, dict) else None
     wrote = versions.get("fembearing") if isinstance(versions, dict) else None
-    other = f" or was written by fembearing {wrote}, this is {_ours()}" if isinstance(wrote, str) else ""
-    return f"it was changed{'' if wrote == _ours() else other}: run `fembearing validate` again"
+    return wrote if isinstance(wrote, str) else None
 
 
 def _ours() -> str:

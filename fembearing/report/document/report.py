@@ -4,7 +4,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
-from analytic.report_details import PublishedCase, UnitSystem
+from analytic.report_details import UnitSystem
 from fembearing.quantities import SYSTEMS, Units
 from fembearing.report.document.contact import Contact
 from fembearing.report.document.scene import Scene
@@ -22,7 +22,7 @@ from fembearing.report.document.table import (
 from fembearing.report.document.torque import CageAtRest, CageRecord, MovedCage, Sensitivity, Torque, TorqueChange
 from fembearing.report.document.verdicts import PhysicalVerdict, Summary
 
-KIND, FORMAT = "fembearing validation", 3  # what the JSON is; the number rises when a key changes its meaning
+KIND, FORMAT = "fembearing validation", 4  # what the JSON is; the number rises when a key changes its meaning
 Quantity = Literal["approach", "semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "stiffness"]
 FileName = Annotated[str, Field(pattern=r"^\w[\w.-]*$")]  # beside report.json, never elsewhere
 
@@ -35,7 +35,6 @@ class ReportDetails(Table):
     revision: str | None
     date: str | None
     units: UnitSystem
-    published: PublishedCase | None
 
 
 class Comparison(Table):
@@ -75,35 +74,6 @@ class Uncertainties(Table):
     numerical: str
     input: str
     reference: str
-
-
-class Chosen(Table):
-    """An input that the paper does not give, as the scene has it."""
-
-    value: float
-    unit: str
-
-
-class Printed(Table):
-    """A number of the paper with that of the scene."""
-
-    quantity: Annotated[str, Field(pattern="_(torque|force)$")]
-    rms_roughness: float
-    inner_speed: float
-    value: float
-    note: str
-    ours: float
-    deviation: float
-
-
-class Published(Table):
-    """The paper's numbers."""
-
-    paper: str
-    absent: str | None
-    calibration: str | None
-    chosen: dict[str, Chosen]
-    rows: list[Printed]
 
 
 class Method(Table):
@@ -152,12 +122,15 @@ class Cost(Table):
     ladders: list[Ladder]
 
 
-class HardCase(Table):
-    """The outcome of one hard case."""
+class HardRecord(Table):
+    """How the hard cases of this version ended, and when."""
 
-    case: str
-    outcome: Literal["right", "refused", "wrong"]
-    detail: str
+    date: str
+    fembearing: str
+    model_version: int
+    right: int
+    refused: int
+    wrong: int
 
 
 class PictureFile(Table):
@@ -190,7 +163,7 @@ class Report(Table):
     """The check of a scene as a document. Numbers are SI, uncertainties and discrepancies relative."""
 
     kind: Literal["fembearing validation"]
-    format: Literal[3]
+    format: Literal[4]
     verdict: Summary
     physical: Annotated[list[PhysicalVerdict], Field(min_length=1)]
     report: ReportDetails
@@ -203,9 +176,8 @@ class Report(Table):
     cage_motion: list[MovedCage | CageAtRest] | None
     cage_records: list[CageRecord]
     sensitivity: Sensitivity | None
-    published: Published | None  # None: the scene names no published case
     cost: Cost
-    hard: list[HardCase]
+    hard: HardRecord
     warnings: list[str]
     provenance: Provenance
     pictures: Annotated[list[PictureFile], Field(default_factory=list)]

@@ -114,13 +114,13 @@ class Effect(Table):
     name: str
     decision: str
     share: float | None
-    share_is: Literal["part", "bound", "unbounded", "unknown"]
+    share_is: Literal["part", "trial", "bound", "unbounded", "unknown"]
     reason: str
 
     @model_validator(mode="after")
     def a_part_or_a_bound_has_its_share(self) -> "Effect":
         """Refuse an effect without the share that it says it has."""
-        if self.share is None and self.share_is in ("part", "bound"):
+        if self.share is None and self.share_is in ("part", "trial", "bound"):
             raise ValueError("has no share")
         return self
 

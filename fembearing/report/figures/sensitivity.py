@@ -85,14 +85,14 @@ def _caption(sensitivity: Sensitivity, quantity: str, *, still: list[str], less:
     """What is varied, what moves nothing, and what was refused."""
     refused = [f"{each.name}, {reason}" for each in sensitivity.inputs for reason in each.refused]
     caption = (
-        f"One input at a time goes from the scene's value, beside its name, to the low end of its range (blue) and the "
-        f"high end (orange), and the {quantity} is computed again by the production model, "
+        f"One input at a time goes from the scene's value, beside its name, to the low end of its 95 % range (blue) "
+        f"and the high end (orange), and the {quantity} is computed again by the production model, "
         + (
             "with the cage at rest, so that it is not the total where a cage moves. "
             if quantity == NAMES["total_torque"]
             else "by Hertz. "
         )
-        + "Ranges are mostly judgements; report.json has their sources. Inputs were not moved together."
+        + "Spreads are those of an interval; report.json has their sources. Inputs were not moved together."
     )
     if less:
         caption += f" Less than those drawn: {', '.join(less)}."

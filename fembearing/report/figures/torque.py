@@ -5,9 +5,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from fembearing.quantities import QUANTITIES
-from fembearing.report.document.report import Published, Report
+from fembearing.report.document.report import Report
 from fembearing.report.figures.series_axis import SeriesAxis, axis_of
-from fembearing.report.figures.style import BLACK, BLUE, GREEN, GREY, LETTERS, ORANGE, PURPLE, RED, SKY, WIDTH, lettered
+from fembearing.report.figures.style import BLACK, BLUE, GREEN, GREY, LETTERS, ORANGE, PURPLE, SKY, WIDTH, lettered
 
 PARTS = {  # from the bottom, with words for the legend
     "spin": ("spin", BLUE),
@@ -19,7 +19,6 @@ PARTS = {  # from the bottom, with words for the legend
 }
 BAR = 0.6  # width
 HIGH = 3.1  # inches
-PAPER_MARKS = "Dv^<"
 NO_TORQUE = "No torque: the scene gives neither a friction coefficient nor both lubricant and surface."
 
 
@@ -34,7 +33,6 @@ def torque_plot(document: Report) -> tuple[Figure | None, str]:
     panel = figure.subplots()
     draw_parts(panel, axis)
     known = _total(panel, axis)
-    printed = _paper(panel, axis, document.published)
     axis.apply(panel)
     panel.set_ylabel(QUANTITIES["torque"].in_units(document.units).heading)
     panel.set_title(axis.fixed)
@@ -46,7 +44,7 @@ def torque_plot(document: Report) -> tuple[Figure | None, str]:
     caption += f"{'Dashed' if axis.joined else 'Bars'}: its uncertainty, {known}."
     if document.cage_records:
         caption += " The cage is in it with its motion."
-    return lettered(figure), caption + printed
+    return lettered(figure), caption
 
 
 def draw_parts(panel: Axes, axis: SeriesAxis) -> None:
@@ -85,29 +83,3 @@ def _total(panel: Axes, axis: SeriesAxis) -> str:
         "of the model's formulas at 95 %" if model is not None else "",
     ]
     return " and ".join(word for word in words if word) or "not known"
-
-
-def _paper(panel: Axes, axis: SeriesAxis, published: Published | None) -> str:
-    """Draw the paper's totals where the scene has its case; gives a sentence on what they are."""
-    if published is None or axis.over != "inner_speed":
-        return ""
-    rows = [row for row in published.rows if row.quantity == "total_torque"]
-    if not rows:
-        return ""
-    roughness = sorted({row.rms_roughness for row in rows}, reverse=True)
-    for mark, rms in zip(PAPER_MARKS, roughness, strict=False):
-        drawn = [
-            (axis.units.speed.number(row.inner_speed), axis.units.torque.number(row.value))
-            for row in rows
-            if row.rms_roughness == rms
-        ]
-        x, y = np.transpose(drawn)
-        label = f"paper, Sq {axis.units.small_length.written(rms, '.3g')}: total"
-        panel.plot(x, y, mark, color=RED, markerfacecolor="white", markersize=6, label=label, linestyle="none")
-    words = (
-        " Open marks: totals that the paper prints, its cage in motion among them; computed there, not measured, with "
-        "an oil and a hardness that it does not name."
-    )
-    if published.calibration:
-        words += f" This scene is a calibration ({published.calibration}): that it comes near is no agreement."
-    return words

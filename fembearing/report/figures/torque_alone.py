@@ -8,13 +8,13 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from analytic.scene import Array
-from fembearing.compare.torque.scene_torque import SceneTorque
 from fembearing.quantities import METRIC, QUANTITIES, RPM
 from fembearing.report.document.torque import Point
 from fembearing.report.figures.series_axis import SeriesAxis, axis_of
 from fembearing.report.figures.style import BLACK
 from fembearing.report.figures.torque import PARTS, draw_parts
 from fembearing.report.phrases import LOADS, loads_of
+from fembearing.verify.torque.scene_torque import SceneTorque
 
 TORQUE = QUANTITIES["torque"]
 NM = TORQUE.shown.factor

@@ -1,7 +1,6 @@
 """A torque as one small HTML page: table, figure, effects, and what to know of them. It needs no other file."""
 
 from analytic.result import COORDINATES
-from fembearing.compare.torque.scene_torque import SceneTorque
 from fembearing.provenance import provenance_of
 from fembearing.report.figures.page_plots import embedded
 from fembearing.report.figures.torque import PARTS
@@ -18,6 +17,7 @@ from fembearing.report.phrases import (
     worst_of,
 )
 from fembearing.report.torque_table import shown_columns
+from fembearing.verify.torque.scene_torque import SceneTorque
 
 HEADS = {  # of the table, from the left
     "inner_speed": "speed",

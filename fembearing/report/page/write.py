@@ -17,7 +17,6 @@ from fembearing.report.page.sections.appendices import appendices_of, letters_of
 from fembearing.report.page.sections.bearing import details_of
 from fembearing.report.page.sections.cage import cage_section
 from fembearing.report.page.sections.cost import cost_grid
-from fembearing.report.page.sections.hard import hard_grid
 from fembearing.report.page.sections.inputs import effects_grid, inputs_grid
 from fembearing.report.page.sections.meshes import mesh_grid
 from fembearing.report.page.sections.next_steps import next_section
@@ -65,6 +64,5 @@ def page_of(document: Report, folder: Path, *, plots: dict[str, list[ShownPlot]]
         cage_section=cage_section(document),
         mesh_grid=mesh_grid(document),
         cost_grid=cost_grid(document),
-        hard_grid=hard_grid(document),
         next_section=next_section(document),
     )

@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from fembearing.compare.torque.cage_record import CageRecord
 from fembearing.quantities import MILLI, MILLISECOND, RPM
 from fembearing.report.pictures.framing import round_length
+from fembearing.verify.torque.cage_record import CageRecord
 
 SIDE, HEAD, FOOT = 900, 130, 90  # pixels of the cage, and of the words above and below
 AROUND = 2.3  # ball radii beyond the pitch circle that are in the picture, so that an arrow fits

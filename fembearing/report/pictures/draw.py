@@ -19,7 +19,6 @@ from typing import Any, Literal
 from matplotlib.ticker import MaxNLocator
 
 from analytic.writing import write
-from fembearing.compare.contact.discrepancy import ContactSolution
 from fembearing.quantities import MILLI, unit_for
 from fembearing.report.document.build import contact_table
 from fembearing.report.document.view import View
@@ -27,6 +26,7 @@ from fembearing.report.page.view import view_page
 from fembearing.report.phrases import AXES, place_of, shoulder_lines, title_of
 from fembearing.report.pictures.framing import Frame, PressureScale, frame_of
 from fembearing.report.pictures.plain_map import draw_map
+from fembearing.verify.contact.discrepancy import ContactSolution
 
 RENDERER = (sys.executable, "-m", "fembearing.report.pictures.render")
 COLOURS = re.compile(r"\x1b\[[0-9;]*m")  # of a terminal, in what VTK says

@@ -10,9 +10,9 @@ from matplotlib.figure import Figure
 from matplotlib.tri import Triangulation
 
 from analytic.writing import being_written
-from fembearing.compare.contact.discrepancy import ContactSolution
 from fembearing.quantities import MILLI
 from fembearing.report.pictures.framing import Frame, PressureScale
+from fembearing.verify.contact.discrepancy import ContactSolution
 
 DOTS = 100  # per inch
 LEVELS = 60

@@ -5,12 +5,12 @@ from collections.abc import Mapping
 from rich.console import Console
 
 from analytic.words import percent_of
-from fembearing.compare.contact.load_series import LoadSeries
-from fembearing.compare.contact.subsurface import SubsurfaceComparison
 from fembearing.quantities import CONTACT, MICRO, STIFFNESS, STRESSES, TANGENT
 from fembearing.report.document.contact import Contact
 from fembearing.report.phrases import AXES, contact_title, quantities_of, ring_line, shoulder_lines, title_of
 from fembearing.report.terminal.table import table_of
+from fembearing.verify.contact.load_series import LoadSeries
+from fembearing.verify.contact.subsurface import SubsurfaceComparison
 
 COLUMNS = {"quantity": 19, "Hertz": 9, "FE": 9, "Hertz/FE-1": 10, "+-": 6, "order": 5, "verdict": 9}  # characters
 

@@ -3,9 +3,9 @@
 from rich.console import Console
 
 from analytic.words import percent_of
-from fembearing.compare.cost.scene_cost import Cost
 from fembearing.report.phrases import capital, choices_line, short_name, shown
 from fembearing.report.terminal.table import table_of
+from fembearing.verify.cost.scene_cost import Cost
 
 HEADS = ("", "method", "error", "bound", "seconds", "spread", "first", "GiB")
 

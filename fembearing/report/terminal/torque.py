@@ -10,7 +10,6 @@ from rich.padding import Padding
 from analytic.cage.drive import LARGEST_GRIP
 from analytic.result import COLUMNS, COORDINATES, FrictionTorque, PairPart
 from analytic.words import angle_of
-from fembearing.compare.torque.scene_torque import SceneTorque
 from fembearing.quantities import CONTACT, MICRO, NEWTON_MILLIMETRE, QUANTITIES, RPM
 from fembearing.report.phrases import (
     LOADS,
@@ -27,6 +26,7 @@ from fembearing.report.phrases import (
 )
 from fembearing.report.terminal.table import table_of
 from fembearing.report.terminal.verdicts import print_notes, print_numerical, print_physical
+from fembearing.verify.torque.scene_torque import SceneTorque
 
 NM = NEWTON_MILLIMETRE.factor
 RESIDUE = 1e-6  # of the total: a smaller part is what is left of a balance of the balls, not a torque

@@ -1,15 +1,12 @@
 """The check of a scene as tables and lines of text for a terminal or a pipe of 80 characters."""
 
-from collections import Counter
-from collections.abc import Sequence
-
 from rich.console import Console
 
 from analytic.result import COORDINATES
 from analytic.words import angle_of, percent_of
 from fembearing.quantities import CONTACT, NEWTON_MILLIMETRE, RPM
 from fembearing.report.document.contact import Contact
-from fembearing.report.document.report import HardCase, Report
+from fembearing.report.document.report import Report
 from fembearing.report.document.torque import Point, Torque, TorqueChange
 from fembearing.report.phrases import friction_of, interval_at, interval_words, loads_of, percent, present_loads
 from fembearing.report.terminal.contacts import print_contact
@@ -19,7 +16,7 @@ from fembearing.report.terminal.verdicts import print_notes, print_numerical, pr
 
 
 def print_validation(out: Console, document: Report) -> None:
-    """Print the check of a scene: contacts, torque, hard cases, and the verdicts, in the last line in a word each."""
+    """Print the check of a scene: contacts, torque, and the verdicts, in the last line in a word each."""
     for contact in document.contacts:
         verdicts = {name: row.verdict for name, row in document.verdicts_on(contact).items()}
         print_contact(out, contact, verdicts)
@@ -32,8 +29,6 @@ def print_validation(out: Console, document: Report) -> None:
         _print_change(out, document.torque, document.torque_change)
     else:
         out.print("No friction coefficient, lubricant or surface is given, so there is no torque.\n")
-    if document.hard:
-        _print_hard(out, document.hard)
     print_physical(out, document.physical)
     if document.torque is not None:
         print_notes(out, document.torque.notes)
@@ -119,20 +114,3 @@ def _print_change(out: Console, torque: Torque, change: TorqueChange) -> None:
 def _heaviest(point: Point) -> float:
     """The load of the heaviest ball, N."""
     return max(point.contact.inner.load, point.contact.outer.load)
-
-
-def _print_hard(out: Console, outcomes: Sequence[HardCase]) -> None:
-    """Every case with its outcome, and the detail of those that went wrong."""
-    heads = ("hard case", "outcome")
-    table = table_of(heads, title="Hard cases", left=heads)
-    for case in outcomes:
-        table.add_row(case.case, case.outcome)
-    out.print(table)
-    for case in outcomes:
-        if case.outcome == "wrong":
-            out.print(f"{case.case}: {case.detail}", markup=False)
-    count = Counter(case.outcome for case in outcomes)
-    out.print(
-        f"{len(outcomes)} hard cases: {count['right']} right, {count['refused']} refused as they should be, "
-        f"{count['wrong']} wrong\n"
-    )

@@ -1,11 +1,9 @@
 """The correction for finite geometry: its limits, its range, and finite elements outside its fit."""
 
-import sys
 from dataclasses import fields, replace
 from functools import cache
 from importlib import import_module
 from importlib.resources import files
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -26,7 +24,6 @@ from analytic.contact.geometry import race_contact
 from analytic.contact.hertz import hertz_contact, loaded_hertz, unit_hertz
 from analytic.scene import Bearing, Contact, Material
 
-VALIDATION = Path(__file__).resolve().parents[3] / "validation" / "correction"
 NAMES = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")
 SHAPE = ContactShape(
     conformity=0.521,
@@ -41,12 +38,8 @@ SHAPE = ContactShape(
 
 @cache
 def program(name: str) -> Any:
-    """A program of validation/correction, which is not a package."""
-    sys.path.insert(0, str(VALIDATION))
-    try:
-        return import_module(name)
-    finally:
-        sys.path.remove(str(VALIDATION))
+    """A program of validation/correction."""
+    return import_module(f"validation.correction.{name}")
 
 
 def factors(shape: ContactShape) -> dict[str, NDArray[np.float64]]:

@@ -5,16 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from analytic.contact.factors import ContactCorrection
 from analytic.effects.table import COMPUTED
 from analytic.errors import InputError
-from analytic.oil.film import FORMULA_UNCERTAINTY
-from analytic.oil.variation import Variation
 from analytic.scene import Operation, Scene
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.torque import friction_torque
-from analytic.uncertainty import with_model_uncertainty
-from tests.analytic.specimens import present
 
 OILED = """
 name = "light"
@@ -79,12 +74,8 @@ def test_balls_that_a_slight_radial_load_lifts_roll_by_their_own_force() -> None
     )
     assert_within_the_uncertainty(scene)
     found = friction_torque(scene)
-    for name, word in (("load_distribution", "792 % of their mean"), ("centrifugal", "a ball carries no load")):
-        effect = next(effect for effect in found.effects if effect.name == name)
-        assert effect.decision == "on"
-        assert word in effect.reason
-    loose = friction_torque(replace(scene, tolerance=1.0))
-    assert all(loose.is_on(name) for name in ("load_distribution", "centrifugal"))  # whatever the tolerance
+    loose = friction_torque(replace(scene, tolerance=0.5))
+    assert all(each.is_on(name) for each in (found, loose) for name in ("load_distribution", "centrifugal"))
     stiff = friction_torque(replace(scene, effects={"centrifugal": "off", "gyroscopic": "off"}))
     assert np.all(stiff.torque.total < 0.9 * found.torque.total)  # what was once left out
 
@@ -137,15 +128,3 @@ def test_the_method_of_sliding_is_judged_by_what_counts() -> None:
     for tolerance in (0.03, 0.01, 0.003):
         found = friction_torque(replace(scene, tolerance=tolerance))
         assert np.all(found.numerical_uncertainty <= tolerance)
-
-
-def test_factors_stay_where_the_film_is_moved() -> None:
-    scene = under('axial_load = "900 N"')
-    identity = ContactCorrection()
-    found = with_model_uncertainty(scene, friction_torque(scene, correction=identity), correction=identity)
-    moved = [
-        friction_torque(found.settled(scene), correction=identity, variation=Variation(film=by)).torque.total
-        for by in np.exp([-2 * FORMULA_UNCERTAINTY, 2 * FORMULA_UNCERTAINTY])
-    ]
-    expected = np.max(np.abs(np.array(moved) / found.torque.total - 1), axis=0)
-    np.testing.assert_allclose(present(found.model_parts)["film"], expected, rtol=1e-9)  # round-off

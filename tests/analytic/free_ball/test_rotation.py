@@ -9,15 +9,15 @@ from analytic.errors import ConvergenceError
 from analytic.free_ball import kernel, strips
 from analytic.free_ball.rotation import Nodes, _write_nodes, quadratures_of
 from analytic.free_ball.state import QUADRATURE, contact_states
-from analytic.loads.balls import LoadEffects, loaded_balls
 from analytic.loads.kinematics import ball_kinematics
 from analytic.loads.state import ball_states
 from analytic.numerics.records import Record, as_record
-from analytic.oil.traction import CoulombTraction
-from analytic.scene import Array, ContactAngle, Operation
-from analytic.sliding.ball import SlipRule, slip_friction
+from analytic.scene import Array
+from analytic.sliding.judge import OVER_ELLIPSE
+from analytic.solve.model import model_of
+from analytic.solve.solution import points_of, solved
 from analytic.torque import friction_torque
-from tests.analytic.free_ball.specimens import FINE, angular_contact, dry_scene, under_thrust
+from tests.analytic.free_ball.specimens import COUNTED, FINE, angular_contact, dry_scene, under_thrust
 from tests.analytic.specimens import BEARING_6205
 
 DEEP, STEEP = (BEARING_6205, 0.18), (angular_contact(), None)
@@ -67,19 +67,9 @@ def test_marched_creep_against_another_program(
 def test_without_creep_a_slow_ball_balances_its_spin() -> None:
     """The rule `balanced`, each contact without net force, is the limit of low speed: 1e-4 by another program."""
     free = under_thrust(*DEEP, load=1000.0, speed=1e-6, friction=0.1, creep="none")
-    bearing, angle = DEEP
-    at_rest = Operation(axial_load=np.array([1000.0]), inner_speed=np.array([1e-6])).as_series()
-    balls = loaded_balls(bearing, ContactAngle(rule="solved", free=angle), at_rest, LoadEffects())
-    law = CoulombTraction(friction_coefficient=0.1)
-    ruled = slip_friction(
-        balls.races,
-        (law, law),
-        ring_speed=np.array([[1e-6]]),
-        spin_difference=balls.motion.spin_difference,
-        spin_rule="balanced",
-        rule=SlipRule("over_ellipse", (24, 24)),
-    ).torque
-    expected = 9 * float((ruled.spin + ruled.conformity)[0, 0])
+    scene = dry_scene(*DEEP, 0.1, load=np.array([1000.0]), speed=np.array([1e-6]))
+    ruled = model_of(replace(scene, spin_rule="balanced"), COUNTED, method=OVER_ELLIPSE)
+    expected = float(solved(ruled, points_of(scene.operation, 0.0)).points[0]["total"])
     assert free.torque == pytest.approx(expected, rel=1e-3)  # surfaces a thousand times as stiff still creep
 
 

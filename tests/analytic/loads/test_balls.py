@@ -10,8 +10,17 @@ from scipy.optimize import brentq, minimize
 
 from analytic.errors import InputError
 from analytic.loads.balls import LoadedBalls, LoadEffects, loaded_balls, ring_balls
-from analytic.scene import Autocorrelation, Bearing, ContactAngle, Decision, Groove, Material, Operation, Scene
-from analytic.sliding.ball import SlidingMethod
+from analytic.scene import (
+    Autocorrelation,
+    Bearing,
+    ContactAngle,
+    Decision,
+    Groove,
+    Material,
+    Operation,
+    Scene,
+    SlidingMethod,
+)
 from analytic.torque import friction_torque
 from tests.analytic.specimens import FINISH, OIL
 

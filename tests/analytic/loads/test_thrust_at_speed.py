@@ -12,7 +12,7 @@ from analytic.errors import InputError
 from analytic.loads.balls import LoadEffects, thrust_balls
 from analytic.loads.kinematics import ball_kinematics, ruled_motion
 from analytic.loads.numbers import bearing_numbers
-from analytic.loads.race_contacts import contacts_of_ball
+from analytic.loads.race_contacts import contact_under
 from analytic.loads.ring import ring_equilibrium
 from analytic.loads.thrust import ThrustAtSpeed, thrust_at_speed, thrust_equilibrium
 from analytic.loads.thrust_ball import first_contacts, thrust_point
@@ -95,11 +95,14 @@ def test_one_point_in_numbers_gives_the_contacts_of_the_arrays(bearing_6205: Bea
     numbers, row = bearing_numbers(bearing_6205, SOLVED), np.array(correction_fields(correction), dtype=float)
     point = thrust_point(numbers, first_contacts(numbers), 430.0, TurningRule(-910.0, True, False), correction_of(row))
     angles = point.ball.inner_angle, point.ball.outer_angle
-    loads = point.ball.inner_load, point.ball.outer_load
     motion = ruled_motion(numbers, 1.0, *angles)
-    contacts = contacts_of_ball(numbers, angles, loads, (point.inner, point.outer), motion)
-    for race, found in enumerate(contacts):
-        expected = balls.races[race]
+    of_races = (
+        (numbers.inner, point.inner, angles[0], point.ball.inner_load, motion.inner_rolling_rate),
+        (numbers.outer, point.outer, angles[1], point.ball.outer_load, motion.outer_rolling_rate),
+    )
+    entrainments = motion.inner_entrainment, motion.outer_entrainment
+    for race, (of_race, entrainment) in enumerate(zip(of_races, entrainments, strict=True)):
+        found, expected = contact_under(*of_race, entrainment), balls.races[race]
         for name in vars(expected):
             np.testing.assert_allclose(
                 getattr(found, name), np.ravel(getattr(expected, name))[0], rtol=1e-13

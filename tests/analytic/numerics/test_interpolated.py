@@ -63,6 +63,21 @@ def test_far_points_leave_no_larger_gap_than_between_them() -> None:
     assert 0.5 < gap <= apart
 
 
+@pytest.mark.parametrize("slope", [0.0, -0.7])
+def test_far_points_of_a_line_begin_with_its_ends(slope: float) -> None:
+    """One coordinate is constant, or follows the other."""
+    first = far_points(np.stack([PLANE[:, 0], 3 + slope * PLANE[:, 0]], axis=1), 5)[:2]
+    assert set(first) == {PLANE[:, 0].argmin(), PLANE[:, 0].argmax()}
+
+
+@pytest.mark.parametrize("different", [4, 1])
+def test_no_far_point_comes_twice(different: int) -> None:
+    """Two loads at two speeds, over and over, or one point alone."""
+    corners = np.array([[1.2, 3.1], [0.0, 2.0], [0.0, 3.1], [1.2, 2.0]])
+    found = far_points(corners[np.arange(300) % different], 9)
+    assert sorted(found % different) == list(range(different))
+
+
 def test_few_different_points_are_no_sample() -> None:
     """Two loads at two speeds, over and over: an interpolation through points that coincide would be singular."""
     few = np.array([[0.0, 2.0], [0.0, 3.1], [1.2, 2.0], [1.2, 3.1]])[np.arange(POINTS) % 4]

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from analytic.errors import ConvergenceError
-from analytic.numerics.root import SecantSlopes, Sought, bracketed_root
+from analytic.numerics.root import Sought, bracketed_root
 from analytic.scene import Array
 
 WORDS = Sought(problem="the test", unit="of x", remedy="Give a number.")
@@ -29,22 +29,6 @@ def test_roots_whatever_the_slope(factor: float) -> None:
     np.testing.assert_allclose(roots, ROOTS, rtol=1e-12, atol=1e-14)  # some steps beyond both tolerances
     assert all(np.all((x >= -9) & (x <= 9)) for x in calls)
     assert len(calls) < (25 if factor == 1 else 70)  # steps from afar shrink by 2/3; bisection takes 55
-
-
-def test_secants_replace_slopes() -> None:
-    calls = []
-
-    def rising(x: Array) -> Array:
-        calls.append(x)
-        return cubes(x)[0]
-
-    ends = np.full(5, -9.0), np.full(5, 9.0)
-    sloped = SecantSlopes(rising, np.full(5, 40.0))
-    roots = bracketed_root(
-        sloped, start=ROOTS + 0.4, low=ends[0], high=ends[1], relative=1e-13, absolute=1e-15, sought=WORDS
-    )
-    np.testing.assert_allclose(roots, ROOTS, rtol=1e-12, atol=1e-14)
-    assert len(calls) < 25  # the first guess is wrong on purpose; bisection takes 55
 
 
 def test_values_of_zero_end_the_search_and_ends_without_a_change_of_sign_are_reached() -> None:

@@ -1,104 +1,142 @@
-"""One contact of a 6205 as one formula, against the arrays' step by step, and against what its parts are defined by."""
+"""One contact of a 6205 as one formula, against what its parts are defined by."""
 
+from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
 
 from analytic.contact.hertz import unit_hertz
-from analytic.contact.rolling_contact import ContactNumbers
-from analytic.loads.balls import LoadedBalls, LoadEffects, thrust_balls
-from analytic.oil.inlets import inlets_of, oil_supply
-from analytic.oil.lubricated_races import lubricate_races
+from analytic.contact.rolling_contact import ContactNumbers, RollingContact
+from analytic.loads.balls import LoadEffects, thrust_balls
+from analytic.oil.film import film_asymptotes, inlet_heating_factor, minimum_ratio, thermal_loading
+from analytic.oil.inlets import oil_supply
 from analytic.oil.lubrication import LubricatedContact, lubricated_contact, lubrication_of
-from analytic.oil.rolling import houpert_rolling, hydrodynamic_rolling, rolling_torque
-from analytic.oil.traction import mean_force
-from analytic.oil.variation import Variation
+from analytic.oil.mixed import MixedContact, mixed_contact
+from analytic.oil.rolling import (
+    houpert_rolling,
+    hydrodynamic_rolling,
+    inlet_shear_factor,
+    replenishment_factor,
+    rolling_torque,
+)
+from analytic.oil.starvation import starved_at_degree, starved_at_factor
+from analytic.oil.traction import mean_force, mixed_traction
+from analytic.oil.variation import NOMINAL, Variation
 from analytic.oil.viscosity import inlet_viscosity, oil_at, oil_numbers, roelands_viscosity
-from analytic.scene import Bearing, ContactAngle, Lubricant, Operation, Surface
-from analytic.surface.gap import gap_forms
+from analytic.scene import Array, Bearing, ContactAngle, Lubricant, Operation, Surface
+from analytic.surface.gap import GapLaw, gap_forms, gap_law
+from analytic.surface.roughness import gap_roughness
 from tests.analytic.specimens import BEARING_6205, FINISH, OIL
+from tests.contacts import STEEL
 
 WARM = replace(OIL, temperature=331.0)
 ROUGH = replace(FINISH, rms_roughness=0.3e-6, gap="truncated")
 ELASTIC = replace(FINISH, gap="elastic")
-SPEEDS = np.array([0.0, -3.1, 420.0])
+SPEEDS = (0.0, -3.1, 420.0)  # rad/s
 VARIED = Variation(film=0.83, asperity_pressure=1.21, rolling=0.77)
 STILL = LoadEffects(load_distribution=False, centrifugal=False, gyroscopic=False)
+ALL = {"asperities": True, "heats": True, "starves": True}
+BORE, OUTSIDE = 25e-3, 52e-3  # m
 
 
-def loaded(bearing: Bearing) -> LoadedBalls:
+def loaded(race: int, point: int) -> tuple[RollingContact, float]:
+    """One of three loads, and u/w, m."""
     operation = Operation(axial_load=np.array([41.0, 230.0, 1700.0]), inner_speed=np.zeros(3))
-    return thrust_balls(bearing, ContactAngle(rule="solved", free=0.19), operation, STILL)
+    balls = thrust_balls(BEARING_6205, ContactAngle(rule="solved", free=0.19), operation, STILL)
+    fields = {name: float(np.broadcast_to(of, (2, 3, 1))[race, point, 0]) for name, of in vars(balls.contacts).items()}
+    rates = np.broadcast_to(balls.motion.entrainment_speed, (2, 3, 1))
+    return RollingContact(**fields), float(rates[race, point, 0])
 
 
-def contact_numbers(balls: LoadedBalls, race: int, point: int) -> ContactNumbers:
-    fields = np.broadcast_arrays(*balls.contacts.fields[:8], balls.motion.entrainment_speed)
-    return ContactNumbers(*(float(field[race, point, 0]) for field in fields))
+def gap_of(finish: Surface, contact: RollingContact) -> GapLaw | None:
+    return gap_law(finish, gap_roughness(finish), modulus=float(contact.modulus), bodies=(STEEL, STEEL))
 
 
-def alone(
-    bearing: Bearing, balls: LoadedBalls, race: int, point: int, oil: Lubricant, finish: Surface, **changed: Any
+def lubricated(
+    bearing: Bearing, race: int, point: int, oil: Lubricant, finish: Surface, variation: Variation, **counts: bool
 ) -> tuple[ContactNumbers, LubricatedContact]:
-    variation = changed.pop("variation", Variation())
-    counts = {"asperities": True, "heats": True, "starves": True} | changed
-    races = lubricate_races(bearing, balls, lubricant=oil, surface=finish, ring_speed=SPEEDS, variation=variation)
-    (form,), cubics = gap_forms(races.gaps[race])
-    lubrication = lubrication_of(
-        form,
-        oil_supply(bearing, oil),
-        boundary_friction=finish.boundary_friction,
-        variation=variation,
-        **counts,
+    contact, rate = loaded(race, point)
+    (form,), cubics = gap_forms(gap_of(finish, contact))
+    given = {"boundary_friction": finish.boundary_friction, "variation": variation}
+    lubrication = lubrication_of(form, oil_supply(bearing, oil), **given, **counts)  # pyright: ignore[reportArgumentType]
+    numbers = ContactNumbers._make((*contact.fields[:8], rate))
+    unit = unit_hertz(numbers.curvature_rolling, numbers.curvature_transverse, numbers.modulus)
+    peak = 1.5 * float(contact.mean_pressure)
+    return numbers, lubricated_contact(numbers, unit, peak, oil_numbers(oil), lubrication, cubics, SPEEDS[point])
+
+
+def by_parts(
+    race: int, point: int, oil: Lubricant, finish: Surface, variation: Variation, **counts: bool
+) -> tuple[MixedContact, Array, Callable[[float], Array]]:
+    """The mixed contact, the torque by rolling, N m, and the friction, N, at a speed of sliding.
+
+    Film and rolling are what the inlet leaves of flooded isothermal ones.
+    """
+    contact, rate = loaded(race, point)
+    speed, inlet = SPEEDS[point], inlet_viscosity(oil)
+    runs = {"ring_speed": abs(speed), "kinematic_viscosity": inlet.viscosity / oil.density}
+    flow = {"viscosity": inlet.viscosity, "entrainment_speed": speed * rate}
+    thickens = {**flow, "pressure_viscosity": inlet.pressure_viscosity}
+    film = film_asymptotes(contact, **thickens, compressible=oil.compressible)
+    film_left, rolling_left = variation.film, variation.rolling
+    if counts["heats"]:
+        loading = thermal_loading(
+            **flow, viscosity_temperature=inlet.viscosity_temperature, conductivity=oil.thermal_conductivity
+        )
+        peak = 1.5 * contact.mean_pressure
+        film_left = film_left * inlet_heating_factor(
+            peak_pressure=peak, modulus=contact.modulus, thermal_loading=loading, slide_to_roll=0.0
+        )
+        rolling_left = rolling_left * inlet_shear_factor(mean_diameter=(BORE + OUTSIDE) / 2, **runs)
+    if counts["starves"]:
+        flooded = {"film": np.exp(film.log_film(0.0)[0]), "minimum_ratio": minimum_ratio(contact, **thickens)}
+        if oil.starvation_degree is None:
+            rings = {"bore_diameter": BORE, "outside_diameter": OUTSIDE}
+            replenished = replenishment_factor(**rings, **runs, supply=oil.supply)
+            starved = starved_at_factor(contact, rolling_factor=replenished, **flooded)
+        else:
+            starved = starved_at_degree(contact, degree=oil.starvation_degree, **flooded)
+        film_left, rolling_left = film_left * starved.film_factor, rolling_left * starved.rolling_factor
+    gap = gap_of(finish, contact) if counts["asperities"] else None
+    mixed = mixed_contact(contact, film, gap=gap, film_factor=film_left, pressure_factor=variation.asperity_pressure)
+    resistance = (
+        houpert_rolling(contact, **thickens)
+        if variation.rolling_formula == "houpert"
+        else hydrodynamic_rolling(contact, **flow)
     )
-    contact = contact_numbers(balls, race, point)
-    unit = unit_hertz(contact.curvature_rolling, contact.curvature_transverse, contact.modulus)
-    peak = float(balls.contact.peak_pressure[race, point, 0])
-    return contact, lubricated_contact(contact, unit, peak, oil_numbers(oil), lubrication, cubics, SPEEDS[point])
+    torque = rolling_left * rolling_torque(resistance, entrainment_rate=rate)
+    return mixed, torque, mixed_traction(oil, finish.boundary_friction, mixed).force(contact)
 
 
 @pytest.mark.parametrize(
-    ("oil", "finish", "changed"),
+    ("oil", "finish", "variation", "counts"),
     [
-        (WARM, ROUGH, {}),
-        (replace(OIL, starvation_degree=1.2, compressible=True), ELASTIC, {"variation": VARIED}),
-        (replace(OIL, traction="eyring_constant"), ELASTIC, {"heats": False, "starves": False}),
-        (WARM, replace(FINISH, rms_roughness=0.0), {"starves": False}),
-        (WARM, ROUGH, {"asperities": False, "variation": replace(VARIED, rolling_formula="houpert")}),
+        (WARM, ROUGH, NOMINAL, ALL),
+        (replace(OIL, starvation_degree=1.2, compressible=True), ELASTIC, VARIED, ALL),
+        (replace(OIL, traction="eyring_constant"), ELASTIC, NOMINAL, ALL | {"heats": False, "starves": False}),
+        (WARM, replace(FINISH, rms_roughness=0.0), NOMINAL, ALL | {"starves": False}),
+        (WARM, ROUGH, replace(VARIED, rolling_formula="houpert"), ALL | {"asperities": False}),
     ],
 )
-def test_one_contact_is_that_of_the_arrays(oil: Lubricant, finish: Surface, changed: dict[str, Any]) -> None:
-    balls, variation = loaded(BEARING_6205), changed.get("variation", Variation())
-    counts = {"asperities": True, "heats": True, "starves": True} | changed
-    how = {"heats": counts["heats"], "starves": counts["starves"]}
-    races = lubricate_races(BEARING_6205, balls, lubricant=oil, surface=finish, ring_speed=SPEEDS, variation=variation)
-    inlets, entrainment = inlets_of(BEARING_6205, balls, oil, ring_speed=SPEEDS), balls.motion.entrainment_speed
-    mixed = races.mixed(asperities=counts["asperities"], film_factor=inlets.film_factor(**how))
-    flow = {"viscosity": inlet_viscosity(oil).viscosity, "entrainment_speed": SPEEDS[:, None] * entrainment}
-    if variation.rolling_formula == "houpert":
-        resistance = houpert_rolling(balls.contacts, **flow, pressure_viscosity=inlet_viscosity(oil).pressure_viscosity)
-    else:
-        resistance = hydrodynamic_rolling(balls.contacts, **flow)
-    torque = variation.rolling * rolling_torque(resistance, entrainment_rate=entrainment)
-    torque = torque * inlets.rolling_factor(**how)
-    speeds = np.array([0.02, 0.3, 1.7])
-    friction = races.traction(mixed).force(balls.contacts)(speeds[:, None])
+def test_one_contact_is_that_of_its_parts(
+    oil: Lubricant, finish: Surface, variation: Variation, counts: dict[str, bool]
+) -> None:
     for race, point in np.ndindex(2, 3):
-        contact, found = alone(BEARING_6205, balls, race, point, oil, finish, **changed)
+        contact, found = lubricated(BEARING_6205, race, point, oil, finish, variation, **counts)
+        mixed, torque, friction = by_parts(race, point, oil, finish, variation, **counts)
+        close = 1e-12  # round-off of the order of operations
         for name in ("asperity_share", "boundary_share", "film_thickness", "area_fraction", "without_film", "capped"):
-            # round-off of the order of operations
-            np.testing.assert_allclose(getattr(found.mixed, name), getattr(mixed, name)[race, point, 0], rtol=1e-12)
-        np.testing.assert_allclose(found.rolling_torque, torque[race, point, 0], rtol=1e-12)
-        force = mean_force(found.law, contact, float(speeds[point]))
-        np.testing.assert_allclose(force, friction[race, point, 0], rtol=1e-12)
+            np.testing.assert_allclose(getattr(found.mixed, name), getattr(mixed, name), rtol=close)
+        np.testing.assert_allclose(found.rolling_torque, torque, rtol=close)
+        for speed in (0.02, 1.7):
+            np.testing.assert_allclose(mean_force(found.law, contact, speed), friction(speed), rtol=close)
 
 
 def test_rings_of_unknown_diameter_are_flooded() -> None:
     bearing = replace(BEARING_6205, bore_diameter=None, outside_diameter=None)
-    balls = loaded(bearing)
-    _, starved = alone(bearing, balls, 0, 2, WARM, ROUGH)
-    _, flooded = alone(bearing, balls, 0, 2, WARM, ROUGH, starves=False)
+    _, starved = lubricated(bearing, 0, 2, WARM, ROUGH, NOMINAL, **ALL)
+    _, flooded = lubricated(bearing, 0, 2, WARM, ROUGH, NOMINAL, **ALL | {"starves": False})
     assert starved.mixed == flooded.mixed
     assert starved.rolling_torque == flooded.rolling_torque
     assert starved.inlet.starvation.film_factor == 1

@@ -118,7 +118,7 @@ def test_an_input_whose_scene_has_no_torque_moves_no_start(
 
     monkeypatch.setattr(starts, "free_start", refuses)
     keys = [each.key for each in problem.inputs]
-    found = starts.starts_of(lambda score: evaluation._varied(problem.scene, problem.inputs, score), len(keys))
+    found = starts.starts_of(lambda score: evaluation.moved_scene(problem.scene, problem.inputs, score), len(keys))
     assert found is not None
     for key, slope in zip(keys, found.slopes.velocity, strict=True):
         assert np.any(slope) != key.startswith("lubricant"), key

@@ -4,7 +4,6 @@ import pytest
 
 from analytic.inputs import stated_inputs
 from analytic.scenefile.read import load_scene
-from fembearing.compare.torque.published import NOT_GIVEN
 from tests.analytic.scenefile.scene_texts import OILED, refusal, scene
 
 ASSUMED = OILED + '[assumed]\nlubricant.temperature = "a guess"\nsurface.boundary_friction = "a book"\n'
@@ -52,8 +51,9 @@ def test_what_cannot_be_assumed_is_refused_in_one_line(line: str, words: tuple[s
 def test_the_built_in_scene_names_everything_that_the_paper_leaves_open() -> None:
     built_in = load_scene("paper_6205")
     inputs = {each.key: each for each in stated_inputs(built_in)}
-    left_open = {f"{table}.{key}" for table, key, _ in NOT_GIVEN if table != "autocorrelation"}
-    left_open |= {"surface.autocorrelation.length", "friction.hysteresis_loss", "bearing.ball_material"}
+    left_open = {f"lubricant.{key}" for key in ("viscosity", "pressure_viscosity", "eyring_stress")}
+    left_open |= {f"surface.{key}" for key in ("hardness", "boundary_friction", "autocorrelation.length")}
+    left_open |= {"friction.hysteresis_loss", "bearing.ball_material"}
     left_open |= {f"cage.{key}" for key in ("pocket_clearance", "wall_thickness", "friction_coefficient", "start")}
     assert {key for key in left_open if inputs[key].origin.status != "assumed"} == set()
     assert all(each.origin.source for each in inputs.values())

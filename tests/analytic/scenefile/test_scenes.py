@@ -12,7 +12,7 @@ from analytic.contact.hertz import contact_modulus, hertz_contact
 from analytic.scene import Autocorrelation, ContactAngle, Operation
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
-from fembearing.compare.torque.catalogue_models import scene_band
+from fembearing.verify.torque.catalogue_models import scene_band
 from tests.analytic.specimens import present
 
 SCENES = Path(__file__).parents[3] / "validation" / "scenes"
@@ -137,8 +137,11 @@ def test_the_high_speed_scene() -> None:
     np.testing.assert_allclose(axial, 400.0, rtol=0.08)
     assert np.all(np.diff(result.torque.total) > 0)
     assert not any("gyroscopic moment" in warning for warning in result.warnings)
-    still = friction_torque(replace(scene, effects={"centrifugal": "off", "gyroscopic": "off"}))
-    np.testing.assert_allclose(result.torque.total, still.torque.total, rtol=0.25)  # the bound that called for it
+    off = replace(scene, effects={"centrifugal": "off", "gyroscopic": "off"}, tolerance=0.005)
+    still = friction_torque(off)
+    shares = sum(effect.share or 0.0 for effect in still.effects if effect.name in ("centrifugal", "gyroscopic"))
+    # By trial, in which the balls turn by rule.
+    np.testing.assert_allclose(result.torque.total, still.torque.total, rtol=shares)
     assert any("centrifugal is left out and could be" in warning for warning in still.warnings)
     band = scene_band(scene)
     assert np.all((result.torque.race > band.low / 2) & (result.torque.race < band.high))

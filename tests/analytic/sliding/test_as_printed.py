@@ -9,11 +9,13 @@ from numpy.typing import ArrayLike
 
 from analytic.contact.rolling_contact import Pair
 from analytic.errors import InputError
-from analytic.scene import Scene
+from analytic.oil.traction import PointLaw
+from analytic.scene import Scene, SpinRule
 from analytic.scenefile.read import load_scene
-from analytic.sliding.as_printed import as_printed_moments, as_printed_torque
+from analytic.sliding.as_printed import as_printed_moments
 from analytic.sliding.long_ellipse import microslip_moments, microslip_torque
 from analytic.torque import friction_torque
+from tests.analytic.sliding.slips import BallSlip, ball_slip
 from tests.analytic.specimens import present, rolling_contact
 
 MU, Q, B, R = 0.083, 470.0, 1.27e-3, 4.05e-3
@@ -84,7 +86,7 @@ def test_arguments_broadcast_and_nonsense_is_refused() -> None:
         as_printed_moments(friction_force=MU * Q, semi_axis_transverse=B, ball_radius=0.0, spin_to_roll=0.1)
 
 
-FORCES = 0.09 * Q, 0.07 * Q
+FRICTION = 0.09, 0.07
 
 
 def races(radius: float) -> Pair:
@@ -92,26 +94,36 @@ def races(radius: float) -> Pair:
     return inner, replace(inner, semi_axis_transverse=0.85e-3, rolling_rate=1.9)
 
 
+def printed_slip(spin_rule: SpinRule) -> BallSlip:
+    laws = PointLaw(boundary=FRICTION[0]), PointLaw(boundary=FRICTION[1])
+    given = {"ring_speed": 31.0, "spin_difference": 0.17, "spin_rule": spin_rule, "printed_radius": R}
+    return ball_slip(races(R), laws, "single_coefficient", **given)  # pyright: ignore[reportArgumentType]
+
+
 def test_where_both_contacts_spin_a_little_the_torque_is_the_derived_one() -> None:
     """With one radius for ball and contact surface, which is the only difference then; signs included."""
-    derived = microslip_torque(races(R), friction_force=FORCES, spin_difference=0.17, spin_rule="balanced")
-    rates = derived.inner_spin_rate, derived.outer_spin_rate
-    found = as_printed_torque(races(R), friction_force=FORCES, spin_rates=rates, ball_radius=R)
-    for name, expected in vars(derived).items():
-        np.testing.assert_allclose(getattr(found, name), expected, rtol=1e-11, err_msg=name)  # brackets near 1 cancel
+    forces = FRICTION[0] * Q, FRICTION[1] * Q
+    derived = microslip_torque(races(R), friction_force=forces, spin_difference=0.17, spin_rule="balanced")
+    found = printed_slip("balanced")
+    close = 1e-11  # brackets near 1 cancel
+    for race in ("inner", "outer"):
+        slip = getattr(found, race)
+        for name in ("spin_rate", "spin_moment", "rolling_moment"):
+            np.testing.assert_allclose(getattr(slip, name), getattr(derived, f"{race}_{name}"), rtol=close)
+    np.testing.assert_allclose([found.spin, found.conformity], [derived.spin, derived.conformity], rtol=close)
 
 
 def test_with_a_race_in_control_the_other_one_alone_resists() -> None:
     """Equations 10 and 11 with 2 and 3 for the contact without spin; M_z and M_r of the other one as derived."""
-    found = as_printed_torque(races(R), friction_force=FORCES, spin_rates=(0.17, 0.0), ball_radius=R)
+    found = printed_slip("outer_control")
     spin, roll = microslip_moments(
-        friction_force=FORCES[0], semi_axis_transverse=1.02e-3, deformed_radius=R,
+        friction_force=FRICTION[0] * Q, semi_axis_transverse=1.02e-3, deformed_radius=R,
         spin_to_roll=0.17 / 2.9 * R / 1.02e-3,
     )  # fmt: skip
     np.testing.assert_allclose(found.spin, spin * 0.17, rtol=1e-12)  # round-off
     np.testing.assert_allclose(found.conformity, roll * 2.9, rtol=1e-12)
-    np.testing.assert_allclose(found.outer_spin_moment, 0.07 * 470.0 * 0.85e-3**2 / (4 * R), rtol=1e-14)
-    assert found.outer_rolling_moment == 0
+    np.testing.assert_allclose(abs(found.outer.spin_moment), 0.07 * 470.0 * 0.85e-3**2 / (4 * R), rtol=1e-14)
+    assert found.outer.rolling_moment == 0
 
 
 def test_the_scene_loses_the_outer_race(scene: Scene) -> None:

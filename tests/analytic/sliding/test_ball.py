@@ -9,19 +9,18 @@ from hypothesis import given, settings
 from scipy.optimize import brentq
 
 from analytic.contact.rolling_contact import Pair, RollingContact, deformed_radius, elliptic_contact
-from analytic.errors import InputError
 from analytic.loads.kinematics import ball_kinematics
 from analytic.oil.film import film_asymptotes
 from analytic.oil.mixed import mixed_contact
 from analytic.oil.rolling import hysteresis_moment
 from analytic.oil.traction import CoulombTraction, MixedTraction, Traction, mixed_traction
 from analytic.scene import Array, Autocorrelation, SlidingMethod, SpinRule, Surface
-from analytic.sliding.ball import SlipFriction, SlipRule, Tractions, slip_friction
 from analytic.sliding.long_ellipse import microslip_torque
 from analytic.surface.gap import gap_law
 from analytic.surface.roughness import gap_roughness
 from tests import contacts as materials
 from tests.analytic import specimens
+from tests.analytic.sliding.slips import BallSlip, ball_slip
 from tests.analytic.specimens import rolling_contact
 
 METHODS: tuple[SlidingMethod, ...] = ("single_coefficient", "along_axis", "over_ellipse")
@@ -35,19 +34,14 @@ OIL = replace(specimens.OIL, viscosity=0.06, pressure_viscosity=2e-8, eyring_str
 @dataclass(frozen=True)
 class Running:
     contacts: Pair
-    traction: Tractions
+    traction: tuple[Traction, Traction]  # on inner and outer race
     ring_speed: Array
     spin_difference: Array
 
-    def friction(self, method: SlidingMethod, spin_rule: SpinRule = "balanced") -> SlipFriction:
-        return slip_friction(
-            self.contacts,
-            self.traction,
-            ring_speed=self.ring_speed,
-            spin_difference=self.spin_difference,
-            spin_rule=spin_rule,
-            rule=SlipRule(method),
-        )
+    def friction(self, method: SlidingMethod, spin_rule: SpinRule = "balanced") -> BallSlip:
+        laws = self.traction[0].point_law, self.traction[1].point_law
+        given = {"ring_speed": self.ring_speed, "spin_difference": self.spin_difference, "spin_rule": spin_rule}
+        return ball_slip(self.contacts, laws, method, **given)  # pyright: ignore[reportArgumentType]
 
 
 def running(
@@ -95,11 +89,10 @@ def running(
 
 def race_torque(case: Running, method: SlidingMethod, hysteresis_loss: float) -> Array:
     """Slip and hysteresis of all balls, N mm."""
-    slip = case.friction(method).torque
     hysteresis = sum(
         hysteresis_moment(contact, hysteresis_loss=hysteresis_loss) * contact.rolling_rate for contact in case.contacts
     )
-    return 1e3 * BALLS * (slip.spin + slip.conformity + hysteresis)
+    return 1e3 * BALLS * (case.friction(method).torque + hysteresis)
 
 
 RING_SPEEDS = np.array([0.0, 1e-6, 1e-4, 0.01, 0.1, 1.0, 10.471976, 52.359878])  # rad/s; the last two are 100, 500 rpm
@@ -136,13 +129,9 @@ def pair(**changed: object) -> Pair:
     return rolling_contact(**changed), rolling_contact(**(outer | changed))
 
 
-def friction(contacts: Pair, law: Traction, method: SlidingMethod, **changed: object) -> SlipFriction:
-    given = {"ring_speed": 31.0, "spin_difference": 0.179, "spin_rule": "balanced"} | changed
-    return slip_friction(contacts, (law, law), rule=SlipRule(method), **given)  # pyright: ignore[reportArgumentType]
-
-
-def both(found: SlipFriction) -> Array:
-    return np.asarray(found.torque.spin + found.torque.conformity)
+def friction(contacts: Pair, law: Traction, method: SlidingMethod, **changed: object) -> BallSlip:
+    given = {"ring_speed": 31.0, "spin_difference": 0.179} | changed
+    return ball_slip(contacts, (law.point_law, law.point_law), method, **given)  # pyright: ignore[reportArgumentType]
 
 
 @pytest.mark.parametrize("rule", ["balanced", "inner_control", "outer_control"])
@@ -151,17 +140,19 @@ def test_coulomb_friction_is_that_of_the_closed_forms(rule: SpinRule) -> None:
     found = friction(contacts, COULOMB, "single_coefficient", spin_rule=rule)
     forces = 0.083 * np.asarray(contacts[0].load), 0.083 * np.asarray(contacts[1].load)
     expected = microslip_torque(contacts, friction_force=forces, spin_difference=0.179, spin_rule=rule)
-    for name in vars(expected):
-        np.testing.assert_array_equal(getattr(found.torque, name), getattr(expected, name))
-    np.testing.assert_allclose(found.inner_coefficient, 0.083, rtol=1e-15)
+    for race in ("inner", "outer"):
+        for name in ("spin_rate", "spin_moment", "rolling_moment"):
+            closed = getattr(expected, f"{race}_{name}")
+            np.testing.assert_allclose(getattr(getattr(found, race), name), closed, rtol=1e-13)  # round-off
+    np.testing.assert_allclose(found.inner.coefficient, 0.083, rtol=1e-15)
     # The integral over a line gives the same, and a long ellipse tends to it.
     along = friction(contacts, COULOMB, "along_axis", spin_rule=rule)
-    np.testing.assert_allclose(both(along), both(found), rtol=QUADRATURE)
-    np.testing.assert_allclose(along.torque.inner_spin_moment, expected.inner_spin_moment, rtol=QUADRATURE)
-    np.testing.assert_allclose([along.inner_coefficient, along.outer_coefficient], 0.083, rtol=1e-12)
-    np.testing.assert_allclose(along.inner_slip_speed, found.inner_slip_speed, rtol=QUADRATURE)
+    np.testing.assert_allclose(along.torque, found.torque, rtol=QUADRATURE)
+    np.testing.assert_allclose(along.inner.spin_moment, expected.inner_spin_moment, rtol=QUADRATURE)
+    np.testing.assert_allclose([along.inner.coefficient, along.outer.coefficient], 0.083, rtol=1e-12)
+    np.testing.assert_allclose(along.inner.slip_speed, found.inner.slip_speed, rtol=QUADRATURE)
     narrow, long = (friction(pair(semi_axis_rolling=1e-6), COULOMB, each) for each in ("over_ellipse", "along_axis"))
-    np.testing.assert_allclose(both(narrow), both(long), rtol=1e-4)  # as (a/b)^2 ln(b/a)
+    np.testing.assert_allclose(narrow.torque, long.torque, rtol=1e-4)  # as (a/b)^2 ln(b/a)
 
 
 def test_a_constant_stress_in_full_spin_is_a_plain_sum() -> None:
@@ -171,13 +162,13 @@ def test_a_constant_stress_in_full_spin_is_a_plain_sum() -> None:
     )
     fast = {"spin_difference": 1e6, "spin_rule": "outer_control"}
     a, b = 0.12e-3, 1.1e-3
-    along = friction(pair(), dry, "along_axis", **fast).torque.inner_spin_moment
+    along = friction(pair(), dry, "along_axis", **fast).inner.spin_moment
     np.testing.assert_allclose(along, 5e6 * 4 / 3 * a * b**2, rtol=QUADRATURE)
     circle = friction(pair(semi_axis_rolling=b, semi_axis_transverse=b), dry, "over_ellipse", **fast)
-    np.testing.assert_allclose(circle.torque.inner_spin_moment, 5e6 * 2 * np.pi / 3 * b**3, rtol=QUADRATURE)
+    np.testing.assert_allclose(circle.inner.spin_moment, 5e6 * 2 * np.pi / 3 * b**3, rtol=QUADRATURE)
     single = friction(pair(), dry, "single_coefficient", **fast)
-    np.testing.assert_allclose(single.torque.inner_spin_moment, 3 / 8 * 5e6 * np.pi * a * b * b, rtol=1e-12)
-    np.testing.assert_allclose(single.inner_coefficient, 5e6 * np.pi * a * b / 613.0, rtol=1e-12)
+    np.testing.assert_allclose(single.inner.spin_moment, 3 / 8 * 5e6 * np.pi * a * b * b, rtol=1e-12)
+    np.testing.assert_allclose(single.inner.coefficient, 5e6 * np.pi * a * b / 613.0, rtol=1e-12)
 
 
 @pytest.mark.parametrize("traction", ["eyring_constant", "eyring_sinh"])
@@ -188,7 +179,7 @@ def test_the_torque_is_the_power_lost_at_every_point(method: SlidingMethod, trac
     found = case.friction(method)
     r, angle = np.sqrt((np.arange(800) + 0.5) / 800)[:, None], 2 * np.pi * (np.arange(1440) + 0.5) / 1440  # equal areas
     total = 0.0
-    rates = (found.torque.inner_spin_rate, found.torque.outer_spin_rate)
+    rates = (found.inner.spin_rate, found.outer.spin_rate)
     for race, law, spin in zip(case.contacts, case.traction, rates, strict=True):
         a, b = float(race.semi_axis_rolling), float(race.semi_axis_transverse)
         x, y = a * r * np.cos(angle), b * r * np.sin(angle)
@@ -207,14 +198,14 @@ def test_the_torque_is_the_power_lost_at_every_point(method: SlidingMethod, trac
 
         tau, speed = stress(brentq(force, slide.min(), slide.max(), xtol=1e-16))  # pyright: ignore[reportArgumentType]
         total += np.pi * a * b * float(np.mean(tau * speed))
-    np.testing.assert_allclose(both(found), total, rtol=2e-4)  # a thousand cells across, kinks where slide changes sign
+    np.testing.assert_allclose(found.torque, total, rtol=2e-4)  # a thousand cells across, kinks where slide turns
 
 
 @pytest.mark.parametrize("method", METHODS)
 def test_a_balanced_ball_feels_no_spin_moment(method: SlidingMethod) -> None:
-    found = running(rpm=[0.0, 90.0, 500.0], sq=0.3e-6, traction="eyring_sinh").friction(method).torque
-    np.testing.assert_allclose(found.inner_spin_moment, -found.outer_spin_moment, rtol=1e-6)  # 1e-9 of the share
-    np.testing.assert_allclose(found.inner_spin_rate - found.outer_spin_rate, np.sin(0.18), rtol=1e-14)
+    found = running(rpm=[0.0, 90.0, 500.0], sq=0.3e-6, traction="eyring_sinh").friction(method)
+    np.testing.assert_allclose(found.inner.spin_moment, -found.outer.spin_moment, rtol=1e-6)  # 1e-9 of the share
+    np.testing.assert_allclose(found.inner.spin_rate - found.outer.spin_rate, np.sin(0.18), rtol=1e-14)
 
 
 @pytest.mark.parametrize("traction", ["eyring_constant", "eyring_sinh"])
@@ -225,14 +216,14 @@ def test_the_single_coefficient_belongs_to_its_own_speed(traction: str) -> None:
     for race, law, mu, speed in zip(
         case.contacts,
         case.traction,
-        (found.inner_coefficient, found.outer_coefficient),
-        (found.inner_slip_speed, found.outer_slip_speed),
+        (found.inner.coefficient, found.outer.coefficient),
+        (found.inner.slip_speed, found.outer.slip_speed),
         strict=True,
     ):
         np.testing.assert_allclose(mu * race.load, law.force(race)(speed), rtol=1e-12)  # round-off
         power += mu * race.load * speed
     # Torque times w is the power, friction force times mean speed.
-    np.testing.assert_allclose(both(found) * case.ring_speed, power, rtol=1e-12)
+    np.testing.assert_allclose(found.torque * case.ring_speed, power, rtol=1e-12)
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -240,9 +231,9 @@ def test_roughness_and_slowness_raise_friction(method: SlidingMethod) -> None:
     for sq in (0.05e-6, 0.3e-6, 1.2e-6):
         case = running(rpm=[30.0, 130.0, 700.0], sq=sq)
         found = case.friction(method)
-        assert np.all(np.diff(found.inner_coefficient) < 0)
-        assert np.all(np.diff(both(found)) < 0)
-    smoother, rougher = (both(running(rpm=130.0, sq=sq).friction(method)) for sq in (0.3e-6, 1.2e-6))
+        assert np.all(np.diff(found.inner.coefficient) < 0)
+        assert np.all(np.diff(found.torque) < 0)
+    smoother, rougher = (running(rpm=130.0, sq=sq).friction(method).torque for sq in (0.3e-6, 1.2e-6))
     assert rougher > smoother
 
 
@@ -254,29 +245,26 @@ def test_no_jump_where_spin_begins_and_where_it_is_full(method: SlidingMethod, e
     ratio = float(inner.deformed_radius / (inner.rolling_rate * inner.semi_axis_transverse))
     spins = edge / ratio + np.array([0.0, 1.0, 2.0]) * 1e-4
     found = replace(case, spin_difference=spins).friction(method, "outer_control")
-    step = np.diff(both(found))
-    assert np.all(np.abs(step) < 2e-3 * both(found)[:-1])  # 1e-4 of rates near 0.1 to 1
-    assert np.all(np.isfinite(both(found)))
+    step = np.diff(found.torque)
+    assert np.all(np.abs(step) < 2e-3 * found.torque[:-1])  # 1e-4 of rates near 0.1 to 1
+    assert np.all(np.isfinite(found.torque))
     if edge == 0:
-        assert found.torque.inner_spin_moment[0] == 0
-        assert found.torque.spin[0] == 0
+        assert found.inner.spin_moment[0] == 0
+        assert found.spin[0] == 0
 
 
 @pytest.mark.parametrize("method", METHODS)
-def test_standstill_and_direction(method: SlidingMethod) -> None:
+def test_standstill(method: SlidingMethod) -> None:
     """At rest there is only boundary friction, as oil with a stress that follows the speed has none in slow sliding."""
     still = running(rpm=np.array([0.0, 1e-9]), sq=0.3e-6, traction="eyring_sinh")
     found = still.friction(method)
-    np.testing.assert_allclose(found.inner_coefficient[0], 0.12, rtol=1e-12)
-    assert np.all(np.isfinite(both(found)))
-    case = running(rpm=300.0, sq=0.3e-6, traction="eyring_sinh")
-    back = replace(case, ring_speed=-case.ring_speed).friction(method)
-    assert both(back) == both(case.friction(method))
+    np.testing.assert_allclose(found.inner.coefficient[0], 0.12, rtol=1e-12)
+    assert np.all(np.isfinite(found.torque))
 
 
 def test_vanishing_asperities_leave_the_smooth_film() -> None:
     """No step at s -> 0."""
-    smooth, almost = (both(running(rpm=400.0, sq=sq).friction("over_ellipse")) for sq in (1e-10, 8e-9))
+    smooth, almost = (running(rpm=400.0, sq=sq).friction("over_ellipse").torque for sq in (1e-10, 8e-9))
     np.testing.assert_allclose(almost, smooth, rtol=1e-6)
 
 
@@ -293,12 +281,12 @@ def test_without_load_there_is_no_friction(method: SlidingMethod) -> None:
         oil_thickness=90e-9,
     )
     found = friction(pair(**point), law, method)
-    assert both(found)[0] == found.inner_coefficient[0] == found.outer_slip_speed[0] == 0
-    assert both(found)[1] > 0
+    assert found.torque[0] == found.inner.coefficient[0] == found.outer.slip_speed[0] == 0
+    assert found.torque[1] > 0
     inner, outer = pair(**{name: values[1] for name, values in point.items()})
     lifted = replace(inner, load=0.0, semi_axis_rolling=0.0, semi_axis_transverse=0.0)
     # The ball follows the outer race, to the tolerance of the spin's share; the contact can hold 0.1 N mm.
-    assert friction((lifted, outer), law, method).torque.outer_spin_moment == pytest.approx(0, abs=1e-8)
+    assert friction((lifted, outer), law, method).outer.spin_moment == pytest.approx(0, abs=1e-8)
 
 
 @settings(max_examples=25)
@@ -325,12 +313,11 @@ def test_always_a_number(
     size = np.cbrt(10.0**load / 613.0)
     contacts = pair(load=10.0**load, semi_axis_rolling=0.13e-3 * size, semi_axis_transverse=1.04e-3 * size)
     found = friction(contacts, law, method, ring_speed=10.0**speed, spin_difference=10.0**spin)
-    for value in (*vars(found.torque).values(), found.inner_coefficient, found.outer_slip_speed):
-        assert np.isfinite(value)
-    balance = found.torque.inner_spin_moment + found.torque.outer_spin_moment
-    assert abs(balance) <= 1e-5 * abs(found.torque.inner_spin_moment) + 1e-300  # 1e-9 of a share, at up to 1e3 rad/s
-    assert found.torque.spin >= 0
-    assert found.torque.conformity >= -1e-9 * found.torque.spin  # round-off of the sums where spin is full
+    assert np.all(np.isfinite([*found.inner, *found.outer]))
+    balance = found.inner.spin_moment + found.outer.spin_moment
+    assert abs(balance) <= 1e-5 * abs(found.inner.spin_moment) + 1e-300  # 1e-9 of a share, at up to 1e3 rad/s
+    assert found.spin >= 0
+    assert found.conformity >= -1e-9 * found.spin  # round-off of the sums where spin is full
 
 
 @settings(max_examples=5)
@@ -351,25 +338,5 @@ def test_physics_does_not_depend_on_the_units(metre: float, newton: float) -> No
     base = friction(pair(**sizes), law(5e6, 1e-7), "along_axis")
     scaled = {name: value * metre for name, value in sizes.items()} | {"load": 613.0 * newton}
     found = friction(pair(**scaled), law(5e6 * newton / metre**2, 1e-7 * metre), "along_axis")
-    np.testing.assert_allclose(both(found), both(base) * newton * metre, rtol=1e-8)  # tolerance of the balance
-    np.testing.assert_allclose(found.inner_slip_speed, base.inner_slip_speed * metre, rtol=1e-8)
-
-
-def test_shapes_and_nonsense() -> None:
-    contacts = pair(load=np.array([[100.0], [613.0]]))
-    for method in METHODS:
-        found = friction(contacts, COULOMB, method, ring_speed=np.array([3.0, 30.0, 300.0]))
-        assert both(found).shape == found.outer_coefficient.shape == found.inner_slip_speed.shape == (2, 3)
-        assert np.all(np.diff(found.inner_slip_speed, axis=1) > 0)
-    with pytest.raises(InputError, match='method must be "single_coefficient"'):
-        friction(contacts, COULOMB, "free")  # pyright: ignore[reportArgumentType]
-    for method in METHODS:
-        with pytest.raises(InputError, match='spin_rule must be "balanced"'):
-            friction(contacts, COULOMB, method, spin_rule="free")
-    with pytest.raises(InputError, match="ring_speed must be finite"):
-        friction(contacts, COULOMB, "along_axis", ring_speed=np.nan)
-    with pytest.raises(InputError, match="give equal lengths"):
-        friction(pair(load=np.ones(2)), COULOMB, "along_axis", ring_speed=np.ones(3))
-    for method in METHODS:
-        with pytest.raises(InputError, match="rolling_rate must be positive"):
-            friction(pair(rolling_rate=0.0), COULOMB, method)
+    np.testing.assert_allclose(found.torque, base.torque * newton * metre, rtol=1e-8)  # tolerance of the balance
+    np.testing.assert_allclose(found.inner.slip_speed, base.inner.slip_speed * metre, rtol=1e-8)

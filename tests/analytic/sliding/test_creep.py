@@ -8,8 +8,10 @@ import pytest
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.loads.balls import LoadedBalls, LoadEffects, thrust_balls
 from analytic.oil.traction import PointLaw
-from analytic.scene import Bearing, ContactAngle, Operation
-from analytic.sliding.creep import creep_numbers, creep_share, creep_shares
+from analytic.scene import Bearing, ContactAngle, Operation, Scene
+from analytic.sliding.creep import creep_numbers, creep_share
+from analytic.solve.model import model_of
+from analytic.solve.solution import points_of, solved
 
 
 def numbers_of(balls: LoadedBalls, race: int) -> ContactNumbers:
@@ -39,17 +41,29 @@ def test_surfaces_without_friction_do_not_creep(bearing_6205: Bearing) -> None:
     assert creep_share(contact, PointLaw(), 31.0, 0.3) == 0.0
 
 
-def test_the_share_of_creep_is_that_of_its_numbers(bearing_6205: Bearing) -> None:
-    """Of 1/K, infinite from a whole torque on: of the worst contact of each point."""
-    operation = Operation(axial_load=np.array([300.0, 1.0]), inner_speed=np.array([31.0, 31.0])).as_series()
-    balls = thrust_balls(bearing_6205, ContactAngle(rule="given", value=0.6), operation, LoadEffects())
-    friction, shares = 0.02 * balls.load, []
-    for race in range(2):
-        contact = numbers_of(balls, race)
-        rolled, spun = creep_numbers(contact, 0.02 * contact.load, abs(float(balls.motion.spin_difference[0, 0])))
+@pytest.mark.parametrize(("worst", "radii"), [(0, (4.24e-3, 4.07e-3)), (1, (4.11e-3, 4.21e-3))])
+def test_the_share_of_creep_is_that_of_its_numbers(
+    bearing_6205: Bearing, worst: int, radii: tuple[float, float]
+) -> None:
+    """Of 1/K, infinite from a whole torque on; the kernel writes that of the worst contact."""
+    inner, outer = (
+        replace(groove, groove_radius=radius)
+        for groove, radius in zip((bearing_6205.inner, bearing_6205.outer), radii, strict=True)
+    )
+    bearing = replace(bearing_6205, inner=inner, outer=outer)
+    angle = ContactAngle(rule="given", value=0.6)
+    operation = Operation(axial_load=np.array([300.0]), inner_speed=np.array([-31.0]))
+    balls, shares = thrust_balls(bearing, angle, operation, LoadEffects()), []
+    spin = abs(float(balls.motion.spin_difference[0, 0]))
+    for contact in (numbers_of(balls, 0), numbers_of(balls, 1)):
+        rolled, spun = creep_numbers(contact, 0.02 * contact.load, spin)
         shares.append(4.5 / spun + 1.0 / rolled)
-    assert max(shares) < 1
-    np.testing.assert_allclose(creep_shares(balls, friction)[0], max(shares), rtol=1e-12)
-    assert creep_shares(balls, 5e2 * friction)[0] == np.inf
-    still = replace(balls, load=0 * balls.load)
-    np.testing.assert_array_equal(creep_shares(still, friction), 0.0)
+        assert shares[-1] < 1
+        assert creep_share(contact, PointLaw(boundary=0.02), 31.0, spin) == pytest.approx(shares[-1], rel=1e-12)
+        assert creep_share(contact, PointLaw(boundary=7.0), 31.0, spin) == np.inf
+        assert creep_share(contact._replace(load=0.0), PointLaw(boundary=7.0), 31.0, spin) == 0.0
+    scene = Scene(name="creep", bearing=bearing, contact_angle=angle, operation=operation, friction_coefficient=0.02)
+    model = model_of(scene, {"centrifugal": True, "spin": True, "conformity": True})
+    found = solved(model, points_of(operation, 0.0)).points[0]["creep"]
+    assert np.argmax(shares) == worst
+    assert found == pytest.approx(max(shares), rel=1e-9)  # the balls settle to 1e-10

@@ -7,14 +7,14 @@ from matplotlib.collections import PolyCollection
 from matplotlib.container import ErrorbarContainer
 from matplotlib.lines import Line2D
 
-from fembearing.compare.contact.discrepancy import ContactSolution
-from fembearing.compare.validation import Validation
 from fembearing.report.document.build import contact_table, report_of
 from fembearing.report.document.report import Report
 from fembearing.report.figures.approach import approach_plot
 from fembearing.report.figures.convergence import convergence_plot
 from fembearing.report.figures.pressure import pressure_plot
 from fembearing.report.figures.style import BLACK
+from fembearing.verify.contact.discrepancy import ContactSolution
+from fembearing.verify.validation import Validation
 from tests.analytic.specimens import present
 from tests.report.conftest import INNER
 from tests.report.figures.figure_reader import labels_of, line_of, points_of

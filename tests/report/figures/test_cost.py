@@ -10,10 +10,10 @@ import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from fembearing.compare.cost.ladder import Ladder, Method
 from fembearing.report.document.report import Ladder as DocumentLadder
 from fembearing.report.figures.cost import LEAST, MOST, cost_figures, cost_table
 from fembearing.report.phrases import choices_line
+from fembearing.verify.cost.ladder import Ladder, Method
 from tests.analytic.specimens import present
 
 GIB = 2**30

@@ -28,7 +28,6 @@ TORQUES = {  # N mm, at those speeds; the cage was left out
 TOTALS = np.array([40.3, 25.8, 33.2])
 GAP = 0.14e-6  # m
 Document = dict[str, Any]  # keys of a document, which a test may change
-PRINTED = {1e-6: (17.89e-3, 25.09e-3), 0.1e-6: (8.67e-3, 12.9e-3)}  # N m, at 100 and 500 rpm
 
 
 def point(number: int, *, speed: float, load: float = 1000.0, radial: float = 0.0) -> dict[str, Any]:
@@ -55,7 +54,6 @@ def document() -> Document:
     points = [point(number, speed=speed) for number, speed in enumerate(SPEEDS)]
     return {
         "torque": {"points": points, "gap_roughness": GAP},
-        "published": None,
         "cage_records": [],
     }
 
@@ -109,45 +107,13 @@ def test_the_band_holds_both_uncertainties(document: Document) -> None:
     assert "its uncertainty, not known" in found[1]
 
 
-def published(**changes: Any) -> dict[str, Any]:
-    rows = [
-        {"quantity": "total_torque", "rms_roughness": rms, "inner_speed": speed * RPM, "value": value}
-        for rms, values in PRINTED.items()
-        for speed, value in zip((100, 500), values, strict=True)
-    ]
-    other = {"quantity": "race_torque", "rms_roughness": 1e-6, "inner_speed": 100 * RPM, "value": 17e-3}
-    return {
-        "rows": [other, *rows],
-        "absent": None,
-        "calibration": None,
-    } | changes
-
-
-def test_the_papers_totals_stand_beside_and_a_calibration_is_named(document: Document) -> None:
-    document["published"] = published(calibration="viscosity to the race torque")
-    found = torque_plot(as_document(document))
-    for rms, values in PRINTED.items():
-        drawn = points_of(line_of(panel_of(found), f"paper, Sq {1e6 * rms:g} um"))
-        np.testing.assert_allclose(drawn, np.column_stack([[100, 500], 1e3 * np.array(values)]), rtol=1e-12)
-    assert "calibration (viscosity to the race torque)" in found[1]
-    assert "not measured" in found[1]
-    document["published"] = published()
-    assert "calibration" not in torque_plot(as_document(document))[1]
-    document["published"] = None
-    plain = torque_plot(as_document(document))
-    assert "paper" not in plain[1]
-    assert not any("paper" in label for label in labels_of(panel_of(plain)))
-
-
 def test_a_series_of_loads_is_drawn_over_the_load_and_a_mixed_one_point_by_point(document: Document) -> None:
     loads = (900.0, 300.0, 600.0)
     document["torque"]["points"] = [point(number, speed=200.0, load=load) for number, load in enumerate(loads)]
-    document["published"] = published()
     panel = panel_of(torque_plot(as_document(document)))
     total = points_of(line_of(panel, "total"))
     np.testing.assert_allclose(total, [(300, 25.8), (600, 33.2), (900, 40.3)], rtol=1e-12)
     assert panel.get_xlabel() == "axial load, N"
-    assert not any("paper" in label for label in labels_of(panel))  # its values are over speed
     document["torque"]["points"][2]["inner_speed"] = 250 * RPM
     panel = panel_of(torque_plot(as_document(document)))
     assert panel.get_xlabel() == "operating point"

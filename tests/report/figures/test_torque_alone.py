@@ -5,8 +5,8 @@ import pytest
 from matplotlib.patches import Rectangle
 
 from analytic.scenefile.read import parse_scene
-from fembearing.compare.torque.scene_torque import torque_of_scene
 from fembearing.report.figures.torque_alone import figure_of_torque
+from fembearing.verify.torque.scene_torque import torque_of_scene
 from tests.analytic.scenefile.scene_texts import OILED, SPEEDS, changed
 
 

@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from fembearing.compare.contact.ring import RingStructure
-from fembearing.compare.torque.catalogue import BesideCatalogue
-from fembearing.compare.torque.catalogue_models import CatalogueBand
-from fembearing.compare.validation import Validation
+from fembearing.verify.contact.ring import RingStructure
+from fembearing.verify.torque.catalogue import BesideCatalogue
+from fembearing.verify.torque.catalogue_models import CatalogueBand
+from fembearing.verify.validation import Validation
 from tests.analytic.specimens import present
 from tests.report.page.page_writer import written_page
 
@@ -140,7 +140,6 @@ def test_the_next_steps_follow_from_the_verdicts(tables: Tables) -> None:
         'ball on inner race: Hertz fails in semi-axis b: effects.finite_geometry = "on" corrects Hertz, to 0.50% of',
         'ball on inner race: undecided in stiffness: fembearing contact SCENE --pair inner --tolerance "0.25 %"',
         "ball on outer race: outside the validity of Hertz",
-        "fembearing validate SCENE --hard",
         "fembearing cost SCENE",
         "the torque is not validated: measure it",
     ):

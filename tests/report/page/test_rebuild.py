@@ -13,7 +13,6 @@ import pytest
 
 from analytic.errors import InputError, StorageError
 from fembearing import cli
-from fembearing.compare.validation import Validation
 from fembearing.report.document import read as reading
 from fembearing.report.document.build import report_of
 from fembearing.report.document.report import Report
@@ -22,6 +21,7 @@ from fembearing.report.page import write as page_module
 from fembearing.report.page.rebuild import rebuild_page
 from fembearing.report.page.write import page_of
 from fembearing.report.pictures.draw import Picture
+from fembearing.verify.validation import Validation
 from tests.report.page.page_writer import document_of
 
 BROKEN = ("/nowhere/python",)  # draws no picture: maps take their place, in a second
@@ -149,7 +149,7 @@ def put(document: dict[str, Any], place: str | tuple[str, ...], value: object) -
         ("verdicts.3.verdict", "good", ["verdicts.3.verdict = 'good'", "outside validity"]),
         ("tolerance", float("inf"), ["Infinity is no number of JSON"]),
         ("tolerance", float("nan"), ["NaN is no number of JSON"]),
-        ("format", 7, ["format 7", "reads 3"]),
+        ("format", 7, ["format 7", "reads format 4", "is of fembearing 0.1.0"]),
         ("kind", "sweep", ["no report of `fembearing validate`"]),
         ("pictures.0.file", "../secret.png", ["pictures.0.file = '../secret.png' is not written as it must be"]),
         ("pictures.0.pair", "pocket", ["has no contact for the picture"]),
@@ -214,7 +214,7 @@ def test_a_missing_key_is_named_with_both_versions_where_they_differ(document: d
         (b"[1, 2]", "no report of"),
         (b'"text"', "no report of"),
         (b"{}", "no report of"),
-        (b'{"kind": "fembearing validation", "format": 3, "tolerance": 1e999}', "is missing"),
+        (b'{"kind": "fembearing validation", "format": 4, "tolerance": 1e999}', "is missing"),
         (None, "No such file or directory; give the report.json"),
     ],
 )

@@ -7,12 +7,12 @@ from typing import Any
 
 import pytest
 
-from fembearing.compare.contact import scene_contact
-from fembearing.compare.validation import Validation
 from fembearing.mesh.recipe import Recipe
 from fembearing.provenance import MEMORY, ORIGIN, TIMES, VARYING, repeatable
 from fembearing.report.document.build import report_of
 from fembearing.report.folder import validate
+from fembearing.verify.contact import scene_contact
+from fembearing.verify.validation import Validation
 from tests.analytic.scenefile.scene_texts import MINE, scene
 
 pytestmark = pytest.mark.slow  # two checks of a scene

@@ -10,13 +10,13 @@ from typing import Any
 
 import pytest
 
-from fembearing.compare.validation import Validation
 from fembearing.report.document.build import report_of
 from fembearing.report.document.report import Report
 from fembearing.report.page import write as page
 from fembearing.report.page.running_header import css_string
 from fembearing.report.page.sections.points import points_of_summary
 from fembearing.report.page.write import page_of
+from fembearing.verify.validation import Validation
 from tests.report.page.test_page_numbers import Tables
 
 SUMMARY, ALL = "Friction torque by effect, N mm", "Torque at every operating point"

@@ -12,7 +12,6 @@ from matplotlib.transforms import BboxBase
 
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
-from fembearing.compare.torque.cage_record import CageRecord, exceedance, record_cage
 from fembearing.quantities import METRIC
 from fembearing.report.document.report import Report, ReportDetails
 from fembearing.report.document.torque import CageRecord as Motion
@@ -20,6 +19,7 @@ from fembearing.report.figures.cage import cage_plot, orbit_figure
 from fembearing.report.pictures.cage import cage_job, picture_caption, view_of
 from fembearing.report.pictures.draw import RENDERER, rendered
 from fembearing.report.pictures.render_cage import cage_parts
+from fembearing.verify.torque.cage_record import CageRecord, exceedance, record_cage
 from tests.analytic.scenefile.scene_texts import MINE, changed
 from tests.analytic.specimens import present
 from tests.report.figures.figure_reader import as_document, line_of, points_of

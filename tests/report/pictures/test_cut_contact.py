@@ -7,8 +7,8 @@ import matplotlib.image
 import numpy as np
 import pytest
 
-from fembearing.compare.contact.discrepancy import ContactSolution
 from fembearing.report.pictures.draw import RENDERER, draw_pictures
+from fembearing.verify.contact.discrepancy import ContactSolution
 
 BROKEN = (sys.executable, "-c", "raise SystemExit(3)")
 

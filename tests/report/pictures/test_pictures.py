@@ -11,12 +11,12 @@ import pytest
 import pyvista as pv
 from scipy.spatial import cKDTree
 
-from fembearing.compare.contact.discrepancy import ContactSolution
-from fembearing.compare.validation import Validation
 from fembearing.report.pictures import draw as module
 from fembearing.report.pictures.draw import RENDERER, Picture, draw_pictures
 from fembearing.report.pictures.framing import BAR, frame_of
 from fembearing.report.pictures.render_mesh import ROUND, cell_edges, loaded_face, scaled
+from fembearing.verify.contact.discrepancy import ContactSolution
+from fembearing.verify.validation import Validation
 from tests.analytic.specimens import present
 from tests.report.pictures.picture_reader import (
     CORNER,

@@ -17,12 +17,12 @@ import pytest
 import pyvista as pv
 from numpy.typing import NDArray
 
-from fembearing.compare.contact.discrepancy import ContactSolution
-from fembearing.compare.validation import Validation
 from fembearing.report.page.view import script_hash
 from fembearing.report.pictures import draw as module
 from fembearing.report.pictures.draw import RENDERER, Picture, draw_pictures
 from fembearing.report.pictures.render_mesh import cell_edges, loaded_face, mirrored
+from fembearing.verify.contact.discrepancy import ContactSolution
+from fembearing.verify.validation import Validation
 from tests.report.page.page_writer import written_page
 from tests.report.pictures.picture_reader import Pixels, half_sizes, is_red, pixels_of
 

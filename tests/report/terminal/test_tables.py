@@ -10,14 +10,14 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from fembearing.compare.contact.ring import RingStructure
-from fembearing.compare.contact.subsurface import NAMES, SubsurfaceComparison
-from fembearing.compare.torque.catalogue import BesideCatalogue
-from fembearing.compare.torque.catalogue_models import CatalogueBand
-from fembearing.compare.validation import Validation
 from fembearing.report.document.build import report_of
 from fembearing.report.terminal.contacts import print_subsurface
 from fembearing.report.terminal.validation import print_validation
+from fembearing.verify.contact.ring import RingStructure
+from fembearing.verify.contact.subsurface import NAMES, SubsurfaceComparison
+from fembearing.verify.torque.catalogue import BesideCatalogue
+from fembearing.verify.torque.catalogue_models import CatalogueBand
+from fembearing.verify.validation import Validation
 
 NARROW = 80  # columns, of a pipe
 

@@ -13,8 +13,8 @@ from analytic.errors import InputError
 from analytic.result import FrictionTorque
 from analytic.scene import ContactAngle, Operation
 from analytic.torque import friction_torque
-from fembearing.compare.torque.scene_torque import SceneTorque, torque_of_scene
 from fembearing.report.terminal.torque import print_torque
+from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene
 from tests.analytic.cage.specimens import CAGED, with_cage
 from tests.analytic.scenefile.scene_texts import OILED, SPEEDS, changed, scene
 

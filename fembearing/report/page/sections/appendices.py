@@ -34,8 +34,6 @@ PARTS = (
     Part("cage", "Cage", lambda document: document.provenance.scene_content.cage is not None),
     Part("sensitivity", "Sensitivity to inputs", lambda document: document.sensitivity is not None),
     Part("cost", "What accuracy costs"),
-    Part("hard", "Hard cases", lambda document: bool(document.hard)),
-    Part("published", "Published numbers", lambda document: document.published is not None),
     Part("next", "Warnings, and what to run next"),
     Part("provenance", "Provenance"),
 )

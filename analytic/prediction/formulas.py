@@ -1,0 +1,64 @@
+"""What the uncertainty of the model's formulas does to a friction torque."""
+
+from dataclasses import replace
+from types import MappingProxyType
+
+import numpy as np
+
+from analytic.effects.ledger import share_in
+from analytic.oil.film import FILM_FACTORS
+from analytic.oil.variation import COVERAGE, NOMINAL, ROLLING_SPREAD, SURFACE_SPREAD, Variation
+from analytic.prediction.evaluation import parts_of, without_moving_cage
+from analytic.prediction.settled import free_start
+from analytic.result import FrictionTorque, require_numbers
+from analytic.scene import Array, Bearing, Scene, Surface
+
+
+def with_model_uncertainty(scene: Scene, result: FrictionTorque) -> FrictionTorque:
+    """The torque of a scene with the part of its model uncertainty that is known, 95 %.
+
+    result : friction_torque(scene)
+    The kernel computes the torque again, with the same effects and methods, and each change is a part:
+        film: films thicker and thinner by twice the standard uncertainty of their formula, 15 % of ln h
+        gap: the other law of the room between rough surfaces, `elastic` or `truncated`
+        surfaces: asperities that press more and less by twice the spread between surfaces of equal statistics
+        rolling: a resistance to rolling of 0.61 and 1.65 times the formula's, and the formula of [Houpert1987]
+    The largest change counts. The parts are independent, so the root of the sum of their squares is the whole.
+    A cage that moves keeps its torque. The errors of the oil's own properties, of traction and of the inputs come on
+    top, so the true uncertainty is larger.
+    """
+    variations: dict[str, list[tuple[Scene, Variation]]] = {}
+    same = without_moving_cage(scene, result)
+    surface, lubricant = scene.surface, scene.lubricant
+    if surface is not None and result.film.inner is not None:
+        variations["film"] = [(same, Variation(film=factor)) for factor in FILM_FACTORS]
+        if result.is_on("asperities"):
+            variations["gap"] = [(replace(same, surface=_other_gap(surface, scene.bearing)), NOMINAL)]
+            factors = [np.exp(sign * COVERAGE * SURFACE_SPREAD) for sign in (-1, 1)]
+            variations["surfaces"] = [(same, Variation(asperity_pressure=factor)) for factor in factors]
+    if result.torque.rolling is not None and lubricant is not None:
+        factors = [np.exp(sign * COVERAGE * ROLLING_SPREAD) for sign in (-1, 1)]
+        variations["rolling"] = [(same, Variation(rolling=factor)) for factor in factors]
+        if lubricant.pressure_viscosity > 0:
+            variations["rolling"].append((same, Variation(rolling_formula="houpert")))
+    if not variations:
+        return result
+    start = free_start(same)
+    base = parts_of(same, NOMINAL, start).total
+
+    def change(varied: Scene, variation: Variation) -> Array:
+        return share_in(np.abs(parts_of(varied, variation, start).total - base), result.torque.total)
+
+    parts = {name: np.max([change(*each) for each in pairs], axis=0) for name, pairs in variations.items()}
+    whole = np.sqrt(np.sum([part**2 for part in parts.values()], axis=0))
+    return require_numbers(replace(result, model_uncertainty=whole, model_parts=MappingProxyType(parts)))
+
+
+def _other_gap(surface: Surface, bearing: Bearing) -> Surface:
+    """The surface with the other law of the gap; its summits never yield where no hardness is known."""
+    if surface.gap == "truncated":
+        return replace(surface, gap="elastic")
+    bodies = (bearing.ball_material, bearing.inner.material, bearing.outer.material)
+    if surface.hardness is None and any(body.hardness is None for body in bodies):
+        return replace(surface, gap="truncated", asperities="greenwood_williamson")
+    return replace(surface, gap="truncated")

@@ -1,0 +1,49 @@
+"""Approach of ball and race over the load: by Hertz, and by Hertz corrected for finite geometry."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from analytic.scene import Array, Contact
+from fembearing.fem.measure import Quantities
+from fembearing.verify.contact.hertz import corrected_hertz
+
+POINTS = 25
+LEAST, MOST = 0.05, 1.5  # shares of the load that was solved
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ApproachCurve:
+    """Approach over load; NaN outside the range of the correction's fit."""
+
+    load: Array  # (n,) of the ball, N, ascending
+    hertz: Array  # (n,) m
+    corrected: Array  # (n,) m
+    uncertainty: Array  # (n,) of the corrected approach, relative half-width, 95 %
+
+
+def approach_over_load(contact: Contact, *, hertz: Quantities, correctable: bool) -> ApproachCurve:
+    """The curve from 0.05 to 1.5 times the contact's load.
+
+    hertz : the contact under its own load; semi-axes, peak pressure and approach are powers of the load
+    correctable : whether the correction for finite geometry applies to this contact
+    """
+    factor = np.linspace(LEAST, MOST, POINTS)
+    corrected, uncertainty = np.full(POINTS, np.nan), np.full(POINTS, np.nan)
+    for point, times in enumerate(factor if correctable else ()):
+        scaled = Quantities(
+            semi_axis_rolling=hertz.semi_axis_rolling * times ** (1 / 3),
+            semi_axis_transverse=hertz.semi_axis_transverse * times ** (1 / 3),
+            peak_pressure=hertz.peak_pressure * times ** (1 / 3),
+            approach=hertz.approach * times ** (2 / 3),
+            stiffness=hertz.stiffness,
+        )
+        fitted, _ = corrected_hertz(replace(contact, load=contact.load * float(times)), hertz=scaled)
+        if fitted is not None:
+            corrected[point], uncertainty[point] = fitted.quantities.approach, fitted.uncertainty["approach"]
+    return ApproachCurve(
+        load=contact.load * factor,
+        hertz=hertz.approach * factor ** (2 / 3),
+        corrected=corrected,
+        uncertainty=uncertainty,
+    )

@@ -1,0 +1,151 @@
+"""The region that is meshed: a block of finite size, and a quarter whose sides are alike.
+
+What the true contact differs in is computed once, on one level, and corrects every quantity.
+"""
+
+from dataclasses import asdict, dataclass, replace
+
+from fembearing.fem.solution import MeshSolution, solve_on_mesh
+from fembearing.fem.twin import TwinSolution, twin_factors
+from fembearing.mesh.footprint import is_symmetric
+from fembearing.mesh.recipe import Recipe
+from fembearing.verify.contact.grid_convergence import FINEST
+
+# The effect of the far boundary on the pressure falls with this power of the block's size: a block twice as large shows
+# 0.45 to 0.85 of it, over blocks up to eight times as large (validation/correction/far_boundary.py). Half of it stays
+# as uncertainty.
+FADING, UNCERTAIN = 1.6, 0.5
+# The approach has no limit: it changes with the logarithm of the size, in a seat too. It is that of the larger block,
+# about 8 major semi-axes wide. The cells outside leave this share of the change between the blocks open; without twins
+# all cells do.
+UP_TO_LARGER = ("approach", "stiffness")
+LEFT_WITH_TWIN, LEFT_BY_MESHES = 0.25, 0.5
+# Share of what the twins correct in the change between the blocks that stays as uncertainty.
+LEFT_BY_TWIN = 0.1
+# The effect of the true sides, on the second level, differs from that on the third by at most these shares of the
+# largest effect, which is that on the approach, and SIDES_COARSE (b/r)^2: on 26 contacts with shoulders 1.13 to 2
+# semi-axes away.
+SIDES_COARSE = 1e-3
+SIDES_LEFT = {"semi_axis_rolling": 0.15, "semi_axis_transverse": 0.15, "peak_pressure": 0.15, "approach": 0.3}
+STIFFNESS = 1.5  # relative change of load/approach^1.5 over that of the approach
+SIDES_LEFT_IN_OTHERS = STIFFNESS * SIDES_LEFT["approach"]
+# Bound on that effect over (b/r)^2 b/s, where s is the distance of the nearer shoulder; below a tenth of the least
+# uncertainty claimed it is not computed.
+SIDES_BOUND, SIDES_LEAST = 0.1, 0.1 * FINEST
+
+
+@dataclass(frozen=True, kw_only=True)
+class Boundary:
+    """The fields of an `Estimate` that the meshed region sets: its size, and that it is symmetric."""
+
+    beyond: float = 0.0
+    sides: float = 0.0
+    domain: float = 0.0
+
+
+def far_boundary(mesh: MeshSolution, *, recipe: Recipe) -> dict[str, Boundary]:
+    """The remaining effect of a block's far boundary on each quantity.
+
+    It is 0 for half spaces: their far boundary is given the displacement of the half space, exact to the second moments
+    of the pressure. It is 0 for a sheet, which has no such boundary.
+    """
+    if not has_boundary(mesh, recipe=recipe):
+        return dict.fromkeys(measured(mesh), Boundary())
+    return boundary_effect(mesh, _larger(mesh, recipe=recipe))
+
+
+def has_sides(mesh: MeshSolution, *, recipe: Recipe) -> bool:
+    """Whether a quarter stands for a contact whose sides differ, by more than a tenth of the least uncertainty."""
+    if mesh.pair.footprint.half or is_symmetric(mesh.contact) or recipe.geometry != "real":
+        return False
+    transverse = mesh.pair.semi_axes[1]
+    return (
+        SIDES_BOUND * (transverse / mesh.contact.ball_radius) ** 2 * transverse
+        > SIDES_LEAST * mesh.contact.nearer_shoulder
+    )
+
+
+def each_side(mesh: MeshSolution, *, recipe: Recipe) -> list[MeshSolution]:
+    """A quarter with the true side y > 0, and one with the true side y < 0."""
+    return [
+        solve_on_mesh(
+            mesh.contact, recipe=recipe, level=mesh.level, semi_axes=mesh.pair.semi_axes, sides=side, upper=mesh.upper
+        )
+        for side in ("above", "below")
+    ]
+
+
+def with_sides(
+    boundary: dict[str, Boundary], mesh: MeshSolution, above: MeshSolution, below: MeshSolution
+) -> dict[str, Boundary]:
+    """The same with the effect of the true sides, from a quarter with each of them on the cells of `mesh`.
+
+    Shoulders and lands of both sides change the contact by less than 0.3 %, and to first order each by itself: half of
+    the contact gives the mean of the two quarters to 0.0015 % (validation/correction/sides.py).
+    """
+    even, *both = (measured(part) for part in (mesh, above, below))
+    sides = {name: (both[0][name] + both[1][name]) / (2 * value) - 1 if value else 0.0 for name, value in even.items()}
+    largest = max(abs(sides[name]) for name in SIDES_LEFT)
+    coarse = SIDES_COARSE * (mesh.pair.semi_axes[1] / mesh.contact.ball_radius) ** 2
+    left = {name: SIDES_LEFT.get(name, SIDES_LEFT_IN_OTHERS) * largest + coarse for name in boundary}
+    return {name: replace(part, sides=sides[name], domain=part.domain + left[name]) for name, part in boundary.items()}
+
+
+def has_boundary(mesh: MeshSolution, *, recipe: Recipe) -> bool:
+    """Whether the lower body ends in a prescribed displacement that is only approximate."""
+    return recipe.geometry != "hertzian" and mesh.pair.lower.far.size > 0
+
+
+def boundary_effect(mesh: MeshSolution, larger: MeshSolution) -> dict[str, Boundary]:
+    """The effect of the far boundary on each quantity, from a larger block with more cells all round.
+
+    The larger block shows a part of the effect on the pressure; the rest follows from the power with which it falls.
+    The approach is defined as that of the larger block.
+    """
+    return _effects(_changes(measured(mesh), measured(larger)), growth=_growth(mesh, larger), left=LEFT_BY_MESHES)
+
+
+def boundary_effect_with_twin(solution: TwinSolution, *, recipe: Recipe) -> dict[str, Boundary]:
+    """The same with twins of both blocks: the added cells change the error of the mesh."""
+    mesh, larger = solution.mesh, _larger(solution.mesh, recipe=recipe)
+    after = TwinSolution(mesh=larger, factors=twin_factors(larger, recipe=recipe, extended=True)).corrected
+    growth = _growth(mesh, larger)
+    effects = _effects(_changes(solution.corrected, after), growth=growth, left=LEFT_WITH_TWIN)
+    plain = _effects(_changes(measured(mesh), measured(larger)), growth=growth, left=LEFT_WITH_TWIN)
+    return {
+        name: replace(part, domain=part.domain + LEFT_BY_TWIN * abs(part.beyond - plain[name].beyond))
+        for name, part in effects.items()
+    }
+
+
+def _larger(mesh: MeshSolution, *, recipe: Recipe) -> MeshSolution:
+    return solve_on_mesh(
+        mesh.contact, recipe=recipe, level=mesh.level, semi_axes=mesh.pair.semi_axes, extended=True, upper=mesh.upper
+    )
+
+
+def _changes(before: dict[str, float], after: dict[str, float]) -> dict[str, float]:
+    """Relative."""
+    return {name: after[name] / value - 1 if value else 0.0 for name, value in before.items()}
+
+
+def _growth(mesh: MeshSolution, larger: MeshSolution) -> float:
+    """Size of the larger block over that of the other."""
+    size, further = (float(part.pair.lower.mesh.doflocs[0].max()) for part in (mesh, larger))
+    return further / size
+
+
+def _effects(changes: dict[str, float], *, growth: float, left: float) -> dict[str, Boundary]:
+    effects = {}
+    for name, change in changes.items():
+        if name in UP_TO_LARGER:
+            effects[name] = Boundary(beyond=change, domain=left * abs(change))
+        else:
+            whole = change / (1 - growth**-FADING)
+            effects[name] = Boundary(beyond=whole, domain=UNCERTAIN * abs(whole))
+    return effects
+
+
+def measured(mesh: MeshSolution) -> dict[str, float]:
+    """All quantities of a solved mesh, with those at its shoulder."""
+    return asdict(mesh.quantities) | ({} if mesh.shoulder is None else asdict(mesh.shoulder))

@@ -1,0 +1,91 @@
+"""Which contact of a scene is compared, and by which recipe it is meshed."""
+
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from typing import Literal
+
+import numpy as np
+
+from analytic.contact.geometry import RACES, Race, pocket_contact, race_contact
+from analytic.errors import InputError, require_non_negative
+from analytic.loads.balls import LoadedBalls
+from analytic.races import loaded_balls_of
+from analytic.scene import Contact, Pair, Scene
+from analytic.words import NEWTON, NEWTON_MILLIMETRE
+from fembearing.mesh.recipe import Geometry, Recipe, load_recipe
+
+Shape = Geometry | Literal["ring"]  # "ring": the real contact, and separately what the ring adds
+RECIPES: dict[Shape, str] = {"real": "race", "hertzian": "hertzian", "wall": "wall", "ring": "race"}
+POCKET_LOAD = 28.0  # N: the largest ball-cage force that the paper reports
+
+
+def contact_of(scene: Scene, *, pair: Pair, load: float | None = None) -> Contact:
+    """The contact of the heaviest ball at any operating point, or the same contact under `load`, N.
+
+    Raises InputError for the pocket of a scene without a cage.
+    """
+    if pair == "pocket":
+        if scene.cage is None:
+            raise InputError("the scene has no [cage], so there is no pocket: add an empty [cage] for the catalog's")
+        return pocket_contact(scene.bearing, scene.cage, load=POCKET_LOAD if load is None else load)
+    if load is not None:
+        require_non_negative(ball_load=load)
+    with traced_to_load(scene, pair=pair, load=load):
+        contact = heaviest_contact(scene, pair)
+    return contact if load is None else replace(contact, load=load)
+
+
+def heaviest_contact(scene: Scene, race: Race) -> Contact:
+    """The most heavily loaded ball at any operating point, on one race, with its load and contact angle there.
+
+    Raises InputError as balls_of, for a contact beyond its shoulder, and where the shoulders are not known.
+    """
+    balls = balls_of(scene)
+    largest = balls.load.max(axis=0)
+    place = (RACES.index(race), *np.unravel_index(np.argmax(largest), largest.shape))
+    return race_contact(
+        scene.bearing,
+        race,
+        contact_angle=float(balls.contact_angle[place]),
+        ball_load=float(balls.load[place]),
+    )
+
+
+def balls_of(scene: Scene) -> LoadedBalls:
+    """The loaded balls at every operating point, with Hertz's contacts. Raises InputError as friction_torque does."""
+    if scene.arrangement is not None:
+        raise InputError(
+            "[arrangement] has two bearings, and contacts are those of one: leave it out and give the loads of one "
+            "bearing, which `fembearing torque` prints"
+        )
+    return loaded_balls_of(replace(scene, effects={**scene.effects, "finite_geometry": "off"}))
+
+
+@contextmanager
+def traced_to_load(scene: Scene, *, pair: Pair, load: float | None) -> Iterator[None]:
+    """Put the load that the user gave in front of any error that it causes."""
+    try:
+        yield
+    except InputError as problem:
+        if load is None and pair != "pocket":
+            cause = f"operation.axial_load = {scene.operation.axial_load.max():g} N"
+            for name, unit in (("radial_load", NEWTON), ("moment", NEWTON_MILLIMETRE)):
+                largest = np.max(np.abs(getattr(scene.operation, name)))
+                cause += f", operation.{name} = {unit.written(largest, 'g')}" if largest else ""
+        else:
+            cause = f"load = {POCKET_LOAD if load is None else load:g} N"
+        raise InputError(f"{cause}: {problem}") from problem
+
+
+def recipe_of(geometry: Shape, *, pair: Pair) -> Recipe:
+    """The mesh recipe of a geometry. Raises InputError for a sheet in place of a race."""
+    if geometry == "wall" and pair != "pocket":
+        raise InputError(f"geometry 'wall' is that of a pocket; the {pair} race has 'real' and 'hertzian'")
+    return load_recipe(RECIPES[geometry])
+
+
+def as_meshed(contact: Contact, *, recipe: Recipe) -> Contact:
+    """The contact that a recipe meshes: the half spaces of Hertz have no shoulder."""
+    return replace(contact, shoulder=math.inf, far_shoulder=math.inf) if recipe.geometry == "hertzian" else contact

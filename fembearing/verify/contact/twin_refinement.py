@@ -1,0 +1,119 @@
+"""A contact of true shape from two levels or more, each corrected by its twin of half spaces.
+
+What a twin leaves of a mesh's error falls with nearly the same order as the error itself: it is a tenth of the error on
+the first level and of that on the second. The corrected values of the last two levels are therefore extrapolated.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from analytic.scene import Contact
+from fembearing.fem.guess import expected_semi_axes
+from fembearing.fem.twin import TwinSolution, twin_on_level
+from fembearing.mesh.recipe import Recipe
+from fembearing.progress import Progress
+from fembearing.verify.contact.grid_convergence import Estimate, observed_order
+from fembearing.verify.contact.mesh_refinement import COMPARED, FORMAL_ORDERS, Estimates, Reference
+from fembearing.verify.contact.mesh_seconds import about, predicted_seconds
+from fembearing.verify.contact.meshed_region import (
+    STIFFNESS,
+    boundary_effect_with_twin,
+    each_side,
+    has_sides,
+    with_sides,
+)
+
+# Chosen on the calibration contacts of validation/intervals/twin.py, which tests them on others. ORDER: power of the
+# cell size with which the error falls that a twin leaves; that of the transverse semi-axis falls faster.
+ORDER, ORDERS = 3.5, {"semi_axis_transverse": 4.0}
+# In bodies of true shape the error of the approach is that of their twin times 1 + SHAPED (c/r)^2, with the larger
+# semi-axis c and the ball's radius r.
+SHAPED = 0.8
+# The uncertainty: LEAST_WITH_TWIN, CURVED times (c/r)^2 and the largest error that the twin shows, and LEFT times the
+# largest extrapolation of a quantity; UNSTEADY_PRESSURE is added for the peak pressure, which has no steady order.
+LEAST_WITH_TWIN, CURVED, LEFT, UNSTEADY_PRESSURE = 1e-4, 0.6, 0.55, 1e-4
+
+
+def solve_by_twin(
+    contact: Contact,
+    *,
+    recipe: Recipe,
+    accuracy: float,
+    quantities: Sequence[str],
+    undecided: Callable[[Estimates], bool],
+    progress: Progress,
+) -> Reference | None:
+    """Solve `contact` on two levels of `recipe` or more, each with its twin; arguments as those of `solve_reference`.
+
+    The effect of the far boundary comes from the first level, and from the second where that is not certain enough.
+    None where a twin says nothing: the contact is cut off by a shoulder, or far from the ellipse expected.
+    """
+    progress(0.0, f"{contact.pair}: size of the contact")
+    coarse = twin_on_level(
+        contact, recipe=recipe, level=recipe.levels[0], start=expected_semi_axes(contact, geometry="real")
+    )
+    if coarse is None:
+        return None
+    progress(0.1, f"{contact.pair}: far boundary")
+    far, on_first = boundary_effect_with_twin(coarse, recipe=recipe), True
+    solutions, both, estimates = [coarse], (), {}
+
+    def estimated() -> Estimates:
+        boundary = with_sides(far, solutions[1].mesh, *both) if both else far
+        return {name: replace(part, **vars(boundary[name])) for name, part in estimates_with_twin(solutions).items()}
+
+    finer = recipe.levels[1:]
+    for number, level in enumerate(finer):
+        expected = about(predicted_seconds(level, known=solutions[-1].mesh))
+        progress(0.2 + 0.8 * number / len(finer), f"{contact.pair}: level {level}, {expected}")
+        solution = twin_on_level(contact, recipe=recipe, level=level, start=solutions[-1].ellipse)
+        if solution is None:
+            return None
+        if solutions == [coarse] and has_sides(solution.mesh, recipe=recipe):
+            both = each_side(solution.mesh, recipe=recipe)
+        solutions.append(solution)
+        estimates = estimated()
+        if on_first and (any(estimates[name].total > accuracy for name in quantities) or undecided(estimates)):
+            far, on_first = boundary_effect_with_twin(solutions[1], recipe=recipe), False
+            estimates = estimated()
+        accurate = all(
+            estimates[name].mesh <= max(accuracy - estimates[name].domain, estimates[name].domain / 2)
+            for name in quantities
+        )
+        if accurate and not undecided(estimates):
+            break
+    return Reference(
+        meshes=tuple(solution.mesh for solution in solutions), estimates=estimates, shoulder={}, refinement="twin"
+    )
+
+
+def estimates_with_twin(solutions: Sequence[TwinSolution]) -> Estimates:
+    """Each quantity from two levels or more, coarse to fine, without the effect of the far boundary."""
+    before, last = solutions[-2:]
+    shape = (max(last.mesh.pair.semi_axes) / last.mesh.contact.ball_radius) ** 2
+    ratio = last.mesh.level / before.mesh.level
+    limits, steps = {}, []
+    for name in COMPARED:
+        value = last.corrected[name]
+        change = value - before.corrected[name]
+        limits[name] = value + change / (ratio ** ORDERS.get(name, ORDER) - 1)
+        steps.append(abs(change / value) / (ratio**ORDER - 1))
+    limits["approach"] *= 1 + SHAPED * shape * (last.factors.approach - 1)
+    limits["stiffness"] = last.mesh.contact.load / limits["approach"] ** 1.5
+    shown = max(abs(getattr(last.factors, name) - 1) for name in COMPARED)
+    uncertainty = float(LEAST_WITH_TWIN + CURVED * shape * shown + LEFT * max(steps))
+    mesh = dict.fromkeys(FORMAL_ORDERS, uncertainty)
+    mesh["stiffness"] *= STIFFNESS
+    mesh["peak_pressure"] += UNSTEADY_PRESSURE
+    sizes = [1 / solution.mesh.level for solution in solutions]
+    estimates = {}
+    for name in FORMAL_ORDERS:
+        values = tuple(getattr(solution.mesh.quantities, name) for solution in solutions)
+        estimates[name] = Estimate(
+            values=values,
+            order=observed_order(values[-3:], sizes[-3:]) if len(values) > 2 else None,
+            richardson=limits[name],
+            mesh=mesh[name],
+            corrected=tuple(solution.corrected[name] for solution in solutions),
+        )
+    return estimates

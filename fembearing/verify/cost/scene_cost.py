@@ -1,0 +1,88 @@
+"""What accuracy costs in a scene: every method of every ladder, with its error, bound, seconds and memory."""
+
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from analytic.errors import InputError, require_positive
+from analytic.scene import Scene
+from fembearing.mesh.recipe import load_recipe
+from fembearing.progress import Progress, part_of, silent
+from fembearing.provenance import provenance_of
+from fembearing.verify.contact.scene_contact import RECIPES, contact_of
+from fembearing.verify.cost.cage_ladder import cage_methods
+from fembearing.verify.cost.contact_ladder import measured_contact
+from fembearing.verify.cost.formula_ladders import (
+    friction_methods,
+    hertz_methods,
+    load_methods,
+    roughness_methods,
+    turning_methods,
+)
+from fembearing.verify.cost.ladder import Ladder, UntimedLadder, measured
+from fembearing.verify.memory import peak_memory
+
+FORMULA_LADDERS: tuple[tuple[str, Callable[[Scene], UntimedLadder]], ...] = (
+    ("Hertz contact", hertz_methods),
+    ("load of the heaviest ball", load_methods),
+    ("friction torque", friction_methods),
+    ("how balls turn", turning_methods),
+    ("roughness", roughness_methods),
+    ("cage torque", cage_methods),
+)
+FORMULAS = 0.4  # share of the time, only for the progress
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Cost:
+    """The measured ladders of a scene."""
+
+    scene: Scene
+    tolerance: float
+    ladders: tuple[Ladder, ...]
+    seconds: float
+    peak_memory: int | None  # of the process, bytes
+    provenance: Mapping[str, Any]
+
+    def to_json(self) -> dict[str, Any]:
+        """The result as plain types; SI, errors relative."""
+        return {
+            "ladders": [ladder.to_json() for ladder in self.ladders],
+            "tolerance": self.tolerance,
+            "cost": {"seconds": self.seconds, "peak_memory": self.peak_memory},
+            "warnings": list(self.scene.warnings),
+            "provenance": self.provenance,
+        }
+
+
+def measure_cost(scene: Scene, *, tolerance: float | None = None, progress: Progress = silent) -> Cost:
+    """Error and time of every method of a scene's ladders, in one run.
+
+    tolerance : relative, for the choice; the scene's unless given
+    progress : called with the share done, 0 to 1, and the name of the current step
+    A method that cannot solve the scene is shown with the reason, and so is a ladder that the scene does not have.
+    Raises InputError for a scene without a contact.
+    """
+    start = time.perf_counter()
+    tolerance = scene.tolerance if tolerance is None else tolerance
+    require_positive(tolerance=tolerance)
+    contact = contact_of(scene, pair="inner")  # raises for a scene without one
+    ladders = []
+    for number, (quantity, methods) in enumerate(FORMULA_LADDERS):
+        progress(FORMULAS * number / len(FORMULA_LADDERS), quantity)
+        try:
+            ladders.append(measured(methods(scene), tolerance=tolerance))
+        except InputError as reason:
+            ladders.append(Ladder(quantity=quantity, reference="none", methods=(), absent=str(reason)))
+    recipe = load_recipe(RECIPES["real"])
+    rest = part_of(progress, FORMULAS, 1.0)
+    ladders.append(measured_contact(contact, recipe=recipe, tolerance=tolerance, progress=rest))
+    return Cost(
+        scene=scene,
+        tolerance=tolerance,
+        ladders=tuple(ladders),
+        seconds=time.perf_counter() - start,
+        peak_memory=peak_memory(),
+        provenance=provenance_of(scene),
+    )

@@ -1,0 +1,49 @@
+"""What bearing catalogues say of a scene's torque, or why they say nothing: shown with it, never as truth."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from analytic.brief import Brief
+from analytic.errors import InputError
+from analytic.scene import Scene
+from fembearing.plain_types import plain
+from fembearing.verify.torque.catalogue_models import CatalogueBand, bearing_series, scene_band
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class BesideCatalogue(Brief):
+    """The band of the models, or the reason for which there is none."""
+
+    band: CatalogueBand | None  # arrays (n,), N m
+    note: str  # why there is no band, or what to know of it
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain types, SI; low and high are None where there is no band."""
+        band = {"low": None, "high": None, "values": {}} if self.band is None else plain(self.band)
+        return band | {"note": self.note}
+
+
+def beside_catalogue(scene: Scene) -> BesideCatalogue:
+    """The catalogue band of a scene."""
+    if scene.arrangement is not None:
+        return BesideCatalogue(
+            band=None, note="no catalogue band: the catalogues' models are of one bearing, not of a pair"
+        )
+    try:
+        band = scene_band(scene)
+    except InputError as problem:
+        return BesideCatalogue(band=None, note=f"no catalogue band: {problem}")
+    note = (
+        f"catalogue band: {_models(band)} of an open bearing of series {bearing_series(scene.bearing)}, fits with "
+        "constants of their own; it shows an order of magnitude, and is neither truth nor a check"
+    )
+    return BesideCatalogue(band=band, note=note)
+
+
+def _models(band: CatalogueBand) -> str:
+    """Whose models hold at one operating point at least."""
+    if np.all(np.isnan(band.values.get("ISO 15312", np.nan))):
+        return "models of SKF and Palmgren"
+    return "models of SKF, Palmgren and ISO 15312 (under radial load)"

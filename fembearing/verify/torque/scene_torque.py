@@ -1,0 +1,246 @@
+"""The friction torque of a scene, as the command `torque` computes it, with what is shown next to it."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from analytic.brief import Brief, span
+from analytic.errors import FembearingError, InputError
+from analytic.inputs import StatedInput, stated_inputs
+from analytic.labelled import Column, Labelled, dataset_of, frame_of
+from analytic.prediction.formulas import with_model_uncertainty
+from analytic.result import COLUMNS, COORDINATES, POINT, FrictionTorque, require_numbers
+from analytic.scene import Array, Bearing, Scene
+from analytic.torque import friction_torque
+from analytic.verdicts import numerical_check, physical_checks
+from analytic.words import MICROMETRE, NEWTON_MILLIMETRE
+from fembearing.progress import Progress, silent
+from fembearing.verify.torque.catalogue import BesideCatalogue, beside_catalogue
+from fembearing.verify.torque.catalogue_models import CatalogueBand
+from fembearing.verify.torque.left_out import LeftOut, Places, torque_where_it_is
+from fembearing.verify.torque.verdicts import Verdicts
+
+if TYPE_CHECKING:  # with SciPy's statistics, which take half a second to import
+    from analytic.prediction.prediction import Prediction
+
+BESIDE: dict[str, Column] = {  # what stands beside the torque, one number at each operating point
+    "interval_low": Column("N m", "lower end of the 95 % interval of the friction torque"),
+    "interval_high": Column("N m", "upper end of the 95 % interval of the friction torque"),
+    "catalogue_low": Column("N m", "lower end of the catalogue band"),
+    "catalogue_high": Column("N m", "upper end of the catalogue band"),
+}
+Samples = int | Literal["enough"] | None  # of an interval: a number, until its ends are known well enough, or none
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SceneTorque(Brief):
+    """Torque, uncertainties and catalogue band of one scene."""
+
+    scene: Scene
+    friction: FrictionTorque
+    catalogue: BesideCatalogue
+    other_candidate: FrictionTorque | None = (
+        None  # with the balls that the ratings fit nearly as well, if there are any
+    )
+    prediction: "Prediction | None" = None  # the interval; None: not asked for
+    left_out: tuple[LeftOut, ...] = ()  # operating points of the scene that have no torque; warnings say it too
+
+    def __post_init__(self) -> None:
+        """Raises InputError for a number that is not finite, so that no face shows it: terminal, files or page."""
+        require_numbers(self.friction)
+        for name, values in self._beside():
+            if not np.isfinite(values).all():
+                raise InputError(
+                    f"the {BESIDE[name].meaning} comes out as {values[~np.isfinite(values)][0]:g} N m: the numbers of "
+                    "the scene lie beyond what can be computed; give usual ones"
+                )
+
+    def _facts(self) -> Iterator[str]:
+        yield self.scene.name
+        yield f"{span(self.friction.torque.total, NEWTON_MILLIMETRE.factor)} {NEWTON_MILLIMETRE.name}"
+        yield f"+- {span(self.friction.numerical_uncertainty, 100.0)} %, tolerance {100 * self.scene.tolerance:g} %"
+
+    @property
+    def inputs(self) -> tuple[StatedInput, ...]:
+        """Where the inputs come from."""
+        return stated_inputs(self.scene)
+
+    @cached_property
+    def verdicts(self) -> Verdicts:
+        """Whether it is solved within the tolerance, and the bearing within its physical limits."""
+        numbers = self.places.computed
+        return Verdicts(
+            numerical=numerical_check(self.friction, tolerance=self.scene.tolerance),
+            physical=[replace(each, point=numbers[each.point]) for each in physical_checks(self.friction)],
+        )
+
+    @property
+    def places(self) -> Places:
+        """The operating points of the scene as it was given, with those that have no torque."""
+        return Places(size=self.friction.inner_speed.size + len(self.left_out), left_out=self.left_out)
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What else to know of the torque, a sentence each: film ratio, catalogue band, other balls. None is judged."""
+        return tuple(self._notes())
+
+    def _notes(self) -> Iterator[str]:
+        films, roughness = self.friction.film, self.friction.gap_roughness
+        if roughness is not None and films.inner is not None and films.outer is not None:
+            ratios = [f"{_span(film / roughness, '.2g')} on the {race}" for race, film in vars(films).items()]
+            yield (
+                f"Film ratio lambda, the film over the rms roughness of ball and race together, "
+                f"{MICROMETRE.written(roughness, '.3g')}: {' and '.join(ratios)} race, of the heaviest ball."
+            )
+        band, total = self.catalogue.band, self.friction.torque.total
+        if band is not None:
+            yield f"The torque is {_place(total, band)}."
+        other, given = self.scene.bearing.other_candidate, self.scene.bearing
+        if other is not None and self.other_candidate is not None:
+            first, second = total, self.other_candidate.torque.total
+            yield (
+                f"The ratings of {given.name} fit {_balls(other)} nearly as well as {_balls(given)}: with them the "
+                f"torque is {_span(second * 1e3, '.4g')} N mm, not {_span(first * 1e3, '.4g')} N mm "
+                f"({_span(100 * (second / first - 1), '+.2g')} %)."
+            )
+
+    def columns(self) -> dict[str, Labelled]:
+        """Every number that stands at each operating point, SI: the points, and what is computed and known there.
+
+        NaN at the points that have no torque.
+        """
+        given = {name: (getattr(self.friction, name), column) for name, column in COORDINATES.items()}
+        computed = {name: (values, COLUMNS[name]) for name, values in self.friction.columns().items()}
+        beside = {name: (values, BESIDE[name]) for name, values in self._beside()}
+        every = given | computed | beside
+        whole = self.places.columns({name: values for name, (values, _) in every.items()})
+        return {name: Labelled((POINT,), whole[name], column) for name, (_, column) in every.items()}
+
+    def _beside(self) -> Iterator[tuple[str, Array]]:
+        interval = None if self.prediction is None else self.prediction.total
+        for name, group in (("interval", interval), ("catalogue", self.catalogue.band)):
+            if group is not None:
+                yield from ((f"{name}_{end}", getattr(group, end)) for end in ("low", "high"))
+
+    def to_dataset(self) -> Any:
+        """An xarray.Dataset over the operating points, SI, with units and meanings as attributes."""
+        columns = self.columns()
+        coordinates = {name: columns.pop(name) for name in COORDINATES}
+        return dataset_of(columns, coordinates=coordinates, attributes=self.friction.attributes())
+
+    def to_dataframe(self) -> Any:
+        """A pandas.DataFrame of `to_dataset`: a row for each operating point, SI."""
+        return frame_of(self.to_dataset(), POINT)
+
+    def to_json(self) -> dict[str, Any]:
+        """The torque as plain types, SI, with the catalogue band, None where there is none.
+
+        Numbers at the points that have no torque are None; `left_out` says why.
+        """
+        places, computed = self.places, self.friction.to_json()
+        prediction = None if self.prediction is None else self.prediction.to_json()
+        for rows in (computed, computed["pair"], prediction):
+            if rows is not None:
+                rows["points"] = places.rows(rows["points"])
+        return computed | {
+            "tolerance": self.scene.tolerance,
+            "catalogue_band": self._catalogue_to_json(),
+            "verdicts": self.verdicts.to_json(),
+            "notes": list(self.notes),
+            "inputs": [_input_to_json(each) for each in self.inputs],
+            "other_candidate": self._other_to_json(),
+            "prediction": prediction,
+            "left_out": places.to_json(),
+        }
+
+    def _catalogue_to_json(self) -> dict[str, Any]:
+        """The catalogue band at every point."""
+        band = self.catalogue.to_json()
+        if self.catalogue.band is None:
+            return band
+        rows = self.places.rows
+        values = {name: rows(each) for name, each in band["values"].items()}
+        return band | {"low": rows(band["low"]), "high": rows(band["high"]), "values": values}
+
+    def _other_to_json(self) -> dict[str, Any] | None:
+        """Balls and total of the other candidate."""
+        other = self.scene.bearing.other_candidate
+        if other is None or self.other_candidate is None:
+            return None
+        balls = {"ball_count": other.ball_count, "ball_diameter": other.ball_diameter}
+        return balls | {"total": self.places.rows(self.other_candidate.torque.total.tolist())}
+
+
+def _input_to_json(given: StatedInput) -> dict[str, Any]:
+    return {"key": given.key, "value": given.value, "unit": given.unit} | vars(given.origin)
+
+
+def _balls(bearing: Bearing) -> str:
+    return f"{bearing.ball_count} balls of {bearing.ball_diameter * 1e3:.4g} mm"
+
+
+def _place(total: Array, band: CatalogueBand) -> str:
+    """Where the torque lies by the catalogue band, in words."""
+    places = {"below": total < band.low, "above": total > band.high}
+    outside = {side: np.count_nonzero(points) for side, points in places.items() if points.any()}
+    if not outside:
+        return "within the catalogue band"
+    if total.size == 1:
+        return f"{next(iter(outside))} the catalogue band"
+    where = " and ".join(f"{side} it at {count}" for side, count in outside.items())
+    return f"outside the catalogue band: {where} of {total.size} operating points"
+
+
+def _span(values: Array, form: str) -> str:
+    """The values at every operating point, in words."""
+    low, high = (format(float(end), form) for end in (np.min(values), np.max(values)))
+    return low if low == high else f"{low} to {high}"
+
+
+def torque_of_scene(
+    scene: Scene, *, samples: Samples = None, keep_going: bool = False, progress: Progress = silent
+) -> SceneTorque:
+    """The torque of a scene.
+
+    samples : of its 95 % interval, or "enough"; None: no interval
+    keep_going : leave out the operating points that have no torque, and say why
+    progress : called with the share of the samples done
+    Raises InputError as friction_torque, and with samples as predict; with keep_going where no point has a torque.
+    """
+    left_out: tuple[LeftOut, ...] = ()
+    if keep_going:
+        size = scene.operation.as_series().inner_speed.size
+        scene, friction, left_out = torque_where_it_is(scene)
+        reasons = (f"operating point {each.point + 1} of {size} is left out: {each.reason}" for each in left_out)
+        friction = replace(friction, warnings=(*friction.warnings, *reasons))
+    else:
+        friction = with_model_uncertainty(scene, friction_torque(scene))
+    other, friction = _with_other_balls(scene, friction)
+    prediction = None
+    if samples is not None:
+        from analytic.prediction.prediction import predict
+
+        prediction = predict(scene, samples=None if samples == "enough" else samples, progress=progress)
+    return SceneTorque(
+        scene=scene,
+        friction=friction,
+        catalogue=beside_catalogue(scene),
+        other_candidate=other,
+        prediction=prediction,
+        left_out=left_out,
+    )
+
+
+def _with_other_balls(scene: Scene, friction: FrictionTorque) -> tuple[FrictionTorque | None, FrictionTorque]:
+    """The torque of the other candidate, if there is one; where it has none, a warning says why."""
+    bearing = scene.bearing.other_candidate
+    if bearing is None:
+        return None, friction
+    try:
+        return friction_torque(replace(scene, bearing=bearing)), friction
+    except FembearingError as problem:
+        warning = f"with {_balls(bearing)}, which the ratings fit nearly as well, there is no torque: {problem}"
+        return None, replace(friction, warnings=(*friction.warnings, warning))

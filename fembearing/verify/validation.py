@@ -1,0 +1,210 @@
+"""The main job: every contact of a scene, formula against finite elements, and its friction torque."""
+
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from analytic.brief import Brief
+from analytic.errors import InputError
+from analytic.labelled import Column, Labelled, dataset_of, frame_of
+from analytic.result import FrictionTorque
+from analytic.scene import Pair, Scene
+from analytic.scenefile.by_name import Given, with_tolerance
+from analytic.verdicts import pressure_check
+from fembearing.mesh.recipe import Geometry
+from fembearing.progress import Progress, part_of, silent
+from fembearing.provenance import provenance_of
+from fembearing.verify.contact.columns import COLUMNS, VERDICT
+from fembearing.verify.contact.discrepancy import ContactSolution, solve_contact, with_ring
+from fembearing.verify.contact.scene_contact import contact_of
+from fembearing.verify.contact.verdict import Verdict, worst
+from fembearing.verify.cost.contact_ladder import contact_ladder_of
+from fembearing.verify.cost.formula_ladders import SEED
+from fembearing.verify.cost.ladder import Ladder
+from fembearing.verify.cost.scene_cost import measure_cost
+from fembearing.verify.hard_record import HardRecord, last_run
+from fembearing.verify.memory import peak_memory
+from fembearing.verify.torque.cage_record import CageRecord, record_cage
+from fembearing.verify.torque.change import TorqueChange, change_of_torque
+from fembearing.verify.torque.scene_torque import Samples, SceneTorque, torque_of_scene
+from fembearing.verify.torque.sensitivity import Sensitivity, sensitivity_of
+from fembearing.verify.torque.verdicts import Overall, Verdicts
+
+# Contacts with the seconds that they took on one machine, for the progress alone.
+RACES: tuple[tuple[Pair, Geometry, float], ...] = (("inner", "real", 5.0), ("outer", "real", 4.0))
+POCKET: tuple[tuple[Pair, Geometry, float], ...] = (("pocket", "real", 11.0), ("pocket", "wall", 10.0))  # seat, sheet
+COST_SECONDS = 45.0
+ENOUGH = 0.2  # uncertainty that a reference must reach, as a share of the tolerance that it is to judge
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Validation(Brief):
+    """A scene that was checked. The first two contacts are the inner and the outer race; a pocket is seat and sheet."""
+
+    scene: Scene  # with the tolerance of the check
+    contacts: tuple[ContactSolution, ...]
+    torque: SceneTorque | None  # that of the command `torque`; None where the scene gives no friction
+    torque_change: TorqueChange | None  # what finite-element contacts change; likewise
+    hard: HardRecord  # of the hard cases of this version
+    ladders: tuple[Ladder, ...]  # all of the scene's where they were measured, else the methods that the check ran
+    measured: bool  # whether every ladder was measured, with repeats
+    seconds: float  # wall time of all
+    peak_memory: int | None  # of the process, bytes
+    provenance: Mapping[str, Any]  # versions, machine, date and scene, by name
+    sensitivity: Sensitivity | None = None  # None: not computed
+    cage_records: tuple[CageRecord, ...] = ()  # of the slowest and the fastest point whose cage moved
+    trouble: tuple[str, ...] = ()  # met while the report was written
+
+    def _facts(self) -> Iterator[str]:
+        yield from (self.scene.name, f"{len(self.contacts)} contacts", self.verdict)
+        yield f"tolerance {self.tolerance:g}, {self.seconds:.3g} s"
+
+    @property
+    def tolerance(self) -> float:
+        """Relative."""
+        return self.scene.tolerance
+
+    @property
+    def comparison(self) -> Verdict:
+        """The worst of all quantities that are judged."""
+        return worst(verdict for contact in self.contacts if contact.judged for verdict in contact.verdicts.values())
+
+    @property
+    def verdicts(self) -> Verdicts:
+        """Comparison, numerical and physical; without a torque the physical ones are peak pressures of contacts."""
+        if self.torque is not None:
+            return replace(self.torque.verdicts, comparison=self.comparison)
+        races = (contact for contact in self.contacts if contact.contact.pair != "pocket")
+        physical = tuple(pressure_check(race.contact.pair, race.hertz.peak_pressure) for race in races)
+        return Verdicts(numerical=None, physical=physical, comparison=self.comparison)
+
+    @property
+    def verdict(self) -> Overall:
+        """ "pass" where comparison, numerical accuracy and physical limits all hold; "fail" where the first or the last
+        fails; else "undecided"."""
+        return self.verdicts.overall
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Those of the scene, of all contacts, of the torque and of the report, each once."""
+        contacts = (warning for contact in self.contacts for warning in contact.warnings)
+        torque = () if self.torque is None else self.torque.friction.warnings
+        fitted = () if self.torque_change is None else self.torque_change.fitting_warnings
+        return tuple(dict.fromkeys([*contacts, *torque, *fitted, *self.trouble]))
+
+    def to_dataset(self) -> Any:
+        """The contacts as an xarray.Dataset over `contact`, SI, with units and meanings; `torque` has its own."""
+        rows = [contact.columns() for contact in self.contacts]
+        words = {
+            "pair": ("body that the ball presses", [contact.contact.pair for contact in self.contacts]),
+            "geometry": ("shape of the meshes", [contact.geometry for contact in self.contacts]),
+            VERDICT: ("on uncorrected Hertz", [contact.shown_verdict for contact in self.contacts]),
+        }
+        return dataset_of(
+            {name: Labelled(("contact",), [row[name] for row in rows], each) for name, each in COLUMNS.items()},
+            coordinates={
+                name: Labelled(("contact",), values, Column("", meaning)) for name, (meaning, values) in words.items()
+            },
+            attributes={"scene": self.scene.name, "tolerance": self.tolerance, VERDICT: self.verdict},
+        )
+
+    def to_dataframe(self) -> Any:
+        """A pandas.DataFrame of `to_dataset`: a row for each contact, SI."""
+        return frame_of(self.to_dataset(), "contact")
+
+
+def check_scene(
+    scene: Scene,
+    *,
+    tolerance: Given | None = None,
+    cost: bool = False,
+    samples: Samples = None,
+    progress: Progress = silent,
+) -> Validation:
+    """Check each race contact of a scene, and where it has a cage the pocket, in a thick seat and in its sheet.
+
+    tolerance : relative; the scene's unless given
+    cost : measure every method of every ladder too
+    samples : of the 95 % interval of the torque, or "enough"; None: no interval
+    progress : called with the share done, 0 to 1, and a word on the step at hand
+    Raises InputError for a scene that cannot be solved, ConvergenceError for a contact that does not settle.
+    """
+    start = time.perf_counter()
+    if tolerance is not None:
+        scene = with_tolerance(scene, tolerance)
+    jobs = RACES if scene.cage is None else RACES + POCKET
+    torque = None
+    if scene.has_friction or "on" in scene.effects.values():
+        # Refuses what it cannot model before anything is solved.
+        torque = torque_of_scene(scene, samples=samples, progress=lambda _share, step: progress(0.0, step))
+    for pair, *_ in jobs:
+        contact_of(scene, pair=pair)  # and so do the contacts
+    shares = np.cumsum([0.0, *(seconds for *_, seconds in jobs)])
+    shares = shares / (shares[-1] + COST_SECONDS * cost)
+    contacts, rings = [], []
+    with ThreadPoolExecutor(1) as beside:  # each ring is computed while the next contact is solved
+        for (pair, geometry, _), (begin, end) in zip(jobs, pairwise(shares), strict=True):
+            contacts.append(
+                solve_contact(
+                    scene,
+                    pair=pair,
+                    geometry=geometry,
+                    tolerance=scene.tolerance,
+                    accuracy=ENOUGH * scene.tolerance,
+                    progress=part_of(progress, begin, end),
+                )
+            )
+            if len(contacts) <= len(RACES):
+                rings.append(beside.submit(_with_ring_if_known, contacts[-1]))
+    inner, outer = (ring.result() for ring in rings)
+    friction = None if torque is None else torque.friction
+    return Validation(
+        scene=scene,
+        contacts=(inner, outer, *contacts[2:]),
+        torque=torque,
+        torque_change=None if friction is None else change_of_torque(scene, friction, inner=inner, outer=outer),
+        hard=last_run(),
+        ladders=measure_cost(scene, tolerance=scene.tolerance, progress=part_of(progress, shares[-1], 1.0)).ladders
+        if cost
+        else tuple(contact_ladder_of(contact) for contact in contacts if contact.judged),
+        measured=cost,
+        sensitivity=sensitivity_of(scene),
+        cage_records=() if friction is None else _recorded(scene, friction),
+        seconds=time.perf_counter() - start,
+        peak_memory=peak_memory(),
+        provenance=provenance_of(scene, seeds=_seeds(scene, torque, cost=cost)),
+    )
+
+
+def _seeds(scene: Scene, torque: SceneTorque | None, *, cost: bool) -> dict[str, Sequence[int]]:
+    """The seeds of all that is random in a check."""
+    cage, surface, friction = scene.cage, scene.surface, None if torque is None else torque.friction
+    seeds: dict[str, Sequence[int]] = {}
+    if cage is not None and friction is not None and friction.cage is not None and any(friction.cage.motion):
+        seeds["motion of the cage"] = range(cage.seeds)
+    if torque is not None and torque.prediction is not None:
+        seeds["samples of the interval"] = (torque.prediction.seed,)
+    if cost and surface is not None and surface.autocorrelation is not None:
+        seeds["generated surface"] = (SEED,)
+    return seeds
+
+
+def _recorded(scene: Scene, friction: FrictionTorque) -> tuple[CageRecord, ...]:
+    """The motion at the slowest and the fastest point whose cage moved; the torque holds its statistics alone."""
+    moved = [] if friction.cage is None else [point for point, motion in enumerate(friction.cage.motion) if motion]
+    by_speed = sorted(moved, key=lambda point: abs(friction.inner_speed[point]))
+    records = (record_cage(scene, friction, point) for point in dict.fromkeys(by_speed[:1] + by_speed[-1:]))
+    return tuple(record for record in records if record is not None)
+
+
+def _with_ring_if_known(contact: ContactSolution) -> ContactSolution:
+    """A race with its ring's structure, or with a warning why it has none: no contact fails for it."""
+    try:
+        return with_ring(contact)
+    except InputError as problem:
+        return replace(contact, warnings=(*contact.warnings, str(problem)))

@@ -1,0 +1,110 @@
+"""What the uncertainty of the formulas does to the torque."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from analytic.oil.film import FORMULA_UNCERTAINTY
+from analytic.oil.variation import Variation
+from analytic.prediction.formulas import with_model_uncertainty
+from analytic.scenefile.read import load_scene
+from analytic.torque import friction_torque
+from tests.analytic.specimens import present
+
+SCENES = Path(__file__).parents[3] / "validation" / "scenes"
+
+
+def test_without_a_film_nothing_is_known() -> None:
+    scene = load_scene("6205-dry")
+    found = friction_torque(scene)
+    assert with_model_uncertainty(scene, found).model_uncertainty is None
+    assert found.to_json()["points"][0]["uncertainty"]["model"] is None
+
+
+def test_films_moved_by_twice_the_standard_uncertainty_count() -> None:
+    """A thinner film leaves asperities more of the load, a thicker one less; the larger change counts."""
+    scene = load_scene(SCENES / "6205_paper_calibrated.toml")
+    found = with_model_uncertainty(scene, friction_torque(scene))
+    thin, thick = (
+        friction_torque(scene, variation=Variation(film=np.exp(2 * sign * FORMULA_UNCERTAINTY))) for sign in (-1, 1)
+    )
+    more, less = (moved.torque.total / found.torque.total - 1 for moved in (thin, thick))
+    assert np.all((more > 0) & (less < 0))
+    parts, whole = present(found.model_parts), present(found.model_uncertainty)
+    np.testing.assert_allclose(parts["film"], np.maximum(more, -less), rtol=1e-12)
+    assert set(parts) == {"film", "gap", "surfaces"}  # rolling is left out there
+    np.testing.assert_allclose(whole**2, sum(part**2 for part in parts.values()), rtol=1e-12)
+    told = found.to_json()["points"][2]["uncertainty"]
+    assert told["model"] == whole[2]
+    assert told["model_parts"] == {name: part[2] for name, part in parts.items()}
+
+
+def test_the_other_parts_are_the_changes_by_other_formulas() -> None:
+    """Each is computed here by hand, at a speed where the two formulas of rolling differ little."""
+    scene = load_scene(SCENES / "6205_physical.toml")
+    plain = friction_torque(scene)
+    parts, same = present(with_model_uncertainty(scene, plain).model_parts), plain.settled(scene)
+    total = plain.torque.total
+    truncated = replace(same, surface=replace(present(scene.surface), gap="truncated"))
+    # Free balls differ by the solver error: those of a variation start next to where they settle.
+    np.testing.assert_allclose(parts["gap"], np.abs(friction_torque(truncated).torque.total / total - 1), rtol=0.01)
+    assert np.all(parts["gap"] > 0.1)  # the laws differ by up to 2.5 times in the share
+    pressed = friction_torque(same, variation=Variation(asperity_pressure=np.exp(-0.16))).torque.total
+    np.testing.assert_allclose(parts["surfaces"], np.abs(pressed / total - 1), rtol=0.2)  # or by exp(0.16), alike
+    assert np.all(parts["surfaces"] > 1e-3)
+    rolling = present(plain.torque.rolling)
+    # The factor hardly moves the balls, and all torques have the same quadrature: known to 1e-4 of the change.
+    np.testing.assert_allclose(parts["rolling"], np.expm1(0.5) * rolling / total, rtol=1e-3)
+    houpert = friction_torque(same, variation=Variation(rolling_formula="houpert")).torque
+    assert np.all(np.abs(present(houpert.rolling) / rolling - 1) > 0.01)
+
+
+def test_oil_that_pressure_does_not_thicken_has_one_formula_of_rolling() -> None:
+    """Houpert's takes the pressure-viscosity coefficient as a factor: at 0 it has no resistance."""
+    scene = load_scene(SCENES / "6205_physical.toml")
+    thin = replace(
+        scene, lubricant=replace(present(scene.lubricant), pressure_viscosity=0.0, traction="eyring_constant")
+    )
+    plain = friction_torque(thin)
+    parts = present(with_model_uncertainty(thin, plain).model_parts)
+    share = present(plain.torque.rolling) / plain.torque.total
+    np.testing.assert_allclose(parts["rolling"], np.expm1(0.5) * share, rtol=1e-3)  # as above
+
+
+def test_without_a_hardness_the_other_gap_has_summits_that_never_yield() -> None:
+    """The elastic gap needs no hardness, so its uncertainty must not ask for one."""
+    scene = load_scene(SCENES / "6205_physical.toml")
+    soft = replace(scene.bearing.ball_material, hardness=None)
+    rings = {name: replace(getattr(scene.bearing, name), material=soft) for name in ("inner", "outer")}
+    unknown = replace(
+        scene,
+        bearing=replace(scene.bearing, ball_material=soft, **rings),
+        surface=replace(present(scene.surface), hardness=None),
+    )
+    found = with_model_uncertainty(unknown, plain := friction_torque(unknown))
+    law = replace(present(unknown.surface), gap="truncated", asperities="greenwood_williamson")
+    other = friction_torque(replace(plain.settled(unknown), surface=law)).torque.total
+    np.testing.assert_allclose(present(found.model_parts)["gap"], np.abs(other / plain.torque.total - 1), rtol=0.01)
+
+
+def test_smooth_oil_of_constant_stress_does_not_care() -> None:
+    scene = load_scene(SCENES / "6205_paper_calibrated.toml")
+    assert scene.surface is not None
+    smooth = replace(scene, surface=replace(scene.surface, rms_roughness=0.0))
+    plain = friction_torque(smooth)
+    parts = present(with_model_uncertainty(smooth, plain).model_parts)
+    # But for the molecules of a film: of the load e^-h meets 0.035, and of the stress's share as much is lost.
+    thin = np.exp(-2 * FORMULA_UNCERTAINTY) * np.minimum(present(plain.film.inner), present(plain.film.outer)) / 1e-9
+    assert np.all(parts["film"] <= 20 * np.exp(-thin))
+    assert parts["film"][-1] < 1e-9
+
+
+def test_the_same_effects_are_taken_again() -> None:
+    """At a tolerance where asperities are left out they stay out, though a thinner film would call for them."""
+    scene = replace(load_scene(SCENES / "6205_physical.toml"), tolerance=0.5)
+    found = friction_torque(scene)
+    out = {effect.name for effect in found.effects if effect.decision == "off"}
+    again = friction_torque(found.settled(replace(scene, tolerance=1e-4)), variation=Variation(film=0.7))
+    assert {effect.name for effect in again.effects if effect.decision == "off"} == out
+    assert again.sliding == found.sliding

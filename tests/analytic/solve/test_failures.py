@@ -1,0 +1,116 @@
+"""A point without a torque ends in one line that names its numbers and says what to change."""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from analytic.errors import FembearingError, InputError
+from analytic.function import torque_function
+from analytic.scene import Bearing, ContactAngle, Operation, Scene
+from analytic.solve import failures, records
+from analytic.solve.model import Model, model_of
+from analytic.solve.solution import Solution, points_of, solved
+from analytic.torque import friction_torque
+from tests.analytic.specimens import thrust
+from tests.analytic.test_thrust_bearing import scene_of
+
+SOLVED, GIVEN = ContactAngle(rule="solved", free=0.26), ContactAngle(rule="given", value=0.31)
+GOOD = {"axial_load": 830.0, "radial_load": 0.0, "moment": 0.0, "inner_speed": 47.0}
+NEVER_SOLVED = {  # statuses that no scene of these tests has
+    records.NO_SHARED_LOAD,
+    records.NO_MENISCUS,
+    records.NO_SPIN_BALANCE,
+    records.NO_CREEP_SPEED,
+}
+
+
+@pytest.fixture(scope="module")
+def scene(bearing_6205: Bearing) -> Scene:
+    return Scene(
+        name="failing",
+        tolerance=0.03,
+        bearing=bearing_6205,
+        contact_angle=SOLVED,
+        operation=thrust(830.0),
+        friction_coefficient=0.07,
+        spin_rule="balanced",
+    )
+
+
+def under(scene: Scene, *points: dict[str, float]) -> Scene:
+    loads = {name: np.array([point.get(name, good) for point in points]) for name, good in GOOD.items()}
+    return replace(scene, operation=Operation(**loads))
+
+
+CASES: list[tuple[dict[str, Any], dict[str, float], str]] = [
+    ({}, {"axial_load": 0.0, "inner_speed": 0.0}, r"operation\.axial_load = 0 N: without thrust .*; give a load"),
+    ({}, {"axial_load": 0.0}, r"operation\.axial_load = 0 N: without thrust nothing presses the balls; give a load"),
+    (
+        {"effects": {"load_distribution": "off"}},
+        {"axial_load": 0.0, "radial_load": 70.0},
+        "act without thrust, and are the whole load: leave effects.load_distribution on auto",
+    ),
+    (
+        {"contact_angle": GIVEN},
+        {"radial_load": 660.0},
+        r"up to 25\.5 % of what thrust does, and .* use \"solved\"",  # 660 tan(0.31)/830
+    ),
+    ({"contact_angle": GIVEN}, {"axial_load": 0.0, "radial_load": 70.0}, 'use "solved"'),
+    (
+        {},
+        {"axial_load": 2e-3, "inner_speed": 2300.0},
+        r"inner_speed = 21963 rpm: the centrifugal force of a ball is .* under 0\.002 N of thrust, above 1000",
+    ),
+    ({}, {"axial_load": 7.7e6}, r"axial_load = 7\.7e\+06 N: the contact moves to .* shoulder: lower the load"),
+    ({}, {"moment": 1900.0}, r"axial_load = 830 N, operation\.moment = 1\.9e\+06 N mm: .* shoulder: lower the load"),
+    (
+        {"spin_rule": "free", "sliding": "free_ball", "friction_coefficient": 1e-9},
+        {"inner_speed": 1900.0},
+        r"the rotation of ball 0 under .* did not settle .* Raise the load or lower the speed",
+    ),
+]
+
+
+@pytest.mark.parametrize(("changed", "bad", "words"), CASES)
+def test_a_point_without_a_torque_is_told_in_one_line(
+    scene: Scene, changed: dict[str, Any], bad: dict[str, float], words: str
+) -> None:
+    """In a series of few points and of many, and in a call of the function."""
+    asked, slight = replace(scene, **changed), {"radial_load": 1e-3}  # a series of thrust alone asks for thrust
+    for count in (3, 30):
+        others = [{"axial_load": 620.0 + 17 * i, "inner_speed": 47.0 + 0.7 * i, **slight} for i in range(count)]
+        others[count // 2] = bad
+        with pytest.raises(FembearingError, match=words) as caught:
+            friction_torque(under(asked, *others))
+        assert "\n" not in str(caught.value)
+    if not changed:
+        with pytest.raises(FembearingError):
+            torque_function(under(asked, GOOD))(**{**GOOD, **bad})
+
+
+def test_a_thrust_bearing_names_its_speed() -> None:
+    loads = thrust(900.0, 5.0, 700.0, speed=[30.0, 300.0, 41.0])
+    with pytest.raises(InputError, match=r"= 2864\.\d+ rpm: .* under 5 N of thrust, above 0\.1, and drives it out"):
+        friction_torque(replace(scene_of(loads, friction_coefficient=0.1)))
+
+
+@pytest.mark.parametrize("status", range(records.SETTLED + 1, records.NO_CAGE_DRIVE))
+def test_every_status_has_its_words(scene: Scene, status: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """NO_CAGE_DRIVE is no end of a series: there the cage is computed beside the kernel."""
+    model = model_of(scene, {"spin": True})
+    points = points_of(scene.operation, temperature=0.0)
+
+    def forged(model: Model, points: np.ndarray, **options: Any) -> Solution:
+        found = solved(model, points, **options)
+        found.points["status"] = status
+        return found
+
+    monkeypatch.setattr(failures, "solved", forged)
+    with pytest.raises(FembearingError) as caught:
+        failures.require_settled(scene, model, points, forged(model, points))
+    assert "\n" not in str(caught.value)
+    assert len(str(caught.value)) > 40
+    if status in NEVER_SOLVED:
+        assert "did not settle" in str(caught.value)

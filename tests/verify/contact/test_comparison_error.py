@@ -1,0 +1,23 @@
+"""The comparison error E against u_val."""
+
+import pytest
+
+from fembearing.verify.contact.comparison_error import Comparison, comparison_of
+from fembearing.verify.contact.grid_convergence import Estimate
+
+
+@pytest.mark.parametrize(("error", "resolved"), [(-6.9, False), (7.0, False), (-7.1, True), (12.5, True)])
+def test_an_error_is_resolved_beyond_the_root_of_the_sum_of_squares(error: float, resolved: bool) -> None:
+    comparison = Comparison(error=error, numerical=2.0, input=3.0, reference=6.0)  # 4 + 9 + 36 = 49
+    assert comparison.total == 7.0
+    document = comparison.to_json()
+    assert [document[name] for name in ("error", "numerical", "input", "reference")] == [error, 2.0, 3.0, 6.0]
+    assert (document["total"], document["resolved"]) == (7.0, resolved)
+
+
+def test_the_uncertainty_of_the_datum_is_that_of_meshes_and_far_boundary() -> None:
+    part = Estimate(values=(7e-6, 6.5e-6), order=None, richardson=6.4e-6, mesh=0.008, beyond=0.25, domain=0.012)
+    comparison = comparison_of(7.5e-6, part)  # the value is 6.4 um and a quarter more
+    assert comparison.error == pytest.approx(-0.5e-6, rel=1e-9)  # a difference of near values
+    assert comparison.total == comparison.reference == pytest.approx(0.02 * 8e-6, rel=1e-12)  # round-off
+    assert (comparison.numerical, comparison.input) == (0.0, 0.0)

@@ -1,0 +1,243 @@
+"""The stiffness law of a series: against Hertz where Hertz is exact, and against single solves on the true groove."""
+
+import json
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from analytic.errors import InputError
+from analytic.scene import Contact
+from analytic.scenefile.read import load_scene
+from fembearing.mesh.recipe import Geometry, Recipe, load_recipe
+from fembearing.progress import silent
+from fembearing.verify.contact.discrepancy import ContactSolution, solve_contact
+from fembearing.verify.contact.grid_convergence import CAUTIOUS, LEAST
+from fembearing.verify.contact.hertz import hertz_quantities
+from fembearing.verify.contact.load_series import LoadSeries, compare_series, solve_load_series
+from fembearing.verify.contact.power_law import StiffnessLaw
+from fembearing.verify.contact.reference import solve_reference
+from tests.analytic.specimens import present
+
+LOADS = np.geomspace(11.0, 980.0, 13)  # a factor of 89: three meshes
+
+
+def exponent_uncertainty(law: StiffnessLaw | None) -> float:
+    """The uncertainty of a law that has one."""
+    assert law is not None
+    return present(law.exponent_uncertainty)
+
+
+@pytest.fixture(scope="module")
+def ideal(contacts: dict[str, Contact]) -> LoadSeries:
+    return compare_series(contacts["outer"], recipe=load_recipe("hertzian"), loads=LOADS, tolerance=0.05)
+
+
+@pytest.fixture(scope="module")
+def real(contacts: dict[str, Contact]) -> LoadSeries:
+    return compare_series(contacts["outer"], recipe=load_recipe("race"), loads=LOADS, tolerance=0.05)
+
+
+def test_the_idealisation_has_the_law_of_hertz(ideal: LoadSeries) -> None:
+    law = present(ideal.law)
+    assert abs(law.exponent - 1.5) < exponent_uncertainty(law) < 0.005  # 0.005: a third of the true groove's departure
+    middle = (ideal.points[6].hertz_approach, ideal.points[6].load)
+    # K is extrapolated to an approach of 1 m: the law is compared where the loads are. 0.2 %: half of OFF_MESH and more
+    np.testing.assert_allclose(law.load(middle[0]), middle[1], rtol=2e-3)
+    stiffness = law.stiffness * middle[0] ** (law.exponent - 1.5)
+    np.testing.assert_allclose(stiffness, ideal.hertz_stiffness, rtol=2e-3)
+
+
+def test_the_idealisation_is_hertz_within_its_uncertainties(ideal: LoadSeries) -> None:
+    for point in ideal.points:
+        assert abs(point.discrepancy) < point.approach.total < 0.005  # OFF_MESH and a little more
+        assert abs(present(point.tangent) / point.hertz_tangent - 1) < present(point.tangent_uncertainty) < 0.02
+    assert ideal.verdict == "pass"
+    assert ideal.meshes == 3
+
+
+def test_the_tangent_of_hertz_is_the_slope_of_his_loads(ideal: LoadSeries) -> None:
+    """By a central difference over a thousandth of the load."""
+    point = ideal.points[4]
+    above, below = (
+        hertz_quantities(replace(ideal.contact, load=point.load * factor)).approach for factor in (1.001, 0.999)
+    )
+    np.testing.assert_allclose(point.hertz_tangent, 0.002 * point.load / (above - below), rtol=1e-6)  # second order
+
+
+@pytest.mark.slow
+def test_the_groove_stiffens_as_in_single_solves(real: LoadSeries, contacts: dict[str, Contact]) -> None:
+    """From two contacts on their own meshes, at the ends of the series."""
+    singles = []
+    for load in (LOADS[0], LOADS[-1]):
+        contact = replace(contacts["outer"], load=float(load))
+        singles.append(solve_reference(contact, recipe=load_recipe("race"), accuracy=0.9, progress=silent))
+    low, high = (single.estimates["approach"] for single in singles)
+    span = np.log(LOADS[-1] / LOADS[0])
+    exponent = span / np.log(high.value / low.value)
+    law = present(real.law)
+    assert exponent > 1.5
+    assert law.exponent - 1.5 > exponent_uncertainty(law)
+    uncertain = exponent**2 * (low.total + high.total) / span
+    assert abs(law.exponent - exponent) < exponent_uncertainty(law) + uncertain
+    for point, single in ((real.points[0], low), (real.points[-1], high)):
+        assert abs(point.approach.value / single.value - 1) < point.approach.total + single.total
+
+
+@pytest.mark.slow
+def test_tangents_integrate_to_the_loads(real: LoadSeries, ideal: LoadSeries) -> None:
+    """Over the approach, from the first load to the last."""
+    for series in (real, ideal):
+        approach = np.array([point.approach.value for point in series.points])
+        tangent = np.array([point.tangent for point in series.points], dtype=float)
+        exponent = tangent * approach / LOADS  # d ln F / d ln delta
+        # 0.1 %: the ends are off by at most 0.4 % of an approach, over a range of e^4.5 in load
+        np.testing.assert_allclose(np.trapezoid(exponent, np.log(approach)), np.log(LOADS[-1] / LOADS[0]), rtol=1e-3)
+
+
+def test_json_holds_plain_numbers(ideal: LoadSeries) -> None:
+    document = json.loads(json.dumps(ideal.to_json(), allow_nan=False))
+    assert document["cost"]["peak_memory"] == ideal.peak_memory  # of the solve, not of the writing
+    assert [part["load"] for part in document["loads"]] == LOADS.tolist()
+    assert document["loads"][3]["approach"]["fe"] == ideal.points[3].approach.value
+    assert document["loads"][3]["tangent"]["hertz"] == ideal.points[3].hertz_tangent
+    assert ideal.law is not None
+    assert document["law"]["exponent"] == ideal.law.exponent
+    assert document["law"]["stiffness_uncertainty"] == ideal.law.stiffness_uncertainty
+    assert document["hertz_law"] == {"stiffness": ideal.hertz_stiffness, "exponent": 1.5}
+
+
+@pytest.mark.slow
+def test_a_series_is_refined_to_the_required_accuracy(contacts: dict[str, Contact]) -> None:
+    """On shared meshes approaches are 0.3 % uncertain; on their own meshes a tenth of that or less."""
+    recipe, loads = load_recipe("hertzian"), [650.0, 140.0, 650.0, 290.0]
+    rough = compare_series(contacts["inner"], recipe=recipe, loads=loads, tolerance=0.05)
+    fine = compare_series(contacts["inner"], recipe=recipe, loads=loads, tolerance=0.001)
+    assert [point.load for point in fine.points] == loads
+    assert max(point.approach.total for point in rough.points) > 0.001
+    for point, before in zip(fine.points, rough.points, strict=True):
+        assert abs(point.discrepancy) < point.approach.total < 0.001
+        assert abs(point.approach.value / before.approach.value - 1) < point.approach.total + before.approach.total
+    assert fine.law is not None
+    assert abs(fine.law.exponent - 1.5) < exponent_uncertainty(fine.law) < exponent_uncertainty(rough.law)
+    assert fine.verdict == "pass"
+    assert not fine.warnings
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("geometry", ["real", "wall"])
+def test_a_pocket_has_a_series_too(geometry: Geometry) -> None:
+    """Against single solves: the seat stiffens as its contact widens; the sheet bends on its rim at any load."""
+    scene = load_scene("6205-dry")
+    loads = [5.0, 12.0, 28.0] if geometry == "wall" else [5.0, 17.0, 60.0]
+    series = solve_load_series(scene, pair="pocket", loads=loads, geometry=geometry)
+    for point in (series.points[0], series.points[-1]):
+        single = solve_contact(scene, pair="pocket", load=point.load, geometry=geometry, accuracy=0.02)
+        alone = single.estimates["approach"]
+        assert abs(point.approach.value / alone.value - 1) < point.approach.total + alone.total < 0.02
+        assert point.hertz_approach == single.hertz.approach
+    assert series.law is not None
+    uncertain = exponent_uncertainty(series.law)
+    assert series.judged == (geometry == "real")
+    document = series.to_json()
+    if geometry == "wall":
+        # Springs in a row, delta = (F/K)^(2/3) + c F: an exponent between 1.5 and 1.
+        assert 1 + uncertain < series.law.exponent < 1.5 - uncertain
+        assert document["verdict"] == "shown"
+        assert "the sheet of 0.9 mm bends" in " ".join(series.warnings)
+    else:
+        assert 1.5 < series.law.exponent < 1.5 + 2 * uncertain
+        assert document["verdict"] == "pass"
+
+
+def test_one_load_has_no_law_and_repeated_loads_count_once(
+    contacts: dict[str, Contact], shallow: Callable[[str], Recipe]
+) -> None:
+    recipe = shallow("hertzian")
+    alone = compare_series(contacts["inner"], recipe=recipe, loads=[372.0], tolerance=0.05)
+    assert alone.law is None
+    assert alone.points[0].tangent is None
+    assert abs(alone.points[0].discrepancy) < alone.points[0].approach.total < 2e-3  # on its own mesh
+    json.dumps(alone.to_json(), allow_nan=False)
+    pair = compare_series(contacts["inner"], recipe=recipe, loads=[650.0, 140.0], tolerance=0.05)
+    again = compare_series(contacts["inner"], recipe=recipe, loads=[140.0, 650.0, 140.0, 650.0], tolerance=0.05)
+    assert pair.law is not None
+    assert pair.law == again.law
+    assert pair.law.exponent_uncertainty is None
+    assert "two loads fit any power law" in " ".join(pair.warnings)
+    document = json.loads(json.dumps(pair.to_json(), allow_nan=False))
+    assert document["law"]["exponent_uncertainty"] is None
+    assert document["law"]["stiffness_uncertainty"] is None
+    assert [part["tangent"]["uncertainty"] for part in document["loads"]] == [None, None]
+    assert [part["tangent"]["fe"] for part in document["loads"]] == [point.tangent for point in pair.points]
+    assert [point.load for point in again.points] == [140.0, 650.0, 140.0, 650.0]
+
+
+@pytest.mark.slow
+def test_a_load_over_the_shoulder_is_as_uncertain_as_a_single_one_and_not_judged(
+    cut_contact: ContactSolution, shallow: Callable[[str], Recipe]
+) -> None:
+    """There no order is assumed: three times the last change, without extrapolation. A smaller load is not cut off."""
+    contact = cut_contact.contact  # at 372 N; an ellipse of 235 N ends at its shoulder
+    series = compare_series(contact, recipe=shallow("race"), loads=[372.0, 185.0], tolerance=0.05)
+    assert [part.shoulder is None for part in series.solutions] == [False, True]
+    assert [point.verdict for point in series.points] == ["outside validity", "pass"]
+    assert "from 372 N on the contact reaches its shoulder" in " ".join(series.warnings)
+    over, below = series.points
+    coarse, fine = over.approach.values
+    assert over.approach.richardson is None
+    assert below.approach.richardson is not None
+    assert over.approach.limit == fine
+    assert over.approach.mesh >= CAUTIOUS * abs(1 - coarse / fine) + LEAST
+    assert over.approach.mesh > 3 * below.approach.mesh
+    alone = cut_contact.estimates["approach"]
+    assert over.approach.total == pytest.approx(alone.total, rel=0.25)  # meshes of a slightly different ellipse
+    assert abs(over.approach.value / alone.value - 1) < min(over.approach.total, alone.total)
+
+
+def test_the_idealisation_has_no_shoulder_in_a_series_either(
+    contacts: dict[str, Contact], shallow: Callable[[str], Recipe]
+) -> None:
+    """Its exact answer is Hertz's, wherever the groove's shoulder is."""
+    narrow = replace(contacts["inner"], shoulder=0.6e-3)  # the semi-axis is 0.95 mm at 372 N
+    series = compare_series(narrow, recipe=shallow("hertzian"), loads=[372.0, 300.0, 30.0], tolerance=0.05)
+    for point in series.points:
+        assert abs(point.discrepancy) < point.approach.total < 0.005  # OFF_MESH and some
+    assert series.verdict == "pass"
+    assert not series.warnings
+
+
+def test_loads_above_the_static_limit_have_one_warning(
+    contacts: dict[str, Contact], shallow: Callable[[str], Recipe]
+) -> None:
+    """A ball in a wide groove: 4.2 GPa at about 1800 N."""
+    series = compare_series(
+        replace(contacts["inner"], groove_radius=5.0e-3),
+        recipe=shallow("race"),
+        loads=[2600.0, 700.0, 2250.0],
+        tolerance=0.9,
+    )
+    peaks = [part.quantities.peak_pressure > 4.2e9 for part in series.solutions]
+    assert peaks == [True, False, True]
+    (message,) = (warning for warning in series.warnings if "static limit" in warning)
+    assert "at 2250 N is above the static limit, 4.2 GPa" in message
+
+
+@pytest.mark.parametrize(
+    ("loads", "words"), [([], "one or more"), ([20.0, -3.0], "-3.0"), ([float("inf")], "inf"), ([9e4, 3.0], "90000 N")]
+)
+def test_mistakes_are_one_line(loads: list[float], words: str) -> None:
+    with pytest.raises(InputError, match=words) as caught:
+        solve_load_series(load_scene("6205-dry"), pair="inner", loads=loads)
+    assert "\n" not in str(caught.value)
+
+
+def test_the_data_frame_has_a_row_for_each_load(ideal: LoadSeries) -> None:
+    frame = ideal.to_dataframe()
+    assert frame.index.tolist() == [point.load for point in ideal.points]
+    for row, point in zip(frame.itertuples(), ideal.points, strict=True):
+        assert (row.approach, row.hertz_approach) == (point.approach.value, point.hertz_approach)
+        assert (row.tangent, row.verdict) == (point.tangent, point.verdict)
+    assert frame.attrs["units"]["tangent"] == ideal.to_dataset()["tangent"].attrs["units"] == "N/m"
+    assert repr(ideal).startswith(f"LoadSeries(outer, hertzian, {min(frame.index):.4g} to {max(frame.index):.4g} N, ")

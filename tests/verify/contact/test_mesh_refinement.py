@@ -1,0 +1,83 @@
+"""The level that an accuracy needs."""
+
+from dataclasses import replace
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from analytic.scene import Contact
+from fembearing.fem.solution import solve_on_mesh
+from fembearing.mesh.recipe import load_recipe
+from fembearing.progress import silent
+from fembearing.verify.contact.grid_convergence import FINEST
+from fembearing.verify.contact.mesh_refinement import _predicted_level
+from fembearing.verify.contact.meshed_region import SIDES_LEFT, SIDES_LEFT_IN_OTHERS, has_sides
+from fembearing.verify.contact.reference import solve_reference
+
+ORDER = 3.0  # of a semi-axis
+
+
+def coarse_and_fine(change: float) -> list[Any]:
+    """The first two levels, a semi-axis apart by `change`."""
+    return [
+        SimpleNamespace(level=1, shoulder=None, quantities=SimpleNamespace(semi_axis_rolling=0.7e-3 * (1 + change))),
+        SimpleNamespace(level=2, shoulder=None, quantities=SimpleNamespace(semi_axis_rolling=0.7e-3)),
+    ]
+
+
+@pytest.mark.parametrize(("missed_by", "level"), [(0.4, 3), (1.7, 3), (2.6, 4), (90.0, 4)])
+def test_a_level_is_skipped_where_it_would_miss_by_far(missed_by: float, level: int) -> None:
+    """With order 3 the third level has (2/3)^3 of the second one's error; half of that is its interval."""
+    limit = 1.3e-3
+    interval = missed_by * limit - 8e-5  # less the least uncertainty claimed
+    change = 2 * interval * (3 / 2) ** ORDER * (2**ORDER - 1)
+    predicted = _predicted_level(
+        coarse_and_fine(change), recipe=load_recipe("race"), allowed={"semi_axis_rolling": limit}
+    )
+    assert predicted == level
+
+
+@pytest.mark.parametrize(
+    ("change", "half", "geometry", "needed"),
+    [
+        ({}, False, "real", True),
+        ({}, True, "real", False),  # both sides are meshed already
+        ({}, False, "wall", False),
+        ({"shoulder": 2.9e-3}, False, "real", True),
+        ({"shoulder": 3.77e-3}, False, "real", True),  # equal shoulders, whose lands are tilted
+        ({"shoulder": 3.77e-3, "contact_angle": 0.0}, False, "real", False),
+    ],
+)
+def test_both_sides_are_meshed_where_they_differ(
+    contacts: dict[str, Contact], change: dict[str, float], half: bool, geometry: Any, needed: bool
+) -> None:
+    contact = replace(contacts["inner"], **change)
+    footprint = SimpleNamespace(half=half)
+    for transverse, matters in ((0.93e-3, True), (0.03e-3, False)):  # a small contact has no sides to speak of
+        pair = SimpleNamespace(footprint=footprint, semi_axes=(0.1 * transverse, transverse))
+        mesh: Any = SimpleNamespace(contact=contact, pair=pair)
+        assert has_sides(mesh, recipe=replace(load_recipe("race"), geometry=geometry)) == (needed and matters)
+
+
+@pytest.mark.slow
+def test_the_sides_of_a_steep_contact_are_those_of_a_finer_mesh(contacts: dict[str, Contact]) -> None:
+    """An outer ring counterbored, at 40 degrees: half of it on the third level, within the stated share."""
+    far = 4.21e-3 * np.sin(0.7)  # the bottom of the groove
+    contact = replace(contacts["outer"], shoulder=1.5e-3, far_shoulder=far, contact_angle=0.7, load=200.0)
+    recipe = load_recipe("race")
+    found = solve_reference(contact, recipe=recipe, accuracy=0.9, progress=silent)
+    axes = found.meshes[1].pair.semi_axes
+    thirds = [
+        solve_on_mesh(contact, recipe=recipe, level=3, semi_axes=axes, sides=sides).quantities
+        for sides in ("even", "both")
+    ]
+    largest = max(abs(found.estimates[name].sides) for name in SIDES_LEFT)
+    left = SIDES_LEFT | {"stiffness": SIDES_LEFT_IN_OTHERS}
+    assert largest > 1e-5
+    for name, part in found.estimates.items():
+        quarter, half = (getattr(third, name) for third in thirds)
+        sides = half / quarter - 1
+        # Half differs from the mean of its quarters by 1.5e-5, in the stiffness by more; intervals hold FINEST besides.
+        assert abs(part.sides - sides) < left[name] * largest + FINEST / 2, name

@@ -1,0 +1,72 @@
+"""The verdict by the position of the whole uncertainty interval."""
+
+from dataclasses import replace
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from fembearing.verify.contact.grid_convergence import Estimate
+from fembearing.verify.contact.verdict import Verdict, judge, verdict_on, worst
+
+TOLERANCE = 0.031
+
+
+@pytest.mark.parametrize(
+    ("discrepancy", "uncertainty", "expected"),
+    [
+        (0.020, 0.007, "pass"),
+        (-0.020, 0.007, "pass"),
+        (0.029, 0.007, "undecided"),  # the interval straddles the tolerance
+        (-0.035, 0.007, "undecided"),
+        (0.052, 0.007, "fail"),
+        (-0.052, 0.007, "fail"),
+        (0.001, 0.04, "undecided"),  # small but unknown
+    ],
+)
+def test_verdict_follows_the_interval(discrepancy: float, uncertainty: float, expected: Verdict) -> None:
+    verdict = judge(
+        discrepancy=discrepancy, uncertainty=uncertainty, tolerance=TOLERANCE, settled=True, spread=2 * uncertainty
+    )
+    assert verdict == expected
+
+
+def test_meshes_that_do_not_converge_are_undecided() -> None:
+    assert judge(discrepancy=0.002, uncertainty=0.003, tolerance=TOLERANCE, settled=False, spread=0.02) == "undecided"
+
+
+def test_meshes_that_neither_converge_nor_agree_leave_a_close_value_undecided() -> None:
+    """5.0 against 4.9 is within the tolerance of 3.1 %; the meshes differ by 8 %, and by 0.2 %."""
+    apart = Estimate(values=(5.3, 5.0, 4.9), order=None, richardson=None, mesh=0.001, settled=False)
+    assert verdict_on(5.0, apart, tolerance=TOLERANCE, valid=True) == "undecided"
+    alike = replace(apart, values=(4.91, 4.905, 4.9))
+    assert verdict_on(5.0, alike, tolerance=TOLERANCE, valid=True) == "pass"
+
+
+def test_noise_far_below_the_tolerance_is_agreement() -> None:
+    assert judge(discrepancy=0.002, uncertainty=1e-4, tolerance=TOLERANCE, settled=False, spread=1e-4) == "pass"
+
+
+def test_a_contact_outside_the_validity_of_hertz_never_passes() -> None:
+    assert (
+        judge(discrepancy=0.0, uncertainty=0.0, tolerance=TOLERANCE, settled=True, spread=0.0, valid=False)
+        == "outside validity"
+    )
+
+
+@given(st.floats(-0.2, 0.2), st.floats(0.0, 0.2))
+def test_a_pass_stays_a_pass_at_any_truth_inside_the_interval(discrepancy: float, uncertainty: float) -> None:
+    verdict = judge(
+        discrepancy=discrepancy, uncertainty=uncertainty, tolerance=TOLERANCE, settled=True, spread=uncertainty
+    )
+    ends = [abs(discrepancy - uncertainty), abs(discrepancy + uncertainty)]
+    if verdict == "pass":
+        assert max(ends) <= TOLERANCE * (1 + 1e-12)  # round-off of the sum
+    if verdict == "fail":
+        assert min(ends) > TOLERANCE * (1 - 1e-12)
+
+
+def test_the_worst_verdict_is_the_most_serious() -> None:
+    assert worst(["pass", "undecided", "fail", "outside validity"]) == "fail"
+    assert worst(["pass", "undecided", "pass"]) == "undecided"
+    assert worst(["pass", "pass"]) == "pass"

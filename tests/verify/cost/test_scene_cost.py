@@ -1,0 +1,58 @@
+"""The ladders of a whole scene in one run."""
+
+import json
+from dataclasses import replace
+
+import pytest
+
+from analytic.errors import InputError
+from analytic.scene import ContactAngle, Scene
+from analytic.scenefile.read import load_scene
+from fembearing.mesh.recipe import load_recipe
+from fembearing.verify.cost import scene_cost as cost
+from fembearing.verify.cost.scene_cost import measure_cost
+
+
+@pytest.fixture(scope="module")
+def scene() -> Scene:
+    return load_scene("6205-dry")
+
+
+@pytest.mark.usefixtures("timed_once")
+def test_every_ladder_is_run_or_absent_with_a_reason(scene: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(cost, "load_recipe", lambda _: replace(load_recipe("race"), levels=(1, 2)))
+    given = replace(scene, contact_angle=ContactAngle(rule="given", value=0.21))
+    steps: list[tuple[float, str]] = []
+    found = measure_cost(given, tolerance=1e-12, progress=lambda *step: steps.append(step))
+    assert [ladder.quantity for ladder in found.ladders] == [
+        "Hertz contact",
+        "load of the heaviest ball",
+        "friction torque",
+        "how balls turn",
+        "roughness",
+        "cage torque",
+        "contact, inner",
+    ]
+    hertz, load, friction, turning, roughness, cage, contact = found.ladders
+    assert "holds the angle" in (load.absent or "")
+    assert "no [surface]" in (roughness.absent or "")
+    assert hertz.chosen is hertz.methods[-1]  # exact
+    assert (
+        friction.chosen is turning.chosen is cage.chosen is contact.chosen is None
+    )  # no error there is known to be so small
+    assert steps == sorted(steps, key=lambda step: step[0])
+    assert "inner: mesh 2, about" in steps[-1][1]
+    document = json.loads(json.dumps(found.to_json(), allow_nan=False))
+    assert {"ladders", "tolerance", "cost", "warnings", "provenance"} == document.keys()
+    assert {"quantity", "reference", "absent", "rungs", "choices"} == document["ladders"][6].keys()
+    mesh = document["ladders"][6]["rungs"][2]
+    assert {"name", "error", "seconds", "memory", "chosen"} < mesh.keys()
+    assert mesh["seconds"] > 0
+    assert mesh["predicted"] > 0
+    assert mesh["warm_up"] > 0
+    assert document["provenance"]["scene"] == scene.name
+
+
+def test_a_tolerance_must_be_positive(scene: Scene) -> None:
+    with pytest.raises(InputError, match="tolerance must be positive"):
+        measure_cost(scene, tolerance=0.0)

@@ -1,0 +1,34 @@
+"""Operating points without a torque keep their places in columns and in JSON."""
+
+import numpy as np
+import pytest
+
+from fembearing.verify.torque.left_out import LeftOut, Places
+
+LOST = LeftOut(point=1, inner_speed=30.0, axial_load=5e9, radial_load=2.0, moment=0.3, reason="too heavy")
+PLACES = Places(size=4, left_out=(LOST,))
+
+
+def test_the_points_with_a_torque_keep_their_numbers() -> None:
+    assert PLACES.computed == [0, 2, 3]
+    assert Places(size=3, left_out=()).computed == [0, 1, 2]
+
+
+def test_columns_know_the_loads_of_every_point_and_nothing_else_of_a_lost_one() -> None:
+    loads = {"axial_load": np.array([100.0, 300.0, 700.0]), "radial_load": np.zeros(3)}
+    still = {"inner_speed": np.full(3, 20.0), "moment": np.zeros(3)}
+    whole = PLACES.columns(loads | still | {"torque_total": np.array([3e-3, 5e-3, 8e-3])})
+    assert whole["axial_load"].tolist() == [100.0, 5e9, 300.0, 700.0]
+    assert whole["moment"].tolist() == [0.0, 0.3, 0.0, 0.0]
+    assert whole["torque_total"].tolist() == pytest.approx([3e-3, np.nan, 5e-3, 8e-3], nan_ok=True)
+
+
+def test_rows_have_the_same_keys_and_no_values_at_a_lost_point() -> None:
+    rows = [
+        {"axial_load": load, "torque": {"total": 3e-5 * load, "spin": None}, "ends": [0.2 * load, 0.7 * load]}
+        for load in (100.0, 300.0, 700.0)
+    ]
+    whole = PLACES.rows(rows)
+    assert [whole[place] for place in PLACES.computed] == rows
+    assert whole[1] == {"axial_load": 5e9, "torque": {"total": None, "spin": None}, "ends": [None, None]}
+    assert PLACES.rows([2.0, 3.0, 7.0]) == [2.0, None, 3.0, 7.0]

@@ -1,0 +1,466 @@
+"""Balls from load ratings, computed anew: python validation/catalogue/run.py [--out FOLDER]
+
+Nobody prints the balls of most bearings. They follow from the printed ratings: C0 of [ISO76] and C of [ISO281] depend
+on ball count, ball diameter and pitch diameter, and f0 of [ISO76] on ball over pitch diameter. For every standard ball
+of [ISO3290] and every count, the residuals of the ratings are squared and summed in units of their spread. This program
+does so for every bearing of the catalogue whose balls are derived. It compares the balls with those that the catalogue
+has, and with balls that others print or measured. It writes catalogue.csv, one row for each bearing, and the tables of
+catalogue.md into this folder.
+"""
+
+import argparse
+import csv
+import math
+import sys
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from itertools import product
+from pathlib import Path
+
+import numpy as np
+
+from analytic.contact.hertz import hertz_contact
+
+HERE = Path(__file__).parent
+ROWS = HERE.parents[1] / "analytic" / "catalog" / "bearings"
+GEOMETRY = HERE.parent / "published" / "ball_bearing_geometry.csv"
+
+STATIC_PRESSURE = 4200e6  # Pa, [ISO76]
+MODULUS = 207e9 / (2 * (1 - 0.3**2))  # E* of the steel of [ISO76], Pa
+INNER_CONFORMITY, OUTER_CONFORMITY = 0.52, 0.53
+LOAD_SHARE = 5.0  # the heaviest ball carries 5/Z of a radial load [Stribeck1907]
+DYNAMIC_FACTOR = 0.41 * 98.0665  # N and mm
+REDUCTION = 0.95  # lambda of single-row bearings
+MATERIAL = 1.3  # b_m of [ISO281]
+LARGE_BALL = 25.4  # mm: beyond, C grows as D^1.4
+
+METRIC = [1.5, *np.arange(2, 12.6, 0.5), *np.arange(13, 26), *np.arange(26, 51, 2), 35.0, 45.0]  # mm
+INCH_32 = [25.4 / 32 * n for n in (*range(2, 49), *range(50, 86, 2))]
+INCH_64 = [25.4 / 64 * n for n in range(5, 40, 2)]
+# Penalties in units of the score. All balls that GMN and SNFA print are inch sizes, and odd 64ths are rare. No maker
+# says how far it fills a bearing with balls; printed ones lie between 183 and 194 degrees.
+METRIC_PENALTY, INCH_64_PENALTY = 4.0, 2.0
+FILLING, FILLING_SPREAD = (181.0, 197.0), 4.0  # degrees
+PLAY = 0.006  # standard deviation of the pitch diameter about (d + D)/2, relative
+SMALL, SMALL_PLAY = 26.0, 0.03  # mm, relative: the same below this outside diameter
+CLEAR = 4.0  # difference of scores: likelihoods differ by exp(2)
+POOR = 10.0  # a score that fits nothing
+
+
+@dataclass(frozen=True, kw_only=True)
+class Spread:
+    """How far one maker's printed ratings lie from the formulas."""
+
+    static: float  # relative
+    dynamic: float
+    factor: float  # of f0
+    rounded: float  # half of the last digit of f0
+    dynamic_ratios: tuple[float, ...]  # C over that of [ISO281]
+    smaller_factor: tuple[
+        bool, ...
+    ]  # whether f0 is the smaller of inner and outer contact, as in [ISO76], or the inner
+
+
+SPREADS = {
+    "NSK": Spread(
+        static=0.005, dynamic=0.007, factor=0.06, rounded=0.0, dynamic_ratios=(1.0,), smaller_factor=(False,)
+    ),
+    "KOYO": Spread(
+        static=0.005, dynamic=0.007, factor=0.06, rounded=0.0, dynamic_ratios=(1.0,), smaller_factor=(True,)
+    ),
+    # Found in its deep groove bearings: some of its C are 4.8 % above [ISO281]; f0 is a whole number from 10 on.
+    "SKF": Spread(
+        static=0.01, dynamic=0.011, factor=0.06, rounded=0.5, dynamic_ratios=(1.0, 1.048), smaller_factor=(False, True)
+    ),
+}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Rating:
+    """What a catalogue prints of one bearing."""
+
+    angle: float  # rad
+    dynamic: float  # C, N
+    static: float  # C0, N
+    factor: float | None  # f0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Candidate:
+    count: int
+    diameter: float  # mm
+    score: float
+
+
+@cache
+def _static_table(race: str) -> tuple[np.ndarray, np.ndarray]:
+    """f0 of one race over gamma: a ball of 1 mm under the load that presses it with STATIC_PRESSURE, N/mm^2."""
+    gamma = np.linspace(0.0, 0.45, 901)
+    conformity = INNER_CONFORMITY if race == "inner" else OUTER_CONFORMITY
+    ring = gamma / (1 - gamma) if race == "inner" else -gamma / (1 + gamma)
+    contact = hertz_contact(
+        curvature_x=2e3 * (1 + ring), curvature_y=1e3 * (2 - 1 / conformity), load=1.0, modulus=MODULUS
+    )
+    return gamma, (STATIC_PRESSURE / contact.peak_pressure) ** 3 / LOAD_SHARE
+
+
+def static_factor(gamma: np.ndarray, *, smaller: bool = True) -> np.ndarray:
+    """f0 of [ISO76], N/mm^2: of the race that reaches STATIC_PRESSURE first; smaller = False: of the inner race."""
+    inner = np.interp(gamma, *_static_table("inner"))
+    return np.minimum(inner, np.interp(gamma, *_static_table("outer"))) if smaller else inner
+
+
+def dynamic_factor(gamma: np.ndarray) -> np.ndarray:
+    """f_c of [ISO281] for grooves of 0.52 ball diameters, N and mm."""
+    conformity = INNER_CONFORMITY
+    weaker = (1 + (1.04 * ((1 - gamma) / (1 + gamma)) ** 1.72) ** (10 / 3)) ** -0.3
+    shape = gamma**0.3 * (1 - gamma) ** 1.39 / (1 + gamma) ** (1 / 3)
+    return DYNAMIC_FACTOR * REDUCTION * weaker * shape * (2 * conformity / (2 * conformity - 1)) ** 0.41
+
+
+def static_rating(count: np.ndarray, diameter: np.ndarray, angle: float, factor: np.ndarray) -> np.ndarray:
+    """C0, N; diameter in mm."""
+    return factor * count * diameter**2 * np.cos(angle)
+
+
+def dynamic_rating(count: np.ndarray, diameter: np.ndarray, angle: float, gamma: np.ndarray) -> np.ndarray:
+    """C, N; diameter in mm."""
+    power = np.where(diameter <= LARGE_BALL, diameter**1.8, 3.647 * diameter**1.4)
+    return MATERIAL * dynamic_factor(gamma) * np.cos(angle) ** 0.7 * count ** (2 / 3) * power
+
+
+def sizes() -> tuple[np.ndarray, np.ndarray]:
+    """(diameters, mm; penalties) of the standard balls."""
+    table = {round(float(size), 3): METRIC_PENALTY for size in METRIC}
+    table |= {round(size, 3): INCH_64_PENALTY for size in INCH_64}
+    table |= {round(size, 3): 0.0 for size in INCH_32}
+    diameters = np.array(sorted(table))
+    return diameters, np.array([table[size] for size in diameters])
+
+
+def score_balls(
+    ratings: Sequence[Rating], spread: Spread, *, section: float, pitch: float, play: float, priors: bool = True
+) -> list[Candidate]:
+    """All balls that fit into the bearing, the best first.
+
+    section : (D - d)/2, mm; pitch : d_m, mm; play : its relative standard deviation; priors : whether penalties count
+    """
+    diameters, penalties = sizes()
+    fits = (diameters > 0.4 * section) & (diameters < 0.8 * section)
+    diameter, penalty = diameters[fits][:, None, None], penalties[fits][:, None, None]
+    count = np.arange(5, 41)[None, :, None]
+    offset = np.linspace(-2.0, 2.0, 9)[None, None, :]  # of the pitch, in standard deviations
+    pitches = pitch * (1 + play * offset)
+    half_angle = np.arcsin(diameter / pitches)
+    total = np.full(np.broadcast_shapes(diameter.shape, count.shape, offset.shape), np.inf)
+    for ratio, smaller in product(spread.dynamic_ratios, spread.smaller_factor):
+        score = offset**2 + np.zeros_like(total)
+        for rating in ratings:
+            gamma = diameter * np.cos(rating.angle) / pitches
+            factor = static_factor(gamma, smaller=smaller)
+            static = static_rating(count, diameter, rating.angle, factor)
+            dynamic = ratio * dynamic_rating(count, diameter, rating.angle, gamma)
+            score = score + ((static / rating.static - 1) / spread.static) ** 2
+            score = score + ((dynamic / rating.dynamic - 1) / spread.dynamic) ** 2
+            if rating.factor is not None:
+                rounded = spread.rounded if rating.factor == round(rating.factor) else 0.05
+                beyond = np.maximum(np.abs(factor - rating.factor) - (rounded if spread.rounded else 0.0), 0.0)
+                score = score + (beyond / spread.factor) ** 2
+        total = np.minimum(total, score)
+    if priors:
+        filling = np.degrees(2 * (count - 1) * half_angle)
+        outside = np.maximum(np.maximum(FILLING[0] - filling, filling - FILLING[1]), 0.0)
+        total = total + penalty + (outside / FILLING_SPREAD if ratings[0].angle == 0 else 0.0) ** 2
+    total = np.where(np.sin(np.pi / count) > np.sin(half_angle), total, np.inf).min(axis=2)
+    order = np.argsort(total, axis=None)[:60]
+    rows, columns = np.unravel_index(order, total.shape)
+    return [
+        Candidate(count=int(count[0, j, 0]), diameter=float(diameter[i, 0, 0]), score=float(total[i, j]))
+        for i, j in zip(rows, columns, strict=True)
+        if np.isfinite(total[i, j])
+    ]
+
+
+def same_size(one: float, other: float) -> bool:
+    """Whether two diameters are one standard size, rounded perhaps: neighbours differ by 0.3 % at least."""
+    return math.isclose(one, other, rel_tol=1.5e-3)
+
+
+def score_of(candidates: Iterable[Candidate], count: int, diameter: float) -> float:
+    """Infinite: not among the candidates."""
+    hits = (c.score for c in candidates if c.count == count and same_size(c.diameter, diameter))
+    return min(hits, default=math.inf)
+
+
+def read_rows(path: Path) -> list[dict[str, str]]:
+    return list(csv.DictReader(line for line in path.read_text("utf-8").splitlines() if not line.startswith("#")))
+
+
+def _rating(row: Mapping[str, str], angle: float = 0.0) -> Rating:
+    return Rating(
+        angle=angle,
+        dynamic=float(row["dynamic_rating_N"]),
+        static=float(row["static_rating_N"]),
+        factor=float(row["f0"]) if row["f0"] else None,
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Check:
+    """One bearing of one maker: its balls in the catalogue and those of this program."""
+
+    maker: str
+    designation: str
+    outside: float  # mm
+    grade: str
+    listed: tuple[int, float] | None  # count, diameter in mm
+    candidates: list[Candidate]
+
+    @property
+    def agrees(self) -> bool:
+        best = self.candidates[0]
+        return self.listed is not None and best.count == self.listed[0] and same_size(best.diameter, self.listed[1])
+
+    @property
+    def excess(self) -> float:
+        """Score of the listed balls above the best."""
+        return score_of(self.candidates, *self.listed) - self.candidates[0].score if self.listed else math.inf
+
+
+def check_deep_groove(designations: Iterable[str] | None = None, *, priors: bool = True) -> list[Check]:
+    """Every maker's deep groove bearing by itself; all designations without a choice."""
+    main = {row["designation"]: row for row in read_rows(ROWS / "deep_groove.csv")}
+    checks = []
+    for row in read_rows(ROWS / "deep_groove_by_maker.csv"):
+        if designations is not None and row["designation"] not in designations:
+            continue
+        size = main[row["designation"]]
+        bore, outside = float(size["bore_mm"]), float(size["outside_mm"])
+        found = score_balls(
+            [_rating(row)],
+            SPREADS[row["maker"]],
+            section=(outside - bore) / 2,
+            pitch=(bore + outside) / 2,
+            play=SMALL_PLAY if outside < SMALL else PLAY,
+            priors=priors,
+        )
+        balls = size if row["maker"] in size["supported_by"].split(" + ") and row["grade"] != "D" else row
+        listed = (int(balls["ball_count"]), float(balls["ball_diameter_mm"])) if balls["ball_count"] else None
+        checks.append(
+            Check(
+                maker=row["maker"],
+                designation=row["designation"],
+                outside=outside,
+                grade=row["grade"],
+                listed=listed,
+                candidates=found,
+            )
+        )
+    return checks
+
+
+def check_angular_contact(*, priors: bool = True) -> list[Check]:
+    """Angular contact bearings whose balls are derived; all angles of one size together."""
+    groups: dict[tuple[str, str], list[dict[str, str]]] = defaultdict(list)
+    for row in read_rows(ROWS / "angular_contact.csv"):
+        if row["ball_status"] == "derived":
+            groups[row["maker"], row["designation"][:4]].append(row)
+    checks = []
+    for (maker, _), rows in groups.items():
+        first = rows[0]
+        found = score_balls(
+            [_rating(row, math.radians(float(row["contact_angle_deg"]))) for row in rows],
+            SPREADS[maker],
+            section=(float(first["outside_mm"]) - float(first["bore_mm"])) / 2,
+            pitch=float(first["pitch_diameter_mm"]),
+            play=PLAY,
+            priors=priors,
+        )
+        checks.append(
+            Check(
+                maker=maker,
+                designation=" ".join(row["designation"] for row in rows),
+                outside=float(first["outside_mm"]),
+                grade=first["grade"],
+                listed=(int(first["ball_count"]), float(first["ball_diameter_mm"])),
+                candidates=found,
+            )
+        )
+    return checks
+
+
+def supported(checks: Iterable[Check]) -> dict[str, Candidate]:
+    """For each designation the balls that most makers' ratings support, and that fit best of those."""
+    by_name: dict[str, list[Check]] = defaultdict(list)
+    for check in checks:
+        by_name[check.designation].append(check)
+    chosen = {}
+    for name, group in by_name.items():
+        ranked = []
+        for candidate in (check.candidates[0] for check in group):
+            excesses = [
+                score_of(check.candidates, candidate.count, candidate.diameter) - check.candidates[0].score
+                for check in group
+            ]
+            within = [excess for excess in excesses if excess < CLEAR]
+            ranked.append((-len(within), sum(within), candidate))
+        chosen[name] = min(ranked, key=lambda entry: entry[:2])[2]
+    return chosen
+
+
+@dataclass(frozen=True, kw_only=True)
+class Hit:
+    """Balls that others print or measured, and those from ratings."""
+
+    designation: str
+    outside: float  # mm
+    source: str
+    printed: tuple[int, float]  # count, diameter in mm
+    found: Candidate
+
+    @property
+    def count_right(self) -> bool:
+        return self.found.count == self.printed[0]
+
+    @property
+    def right(self) -> bool:
+        """Count, and diameter within 0.6 %: data sets round it."""
+        return self.count_right and math.isclose(self.found.diameter, self.printed[1], rel_tol=0.006)
+
+
+def compare_balls(found: Mapping[str, Candidate]) -> list[Hit]:
+    """Every row of published balls whose designation is among these."""
+    outside = {row["designation"]: float(row["outside_mm"]) for row in read_rows(ROWS / "deep_groove.csv")}
+    return [
+        Hit(
+            designation=row["designation"],
+            outside=outside[row["designation"]],
+            source=row["maker"],
+            printed=(int(row["ball_count"]), float(row["ball_diameter_mm"])),
+            found=found[row["designation"]],
+        )
+        for row in read_rows(GEOMETRY)
+        if row["designation"] in found
+    ]
+
+
+def _hits_row(name: str, hits: Sequence[Hit]) -> str:
+    bearings = {hit.designation for hit in hits}
+    missed = {hit.designation for hit in hits if not hit.right}
+    return (
+        f"| {name} | {len(hits)} | {sum(hit.count_right for hit in hits)} | {sum(hit.right for hit in hits)} "
+        f"| {len(bearings)} | {len(bearings - missed)} |"
+    )
+
+
+def factor_errors() -> tuple[float, float]:
+    """Largest difference of f0 and of f_c from the printed tables."""
+    table = read_rows(HERE.parent / "published" / "iso_ball_factors.csv")
+    static = [(float(row["gamma"]), float(row["f0"])) for row in table if row["f0"]]
+    dynamic = [(float(row["gamma"]), float(row["fc"])) for row in table if row["fc"]]
+    worst = []
+    for rows, formula in ((static, static_factor), (dynamic, dynamic_factor)):
+        gamma, printed = np.array(rows).T
+        worst.append(float(np.max(np.abs(formula(gamma) - printed))))
+    return worst[0], worst[1]
+
+
+def report(deep: Sequence[Check], angular: Sequence[Check], without_priors: Sequence[Check]) -> str:
+    """The tables, as Markdown."""
+    hits = compare_balls(supported(deep))
+    static, dynamic = factor_errors()
+    lines = [
+        "# Balls from load ratings",
+        "",
+        "By `python validation/catalogue/run.py`. [The catalogue](../../docs/catalogue.md) says what the numbers mean.",
+        "",
+        f"f0 differs from the table of ISO 76 by at most {static:.3f}, f_c from that of ISO 281 by {dynamic:.3f};",
+        "the tables are rounded to 0.1.",
+        "",
+        "## Against balls that others print or measured",
+        "",
+        "| balls from | rows | count right | both right | bearings | both right |",
+        "| --- | --- | --- | --- | --- | --- |",
+        _hits_row("most makers", hits),
+        _hits_row("most makers, outside diameter from 22 mm", [hit for hit in hits if hit.outside >= 22]),
+        _hits_row("most makers, below 22 mm", [hit for hit in hits if hit.outside < 22]),
+    ]
+    for maker in SPREADS:
+        own = {check.designation: check.candidates[0] for check in deep if check.maker == maker}
+        lines.append(_hits_row(f"{maker} alone", compare_balls(own)))
+    lines.append(_hits_row("most makers, without penalties", compare_balls(supported(without_priors))))
+    lines += ["", "Both right: the count, and the diameter within 0.6 %. Misses:", ""]
+    lines += [
+        f"- {hit.designation}: {hit.source} has {hit.printed[0]} x {hit.printed[1]:.3f} mm, the ratings give "
+        f"{hit.found.count} x {hit.found.diameter:.3f} mm (score {hit.found.score:.1f})"
+        for hit in hits
+        if not hit.right
+    ]
+    lines += [
+        "",
+        "## Against the catalogue",
+        "",
+        "| ratings of | grade | checked | same balls | other balls, clearly |",
+    ]
+    lines += ["| --- | --- | --- | --- | --- |"]
+    kinds = {"deep groove": deep, "angular contact": angular}
+    for kind, checks in kinds.items():
+        groups = Counter((check.maker, check.grade) for check in checks)
+        for (maker, grade), number in sorted(groups.items()):
+            group = [check for check in checks if (check.maker, check.grade) == (maker, grade)]
+            same = sum(check.agrees for check in group)
+            clear = sum(not check.agrees and check.excess > CLEAR for check in group)
+            lines.append(f"| {maker}, {kind} | {grade} | {number} | {same} | {clear} |")
+    lines += [
+        "",
+        f"Clearly: the catalogue's balls score more than {CLEAR:g} above the best. Other balls, of grades A to C:",
+        "",
+    ]
+    lines += [
+        f"- {check.maker} {check.designation}: {_written(check.listed)}; here {check.candidates[0].count} x "
+        f"{check.candidates[0].diameter:.3f} mm, better by {check.excess:.1f}"
+        for check in (*deep, *angular)
+        if not check.agrees and check.grade != "D"
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def _written(balls: tuple[int, float] | None) -> str:
+    return "none" if balls is None else f"{balls[0]} x {balls[1]:.3f} mm"
+
+
+def write_rows(path: Path, checks: Iterable[Check]) -> None:
+    with path.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(
+            (
+                *("maker", "designation", "grade", "catalogue_count", "catalogue_diameter_mm"),
+                *("count", "diameter_mm", "score", "catalogue_score", "next_count", "next_diameter_mm", "next_score"),
+            )
+        )
+        for check in checks:
+            best = check.candidates[0]
+            own = score_of(check.candidates, *check.listed) if check.listed else math.inf
+            row = [check.maker, check.designation, check.grade, *(check.listed or ("", ""))]
+            row += [best.count, best.diameter, f"{best.score:.2f}", f"{own:.2f}" if math.isfinite(own) else ""]
+            for second in check.candidates[1:2]:
+                row += [second.count, second.diameter, f"{second.score:.2f}"]
+            writer.writerow(row)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--out", type=Path, default=HERE, metavar="FOLDER", help="where the tables go")
+    folder = parser.parse_args().out
+    folder.mkdir(parents=True, exist_ok=True)
+    deep, angular = check_deep_groove(), check_angular_contact()
+    text = report(deep, angular, check_deep_groove(priors=False))
+    write_rows(folder / "catalogue.csv", (*deep, *angular))
+    (folder / "catalogue.md").write_text(text, "utf-8")
+    sys.stdout.write(text)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,215 @@
+"""Gaps between deformed rough surfaces: python validation/film/elastic_gap.py [--check] [--jobs 2]
+
+Presses generated surfaces on an elastic half space, writes the mean of their curves into the catalog's
+corrections/elastic_gap.toml, which `analytic.surface.elastic_gap` reads, and prints it. Every surface counts with its
+own sigma and slope. Surfaces are periodic and 20 correlation lengths wide. The gaussian autocorrelation has one curve;
+the exponential one has one for each of several spacings, because its slope is that seen at the spacing.
+
+With --check nothing is written. It compares the stored gaussian curve with an independent code
+(published/elastic_gap.csv), and one surface with Tamaas: periodic, and one continued by its mirror images. It ends with
+status 1 if a difference is larger than its tolerance. It also prints what mirror images in place of periods change.
+"""
+
+import argparse
+import os
+import sys
+from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+os.environ.setdefault("OMP_NUM_THREADS", "1")  # before numpy loads its threads
+
+import numpy as np
+from rich.console import Console
+from rich.progress import track
+from rich.table import Table
+
+from analytic import catalog
+from analytic.scene import Array, Autocorrelation
+from analytic.surface.boundary_elements import pressed
+from analytic.surface.elastic_gap import declared_gap_curve
+from analytic.surface.roughness import generated_surface
+
+PUBLISHED = Path(__file__).parents[1] / "published" / "elastic_gap.csv"
+WIDTH = 20  # correlation lengths
+SEED = 4000
+KINDS = (("gaussian", 32, 20), ("exponential", 10, 20), ("exponential", 20, 20))  # points per length, surfaces
+PRESSURES = (
+    *(1.2, 1.05, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.225, 0.15, 0.1),
+    *(0.07, 0.04, 0.02, 0.01, 0.005, 0.002, 0.001, 0.0005),
+)
+# Against the other code's means over 10 surfaces: so many standard errors of the difference of two means, and a
+# floor for what both leave of the iteration, 0.1 % each, and of the mean slope of 640 points.
+ERRORS, FLOOR = 3.0, 0.005
+# Against Tamaas on one surface: the solver's own error, 1e-3 of the mean gap. Areas are counts of points, and which
+# points at the rim of a contact have pressure is less certain.
+SAME_GAP, SAME_AREA = 1e-3, 5e-3
+TAMAAS_TOLERANCE = 1e-10  # of the complementarity that Tamaas calls its error
+TAMAAS_PRESSURES = (0.7, 0.3, 0.1, 0.02)
+out = Console(width=118)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--check", action="store_true", help="compare the stored table; write nothing")
+    parser.add_argument("--jobs", type=int, default=1, help="processes")
+    arguments = parser.parse_args()
+    if arguments.check:
+        print_mirror_effect()
+        sys.exit(not all([against_published(), against_tamaas(periodic=True), against_tamaas(periodic=False)]))
+    write([mean_curve(*kind, jobs=arguments.jobs) for kind in KINDS])
+
+
+def surface(kind: Any, points: int, seed: int, width: int = WIDTH) -> Array:
+    """Heights of a periodic surface with the correlation length 1; points : per correlation length."""
+    autocorrelation = Autocorrelation(kind=kind, length=1.0, spacing=1 / points)
+    return generated_surface(
+        rms_roughness=1.0, autocorrelation=autocorrelation, points=width * points, seed=seed
+    ).heights
+
+
+def gaps_and_areas(job: tuple[str, int, int]) -> Array:
+    """(pressures, 2)"""
+    states = pressed(surface(*job), PRESSURES, periodic=True)
+    return np.array([(state.mean_gap, state.area_fraction) for state in states])
+
+
+def mean_curve(kind: str, points: int, surfaces: int, *, jobs: int) -> dict[str, Any]:
+    """One curve of the table; pressures rise."""
+    todo = [(kind, points, SEED + number) for number in range(surfaces)]
+    with ProcessPoolExecutor(jobs) as workers:
+        done = track(
+            workers.map(gaps_and_areas, todo),
+            total=surfaces,
+            description=f"{kind}, {points} points a length",
+            console=Console(stderr=True),
+        )
+        gap, area = np.moveaxis(np.array(list(done))[:, ::-1], 2, 0)
+    return {
+        "kind": kind,
+        "spacing": 1 / points,
+        "points": WIDTH * points,
+        "surfaces": surfaces,
+        "gap": gap.mean(axis=0),
+        "spread": np.log(gap).std(axis=0, ddof=1),
+        "area_fraction": area.mean(axis=0),
+    }
+
+
+def write(curves: list[dict[str, Any]]) -> None:
+    path = catalog.path("corrections", "elastic_gap")
+    packages = ", ".join(f"{name} {version(name)}" for name in ("fembearing", "numpy", "scipy"))
+    lines = [
+        "# Mean gap and real area of rough surfaces pressed on an elastic half space, by boundary elements, written by",
+        "# validation/film/elastic_gap.py, read by analytic/surface/elastic_gap.py. pressure: nominal, over E* slope;",
+        "# slope: rms gradient; gap: over the rms height; spread: standard deviation of ln gap between surfaces.",
+        "",
+        f"width = {WIDTH}.0 # of the surfaces, in correlation lengths",
+        f"pressure = {_numbers(np.array(PRESSURES[::-1]))}",
+        "",
+        "[provenance]",
+        'generator = "python validation/film/elastic_gap.py"',
+        f'versions = "{packages}"',
+        f"first_seed = {SEED}",
+    ]
+    for curve in curves:
+        lines += ["", "[[curve]]", f'kind = "{curve["kind"]}"']
+        lines += [f"spacing = {curve['spacing']:g} # of the points, over the correlation length"]
+        lines += [f"{name} = {curve[name]}" for name in ("points", "surfaces")]
+        lines += [f"{name} = {_numbers(curve[name])}" for name in ("gap", "spread", "area_fraction")]
+    path.write_text("\n".join(lines) + "\n", "utf-8")
+    out.print(path.read_text("utf-8"), markup=False, highlight=False, soft_wrap=True)
+
+
+def _numbers(values: Array) -> str:
+    return "[" + ", ".join(f"{value:.4g}" for value in values) + "]"
+
+
+def against_published() -> bool:
+    """The stored gaussian curve against the independent code's, at its pressures."""
+    ours = declared_gap_curve(Autocorrelation(kind="gaussian", length=32.0, spacing=1.0))
+    surfaces = next(c["surfaces"] for c in catalog.entry("corrections", "elastic_gap")["curve"])
+    lines = (line for line in PUBLISHED.read_text("utf-8").splitlines() if line[0].isdigit())
+    pressure, gap, sd_gap, area, sd_area = np.array([line.split(",") for line in lines], dtype=float).T
+    at = np.log(pressure)
+    table = Table(
+        "p/(E* slope)", "gap", "published", "difference", "allowed", "area", "published", "difference", "allowed"
+    )
+    gaps, areas = np.exp(ours.log_gap(at)[0]), ours.area_fraction(at)
+    standard_error = ERRORS * np.sqrt(1 / 10 + 1 / surfaces)
+    allowed = np.array([FLOOR + standard_error * sd_gap / gap, FLOOR + standard_error * sd_area / area])
+    differences = np.array([gaps / gap - 1, areas / area - 1])
+    for row in zip(
+        pressure, gaps, gap, differences[0], allowed[0], areas, area, differences[1], allowed[1], strict=True
+    ):
+        table.add_row(f"{row[0]:g}", *_compared(*row[1:5]), *_compared(*row[5:]))
+    out.print("Stored gaussian curve against the independent code", table)
+    return _judged(bool(np.all(np.abs(differences) < allowed)))
+
+
+def against_tamaas(*, periodic: bool) -> bool:
+    """One gaussian surface, 10 lengths wide; Tamaas knows periodic surfaces only and gets the mirror images too."""
+    heights = surface("gaussian", 20, seed=7, width=10)
+    states = list(pressed(heights, TAMAAS_PRESSURES, periodic=periodic))
+    heights = heights / heights.std()
+    slope = float(np.sqrt(sum(np.mean(np.diff(heights, axis=axis) ** 2) for axis in (0, 1))))
+    if not periodic:
+        half = np.concatenate([heights, heights[::-1]])
+        heights = np.concatenate([half, half[:, ::-1]], axis=1)
+    table = Table("p/(E* slope)", "gap", "Tamaas", "difference", "allowed", "area", "Tamaas", "difference", "allowed")
+    agrees = True
+    others = tamaas_contacts(heights, [pressure * slope for pressure in TAMAAS_PRESSURES])
+    for pressure, state, (gap, area) in zip(TAMAAS_PRESSURES, states, others, strict=True):
+        differences = state.mean_gap / gap - 1, state.area_fraction / area - 1
+        agrees &= abs(differences[0]) < SAME_GAP and abs(differences[1]) < SAME_AREA
+        table.add_row(
+            f"{pressure:g}",
+            *_compared(state.mean_gap, gap, differences[0], SAME_GAP),
+            *_compared(state.area_fraction, area, differences[1], SAME_AREA),
+        )
+    out.print(f"One surface of 200 by 200 points, {'periodic' if periodic else 'mirrored'}, against Tamaas", table)
+    return _judged(agrees)
+
+
+def print_mirror_effect() -> None:
+    """ln of the gap of a surface continued by mirror images over that of the same surface as a period."""
+    surfaces = [surface("gaussian", 10, seed=900 + number) for number in range(8)]
+    gaps = np.array(
+        [[[s.mean_gap for s in pressed(z, PRESSURES, periodic=p)] for p in (False, True)] for z in surfaces]
+    )
+    change = np.log(gaps[:, 0] / gaps[:, 1])
+    table = Table("p/(E* slope)", "change of the gap", "standard error", title="Mirror images, 8 surfaces of 200 x 200")
+    for pressure, column in zip(PRESSURES, change.T, strict=True):
+        error = column.std(ddof=1) / np.sqrt(len(column))
+        table.add_row(f"{pressure:g}", f"{100 * column.mean():+.2f} %", f"{100 * error:.2f} %")
+    out.print(table)
+
+
+def tamaas_contacts(heights: Array, pressures: list[float]) -> Iterator[tuple[float, float]]:
+    """Mean gap and area fraction of a periodic surface at mean pressures over E*, with the spacing 1."""
+    import tamaas as tm
+
+    tm.set_log_level(tm.LogLevel.error)
+    model = tm.ModelFactory.createModel(tm.model_type.basic_2d, [float(n) for n in heights.shape], list(heights.shape))
+    model.E, model.nu = 1.0, 0.0  # E* = 1
+    solver = tm.PolonskyKeerRey(model, heights, TAMAAS_TOLERANCE)
+    for pressure in pressures:
+        solver.solve(pressure)
+        touching = np.array(model.traction) > 0
+        gap = np.array(model.displacement) - heights
+        yield float(gap.mean() - gap[touching].mean()), float(touching.mean())
+
+
+def _compared(ours: float, other: float, difference: float, allowed: float) -> tuple[str, ...]:
+    return f"{ours:.4f}", f"{other:.4f}", f"{100 * difference:+.2f} %", f"{100 * allowed:.2f} %"
+
+
+def _judged(agrees: bool) -> bool:
+    out.print("Agrees within the tolerances\n" if agrees else "DIFFERS by more than a tolerance\n")
+    return agrees
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,333 @@
+"""Hard cases of the contact: Hertz's formulas, the contact angle, and finite elements against exact Hertz.
+
+Most finite-element cases solve the Hertzian idealisation, whose exact answer is Hertz's, as users get it. Those about
+the first mesh take one mesh, fitted to its ellipse.
+"""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact, relative_curvatures
+from analytic.contact.subsurface import SubsurfaceMaximum, subsurface_maximum
+from analytic.loads.thrust import thrust_equilibrium, thrust_equilibrium_frozen
+from analytic.scene import Bearing, Contact, ContactAngle
+from fembearing.fem.guess import expected_semi_axes
+from fembearing.fem.measure import Quantities
+from fembearing.fem.solution import fitted_on_level, fitted_solution
+from fembearing.mesh.recipe import load_recipe
+from fembearing.progress import silent
+from fembearing.verify.contact.hertz import hertz_quantities
+from fembearing.verify.contact.reference import solve_reference
+from fembearing.verify.contact.scene_contact import as_meshed
+from validation.hard.case import HardCase
+from validation.hard.specimens import (
+    LARGE,
+    LOAD,
+    MODULUS,
+    SMALL,
+    bearing,
+    exponent,
+    incompressible,
+    inner,
+    peek,
+    with_clearance,
+)
+
+LEVEL = 2  # of the mesh recipes, on which a mesh is fitted to its ellipse
+ROUGH = 0.1  # deviation of an ellipse from that of its mesh on the first level, where it is up to a tenth too short
+
+# Tolerances, relative, with their reasons
+SECOND_LEVEL = (0.005, "the mesh of the second level is up to 0.37 % off Hertz on this ellipse")
+ACCURACY = 0.005
+AS_REQUIRED = (ACCURACY, "the accuracy required of the finite elements")
+
+
+def hertz(**changed: float) -> HertzContact:
+    arguments = {"curvature_x": LARGE, "curvature_y": SMALL, "load": LOAD, "modulus": MODULUS} | changed
+    return hertz_contact(**arguments)
+
+
+def log_elongation(difference: float) -> float:
+    """ln(b/a) of curvatures with a small relative difference."""
+    ellipse = hertz(curvature_x=LARGE * (1 + difference), curvature_y=LARGE)
+    return math.log(float(ellipse.semi_axis_y / ellipse.semi_axis_x))
+
+
+def stress_at_zero_ratio() -> SubsurfaceMaximum:
+    return subsurface_maximum(peak_pressure=2.1e9, semi_axis_x=0.12e-3, semi_axis_y=1.1e-3, poisson_ratio=0.0)
+
+
+def angle(free: float | None, load: float, *, of: Bearing | None = None) -> float:
+    """The loaded contact angle, rad."""
+    rule = ContactAngle(rule="solved", free=free)
+    return float(thrust_equilibrium(of or bearing(), rule, axial_load=load).contact_angle)
+
+
+def radial_distance(load: float) -> float:
+    """Radial distance of the groove centres under load over the unloaded one."""
+    loaded = thrust_equilibrium(bearing(), ContactAngle(rule="solved", free=0.18), axial_load=load)
+    distance = bearing().groove_centre_distance
+    return float((distance + loaded.approach) * np.cos(loaded.contact_angle) / (distance * np.cos(0.18)))
+
+
+def meshed(
+    contact: Contact,
+    *,
+    recipe: str = "hertzian",
+    level: int = LEVEL,
+    scale: tuple[float, float] = (1.0, 1.0),
+) -> Quantities:
+    """A contact on one mesh.
+
+    scale : factors by which the first mesh is too large in the rolling and the transverse direction
+    """
+    made = load_recipe(recipe)
+    contact = as_meshed(contact, recipe=made)
+    rolling, transverse = expected_semi_axes(contact)
+    guess = scale[0] * rolling, scale[1] * transverse
+    if level == LEVEL:
+        return fitted_solution(contact, recipe=made, guess=guess).quantities
+    return fitted_on_level(contact, recipe=made, level=level, start=guess, good=ROUGH).quantities
+
+
+def cut_off() -> float:
+    """Approach, m, of a contact cut off at 1.1 mm; NaN unless its mesh ends at the shoulder."""
+    cut = replace(inner(), shoulder=1.1e-3)
+    solution = fitted_solution(cut, recipe=load_recipe("hertzian"))
+    is_cut = solution.pair.footprint.half and solution.shoulder is not None
+    return solution.quantities.approach if is_cut else math.nan
+
+
+def referenced(contact: Contact, *, recipe: str = "hertzian") -> Quantities:
+    """A contact as users get it: from as many meshes as `ACCURACY` needs, extrapolated."""
+    made = load_recipe(recipe)
+    contact = as_meshed(contact, recipe=made)
+    reference = solve_reference(contact, recipe=made, accuracy=ACCURACY, progress=silent)
+    return Quantities(**{name: part.value for name, part in reference.estimates.items()})
+
+
+CONTACT_CASES: tuple[HardCase, ...] = (
+    HardCase(
+        name="Hertz: circle",
+        problem="equal curvatures, where the elliptic integrals are 0/0",
+        answer="delta = (9 Q^2/(16 E*^2 R))^(1/3), the sphere's closed form",
+        evaluate=lambda: float(hertz(curvature_y=LARGE).approach),
+        expected=1.7248424322368216875e-5,
+    ),
+    HardCase(
+        name="Hertz: nearly a circle",
+        problem="curvatures that differ by 1e-12",
+        answer="ln(b/a) = 2/3 of ln(curvature ratio) to first order",
+        evaluate=lambda: log_elongation(1e-12) / 1e-12,
+        expected=2 / 3,
+        tolerance=(2e-3, "round-off of two lengths, 2e-16 each, against 7e-13"),
+    ),
+    HardCase(
+        name="Hertz: ratio 1e6",
+        problem="a ball in a groove whose transverse curvature is a million times smaller",
+        answer="the minor semi-axis, by 40 digits",
+        evaluate=lambda: float(hertz(curvature_x=1e6 * SMALL).semi_axis_x),
+        expected=5.6954968930329252938e-7,
+    ),
+    HardCase(
+        name="Hertz: ratio 1e-6",
+        problem="the same with the axes exchanged",
+        answer="the same length, along the other axis",
+        evaluate=lambda: float(hertz(curvature_x=SMALL, curvature_y=1e6 * SMALL).semi_axis_y),
+        expected=5.6954968930329252938e-7,
+    ),
+    HardCase(
+        name="Hertz: 1e-12 N",
+        problem="a load far below any weight",
+        answer="the approach, by 40 digits: nothing underflows or is cut off",
+        evaluate=lambda: float(hertz(load=1e-12).approach),
+        expected=1.1591145743150080715e-15,
+    ),
+    HardCase(
+        name="Hertz: no load",
+        problem="the stiffness load/approach^1.5 where both are 0",
+        answer="the stiffness under any load, by 40 digits",
+        evaluate=lambda: float(hertz(load=0.0).stiffness),
+        expected=25340224034.90751422,
+    ),
+    HardCase(
+        name="Hertz: plastic overload",
+        problem="peak pressure at 1e7 N over that at 10 N: steel would yield, but the elastic law must hold",
+        answer="100, as the peak pressure grows as load^(1/3)",
+        evaluate=lambda: float(hertz(load=1e7).peak_pressure / hertz(load=10.0).peak_pressure),
+        expected=100.0,
+    ),
+    HardCase(
+        name="Hertz: incompressible",
+        problem="E* of two bodies of Poisson ratio 0.4999",
+        answer="E/(2 (1 - nu^2)), which is not singular at 1/2",
+        evaluate=lambda: contact_modulus(incompressible(), incompressible()),
+        expected=137315026494.0011531,
+    ),
+    HardCase(
+        name="Hertz: steel on PEEK",
+        problem="a steel ball in a plastic groove, 57 times softer",
+        answer="the approach, by 40 digits, from the compliance of both bodies",
+        evaluate=lambda: hertz_quantities(replace(inner(), race_material=peek())).approach,
+        expected=7.6737867455896463996e-5,
+        tolerance=(1e-12, "the groove's curvature is the difference of two that agree to 4 %"),
+    ),
+    HardCase(
+        name="Hertz: conformity 0.5",
+        problem="a groove exactly as wide as the ball",
+        answer="a refusal: the contact is a line, the semi-axis infinite",
+        evaluate=lambda: relative_curvatures(inner(conformity=0.5))[1],
+        refusal="at conformity 0.5 the contact is a line",
+    ),
+    HardCase(
+        name="Hertz: NaN load",
+        problem="a load that is not a number",
+        answer="a refusal that names the load: NaN must not spread",
+        evaluate=lambda: float(hertz(load=math.nan).approach),
+        refusal="load must be at least 0 and finite, got nan",
+    ),
+    HardCase(
+        name="stress: Poisson ratio 0",
+        problem="the largest von Mises stress of a body with Poisson ratio 0: it lies on the surface",
+        answer="that of Hertz's three stresses at the centre, by 40 digits",
+        evaluate=lambda: float(stress_at_zero_ratio().max_von_mises),
+        expected=1799079313.0461135061,
+    ),
+    HardCase(
+        name="stress: depth at Poisson ratio 0",
+        problem="the depth of that stress over the minor semi-axis",
+        answer="0, which nothing may be divided by",
+        evaluate=lambda: float(stress_at_zero_ratio().max_von_mises_depth) / 0.12e-3,
+        expected=0.0,
+    ),
+    HardCase(
+        name="contact angle: vanishing load",
+        problem="1e-12 N from a free angle of 0.18 rad",
+        answer="the free angle: the contacts do not deform",
+        evaluate=lambda: angle(0.18, 1e-12),
+        expected=0.18,
+        tolerance=(1e-9, "the approach, 2e-15 m, over the grooves' distance, 4e-4 m, and over al0^2"),
+    ),
+    HardCase(
+        name="contact angle: from zero",
+        problem="the exponent of the angle over the load from a free angle of 0, where thrust has no lever",
+        answer="1/4: delta = A0 al^2/2, so Q goes as al^3, and Fa = Z Q al as al^4",
+        evaluate=lambda: exponent(lambda load: angle(0.0, load), 1e-10, 1e-9),
+        expected=0.25,
+        tolerance=(1e-6, "the next term, of relative size al^2, is 1e-7 there"),
+    ),
+    HardCase(
+        name="contact angle: preload",
+        problem="14 um of interference under 1e-12 N: cos al0 would exceed 1",
+        answer="half of the interference remains as each ball's approach, and the angle is nearly 0",
+        evaluate=lambda: float(
+            thrust_equilibrium(with_clearance(-14e-6), ContactAngle(rule="solved"), axial_load=1e-12).approach
+        ),
+        expected=7e-6,
+        tolerance=(1e-9, "radii of 20 mm in doubles, 4e-18 m, and an angle below 1e-12 rad"),
+    ),
+    HardCase(
+        name="contact angle: loose rings",
+        problem="a clearance of 0.81 mm, more than twice the groove-centre distance",
+        answer="a refusal: at no angle do the balls stop the rings",
+        evaluate=lambda: angle(None, 5.0, of=with_clearance(0.81e-3)),
+        refusal="diametral clearance 0.81 mm must be below 2 A0",
+    ),
+    HardCase(
+        name="contact angle: huge load",
+        problem="radial distance of the groove centres at 1e9 N, near a right angle, over the unloaded one",
+        answer="1: the angle stays below pi/2, and the radial distance does not change",
+        evaluate=lambda: radial_distance(1e9),
+        expected=1.0,
+        tolerance=(1e-12, "the cosine, 0.007, of an angle that a double holds to 2e-16"),
+    ),
+    HardCase(
+        name="contact angle: preload with a frozen stiffness",
+        problem="the stiffness at the free angle of a preloaded bearing, which has no free angle",
+        answer="a refusal that names the method to use",
+        evaluate=lambda: float(
+            thrust_equilibrium_frozen(with_clearance(-14e-6), ContactAngle(rule="solved"), axial_load=5.0).contact_angle
+        ),
+        refusal="the frozen stiffness is that of the free contact angle",
+    ),
+    HardCase(
+        name="contact: 1e-6 N",
+        problem="finite elements on an ellipse of 0.14 by 1.3 um",
+        answer="Hertz's approach, by 40 digits: the mesh follows the contact",
+        evaluate=lambda: referenced(inner(load=1e-6)).approach,
+        expected=1.1612003284194039775e-11,
+        tolerance=AS_REQUIRED,
+    ),
+    HardCase(
+        name="contact: load to the two thirds",
+        problem="the exponent of the approach from 1e-6 to 100 N, each load on its own mesh",
+        answer="2/3: half spaces have no length of their own",
+        evaluate=lambda: exponent(lambda load: meshed(inner(load=load), level=1).approach, 1e-6, 1e2),
+        expected=2 / 3,
+        tolerance=(1e-6, "the meshes are alike, so that their errors cancel to round-off"),
+    ),
+    HardCase(
+        name="contact: incompressible",
+        problem="Poisson ratio 0.4999, where fully integrated cells lock",
+        answer="Hertz's peak pressure, by 40 digits",
+        evaluate=lambda: referenced(inner(material=incompressible())).peak_pressure,
+        expected=2482423059.3511842575,
+        tolerance=AS_REQUIRED,
+    ),
+    HardCase(
+        name="contact: close groove",
+        problem="conformity 0.505, an ellipse 21 times as long as wide",
+        answer="Hertz's major semi-axis, by 40 digits",
+        evaluate=lambda: referenced(inner(conformity=0.505)).semi_axis_transverse,
+        expected=1.9302041651009105401e-3,
+        tolerance=AS_REQUIRED,
+    ),
+    HardCase(
+        name="contact: mesh ten times too small",
+        problem="a first mesh of a tenth of the ellipse, where every node touches",
+        answer="Hertz's minor semi-axis, by 40 digits: the answer does not depend on the first mesh",
+        evaluate=lambda: meshed(inner(), scale=(0.1, 0.1)).semi_axis_rolling,
+        expected=1.2091146725908945613e-4,
+        tolerance=SECOND_LEVEL,
+    ),
+    HardCase(
+        name="contact: mesh ten times too large",
+        problem="a first mesh of ten times the ellipse",
+        answer="Hertz's approach, by 40 digits: the answer does not depend on the first mesh",
+        evaluate=lambda: meshed(inner(), scale=(10.0, 10.0)).approach,
+        expected=8.4430937122525567274e-6,
+        tolerance=SECOND_LEVEL,
+    ),
+    HardCase(
+        name="contact: first mesh touched by one node",
+        problem="a first mesh a hundred times too large, where a single node touches",
+        answer="Hertz's peak pressure, by 40 digits: the mesh shrinks until it resolves the contact",
+        evaluate=lambda: meshed(inner(), scale=(100.0, 100.0)).peak_pressure,
+        expected=2182366274.905845588,
+        tolerance=SECOND_LEVEL,
+    ),
+    HardCase(
+        name="contact: cut off by 2 %",
+        problem="a groove that ends 2 % before the ellipse, so that half of the contact is meshed",
+        answer="Hertz's approach, by 40 digits: only 3e-4 of the load is cut off. Wrong if the shoulder is ignored",
+        evaluate=cut_off,
+        expected=8.4430937122525567274e-6,
+        tolerance=SECOND_LEVEL,
+    ),
+    HardCase(
+        name="contact: far over its shoulder",
+        problem="an ellipse 3.7 times as wide as the groove",
+        answer="a refusal with the widest contact that the mesh allows",
+        evaluate=lambda: referenced(replace(inner(), shoulder=0.3e-3), recipe="race").approach,
+        refusal="its shoulder stands at 0.3 mm: the mesh holds up to 3 times that",
+    ),
+    HardCase(
+        name="contact: past the ball",
+        problem="2e5 N on the true ball and groove: the ellipse would reach around the ball",
+        answer="a refusal with the widest contact that the mesh allows",
+        evaluate=lambda: referenced(inner(load=2e5), recipe="race").approach,
+        refusal="too wide for a ball of radius",
+    ),
+)

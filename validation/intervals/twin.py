@@ -1,0 +1,204 @@
+"""Do intervals from meshes with a twin hold? python validation/intervals/twin.py [--contacts 220] [--seed 40000]
+
+Solves random contacts of true shape on the levels 1, 2 and 3 with their twins, as `solve_reference` does for 0.1 % and
+for less, and compares semi-axes, peak pressure and approach with plain levels 2, 3 and 4 on the same block, which are
+extrapolated with the order that they show. Twins have no part in that. Prints how often the interval of the meshes
+contains the extrapolated value, and how large errors and intervals are, and writes a row for each contact. One of eight
+contacts is a pocket, whose approach has no limit and is left out; of the others, half have a shoulder 1.06 to 2
+semi-axes away, at contact angles up to 40 degrees. The effect of the far boundary is the same in both and is not tested
+here: validation/benchmarks/intervals.py does that. An interrupted run continues where it stopped.
+
+The constants of `fembearing.verify.contact.twin_refinement` were chosen on seeds 100 to 139, 200 to 235, 20000
+to 20085 and 30000 to 30123; all others test them. Plain levels are themselves uncertain by some 0.02 %.
+"""
+
+import argparse
+import csv
+import os
+import time
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from rich.console import Console
+from rich.progress import track
+from rich.table import Table
+
+from analytic.errors import FembearingError
+from analytic.scene import Contact, Material
+from fembearing.fem.guess import expected_semi_axes
+from fembearing.fem.solution import MeshSolution, solve_on_mesh
+from fembearing.fem.twin import twin_on_level
+from fembearing.mesh.recipe import load_recipe
+from fembearing.verify.contact.grid_convergence import UNSTEADY, observed_order
+from fembearing.verify.contact.hertz import hertz_quantities
+from fembearing.verify.contact.mesh_refinement import COMPARED
+from fembearing.verify.contact.twin_refinement import estimates_with_twin
+
+HERE = Path(__file__).parent
+RECIPE = load_recipe("race")
+MATERIALS = [
+    Material(name=name, youngs_modulus=modulus, poisson_ratio=ratio, density=1.0, source="typical")
+    for name, modulus, ratio in (
+        ("steel", 206e9, 0.3),
+        ("silicon nitride", 310e9, 0.26),
+        ("bronze", 110e9, 0.34),
+        ("PEEK", 3.6e9, 0.38),
+    )
+]
+SHAPE = ("pair", "ball", "race", "conformity", "size", "axis_ratio", "shoulder", "contact_angle")
+COLUMNS = (
+    *("seed", *SHAPE),
+    *(f"{name}_{part}_{level}" for level in (2, 3) for name in COMPARED for part in ("error", "stated")),
+    *("seconds", "trouble"),
+)
+POCKETS = 8  # one of so many seeds is a pocket
+LARGEST = 0.42  # semi-axis over the ball's radius
+ORDERS = (2.5, 5.0)  # least and greatest order with which plain levels are extrapolated
+Row = dict[str, str]
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--out", type=Path, default=HERE, help="folder for the table")
+    parser.add_argument("--contacts", type=int, default=220, help="number of contacts")
+    parser.add_argument("--seed", type=int, default=40000, help="first seed")
+    given = parser.parse_args()
+    given.out.mkdir(parents=True, exist_ok=True)
+    path = given.out / "twin_coverage.csv"
+    rows = read(path) if path.exists() else []
+    done = {row["seed"] for row in rows}
+    ahead = [seed for seed in range(given.seed, given.seed + given.contacts) if str(seed) not in done]
+    for seed in track(ahead, console=Console(stderr=True)):
+        rows.append(compared(seed))
+        write(rows, path)
+    report(rows, Console(width=120))
+
+
+def random_contact(seed: int) -> Contact:
+    """Conformity 0.5025 to 0.6, semi-axes of 0.003 to 0.42 of the ball's radius, all pairs of four materials."""
+    rng = np.random.default_rng(seed)
+    radius = 10 ** rng.uniform(-3, np.log10(0.02))
+    groove = 2 * radius * (0.5025 + 0.0975 * rng.random() ** 2)
+    angle = rng.uniform(0, 0.7)
+    ring = radius / rng.uniform(0.06, 0.35) / np.cos(angle)  # half the pitch diameter over the cosine
+    pair, rolling = ("inner", ring - radius) if rng.random() < 0.5 else ("outer", -ring - radius)
+    ball, race = (MATERIALS[number] for number in rng.choice(4, 2, p=[0.5, 0.2, 0.15, 0.15]))
+    size = radius * 10 ** rng.uniform(-2.5, np.log10(LARGEST))
+    is_near, distances = rng.random() < 0.5, size * rng.uniform(1.06, 2.0, 2)
+    if seed % POCKETS == 0:
+        pair, rolling, is_near = "pocket", -groove * rng.uniform(1.0, 1.5), False
+    widest = 0.95 * groove
+    contact = Contact(
+        pair=pair,
+        ball_radius=radius,
+        groove_radius=groove,
+        rolling_radius=rolling,
+        shoulder=min(distances[0], widest) if is_near else widest,
+        # The far shoulder is no lower than the bottom of the groove.
+        far_shoulder=min(max(distances[rng.integers(2)], groove * np.sin(angle)), widest) if is_near else widest,
+        contact_angle=angle if is_near else 0.0,
+        load=1.0,
+        ball_material=ball,
+        race_material=race,
+    )
+    unit = hertz_quantities(contact)
+    return replace(contact, load=float((size / max(unit.semi_axis_rolling, unit.semi_axis_transverse)) ** 3))
+
+
+def compared(seed: int) -> Row:
+    """One contact: relative errors of the corrected values, and their stated uncertainties."""
+    contact = random_contact(seed)
+    row = {"seed": str(seed), "pair": contact.pair, "ball": contact.ball_material.name}
+    row |= {"race": contact.race_material.name, "contact_angle": f"{contact.contact_angle:.3f}"}
+    start = time.process_time()
+    try:
+        solutions, ellipse = [], expected_semi_axes(contact, geometry="real")
+        for level in RECIPE.levels[:3]:
+            solution = twin_on_level(contact, recipe=RECIPE, level=level, start=ellipse)
+            if solution is None:
+                return row | {"trouble": "no twin"}
+            solutions.append(solution)
+            ellipse = solution.ellipse
+        plain = [solution.mesh for solution in solutions[1:]]
+        axes = plain[-1].pair.semi_axes
+        plain.append(solve_on_mesh(contact, recipe=RECIPE, level=RECIPE.levels[3], semi_axes=axes))
+    except FembearingError as problem:
+        return row | {"trouble": " ".join(str(problem).split())}
+    row |= {
+        "conformity": f"{contact.groove_radius / contact.ball_radius / 2:.5f}",
+        "size": f"{max(axes) / contact.ball_radius:.4f}",
+        "axis_ratio": f"{axes[1] / axes[0]:.2f}",
+        "shoulder": f"{contact.nearer_shoulder / axes[1]:.2f}",
+    }
+    truth = extrapolated(plain)
+    for count in (2, 3):
+        found = estimates_with_twin(solutions[:count])
+        for name in COMPARED:
+            row |= {
+                f"{name}_error_{count}": f"{found[name].limit / truth[name] - 1:.2e}",
+                f"{name}_stated_{count}": f"{found[name].mesh:.2e}",
+            }
+    return row | {"seconds": f"{time.process_time() - start:.1f}", "trouble": ""}
+
+
+def extrapolated(meshes: Sequence[MeshSolution]) -> dict[str, float]:
+    """Each quantity from three plain levels, with the order that they show."""
+    sizes = [1 / mesh.level for mesh in meshes]
+    truth = {}
+    for name in COMPARED:
+        values = [getattr(mesh.quantities, name) for mesh in meshes]
+        order = float(np.clip(observed_order(values, sizes) or UNSTEADY, *ORDERS))
+        truth[name] = values[-1] + (values[-1] - values[-2]) / ((sizes[-2] / sizes[-1]) ** order - 1)
+    return truth
+
+
+def report(rows: list[Row], out: Console) -> None:
+    solved = [row for row in rows if not row["trouble"]]
+    for level in (2, 3):
+        heads = ("quantity", "interval holds", "error, median", "90 %", "worst", "stated, median", "worst error/stated")
+        table = Table(*heads, title=f"level {level} with twin: {len(solved)} contacts")
+        hold = np.ones(len(solved), dtype=bool)
+        for name in COMPARED:
+            counted = [row["pair"] != "pocket" or name != "approach" for row in solved]
+            error = np.abs(column(solved, f"{name}_error_{level}"))
+            stated = column(solved, f"{name}_stated_{level}")
+            held = (error <= stated) | ~np.array(counted)
+            hold &= held
+            error, stated = error[counted], stated[counted]
+            table.add_row(
+                name.replace("_", " "),
+                f"{np.sum(error <= stated)} of {error.size}",
+                *(f"{part:.3%}" for part in (*np.quantile(error, (0.5, 0.9, 1.0)), np.median(stated))),
+                f"{np.max(error / stated):.2f}",
+            )
+        out.print(table)
+        out.print(f"all four hold in {hold.sum()} of {hold.size}")
+    for row in rows:
+        if row["trouble"]:
+            out.print(f"seed {row['seed']}, {row['pair']}: {row['trouble']}")
+
+
+def column(rows: list[Row], name: str) -> Any:
+    return np.array([float(row[name]) for row in rows])
+
+
+def read(path: Path) -> list[Row]:
+    with path.open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def write(rows: list[Row], path: Path) -> None:
+    """Replace the file in one step, so that an interrupted run leaves a complete one."""
+    fresh = path.with_suffix(".new")
+    with fresh.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, list(COLUMNS), restval="", lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+    os.replace(fresh, path)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,197 @@
+"""What else the torque and its parts are compared with, and what each comparison is worth.
+
+Every comparison is a range of ratios: ours over the other's.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+
+from analytic.contact.rolling_contact import RollingContact
+from analytic.loads.balls import LoadEffects, thrust_balls
+from analytic.oil.rolling import hysteresis_moment, inlet_shear_factor, per_minute, square_millimetres
+from analytic.oil.variation import Variation
+from analytic.oil.viscosity import inlet_viscosity
+from analytic.scene import Array, Operation, Scene
+from analytic.scenefile.read import load_scene, parse_scene
+from analytic.torque import friction_torque
+from fembearing.verify.torque.catalogue_models import scene_band
+from validation.benchmarks.equilibrium import GROOVES, axial_rigidity_of_pair
+from validation.film import run as film
+
+HERE = Path(__file__).parent
+SNARE = 0.00021  # moment of a contact that resists rolling, over load times ball diameter, dry steel
+# SKF's constants of all thrust ball bearings, in the Russian text of its catalogue of 2016; mm, N, N mm
+SKF_THRUST = (1.03e-6, 0.016)  # R_1, S_1
+SKF_BOUNDARY, SKF_FILM = 0.12, 0.05  # mu_bl, mu_EHL [SKF2018]
+THRUST_51205 = """
+name = "51205, dimensions assumed"
+tolerance = "5 %"
+[bearing]
+kind = "thrust"
+ball_count = 12
+ball_diameter = "7.938 mm"
+pitch_diameter = "36 mm"
+conformity = 0.524
+bore_diameter = "25 mm"
+outside_diameter = "47 mm"
+[operation]
+axial_load = "1000 N"
+inner_speed = ["100 rpm", "500 rpm", "1500 rpm"]
+[lubricant]
+name = "ISO VG 68"
+temperature = "40 degC"
+[surface]
+finish = "ground and honed"
+[friction]
+hysteresis_loss = 0.007
+[effects]
+starvation = "off"
+"""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Other:
+    """One comparison; low and high : ends of ours over the other's."""
+
+    what: str
+    compared_with: str
+    kind: Literal["validation", "cross-check", "plausibility"]
+    low: float
+    high: float
+    worth: str
+
+
+def others() -> list[Other]:
+    return [_films(), *_catalogues(), _thrust_catalogue(), *_rolling_formulas(), _snare(), _rigidity()]
+
+
+def _ranged(ours: Array, theirs: Array) -> dict[str, float]:
+    ratio = np.asarray(ours) / np.asarray(theirs)
+    return {"low": float(np.nanmin(ratio)), "high": float(np.nanmax(ratio))}
+
+
+def _films() -> Other:
+    found = film.compare()
+    return Other(
+        what="central film, circular contact, 0.02 to 0.7 m/s, 0.50 GPa",
+        compared_with="films measured by interferometry [Wittek]",
+        kind="validation",
+        **_ranged(found.computed[found.judged], found.measured[found.judged]),
+        worth="validates the film at ellipticity 1 and 0.5 GPa; races have 0.03 to 0.07 and 1 to 3 GPa",
+    )
+
+
+def _catalogues() -> Iterator[Other]:
+    for name, words in (
+        ("6205_radial", "6205, 1500 N radial and 200 N axial, 100 to 1500 rpm"),
+        ("6205_physical", "6205, 1000 N axial, races of Sq 1 um, 100 to 500 rpm"),
+    ):
+        scene = load_scene(HERE.parent / "scenes" / f"{name}.toml")
+        total = friction_torque(replace(scene, cage=None)).torque.total
+        for model, values in scene_band(scene).values.items():
+            if np.isfinite(values).any():
+                yield Other(
+                    what=f"torque of a {words}",
+                    compared_with=model,
+                    kind="cross-check",
+                    **_ranged(total, values),
+                    worth="a fit to unpublished tests of usual bearings; oil, finish and loss factor here are assumed",
+                )
+
+
+def _thrust_catalogue() -> Other:
+    scene = parse_scene(THRUST_51205, origin="51205")
+    return Other(
+        what="torque of a thrust bearing 51205 as assumed, 1000 N, 100 to 1500 rpm",
+        compared_with="SKF, thrust ball bearings",
+        kind="cross-check",
+        **_ranged(friction_torque(scene).torque.total, skf_thrust_torque(scene)),
+        worth="a fit to unpublished tests; number of balls, oil and finish are assumed, both without starvation",
+    )
+
+
+def skf_thrust_torque(scene: Scene) -> Array:
+    """M_rr + M_sl of a thrust ball bearing, N m, without starvation.
+
+    G_rr = R_1 d_m^1.83 F_a^0.54, M_rr = phi_ish G_rr (nu n)^0.6;  G_sl = S_1 d_m^0.05 F_a^(4/3), M_sl = G_sl mu,
+    mu = phi_bl mu_bl + (1 - phi_bl) mu_EHL, phi_bl = exp(-2.6e-8 (n nu)^1.4 d_m);  d_m = (d + D)/2, mm, N, 1/min, mm2/s
+    """
+    bearing, oil, operation = scene.bearing, scene.lubricant, scene.operation.as_series()
+    assert oil is not None
+    assert bearing.bore_diameter is not None
+    assert bearing.outside_diameter is not None
+    mean = (bearing.bore_diameter + bearing.outside_diameter) / 2
+    kinematic = inlet_viscosity(oil).viscosity / oil.density
+    moved = per_minute(operation.inner_speed) * square_millimetres(kinematic)
+    heated = inlet_shear_factor(mean_diameter=mean, ring_speed=operation.inner_speed, kinematic_viscosity=kinematic)
+    rolling = heated * SKF_THRUST[0] * (1e3 * mean) ** 1.83 * operation.axial_load**0.54 * moved**0.6
+    boundary = np.exp(-2.6e-8 * moved**1.4 * 1e3 * mean)
+    friction = boundary * SKF_BOUNDARY + (1 - boundary) * SKF_FILM
+    sliding = SKF_THRUST[1] * (1e3 * mean) ** 0.05 * operation.axial_load ** (4 / 3)
+    return (rolling + sliding * friction) / 1e3
+
+
+def _rolling_formulas() -> Iterator[Other]:
+    for name, words in (
+        ("thrust_rig_3mm", "rig, balls of 3 mm"),
+        ("thrust_rig_6mm", "rig, balls of 6.35 mm"),
+        ("6205_radial", "6205, 1500 N radial and 200 N axial"),
+    ):
+        scene = load_scene(HERE.parent / "scenes" / f"{name}.toml")
+        ours, other = (
+            friction_torque(scene, variation=Variation(rolling_formula=formula)).torque.rolling
+            for formula in ("biboulet", "houpert")
+        )
+        assert ours is not None
+        assert other is not None
+        yield Other(
+            what=f"rolling torque, {words}",
+            compared_with="formula of [Houpert1987]",
+            kind="cross-check",
+            **_ranged(ours, other),
+            worth="two formulas of one school: their spread, not their error",
+        )
+
+
+def _snare() -> Other:
+    ratios = []
+    for name in ("thrust_rig_3mm", "thrust_rig_6mm", "6205_physical"):
+        scene = load_scene(HERE.parent / "scenes" / f"{name}.toml")
+        contacts = _contacts(scene)
+        assert scene.hysteresis_loss is not None
+        ours = hysteresis_moment(contacts, hysteresis_loss=scene.hysteresis_loss)
+        ratios.append(np.ravel(ours / (SNARE * contacts.load * scene.bearing.ball_diameter)))
+    return Other(
+        what="hysteresis of a contact, loss factor 0.007: rig and 6205",
+        compared_with="Snare's resistance of dry contacts to rolling, as [Houpert2002] has it",
+        kind="plausibility",
+        **_ranged(np.concatenate(ratios), np.ones(1)),
+        worth="exceeds the whole dry torque that is stated for balls of 3 mm: no measure of hysteresis",
+    )
+
+
+def _contacts(scene: Scene) -> RollingContact:
+    operation = scene.operation.as_series()
+    first = Operation(**{name: values[:1] for name, values in vars(operation).items()})
+    return thrust_balls(
+        scene.bearing,
+        scene.contact_angle,
+        first,
+        LoadEffects(load_distribution=False, centrifugal=False, gyroscopic=False),
+    ).contacts
+
+
+def _rigidity() -> Other:
+    rows = np.genfromtxt(HERE.parent / "published" / "gmn_axial_rigidity.csv", delimiter=",", names=True, skip_header=2)
+    ours = np.array([axial_rigidity_of_pair(groove, rows["preload_N"]) for groove in GROOVES])
+    return Other(
+        what=f"axial rigidity of a preloaded pair, 100 to 600 N, groove radii {GROOVES[0]:g} to {GROOVES[-1]:g} D",
+        compared_with="a maker's catalogue [GMN]",
+        kind="cross-check",
+        **_ranged(ours, rows["axial_rigidity_of_pair_N_per_um"] * 1e6),
+        worth="calculated by the maker; the groove radii are not known",
+    )

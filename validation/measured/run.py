@@ -1,0 +1,304 @@
+"""The torque against measured torques: python validation/measured/run.py [--out FOLDER]
+
+Three balls roll without a cage between two thrust races, the lower one fixed, and the upper one slows down: twelve
+spin-downs [Balan2015], two sizes of balls and loads, one oil. The comparison follows [ASME2009] at each speed: the
+error E = S - D of the computed against the measured torque is that of the model to within u_val = sqrt(u_num^2 +
+u_input^2 + u_D^2). All uncertainties are standard ones. The program prints what it found, and writes measured.md,
+measured.csv and measured.png into this folder, with all other comparisons (others.py) in
+one table. It takes half a minute.
+"""
+
+import argparse
+import csv
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+from rich.console import Console
+from scipy.special import ellipe
+
+from analytic.loads.balls import LoadEffects, thrust_balls
+from analytic.oil.rolling import HYSTERESIS_LOSS
+from analytic.oil.variation import Variation
+from analytic.scene import Array, Scene
+from analytic.scenefile.read import load_scene
+from analytic.torque import friction_torque
+from validation.measured.others import SNARE, Other, others
+from validation.measured.page import draw, page
+
+HERE = Path(__file__).parent
+DATA = HERE.parent / "published" / "balan2015.csv"
+RIGS = {3.0: "thrust_rig_3mm.toml", 6.35: "thrust_rig_6mm.toml"}  # ball diameter, mm: scene
+RPM = (60, 90, 120, 150, 180, 210)
+DRY_SHARE = (0.02, 0.12)  # of the lubricated torque, as stated
+# Standard uncertainties, relative. Judgement: the moment of inertia by which a spin-down becomes a torque, and that of
+# the balls, which turn with the race. The scatter of single runs comes from the data.
+INERTIA, BALL_INERTIA = 0.03, 0.025
+UNIFORM = 3**-0.5  # standard deviation over half the width of a uniform distribution
+SURFACE_TENSION = 0.03  # N/m, mineral oil, usual
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Rig:
+    """Measured and computed torques of one size of balls; arrays (n,) over RPM, SI."""
+
+    ball_diameter: float
+    scene: Scene
+    runs: Array  # (runs, n) torque of each spin-down; NaN above its initial speed
+    computed: Array  # S
+    numerical: Array  # u_num
+    inputs: Mapping[str, Array]  # parts of u_input
+    free: Array  # the same with free balls, the default of a scene
+    free_numerical: Array  # their stated numerical uncertainty, 95 %, N m
+    supplied: Mapping[str, Array]  # what a mechanism adds to S, N m, or can add at most
+
+    @property
+    def count(self) -> Array:
+        """Spin-downs that pass each speed."""
+        return np.sum(~np.isnan(self.runs), axis=0)
+
+    @property
+    def measured(self) -> Array:
+        """D: mean of the spin-downs."""
+        return np.nanmean(self.runs, axis=0)
+
+    @cached_property
+    def scatter(self) -> float:
+        """Relative standard deviation of one spin-down at a speed, pooled over the speeds."""
+        relative = self.runs / self.measured - 1
+        freedoms = np.sum(self.count - 1)
+        return float(np.sqrt(np.nansum(relative**2) / freedoms))
+
+    @property
+    def measurement(self) -> Array:
+        """u_D."""
+        return self.measured * np.sqrt(self.scatter**2 / self.count + INERTIA**2 + BALL_INERTIA**2)
+
+    @property
+    def input(self) -> Array:
+        """u_input."""
+        return np.sqrt(np.sum(np.square(list(self.inputs.values())), axis=0))
+
+    @property
+    def error(self) -> Array:
+        """E."""
+        return self.computed - self.measured
+
+    @property
+    def validation(self) -> Array:
+        """u_val."""
+        return np.sqrt(self.numerical**2 + self.input**2 + self.measurement**2)
+
+    @property
+    def dry_share(self) -> tuple[float, float]:
+        """Least and largest stated share of the dry torque."""
+        return DRY_SHARE
+
+    @property
+    def viscosity_needed(self) -> Array:
+        """Factor on the viscosity that would make S equal D, by the slope that u_input has."""
+        power = self.inputs["viscosity"] / (INPUTS["viscosity"][1] * self.computed)
+        return (self.measured / self.computed) ** (1 / power)
+
+    @property
+    def meniscus(self) -> float:
+        """2 gamma d, N."""
+        return 2 * SURFACE_TENSION * self.ball_diameter
+
+    @property
+    def lack_per_contact(self) -> Array:
+        """What is missing, as a force that resists at each of the six contacts on both surfaces, N."""
+        return -self.error / (self.scene.bearing.ball_count * self.scene.bearing.pitch_diameter)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--out", type=Path, default=HERE, help="folder of the results")
+    folder = parser.parse_args().out
+    rigs = [compare(diameter) for diameter in RIGS]
+    other = [*map(as_other, rigs), *others()]
+    folder.mkdir(parents=True, exist_ok=True)
+    text = page(rigs, other)
+    (folder / "measured.md").write_text(text, encoding="utf-8")
+    write(rigs, other, folder / "measured.csv")
+    draw(rigs, other, folder / "measured.png")
+    Console(width=120).print(text, markup=False, highlight=False)
+
+
+def as_other(rig: Rig) -> Other:
+    """The comparison as one line among the others."""
+    ratio = rig.computed / rig.measured
+    return Other(
+        what=f"torque of three balls of {1e3 * rig.ball_diameter:g} mm between thrust races, {RPM[0]} to {RPM[-1]} rpm",
+        compared_with="spin-downs [Balan2015]",
+        kind="validation",
+        low=float(ratio.min()),
+        high=float(ratio.max()),
+        worth="tests the resistance to rolling in oil at light loads and finds it too low; sliding hardly counts there",
+    )
+
+
+def spin_downs(diameter: float) -> Array:
+    """(runs, n) torque of each spin-down at each speed, N m; diameter : of the balls, mm."""
+    size, _, first, factor, power = np.loadtxt(DATA, delimiter=",", skiprows=7, unpack=True)
+    own = size == diameter
+    speed = np.array(RPM) * np.pi / 30
+    torque = factor[own, None] * speed ** power[own, None]
+    return np.where(first[own, None] >= np.array(RPM), torque, np.nan)
+
+
+def compare(diameter: float) -> Rig:
+    """diameter : of the balls, mm."""
+    scene = load_scene(HERE.parent / "scenes" / RIGS[diameter])
+    result, free = friction_torque(scene), friction_torque(replace(scene, spin_rule="free"))
+    return Rig(
+        ball_diameter=diameter * 1e-3,
+        scene=scene,
+        runs=spin_downs(diameter),
+        computed=result.torque.total,
+        numerical=result.numerical_uncertainty / 2 * result.torque.total,  # stated is 95 %
+        inputs={name: half_change(scene, change, u) for name, (change, u) in INPUTS.items()},
+        free=free.torque.total,
+        free_numerical=free.numerical_uncertainty * free.torque.total,
+        supplied=dict(mechanisms(scene, result.torque.total)),
+    )
+
+
+def total(scene: Scene, variation: Variation | None = None) -> Array:
+    return friction_torque(scene, variation=variation or Variation()).torque.total
+
+
+def half_change(scene: Scene, change: Callable[[Scene, float], Scene], uncertainty: float) -> Array:
+    """Half of the difference between the torques with an input raised and lowered by its standard uncertainty."""
+    return np.abs(total(change(scene, 1 + uncertainty)) - total(change(scene, 1 - uncertainty))) / 2
+
+
+def of_washers(scene: Scene, key: str, factor: float) -> Scene:
+    bearing = scene.bearing
+    rings = {name: replace(getattr(bearing, name), **{key: getattr(getattr(bearing, name), key) * factor})
+             for name in ("inner", "outer")}  # fmt: skip
+    return replace(scene, bearing=replace(bearing, **rings))
+
+
+def of_oil(scene: Scene, factor: float) -> Scene:
+    oil = scene.lubricant
+    assert oil is not None
+    return replace(scene, lubricant=replace(oil, viscosity=oil.viscosity * factor))
+
+
+def of_load(scene: Scene, factor: float) -> Scene:
+    return replace(scene, operation=replace(scene.operation, axial_load=scene.operation.axial_load * factor))
+
+
+def of_waves(scene: Scene, factor: float) -> Scene:
+    surface = scene.surface
+    assert surface is not None
+    assert surface.autocorrelation is not None
+    waves = replace(surface.autocorrelation, length=surface.autocorrelation.length * factor)
+    return replace(scene, surface=replace(surface, autocorrelation=waves))
+
+
+def of_steel(scene: Scene, factor: float) -> Scene:
+    ball = scene.bearing.ball_material
+    steel = replace(ball, youngs_modulus=ball.youngs_modulus * factor)
+    bearing = scene.bearing
+    rings = {name: replace(getattr(bearing, name), material=steel) for name in ("inner", "outer")}
+    return replace(scene, bearing=replace(bearing, ball_material=steel, **rings))
+
+
+def of_losses(scene: Scene, factor: float) -> Scene:
+    assert scene.hysteresis_loss is not None
+    return replace(scene, hysteresis_loss=scene.hysteresis_loss * factor)
+
+
+def of_boundary(scene: Scene, factor: float) -> Scene:
+    surface = scene.surface
+    assert surface is not None
+    return replace(scene, surface=replace(surface, boundary_friction=surface.boundary_friction * factor))
+
+
+# What changes, and its relative standard uncertainty. Viscosity: one printed digit, and half a kelvin. Radius: 17 to
+# 19 mm, uniform. The others are judgement; roughness waves, boundary friction and hysteresis hardly count.
+INPUTS: dict[str, tuple[Callable[[Scene, float], Scene], float]] = {
+    "viscosity": (of_oil, 0.065),
+    "radius of the races": (lambda scene, factor: of_washers(scene, "bottom_radius", factor), UNIFORM / 18),
+    "groove radius": (lambda scene, factor: of_washers(scene, "groove_radius", factor), 0.01),
+    "load": (of_load, 0.01),
+    "Young's modulus": (of_steel, 0.01),
+    "length of the roughness waves": (of_waves, 0.35),
+    "boundary friction": (of_boundary, 0.15),
+    "hysteresis loss": (of_losses, 0.5),
+}
+
+
+def mechanisms(scene: Scene, computed: Array) -> Iterator[tuple[str, Array]]:
+    """What each mechanism that the model knows adds to the computed torque, or could add at most, N m."""
+    assert scene.surface is not None
+    assert scene.hysteresis_loss is not None
+    none = replace(scene, effects={**scene.effects, "asperities": "off"})
+    yield "asperities, in S already", computed - total(none)
+    truncated = replace(scene, surface=replace(scene.surface, gap="truncated"))
+    yield "asperities by the other law of the gap, more than in S", total(truncated) - computed
+    yield "pivoting in full boundary friction, the whole", dry_pivoting(scene) + 0 * computed
+    most = replace(scene, hysteresis_loss=HYSTERESIS_LOSS[1])
+    yield f"hysteresis with a loss factor of {HYSTERESIS_LOSS[1]:g}, more than in S", total(most) - computed
+    yield "Snare's resistance of dry contacts, the whole", snare(scene) + 0 * computed
+    yield "rolling by the formula of [Houpert1987]", total(scene, Variation(rolling_formula="houpert")) - computed
+    starved = replace(scene, lubricant=replace(scene.lubricant, starvation_degree=2.0))
+    yield "starvation, menisci at two semi-axes", total(starved) - computed
+
+
+def snare(scene: Scene) -> float:
+    """Torque of all contacts by Snare's resistance to rolling, N m."""
+    balls = thrust_balls(
+        scene.bearing,
+        scene.contact_angle,
+        scene.operation.as_series(),
+        LoadEffects(load_distribution=False, centrifugal=False, gyroscopic=False),
+    )
+    moment = SNARE * balls.load[:, :1] * scene.bearing.ball_diameter
+    return float(balls.total(moment * balls.contacts.rolling_rate[:, :1])[0])
+
+
+def dry_pivoting(scene: Scene) -> float:
+    """Torque of all contacts that pivot with the friction of asperities alone, N m: 3/8 mu Q b E(m) w/2 at each."""
+    balls = thrust_balls(
+        scene.bearing,
+        scene.contact_angle,
+        scene.operation.as_series(),
+        LoadEffects(load_distribution=False, centrifugal=False, gyroscopic=False),
+    )
+    assert scene.surface is not None
+    contact, load = balls.contact, balls.load[0, 0, 0]
+    short, long = np.sort([contact.semi_axis_x[0, 0, 0], contact.semi_axis_y[0, 0, 0]])
+    moment = 3 / 8 * scene.surface.boundary_friction * load * long * ellipe(1 - (short / long) ** 2)
+    return float(2 * scene.bearing.ball_count * moment / 2)
+
+
+def write(rigs: list[Rig], other: list[Other], path: Path) -> None:
+    """One row for each point, uN m; then one for each of the other comparisons."""
+    with path.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file)
+        writer.writerow(
+            ("ball_diameter_mm", "rpm", "runs", "D_uN_m", "S_uN_m", "E_uN_m", "E_over_D", "u_D_uN_m", "u_num_uN_m",
+             "u_input_uN_m", "u_val_uN_m", "abs_E_over_u_val", "S_free_balls_uN_m", "free_balls_numerical_95_uN_m")
+        )  # fmt: skip
+        for rig in rigs:
+            micro = [1e6 * part for part in (rig.measured, rig.computed, rig.error, rig.error / rig.measured * 1e-6,
+                     rig.measurement, rig.numerical, rig.input, rig.validation,
+                     np.abs(rig.error) / rig.validation * 1e-6, rig.free, rig.free_numerical)]  # fmt: skip
+            for point, rpm in enumerate(RPM):
+                values = (f"{part[point]:.5g}" for part in micro)
+                writer.writerow((f"{1e3 * rig.ball_diameter:g}", rpm, int(rig.count[point]), *values))
+        writer.writerow([])
+        writer.writerow(("compared", "with", "kind", "low", "high", "worth"))
+        for each in other:
+            writer.writerow(
+                (each.what, each.compared_with, each.kind, f"{each.low:.4g}", f"{each.high:.4g}", each.worth)
+            )
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,225 @@
+"""Figures 5 to 9 of [Paper] beside ours. Lines are three readings, marks the numbers that the paper prints."""
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
+
+from analytic.scene import Array, Autocorrelation
+from analytic.surface.heightmap import Measurement, measure
+from analytic.surface.roughness import generated_surface
+from validation.paper.cage import ROUGH, RPM, SMOOTH
+from validation.paper.comparison import Comparison, Point, Series
+
+mpl.use("agg")
+
+FINISHES = (ROUGH, SMOOTH)
+COLOURS = {"as printed": "tab:orange", "calibrated": "tab:blue", "physical": "tab:green"}
+MAP_POINTS, MAP_SEED = 256, 5
+MOMENTS = "calibrated, friction moments in place of power"
+LEAST = {"cage_torque": 0.03, "cage_max_force": 0.5, "pocket_coefficient": 0.02, "pocket": 3e-6}  # of logarithmic axes
+Panel = tuple[str, str, float]  # title, quantity, factor from SI
+
+
+def draw_surfaces(autocorrelation: Autocorrelation, path: Path) -> dict[float, Measurement]:
+    """Figure 5; returns what the two maps measure."""
+    figure = Figure(figsize=(10.5, 3.1), layout=ConstrainedLayoutEngine(w_pad=0.12))
+    axes = figure.subplots(1, 3, width_ratios=(1, 1, 1.2))
+    found = {}
+    width = autocorrelation.spacing * MAP_POINTS * 1e3
+    for number, (axis, roughness) in enumerate(zip(axes, FINISHES, strict=False)):
+        surface = generated_surface(
+            rms_roughness=roughness, autocorrelation=autocorrelation, points=MAP_POINTS, seed=MAP_SEED + number
+        )
+        heights, most = surface.heights * 1e6, 3 * roughness * 1e6
+        image = axis.imshow(heights, extent=(0, width, 0, width), vmin=-most, vmax=most, cmap="viridis")
+        figure.colorbar(image, ax=axis, label="height, µm", shrink=0.85)
+        axis.set(title=f"({'ab'[number]}) Sq {roughness * 1e6:g} µm", xlabel="x, mm", ylabel="y, mm")
+        place = np.arange(MAP_POINTS) * autocorrelation.spacing * 1e3
+        axes[2].plot(place, heights[MAP_POINTS // 2], color="k" if number == 0 else "tab:red", lw=1.2,
+                     label=f"Sq {roughness * 1e6:g} µm")  # fmt: skip
+        found[roughness] = measure(surface)
+    axes[2].set(title="middle rows of both, one scale", xlabel="x, mm", ylabel="height, µm", ylim=(-2.2, 3))
+    axes[2].legend(frameon=False, loc="upper right", ncols=2)
+    axes[2].grid(alpha=0.3)
+    _save(figure, path)
+    return found
+
+
+def draw_total(readings: list[Comparison], points: list[Point], path: Path) -> None:
+    """Figure 6."""
+    figure = Figure(figsize=(9.0, 4.4), layout="constrained")
+    axes = figure.subplots(1, 2, sharey=True)
+    for axis, roughness in zip(axes, FINISHES, strict=True):
+        _panel(axis, readings, points, roughness, ("", "total_torque", 1e3))
+        _moments(axis, readings, roughness, "total_with_moments")
+        axis.set(title=f"Sq {roughness * 1e6:g} µm", ylim=(0, 70))
+    axes[0].set_ylabel("total friction torque, N mm")
+    _legend(figure, axes[0])
+    _save(figure, path)
+
+
+def draw_coefficients(readings: list[Comparison], path: Path) -> None:
+    """Figure 7; the paper has no numbers for it."""
+    figure = Figure(figsize=(10.0, 4.2), layout="constrained")
+    axes = figure.subplots(1, 3)
+    panels: list[Panel] = [
+        ("(a) ball on outer race", "outer_coefficient", 1.0),
+        ("(b) ball on inner race", "inner_coefficient", 1.0),
+        ("(c) ball on cage", "pocket_coefficient", 1.0),
+    ]
+    for axis, (title, quantity, _) in zip(axes, panels, strict=True):
+        for one in readings:
+            for values, style, sq in ((one.rough, "-", "1"), (one.smooth, "--", "0.1")):
+                same = quantity != "pocket_coefficient" and one.name == "as printed"
+                if not same:  # the races of this reading have the coefficients of the calibrated one
+                    axis.plot(values["inner_speed"] / RPM, values[quantity], style, color=COLOURS[one.name],
+                              marker=".", label=f"{one.name}, Sq {sq} µm")  # fmt: skip
+        _speeds(axis)
+        axis.set(title=title, ylim=(0, 0.12))
+    axes[2].set(yscale="log", ylim=(LEAST["pocket_coefficient"], 0.2), yticks=(0.02, 0.05, 0.1, 0.2))
+    axes[2].yaxis.set_major_formatter("{x:g}")
+    axes[2].yaxis.set_minor_formatter("")
+    _off_scale(axes[2], readings, "pocket_coefficient", ROUGH, "", 1.0)
+    axes[0].set_ylabel("friction coefficient")
+    _legend(figure, axes[2])
+    _save(figure, path)
+
+
+def draw_parts(readings: list[Comparison], points: list[Point], path: Path) -> None:
+    """Figure 8."""
+    figure = Figure(figsize=(10.0, 6.6), layout="constrained")
+    axes = figure.subplots(2, 3, sharex=True)
+    panels: list[Panel] = [
+        ("(a) balls on races", "race_torque", 1e3),
+        ("(b) balls on cage", "cage_torque", 1e3),
+        ("(c) bearing", "total_torque", 1e3),
+    ]
+    for row, roughness in zip(axes, FINISHES, strict=True):
+        for axis, panel in zip(row, panels, strict=True):
+            _panel(axis, readings, points, roughness, panel)
+            if panel[1] == "cage_torque":
+                _moments(axis, readings, roughness, "cage_moments")
+                axis.set(yscale="log", ylim=(LEAST["cage_torque"], 20))
+                axis.yaxis.set_major_formatter("{x:g}")
+                _off_scale(axis, readings, panel[1], roughness, "N mm", 1e3)
+            else:
+                axis.set(ylim=(0, 70))
+                if panel[1] == "total_torque":
+                    _moments(axis, readings, roughness, "total_with_moments")
+            axis.set(title=f"{panel[0]}, Sq {roughness * 1e6:g} µm")
+            axis.set_xlabel(axis.get_xlabel() if roughness == SMOOTH else "")
+        row[0].set_ylabel("friction torque, N mm")
+    _legend(figure, axes[0, 1], axes[0, 2])
+    _save(figure, path)
+
+
+def draw_forces(readings: list[Comparison], points: list[Point], path: Path) -> None:
+    """Figure 9."""
+    figure = Figure(figsize=(9.0, 4.4), layout="constrained")
+    axes = figure.subplots(1, 2, sharey=True)
+    for axis, roughness in zip(axes, FINISHES, strict=True):
+        for one in readings:
+            values = _values(one, roughness)
+            middle, low, high = (values[f"cage_max_force{end}"] for end in ("", "_low", "_high"))
+            axis.errorbar(values["inner_speed"] / RPM, middle, yerr=(middle - low, high - middle), marker=".",
+                          color=COLOURS[one.name], capsize=3, lw=1.5, label=one.name)  # fmt: skip
+        _marks(axis, points, "cage_max_force", roughness, 1.0)
+        _speeds(axis)
+        axis.set(title=f"Sq {roughness * 1e6:g} µm", yscale="log", ylim=(LEAST["cage_max_force"], 400))
+        axis.yaxis.set_major_formatter("{x:g}")
+        _off_scale(axis, readings, "cage_max_force", roughness, "N", 1.0)
+    axes[0].set_ylabel("largest force of a ball on the cage, N")
+    _legend(figure, axes[0])
+    _save(figure, path)
+
+
+def draw_pocket(
+    needed: Mapping[float, Array], mixed: Mapping[tuple[str, float], Array], speeds: Array, path: Path
+) -> None:
+    """The coefficient of ball on pocket that the paper's cage torque needs, and mixed lubrication's; by roughness."""
+    figure = Figure(figsize=(9.0, 4.4), layout="constrained")
+    axes = figure.subplots(1, 2, sharey=True)
+    names = list(dict.fromkeys(name for name, _ in mixed))
+    for axis, roughness in zip(axes, FINISHES, strict=True):
+        axis.plot(speeds / RPM, needed[roughness], "k-", lw=2.5, label="needed for the paper's cage torque")
+        for name in names:
+            colour = COLOURS["calibrated" if name.startswith("calibrated") else "physical"]
+            style = "--" if "table 1" in name else "-"
+            axis.plot(speeds / RPM, mixed[name, roughness], style, color=colour, marker=".", label=name)
+        _speeds(axis)
+        axis.set(title=f"Sq {roughness * 1e6:g} µm", yscale="log", ylim=(LEAST["pocket"], 1))
+    axes[0].set_ylabel("friction coefficient, ball on pocket")
+    _legend(figure, axes[0], columns=2)
+    _save(figure, path)
+
+
+def _panel(axis: Axes, readings: list[Comparison], points: list[Point], roughness: float, panel: Panel) -> None:
+    _, quantity, factor = panel
+    for one in readings:
+        values = _values(one, roughness)
+        axis.plot(values["inner_speed"] / RPM, values[quantity] * factor, color=COLOURS[one.name], marker=".",
+                  label=one.name)  # fmt: skip
+    _marks(axis, points, quantity, roughness, factor)
+    _speeds(axis)
+
+
+def _marks(axis: Axes, points: list[Point], quantity: str, roughness: float, factor: float) -> None:
+    """The paper's numbers: filled as printed, hollow where its text says about."""
+    for note, fill, label in (("printed", "k", "paper, number printed"), ("about", "w", "paper, printed as about")):
+        mine = [one for one in points if (one.quantity, one.rms_roughness, one.note) == (quantity, roughness, note)]
+        if mine:
+            axis.plot([one.inner_speed / RPM for one in mine], [one.value * factor for one in mine], "ko", mfc=fill,
+                      mew=1.5, ms=7, label=label, zorder=4)  # fmt: skip
+
+
+def _moments(axis: Axes, readings: list[Comparison], roughness: float, quantity: str) -> None:
+    for one in readings:
+        if one.name == "calibrated":
+            values = _values(one, roughness)
+            axis.plot(values["inner_speed"] / RPM, values[quantity] * 1e3, ":", color=COLOURS[one.name], lw=2,
+                      label=MOMENTS)  # fmt: skip
+
+
+def _off_scale(
+    axis: Axes, readings: list[Comparison], quantity: str, roughness: float, unit: str, factor: float
+) -> None:
+    """Names readings that lie below a logarithmic axis."""
+    for one in readings:
+        highest = float(_values(one, roughness)[quantity].max()) * factor
+        if highest < axis.get_ylim()[0]:
+            axis.text(0.03, 0.03, f"{one.name}: below {_power_above(highest)} {unit}", color=COLOURS[one.name],
+                      transform=axis.transAxes, fontsize=8)  # fmt: skip
+
+
+def _power_above(value: float) -> str:
+    return f"$10^{{{int(np.ceil(np.log10(value)))}}}$"
+
+
+def _values(one: Comparison, roughness: float) -> Series:
+    return one.rough if roughness == ROUGH else one.smooth
+
+
+def _speeds(axis: Axes) -> None:
+    axis.set(xlabel="speed of the inner ring, rpm", xlim=(60, 540), xticks=(100, 200, 300, 400, 500))
+    axis.grid(alpha=0.3)
+
+
+def _legend(figure: Figure, *axes: Axes, columns: int = 3) -> None:
+    """One legend for all panels: the paper's marks first."""
+    kept: dict[str, Artist] = {}
+    for axis in axes:
+        for handle, label in zip(*axis.get_legend_handles_labels(), strict=True):
+            kept.setdefault(label, handle)
+    labels = sorted(kept, key=lambda label: not label.startswith("paper"))  # stable: the rest keeps its order
+    figure.legend([kept[label] for label in labels], labels, loc="outside lower center", ncols=columns, frameon=False,
+                  fontsize=9)  # fmt: skip
+
+
+def _save(figure: Figure, path: Path) -> None:
+    figure.savefig(path, dpi=100, metadata={"Software": None})

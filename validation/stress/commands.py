@@ -1,0 +1,198 @@
+"""The command line, run in a process of its own: what it says, how long it takes, and what it leaves.
+
+Whatever its input is, a command ends with a documented status; a failure is one line; no number is silently missing;
+what it writes is whole or absent.
+"""
+
+import csv
+import json
+import os
+import re
+import resource
+import signal
+import subprocess
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from pathlib import Path
+from threading import Timer
+
+from validation.stress.extreme import numbers
+from validation.stress.watched import LARGEST, SLOWEST
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = ("-c", "from fembearing.cli import main; main()")
+DOCUMENTED = (0, 1, 2, 3)
+FAILURES = {2: "input", 3: "not solved", 71: "memory", 74: "input and output"}  # each in one line
+COMPILING, COMPILED_WITHIN = "fembearing: compiling formulas", 120.0  # s of the processor, once for a machine
+CHATTER = (COMPILING, "fembearing: compiled formulas cannot be kept", "fembearing: warning: ")
+CHATTER += (
+    "fembearing: the cage did not move",
+    "fembearing: there is no picture",
+    "fembearing: the picture ",
+    "dashboard",
+)
+DEAF = 600.0  # s of the clock, on a busy machine
+NOT_A_NUMBER = re.compile(r"(?<![\w.-])[-+]?(nan|inf)(?![\w.-])", re.IGNORECASE)
+FOLDER = {"torque.json", "torque.csv", "torque.png"}
+
+
+@dataclass(frozen=True)
+class Run:
+    """A command that ended."""
+
+    status: int  # negative: the signal
+    out: str
+    err: str
+    seconds: float  # of the processor, with its children
+    memory: float  # bytes, of the largest process
+
+    @property
+    def complaints(self) -> list[str]:
+        """The lines on standard error that say what failed."""
+        return [line for line in self.err.splitlines() if not line.startswith(CHATTER)]
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What a command is started with."""
+
+    sizes: Mapping[int, int] = field(default_factory=dict)  # of resource.RLIMIT_
+    environment: Mapping[str, str | None] = field(default_factory=dict)  # None: not there
+    closed: tuple[int, ...] = ()  # streams
+    before: tuple[str, ...] = ()  # a command that starts it
+
+    def apply(self) -> None:
+        """In the new process."""
+        for which, size in self.sizes.items():
+            resource.setrlimit(which, (size, size))
+        for stream in self.closed:
+            os.close(stream)
+
+
+FREE = Limits()
+
+
+def run(arguments: Sequence[str], cwd: Path, limits: Limits = FREE, program: Sequence[str] = PROGRAM) -> Run:
+    """Run a command in a folder; it and its children are ended after DEAF seconds."""
+    # Byte code that a limit cuts short would be kept, and end every later start: Python 3.11 does not look.
+    own = {"PYTHONPATH": str(ROOT), "OMP_NUM_THREADS": "1", "PYTHONDONTWRITEBYTECODE": "1"}
+    environment = {**os.environ, **own, **limits.environment}
+    process = subprocess.Popen(
+        [*limits.before, sys.executable, *program, *arguments],
+        cwd=cwd,
+        env={name: value for name, value in environment.items() if value is not None},
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,  # no files: their size may be limited
+        stderr=subprocess.PIPE,
+        start_new_session=True,
+        preexec_fn=limits.apply,
+    )
+    assert process.stdout is not None
+    assert process.stderr is not None
+    ending = Timer(DEAF, os.killpg, (process.pid, signal.SIGKILL))
+    ending.start()
+    with ThreadPoolExecutor(1) as pool:
+        err = pool.submit(process.stderr.read)
+        texts = [process.stdout.read(), err.result()]
+    _, state, usage = os.wait4(process.pid, 0)
+    ending.cancel()
+    process.returncode = os.waitstatus_to_exitcode(state)
+    out, complaints = (text.decode("utf-8", "replace") for text in texts)
+    return Run(process.returncode, out, complaints, usage.ru_utime + usage.ru_stime, 1024 * usage.ru_maxrss)
+
+
+def fault_of(done: Run, *, base: float = 0.0, allowed: Sequence[int] = DOCUMENTED, slowest: float = SLOWEST) -> str:
+    """What is wrong with how a command ended; "" where nothing is.
+
+    base : memory of a command that does little, bytes
+    """
+    if "Traceback" in done.err:
+        return f"traceback: {done.err.strip().splitlines()[-1]:.200}"
+    if done.status not in allowed:
+        return f"status {done.status}: {done.err.strip()[-200:]}"
+    if done.status == 1 and not done.out and allowed is DOCUMENTED:  # with little memory Python itself ends with 1
+        return "status 1 without a result"
+    if done.status in FAILURES and not done.out and len(done.complaints) != 1:
+        return f"{len(done.complaints)} lines for one failure: {done.err.strip()[-300:]!r}"
+    if done.status == 2 and done.out:
+        return f"a result beside a refusal: {done.out[:100]!r}"
+    if done.seconds > (COMPILED_WITHIN if COMPILING in done.err else slowest):
+        return f"{done.seconds:.0f} s"
+    if done.memory - base > LARGEST:
+        return f"{(done.memory - base) / 1e6:.0f} MB"
+    return ""
+
+
+def face_fault(face: str, done: Run, target: Path) -> str:
+    """What is wrong with what the command shows or writes, where it has a result."""
+    has_result = done.status in (0, 1) or (done.status == 3 and done.out != "")
+    if not has_result:
+        return f"{target.name} is left of a failure" if os.path.lexists(target) else ""
+    try:
+        return FACES[face](done, target)
+    except (OSError, ValueError) as problem:
+        return f"{face}: {problem}"
+
+
+def _text(done: Run, _: Path) -> str:
+    found = NOT_A_NUMBER.search(done.out)
+    return f"the text shows {found.group()}" if found else ""
+
+
+def _json(done: Run, _: Path) -> str:
+    return _strange(json.loads(done.out, parse_constant=_refuse))
+
+
+def _csv(_: Run, target: Path) -> str:
+    return _strange_cell(target)
+
+
+def _folder(_: Run, target: Path) -> str:
+    lacking = FOLDER - {path.name for path in target.iterdir()}
+    if lacking:
+        return f"the folder lacks {', '.join(lacking)}"
+    text = (target / "torque.json").read_text("utf-8")
+    return _strange(json.loads(text, parse_constant=_refuse)) or _strange_cell(target / "torque.csv")
+
+
+def _page(_: Run, target: Path) -> str:
+    found = re.search(r">\s*[-+]?(nan|inf)\s*<", target.read_text("utf-8"))
+    return f"the page shows {found.group()}" if found else ""
+
+
+FACES: dict[str, Callable[[Run, Path], str]] = {
+    "text": _text,
+    "json": _json,
+    "csv": _csv,
+    "folder": _folder,
+    "page": _page,
+}
+OPTIONS = {
+    "text": (),
+    "json": ("--json",),
+    "csv": ("--out", "torque.csv"),
+    "folder": ("--out", "torque"),
+    "page": ("--out", "torque.html"),
+}
+
+
+def _strange(document: object) -> str:
+    for place, number in numbers(document):
+        if number != number or abs(number) == float("inf"):
+            return f"{place} = {number}"
+    return ""
+
+
+def _strange_cell(path: Path) -> str:
+    with path.open(newline="", encoding="utf-8") as file:
+        for row in csv.reader(line for line in file if not line.startswith("#")):
+            for cell in row:
+                if NOT_A_NUMBER.fullmatch(cell.strip()):
+                    return f"a cell of {path.name} is {cell}"
+    return ""
+
+
+def _refuse(name: str) -> float:
+    raise ValueError(f"{name} is no number of JSON")

@@ -1,0 +1,272 @@
+"""Files of every kind that a user names, damaged at random, and what reads them.
+
+A file is changed at a few places: values of scenes and grids become absurd, lines vanish or double, bytes are cut,
+inserted or replaced. Of a report its numbers and its pictures are damaged.
+"""
+
+import io
+import json
+import os
+import re
+import shutil
+import tempfile
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from typing import Any
+from unittest.mock import patch
+
+import meshio
+import numpy as np
+
+from analytic import catalog, friction_torque, load_scene
+from analytic.surface.heightmap import measure, read_height_map
+from fembearing.mesh.meshfile import read_body
+from fembearing.mesh.recipe import Recipe, load_recipe
+from fembearing.report.document.read import read_report
+from fembearing.report.page.pictures import shown_pictures
+from fembearing.report.page.write import page_of
+from fembearing.sweep.grid import load_grid
+from fembearing.verify.contact import scene_contact
+from fembearing.verify.validation import Validation, check_scene
+from validation.stress.extreme import require_finite_numbers
+from validation.stress.watched import Input
+
+ROOT = Path(__file__).resolve().parents[2]
+MOST_CHANGES = 4  # in one file
+JUNK = (
+    *("nan", "inf", "-inf", "-0.0", "1e400", "1e-400", "0", "-1", "9" * 5000, "true", "[]", "{}", '""', "1_0", "0x10"),
+    *('"1 m"', '"1e309 N"', '"-5 N"', '"1 N m N"', '"1 m^9"', '"1 m**9999999"', '"5 degC"', '"7 %"', '"\\u0000"'),
+    *("\"__import__('os').system('false') m\"", '"{0.__class__}"', '"../../../etc/passwd"', '"/dev/zero"', '"1 dB"'),
+    *('"on"', '"off"', '"auto"', '"solved"', '"given"', '"1 µm"', '"1 Ω"', '"' + "a" * 300 + '"', "2024-01-01"),
+    *("[" * 200, "a." * 40 + "b", '{ from = "1 N", to = "1e300 N", count = 1000000 }'),
+)
+JSON_JUNK: tuple[Any, ...] = (
+    *(None, True, 0, -1, 1e308, -1e308, 1e-308, 10**400, "", "a" * 300, "\0", "../../etc/passwd", "<script>1</script>"),
+    *([], {}, [[]], float("inf"), float("nan")),
+)
+BYTES = (
+    *(b"\x00", b"\xff\xfe", b"\xef\xbb\xbf", b"\r", b"\n", b"'''", b'"""'),
+    *(b"[", b"]", b"=", b"#", b"{", b"}", b"<", b">"),
+)
+SCENES = (catalog.path("scenes", "6205-dry"), *sorted((ROOT / "validation" / "scenes").glob("*.toml")))
+MESHES = tuple(sorted((ROOT / "meshes" / "reference").glob("*.vtu")))
+GRID = """
+scene = "6205-dry"
+[axes]
+operation.axial_load = { from = "100 N", to = "2 kN", count = 20, spacing = "log" }
+operation.inner_speed = ["100 rpm", "300 rpm"]
+bearing.inner.conformity = [0.51, 0.53]
+friction.spin_rule = ["balanced", "free"]
+"""
+
+
+class Files:
+    """Makes damaged inputs; folder : for the files, report : a folder with an intact report."""
+
+    def __init__(self, folder: Path, report: Path) -> None:
+        self.folder, self.report = folder, report
+        self.numbers = (report / "report.json").read_bytes()
+        self.document = read_report(report / "report.json")
+        self.pictures = [path.name for path in sorted(report.iterdir()) if path.suffix in (".png", ".html")]
+        self.pictures.remove("report.html")
+
+    @property
+    def place(self) -> Path:
+        """Where the last file of this process is."""
+        return self.folder / str(os.getpid())
+
+    def input(self, seed: int) -> Input:
+        rng = np.random.default_rng(seed)
+        kinds: tuple[tuple[str, Callable[[np.random.Generator], tuple[str, bytes]], Callable[[Path], object]], ...] = (
+            ("scene", changed_scene, read_scene),
+            ("height map", changed_map, lambda path: measure(read_height_map(path, spacing=2e-6))),
+            ("mesh", changed_mesh, lambda path: read_body(path, name="ball")),
+            ("grid", changed_grid, lambda path: load_grid(path).first_scene()),
+            ("report", self.changed_report, read_page),
+            ("picture", self.changed_picture, lambda path: shown_pictures(self.document, path.parent)),
+        )
+        kind, change, read = kinds[seed % len(kinds)]
+        name, content = change(rng)
+        if self.place.exists():
+            shutil.rmtree(self.place)
+        self.place.mkdir()
+        path = self.place / name
+        path.write_bytes(content)
+        return Input(kind, content, lambda: read(path))
+
+    def changed_report(self, rng: np.random.Generator) -> tuple[str, bytes]:
+        if rng.random() < 0.3:
+            return "report.json", changed_bytes(self.numbers, rng)
+        document = json.loads(self.numbers)
+        for _ in range(changes(rng)):
+            change_at_random_place(document, rng)
+        return "report.json", json.dumps(document).encode("utf-8", "surrogatepass")
+
+    def changed_picture(self, rng: np.random.Generator) -> tuple[str, bytes]:
+        name = self.pictures[rng.integers(len(self.pictures))]
+        content = (self.report / name).read_bytes()
+        return name, changed_bytes(content, rng) if rng.random() < 0.8 else rng.bytes(int(rng.integers(0, 100)))
+
+
+def solved_contacts() -> Validation:
+    """The contacts of the built-in dry scene on coarse meshes."""
+    with patch.object(scene_contact, "load_recipe", shallow):
+        return check_scene(load_scene("6205-dry"), tolerance=0.9)
+
+
+@cache
+def shallow(name: str) -> Recipe:
+    """Meshes of few cells."""
+    recipe = load_recipe(name)
+    return replace(recipe, cells=replace(recipe.cells, depth=1, outside=min(recipe.cells.outside, 1)))
+
+
+def read_scene(path: Path) -> None:
+    """Read a scene, and compute the torque at its first point."""
+    scene = load_scene(path)
+    if scene.has_friction:
+        first = {name: np.atleast_1d(value)[:1] for name, value in vars(scene.operation).items() if name != "down"}
+        result = friction_torque(replace(scene, operation=replace(scene.operation, **first)))
+        require_finite_numbers(result.to_json())
+
+
+def read_page(path: Path) -> None:
+    """Read the numbers of a report, and make its page."""
+    page = page_of(read_report(path), path.parent)
+    words = re.search(r">\s*[-+]?(nan|inf)\b", page)
+    if words:
+        raise ArithmeticError(f"the page shows {words.group()}")
+
+
+def change_at_random_place(node: Any, rng: np.random.Generator) -> None:
+    """Change, remove or double one value anywhere in lists and dicts."""
+    while True:
+        names = list(node) if isinstance(node, dict) else list(range(len(node)))
+        if not names:
+            return
+        name = names[rng.integers(len(names))]
+        inside = node[name]
+        if isinstance(inside, dict | list) and inside and rng.random() < 0.9:
+            node = inside
+            continue
+        match rng.integers(4):
+            case 0:
+                del node[name]
+            case 1 if type(inside) in (int, float) and abs(inside) < 1e300:  # a larger integer is no float
+                node[name] = -inside if rng.random() < 0.5 else inside * 10 ** rng.uniform(-300, 300)
+            case 2 if isinstance(node, list):
+                node.insert(name, inside)
+            case _:
+                node[name] = JSON_JUNK[rng.integers(len(JSON_JUNK))]
+        return
+
+
+def changed_scene(rng: np.random.Generator) -> tuple[str, bytes]:
+    return "scene.toml", changed_toml(SCENES[rng.integers(len(SCENES))].read_text("utf-8"), rng)
+
+
+def changed_grid(rng: np.random.Generator) -> tuple[str, bytes]:
+    return "grid.toml", changed_toml(GRID, rng)
+
+
+def changed_toml(text: str, rng: np.random.Generator) -> bytes:
+    for _ in range(changes(rng)):
+        lines = text.splitlines()
+        at, other = rng.integers(len(lines), size=2)
+        match rng.integers(6):
+            case 0:
+                lines[at] = re.sub(r"=.*", lambda _: "= " + str(rng.choice(JUNK)), lines[at])
+            case 1:
+                del lines[at]
+            case 2:
+                lines.insert(at, lines[other])
+            case 3:
+                lines[at] = re.sub(r"\d+\.?\d*", lambda _: f"{10 ** rng.uniform(-12, 12):.3g}", lines[at])
+            case 4:
+                lines[at] = lines[at].replace(str(rng.choice(list(lines[at] or "a"))), str(rng.choice(JUNK)), 1)
+            case _:
+                return changed_bytes(text.encode(), rng)
+        text = "\n".join(lines) or "a = 1"
+    return text.encode("utf-8", "surrogatepass")
+
+
+def changed_map(rng: np.random.Generator) -> tuple[str, bytes]:
+    heights = 1e-7 * rng.standard_normal((33, 40))
+    if rng.random() < 0.5:
+        kinds = ("<f8", "<f4", "<i2", "<c16", "<U3", "|O", "|b1")
+        given = heights.astype(kinds[rng.integers(len(kinds))])
+        file = io.BytesIO()
+        np.save(file, given if rng.random() < 0.8 else given[..., None], allow_pickle=True)
+        content = bytearray(file.getvalue())
+        if rng.random() < 0.5:  # only the header
+            content[:128] = changed_bytes(bytes(content[:128]), rng)
+            return "map.npy", bytes(content)
+        return "map.npy", changed_bytes(bytes(content), rng)
+    rows = [",".join(f"{height:.3g}" for height in row) for row in heights]
+    for _ in range(changes(rng) - 1):
+        cells = rows[rng.integers(len(rows))].split(",")
+        cells[rng.integers(len(cells))] = str(rng.choice(JUNK))
+        rows[rng.integers(len(rows))] = ",".join(cells)
+    content = "\n".join(rows).encode()
+    return "map.csv", content if rng.random() < 0.5 else changed_bytes(content, rng)
+
+
+def changed_mesh(rng: np.random.Generator) -> tuple[str, bytes]:
+    chosen = MESHES[rng.integers(len(MESHES))]
+    text = chosen.read_text("utf-8")
+    match rng.integers(5):
+        case 4:  # numbers in the arrays of an intact file
+            return "body.vtu", with_changed_arrays(chosen, rng)
+        case 0:  # a number in an XML attribute
+            places = list(re.finditer(r'"\d+"', text))
+            place = places[rng.integers(len(places))]
+            text = text[: place.start()] + f'"{10 ** rng.integers(0, 19)}"' + text[place.end() :]
+        case 1:  # a tag, or the value of an attribute
+            words = list(re.finditer(r"[A-Z][A-Za-z]+\d*", text))
+            place = words[rng.integers(len(words))]
+            other = words[rng.integers(min(40, len(words)))].group()
+            text = text[: place.start()] + other + text[place.end() :]
+        case 2:
+            head = '<!DOCTYPE a [<!ENTITY b "' + "b" * 1000 + '"><!ENTITY c "' + "&b;" * 1000 + '">]>'
+            text = text.replace("<VTKFile", head + "<VTKFile", 1).replace("<Points>", "<Points>&c;", 1)
+        case _:
+            pass
+    return "body.vtu", changed_bytes(text.encode(), rng) if rng.random() < 0.7 else text.encode()
+
+
+def with_changed_arrays(path: Path, rng: np.random.Generator) -> bytes:
+    mesh = meshio.read(path)
+    arrays = [mesh.points, mesh.cells[0].data, *mesh.point_data.values()]
+    for _ in range(changes(rng)):
+        array = arrays[rng.integers(len(arrays))]
+        odd = (np.nan, np.inf, 1e300, 0.0) if array.dtype.kind == "f" else (-1, -(10**9), 10**9, 0, array.max())
+        array.flat[rng.integers(array.size)] = np.array(odd[rng.integers(len(odd))]).astype(array.dtype)
+    with tempfile.TemporaryDirectory() as folder:
+        meshio.write(Path(folder) / "body.vtu", mesh)
+        return (Path(folder) / "body.vtu").read_bytes()
+
+
+def changes(rng: np.random.Generator) -> int:
+    """The number of changes, mostly one: a file with many errors is refused for the first."""
+    return min(int(rng.geometric(0.6)), MOST_CHANGES)
+
+
+def changed_bytes(content: bytes, rng: np.random.Generator) -> bytes:
+    """The content cut, partly doubled, or with some bytes replaced."""
+    changed = bytearray(content)
+    for _ in range(changes(rng)):
+        at = int(rng.integers(len(changed) + 1))
+        match rng.integers(5):
+            case 0:
+                del changed[at:]
+            case 1:
+                changed[at:at] = BYTES[rng.integers(len(BYTES))]
+            case 2:
+                changed[at : at + 1] = rng.bytes(1)
+            case 3:
+                changed[at:at] = changed[at : at + int(rng.integers(1, 60))]
+            case _:
+                del changed[at : at + int(rng.integers(1, 30))]
+    return bytes(changed)

@@ -1,0 +1,77 @@
+"""Extreme scenes and damaged files through commands in processes of their own."""
+
+import shutil
+import tempfile
+from collections.abc import Generator, Iterable
+from pathlib import Path
+
+import numpy as np
+
+from validation.stress.commands import OPTIONS, PROGRAM, Run, face_fault, fault_of, run
+from validation.stress.damage import Files
+from validation.stress.extreme import extreme_scene
+from validation.stress.watched import Tried
+
+OUTCOMES = {0: "done", 1: "done", 2: "refused", 3: "not solved"}
+NAMES = {"text": "out", "json": "out", "csv": "torque.csv", "folder": "torque", "page": "torque.html"}
+MAPPED = """
+name = "mapped"
+tolerance = "5 %"
+[bearing]
+catalog = "paper_6205"
+[operation]
+axial_load = "300 N"
+inner_speed = "250 rpm"
+[lubricant]
+name = "ISO VG 46"
+[surface]
+height_map = { path = "PATH", spacing = "2 um" }
+"""
+READ_MESH = """
+import sys
+from pathlib import Path
+from fembearing.cli.boundary import guarded
+from fembearing.mesh.meshfile import read_body
+sys.exit(guarded(lambda: print(read_body(Path("body.vtu"), name="ball"))))
+"""
+COMMANDS = {  # of a damaged file
+    "mesh": (),
+    "scene": ("torque", "scene.toml"),
+    "grid": ("sweep", "grid.toml", "--out", "out", "--workers", "1"),
+    "height map": ("torque", "scene.toml"),
+    "report": ("report", "report.json", "--out", "out.html"),
+    "picture": ("report", "report.json", "--out", "out.html"),
+}
+
+
+def scenes_through_faces(seeds: Iterable[int], folder: Path, base: float) -> Generator[Tried]:
+    """The torque of extreme scenes, each shown or written in another way; base : memory of a command, bytes."""
+    for seed in seeds:
+        text, face = extreme_scene(np.random.default_rng(seed)), list(OPTIONS)[seed % len(OPTIONS)]
+        with tempfile.TemporaryDirectory(dir=folder) as place:
+            (Path(place) / "scene.toml").write_text(text, "utf-8")
+            done = run(("torque", "scene.toml", *OPTIONS[face]), Path(place))
+            fault = fault_of(done, base=base) or face_fault(face, done, Path(place) / NAMES[face])
+        yield _tried(face, seed, done, fault, base, text.encode())
+
+
+def damaged_through_commands(seeds: Iterable[int], files: Files, base: float) -> Generator[Tried]:
+    """The commands that read a file of each kind; of a mesh the reader, as no command takes one."""
+    for seed in seeds:
+        given = files.input(seed)
+        place = files.place
+        if given.kind == "height map":
+            name = next(place.iterdir()).name
+            (place / "scene.toml").write_text(MAPPED.replace("PATH", name), "utf-8")
+        elif given.kind == "picture":
+            for path in files.report.iterdir():
+                if not (place / path.name).exists():
+                    shutil.copy(path, place)
+        program = ("-c", READ_MESH) if given.kind == "mesh" else PROGRAM
+        done = run(COMMANDS[given.kind], place, program=program)
+        yield _tried(given.kind, seed, done, fault_of(done, base=base), base, given.content)
+
+
+def _tried(kind: str, seed: int, done: Run, fault: str, base: float, content: bytes) -> Tried:
+    outcome = fault or OUTCOMES[done.status]
+    return Tried(kind, seed, outcome, done.seconds, max(done.memory - base, 0.0), content if fault else b"")

@@ -1,0 +1,284 @@
+"""Does anything get through? python validation/stress/run.py [--short] [PARTS]
+
+    scenes    extreme but valid scenes: their torque in this process, and through every face of the command
+    damaged   damaged scenes, grids, height maps, meshes, reports and pictures, in this process and through commands
+    kills     torque, validate, sweep and report killed at named steps of their writing, and started again
+    limits    memory, file size, full disk, permissions, home, locale, streams, files that are none
+    growth    memory of a process after many calls
+    mutation  one operator of the source changed at a time: do the tests of its folder see it?
+
+Without PARTS all run, for hours; with --short all but mutation, in two minutes. Prints a table, and writes each row
+with its date and commit to stress.md in the folder --out, beside mutation.csv; rows of an earlier run stay until
+their part runs again. Faults are printed with the seed that makes them again, and inputs that led to one are kept in
+the folder --keep. Exit status: 0 no fault, 1 a fault.
+"""
+
+import os
+
+os.environ.setdefault("OMP_NUM_THREADS", "1")  # before NumPy loads its threads
+
+import argparse
+import compileall
+import pickle
+import shlex
+import sys
+import tempfile
+import time
+from collections import Counter
+from collections.abc import Generator, Iterator
+from contextlib import closing
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from functools import cached_property
+from pathlib import Path
+from typing import TypeVar
+
+import numpy as np
+
+from fembearing.report.folder import write_report
+from validation.stress.commands import ROOT, run
+from validation.stress.damage import Files, solved_contacts
+from validation.stress.extreme import scene_input
+from validation.stress.faces import damaged_through_commands, scenes_through_faces
+from validation.stress.growth import MOST, growth_of
+from validation.stress.kills import kills
+from validation.stress.limits import ended
+from validation.stress.mutation import KILLED, commit, failing_without, rows_of, test_mutants
+from validation.stress.watched import Tried, tried
+
+Each = TypeVar("Each")
+RECORD, FIRST_ROW = "stress.md", 6  # the line of the page
+MOST_REFUSED = 0.8  # share of the inputs; with more, the draw tests little but the first check of a reader
+ENOUGH = 40  # inputs for a share that means something
+
+
+@dataclass(frozen=True)
+class Budget:
+    """How much each part does."""
+
+    inputs: int  # in one process, of each of scenes and damaged
+    commands: int  # runs of a command, likewise
+    kills: int
+    every: int  # of the combinations of situation and command, one of so many
+    calls: tuple[int, int]  # of friction_torque and solve_contact
+    mutants: int
+
+
+LONG = Budget(inputs=20_000, commands=500, kills=200, every=1, calls=(10_000, 300), mutants=330)
+SHORT = Budget(inputs=40, commands=2, kills=4, every=60, calls=(100, 2), mutants=0)
+
+
+@dataclass
+class Row:
+    """One line of the table."""
+
+    part: str
+    outcomes: Counter[str] = field(default_factory=Counter)
+    faults: list[str] = field(default_factory=list)
+    slowest: float = 0.0  # s of the processor
+    largest: float = 0.0  # bytes above the base
+    first_seed: int = 0
+
+    @property
+    def cells(self) -> tuple[str, ...]:
+        told = ", ".join(f"{count} {outcome}" for outcome, count in sorted(self.outcomes.items()))
+        worst = (f"{self.slowest:.1f}" if self.slowest else "", f"{self.largest / 1e6:.0f}" if self.largest else "")
+        tries = (str(self.first_seed), str(self.outcomes.total()), told)
+        return self.part, *tries, *worst, str(len(self.faults)), f"{datetime.now(UTC):%Y-%m-%d}", commit()
+
+
+HEAD = ("part", "first seed", "tries", "outcomes", "slowest, s", "largest, MB", "faults", "date", "commit")
+
+
+def main(argv: list[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("parts", nargs="*", choices=[*PARTS, []], metavar="PARTS", help=", ".join(PARTS))
+    parser.add_argument("--short", action="store_true", help="a part of everything, in two minutes")
+    parser.add_argument("--seed", type=int, default=0, help="of the first input; each has its own")
+    parser.add_argument("--jobs", type=int, default=1, help="processes for inputs and mutants")
+    for name in ("inputs", "commands", "kills", "mutants"):
+        parser.add_argument(
+            f"--{name}", type=int, help=f"in place of {getattr(LONG, name)}, {getattr(SHORT, name)} short"
+        )
+    parser.add_argument("--minutes", type=float, default=np.inf, help="a row ends then, with as many tries as it has")
+    parser.add_argument("--before", default="", help="what the tests of a mutant are started by, as 'nice -n 15'")
+    parser.add_argument("--out", type=Path, help=f"folder for {RECORD} and mutation.csv; nothing is written without it")
+    parser.add_argument("--keep", type=Path, default=Path("stress-faults"), help="folder for inputs with a fault")
+    options = parser.parse_args(argv)
+    size = SHORT if options.short else LONG
+    given = {name: getattr(options, name) for name in ("inputs", "commands", "kills", "mutants")}
+    budget = Budget(**vars(size) | {name: value for name, value in given.items() if value is not None})
+    parts = options.parts or [part for part in PARTS if part != "mutation" or budget.mutants]
+    for package in ("analytic", "fembearing"):  # the commands keep no byte code, and would make it at each start
+        compileall.compile_dir(ROOT / package, quiet=1)
+    begun, rows = time.perf_counter(), []
+    with tempfile.TemporaryDirectory() as folder:
+        place = Place(Path(folder), options, budget)
+        for part in parts:
+            for row in PARTS[part](place):
+                row.first_seed = options.seed
+                rows.append(row)
+                say(" | ".join(row.cells), *(f"  {fault}" for fault in row.faults))
+                if options.out is not None:
+                    options.out.mkdir(parents=True, exist_ok=True)
+                    add_to_record(options.out / RECORD, row)
+    say(f"{sum(len(row.faults) for row in rows)} faults, {time.perf_counter() - begun:.0f} s")
+    return int(any(row.faults for row in rows))
+
+
+def say(*lines: str) -> None:
+    sys.stdout.writelines(f"{line}\n" for line in lines)
+    sys.stdout.flush()
+
+
+@dataclass
+class Place:
+    """Where and how much."""
+
+    folder: Path
+    options: argparse.Namespace
+    budget: Budget
+
+    def within_minutes(self, results: Generator[Each]) -> Iterator[Each]:
+        """The results that come in time."""
+        begun = time.monotonic()
+        with closing(results):
+            for each in results:
+                yield each
+                if time.monotonic() - begun > 60 * self.options.minutes:
+                    return
+
+    @property
+    def seeds(self) -> range:
+        return range(self.options.seed, self.options.seed + self.budget.inputs)
+
+    @property
+    def seeds_of_commands(self) -> range:
+        return range(self.options.seed, self.options.seed + self.budget.commands)
+
+    @property
+    def solved(self) -> Path:
+        """A file with solved contacts, pickled."""
+        return self.report.with_name("solved")
+
+    @cached_property
+    def report(self) -> Path:
+        """A folder with a report, made once."""
+        made, contacts = self.folder / "report", solved_contacts()
+        made.mkdir()
+        write_report(contacts, made)
+        made.with_name("solved").write_bytes(pickle.dumps(contacts))
+        return made
+
+    @cached_property
+    def base(self) -> float:
+        """Memory of a command that does little, bytes."""
+        return run(("torque", "6205-dry"), self.folder).memory
+
+    def keep(self, name: str, content: bytes) -> None:
+        self.options.keep.mkdir(parents=True, exist_ok=True)
+        (self.options.keep / name).write_bytes(content)
+
+
+def scenes(place: Place) -> Iterator[Row]:
+    if place.budget.inputs:
+        yield gathered("scenes, one process", tried(scene_input, place.seeds, jobs=place.options.jobs), place)
+    if place.budget.commands:
+        found = scenes_through_faces(place.seeds_of_commands, place.folder, place.base)
+        yield gathered("scenes, every face", found, place)
+
+
+def damaged(place: Place) -> Iterator[Row]:
+    files = Files(place.folder, place.report)
+    if place.budget.inputs:
+        yield gathered("damaged, one process", tried(files.input, place.seeds, jobs=place.options.jobs), place)
+    if place.budget.commands:
+        found = damaged_through_commands(place.seeds_of_commands, files, place.base)
+        yield gathered("damaged, commands", found, place)
+
+
+def gathered(part: str, results: Generator[Tried], place: Place) -> Row:
+    row = Row(part)
+    for each in place.within_minutes(results):
+        row.outcomes["faults" if each.is_fault else each.outcome] += 1
+        row.slowest, row.largest = max(row.slowest, each.seconds), max(row.largest, each.memory)
+        if each.is_fault:
+            row.faults.append(f"seed {each.seed}, {each.kind}: {each.outcome}")
+            place.keep(f"{each.seed}-{each.kind.replace(' ', '-')}", each.content)
+    refused, tries = row.outcomes["refused"], row.outcomes.total()
+    if tries >= ENOUGH and refused > MOST_REFUSED * tries:
+        row.faults.append(f"{100 * refused / tries:.0f} % are refused: the draw tests little else")
+    return row
+
+
+def killed(place: Place) -> Iterator[Row]:
+    rows: dict[str, Row] = {}
+    for each in place.within_minutes(kills(place.budget.kills, place.options.seed, place.report, place.solved)):
+        row = rows.setdefault(each.command, Row(f"kills, {each.command}"))
+        row.outcomes[f"{each.what} at {each.step.split()[0]}"] += 1
+        row.faults += [f"{each.what} at {each.step}: {each.fault}"] if each.fault else []
+    yield from rows.values()
+
+
+def limited(place: Place) -> Iterator[Row]:
+    row = Row("limits")
+    for each in place.within_minutes(ended(place.report, every=place.budget.every)):
+        row.outcomes[each.outcome] += 1
+        row.faults += [f"{each.situation}, {each.command}: {each.fault}"] if each.fault else []
+    yield row
+
+
+def growing(place: Place) -> Iterator[Row]:
+    for function, calls in zip(MOST, place.budget.calls, strict=True):
+        found = growth_of(function, calls, seconds=60 * place.options.minutes)
+        row = Row(f"growth, {function}", Counter(calls=found.calls), [found.fault] if found.fault else [])
+        row.largest = max(found.gained, 0.0)
+        yield row
+
+
+def mutated(place: Place) -> Iterator[Row]:
+    options, before = place.options, shlex.split(place.options.before)
+    place_of_rows = place.folder if options.out is None else options.out
+    place_of_rows.mkdir(parents=True, exist_ok=True)
+    rows = place_of_rows / "mutation.csv"
+    row = Row("mutation")
+    test_mutants(place.budget.mutants, options.seed, jobs=options.jobs, before=before, record=rows)
+    for each in rows_of(rows):
+        if each["commit"] == commit():
+            row.outcomes[each["outcome"]] += 1
+            if each["outcome"] not in KILLED and not each["judgement"]:
+                mutant = f"{each['module']}:{each['line']}, {each['before']} -> {each['after']}"
+                row.faults.append(f"{each['outcome']}: {mutant} {each['test']}".strip())
+    row.faults += [f"without a mutant {test}" for test in failing_without(rows, before)]
+    yield row
+
+
+PARTS = {
+    "scenes": scenes,
+    "damaged": damaged,
+    "kills": killed,
+    "limits": limited,
+    "growth": growing,
+    "mutation": mutated,
+}
+
+
+def add_to_record(file: Path, row: Row) -> None:
+    """Put a row into the table of a page, in the place of an earlier one of its part, and its faults below."""
+    known = file.read_text("utf-8").splitlines() if file.exists() else []
+    old = [line for line in known[FIRST_ROW:] if line.startswith(("| ", "- "))]
+    kept = [line for line in old if line[2:].partition(" |")[0].partition(":")[0] != row.part]
+    kept += [f"| {' | '.join(row.cells)} |", *(f"- {row.part}: {' '.join(fault.split())}" for fault in row.faults)]
+    table, faults = ([line for line in kept if line.startswith(mark)] for mark in ("|", "-"))
+    lines = [
+        "# Robustness",
+        "",
+        "By `python validation/stress/run.py`; what each part does, CONTRIBUTING.md says.",
+        "",
+    ]
+    lines += [f"| {' | '.join(HEAD)} |", f"|{' --- |' * len(HEAD)}", *table]
+    file.write_text("\n".join([*lines, "", *(["Faults:", "", *faults] if faults else ["No faults."]), ""]), "utf-8")
+
+
+if __name__ == "__main__":
+    sys.exit(main())
