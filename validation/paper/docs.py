@@ -21,8 +21,8 @@ INTRODUCTION = """\
 # The paper, figure by figure
 
 The 6205 of this project comes from a paper on surface roughness and friction [Paper]. This page compares its figures
-5 to 9 with ours. [The report](../validation/paper/paper.md) has its table 1, all inputs and the reason for each
-difference; `python validation/paper/run.py` computes numbers and pictures.
+5 to 9 with ours. `validation/paper/paper.md` has its table 1, all inputs and the reason for each difference; `python
+validation/paper/run.py` computes numbers and pictures.
 
 **This is no validation.** The paper's numbers are computed as well. Its text prints numbers at 100 and 500 1/min,
 some of them as "about"; its figures were not seen. It does not give elasticity, oil, hardness, boundary friction,
@@ -102,8 +102,8 @@ def _figure_5(readings: Sequence[Any]) -> Iterator[str]:
 def _figure_7(stored: dict[str, Any]) -> Iterator[str]:
     yield from _head("7: friction coefficients", "paper_7_coefficients.png")
     yield from _text(
-        """The text prints no numbers for this figure ([ours](../validation/paper/paper.json)). By the text, coefficients
-        are lower for the smoother finish at all contacts, hardly depend on speed at the races, and fall with speed at
+        """The text prints no numbers for this figure ([ours](../validation/paper/paper.json)). By the text,
+        coefficients are lower for the smoother finish at all contacts, hardly depend on speed at the races, and fall with speed at
         the cage. The first holds at the races in every reading. The second holds within 10 % at Sq 0.1 um as printed
         and calibrated, not at 1 um. The calibrated coefficient at the cage is chosen. Mixed lubrication under the same
         forces gives, at 100 and 500 1/min:"""
