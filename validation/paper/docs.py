@@ -103,10 +103,10 @@ def _figure_7(stored: dict[str, Any]) -> Iterator[str]:
     yield from _head("7: friction coefficients", "paper_7_coefficients.png")
     yield from _text(
         """The text prints no numbers for this figure ([ours](../validation/paper/paper.json)). By the text,
-        coefficients are lower for the smoother finish at all contacts, hardly depend on speed at the races, and fall with speed at
-        the cage. The first holds at the races in every reading. The second holds within 10 % at Sq 0.1 um as printed
-        and calibrated, not at 1 um. The calibrated coefficient at the cage is chosen. Mixed lubrication under the same
-        forces gives, at 100 and 500 1/min:"""
+        coefficients are lower for the smoother finish at all contacts, hardly depend on speed at the races, and fall
+        with speed at the cage. The first holds at the races in every reading. The second holds within 10 % at Sq 0.1
+        um as printed and calibrated, not at 1 um. The calibrated coefficient at the cage is chosen. Mixed lubrication
+        under the same forces gives, at 100 and 500 1/min:"""
     )
     yield from _rows(
         ("oil and pocket", "Sq, um", "100", "500"),
