@@ -1,18 +1,14 @@
-"""The shared load against a root in 40 digits, the digits of another program, and another unknown."""
+"""The shared load against a root in 40 digits, and the digits of another program."""
 
 import mpmath
 import numpy as np
 import pytest
-from scipy.integrate import quad
-from scipy.optimize import brentq
-from scipy.stats import norm
 
 from analytic.oil.mixed import _inverse_cubic
 from analytic.scene import AsperityLaw
-from analytic.surface.asperity import asperity_load
 from analytic.surface.moments import Summits
 from analytic.surface.truncated_gap import TruncatedGap
-from tests.analytic.oil.mixed_contacts import ACCURACY, CONTACT, OIL, E, H, area, mixed, rough, smooth_film
+from tests.analytic.oil.mixed_contacts import ACCURACY, CONTACT, OIL, E, H, area, mixed, rough
 from tests.analytic.specimens import hertzian
 
 
@@ -204,48 +200,3 @@ def test_the_values_of_another_program(law: AsperityLaw, sq: float, length: floa
     if law == "zhao_maietta_chang" and (sq, length) in AT_500:
         fast = mixed(gap, **given, entrainment_speed=PER_RADIAN * 500).asperity_share
         np.testing.assert_allclose(fast, AT_500[sq, length], rtol=5e-5, atol=1e-6)  # 0 where it is printed as 0
-
-
-def adaptive_root(gap: TruncatedGap, sq: float, speed: float, **changed: float) -> tuple[float, float]:
-    """s and h from the separation of the mean planes, by adaptive quadratures over heights and summits."""
-    given = CONTACT | {"entrainment_speed": speed} | changed
-    summits = gap.asperities.summits
-    sigma, mean, deviation = gap.deviation, float(summits.mean_height), float(summits.height_deviation)
-    options = {"epsabs": 0, "epsrel": 1e-11, "limit": 500}
-
-    def gap_at(d: float) -> float:
-        x = d / sigma
-        return quad(lambda z: (x - z) * norm.pdf(z), -np.inf, x, **options)[0] * sigma  # pyright: ignore[reportCallIssue, reportArgumentType]
-
-    def share_at(d: float) -> float:
-        def load(z: float) -> float:
-            deep = deviation * z + mean - d
-            return norm.pdf(z) * float(
-                asperity_load(interference=deep, tip_radius=summits.radius, modulus=E, hardness=H).load
-            )
-
-        low = (d - mean) / deviation
-        edges = [edge for edge in np.linspace(-8, 10, 19) if edge > low]  # no summit is higher
-        parts = [quad(load, a, b, **options)[0] for a, b in zip([max(low, -8.0), *edges], edges, strict=False)]  # pyright: ignore[reportCallIssue, reportArgumentType]
-        return float(summits.density) * sum(parts) * area(given["load"]) / given["load"]
-
-    def excess(d: float) -> float:
-        share = share_at(d)
-        if share >= 1:
-            return -1.0
-        film = smooth_film(**(given | {"load": given["load"] * (1 - share), "modulus": E * (1 - share)}))
-        return float(np.log(gap_at(d) / film))
-
-    d = float(brentq(excess, -9 * sq, 5 * sq, xtol=1e-20, rtol=1e-14))  # pyright: ignore[reportArgumentType]
-    return share_at(d), gap_at(d)
-
-
-@pytest.mark.parametrize(
-    ("sq", "length", "speed"), [(0.1e-6, 20e-6, 0.4), (0.4e-6, 60e-6, 0.01), (1e-6, 60e-6, 0.9), (1e-6, 165e-6, 1e-3)]
-)
-def test_a_second_formulation_has_the_same_root(sq: float, length: float, speed: float) -> None:
-    gap = rough(sq, length)
-    found = mixed(gap, entrainment_speed=speed)
-    share, height = adaptive_root(gap, sq, speed)
-    np.testing.assert_allclose(found.asperity_share, share, rtol=1e-7)  # of the splines
-    np.testing.assert_allclose(found.film_thickness, height, rtol=1e-7)
