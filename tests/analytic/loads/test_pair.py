@@ -129,11 +129,6 @@ def test_offset_and_preload_say_the_same() -> None:
     np.testing.assert_allclose(known.displacement, 0.0, atol=1e-15)
 
 
-def test_a_pair_back_to_back_is_stiffer_against_a_moment() -> None:
-    tilts = [pair(loads(0.0, moment=5.0), kind=kind, preload=200.0, distance=40e-3).tilt[0] for kind in ("O", "X")]
-    assert 0 < tilts[0] < tilts[1] / 3
-
-
 def test_corrected_contacts_take_their_part() -> None:
     slender, stiffer = bearing(angle=0.26, shoulder=0.36), ContactFactors(approach=0.9)  # within the fit's range
     given = PairContacts(effects=STILL, correction=ContactCorrection(inner=stiffer, outer=stiffer))
