@@ -147,20 +147,11 @@ def test_balls_may_lead_less_in_a_cage_on_a_land() -> None:
     )
     # The formula is for balls at all azimuths. None of nine is exactly where the lead is largest: 2 % less.
     np.testing.assert_allclose(needed, lead - land, rtol=0.03)
-    require_loose_balls(
-        ball_lead=lead, half_clearance=1.001 * (lead - land), centre_offset=0.0, land_half_clearance=land
-    )
-    require_loose_balls(
-        ball_lead=lead, half_clearance=1.001 * (lead - land) + 0.3, centre_offset=0.3, land_half_clearance=land
-    )
-    with pytest.raises(InputError, match="beyond the clearance"):
-        require_loose_balls(
-            ball_lead=lead, half_clearance=0.999 * (lead - land) + 0.3, centre_offset=0.3, land_half_clearance=land
-        )
-    with pytest.raises(InputError, match="beyond the clearance"):
-        require_loose_balls(
-            ball_lead=-lead, half_clearance=0.999 * (lead - land), centre_offset=0.0, land_half_clearance=land
-        )
+    for offset, sign in ((0.0, -1), (0.3, 1)):
+        given = {"ball_lead": sign * lead, "centre_offset": offset, "land_half_clearance": land}
+        require_loose_balls(**given, half_clearance=1.001 * (lead - land) + offset)
+        with pytest.raises(InputError, match="beyond the clearance"):
+            require_loose_balls(**given, half_clearance=0.999 * (lead - land) + offset)
 
 
 def test_step_follows_the_shortest_impact() -> None:

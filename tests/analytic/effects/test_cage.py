@@ -55,9 +55,7 @@ def test_auto_does_not_move_a_long_series() -> None:
     many = Operation(axial_load=np.full(3000, 1000.0), inner_speed=np.linspace(100, 500, 3000) * RPM)
     result = friction_torque(with_cage(replace(CAGED, operation=many), start="rest"))
     assert_rests(result, "3000 points take 540 s of motion")  # twice 0.03 s for two seeds and another start
-    (warning,) = (warning for warning in result.warnings if "cage_dynamics is left out" in warning)
-    assert "3000 points take 540 s of motion" in warning
-    assert 'effects.cage_dynamics = "on"' in warning
+    assert any('effects.cage_dynamics = "on"' in warning for warning in result.warnings)
 
 
 def test_with_more_steps_auto_allows_less_motion() -> None:

@@ -73,13 +73,7 @@ def test_both_moments_jump_at_full_spin() -> None:
     np.testing.assert_array_equal(printed(7.0), at)
 
 
-def test_arguments_broadcast_and_nonsense_is_refused() -> None:
-    moments = as_printed_moments(
-        friction_force=[[0.03 * Q], [0.11 * Q]], semi_axis_transverse=B, ball_radius=R, spin_to_roll=[0.0, 0.2, 0.5]
-    )  # fmt: skip
-    for moment in moments:
-        assert moment.shape == (2, 3)
-        np.testing.assert_allclose(moment[1] * 3, moment[0] * 11, rtol=1e-14)  # round-off
+def test_nonsense_is_refused() -> None:
     with pytest.raises(InputError, match="spin_to_roll must be at least 0"):
         printed(-0.1)
     with pytest.raises(InputError, match="ball_radius must be positive"):
@@ -169,10 +163,8 @@ def test_the_scene_jumps_at_full_spin_where_the_derived_torque_does_not(scene: S
     np.testing.assert_allclose(smooth[0], smooth[1], rtol=1e-8)
 
 
-def test_the_result_names_the_variant_and_what_is_wrong_with_it(scene: Scene) -> None:
-    warning = next(text for text in friction_torque(scene).warnings if "as_printed" in text)
-    for words in ("M_z and M_r exchanged", "equation 2 lacks its factor 0.322", "jump"):
-        assert words in warning
+def test_only_the_printed_variant_is_warned_of(scene: Scene) -> None:
+    assert any("as_printed" in text for text in friction_torque(scene).warnings)
     assert not any("as_printed" in text for text in friction_torque(replace(scene, microslip="derived")).warnings)
     with pytest.raises(InputError, match="microslip must be"):
         friction_torque(replace(scene, microslip="printed"))  # pyright: ignore[reportArgumentType]

@@ -1,4 +1,4 @@
-"""The friction of one ball by three methods: Coulomb's closed forms, exact sums, power, values of another program."""
+"""The friction of one ball by three methods: Coulomb's closed forms, exact sums, power, and another program."""
 
 from dataclasses import dataclass, replace
 
