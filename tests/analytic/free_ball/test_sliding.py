@@ -96,14 +96,6 @@ def test_hard_corners_have_an_answer(scene: Scene, changed: dict[str, float], fr
     assert total <= friction * 9 * (2 * found.ball_load[0] * 4e-3)  # of full sliding at the ball's radius and more
 
 
-def test_one_ball_carries_a_radial_load(scene: Scene) -> None:
-    """With clearance and a small load one ball alone is loaded; the others roll by their own force."""
-    loose = replace(at(scene, axial_load=0.0, radial_load=0.5, inner_speed=5.0), down=(1.0, 0.0, 0.0))
-    found = friction_torque(loose)
-    assert np.isfinite(found.torque.total[0])
-    assert found.is_on("weight")
-
-
 def test_the_outer_ring_carries_load_and_weight(bearing_6205: Bearing) -> None:
     """Newton's third law for the inner ring and the balls together, along x, y and z."""
     operation = Operation(

@@ -123,13 +123,6 @@ def test_a_newtonian_film_has_moments_in_closed_form(k: float, eps: float, g: fl
         np.testing.assert_allclose(found.rolling_moment, per_rate * ROLL * B**4 / (64 * R**2), rtol=1e-8)
 
 
-def test_a_constant_stress_in_full_spin() -> None:
-    """tau times the area's first polar moment, 2 pi tau a^3/3 for a circle; a wrong pressure or arm would show."""
-    found = slip(contact(1.0, rolling_rate=0.0), PointLaw(plain=5e6), 23.0)
-    np.testing.assert_allclose(found.spin_moment, 2 / 3 * np.pi * 5e6 * B**3, rtol=1e-6)  # of the stress at the rim
-    np.testing.assert_allclose([found.creep, found.rolling_moment], 0, atol=1e-12)  # of 3e-2 m/s and 3e-3 N m
-
-
 @pytest.mark.parametrize("law", [COULOMB, SINH])
 @pytest.mark.parametrize("along", [False, True])
 @pytest.mark.parametrize("k", [1.3, 9.28])
@@ -156,17 +149,6 @@ def test_the_moments_are_the_slopes_of_the_power(along: bool, eps: float) -> Non
     np.testing.assert_allclose(found.spin_moment, slope, rtol=1e-4)  # the step squared, and quadrature over the step
     slope = (power(at(spin, ROLL * (1 + step))) - power(at(spin, ROLL * (1 - step)))) / (2 * step * ROLL)
     np.testing.assert_allclose(found.rolling_moment, slope, rtol=1e-4)
-
-
-@pytest.mark.parametrize("k", [0.4, 1.5, 9.28])
-def test_more_nodes_converge(k: float) -> None:
-    results = [
-        np.array([scaled(slip(contact(k), COULOMB, spin_of(eps), nodes)) for eps in (0.0, *SPINS)])
-        for nodes in (8, 16, 32, 48)
-    ]
-    coarse, middle, fine = (np.abs(result - results[-1]).max() for result in results[:-1])
-    assert middle < QUADRATURE
-    assert fine < middle / 10 < coarse
 
 
 @pytest.mark.parametrize("along", [False, True])

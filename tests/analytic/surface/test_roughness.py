@@ -74,14 +74,6 @@ def test_exponential_moments_are_differences_at_the_spacing(spacing: float) -> N
     np.testing.assert_allclose(computed.curvature, SQ**2 * float(curvature), rtol=1e-13)
 
 
-@pytest.mark.parametrize(("spacing", "radius"), [(0.5e-6, 0.372e-6), (1e-6, 1.053e-6), (2e-6, 2.990e-6)])
-def test_tip_radii_of_an_exponential_surface(spacing: float, radius: float) -> None:
-    """Sq 1 um, length 10 um, by an independent calculation; they grow with the spacing, which is part of the input."""
-    surface = Autocorrelation(kind="exponential", length=10e-6, spacing=spacing)
-    computed = mccool_summits(spectral_moments(rms_roughness=1e-6, autocorrelation=surface))
-    np.testing.assert_allclose(computed.radius, radius, atol=0.5e-9)  # the last digit
-
-
 def test_moments_of_generated_surfaces_over_many_seeds(smooth_measurements: list[Measurement]) -> None:
     """Against the covariances at these lags. Subtracting the mean of the map reduces Sq^2 by the mean of rho."""
     d, one, two = SMOOTH.spacing, lagged(0, 1), lagged(0, 2)
@@ -124,17 +116,6 @@ def test_a_generated_surface_has_the_declared_autocorrelation(smooth_maps: list[
         products = [float(np.mean(z * np.roll(z, (rows, columns), (0, 1)))) for z in exponential]
         # 3e-3: hardly any part of the spectrum is cut off, as the correlation at half of the period is nearly 0.
         assert_mean(products, SQ**2 * (lagged(rows, columns, FRACTAL) - offset), systematic=3e-3, unit=SQ**2)
-
-
-def test_spectral_derivatives_have_no_error_of_differences(smooth_maps: list[np.ndarray]) -> None:
-    """Parseval: the spectrum weighted with k^2 and k^4 gives the closed forms of slope and curvature."""
-    k = 2 * np.pi * np.fft.fftfreq(POINTS, SMOOTH.spacing)
-    power = [np.abs(np.fft.fft2(z)) ** 2 / POINTS**4 for z in smooth_maps]
-    np.testing.assert_allclose([p.sum() for p in power], [np.mean(z**2) for z in smooth_maps], rtol=1e-12)  # round-off
-    closed = spectral_moments(rms_roughness=SQ, autocorrelation=SMOOTH)
-    for wave in (k[:, None], k[None, :]):
-        assert_mean([float(np.sum(wave**2 * p)) for p in power], closed.slope)
-        assert_mean([float(np.sum(wave**4 * p)) for p in power], closed.curvature)
 
 
 def test_heights_are_gaussian_and_follow_the_seed(smooth_maps: list[np.ndarray]) -> None:
@@ -189,7 +170,11 @@ def test_dependence_on_the_spacing_gives_warnings() -> None:
         gap_roughness(Surface(rms_roughness=SQ, autocorrelation=replace(kind, spacing=spacing)))
         for kind, spacing in ((FRACTAL, 2.1e-6), (FRACTAL, 3e-6), (SMOOTH, 3e-6))
     )
-    for found, words in ((near, "2.1 um .*sets"), (wide, "3 um .*sets"), (coarse, "a tenth of the length 21 um .*ignored")):
+    for found, words in (
+        (near, "2.1 um .*sets"),
+        (wide, "3 um .*sets"),
+        (coarse, "a tenth of the length 21 um .*ignored"),
+    ):
         (warning,) = found.warnings
         assert re.search(words, warning)
     assert near.race.slope != wide.race.slope
