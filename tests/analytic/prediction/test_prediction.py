@@ -13,7 +13,7 @@ from analytic.inputs import UNCERTAIN, uncertain_value
 from analytic.oil.variation import Variation
 from analytic.prediction import evaluation
 from analytic.prediction.prediction import SAMPLES, Prediction, predict, require_samples
-from analytic.prediction.spreads import DEFAULTS, UncertainInput, uncertain_inputs
+from analytic.prediction.spreads import UncertainInput, uncertain_inputs
 from analytic.prediction.variants import varied_scene
 from analytic.scene import Arrangement, ContactAngle, Losses, Scene
 from analytic.scenefile.read import load_scene, parse_scene
@@ -114,16 +114,6 @@ def test_samples_are_added_until_the_ends_are_known(monkeypatch: pytest.MonkeyPa
     found = predict(dry(**SPREADS), workers=1)
     assert found.samples > 64
     assert found.total.largest_error <= 0.03
-
-
-def test_every_default_spread_names_its_source_or_says_that_it_is_a_judgement() -> None:
-    assert DEFAULTS.keys() <= UNCERTAIN.keys()
-    for key, default in DEFAULTS.items():
-        named = re.search(r"judgement|\[\w+\]|computed", default.source)
-        assert named, key
-        assert default.deviation > 0
-    oiled = parse_scene(OILED, origin="here")
-    assert all(each.source and each.deviation > 0 for each in uncertain_inputs(oiled))
 
 
 def test_a_spread_comes_from_the_scene_else_from_the_origin_else_from_the_default() -> None:
