@@ -10,7 +10,6 @@ import pytest
 
 import analytic
 from analytic.errors import InputError
-from analytic.loads.thrust import thrust_equilibrium
 from analytic.scene import Arrangement, Bearing, Cage, Groove, Losses, Lubricant, Operation, Scene, Surface
 from analytic.scenefile.keys import scene_key
 from analytic.units import unit_of
