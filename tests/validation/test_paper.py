@@ -85,13 +85,6 @@ def test_trends_follow_the_numbers() -> None:
     assert held(found, "rougher raises the pocket's")
 
 
-def test_the_calibrated_coefficient_is_a_power_of_the_speed() -> None:
-    speeds = np.array([100.0, np.sqrt(100 * 500), 500.0]) * np.pi / 30
-    for roughness, (slow, fast) in cage.COEFFICIENTS.items():
-        found = [cage.calibrated_coefficient(rms_roughness=roughness, inner_speed=speed) for speed in speeds]
-        assert found == pytest.approx([slow, np.sqrt(slow * fast), fast], rel=1e-12)  # round-off
-
-
 def test_the_share_of_traction_balances_a_ball() -> None:
     """Forces of both races on the ball against the force of the pocket and its friction, which turns the ball."""
     force, friction, limit = 3.7, 0.13, 2.9

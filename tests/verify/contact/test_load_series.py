@@ -96,18 +96,6 @@ def test_tangents_integrate_to_the_loads(real: LoadSeries, ideal: LoadSeries) ->
         np.testing.assert_allclose(np.trapezoid(exponent, np.log(approach)), np.log(LOADS[-1] / LOADS[0]), rtol=1e-3)
 
 
-def test_json_holds_plain_numbers(ideal: LoadSeries) -> None:
-    document = json.loads(json.dumps(ideal.to_json(), allow_nan=False))
-    assert document["cost"]["peak_memory"] == ideal.peak_memory  # of the solve, not of the writing
-    assert [part["load"] for part in document["loads"]] == LOADS.tolist()
-    assert document["loads"][3]["approach"]["fe"] == ideal.points[3].approach.value
-    assert document["loads"][3]["tangent"]["hertz"] == ideal.points[3].hertz_tangent
-    assert ideal.law is not None
-    assert document["law"]["exponent"] == ideal.law.exponent
-    assert document["law"]["stiffness_uncertainty"] == ideal.law.stiffness_uncertainty
-    assert document["hertz_law"] == {"stiffness": ideal.hertz_stiffness, "exponent": 1.5}
-
-
 @pytest.mark.slow
 def test_a_series_is_refined_to_the_required_accuracy(contacts: dict[str, Contact]) -> None:
     """On shared meshes approaches are 0.3 % uncertain; on their own meshes a tenth of that or less."""
@@ -231,13 +219,3 @@ def test_mistakes_are_one_line(loads: list[float], words: str) -> None:
     with pytest.raises(InputError, match=words) as caught:
         solve_load_series(load_scene("6205-dry"), pair="inner", loads=loads)
     assert "\n" not in str(caught.value)
-
-
-def test_the_data_frame_has_a_row_for_each_load(ideal: LoadSeries) -> None:
-    frame = ideal.to_dataframe()
-    assert frame.index.tolist() == [point.load for point in ideal.points]
-    for row, point in zip(frame.itertuples(), ideal.points, strict=True):
-        assert (row.approach, row.hertz_approach) == (point.approach.value, point.hertz_approach)
-        assert (row.tangent, row.verdict) == (point.tangent, point.verdict)
-    assert frame.attrs["units"]["tangent"] == ideal.to_dataset()["tangent"].attrs["units"] == "N/m"
-    assert repr(ideal).startswith(f"LoadSeries(outer, hertzian, {min(frame.index):.4g} to {max(frame.index):.4g} N, ")

@@ -6,7 +6,6 @@ from typing import Any, cast
 
 import pytest
 
-from analytic.errors import InputError
 from analytic.scene import Contact
 from fembearing.mesh.recipe import Recipe, load_recipe
 from fembearing.verify.contact import reference
@@ -78,26 +77,6 @@ def test_a_measured_ladder_agrees_with_that_of_a_solution(
     assert known == [2, 2, 2]  # of the meshes before, the largest is that of level 2, which sized the contact
 
 
-def test_the_shown_time_is_that_of_all_runs_two_for_an_expensive_mesh(
-    contacts: dict[str, Contact], coarse: Recipe, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Meshes that fail end the run at once; the steps shown before remain."""
-
-    def fail(*_: Any, **__: Any) -> Any:
-        raise InputError("not solved")
-
-    predicted = {1: 0.5, 2: 9.0, 3: 30.0}
-    sized = SimpleNamespace(level=2, pair=SimpleNamespace(semi_axes=(1e-4, 1e-3)))
-    monkeypatch.setattr(contact_ladder, "fitted_solution", lambda *_, **__: sized)
-    monkeypatch.setattr(contact_ladder, "predicted_seconds", lambda level, **_: predicted[level])
-    monkeypatch.setattr(contact_ladder, "solve_on_mesh", fail)
-    steps: list[str] = []
-    contact_ladder.measured_contact(
-        contacts["inner"], recipe=coarse, tolerance=0.01, progress=lambda _, step: steps.append(step)
-    )
-    assert [step.partition(", ")[2] for step in steps] == ["about 2 s", "about 40 s", "about 60 s"]
-
-
 def test_corrected_hertz_is_much_closer_than_hertz(solved: ContactSolution) -> None:
     """On a contact outside the fit, within the uncertainties of fit and meshes; Hertz is far outside of them."""
     corrected = present(solved.corrected)
@@ -108,12 +87,6 @@ def test_corrected_hertz_is_much_closer_than_hertz(solved: ContactSolution) -> N
     assert methods[0].error is not None
     assert methods[1].error is not None
     assert methods[1].error < methods[0].error / 5
-
-
-def test_the_reference_states_its_own_uncertainty(solved: ContactSolution) -> None:
-    names = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")
-    off = max(solved.estimates[name].mesh for name in names)
-    assert f"uncertain by {100 * off:.2g} %" in contact_ladder_of(solved).reference
 
 
 @pytest.mark.usefixtures("timed_once")
@@ -133,15 +106,6 @@ def test_bounds_cover_the_errors_of_a_new_contact(solved: ContactSolution) -> No
         assert method.error is not None
         assert method.error < present(method.bound) < 10 * method.error, method.name
     assert [method.bound for method in methods[2:5]] == [LEVEL_BOUNDS[level] for level in (1, 2, 3)]
-
-
-def test_the_ladder_of_a_solution_names_its_twin(contacts: dict[str, Contact], coarse: Recipe) -> None:
-    with_twin = compare_contact(contacts["inner"], recipe=coarse, tolerance=0.01)
-    *_, last = contact_ladder_of(with_twin).methods
-    assert (last.name, last.seconds) == (
-        "finite elements, with twin",
-        sum(mesh.seconds for mesh in with_twin.meshes),
-    )
 
 
 def test_pockets_and_cut_contacts_have_no_bound(solved: ContactSolution) -> None:

@@ -7,10 +7,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import hypothesis.strategies as st
 import numpy as np
 import pytest
-from hypothesis import given
 
 from analytic.catalog.bearing_rows import bearing_names, find_bearing, series_of_size
 from analytic.errors import InputError
@@ -23,11 +21,9 @@ from fembearing.verify.torque.catalogue_models import (
     CatalogueCase,
     bearing_series,
     catalogue_band,
-    inlet_shear_factor,
     iso_torque,
     palmgren_angular_torque,
     palmgren_torque,
-    replenishment_factor,
     scene_band,
     skf_torque,
 )
@@ -294,19 +290,6 @@ def test_the_jumps_are_the_models_own() -> None:
     assert skf(axial_load=0.0, radial_load=0.0) == 0
 
 
-@given(speed=st.floats(0.1, 2000.0), viscosity=st.floats(1e-6, 1e-3))
-def test_both_factors_lie_between_0_and_1_and_fall_with_speed(speed: float, viscosity: float) -> None:
-    for factor in (
-        lambda w: inlet_shear_factor(mean_diameter=38.5e-3, ring_speed=w, kinematic_viscosity=viscosity),
-        lambda w: replenishment_factor(**RINGS, ring_speed=w, kinematic_viscosity=viscosity, supply="oil_bath"),
-    ):
-        assert factor(0.0) == 1
-        assert 0 <= factor(1.3 * speed) < factor(speed) < 1 or factor(speed) < 1e-300  # gone from double precision
-    greased = replenishment_factor(**RINGS, ring_speed=speed, kinematic_viscosity=viscosity, supply="grease")
-    oiled = replenishment_factor(**RINGS, ring_speed=speed, kinematic_viscosity=viscosity, supply="oil_bath")
-    np.testing.assert_allclose(greased, oiled**2, rtol=1e-10, atol=1e-300)  # twice the exponent, which round-off grows
-
-
 @pytest.mark.parametrize(
     ("changed", "message"),
     [
@@ -322,11 +305,6 @@ def test_both_factors_lie_between_0_and_1_and_fall_with_speed(speed: float, visc
 def test_nonsense_is_refused(changed: dict[str, object], message: str) -> None:
     with pytest.raises(InputError, match=message):
         band(**changed)
-
-
-def test_a_load_factor_below_0_is_refused() -> None:
-    with pytest.raises(InputError, match="load_factor must be positive"):
-        palmgren(load_factor=-4e-4)
 
 
 def oiled(**changed: Any) -> Scene:
