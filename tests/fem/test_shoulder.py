@@ -12,16 +12,15 @@ from analytic.contact.geometry import cut_off_share
 from analytic.effects.table import PER_CUT_SHARE
 from analytic.errors import InputError
 from analytic.scene import Contact
-from fembearing.fem.condensation import condense, held_stiffness, middle_plane
+from fembearing.fem.condensation import held_stiffness, middle_plane
 from fembearing.fem.farfield import point_load, pressed_ellipse
 from fembearing.fem.measure import STRIP
 from fembearing.fem.ring_structure import ring_compression
-from fembearing.fem.solution import CondensedPair, MeshSolution, fitted_solution, pressed, solve_on_mesh
+from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
 from fembearing.fem.subsurface import subsurface_stress
 from fembearing.mesh import pair as pair_module
 from fembearing.mesh.bodies import BodyMesh
 from fembearing.mesh.footprint import Footprint, Sides
-from fembearing.mesh.pair import PairMesh
 from fembearing.mesh.recipe import load_recipe
 from fembearing.verify.contact.discrepancy import ContactSolution
 from tests.fem.assembly import stiffness
@@ -144,29 +143,6 @@ def test_half_a_ball_moves_relative_to_its_middle_plane(cut: MeshSolution) -> No
 def mirrored(body: BodyMesh) -> BodyMesh:
     """y to -y: cells become left-handed, which does not change the stiffness."""
     return replace(body, mesh=MeshHex2(body.mesh.doflocs * np.array([[1.0], [-1.0], [1.0]]), body.mesh.t))
-
-
-def test_the_mirrored_shoulder_gives_the_mirrored_answer(cut: MeshSolution) -> None:
-    pair, contact = cut.pair, cut.contact
-    normal = pair.normal * np.array([[1.0], [-1.0], [1.0]])
-    footprint = replace(pair.footprint, shoulders=pair.footprint.shoulders[::-1])
-    other: PairMesh = replace(
-        pair, upper=mirrored(pair.upper), lower=mirrored(pair.lower), normal=normal, footprint=footprint
-    )
-    held = {"semi_axes": pair.semi_axes, "shoulders": footprint.shoulders}
-    bodies = CondensedPair(
-        contact=contact,
-        level=cut.level,
-        pair=other,
-        upper=condense(other.upper, material=contact.ball_material, force=-normal, **held),
-        lower=condense(other.lower, material=contact.race_material, force=normal, **held),
-        mass=cut.bodies.mass,
-    )
-    found = pressed(bodies, load=contact.load, expected=SEMI_AXES)
-    np.testing.assert_allclose(found.force, cut.force, atol=1e-7 * cut.force.max())  # round-off
-    np.testing.assert_array_equal(found.y, -cut.y)
-    for name in ("approach", "semi_axis_rolling", "semi_axis_transverse"):
-        assert getattr(found.quantities, name) == pytest.approx(getattr(cut.quantities, name), rel=1e-9), name
 
 
 @pytest.mark.parametrize("shoulders", [(np.inf, 0.41e-3), (0.33e-3, np.inf), (0.52e-3, 0.17e-3)])

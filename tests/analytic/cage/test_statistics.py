@@ -128,15 +128,6 @@ def test_different_states_of_seeds_are_mixed() -> None:
     assert statistics.torque_interval[1] - statistics.torque_interval[0] > statistics.torque
 
 
-def test_the_same_motion_has_the_same_statistics() -> None:
-    options: dict[str, Any] = {"start": "sudden", "seeds": 2, "duration": 8e-3}
-    first = measured_motion(CAGE, **options)
-    measured_motion.cache_clear()
-    assert measured_motion(CAGE, **options) == first
-    assert first.duration == 0.016
-    assert first.block == 8e-4
-
-
 @pytest.mark.parametrize("start", ["rest", "ramp"])  # the ramp ends before the measured time
 def test_drag_brakes_the_cage_and_the_balls_push_it(start: Any) -> None:
     """The mean moment of the balls about the axis balances the drag; without drag it is 0."""

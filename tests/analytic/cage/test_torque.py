@@ -53,11 +53,6 @@ def test_the_closed_form_includes_drag() -> None:
         np.testing.assert_allclose(present(mirrored).signed_moment, -closed.signed_moment, rtol=1e-12)
 
 
-def test_the_closed_form_names_what_it_leaves_out() -> None:
-    aside = with_cage(CAGED, land=Land(ring="outer", clearance=0.3e-3, width=9e-3))
-    assert friction_torque(aside).provenance["cage"].startswith("closed form at rest, without land,")
-
-
 @pytest.mark.parametrize("ring", ["inner", "outer"])
 def test_the_motion_is_that_of_the_scene(ring: Any) -> None:
     """Every key of the cage reaches the motion. The land is where the circle of the groove reaches the shoulder."""

@@ -3,11 +3,9 @@
 from dataclasses import replace
 from pathlib import Path
 
-import hypothesis.strategies as st
 import mpmath
 import numpy as np
 import pytest
-from hypothesis import given
 from scipy.integrate import quad
 
 from analytic.contact.hertz import (
@@ -154,21 +152,6 @@ def test_harris_table() -> None:
     np.testing.assert_allclose(found.semi_axis_y / unit, table["a_star"], rtol=rounding)
     np.testing.assert_allclose(found.semi_axis_x / unit, table["b_star"], rtol=rounding)
     np.testing.assert_allclose(found.approach / (unit**2 * curvature_sum / 2), table["delta_star"], rtol=rounding)
-
-
-@given(log_ratio=st.floats(-13.8, 13.8), metre=st.floats(1e-3, 1e3), newton=st.floats(1e-6, 1e6))
-def test_the_contact_does_not_depend_on_the_units(log_ratio: float, metre: float, newton: float) -> None:
-    curvature = LARGE * np.exp(log_ratio)
-    scaled = hertz_contact(
-        curvature_x=curvature / metre,
-        curvature_y=LARGE / metre,
-        load=LOAD * newton,
-        modulus=MODULUS * newton / metre**2,
-    )
-    plain = contact(curvature, LARGE)
-    units = (metre, metre, newton / metre**2, metre, newton / metre**1.5)
-    for field, unit in zip(FIELDS, units, strict=True):
-        np.testing.assert_allclose(getattr(scaled, field), getattr(plain, field) * unit, rtol=ROUND_OFF, err_msg=field)
 
 
 def test_zero_load_is_no_contact_of_finite_stiffness() -> None:

@@ -114,16 +114,6 @@ def test_asperities_that_carry_load_count_whatever_they_change(bearing_6205: Bea
     assert "asperities carry up to" in asperities.reason
 
 
-@pytest.mark.parametrize("tolerance", [0.9, 0.05, 1e-7])
-def test_a_point_that_repeats_has_one_torque(bearing_6205: Bearing, tolerance: float) -> None:
-    scene = idling(bearing_6205)
-    many = Operation(axial_load=np.full(20, 61.0), inner_speed=np.full(20, 1.9), radial_load=np.full(20, 7.0))
-    found = friction_torque(replace(scene, tolerance=tolerance, operation=many))
-    np.testing.assert_array_equal(found.torque.total, found.torque.total[0])
-    whole = friction_torque(replace(scene, tolerance=1e-7, operation=many)).torque.total
-    assert np.all(np.abs(found.torque.total / whole - 1) <= found.numerical_uncertainty)
-
-
 def points_of(scene: Scene, chosen: NDArray[np.intp]) -> Operation:
     return Operation(**{name: values[chosen] for name, values in vars(scene.operation.as_series()).items()})
 

@@ -184,12 +184,6 @@ def test_a_load_that_no_groove_bears_is_named() -> None:
         )
 
 
-def test_two_balls_carry_thrust() -> None:
-    two = bearing(ball_count=2)
-    found = pair_equilibrium(two, SOLVED, Arrangement(kind="O", preload=9.0), loads(5.0), HERTZ)
-    np.testing.assert_allclose(found.axial_load[0] - found.axial_load[1], 5.0, rtol=STATICS)
-
-
 @pytest.mark.parametrize(
     ("given", "words"),
     [

@@ -122,36 +122,6 @@ def test_the_printed_formula_in_40_digits(load: float, speed: float, alpha: floa
     assert found.capped == (expected > cap)
 
 
-@pytest.mark.parametrize(
-    ("changed", "powers"),
-    [  # h ~ eta0^a u^a F^b E^c alpha^d of the four regimes, known from the theories they come from
-        (
-            {"load": 1e-4, "pressure_viscosity": 1e-13, "modulus": 1e14, "entrainment_speed": 1e-4},
-            {"entrainment_speed": 2.0, "viscosity": 2.0, "load": -2.0, "modulus": 0.0},
-        ),
-        (
-            {"load": 1e2, "pressure_viscosity": 1e-3, "modulus": 1e16, "entrainment_speed": 1e-5},
-            {"entrainment_speed": 2 / 3, "pressure_viscosity": 2 / 3, "load": 0.0, "modulus": 0.0},
-        ),
-        (
-            {"load": 1e3, "pressure_viscosity": 1e-14, "modulus": 1e6, "entrainment_speed": 1e-7},
-            {"entrainment_speed": 0.6, "load": -2 / 15, "modulus": -7 / 15},
-        ),
-        (
-            {"load": 1e7, "pressure_viscosity": 1e-6, "modulus": 1e10, "entrainment_speed": 1e-4},
-            {"entrainment_speed": 0.75, "pressure_viscosity": 0.75, "load": -1 / 12, "modulus": -1 / 6 + 1 / 4},
-        ),
-    ],
-    ids=["RI", "RP", "EI", "EP"],
-)
-def test_exponents_of_the_regimes(changed: dict[str, float], powers: dict[str, float]) -> None:
-    base = CONTACT | OIL | changed
-    for name, power in powers.items():
-        more, less = (film(**(changed | {name: base[name] * factor})).thickness for factor in (1.1, 1 / 1.1))
-        measured = np.log(more / less) / (2 * np.log(1.1))
-        np.testing.assert_allclose(measured, power, atol=0.02)  # the blend's remainder
-
-
 @given(load=loads, speed=speeds, alpha=st.floats(1e-9, 3e-8), remaining=st.floats(-3, 0), compressible=st.booleans())
 def test_the_slope_by_the_load_that_remains_is_that_of_the_film(
     load: float, speed: float, alpha: float, remaining: float, compressible: bool
@@ -186,12 +156,6 @@ def test_compressible_oil_is_thinner_by_its_density_at_the_peak_pressure(load: f
     expected = np.where(free, plain.thickness / density_ratio(peak), squeezed.thickness)
     np.testing.assert_allclose(squeezed.thickness, expected, rtol=1e-12)
     assert squeezed.thickness <= plain.thickness
-
-
-def test_compressible_oil_without_load_or_speed() -> None:
-    none = film(load=np.array([0.0, 613.0]), entrainment_speed=np.array([0.37, 0.0]), compressible=True)
-    plain = film(load=np.array([0.0, 613.0]), entrainment_speed=np.array([0.37, 0.0]))
-    np.testing.assert_array_equal(none.thickness, plain.thickness)
 
 
 @given(load=loads, alpha=alphas)

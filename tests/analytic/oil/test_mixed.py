@@ -53,27 +53,6 @@ def test_both_equations_hold(load: float, speed: float, sq: float, alpha: float,
         np.testing.assert_allclose(h, min(float(film), limit), rtol=1e-8)  # round-off of 1 - s
 
 
-def test_slow_running_ends_in_boundary_friction() -> None:
-    """1000 contacts, oils and finishes at 1e-6 rad/s of a bearing's ring."""
-    random, reached = np.random.default_rng(41), 0
-    for _ in range(40):
-        length = 10 ** random.uniform(-5, -3.7)
-        gap = rough(length * 10 ** random.uniform(-3.5, -1.5), length)
-        many = {
-            "load": 10 ** random.uniform(0, 3.5, 25),
-            "viscosity": 10 ** random.uniform(-3, 0, 25),
-            "pressure_viscosity": random.uniform(0, 3e-8, 25),
-        }
-        speed = 1e-6 * random.uniform(1e-3, 15e-3, 25)  # times a radius, m
-        found = mixed(gap, **many, entrainment_speed=speed)
-        assert np.all(found.boundary_share > 0.99)
-        # Asperities come to carry all too, but long waves at films that are no lengths and perhaps no doubles.
-        still, slower = (mixed(gap, **many, entrainment_speed=by * speed) for by in (0.0, 1e-200))
-        np.testing.assert_allclose(slower.asperity_share[still.film_thickness > 1e-100], 1, rtol=1e-9)
-        reached += np.count_nonzero(still.film_thickness > 1e-100)
-    assert reached > 100
-
-
 def test_smooth_and_all_but_smooth_surfaces_leave_the_film_alone() -> None:
     film = smooth_film()
     smooth, almost = mixed(None), mixed(rough(1e-10))

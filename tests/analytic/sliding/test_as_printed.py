@@ -55,24 +55,6 @@ def test_at_no_spin_the_moments_are_exchanged_and_the_rolling_one_is_three_times
     np.testing.assert_allclose(printed_z / rolling, 3.10, atol=0.005)
 
 
-def test_both_moments_jump_at_no_spin() -> None:
-    """M_z falls from the whole mu F b^2/(4 r) to nothing, M_r rises from nothing to 0.322 of it."""
-    at, after = printed(0.0), printed(1e-9)
-    whole = MU * Q * B**2 / (4 * R)
-    np.testing.assert_allclose(np.divide(at, whole), [1.0, 0.0], atol=1e-15)
-    np.testing.assert_allclose(np.divide(after, whole), [0.0, 0.322285], atol=1e-6)  # eps b/R of spin is left
-    smooth = np.subtract(corrected(1e-9), corrected(0.0))
-    assert np.all(np.abs(smooth) < 1e-6 * whole)
-
-
-def test_both_moments_jump_at_full_spin() -> None:
-    before, at = printed(LAST), printed(0.5)
-    np.testing.assert_allclose(np.divide(before, MU * Q * B), [0.375, 0.0], atol=1e-15)
-    np.testing.assert_array_equal(at, np.multiply([0.0, 0.375], MU * Q * B))
-    np.testing.assert_allclose(at[::-1], corrected(0.5), rtol=1e-14)  # exchanged, round-off
-    np.testing.assert_array_equal(printed(7.0), at)
-
-
 def test_nonsense_is_refused() -> None:
     with pytest.raises(InputError, match="spin_to_roll must be at least 0"):
         printed(-0.1)

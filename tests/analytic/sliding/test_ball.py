@@ -155,22 +155,6 @@ def test_coulomb_friction_is_that_of_the_closed_forms(rule: SpinRule) -> None:
     np.testing.assert_allclose(narrow.torque, long.torque, rtol=1e-4)  # as (a/b)^2 ln(b/a)
 
 
-def test_a_constant_stress_in_full_spin_is_a_plain_sum() -> None:
-    """Spin so fast that rolling is negligible: tau over the chords 2 a sqrt(1 - y^2/b^2), or over a circle."""
-    dry = MixedTraction(
-        lubricant=OIL, boundary_friction=0.0, asperity_share=0.0, boundary_share=0.0, oil_area=1.0, oil_thickness=1e-7
-    )
-    fast = {"spin_difference": 1e6, "spin_rule": "outer_control"}
-    a, b = 0.12e-3, 1.1e-3
-    along = friction(pair(), dry, "along_axis", **fast).inner.spin_moment
-    np.testing.assert_allclose(along, 5e6 * 4 / 3 * a * b**2, rtol=QUADRATURE)
-    circle = friction(pair(semi_axis_rolling=b, semi_axis_transverse=b), dry, "over_ellipse", **fast)
-    np.testing.assert_allclose(circle.inner.spin_moment, 5e6 * 2 * np.pi / 3 * b**3, rtol=QUADRATURE)
-    single = friction(pair(), dry, "single_coefficient", **fast)
-    np.testing.assert_allclose(single.inner.spin_moment, 3 / 8 * 5e6 * np.pi * a * b * b, rtol=1e-12)
-    np.testing.assert_allclose(single.inner.coefficient, 5e6 * np.pi * a * b / 613.0, rtol=1e-12)
-
-
 @pytest.mark.parametrize("traction", ["eyring_constant", "eyring_sinh"])
 @pytest.mark.parametrize("method", ["along_axis", "over_ellipse"])
 def test_the_torque_is_the_power_lost_at_every_point(method: SlidingMethod, traction: str) -> None:

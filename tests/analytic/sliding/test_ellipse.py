@@ -152,13 +152,6 @@ def test_the_moments_are_the_slopes_of_the_power(along: bool, eps: float) -> Non
 
 
 @pytest.mark.parametrize("along", [False, True])
-def test_the_spin_moment_is_odd_and_the_rolling_moment_even(along: bool) -> None:
-    there, back = (slip(contact(3.0), SINH, sign * spin_of(0.2), along=along) for sign in (1, -1))
-    assert there.spin_moment == -back.spin_moment > 0
-    assert there.rolling_moment == back.rolling_moment > 0
-
-
-@pytest.mark.parametrize("along", [False, True])
 def test_a_contact_that_neither_rolls_nor_spins_or_has_no_load_has_no_friction(along: bool) -> None:
     still = slip(contact(3.0, rolling_rate=0.0), COULOMB, 0.0, along=along)
     assert still.spin_moment == still.rolling_moment == still.slip_speed == still.creep == 0

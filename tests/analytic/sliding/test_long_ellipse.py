@@ -236,19 +236,6 @@ def test_very_unlike_contacts_balance() -> None:
     np.testing.assert_allclose(found.inner_spin_moment, -found.outer_spin_moment, rtol=1e-11)
 
 
-def test_a_series_is_its_points() -> None:
-    """Points that converge early keep their values while others go on."""
-    angle, mu_inner, mu_outer = np.meshgrid([0.05, 0.6, 1.3], [0.0, 1e-9, 0.1], [0.0, 0.02, 0.1], indexing="ij")
-    contacts = rolling_contact(load=Q), rolling_contact(load=Q, semi_axis_transverse=0.9e-3)
-    series = torque(contacts, (mu_inner, mu_outer), np.sin(angle))
-    assert series.spin.shape == angle.shape
-    for index in np.ndindex(angle.shape):
-        alone = torque(contacts, (mu_inner[index], mu_outer[index]), np.sin(angle[index]))
-        for name, values in vars(series).items():
-            # vector and scalar sines may differ in the last bit
-            np.testing.assert_allclose(values[index], getattr(alone, name), rtol=1e-12, atol=1e-18)
-
-
 def test_a_bad_spin_is_refused() -> None:
     contacts = rolling_contact(), rolling_contact()
     with pytest.raises(InputError, match="spin_difference must be at least 0"):

@@ -183,22 +183,6 @@ def test_a_smooth_surface_is_a_wall() -> None:
     assert contact(0.1e-6, almost).pressure == 0
 
 
-@given(metre=st.floats(1e-3, 1e3), pascal=st.floats(1e-3, 1e3))
-def test_physics_does_not_depend_on_the_units(metre: float, pascal: float) -> None:
-    s = SUMMITS
-    scaled = Summits(
-        density=s.density / metre**2,
-        radius=s.radius * metre,
-        height_deviation=s.height_deviation * metre,
-        mean_height=s.mean_height * metre,
-    )
-    computed = contact(1.7e-6 * metre, scaled, modulus=E * pascal, hardness=H * pascal)
-    base = contact(1.7e-6)
-    np.testing.assert_allclose(computed.pressure, base.pressure * pascal, rtol=1e-12)  # round-off, through t
-    np.testing.assert_allclose(computed.area_fraction, base.area_fraction, rtol=1e-12)
-    np.testing.assert_allclose(computed.pressure_slope, base.pressure_slope * pascal / metre, rtol=1e-12)
-
-
 def test_the_softer_body_yields() -> None:
     def body(name: str, hardness: float | None) -> Material:
         return Material(

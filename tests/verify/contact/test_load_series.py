@@ -184,16 +184,13 @@ def test_a_load_over_the_shoulder_is_as_uncertain_as_a_single_one_and_not_judged
     assert abs(over.approach.value / alone.value - 1) < min(over.approach.total, alone.total)
 
 
-def test_the_idealisation_has_no_shoulder_in_a_series_either(
-    contacts: dict[str, Contact], shallow: Callable[[str], Recipe]
-) -> None:
-    """Its exact answer is Hertz's, wherever the groove's shoulder is."""
-    narrow = replace(contacts["inner"], shoulder=0.6e-3)  # the semi-axis is 0.95 mm at 372 N
-    series = compare_series(narrow, recipe=shallow("hertzian"), loads=[372.0, 300.0, 30.0], tolerance=0.05)
-    for point in series.points:
-        assert abs(point.discrepancy) < point.approach.total < 0.005  # OFF_MESH and some
-    assert series.verdict == "pass"
-    assert not series.warnings
+@pytest.mark.parametrize(
+    ("loads", "words"), [([], "one or more"), ([20.0, -3.0], "-3.0"), ([float("inf")], "inf"), ([9e4, 3.0], "90000 N")]
+)
+def test_mistakes_are_one_line(loads: list[float], words: str) -> None:
+    with pytest.raises(InputError, match=words) as caught:
+        solve_load_series(load_scene("6205-dry"), pair="inner", loads=loads)
+    assert "\n" not in str(caught.value)
 
 
 def test_loads_above_the_static_limit_have_one_warning(
@@ -210,12 +207,3 @@ def test_loads_above_the_static_limit_have_one_warning(
     assert peaks == [True, False, True]
     (message,) = (warning for warning in series.warnings if "static limit" in warning)
     assert "at 2250 N is above the static limit, 4.2 GPa" in message
-
-
-@pytest.mark.parametrize(
-    ("loads", "words"), [([], "one or more"), ([20.0, -3.0], "-3.0"), ([float("inf")], "inf"), ([9e4, 3.0], "90000 N")]
-)
-def test_mistakes_are_one_line(loads: list[float], words: str) -> None:
-    with pytest.raises(InputError, match=words) as caught:
-        solve_load_series(load_scene("6205-dry"), pair="inner", loads=loads)
-    assert "\n" not in str(caught.value)

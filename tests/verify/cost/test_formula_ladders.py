@@ -215,3 +215,11 @@ def test_a_scene_without_such_a_ladder_says_why(
 ) -> None:
     with pytest.raises(InputError, match=words):
         methods(change(scene))
+
+
+def test_the_scatter_of_a_generated_map_depends_on_its_correlation_lengths_alone() -> None:
+    waves = Autocorrelation(kind="exponential", length=21e-6, spacing=1.3e-6)
+    larger = replace(waves, length=3 * waves.length, spacing=3 * waves.spacing)
+    bound = formula_ladders._bound_of_generated
+    assert bound(larger, 350) == pytest.approx(bound(waves, 350), rel=1e-12)  # round-off
+    assert bound(replace(waves, length=3 * waves.length), 1050) == pytest.approx(bound(waves, 350), rel=1e-12)

@@ -48,5 +48,5 @@ def test_every_ladder_is_run_or_absent_with_a_reason(scene: Scene, monkeypatch: 
 
 
 def test_a_tolerance_must_be_positive(scene: Scene) -> None:
-    with pytest.raises(InputError, match="tolerance.*0"):
+    with pytest.raises(InputError, match=r"tolerance.*0"):
         measure_cost(scene, tolerance=0.0)
