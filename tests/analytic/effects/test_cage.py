@@ -6,17 +6,13 @@ import numpy as np
 import pytest
 
 from analytic import friction_torque
-from analytic.effects.ledger import Effect
 from analytic.errors import InputError
 from analytic.result import FrictionTorque
 from analytic.scene import Operation
 from tests.analytic.cage.specimens import CAGED, RPM, with_cage
+from tests.analytic.specimens import effect_of
 
 RULED = replace(CAGED, spin_rule="balanced")  # closed kinematics: the speed of the balls by hand
-
-
-def effect_of(result: FrictionTorque, name: str) -> Effect:
-    return next(effect for effect in result.effects if effect.name == name)
 
 
 def assert_rests(result: FrictionTorque, reason: str) -> None:

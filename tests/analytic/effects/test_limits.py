@@ -10,6 +10,7 @@ from analytic.effects.table import LIMITS, PER_CUT_SHARE
 from analytic.result import FrictionTorque
 from analytic.scene import Bearing, Cage, ContactAngle, Operation, Scene
 from analytic.torque import friction_torque
+from tests.analytic.specimens import effect_of
 
 
 @pytest.fixture(scope="module")
@@ -35,7 +36,7 @@ def scene(bearing_6205: Bearing) -> Scene:
 
 
 def reason_of(found: FrictionTorque, name: str) -> str:
-    effect = next(effect for effect in found.effects if effect.name == name)
+    effect = effect_of(found, name)
     assert effect.decision == "off"
     return effect.reason
 

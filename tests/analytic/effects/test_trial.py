@@ -1,13 +1,12 @@
 """Effects are decided by trial: shares are measured, few points compute all, long series keep their tolerance."""
 
-import pickle
 from dataclasses import replace
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from analytic.effects.table import COMPUTED, TRIED
+from analytic.effects.table import TRIED
 from analytic.effects.trial import FEW
 from analytic.result import FrictionTorque
 from analytic.scene import Bearing, Operation, Scene
@@ -194,12 +193,3 @@ def test_one_point_changes_no_other(rich: Scene, unlike: tuple[float, float]) ->
     others = np.arange(40) != 19
     np.testing.assert_allclose(mixed.torque.total[others], alike.torque.total[others], rtol=SAME)
     assert abs(mixed.torque.total[19] / alike.torque.total[19] - 1) > 0.1
-
-
-def test_shares_survive_pickling(rich: Scene) -> None:
-    assert set(friction_torque(rich).settled(rich).effects) >= set(COMPUTED)
-    for scene in (rich, drawn_scene(5)):  # the second one is a pair
-        found = friction_torque(scene)
-        copied = pickle.loads(pickle.dumps(friction_torque(scene)))
-        assert shares(copied) == shares(found)
-        assert None not in {shares(copied)[name] for name in TRIED if found.is_on(name)}

@@ -14,6 +14,7 @@ from analytic.errors import InputError
 from analytic.loads.ring import RingEquilibrium, ring_equilibrium
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.scene import Bearing, ContactAngle, Material
+from tests.analytic.specimens import with_clearance
 
 SOLVED = ContactAngle(rule="solved")
 MIXED: dict[str, Any] = {
@@ -23,13 +24,6 @@ MIXED: dict[str, Any] = {
     "moment_x": 0.7,
     "moment_y": -1.9,
 }
-
-
-def with_clearance(bearing: Bearing, clearance: float, *, ball_count: int = 9) -> Bearing:
-    """The bearing with its outer ring opened to this diametral clearance, m; negative is preload."""
-    touching = bearing.inner.bottom_radius + bearing.ball_diameter
-    outer = replace(bearing.outer, bottom_radius=touching + clearance / 2)
-    return replace(bearing, outer=outer, ball_count=ball_count)
 
 
 def reference_arm(bearing: Bearing) -> float:
