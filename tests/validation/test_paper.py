@@ -25,11 +25,6 @@ def series(**values: list[float]) -> dict[str, np.ndarray]:
     return {"inner_speed": SPEEDS} | {name: np.array(values.get(name, [0.05, 0.05, 0.05])) for name in names}
 
 
-def held(trends: list[Any], words: str) -> bool:
-    (trend,) = [trend for trend in trends if words in trend.claim]
-    return trend.held
-
-
 def test_the_published_numbers_are_read_in_si() -> None:
     found = {(p.quantity, p.rms_roughness, round(p.inner_speed * 30 / np.pi)): p for p in comparison.published()}
     assert len(found) == 16
@@ -57,32 +52,6 @@ def test_a_cage_torque_counts_as_a_power_and_then_as_moments() -> None:
     assert (power.ours, moments.ours) == ("cage_torque", "cage_moments")
     assert power.worst == pytest.approx(6.0)
     assert moments.verdict == "matched"
-
-
-def test_trends_follow_the_numbers() -> None:
-    rough = series(
-        total_torque=[9.0, 11.0, 14.0], race_torque=[7.0, 7.2, 7.1], inner_coefficient=[0.08, 0.081, 0.079],
-        outer_coefficient=[0.07, 0.071, 0.07], cage_torque=[1, 3, 6], cage_max_force=[2, 9, 28],
-        pocket_coefficient=[0.11, 0.11, 0.1],
-    )  # fmt: skip
-    smooth = series(
-        total_torque=[5.0, 4.0, 6.0], race_torque=[5.0, 4.0, 3.0], inner_coefficient=[0.03, 0.031, 0.04],
-        outer_coefficient=[0.02, 0.021, 0.02], cage_torque=[0.5, 2, 7], cage_max_force=[3, 2, 1],
-        pocket_coefficient=[0.1, 0.07, 0.05],
-    )  # fmt: skip
-    found = comparison.trends(rough, smooth)
-    assert held(found, "rougher raises the total")
-    assert not held(found, "the total torque rises")  # the smooth one falls first
-    assert held(found, "rougher raises the friction coefficients of both races")
-    assert not held(found, "races are flat")  # the smooth inner one rises by a third
-    assert held(found, "almost constant")
-    assert held(found, "race torque falls")
-    assert held(found, "cage torque rises")
-    assert not held(found, "rougher raises the cage torque")  # not at the last speed
-    assert not held(found, "largest cage force rises")
-    assert not held(found, "rougher raises the largest cage force")
-    assert held(found, "pocket's friction coefficient falls")
-    assert held(found, "rougher raises the pocket's")
 
 
 def test_the_share_of_traction_balances_a_ball() -> None:

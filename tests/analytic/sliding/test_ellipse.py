@@ -58,15 +58,10 @@ def scaled(found: Slip) -> np.ndarray:
 
 @pytest.mark.parametrize("k", [0.4, 1.0, 1.5, 3.0, 5.71, 9.28])
 def test_full_spin_of_an_ellipse(k: float) -> None:
-    """(3/8) mu Q E(m) times the longer semi-axis: 0.589 mu Q a of a circle, 1.8 % above the line at b/a = 9.28."""
+    """(3/8) mu Q E(m) times the longer semi-axis."""
     found = slip(contact(k), COULOMB, spin_of(1e6))
     integral = ellipe(1 - min(k, 1 / k) ** 2) * max(1, 1 / k)
     np.testing.assert_allclose(found.spin_moment, 0.375 * MU * Q * B * integral, rtol=1e-6)
-    if k == 1:
-        np.testing.assert_allclose(found.spin_moment / (MU * Q * B), 0.589, atol=0.5e-3)
-    above = {1.5: (0.32, 0.005), 3.0: (0.11, 0.005), 5.71: (0.041, 0.0005), 9.28: (0.018, 0.0005)}  # two digits
-    if k in above:
-        np.testing.assert_allclose(found.spin_moment / (0.375 * MU * Q * B) - 1, above[k][0], atol=above[k][1])
 
 
 @pytest.mark.parametrize("eps", [0.0, *SPINS])
