@@ -103,12 +103,6 @@ def test_the_number_of_processes_does_not_change_a_number() -> None:
     assert {k: v for k, v in alone.items() if k not in times} == {k: v for k, v in together.items() if k not in times}
 
 
-def test_a_seed_gives_the_same_numbers_and_another_one_others() -> None:
-    scene = dry(**SPREADS)
-    first, again, other = (predict(scene, samples=50, seed=seed, workers=1).total.high[0] for seed in (3, 3, 4))
-    assert first == again != other
-
-
 def test_samples_are_added_until_the_ends_are_known(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("analytic.prediction.prediction.SAMPLES", 64)
     found = predict(dry(**SPREADS), workers=1)
