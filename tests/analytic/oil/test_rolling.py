@@ -21,6 +21,7 @@ from analytic.oil.rolling import (
 )
 from analytic.scene import Bearing
 from tests.analytic.specimens import hertzian, rolling_contact
+from tests.validation.hard.hertz_exact import hertz
 
 ROUND_OFF = 1e-13  # a few hundred roundings of a double
 CASE = {
@@ -55,23 +56,15 @@ def houpert(**changed: object) -> RollingResistance:
 
 
 def groups(**changed: float) -> dict[str, mpmath.mpf]:
-    """The printed quantities in 40 digits, the semi-axes from the ratio that defines Hertz's ellipse."""
+    """The printed quantities in 40 digits."""
     given = CASE | changed
     with mpmath.workdps(40):
         r_x, stiff = 1 / mpmath.mpf(given["curvature_rolling"]), 2 * mpmath.mpf(given["modulus"])
         ratio = mpmath.mpf(given["curvature_transverse"]) * r_x  # R_x/R_y, below 1 here
-
-        def curvature_ratio(k: mpmath.mpf) -> mpmath.mpf:
-            m = 1 - 1 / k**2
-            return (k**2 * mpmath.ellipe(m) - mpmath.ellipk(m)) / (mpmath.ellipk(m) - mpmath.ellipe(m))
-
-        start = ratio ** mpmath.mpf("-0.6366")
-        k = mpmath.findroot(lambda k: curvature_ratio(k) - 1 / ratio, start)
+        names = ("curvature_rolling", "curvature_transverse", "load", "modulus")
+        ellipse = hertz(*(mpmath.mpf(given[name]) for name in names))
+        k, semi_axis = mpmath.exp(ellipse["log_k"]), ellipse["major"]
         integral = mpmath.ellipe(1 - 1 / k**2)
-        radius = r_x / (1 + ratio)
-        semi_axis = mpmath.cbrt(
-            3 * k**2 * integral * given["load"] * radius / (mpmath.pi * mpmath.mpf(given["modulus"]))
-        )
         u = 2 * mpmath.mpf(given["viscosity"]) * abs(given["entrainment_speed"]) / (stiff * r_x)
         w = given["load"] / (stiff * r_x**2)
         beta = 4 / mpmath.pi * integral / (1 + ratio)

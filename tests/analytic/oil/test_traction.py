@@ -39,6 +39,12 @@ def test_the_printed_law_in_40_digits(p: float, v: float, h: float) -> None:
     np.testing.assert_allclose(shear(p, v, h), expected, rtol=1e-12)  # round-off through exp of some 20
 
 
+def test_a_constant_stress_depends_on_nothing_and_without_a_film_oil_shears_at_its_limit() -> None:
+    constant = shear(np.array([0.0, 2e9]), np.array([[0.0], [0.4]]), 1e-7, traction="eyring_constant")
+    np.testing.assert_array_equal(constant, np.full((2, 2), 4.7e6))
+    np.testing.assert_allclose(shear(1.3e9, 0.2, np.array([0.0, -3e-7])), 0.06 * 1.3e9, rtol=1e-15)
+
+
 extreme = st.floats(-300, 300).map(lambda power: 10.0**power)
 
 

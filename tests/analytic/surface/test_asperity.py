@@ -7,12 +7,14 @@ import mpmath
 import numpy as np
 import pytest
 from hypothesis import given
+from mpmath import mpf
 from scipy.special import erfc, pbdv
 
 from analytic.errors import InputError
 from analytic.scene import Material, Surface
 from analytic.surface.asperity import AsperityContact, asperity_contact, asperity_load, separation_at, softer_hardness
 from analytic.surface.moments import Summits
+from tests.validation.hard.lubrication_exact import log_over_summits, summit
 
 SUMMITS = Summits(density=5e8, radius=50e-6, height_deviation=0.8e-6, mean_height=1.3e-6)
 E, H = 113.187e9, 7.8e9  # Pa
@@ -37,41 +39,14 @@ def with_yield_at(ratio: float) -> Summits:
     )
 
 
-def printed_load(w: mpmath.mpf, radius: mpmath.mpf) -> tuple[mpmath.mpf, mpmath.mpf]:
-    """Load and area of one summit by the formulas of the literature."""
-    q, e, h = mpmath.mpf, mpmath.mpf(E), mpmath.mpf(H)
-    w1 = (3 * mpmath.pi * q("0.4") * h / (4 * e)) ** 2 * radius
-    w2 = 54 * w1
-    if w <= 0:
-        return q(0), q(0)
-    if w < w1:
-        return q(4) / 3 * e * mpmath.sqrt(radius) * w * mpmath.sqrt(w), mpmath.pi * radius * w
-    if w < w2:
-        t = (w - w1) / (w2 - w1)
-        area = mpmath.pi * radius * w * (1 - 2 * t**3 + 3 * t**2)
-        pressure = h - h * (1 - q("0.4")) * (mpmath.log(w2) - mpmath.log(w)) / (mpmath.log(w2) - mpmath.log(w1))
-        return pressure * area, area
-    return 2 * mpmath.pi * radius * w * h, 2 * mpmath.pi * radius * w
-
-
 @cache
 def reference(h: float, radius: float) -> tuple[float, float]:
     """Nominal pressure and area fraction by quadrature in 40 digits over the heights of the summits."""
     with mpmath.workdps(40):
-        s, r = mpmath.mpf(SUMMITS.height_deviation), mpmath.mpf(radius)
-        d = mpmath.mpf(h) - mpmath.mpf(SUMMITS.mean_height)
-        w1 = (3 * mpmath.pi * mpmath.mpf("0.4") * mpmath.mpf(H) / (4 * mpmath.mpf(E))) ** 2 * r
-        bottom, top = max(d, -14 * s), mpmath.sqrt(max(d, 0) ** 2 + 200 * s**2)
-        steps = [bottom + (top - bottom) * part / 16 for part in (1, 2, 4, 8)]  # the integrand falls from the bottom
-        breaks = {bottom, top, *(x for x in (d + w1, d + 54 * w1, -3 * s, 0, 3 * s, *steps) if bottom < x < top)}
-
-        edge = (max(d, 0) / s) ** 2 / 2  # quad stops at an absolute error, so the integrand is scaled
-
-        def gauss(z: mpmath.mpf) -> mpmath.mpf:
-            return mpmath.exp(-((z / s) ** 2) / 2 + edge) / (s * mpmath.sqrt(2 * mpmath.pi))
-
-        parts = [mpmath.quad(lambda z, k=k: printed_load(z - d, r)[k] * gauss(z), sorted(breaks)) for k in (0, 1)]
-        return tuple(float(SUMMITS.density * part * mpmath.exp(-edge)) for part in parts)  # pyright: ignore[reportReturnType]
+        of = (mpf(SUMMITS.density), mpf(radius), mpf(SUMMITS.height_deviation), mpf(SUMMITS.mean_height))
+        t = (mpf(h) - of[3]) / of[2]
+        pressure, area = (mpmath.exp(log_over_summits(t, of, area=area, modulus=E)) for area in (False, True))
+        return float(pressure), float(area)
 
 
 @pytest.mark.parametrize("ratio", [1e-4, 0.02, 0.26, 3.1, 40.0, 1e5])
@@ -114,7 +89,7 @@ def test_one_summit_follows_the_printed_formulas_without_jumps() -> None:
     depths = first * np.array([1e-30, 0.3, 0.9999, 1.0, 1.0001, 7.0, 53.99, 54.0, 54.01, 1e6])
     computed = asperity_load(interference=depths, tip_radius=radius, modulus=E, hardness=H)
     with mpmath.workdps(40):
-        expected = np.array([[float(x) for x in printed_load(mpmath.mpf(w), mpmath.mpf(radius))] for w in depths])
+        expected = np.array([[float(x) for x in summit(mpf(w), mpf(radius), E)] for w in depths])
     np.testing.assert_allclose(computed.load, expected[:, 0], rtol=1e-12)  # round-off of w - w_1 relative to w_1
     np.testing.assert_allclose(computed.area, expected[:, 1], rtol=1e-12)
     for edge in (first, 54 * first):
