@@ -1,4 +1,4 @@
-"""Physical limits approached from both sides, by formulas written here, and what is not in the scene is not checked."""
+"""Physical limits approached from both sides, by other formulas, and what is not in the scene is not checked."""
 
 from dataclasses import replace
 from typing import Any

@@ -1,4 +1,4 @@
-"""Stresses under a computed contact against the closed form on the idealisation, and against general laws."""
+"""Stresses under a computed contact against the closed form on the idealisation, and against the contact itself."""
 
 from dataclasses import replace
 from functools import cache

@@ -1,4 +1,4 @@
-"""The comparison with measured torques: its arithmetic by hand, its page, and the sentences that quote it."""
+"""The comparison with measured torques: its arithmetic by hand, and the sentences that quote it."""
 
 import csv
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""The cage in motion, against closed forms, limits and mirror images."""
+"""The cage in motion, against closed forms and limits."""
 
 from dataclasses import replace
 from typing import Any

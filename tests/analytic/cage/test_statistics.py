@@ -1,4 +1,4 @@
-"""Statistics of a moving cage: states against closed forms, intervals against their definition, reproducibility."""
+"""Statistics of a moving cage: states against closed forms, intervals against their definition."""
 
 from dataclasses import replace
 from typing import Any

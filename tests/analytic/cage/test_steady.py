@@ -1,4 +1,4 @@
-"""Closed forms of the cage: against statics, rigid-body mechanics, and independently computed numbers."""
+"""Closed forms of the cage: against statics and rigid-body mechanics."""
 
 from dataclasses import replace
 from typing import Any

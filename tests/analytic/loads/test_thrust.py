@@ -1,4 +1,4 @@
-"""Thrust equilibrium against the balances that define it, its limits, and an energy."""
+"""Thrust equilibrium against the balances that define it and another program."""
 
 from dataclasses import replace
 

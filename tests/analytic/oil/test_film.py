@@ -1,4 +1,4 @@
-"""The central film against the printed formula in 40 digits, exponents of its regimes, and another program."""
+"""The central film against the printed formula in 40 digits and another program."""
 
 import hypothesis.strategies as st
 import mpmath

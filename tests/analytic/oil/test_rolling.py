@@ -1,4 +1,4 @@
-"""Rolling resistance: the printed formula in 40 digits, values of another program, its regimes; hysteresis."""
+"""Rolling resistance: the printed formula in 40 digits, values of another program; hysteresis."""
 
 from typing import Any, Literal
 

@@ -1,4 +1,4 @@
-"""The printed equations against the corrected ones: which names are exchanged, and by how much both moments jump."""
+"""The printed equations against the corrected ones: which names are exchanged, and what the torque loses."""
 
 from dataclasses import replace
 from pathlib import Path

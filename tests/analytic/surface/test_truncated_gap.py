@@ -1,4 +1,4 @@
-"""The mean gap of truncated surfaces: its integral in 40 digits, printed digits, limits, and its derivative."""
+"""The mean gap of truncated surfaces: its integral in 60 digits and its limits."""
 
 from dataclasses import replace
 
