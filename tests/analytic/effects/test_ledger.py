@@ -10,9 +10,9 @@ import pytest
 from analytic.effects.table import CHOSEN, ENTRIES, TRIED
 from analytic.errors import InputError
 from analytic.result import FrictionTorque
-from analytic.scene import Bearing, Cage, Scene
+from analytic.scene import Bearing, Scene
 from analytic.torque import friction_torque
-from tests.analytic.specimens import drawn, dry, idling, part
+from tests.analytic.specimens import STAMPED_CAGE, drawn, dry, idling, part
 
 # A bound of less than this on the share of an effect may leave the total as it is, to the last digit.
 NEXT_TO_NOTHING = 1e-9
@@ -20,22 +20,16 @@ NEXT_TO_NOTHING = 1e-9
 
 def scene_of(bearing: Bearing, random: np.random.Generator) -> Scene:
     """A random scene with a random word on each effect; a cage that moves crosses its pockets once."""
-    cage = Cage(
-        pocket_diameter=8.14e-3,
-        pocket_depth=4.07e-3,
-        wall_thickness=0.9e-3,
-        mass=6.58e-3,
-        material=bearing.ball_material,
-    )
     words: dict[str, Any] = {name: ("auto", "on", "off")[random.integers(3)] for name in CHOSEN}
     scene = replace(
         drawn(bearing, random, 2),
         tolerance=10 ** random.uniform(-3, -1),
-        cage=cage if random.random() < 0.9 else None,
+        cage=STAMPED_CAGE if random.random() < 0.9 else None,
         effects=words,
     )
     start = ("rest", "ramp", "sudden", "whirl", None)[random.integers(5)]
-    return scene if scene.cage is None else replace(scene, cage=replace(cage, start=start, seeds=2, duration=0.007))
+    moving = replace(STAMPED_CAGE, start=start, seeds=2, duration=0.007)
+    return scene if scene.cage is None else replace(scene, cage=moving)
 
 
 def computed(scene: Scene) -> tuple[Scene, FrictionTorque]:

@@ -8,9 +8,9 @@ import pytest
 
 from analytic.effects.table import LIMITS, PER_CUT_SHARE
 from analytic.result import FrictionTorque
-from analytic.scene import Bearing, Cage, ContactAngle, Operation, Scene
+from analytic.scene import Bearing, ContactAngle, Operation, Scene
 from analytic.torque import friction_torque
-from tests.analytic.specimens import effect_of
+from tests.analytic.specimens import STAMPED_CAGE, effect_of
 
 
 @pytest.fixture(scope="module")
@@ -22,13 +22,7 @@ def scene(bearing_6205: Bearing) -> Scene:
         bearing=bearing_6205,
         contact_angle=ContactAngle(rule="given", value=0.18),
         operation=Operation(axial_load=np.array([300.0, 1000.0]), inner_speed=np.array([31.0, 52.36])),
-        cage=Cage(
-            pocket_diameter=8.14e-3,
-            pocket_depth=4.07e-3,
-            wall_thickness=0.9e-3,
-            mass=6.58e-3,
-            material=bearing_6205.ball_material,
-        ),
+        cage=STAMPED_CAGE,
         friction_coefficient=0.1,
         hysteresis_loss=0.007,
         effects={"finite_geometry": "off", "spin": "on"},

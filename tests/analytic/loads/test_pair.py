@@ -12,9 +12,9 @@ from analytic.loads.balls import LoadEffects
 from analytic.loads.pair import PairContacts, PairEquilibrium, pair_equilibrium
 from analytic.loads.ring import ring_equilibrium
 from analytic.loads.thrust import thrust_equilibrium
-from analytic.scene import Arrangement, Bearing, ContactAngle, Groove, Material, Operation
+from analytic.scene import Arrangement, Bearing, ContactAngle, Groove, Operation
+from tests.contacts import STEEL
 
-STEEL = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="test")
 SOLVED = ContactAngle(rule="solved")
 STILL = LoadEffects(centrifugal=False, gyroscopic=False)
 HERTZ = PairContacts(effects=STILL, finite_geometry=False)

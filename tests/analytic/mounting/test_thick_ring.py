@@ -7,8 +7,8 @@ from scipy.integrate import solve_bvp
 from analytic.errors import InputError
 from analytic.mounting.thick_ring import ThickRing, fit_pressure
 from analytic.scene import Material
+from tests.contacts import STEEL
 
-STEEL = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="test")
 BRONZE = Material(name="bronze", youngs_modulus=110e9, poisson_ratio=0.34, density=8800.0, source="test")
 EXACT = 1e-12  # closed forms, rounded a few times
 
