@@ -16,13 +16,6 @@ from validation.paper import cage_scan as scan
 from validation.paper import printed_jumps as jumps
 
 SPEEDS = np.array([100.0, 300.0, 500.0]) * np.pi / 30
-RACES = ("inner_coefficient", "outer_coefficient")
-
-
-def series(**values: list[float]) -> dict[str, np.ndarray]:
-    """A reading at three speeds; the friction of races and cage is flat unless it is given."""
-    names = ("total_torque", "race_torque", "cage_torque", "cage_max_force", "pocket_coefficient", *RACES)
-    return {"inner_speed": SPEEDS} | {name: np.array(values.get(name, [0.05, 0.05, 0.05])) for name in names}
 
 
 def test_the_published_numbers_are_read_in_si() -> None:
@@ -43,15 +36,6 @@ def test_a_curve_is_matched_if_all_its_points_are() -> None:
     assert curve(8e-3 * 1.09, 7e-3 * 0.92).verdict == "matched"
     assert curve(8e-3, 7e-3 * 1.12).verdict == "within a factor of 1.12"
     assert curve(8e-3 / 2.5, 7e-3).worst == pytest.approx(2.5)  # too little counts like too much
-
-
-def test_a_cage_torque_counts_as_a_power_and_then_as_moments() -> None:
-    ours = series(cage_torque=[0.1e-3, 1e-3, 2e-3]) | {"cage_moments": np.array([0.6e-3, 3e-3, 8.2e-3])}
-    points = [p for p in comparison.published() if (p.quantity, p.rms_roughness) == ("cage_torque", 1e-6)]
-    power, moments = comparison.curves(tuple(row for point in points for row in comparison.beside(point, ours)))
-    assert (power.ours, moments.ours) == ("cage_torque", "cage_moments")
-    assert power.worst == pytest.approx(6.0)
-    assert moments.verdict == "matched"
 
 
 def test_the_share_of_traction_balances_a_ball() -> None:

@@ -34,7 +34,15 @@ def test_a_measured_ladder_agrees_with_that_of_a_solution(
     solved: ContactSolution, contacts: dict[str, Contact], coarse: Recipe, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The errors computed here from the solution; the ladder measured, and taken from the solution without a solve."""
+    known: list[int] = []
+
+    def noted(level: int, *, known: Any, levels: list[int] = known) -> float:
+        levels.append(known.level)
+        return predicted_seconds(level, known=known)
+
+    monkeypatch.setattr(contact_ladder, "predicted_seconds", noted)
     run = contact_ladder.measured_contact(contacts["inner"], recipe=coarse, tolerance=0.01)
+    assert known == [2, 2, 2]  # of the meshes before, the largest is that of level 2, which sized the contact
     monkeypatch.setattr(contact_ladder, "solve_on_mesh", None)
     monkeypatch.setattr(contact_ladder, "fitted_solution", None)
     taken = contact_ladder_of(solved)
