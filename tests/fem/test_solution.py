@@ -123,15 +123,6 @@ def test_nodal_forces_carry_the_load(ideal: MeshSolution, real: MeshSolution) ->
         assert (found.force >= 0).all()
 
 
-def test_pressure_falls_steadily_from_the_centre(real: MeshSolution) -> None:
-    """Along the major axis: users complain of oscillations."""
-    axis = np.flatnonzero(np.abs(real.x) < 1e-12)
-    order = axis[np.argsort(real.y[axis])]
-    inside = real.y[order] < 0.9 * real.quantities.semi_axis_transverse
-    steps = np.diff(real.pressure[order][inside])
-    assert (steps < 0.02 * real.quantities.peak_pressure).all()  # 2 %: nodal scatter of the second level
-
-
 @pytest.mark.slow
 def test_true_shapes_differ_from_the_idealisation_and_less_so_under_less_load() -> None:
     """In the longer semi-axis, which the curved groove shortens by about (b/r)^2: 9.5^(2/3) = 4.5 between the loads."""

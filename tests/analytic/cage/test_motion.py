@@ -75,17 +75,6 @@ def test_impact_force_agrees_with_the_closed_form() -> None:
 
 
 @pytest.mark.parametrize("restitution", [0.3, 0.8])
-def test_a_bounce_keeps_the_restitution(restitution: float) -> None:
-    cage = replace(
-        CAGE, friction_coefficient=0.0, restitution=restitution, gravity=WEIGHTLESS, orbit_speed=0.0, ball_speed=100.0
-    )
-    motion = CageMotion(cage, begin="sudden")
-    motion.launch(velocity=np.array([0.0, 0.0, 0.37]), angular_velocity=np.zeros(3))
-    motion.advance(1.9 * cage.half_clearance / 0.37)
-    np.testing.assert_allclose(motion.velocity[2], -0.37 * restitution, rtol=5e-3)  # error of the step
-
-
-@pytest.mark.parametrize("restitution", [0.3, 0.8])
 def test_an_impact_during_contact_keeps_the_restitution(restitution: float) -> None:
     """A cage lies on its balls and is hit: damping is by the speed of this impact, not by that of the first contact."""
     cage = replace(
