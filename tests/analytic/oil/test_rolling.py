@@ -139,6 +139,14 @@ def test_both_formulas_by_another_program(
     np.testing.assert_allclose(houpert(**case).force, 1e-3 * millinewton * ratio, rtol=6e-5)
 
 
+@pytest.mark.parametrize("name", ["curvature_rolling", "curvature_transverse", "modulus"])
+def test_a_neighbour_of_another_shape_has_an_ellipse_of_its_own(name: str) -> None:
+    values = CASE[name] * np.array([1.1, 1.1, 1.3, 0.8])
+    for formula in (rolling, houpert):
+        alone = [float(formula(**{name: value}).force) for value in values]
+        np.testing.assert_allclose(formula(**{name: values}).force, alone, rtol=ROUND_OFF)
+
+
 def test_the_contact_knows_its_ball(bearing_6205: Bearing) -> None:
     """Out of the curvatures of both grooves alone; and of a ball in a groove far wider than itself."""
     for groove in (bearing_6205.inner.groove_radius, bearing_6205.outer.groove_radius, 1e6):
