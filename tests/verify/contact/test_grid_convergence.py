@@ -89,14 +89,6 @@ def test_a_slowly_converging_sequence_is_covered(order: float) -> None:
     assert part.mesh * part.value >= abs(part.value - 7.3)
 
 
-@pytest.mark.parametrize(("formal", "off"), [(3.0, 0.2), (4.0, -0.3), (3.0, 0.0)])
-def test_near_the_formal_order_roaches_index_is_five_quarters_of_the_step(formal: float, off: float) -> None:
-    """The step to the limit that the formal order gives."""
-    part = estimate(sequence(7.3, 0.4, formal + off), SIZES, formal_order=formal)
-    step = abs(present(part.richardson) / part.values[-1] - 1)
-    np.testing.assert_allclose(present(part.index), 1.25 * step, rtol=1e-9)  # round-off of a change
-
-
 @pytest.mark.parametrize(("formal", "order"), [(3.0, 1.7), (4.0, 2.9), (None, 2.2)])
 def test_below_the_formal_order_roaches_index_is_three_times_the_error(formal: float | None, order: float) -> None:
     """The sequence has one order, so its error is known."""

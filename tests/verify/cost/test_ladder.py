@@ -39,12 +39,6 @@ def test_the_cheapest_within_the_tolerance_is_chosen(tolerance: float, name: str
     assert present(ladder.chosen).name == name
 
 
-def test_the_cheapest_is_chosen_by_seconds_and_not_by_order() -> None:
-    slow = replace(ROUGH, seconds=(9.0,))
-    chosen = ladder_of("q", "r", (slow, NEAR, EXACT), tolerance=0.6).chosen
-    assert present(chosen).name == "near"
-
-
 def test_the_reference_is_the_last_eligible_method_with_an_answer() -> None:
     coarse, broken = ran("coarse", [2.5, 4.0], 1.0, may_refer=True), ran("finest", None, may_refer=True)
     methods = ladder_of("q", "r", (NEAR, coarse, EXACT, broken), tolerance=0.1).methods
@@ -79,10 +73,6 @@ def test_an_input_error_is_kept_as_a_line_and_a_bug_is_raised() -> None:
     assert timed(UntimedMethod(name="f", run=refuse, bound=lambda: 0.1)).failed == "too steep"
     with pytest.raises(ZeroDivisionError):
         timed(UntimedMethod(name="f", run=lambda: np.array(1 / 0), bound=lambda: 0.1))
-
-
-def test_an_infinite_bound_is_none() -> None:
-    assert timed(UntimedMethod(name="f", run=lambda: np.ones(2), bound=lambda: np.inf)).bound is None
 
 
 def test_a_method_is_chosen_by_its_bound_and_not_by_a_lucky_error() -> None:
