@@ -1,10 +1,12 @@
 """What every table of a scene file is."""
 
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from typing import Annotated, Any, get_args
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, create_model
 from pydantic.fields import FieldInfo
+from pydantic_core import CoreSchema, core_schema
 
 
 def _text(given: object) -> str:
@@ -14,6 +16,25 @@ def _text(given: object) -> str:
 
 
 Text = Annotated[str, BeforeValidator(_text), Field(description="give a name")]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Whole:
+    """Accepts a whole number of these things, from low to high."""
+
+    things: str
+    low: int
+    high: int
+    example: int
+
+    def __get_pydantic_core_schema__(self, _source: object, _handler: object) -> CoreSchema:
+        return core_schema.no_info_plain_validator_function(self.read)
+
+    def read(self, given: object) -> int:
+        if isinstance(given, bool) or not isinstance(given, int) or not self.low <= given <= self.high:
+            span = f"a whole number from {self.low} to {self.high}, for example {self.example}"
+            raise ValueError(f"is not a number of {self.things}; give {span}")
+        return given
 
 
 class Table(BaseModel):

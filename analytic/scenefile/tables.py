@@ -37,21 +37,8 @@ from analytic.scenefile.assumed_table import AssumedTable
 from analytic.scenefile.material import material_entry
 from analytic.scenefile.quantity import Dimension, QuantityOrWord
 from analytic.scenefile.spread_tables import UncertaintyTable
-from analytic.scenefile.table import Table, Text
+from analytic.scenefile.table import Table, Text, Whole
 from analytic.scenefile.viscosity import OIL_VISCOSITY, GivenViscosity
-
-
-def _whole(things: str, *, low: int, high: int, example: int) -> BeforeValidator:
-    """Accepts a whole number of these things, from low to high."""
-
-    def read(given: object) -> int:
-        if isinstance(given, bool) or not isinstance(given, int) or not low <= given <= high:
-            raise ValueError(
-                f"is not a number of {things}; give a whole number from {low} to {high}, for example {example}"
-            )
-        return given
-
-    return BeforeValidator(read)
 
 
 def _switch(given: object) -> bool:
@@ -91,7 +78,7 @@ def _row_of(table: Literal["base_oils", "finishes"], *, thing: str) -> BeforeVal
 
 
 Count = Annotated[
-    int, _whole("balls", low=1, high=1000, example=9), Field(description="give a whole number, for example 9")
+    int, Whole(things="balls", low=1, high=1000, example=9), Field(description="give a whole number, for example 9")
 ]
 Length = Annotated[float, Dimension(unit="m", low=1e-5, high=10, example='"7.94 mm"')]
 Gap = Annotated[float, Dimension(unit="m", low=1e-9, high=10, example='"0.2 mm"')]
@@ -236,10 +223,10 @@ class CageTable(Table):
     friction_coefficient: Friction | None = None
     restitution: Annotated[float, Dimension(unit="", low=0.05, high=1, example="0.8")] = Cage.restitution
     start: CageStart | None = Field(default=None, description='give "rest", "ramp", "sudden" or "whirl"')
-    seeds: Annotated[int, _whole("seeds", low=2, high=1000, example=4)] = Cage.seeds
+    seeds: Annotated[int, Whole(things="seeds", low=2, high=1000, example=4)] = Cage.seeds
     duration: Annotated[float, Dimension(unit="s", low=1e-4, high=1e3, example='"0.2 s"')] = Cage.duration
     # With fewer steps the error for fast cages is a half and more (`fembearing cost` shows it); more only take longer.
-    steps_per_contact: Annotated[int, _whole("steps", low=10, high=1000, example=40)] = Cage.steps_per_contact
+    steps_per_contact: Annotated[int, Whole(things="steps", low=10, high=1000, example=40)] = Cage.steps_per_contact
     gravity: CageGravity = Cage.gravity
     drag: Annotated[float, Dimension(unit="N*m*s", low=0, high=1, example='"1e-6 N m s"')] = Cage.drag
     land: LandTable | None = Field(
