@@ -95,11 +95,11 @@ def with_key(document: dict[str, Any], path: str, value: object) -> dict[str, An
 
 
 def fault_at(document: dict[str, Any], path: str, problem: str) -> str:
-    """The key, its value in the scene file or the catalog, and the problem, in one line."""
+    """The key, its value in the scene file or the catalog, and the problem, in one line; path : empty of several."""
     value: Any = document
     for part in path.split("."):
         value = value.get(part) if isinstance(value, dict) else None
-    return f"{path} {problem}" if value is None else f"{path} = {shown(value)} {problem}"
+    return f"{path} {problem}".lstrip() if value is None or not path else f"{path} = {shown(value)} {problem}"
 
 
 def faults_of(
@@ -179,10 +179,10 @@ def _place(document: dict[str, Any], location: tuple[str | int, ...], root: type
 
 def accepted(field: FieldInfo | None) -> str | None:
     """What the field takes, in words; None: anything of its kind."""
-    if field is None or field.description:
-        return field and field.description
-    dimension = next(_dimensions(field.rebuild_annotation()), None)
-    return dimension and dimension.accepted
+    if field is None:
+        return None
+    table, dimension = table_of(field), next(_dimensions(field.rebuild_annotation()), None)
+    return field.description or (table.HINT if table else None) or (dimension and dimension.accepted)
 
 
 def _hint(path: str) -> str:

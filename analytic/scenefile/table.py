@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Annotated, Any, get_args
+from typing import Annotated, Any, ClassVar, get_args
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, create_model
 from pydantic.fields import FieldInfo
@@ -39,6 +39,7 @@ class Whole:
 
 class Table(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid")
+    HINT: ClassVar[str] = ""  # what to give for it, for messages
 
 
 def table_of(field: FieldInfo) -> type[Table] | None:
@@ -49,7 +50,7 @@ def table_of(field: FieldInfo) -> type[Table] | None:
     return None
 
 
-def table_of_paths(name: str, fields: Mapping[str, Any]) -> type[Table]:
+def table_of_paths(name: str, fields: Mapping[str, Any], hint: str) -> type[Table]:
     """A table whose keys are paths, as "surface.hardness"; fields : annotation and default of each."""
     parts: dict[str, dict[str, Any]] = {}
     for key, field in fields.items():
@@ -60,9 +61,11 @@ def table_of_paths(name: str, fields: Mapping[str, Any]) -> type[Table]:
         if "" in rest:
             inside[first] = rest[""]
         else:
-            table = table_of_paths(f"{name}_{first}", rest)
-            inside[first] = table, Field(default=table(), description=f"give a table of {', '.join(rest)}")
-    return create_model(name, __base__=Table, **inside)
+            table = table_of_paths(f"{name}_{first}", rest, hint=f"give a table of {', '.join(rest)}")
+            inside[first] = table, table()
+    made = create_model(name, __base__=Table, **inside)
+    made.HINT = hint
+    return made
 
 
 def given_paths(table: Table, before: str = "") -> Iterator[tuple[str, Any]]:
