@@ -51,6 +51,13 @@ class SceneKey:
             raise ValueError(_problem(problem.errors(include_url=False)[0], self.field)) from None
         return given
 
+    def read_as(self, name: str, given: object) -> Value:
+        """The same. Raises InputError, which begins with this name and the value."""
+        try:
+            return self.read(given)
+        except ValueError as problem:
+            raise InputError(f"{name} = {shown(given)} {problem}") from None
+
 
 @dataclass(frozen=True, kw_only=True)
 class Place:

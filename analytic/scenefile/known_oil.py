@@ -10,23 +10,11 @@ from analytic import catalog
 from analytic.errors import InputError
 from analytic.oil.viscosity_temperature import PressureViscosityLaw, ViscosityLine, law_through, viscosity_line
 from analytic.scene import Origin, Status
-from analytic.scenefile.quantity import Dimension
+from analytic.scenefile.quantity import in_si
 from analytic.scenefile.text import shown
 
 COLD, HOT = 313.15, 373.15  # K: where the catalog's viscosities are given
 DENSITY_AT = 288.15  # K: where its densities are given
-SI = {  # units of the columns that have one
-    "viscosity_40": "m^2/s",
-    "viscosity_100": "m^2/s",
-    "density_15": "kg/m^3",
-    "density_slope": "kg/m^3/K",
-    "pressure_viscosity_40": "1/Pa",
-    "pressure_viscosity_100": "1/Pa",
-    "factor": "1/Pa",
-    "thermal_conductivity": "W/m/K",
-}
-
-
 # Limits, over the value.
 DENSITY_LIMIT = 0.03  # an assumed density: base oils of one kind are some 850 to 900 kg/m^3
 MEASURED_LIMIT = 0.05  # a measured pressure-viscosity coefficient; two laboratories differ by 8 %
@@ -162,9 +150,7 @@ def _value(row: catalog.Row, column: str) -> float:
     """The value of a cell in SI, by the unit in the name of its column."""
     title = next(title for title in row if title.partition(" [")[0] == column)
     unit = title.partition(" [")[2].rstrip("]")
-    if not unit:
-        return float(row[title])
-    return Dimension(unit=SI[column], low=-1e9, high=1e9, example="").read(f"{row[title]} {unit}")
+    return in_si(row[title], unit) if unit else float(row[title])
 
 
 def _cell(row: catalog.Row, column: str) -> float | None:

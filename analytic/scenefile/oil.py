@@ -37,14 +37,7 @@ EYRING_LIMIT = 0.5  # 3 to 8 MPa are usual, about the 5 MPa of mineral oils
 GIVEN = Known(status="given", source="the scene")
 TYPICAL = Known(status="assumed", source="typical of mineral oils near 40 degC, no source seen")
 BY_PRODUCT = Known(status="derived", source="2 limiting_shear/pressure_viscosity [Arana2019]", limit=EYRING_LIMIT)
-PROPERTIES = (
-    "viscosity",
-    "pressure_viscosity",
-    "eyring_stress",
-    "limiting_shear",
-    "density",
-    "thermal_conductivity",
-)
+PROPERTIES = (*EXAMPLES, "viscosity", "limiting_shear", "thermal_conductivity")
 
 
 def lubricant_of(table: LubricantTable) -> Lubricant:

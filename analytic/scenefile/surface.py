@@ -8,7 +8,7 @@ from pathlib import Path
 from analytic import catalog
 from analytic.noun import read_only
 from analytic.scene import Autocorrelation, HeightMapFile, Origin, Surface
-from analytic.scenefile.quantity import Dimension
+from analytic.scenefile.quantity import in_si
 from analytic.scenefile.tables import AutocorrelationTable, SurfaceTable
 
 HEIGHT_MAPS = (".npy", ".csv")
@@ -49,7 +49,7 @@ def surface_of(given: SurfaceTable, folder: Path) -> Surface:
         origins["rms_roughness"] = replace(GIVEN, source="Ra of the scene, gaussian heights: Sq = Ra sqrt(pi/2)")
     elif given.finish is not None:
         row = catalog.rows("finishes")[given.finish]
-        middle, low, high = (_micrometres(row[f"{column} [um]"]) for column in ("Ra", "low", "high"))
+        middle, low, high = (in_si(row[f"{column} [um]"], "um") for column in ("Ra", "low", "high"))
         roughness = middle * RMS_OVER_RA
         deviation = (high - low) / 2 / sqrt(3) * RMS_OVER_RA
         origins["rms_roughness"] = Origin(
@@ -79,8 +79,3 @@ def surface_of(given: SurfaceTable, folder: Path) -> Surface:
         height_map=None if heights is None else HeightMapFile(path=str(folder / heights.path), spacing=heights.spacing),
         origins=read_only(origins),
     )
-
-
-def _micrometres(text: str) -> float:
-    """Of a column in um, in m."""
-    return Dimension(unit="m", low=0, high=1e-4, example="").read(f"{text} um")

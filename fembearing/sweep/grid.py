@@ -254,7 +254,7 @@ def _axis(key: str, given: object) -> Axis:
             raise InputError(f"{name} has no order to step through; give a list of its values")
         values: tuple[Value, ...] = _steps(name, given, entry)
     elif isinstance(given, list) and given:
-        values = tuple(_value(f"{name}[{number}]", value, entry) for number, value in enumerate(given))
+        values = tuple(entry.read_as(f"{name}[{number}]", value) for number, value in enumerate(given))
     elif given == []:
         raise InputError(f"{name} is empty; give at least one value, or leave the axis out")
     else:
@@ -269,17 +269,10 @@ def _axis(key: str, given: object) -> Axis:
     return Axis(key=key, unit=entry.dimension.unit, values=values, in_series=entry.in_series)
 
 
-def _value(name: str, given: object, entry: SceneKey) -> Value:
-    try:
-        return entry.read(given)
-    except ValueError as problem:
-        raise InputError(f"{name} = {shown(given)} {problem}") from None
-
-
 def _steps(name: str, given: dict[str, Any], entry: SceneKey) -> tuple[float, ...]:
     """Values of an axis given by from, to, count and spacing."""
     table = _validated(StepsTable, given, f"{name}.").model_dump()
-    begin, end = (_value(f"{name}.{key}", table[key], entry) for key in ("from", "to"))
+    begin, end = (entry.read_as(f"{name}.{key}", table[key]) for key in ("from", "to"))
     if isinstance(begin, str) or isinstance(end, str):
         raise InputError(f"{name} steps through quantities, not words; give a list of its values")
     if begin == end:

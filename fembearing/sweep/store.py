@@ -117,7 +117,7 @@ def opened_store(folder: Path, grid: Grid) -> Iterator[Store]:
                 text = json.dumps({"made_from": hashes, "grid": grid.text}, indent=1)
                 _write(description, text.encode())
             else:
-                _require_same(_read_json(description), hashes, place)
+                _require_same(description, hashes, place)
             for place_of_files in (folder, folder / PARTS):
                 remove_leftovers(place_of_files)
             yield Store(folder=folder, identity=json.dumps(hashes, sort_keys=True))
@@ -144,7 +144,7 @@ def _write(path: Path, content: bytes) -> None:
 def _hashes(grid: Grid) -> dict[str, str]:
     """Hashes of everything that determines the results, by names for the user."""
     parts = {
-        "what is computed": [grid.what, grid.fixed],
+        "what is computed": [grid.what, grid.fixed, grid.samples],
         "the scene": grid.document,
         "the axes": [[axis.key, axis.unit, axis.values] for axis in grid.axes],
     }
@@ -171,20 +171,13 @@ def _is_free(folder: Path) -> bool:
     return folder.is_dir() and all(path.name.startswith(".") for path in folder.iterdir())
 
 
-def _read_json(path: Path) -> dict[str, Any] | None:
-    """The table in a JSON file; None where it is missing or damaged."""
+def _require_same(description: Path, hashes: dict[str, str], place: str) -> None:
     try:
-        content = json.loads(content_of(path, most=LARGEST, remedy=""))
-    except (OSError, ValueError):
-        return None
-    return content if isinstance(content, dict) else None
-
-
-def _require_same(known: dict[str, Any] | None, hashes: dict[str, str], place: str) -> None:
-    before = (known or {}).get("made_from")
-    if not isinstance(before, dict):
-        raise InputError(f"{place}: {GRID} in it is damaged; give a new name, or remove the folder to start afresh")
-    changed = [name for name, digest in hashes.items() if before.get(name) != digest]
+        before = json.loads(content_of(description, most=LARGEST, remedy=""))["made_from"]
+        changed = [name for name, digest in hashes.items() if before.get(name) != digest]
+    except (ValueError, TypeError, KeyError, AttributeError):
+        remedy = "give a new name, or remove the folder to start afresh"
+        raise InputError(f"{place}: {GRID} in it is damaged; {remedy}") from None
     if changed:
         raise InputError(
             f"{place} holds another sweep: {' and '.join(changed)} changed since; give a new name, or remove it first"

@@ -214,6 +214,7 @@ def test_the_order_in_which_pieces_finish_does_not_matter(
         ('"100 N"', '"101 N"', "the axes changed since"),
         ("0.007", "0.008", "the scene changed since"),
         ("[scene]", 'what = "contact"\n[scene]', "what is computed changed since"),
+        ("[scene]", "samples = 64\n[scene]", "what is computed changed since"),
     ],
 )
 def test_a_changed_grid_is_refused(grid_file: Write, tmp_path: Path, before: str, after: str, changed: str) -> None:
