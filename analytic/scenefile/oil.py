@@ -41,16 +41,12 @@ PROPERTIES = (*EXAMPLES, "viscosity", "limiting_shear", "thermal_conductivity")
 
 
 def lubricant_of(table: LubricantTable) -> Lubricant:
-    """The lubricant of a scene; the errors of completed_lubricant."""
-    return completed_lubricant({key: getattr(table, key) for key in table.model_fields_set})
-
-
-def completed_lubricant(given: Mapping[str, Any]) -> Lubricant:
-    """The lubricant that these keys of [lubricant] describe; values in SI, the viscosity as GivenViscosity.
+    """The lubricant of a scene.
 
     Raises InputError, in one line, for an unknown name, for keys in conflict, for a temperature beyond the oil's data,
     and for what neither the keys nor the catalog gives.
     """
+    given = {key: getattr(table, key) for key in table.model_fields_set}
     _refuse_conflicts(given)
     if "name" in given:
         oil = named_oil(given["name"])

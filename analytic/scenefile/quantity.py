@@ -230,7 +230,8 @@ def in_si(number: str, unit: str) -> float:
     """A number of a table in SI; unit : that of its column."""
     known = unit_of(unit)
     assert known is not None, unit
-    return float(Decimal(number) * known.factor / 1000 ** dict(known.powers).get("gram", 0))  # SI has the kilogram
+    kilogram = Decimal(1000) ** dict(known.powers).get("gram", 0)  # in place of the gram
+    return float(Decimal(number) * known.factor / kilogram)
 
 
 @cache

@@ -29,7 +29,6 @@ SETTINGS = {  # of the workers on this machine
     "distributed.scheduler.no-workers-timeout": "60s",  # else a sweep without workers would wait for ever
     "distributed.scheduler.work-stealing-interval": "100ms",
     "distributed.deploy.lost-worker-timeout": "60s",  # a worker that died is not given up while it starts again
-    "distributed.worker.memory.terminate": 0.95,
     # A worker keeps one result at a time. Nothing of it goes to the disk, and a full worker does not wait for ever.
     "distributed.worker.memory.target": False,
     "distributed.worker.memory.spill": False,

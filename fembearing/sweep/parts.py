@@ -42,16 +42,7 @@ INTERVAL = {  # what a grid with samples has besides
 }
 
 
-@dataclass(frozen=True, kw_only=True)
-class Piece:
-    """The points from start to stop, numbered as in `Grid`."""
-
-    start: int
-    stop: int
-
-    @property
-    def size(self) -> int:
-        return self.stop - self.start
+Piece = range  # the numbers of its points, as in `Grid`
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -86,7 +77,7 @@ def pieces(grid: Grid) -> Iterator[Piece]:
     else:
         ends = [*range(0, size, length * max(1, min(MOST_SCENES, together // length))), size]
     for start, stop in pairwise(ends):
-        yield Piece(start=start, stop=stop)
+        yield Piece(start, stop)
 
 
 def column_notes(grid: Grid) -> dict[str, Column]:
@@ -106,7 +97,7 @@ def blank(grid: Grid, size: int) -> dict[str, NDArray[Any]]:
 
 def compute_part(grid: Grid, piece: Piece) -> Part:
     """Compute all points of a piece. Any failure at a point is recorded as its reason, and the others continue."""
-    part = Part(values=blank(grid, piece.size))
+    part = Part(values=blank(grid, len(piece)))
     for variant in range(piece.start // grid.length, ceil(piece.stop / grid.length)):
         first = variant * grid.length
         places = np.arange(max(first, piece.start), min(first + grid.length, piece.stop)) - first

@@ -150,7 +150,7 @@ def run_sweep(
             f"{gathered.defects[0]}"
         )
     reasons = gathered.reasons
-    left = sum(piece.size for piece in missing)
+    left = sum(map(len, missing))
     return Sweep(
         folder=str(store.folder),
         file=str(store.result),
@@ -181,19 +181,19 @@ def _keep(
     store: Store, gathered: Gathered, missing: list[Piece], results: Iterable[tuple[Piece, Any]], progress: Progress
 ) -> int:
     """Keep and gather the results of the missing pieces as they come; the number of lost points."""
-    size, left = gathered.grid.size, sum(piece.size for piece in missing)
+    size, left = gathered.grid.size, sum(map(len, missing))
     kept, failed, lost, begun = size - left, 0, 0, time.perf_counter()
     progress(kept / size, f"{kept} of {size} points")
     for piece, result in results:
         if isinstance(result, LostWorkerError):
-            lost += piece.size
-            result = Part(values={REASON: np.full(piece.size, str(result), dtype=object)})
+            lost += len(piece)
+            result = Part(values={REASON: np.full(len(piece), str(result), dtype=object)})
         else:
             failed += np.count_nonzero(result.values[REASON])
             if not result.defects:  # a part with one is computed again when the sweep is started again
                 store.save(piece, result)
         gathered.add(piece, result)
-        left -= piece.size
+        left -= len(piece)
         done = size - left
         words = f"{done} of {size} points" + (f", {failed} failed" if failed else "")
         expected = (time.perf_counter() - begun) / (done - kept) * left
