@@ -160,8 +160,16 @@ def test_points_of_a_worker_that_dies_are_tried_again_next_time(
     assert (first.computed, first.kept, first.lost, first.failed) == (14, 0, 7, 7)
     assert set(first.to_dataset()["failure"].sel(coefficient=0.07).values) == {"killed"}
     deadly.clear()
-    second = run_sweep(path, out=out)
-    assert (second.computed, second.kept, second.lost, second.failed) == (7, 14, 0, 0)
+
+    def stop(_share: float, step: str) -> None:
+        if step == "gathering":
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        run_sweep(path, out=out, progress=stop)
+    third = run_sweep(path, out=out)
+    assert (third.computed, third.kept, third.lost, third.failed) == (0, 21, 0, 0)
+    assert bool(third.to_dataset()["torque_total"].notnull().all())  # not the dataset of the first run
 
 
 # A sweep that keeps `HELD` pieces, says so and then waits: the signal always meets it in the middle of its work.
