@@ -29,6 +29,6 @@ def report(
     if as_json:
         print_json(result.to_json())
     else:
-        out.print(f"page: {result.file}", soft_wrap=True, markup=False)
+        out.tell(f"page: {result.file}")
     for name in result.missing:
         say(f"the picture {name} does not lie beside {numbers}; the page says so")

@@ -45,7 +45,7 @@ def torque(
         print_torque(out, result)
         print_warnings(result.friction.warnings)
         if target is not None:
-            out.print(f"{'file' if target.suffix else 'folder'}: {target}", soft_wrap=True, markup=False)
+            out.tell(f"{'file' if target.suffix else 'folder'}: {target}")
     if lacking is not None:
         say(lacking)
     status = STATUS[result.verdicts.overall]

@@ -56,5 +56,5 @@ def validate(
         print_validation(out, document)
         print_warnings(result.warnings)
         if folder is not None:
-            out.print(f"report: {folder / 'report.html'}", soft_wrap=True, markup=False)
+            out.tell(f"report: {folder / 'report.html'}")
     raise typer.Exit(STATUS[result.verdict])
