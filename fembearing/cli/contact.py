@@ -50,7 +50,8 @@ def _one_contact(
     from analytic.errors import InputError
     from analytic.words import percent_of
     from fembearing.cli.console import out, print_json, shown_progress
-    from fembearing.report.document.build import contact_table
+    from fembearing.plain_types import plain
+    from fembearing.report.contact import contact_record
     from fembearing.report.terminal.contacts import print_contact, print_subsurface
     from fembearing.verify.contact.discrepancy import SHOWN_OF_A_SHEET, solve_contact
     from fembearing.verify.contact.mesh_refinement import COMPARED
@@ -65,10 +66,10 @@ def _one_contact(
         except InputError as problem:  # a contact cut off at a shoulder: everything else is known
             result = replace(result, warnings=(*result.warnings, str(problem)))
     if as_json:
-        added = {"tolerance": result.tolerance, "accuracy": accuracy, "subsurface": below and below.to_json()}
-        print_json(result.to_json() | added)
+        added = {"tolerance": result.tolerance, "accuracy": accuracy, "subsurface": plain(below)}
+        print_json(plain(contact_record(result)) | added)
     else:
-        print_contact(out, contact_table(result), result.verdicts)
+        print_contact(out, contact_record(result), result.verdicts)
         if below is not None:
             print_subsurface(out, below)
         if result.judged:

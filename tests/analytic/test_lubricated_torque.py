@@ -21,6 +21,7 @@ from analytic.scenefile.read import parse_scene
 from analytic.surface.asperity import asperity_contact, separation_at
 from analytic.surface.roughness import gap_roughness
 from analytic.torque import RACES, friction_torque
+from fembearing.plain_types import plain
 from tests.analytic import specimens
 from tests.analytic.scenefile.scene_texts import LUBRICANT, SURFACE
 from tests.analytic.specimens import present
@@ -180,7 +181,7 @@ def test_the_torque_mirrors_with_the_speed(scene: Scene, traction: str) -> None:
 
 def test_film_and_share_reach_the_json(scene: Scene) -> None:
     found = friction_torque(replace(scene, hysteresis_loss=0.006))
-    told = json.loads(json.dumps(found.to_json(), allow_nan=False))
+    told = json.loads(json.dumps(plain(found.rows), allow_nan=False))
     for index, point in enumerate(told["points"]):
         for name in ("film", "asperity_share"):
             assert point[name] == {race: getattr(getattr(found, name), race)[index] for race in RACES}
@@ -191,7 +192,7 @@ def test_film_and_share_reach_the_json(scene: Scene) -> None:
 
 def test_what_does_not_slide_needs_no_film(scene: Scene) -> None:
     found = friction_torque(replace(scene, hysteresis_loss=0.006, effects={"spin": "off", "conformity": "off"}))
-    point = found.to_json()["points"][0]
+    point = plain(found.row(0))
     assert point["film"] == point["asperity_share"] == {"inner": None, "outer": None}
     assert point["friction_coefficient"]["inner"] is None
     assert np.all(found.torque.total > 0)
@@ -246,7 +247,7 @@ def test_rolling_beside_a_given_coefficient(bearing_6205: Bearing) -> None:
         np.testing.assert_allclose(found.torque.total, summed, rtol=1e-15)
         effect = {effect.name: effect for effect in found.effects}["rolling"]
         assert (effect.decision, effect.share) == ("on", np.max(found.torque.rolling / found.torque.total))
-        told = found.to_json()["points"][2]["torque"]["rolling"]
+        told = found.row(2).torque.rolling
         assert told == found.torque.rolling[2]
         assert not any("rolling" in warning for warning in found.warnings)
 

@@ -13,6 +13,7 @@ from analytic.result import FrictionTorque, PairPart
 from analytic.scene import Arrangement, Losses, Operation, Scene
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
+from fembearing.plain_types import plain
 from tests.analytic.specimens import present
 
 TEXT = """\
@@ -148,7 +149,7 @@ def test_a_bearing_that_is_pressed_the_other_way_is_its_mirror_image() -> None:
 
 def test_the_json_has_both_bearings(scene: Scene) -> None:
     found = friction_torque(paired(scene, [20.0, 2000.0], preload=80.0, speed=0.0))
-    said = found.to_json()["pair"]
+    said = plain(present(found.pair).rows)
     assert {name: said[name] for name in ("kind", "preload", "distance")} == {
         "kind": "O",
         "preload": 80.0,
@@ -160,7 +161,7 @@ def test_the_json_has_both_bearings(scene: Scene) -> None:
     assert [bearing["is_relieved"] for bearing in said["points"][1]["bearings"]] == [False, True]
     torques = [sum(bearing["torque"] for bearing in point["bearings"]) for point in said["points"]]
     np.testing.assert_allclose(torques, found.torque.total, rtol=1e-15)
-    assert alone(scene, 20.0).to_json()["pair"] is None
+    assert alone(scene, 20.0).pair is None
 
 
 def test_the_uncertainty_of_the_model_is_that_of_the_sum() -> None:
@@ -178,7 +179,7 @@ def test_a_cage_counts_twice() -> None:
     apart = [present(each) for each in pair_of(found).bearings]
     np.testing.assert_allclose(present(found.torque.cage), sum(present(each.torque.cage) for each in apart), rtol=1e-14)
     assert present(found.cage).torque.shape == (2,)
-    assert len(present(found.cage).motion) == len(found.to_json()["points"]) == 2
+    assert len(present(found.cage).motion) == len(found.rows) == 2
 
 
 def test_factors_of_each_point_are_refused(scene: Scene) -> None:

@@ -7,11 +7,12 @@ from fembearing.report.phrases import numerical_words, place_of
 
 
 def test_an_uncertainty_has_its_number_or_the_reason_why_it_is_not_known() -> None:
-    unknown = numerical_words(NumericalCheck(uncertainty=None, tolerance=0.04, reason="the cage came apart"))
+    lost = NumericalCheck(verdict="not reached", uncertainty=None, tolerance=0.04, reason="the cage came apart")
+    unknown = numerical_words(lost)
     assert "not known: the cage came apart" in unknown
     assert "%" not in unknown
-    for uncertainty, side in ((0.013, "within"), (0.067, "beyond")):
-        words = numerical_words(NumericalCheck(uncertainty=uncertainty, tolerance=0.04, reason=""))
+    for uncertainty, verdict, side in ((0.013, "pass", "within"), (0.067, "not reached", "beyond")):
+        words = numerical_words(NumericalCheck(verdict=verdict, uncertainty=uncertainty, tolerance=0.04, reason=""))
         assert f"{100 * uncertainty:g} %, {side} the tolerance 4 %" in words
         assert "not known" not in words
 

@@ -64,9 +64,9 @@ def torque_page(result: SceneTorque, figure: bytes) -> str:
         ],
         failures=dict.fromkeys(check.note for check in verdicts.physical if check.verdict != "pass"),
         warnings=friction.warnings,
-        effects=friction.effects_to_json(),
+        effects=friction.shares,
         share_of=share_of,
         shares=SHARES,
         versions=friction.provenance,
-        fingerprint=provenance_of(result.scene)["scene_sha256"],
+        fingerprint=provenance_of(result.scene).scene_sha256,
     )

@@ -9,7 +9,6 @@ from pathlib import Path
 from analytic.oil.film import FILM_FACTORS
 from fembearing.quantities import RPM
 from fembearing.report import phrases
-from fembearing.report.document.report import Report
 from fembearing.report.figures.page_plots import PLOTS, ShownPlot, plots_of
 from fembearing.report.page.pictures import shown_pictures
 from fembearing.report.page.running_header import header_of
@@ -26,6 +25,7 @@ from fembearing.report.page.sections.torque import torque_section
 from fembearing.report.page.sections.verdicts import verdict_section
 from fembearing.report.page.template import filled
 from fembearing.report.page.view import script_hash
+from fembearing.report.report import Report
 
 GENERATOR = "fembearing"
 MARK = f'<meta name="generator" content="{GENERATOR}">'  # by which a page of ours is known
@@ -51,7 +51,7 @@ def page_of(document: Report, folder: Path, *, plots: dict[str, list[ShownPlot]]
         plots=plots_of(document, PLOTS) if plots is None else plots,
         pictures=shown_pictures(document, folder),
         trouble=None if document.renderer == "VTK" else document.renderer,
-        scene=document.provenance.scene_content,
+        scene=document.scene,
         phrases=phrases,
         per_minute=RPM.factor,
         film_factors=FILM_FACTORS,

@@ -62,10 +62,9 @@ def print_torque(out: Console, result: SceneTorque) -> None:
     if friction.pair is not None:
         _print_pair(out, friction.pair, points)
     if result.prediction is not None:
-        from fembearing.report.document.prediction import Prediction  # pydantic: only an interval pays for it
         from fembearing.report.terminal.prediction import print_prediction
 
-        print_prediction(out, Prediction.model_validate(result.prediction.to_json()), points)
+        print_prediction(out, result.prediction.rows, points)
     _print_contacts(out, friction, points)
     _print_cage(out, friction, points)
     _print_effects(out, friction)
@@ -158,7 +157,7 @@ def _print_pair(out: Console, pair: PairPart, points: Mapping[int, int]) -> None
                 "" if bearing else f"{found.stiffness[point] / MICRO.factor:.4g}",
             )
     out.print(table)
-    out.print(f"{pair_of(pair)}\n", style="dim", markup=False)
+    out.print(f"{pair_of(pair.rows)}\n", style="dim", markup=False)
 
 
 def _print_contacts(out: Console, friction: FrictionTorque, points: Mapping[int, int]) -> None:
@@ -261,23 +260,21 @@ def _print_effects(out: Console, friction: FrictionTorque) -> None:
     """Each effect with its decision, share and reason."""
     words = ("effect", "", "reason")
     table = table_of(("effect", "", "share", "reason"), title="Effects", left=words, fixed=("effect", "", "share"))
-    for effect in friction.effects_to_json():
-        table.add_row(
-            effect["name"], effect["decision"], share_of(effect["share_is"], effect["share"]), escape(effect["reason"])
-        )
+    for effect in friction.shares:
+        table.add_row(effect.name, effect.decision, share_of(effect.share_is, effect.share), escape(effect.reason))
     out.print(table)
     out.print(f"{SHARES}\n", style="dim")
 
 
 def _print_inputs(out: Console, result: SceneTorque) -> None:
     """The inputs that are not given as known, with where they come from."""
-    stated = [each for each in result.inputs if each.origin.status != "given"]
+    stated = [each for each in result.inputs if each.status != "given"]
     if not stated:
         return
     words = ("input", "value", "status")
     table = table_of(words, title="Inputs that are printed, derived or assumed", left=words, fixed=words)
     for each in stated:
-        table.add_row(each.key, value_of(each.value, each.origin.uncertainty, each.unit), each.origin.status)
+        table.add_row(each.key, value_of(each.value, each.uncertainty, each.unit), each.status)
     out.print(table)
     out.print("+-: one standard deviation. --json and the report name every source.\n", style="dim")
     if sources := result.scene.assumed:

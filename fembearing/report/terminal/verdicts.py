@@ -10,10 +10,9 @@ from fembearing.report.terminal.table import table_of
 
 if TYPE_CHECKING:  # pydantic's models: only a report pays for them
     from analytic.verdicts import NumericalCheck, PhysicalCheck
-    from fembearing.report.document.verdicts import NumericalVerdict, PhysicalVerdict
 
 
-def print_physical(out: Console, checks: "Sequence[PhysicalCheck] | Sequence[PhysicalVerdict]") -> None:
+def print_physical(out: Console, checks: "Sequence[PhysicalCheck] | Sequence[PhysicalCheck]") -> None:
     """Each number with its limit, at the operating point where it is worst; why it does not pass below the table."""
     words = ("check", "where", "verdict")
     table = table_of(
@@ -40,6 +39,7 @@ def print_notes(out: Console, notes: Iterable[str]) -> None:
         out.print(note, markup=False)
 
 
-def print_numerical(out: Console, check: "NumericalCheck | NumericalVerdict") -> None:
-    """Whether the torque is solved within the tolerance."""
-    out.print(numerical_words(check), markup=False)
+def print_numerical(out: Console, check: "NumericalCheck | None") -> None:
+    """Whether the torque is solved within the tolerance; nothing without a torque."""
+    if check is not None:
+        out.print(numerical_words(check), markup=False)

@@ -13,6 +13,7 @@ from analytic.cage.statistics import measured_motion
 from analytic.cage.torque import driven_cage
 from analytic.errors import InputError
 from analytic.scene import Land, Operation
+from fembearing.plain_types import plain
 from tests.analytic.cage.specimens import CAGED, with_cage
 from tests.analytic.scenefile.scene_texts import MINE, changed
 from tests.analytic.specimens import FINISH, OIL, present
@@ -26,7 +27,7 @@ def test_the_closed_form_adds_the_torque_of_a_resting_cage() -> None:
     np.testing.assert_allclose(result.torque.total, result.torque.race + result.torque.cage, rtol=1e-12)
     # The cage hangs off the vertical by the angle of friction.
     np.testing.assert_allclose(present(result.cage).mean_force, 6.58e-3 * 9.80665 * np.cos(np.arctan(0.1)), rtol=1e-9)
-    point = result.to_json()["points"][1]
+    point = plain(result.row(1))
     assert point["cage"]["state"] == "rest"
     assert point["cage"]["max_force"] is None
     assert point["friction_coefficient"]["pocket"] == 0.1
@@ -130,7 +131,7 @@ def test_a_start_calls_for_the_motion() -> None:
     np.testing.assert_allclose(result.cage.half_interval, [np.diff(m.torque_interval)[0] / 2 for m in (slow, fast)])
     share = result.cage.half_interval / result.torque.total
     assert np.all(result.numerical_uncertainty >= share)
-    point = result.to_json()["points"][1]["cage"]
+    point = plain(result.row(1).cage)
     assert point["state"] == "whirl"
     assert point["max_force"] == fast.max_force
     assert point["interval"] == {"torque": list(fast.torque_interval), "max_force": list(fast.max_force_interval)}

@@ -12,11 +12,12 @@ from rich.console import Console
 
 from analytic.scene import Scene
 from analytic.scenefile.read import load_scene, parse_scene
+from fembearing.plain_types import plain
 from fembearing.provenance import provenance_of
 from fembearing.quantities import RPM
-from fembearing.report.document.build import report_of
 from fembearing.report.figures.page_plots import PLOTS
 from fembearing.report.pictures.draw import Picture
+from fembearing.report.report import report_of
 from fembearing.report.terminal.validation import print_validation
 from fembearing.verify.contact.discrepancy import ContactSolution
 from fembearing.verify.contact.grid_convergence import CAUTIOUS, FINEST, HALF, LEAST, UNSTEADY
@@ -263,7 +264,7 @@ def test_a_cage_that_moved_has_its_table(checked: Validation, tmp_path: Path) ->
     assert places == sorted(places), (row, table)
     assert -1 not in places, (row, table)
     assert "leads to whirl" in words  # the warning
-    content = report_of(moved).to_json()["cage_motion"]
+    content = plain(report_of(moved).cage_motion)
     assert [point["state"] for point in content] == ["whirl"]
     assert report_of(checked).cage_motion is None
     document_of(moved)  # what `fembearing report` reads

@@ -13,14 +13,14 @@ import pytest
 
 from analytic.errors import InputError, StorageError
 from fembearing import cli
-from fembearing.report.document import read as reading
-from fembearing.report.document.build import report_of
-from fembearing.report.document.report import Report
+from fembearing.plain_types import plain
+from fembearing.report import report as reading
 from fembearing.report.folder import write_report
 from fembearing.report.page import write as page_module
 from fembearing.report.page.rebuild import rebuild_page
 from fembearing.report.page.write import page_of
 from fembearing.report.pictures.draw import Picture
+from fembearing.report.report import report_in, report_of
 from fembearing.verify.validation import Validation
 from tests.report.page.page_writer import document_of
 
@@ -39,7 +39,7 @@ def report(checked: Validation, tmp_path_factory: pytest.TempPathFactory) -> Pat
 
 @pytest.fixture
 def document(made: Validation, pictures: list[Picture]) -> dict[str, Any]:
-    return document_of(made, pictures[:2]).to_json()
+    return plain(document_of(made, pictures[:2]))
 
 
 @pytest.fixture
@@ -66,14 +66,14 @@ def test_a_page_made_again_is_the_same_to_the_byte(report: Path) -> None:
 @pytest.mark.usefixtures("without_plots")
 def test_the_page_of_a_file_is_that_of_its_result(made: Validation, tmp_path: Path) -> None:
     """Of a result with every verdict in it, written elsewhere; a file of `validate --json` has no pictures."""
-    document = report_of(made).to_json()
+    document = plain(report_of(made))
     numbers = write(tmp_path, document)
     out = tmp_path / "for-a-customer.html"
     assert rebuild_page(numbers, out=out).file == out
     told = out.read_text("utf-8")
     assert "+10.00%" in told
     assert "No pictures were drawn with these numbers" in told
-    assert told == page_of(Report.model_validate(document), tmp_path)
+    assert told == page_of(report_in(document), tmp_path)
 
 
 @pytest.mark.usefixtures("without_plots")

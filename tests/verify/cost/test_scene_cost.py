@@ -9,6 +9,7 @@ from analytic.errors import InputError
 from analytic.scene import ContactAngle, Scene
 from analytic.scenefile.read import load_scene
 from fembearing.mesh.recipe import load_recipe
+from fembearing.plain_types import plain
 from fembearing.verify.cost import scene_cost as cost
 from fembearing.verify.cost.scene_cost import measure_cost
 
@@ -42,10 +43,10 @@ def test_every_ladder_is_run_or_absent_with_a_reason(scene: Scene, monkeypatch: 
     )  # no error there is known to be so small
     assert steps == sorted(steps, key=lambda step: step[0])
     assert "inner: mesh 2, about" in steps[-1][1]
-    document = json.loads(json.dumps(found.to_json(), allow_nan=False))
+    document = json.loads(json.dumps(plain(found), allow_nan=False))
     assert {"ladders", "tolerance", "cost", "warnings", "provenance"} == document.keys()
-    assert {"quantity", "reference", "absent", "rungs", "choices"} == document["ladders"][6].keys()
-    mesh = document["ladders"][6]["rungs"][2]
+    assert {"quantity", "reference", "absent", "methods", "choices"} == document["ladders"][6].keys()
+    mesh = document["ladders"][6]["methods"][2]
     assert {"name", "error", "seconds", "memory", "chosen"} < mesh.keys()
     assert mesh["seconds"] > 0
     assert mesh["predicted"] > 0

@@ -5,11 +5,10 @@ from typing import NamedTuple
 
 from analytic.cage.drive import LARGEST_GRIP
 from fembearing.quantities import Units
-from fembearing.report.document.contact import Contact
-from fembearing.report.document.report import Report
-from fembearing.report.document.torque import MovedCage
+from fembearing.report.contact import ContactRecord
 from fembearing.report.page.sections.grid import Grid, Head, Row, grid_of
 from fembearing.report.phrases import digits, percent, place_of, shown
+from fembearing.report.report import CageMotionPoint, Report
 
 
 class CageSection(NamedTuple):
@@ -25,7 +24,7 @@ class CageSection(NamedTuple):
 def cage_section(document: Report) -> CageSection:
     """What the section shows."""
     units = document.units
-    moved = [each for each in document.cage_motion or () if isinstance(each, MovedCage)]
+    moved = [each for each in document.cage_motion or () if each.torque is not None]
     return CageSection(
         pocket=_pocket(document.contacts, units),
         load=units.force.written(document.contacts[-1].load, ".4g"),
@@ -35,7 +34,7 @@ def cage_section(document: Report) -> CageSection:
     )
 
 
-def _pocket(contacts: Sequence[Contact], units: Units) -> Grid | None:
+def _pocket(contacts: Sequence[ContactRecord], units: Units) -> Grid | None:
     """Each model of the pocket, Hertz first; None without a cage."""
     if len(contacts) < 4:
         return None
@@ -62,7 +61,7 @@ def _pocket(contacts: Sequence[Contact], units: Units) -> Grid | None:
     return grid_of("stiffness of the pocket", heads, rows)
 
 
-def _motion(moved: Sequence[MovedCage], units: Units) -> Grid:
+def _motion(moved: Sequence[CageMotionPoint], units: Units) -> Grid:
     torque, force = units.torque, units.force
     heads = [
         Head(f"speed, {units.speed.name}"),
@@ -73,21 +72,21 @@ def _motion(moved: Sequence[MovedCage], units: Units) -> Grid:
     rows = [
         [
             shown(point.inner_speed, ".5g", units.speed.factor),
-            point.state,
-            point.start,
+            point.state or "-",
+            point.start or "-",
             shown(point.torque, ".3g", torque.factor),
-            _between(point.interval.torque, torque.factor),
+            _between(point.interval and point.interval.torque, torque.factor),
             shown(point.signed_moment, ".2g", torque.factor),
             shown(point.mean_force, ".3g", force.factor),
             shown(point.max_force, ".3g", force.factor),
-            _between(point.interval.max_force, force.factor),
+            _between(point.interval and point.interval.max_force, force.factor),
         ]
         for point in moved
     ]
     return grid_of("motion of the cage", heads, rows)
 
 
-def _other(point: MovedCage, units: Units) -> str:
+def _other(point: CageMotionPoint, units: Units) -> str:
     other = point.other
     if other is None:
         return "the cage cannot whirl: one steady motion"
@@ -95,7 +94,7 @@ def _other(point: MovedCage, units: Units) -> str:
     return f"{other.state} from {other.start}, {units.torque.written(other.torque, '.3g')}{decides}"
 
 
-def _regimes(moved: Sequence[MovedCage], units: Units) -> Grid:
+def _regimes(moved: Sequence[CageMotionPoint], units: Units) -> Grid:
     speed, small = units.speed, units.small_length
     names = (f"whirl, {speed.name}", f"wobble, {small.name}", f"ball lead, {small.name}", "grip used", "grip number")
     heads = [Head(f"speed, {speed.name}"), Head("regime", "text"), *(Head(name) for name in names)]
@@ -103,13 +102,13 @@ def _regimes(moved: Sequence[MovedCage], units: Units) -> Grid:
     rows = [
         [
             shown(point.inner_speed, ".5g", units.speed.factor),
-            point.state,
+            point.state or "-",
             shown(point.whirl_speed, ".4g", units.speed.factor),
             shown(point.wobble, ".3g", small.factor),
             shown(point.ball_lead, ".3g", small.factor),
             percent(point.grip_share),
             shown(point.grip_number, ".2g", absent="unknown"),
-            f"{point.duration:.3g} s in blocks of {point.block:.3g} s",
+            f"{shown(point.duration, '.3g')} s in blocks of {shown(point.block, '.3g')} s",
             _other(point, units),
         ]
         for point in moved
@@ -117,5 +116,5 @@ def _regimes(moved: Sequence[MovedCage], units: Units) -> Grid:
     return grid_of("regime of the cage", heads, rows)
 
 
-def _between(ends: Sequence[float], factor: float) -> str:
-    return f"{ends[0] * factor:.3g} to {ends[1] * factor:.3g}"
+def _between(ends: Sequence[float] | None, factor: float) -> str:
+    return "-" if ends is None else f"{ends[0] * factor:.3g} to {ends[1] * factor:.3g}"

@@ -2,9 +2,10 @@
 
 from collections.abc import Iterator
 
-from fembearing.report.document.report import Ladder, Report
 from fembearing.report.page.sections.grid import Grid, Group, Head, Row
 from fembearing.report.phrases import capital, shown
+from fembearing.report.report import Report
+from fembearing.verify.cost.ladder import Ladder
 
 HEADS = (
     Head("method", "text"),

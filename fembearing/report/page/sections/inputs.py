@@ -1,8 +1,8 @@
 """Where the inputs come from, and which effects count."""
 
-from fembearing.report.document.report import Report
 from fembearing.report.page.sections.grid import Grid, Head, grid_of
 from fembearing.report.phrases import share_of, value_of
+from fembearing.report.report import Report
 
 
 def inputs_grid(document: Report) -> Grid | None:

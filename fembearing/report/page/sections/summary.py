@@ -4,11 +4,10 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from analytic.inputs import StatedInput
+from analytic.verdicts import NumericalCheck
 from fembearing.quantities import CONTACT, Units
-from fembearing.report.document.contact import Contact
-from fembearing.report.document.report import Report
-from fembearing.report.document.torque import StatedInput, Torque
-from fembearing.report.document.verdicts import NumericalVerdict
+from fembearing.report.contact import ContactRecord
 from fembearing.report.page.sections.bearing import Facts, facts_of
 from fembearing.report.page.sections.grid import Grid, Head, grid_of
 from fembearing.report.page.sections.points import (
@@ -29,6 +28,8 @@ from fembearing.report.phrases import (
     percent,
     worst_of,
 )
+from fembearing.report.report import Report
+from fembearing.report.torque import TorqueRecord
 
 MOST_NAMED = 8  # assumed inputs that the summary names
 OTHER_LOADS = (
@@ -112,7 +113,7 @@ def summary_of(document: Report) -> Summary:
     )
 
 
-def _figures(torque: Torque, units: Units) -> list[Figure]:
+def _figures(torque: TorqueRecord, units: Units) -> list[Figure]:
     """The total: the one, or the largest and the smallest of a series."""
     points = torque.points
     totals = [point.torque.total for point in points]
@@ -128,7 +129,7 @@ def _figures(torque: Torque, units: Units) -> list[Figure]:
     return [_figure("Largest friction torque", torque, largest, units), _figure("Smallest", torque, smallest, units)]
 
 
-def _figure(name: str, torque: Torque, index: int, units: Units) -> Figure:
+def _figure(name: str, torque: TorqueRecord, index: int, units: Units) -> Figure:
     point = torque.points[index]
     spread = f"numerical uncertainty {percent(point.uncertainty.numerical)}"
     if torque.prediction is not None:
@@ -138,7 +139,7 @@ def _figure(name: str, torque: Torque, index: int, units: Units) -> Figure:
     return Figure(name, value, spread, point_name(torque.points, index, units))
 
 
-def _trust(torque: Torque) -> str:
+def _trust(torque: TorqueRecord) -> str:
     """How far to trust the torque: one sentence with one number, at the worst operating point."""
     if torque.prediction is not None:
         points = torque.prediction.points
@@ -162,14 +163,15 @@ def _boxes(document: Report) -> list[Box]:
     verdict, torque = document.verdict, document.torque
     compared = Counter(row.verdict for row in document.verdicts)
     words = f"Hertz against finite elements, tolerance {percent(document.tolerance)}: {_counted(compared)}."
-    boxes = [Box("Comparison", verdict.comparison, words)]
-    if torque is not None and verdict.numerical is not None:
-        boxes.append(Box("Numerical", verdict.numerical, _numerical(torque.verdicts.numerical)))
+    boxes = [Box("Comparison", verdict.comparison or "", words)]
+    check = None if torque is None else torque.verdicts.numerical
+    if check is not None:
+        boxes.append(Box("Numerical", check.verdict, _numerical(check)))
     limits = f"Limits of the bearing: {_counted(Counter(check.verdict for check in document.physical))}."
     return [*boxes, Box("Physical", verdict.physical, limits)]
 
 
-def _numerical(check: NumericalVerdict) -> str:
+def _numerical(check: NumericalCheck) -> str:
     if check.uncertainty is None:
         return f"The uncertainty of the torque is not known: {_shortened(check.reason)}."
     return f"Uncertainty of the torque at most {percent(check.uncertainty)}, tolerance {percent(check.tolerance)}."
@@ -208,7 +210,7 @@ def _status_of(inputs: Sequence[StatedInput]) -> str:
     return f"{len(inputs)} inputs: {words}. Assumed: {', '.join(assumed[:MOST_NAMED])}{more}."
 
 
-def _torque(torque: Torque, units: Units) -> Grid:
+def _torque(torque: TorqueRecord, units: Units) -> Grid:
     """The torque by effect at each operating point, at most 12 of them."""
     points = torque.points
     parts, predicted = parts_of(points), torque.prediction
@@ -242,7 +244,7 @@ def _contacts(document: Report) -> Grid:
     return grid_of("contacts", heads, [_contact(document, each) for each in document.contacts if each.judged])
 
 
-def _contact(document: Report, contact: Contact) -> list[str]:
+def _contact(document: Report, contact: ContactRecord) -> list[str]:
     verdicts, shown = document.verdicts_on(contact), document.units.pressure
     return [
         "cage pocket" if contact.pair == "pocket" else f"{contact.pair} race",

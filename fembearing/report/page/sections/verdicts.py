@@ -3,10 +3,10 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from fembearing.report.document.contact import Contact
-from fembearing.report.document.report import Report
+from fembearing.report.contact import ContactRecord
 from fembearing.report.page.sections.grid import Grid, Group, Head, Row
 from fembearing.report.phrases import contact_place, contact_title, digits, quantities_of, shown
+from fembearing.report.report import Report
 
 HEADS = (
     Head("quantity", "name"),
@@ -40,7 +40,7 @@ def verdict_section(document: Report) -> VerdictSection:
     )
 
 
-def _rows(document: Report, contact: Contact) -> Iterator[Row]:
+def _rows(document: Report, contact: ContactRecord) -> Iterator[Row]:
     verdicts, corrected = document.verdicts_on(contact), contact.corrected
     for name, quantity in quantities_of(contact, document.units).items():
         row, factor = verdicts[name], quantity.shown.factor
@@ -57,7 +57,7 @@ def _rows(document: Report, contact: Contact) -> Iterator[Row]:
         ]
 
 
-def _resolved(document: Report, contact: Contact) -> Iterator[str]:
+def _resolved(document: Report, contact: ContactRecord) -> Iterator[str]:
     """In sentences, what |E| against u_val says of Hertz in one contact."""
     rows, names = document.verdicts_on(contact), quantities_of(contact)
     parts: dict[bool, list[str]] = {True: [], False: []}
