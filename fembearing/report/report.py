@@ -220,8 +220,9 @@ class Report:
             rows = [row for row in self.verdicts if (row.pair, row.geometry) == (contact.pair, contact.geometry)]
             if contact.judged and sorted(row.quantity for row in rows) != sorted(CONTACT):
                 raise ValueError(f"has no verdict on every quantity of {contact.pair}, once")
-        if any("$" in name for name in self._names):
-            raise ValueError("has a name with a dollar, where a formula begins in a figure")
+        for name in self._names:
+            if "$" in name:
+                raise ValueError(f"has a name {name!r}, in which a formula begins where a figure shows it")
         if (self.torque is None) != (self.torque_change is None):
             raise ValueError("has torque without torque_change, or the other way round")
         if self.torque is not None and self.torque_change is not None:
@@ -420,7 +421,8 @@ def _fault(problem: ValueError) -> str:
     if not isinstance(problem, ValidationError):
         return str(problem)
     first, *others = problem.errors(include_url=False)
-    where = ".".join(map(str, first["loc"])) or "it"
+    above = ("provenance", "scene_content") if problem.title == SceneView.__name__ else ()
+    where = ".".join(map(str, (*above, *first["loc"]))) or "it"
     words = FAULTS.get(first["type"], first["msg"].removeprefix("Value error, "))
     shown = "" if first["type"] in ("missing", "value_error") else f" = {_shortened(first['input'])}"
     more = f" (and {len(others)} more)" if others else ""

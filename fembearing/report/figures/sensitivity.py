@@ -74,10 +74,11 @@ def _shown(each: Input, value: float, units: Units) -> str:
 
 def _title(output: Output, outputs: Sequence[Output], units: Units) -> str:
     """The output and its value."""
-    if output.quantity == "total_torque":
+    if output.point is None:
         return f"ball on {output.pair} race: {units.pressure.written(output.value, '.4g')}"
-    loads = loads_of(output, present_loads(outputs), units)
-    speed, torque = units.speed.written(output.inner_speed, ".5g"), units.torque.written(output.value, ".4g")
+    points = [each.point for each in outputs if each.point is not None]
+    loads = loads_of(output.point, present_loads(points), units)
+    speed, torque = units.speed.written(output.point.inner_speed, ".5g"), units.torque.written(output.value, ".4g")
     return f"{speed}, {loads}:\n{torque}"
 
 

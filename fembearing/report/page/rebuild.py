@@ -22,7 +22,7 @@ ENOUGH = 1000  # bytes at the beginning of a page, with its mark
 class RebuiltPage:
     """The page that was written."""
 
-    page: str  # the file
+    page: Path
     missing: tuple[str, ...]  # pictures that do not lie beside report.json
     warnings: tuple[str, ...] = ()
 
@@ -47,7 +47,7 @@ def rebuild_page(numbers: Path, *, out: Path | None = None, details: Mapping[str
         file.write_bytes(page.encode())
     named = (numbers.parent / picture.file for picture in document.pictures)
     missing = tuple(file.name for file in named if not file.is_file() or file.is_symlink())
-    return RebuiltPage(page=str(target), missing=missing)
+    return RebuiltPage(page=target, missing=missing)
 
 
 def _is_page(file: Path) -> bool:

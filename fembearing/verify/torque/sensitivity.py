@@ -17,7 +17,7 @@ from analytic.errors import FembearingError
 from analytic.prediction.evaluation import moved_scene, problem_of, torque_at
 from analytic.prediction.spreads import UncertainInput, uncertain_inputs
 from analytic.result import COORDINATES
-from analytic.rows import require_one_length
+from analytic.rows import OperatingPoint, require_one_length
 from analytic.scene import Array, Scene
 from analytic.torque import friction_torque
 from fembearing.quantities import unit_for
@@ -40,11 +40,16 @@ class Output:
     moment: float | None  # N m, likewise
     value: float  # N m or Pa
 
+    @property
+    def point(self) -> OperatingPoint | None:
+        """The operating point of a torque; None of a pressure."""
+        numbers = {name: value for name in COORDINATES if (value := getattr(self, name)) is not None}
+        return OperatingPoint(**numbers) if len(numbers) == len(COORDINATES) else None
+
     def __post_init__(self) -> None:
         """Raises ValueError for a torque without its operating point, and for a pressure without its race."""
-        point = [getattr(self, name) is not None for name in COORDINATES]
         is_torque = self.quantity == "total_torque"
-        if any(each != is_torque for each in (*point, self.pair is None)):
+        if any(each != is_torque for each in (self.point is not None, self.pair is None)):
             raise ValueError(f"is a {self.quantity} of no operating point or race")
 
 

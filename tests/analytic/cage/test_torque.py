@@ -48,7 +48,7 @@ def test_the_closed_form_includes_drag() -> None:
         pressed = closed.mean_force - moved.mean_force
         assert np.all((-0.02 * moved.mean_force < pressed) & (pressed < 0.0642 + 0.02 * moved.mean_force))
         np.testing.assert_allclose(closed.signed_moment, moved.signed_moment, rtol=0.02)
-        assert closed.at(1)["signed_moment"] == closed.signed_moment[1]
+        assert closed.row(1).signed_moment == closed.signed_moment[1]
         back = replace(scene_of.operation, inner_speed=-CAGED.operation.inner_speed)
         mirrored = friction_torque(
             replace(scene_of, operation=back, effects={**CAGED.effects, "cage_dynamics": "off"})

@@ -36,8 +36,8 @@ def test_films_moved_by_twice_the_standard_uncertainty_count() -> None:
     assert set(parts) == {"film", "gap", "surfaces"}  # rolling is left out there
     np.testing.assert_allclose(whole**2, sum(part**2 for part in parts.values()), rtol=1e-12)
     told = found.row(2).uncertainty
-    assert told["model"] == whole[2]
-    assert told["model_parts"] == {name: part[2] for name, part in parts.items()}
+    assert told.model == whole[2]
+    assert told.model_parts == {name: part[2] for name, part in parts.items()}
 
 
 def test_the_other_parts_are_the_changes_by_other_formulas() -> None:

@@ -3,6 +3,7 @@
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
+from typing import cast
 
 import numpy as np
 import pytest
@@ -19,6 +20,7 @@ from fembearing.report.figures.cage import cage_plot, orbit_figure
 from fembearing.report.pictures.cage import cage_job, picture_caption, view_of
 from fembearing.report.pictures.draw import RENDERER, rendered
 from fembearing.report.pictures.render_cage import cage_parts
+from fembearing.report.report import Report
 from fembearing.verify.torque.cage_record import CageRecord, DrawnMotion, exceedance, record_cage
 from tests.analytic.scenefile.scene_texts import MINE, changed
 from tests.analytic.specimens import present
@@ -138,7 +140,8 @@ def test_the_plot_names_regime_and_torque_and_nothing_overlaps(record: CageRecor
 
 
 def test_a_document_keeps_the_extremes_of_a_thinned_motion(record: CageRecord) -> None:
-    whole, thin = plain(record.drawn()), plain(record.drawn(most=60))
+    few = record.drawn(most=60)
+    whole, thin = plain(record.drawn()), plain(few)
     for name in ("largest", "sum"):
         assert len(thin["forces"][name]) <= 60
         assert max(thin["forces"][name]) == max(whole["forces"][name])
@@ -149,8 +152,8 @@ def test_a_document_keeps_the_extremes_of_a_thinned_motion(record: CageRecord) -
         tuple(place) for place in whole["orbit"]["measured"]
     }
     assert thin["exceedance"]["force"][-1] == max(whole["exceedance"]["force"])
-    motions = [DrawnMotion(**thin), DrawnMotion(**thin | {"inner_speed": 100.0, "state": "whirl"})]
-    figures, caption = cage_plot(SimpleNamespace(cage_records=motions, units=METRIC))
+    motions = (few, replace(few, inner_speed=100.0, state="whirl"))
+    figures, caption = cage_plot(cast(Report, SimpleNamespace(cage_records=motions, units=METRIC)))
     figure, other = present(figures)
     assert (len(figure.axes), len(other.axes)) == (3, 3)
     assert caption.count("Forces: the largest") == 1  # one caption for both
@@ -169,7 +172,7 @@ def test_a_group_of_instants_is_told_by_its_greatest(record: CageRecord) -> None
     thin = replace(record, series=series).drawn(most=60).forces
     step = -(-force.size // 60)
     expected = [force[max(0, end - step + 1)] for end in range(force.size - 1, -1, -step)][::-1]
-    np.testing.assert_array_equal(thin["largest"], expected)  # the first of each group
+    np.testing.assert_array_equal(thin.largest, expected)  # the first of each group
 
 
 def test_a_thinned_exceedance_keeps_the_rarest() -> None:
