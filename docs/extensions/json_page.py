@@ -48,9 +48,8 @@ def tables(of: type, seen: list[type]) -> list[type]:
         seen.append(of)
         for kind in keys_of(of).values():
             for part in with_parts(kind):
-                inside = get_origin(part) or part
-                if isinstance(inside, type) and is_dataclass(inside):
-                    tables(inside, seen)
+                if isinstance(part, type) and is_dataclass(part):
+                    tables(part, seen)
     return seen
 
 

@@ -44,7 +44,10 @@ RING = RingStructure(approach=-0.2125e-6, share=-0.0407, mesh=6e-9, domain=1.5e-
             lambda: replace(BELOW, fe=BELOW.fe | {"max_von_mises": math.nan}),
             "the max von mises comes out as nan, finite elements, below the lower surface",
         ),
-        (lambda: replace(RING, reach=math.nan), "the uncertainty comes out as nan, ring: the numbers of the scene"),
+        (
+            lambda: replace(RING, uncertainty=math.nan),
+            "the uncertainty comes out as nan, ring: the numbers of the scene",
+        ),
     ],
 )
 def test_a_number_that_is_not_finite_is_refused(change: Callable[[], Any], words: str) -> None:

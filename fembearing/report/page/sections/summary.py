@@ -165,8 +165,8 @@ def _boxes(document: Report) -> list[Box]:
     words = f"Hertz against finite elements, tolerance {percent(document.tolerance)}: {_counted(compared)}."
     boxes = [Box("Comparison", verdict.comparison or "", words)]
     check = None if torque is None else torque.verdicts.numerical
-    if check is not None:
-        boxes.append(Box("Numerical", check.verdict, _numerical(check)))
+    if check is not None and verdict.numerical is not None:
+        boxes.append(Box("Numerical", verdict.numerical, _numerical(check)))
     limits = f"Limits of the bearing: {_counted(Counter(check.verdict for check in document.physical))}."
     return [*boxes, Box("Physical", verdict.physical, limits)]
 
