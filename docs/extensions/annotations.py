@@ -5,7 +5,7 @@ from typing import Any, Literal, get_args, get_origin
 
 
 def with_parts(kind: Any) -> Iterator[Any]:
-    """An annotation, all that it is made of, and what is generic in it; no words of a Literal, no notes of Annotated."""
+    """An annotation, all that it is made of, and what is generic in it; no words of a Literal or notes of Annotated."""
     yield kind
     if get_origin(kind) is not None:
         yield get_origin(kind)  # a class that is made for any kind of entry

@@ -12,19 +12,17 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NoReturn
 import numpy as np
 from annotated_types import Len, MinLen
 
-from analytic.cage.statistics import OtherStart
-from analytic.cage.torque import CagePoint
 from analytic.errors import InputError
 from analytic.reading import content_of
 from analytic.report_details import ReportDetails
 from analytic.rows import Count, NotNegative, Positive
-from analytic.scene import Array, CageStart, Pair
+from analytic.scene import Array, Pair
 from analytic.verdicts import PhysicalCheck
 from fembearing.provenance import Provenance
 from fembearing.quantities import CONTACT, SYSTEMS, Units
 from fembearing.report.contact import ContactRecord, contact_record
 from fembearing.report.scene_view import SceneView
-from fembearing.report.torque import TorqueRecord, torque_record
+from fembearing.report.torque import CageMotionPoint, TorqueRecord, cage_motion, torque_record
 from fembearing.verify.contact.comparison_error import WHY, Comparison
 from fembearing.verify.contact.discrepancy import ContactSolution
 from fembearing.verify.contact.scene_contact import Shape
@@ -33,7 +31,6 @@ from fembearing.verify.cost.ladder import Ladder
 from fembearing.verify.hard_record import HardRecord
 from fembearing.verify.torque.cage_record import DrawnMotion
 from fembearing.verify.torque.change import OF_RACES, TorqueChange
-from fembearing.verify.torque.scene_torque import SceneTorque
 from fembearing.verify.torque.sensitivity import Sensitivity
 from fembearing.verify.torque.verdicts import Summary
 from fembearing.verify.validation import Validation
@@ -145,17 +142,6 @@ class ChangeRecord:
         series = [*(side.production for side in both), *(side.corrected for side in both), self.change.total]
         series += [] if fitted is None else [fitted.change, fitted.uncertainty]
         return {len(each) for each in series}
-
-
-@dataclass(frozen=True, kw_only=True)
-class CageMotionPoint(CagePoint):
-    """An operating point of a cage that moved somewhere; torque, start and block are None where it rests."""
-
-    inner_speed: float  # rad/s
-    torque: float | None  # N m
-    start: CageStart | None
-    block: float | None  # s
-    other: OtherStart | None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -283,7 +269,7 @@ def report_of(result: Validation, *, pictures: Sequence[PictureFile] = (), rende
         contacts=tuple(contact_record(contact) for contact in result.contacts),
         torque=None if torque is None else torque_record(torque),
         torque_change=None if result.torque_change is None else change_record(result.torque_change),
-        cage_motion=None if torque is None else _cage_motion(torque),
+        cage_motion=None if torque is None else cage_motion(torque),
         cage_records=tuple(record.drawn(most=INSTANTS) for record in result.cage_records),
         sensitivity=result.sensitivity,
         cost=Cost(
@@ -336,21 +322,6 @@ def change_record(change: TorqueChange) -> ChangeRecord:
 def _listed(values: Array | None) -> Any:
     """Numbers of a series, None for NaN."""
     return None if values is None else tuple(None if np.isnan(value) else value for value in values.tolist())
-
-
-def _cage_motion(torque: SceneTorque) -> tuple[CageMotionPoint, ...] | None:
-    """Each operating point, None where no cage moved."""
-    part = torque.friction.cage
-    if part is None or not any(part.motion):
-        return None
-    return tuple(
-        CageMotionPoint(
-            **vars(part.row(point)),
-            inner_speed=float(torque.friction.inner_speed[point]),
-            **{name: motion and getattr(motion, name) for name in ("torque", "start", "block", "other")},
-        )
-        for point, motion in enumerate(part.motion)
-    )
 
 
 def read_report(path: Path) -> Report:

@@ -6,12 +6,14 @@ from typing import Annotated, Any, Literal
 
 from annotated_types import MinLen
 
+from analytic.cage.statistics import OtherStart
+from analytic.cage.torque import CagePoint
 from analytic.effects.ledger import Effect
 from analytic.inputs import StatedInput
 from analytic.prediction.rows import PredictionRows
 from analytic.result import PairRows, TorquePoint
 from analytic.rows import NotNegative, Positive
-from analytic.scene import Clearances
+from analytic.scene import CageStart, Clearances
 from fembearing.plain_types import plain
 from fembearing.verify.torque.left_out import LeftOut, Places
 from fembearing.verify.torque.scene_torque import SceneTorque
@@ -82,6 +84,17 @@ class TorqueRecord:
 
 
 @dataclass(frozen=True, kw_only=True)
+class CageMotionPoint(CagePoint):
+    """An operating point of a cage that moved somewhere; torque, start and block are None where it rests."""
+
+    inner_speed: float  # rad/s
+    torque: float | None  # N m
+    start: CageStart | None
+    block: float | None  # s
+    other: OtherStart | None
+
+
+@dataclass(frozen=True, kw_only=True)
 class TorqueFile(TorqueRecord):
     """What `torque --json` prints."""
 
@@ -141,3 +154,18 @@ def _other(result: SceneTorque) -> OtherCandidate | None:
         return None
     total = result.places.rows(result.other_candidate.torque.total.tolist())
     return OtherCandidate(ball_count=other.ball_count, ball_diameter=other.ball_diameter, total=total)
+
+
+def cage_motion(torque: SceneTorque) -> tuple[CageMotionPoint, ...] | None:
+    """Each operating point, None where no cage moved."""
+    part = torque.friction.cage
+    if part is None or not any(part.motion):
+        return None
+    return tuple(
+        CageMotionPoint(
+            **vars(part.row(point)),
+            inner_speed=float(torque.friction.inner_speed[point]),
+            **{name: motion and getattr(motion, name) for name in ("torque", "start", "block", "other")},
+        )
+        for point, motion in enumerate(part.motion)
+    )

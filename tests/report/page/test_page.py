@@ -251,11 +251,11 @@ def test_a_cage_that_moved_has_its_table(checked: Validation, tmp_path: Path) ->
     words = " ".join(page_of(moved, tmp_path).text.split())
     table = words.partition("Cage in motion")[2].partition("Orbit of the cage")[0]
     row = [
-        f"400{motion.state}whirl{1e3 * motion.torque:.3g}",
-        f"{1e3 * motion.torque_interval[0]:.3g} to {1e3 * motion.torque_interval[1]:.3g}",
-        f"{1e3 * motion.signed_moment:.2g}{motion.mean_force:.3g}{motion.max_force:.3g}",
-        f"{motion.max_force_interval[0]:.3g} to {motion.max_force_interval[1]:.3g}",
-        f"400whirl{RPM.factor * motion.whirl_speed:.4g}{1e6 * motion.wobble:.3g}0",  # without radial load no ball leads
+        f"1400{motion.state}whirl{motion.mean_force:.3g}{motion.max_force:.3g}",
+        f"{motion.max_force_interval[0]:.3g}-{motion.max_force_interval[1]:.3g}{1e3 * motion.torque:.3g}",
+        f"{1e3 * motion.torque_interval[0]:.3g}-{1e3 * motion.torque_interval[1]:.3g}{1e3 * motion.signed_moment:.2g}",
+        # Without radial load no ball leads.
+        f"1400whirl{RPM.factor * motion.whirl_speed:.4g}{1e6 * motion.wobble:.3g}0",
         f"{100 * cage.grip_share[0]:.2g} %{cage.grip_number[0]:.2g}0.02 s in blocks of 0.001 s",
         f"rest from rest, {1e3 * motion.other.torque:.3g} N mm: the start decides",
     ]

@@ -4,9 +4,9 @@ from collections.abc import Iterator
 
 from fembearing.quantities import Units
 from fembearing.report.contact import ContactRecord
-from fembearing.report.page.sections.grid import Grid, Group, Head, Row
 from fembearing.report.phrases import contact_title, digits, quantities_of, shown
 from fembearing.report.report import Report
+from fembearing.report.tables.table import Group, Head, Row, Table
 from fembearing.verify.contact.grid_convergence import Estimate
 
 HEADS = (
@@ -20,13 +20,13 @@ HEADS = (
 )
 
 
-def mesh_grid(document: Report) -> Grid:
+def mesh_grid(document: Report) -> Table:
     """A group for each contact, a row for each quantity."""
     groups = [
         Group(list(_rows(contact, document.units)), contact_title(contact, document.units))
         for contact in document.contacts
     ]
-    return Grid("meshes of each contact", HEADS, groups)
+    return Table("meshes of each contact", HEADS, groups)
 
 
 def _rows(contact: ContactRecord, units: Units) -> Iterator[Row]:

@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from analytic.result import TorquePoint
 from analytic.rows import OperatingPoint
 from fembearing.quantities import QUANTITIES, Units
-from fembearing.report.page.sections.grid import Head
 from fembearing.report.phrases import LOADS, loads_of, present_loads
+from fembearing.report.tables.table import Head
 
 MOST_IN_SUMMARY = 12
 NUMBER = Head("point", "name")

@@ -9,7 +9,6 @@ from analytic.verdicts import NumericalCheck
 from fembearing.quantities import CONTACT, Units
 from fembearing.report.contact import ContactRecord
 from fembearing.report.page.sections.bearing import Facts, facts_of
-from fembearing.report.page.sections.grid import Grid, Head, grid_of
 from fembearing.report.page.sections.points import (
     heaviest_point,
     parts_of,
@@ -19,16 +18,15 @@ from fembearing.report.page.sections.points import (
     points_of_summary,
 )
 from fembearing.report.phrases import (
-    CHECKS,
     angle_cell,
     digits,
     input_name,
     interval_at,
-    limit_of,
     percent,
-    worst_of,
 )
 from fembearing.report.report import Report
+from fembearing.report.tables.table import Head, Table, table_of
+from fembearing.report.tables.verdicts import physical_table
 from fembearing.report.torque import TorqueRecord
 
 MOST_NAMED = 8  # assumed inputs that the summary names
@@ -72,10 +70,10 @@ class Summary(NamedTuple):
     boxes: list[Box]
     overall: str
     inputs: str
-    torque: Grid | None
+    torque: Table | None
     hidden: int  # operating points that only the appendix shows
-    physical: Grid
-    contacts: Grid
+    physical: Table
+    contacts: Table
     contacts_at: str
     change: str
     notes: list[str]
@@ -98,7 +96,7 @@ def summary_of(document: Report) -> Summary:
         inputs="" if torque is None else _status_of(torque.inputs),
         torque=None if torque is None else _torque(torque, document.units),
         hidden=0 if torque is None else len(torque.points) - len(points_of_summary(torque.points)),
-        physical=_physical(document),
+        physical=physical_table(document.physical, document.units),
         contacts=_contacts(document),
         contacts_at=_contacts_at(document),
         change=_change(document),
@@ -181,24 +179,6 @@ def _counted(verdicts: Counter[str]) -> str:
     return ", ".join(f"{count} {verdict}" for verdict, count in verdicts.items())
 
 
-def _physical(document: Report) -> Grid:
-    """Each physical limit with the number and the operating point where it is worst."""
-    points, units = [] if document.torque is None else document.torque.points, document.units
-    heads = [Head("limit of", "name"), Head("where", "text"), Head("at", "text"), Head("worst"), Head("limit")]
-    rows = [
-        [
-            CHECKS.get(check.name, check.name),
-            check.where,
-            point_name(points, check.point, units) if points else "the heaviest ball",
-            worst_of(check, units),
-            limit_of(check.limit, check.unit, units),
-            check.verdict,
-        ]
-        for check in document.physical
-    ]
-    return grid_of("physical limits", [*heads, Head("verdict", "verdict")], rows)
-
-
 def _status_of(inputs: Sequence[StatedInput]) -> str:
     """How many inputs are given, printed, derived and assumed, and the names of those that are assumed."""
     counts = Counter(each.status for each in inputs)
@@ -210,7 +190,7 @@ def _status_of(inputs: Sequence[StatedInput]) -> str:
     return f"{len(inputs)} inputs: {words}. Assumed: {', '.join(assumed[:MOST_NAMED])}{more}."
 
 
-def _torque(torque: TorqueRecord, units: Units) -> Grid:
+def _torque(torque: TorqueRecord, units: Units) -> Table:
     """The torque by effect at each operating point, at most 12 of them."""
     points = torque.points
     parts, predicted = parts_of(points), torque.prediction
@@ -225,10 +205,10 @@ def _torque(torque: TorqueRecord, units: Units) -> Grid:
         ]
         for index in points_of_summary(points)
     ]
-    return grid_of("friction torque by effect", heads, rows)
+    return table_of("friction torque by effect", heads, rows)
 
 
-def _contacts(document: Report) -> Grid:
+def _contacts(document: Report) -> Table:
     """A row for each contact that is judged: what Hertz says, and how far it is from finite elements."""
     units = document.units
     pressure = CONTACT["peak_pressure"].in_units(units)
@@ -241,7 +221,7 @@ def _contacts(document: Report) -> Grid:
         *(Head(f"{quantity.name}, %") for quantity in CONTACT.values()),
         Head("verdict", "verdict"),
     ]
-    return grid_of("contacts", heads, [_contact(document, each) for each in document.contacts if each.judged])
+    return table_of("contacts", heads, [_contact(document, each) for each in document.contacts if each.judged])
 
 
 def _contact(document: Report, contact: ContactRecord) -> list[str]:

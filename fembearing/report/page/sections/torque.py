@@ -5,7 +5,6 @@ from typing import NamedTuple
 
 from analytic.result import TorquePoint
 from fembearing.quantities import Units
-from fembearing.report.page.sections.grid import Grid, Head, grid_of
 from fembearing.report.page.sections.points import parts_of, point_cells, point_heads
 from fembearing.report.phrases import (
     angle_cell,
@@ -18,6 +17,7 @@ from fembearing.report.phrases import (
     uncertainty_of,
 )
 from fembearing.report.report import ChangeRecord, Report
+from fembearing.report.tables.table import Head, Table, table_of
 from fembearing.report.torque import TorqueRecord
 
 SIGNED = "+.2f"  # of a change in per cent
@@ -26,11 +26,11 @@ SIGNED = "+.2f"  # of a change in per cent
 class TorqueSection(NamedTuple):
     """Tables and sentences of the section on the torque."""
 
-    totals: Grid
-    changes: Grid
+    totals: Table
+    changes: Table
     change: ChangeRecord
     notes: list[str]
-    friction: Grid | None  # of one point, which no figure shows
+    friction: Table | None  # of one point, which no figure shows
 
 
 def torque_section(document: Report) -> TorqueSection | None:
@@ -62,7 +62,7 @@ def _largest_parts(points: Sequence[TorquePoint]) -> dict[str, float]:
     return {name: max(parts.get(name, 0.0) for parts in known) for name in names}
 
 
-def _totals(torque: TorqueRecord, units: Units) -> Grid:
+def _totals(torque: TorqueRecord, units: Units) -> Table:
     """Contact angle, parts, total, its numerical uncertainty, its interval and the catalogue band of each point."""
     points, parts, predicted = torque.points, parts_of(torque.points), torque.prediction
     low, high = torque.catalogue_band.low, torque.catalogue_band.high
@@ -89,10 +89,10 @@ def _totals(torque: TorqueRecord, units: Units) -> Grid:
         ]
         for index, point in enumerate(points)
     ]
-    return grid_of("friction torque at every operating point", heads, rows)
+    return table_of("friction torque at every operating point", heads, rows)
 
 
-def _friction(torque: TorqueRecord, units: Units) -> Grid | None:
+def _friction(torque: TorqueRecord, units: Units) -> Table | None:
     """Friction, film and asperities of the heaviest ball at the only point; None where nothing slides."""
     (point,) = torque.points
     small, gap = units.small_length, torque.gap_roughness
@@ -114,10 +114,10 @@ def _friction(torque: TorqueRecord, units: Units) -> Grid | None:
         )
     heads = [Head("contact", "name"), *map(Head, ("friction coefficient", f"film, {small.name}"))]
     heads += [Head("film over roughness"), Head("load on asperities")]
-    return grid_of("friction, film and asperities", heads, rows) if rows else None
+    return table_of("friction, film and asperities", heads, rows) if rows else None
 
 
-def _changes(points: Sequence[TorquePoint], change: ChangeRecord, units: Units) -> Grid:
+def _changes(points: Sequence[TorquePoint], change: ChangeRecord, units: Units) -> Table:
     """Angle and total of the production and with contacts of finite elements, and the relative changes."""
     angles, totals, fitted = change.contact_angle, change.torque, change.finite_geometry
     heads = [
@@ -141,4 +141,4 @@ def _changes(points: Sequence[TorquePoint], change: ChangeRecord, units: Units) 
         ]
         for index in range(len(points))
     ]
-    return grid_of("what contacts of finite elements change", heads, rows)
+    return table_of("what contacts of finite elements change", heads, rows)

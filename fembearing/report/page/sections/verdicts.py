@@ -4,9 +4,9 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from fembearing.report.contact import ContactRecord
-from fembearing.report.page.sections.grid import Grid, Group, Head, Row
 from fembearing.report.phrases import contact_place, contact_title, digits, quantities_of, shown
 from fembearing.report.report import Report
+from fembearing.report.tables.table import Group, Head, Row, Table
 
 HEADS = (
     Head("quantity", "name"),
@@ -24,7 +24,7 @@ HEADS = (
 class VerdictSection(NamedTuple):
     """What the section shows besides the document."""
 
-    judged: Grid
+    judged: Table
     comparisons: list[tuple[str, str]]  # place of a contact, and a sentence
     is_corrected: bool  # whether any contact is corrected for finite geometry
 
@@ -34,7 +34,7 @@ def verdict_section(document: Report) -> VerdictSection:
     judged = [contact for contact in document.contacts if contact.judged]
     groups = [Group(list(_rows(document, contact)), contact_title(contact, document.units)) for contact in judged]
     return VerdictSection(
-        judged=Grid("verdicts on each contact", HEADS, groups),
+        judged=Table("verdicts on each contact", HEADS, groups),
         comparisons=[(contact_place(contact), line) for contact in judged for line in _resolved(document, contact)],
         is_corrected=any(contact.corrected for contact in judged),
     )
