@@ -67,16 +67,17 @@ def _show_contact(
     """The relative uncertainties of the quantities that are to be known to the accuracy, by their names."""
     from analytic.words import percent_of
     from fembearing.cli.console import out, print_json
-    from fembearing.report.document.build import contact_table
+    from fembearing.plain_types import plain
+    from fembearing.report.contact import contact_record
     from fembearing.report.terminal.contacts import print_contact, print_subsurface
     from fembearing.verify.contact.discrepancy import SHOWN_OF_A_SHEET
     from fembearing.verify.contact.mesh_refinement import COMPARED
 
     if as_json:
-        added = {"tolerance": result.tolerance, "accuracy": accuracy, "subsurface": below and below.to_json()}
-        print_json(result.to_json() | added)
+        added = {"tolerance": result.tolerance, "accuracy": accuracy, "subsurface": plain(below)}
+        print_json(plain(contact_record(result)) | added)
     else:
-        print_contact(out, contact_table(result), result.verdicts)
+        print_contact(out, contact_record(result), result.verdicts)
         if below is not None:
             print_subsurface(out, below)
         if result.judged:

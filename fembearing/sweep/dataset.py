@@ -72,14 +72,14 @@ def _axis_notes(axis: Axis) -> dict[str, str]:
 def _provenance(grid: Grid, warnings: Counter[str]) -> dict[str, Any]:
     scene = grid.first_scene()
     origin = provenance_of(scene)
-    content = origin.pop("scene_content")
+    others = {name: value for name, value in vars(origin).items() if name != "scene_content"}
     most = [warning for warning, _ in warnings.most_common(MOST_WARNINGS)]
     return {
         "title": f"{grid.what} of {scene.name}",
-        "fembearing": origin["versions"]["fembearing"],
+        "fembearing": origin.versions["fembearing"],
         "grid": grid.text,
-        "first_scene": json.dumps(content),
+        "first_scene": json.dumps(origin.scene_content),
         "seed": SEED,  # of the points at which a long series is sampled; a cage's seeds are numbered in the scene
         "warnings": "\n".join(most),
-        **{name: value if isinstance(value, str | int) else json.dumps(value) for name, value in origin.items()},
+        **{name: value if isinstance(value, str | int) else json.dumps(value) for name, value in others.items()},
     }

@@ -17,6 +17,7 @@ from analytic.scene import Bearing, ContactAngle, Decision, Operation, Scene
 from analytic.surface.asperity import asperity_contact, separation_at
 from analytic.surface.roughness import gap_roughness
 from analytic.torque import RACES, friction_torque
+from fembearing.plain_types import plain
 from tests.analytic import specimens
 from tests.analytic.specimens import present
 
@@ -169,7 +170,7 @@ def test_the_torque_mirrors_with_the_speed(scene: Scene, traction: str) -> None:
 
 def test_what_does_not_slide_needs_no_film(scene: Scene) -> None:
     found = friction_torque(replace(scene, hysteresis_loss=0.006, effects={"spin": "off", "conformity": "off"}))
-    point = found.to_json()["points"][0]
+    point = plain(found.row(0))
     assert point["film"] == point["asperity_share"] == {"inner": None, "outer": None}
     assert point["friction_coefficient"]["inner"] is None
     assert np.all(found.torque.total > 0)

@@ -11,6 +11,7 @@ from analytic.cage.drive import cage_drive
 from analytic.errors import InputError
 from analytic.loads.balls import LoadEffects, loaded_balls
 from analytic.scene import ContactAngle, Land, Operation, Scene
+from fembearing.plain_types import plain
 from tests.analytic.cage.specimens import CAGED, RPM, with_cage
 from tests.analytic.specimens import effect_of, present
 
@@ -44,7 +45,7 @@ def test_a_whirl_states_its_share_of_the_grip() -> None:
     np.testing.assert_allclose(cage.unsure, 0.3 / 0.9 * cage.grip_number * cage.torque, rtol=1e-12)  # round-off
     assert np.all(result.numerical_uncertainty >= (cage.half_interval + cage.unsure) / result.torque.total)
     assert result.unknown == ()
-    point: Any = result.to_json()["points"][0]["cage"]
+    point: Any = plain(result.row(0).cage)
     assert (point["grip_number"], point["grip_share"]) == (cage.grip_number[0], cage.grip_share[0])
     motion = present(cage.motion[0])
     assert (point["whirl_speed"], point["wobble"], point["ball_lead"]) == (motion.whirl_speed, motion.wobble, 0.0)
@@ -123,7 +124,7 @@ def test_pockets_too_tight_for_the_lead_are_squeezed() -> None:
     assert "0.1167 mm, and the pockets leave 0.1 mm" in effect_of(result, "cage_dynamics").reason
     (warning,) = (warning for warning in result.warnings if "wider pockets free them" in warning)
     assert "at 500 rpm" in warning
-    point: Any = result.to_json()["points"][0]["cage"]
+    point: Any = plain(result.row(0).cage)
     assert (point["state"], point["max_force"], point["whirl_speed"]) == ("squeezed", None, None)
     # Creep alone would give some 170 N (test_grip.py), so every ball slides: 2 mu Q/1.1, up to the weight of the cage
     np.testing.assert_allclose(cage.grip_share, 1.0, rtol=2e-4)

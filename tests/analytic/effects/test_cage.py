@@ -67,7 +67,7 @@ def test_without_cage_or_with_the_cage_left_out_nothing_is_added() -> None:
         assert result.cage is None
         assert result.torque.cage is None
         assert effect_of(result, "cage").decision == effect_of(result, "cage_dynamics").decision == "off"
-        assert set(result.to_json()["points"][0]["cage"].values()) == {None}
+        assert set(vars(result.row(0).cage).values()) == {None}
 
 
 def test_a_motion_needs_its_start() -> None:

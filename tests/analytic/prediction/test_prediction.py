@@ -13,11 +13,13 @@ from analytic.inputs import UNCERTAIN, uncertain_value
 from analytic.oil.variation import Variation
 from analytic.prediction import evaluation
 from analytic.prediction.prediction import SAMPLES, Prediction, predict, require_samples
+from analytic.prediction.rows import largest_error
 from analytic.prediction.spreads import UncertainInput, uncertain_inputs
 from analytic.prediction.variants import varied_scene
 from analytic.scene import Arrangement, ContactAngle, Losses, Scene
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.torque import friction_torque
+from fembearing.plain_types import plain
 from tests.analytic.scenefile.scene_texts import OILED
 
 GROOVES = ("bearing.inner.conformity", "bearing.outer.conformity")
@@ -98,7 +100,7 @@ def test_alone_the_parts_of_the_interval_are_those_of_their_inputs(predicted: Pr
 @pytest.mark.slow
 def test_the_number_of_processes_does_not_change_a_number() -> None:
     scene = dry(**SPREADS)
-    alone, together = (predict(scene, samples=60, seed=9, workers=workers).to_json() for workers in (1, 2))
+    alone, together = (plain(predict(scene, samples=60, seed=9, workers=workers).rows) for workers in (1, 2))
     times = ("seconds", "evaluation_seconds")
     assert {k: v for k, v in alone.items() if k not in times} == {k: v for k, v in together.items() if k not in times}
 
@@ -107,7 +109,7 @@ def test_samples_are_added_until_the_ends_are_known(monkeypatch: pytest.MonkeyPa
     monkeypatch.setattr("analytic.prediction.prediction.SAMPLES", 64)
     found = predict(dry(**SPREADS), workers=1)
     assert found.samples > 64
-    assert found.total.largest_error <= 0.03
+    assert largest_error(found.total) <= 0.03
 
 
 def test_a_spread_comes_from_the_scene_else_from_the_origin_else_from_the_default() -> None:
@@ -289,16 +291,16 @@ def _differs(one: float | None, other: float | None) -> bool:
 
 
 def test_a_lognormal_input_stays_above_its_floor_and_a_normal_one_is_even() -> None:
-    groove = UncertainInput(key="k", value=0.52, unit="", deviation=0.004, source="s", floor=0.5)
+    groove = UncertainInput(key="k", kind="input", value=0.52, unit="", deviation=0.004, source="s", floor=0.5)
     score = np.array([-6.0, -1.0, 0.0, 1.0])
     assert np.all(groove.at(score) > 0.5)
     np.testing.assert_allclose(groove.at(score)[2:], [0.52, 0.5 + 0.02 * np.exp(0.2)])
-    heat = UncertainInput(key="k", value=313.0, unit="K", deviation=2.0, source="s", floor=None)
+    heat = UncertainInput(key="k", kind="input", value=313.0, unit="K", deviation=2.0, source="s", floor=None)
     np.testing.assert_allclose(heat.at(score), 313.0 + 2 * score)
 
 
 def test_dataset_data_frame_and_line_hold_what_the_json_has(predicted: Prediction) -> None:
-    content, dataset, frame = predicted.to_json()["points"], predicted.to_dataset(), predicted.to_dataframe()
+    content, dataset, frame = plain(predicted.rows.points), predicted.to_dataset(), predicted.to_dataframe()
     assert dataset["index_total"].dims == ("input", "point")
     assert dataset["input"].values.tolist() == [each.key for each in predicted.inputs]
     for point, row in enumerate(content):
