@@ -9,7 +9,7 @@ import math
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from fembearing.verify.contact.grid_convergence import Estimate
+from fembearing.grid_convergence import Estimate
 
 WHY = {  # the reason for each uncertainty
     "numerical": "0, as the closed form is solved to round-off",

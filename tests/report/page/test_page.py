@@ -19,7 +19,7 @@ from fembearing.report.figures.page_plots import PLOTS
 from fembearing.report.pictures.draw import Picture
 from fembearing.report.terminal.validation import print_validation
 from fembearing.verify.contact.discrepancy import ContactSolution
-from fembearing.verify.contact.grid_convergence import CAUTIOUS, FINEST, HALF, LEAST, UNSTEADY
+from fembearing.grid_convergence import CAUTIOUS, FINEST, HALF, LEAST, UNSTEADY
 from fembearing.verify.hard_record import HardRecord
 from fembearing.verify.torque.change import change_of_torque
 from fembearing.verify.torque.scene_torque import torque_of_scene

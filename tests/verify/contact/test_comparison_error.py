@@ -3,7 +3,7 @@
 import pytest
 
 from fembearing.verify.contact.comparison_error import Comparison, comparison_of
-from fembearing.verify.contact.grid_convergence import Estimate
+from fembearing.grid_convergence import Estimate
 
 
 @pytest.mark.parametrize(("error", "resolved"), [(-6.9, False), (7.0, False), (-7.1, True), (12.5, True)])

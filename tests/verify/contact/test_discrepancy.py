@@ -18,7 +18,7 @@ from fembearing.report.phrases import shoulder_lines
 from fembearing.report.terminal.contacts import print_contact
 from fembearing.verify.contact import discrepancy as module
 from fembearing.verify.contact.discrepancy import ContactSolution, compare_contact
-from fembearing.verify.contact.grid_convergence import Estimate
+from fembearing.grid_convergence import Estimate
 from fembearing.verify.contact.hertz import hertz_quantities
 from fembearing.verify.contact.mesh_refinement import COMPARED, Reference
 from fembearing.verify.contact.reference import solve_reference
