@@ -24,7 +24,7 @@ from fembearing.ehl.grid import Grid, graded_faces
 from fembearing.ehl.reynolds import Balance, Fluid, balance
 
 # Cells at refinement 1, in units of the contact's half lengths; smaller at the inlet and outlet where the film is thin
-INLET, MIDDLE, EDGE, ACROSS = 0.5, 0.09, 0.06, 0.1  # the first is a share of the inlet's length
+INLET, MIDDLE, EDGE, ACROSS = 0.5, 1.5, 0.06, 0.1  # the first is a share of the inlet's length, the second of the first
 GROWTH = 0.18  # of the size of cells over the distance outside
 WIDEST_INLET = 0.35  # of the half length
 CUT = 2.5  # half lengths behind the centre where cavitated oil is left out
@@ -33,7 +33,7 @@ STEPS = 30  # of Newton's method; 4 to 8 are usual
 LEAST_GAP = 0.2  # share of the film that a step leaves
 EASY = 20.0  # M of the contact at which a solution starts
 COARSER = 1.6  # the grid before the first
-EASIER, LEAST_EASIER = 4.0, 1.3  # factor on the speed between two steps towards the contact, and the least that is tried
+EASIER, LEAST_EASIER = 4.0, 1.1  # factor on the speed between two steps towards the contact, and the least that is tried
 INNER = 1e-3  # residual of the linear system where an older factorisation solves it
 MOST_INNER = 25  # steps for that, after which a new factorisation is cheaper
 
@@ -145,7 +145,7 @@ class Discretised:
         long, wide = np.hypot(1, inflow / a), np.hypot(b / a, inflow / a / contact.ellipticity**0.5)
         thin = self.likely_film * contact.film_scale * contact.shape.radii[0] / a**2
         inlet = min(WIDEST_INLET, thin ** (2 / 3)) if inflow < a else WIDEST_INLET
-        fine, middle = INLET * inlet, max(INLET * inlet, MIDDLE)
+        fine, middle = INLET * inlet, min(MIDDLE * INLET * inlet, ACROSS)
         reach = contact.reach
         ahead, side = reach.ahead / a / long, reach.side / a / wide
         behind = reach.behind / a / long
@@ -213,10 +213,12 @@ class Discretised:
         """The pressure on this grid from that on another one of the same region."""
         old = start.grid
         x = np.concatenate([old.x_faces[:1], old.x, old.x_faces[-1:]])
-        y = np.concatenate([[0.0], old.y, old.y_faces[-1:]])
-        padded = np.pad(np.column_stack([start.pressure[:, 0], start.pressure]), ((1, 1), (0, 1)))
+        y = np.concatenate([-old.y[1::-1], old.y, old.y_faces[-1:]])
+        square = start.pressure * np.abs(start.pressure)  # Hertz's is a parabola, without the steep edge
+        padded = np.pad(np.column_stack([square[:, 1::-1], square]), ((1, 1), (0, 1)))
         points = np.stack(np.broadcast_arrays(self.grid.x[:, None], self.grid.y[None, :]), axis=-1)
-        return Start(self.grid, RegularGridInterpolator((x, y), padded)(points), start.approach)
+        found = RegularGridInterpolator((x, y), padded, method="pchip")(points)
+        return Start(self.grid, np.sign(found) * np.sqrt(np.abs(found)), start.approach)
 
     def _fluid(self, pressure: Array, film: Array, speed: float) -> Fluid:
         """speed : times the contact's; oil thickens by the power -1/4 of it, so that Moes's L stays."""
@@ -276,7 +278,8 @@ class Discretised:
                 return None
             closing = float((-change / np.maximum(film, 1e-2 * self.film_scale)).max())
             share = min(1.0, max((1 - LEAST_GAP) / max(closing, 1e-9), 0.1))
-            pressure, approach, film = pressure + share * step, approach + share * lift, film + share * change
+            pressure, approach = np.maximum(pressure + share * step, least), approach + share * lift
+            film = approach + self.gap + self.elastic @ pressure
             if share == 1.0 and np.abs(step).max() < last * pressure.max():
                 return Start(self.grid, pressure.reshape(self.grid.shape), approach)
         return None
