@@ -137,14 +137,24 @@ class Discretised:
         return 880 / (slim * contact.loading**2) + 1 + 0.3 * contact.thickening**0.75
 
     @cached_property
+    def inflow(self) -> float:
+        """Distance from the centre where the gap has grown by the likely film."""
+        return float(2 * self.likely_film * self.film_scale) ** 0.5
+
+    @cached_property
+    def half_lengths(self) -> tuple[float, float]:
+        """Of the region that carries the load, along x and y: Hertz's ellipse, or more under a thick film."""
+        a, b = self.contact.semi_axes
+        return float(np.hypot(1, self.inflow)), float(np.hypot(b / a, self.inflow / self.contact.ellipticity**0.5))
+
+    @cached_property
     def grid(self) -> Grid:
         """In semi-axes a."""
         contact, n = self.contact, self.refinement
-        a, b = contact.semi_axes
-        inflow = contact.film_scale**0.5 * contact.shape.radii[0] ** 0.5 * (2 * self.likely_film) ** 0.5
-        long, wide = np.hypot(1, inflow / a), np.hypot(b / a, inflow / a / contact.ellipticity**0.5)
-        thin = self.likely_film * contact.film_scale * contact.shape.radii[0] / a**2
-        inlet = min(WIDEST_INLET, thin ** (2 / 3)) if inflow < a else WIDEST_INLET
+        a, _ = contact.semi_axes
+        long, wide = self.half_lengths
+        thin = self.likely_film * self.film_scale
+        inlet = min(WIDEST_INLET, thin ** (2 / 3)) if self.inflow < 1 else WIDEST_INLET
         fine, middle = INLET * inlet, min(MIDDLE * INLET * inlet, ACROSS)
         reach = contact.reach
         ahead, side = reach.ahead / a / long, reach.side / a / wide
@@ -201,10 +211,11 @@ class Discretised:
         return float(self.contact.film_scale * self.contact.shape.radii[0] / a**2)
 
     def first_guess(self, speed: float) -> Start:
-        """Hertz's pressure, and a likely film, at `speed` times the contact's."""
+        """The pressure of a semi-ellipsoid under the load, and a likely film, at `speed` times the contact's."""
         a, b = self.contact.semi_axes
-        x, y = self.grid.x[:, None], self.grid.y[None, :] * a / b
-        pressure = np.sqrt(np.maximum(1 - x**2 - y**2, 0.0))
+        long, wide = self.half_lengths
+        x, y = self.grid.x[:, None] / long, self.grid.y[None, :] / wide
+        pressure = b / a / (long * wide) * np.sqrt(np.maximum(1 - x**2 - y**2, 0.0))
         easy = replace(self.contact, speed=self.contact.speed * speed)
         film = Discretised(contact=easy, refinement=self.refinement).likely_film * self.film_scale * speed**0.5
         return Start(self.grid, pressure, film - float((self.elastic @ pressure.ravel() + self.gap).min()))
