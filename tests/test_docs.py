@@ -83,7 +83,7 @@ def test_every_picture_says_what_it_shows() -> None:
 
 def test_readme_is_short_and_begins_with_a_bearing_and_its_interval() -> None:
     lines = (ROOT / "README.md").read_text("utf-8").splitlines()
-    assert len(lines) <= 150
+    assert len(lines) <= 120
     first = "\n".join(lines[:60])
     assert "fembearing init 6206" in first
     assert "95 % interval" in first

@@ -1,4 +1,4 @@
-"""Links of a page to files of the tree: to the page of the site where there is one, plain words for a folder.
+"""Links of a page to files of the tree: to the page of the site, if any; plain words for a folder or other Markdown.
 
 A Markdown page is also read in the tree, where its links lead to the files themselves.
 """
@@ -37,7 +37,7 @@ def rewrite(app: Sphinx, page: str, source: list[str]) -> None:
         name = Path(os.path.relpath(file, docs.parent)).as_posix()
         shown = PAGES.get(name) or EXAMPLE.sub(r"gallery/\1.rst", name)
         if shown == name:
-            return found[0]
+            return found["words"] if file.suffix == ".md" and not file.is_relative_to(docs) else found[0]
         return f"[{found['words']}]({Path(os.path.relpath(docs / shown, folder)).as_posix()}{found['place'] or ''})"
 
     source[0] = LINK.sub(rewritten, source[0])

@@ -22,12 +22,12 @@ PUBLISHED = HERE.parent / "published" / "paper_torque.csv"
 SCENES = {  # reading -> file and description
     "as printed": (
         "6205_paper_as_printed.toml",
-        "equations 2 to 7 and the pocket of table 1 as the paper has them, misprints included; what it does not give "
-        "about the races is as in the calibrated reading",
+        "equations 2 to 7 and the pocket of table 1 as in the paper, misprints included; other inputs of the races as "
+        "in the calibrated reading",
     ),
     "calibrated": (
         "6205_paper_calibrated.toml",
-        "inputs that the paper does not give chosen so that its race torque and its cage's numbers come out",
+        "inputs missing in the paper, chosen to match its race torque and the numbers of its cage",
     ),
     "physical": ("6205_physical.toml", "usual inputs, loaded angle, sinh traction, hydrodynamic rolling, a slow start"),
 }

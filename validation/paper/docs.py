@@ -2,7 +2,7 @@
 
 Writes docs/paper.md from reports/paper.json, so that every number in its tables is a stored one. `paper.py` makes that
 file, and the pictures. For each figure of [Paper]: the picture, a table of the paper's numbers beside the three
-readings, and what matches, what was calibrated, and what cannot be had.
+readings, the matches, the calibrated inputs, and the numbers that cannot be reproduced.
 """
 
 import json
@@ -11,43 +11,39 @@ from pathlib import Path
 from textwrap import fill
 from typing import Any
 
-from analytic.scenefile.read import load_scene
 from validation.paper.cage import RPM
-from validation.paper.inputs import CALIBRATED, table_1
+from validation.paper.inputs import CALIBRATED
 
 HERE = Path(__file__).parent
 STORED = HERE / "paper.json"
 PAGE = HERE.parents[1] / "docs/paper.md"
-FINISHES = {"1e-06": "1", "1e-07": "0.1"}  # key in the file -> Sq in um
 INTRODUCTION = """\
 # The paper, figure by figure
 
-The 6205 of this project comes from a paper on surface roughness and friction [Paper]. This page shows its figures 5
-to 9 and its table beside ours. `python validation/paper/run.py` computes the numbers and the pictures, and `python
-validation/paper/docs.py` writes this page from what it stored.
+The 6205 of this project comes from a paper on surface roughness and friction [Paper]. This page compares its figures
+5 to 9 with ours. `validation/paper/paper.md` has its table 1, all inputs and the reason for each difference; `python
+validation/paper/run.py` computes numbers and pictures.
 
 **This is no validation.** The paper's numbers are computed as well. Its text prints numbers at 100 and 500 1/min,
 some of them as "about"; its figures were not seen. It does not give elasticity, oil, hardness, boundary friction,
-loss factor, autocorrelation, pocket clearance, damping, or how the cage starts. So three readings stand beside it:
+loss factor, autocorrelation, pocket clearance, damping, or the start of the cage. So there are three readings:
 """
 AFTERWORD = """\
-## What cannot be had
+## What cannot be reproduced
 
-- **The figures themselves.** Only the text of the paper was read. A curve between 100 and 500 1/min has no number
-  to compare with.
-- **A plausible race torque.** Both sets of inputs that meet it within 10 % have something implausible: a boundary
-  friction of 0.035, or waves of 615 um, which are longer than the contact along rolling. More inputs were chosen
-  than numbers are met.
-- **The cage torque as a torque.** The lost power is several times smaller. What agrees with the paper's numbers is
-  the sum of the friction moments about the balls' centres, with a coefficient chosen for each speed. That sum is no
-  loss ([cage](theory/cage.md#what-is-a-friction-torque)).
-- **Its forces from one cage.** Mass, speed and clearance set the force of a whirl. Friction, the only thing that
-  the finish changes, hardly moves it, and the paper's forces for both finishes are far apart.
-- **The coefficient of ball on pocket.** It does not follow from oil and finish: the film formula is outside its
-  range in a pocket, and gives a size that the curvature of the pocket sets.
+- **The figures.** Only the text of the paper was read. It has no numbers between 100 and 500 1/min.
+- **A plausible race torque.** Both sets of inputs that match it within 10 % are implausible: one has a boundary
+  friction of 0.035, the other waves of 615 um, longer than the contact along rolling. More inputs were chosen than
+  numbers match.
+- **The cage torque as a torque.** The lost power is several times smaller. The sum of the friction moments about the
+  balls' centres matches, with a coefficient chosen for each speed, but it is no loss
+  ([cage](theory/cage.md#what-is-a-friction-torque)).
+- **The cage forces of both finishes.** Mass, speed and clearance determine the force of a whirl. Friction, the only
+  effect of the finish, hardly changes it, and the paper's forces for both finishes are far apart.
+- **The coefficient of ball on pocket.** It does not follow from oil and finish: the pocket is outside the range of
+  the film formula, and the curvature of the pocket determines the computed value.
 
-[The report](../validation/paper/paper.md) has the reason for every miss by itself, and
-[validation](validation.md#the-paper-figure-by-figure) what the calibration rests on.
+[Validation](validation.md#the-paper-figure-by-figure) has the basis of the calibration.
 """
 
 
@@ -69,7 +65,6 @@ def page(stored: dict[str, Any]) -> str:
         ),
         _misprints(stored["jumps"]),
         _conclusions(readings),
-        _table_1(),
         _calibrated(readings),
         [AFTERWORD.rstrip()],
     ]
@@ -77,13 +72,13 @@ def page(stored: dict[str, Any]) -> str:
 
 
 TOTAL = """\
-The *calibrated* line ends below the paper's: it has the cage's lost power. The paper's last number comes out only
-with the friction moments in place of that power, which are no loss. The *physical* reading lies above: thicker oil,
-usual boundary friction, and hydrodynamic rolling, which the paper leaves out."""
+*Calibrated* is below the paper, because it has the power loss of the cage; the paper's last number needs the friction
+moments in place of this power, and they are no loss. *Physical* is above: thicker oil, usual boundary friction, and
+hydrodynamic rolling, which the paper neglects."""
 FORCES = """\
-*Calibrated*: the cage whirls in a clearance chosen for these forces. *As printed*: the pocket of table 1 leaves
-several millimetres of room and nothing damps the impacts, so the cage bounces. *Physical*: the cage starts slowly
-and rests on its balls. The largest force of a run is erratic at 100 1/min."""
+*Calibrated*: the cage whirls in a clearance chosen for these forces. *As printed*: the pocket of table 1 has several
+millimetres of clearance and no damping, so the cage bounces. *Physical*: the cage starts slowly and rests on its
+balls. The largest force of a run is erratic at 100 1/min."""
 
 
 def _figure(
@@ -98,32 +93,20 @@ def _figure_5(readings: Sequence[Any]) -> Iterator[str]:
     yield from _head("5: generated surfaces", "paper_5_surfaces.png")
     assumed = {one["name"]: one["assumed"]["autocorrelation"] for one in readings}
     yield from _text(
-        f"""Gaussian heights of the two finishes, as in the paper. The paper gives no autocorrelation, so the maps
-        cannot be its maps. Ours have that of the calibrated reading, {assumed["calibrated"]}; the physical one has
-        {assumed["physical"]}. A ground race has shorter waves: 10 to 100 um. Mixed lubrication takes the statistics
-        and not the map."""
+        f"""Gaussian heights of the two finishes, as in the paper. The paper gives no autocorrelation; ours is
+        {assumed["calibrated"]}, as calibrated; the physical reading has {assumed["physical"]}. A ground race has
+        shorter waves: 10 to 100 um. Mixed lubrication uses the statistics and not the map."""
     )
 
 
 def _figure_7(stored: dict[str, Any]) -> Iterator[str]:
-    readings = stored["readings"]
     yield from _head("7: friction coefficients", "paper_7_coefficients.png")
-    yield "The text prints no numbers for this figure."
-    yield ""
-    for words, quantity in (
-        ("ball on outer race", "outer_coefficient"),
-        ("ball on inner race", "inner_coefficient"),
-        ("ball on pocket", "pocket_coefficient"),
-    ):
-        yield f"*{words.capitalize()}*:"
-        yield ""
-        yield from _series(readings, quantity, 1)
-        yield ""
     yield from _text(
-        """The text says that coefficients are lower for the smoother finish at all contacts, hardly depend on speed at
-        the races, and fall with speed at the cage. The first holds at the races in every reading. The second holds
-        within 10 % at Sq 0.1 um as printed and calibrated, not at 1 um. The coefficient at the cage is chosen in the
-        calibrated reading. Mixed lubrication under the same forces gives, at 100 and 500 1/min:"""
+        """The text prints no numbers for this figure ([ours](../validation/paper/paper.json)). By the text,
+        coefficients are lower for the smoother finish at all contacts, hardly depend on speed at the races, and fall
+        with speed at the cage. The first holds at the races in every reading. The second holds within 10 % at Sq 0.1
+        um as printed and calibrated, not at 1 um. The calibrated coefficient at the cage is chosen. Mixed lubrication
+        under the same forces gives, at 100 and 500 1/min:"""
     )
     yield from _rows(
         ("oil and pocket", "Sq, um", "100", "500"),
@@ -150,8 +133,8 @@ def _figure_8(readings: Sequence[Any]) -> Iterator[str]:
     yield from _beside(readings, "race_torque", 1e3, "N mm")
     yield ""
     yield from _text(
-        """Matched within 10 % in the calibrated reading, whose inputs were chosen for it. A film that grows with speed
-        takes load off the asperities; that is why the torque falls at Sq 1 um, where the paper's stays."""
+        """Calibrated inputs match within 10 %. A film that grows with speed unloads the asperities, so the torque
+        decreases at Sq 1 um, where the paper's is constant."""
     )
     yield "(b) Cage, the power of sliding over the speed of the ring:"
     yield ""
@@ -160,7 +143,7 @@ def _figure_8(readings: Sequence[Any]) -> Iterator[str]:
     yield from _beside(readings, "cage_moments", 1e3, "N mm")
     yield from (
         "",
-        "The sum meets the paper in the calibrated reading because its coefficient was chosen so. The power does not.",
+        "The calibrated sum matches because its coefficient was chosen for it. The power does not match.",
         "",
     )
     yield "(c) is the sum of (a) and (b): see figure 6. With the moments in place of the power:"
@@ -173,10 +156,9 @@ def _misprints(jumps: Sequence[Any]) -> Iterator[str]:
     yield "## Equations 2 to 7 as printed"
     yield ""
     yield from _text(
-        """The names of both moments are exchanged at the ends of the range, and equation 2 lacks a factor of 0.322:
-        [how that was established](theory/traction-and-sliding.md#the-misprints-of-equations-2-3-6-and-7). As printed,
-        the moments of one contact and the torque of the bearing jump where one case follows another. Values on both
-        sides, N mm:"""
+        """The names of both moments are exchanged at the ends of the range, and equation 2 lacks a factor of 0.322
+        ([proof](theory/traction-and-sliding.md#the-misprints-of-equations-2-3-6-and-7)). As printed, the moments of one
+        contact and the torque of the bearing jump between the cases. Values on both sides, N mm:"""
     )
     yield from _rows(
         ("where", "quantity", "as printed", "derived"),
@@ -189,8 +171,8 @@ def _conclusions(readings: Sequence[Any]) -> Iterator[str]:
     yield "## The paper's conclusions"
     yield ""
     yield from _text(
-        """Changes are from 100 to 500 1/min, at Sq 1 um and on the inner race first. A quantity rises if it does so at
-        every step and for both finishes. Flat means within 10 %."""
+        """Changes are from 100 to 500 1/min, at Sq 1 um and on the inner race first. A rising quantity rises at every
+        step and for both finishes. Flat means within 10 %."""
     )
     yield from _rows(
         ("conclusion", *(one["name"] for one in readings)),
@@ -202,15 +184,9 @@ def _conclusions(readings: Sequence[Any]) -> Iterator[str]:
     yield ""
 
 
-def _table_1() -> Iterator[str]:
-    yield from ("## Table 1", "")
-    yield from _rows(("parameter", "paper", "ours"), table_1(load_scene("6205-dry")))
-    yield ""
-
-
 def _calibrated(readings: Sequence[Any]) -> Iterator[str]:
     fit = next(one["assumed"] for one in readings if one["name"] == "calibrated")
-    yield from ("## Calibrated inputs", "", "Inputs chosen so that numbers of the paper come out predict nothing.", "")
+    yield from ("## Calibrated inputs", "", "Inputs chosen to match numbers of the paper predict nothing.", "")
     yield from _rows(
         ("input", "value", "chosen for", "usual"),
         ((one.name, fit[one.name], one.target, one.usual) for one in CALIBRATED),
@@ -243,18 +219,6 @@ def _ours(row: dict[str, Any], scale: float) -> str:
     change = row["deviation"]
     off = f"{100 * change:+.0f} %" if abs(change) < 1 else f"{change + 1:.2g} times"
     return f"{row['computed'] * scale:.3g} ({off})"
-
-
-def _series(readings: Sequence[Any], quantity: str, scale: float) -> Iterator[str]:
-    speeds = [f"{speed / RPM:.0f}" for speed in readings[0]["series"]["1e-06"]["inner_speed"]]
-    yield from _rows(
-        ("reading", "Sq, um", *(f"{speed} 1/min" for speed in speeds)),
-        (
-            (one["name"], finish, *(f"{value * scale:.2g}" for value in one["series"][key][quantity]))
-            for one in readings
-            for key, finish in FINISHES.items()
-        ),
-    )
 
 
 def _jump(sides: Sequence[float]) -> str:

@@ -67,7 +67,7 @@ def write_page(
     lines += ["## What is power and what is not", "", *_powers(fit), "", _freed(fit, free), ""]
     lines += ["## Misses and their reasons", "", *_misses(readings), ""]
     lines += ["## Table 1", "", *_rows(("parameter", "paper", "ours"), table), ""]
-    lines += ["## Calibrated inputs", "", "Inputs chosen so that numbers of the paper come out predict nothing.", ""]
+    lines += ["## Calibrated inputs", "", "Inputs chosen to match numbers of the paper predict nothing.", ""]
     lines += [
         *_rows(
             ("input", "value", "chosen for", "usual"),

@@ -6,7 +6,7 @@ from pathlib import Path
 from analytic.effects.table import TABLE
 
 PAGE = Path(__file__).parents[3] / "docs" / "effects.md"
-HEAD = "| effect | what it is | what it needs | bound or limit |\n| --- | --- | --- | --- |\n"
+HEAD = "| effect | meaning | needs | bound or limit |\n| --- | --- | --- | --- |\n"
 COMMAND = "python -m tests.analytic.effects.test_table"
 
 
