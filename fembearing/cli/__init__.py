@@ -43,6 +43,11 @@ COMMANDS = {
         "Solve one contact and compare Hertz with it; repeat --load for a series of loads with its stiffness law.",
         'contact --pair inner --load "620 N" --tolerance "0.1 %"',
     ),
+    "film": Entry(
+        "film",
+        "Solve the lubricated contact of a ball on a race numerically and compare the film and rolling formulas with it.",
+        'film bearing.toml --pair inner --load "372 N" --speed "500 rpm" --tolerance "1 %"',
+    ),
     "cost": Entry(
         "cost",
         "Measure error and time of every method to compute the same quantity, cheap to exact, on this machine.",

@@ -1,0 +1,235 @@
+"""Film and rolling force of a ball on a race: the formulas of production against the numerical solution.
+
+The formulas are central film [Nijenbanning1994], minimum film [Hamrock1977] and rolling force [Biboulet2010]. Both
+sides have the same oil, the same load and the same speed, without heat of the inlet, starvation and roughness.
+"""
+
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from analytic.brief import Brief
+from analytic.contact.geometry import RACES, Race, race_contact
+from analytic.contact.rolling_contact import RollingContact, deformed_radius
+from analytic.errors import InputError
+from analytic.oil.film import central_film, minimum_ratio
+from analytic.oil.rolling import hydrodynamic_rolling
+from analytic.oil.viscosity import inlet_viscosity
+from analytic.scene import Contact, Scene
+from fembearing.ehl.ball_on_race import lubricated_contact
+from fembearing.ehl.contact import LubricatedContact
+from fembearing.ehl.film import NumericalFilm, numerical_film
+from fembearing.ehl.oil import Oil
+from fembearing.grid_convergence import Estimate
+from fembearing.progress import Progress, silent
+from fembearing.verify.contact.scene_contact import balls_of
+
+REFINEMENTS = (0.6, 0.85, 1.2)  # of the middle grid, until the tolerance is reached
+KIND, FORMAT = "fembearing film", 1  # what the JSON is
+OUTSIDE = "the formula of the rolling force is outside its range: rigid bodies would resist less than elastic ones"
+JUDGED = ("central_film", "rolling_force")  # must reach the tolerance; the minimum lies beside the contact's edge
+
+
+@dataclass(frozen=True, kw_only=True)
+class FilmQuantity:
+    """One quantity by formula and by numerical solution, SI."""
+
+    formula: float
+    numerical: float
+    uncertainty: float  # of the numerical value, half-width at 95 %, in its unit
+    order: float | None  # observed on the three grids
+
+    @property
+    def discrepancy(self) -> float:
+        """Formula over numerical value, less 1."""
+        return self.formula / self.numerical - 1
+
+    @property
+    def relative_uncertainty(self) -> float:
+        """Of the numerical value."""
+        return self.uncertainty / abs(self.numerical)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class RaceFilm(Brief):
+    """The lubricated contact of a ball on a race, by formula and by numerical solution."""
+
+    pair: Race
+    load: float  # Q, N
+    inner_speed: float  # of the inner ring, rad/s
+    entrainment_speed: float  # u, mean of both surfaces relative to the contact, m/s
+    tolerance: float  # asked of central film and rolling force, relative
+    central_film: FilmQuantity  # m
+    minimum_film: FilmQuantity  # m
+    rolling_force: FilmQuantity  # on each surface against its motion, N
+    pressure_centre: FilmQuantity  # how far it lies ahead of the contact's centre, m
+    solution: NumericalFilm  # with the maps of pressure and film
+    warnings: tuple[str, ...]
+
+    @property
+    def contact(self) -> LubricatedContact:
+        """The problem that was solved."""
+        return self.solution.contact
+
+    @property
+    def quantities(self) -> dict[str, FilmQuantity]:
+        """Each by its name."""
+        names = ("central_film", "minimum_film", "rolling_force", "pressure_centre")
+        return {name: getattr(self, name) for name in names}
+
+    @property
+    def worst(self) -> tuple[str, float]:
+        """The quantity of those that must reach the tolerance with the largest relative uncertainty."""
+        each = {name: getattr(self, name).relative_uncertainty for name in JUDGED}
+        name = max(each, key=lambda name: each[name])
+        return name, each[name]
+
+    def _facts(self) -> Iterator[str]:
+        yield from (self.pair, f"{self.load:.4g} N", f"{1e6 * self.central_film.numerical:.4g} um")
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain types, SI; the discrepancy is relative."""
+        contact = self.contact
+        return {
+            "kind": KIND,
+            "format": FORMAT,
+            "pair": self.pair,
+            "load": self.load,
+            "inner_speed": self.inner_speed,
+            "entrainment_speed": self.entrainment_speed,
+            "viscosity": contact.oil.viscosity,
+            "pressure_viscosity": contact.oil.pressure_viscosity,
+            "reach": asdict(contact.reach),
+            "loading": contact.loading,
+            "thickening": contact.thickening,
+            "ellipticity": contact.ellipticity,
+            **{name: asdict(each) | {"discrepancy": each.discrepancy} for name, each in self.quantities.items()},
+            "dissipated_force": self.solution.dissipated_force.value,
+            "tolerance": self.tolerance,
+            "seconds": self.solution.seconds,
+            "warnings": list(self.warnings),
+        }
+
+
+def film_of(
+    scene: Scene,
+    *,
+    pair: Race,
+    load: float | None = None,
+    inner_speed: float | None = None,
+    tolerance: float | None = None,
+    progress: Progress = silent,
+) -> RaceFilm:
+    """Solve the lubricated contact of the heaviest ball on one race and compare the formulas with it.
+
+    Parameters
+    ----------
+    scene : Scene
+        With a lubricant.
+    pair : {"inner", "outer"}
+        The race.
+    load : float, optional
+        Of the ball, N, > 0; None: the scene's largest.
+    inner_speed : float, optional
+        Of the inner ring, rad/s, of either sign; None: that of the operating point of the heaviest ball.
+    tolerance : float, optional
+        Required of central film and rolling force, relative (dimensionless); None: the scene's.
+    progress : callable
+        Called with the share done, 0 to 1 (dimensionless), and the name of the current step.
+
+    Returns
+    -------
+    RaceFilm
+        Formula and numerical value with its uncertainty, SI.
+
+    Raises
+    ------
+    InputError
+        For a dry scene, standstill, and what the numerical solution does not cover.
+    ConvergenceError
+        Where the numerical solution does not converge.
+
+    Notes
+    -----
+    The ball turns by closed kinematics. The oil has the temperature of the scene.
+    """
+    if scene.lubricant is None:
+        raise InputError("the scene is dry: add a table [lubricant], or there is no film to compute")
+    contact, speed, rate = _heaviest(scene, pair)
+    if load is not None:
+        contact = replace(contact, load=load)
+    speed = speed if inner_speed is None else inner_speed
+    if speed == 0:
+        raise InputError("operation.inner_speed = 0: at standstill there is no film; give --speed or another scene")
+    at_inlet = inlet_viscosity(scene.lubricant)
+    oil = Oil(viscosity=float(at_inlet.viscosity), pressure_viscosity=float(scene.lubricant.pressure_viscosity))
+    problem = lubricated_contact(contact, oil=oil, entrainment_speed=speed * rate)
+    limit = scene.tolerance if tolerance is None else tolerance
+    for number, refinement in enumerate(REFINEMENTS):
+        progress(number / len(REFINEMENTS), f"{pair}: film on three grids")
+        solution = numerical_film(problem, refinement=refinement)
+        found = (getattr(solution, name) for name in JUDGED)
+        if all(each.total <= limit for each in found):
+            break
+    return _compared(pair, contact, solution, inner_speed=speed, tolerance=limit)
+
+
+def _heaviest(scene: Scene, race: Race) -> tuple[Contact, float, float]:
+    """The contact of the heaviest ball, the ring's speed there, rad/s, and the entrainment speed over it, m."""
+    balls = balls_of(scene)
+    of_race = balls.load[RACES.index(race)]
+    point, ball = np.unravel_index(np.argmax(of_race), of_race.shape)
+    contact = race_contact(
+        scene.bearing,
+        race,
+        contact_angle=float(balls.contact_angle[RACES.index(race), point, ball]),
+        ball_load=float(of_race[point, ball]),
+    )
+    rate = getattr(balls.motion, f"{race}_entrainment")[point, ball]
+    return contact, float(scene.operation.as_series().inner_speed[point]), float(rate)
+
+
+def _compared(
+    pair: Race, contact: Contact, solution: NumericalFilm, *, inner_speed: float, tolerance: float
+) -> RaceFilm:
+    """The formulas beside a solution of the same contact."""
+    problem = solution.contact
+    (a, b), (rolling, transverse) = problem.semi_axes, problem.shape.radii
+    smooth = RollingContact(
+        load=contact.load,
+        semi_axis_rolling=a,
+        semi_axis_transverse=b,
+        curvature_rolling=1 / rolling,
+        curvature_transverse=1 / transverse,
+        modulus=problem.modulus,
+        deformed_radius=deformed_radius(groove_radius=contact.groove_radius, ball_diameter=2 * contact.ball_radius),
+        rolling_rate=1.0,
+    )
+    inflow = {
+        "entrainment_speed": problem.speed,
+        "viscosity": problem.oil.viscosity,
+        "pressure_viscosity": problem.oil.pressure_viscosity,
+    }
+    central = float(central_film(smooth, **inflow).thickness)
+    resistance = hydrodynamic_rolling(smooth, viscosity=problem.oil.viscosity, entrainment_speed=problem.speed)
+    force = float(resistance.force)
+
+    def beside(formula: float, part: Estimate) -> FilmQuantity:
+        uncertainty = part.total * abs(part.value)
+        return FilmQuantity(formula=formula, numerical=part.value, uncertainty=uncertainty, order=part.order)
+
+    return RaceFilm(
+        pair=pair,
+        load=contact.load,
+        inner_speed=inner_speed,
+        entrainment_speed=problem.speed,
+        tolerance=tolerance,
+        central_film=beside(central, solution.central_film),
+        minimum_film=beside(central * float(minimum_ratio(smooth, **inflow)), solution.minimum_film),
+        rolling_force=beside(force, solution.rolling_force),
+        pressure_centre=beside(2 * rolling * force / contact.load, solution.pressure_centre),
+        solution=solution,
+        warnings=(OUTSIDE,) if resistance.outside_range.any() else (),
+    )
