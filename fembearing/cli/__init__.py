@@ -45,7 +45,7 @@ COMMANDS = {
     ),
     "film": Entry(
         "film",
-        "Solve the lubricated contact of a ball on a race numerically and compare the film and rolling formulas with it.",
+        "Solve the lubricated contact of a ball on a race and compare the formulas of film and rolling with it.",
         'film bearing.toml --pair inner --load "372 N" --speed "500 rpm" --tolerance "1 %"',
     ),
     "cost": Entry(

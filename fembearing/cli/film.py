@@ -34,7 +34,7 @@ def film(
     folder: Folder = None,
     as_json: AsJson = False,
 ) -> None:
-    """Solve the lubricated contact of a ball on a race numerically and compare the film and rolling formulas with it.
+    """Solve the lubricated contact of a ball on a race and compare the formulas of film and rolling with it.
 
     Exit status 0: solved to the required accuracy, whatever the formulas say; 3: not; 2: the input is at fault.
     """

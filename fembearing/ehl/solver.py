@@ -78,7 +78,7 @@ class Solution:
 
     @property
     def rolling_force(self) -> float:
-        """F1 = -1/2 of the integral of p d(gap)/dx, on each surface against its motion, N; half the domain is solved."""
+        """F1 = -1/2 of the integral of p d(gap)/dx, on each surface against its motion, N; half is solved."""
         slope = self.contact.shape.slope(self.grid.x[:, None], self.grid.y[None, :])
         return -float((self.pressure * slope * self.grid.areas).sum())
 

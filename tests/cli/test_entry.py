@@ -23,7 +23,20 @@ from analytic.scenefile.read import load_scene
 from fembearing import cli
 from fembearing.cli.options import bearing_names_like, scene_names_like
 
-COMMANDS = ("validate", "torque", "contact", "cost", "sweep", "report", "mesh", "init", "list", "schema", "warmup")
+COMMANDS = (
+    "validate",
+    "torque",
+    "contact",
+    "film",
+    "cost",
+    "sweep",
+    "report",
+    "mesh",
+    "init",
+    "list",
+    "schema",
+    "warmup",
+)
 
 
 def test_the_version_is_that_of_the_package(command) -> None:

@@ -4,7 +4,7 @@ The formulas are central film [Nijenbanning1994], minimum film [Hamrock1977] and
 sides have the same oil, the same load and the same speed, without heat of the inlet, starvation and roughness.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
@@ -167,13 +167,22 @@ def film_of(
     oil = Oil(viscosity=float(at_inlet.viscosity), pressure_viscosity=float(scene.lubricant.pressure_viscosity))
     problem = lubricated_contact(contact, oil=oil, entrainment_speed=speed * rate)
     limit = scene.tolerance if tolerance is None else tolerance
-    for number, refinement in enumerate(REFINEMENTS):
-        progress(number / len(REFINEMENTS), f"{pair}: film on three grids")
-        solution = numerical_film(problem, refinement=refinement)
-        found = (getattr(solution, name) for name in JUDGED)
-        if all(each.total <= limit for each in found):
-            break
+    solution = _accurate(
+        problem, tolerance=limit, progress=lambda share: progress(share, f"{pair}: film on three grids")
+    )
     return _compared(pair, contact, solution, inner_speed=speed, tolerance=limit)
+
+
+def _accurate(problem: LubricatedContact, *, tolerance: float, progress: Callable[[float], None]) -> NumericalFilm:
+    """The solution on the coarsest grids that reach the tolerance, or on the finest."""
+    *coarser, finest = REFINEMENTS
+    for number, refinement in enumerate(coarser):
+        progress(number / len(REFINEMENTS))
+        solution = numerical_film(problem, refinement=refinement)
+        if all(getattr(solution, name).total <= tolerance for name in JUDGED):
+            return solution
+    progress(len(coarser) / len(REFINEMENTS))
+    return numerical_film(problem, refinement=finest)
 
 
 def _heaviest(scene: Scene, race: Race) -> tuple[Contact, float, float]:
@@ -207,13 +216,12 @@ def _compared(
         deformed_radius=deformed_radius(groove_radius=contact.groove_radius, ball_diameter=2 * contact.ball_radius),
         rolling_rate=1.0,
     )
-    inflow = {
-        "entrainment_speed": problem.speed,
-        "viscosity": problem.oil.viscosity,
-        "pressure_viscosity": problem.oil.pressure_viscosity,
-    }
-    central = float(central_film(smooth, **inflow).thickness)
-    resistance = hydrodynamic_rolling(smooth, viscosity=problem.oil.viscosity, entrainment_speed=problem.speed)
+    u, viscosity, pressure_viscosity = problem.speed, problem.oil.viscosity, problem.oil.pressure_viscosity
+    central = float(
+        central_film(smooth, entrainment_speed=u, viscosity=viscosity, pressure_viscosity=pressure_viscosity).thickness
+    )
+    ratio = minimum_ratio(smooth, entrainment_speed=u, viscosity=viscosity, pressure_viscosity=pressure_viscosity)
+    resistance = hydrodynamic_rolling(smooth, viscosity=viscosity, entrainment_speed=u)
     force = float(resistance.force)
 
     def beside(formula: float, part: Estimate) -> FilmQuantity:
@@ -227,7 +235,7 @@ def _compared(
         entrainment_speed=problem.speed,
         tolerance=tolerance,
         central_film=beside(central, solution.central_film),
-        minimum_film=beside(central * float(minimum_ratio(smooth, **inflow)), solution.minimum_film),
+        minimum_film=beside(central * float(ratio), solution.minimum_film),
         rolling_force=beside(force, solution.rolling_force),
         pressure_centre=beside(2 * rolling * force / contact.load, solution.pressure_centre),
         solution=solution,
