@@ -13,7 +13,9 @@ from fembearing.ehl.oil import Oil
 from fembearing.fem.half_space import hertz_ellipse
 
 LEAST_REACH = 1.25  # semi-axes of Hertz's ellipse: with less oil the inlet lies in the contact
-MOST_PRESSURE = 5e9  # Pa, Hertz's: Roelands's law is extrapolated above 1 GPa, and has no sense where nothing is elastic
+MOST_PRESSURE = (
+    5e9  # Pa, Hertz's: Roelands's law is extrapolated above 1 GPa, and has no sense where nothing is elastic
+)
 
 
 class Shape(Protocol):

@@ -118,6 +118,4 @@ def extrapolation(values: tuple[float, ...], sizes: tuple[float, ...]) -> Estima
         held = min(max(order, LEAST_ORDER), MOST_ORDER)
         uncertain = max(uncertain, abs(fine + change / (ratio**held - 1) - limit))
     settled = bool(np.abs(change) <= np.abs(middle - coarse))
-    return Estimate(
-        values=values, order=order, richardson=limit, mesh=uncertain / abs(limit) + LEAST, settled=settled
-    )
+    return Estimate(values=values, order=order, richardson=limit, mesh=uncertain / abs(limit) + LEAST, settled=settled)

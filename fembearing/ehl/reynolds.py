@@ -180,9 +180,7 @@ def _difference(columns: int, rows: int) -> csr_array:
     count = columns * rows
     cell = np.arange(count)
     signs = np.repeat([1.0, -1.0], count)
-    return csr_array(
-        (signs, (np.tile(cell, 2), np.concatenate([cell + rows, cell]))), shape=(count, count + rows)
-    )
+    return csr_array((signs, (np.tile(cell, 2), np.concatenate([cell + rows, cell]))), shape=(count, count + rows))
 
 
 def _slope(slopes: Sides, cells: NDArray[np.intp], of: NDArray[np.intp], count: int) -> csr_array:

@@ -33,7 +33,10 @@ STEPS = 30  # of Newton's method; 4 to 8 are usual
 LEAST_GAP = 0.2  # share of the film that a step leaves
 EASY = 20.0  # M of the contact at which a solution starts
 COARSER = 1.6  # the grid before the first
-EASIER, LEAST_EASIER = 4.0, 1.1  # factor on the speed between two steps towards the contact, and the least that is tried
+EASIER, LEAST_EASIER = (
+    4.0,
+    1.1,
+)  # factor on the speed between two steps towards the contact, and the least that is tried
 INNER = 1e-3  # residual of the linear system where an older factorisation solves it
 MOST_INNER = 25  # steps for that, after which a new factorisation is cheaper
 
@@ -77,6 +80,7 @@ class Solution:
     def rolling_force(self) -> float:
         """F1 = -1/2 of the integral of p d(gap)/dx, on each surface against its motion, N."""
         slope = self.contact.shape.slope(self.grid.x[:, None], self.grid.y[None, :])
+        # The other half of the domain doubles the sum.
         return -float((self.pressure * slope * self.grid.areas).sum())
 
     @property
@@ -318,7 +322,9 @@ class _Linear:
         self.factors: tuple[Array, NDArray[np.int32]] | None = None
         self.known = np.zeros(0, dtype=np.intp)  # cells of the factorised system
 
-    def step(self, now: Balance, held: NDArray[np.bool_], fixed: Array, areas: Array, missing: float) -> tuple[Array, float]:
+    def step(
+        self, now: Balance, held: NDArray[np.bool_], fixed: Array, areas: Array, missing: float
+    ) -> tuple[Array, float]:
         """The step of pressure, (n,), and that of the approach.
 
         held : cells that take the step `fixed`;  missing : load on the half domain beside that step

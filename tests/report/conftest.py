@@ -11,12 +11,12 @@ from analytic.effects.limits import LimitNumbers
 from analytic.result import FrictionTorque, TorqueParts
 from analytic.scene import Operation
 from fembearing.fem.measure import Quantities
+from fembearing.grid_convergence import Estimate
 from fembearing.provenance import provenance_of
 from fembearing.report.document.build import report_of
 from fembearing.report.document.report import Report
 from fembearing.report.pictures.draw import Picture, draw_pictures
 from fembearing.verify.contact.discrepancy import ContactSolution
-from fembearing.grid_convergence import Estimate
 from fembearing.verify.contact.hertz import CorrectedHertz
 from fembearing.verify.cost.contact_ladder import contact_ladder_of
 from fembearing.verify.torque.change import FittedChange, TorqueChange

@@ -12,6 +12,7 @@ from rich.console import Console
 
 from analytic.scene import Scene
 from analytic.scenefile.read import load_scene, parse_scene
+from fembearing.grid_convergence import CAUTIOUS, FINEST, HALF, LEAST, UNSTEADY
 from fembearing.provenance import provenance_of
 from fembearing.quantities import RPM
 from fembearing.report.document.build import report_of
@@ -19,7 +20,6 @@ from fembearing.report.figures.page_plots import PLOTS
 from fembearing.report.pictures.draw import Picture
 from fembearing.report.terminal.validation import print_validation
 from fembearing.verify.contact.discrepancy import ContactSolution
-from fembearing.grid_convergence import CAUTIOUS, FINEST, HALF, LEAST, UNSTEADY
 from fembearing.verify.hard_record import HardRecord
 from fembearing.verify.torque.change import change_of_torque
 from fembearing.verify.torque.scene_torque import torque_of_scene

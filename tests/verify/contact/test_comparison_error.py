@@ -2,8 +2,8 @@
 
 import pytest
 
-from fembearing.verify.contact.comparison_error import Comparison, comparison_of
 from fembearing.grid_convergence import Estimate
+from fembearing.verify.contact.comparison_error import Comparison, comparison_of
 
 
 @pytest.mark.parametrize(("error", "resolved"), [(-6.9, False), (7.0, False), (-7.1, True), (12.5, True)])

@@ -11,6 +11,7 @@ from rich.console import Console
 
 from analytic.errors import InputError
 from analytic.scene import Contact
+from fembearing.grid_convergence import Estimate
 from fembearing.mesh.recipe import Recipe, load_recipe
 from fembearing.progress import silent
 from fembearing.report.document.build import contact_table
@@ -18,7 +19,6 @@ from fembearing.report.phrases import shoulder_lines
 from fembearing.report.terminal.contacts import print_contact
 from fembearing.verify.contact import discrepancy as module
 from fembearing.verify.contact.discrepancy import ContactSolution, compare_contact
-from fembearing.grid_convergence import Estimate
 from fembearing.verify.contact.hertz import hertz_quantities
 from fembearing.verify.contact.mesh_refinement import COMPARED, Reference
 from fembearing.verify.contact.reference import solve_reference
