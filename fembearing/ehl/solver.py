@@ -80,6 +80,7 @@ class Solution:
     def rolling_force(self) -> float:
         """F1 = -1/2 of the integral of p d(gap)/dx, on each surface against its motion, N; half is solved."""
         slope = self.contact.shape.slope(self.grid.x[:, None], self.grid.y[None, :])
+        # The other half of the domain doubles the sum.
         return -float((self.pressure * slope * self.grid.areas).sum())
 
     @property
