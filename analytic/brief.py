@@ -14,6 +14,7 @@ class Brief:
     """A base of dataclasses whose `repr` is one line: the name of the class, and what identifies the object."""
 
     def __init_subclass__(cls) -> None:
+        super().__init_subclass__()  # of Generic, which notes the parameters
         cls.__repr__ = Brief.__repr__  # in the class itself, so that @dataclass writes no other
 
     def _facts(self) -> Iterator[str]:

@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 
 from analytic.errors import InputError
-from analytic.scene import Bearing, Groove, Material, Origin, Scene
+from analytic.rows import NotNegative
+from analytic.scene import Bearing, Groove, Material, Scene, Status
 from analytic.units import unit_of
 
 LARGEST_SHARE = 3.0  # of a value: a standard deviation beyond it says that the value is not known
@@ -20,7 +21,9 @@ class StatedInput:
     key: str  # of the scene file, "bearing.ball_diameter"
     value: float | str | None  # a word of the scene file where it is no number; None: not known
     unit: str  # SI; "1" for a pure number, "" for a word
-    origin: Origin  # its uncertainty is a standard deviation, in the same unit
+    status: Status  # how it came about, in a word
+    uncertainty: NotNegative | None  # standard deviation, in the same unit; None: unknown
+    source: str  # in words
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -84,15 +87,12 @@ ASSUMABLE = (
 def stated_inputs(scene: Scene) -> tuple[StatedInput, ...]:
     """The inputs that have an origin: those of bearing, oil and surface, and what the scene says it assumes."""
     known = known_inputs(scene)
-    assumed = {
-        key: replace(known[key], origin=_assumed(known[key].origin, scene.assumed[key])) for key in scene.assumed
-    }
+    assumed = {key: replace(known[key], status="assumed", source=scene.assumed[key]) for key in scene.assumed}
     return tuple((_with_origin(scene) | assumed).values())
 
 
 def known_inputs(scene: Scene) -> dict[str, StatedInput]:
     """By key: the inputs with an origin, and the others that a scene may declare as assumed; these count as given."""
-    given = Origin(status="given", uncertainty=None, source="the scene")
     values: dict[str, float | str | None] = {key: uncertain_value(scene, key) for key in ASSUMABLE if key in UNCERTAIN}
     if scene.cage is not None:
         values["cage.pocket_clearance"] = scene.cage.pocket_diameter - scene.bearing.ball_diameter
@@ -100,7 +100,7 @@ def known_inputs(scene: Scene) -> dict[str, StatedInput]:
         values["cage.material"] = scene.cage.material.name
         values["cage.start"] = scene.cage.start
     others = {
-        key: StatedInput(key=key, value=value, unit=unit_of(key), origin=given)
+        key: StatedInput(key=key, value=value, unit=unit_of(key), status="given", uncertainty=None, source="the scene")
         for key, value in values.items()
         if value is not None
     }
@@ -111,16 +111,12 @@ def _with_origin(scene: Scene) -> dict[str, StatedInput]:
     tables = {name: getattr(scene, name) for name in ("bearing", "lubricant", "surface")}
     return {
         f"{name}.{key}": StatedInput(
-            key=f"{name}.{key}", value=_stated(scene, table, key), unit=unit_of(key), origin=origin
+            key=f"{name}.{key}", value=_stated(scene, table, key), unit=unit_of(key), **vars(origin)
         )
         for name, table in tables.items()
         if table is not None
         for key, origin in table.origins.items()
     }
-
-
-def _assumed(origin: Origin, source: str) -> Origin:
-    return replace(origin, status="assumed", source=source)
 
 
 def uncertain_value(scene: Scene, key: str) -> float | None:

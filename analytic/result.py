@@ -1,21 +1,22 @@
 """The result of a friction torque: its parts, contacts, effects and warnings, as arrays, JSON and named columns."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import asdict, dataclass, replace
-from typing import Any, Literal
+from dataclasses import dataclass, replace
+from typing import Any, Generic
 
 import numpy as np
 from numpy.typing import NDArray
 
 from analytic.brief import Brief, points_of, span
-from analytic.cage.torque import CAGE_KEYS, CagePart
-from analytic.effects.ledger import Effect, Effects
+from analytic.cage.torque import CagePart, CagePoint
+from analytic.effects.ledger import Effect, Effects, ShareKind
 from analytic.effects.limits import LimitNumbers
 from analytic.effects.table import CHOSEN, DECLARED, TRIED
 from analytic.errors import InputError
 from analytic.labelled import Column, Labelled, dataset_of, frame_of, html_table
 from analytic.loads.pair import PairEquilibrium
-from analytic.loads.ring_state import RingState
+from analytic.loads.ring_state import RingPoint, RingState
+from analytic.rows import NotNegative, OperatingPoint, T, row_of
 from analytic.scene import ArrangementKind, Array, Clearances, Scene, Sliding
 from analytic.words import NEWTON_MILLIMETRE, RPM
 
@@ -64,45 +65,104 @@ COLUMNS: dict[str, Column] = {
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class TorqueParts(Brief):
-    """N m, each (n,); None where a part was left out or is not modelled."""
+class TorqueParts(Brief, Generic[T]):
+    """N m, each (n,), or at one operating point; None where a part was left out or is not modelled."""
 
-    total: Array  # the sum of what was computed and declared
-    race: Array  # spin + conformity + hysteresis + rolling, as far as computed
-    spin: Array | None
-    conformity: Array | None
-    hysteresis: Array | None
-    rolling: Array | None = None
-    cage: Array | None = None  # sliding on balls and land, and drag
-    declared: Array | None = None  # seals and drag, as the scene gives them
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class FrictionCoefficients(Brief):
-    """Of each contact, (n,); None where there is no such contact, or where nothing that slides was computed."""
-
-    inner: Array | None = None  # coefficient of ball on inner race
-    outer: Array | None = None  # coefficient of ball on outer race
-    pocket: Array | None = None  # coefficient of ball on pocket
+    total: T  # the sum of what was computed and declared
+    race: T  # spin + conformity + hysteresis + rolling, as far as computed
+    spin: T | None
+    conformity: T | None
+    hysteresis: T | None
+    rolling: T | None = None
+    cage: T | None = None  # sliding on balls and land, and drag
+    declared: T | None = None  # seals and drag, as the scene gives them
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class OnRaces(Brief):
-    """A quantity of the contacts on both races, each (n,); None where it is not known."""
+class FrictionCoefficients(Brief, Generic[T]):
+    """Of each contact, (n,), or at one operating point; None: no such contact, or nothing that slides was computed."""
 
-    inner: Array | None = None  # on the inner race, in the unit of the quantity
-    outer: Array | None = None  # on the outer race, in the unit of the quantity
+    inner: T | None  # coefficient of ball on inner race
+    outer: T | None  # coefficient of ball on outer race
+    pocket: T | None  # coefficient of ball on pocket
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class LoadedContact(Brief):
-    """One ball on one race, each (n,)."""
+class OnRaces(Brief, Generic[T]):
+    """A quantity of the contacts on both races, each (n,), or at one operating point; None where it is not known."""
 
-    load: Array  # Q, N
-    semi_axis_rolling: Array  # a, m
-    semi_axis_transverse: Array  # b, m
-    peak_pressure: Array  # p0, Pa
-    approach: Array  # delta, m
+    inner: T  # on the inner race, in the unit of the quantity
+    outer: T  # on the outer race, in the unit of the quantity
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class LoadedContact(Brief, Generic[T]):
+    """One ball on one race, each (n,), or at one operating point."""
+
+    load: T  # Q, N
+    semi_axis_rolling: T  # a, m
+    semi_axis_transverse: T  # b, m
+    peak_pressure: T  # p0, Pa
+    approach: T  # delta, m
+
+
+@dataclass(frozen=True, kw_only=True)
+class TorqueUncertainty:
+    """Of the total at one operating point, relative; None where it is not known."""
+
+    numerical: NotNegative | None
+    model: NotNegative | None  # 95 %
+    model_parts: dict[str, NotNegative] | None  # of the model's, by the formula that is varied
+
+
+@dataclass(frozen=True, kw_only=True)
+class TorquePoint(OperatingPoint):
+    """The torque at one operating point."""
+
+    contact_angle: float  # rad
+    torque: TorqueParts[float]
+    friction_coefficient: FrictionCoefficients[float]
+    film: OnRaces[float | None]  # m
+    asperity_share: OnRaces[float | None]
+    boundary_share: OnRaces[float | None]
+    contact: OnRaces[LoadedContact[NotNegative]]  # the heaviest ball
+    uncertainty: TorqueUncertainty
+    cage: CagePoint
+    ring: RingPoint | None  # None for a pair
+
+
+@dataclass(frozen=True, kw_only=True)
+class BearingOfPair:
+    """One bearing of a pair at one operating point, in its own frame."""
+
+    axial_load: float  # N
+    radial_load: float  # N
+    moment: float  # N m
+    ball_load: float  # of its heaviest, N
+    is_pressed: bool  # whether its inner ring presses
+    is_relieved: bool  # whether the loads leave its balls room
+    torque: float  # N m
+
+
+@dataclass(frozen=True, kw_only=True)
+class PairPoint:
+    """A pair at one operating point."""
+
+    displacement: float  # of the shaft along its axis, m
+    tilt: float  # rad
+    stiffness: float  # axial, N/m
+    bearings: tuple[BearingOfPair, BearingOfPair]
+
+
+@dataclass(frozen=True, kw_only=True)
+class PairRows:
+    """A pair with a row for each operating point."""
+
+    kind: ArrangementKind
+    preload: float  # at standstill, N
+    offset: float  # closed by it, m
+    distance: float  # of the middles, m
+    points: tuple[PairPoint, ...]
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -115,27 +175,36 @@ class PairPart(Brief):
     points: tuple[NDArray[np.intp], NDArray[np.intp]]  # numbers of the points at which each inner ring presses
     total: Array  # (2, n) torque of each bearing, N m
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain types, SI; loads in each bearing's own frame."""
-        shared = ("preload", "offset", "distance")
-        return {
-            "kind": self.kind,
-            **{name: getattr(self.equilibrium, name) for name in shared},
-            "points": [self._point(index) for index in range(self.total.shape[1])],
-        }
+    @property
+    def rows(self) -> PairRows:
+        """The pair with a row for each operating point; loads in each bearing's own frame."""
+        found = self.equilibrium
+        return PairRows(
+            kind=self.kind,
+            preload=found.preload,
+            offset=found.offset,
+            distance=found.distance,
+            points=tuple(self._point(index) for index in range(self.total.shape[1])),
+        )
 
-    def _point(self, index: int) -> dict[str, Any]:
+    def _point(self, index: int) -> PairPoint:
         found = self.equilibrium
         loads = ("axial_load", "radial_load", "moment", "ball_load")
-        return {
-            **{name: float(getattr(found, name)[index]) for name in ("displacement", "tilt", "stiffness")},
-            "bearings": [
-                {name: float(getattr(found, name)[bearing, index]) for name in loads}
-                | {name: bool(getattr(found, name)[bearing, index]) for name in ("is_pressed", "is_relieved")}
-                | {"torque": float(self.total[bearing, index])}
-                for bearing in range(2)
-            ],
-        }
+        first, second = (
+            BearingOfPair(
+                **{name: float(getattr(found, name)[bearing, index]) for name in loads},
+                is_pressed=bool(found.is_pressed[bearing, index]),
+                is_relieved=bool(found.is_relieved[bearing, index]),
+                torque=float(self.total[bearing, index]),
+            )
+            for bearing in range(2)
+        )
+        return PairPoint(
+            displacement=float(found.displacement[index]),
+            tilt=float(found.tilt[index]),
+            stiffness=float(found.stiffness[index]),
+            bearings=(first, second),
+        )
 
 
 OF_POINTS = ("torque", "friction_coefficient", "film", "asperity_share", "boundary_share", "inner", "outer")
@@ -154,16 +223,16 @@ class FrictionTorque(Brief):
     moment: Array  # N m
     contact_angle: Array  # al, loaded, the mean of both races, rad; this and what follows of the heaviest ball
     ball_load: Array  # Q, on the race where it is larger, N
-    torque: TorqueParts
+    torque: TorqueParts[Array]
     # Of the total, relative: what auto left out, the method of sliding, and what contacts past a limit or outside the
     # fit for finite geometry change; infinite where it is not known.
     numerical_uncertainty: Array
-    friction_coefficient: FrictionCoefficients
-    film: OnRaces  # h, mean gap that the oil fills, m; None without a lubrication model
-    asperity_share: OnRaces  # s, of the load, 0 to 1; likewise
-    boundary_share: OnRaces  # s_b, of the load: s, and the part of the oil that is only a molecule thick; likewise
-    inner: LoadedContact
-    outer: LoadedContact
+    friction_coefficient: FrictionCoefficients[Array]
+    film: OnRaces[Array | None]  # h, mean gap that the oil fills, m; None without a lubrication model
+    asperity_share: OnRaces[Array | None]  # s, of the load, 0 to 1; likewise
+    boundary_share: OnRaces[Array | None]  # s_b: s, and the part of the oil that is only a molecule thick; likewise
+    inner: LoadedContact[Array]
+    outer: LoadedContact[Array]
     limits: LimitNumbers  # of the worst ball of all
     effects: Effects
     sliding: Sliding  # the method that integrated it; auto: nothing slides
@@ -230,27 +299,22 @@ class FrictionTorque(Brief):
         """
         return self.effects.decisions.get(name) == "on"
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain Python numbers, texts, lists and dicts, all SI; None where a part was left out or is not modelled."""
-        return {
-            "points": [self._point(index) for index in range(self.inner_speed.size)],
-            "gap_roughness": self.gap_roughness,
-            "clearances": None if self.clearances is None else asdict(self.clearances),
-            "pair": None if self.pair is None else self.pair.to_json(),
-            "effects": self.effects_to_json(),
-            "warnings": list(self.warnings),
-            "unknown": list(self.unknown),
-            "provenance": dict(self.provenance),
-            "seconds": self.seconds,
-        }
+    @property
+    def rows(self) -> tuple[TorquePoint, ...]:
+        """A row for each operating point."""
+        return tuple(self.row(index) for index in range(self.inner_speed.size))
 
-    def effects_to_json(self) -> list[dict[str, Any]]:
+    @property
+    def shares(self) -> tuple[Effect, ...]:
         """Each effect, and what its share is: of its own part, by trial, a bound, unbounded or unknown (both None)."""
-        return [
-            asdict(effect)
-            | {"share": None if effect.share is None else _finite(effect.share), "share_is": self._kind_of(effect)}
+        return tuple(
+            replace(
+                effect,
+                share=None if effect.share is None else _finite(effect.share),
+                share_is=self._kind_of(effect),
+            )
             for effect in self.effects
-        ]
+        )
 
     def columns(self) -> dict[str, Array]:
         """The values of COLUMNS, each (n,), SI; NaN where a part was left out or is not modelled."""
@@ -319,7 +383,7 @@ class FrictionTorque(Brief):
         more = self.inner_speed.size - shown
         return html_table(head, rows, f"friction torque, {more} more points" if more else "friction torque")
 
-    def _kind_of(self, effect: Effect) -> Literal["part", "trial", "bound", "unbounded", "unknown"]:
+    def _kind_of(self, effect: Effect) -> ShareKind:
         if effect.share is None:
             return "unknown"
         if not np.isfinite(effect.share):
@@ -329,29 +393,37 @@ class FrictionTorque(Brief):
         by_trial = effect.decision == "on" or "the scene says off" in effect.reason
         return "trial" if by_trial and effect.name in TRIED else "bound"
 
-    def _point(self, index: int) -> dict[str, Any]:
-        def here(group: object) -> dict[str, float | None]:
-            return {name: None if values is None else float(values[index]) for name, values in vars(group).items()}
+    def row(self, point: int) -> TorquePoint:
+        """One operating point.
 
-        model = None if self.model_uncertainty is None else float(self.model_uncertainty[index])
-        parts = None if self.model_parts is None else {n: float(part[index]) for n, part in self.model_parts.items()}
-        return {
-            **{name: float(getattr(self, name)[index]) for name in COORDINATES},
-            "contact_angle": float(self.contact_angle[index]),
-            "torque": here(self.torque),
-            "friction_coefficient": here(self.friction_coefficient),
-            "film": here(self.film),
-            "asperity_share": here(self.asperity_share),
-            "boundary_share": here(self.boundary_share),
-            "contact": {"inner": here(self.inner), "outer": here(self.outer)},
-            "uncertainty": {
-                "numerical": _finite(self.numerical_uncertainty[index]),
-                "model": model,
-                "model_parts": parts,
-            },
-            "cage": dict.fromkeys(CAGE_KEYS) if self.cage is None else self.cage.at(index),
-            "ring": None if self.ring is None else self.ring.to_json(index),
-        }
+        Parameters
+        ----------
+        point : int
+            Its number, from 0.
+
+        Returns
+        -------
+        TorquePoint
+            SI; None where a part was left out or is not modelled.
+        """
+        model, parts = self.model_uncertainty, self.model_parts
+        return TorquePoint(
+            **{name: float(getattr(self, name)[point]) for name in COORDINATES},
+            contact_angle=float(self.contact_angle[point]),
+            torque=row_of(self.torque, point),
+            friction_coefficient=row_of(self.friction_coefficient, point),
+            film=row_of(self.film, point),
+            asperity_share=row_of(self.asperity_share, point),
+            boundary_share=row_of(self.boundary_share, point),
+            contact=OnRaces(inner=row_of(self.inner, point), outer=row_of(self.outer, point)),
+            uncertainty=TorqueUncertainty(
+                numerical=_finite(self.numerical_uncertainty[point]),
+                model=None if model is None else float(model[point]),
+                model_parts=None if parts is None else {name: float(part[point]) for name, part in parts.items()},
+            ),
+            cage=CagePoint() if self.cage is None else self.cage.row(point),
+            ring=None if self.ring is None else self.ring.row(point),
+        )
 
 
 def require_numbers(result: FrictionTorque) -> FrictionTorque:

@@ -279,12 +279,12 @@ def _sliding_words(races: RaceTorque) -> str:
     return races.method if races.computed == count else f"{races.method} at {races.computed} of {count} points"
 
 
-def _on_races(balls: Records, name: str, is_known: bool) -> dict[str, Array]:
-    """A field of balls, (n,), on inner and outer race."""
-    return {race: balls[name][:, index].copy() for index, race in enumerate(RACES)} if is_known else {}
+def _on_races(balls: Records, name: str, is_known: bool) -> dict[str, Array | None]:
+    """A field of balls, (n,), on inner and outer race; None where it is not known."""
+    return {race: balls[name][:, index].copy() if is_known else None for index, race in enumerate(RACES)}
 
 
-def _loaded(balls: Records, race: int) -> LoadedContact:
+def _loaded(balls: Records, race: int) -> LoadedContact[Array]:
     names = ("load", "semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")
     return LoadedContact(**{name: balls[name][:, race].copy() for name in names})
 

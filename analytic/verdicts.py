@@ -5,16 +5,18 @@ yields. What the scene does not have, as a cage or oil, is not checked, and does
 """
 
 from collections.abc import Iterator
-from dataclasses import asdict, dataclass
-from typing import Any, Literal
+from dataclasses import dataclass
+from typing import Annotated, Any, Literal
 
 import numpy as np
+from annotated_types import Ge
 from numpy.typing import ArrayLike
 
 from analytic.cage.drive import LARGEST_GRIP
 from analytic.contact.geometry import RACES, USUAL_SHOULDERS
 from analytic.effects.table import MOST_CUT, STATIC_LIMIT
 from analytic.result import FrictionTorque
+from analytic.rows import NotNegative, Positive
 from analytic.scene import Array
 
 MOST_FRICTION = 1.0  # of what friction can hold at most: beyond, the surfaces slide
@@ -51,7 +53,7 @@ class PhysicalCheck:
 
     name: Literal["peak_pressure", "shoulder", "sliding", "gyroscopic_hold", "cage_force"]  # see `physical_checks`
     where: Literal["inner race", "outer race", "ball", "cage"]  # what it is of
-    point: int  # number of the operating point, from 0
+    point: Annotated[int, Ge(0)]  # number of the operating point, from 0
     value: float | None  # in the unit of the limit; None: infinite or not known
     limit: float  # Pa, or a share
     unit: Literal["Pa", "1"]  # of value and limit
@@ -63,17 +65,10 @@ class PhysicalCheck:
 class NumericalCheck:
     """The numerical uncertainty of the torque against the tolerance, both relative, at the worst operating point."""
 
-    uncertainty: float | None  # None: not known
-    tolerance: float
+    verdict: Literal["pass", "not reached"]
+    uncertainty: NotNegative | None  # None: not known
+    tolerance: Positive
     reason: str  # why it is not known; empty: it is
-
-    @property
-    def verdict(self) -> Literal["pass", "not reached"]:
-        return "pass" if self.uncertainty is not None and self.uncertainty <= self.tolerance else "not reached"
-
-    def to_json(self) -> dict[str, Any]:
-        """The verdict with its numbers, as plain types."""
-        return {"verdict": self.verdict} | asdict(self)
 
 
 def numerical_check(friction: FrictionTorque, *, tolerance: float) -> NumericalCheck:
@@ -81,6 +76,7 @@ def numerical_check(friction: FrictionTorque, *, tolerance: float) -> NumericalC
     worst = float(np.max(friction.numerical_uncertainty, initial=0.0))
     is_known = bool(np.isfinite(worst))
     return NumericalCheck(
+        verdict="pass" if worst <= tolerance else "not reached",
         uncertainty=worst if is_known else None,
         tolerance=tolerance,
         reason="" if is_known else "; ".join(friction.unknown),

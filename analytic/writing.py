@@ -1,7 +1,8 @@
 """Files and folders that appear whole or not at all: the one place through which anything is written.
 
-What is being made has a hidden name, `.fembearing-MACHINE-PROCESS-START-NUMBER`, until it is whole. The name says which
-process makes it, so that a later run removes what a killed one left (`remove_leftovers`).
+What is being made lies in a hidden folder, `.fembearing-TOKEN`, until it is whole. The process that makes it holds a
+lock on that folder, which the system ends with the process, so that a later run removes what a killed one left
+(`remove_leftovers`).
 
 Every write has named steps, and `at_step` is called at each: "make" before a hidden file or folder is made, "write" and
 "written" around the content of a file, "rename" and "renamed" around taking the final name, "remove" before something
@@ -10,30 +11,27 @@ OSError that it raises is what the system would have said.
 """
 
 import errno
-import hashlib
 import os
-import re
 import shutil
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
-from functools import cache
-from itertools import count
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
+from secrets import token_hex
 from typing import Literal
 
 from analytic.errors import InputError, StorageError
+
+try:
+    import fcntl
+except ImportError:  # Windows: what a killed process left stays
+    fcntl = None
 
 Step = Literal["make", "write", "written", "rename", "renamed", "remove"]
 
 FULL = {errno.ENOSPC, errno.EDQUOT}
 BROKEN = {*FULL, errno.EFBIG, errno.EIO}  # the disk's fault: another name beside it would not help
 TAKEN = {errno.EEXIST, errno.ENOTEMPTY, errno.ENOTDIR, errno.EISDIR}
-APART = re.compile(r"\.fembearing-(\w+)-(\d+)-(\d+)-\d+")
-PROCESSES = Path("/proc")  # of Linux
-START = 19  # where a process's stat has its start, counted from behind its name; its state is the first there
-DEAD = ("Z", "X")  # states of a process that has ended, and whose parent has not heard of it
-UNKNOWN = "0"  # start of a process, where the system does not say it
-_numbers = count()
+HIDDEN, BYTES = ".fembearing-", 8  # how the name of a hidden folder begins, and of its random end
 
 
 def at_step(step: Step, path: Path) -> None:
@@ -48,13 +46,9 @@ def new_folder(target: Path) -> Iterator[Path]:
     """
     _require_new(target)
     remove_leftovers(target.parent)
-    apart = _made(target, lambda path: path.mkdir(mode=0o700))
-    try:
+    with _apart(target, make=Path.mkdir) as apart:
         yield apart
-        apart.chmod(0o777 & ~_umask())
         _take_name(target, apart.rename)
-    finally:
-        _remove(apart)
 
 
 @contextmanager
@@ -65,15 +59,11 @@ def new_file(target: Path) -> Iterator[Path]:
     """
     _require_new(target)
     remove_leftovers(target.parent)
-    apart = _made(target, lambda path: path.touch(mode=0o600, exist_ok=False))
-    try:
+    with _apart(target) as apart:
         with being_written(apart, named=target):
             yield apart
-        apart.chmod(0o666 & ~_umask())
         _require_new(target)  # somebody may have made it meanwhile
         _take_name(target, apart.rename)
-    finally:
-        _remove(apart)
 
 
 @contextmanager
@@ -84,26 +74,38 @@ def replaced_file(target: Path, *, besides: str = "") -> Iterator[Path]:
     Raises InputError where it cannot be made, StorageError for a full disk. What killed processes left stays until
     `remove_leftovers`.
     """
-    apart = _made(target, lambda path: path.touch(exist_ok=False))
-    try:
+    with _apart(target) as apart:
         with being_written(apart, named=target, besides=besides):
             yield apart
         _take_name(target, apart.replace, besides)
-    finally:
-        _remove(apart)
+
+
+@contextmanager
+def _apart(target: Path, make: Callable[[Path], None] = Path.touch) -> Iterator[Path]:
+    """What will be the target, in a hidden folder beside it."""
+    with ExitStack() as stack:
+        try:
+            apart = stack.enter_context(scratch_folder(target.parent)) / target.name
+            make(apart)
+        except OSError as problem:
+            if problem.errno in BROKEN:
+                raise StorageError(_unwritten(str(target), problem)) from problem
+            raise InputError(
+                f"{_place(target)} cannot be made in {str(target.parent)!r}: {problem.strerror}; give a name in a "
+                "folder that you may write"
+            ) from problem
+        yield apart
 
 
 @contextmanager
 def scratch_folder(parent: Path) -> Iterator[Path]:
     """A hidden folder for files of a moment. Raises OSError where it cannot be made."""
-    apart = parent / _name_apart()
-    remove_leftovers(parent)
-    at_step("make", apart)
-    apart.mkdir(mode=0o700)
+    apart, lock = _held_folder(parent)
     try:
         yield apart
     finally:
         _remove(apart)
+        os.close(lock)
 
 
 @contextmanager
@@ -143,40 +145,48 @@ def require_utf8(target: Path) -> None:
 
 
 def remove_leftovers(folder: Path) -> None:
-    """Remove what dead processes of this machine were making in a folder; what cannot be removed stays.
-
-    Only Linux says of a process when it started; elsewhere nothing is removed.
-    """
+    """Remove what dead processes were making in a folder; what cannot be removed stays."""
+    if fcntl is None:
+        return
     with suppress(OSError):
-        for path in folder.iterdir():
-            named = APART.fullmatch(path.name)
-            if named and named[1] == _machine() and _start_of(int(named[2])) not in (named[3], UNKNOWN):
-                _remove(path)
+        for apart in folder.glob(HIDDEN + "[0-9a-f]" * 2 * BYTES):
+            with suppress(OSError):
+                lock = os.open(apart, os.O_RDONLY)
+                try:
+                    fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)  # an error where a process lives that holds it
+                    _remove(apart)
+                finally:
+                    os.close(lock)
+
+
+def _held_folder(parent: Path) -> tuple[Path, int]:
+    """A new hidden folder, and the open file that holds its lock."""
+    while True:
+        apart = _hidden(parent)
+        at_step("make", apart)
+        apart.mkdir(mode=0o700)
+        if fcntl is None:
+            return apart, os.open(os.devnull, os.O_RDONLY)
+        with suppress(FileNotFoundError):  # another process took it for a leftover before it had a lock
+            lock = os.open(apart, os.O_RDONLY)
+            with suppress(OSError):  # of a file system without locks, where nobody removes what another one left
+                fcntl.flock(lock, fcntl.LOCK_EX)
+            if apart.exists():
+                return apart, lock
+            os.close(lock)
+
+
+def _hidden(parent: Path) -> Path:
+    return parent / f"{HIDDEN}{token_hex(BYTES)}"
 
 
 def remove_whole(folder: Path) -> None:
     """Remove a folder so that a killed process leaves all of it, or nothing that has its name."""
-    apart = folder.parent / _name_apart()
+    apart = _hidden(folder.parent)
     at_step("rename", apart)
     folder.rename(apart)
     at_step("renamed", apart)
     _remove(apart)
-
-
-def _made(target: Path, make: Callable[[Path], None]) -> Path:
-    """A new hidden file or folder in the folder of the target."""
-    apart = target.parent / _name_apart()
-    try:
-        at_step("make", apart)
-        make(apart)
-    except OSError as problem:
-        if problem.errno in BROKEN:
-            raise StorageError(_unwritten(str(target), problem)) from problem
-        raise InputError(
-            f"{_place(target)} cannot be made in {str(target.parent)!r}: {problem.strerror}; give a name in a folder "
-            "that you may write"
-        ) from problem
-    return apart
 
 
 def _take_name(target: Path, rename: Callable[[Path], object], besides: str = "") -> None:
@@ -226,36 +236,3 @@ def _require_new(target: Path) -> None:
 
 def _place(target: Path) -> str:
     return f"--out {str(target)!r}"
-
-
-def _name_apart() -> str:
-    """A hidden name that no other process gives, and this one not again."""
-    return f".fembearing-{_machine()}-{os.getpid()}-{_start_of(os.getpid())}-{next(_numbers)}"
-
-
-def _start_of(process: int) -> str | None:
-    """When a process started, in ticks of this system; None: there is none; `UNKNOWN`: the system does not say."""
-    try:
-        stat = (PROCESSES / str(process) / "stat").read_text("utf-8", "replace")
-    except OSError:
-        return None if (PROCESSES / "self" / "stat").exists() else UNKNOWN
-    state = stat.rpartition(")")[2].split()
-    return None if state[0] in DEAD else state[START]
-
-
-@cache
-def _machine() -> str:
-    """What tells processes of the same number apart: the machine since its start, and the container."""
-    try:
-        boot = (PROCESSES / "sys/kernel/random/boot_id").read_text("utf-8")
-        known = boot + os.readlink(PROCESSES / "self/ns/pid")
-    except OSError:
-        known = ""
-    return hashlib.sha256(known.encode()).hexdigest()[:8]
-
-
-def _umask() -> int:
-    """The mask of this process: the system gives it only when it is set."""
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask

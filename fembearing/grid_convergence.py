@@ -6,9 +6,10 @@ the index; [Celik2008] for the observed order at unequal ratios. The formulas ar
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
+
+from analytic.rows import NotNegative
 
 # Chosen on random contacts whose exact answer is Hertz: seeds 0 to 59, 1000 to 1099, 5000 to 5019 and 7000 to 7099 of
 # validation/benchmarks/intervals.py, which tests them on others.
@@ -31,12 +32,13 @@ class Estimate:
     values: tuple[float, ...]  # coarse to fine, in the unit of the quantity
     order: float | None  # observed; None where the values are not monotonic or diverge
     richardson: float | None  # extrapolated, from `corrected` where given; None where the order is not reliable
-    mesh: float  # relative, from the meshes
+    mesh: NotNegative  # relative, from the meshes
     settled: bool = True  # whether the meshes converge
-    index: float | None = None  # Roache's grid-convergence index, relative: shown with `mesh`, part of no interval
+    # Roache's, relative: shown with `mesh`, part of no interval.
+    grid_convergence_index: float | None = None
     beyond: float = 0.0  # share by which what lies outside the meshed block raises the value
     sides: float = 0.0  # share by which the true shoulders and lands raise the value, where a symmetric part is meshed
-    domain: float = 0.0  # relative, from the size of the meshed region and from the sides
+    domain: NotNegative = 0.0  # relative, from the size of the meshed region and from the sides
     corrected: tuple[float, ...] = ()  # `values` without the error that a twin shows, in their unit; empty without twin
 
     @property
@@ -59,20 +61,6 @@ class Estimate:
     def total(self) -> float:
         """The sum of mesh and domain uncertainty, relative, as they may depend on each other."""
         return self.mesh + self.domain
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain types: values in the unit of the quantity, uncertainties relative."""
-        return {
-            "values": list(self.values),
-            "order": self.order,
-            "grid_convergence_index": self.index,
-            "richardson": self.richardson,
-            "corrected": list(self.corrected),
-            "mesh": self.mesh,
-            "beyond": self.beyond,
-            "sides": self.sides,
-            "domain": self.domain,
-        }
 
 
 def estimate(
@@ -115,7 +103,7 @@ def estimate(
         richardson=richardson,
         mesh=uncertainty / abs(fine) + FINEST,
         settled=settled,
-        index=index,
+        grid_convergence_index=index,
     )
 
 

@@ -6,6 +6,7 @@ import os
 import platform
 import sys
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from datetime import UTC, datetime
 from importlib.metadata import PackageNotFoundError, version
 from types import MappingProxyType
@@ -44,7 +45,24 @@ ORIGIN = ("date", "command", "python", "platform", "processor", "cores", "versio
 VARYING = frozenset((*TIMES, *MEMORY, *ORIGIN))
 
 
-def provenance_of(scene: Scene, *, seeds: Mapping[str, Sequence[int]] = MappingProxyType({})) -> dict[str, Any]:
+@dataclass(frozen=True, kw_only=True)
+class Provenance:
+    """Where the numbers of a result come from."""
+
+    scene: str  # its name
+    scene_content: dict[str, Any]  # whole, SI
+    scene_sha256: str
+    seeds: dict[str, list[int]]  # of each random quantity, by its name
+    date: str
+    command: list[str]
+    python: str
+    platform: str
+    processor: str
+    cores: int | None
+    versions: dict[str, str | None]  # of packages; None: not installed
+
+
+def provenance_of(scene: Scene, *, seeds: Mapping[str, Sequence[int]] = MappingProxyType({})) -> Provenance:
     """The whole scene in SI and its hash; date, command, machine, and the versions of the packages.
 
     What only the report says (`Scene.report`) is left out: who signs it, in which units, changes no number and no hash.
@@ -52,19 +70,19 @@ def provenance_of(scene: Scene, *, seeds: Mapping[str, Sequence[int]] = MappingP
     """
     content = plain(scene)
     del content["report"]
-    return {
-        "scene": scene.name,
-        "scene_content": content,
-        "scene_sha256": hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest(),
-        "seeds": {name: list(values) for name, values in seeds.items()},
-        "date": datetime.now(UTC).isoformat(timespec="seconds"),
-        "command": sys.argv,
-        "python": platform.python_version(),
-        "platform": platform.platform(),
-        "processor": platform.machine(),
-        "cores": os.cpu_count(),
-        "versions": {package: _version(package) for package in PACKAGES},
-    }
+    return Provenance(
+        scene=scene.name,
+        scene_content=content,
+        scene_sha256=hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest(),
+        seeds={name: list(values) for name, values in seeds.items()},
+        date=datetime.now(UTC).isoformat(timespec="seconds"),
+        command=sys.argv,
+        python=platform.python_version(),
+        platform=platform.platform(),
+        processor=platform.machine(),
+        cores=os.cpu_count(),
+        versions={package: _version(package) for package in PACKAGES},
+    )
 
 
 def repeatable(content: Any) -> Any:

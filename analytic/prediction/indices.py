@@ -4,30 +4,18 @@ SciPy's estimator [Saltelli2010] takes the regression in place of the torque, so
 The jackknife repeats them without each group of samples.
 """
 
-from dataclasses import dataclass
-
 import numpy as np
 from scipy.stats import norm, sobol_indices
 
-from analytic.brief import Brief
 from analytic.prediction.regression import GROUPS, Regression
+from analytic.prediction.rows import SobolIndices
 from analytic.scene import Array
 
 POINTS = 2**10  # base points; the regression is evaluated at (d + 2) times as many
 SEED = 2
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class SobolIndices(Brief):
-    """Of the total at n operating points, for d inputs: each (d, n)."""
-
-    first: Array  # share of the variance by the input alone
-    total: Array  # share with its products with others
-    first_error: Array  # standard error, a share
-    total_error: Array  # standard error, a share
-
-
-def indices_of(regression: Regression, scores: Array, values: Array) -> SobolIndices:
+def indices_of(regression: Regression, scores: Array, values: Array) -> SobolIndices[Array]:
     """The indices of the quantities of a regression, in the variance that it explains.
 
     scores, values : of the samples, (N, d) and (N, n), which it was fitted to

@@ -5,14 +5,12 @@ The share of values below q is that of the regression, plus the mean over the sa
 left-out predictions differ by. So the interval does not rest on the regression being right; a good one makes it exact.
 """
 
-from dataclasses import dataclass
-
 import numpy as np
 from scipy.special import ndtri
 from scipy.stats import qmc
 
-from analytic.brief import Brief
 from analytic.prediction.regression import Regression
+from analytic.prediction.rows import Interval
 from analytic.scene import Array
 
 COVERED = 0.95
@@ -20,23 +18,6 @@ ENDS = ((1 - COVERED) / 2, (1 + COVERED) / 2)
 POINTS = 2**13  # of the regression
 STEP = 0.01  # in probability, for the density at an end
 SEED = 1  # of the regression's points, the same for every scene
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Interval(Brief):
-    """Of one quantity at n operating points, each (n,), N m."""
-
-    low: Array  # 2.5 % of the values lie below
-    median: Array
-    high: Array  # 2.5 % lie above
-    low_error: Array  # standard error
-    high_error: Array
-
-    @property
-    def largest_error(self) -> float:
-        """The standard error of an end over that end, relative, the largest of all; 0 where an end is 0."""
-        ends = ((self.low_error, self.low), (self.high_error, self.high))
-        return float(np.max([np.divide(e, np.abs(v), out=np.zeros_like(e), where=v != 0) for e, v in ends]))
 
 
 def least_samples(inputs: int) -> int:
@@ -49,7 +30,7 @@ def normal_points(inputs: int) -> Array:
     return ndtri(qmc.Sobol(inputs, rng=np.random.default_rng(SEED)).random(POINTS))
 
 
-def interval_of(regression: Regression, scores: Array, values: Array) -> Interval:
+def interval_of(regression: Regression, scores: Array, values: Array) -> Interval[Array]:
     """The interval of the quantities of a regression.
 
     scores : normal_points;  values : (N, n) samples that the regression was fitted to

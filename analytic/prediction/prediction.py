@@ -1,7 +1,7 @@
 """A friction torque with its 95 % interval: what it is made of, and which inputs make it."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from math import ceil
 from time import perf_counter
 from types import MappingProxyType
@@ -14,19 +14,20 @@ from analytic.brief import Brief, span
 from analytic.errors import InputError
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.prediction.evaluation import Problem, problem_of
-from analytic.prediction.indices import SobolIndices, indices_of
+from analytic.prediction.indices import indices_of
 from analytic.prediction.interval import (
     COVERED,
     ENDS,
-    Interval,
     interval_of,
     least_samples,
     normal_points,
 )
 from analytic.prediction.regression import Regression, regression_of
+from analytic.prediction.rows import Interval, PredictedPoint, PredictionRows, SobolIndices, largest_error
 from analytic.prediction.sampling import Progress, sampled, silent
 from analytic.prediction.spreads import NUMERICAL, UncertainInput, uncertain_inputs
 from analytic.result import COORDINATES, POINT, FrictionTorque
+from analytic.rows import row_of
 from analytic.scene import Array, Scene
 from analytic.scenefile.by_name import with_tolerance
 from analytic.scenefile.text import shown
@@ -58,12 +59,12 @@ class Prediction(Brief):
 
     nominal: FrictionTorque  # with the inputs as they are
     inputs: tuple[UncertainInput, ...]  # d of them, "numerical" the last one where it is known and not 0
-    total: Interval
-    parts: Mapping[str, Interval]  # by the parts of the torque, as far as they are computed
+    total: Interval[Array]
+    parts: Mapping[str, Interval[Array]]  # by the parts of the torque, as far as they are computed
     # Each (2, n), N m: the interval of the total if nothing else were uncertain. By numerical, input, model, and each
     # formula, "model.film"; they do not add up to the whole.
     made_of: Mapping[str, Array]
-    indices: SobolIndices
+    indices: SobolIndices[Array]
     explained: Array  # (n,) share of the variance of the total that the regression predicts for samples left out
     samples: int  # number that was drawn
     failed: int  # number of them without a torque
@@ -91,20 +92,15 @@ class Prediction(Brief):
         words = ("the numerical uncertainty of the torque, which is not known",) if unknown else ()
         return (*words, *NOT_VARIED)
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain types, SI."""
-        return {
-            "covered": COVERED,
-            "points": [self._point(point) for point in range(self.total.low.size)],
-            "inputs": [asdict(each) | {"kind": each.kind} for each in self.inputs],
-            "not_varied": list(self.not_varied),
-            "samples": self.samples,
-            "failed": self.failed,
-            "reasons": list(self.reasons),
-            "seed": self.seed,
-            "seconds": self.seconds,
-            "evaluation_seconds": self.evaluation_seconds,
-        }
+    @property
+    def rows(self) -> PredictionRows:
+        """The prediction with a row for each operating point."""
+        shared = ("inputs", "not_varied", "samples", "failed", "reasons", "seed", "seconds", "evaluation_seconds")
+        return PredictionRows(
+            covered=COVERED,
+            points=tuple(self._point(point) for point in range(self.total.low.size)),
+            **{name: getattr(self, name) for name in shared},
+        )
 
     def to_dataset(self) -> Any:
         """An xarray.Dataset over operating points and inputs, SI, with units and meanings as attributes."""
@@ -138,17 +134,17 @@ class Prediction(Brief):
         """A pandas.DataFrame of the intervals: a row for each operating point, SI. Inputs stand in `to_dataset`."""
         return frame_of(self.to_dataset(), POINT)
 
-    def _point(self, point: int) -> dict[str, Any]:
-        indices = {name: [float(each) for each in values[:, point]] for name, values in vars(self.indices).items()}
-        return {
+    def _point(self, point: int) -> PredictedPoint:
+        indices = {name: tuple(map(float, values[:, point])) for name, values in vars(self.indices).items()}
+        return PredictedPoint(
             **{name: float(getattr(self.nominal, name)[point]) for name in COORDINATES},
-            "nominal": float(self.nominal.torque.total[point]),
-            "total": _interval_at(self.total, point),
-            "parts": {name: _interval_at(part, point) for name, part in self.parts.items()},
-            "made_of": {name: [float(ends[0, point]), float(ends[1, point])] for name, ends in self.made_of.items()},
-            "indices": indices,
-            "explained": float(self.explained[point]),
-        }
+            nominal=float(self.nominal.torque.total[point]),
+            total=row_of(self.total, point),
+            parts={name: row_of(part, point) for name, part in self.parts.items()},
+            made_of={name: (float(ends[0, point]), float(ends[1, point])) for name, ends in self.made_of.items()},
+            indices=SobolIndices(**indices),
+            explained=float(self.explained[point]),
+        )
 
 
 def predict(
@@ -207,7 +203,7 @@ def predict(
     found = sampled(problem, count=first, seed=(seed, 0), workers=workers, progress=progress)
     while samples is None and found.count < MOST_SAMPLES:
         totals = found.torque[:, 0]
-        error = interval_of(regression_of(found.scores, totals), scores, totals).largest_error
+        error = largest_error(interval_of(regression_of(found.scores, totals), scores, totals))
         if error <= ENOUGH:
             break
         # The error falls with the root of the number; a tenth more, so that the next round is the last one.
@@ -237,7 +233,7 @@ def predict(
     )
 
 
-def predicted_interval(scene: Scene, nominal: FrictionTorque, *, samples: int) -> Interval:
+def predicted_interval(scene: Scene, nominal: FrictionTorque, *, samples: int) -> Interval[Array]:
     """The interval of the total alone, computed in this process; nominal, errors : as in `predict`."""
     problem = _problem(scene, nominal, samples)
     found = sampled(problem, count=samples, seed=(SEED, 0), workers=1, progress=silent)
@@ -284,7 +280,3 @@ def _made_of(regression: Regression, scores: Array, problem: Problem, nominal: A
         values = regression.at(np.where(varies, scores, 0.0))
         ends[name] = np.quantile(values, ENDS, axis=0) + missed
     return ends
-
-
-def _interval_at(interval: Interval, point: int) -> dict[str, float]:
-    return {name: float(values[point]) for name, values in vars(interval).items()}

@@ -44,7 +44,7 @@ class Settled:
     start: FreeStart | None  # how free balls settled; None: they turn by rule
 
 
-def settled_parts(scene: Scene, variation: Variation, start: FreeStart | None = None) -> TorqueParts | None:
+def settled_parts(scene: Scene, variation: Variation, start: FreeStart | None = None) -> TorqueParts[Array] | None:
     """The torque at the operating points of the scene; each part (n,), N m.
 
     scene : with its effects "on" or "off", and its method of sliding;  variation : of the formulas

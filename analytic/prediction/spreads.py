@@ -10,6 +10,7 @@ from analytic.errors import InputError
 from analytic.inputs import UNCERTAIN, checked_deviation, uncertain_value
 from analytic.oil.film import FORMULA_UNCERTAINTY
 from analytic.oil.variation import ROLLING_SPREAD, SURFACE_SPREAD
+from analytic.rows import Positive
 from analytic.scene import Array, Origin, Scene
 
 
@@ -66,18 +67,14 @@ class UncertainInput:
     """One input that a prediction varies, SI."""
 
     key: str  # of `analytic.inputs.UNCERTAIN`; "numerical" of the numerical uncertainty
+    kind: Literal["numerical", "input", "model"]  # which of the three parts of the interval it belongs to
     value: float  # nominal, SI
     unit: str  # "" for a pure number
-    deviation: float  # standard deviation, in the unit of the value, or of its logarithm: see `analytic.inputs.Varied`
+    deviation: (
+        Positive  # standard deviation, in the unit of the value, or of its logarithm: see `analytic.inputs.Varied`
+    )
     source: str  # of the deviation
     floor: float | None = 0.0  # in the unit of the value, see `analytic.inputs.Varied`
-
-    @property
-    def kind(self) -> Literal["numerical", "input", "model"]:
-        """Which of the three parts of the interval it belongs to."""
-        if self.key == NUMERICAL:
-            return "numerical"
-        return "model" if self.key.startswith("model.") else "input"
 
     def at(self, score: Array) -> Array:
         """The values of the input at some scores.
@@ -120,7 +117,13 @@ def _varying(scene: Scene) -> Iterator[UncertainInput]:
         if deviation > 0:
             checked_deviation(key, value, deviation)
             yield UncertainInput(
-                key=key, value=value, unit=varied.unit, deviation=deviation, source=source, floor=varied.floor
+                key=key,
+                kind="model" if key.startswith("model.") else "input",
+                value=value,
+                unit=varied.unit,
+                deviation=deviation,
+                source=source,
+                floor=varied.floor,
             )
 
 

@@ -15,17 +15,15 @@ from analytic.errors import InputError
 from analytic.scene import Array, Bearing, Lubricant, Material, Operation, Scene, Surface
 from analytic.scenefile.keys import scene_key
 from analytic.scenefile.material import catalog_material
-from analytic.scenefile.oil import completed_lubricant
 from analytic.scenefile.read import scene_of
 from analytic.scenefile.text import shown
-from analytic.scenefile.viscosity import OIL_VISCOSITY, GivenViscosity, ViscosityPoint
 from analytic.units import Quantity, has_unit
 
 Given = float | str | Quantity  # a number in SI, a text with a unit, or a quantity
 Series = ArrayLike | str | Sequence[str] | Quantity | Sequence[Quantity]
 # What a scene needs beside the table that is read.
 ANYTHING = {"name": "from Python", "tolerance": 0.05, "operation": {"axial_load": "1 N", "inner_speed": "0 rpm"}}
-MATERIAL = "bearing.ball_material"  # the keys of any material are the same
+BEARING = {"catalog": "paper_6205"}
 
 
 def bearing(designation: str | None = None, **dimensions: Any) -> Bearing:
@@ -54,13 +52,15 @@ def bearing(designation: str | None = None, **dimensions: Any) -> Bearing:
     UserWarning
         Makers differ, or a suffix is not understood.
     """
-    table = _with_units(dimensions, "bearing")
-    if designation is not None:
-        table["catalog"] = designation
-    scene = scene_of({**ANYTHING, "bearing": table}, origin="bearing")
+    scene = _read_table("bearing", dimensions if designation is None else {**dimensions, "catalog": designation})
     for warning in scene.warnings:
         warn(warning, stacklevel=2)
     return scene.bearing
+
+
+def _read_table(name: str, keys: Mapping[str, Any]) -> Scene:
+    """A scene with this table; the errors of a scene file, which begin with its name."""
+    return scene_of({**ANYTHING, "bearing": BEARING, name: _with_units(keys, name)}, origin=name)
 
 
 def _with_units(table: Mapping[str, Any], path: str) -> dict[str, Any]:
@@ -75,7 +75,7 @@ def _with_units(table: Mapping[str, Any], path: str) -> dict[str, Any]:
             unit = "" if dimension is None else dimension.unit
             written[key] = f"{float(value)!r} {unit}" if unit else value
         else:
-            written[key] = value
+            written[key] = [*value] if isinstance(value, tuple) else value
     return written
 
 
@@ -115,9 +115,9 @@ def _in_si(path: str, given: Series) -> Array:
     """Numbers, which are in SI already, or quantities in texts: one or a list."""
     given = _as_text(given)
     if isinstance(given, str):
-        return np.asarray(_checked(path, given))
+        return np.asarray(scene_key(path).read_as(path, given))
     if isinstance(given, list | tuple) and any(isinstance(each, str) for each in given):
-        return np.array([_checked(path, each) for each in given])
+        return np.array([scene_key(path).read_as(path, each) for each in given])
     try:
         return np.asarray(given, dtype=np.float64)
     except (TypeError, ValueError):
@@ -142,10 +142,9 @@ def surfaces(**keys: Any) -> Surface:
     InputError
         A key is unknown, missing or in conflict, or a value is out of range.
     """
-    table = _with_units(keys, "surface")
-    scene = scene_of({**ANYTHING, "bearing": {"catalog": "paper_6205"}, "surface": table}, origin="surface")
-    assert scene.surface is not None, "the document has the table"
-    return scene.surface
+    found = _read_table("surface", keys).surface
+    assert found is not None, "the document has the table"
+    return found
 
 
 def lubricant(
@@ -184,22 +183,10 @@ def lubricant(
     -----
     Sources: [ASTMD341] for the viscosity over the temperature, [Arana2019] for the stresses; see docs/oils.md.
     """
-    own = {"name": name, "temperature": temperature, **overrides}
-    given = {key: _checked(f"lubricant.{key}", value) for key, value in own.items() if value is not None}
-    if viscosity is not None:
-        given["viscosity"] = _viscosity(viscosity)
-    return completed_lubricant(given)
-
-
-def _viscosity(given: Given | Sequence[str]) -> GivenViscosity:
-    path, given = "lubricant.viscosity", _as_text(given)
-    if isinstance(given, str | list | tuple):
-        try:
-            return OIL_VISCOSITY.field_value(given if isinstance(given, str) else [*given])
-        except ValueError as problem:
-            raise InputError(f"{path} = {shown(given)} {problem}") from None
-    point = ViscosityPoint(value=_checked(path, given), is_kinematic=False, temperature=None)
-    return GivenViscosity(points=(point,), text=shown(given))
+    keys = {"name": name, "temperature": temperature, "viscosity": viscosity, **overrides}
+    found = _read_table("lubricant", {key: value for key, value in keys.items() if value is not None}).lubricant
+    assert found is not None, "the document has the table"
+    return found
 
 
 def material(name: str, **overrides: Given) -> Material:
@@ -222,34 +209,16 @@ def material(name: str, **overrides: Given) -> Material:
     InputError
         A name or key is unknown, a value is out of range, or neither gives a value.
     """
-    given = {key: _checked(f"{MATERIAL}.{key}", value) for key, value in overrides.items()}
     try:
-        entry = catalog_material(name, given)
+        entry = catalog_material(name, overrides)
     except ValueError as problem:
         raise InputError(f"material {shown(name)} {problem}") from None
-    written: dict[str, Any] = {
-        key: scene_key(f"{MATERIAL}.{key}").read(value) for key, value in entry.items() if key not in given
-    }
-    return Material(**(written | given))
-
-
-def _checked(path: str, value: object) -> Any:
-    """The value of a key in SI: of a number, which is in SI already, of a text with a unit, or a word."""
-    key, value = scene_key(path), _as_text(value)
-    unit = ""
-    try:
-        if key.dimension is None or isinstance(value, bool) or not isinstance(value, int | float):
-            return key.read(value)
-        unit = key.dimension.unit
-        return key.dimension.checked(float(value))
-    except ValueError as problem:
-        si = f" (a number is in {unit})" if unit else ""
-        raise InputError(f"{path} = {shown(value)}{si} {problem}") from None
+    return _read_table("bearing", {**BEARING, "ball_material": entry}).bearing.ball_material
 
 
 def with_tolerance(scene: Scene, tolerance: Given) -> Scene:
     """The scene with another tolerance: a number, a text as "1 %", or a quantity. Raises InputError as a scene file."""
-    return replace(scene, tolerance=_checked("tolerance", tolerance))
+    return replace(scene, tolerance=scene_key("tolerance").read_as("tolerance", _as_text(tolerance)))
 
 
 def _as_text(value: Any) -> Any:

@@ -12,19 +12,8 @@ from analytic.scenefile.text import plain, read_text
 LONGEST_NAME = 60  # characters of a designation
 # What a name ends with that is a file, among them slips of the keyboard: a point also stands in front of a suffix.
 EXTENSIONS = (
-    ".toml",
-    ".tml",
-    ".tom",
-    ".tmol",
-    ".txt",
-    ".json",
-    ".yaml",
-    ".yml",
-    ".ini",
-    ".cfg",
-    ".csv",
-    ".html",
-    ".md",
+    *(".toml", ".tml", ".tom", ".tmol", ".txt", ".json", ".yaml", ".yml"),
+    *(".ini", ".cfg", ".csv", ".html", ".md"),
 )
 
 

@@ -51,10 +51,27 @@ class SceneKey:
             raise ValueError(_problem(problem.errors(include_url=False)[0], self.field)) from None
         return given
 
+    def read_as(self, name: str, given: object) -> Value:
+        """The same. Raises InputError, which begins with this name and the value."""
+        try:
+            return self.read(given)
+        except ValueError as problem:
+            raise InputError(f"{name} = {shown(given)} {problem}") from None
 
-def scene_key(path: str) -> SceneKey:
-    """The key with that path. Raises InputError for an unknown key and for one that takes a table."""
-    table: type[Table] | None = SceneTable
+
+@dataclass(frozen=True, kw_only=True)
+class Place:
+    """A place in a document."""
+
+    path: str
+    name: str  # the last part of the path
+    table: type[Table]  # that holds it
+    field: FieldInfo | None  # None: an unknown key
+
+
+def scene_key(path: str, *, root: type[Table] = SceneTable) -> SceneKey:
+    """The key with that path in the root. Raises InputError for an unknown key and for one that takes a table."""
+    table: type[Table] | None = root
     field: FieldInfo | None = None
     for part in path.split("."):
         field = None if table is None else table.model_fields.get(part)
@@ -85,17 +102,22 @@ def with_key(document: dict[str, Any], path: str, value: object) -> dict[str, An
 
 
 def fault_at(document: dict[str, Any], path: str, problem: str) -> str:
-    """The key, its value in the scene file or the catalog, and the problem, in one line."""
+    """The key, its value in the scene file or the catalog, and the problem, in one line; path : empty of several."""
     value: Any = document
     for part in path.split("."):
         value = value.get(part) if isinstance(value, dict) else None
-    return f"{path} {problem}" if value is None else f"{path} = {shown(value)} {problem}"
+    return f"{path} {problem}".lstrip() if value is None or not path else f"{path} = {shown(value)} {problem}"
 
 
-def faults_of(document: dict[str, Any], errors: Sequence[Mapping[str, Any]]) -> list[str]:
-    """The same for all errors that pydantic reports: unknown keys first, without the missing keys that they explain."""
+def faults_of(
+    document: dict[str, Any], errors: Sequence[Mapping[str, Any]], *, root: type[Table] = SceneTable
+) -> list[str]:
+    """The same for all errors that pydantic reports: unknown keys first, without the missing keys that they explain.
+
+    root : of which the document is
+    """
     unknown = [error for error in errors if error["type"] == "extra_forbidden"]
-    explained = {(*error["loc"][:-1], _meant(document, error)) for error in unknown}
+    explained = {(*error["loc"][:-1], _meant(_place(document, error["loc"], root))) for error in unknown}
     without_catalog = tuple(CATALOG.split(".")) in explained
 
     def follows(error: Mapping[str, Any]) -> bool:
@@ -103,37 +125,34 @@ def faults_of(document: dict[str, Any], errors: Sequence[Mapping[str, Any]]) -> 
         return error["type"] == "missing" and (place in explained or (without_catalog and place[0] in OF_CATALOG))
 
     others = [error for error in errors if error["type"] != "extra_forbidden" and not follows(error)]
-    return [_fault_of(document, error) for error in (*unknown, *others)]
+    return [_fault_of(_place(document, error["loc"], root), error) for error in (*unknown, *others)]
 
 
-def _meant(document: dict[str, Any], error: Mapping[str, Any]) -> str | None:
+def _meant(place: Place) -> str | None:
     """The key that an unknown one is like."""
-    _, table, _ = _address(document, error["loc"])
-    written = str(error["loc"][-1])
-    if SAME_AS.get(written) in table.model_fields:
-        return SAME_AS[written]
-    return next(iter(get_close_matches(written, list(table.model_fields), n=1)), None)
+    if SAME_AS.get(place.name) in place.table.model_fields:
+        return SAME_AS[place.name]
+    return next(iter(get_close_matches(place.name, list(place.table.model_fields), n=1)), None)
 
 
-def _fault_of(document: dict[str, Any], error: Mapping[str, Any]) -> str:
-    path, table, field = _address(document, error["loc"])
-    if error["type"] == "missing":
-        return f"{path} is missing; {accepted(field) or NOTHING}"
+def _fault_of(place: Place, error: Mapping[str, Any]) -> str:
+    if error["type"] in ("missing", "too_short"):  # an empty table
+        return f"{place.path} is missing; {accepted(place.field) or NOTHING}"
     if error["type"] == "extra_forbidden":
-        problem = f"is an unknown key; {_instead(str(error['loc'][-1]), table, _meant(document, error))}"
+        problem = f"is an unknown key; {_instead(place)}"
     elif error["type"] in ("value_error", "literal_error"):
-        problem = _problem(error, field)
+        problem = _problem(error, place.field)
     else:  # the tables allow only one other error: not a table
-        problem = f"is not a table; {accepted(field) or NOTHING}"
-    return f"{path} = {shown(error['input'])} {problem}"
+        problem = f"is not a table; {accepted(place.field) or NOTHING}"
+    return f"{place.path} = {shown(error['input'])} {problem}"
 
 
-def _instead(written: str, table: type[Table], meant: str | None) -> str:
+def _instead(place: Place) -> str:
     """What to write for an unknown key: the key meant, the same key of another table, or the most similar ones."""
-    elsewhere = [path for path in paths() if path.rpartition(".")[2] == written and not path.startswith(BESIDE)]
+    meant, names = _meant(place), list(place.table.model_fields)
+    elsewhere = [path for path in paths() if path.rpartition(".")[2] == place.name and not path.startswith(BESIDE)]
     if meant is None and not elsewhere:
-        names = list(table.model_fields)
-        return f"known: {_some(get_close_matches(written, names, n=len(names), cutoff=0.0))}"
+        return f"known: {_some(get_close_matches(place.name, names, n=len(names), cutoff=0.0))}"
     return f"did you mean {meant or ' or '.join(elsewhere[:2])}?"
 
 
@@ -151,9 +170,8 @@ def _problem(error: Mapping[str, Any], field: FieldInfo | None) -> str:
     return f"is not a word known here; {accepted(field) or 'give ' + context['expected']}"
 
 
-def _address(document: dict[str, Any], location: tuple[str | int, ...]) -> tuple[str, type[Table], FieldInfo | None]:
-    """The path of a place in the document, the table that holds it, and its field (None for an unknown key)."""
-    path, node, inside, table, field = "", document, SceneTable, SceneTable, None
+def _place(document: dict[str, Any], location: tuple[str | int, ...], root: type[Table]) -> Place:
+    path, node, inside, table, field = "", document, root, root, None
     for part in location:
         if isinstance(part, int):
             if isinstance(node, list):  # pydantic always sees a list; the scene file may have a single quantity
@@ -163,15 +181,15 @@ def _address(document: dict[str, Any], location: tuple[str | int, ...]) -> tuple
         path = f"{path}.{plain(part)}" if path else plain(part)
         node = node.get(part) if isinstance(node, dict) else None
         inside = (table_of(field) if field else None) or inside
-    return path, table, field
+    return Place(path=path, name=str(location[-1]), table=table, field=field)
 
 
 def accepted(field: FieldInfo | None) -> str | None:
     """What the field takes, in words; None: anything of its kind."""
-    if field is None or field.description:
-        return field and field.description
-    dimension = next(_dimensions(field.rebuild_annotation()), None)
-    return dimension and dimension.accepted
+    if field is None:
+        return None
+    table, dimension = table_of(field), next(_dimensions(field.rebuild_annotation()), None)
+    return field.description or (table.HINT if table else None) or (dimension and dimension.accepted)
 
 
 def _hint(path: str) -> str:

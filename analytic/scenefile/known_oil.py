@@ -3,28 +3,45 @@
 import re
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
-from math import log
+from math import log, sqrt
 from typing import Any
 
 from analytic import catalog
 from analytic.errors import InputError
 from analytic.oil.viscosity_temperature import PressureViscosityLaw, ViscosityLine, law_through, viscosity_line
-from analytic.scene import Status
-from analytic.scenefile.quantity import Dimension
+from analytic.scene import Origin, Status
+from analytic.scenefile.quantity import in_si
 from analytic.scenefile.text import shown
 
 COLD, HOT = 313.15, 373.15  # K: where the catalog's viscosities are given
 DENSITY_AT = 288.15  # K: where its densities are given
-SI = {  # units of the columns that have one
-    "viscosity_40": "m^2/s",
-    "viscosity_100": "m^2/s",
-    "density_15": "kg/m^3",
-    "density_slope": "kg/m^3/K",
-    "pressure_viscosity_40": "1/Pa",
-    "pressure_viscosity_100": "1/Pa",
-    "factor": "1/Pa",
-    "thermal_conductivity": "W/m/K",
-}
+# Limits, over the value.
+DENSITY_LIMIT = 0.03  # an assumed density: base oils of one kind are some 850 to 900 kg/m^3
+MEASURED_LIMIT = 0.05  # a measured pressure-viscosity coefficient; two laboratories differ by 8 %
+DERIVED_LIMIT = 0.25  # one by the kind of oil: a judgement, as the law is fitted to one class, ISO VG 100
+SHEAR_LIMIT = 0.10  # traction by the limiting shear of [Arana2019] was within 10 % of tests
+
+
+@dataclass(frozen=True, kw_only=True)
+class Known:
+    """How a value is known."""
+
+    status: Status
+    source: str
+    limit: float | None = None  # +-, over the value; None: not known
+
+    def property(self, value: float) -> "Property":
+        """A limit +-a counts as a rectangular distribution, whose standard deviation is a/sqrt(3)."""
+        deviation = None if self.limit is None else abs(value) * self.limit / sqrt(3)
+        return Property(value=value, origin=Origin(status=self.status, uncertainty=deviation, source=self.source))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Property:
+    """A value in SI and where it comes from."""
+
+    value: float
+    origin: Origin
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -33,8 +50,7 @@ class Density:
 
     at_15: float  # kg/m^3
     slope: float  # kg/(m^3 K)
-    status: Status
-    source: str
+    known: Known
 
     def at(self, temperature: float) -> float:
         """rho, kg/m^3; temperature : K."""
@@ -52,12 +68,9 @@ class KnownOil:
     is_class: bool = False  # whether the viscosity is that of a class of ISO 3448
     density: Density | None = None
     law: PressureViscosityLaw | None = None
-    law_status: Status = "derived"  # printed: of a law through its own measured coefficients
-    law_source: str = ""
-    limiting_shear: float | None = None
-    shear_status: Status = "assumed"
-    thermal_conductivity: float | None = None  # W/(m K)
-    conductivity_status: Status = "assumed"
+    law_known: Known = Known(status="derived", source="")
+    limiting_shear: Property | None = None
+    thermal_conductivity: Property | None = None  # W/(m K)
     is_grease: bool = False
 
 
@@ -75,21 +88,18 @@ def named_oil(given: str) -> KnownOil:
     cold, hot = _value(row, "viscosity_40"), _cell(row, "viscosity_100")
     own: dict[str, Any] = {}
     if row["density status"]:
-        slope, source = _value(row, "density_slope"), row["source"]
-        status: Status = "printed" if row["density status"] == "printed" else "assumed"
-        if status == "assumed" and base.density is not None:
-            source = f"near that of {base.density.source}"
-        own["density"] = Density(at_15=_value(row, "density_15"), slope=slope, status=status, source=source)
+        known = Known(status="printed", source=row["source"])
+        if row["density status"] != "printed":
+            near = row["source"] if base.density is None else f"near that of {base.density.known.source}"
+            known = Known(status="assumed", source=near, limit=DENSITY_LIMIT)
+        own["density"] = Density(at_15=_value(row, "density_15"), slope=_value(row, "density_slope"), known=known)
     if hot is not None:
         own["line"] = viscosity_line(temperatures=(COLD, HOT), viscosities=(cold, hot))
         if _cell(row, "pressure_viscosity_40") is not None:
             measured = _value(row, "pressure_viscosity_40"), _value(row, "pressure_viscosity_100")
             own["law"] = law_through(viscosities=(cold, hot), coefficients=measured)
-            own |= {"law_status": "printed", "law_source": row["source"]}
-    if _cell(row, "limiting_shear") is not None:
-        own |= {"limiting_shear": _value(row, "limiting_shear"), "shear_status": "printed"}
-    if _cell(row, "thermal_conductivity") is not None:
-        own |= {"thermal_conductivity": _value(row, "thermal_conductivity"), "conductivity_status": "printed"}
+            own["law_known"] = Known(status="printed", source=row["source"], limit=MEASURED_LIMIT)
+    own |= _shear_and_conductivity(row, "printed")
     return replace(
         base,
         name=f"grease {name}" if row["kind"] == "grease" else name,
@@ -117,23 +127,30 @@ def base_oil(name: str) -> KnownOil:
     """What oils of this kind have in common; name : one of catalog.rows("base_oils")."""
     row = catalog.rows("base_oils")[name]
     density, slope = _value(row, "density_15"), _value(row, "density_slope")
+    assumed = Known(status="assumed", source=row["source"], limit=DENSITY_LIMIT)
+    law = f"{row['factor [1/GPa]']} nu^{row['exponent']} 1/GPa, nu in mm2/s; {row['source']}"
     return KnownOil(
         name=f"{name} oil",
-        density=Density(at_15=density, slope=slope, status="assumed", source=row["source"]),
+        density=Density(at_15=density, slope=slope, known=assumed),
         law=PressureViscosityLaw(factor=_value(row, "factor"), exponent=_value(row, "exponent")),
-        law_source=f"{row['factor [1/GPa]']} nu^{row['exponent']} 1/GPa, nu in mm2/s; {row['source']}",
-        limiting_shear=_cell(row, "limiting_shear"),
-        thermal_conductivity=_cell(row, "thermal_conductivity"),
+        law_known=Known(status="derived", source=law, limit=DERIVED_LIMIT),
+        **_shear_and_conductivity(row, "assumed"),
     )
+
+
+def _shear_and_conductivity(row: catalog.Row, status: Status) -> dict[str, Any]:
+    """Those that the row has."""
+    shear = Known(status=status, source="by the kind of oil, table 2 of [Arana2019]", limit=SHEAR_LIMIT)
+    conductivity = Known(status=status, source="table A1 of [Schwarz2023], of FVA 3")
+    cells = {"limiting_shear": shear, "thermal_conductivity": conductivity}
+    return {name: known.property(value) for name, known in cells.items() if (value := _cell(row, name)) is not None}
 
 
 def _value(row: catalog.Row, column: str) -> float:
     """The value of a cell in SI, by the unit in the name of its column."""
     title = next(title for title in row if title.partition(" [")[0] == column)
     unit = title.partition(" [")[2].rstrip("]")
-    if not unit:
-        return float(row[title])
-    return Dimension(unit=SI[column], low=-1e9, high=1e9, example="").read(f"{row[title]} {unit}")
+    return in_si(row[title], unit) if unit else float(row[title])
 
 
 def _cell(row: catalog.Row, column: str) -> float | None:

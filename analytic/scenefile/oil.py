@@ -1,18 +1,25 @@
-"""The oil of a scene: an oil of the catalog by its name, two viscosities, or every number; keys that are given win.
-
-A limit +-a of a value counts as a rectangular distribution, whose standard deviation is a/sqrt(3).
-"""
+"""The oil of a scene: an oil of the catalog by its name, two viscosities, or every number; keys that are given win."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from math import hypot, log, sqrt
+from dataclasses import replace
+from math import hypot, log
 from typing import Any
 
 from analytic.errors import InputError
 from analytic.noun import read_only
 from analytic.oil.viscosity_temperature import ViscosityLine, eyring_stress_of, viscosity_line
-from analytic.scene import Lubricant, Origin, Status
-from analytic.scenefile.known_oil import COLD, HOT, Density, KnownOil, base_oil, named_oil
+from analytic.scene import Lubricant
+from analytic.scenefile.known_oil import (
+    COLD,
+    DENSITY_LIMIT,
+    HOT,
+    Density,
+    Known,
+    KnownOil,
+    Property,
+    base_oil,
+    named_oil,
+)
 from analytic.scenefile.tables import LubricantTable
 from analytic.scenefile.viscosity import GivenViscosity, ViscosityPoint
 
@@ -26,32 +33,20 @@ EXAMPLES = {"density": '"900 kg/m^3"', "pressure_viscosity": '"2e-8 1/Pa"', "eyr
 # Limits, over the value.
 CLASS_LIMIT = 0.10  # a class of ISO 3448, at 40 degC
 INDEX_LIMIT = 0.05  # at 100 degC: some ten points of an assumed viscosity index; in proportion at other temperatures
-DENSITY_LIMIT = 0.03  # an assumed density: base oils of one kind are some 850 to 900 kg/m^3
-MEASURED_LIMIT = 0.05  # a measured pressure-viscosity coefficient; two laboratories differ by 8 %
-DERIVED_LIMIT = 0.25  # one by the kind of oil: a judgement, as the law is fitted to one class, ISO VG 100
-SHEAR_LIMIT = 0.10  # traction by the limiting shear of [Arana2019] was within 10 % of tests
 EYRING_LIMIT = 0.5  # 3 to 8 MPa are usual, about the 5 MPa of mineral oils
-
-
-@dataclass(frozen=True, kw_only=True)
-class Property:
-    """A value in SI and where it comes from."""
-
-    value: float
-    origin: Origin
+GIVEN = Known(status="given", source="the scene")
+TYPICAL = Known(status="assumed", source="typical of mineral oils near 40 degC, no source seen")
+BY_PRODUCT = Known(status="derived", source="2 limiting_shear/pressure_viscosity [Arana2019]", limit=EYRING_LIMIT)
+PROPERTIES = (*EXAMPLES, "viscosity", "limiting_shear", "thermal_conductivity")
 
 
 def lubricant_of(table: LubricantTable) -> Lubricant:
-    """The lubricant of a scene; the errors of completed_lubricant."""
-    return completed_lubricant({key: getattr(table, key) for key in table.model_fields_set})
-
-
-def completed_lubricant(given: Mapping[str, Any]) -> Lubricant:
-    """The lubricant that these keys of [lubricant] describe; values in SI, the viscosity as GivenViscosity.
+    """The lubricant of a scene.
 
     Raises InputError, in one line, for an unknown name, for keys in conflict, for a temperature beyond the oil's data,
     and for what neither the keys nor the catalog gives.
     """
+    given = {key: getattr(table, key) for key in table.model_fields_set}
     _refuse_conflicts(given)
     if "name" in given:
         oil = named_oil(given["name"])
@@ -65,44 +60,35 @@ def completed_lubricant(given: Mapping[str, Any]) -> Lubricant:
         reference = given.get("reference_temperature", COLD) if own is None else own
         temperature = given.get("temperature", reference)
 
+    own = {key: GIVEN.property(given[key]) for key in PROPERTIES if key in given and key != "viscosity"}
+    found = {"limiting_shear": oil.limiting_shear, "thermal_conductivity": oil.thermal_conductivity} | own
     density = _density(given, oil, reference)
-    known_shear = _own(given, "limiting_shear") or _limiting_shear(oil)
     line = _given_line(given, oil) or oil.line
-    eta = None if density is None else _viscosity(given, oil, line, density, reference)
-    nu = None if eta is None or density is None else eta.value / density.value
-    alpha = _own(given, "pressure_viscosity") or _pressure_viscosity(oil, nu)
-    stress = _own(given, "eyring_stress") or _eyring_stress(alpha, known_shear)
-    if eta is None or density is None or alpha is None or stress is None:
+    if density is not None:
+        found["density"] = density
+        found["viscosity"] = eta = _viscosity(given, oil, line, density, reference)
+        if oil.law is not None and "pressure_viscosity" not in own:
+            found["pressure_viscosity"] = oil.law_known.property(oil.law.coefficient(eta.value / density.value))
+    alpha, known_shear = found.get("pressure_viscosity"), found["limiting_shear"]
+    if "eyring_stress" not in own and alpha and known_shear and alpha.value * known_shear.value > 0:
+        stress = eyring_stress_of(limiting_shear=known_shear.value, pressure_viscosity=alpha.value)
+        found["eyring_stress"] = BY_PRODUCT.property(stress)
+    missing = [key for key in EXAMPLES if found.get(key) is None]
+    if missing:
         reason = f": no sourced value for {oil.name}" if "name" in given else ""
-        needed = {"density": density, "pressure_viscosity": alpha, "eyring_stress": stress}
-        missing = (key for key, known in needed.items() if known is None)
         raise InputError(
             "; ".join(f"lubricant.{key} is missing{reason}; give for example {EXAMPLES[key]}" for key in missing)
         )
-    shear = known_shear or _default("limiting_shear", None)
-    conductivity = _own(given, "thermal_conductivity") or _conductivity(oil)
-    properties = {
-        "viscosity": eta,
-        "pressure_viscosity": alpha,
-        "eyring_stress": stress,
-        "limiting_shear": shear,
-        "density": density,
-        "thermal_conductivity": conductivity,
-    }
+    properties = {key: found[key] or TYPICAL.property(DEFAULTS[key]) for key in PROPERTIES}
     choices: dict[str, Any] = {"traction": "eyring_sinh", "supply": "grease" if oil.is_grease else "oil_bath"}
     choices |= {key: given[key] for key in (*choices, "starvation_degree", "compressible") if key in given}
     return Lubricant(
-        viscosity=eta.value,
-        pressure_viscosity=alpha.value,
+        **{key: each.value for key, each in properties.items()},
         viscosity_temperature=_slope(given, line, oil, reference),
         reference_temperature=reference,
         temperature=temperature,
-        thermal_conductivity=conductivity.value,
-        density=density.value,
-        eyring_stress=stress.value,
-        limiting_shear=shear.value,
         name=oil.name if "name" in given else "",
-        origins=read_only({name: each.origin for name, each in properties.items()}),
+        origins=read_only({key: each.origin for key, each in properties.items()}),
         **choices,
     )
 
@@ -147,13 +133,13 @@ def _refuse_conflicts(given: Mapping[str, Any]) -> None:
 
 def _density(given: Mapping[str, Any], oil: KnownOil, temperature: float) -> Property | None:
     """None for an oil whose kinematic viscosity is known and whose density is not."""
-    own = _own(given, "density")
-    if own is not None:
-        return own
+    if "density" in given:
+        return GIVEN.property(given["density"])
     if oil.density is not None:
-        limit = DENSITY_LIMIT if oil.density.status == "assumed" else None
-        return _property(oil.density.at(temperature), oil.density.status, limit, oil.density.source)
-    return None if "name" in given and not _has_dynamic_viscosity(given) else _default("density", DENSITY_LIMIT)
+        return oil.density.known.property(oil.density.at(temperature))
+    if "name" in given and not _has_dynamic_viscosity(given):
+        return None
+    return replace(TYPICAL, limit=DENSITY_LIMIT).property(DEFAULTS["density"])
 
 
 def _has_dynamic_viscosity(given: Mapping[str, Any]) -> bool:
@@ -189,7 +175,7 @@ def _viscosity(
     if viscosity is not None and not viscosity.is_pair:
         (point,) = viscosity.points
         value = point.value * density.value if point.is_kinematic else point.value
-        return _property(value, "given", None, "the scene")
+        return GIVEN.property(value)
     if line is None:
         if abs(temperature - COLD) > 0.01:
             raise InputError(
@@ -204,15 +190,17 @@ def _viscosity(
         except InputError as problem:
             raise InputError(f"lubricant.{problem}") from problem
     if viscosity is not None:
-        return _property(nu * density.value, "derived", None, "two viscosities of the scene, ASTM D341")
+        return Known(status="derived", source="two viscosities of the scene, ASTM D341").property(nu * density.value)
     limit = None
     source = f"{oil.name}: {oil.source}"
     if oil.is_class:
         limit = hypot(CLASS_LIMIT, INDEX_LIMIT * log(temperature / COLD) / log(HOT / COLD), DENSITY_LIMIT)
         source += "; the limits of the class are +-10 % at 40 degC"
-    at_a_print = min(abs(temperature - COLD), abs(temperature - HOT)) < 0.01 and not oil.is_class
-    status: Status = "printed" if at_a_print or abs(temperature - COLD) < 0.01 else "derived"
-    return _property(nu * density.value, status, limit, source if status == "printed" else f"{source}; ASTM D341")
+    at_a_print = abs(temperature - COLD) < 0.01 or (abs(temperature - HOT) < 0.01 and not oil.is_class)
+    known = Known(status="printed", source=source, limit=limit)
+    if not at_a_print:
+        known = Known(status="derived", source=f"{source}; ASTM D341", limit=limit)
+    return known.property(nu * density.value)
 
 
 def _slope(given: Mapping[str, Any], line: ViscosityLine | None, oil: KnownOil, temperature: float) -> float:
@@ -224,45 +212,3 @@ def _slope(given: Mapping[str, Any], line: ViscosityLine | None, oil: KnownOil, 
     density: Density | None = None if "density" in given else oil.density
     thermal = 0.0 if density is None else -density.slope / density.at(temperature)
     return line.temperature_slope(temperature) + thermal
-
-
-def _pressure_viscosity(oil: KnownOil, kinematic: float | None) -> Property | None:
-    if oil.law is None or kinematic is None:
-        return None
-    limit = MEASURED_LIMIT if oil.law_status == "printed" else DERIVED_LIMIT
-    return _property(oil.law.coefficient(kinematic), oil.law_status, limit, oil.law_source)
-
-
-def _limiting_shear(oil: KnownOil) -> Property | None:
-    if oil.limiting_shear is None:
-        return None
-    return _property(oil.limiting_shear, oil.shear_status, SHEAR_LIMIT, "by the kind of oil, table 2 of [Arana2019]")
-
-
-def _eyring_stress(alpha: Property | None, shear: Property | None) -> Property | None:
-    """By pressure-viscosity and limiting shear; None where one of them is not known."""
-    if alpha is None or shear is None or not alpha.value * shear.value > 0:
-        return None
-    stress = eyring_stress_of(limiting_shear=shear.value, pressure_viscosity=alpha.value)
-    return _property(stress, "derived", EYRING_LIMIT, "2 limiting_shear/pressure_viscosity [Arana2019]")
-
-
-def _conductivity(oil: KnownOil) -> Property:
-    if oil.thermal_conductivity is None:
-        return _default("thermal_conductivity", None)
-    source = "table A1 of [Schwarz2023], of FVA 3"
-    return _property(oil.thermal_conductivity, oil.conductivity_status, None, source)
-
-
-def _own(given: Mapping[str, Any], key: str) -> Property | None:
-    return _property(given[key], "given", None, "the scene") if key in given else None
-
-
-def _default(key: str, limit: float | None) -> Property:
-    return _property(DEFAULTS[key], "assumed", limit, "typical of mineral oils near 40 degC, no source seen")
-
-
-def _property(value: float, status: Status, limit: float | None, source: str) -> Property:
-    """limit : of the value, relative; None: unknown."""
-    deviation = None if limit is None else abs(value) * limit / sqrt(3)
-    return Property(value=value, origin=Origin(status=status, uncertainty=deviation, source=source))

@@ -226,6 +226,14 @@ def unit_of(text: str) -> Unit | None:
     return Unit(factor, frozenset((root, power) for root, power in powers.items() if power))
 
 
+def in_si(number: str, unit: str) -> float:
+    """A number of a table in SI; unit : that of its column."""
+    known = unit_of(unit)
+    assert known is not None, unit
+    kilogram = Decimal(1000) ** dict(known.powers).get("gram", 0)  # in place of the gram
+    return float(Decimal(number) * known.factor / kilogram)
+
+
 @cache
 def looked_up(name: str) -> Unit | None:
     """The unit of that name in pint; None if pint does not know it, or if its scale is not even."""

@@ -28,14 +28,13 @@ from analytic.scene import (
     Scene,
 )
 from analytic.scenefile import fit
-from analytic.scenefile.assumed_table import given_assumptions
 from analytic.scenefile.bearing import bearing_faults, bearing_of, catalog_row, with_catalog
 from analytic.scenefile.find import find_scene
 from analytic.scenefile.installation import arranged, in_operation, installation_faults
 from analytic.scenefile.keys import fault_at, faults_of
 from analytic.scenefile.losses import losses_of
 from analytic.scenefile.oil import lubricant_of
-from analytic.scenefile.spread_tables import given_spreads
+from analytic.scenefile.spread_tables import given_assumptions, given_spreads
 from analytic.scenefile.surface import surface_conflicts, surface_of
 from analytic.scenefile.tables import (
     BearingTable,
@@ -105,12 +104,12 @@ def scene_of(document: dict[str, Any], *, origin: str, folder: Path = Path()) ->
         except ValidationError as problem:
             faults = faults_of(document, problem.errors(include_url=False))
         else:
-            faults = list(_conflicts(document, table, own, row))
-            if not faults:
-                scene, misfits = _scene(table, own, row, folder)
-                faults = [fault_at(document, key, problem) for key, problem in misfits]
-                if not faults:
-                    return scene
+            scene, found = None, list(_conflicts(document, table, own, row))
+            if not found:
+                scene, found = _scene(table, own, row, folder)
+            if scene is not None and not found:
+                return scene
+            faults = [fault_at(document, key, problem) for key, problem in found]
     more = f"; and {len(faults) - MOST_FAULTS} more" if len(faults) > MOST_FAULTS else ""
     raise InputError(f"{origin}: " + "; ".join(faults[:MOST_FAULTS]) + more)
 
@@ -141,49 +140,43 @@ def _put_catalog(document: dict[str, Any], row: CatalogBearing | None) -> list[s
 
 def _conflicts(
     document: dict[str, Any], table: SceneTable, own: Mapping[str, Any], row: CatalogBearing | None
-) -> Iterator[str]:
-    """Keys that are valid on their own and in conflict with each other; own, row : as for bearing_faults."""
-    angle, cage, operation = table.bearing.contact_angle, table.cage, document["operation"]
+) -> Iterator[tuple[str, str]]:
+    """(key, problem) of keys that are valid on their own and in conflict with each other; own, row : as for _scene."""
+    angle, cage, loads = table.bearing.contact_angle, table.cage, table.operation
     if angle.rule == "given" and not angle.value:
-        problem = 'must be above 0 with rule = "given", for example "0.18 rad"'
-        yield fault_at(document, "bearing.contact_angle.value", problem)
+        yield "bearing.contact_angle.value", 'must be above 0 with rule = "given", for example "0.18 rad"'
     elif angle.rule == "given" and angle.free is not None:
-        yield fault_at(document, "bearing.contact_angle.free", 'goes with rule = "solved"; leave it out')
+        yield "bearing.contact_angle.free", 'goes with rule = "solved"; leave it out'
     if angle.rule == "solved" and angle.value is not None:
-        yield fault_at(
-            document, "bearing.contact_angle.value", 'goes with rule = "given"; use free = ... or leave it out'
-        )
-    for faults in (bearing_faults(table.bearing, own, row), installation_faults(table)):
-        yield from (fault_at(document, key, problem) for key, problem in faults)
-    lengths = {key: len(value) for key, value in operation.items() if isinstance(value, list) and key != "down"}
-    if len(set(lengths.values())) > 1:
-        counts = " and ".join(f"operation.{key} has {count}" for key, count in lengths.items())
-        yield f"{counts} values; lists are paired: give equal lengths, or one quantity for the whole series"
-    loads = table.operation
-    is_preloaded = table.arrangement is not None and table.arrangement.kind != "tandem"
-    if (
-        not is_preloaded
-        and len(set(lengths.values())) <= 1
-        and any(not any(point) for point in np.broadcast(loads.axial_load, loads.radial_load, loads.moment))
-    ):
-        problem = 'leaves a point without any load; give for example "1000 N", or a radial load or a moment'
-        yield fault_at(document, "operation.axial_load", problem)
-    if len(set(lengths.values())) <= 1:
-        yield from (fault_at(document, "operation.axial_load", problem) for problem in _apart(table, row))
+        yield "bearing.contact_angle.value", 'goes with rule = "given"; use free = ... or leave it out'
+    yield from bearing_faults(table.bearing, own, row)
+    yield from installation_faults(table)
+    lists = {key: each for key, each in document["operation"].items() if isinstance(each, list) and key != "down"}
+    if len({len(each) for each in lists.values()}) > 1:
+        counts = " and ".join(f"operation.{key} has {len(each)}" for key, each in lists.items())
+        yield "", f"{counts} values; lists are paired: give equal lengths, or one quantity for the whole series"
+    else:
+        is_preloaded = table.arrangement is not None and table.arrangement.kind != "tandem"
+        points = np.broadcast(loads.axial_load, loads.radial_load, loads.moment)
+        if not is_preloaded and not all(any(point) for point in points):
+            problem = 'leaves a point without any load; give for example "1000 N", or a radial load or a moment'
+            yield "operation.axial_load", problem
+        yield from (("operation.axial_load", problem) for problem in _apart(table, row))
     if cage is not None and (cage.pocket_clearance is None) == (cage.pocket_diameter is None):
-        yield "cage needs exactly one of pocket_clearance and pocket_diameter"
+        yield "", "cage needs exactly one of pocket_clearance and pocket_diameter"
     if table.friction is not None and table.friction.coefficient is None and table.lubricant is None:
-        yield "friction.coefficient is missing; give for example 0.1, or the tables [lubricant] and [surface] instead"
+        problem = "is missing; give for example 0.1, or the tables [lubricant] and [surface] instead"
+        yield "friction.coefficient", problem
     if table.surface is not None:
-        yield from surface_conflicts(document, table.surface)
+        yield from surface_conflicts(table.surface)
     if table.lubricant is not None:
         try:
             lubricant_of(table.lubricant)
         except InputError as problem:
-            yield str(problem)
+            yield "", str(problem)
     for name in ("cage", "cage_dynamics", "ball_dynamics"):
         if cage is None and getattr(table.effects, name) == "on":
-            yield fault_at(document, f"effects.{name}", "needs a table [cage]; give one, or leave the effect out")
+            yield f"effects.{name}", "needs a table [cage]; give one, or leave the effect out"
 
 
 def _seating(table: SceneTable, row: CatalogBearing | None) -> Iterator[tuple[float, float]]:

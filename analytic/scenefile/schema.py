@@ -14,7 +14,7 @@ from analytic import catalog
 from analytic.scenefile.keys import accepted
 from analytic.scenefile.quantity import NUMBER, Dimension
 from analytic.scenefile.spread_tables import Spread
-from analytic.scenefile.table import Table
+from analytic.scenefile.table import Table, Whole
 from analytic.scenefile.tables import BearingTable, CageTable, GrooveTable, MaterialTable, SceneTable
 from analytic.scenefile.viscosity import Viscosity
 
@@ -60,6 +60,8 @@ def _value(kind: Any, whole: bool) -> Schema:
             if isinstance(note, Dimension):
                 words = [part for part in get_args(parts[0]) if get_origin(part) is Literal]
                 return _one_of([_quantity(note), *(_value(part, whole) for part in words)])
+            if isinstance(note, Whole):
+                return {"type": "integer", "minimum": note.low, "maximum": note.high}
         inside = _value(parts[0], whole)
         by_name = parts[0] is MaterialTable and any(isinstance(note, BeforeValidator) for note in kind.__metadata__)
         names = [{"enum": list(catalog.names("materials"))}, {"type": "string"}]  # each has other spellings too
@@ -72,6 +74,8 @@ def _value(kind: Any, whole: bool) -> Schema:
     if origin is tuple:
         inside = [_value(part, whole) for part in parts]
         return {"type": "array", "items": inside, "minItems": len(inside), "maxItems": len(inside)}
+    if origin is dict:
+        return {"type": "object"}
     if origin is Literal:
         return {"enum": list(parts)}
     if issubclass(kind, Table):

@@ -1,17 +1,28 @@
-"""The table [uncertainty] of a scene file: how uncertain each input is, as a standard deviation.
+"""The tables of a scene file whose keys are those of inputs, which `analytic.inputs` lists.
 
-A percentage is a share of the input's value; a quantity, or a pure number, is the standard deviation itself. The keys
-are those of the inputs; `analytic.inputs` lists them.
+[uncertainty]: how uncertain each is, as a standard deviation. A percentage is a share of the input's value; a quantity,
+or a pure number, is the standard deviation itself. [assumed]: inputs that the scene gives although nobody knows them,
+each with its source.
 """
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
+
+from pydantic import Field
 
 from analytic.errors import InputError
-from analytic.inputs import LARGEST_SHARE, UNCERTAIN, Varied, checked_deviation, uncertain_value
+from analytic.inputs import (
+    ASSUMABLE,
+    LARGEST_SHARE,
+    UNCERTAIN,
+    Varied,
+    checked_deviation,
+    known_inputs,
+    uncertain_value,
+)
 from analytic.scene import Scene
 from analytic.scenefile.quantity import Dimension
-from analytic.scenefile.table import Table, given_paths, table_of_paths
+from analytic.scenefile.table import Table, Text, given_paths, table_of_paths
 
 SHARE = Dimension(unit="", low=0, high=LARGEST_SHARE, example='"10 %"')
 # Standard deviation, by the unit. That it is at most 300 % of the value is checked too.
@@ -52,13 +63,17 @@ def _field(varied: Varied) -> Any:
     return Annotated[GivenSpread | None, dimension], None
 
 
-if TYPE_CHECKING:  # its fields follow from UNCERTAIN
-
-    class UncertaintyTable(Table):
-        pass
-
-else:
-    UncertaintyTable = table_of_paths("uncertainty", {key: _field(varied) for key, varied in UNCERTAIN.items()})
+UncertaintyTable = table_of_paths(
+    "uncertainty",
+    {key: _field(varied) for key, varied in UNCERTAIN.items()},
+    hint='give a table [uncertainty] of lubricant.viscosity = "6 %" and others',
+)
+Source = Annotated[Text, Field(description="say in words where the value comes from")]
+AssumedTable = table_of_paths(
+    "assumed",
+    dict.fromkeys(ASSUMABLE, (Source | None, None)),
+    hint='give a table [assumed] of lubricant.viscosity = "the source" and others',
+)
 
 
 def given_spreads(table: Table, scene: Scene) -> tuple[dict[str, float], list[tuple[str, str]]]:
@@ -76,3 +91,11 @@ def given_spreads(table: Table, scene: Scene) -> tuple[dict[str, float], list[tu
         except InputError as problem:
             misfits.append((f"uncertainty.{key}", str(problem).partition(": ")[2]))
     return spreads, misfits
+
+
+def given_assumptions(table: Table, scene: Scene) -> tuple[dict[str, str], list[tuple[str, str]]]:
+    """Sources by key, and (key, problem) for those of an input that the scene does not have."""
+    sources: dict[str, str] = dict(given_paths(table))
+    known = known_inputs(scene)
+    problem = "is of an input that this scene does not have; leave it out"
+    return sources, [(f"assumed.{key}", problem) for key in sources if key not in known]

@@ -1,15 +1,15 @@
 """The surfaces of a scene: by rms roughness, by Ra, by a finish of the catalog, or by a height map."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from math import pi, sqrt
 from pathlib import Path
 
 from analytic import catalog
 from analytic.noun import read_only
-from analytic.scene import Autocorrelation, HeightMapFile, Origin, Status, Surface
-from analytic.scenefile.keys import fault_at
-from analytic.scenefile.quantity import Dimension
-from analytic.scenefile.tables import SurfaceTable
+from analytic.scene import Autocorrelation, HeightMapFile, Origin, Surface
+from analytic.scenefile.quantity import in_si
+from analytic.scenefile.tables import AutocorrelationTable, SurfaceTable
 
 HEIGHT_MAPS = (".npy", ".csv")
 WAYS = ("rms_roughness", "Ra", "finish", "height_map")  # to say how rough a surface is
@@ -17,27 +17,27 @@ RMS_OVER_RA = sqrt(pi / 2)  # Sq/Ra of gaussian heights: E|z| = sigma sqrt(2/pi)
 # Neither Ra nor a finish says how long the waves of a surface are. A judgement, no source seen: 10 to 40 um.
 ASSUMED_CORRELATION = Autocorrelation(kind="gaussian", length=20e-6, spacing=1e-6)
 LENGTH_DEVIATION = 15e-6 / sqrt(3)  # m: of 30 um between the limits
+GIVEN = Origin(status="given", uncertainty=None, source="the scene")
 BALL_RA = 0.020e-6  # m: limit of grade 10 of ISO 3290 [ISO3290], of balls in common bearings
 
 
-def surface_conflicts(document: dict, given: SurfaceTable) -> Iterator[str]:
-    """Keys of [surface] that are valid on their own and in conflict with each other."""
+def surface_conflicts(given: SurfaceTable) -> Iterator[tuple[str, str]]:
+    """(key, problem) of keys of [surface] that are valid on their own and in conflict with each other."""
     ways = [key for key in WAYS if getattr(given, key) is not None]
     if len(ways) != 1:
-        yield f"surface needs exactly one of {', '.join(WAYS[:-1])} and {WAYS[-1]}" + (
-            f", it has {' and '.join(ways)}" if ways else ""
-        )
+        has = f", it has {' and '.join(ways)}" if ways else ""
+        yield "", f"surface needs exactly one of {', '.join(WAYS[:-1])} and {WAYS[-1]}{has}"
     elif ways == ["height_map"] and given.autocorrelation is not None:
-        yield "surface.autocorrelation does not go with height_map, which has its own; leave it out"
+        yield "", "surface.autocorrelation does not go with height_map, which has its own; leave it out"
     elif ways == ["rms_roughness"] and given.autocorrelation is None:
         yield (
-            "surface.autocorrelation is missing, which goes with rms_roughness; give for example "
-            '{ kind = "gaussian", length = "60 um", spacing = "2 um" }, or Ra or finish, which assume one'
+            "surface.autocorrelation",
+            f"is missing, which goes with rms_roughness; {AutocorrelationTable.HINT}, or Ra or finish that assume one",
         )
     if given.asperities is not None and given.gap != "truncated":
-        yield 'surface.asperities is the law of summits of gap = "truncated": leave it out, or give that gap'
+        yield "", 'surface.asperities is the law of summits of gap = "truncated": leave it out, or give that gap'
     if given.height_map is not None and Path(given.height_map.path).suffix.lower() not in HEIGHT_MAPS:
-        yield fault_at(document, "surface.height_map.path", f"is not one of {', '.join(HEIGHT_MAPS)}")
+        yield "surface.height_map.path", f"is not one of {', '.join(HEIGHT_MAPS)}"
 
 
 def surface_of(given: SurfaceTable, folder: Path) -> Surface:
@@ -46,26 +46,28 @@ def surface_of(given: SurfaceTable, folder: Path) -> Surface:
     roughness, ball, correlation = given.rms_roughness, given.ball_rms_roughness, given.autocorrelation
     if given.Ra is not None:
         roughness = given.Ra * RMS_OVER_RA
-        origins["rms_roughness"] = _origin("given", None, "Ra of the scene, gaussian heights: Sq = Ra sqrt(pi/2)")
+        origins["rms_roughness"] = replace(GIVEN, source="Ra of the scene, gaussian heights: Sq = Ra sqrt(pi/2)")
     elif given.finish is not None:
         row = catalog.rows("finishes")[given.finish]
-        middle, low, high = (_micrometres(row[f"{column} [um]"]) for column in ("Ra", "low", "high"))
+        middle, low, high = (in_si(row[f"{column} [um]"], "um") for column in ("Ra", "low", "high"))
         roughness = middle * RMS_OVER_RA
         deviation = (high - low) / 2 / sqrt(3) * RMS_OVER_RA
-        origins["rms_roughness"] = _origin("assumed", deviation, f"finish {given.finish!r}: {row['source']}")
+        origins["rms_roughness"] = Origin(
+            status="assumed", uncertainty=deviation, source=f"finish {given.finish!r}: {row['source']}"
+        )
         if ball is None:
             ball = BALL_RA * RMS_OVER_RA
             source = "Ra of grade 10 of ISO 3290, 0.020 um, the limit for its balls [ISO3290]"
-            origins["ball_rms_roughness"] = _origin("assumed", None, source)
+            origins["ball_rms_roughness"] = Origin(status="assumed", uncertainty=None, source=source)
     elif roughness is not None:
-        origins["rms_roughness"] = _origin("given", None, "the scene")
+        origins["rms_roughness"] = GIVEN
     if given.ball_rms_roughness is not None:
-        origins["ball_rms_roughness"] = _origin("given", None, "the scene")
+        origins["ball_rms_roughness"] = GIVEN
     if correlation is not None:
-        origins["autocorrelation.length"] = _origin("given", None, "the scene")
+        origins["autocorrelation.length"] = GIVEN
     elif roughness is not None:
         source = "length and spacing are a judgement, 10 to 40 um and a twentieth of the length; no source seen"
-        origins["autocorrelation.length"] = _origin("assumed", LENGTH_DEVIATION, source)
+        origins["autocorrelation.length"] = Origin(status="assumed", uncertainty=LENGTH_DEVIATION, source=source)
     heights = given.height_map
     derived = {"Ra", "finish", "rms_roughness", "ball_rms_roughness", "autocorrelation", "height_map"}
     assumed = None if roughness is None else ASSUMED_CORRELATION
@@ -77,12 +79,3 @@ def surface_of(given: SurfaceTable, folder: Path) -> Surface:
         height_map=None if heights is None else HeightMapFile(path=str(folder / heights.path), spacing=heights.spacing),
         origins=read_only(origins),
     )
-
-
-def _micrometres(text: str) -> float:
-    """Of a column in um, in m."""
-    return Dimension(unit="m", low=0, high=1e-4, example="").read(f"{text} um")
-
-
-def _origin(status: Status, uncertainty: float | None, source: str) -> Origin:
-    return Origin(status=status, uncertainty=uncertainty, source=source)

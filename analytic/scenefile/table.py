@@ -1,10 +1,12 @@
 """What every table of a scene file is."""
 
 from collections.abc import Iterator, Mapping
-from typing import Annotated, Any, get_args
+from dataclasses import dataclass
+from typing import Annotated, Any, ClassVar, get_args
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, create_model
 from pydantic.fields import FieldInfo
+from pydantic_core import CoreSchema, core_schema
 
 
 def _text(given: object) -> str:
@@ -16,8 +18,28 @@ def _text(given: object) -> str:
 Text = Annotated[str, BeforeValidator(_text), Field(description="give a name")]
 
 
+@dataclass(frozen=True, kw_only=True)
+class Whole:
+    """Accepts a whole number of these things, from low to high."""
+
+    things: str
+    low: int
+    high: int
+    example: int
+
+    def __get_pydantic_core_schema__(self, _source: object, _handler: object) -> CoreSchema:
+        return core_schema.no_info_plain_validator_function(self.read)
+
+    def read(self, given: object) -> int:
+        if isinstance(given, bool) or not isinstance(given, int) or not self.low <= given <= self.high:
+            span = f"a whole number from {self.low} to {self.high}, for example {self.example}"
+            raise ValueError(f"is not a number of {self.things}; give {span}")
+        return given
+
+
 class Table(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid")
+    HINT: ClassVar[str] = ""  # what to give for it, for messages
 
 
 def table_of(field: FieldInfo) -> type[Table] | None:
@@ -28,7 +50,7 @@ def table_of(field: FieldInfo) -> type[Table] | None:
     return None
 
 
-def table_of_paths(name: str, fields: Mapping[str, Any]) -> type[Table]:
+def table_of_paths(name: str, fields: Mapping[str, Any], hint: str) -> type[Table]:
     """A table whose keys are paths, as "surface.hardness"; fields : annotation and default of each."""
     parts: dict[str, dict[str, Any]] = {}
     for key, field in fields.items():
@@ -39,9 +61,11 @@ def table_of_paths(name: str, fields: Mapping[str, Any]) -> type[Table]:
         if "" in rest:
             inside[first] = rest[""]
         else:
-            table = table_of_paths(f"{name}_{first}", rest)
-            inside[first] = table, Field(default=table(), description=f"give a table of {', '.join(rest)}")
-    return create_model(name, __base__=Table, **inside)
+            table = table_of_paths(f"{name}_{first}", rest, hint=f"give a table of {', '.join(rest)}")
+            inside[first] = table, table()
+    made = create_model(name, __base__=Table, **inside)
+    made.HINT = hint
+    return made
 
 
 def given_paths(table: Table, before: str = "") -> Iterator[tuple[str, Any]]:

@@ -33,25 +33,11 @@ from analytic.scene import (
     Surface,
     Traction,
 )
-from analytic.scenefile.assumed_table import AssumedTable
 from analytic.scenefile.material import material_entry
 from analytic.scenefile.quantity import Dimension, QuantityOrWord
-from analytic.scenefile.spread_tables import UncertaintyTable
-from analytic.scenefile.table import Table, Text
+from analytic.scenefile.spread_tables import AssumedTable, UncertaintyTable
+from analytic.scenefile.table import Table, Text, Whole
 from analytic.scenefile.viscosity import OIL_VISCOSITY, GivenViscosity
-
-
-def _whole(things: str, *, low: int, high: int, example: int) -> BeforeValidator:
-    """Accepts a whole number of these things, from low to high."""
-
-    def read(given: object) -> int:
-        if isinstance(given, bool) or not isinstance(given, int) or not low <= given <= high:
-            raise ValueError(
-                f"is not a number of {things}; give a whole number from {low} to {high}, for example {example}"
-            )
-        return given
-
-    return BeforeValidator(read)
 
 
 def _switch(given: object) -> bool:
@@ -91,7 +77,7 @@ def _row_of(table: Literal["base_oils", "finishes"], *, thing: str) -> BeforeVal
 
 
 Count = Annotated[
-    int, _whole("balls", low=1, high=1000, example=9), Field(description="give a whole number, for example 9")
+    int, Whole(things="balls", low=1, high=1000, example=9), Field(description="give a whole number, for example 9")
 ]
 Length = Annotated[float, Dimension(unit="m", low=1e-5, high=10, example='"7.94 mm"')]
 Gap = Annotated[float, Dimension(unit="m", low=1e-9, high=10, example='"0.2 mm"')]
@@ -143,6 +129,7 @@ CATALOGUE = 'catalogue: catalog = "6206"'
 
 
 class GrooveTable(Table):
+    HINT = "give a table of conformity, bottom_radius ..."
     bottom_radius: Length | None = None
     groove_radius: Length | None = None
     conformity: Conformity | None = None  # groove_radius over ball_diameter
@@ -158,6 +145,7 @@ class GrooveTable(Table):
 
 
 class ContactAngleTable(Table):
+    HINT = 'give { rule = "solved" }, { nominal = "15 deg" } or { rule = "given", value = "0.18 rad" }'
     rule: Literal["solved", "given"] = "solved"
     value: Angle | None = None  # under load
     free: Angle | None = None  # unloaded, whatever the clearance is
@@ -165,6 +153,7 @@ class ContactAngleTable(Table):
 
 
 class BearingTable(Table):
+    HINT = 'give a table [bearing] with catalog = "paper_6205" or every dimension'
     catalog: Text | None = None  # a bearing whose dimensions apply where no other is given
     name: Text | None = None
     kind: BearingKind = Bearing.kind  # "thrust": two equal washers at 90 degrees, and nothing but thrust
@@ -174,21 +163,19 @@ class BearingTable(Table):
     ball_material: MaterialEntry = STEEL
     pitch_diameter: Length | None = None
     conformity: Conformity | None = None  # of both rings
-    inner: GrooveTable = Field(default=GrooveTable(), description="give a table [bearing.inner] of bottom_radius ...")
-    outer: GrooveTable = Field(default=GrooveTable(), description="give a table [bearing.outer] of bottom_radius ...")
+    inner: GrooveTable = GrooveTable()
+    outer: GrooveTable = GrooveTable()
     bore_diameter: Length | None = None
     outside_diameter: Length | None = None
     width: Length | None = None
     static_load_rating: Force | None = None  # C0 of a maker's catalogue, only for the catalogue band
     dynamic_load_rating: Force | None = None  # C of a maker's catalogue
     clearance: ClearanceEntry | None = None  # unmounted, on the diameter: a length, negative is preload; or a group
-    contact_angle: ContactAngleTable = Field(
-        default=ContactAngleTable(),
-        description='give { rule = "solved" }, { nominal = "15 deg" } or { rule = "given", value = "0.18 rad" }',
-    )
+    contact_angle: ContactAngleTable = ContactAngleTable()
 
 
 class MountingTable(Table):
+    HINT = "give a table [mounting] of seats and temperatures"
     shaft_interference: Interference = 0.0
     housing_interference: Interference = 0.0
     shaft_bore: Annotated[float, Dimension(unit="m", low=0, high=10, example='"10 mm"')] = Mounting.shaft_bore
@@ -202,6 +189,7 @@ class MountingTable(Table):
 
 
 class ArrangementTable(Table):
+    HINT = 'give a table [arrangement] of kind = "O" and preload = "100 N", or leave it out'
     kind: ArrangementKind = Field(description='give "O" (back to back, DB), "X" (face to face, DF) or "tandem" (DT)')
     preload: Force | None = None  # axial, of the mounted pair at standstill
     offset: Gap | None = None  # axial distance that clamping closes, of the pair
@@ -209,17 +197,22 @@ class ArrangementTable(Table):
 
 
 class LandTable(Table):
+    HINT = 'give { ring = "outer", clearance = "0.3 mm", width = "10 mm" }'
     ring: Literal["inner", "outer"] = Field(description='give "inner" or "outer"')
     clearance: Gap  # on the diameter
     width: Length  # of the cage
 
 
 class PocketApproachTable(Table):
+    """What a test or finite elements found: it replaces Hertz's stiffness."""
+
+    HINT = 'give what a test or finite elements found, { load = "28 N", approach = "0.883 um" }'
     load: Force
     approach: Gap
 
 
 class CageTable(Table):
+    HINT = "give a table [cage], or leave it out: no cage term"
     variant: Text | None = None  # of the cage in the catalog
     pocket_clearance: Gap | None = None  # pocket diameter minus ball diameter
     pocket_diameter: Length | None = None
@@ -228,26 +221,21 @@ class CageTable(Table):
     mass: Mass
     material: MaterialEntry
     pocket_axis: PocketAxis = Cage.pocket_axis
-    pocket_approach: PocketApproachTable | None = Field(
-        default=None,
-        description='give what a test or finite elements found, { load = "28 N", approach = "0.883 um" }; it '
-        "replaces Hertz's stiffness",
-    )
+    pocket_approach: PocketApproachTable | None = None
     friction_coefficient: Friction | None = None
     restitution: Annotated[float, Dimension(unit="", low=0.05, high=1, example="0.8")] = Cage.restitution
     start: CageStart | None = Field(default=None, description='give "rest", "ramp", "sudden" or "whirl"')
-    seeds: Annotated[int, _whole("seeds", low=2, high=1000, example=4)] = Cage.seeds
+    seeds: Annotated[int, Whole(things="seeds", low=2, high=1000, example=4)] = Cage.seeds
     duration: Annotated[float, Dimension(unit="s", low=1e-4, high=1e3, example='"0.2 s"')] = Cage.duration
     # With fewer steps the error for fast cages is a half and more (`fembearing cost` shows it); more only take longer.
-    steps_per_contact: Annotated[int, _whole("steps", low=10, high=1000, example=40)] = Cage.steps_per_contact
+    steps_per_contact: Annotated[int, Whole(things="steps", low=10, high=1000, example=40)] = Cage.steps_per_contact
     gravity: CageGravity = Cage.gravity
     drag: Annotated[float, Dimension(unit="N*m*s", low=0, high=1, example='"1e-6 N m s"')] = Cage.drag
-    land: LandTable | None = Field(
-        default=None, description='give { ring = "outer", clearance = "0.3 mm", width = "10 mm" }'
-    )
+    land: LandTable | None = None
 
 
 class OperationTable(Table):
+    HINT = "give a table [operation] with inner_speed and a load, axial_load for example"
     axial_load: Annotated[list[Thrust], BeforeValidator(_series)] = Field(default=[0.0])
     inner_speed: Annotated[list[Speed], BeforeValidator(_series)] = Field(description='give for example "300 rpm"')
     radial_load: Annotated[list[Side], BeforeValidator(_series)] = Field(default=[0.0])
@@ -257,6 +245,8 @@ class OperationTable(Table):
 
 class LubricantTable(Table):
     """What is left out follows from the name, the viscosities or the base oil: see `analytic.scenefile.oil`."""
+
+    HINT = 'give a table [lubricant] with name = "ISO VG 46", or with viscosity, pressure_viscosity and eyring_stress'
 
     name: Text | None = None  # of an oil or grease of the catalog
     base_oil: Annotated[str, _row_of("base_oils", thing="base oil")] | None = (
@@ -283,25 +273,26 @@ class LubricantTable(Table):
 
 
 class AutocorrelationTable(Table):
+    HINT = 'give { kind = "gaussian", length = "60 um", spacing = "2 um" }'
     kind: Literal["gaussian", "exponential"] = Field(description='give "gaussian" or "exponential"')
     length: Spacing
     spacing: Spacing
 
 
 class HeightMapTable(Table):
+    HINT = 'give { path = "race.npy", spacing = "2 um" }'
     path: Text = Field(description="give the path of a .npy or .csv file of heights in m, from the scene file's folder")
     spacing: Spacing
 
 
 class SurfaceTable(Table):
+    HINT = "give a table [surface] with rms_roughness and autocorrelation, finish, Ra or height_map"
     rms_roughness: Roughness | None = None  # of each surface
     Ra: Roughness | None = None  # of each surface, instead
     finish: Annotated[str, _row_of("finishes", thing="finish")] | None = None  # of the race, instead
     ball_rms_roughness: Roughness | None = None  # if it differs from that of the race
-    autocorrelation: AutocorrelationTable | None = Field(
-        default=None, description='give { kind = "gaussian", length = "60 um", spacing = "2 um" }'
-    )
-    height_map: HeightMapTable | None = Field(default=None, description='give { path = "race.npy", spacing = "2 um" }')
+    autocorrelation: AutocorrelationTable | None = None
+    height_map: HeightMapTable | None = None
     hardness: Pressure | None = None  # that of the softer material of ball and race by default
     # 0.1 to 0.15 for steel on steel with mineral oil (no source seen).
     boundary_friction: Annotated[float, Dimension(unit="", low=0, high=5, example="0.12")] = Surface.boundary_friction
@@ -310,6 +301,7 @@ class SurfaceTable(Table):
 
 
 class FrictionTable(Table):
+    HINT = "give a table [friction], with coefficient where no lubricant is given"
     coefficient: Friction | None = None  # of every race contact; replaces that of lubricant and surface
     hysteresis_loss: Annotated[float, Dimension(unit="", low=0, high=1, example="0.007")] | None = None
     spin_rule: SpinRule = Scene.spin_rule
@@ -318,11 +310,13 @@ class FrictionTable(Table):
 
 
 class LossesTable(Table):
+    HINT = 'give a table [losses] of seals = "5 N mm", drag'
     seals: SealLoss | None = None  # of both seals together
     drag: Loss | None = None  # of the oil that balls and cage move
 
 
 class EffectsTable(Table):
+    HINT = 'give a table [effects] of "auto", "on", "off"'
     load_distribution: Decision = "auto"
     centrifugal: Decision = "auto"
     gyroscopic: Decision = "auto"
@@ -344,6 +338,8 @@ class EffectsTable(Table):
 class ReportTable(Table):
     """What is printed in the report beside the numbers."""
 
+    HINT = 'give a table [report] of author = "N. N.", date ...'
+
     author: Text | None = None
     checker: Text | None = None
     revision: Text | None = None
@@ -357,37 +353,16 @@ class SceneTable(Table):
         default=None, description="say which inputs were chosen until which numbers came out"
     )
     tolerance: Annotated[float, Dimension(unit="", low=1e-6, high=1, example='"5 %"')]
-    bearing: BearingTable = Field(description='give a table [bearing] with catalog = "paper_6205" or every dimension')
-    operation: OperationTable = Field(
-        description="give a table [operation] with inner_speed and a load, axial_load for example"
-    )
-    mounting: MountingTable | None = Field(
-        default=None, description="give a table [mounting] of seats and temperatures"
-    )
-    arrangement: ArrangementTable | None = Field(
-        default=None, description='give a table [arrangement] of kind = "O" and preload = "100 N", or leave it out'
-    )
-    cage: CageTable | None = Field(default=None, description="give a table [cage], or leave it out: no cage term")
-    lubricant: LubricantTable | None = Field(
-        default=None,
-        description='give a table [lubricant] with name = "ISO VG 46", or with viscosity, pressure_viscosity '
-        "and eyring_stress",
-    )
-    surface: SurfaceTable | None = Field(
-        default=None,
-        description="give a table [surface] with rms_roughness and autocorrelation, finish, Ra or height_map",
-    )
-    friction: FrictionTable | None = Field(
-        default=None, description="give a table [friction], with coefficient where no lubricant is given"
-    )
-    losses: LossesTable = Field(default=LossesTable(), description='give a table [losses] of seals = "5 N mm", drag')
-    effects: EffectsTable = Field(default=EffectsTable(), description='give a table [effects] of "auto", "on", "off"')
-    uncertainty: UncertaintyTable = Field(
-        default=UncertaintyTable(), description='give a table [uncertainty] of lubricant.viscosity = "6 %" and others'
-    )
-    assumed: AssumedTable = Field(
-        default=AssumedTable(), description='give a table [assumed] of lubricant.viscosity = "the source" and others'
-    )
-    report: ReportTable = Field(
-        default=ReportTable(), description='give a table [report] of author = "N. N.", date ...'
-    )
+    bearing: BearingTable
+    operation: OperationTable
+    mounting: MountingTable | None = None
+    arrangement: ArrangementTable | None = None
+    cage: CageTable | None = None
+    lubricant: LubricantTable | None = None
+    surface: SurfaceTable | None = None
+    friction: FrictionTable | None = None
+    losses: LossesTable = LossesTable()
+    effects: EffectsTable = EffectsTable()
+    uncertainty: UncertaintyTable = UncertaintyTable()  # pyright: ignore[reportInvalidTypeForm]
+    assumed: AssumedTable = AssumedTable()  # pyright: ignore[reportInvalidTypeForm]
+    report: ReportTable = ReportTable()

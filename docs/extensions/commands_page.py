@@ -1,6 +1,5 @@
 """The page of commands and their options, from the command line itself."""
 
-from importlib import import_module
 from inspect import signature
 from pathlib import Path
 from typing import Any
@@ -24,8 +23,7 @@ def commands_page() -> str:
 
 def section(name: str) -> str:
     """One command: what it does, how it is called, its options, an example."""
-    entry, command = COMMANDS[name], command_of(name)
-    function = getattr(import_module(f"fembearing.cli.{entry.file}"), entry.file)
+    (function, example), command = COMMANDS[name], command_of(name)
     annotations = {each.name: each.annotation for each in signature(function).parameters.values()}
     arguments = [each for each in command.params if each.param_type_name == "argument"]
     options = [each for each in command.params if each.param_type_name == "option"]
@@ -39,7 +37,7 @@ def section(name: str) -> str:
         f"{prose(command.help)}\n",
         f"```text\n{call}\n```\n",
         table(["argument or option", "default", "meaning"], rows),
-        f"For example:\n\n```text\nfembearing {entry.example}\n```\n",
+        f"For example:\n\n```text\n{f'fembearing {name} {example}'.rstrip()}\n```\n",
     ]
     return "\n".join(parts)
 

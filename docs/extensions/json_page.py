@@ -1,27 +1,28 @@
-"""The page of the keys in JSON, from the tables that write and read a report."""
+"""The page of the keys in JSON, from the dataclasses that a report is written from and read into."""
 
 import types
-from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin
+from collections.abc import Mapping
+from dataclasses import fields, is_dataclass
+from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin, get_type_hints
 
 from docs.extensions.annotations import with_parts
 from docs.extensions.source import field_comments
 from docs.extensions.tables import code, table
 from fembearing.quantities import QUANTITIES
-from fembearing.report.document.report import Report
-from fembearing.report.document.table import Table
+from fembearing.report.report import Report
 
 HEAD = """\
 # Keys in JSON
 
-Made from the tables that `report.json` is written and read with. Numbers are SI: m, N, Pa, rad, rad/s, N m, K, s;
+Made from the types that `report.json` is written from and read into. Numbers are SI: m, N, Pa, rad, rad/s, N m, K, s;
 uncertainties and discrepancies are relative. `null` stands where something is not known or was not computed.
 
 - `report.json` of `fembearing validate`, and `validate --json`: [Report](#report).
-- `torque.json` and `torque --json`: [Torque](#torque); the file has `cage_motion`, the files of moving cages, as well.
-- `contact --json`: [Contact](#contact), with the stresses below the surface.
+- `torque.json` and `torque --json`: [TorqueRecord](#torquerecord) with `kind` and `format`; the file has `run`, where
+  it comes from, and the folder's `cage_motion`, the files of moving cages, as well.
+- `contact --json`: [ContactRecord](#contactrecord), with the stresses below the surface.
 """
-TableType = type[Table]
-PLAIN = {float: "number", int: "whole number", str: "text", bool: "`true` or `false`", type(None): "`null`"}
+PLAIN = {float: "number", int: "whole number", str: "text", bool: "`true` or `false`", type(None): "`null`", Any: "any"}
 
 
 def json_page() -> str:
@@ -35,49 +36,42 @@ def json_page() -> str:
     return "\n".join([HEAD, *(section(each, headings) for each in found)])
 
 
-def tables(of: TableType, seen: list[TableType]) -> list[TableType]:
-    """This table and all below it, each once; those of all quantities are one."""
-    of = generic(of)[0] or of
+def keys_of(of: type) -> dict[str, Any]:
+    """The type of each key of a table."""
+    hints = get_type_hints(of, include_extras=True)
+    return {field.name: hints[field.name] for field in fields(of)}
+
+
+def tables(of: type, seen: list[type]) -> list[type]:
+    """This table and all below it, each once; those of any kind of entry are one."""
     if of not in seen:
         seen.append(of)
-        for field in of.model_fields.values():
-            for inside in (part for kind in with_parts(field.annotation) for part in (kind, *generic(kind)[1])):
-                if isinstance(inside, type) and issubclass(inside, Table):
-                    tables(inside, seen)
+        for kind in keys_of(of).values():
+            for part in with_parts(kind):
+                if isinstance(part, type) and is_dataclass(part):
+                    tables(part, seen)
     return seen
 
 
-def generic(kind: Any) -> tuple[TableType | None, tuple[Any, ...]]:
-    """The table of any kind of entry that this one is made from, and the kind of its entries."""
-    made = getattr(kind, "__pydantic_generic_metadata__", {})
-    return made.get("origin"), made.get("args", ())
-
-
-def file_of(of: TableType) -> str:
+def file_of(of: type) -> str:
     return of.__module__.rpartition(".")[2]
 
 
-def section(of: TableType, headings: dict[TableType, str]) -> str:
+def section(of: type, headings: dict[type, str]) -> str:
     """A heading, what the table is, and its keys."""
-    comments = {name: said for above in reversed(of.__mro__) for name, said in comments_of(above).items()}
+    above = [each for each in reversed(of.__mro__) if is_dataclass(each)]
+    comments = {name: said for each in above for name, said in field_comments(each).items()}
     rows = []
-    for name, field in of.model_fields.items():
-        quantity = QUANTITIES.get(name) if float in with_parts(field.annotation) else None
+    for name, kind in keys_of(of).items():
+        quantity = QUANTITIES.get(name) if float in with_parts(kind) else None
         unit, meaning = ("", "") if quantity is None else (quantity.unit, quantity.meaning)
         note = comments.get(name) or meaning
-        rows.append(
-            [code(field.alias or name), holds(field.annotation, headings), unit, note.replace("None", "`null`")]
-        )
+        rows.append([code(name), holds(kind, headings), unit, note.replace("None", "`null`")])
     said = " ".join((of.__doc__ or "").split()).replace("None", "`null`")
     return f"## {headings[of]}\n\n{said}\n\n" + table(["key", "holds", "unit", "meaning"], rows)
 
 
-def comments_of(of: type) -> dict[str, str]:
-    """The comments beside the fields of a table of ours."""
-    return field_comments(of) if issubclass(of, Table) else {}
-
-
-def holds(kind: Any, headings: dict[TableType, str]) -> str:
+def holds(kind: Any, headings: dict[type, str]) -> str:
     """What a value is, in words; a table as a link."""
     origin, parts = get_origin(kind), get_args(kind)
     if kind in PLAIN:
@@ -86,17 +80,18 @@ def holds(kind: Any, headings: dict[TableType, str]) -> str:
         return "an entry"
     if kind in headings:
         return f"[{headings[kind]}](#{headings[kind].lower().replace(' ', '-')})"
-    of, entries = generic(kind)
-    if of is not None:
-        return f"{holds(of, headings)}: {' or '.join(holds(each, headings) for each in entries)}"
+    if origin in headings:
+        return f"{holds(origin, headings)}: {' or '.join(holds(each, headings) for each in parts)}"
     if origin is Annotated:
         return holds(parts[0], headings)
     if origin in (Union, types.UnionType):
         return " or ".join(dict.fromkeys(holds(part, headings) for part in parts))
     if origin is Literal:
         return " or ".join(code(str(part)) for part in parts)
-    if origin is list:
+    if origin is tuple and parts[-1] is not Ellipsis:
+        return f"{len(parts)} of {holds(parts[0], headings)}"
+    if origin in (list, tuple):
         return f"list of {holds(parts[0], headings)}"
-    if origin is dict:
+    if origin in (dict, Mapping):
         return f"{holds(parts[1], headings)} by name"
     raise TypeError(f"{kind} has no words")

@@ -21,8 +21,9 @@ def is_ours(one: object) -> bool:
 
 
 def classes_in(annotation: object) -> Iterator[type]:
-    if is_ours(annotation):
-        yield annotation  # type: ignore[misc]
+    named = typing.get_origin(annotation) or annotation
+    if is_ours(named):
+        yield named  # type: ignore[misc]
     for part in typing.get_args(annotation):
         if part is not Ellipsis:
             yield from classes_in(part)

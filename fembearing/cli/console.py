@@ -16,6 +16,10 @@ class Stream(Console):
     def on_broken_pipe(self) -> None:
         raise  # the error that is being handled
 
+    def tell(self, text: str) -> None:
+        """Print a text as it is."""
+        self.print(text, soft_wrap=True, markup=False)
+
 
 out, err = Stream(highlight=False), Stream(stderr=True)
 

@@ -1,7 +1,8 @@
 """`fembearing contact`."""
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Annotated
+from functools import partial
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -9,7 +10,6 @@ from fembearing.cli.options import (
     Accuracy,
     AsJson,
     Geometry,
-    GeometryName,
     Loads,
     PairName,
     SceneName,
@@ -20,7 +20,9 @@ from fembearing.cli.options import (
 from fembearing.cli.status import DONE, NOT_SOLVED, complain, print_warnings
 
 if TYPE_CHECKING:
-    from analytic.scene import Scene
+    from fembearing.verify.contact.discrepancy import ContactSolution
+    from fembearing.verify.contact.load_series import LoadSeries
+    from fembearing.verify.contact.subsurface import SubsurfaceComparison
 
 
 def contact(
@@ -38,63 +40,62 @@ def contact(
     given = read_scene(scene)
     limit = read_tolerance(accuracy, given)
     loads = [read_load(text) for text in load or ()]
-    if len(loads) > 1:
-        _load_series(given, loads, pair=pair, geometry=geometry, accuracy=limit, as_json=as_json)
-    else:
-        _one_contact(given, loads[0] if loads else None, pair=pair, geometry=geometry, accuracy=limit, as_json=as_json)
-
-
-def _one_contact(
-    given: "Scene", load: float | None, *, pair: PairName, geometry: GeometryName, accuracy: float, as_json: bool
-) -> None:
     from analytic.errors import InputError
-    from analytic.words import percent_of
-    from fembearing.cli.console import out, print_json, shown_progress
-    from fembearing.report.document.build import contact_table
-    from fembearing.report.terminal.contacts import print_contact, print_subsurface
-    from fembearing.verify.contact.discrepancy import SHOWN_OF_A_SHEET, solve_contact
-    from fembearing.verify.contact.mesh_refinement import COMPARED
+    from fembearing.cli.console import shown_progress
+    from fembearing.verify.contact.discrepancy import solve_contact
+    from fembearing.verify.contact.load_series import solve_load_series
     from fembearing.verify.contact.subsurface import compare_subsurface
 
     with shown_progress() as progress:
-        result = solve_contact(given, pair=pair, load=load, accuracy=accuracy, geometry=geometry, progress=progress)
-        progress(0.8, f"{result.contact.pair}: stress under the contact")
-        below = None
-        try:
-            below = compare_subsurface(result)
-        except InputError as problem:  # a contact cut off at a shoulder: everything else is known
-            result = replace(result, warnings=(*result.warnings, str(problem)))
+        settings: dict[str, Any] = {"pair": pair, "accuracy": limit, "geometry": geometry, "progress": progress}
+        if len(loads) > 1:
+            show = partial(_show_series, solve_load_series(given, loads=loads, **settings))
+        else:
+            result, below = solve_contact(given, load=loads[0] if loads else None, **settings), None
+            progress(0.8, f"{result.contact.pair}: stress under the contact")
+            try:
+                below = compare_subsurface(result)
+            except InputError as problem:  # a contact cut off at a shoulder: everything else is known
+                result = replace(result, warnings=(*result.warnings, str(problem)))
+            show = partial(_show_contact, result, below, limit)
+    raise typer.Exit(_status(show(as_json=as_json), limit))
+
+
+def _show_contact(
+    result: "ContactSolution", below: "SubsurfaceComparison | None", accuracy: float, *, as_json: bool
+) -> dict[str, float]:
+    """The relative uncertainties of the quantities that are to be known to the accuracy, by their names."""
+    from analytic.words import percent_of
+    from fembearing.cli.console import out, print_json
+    from fembearing.plain_types import plain
+    from fembearing.report.contact import contact_record
+    from fembearing.report.terminal.contacts import print_contact, print_subsurface
+    from fembearing.verify.contact.discrepancy import SHOWN_OF_A_SHEET
+    from fembearing.verify.contact.mesh_refinement import COMPARED
+
     if as_json:
-        added = {"tolerance": result.tolerance, "accuracy": accuracy, "subsurface": below and below.to_json()}
-        print_json(result.to_json() | added)
+        added = {"tolerance": result.tolerance, "accuracy": accuracy, "subsurface": plain(below)}
+        print_json(plain(contact_record(result)) | added)
     else:
-        print_contact(out, contact_table(result), result.verdicts)
+        print_contact(out, contact_record(result), result.verdicts)
         if below is not None:
             print_subsurface(out, below)
         if result.judged:
             out.print(f"Hertz by the scene's tolerance of {percent_of(result.tolerance)}: {result.verdict}")
         print_warnings(result.warnings)
-    names = COMPARED if result.judged else SHOWN_OF_A_SHEET
-    raise typer.Exit(_status({name: result.estimates[name].total for name in names}, accuracy))
+    return {name: result.estimates[name].total for name in (COMPARED if result.judged else SHOWN_OF_A_SHEET)}
 
 
-def _load_series(
-    given: "Scene", loads: list[float], *, pair: PairName, geometry: GeometryName, accuracy: float, as_json: bool
-) -> None:
-    from fembearing.cli.console import out, print_json, shown_progress
+def _show_series(result: "LoadSeries", *, as_json: bool) -> dict[str, float]:
+    from fembearing.cli.console import out, print_json
     from fembearing.report.terminal.contacts import print_series
-    from fembearing.verify.contact.load_series import solve_load_series
 
-    with shown_progress() as progress:
-        result = solve_load_series(
-            given, pair=pair, loads=loads, accuracy=accuracy, geometry=geometry, progress=progress
-        )
     if as_json:
         print_json(result.to_json())
     else:
         print_series(out, result)
         print_warnings(result.warnings)
-    raise typer.Exit(_status({f"approach at {part.load:g} N": part.approach.total for part in result.points}, accuracy))
+    return {f"approach at {part.load:g} N": part.approach.total for part in result.points}
 
 
 def _status(uncertainties: dict[str, float], accuracy: float) -> int:

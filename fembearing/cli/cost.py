@@ -18,6 +18,7 @@ def cost(
     limit = read_tolerance(tolerance, given)
     from analytic.writing import new_folder
     from fembearing.cli.console import out, print_json, shown_progress
+    from fembearing.plain_types import plain
     from fembearing.report.folder import write_cost
     from fembearing.report.terminal.cost import print_cost
     from fembearing.verify.cost.scene_cost import measure_cost
@@ -27,7 +28,7 @@ def cost(
         if place is not None:
             write_cost(result, place)
     if as_json:
-        print_json(result.to_json())
+        print_json(plain(result))
     else:
         print_cost(out, result)
         print_warnings(given.warnings)

@@ -50,5 +50,5 @@ def init(
     if not os.path.lexists(schema):
         with new_file(schema) as apart:
             apart.write_text(json.dumps(scene_schema(), indent=1, ensure_ascii=False), "utf-8")
-    out.print(f"written: {path}; an editor completes its keys by {schema}", soft_wrap=True, markup=False)
-    out.print(f"next: fembearing torque {shlex.quote(str(path))}", soft_wrap=True, markup=False)
+    out.tell(f"written: {path}; an editor completes its keys by {schema}")
+    out.tell(f"next: fembearing torque {shlex.quote(str(path))}")

@@ -2,17 +2,18 @@
 
 import math
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args
+from typing import Annotated, Any, Literal, get_args
 
 import typer
 
 from fembearing.cli.options import AsJson
 
-if TYPE_CHECKING:
-    from analytic.catalog.bearing_rows import CatalogBearing
-
 Topic = Literal["bearings", "oils", "materials", "scenes", "effects"]
 Row = dict[str, Any]  # SI
+OF_BEARING = (
+    *("designation", "kind", "bore", "outside", "width", "ball_count", "ball_diameter", "nominal_angle"),
+    *("dynamic_load_rating", "static_load_rating", "grade", "maker"),
+)
 NARROW = 6  # columns; more stand close together, to fit a screen of 80 characters
 
 
@@ -22,15 +23,8 @@ def listing(
     as_json: AsJson = False,
 ) -> None:
     """List what a scene may name: bearings of the catalogue, oils, materials, built-in scenes, effects."""
-    rows_of: dict[Topic, Callable[[Callable[[str], bool]], list[Row]]] = {
-        "bearings": _bearings,
-        "oils": _oils,
-        "materials": _materials,
-        "scenes": _scenes,
-        "effects": _effects,
-    }
     wanted = _plain(beginning)
-    rows = rows_of[topic](lambda name: _plain(name).startswith(wanted))
+    rows = [row for row in ROWS[topic]() if _plain(next(iter(row.values()))).startswith(wanted)]
     if not rows:
         from analytic.errors import InputError
 
@@ -47,30 +41,13 @@ def _plain(name: str) -> str:
     return "".join(name.split()).casefold()
 
 
-def _bearings(shown: Callable[[str], bool]) -> list[Row]:
+def _bearings() -> list[Row]:
     from analytic.catalog.bearing_rows import bearing_names, find_bearing
 
-    return [_bearing(find_bearing(name)) for name in bearing_names() if shown(name)]
+    return [{key: getattr(bearing, key) for key in OF_BEARING} for bearing in map(find_bearing, bearing_names())]
 
 
-def _bearing(bearing: "CatalogBearing") -> Row:
-    return {
-        "designation": bearing.designation,
-        "kind": bearing.kind,
-        "bore": bearing.bore,
-        "outside": bearing.outside,
-        "width": bearing.width,
-        "ball_count": bearing.ball_count,
-        "ball_diameter": bearing.ball_diameter,
-        "nominal_angle": bearing.nominal_angle,
-        "dynamic_load_rating": bearing.dynamic_load_rating,
-        "static_load_rating": bearing.static_load_rating,
-        "grade": bearing.grade,
-        "maker": bearing.maker,
-    }
-
-
-def _oils(shown: Callable[[str], bool]) -> list[Row]:
+def _oils() -> list[Row]:
     from analytic import catalog
 
     return [
@@ -82,7 +59,6 @@ def _oils(shown: Callable[[str], bool]) -> list[Row]:
             "kinematic_viscosity_100": _si(row["viscosity_100 [mm^2/s]"]),
         }
         for name, row in catalog.rows("oils").items()
-        if shown(name)
     ]
 
 
@@ -91,23 +67,19 @@ def _si(viscosity: str) -> float | None:
     return float(viscosity) * 1e-6 if viscosity else None
 
 
-def _materials(shown: Callable[[str], bool]) -> list[Row]:
+def _materials() -> list[Row]:
     from analytic import catalog
 
-    return [{"material": name} | catalog.entry("materials", name) for name in catalog.names("materials") if shown(name)]
+    return [{"material": name} | catalog.entry("materials", name) for name in catalog.names("materials")]
 
 
-def _scenes(shown: Callable[[str], bool]) -> list[Row]:
+def _scenes() -> list[Row]:
     from analytic import catalog
 
-    return [
-        {"scene": name, "title": catalog.entry("scenes", name)["name"]}
-        for name in catalog.names("scenes")
-        if shown(name)
-    ]
+    return [{"scene": name, "title": catalog.entry("scenes", name)["name"]} for name in catalog.names("scenes")]
 
 
-def _effects(shown: Callable[[str], bool]) -> list[Row]:
+def _effects() -> list[Row]:
     from analytic.effects.table import TABLE
 
     return [
@@ -118,10 +90,16 @@ def _effects(shown: Callable[[str], bool]) -> list[Row]:
             "needs": entry.needs.keys.replace("`", "") if entry.needs is not None else None,
         }
         for entry in TABLE
-        if shown(entry.name)
     ]
 
 
+ROWS: dict[Topic, Callable[[], list[Row]]] = {
+    "bearings": _bearings,
+    "oils": _oils,
+    "materials": _materials,
+    "scenes": _scenes,
+    "effects": _effects,
+}
 Column = tuple[str, Callable[[Row], str]]
 
 

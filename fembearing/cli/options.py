@@ -104,14 +104,12 @@ def require_folder_name(folder: Path | None) -> None:
 
 def read_tolerance(given: str | None, scene: "Scene") -> float:
     """The tolerance of an option, or the scene's."""
-    if given is None:
-        return scene.tolerance
-    return read_option("--tolerance", given, unit="", low=1e-6, high=1.0, example='"1 %" or 0.01')
+    return scene.tolerance if given is None else _read_option("--tolerance", given, "tolerance")
 
 
 def read_load(given: str) -> float:
     """The load of an option in N."""
-    return read_option("--load", given, unit="N", low=1e-12, high=1e7, example='"620 N"')
+    return _read_option("--load", given, "ball_load")
 
 
 def read_samples(given: int | None, *, with_interval: bool) -> int | Literal["enough"] | None:
@@ -123,12 +121,15 @@ def read_samples(given: int | None, *, with_interval: bool) -> int | Literal["en
     return "enough" if with_interval and given is None else given
 
 
-def read_option(option: str, given: str, *, unit: str, low: float, high: float, example: str) -> float:
-    """The value of an option in SI. Raises InputError for a text that is not a value of this unit, or out of range."""
+def _read_option(option: str, given: str, key: str) -> float:
+    """The value of an option in SI. Raises InputError for a text that this key of a scene or a grid does not take."""
     from analytic.errors import InputError
-    from analytic.scenefile.quantity import Dimension
+    from analytic.scenefile.keys import scene_key
+    from analytic.scenefile.tables import SceneTable
+    from fembearing.sweep.grid import OF_AXES, GridTable
 
-    dimension = Dimension(unit=unit, low=low, high=high, example=example)
+    dimension = scene_key(key, root=GridTable if key in OF_AXES else SceneTable).dimension
+    assert dimension is not None, key
     try:
         number: object = float(given)  # on the command line a pure number is text too
     except ValueError:

@@ -23,12 +23,13 @@ def report(
 ) -> None:
     """Make the page of a report again from its numbers and the pictures in the same folder."""
     from fembearing.cli.console import out, print_json
+    from fembearing.plain_types import plain
     from fembearing.report.page.rebuild import rebuild_page
 
     result = rebuild_page(numbers, out=page, details=given_details())
     if as_json:
-        print_json(result.to_json())
+        print_json(plain(result))
     else:
-        out.print(f"page: {result.file}", soft_wrap=True, markup=False)
+        out.tell(f"page: {result.page}")
     for name in result.missing:
         say(f"the picture {name} does not lie beside {numbers}; the page says so")

@@ -13,10 +13,13 @@ class File(StrEnum):
     SCENE = "scene"
     GRID = "grid"
     REPORT = "report"
+    TORQUE = "torque"
 
 
 def schema(
-    file: Annotated[File, typer.Argument(help="scene or grid, which people write; report is report.json.")],
+    file: Annotated[
+        File, typer.Argument(help="scene or grid, which people write; report: report.json; torque: torque --json.")
+    ],
 ) -> None:
     """Print the JSON Schema of a file: scene and grid, by which editors complete keys, or a JSON result."""
     typer.echo(json.dumps(_schema_of(file), indent=1, ensure_ascii=False))
@@ -32,6 +35,6 @@ def _schema_of(file: File) -> dict[str, Any]:
         from fembearing.sweep.schema import grid_schema
 
         return grid_schema()
-    from fembearing.report.document.report import Report
+    from fembearing.report.schema import report_schema, torque_schema
 
-    return Report.model_json_schema()
+    return report_schema() if file is File.REPORT else torque_schema()

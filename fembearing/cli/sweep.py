@@ -70,16 +70,13 @@ def _maps(result: "Sweep") -> list[Path]:
 def _print(result: "Sweep", maps: list[Path]) -> None:
     from fembearing.cli.console import out
 
-    def line(text: str) -> None:
-        out.print(text, soft_wrap=True, markup=False)
-
-    line(
+    out.tell(
         f"{result.points} points: {result.computed} computed, {result.kept} from before, {result.failed} failed; "
         f"{result.seconds:.1f} s"
     )
     for reason in result.reasons:
-        line(f"failed: {reason}")
+        out.tell(f"failed: {reason}")
     if result.lost:
-        line(f"{result.lost} of them will be tried again when the sweep is started again")
+        out.tell(f"{result.lost} of them will be tried again when the sweep is started again")
     for file in (result.file, *maps):
-        line(f"written: {file}")
+        out.tell(f"written: {file}")

@@ -34,18 +34,20 @@ def torque(
     given, count = read_scene(scene), read_samples(samples, with_interval=with_interval)
     given = replace(given, tolerance=read_tolerance(tolerance, given))
     from fembearing.cli.console import out, print_json, shown_progress
+    from fembearing.plain_types import plain
     from fembearing.report.terminal.torque import print_torque
+    from fembearing.report.torque import torque_file
     from fembearing.report.torque_folder import torque_with_files
 
     with shown_progress() as progress:
         result, lacking = torque_with_files(given, out=target, samples=count, keep_going=keep_going, progress=progress)
     if as_json:
-        print_json(result.to_json())
+        print_json(plain(torque_file(result)))
     else:
         print_torque(out, result)
         print_warnings(result.friction.warnings)
         if target is not None:
-            out.print(f"{'file' if target.suffix else 'folder'}: {target}", soft_wrap=True, markup=False)
+            out.tell(f"{'file' if target.suffix else 'folder'}: {target}")
     if lacking is not None:
         say(lacking)
     status = STATUS[result.verdicts.overall]

@@ -36,8 +36,9 @@ def validate(
     given = replace(given, report=replace(given.report, **details))
     limit = read_tolerance(tolerance, given)
     from fembearing.cli.console import out, print_json, shown_progress
-    from fembearing.report.document.build import report_of
+    from fembearing.plain_types import plain
     from fembearing.report.folder import validate as run
+    from fembearing.report.report import report_of
     from fembearing.report.terminal.validation import print_validation
 
     with shown_progress() as progress:
@@ -51,10 +52,10 @@ def validate(
         )
     document = report_of(result)
     if as_json:
-        print_json(document.to_json())
+        print_json(plain(document))
     else:
         print_validation(out, document)
         print_warnings(result.warnings)
         if folder is not None:
-            out.print(f"report: {folder / 'report.html'}", soft_wrap=True, markup=False)
+            out.tell(f"report: {folder / 'report.html'}")
     raise typer.Exit(STATUS[result.verdict])

@@ -21,5 +21,5 @@ def warmup() -> None:
         for number, name in enumerate(SCENES):
             progress(number / len(SCENES), f"formulas of {name}")
             torque_of_scene(load_scene(name))
-    out.print(f"formulas are kept in {folder}", soft_wrap=True, markup=False)
+    out.tell(f"formulas are kept in {folder}")
     raise typer.Exit(DONE)

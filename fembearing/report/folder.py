@@ -8,6 +8,7 @@ from pathlib import Path
 from analytic.scene import Scene
 from analytic.scenefile.by_name import Given
 from analytic.writing import new_folder, write
+from fembearing.plain_types import plain
 from fembearing.progress import Progress, part_of, silent
 from fembearing.verify.cost.scene_cost import Cost
 from fembearing.verify.torque.scene_torque import Samples
@@ -70,11 +71,11 @@ def validate(
 
 def write_report(result: Validation, folder: Path) -> Validation:
     """Write report.html, report.json, pictures and meshes into a folder; the result, with what troubled the writing."""
-    from fembearing.report.document.build import report_of
     from fembearing.report.figures.cost import cost_table
     from fembearing.report.figures.page_plots import PLOTS, plots_of
     from fembearing.report.page.write import page_of  # with matplotlib: half a second that only a report pays for
     from fembearing.report.pictures.draw import draw_pictures
+    from fembearing.report.report import report_of
 
     plots = {}
 
@@ -84,8 +85,8 @@ def write_report(result: Validation, folder: Path) -> Validation:
     pictures, trouble = draw_pictures(result.contacts, folder, meanwhile=draw_plots)
     if trouble:
         result = replace(result, trouble=(f"the pictures are maps by matplotlib: {trouble}",))
-    document = report_of(result, pictures=[picture.to_json() for picture in pictures], renderer=trouble)
-    numbers = json.dumps(document.to_json(), indent=1, allow_nan=False)
+    document = report_of(result, pictures=[picture.listed for picture in pictures], renderer=trouble)
+    numbers = json.dumps(plain(document), indent=1, allow_nan=False)
     write(folder / "report.json", numbers)
     write(folder / "report.html", page_of(document, folder, plots=plots))
     write(folder / "cost.csv", cost_table(document.cost.ladders))
@@ -94,11 +95,10 @@ def write_report(result: Validation, folder: Path) -> Validation:
 
 def write_cost(cost: Cost, folder: Path) -> None:
     """Write what accuracy costs into a folder: cost.png, cost.csv and cost.json."""
-    from fembearing.report.document.report import Ladder
     from fembearing.report.figures.cost import cost_figures, cost_table
     from fembearing.report.figures.style import png
 
-    ladders = [Ladder.model_validate(ladder.to_json()) for ladder in cost.ladders]
+    ladders = cost.ladders
     write(folder / "cost.png", png(*cost_figures(ladders, tolerance=cost.tolerance, most=len(ladders) + 1)))
     write(folder / "cost.csv", cost_table(ladders))
-    write(folder / "cost.json", json.dumps(cost.to_json(), indent=1, allow_nan=False))
+    write(folder / "cost.json", json.dumps(plain(cost), indent=1, allow_nan=False))

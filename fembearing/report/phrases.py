@@ -7,18 +7,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from analytic.cage.drive import LARGEST_GRIP
 from analytic.words import angle_of, percent_of
 from fembearing.quantities import CONTACT, METRIC, Quantity, Units
 from fembearing.verify.cost.ladder import Ladder
 
-if TYPE_CHECKING:  # pydantic's models: only a report pays for them
-    from analytic.result import PairPart
-    from analytic.scene import Clearances as SceneClearances
+if TYPE_CHECKING:
+    from analytic.prediction.rows import PredictedPoint, PredictionRows
+    from analytic.result import PairRows
+    from analytic.rows import OperatingPoint
+    from analytic.scene import Clearances
     from analytic.verdicts import NumericalCheck, PhysicalCheck
-    from fembearing.report.document.contact import Contact, Ring
-    from fembearing.report.document.prediction import PredictedPoint, Prediction
-    from fembearing.report.document.torque import Clearances, OperatingPoint
-    from fembearing.report.document.verdicts import NumericalVerdict, PhysicalVerdict
+    from fembearing.report.contact import ContactRecord
+    from fembearing.verify.contact.ring import RingStructure
 
 AT_THE_CENTRE = CONTACT["peak_pressure"]._replace(name="pressure at y = 0")
 VARIED = {  # the parts of the model's uncertainty
@@ -49,13 +50,19 @@ SHARES = (
     "Share: of the total, the largest of all operating points. A share with <= is an estimate from above of what "
     "leaving the effect out changes. The uncertainty of the torque does not count effects that the scene switches off."
 )
+REGIME = (
+    "Whirl: mean speed of the cage's centre about the axis. Wobble: root mean square change of its distance. "
+    "Grip used: of what the races carry along the orbit, by the mean force. Grip number: the same of a whirl, by "
+    f"the weakest ball; balls slide above {LARGEST_GRIP:g}. Races: what they lose more because the cage drags the "
+    "balls, where balls and cage move together; it is part of the cage's torque."
+)
 MEASURED_RANGE = "12 to 48 %"  # of validation/measured/measured.csv, which a test compares
 MEASURED = f"In the one rig with measured torques, three balls in oil, the torque is {MEASURED_RANGE} too low."
 LEAST_EXPLAINED = 0.5  # share of the variance below which the shares of the inputs say nothing
 AXES = "a along rolling (x), b transverse (y), load along z"
 
 
-def quantities_of(contact: "Contact", units: Units = METRIC) -> dict[str, Quantity]:
+def quantities_of(contact: "ContactRecord", units: Units = METRIC) -> dict[str, Quantity]:
     """The quantities of a contact; where a shoulder cuts it off, the pressure is largest there and not at y = 0."""
     named = CONTACT | {"peak_pressure": AT_THE_CENTRE} if contact.shoulder else CONTACT
     return {name: quantity.in_units(units) for name, quantity in named.items()}
@@ -74,17 +81,17 @@ def title_of(pair: str, geometry: str, contact_angle: float, load: str) -> str:
     return f"{capital(place_of(pair, geometry))}{angle}: {load}"
 
 
-def contact_title(contact: "Contact", units: Units = METRIC) -> str:
+def contact_title(contact: "ContactRecord", units: Units = METRIC) -> str:
     """Place and load of a contact, for the head of its table."""
     return title_of(contact.pair, contact.geometry, contact.contact_angle, units.force.written(contact.load, ".4g"))
 
 
-def contact_place(contact: "Contact") -> str:
+def contact_place(contact: "ContactRecord") -> str:
     """The place of a contact, as it begins a sentence."""
     return capital(place_of(contact.pair, contact.geometry))
 
 
-def ring_line(ring: "Ring", units: Units = METRIC) -> str:
+def ring_line(ring: "RingStructure", units: Units = METRIC) -> str:
     """What the ring adds to the approach, in one sentence."""
     return (
         f"Ring on a rigid seat: approach {units.small_length.written(ring.approach, '+.3g')} ({ring.share:+.1%} of "
@@ -92,7 +99,7 @@ def ring_line(ring: "Ring", units: Units = METRIC) -> str:
     )
 
 
-def loads_of(point: "OperatingPoint | PredictedPoint", names: Sequence[str], units: Units = METRIC) -> str:
+def loads_of(point: "OperatingPoint", names: Sequence[str], units: Units = METRIC) -> str:
     """The loads of these names at an operating point, for example "1000 N axial, 50 N radial"."""
     words = {"axial_load": "axial", "radial_load": "radial", "moment": "moment"}
     shown = {name: units.torque if name == "moment" else units.force for name in names}
@@ -104,7 +111,7 @@ def varying_loads(points: Sequence["OperatingPoint"]) -> list[str]:
     return [name for name in LOADS if len({getattr(point, name) for point in points}) > 1]
 
 
-def present_loads(points: Sequence["OperatingPoint | PredictedPoint"]) -> list[str]:
+def present_loads(points: Sequence["OperatingPoint"]) -> list[str]:
     """The axial load, and the names of the other loads that are not 0 at every operating point."""
     return [name for name in LOADS if name == "axial_load" or any(getattr(point, name) for point in points)]
 
@@ -197,14 +204,14 @@ def limit_of(value: float, unit: str, units: Units = METRIC) -> str:
     return units.pressure.written(value, ".3g") if unit == "Pa" else percent_of(value)
 
 
-def worst_of(check: "PhysicalCheck | PhysicalVerdict", units: Units = METRIC) -> str:
+def worst_of(check: "PhysicalCheck", units: Units = METRIC) -> str:
     """The number of a physical verdict."""
     if check.value is None:
         return "infinite" if check.verdict == "fail" else "unknown"
     return limit_of(check.value, check.unit, units)
 
 
-def numerical_words(check: "NumericalCheck | NumericalVerdict") -> str:
+def numerical_words(check: "NumericalCheck") -> str:
     """Whether the torque is solved within the tolerance, in a sentence."""
     if check.uncertainty is None:
         return f"Numerical: not reached, the uncertainty of the torque is not known: {check.reason}."
@@ -212,7 +219,7 @@ def numerical_words(check: "NumericalCheck | NumericalVerdict") -> str:
     return f"{words}, {'within' if check.verdict == 'pass' else 'beyond'} the tolerance {100 * check.tolerance:.3g} %."
 
 
-def clearances_of(found: "Clearances | SceneClearances", units: Units = METRIC) -> str:
+def clearances_of(found: "Clearances", units: Units = METRIC) -> str:
     """How the bearing came to its clearance, in a sentence or two."""
     way = ", ".join(f"{units.small_length.written(getattr(found, name), '.3g')} {name}" for name in CLEARANCES)
     left = (
@@ -233,18 +240,17 @@ def clearances_of(found: "Clearances | SceneClearances", units: Units = METRIC) 
     return f"Clearance on the diameter: {way}{left}. In operation: {', '.join(seats)}."
 
 
-def pair_of(pair: "PairPart", units: Units = METRIC) -> str:
+def pair_of(pair: "PairRows", units: Units = METRIC) -> str:
     """What the columns of a pair's table mean, and its preload."""
-    found = pair.equilibrium
     held = (
         "Both bearings carry the axial load, without preload"
         if pair.kind == "tandem"
-        else f"Preload {units.force.written(found.preload, '.4g')} at standstill, by closing "
-        f"{units.small_length.written(found.offset, '.3g')}; the axial load presses on the first bearing"
+        else f"Preload {units.force.written(pair.preload, '.4g')} at standstill, by closing "
+        f"{units.small_length.written(pair.offset, '.3g')}; the axial load presses on the first bearing"
     )
     return (
         f"{held}. Loads of each bearing along and across its own axis; ball: load of its heaviest; middles "
-        f"{units.length.written(found.distance, '.4g')} apart; dFa/dz: axial stiffness of the pair."
+        f"{units.length.written(pair.distance, '.4g')} apart; dFa/dz: axial stiffness of the pair."
     )
 
 
@@ -262,7 +268,7 @@ def interval_at(point: "PredictedPoint", units: Units = METRIC) -> str:
     return "-".join(f"{units.torque.number(end):.3g}" for end in (point.total.low, point.total.high))
 
 
-def predicted_torque(prediction: "Prediction", units: Units = METRIC) -> str:
+def predicted_torque(prediction: "PredictionRows", units: Units = METRIC) -> str:
     """The torque with its interval at the slowest and the fastest point, in a sentence."""
     each = [
         f"{units.torque.written(point.nominal, '.3g')} ({interval_at(point, units)}) at "
@@ -272,7 +278,7 @@ def predicted_torque(prediction: "Prediction", units: Units = METRIC) -> str:
     return f"Friction torque with its 95 % interval: {', '.join(each)}."
 
 
-def explained_words(prediction: "Prediction") -> str:
+def explained_words(prediction: "PredictionRows") -> str:
     """How far to trust the shares of the inputs, in a sentence."""
     known = f"The regression that the shares are read from predicts {100 * prediction.explained:.0f} % or more of the "
     if prediction.explained < LEAST_EXPLAINED:
@@ -280,7 +286,7 @@ def explained_words(prediction: "Prediction") -> str:
     return f"{known}variance; the rest is attributed to no input, and is not in the standard errors."
 
 
-def interval_words(prediction: "Prediction") -> str:
+def interval_words(prediction: "PredictionRows") -> str:
     """How the interval was computed and what it does not know, in sentences."""
     return (
         f"95 % interval by {prediction.samples} Latin hypercube samples, seed {prediction.seed}, in "
@@ -298,16 +304,16 @@ def short_name(method: str) -> str:
 def choices_line(ladder: Ladder) -> str:
     """Which method each of some tolerances takes, and how many times as much the next digit costs."""
     parts = []
-    for method, run in groupby(ladder.choices, key=attrgetter("method")):
+    for (name, seconds), run in groupby(ladder.choices, key=attrgetter("method", "seconds")):
         choices = list(run)
         tolerances = ", ".join(f"{100 * choice.tolerance:g}" for choice in choices)
-        taken = "none" if method is None else f"{short_name(method.name)}, {method.seconds:.2g} s"
+        taken = "none" if name is None else f"{short_name(name)}, {seconds:.2g} s"
         price = choices[0].price
         parts.append(f"{tolerances} %: {taken}" + ("" if price is None else f", {price:.2g} times as much"))
     return "; ".join(parts)
 
 
-def shoulder_lines(contact: "Contact", units: Units = METRIC) -> list[str]:
+def shoulder_lines(contact: "ContactRecord", units: Units = METRIC) -> list[str]:
     """What a contact does at the shoulders that cut it off, a sentence each; none where it ends before them."""
     shoulder = contact.shoulder
     if shoulder is None:

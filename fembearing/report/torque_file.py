@@ -6,7 +6,9 @@ from pathlib import Path
 from typing import Any
 
 from analytic.errors import InputError
+from fembearing.plain_types import plain
 from fembearing.provenance import provenance_of
+from fembearing.report.torque import torque_file
 from fembearing.report.torque_table import csv_of
 from fembearing.verify.torque.scene_torque import SceneTorque
 
@@ -31,7 +33,7 @@ def table_file(result: SceneTorque) -> bytes:
 
 def numbers_file(result: SceneTorque, **more: Any) -> bytes:
     """JSON, SI; more : what else it holds."""
-    content = result.to_json() | more | {"run": provenance_of(result.scene)}
+    content = plain(torque_file(result)) | more | {"run": plain(provenance_of(result.scene))}
     return json.dumps(content, indent=1, allow_nan=False).encode()
 
 

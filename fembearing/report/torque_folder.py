@@ -96,18 +96,16 @@ def write_torque(
 
 def _write_prediction(prediction: "Prediction", folder: Path) -> None:
     """Write interval.png: what the interval is made of, and the inputs that make it."""
-    from fembearing.report.document.prediction import Prediction as Table
     from fembearing.report.figures.prediction import interval_figure
     from fembearing.report.figures.style import png
 
-    write(folder / "interval.png", png(interval_figure(Table.model_validate(prediction.to_json()), METRIC)))
+    write(folder / "interval.png", png(interval_figure(prediction.rows, METRIC)))
 
 
 def _write_motions(
     records: list[CageRecord], folder: Path, renderer: Sequence[str] | None
 ) -> tuple[list[dict[str, Any]], str | None]:
     """Write series, plot and picture of each motion; gives the entries of torque.json, and what is lacking."""
-    from fembearing.report.document.torque import CageRecord as Motion
     from fembearing.report.figures.cage import cage_caption, orbit_figure  # with matplotlib: only a folder pays for it
     from fembearing.report.figures.style import png
     from fembearing.report.pictures.cage import cage_job, picture_caption
@@ -123,7 +121,7 @@ def _write_motions(
         packed = {name: {"zlib": True, "complevel": 1} for name in dataset.data_vars}  # most forces are 0
         with being_written(series):
             dataset.to_netcdf(series, engine="netcdf4", encoding=packed)
-        motion = Motion.model_validate(record.drawn())
+        motion = record.drawn()
         write(plot, png(orbit_figure(motion, METRIC, captioned=True)))
         written.append(
             {

@@ -6,19 +6,17 @@
 import logging
 import os
 from asyncio import gather, run, wait_for
-from collections.abc import Callable, Generator, Iterator, Mapping
+from collections.abc import Callable, Generator, Iterator, Sequence
 from concurrent.futures import CancelledError
 from contextlib import contextmanager
 from importlib.metadata import version
 from importlib.util import find_spec
-from itertools import islice
 from typing import Any
 
 from analytic.errors import FembearingError, InputError, ResourceError
 
 PATIENCE = 5.0  # s, within which a cluster elsewhere has to answer
 MEMORY = 1.0  # share of this machine's that each worker may take: all, since a task that needs much runs alone at last
-AHEAD = 2  # tasks sent for each thread of the workers: one runs, and the next one waits there
 ENVIRONMENT = {  # of the workers on this machine, where the user has not set it
     **dict.fromkeys(("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS"), 1),
     # Of glibc: freed arrays go back to the system. Without these lines a worker of contacts keeps 70 MB more.
@@ -31,7 +29,6 @@ SETTINGS = {  # of the workers on this machine
     "distributed.scheduler.no-workers-timeout": "60s",  # else a sweep without workers would wait for ever
     "distributed.scheduler.work-stealing-interval": "100ms",
     "distributed.deploy.lost-worker-timeout": "60s",  # a worker that died is not given up while it starts again
-    "distributed.worker.memory.terminate": 0.95,
     # A worker keeps one result at a time. Nothing of it goes to the disk, and a full worker does not wait for ever.
     "distributed.worker.memory.target": False,
     "distributed.worker.memory.spill": False,
@@ -40,7 +37,6 @@ SETTINGS = {  # of the workers on this machine
     "distributed.admin.large-graph-warning-threshold": "1GB",  # a grid of a million values is sent with each task
 }
 DEAF = "import signal; signal.signal(signal.SIGINT, signal.SIG_IGN)"  # Ctrl-C is for the process that has the workers
-Task = tuple[Any, ...]  # arguments
 
 
 class LostWorkerError(FembearingError):
@@ -48,22 +44,21 @@ class LostWorkerError(FembearingError):
 
 
 def each_done(
-    function: Callable[..., Any],
-    tasks: Mapping[Any, Task],
+    function: Callable[[Any], Any],
+    tasks: Sequence[Any],
     *,
     workers: int | None = None,
     scheduler: str | None = None,
     announce: Callable[[str], None] | None = None,
 ) -> Generator[tuple[Any, Any]]:
-    """Key and result of every task as it is finished, by workers of this machine or of a Dask cluster.
+    """Every task with the function's result as it is finished, by workers of this machine or of a Dask cluster.
 
     workers : number of processes of this machine, each with one thread; None: one for each core that this process may
         use. They end with the generator, and with this process
     scheduler : address of a Dask cluster that computes instead
     announce : called with the address of the dashboard, if there is one
     A task runs again when its worker dies. If that one dies too, the task runs once more after all others, alone; if
-    that fails as well, its result is a LostWorkerError. An exception of a task is raised here. The workers have a few
-    tasks each at a time, so that memory does not grow with the number of tasks.
+    that fails as well, its result is a LostWorkerError. An exception of a task is raised here.
     Raises InputError where no cluster answers at the address, it goes away, or it has another version of fembearing;
     FembearingError where the processes of this machine cannot start, ResourceError where all of them end.
     """
@@ -73,31 +68,21 @@ def each_done(
         if announce is not None and client.run_on_scheduler(_draws_dashboard):
             announce(client.dashboard_link)
         suspects = []
-        for key, result in _each_done(client, function, tasks):
+        for task, result in _each_done(client, function, tasks):
             if isinstance(result, LostWorkerError):  # perhaps by another task of that worker
-                suspects.append(key)
+                suspects.append(task)
             else:
-                yield key, result
-        for key in suspects:
-            yield from _each_done(client, function, {key: tasks[key]})
+                yield task, result
+        for task in suspects:
+            yield from _each_done(client, function, [task])
 
 
-def _each_done(client: Any, function: Callable[..., Any], tasks: Mapping[Any, Task]) -> Generator[tuple[Any, Any]]:
+def _each_done(client: Any, function: Callable[[Any], Any], tasks: Sequence[Any]) -> Generator[tuple[Any, Any]]:
     from distributed import as_completed
     from distributed.scheduler import KilledWorker
 
-    waiting, running = iter(tasks.items()), {}
-    done = as_completed(loop=client.loop)
-    while True:
-        most = AHEAD * max(1, sum(client.nthreads().values()))
-        for key, task in islice(waiting, max(0, most - len(running))):
-            future = client.submit(function, *task, pure=False)
-            running[future] = key
-            done.add(future)
-        if not running:
-            return
-        future = next(done)
-        key = running.pop(future)
+    running = dict(zip(client.map(function, tasks, pure=False), tasks, strict=True))
+    for future in as_completed(running, loop=client.loop):
         try:
             result = future.result()
         except KilledWorker:
@@ -105,8 +90,7 @@ def _each_done(client: Any, function: Callable[..., Any], tasks: Mapping[Any, Ta
                 "every process that took it was ended by the system, as one that takes too much memory is, or killed; "
                 "free some memory, or compute it on a larger machine"
             )
-        future.release()
-        yield key, result
+        yield running.pop(future), result
 
 
 @contextmanager
@@ -125,7 +109,8 @@ def _workers_here(workers: int | None, tasks: int) -> Iterator[Any]:
         "dashboard_address": "127.0.0.1:0",  # any free port; without Bokeh, it only says that
         "silence_logs": logging.CRITICAL,  # errors are reported here, in one line
     }
-    with _environment_kept(), dask.config.set(SETTINGS):
+    before = set(os.environ)  # Dask adds to it what it sets for the processes that it starts
+    with dask.config.set(SETTINGS):
         try:
             cluster = LocalCluster(**options)
         except RuntimeError as problem:
@@ -144,22 +129,13 @@ def _workers_here(workers: int | None, tasks: int) -> Iterator[Any]:
         finally:
             cluster.sync(_end, cluster)
             cluster.close()
+            for name in os.environ.keys() - before:
+                del os.environ[name]
 
 
 async def _end(cluster: Any) -> None:
     """End the processes. What still computes has half a second to come to an end, and is killed then."""
     await gather(*(worker.close(timeout=0.5) for worker in cluster.workers.values()), return_exceptions=True)
-
-
-@contextmanager
-def _environment_kept() -> Iterator[None]:
-    """Undo what Dask sets in the environment of this process for the processes that it starts."""
-    before = dict(os.environ)
-    try:
-        yield
-    finally:
-        for name in os.environ.keys() - before.keys():
-            del os.environ[name]
 
 
 @contextmanager

@@ -2,7 +2,7 @@
 
 import json
 from collections import Counter
-from collections.abc import Callable, Container, Iterable, Iterator
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -13,69 +13,42 @@ from analytic.numerics.interpolated import SEED
 from fembearing.provenance import provenance_of
 from fembearing.quantities import QUANTITIES
 from fembearing.sweep.grid import Axis, Grid
-from fembearing.sweep.parts import Part, Piece, column_notes
-from fembearing.verify.contact.columns import VERDICT
+from fembearing.sweep.parts import column_notes
 
-REASON = "failure"
-WORDS = {REASON: "why a point failed; empty where not", VERDICT: "verdict on Hertz by the scene's tolerance"}
 QUANTITY = {"bearing.catalog": "bearing", "ball_load": "load"}  # of an axis, where its key does not end in its name
 MOST_WARNINGS = 50
-BYTES_TOGETHER = 8_000_000
 
 
-def write_dataset(
-    file: Path, grid: Grid, parts: Callable[[Container[str]], Iterable[tuple[Piece, Part]]]
-) -> tuple[str, ...]:
-    """Write the dataset as netCDF, what is missing as NaN; why points failed, in the order of the grid.
+def write_dataset(file: Path, grid: Grid, values: Mapping[str, NDArray[Any]], warnings: Counter[str]) -> None:
+    """Write the dataset as netCDF, without the columns that hold no number.
 
-    parts : every piece with its part, of which these columns alone
-    A few columns are in memory at a time.
+    values : (size,) in the order of the points, by the name of the column
     """
     import xarray  # on demand: it takes a second
 
     names = axis_names(grid.axes)
-    dimensions = [names[axis.key] for axis in grid.order]
     shape = tuple(len(axis.values) for axis in grid.order)
-
-    def variable(values: NDArray[Any], **notes: str) -> Any:
-        whole = xarray.Variable(dimensions, values.reshape(shape), notes)
-        return whole.transpose(*(names[axis.key] for axis in grid.axes))
-
-    words: dict[str, Any] = {REASON: np.full(grid.size, "", dtype=object)}
-    warnings: Counter[str] = Counter()
-    for piece, part in parts(()):
-        for name, values in part.words.items():
-            words.setdefault(name, np.full(grid.size, "", dtype=object))[piece.start : piece.stop] = values
-        for place, reason in part.reasons.items():
-            words[REASON][piece.start + place] = reason
-        warnings.update(part.warnings)
-    xarray.Dataset(
-        {name: variable(values, long_name=WORDS[name]) for name, values in words.items()},
-        coords={names[axis.key]: (names[axis.key], list(axis.values), _axis_notes(axis)) for axis in grid.axes},
-        attrs=_provenance(grid, warnings),
-    ).to_netcdf(file, engine="netcdf4")
-
-    notes = column_notes(grid)
-    for together in _groups(list(notes), grid.size):
-        columns = {name: np.full(grid.size, np.nan) for name in together}
-        for piece, part in parts(together):
-            for name, values in part.columns.items():
-                columns[name][piece.start : piece.stop] = values
-        xarray.Dataset(
-            {
-                name: variable(values, units=notes[name].unit, long_name=notes[name].meaning)
-                for name, values in columns.items()
-                if not np.all(np.isnan(values))
-            }
-        ).to_netcdf(file, mode="a", engine="netcdf4")
-    return tuple(reason for reason in words[REASON] if reason)
+    variables = {}
+    for name, note in column_notes(grid).items():
+        if note.unit and np.all(np.isnan(values[name])):
+            continue
+        notes = {"long_name": note.meaning} | ({"units": note.unit} if note.unit else {})
+        variable = xarray.Variable([names[axis.key] for axis in grid.order], values[name].reshape(shape), notes)
+        variables[name] = variable.transpose(*names.values())
+    coordinates = {names[axis.key]: (names[axis.key], list(axis.values), _axis_notes(axis)) for axis in grid.axes}
+    dataset = xarray.Dataset(variables, coords=coordinates, attrs=_provenance(grid, warnings))
+    dataset.to_netcdf(file, engine="netcdf4")
 
 
-def _groups(names: list[str], size: int) -> Iterator[list[str]]:
-    """Columns that are in memory together."""
-    most = max(1, BYTES_TOGETHER // (8 * size))
-    for start in range(0, len(names), most):
-        yield names[start : start + most]
+def is_readable(file: Path) -> bool:
+    """Whether a dataset is there and whole, so that it need not be written again."""
+    import xarray
+
+    try:
+        with xarray.open_dataset(file, engine="netcdf4"):
+            return True
+    except (OSError, ValueError):
+        return False
 
 
 def axis_names(axes: Iterable[Axis]) -> dict[str, str]:
@@ -99,14 +72,14 @@ def _axis_notes(axis: Axis) -> dict[str, str]:
 def _provenance(grid: Grid, warnings: Counter[str]) -> dict[str, Any]:
     scene = grid.first_scene()
     origin = provenance_of(scene)
-    content = origin.pop("scene_content")
+    others = {name: value for name, value in vars(origin).items() if name != "scene_content"}
     most = [warning for warning, _ in warnings.most_common(MOST_WARNINGS)]
     return {
         "title": f"{grid.what} of {scene.name}",
-        "fembearing": origin["versions"]["fembearing"],
+        "fembearing": origin.versions["fembearing"],
         "grid": grid.text,
-        "first_scene": json.dumps(content),
+        "first_scene": json.dumps(origin.scene_content),
         "seed": SEED,  # of the points at which a long series is sampled; a cage's seeds are numbered in the scene
         "warnings": "\n".join(most),
-        **{name: value if isinstance(value, str | int) else json.dumps(value) for name, value in origin.items()},
+        **{name: value if isinstance(value, str | int) else json.dumps(value) for name, value in others.items()},
     }

@@ -16,32 +16,59 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from math import prod
 from pathlib import Path
-from typing import Any, Literal, get_args
+from typing import Annotated, Any, Literal
 
 import numpy as np
+from pydantic import Field, ValidationError, create_model
 
 from analytic.errors import InputError
 from analytic.scene import Pair, Scene
 from analytic.scenefile.find import find_scene
-from analytic.scenefile.keys import Value, scene_key, with_key
+from analytic.scenefile.keys import SceneKey, Value, faults_of, scene_key, with_key
 from analytic.scenefile.quantity import Dimension
 from analytic.scenefile.read import scene_of
+from analytic.scenefile.table import Table, Whole
 from analytic.scenefile.text import parse_text, plain, read_text, shown
 
 What = Literal["torque", "contact"]
-OWN_QUANTITIES = {
-    "ball_load": Dimension(unit="N", low=1e-12, high=1e7, example='"620 N"'),
-    "accuracy": Dimension(unit="", low=1e-6, high=1, example='"1 %"'),
-}
-OWN_WORDS = {"pair": get_args(Pair), "geometry": ("real", "hertzian", "wall")}
-OF_CONTACT = ("pair", "ball_load", "geometry", "accuracy")
+OF_AXES = ("pair", "ball_load", "geometry")  # keys of sweeps that may be axes
+OF_CONTACT = (*OF_AXES, "accuracy")
 DIRECTION = "down"  # the key of [operation] whose list is one value
-SAMPLES = "samples"
-RANGE = ("from", "to", "count", "spacing")
-MOST_COUNT = 1_000_000  # values of one axis
 BYTES_A_POINT = 400  # of the whole dataset in memory, or of a map while it is drawn
 SHARE_OF_MEMORY = 0.5
 MEMORY_UNKNOWN = 8e9  # bytes, taken where the system does not say
+EXAMPLE = 'give for example operation.axial_load = ["100 N", "200 N"]'
+
+
+class GridTable(Table):
+    """What a grid file holds."""
+
+    what: What = "torque"
+    scene: str | dict[str, Any] = Field(description="give its path, a bearing of the catalog, or a table [scene]")
+    samples: Annotated[int, Whole(things="samples", low=1, high=10**9, example=512)] | None = Field(
+        default=None, description="of the 95 % interval of the torque"
+    )
+    pair: Pair | None = None
+    ball_load: Annotated[float, Dimension(unit="N", low=1e-12, high=1e7, example='"620 N"')] | None = None
+    geometry: Literal["real", "hertzian", "wall"] | None = None
+    accuracy: Annotated[float, Dimension(unit="", low=1e-6, high=1, example='"1 %"')] | None = None
+    axes: dict[str, Any] = Field(min_length=1, description=EXAMPLE)
+
+
+# A class statement cannot name a field "from".
+StepsTable: type[Table] = create_model(
+    "StepsTable",
+    __base__=Table,
+    **{
+        "from": (str | float, Field(description='give the first value, for example "100 N"')),
+        "to": (str | float, Field(description='give the last value, for example "2 kN"')),
+        "count": (
+            Annotated[int, Whole(things="values", low=2, high=1_000_000, example=20)],
+            Field(description="give how many values, for example 20"),
+        ),
+        "spacing": (Literal["linear", "log"], "linear"),
+    },
+)  # pyright: ignore[reportCallIssue, reportArgumentType]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -53,29 +80,13 @@ class Axis:
     values: tuple[Value, ...]  # SI
     in_series: bool = False  # a key of [operation]: the torque model takes all its values at once
 
-    def in_scene(self, index: int) -> Value:
-        """The value as it is written in a scene file.
-
-        Parameters
-        ----------
-        index : int
-            Number of the value, from 0.
-
-        Returns
-        -------
-        float, int, str or bool
-            A number in the unit of the axis becomes a text with that unit.
-        """
-        value = self.values[index]
-        return f"{value!r} {self.unit}" if self.unit else value
-
 
 @dataclass(frozen=True, kw_only=True)
 class Grid:
     """A scene, what to compute for it, and the axes.
 
     Points are numbered with the axes in the order of `order`, in which those of a series come last; the last axis
-    varies fastest.
+    varies fastest. A variant is a choice of the values of all axes of `outside`, numbered in the same way.
     """
 
     what: What  # is computed at each point
@@ -112,46 +123,28 @@ class Grid:
         """Number of points in one series."""
         return prod(len(axis.values) for axis in self.series)
 
-    def chosen(self, variant: int) -> dict[str, int]:
-        """Key and index of each axis of `outside`.
-
-        Parameters
-        ----------
-        variant : int
-            Number of a choice of these axes, from 0.
-
-        Returns
-        -------
-        dict
-            Index by key.
-        """
-        shape = tuple(len(axis.values) for axis in self.outside)
-        places = np.unravel_index(variant, shape) if shape else ()
-        return {axis.key: int(place) for axis, place in zip(self.outside, places, strict=True)}
-
     def settings(self, variant: int) -> dict[str, Value]:
-        """Values of the keys of OF_CONTACT at one choice of the axes of `outside`.
+        """Values of the keys of OF_CONTACT at one variant.
 
         Parameters
         ----------
         variant : int
-            Number of the choice, from 0.
+            Number of the variant, from 0.
 
         Returns
         -------
         dict
             SI.
         """
-        chosen = self.chosen(variant)
-        return self.fixed | {a.key: a.values[chosen[a.key]] for a in self.outside if a.key in OF_CONTACT}
+        return self.fixed | {axis.key: value for axis, value in self._chosen(variant) if axis.key in OF_CONTACT}
 
     def scene(self, variant: int) -> Scene:
-        """The scene at one choice of the axes of `outside`, and at the first point of its series.
+        """The scene of one variant, at the first point of its series.
 
         Parameters
         ----------
         variant : int
-            Number of the choice, from 0.
+            Number of the variant, from 0.
 
         Returns
         -------
@@ -163,12 +156,11 @@ class Grid:
         InputError
             As `load_scene`.
         """
-        chosen = self.chosen(variant)
-        document = self.document
-        for axis in self.order:
+        document = dict(self.document)  # a copy, since the reader adds entries of the catalog to it
+        for axis, value in (*self._chosen(variant), *((axis, axis.values[0]) for axis in self.series)):
             if axis.key not in OF_CONTACT:
-                document = with_key(document, axis.key, axis.in_scene(chosen.get(axis.key, 0)))
-        return self._read(document)
+                document = with_key(document, axis.key, f"{value!r} {axis.unit}" if axis.unit else value)
+        return scene_of(document, origin=self.origin, folder=Path(self.folder))
 
     def first_scene(self) -> Scene:
         """The first scene that is valid. Raises InputError if none is."""
@@ -180,9 +172,11 @@ class Grid:
                 failure = problem
         raise failure
 
-    def _read(self, document: dict[str, Any]) -> Scene:
-        # A copy, since the reader adds entries of the catalog to it.
-        return scene_of(dict(document), origin=self.origin, folder=Path(self.folder))
+    def _chosen(self, variant: int) -> list[tuple[Axis, Value]]:
+        """Each axis of `outside` with its value at a variant."""
+        shape = tuple(len(axis.values) for axis in self.outside)
+        places = np.unravel_index(variant, shape) if shape else ()
+        return [(axis, axis.values[int(place)]) for axis, place in zip(self.outside, places, strict=True)]
 
 
 def load_grid(path: str | os.PathLike[str]) -> Grid:
@@ -201,139 +195,93 @@ def load_grid(path: str | os.PathLike[str]) -> Grid:
 
 
 def _grid(text: str, *, origin: str, folder: Path) -> Grid:
-    given = parse_text(text, origin=origin)
-    known = ("what", "scene", "axes", SAMPLES, *OF_CONTACT)
-    for key in given:
-        if key not in known:
-            raise InputError(f"{plain(key)} is an unknown key; known: {', '.join(known)}")
-    what = given.get("what", "torque")
-    if what not in ("torque", "contact"):
-        raise InputError(f'what = {shown(what)} is not a word known here; give "torque" or "contact"')
-    axes = tuple(_axis(key, values) for key, values in _listed(given.get("axes")))
-    fixed = {key: _own(key)(key, given[key]) for key in OF_CONTACT if key in given}
+    table: Any = _validated(GridTable, parse_text(text, origin=origin))
+    axes = tuple(_axis(key, values) for key, values in _listed(table.axes))
+    fixed = {key: getattr(table, key) for key in OF_CONTACT if getattr(table, key) is not None}
+    for key, count in Counter(axis.key for axis in axes).items():  # a coordinate would not be the value in the scene
+        if count > 1:
+            raise InputError(f"axes.{key} is there twice, with quotes and without; leave one of them out")
+        if key in fixed:
+            raise InputError(f"{key} is an axis and has one value for the whole sweep; leave one of them out")
     for key in (*fixed, *(axis.key for axis in axes)):
-        if key in OF_CONTACT and what != "contact":
+        if key in OF_CONTACT and table.what != "contact":
             raise InputError(f'{key} is of a contact; write what = "contact", or leave it out')
-    samples = given.get(SAMPLES)
-    if samples is not None and (isinstance(samples, bool) or not isinstance(samples, int) or samples < 1):
-        raise InputError(f"samples = {shown(samples)} is no number of samples; give a whole number, for example 512")
-    if samples is not None and what != "torque":
+    if table.samples is not None and table.what != "torque":
         raise InputError('samples are of the interval of a torque; write what = "torque", or leave them out')
-    _require_distinct([axis.key for axis in axes], fixed)
-    document, scene_folder = _document(given.get("scene"), folder)
+    document = table.scene
+    if isinstance(document, str):
+        found = find_scene(document, folder=folder)
+        document, folder = parse_text(found.text, origin=found.origin), found.folder
     _require_one_point(document, axes)
     _require_memory(axes)
     return Grid(
-        what=what,
+        what=table.what,
         document=document,
-        folder=str(scene_folder),
+        folder=str(folder),
         fixed=fixed,
-        samples=samples,
+        samples=table.samples,
         axes=axes,
         text=text,
         origin=origin,
     )
 
 
-def _listed(given: object, before: str = "") -> Iterator[tuple[str, object]]:
+def _validated(kind: type[Table], given: dict[str, Any], before: str = "") -> Table:
+    """The table; before : path of its keys. Raises InputError for the first of its faults."""
+    try:
+        return kind.model_validate(given)
+    except ValidationError as problem:
+        raise InputError(before + faults_of(given, problem.errors(include_url=False), root=kind)[0]) from None
+
+
+def _listed(given: dict[str, Any], before: str = "") -> Iterator[tuple[str, object]]:
     """Whole key and values of each axis; keys may be quoted or not."""
-    if not isinstance(given, dict) or not given:
-        raise InputError('[axes] is missing; give for example operation.axial_load = ["100 N", "200 N"]')
     for key, inside in given.items():
-        if isinstance(inside, dict) and inside and not set(inside) & set(RANGE[:3]):
+        if isinstance(inside, dict) and inside and not set(inside) & {"from", "to", "count"}:
             yield from _listed(inside, f"{before}{key}.")
         else:
             yield before + key, inside
 
 
-def _own(key: str) -> Any:
-    """A function that reads a value of a key of sweeps."""
-
-    def read(name: str, given: object) -> Value:
-        if key in OWN_WORDS:
-            if given not in OWN_WORDS[key]:
-                raise InputError(f"{name} = {shown(given)} is not a word known here; give {_either(OWN_WORDS[key])}")
-            return str(given)
-        try:
-            return OWN_QUANTITIES[key].read(given)
-        except ValueError as problem:
-            raise InputError(f"{name} = {shown(given)} {problem}") from None
-
-    return read
-
-
 def _axis(key: str, given: object) -> Axis:
     name = f"axes.{plain(key)}"
-    if key in OWN_WORDS or (key in OWN_QUANTITIES and key != "accuracy"):
-        read, in_series = _own(key), False
-        dimension = OWN_QUANTITIES.get(key)
-    else:
-        try:
-            entry = scene_key(key)
-        except InputError as problem:
-            raise InputError(f"axes: {problem} (or one of the sweep's own: pair, ball_load, geometry)") from None
-        dimension, in_series = entry.dimension, entry.in_series
-
-        def read(name: str, given: object) -> Value:
-            try:
-                return entry.read(given)
-            except ValueError as problem:
-                raise InputError(f"{name} = {shown(given)} {problem}") from None
-
+    try:
+        entry = scene_key(key, root=GridTable) if key in OF_AXES else scene_key(key)
+    except InputError as problem:
+        raise InputError(f"axes: {problem} (or one of the sweep's own: {', '.join(OF_AXES)})") from None
     if isinstance(given, dict):
-        if dimension is None:
+        if entry.dimension is None:
             raise InputError(f"{name} has no order to step through; give a list of its values")
-        values = _steps(name, given, read)
+        values: tuple[Value, ...] = _steps(name, given, entry)
     elif isinstance(given, list) and given:
-        values = tuple(read(f"{name}[{number}]", value) for number, value in enumerate(given))
+        values = tuple(entry.read_as(f"{name}[{number}]", value) for number, value in enumerate(given))
     elif given == []:
         raise InputError(f"{name} is empty; give at least one value, or leave the axis out")
     else:
         raise InputError(f"{name} = {shown(given)} is no list; give [..., ...] or {{ from, to, count, spacing }}")
     if len(set(values)) < len(values):
-        twice = next(value for value, count in Counter(values).items() if count > 1)
-        raise InputError(f"{name} has {shown(twice)} twice; leave one of them out")
+        raise InputError(f"{name} has {shown(Counter(values).most_common(1)[0][0])} twice; leave one of them out")
     words = [isinstance(value, str) for value in values]  # of a key that takes a quantity or a word: a clearance
-    if dimension is None or all(words):
-        return Axis(key=key, unit=None, values=values, in_series=in_series)
+    if entry.dimension is None or all(words):
+        return Axis(key=key, unit=None, values=values, in_series=entry.in_series)
     if any(words):
         raise InputError(f"{name} mixes words and quantities; give one kind")
-    return Axis(key=key, unit=dimension.unit, values=values, in_series=in_series)
+    return Axis(key=key, unit=entry.dimension.unit, values=values, in_series=entry.in_series)
 
 
-def _steps(name: str, given: dict[str, Any], read: Any) -> tuple[float, ...]:
-    """Values of an axis given by from, to, count and spacing, which is "linear" by default."""
-    for key in given:
-        if key not in RANGE:
-            raise InputError(f"{name}.{plain(key)} is an unknown key; known: {', '.join(RANGE)}")
-    for key in RANGE[:3]:
-        if key not in given:
-            raise InputError(f'{name}.{key} is missing; give {{ from = ..., to = ..., count = 20, spacing = "log" }}')
-    begin, end = (read(f"{name}.{key}", given[key]) for key in ("from", "to"))
+def _steps(name: str, given: dict[str, Any], entry: SceneKey) -> tuple[float, ...]:
+    """Values of an axis given by from, to, count and spacing."""
+    table = _validated(StepsTable, given, f"{name}.").model_dump()
+    begin, end = (entry.read_as(f"{name}.{key}", table[key]) for key in ("from", "to"))
     if isinstance(begin, str) or isinstance(end, str):
         raise InputError(f"{name} steps through quantities, not words; give a list of its values")
-    count, spacing = given["count"], given.get("spacing", "linear")
-    if isinstance(count, bool) or not isinstance(count, int) or not 2 <= count <= MOST_COUNT:
-        raise InputError(f"{name}.count = {shown(count)} is no count; give a whole number from 2 to {MOST_COUNT}")
-    if spacing not in ("linear", "log"):
-        raise InputError(f'{name}.spacing = {shown(spacing)} is not a word known here; give "linear" or "log"')
     if begin == end:
         raise InputError(f"{name}: from and to are the same, {begin:g}; give a list of that one value")
-    if spacing == "log" and begin * end <= 0:
+    if table["spacing"] == "log" and begin * end <= 0:
         raise InputError(f'{name}: from {begin:g} to {end:g} has no logarithm; give spacing = "linear"')
-    steps = np.geomspace(begin, end, count) if spacing == "log" else np.linspace(begin, end, count)
+    steps = (np.geomspace if table["spacing"] == "log" else np.linspace)(begin, end, table["count"])
     steps[[0, -1]] = begin, end  # exactly as written
     return tuple(steps.tolist())
-
-
-def _document(given: object, folder: Path) -> tuple[dict[str, Any], Path]:
-    """The scene as a table, and the base folder of its relative paths."""
-    if isinstance(given, dict):
-        return given, folder
-    if not isinstance(given, str) or not given:
-        raise InputError("scene is missing; give its path, a bearing of the catalog, or a table [scene]")
-    found = find_scene(given, folder=folder)
-    return parse_text(found.text, origin=found.origin), found.folder
 
 
 def _require_one_point(document: dict[str, Any], axes: tuple[Axis, ...]) -> None:
@@ -346,15 +294,6 @@ def _require_one_point(document: dict[str, Any], axes: tuple[Axis, ...]) -> None
             raise InputError(
                 f"operation.{plain(key)} has {len(value)} values in the scene; make it an axis, or give it one value"
             )
-
-
-def _require_distinct(keys: list[str], fixed: dict[str, Value]) -> None:
-    """Refuse two settings of one key: a coordinate of the dataset would not be the value in the scene."""
-    for key, count in Counter(keys).items():
-        if count > 1:
-            raise InputError(f"axes.{key} is there twice, with quotes and without; leave one of them out")
-        if key in fixed:
-            raise InputError(f"{key} is an axis and has one value for the whole sweep; leave one of them out")
 
 
 def _require_memory(axes: tuple[Axis, ...]) -> None:
@@ -370,7 +309,3 @@ def _require_memory(axes: tuple[Axis, ...]) -> None:
             f"axes: {counts} = {size:,} points are too many for this machine's memory, which holds the results of "
             f"{most:,}; shorten an axis, or sweep in parts"
         )
-
-
-def _either(words: tuple[str, ...]) -> str:
-    return ", ".join(f'"{word}"' for word in words[:-1]) + f' or "{words[-1]}"'

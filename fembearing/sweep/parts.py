@@ -6,8 +6,10 @@ that a sweep gives the same numbers on any machine. Effects are decided for the 
 between pieces is within the tolerance of the scene, since the uncertainties of both pieces are.
 """
 
-from collections.abc import Iterator
+import traceback
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
+from functools import partial
 from itertools import pairwise
 from math import ceil
 from typing import Any
@@ -18,8 +20,8 @@ from numpy.typing import NDArray
 from analytic.errors import FembearingError
 from analytic.labelled import Column
 from analytic.prediction.formulas import with_model_uncertainty
-from analytic.result import COLUMNS, FrictionTorque
-from analytic.scene import Array, Scene
+from analytic.result import COLUMNS
+from analytic.scene import Scene
 from analytic.torque import friction_torque
 from fembearing.sweep.grid import Grid
 from fembearing.verify.contact import columns as of_contact
@@ -28,7 +30,9 @@ MOST_THRUST = 1000  # points in one piece under thrust: about 3 s with free ball
 MOST_SCENES = 50  # in one piece: about 3 s
 MOST_RADIAL = 16  # points in one piece, where each ball carries another load: 10 s with free balls and a film
 RADIAL = ("operation.radial_load", "operation.moment")
-MOST_WARNINGS = 20  # kept for a piece
+REASON = "failure"
+FAILURE = {REASON: Column("", "why a point failed; empty where not")}  # without a unit: words
+VERDICT = {of_contact.VERDICT: Column("", "verdict on Hertz by the scene's tolerance")}
 INTERVAL = {  # what a grid with samples has besides
     "torque_low": Column("N m", "lower end of the 95 % interval of the friction torque"),
     "torque_median": Column("N m", "median of the friction torque"),
@@ -38,22 +42,24 @@ INTERVAL = {  # what a grid with samples has besides
 }
 
 
-@dataclass(frozen=True, kw_only=True)
-class Piece:
-    """The points from start to stop, numbered as in `Grid`."""
-
-    start: int
-    stop: int
+Piece = range  # the numbers of its points, as in `Grid`
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Part:
     """Results at the n points of a piece."""
 
-    columns: dict[str, Array]  # (n,), NaN where there is no result
-    words: dict[str, NDArray[np.str_]] = field(default_factory=dict)  # (n,), empty where there is no result
-    reasons: dict[int, str]  # why a point failed, by its number in the piece
-    warnings: tuple[str, ...]
+    values: dict[str, NDArray[Any]]  # (n,): numbers, NaN where there is none; or words, empty where there is none
+    warnings: dict[str, None] = field(default_factory=dict)  # a set that keeps its order
+    defects: list[str] = field(default_factory=list)  # tracebacks of exceptions that are our bugs
+
+
+@dataclass(frozen=True, kw_only=True)
+class Failure:
+    """What came of points instead of results."""
+
+    reason: str  # in one line
+    defect: str | None = None  # the traceback, if it is our bug
 
 
 def pieces(grid: Grid) -> Iterator[Piece]:
@@ -71,38 +77,72 @@ def pieces(grid: Grid) -> Iterator[Piece]:
     else:
         ends = [*range(0, size, length * max(1, min(MOST_SCENES, together // length))), size]
     for start, stop in pairwise(ends):
-        yield Piece(start=start, stop=stop)
+        yield Piece(start, stop)
 
 
-def column_notes(grid: Grid) -> dict[str, Any]:
-    """Unit and meaning of each computed column."""
+def column_notes(grid: Grid) -> dict[str, Column]:
+    """Unit and meaning of each column; a column of words has no unit."""
     if grid.what == "contact":
-        return of_contact.COLUMNS
-    return COLUMNS if grid.samples is None else COLUMNS | INTERVAL
+        return FAILURE | VERDICT | of_contact.COLUMNS
+    return FAILURE | COLUMNS | (INTERVAL if grid.samples is not None else {})
+
+
+def blank(grid: Grid, size: int) -> dict[str, NDArray[Any]]:
+    """The columns of a grid without any result, (size,)."""
+    return {
+        name: np.full(size, np.nan) if note.unit else np.full(size, "", dtype=object)
+        for name, note in column_notes(grid).items()
+    }
 
 
 def compute_part(grid: Grid, piece: Piece) -> Part:
     """Compute all points of a piece. Any failure at a point is recorded as its reason, and the others continue."""
-    count = piece.stop - piece.start
-    part = Part(
-        columns={name: np.full(count, np.nan) for name in column_notes(grid)},
-        words={} if grid.what == "torque" else {of_contact.VERDICT: np.zeros(count, dtype="U16")},
-        reasons={},
-        warnings=(),
-    )
-    warnings: dict[str, None] = {}  # a set that keeps its order
+    part = Part(values=blank(grid, len(piece)))
     for variant in range(piece.start // grid.length, ceil(piece.stop / grid.length)):
         first = variant * grid.length
-        points = np.arange(max(first, piece.start), min(first + grid.length, piece.stop))
-        try:
-            scene = grid.scene(variant)
-        except Exception as problem:
-            part.reasons.update(dict.fromkeys((points - piece.start).tolist(), _reason(problem)))
+        places = np.arange(max(first, piece.start), min(first + grid.length, piece.stop)) - first
+        scene = _tried(partial(grid.scene, variant))
+        if isinstance(scene, Failure):
+            _record(part, places + first - piece.start, scene)
             continue
-        compute = _contact if grid.what == "contact" else _torque
-        for warning in compute(grid, scene, variant, points - first, points - piece.start, part):
-            warnings[warning] = None
-    return replace(part, warnings=tuple(warnings)[:MOST_WARNINGS])
+        compute = partial(_contact, grid, scene, variant) if grid.what == "contact" else partial(_torque, grid, scene)
+        _compute(compute, places, first - piece.start, part)
+    return part
+
+
+def _compute(
+    compute: Callable[[NDArray[np.intp]], dict[str, Any]], places: NDArray[np.intp], offset: int, part: Part
+) -> None:
+    """Compute points, or where that fails each half of them, so that a failing point does not affect the others.
+
+    places : in their series;  offset : of the series in the part
+    """
+    result = _tried(partial(compute, places))
+    if not isinstance(result, Failure):
+        part.warnings.update(dict.fromkeys(result.pop("warnings")))
+        for name, values in result.items():
+            part.values[name][places + offset] = values
+    elif places.size == 1:
+        _record(part, places + offset, result)
+    else:
+        for half in np.array_split(places, 2):
+            _compute(compute, half, offset, part)
+
+
+def _tried(function: Callable[[], Any]) -> Any:
+    """What the function returns, or a Failure."""
+    try:
+        return function()
+    except (FembearingError, MemoryError) as problem:
+        return Failure(reason=_in_one_line(problem))
+    except Exception as problem:  # a bug costs no other point; `run_sweep` raises it when all of them are done
+        return Failure(reason=f"a defect of fembearing: {_in_one_line(problem)}", defect=traceback.format_exc())
+
+
+def _record(part: Part, at: NDArray[np.intp], failure: Failure) -> None:
+    part.values[REASON][at] = failure.reason
+    if failure.defect is not None:
+        part.defects.append(failure.defect)
 
 
 def _cage_may_move(grid: Grid) -> bool:
@@ -116,64 +156,35 @@ def _is_radial(grid: Grid) -> bool:
     return any(axis.key in RADIAL for axis in grid.axes) or not grid.first_scene().operation.is_thrust
 
 
-def _contact(
-    grid: Grid, scene: Scene, variant: int, _places: NDArray[np.intp], at: NDArray[np.intp], part: Part
-) -> tuple[str, ...]:
+def _contact(grid: Grid, scene: Scene, variant: int, _places: NDArray[np.intp]) -> dict[str, Any]:
+    """The columns of a contact, and its warnings."""
     from fembearing.verify.contact.discrepancy import solve_contact
 
     settings: dict[str, Any] = grid.settings(variant)
-    try:
-        solution = solve_contact(
-            scene,
-            pair=settings.get("pair", "inner"),
-            load=settings.get("ball_load"),
-            accuracy=settings.get("accuracy"),
-            geometry=settings.get("geometry", "real"),
-        )
-    except Exception as problem:
-        part.reasons[int(at[0])] = _reason(problem)
-        return ()
-    for name, value in solution.columns().items():
-        part.columns[name][at] = value
-    part.words[of_contact.VERDICT][at] = solution.shown_verdict
-    return solution.warnings
+    solution = solve_contact(
+        scene,
+        pair=settings.get("pair", "inner"),
+        load=settings.get("ball_load"),
+        accuracy=settings.get("accuracy"),
+        geometry=settings.get("geometry", "real"),
+    )
+    return {**solution.columns(), of_contact.VERDICT: solution.shown_verdict, "warnings": solution.warnings}
 
 
-def _torque(
-    grid: Grid, scene: Scene, variant: int, places: NDArray[np.intp], at: NDArray[np.intp], part: Part
-) -> tuple[str, ...]:
-    """Compute a series, or where that fails each of its halves, so that a failing point does not affect the others."""
+def _torque(grid: Grid, scene: Scene, places: NDArray[np.intp]) -> dict[str, Any]:
+    """The columns of points of a series, and its warnings; points without an interval have the reason besides."""
     series = _at(grid, scene, places)
-    try:
-        result = with_model_uncertainty(series, friction_torque(series))
-    except Exception as problem:
-        if places.size == 1:
-            part.reasons[int(at[0])] = _reason(problem)
-            return ()
-        middle = places.size // 2
-        halves = (slice(None, middle), slice(middle, None))
-        return tuple(
-            warning for half in halves for warning in _torque(grid, scene, variant, places[half], at[half], part)
-        )
-    for name, values in result.columns().items():
-        part.columns[name][at] = values
+    result = with_model_uncertainty(series, friction_torque(series))
+    found = {**result.columns(), "warnings": result.warnings}
     if grid.samples is None:
-        return result.warnings
-    _interval(series, result, grid.samples, at, part)
-    return result.warnings
-
-
-def _interval(series: Scene, result: FrictionTorque, samples: int, at: NDArray[np.intp], part: Part) -> None:
-    """Compute the interval of the total. Points without one keep their torque, with the reason."""
+        return found
     from analytic.prediction.prediction import predicted_interval  # with SciPy's statistics: half a second
 
     try:
-        interval = predicted_interval(series, result, samples=samples)
+        interval = predicted_interval(series, result, samples=grid.samples)
     except FembearingError as problem:
-        part.reasons.update(dict.fromkeys(at.tolist(), f"no interval: {_reason(problem)}"))
-        return
-    for name, values in vars(interval).items():
-        part.columns[f"torque_{name}"][at] = values
+        return found | {REASON: f"no interval: {_in_one_line(problem)}"}
+    return found | {f"torque_{name}": values for name, values in vars(interval).items()}
 
 
 def _at(grid: Grid, scene: Scene, places: NDArray[np.intp]) -> Scene:
@@ -188,7 +199,7 @@ def _at(grid: Grid, scene: Scene, places: NDArray[np.intp]) -> Scene:
     return replace(scene, operation=replace(scene.operation, **values))
 
 
-def _reason(problem: Exception) -> str:
-    """The message in one line, with the class of an exception that is not ours."""
+def _in_one_line(problem: BaseException) -> str:
+    """The message, with the class of an exception that is not ours."""
     words = " ".join(str(problem).split())
     return words if isinstance(problem, FembearingError) else f"{type(problem).__name__}: {words}"

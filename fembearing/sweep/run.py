@@ -1,22 +1,26 @@
 """Run a sweep: compute the pieces that its folder does not hold yet, and gather all of them."""
 
 import time
-from collections.abc import Callable, Container, Iterable, Iterator
+from collections import Counter
+from collections.abc import Callable, Iterable
 from contextlib import closing
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from functools import partial
 from pathlib import Path
 from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from analytic.brief import Brief
 from analytic.errors import InputError
 from analytic.scene import Scene
 from fembearing.progress import Progress, silent
 from fembearing.sweep.cluster import LostWorkerError, each_done
-from fembearing.sweep.dataset import write_dataset
+from fembearing.sweep.dataset import is_readable, write_dataset
 from fembearing.sweep.grid import Grid, load_grid
-from fembearing.sweep.parts import Part, Piece, compute_part, pieces
-from fembearing.sweep.store import RESULT, Store, opened_store
+from fembearing.sweep.parts import REASON, Part, Piece, blank, compute_part, pieces
+from fembearing.sweep.store import Store, opened_store
 from fembearing.verify.contact.mesh_seconds import about
 
 SHOWN_REASONS = 5
@@ -59,6 +63,27 @@ class Sweep(Brief):
         return asdict(self)
 
 
+@dataclass(frozen=True, kw_only=True)
+class Gathered:
+    """The results of a sweep, as they come."""
+
+    grid: Grid
+    values: dict[str, NDArray[Any]]  # (size,) by the name of the column
+    warnings: Counter[str] = field(default_factory=Counter)  # number of pieces that gave each
+    defects: list[str] = field(default_factory=list)  # tracebacks
+
+    def add(self, piece: Piece, part: Part) -> None:
+        for name, values in part.values.items():
+            self.values[name][piece.start : piece.stop] = values
+        self.warnings.update([*part.warnings])
+        self.defects.extend(part.defects)
+
+    @property
+    def reasons(self) -> list[str]:
+        """Why points failed, in the order of the grid."""
+        return [reason for reason in self.values[REASON] if reason]
+
+
 def run_sweep(
     grid: Grid | Path | str,
     *,
@@ -95,36 +120,48 @@ def run_sweep(
     InputError
         A mistake in the grid, or a folder that holds something else. Where a point cannot be computed, `failure` in the
         dataset gives the reason, and the others continue.
+    RuntimeError
+        A defect of fembearing at some points, when all others are computed and the dataset is written.
     """
     begun = time.perf_counter()
     if workers is not None and workers < 1:
         raise InputError(f"--workers {workers}: give a whole number from 1, or leave it out for one a core")
     read = grid if isinstance(grid, Grid) else load_grid(grid)
     with opened_store(Path(out), read) as store:
-        finished = store.finished()
-        if finished is not None:
-            return _outcome(store, read, begun, computed=0, **finished)
-        all_pieces = list(pieces(read))
-        missing = [piece for piece in all_pieces if store.load(piece) is None]
+        gathered, missing = Gathered(grid=read, values=blank(read, read.size)), []
+        for piece in pieces(read):
+            part = store.load(piece)
+            if part is None:
+                missing.append(piece)
+            else:
+                gathered.add(piece, part)
         _require_samples(read, read.first_scene())  # which raises where no point is a valid scene
-        tasks = {piece: (read, piece) for piece in missing}
-        results = each_done(compute_part, tasks, workers=workers, scheduler=scheduler, announce=announce)
-        with closing(results):
-            lost = _keep(store, read, missing, results, progress)
-        progress(1.0, "gathering")
-        reasons: list[str] = []
-        store.keep_result(
-            lambda file: reasons.extend(write_dataset(file, read, partial(_parts, store, all_pieces, lost)))
+        results = each_done(
+            partial(compute_part, read), missing, workers=workers, scheduler=scheduler, announce=announce
         )
-        counts = {
-            "failed": len(reasons),
-            "lost": sum(piece.stop - piece.start for piece in lost),
-            "reasons": tuple(dict.fromkeys(reasons))[:SHOWN_REASONS],
-        }
-        if not lost:
-            store.finish(counts)
-        done = sum(piece.stop - piece.start for piece in missing if piece not in lost)
-        return _outcome(store, read, begun, computed=done, **counts)
+        with closing(results):
+            lost = _keep(store, gathered, missing, results, progress)
+        progress(1.0, "gathering")
+        if missing or not is_readable(store.result):
+            store.keep_result(partial(write_dataset, grid=read, values=gathered.values, warnings=gathered.warnings))
+    if gathered.defects:
+        raise RuntimeError(
+            f"{len(gathered.defects)} times in this sweep; {store.result} has the points without it; the first is\n"
+            f"{gathered.defects[0]}"
+        )
+    reasons = gathered.reasons
+    left = sum(map(len, missing))
+    return Sweep(
+        folder=str(store.folder),
+        file=str(store.result),
+        points=read.size,
+        computed=left - lost,
+        kept=read.size - left,
+        failed=len(reasons),
+        lost=lost,
+        reasons=tuple(dict.fromkeys(reasons))[:SHOWN_REASONS],
+        seconds=time.perf_counter() - begun,
+    )
 
 
 def _require_samples(grid: Grid, scene: Scene) -> None:
@@ -141,50 +178,24 @@ def _require_samples(grid: Grid, scene: Scene) -> None:
 
 
 def _keep(
-    store: Store, grid: Grid, missing: list[Piece], results: Iterable[tuple[Piece, Any]], progress: Progress
-) -> dict[Piece, str]:
-    """Keep the results of the missing pieces as they come; the lost ones and why."""
-    lost: dict[Piece, str] = {}
-    left, failed, begun = sum(piece.stop - piece.start for piece in missing), 0, time.perf_counter()
-    kept = grid.size - left
-    progress(kept / grid.size, f"{kept} of {grid.size} points")
-    for piece, part in results:
-        if isinstance(part, LostWorkerError):
-            lost[piece] = str(part)
+    store: Store, gathered: Gathered, missing: list[Piece], results: Iterable[tuple[Piece, Any]], progress: Progress
+) -> int:
+    """Keep and gather the results of the missing pieces as they come; the number of lost points."""
+    size, left = gathered.grid.size, sum(map(len, missing))
+    kept, failed, lost, begun = size - left, 0, 0, time.perf_counter()
+    progress(kept / size, f"{kept} of {size} points")
+    for piece, result in results:
+        if isinstance(result, LostWorkerError):
+            lost += len(piece)
+            result = Part(values={REASON: np.full(len(piece), str(result), dtype=object)})
         else:
-            store.save(piece, part)
-            failed += len(part.reasons)
-        left -= piece.stop - piece.start
-        done = grid.size - left
-        words = f"{done} of {grid.size} points" + (f", {failed} failed" if failed else "")
+            failed += np.count_nonzero(result.values[REASON])
+            if not result.defects:  # a part with one is computed again when the sweep is started again
+                store.save(piece, result)
+        gathered.add(piece, result)
+        left -= len(piece)
+        done = size - left
+        words = f"{done} of {size} points" + (f", {failed} failed" if failed else "")
         expected = (time.perf_counter() - begun) / (done - kept) * left
-        progress(done / grid.size, f"{words}, {about(expected)} left" if left else words)
+        progress(done / size, f"{words}, {about(expected)} left" if left else words)
     return lost
-
-
-def _parts(
-    store: Store, all_pieces: list[Piece], lost: dict[Piece, str], names: Container[str]
-) -> Iterator[tuple[Piece, Part]]:
-    """The pieces one after the other, so that memory holds one at a time."""
-    for piece in all_pieces:
-        if piece in lost:
-            reasons = dict.fromkeys(range(piece.stop - piece.start), lost[piece])
-            yield piece, Part(columns={}, reasons=reasons, warnings=())
-        else:
-            part = store.load(piece, names)
-            assert part is not None, piece
-            yield piece, part
-
-
-def _outcome(store: Store, grid: Grid, begun: float, *, computed: int, failed: int, lost: int, reasons: Any) -> Sweep:
-    return Sweep(
-        folder=str(store.folder),
-        file=str(store.folder / RESULT),
-        points=grid.size,
-        computed=computed,
-        kept=grid.size - computed - lost,
-        failed=failed,
-        lost=lost,
-        reasons=tuple(reasons),
-        seconds=time.perf_counter() - begun,
-    )

@@ -9,7 +9,7 @@ import hashlib
 import json
 import os
 import zipfile
-from collections.abc import Callable, Container, Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from importlib.metadata import version
@@ -30,8 +30,9 @@ try:
 except ImportError:  # Windows: the user has to ensure that no other sweep works in the folder
     fcntl = None
 
-GRID, DONE, RESULT = "sweep.json", "done.json", "sweep.nc"
-BYTES = "bytes"  # size of the result, which shows whether it is still complete
+GRID, RESULT = "sweep.json", "sweep.nc"
+WARNINGS = "warnings"  # beside the columns of a part
+MOST_WARNINGS = 20  # kept for a piece
 PARTS, LOCK = "parts", ".lock"
 KEPT = ": what is done is kept, and the same sweep continues"
 HEIGHT_MAP = "surface.height_map.path"
@@ -52,60 +53,41 @@ class Store:
         return self.folder / PARTS / f"{piece.start:010d}-{digest}.npz"
 
     def save(self, piece: Piece, part: Part) -> None:
-        """Keep the results of a piece."""
-        notes = {"reasons": part.reasons, "warnings": part.warnings}
+        """Keep the results of a piece, words as lines."""
         content = BytesIO()
-        arrays: dict[str, Any] = {f"column {name}": values for name, values in part.columns.items()}
-        arrays |= {f"word {name}": values for name, values in part.words.items()}
-        np.savez(content, allow_pickle=False, notes=np.array(json.dumps(notes)), **arrays)
+        lines = {WARNINGS: "\n".join([*part.warnings][:MOST_WARNINGS])}
+        lines |= {name: "\n".join(values) for name, values in part.values.items() if values.dtype == object}
+        np.savez(content, allow_pickle=False, **(part.values | {name: np.array(text) for name, text in lines.items()}))
+        self.result.unlink(missing_ok=True)  # it lacks this piece
         path = self.path(piece)
         path.parent.mkdir(exist_ok=True)
         _write(path, content.getvalue())
 
-    def load(self, piece: Piece, names: Container[str] | None = None) -> Part | None:
-        """The results of a piece; only the columns of `names` if given.
-
-        None where the piece is not finished, or its file is damaged, for example by a power failure.
-        """
+    def load(self, piece: Piece) -> Part | None:
+        """The results of a piece; None where it is not finished, or its file is damaged, as by a power failure."""
         try:
             with (
                 opened(self.path(piece), most=LARGEST, remedy="") as file,
                 np.load(file, allow_pickle=False) as content,
             ):
-                notes = json.loads(str(content["notes"]))
-                groups: dict[str, dict[str, Any]] = {"column": {}, "word": {}}
-                for key in content.files:
-                    kind, _, name = key.partition(" ")
-                    if kind == "word" or (kind == "column" and (names is None or name in names)):
-                        groups[kind][name] = content[key]
+                values = {
+                    name: each if each.ndim else np.array(str(each).split("\n"), dtype=object)
+                    for name, each in content.items()
+                }
+                warnings = dict.fromkeys(filter(None, values.pop(WARNINGS)))
         except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
             return None
-        return Part(
-            columns=groups["column"],
-            words=groups["word"],
-            reasons={int(place): reason for place, reason in notes["reasons"].items()},
-            warnings=tuple(notes["warnings"]),
-        )
+        return Part(values=values, warnings=warnings)
+
+    @property
+    def result(self) -> Path:
+        """The file of the dataset."""
+        return self.folder / RESULT
 
     def keep_result(self, write: Callable[[Path], Any]) -> None:
         """Write the result by a function that takes its path."""
-        (self.folder / DONE).unlink(missing_ok=True)
-        with replaced_file(self.folder / RESULT, besides=KEPT) as file:
+        with replaced_file(self.result, besides=KEPT) as file:
             write(file)
-
-    def finish(self, outcome: dict[str, Any]) -> None:
-        """Record the outcome of a complete sweep, so that a later run need not compute anything."""
-        text = json.dumps(outcome | {BYTES: (self.folder / RESULT).stat().st_size}, indent=1)
-        _write(self.folder / DONE, text.encode())
-
-    def finished(self) -> dict[str, Any] | None:
-        """The outcome of a complete sweep; None where pieces are missing or the result has changed."""
-        outcome = _read_json(self.folder / DONE)
-        try:
-            is_whole = outcome is not None and outcome.pop(BYTES, None) == (self.folder / RESULT).stat().st_size
-        except FileNotFoundError:
-            return None
-        return outcome if is_whole else None
 
 
 @contextmanager
@@ -135,7 +117,7 @@ def opened_store(folder: Path, grid: Grid) -> Iterator[Store]:
                 text = json.dumps({"made_from": hashes, "grid": grid.text}, indent=1)
                 _write(description, text.encode())
             else:
-                _require_same(_read_json(description), hashes, place)
+                _require_same(description, hashes, place)
             for place_of_files in (folder, folder / PARTS):
                 remove_leftovers(place_of_files)
             yield Store(folder=folder, identity=json.dumps(hashes, sort_keys=True))
@@ -162,7 +144,7 @@ def _write(path: Path, content: bytes) -> None:
 def _hashes(grid: Grid) -> dict[str, str]:
     """Hashes of everything that determines the results, by names for the user."""
     parts = {
-        "what is computed": [grid.what, grid.fixed],
+        "what is computed": [grid.what, grid.fixed, grid.samples],
         "the scene": grid.document,
         "the axes": [[axis.key, axis.unit, axis.values] for axis in grid.axes],
     }
@@ -189,20 +171,13 @@ def _is_free(folder: Path) -> bool:
     return folder.is_dir() and all(path.name.startswith(".") for path in folder.iterdir())
 
 
-def _read_json(path: Path) -> dict[str, Any] | None:
-    """The table in a JSON file; None where it is missing or damaged."""
+def _require_same(description: Path, hashes: dict[str, str], place: str) -> None:
     try:
-        content = json.loads(content_of(path, most=LARGEST, remedy=""))
-    except (OSError, ValueError):
-        return None
-    return content if isinstance(content, dict) else None
-
-
-def _require_same(known: dict[str, Any] | None, hashes: dict[str, str], place: str) -> None:
-    before = (known or {}).get("made_from")
-    if not isinstance(before, dict):
-        raise InputError(f"{place}: {GRID} in it is damaged; give a new name, or remove the folder to start afresh")
-    changed = [name for name, digest in hashes.items() if before.get(name) != digest]
+        before = json.loads(content_of(description, most=LARGEST, remedy=""))["made_from"]
+        changed = [name for name, digest in hashes.items() if before.get(name) != digest]
+    except (ValueError, TypeError, KeyError, AttributeError):
+        remedy = "give a new name, or remove the folder to start afresh"
+        raise InputError(f"{place}: {GRID} in it is damaged; {remedy}") from None
     if changed:
         raise InputError(
             f"{place} holds another sweep: {' and '.join(changed)} changed since; give a new name, or remove it first"

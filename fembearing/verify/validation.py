@@ -1,7 +1,7 @@
 """The main job: every contact of a scene, formula against finite elements, and its friction torque."""
 
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from itertools import pairwise
@@ -18,7 +18,7 @@ from analytic.scenefile.by_name import Given, with_tolerance
 from analytic.verdicts import pressure_check
 from fembearing.mesh.recipe import Geometry
 from fembearing.progress import Progress, part_of, silent
-from fembearing.provenance import provenance_of
+from fembearing.provenance import Provenance, provenance_of
 from fembearing.verify.contact.columns import COLUMNS, VERDICT
 from fembearing.verify.contact.discrepancy import ContactSolution, solve_contact, with_ring
 from fembearing.verify.contact.scene_contact import contact_of
@@ -55,7 +55,7 @@ class Validation(Brief):
     measured: bool  # whether every ladder was measured, with repeats
     seconds: float  # wall time of all
     peak_memory: int | None  # of the process, bytes
-    provenance: Mapping[str, Any]  # versions, machine, date and scene, by name
+    provenance: Provenance
     sensitivity: Sensitivity | None = None  # None: not computed
     cage_records: tuple[CageRecord, ...] = ()  # of the slowest and the fastest point whose cage moved
     trouble: tuple[str, ...] = ()  # met while the report was written

@@ -6,8 +6,9 @@ from typing import Any, TypeVar
 import numpy as np
 
 from analytic.contact.rolling_contact import EllipticContact, RollingContact, elliptic_contact
+from analytic.effects.ledger import Effect
 from analytic.effects.table import COMPUTED
-from analytic.result import TorqueParts
+from analytic.result import FrictionTorque, TorqueParts
 from analytic.scene import (
     Autocorrelation,
     Bearing,
@@ -86,6 +87,13 @@ def hertzian(values: dict[str, Any]) -> tuple[EllipticContact, dict[str, Any]]:
     axes = {name: given.pop(name) for name in ("semi_axis_rolling", "semi_axis_transverse") if name in given}
     rest = {name: value for name, value in values.items() if name not in names}
     return replace(elliptic_contact(**given), **axes), rest
+
+
+def with_clearance(bearing: Bearing, clearance: float, *, ball_count: int = 9) -> Bearing:
+    """The bearing with its outer ring opened to this diametral clearance, m; negative is preload."""
+    touching = bearing.inner.bottom_radius + bearing.ball_diameter
+    outer = replace(bearing.outer, bottom_radius=touching + clearance / 2)
+    return replace(bearing, outer=outer, ball_count=ball_count)
 
 
 def thrust(*loads: float, speed: float | list[float] = 31.0) -> Operation:
@@ -172,3 +180,7 @@ def present(value: Value | None) -> Value:
 
 def part(torque: TorqueParts, name: str) -> np.ndarray:
     return present(getattr(torque, name))
+
+
+def effect_of(result: FrictionTorque, name: str) -> Effect:
+    return next(effect for effect in result.effects if effect.name == name)

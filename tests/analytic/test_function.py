@@ -81,15 +81,6 @@ def test_the_weight_of_the_balls_and_standstill() -> None:
         np.testing.assert_allclose(function(**given), by_series(function, **given), rtol=ROUND_OFF)
 
 
-def test_a_series_is_its_points() -> None:
-    function = torque_function(scene_of("6205_physical", spin_rule="balanced"))
-    axial, radial = np.array([[310.0], [760.0]]), np.array([0.0, 55.0, 480.0])
-    table = function.series(axial_load=axial, radial_load=radial, inner_speed=67.0)
-    assert table.shape == (2, 3)
-    for i, j in np.ndindex(2, 3):
-        assert table[i, j] == function(axial_load=float(axial[i, 0]), radial_load=float(radial[j]), inner_speed=67.0)
-
-
 @pytest.mark.parametrize("radial", [0.0, 320.0])
 def test_free_balls_have_the_torque_of_the_series(radial: float) -> None:
     """The scene's points choose the quadrature that a series of this one point chooses too, on another way."""

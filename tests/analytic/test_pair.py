@@ -8,7 +8,6 @@ import pytest
 
 from analytic.contact.factors import ContactCorrection, ContactFactors
 from analytic.errors import InputError
-from analytic.prediction.formulas import with_model_uncertainty
 from analytic.result import FrictionTorque, PairPart
 from analytic.scene import Arrangement, Losses, Operation, Scene
 from analytic.scenefile.read import parse_scene
@@ -36,12 +35,6 @@ hysteresis_loss = 0.006
 [effects]
 weight = "off"
 creep = "off"
-"""
-OIL = """\
-[lubricant]
-viscosity = "0.06 Pa s"
-pressure_viscosity = "2e-8 1/Pa"
-eyring_stress = "5 MPa"
 """
 
 
@@ -146,39 +139,13 @@ def test_a_bearing_that_is_pressed_the_other_way_is_its_mirror_image() -> None:
     np.testing.assert_allclose(second.ball_load, loads.ball_load[1], rtol=1e-2)  # its contacts are corrected anew
 
 
-def test_the_json_has_both_bearings(scene: Scene) -> None:
-    found = friction_torque(paired(scene, [20.0, 2000.0], preload=80.0, speed=0.0))
-    said = found.to_json()["pair"]
-    assert {name: said[name] for name in ("kind", "preload", "distance")} == {
-        "kind": "O",
-        "preload": 80.0,
-        "distance": 15e-3,
-    }
-    loads = [[bearing["axial_load"] for bearing in point["bearings"]] for point in said["points"]]
-    np.testing.assert_allclose([first - second for first, second in loads], [20.0, 2000.0], rtol=1e-9)
-    assert [bearing["is_pressed"] for bearing in said["points"][1]["bearings"]] == [True, False]
-    assert [bearing["is_relieved"] for bearing in said["points"][1]["bearings"]] == [False, True]
-    torques = [sum(bearing["torque"] for bearing in point["bearings"]) for point in said["points"]]
-    np.testing.assert_allclose(torques, found.torque.total, rtol=1e-15)
-    assert alone(scene, 20.0).to_json()["pair"] is None
-
-
-def test_the_uncertainty_of_the_model_is_that_of_the_sum() -> None:
-    oiled = parse_scene(TEXT + OIL, origin="here")
-    given = paired(oiled, 0.0, speed=50.0, preload=240.0)
-    found = with_model_uncertainty(given, friction_torque(given))
-    one = replace(given, arrangement=None, operation=replace(given.operation, axial_load=np.array([240.0])))
-    single = with_model_uncertainty(one, friction_torque(one))
-    np.testing.assert_allclose(present(found.model_uncertainty), present(single.model_uncertainty), rtol=1e-2)
-
-
 def test_a_cage_counts_twice() -> None:
     cage = '[cage]\npocket_clearance = "0.2 mm"\nwall_thickness = "0.9 mm"\nmass = "6 g"\nmaterial = "peek"\n'
     found = friction_torque(paired(parse_scene(TEXT + cage, origin="here"), [50.0, 300.0], preload=150.0))
     apart = [present(each) for each in pair_of(found).bearings]
     np.testing.assert_allclose(present(found.torque.cage), sum(present(each.torque.cage) for each in apart), rtol=1e-14)
     assert present(found.cage).torque.shape == (2,)
-    assert len(present(found.cage).motion) == len(found.to_json()["points"]) == 2
+    assert len(present(found.cage).motion) == len(found.rows) == 2
 
 
 def test_factors_of_each_point_are_refused(scene: Scene) -> None:

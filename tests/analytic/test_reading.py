@@ -10,7 +10,7 @@ from analytic.reading import content_of, opened, require_regular
 from analytic.scenefile.read import load_scene
 from analytic.surface.heightmap import read_height_map
 from fembearing.mesh.meshfile import read_body
-from fembearing.report.document.read import read_report
+from fembearing.report.report import read_report
 from fembearing.sweep.grid import load_grid
 
 READERS = {  # every face by which a user names a file

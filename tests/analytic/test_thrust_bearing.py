@@ -141,7 +141,7 @@ def test_rolling_is_the_sum_over_the_contacts() -> None:
         deformed_radius=2 / (1 / GROOVE + 2 / BALL),
         rolling_rate=PITCH / (2 * BALL),
     )
-    force = hydrodynamic_rolling(contact, viscosity=0.043, entrainment_speed=speed * PITCH / 4).force
+    force = hydrodynamic_rolling(contact, viscosity=OIL.viscosity, entrainment_speed=speed * PITCH / 4).force
     np.testing.assert_allclose(rolling, COUNT * PITCH * force, rtol=1e-12)  # round-off
     fewer = replace(scene.bearing, ball_count=4)
     quarter = replace(scene, bearing=fewer, operation=thrust(axial * 4 / COUNT, speed=speed), effects=effects)
@@ -210,10 +210,7 @@ def test_shoulders_lie_on_both_sides_of_the_contact() -> None:
     [
         ({"operation": replace(thrust(500.0), radial_load=np.array([3.0]))}, r"radial_load = 3 N: .* axial_load alone"),
         ({"operation": replace(thrust(500.0), moment=np.array([-0.2]))}, r"moment = -200 N mm: .* axial_load alone"),
-        (
-            {"operation": thrust(5.0, speed=300.0)},
-            r"centrifugal force .* raise the load or lower the speed",
-        ),
+        ({"operation": thrust(5.0, speed=300.0)}, "centrifugal force .* raise the load"),
         ({"contact_angle": ContactAngle(rule="solved")}, "90 degrees"),
         ({"contact_angle": ContactAngle(rule="given", value=1.5)}, "90 degrees"),
     ],

@@ -17,6 +17,7 @@ from analytic.result import FrictionTorque
 from analytic.scene import Bearing, ContactAngle, Decision, Scene, SpinRule
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
+from fembearing.plain_types import plain
 from tests.analytic.specimens import AS_HERTZ, DRY_PARTS, dry, part, thrust, without
 
 GIVEN = ContactAngle(rule="given", value=0.18)
@@ -58,45 +59,10 @@ def test_torque_is_the_same_at_any_speed_either_way_and_at_standstill(scene: Sce
     np.testing.assert_array_equal(series.inner_speed, [0.0, 1e-300, 3.7, -3.7, 5e3])
 
 
-def test_free_balls_of_a_series_are_those_of_each_point_alone(scene: Scene) -> None:
-    """Rounds of loads and rotation go on until the worst point is settled, which leaves 1e-6 of the others' forces."""
-    asked = replace(scene, contact_angle=SOLVED, operation=thrust(100.0, 210.0, 900.0))
-    together = friction_torque(asked).torque.total
-    alone = [float(friction_torque(replace(asked, operation=thrust(load))).torque.total[0]) for load in (100, 210, 900)]
-    np.testing.assert_allclose(together, alone, rtol=1e-5)  # ten times as much: slip follows small changes of speed
-
-
-def test_few_nodes_say_how_far_off_they_are(scene: Scene) -> None:
-    """Also where the next quadrature comes near them by chance, as at 100 to 300 N here."""
-    narrow = replace(scene.bearing, inner=replace(scene.bearing.inner, groove_radius=0.515 * 7.94e-3))
-    asked = replace(scene, bearing=narrow, friction_coefficient=0.09, contact_angle=SOLVED)
-    asked = replace(asked, operation=thrust(*np.geomspace(100.0, 2000.0, 16)))
-    few, many = (friction_torque(replace(asked, tolerance=tolerance)) for tolerance in (0.5, 1e-3))
-    error = np.abs(few.torque.total / many.torque.total - 1)
-    assert error.max() > 5e-3  # else there is nothing to state
-    assert np.all(error <= few.numerical_uncertainty + many.numerical_uncertainty)
-
-
 def order(scene: Scene, name: str, load: float) -> float:
     """Local exponent of a part in the load."""
     low, high = part(friction_torque(replace(scene, operation=thrust(load, 2 * load))).torque, name)
     return float(np.log2(high / low))
-
-
-def test_exponents_as_the_load_vanishes(scene: Scene) -> None:
-    """a, b as Q^1/3. Free angle above 0: al stays, Q as Fa. Free angle 0: Q as Fa^3/4, al as Fa^1/4, eps stays.
-
-    Without creep, which takes over where contacts and their slip get small.
-    """
-    slow = replace(scene, spin_rule="balanced", effects=AS_HERTZ | SLOW)
-    open_angle = replace(slow, contact_angle=SOLVED)
-    closed = replace(slow, contact_angle=ContactAngle(rule="solved", free=0.0))
-    load = 1e-9  # N: the next term of the equilibrium is 1e-4 to 1e-6 of the first
-    for name, expected in (("spin", 4 / 3), ("hysteresis", 4 / 3)):
-        np.testing.assert_allclose(order(open_angle, name, load), expected, atol=1e-4)
-    np.testing.assert_allclose(order(without(open_angle, "spin"), "conformity", load), 5 / 3, atol=1e-4)
-    for name, expected in (("spin", 5 / 4), ("conformity", 5 / 4), ("hysteresis", 1.0)):
-        np.testing.assert_allclose(order(closed, name, load), expected, atol=1e-3)
 
 
 @pytest.mark.parametrize(("rule", "left"), [("balanced", None), ("inner_control", "inner"), ("outer_control", "outer")])
@@ -176,14 +142,14 @@ def test_every_scene_gives_finite_numbers(
             effects=AS_HERTZ | SLOW,
         )
     )
-    text = json.dumps(found.to_json(), allow_nan=False)  # raises for a number that is not finite
-    assert json.loads(text) == found.to_json()
+    text = json.dumps(plain(found.rows), allow_nan=False)  # raises for a number that is not finite
+    assert json.loads(text) == plain(found.rows)
     assert found.torque.total > 0
     assert all(part(found.torque, name) >= 0 for name in DRY_PARTS)
 
 
 def same(first: FrictionTorque, second: FrictionTorque) -> bool:
-    return first.to_json()["points"] == second.to_json()["points"]
+    return plain(first.rows) == plain(second.rows)
 
 
 @pytest.mark.parametrize("angle", [GIVEN, SOLVED, ContactAngle(rule="solved")])
@@ -243,18 +209,6 @@ def test_corrected_semi_axes_reach_the_torque(scene: Scene) -> None:
 def test_a_factor_must_be_a_positive_number() -> None:
     with pytest.raises(InputError, match="approach must be positive"):
         ContactFactors(approach=-1.1)
-
-
-def test_without_spin_the_balls_only_roll(scene: Scene) -> None:
-    whole, rolling = friction_torque(scene).torque, friction_torque(without(scene, "spin")).torque
-    assert rolling.spin is None
-    assert part(rolling, "conformity") > part(whole, "conformity")  # spin takes from conformity
-    # All of it: 0.0806 mu Q b^2/R on each race, at the numbers of the fixed angle.
-    b, groove = np.array([1.1222e-3, 0.92500e-3]), np.array([4.13e-3, 4.21e-3])
-    moment = 0.0805712 * 0.1 * 620.630 * b**2 / (2 * groove * 3.97e-3 / (groove + 3.97e-3))
-    reach = 3.97e-3 * np.cos(0.18)
-    expected = 9 * moment @ (19.505e-3 + reach, 19.505e-3 - reach) / 7.94e-3
-    np.testing.assert_allclose(part(rolling, "conformity"), expected, rtol=2e-4)  # five digits of b, squared
 
 
 def test_the_builtin_scene_from_its_file() -> None:

@@ -10,7 +10,6 @@ import pytest
 
 import analytic
 from analytic.errors import InputError
-from analytic.loads.thrust import thrust_equilibrium
 from analytic.scene import Arrangement, Bearing, Cage, Groove, Losses, Lubricant, Operation, Scene, Surface
 from analytic.scenefile.keys import scene_key
 from analytic.units import unit_of
@@ -65,12 +64,6 @@ REFUSED: list[tuple[Callable[[], Any], str, str, str]] = [  # field, value and u
     (lambda: scene(tolerance=Q(5, "percent")), "Scene.tolerance", "5 percent", "a plain number"),
     (lambda: Operation(axial_load=Q(1, "kN"), inner_speed=np.ones(2)), "Operation.axial_load", "1 kilonewton", "in N"),
     (lambda: analytic.ContactAngle(rule="given", value=Q(15, "deg")), "ContactAngle.value", "15 degree", "in rad"),
-    (
-        lambda: thrust_equilibrium(scene().bearing, scene().contact_angle, axial_load=Q(1, "kN")),
-        "axial_load",
-        "1 kilonewton",
-        "in N",
-    ),
 ]
 
 

@@ -1,18 +1,19 @@
-"""Physical limits approached from both sides, by formulas written here, and what is not in the scene is not checked."""
+"""Physical limits approached from both sides, by other formulas, and what is not in the scene is not checked."""
 
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
-from scipy.optimize import bisect, brentq
-from scipy.special import ellipe, ellipk
+from mpmath import mpf
+from scipy.optimize import bisect
 
 from analytic.result import FrictionTorque
 from analytic.scene import Arrangement, ContactAngle, Operation, Scene
 from analytic.torque import friction_torque
 from analytic.verdicts import PhysicalCheck, numerical_check, physical_checks
 from tests.analytic.specimens import BEARING_6205, FINISH, OIL, STAMPED_CAGE, present
+from tests.validation.hard.hertz_exact import hertz as exact_hertz
 
 ANGLE = 0.23  # rad, given: then the load of each ball is known
 PLAIN = {"finite_geometry": "off", "load_distribution": "off", "centrifugal": "off", "weight": "off"}
@@ -38,7 +39,7 @@ def check(found: FrictionTorque, name: str, where: str) -> PhysicalCheck:
 
 
 def hertz(load: float, race: str) -> tuple[float, float]:
-    """(peak pressure, b) of one ball by Hertz: the eccentricity e of the ellipse from the ratio of the curvatures."""
+    """(peak pressure, b) of one ball by Hertz."""
     bearing, sign = BEARING_6205, {"inner": 1.0, "outer": -1.0}[race]
     groove, r = getattr(bearing, race), bearing.ball_radius
     middle, reach = bearing.pitch_diameter / 2, r * np.cos(ANGLE)
@@ -47,15 +48,8 @@ def hertz(load: float, race: str) -> tuple[float, float]:
     modulus = 1 / sum(
         (1 - body.poisson_ratio**2) / body.youngs_modulus for body in (bearing.ball_material, groove.material)
     )
-
-    def ratio(e: float) -> float:  # of the curvatures, rolling over across
-        k, whole = ellipk(e**2), ellipe(e**2)
-        return (whole / (1 - e**2) - k) / (k - whole) - rolling / across
-
-    e = brentq(ratio, 1e-3, 1 - 1e-9, xtol=1e-14)
-    slender = np.sqrt(1 - e**2)  # a/b
-    b = (3 * load * ellipe(e**2) / (np.pi * (1 - e**2) * modulus * (rolling + across))) ** (1 / 3)
-    return 1.5 * load / (np.pi * slender * b**2), b
+    found = exact_hertz(*map(mpf, (rolling, across, load, modulus)))
+    return float(found["pressure"]), float(found["major"])
 
 
 @pytest.mark.parametrize("race", ["inner", "outer"])

@@ -2,7 +2,6 @@
 
 import errno
 import os
-import re
 import signal
 import subprocess
 import sys
@@ -34,14 +33,14 @@ else:
     with (writing.new_file if what == "file" else writing.replaced_file)(target) as file:
         file.write_text("whole")
 """  # the program that a test kills at a step of its write
-RESIDENT = os.name == "nt" or not Path("/proc/self/stat").exists()
+POSIX = pytest.mark.skipif(os.name == "nt", reason="locks and signals of POSIX")
 
 
 def stopped(where: str, what: str, target: Path) -> int:
     return subprocess.run([sys.executable, "-c", STOPPED, where, what, str(target)], check=False).returncode
 
 
-@pytest.mark.skipif(RESIDENT, reason="only Linux says when a process started")
+@POSIX
 @pytest.mark.parametrize("what", ["folder", "file", "replaced"])
 @pytest.mark.parametrize("where", ["make", "write", "written", "rename", "renamed"])
 def test_a_process_killed_at_any_step_leaves_all_or_nothing_once_another_has_run(
@@ -63,17 +62,16 @@ def test_a_process_killed_at_any_step_leaves_all_or_nothing_once_another_has_run
     assert {path.name for path in tmp_path.iterdir()} <= {"made", "next"}
 
 
-@pytest.mark.skipif(RESIDENT, reason="only Linux says when a process started")
+@POSIX
 def test_what_a_living_process_makes_is_left_alone_and_so_is_what_is_not_ours(tmp_path: Path) -> None:
     wait = STOPPED.replace("os.kill(os.getpid(), signal.SIGKILL)", "sys.stdin.read()")
     running = subprocess.Popen(
         [sys.executable, "-c", wait, "rename", "folder", str(tmp_path / "made")], stdin=subprocess.PIPE
     )
     try:
-        while not list(tmp_path.glob(".fembearing-*/b.txt")):
+        while not list(tmp_path.glob(".fembearing-*/made/b.txt")):
             time.sleep(0.01)
         (tmp_path / ".fembearing-mine").mkdir()
-        (tmp_path / ".fembearing-0123abcd-1-99-0").mkdir()  # of another machine, whose processes we cannot see
         before = set(tmp_path.iterdir())
         writing.remove_leftovers(tmp_path)
         assert set(tmp_path.iterdir()) == before
@@ -81,19 +79,6 @@ def test_what_a_living_process_makes_is_left_alone_and_so_is_what_is_not_ours(tm
         running.communicate()
     assert running.returncode == 0
     assert sorted(path.name for path in (tmp_path / "made").iterdir()) == ["a.txt", "b.txt"]
-
-
-@pytest.mark.skipif(RESIDENT, reason="only Linux says when a process started")
-def test_a_number_that_a_later_process_has_is_not_taken_for_the_dead_one(tmp_path: Path) -> None:
-    with writing.new_folder(tmp_path / "made") as folder:
-        machine, process, start, _ = folder.name.removeprefix(".fembearing-").split("-")
-        earlier = tmp_path / f".fembearing-{machine}-{process}-{int(start) - 5}-0"
-        same = tmp_path / f".fembearing-{machine}-{process}-{start}-77"
-        for path in (earlier, same):
-            path.mkdir()
-        writing.remove_leftovers(tmp_path)
-        assert not earlier.exists()
-        assert same.exists()
 
 
 @pytest.mark.parametrize(
@@ -145,9 +130,9 @@ def test_what_is_written_is_what_is_read(tmp_path: Path) -> None:
     assert (tmp_path / "made/a.bin").read_bytes() == b"\x00\r\n\xff"
     assert (tmp_path / "made/b.txt").read_bytes() == "1 \u00b5m\n".encode()  # no system's own line ends
     hidden = steps[0][1]
-    assert re.fullmatch(r"\.fembearing(-\w+){4}", hidden)
+    assert hidden.startswith(".fembearing-")
     inside = [(step, name) for name in ("a.bin", "b.txt") for step in ("write", "written")]
-    assert steps == [("make", hidden), *inside, ("rename", "made"), ("renamed", "made")]
+    assert steps == [("make", hidden), *inside, ("rename", "made"), ("renamed", "made"), ("remove", hidden)]
 
 
 def test_a_removed_folder_is_never_half_there(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -12,6 +12,7 @@ import pytest
 
 from analytic.errors import ResourceError, StorageError
 from fembearing import cli
+from fembearing.cli import listing
 
 POSIX = pytest.mark.skipif(os.name == "nt", reason="signals, limits and devices of POSIX")
 RUN = f'"{sys.executable}" -m fembearing'
@@ -79,7 +80,7 @@ def test_every_failure_has_its_status_and_one_line(
     def fail(*_: object) -> None:
         raise problem
 
-    monkeypatch.setattr("fembearing.cli.listing._materials", fail)
+    monkeypatch.setitem(listing.ROWS, "materials", fail)
     monkeypatch.setattr("sys.argv", ["fembearing", *(["--debug"] if debug else []), "list", "materials"])
     saved = os.dup(1)  # a closed pipe is taken away
     try:

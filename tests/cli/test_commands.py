@@ -15,6 +15,7 @@ from fembearing import cli
 from fembearing.cli import contact as contact_command
 from fembearing.fem import solution
 from fembearing.mesh.recipe import load_recipe
+from fembearing.provenance import provenance_of
 from fembearing.sweep import run as sweep_run
 from fembearing.verify import validation
 from fembearing.verify.contact import discrepancy
@@ -312,12 +313,11 @@ def test_the_table_names_axes_and_units_within_80_columns(command) -> None:
 @pytest.mark.usefixtures("coarse")
 def test_cost_is_measured_with_validate(command, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     measured = cost.Cost(
-        scene=load_scene("6205-dry"),
         tolerance=0.9,
         ladders=(),
-        seconds=0.5,
-        peak_memory=None,
-        provenance={},
+        cost=cost.Spent(seconds=0.5, peak_memory=None),
+        warnings=(),
+        provenance=provenance_of(load_scene("6205-dry")),
     )
     monkeypatch.setattr(validation, "measure_cost", lambda *_, **__: measured)
     scene = tmp_path / "scene.toml"
@@ -351,13 +351,13 @@ def test_cost_shows_error_and_time_of_each_method(command, monkeypatch: pytest.M
     told = json.loads((folder / "cost.json").read_text())
     rows = list(csv.DictReader((folder / "cost.csv").read_text("utf-8").splitlines()))
     assert [(row["quantity"], row["name"]) for row in rows if row["name"]] == [
-        (ladder["quantity"], rung["name"]) for ladder in told["ladders"] for rung in ladder["rungs"]
+        (ladder["quantity"], method["name"]) for ladder in told["ladders"] for method in ladder["methods"]
     ]
     monkeypatch.setattr(cost, "measure_cost", lambda *_, **__: kept[0])
     found = json.loads(command("cost", "--json").out)
     assert found["ladders"] == told["ladders"]
     for one in found["ladders"]:
-        assert one["absent"] or {"name", "error", "seconds", "memory", "chosen"} <= set(one["rungs"][0])
+        assert one["absent"] or {"name", "error", "seconds", "memory", "chosen"} <= set(one["methods"][0])
 
 
 def test_help_shows_an_example(command) -> None:

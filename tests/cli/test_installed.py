@@ -7,8 +7,8 @@ from rich.console import Console
 
 from analytic.errors import InputError
 from analytic.scenefile.read import parse_scene
-from fembearing.report.document.torque import Torque
 from fembearing.report.terminal.torque import print_torque
+from fembearing.report.torque import torque_record
 from fembearing.verify.contact.discrepancy import solve_contact
 from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene
 
@@ -51,7 +51,7 @@ def test_clearances_are_shown_and_kept() -> None:
     assert "shaft seat 25 um tight" in words
     assert "housing seat loose" in words
     assert any("no clearance is left in operation" in each for each in result.friction.warnings)
-    document = Torque.model_validate(result.to_json()).clearances
+    document = torque_record(result).clearances
     assert document is not None
     assert document.ball_load == clearances.ball_load > 0
     assert not any("no clearance is left" in each for each in found(tight=5).friction.warnings)

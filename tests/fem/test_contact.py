@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
-from scipy.optimize import minimize, nnls
+from scipy.optimize import nnls
 
 from analytic.errors import ConvergenceError
 from fembearing.fem import contact
@@ -35,70 +35,6 @@ def pressed(case: dict[str, np.ndarray], load: float, start: np.ndarray) -> tupl
 
 def remaining_gap(case: dict[str, np.ndarray], force: np.ndarray, approach: float, load: float) -> np.ndarray:
     return case["gap"] + case["compliance"] @ force + case["drift"] * load - case["lever"] * approach
-
-
-@given(seed=st.integers(0, 999), load=st.floats(1e-3, 30.0))
-def test_forces_push_gaps_are_open_and_the_load_is_carried(seed: int, load: float) -> None:
-    case = problem(seed)
-    force, approach, _ = pressed(case, load, case["gap"] < 0.3)
-    gap = remaining_gap(case, force, approach, load)
-    round_off = 1e-10 * max(approach, np.abs(case["gap"]).max())
-    assert (force >= 0).all()
-    assert gap.min() > -round_off
-    assert np.abs(gap[force > 0]).max() < round_off
-    np.testing.assert_allclose(force @ case["lever"], load, rtol=1e-10)  # round-off
-
-
-@given(seed=st.integers(0, 999), bits=st.integers(0, 2**23 - 1))
-def test_every_start_ends_in_the_same_answer(seed: int, bits: int) -> None:
-    case, load = problem(seed), 1.7
-    start = np.array([bool(bits >> node & 1) for node in range(23)])
-    first = pressed(case, load, case["gap"] < 0.3)
-    second = pressed(case, load, start)
-    np.testing.assert_allclose(second[0], first[0], atol=1e-10 * load)  # round-off
-    np.testing.assert_allclose(second[1], first[1], rtol=1e-10)
-
-
-def test_forces_are_those_of_least_energy() -> None:
-    """A second method: the energy of the forces under their constraints, by a general minimiser."""
-    case, load = problem(5, nodes=9), 1.7
-    force, _, _ = pressed(case, load, case["gap"] < 0.3)
-    opened = case["gap"] + case["drift"] * load
-
-    def energy(trial: np.ndarray) -> float:
-        return float(trial @ case["compliance"] @ trial / 2 + opened @ trial)
-
-    found = minimize(
-        energy,
-        np.full(9, load / 9),
-        jac=lambda trial: case["compliance"] @ trial + opened,
-        bounds=[(0, None)] * 9,
-        constraints={"type": "eq", "fun": lambda trial: trial @ case["lever"] - load, "jac": lambda _: case["lever"]},
-        method="SLSQP",
-        options={"ftol": 1e-14, "maxiter": 500},
-    )
-    assert found.success
-    np.testing.assert_allclose(force, found.x, atol=1e-5 * load)  # accuracy of the minimiser
-    assert (force == 0).any()  # else no constraint is active
-    assert (force > 0).sum() > 1
-
-
-def test_a_light_load_rests_on_one_node() -> None:
-    case = problem(11) | {"drift": np.zeros(23)}
-    force, approach, _ = pressed(case, 1e-6, np.ones(23, dtype=bool))
-    assert np.flatnonzero(force).tolist() == [int(np.argmin(case["gap"] / case["lever"]))]
-    np.testing.assert_allclose(force.sum() * case["lever"][force > 0], 1e-6, rtol=1e-12)  # round-off
-    assert approach > 0
-
-
-def test_a_contact_that_does_not_converge_reports_its_residual(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(contact, "ROUNDS", 1)  # every start but the answer itself takes two
-    case = problem(3)
-    with pytest.raises(
-        ConvergenceError, match=r"with \d+ of 23 nodes touching did not settle in 1 it.*residual .* N.*by a per cent"
-    ) as stop:
-        pressed(case, 1.7, np.ones(23, dtype=bool))
-    assert stop.value.residual > 0
 
 
 def exhaustive(compliance: Array, opened: Array, lever: Array, load: float) -> tuple[Array, float]:

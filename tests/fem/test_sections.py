@@ -126,12 +126,3 @@ def test_touching_nodes_meet_and_no_others_overlap(loaded: list[Loaded]) -> None
     assert np.abs(left[touching]).max() < round_off
     assert left[~touching].min() > -round_off
     assert found.quantities.approach > 1e-6
-
-
-def test_the_stiffer_body_deforms_less(loaded: list[Loaded]) -> None:
-    """Ceramic above, steel below: exchanged materials would pass every test of the sum."""
-    depth = [float(np.abs(part.displacement[2, part.body.touching]).max()) for part in loaded]
-    ceramic, steel = (part.material.youngs_modulus / (1 - part.material.poisson_ratio**2) for part in loaded)
-    assert depth[0] < depth[1]
-    if loaded[0].body.name == "half space":
-        np.testing.assert_allclose(depth[1] / depth[0], ceramic / steel, rtol=1e-3)  # of half spaces, up to the mesh

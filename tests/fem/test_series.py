@@ -102,11 +102,6 @@ def test_answers_come_in_the_order_given_and_repeated(contacts: dict[str, Contac
     assert meshes_of(series) == 3
 
 
-def test_one_load_is_a_single_solution(contacts: dict[str, Contact]) -> None:
-    (found,) = solve_series(contacts["inner"], recipe=IDEAL, level=2, loads=372.0)
-    assert found.quantities == fitted_solution(contacts["inner"], recipe=IDEAL).quantities
-
-
 def test_meshes_scale_from_a_millionth_of_a_newton_to_beyond_a_single_mesh(contacts: dict[str, Contact]) -> None:
     """The real groove, up to 5000 N, whose ellipse is too wide for a mesh of its own."""
     loads = [1e-6, 4.3e-4, 0.27, 61.0, 2900.0, 5000.0]

@@ -12,16 +12,15 @@ from analytic.contact.geometry import cut_off_share
 from analytic.effects.table import PER_CUT_SHARE
 from analytic.errors import InputError
 from analytic.scene import Contact
-from fembearing.fem.condensation import condense, held_stiffness, middle_plane
+from fembearing.fem.condensation import held_stiffness, middle_plane
 from fembearing.fem.farfield import point_load, pressed_ellipse
 from fembearing.fem.measure import STRIP
 from fembearing.fem.ring_structure import ring_compression
-from fembearing.fem.solution import CondensedPair, MeshSolution, fitted_solution, pressed, solve_on_mesh
+from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
 from fembearing.fem.subsurface import subsurface_stress
 from fembearing.mesh import pair as pair_module
 from fembearing.mesh.bodies import BodyMesh
 from fembearing.mesh.footprint import Footprint, Sides
-from fembearing.mesh.pair import PairMesh
 from fembearing.mesh.recipe import load_recipe
 from fembearing.verify.contact.discrepancy import ContactSolution
 from tests.fem.assembly import stiffness
@@ -146,29 +145,6 @@ def mirrored(body: BodyMesh) -> BodyMesh:
     return replace(body, mesh=MeshHex2(body.mesh.doflocs * np.array([[1.0], [-1.0], [1.0]]), body.mesh.t))
 
 
-def test_the_mirrored_shoulder_gives_the_mirrored_answer(cut: MeshSolution) -> None:
-    pair, contact = cut.pair, cut.contact
-    normal = pair.normal * np.array([[1.0], [-1.0], [1.0]])
-    footprint = replace(pair.footprint, shoulders=pair.footprint.shoulders[::-1])
-    other: PairMesh = replace(
-        pair, upper=mirrored(pair.upper), lower=mirrored(pair.lower), normal=normal, footprint=footprint
-    )
-    held = {"semi_axes": pair.semi_axes, "shoulders": footprint.shoulders}
-    bodies = CondensedPair(
-        contact=contact,
-        level=cut.level,
-        pair=other,
-        upper=condense(other.upper, material=contact.ball_material, force=-normal, **held),
-        lower=condense(other.lower, material=contact.race_material, force=normal, **held),
-        mass=cut.bodies.mass,
-    )
-    found = pressed(bodies, load=contact.load, expected=SEMI_AXES)
-    np.testing.assert_allclose(found.force, cut.force, atol=1e-7 * cut.force.max())  # round-off
-    np.testing.assert_array_equal(found.y, -cut.y)
-    for name in ("approach", "semi_axis_rolling", "semi_axis_transverse"):
-        assert getattr(found.quantities, name) == pytest.approx(getattr(cut.quantities, name), rel=1e-9), name
-
-
 @pytest.mark.parametrize("shoulders", [(np.inf, 0.41e-3), (0.33e-3, np.inf), (0.52e-3, 0.17e-3)])
 def test_the_far_field_of_a_cut_ellipse_is_that_of_its_points(
     contacts: dict[str, Contact], shoulders: tuple[float, float]
@@ -215,36 +191,6 @@ def sided(contact: Contact, *, near: float, far: float, sides: Sides) -> MeshSol
     """With shoulders at `near` and `far`, m, and lands parallel to the tangent plane."""
     even = replace(contact, shoulder=near, far_shoulder=far, contact_angle=0.0)
     return solve_on_mesh(even, recipe=load_recipe("race"), level=1, semi_axes=SEMI_AXES, sides=sides)
-
-
-def test_mirrored_sides_give_the_mirrored_contact(contacts: dict[str, Contact]) -> None:
-    one, other = (
-        sided(contacts["inner"], near=near, far=far, sides="both") for near, far in ((1.2e-3, 2.9e-3), (2.9e-3, 1.2e-3))
-    )
-    for name in NAMES:
-        found, expected = (getattr(part.quantities, name) for part in (one, other))
-        assert found == pytest.approx(expected, rel=1e-9), name  # round-off of two factorisations
-    order, mirrored = np.lexsort((one.x, one.y)), np.lexsort((other.x, -other.y))
-    np.testing.assert_allclose(one.y[order], -other.y[mirrored], rtol=0, atol=1e-9 * SEMI_AXES[1])
-    np.testing.assert_allclose(one.force[order], other.force[mirrored], atol=1e-7 * one.force.max())
-    centroid = float(one.force @ one.y / one.force.sum())
-    assert abs(centroid) > 1e-6 * SEMI_AXES[1]  # there is something to mirror
-
-
-def test_each_shoulder_acts_by_itself(contacts: dict[str, Contact]) -> None:
-    """Half of a contact with unequal shoulders is the mean of two quarters; a far shoulder tends to none."""
-    near, far, none = 1.2e-3, 2.0e-3, 3.8e-3
-    quarters = {at: sided(contacts["inner"], near=at, far=at, sides="even") for at in (near, far, none)}
-    for at in (far, none):
-        half = sided(contacts["inner"], near=near, far=at, sides="both")
-        for name in NAMES:
-            one, other = (getattr(quarters[each].quantities, name) for each in (near, at))
-            found = getattr(half.quantities, name)
-            # 1e-5: what two shoulders do together, the square of what one does, 2.5e-3 at most
-            assert found == pytest.approx((one + other) / 2, rel=1e-5), name
-    approaches = [quarters[at].quantities.approach for at in (near, far, none)]
-    assert abs(approaches[0] / approaches[2] - 1) > 3e-4
-    assert abs(approaches[1] / approaches[2] - 1) < 0.7 * abs(approaches[0] / approaches[2] - 1)
 
 
 def test_each_side_acts_by_itself_at_a_contact_angle_too(contacts: dict[str, Contact]) -> None:

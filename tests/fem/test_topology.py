@@ -139,26 +139,6 @@ def test_a_solution_is_that_of_its_own_matrix(pairs: list[PairMesh]) -> None:
         reduced(pairs[1], "lower")
 
 
-@has_pardiso
-def test_a_matrix_is_factored_once_for_all_that_is_asked_of_it(
-    pairs: list[PairMesh], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    phases: list[int] = []
-    plain = factor.PardisoFactor._call
-
-    def counted(self: factor.PardisoFactor, phase: int, right: Array) -> Array:
-        phases.append(phase)
-        return plain(self, phase, right)
-
-    monkeypatch.setattr(factor.PardisoFactor, "_call", counted)
-    kept(monkeypatch)
-    for pair in pairs:
-        reduced(pair, "lower")
-    system = held_stiffness(pairs[1].lower, material=STEEL, semi_axes=pairs[1].semi_axes)
-    system.displacement(system.far_force, load=0.0)
-    assert phases == [factor.ANALYSIS, factor.NUMBERS, factor.NUMBERS, factor.FORWARD, factor.BACKWARD]
-
-
 @pytest.mark.usefixtures("solver")
 def test_complement_and_solution_by_hand() -> None:
     """K = [[4, 1], [1, 3]] with two columns of very different size; K^-1 = [[3, -1], [-1, 4]]/11."""

@@ -71,13 +71,6 @@ def test_a_folded_cell_is_detected_and_located(contacts: dict[str, Contact]) -> 
     assert np.abs(np.array(after.worst_place) - centre).max() < 3 * np.abs(mesh.p[:, corner] - centre).max()
 
 
-def test_quality_measures_the_volume(contacts: dict[str, Contact]) -> None:
-    """Half spaces are boxes: volume by length times width times depth, and a positive one."""
-    for body in (made(contacts, "outer", "hertzian", 1).upper, made(contacts, "outer", "hertzian", 1).lower):
-        reach = load_recipe("hertzian").domain.extent * SEMI_AXES["outer"][1]
-        np.testing.assert_allclose(mesh_quality(body.mesh).volume, reach**3, rtol=ROUND_OFF)
-
-
 def test_the_balls_volume_converges_to_an_octant(contacts: dict[str, Contact]) -> None:
     radius = contacts["outer"].ball_radius
     exact = 4 / 3 * np.pi * radius**3 / 8

@@ -13,9 +13,8 @@ from analytic.scene import Operation
 from fembearing.fem.measure import Quantities
 from fembearing.grid_convergence import Estimate
 from fembearing.provenance import provenance_of
-from fembearing.report.document.build import report_of
-from fembearing.report.document.report import Report
 from fembearing.report.pictures.draw import Picture, draw_pictures
+from fembearing.report.report import Report, report_of
 from fembearing.verify.contact.discrepancy import ContactSolution
 from fembearing.verify.contact.hertz import CorrectedHertz
 from fembearing.verify.cost.contact_ladder import contact_ladder_of
@@ -126,7 +125,7 @@ def contact_made(
                 mesh=part.mesh,
                 domain=part.domain,
                 settled=part.order is not None,
-                index=None if part.order is None else 3 * part.mesh,
+                grid_convergence_index=None if part.order is None else 3 * part.mesh,
             )
             for name, part in given.items()
         },

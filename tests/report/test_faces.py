@@ -1,7 +1,6 @@
 """One torque in every face: terminal, JSON, CSV, data frame, report.json and page of 200 random scenes."""
 
 import csv
-import json
 import re
 from dataclasses import replace
 from io import StringIO
@@ -14,8 +13,10 @@ from rich.console import Console
 from analytic.errors import InputError
 from analytic.result import COORDINATES, FrictionTorque
 from analytic.scene import Array
+from fembearing.plain_types import plain
 from fembearing.provenance import provenance_of
 from fembearing.report.terminal.torque import RESIDUE, print_torque
+from fembearing.report.torque import torque_file
 from fembearing.report.torque_table import csv_of
 from fembearing.verify.torque.change import TorqueChange
 from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene
@@ -88,7 +89,7 @@ def known_parts(friction: FrictionTorque) -> dict[str, Array]:
 
 def json_agrees(result: SceneTorque) -> None:
     """To the last digit."""
-    friction, content = result.friction, json.loads(json.dumps(result.to_json(), allow_nan=False))
+    friction, content = result.friction, plain(torque_file(result))
     for number, point in enumerate(content["points"]):
         assert [point[name] for name in COORDINATES] == [getattr(friction, name)[number] for name in COORDINATES]
         for name in (*PARTS, "race", "total"):
@@ -168,8 +169,8 @@ def page_agrees(check: Validation, folder: Path) -> None:
     """report.json to the last digit; the page to the four digits of a part, a total and a contact."""
     document = document_of(check)
     torque = present(check.torque)
-    friction, content = torque.friction, json.loads(json.dumps(torque.to_json()))
-    written = document.to_json()
+    friction, content = torque.friction, plain(torque_file(torque))
+    written = plain(document)
     for number, point in enumerate(written["torque"]["points"]):
         assert point["torque"] == content["points"][number]["torque"]
         assert point["contact"] == content["points"][number]["contact"]

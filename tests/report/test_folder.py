@@ -19,13 +19,15 @@ from analytic.scenefile.read import load_scene
 from analytic.writing import new_folder
 from fembearing import cli
 from fembearing.cli.boundary import end
+from fembearing.plain_types import plain
+from fembearing.provenance import provenance_of
 from fembearing.report import folder as module
-from fembearing.report.document.build import report_of
 from fembearing.report.figures import style
 from fembearing.report.folder import validate, write_cost
 from fembearing.report.page import write as page
 from fembearing.report.pictures import draw as pictures
-from fembearing.verify.cost.scene_cost import Cost
+from fembearing.report.report import report_of
+from fembearing.verify.cost.scene_cost import Cost, Spent
 from fembearing.verify.validation import Validation
 from tests.report.figures.test_cost import CONTACT, LOAD
 
@@ -52,7 +54,7 @@ def test_a_report_holds_page_numbers_pictures_and_meshes(solved: Validation, tmp
     assert names == made | {"report.html", "report.json", "cost.csv"}
     assert [path.name for path in tmp_path.iterdir()] == ["report"]  # nothing beside it
     content = json.loads((out / "report.json").read_text("utf-8"))
-    expected = report_of(solved).to_json()["verdicts"]
+    expected = plain(report_of(solved).verdicts)
     assert content["verdicts"] == expected
     assert {picture["file"] for picture in content["pictures"]} <= names
     assert content["renderer"] == "VTK"
@@ -67,9 +69,9 @@ def test_the_picture_of_a_cost_holds_all_of_its_panels(
     drawn: list[Figure] = []
     monkeypatch.setattr(style, "png", lambda *figures: drawn.extend(figures) or b"a picture")
     ladders = (CONTACT, LOAD, *(replace(LOAD, quantity=f"quantity {number}") for number in range(3)))[:count]
-    cost = Cost(
-        scene=load_scene("6205-dry"), tolerance=0.04, ladders=ladders, seconds=3.2, peak_memory=None, provenance={}
-    )
+    provenance = provenance_of(load_scene("6205-dry"))
+    spent = Spent(seconds=3.2, peak_memory=None)
+    cost = Cost(tolerance=0.04, ladders=ladders, cost=spent, warnings=(), provenance=provenance)
     write_cost(cost, tmp_path)
     (figure,) = drawn
     assert len({panel.get_title() for panel in figure.axes}) == count + 1

@@ -1,18 +1,23 @@
 """The sentences that page and terminal share."""
 
+from dataclasses import replace
+
 import pytest
 
 from analytic.verdicts import NumericalCheck
 from fembearing.report.phrases import numerical_words, place_of
+from tests.analytic.specimens import present
 
 
 def test_an_uncertainty_has_its_number_or_the_reason_why_it_is_not_known() -> None:
-    unknown = numerical_words(NumericalCheck(uncertainty=None, tolerance=0.04, reason="the cage came apart"))
+    lost = NumericalCheck(verdict="not reached", uncertainty=None, tolerance=0.04, reason="the cage came apart")
+    unknown = numerical_words(lost)
     assert "not known: the cage came apart" in unknown
     assert "%" not in unknown
-    for uncertainty, side in ((0.013, "within"), (0.067, "beyond")):
-        words = numerical_words(NumericalCheck(uncertainty=uncertainty, tolerance=0.04, reason=""))
-        assert f"{100 * uncertainty:g} %, {side} the tolerance 4 %" in words
+    solved = NumericalCheck(verdict="pass", uncertainty=0.013, tolerance=0.04, reason="")
+    for check, side in ((solved, "within"), (replace(solved, verdict="not reached", uncertainty=0.067), "beyond")):
+        words = numerical_words(check)
+        assert f"{100 * present(check.uncertainty):g} %, {side} the tolerance 4 %" in words
         assert "not known" not in words
 
 

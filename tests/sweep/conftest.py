@@ -27,10 +27,10 @@ def short_pieces(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("fembearing.sweep.parts.MOST_SCENES", 1)
 
 
-def one_by_one(function: Any, tasks: dict[Any, Any], **_: Any) -> Iterator[tuple[Any, Any]]:
+def one_by_one(function: Any, tasks: list[Any], **_: Any) -> Iterator[tuple[Any, Any]]:
     """As `each_done`, in this process."""
-    for key, task in tasks.items():
-        yield key, function(*task)
+    for task in tasks:
+        yield task, function(task)
 
 
 @pytest.fixture
@@ -38,11 +38,11 @@ def in_process(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
     """Every piece is computed in this process; the list of computed pieces, in order."""
     computed: list[Any] = []
 
-    def recorded(function: Any, tasks: dict[Any, Any], *, workers: None, scheduler: None, **_: Any) -> Any:
+    def recorded(function: Any, tasks: list[Any], *, workers: None, scheduler: None, **_: Any) -> Any:
         assert workers is scheduler is None
-        for key, result in one_by_one(function, tasks):
-            computed.append(key)
-            yield key, result
+        for task, result in one_by_one(function, tasks):
+            computed.append(task)
+            yield task, result
 
     monkeypatch.setattr("fembearing.sweep.run.each_done", recorded)
     return computed

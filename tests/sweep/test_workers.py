@@ -10,7 +10,7 @@ import socket
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from contextlib import suppress
 from importlib import import_module
 from pathlib import Path
@@ -23,7 +23,7 @@ import pytest
 
 from analytic.errors import FembearingError, InputError
 from fembearing.sweep import cluster, parts
-from fembearing.sweep.cluster import AHEAD, LostWorkerError, each_done
+from fembearing.sweep.cluster import LostWorkerError, each_done
 from fembearing.sweep.grid import load_grid
 from fembearing.sweep.parts import Piece
 from fembearing.sweep.run import run_sweep
@@ -44,15 +44,12 @@ def wait_until(holds: Callable[[], bool]) -> None:
         time.sleep(0.02)
 
 
-class Counted(dict):
-    """Tasks that count how many of them were taken."""
+def call(task: tuple[Any, ...]) -> Any:
+    function, *arguments = task
+    return function(*arguments)
 
-    taken = 0
 
-    def items(self) -> Iterator[tuple[Any, Any]]:  # pyright: ignore[reportIncompatibleMethodOverride]
-        for item in super().items():
-            self.taken += 1
-            yield item
+DEADLY = (os._exit, 3)
 
 
 def test_a_task_that_ends_its_process_is_reported_and_all_others_are_done(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -61,17 +58,13 @@ def test_a_task_that_ends_its_process_is_reported_and_all_others_are_done(monkey
     monkeypatch.setenv("OMP_NUM_THREADS", "3")
     monkeypatch.delenv("MKL_NUM_THREADS", raising=False)
     before, dashboards = dict(os.environ), []
-    tasks = Counted({number: (operator.neg, number) for number in range(40)})
-    tasks |= {name: (os.getenv, name) for name in ("OMP_NUM_THREADS", "MKL_NUM_THREADS")} | {"deadly": (os._exit, 3)}
-    going = each_done(operator.call, tasks, workers=2, announce=dashboards.append)
-    found = dict([next(going)])
-    assert tasks.taken <= 2 * AHEAD  # the others wait here, and take no memory in the cluster
-    found |= dict(going)
-    assert found.pop("OMP_NUM_THREADS") == "3"  # as the user has set it
-    assert found.pop("MKL_NUM_THREADS") == "1"
+    numbers = [(operator.neg, number) for number in range(40)]
+    names = [(os.getenv, name) for name in ("OMP_NUM_THREADS", "MKL_NUM_THREADS")]
+    found = dict(each_done(call, [*numbers, *names, DEADLY], workers=2, announce=dashboards.append))
+    assert [found.pop(name) for name in names] == ["3", "1"]  # the first as the user has set it
     assert dict(os.environ) == before
-    assert isinstance(found.pop("deadly"), LostWorkerError)
-    assert found == {number: -number for number in range(40)}
+    assert isinstance(found.pop(DEADLY), LostWorkerError)
+    assert found == {(function, number): -number for function, number in numbers}
     assert not multiprocessing.active_children()
     assert len(dashboards) == 1
     assert re.fullmatch(r"http://127\.0\.0\.1:\d+/status", dashboards[0])
@@ -91,10 +84,9 @@ def test_a_process_that_takes_too_much_memory_is_ended_and_all_others_are_done(
     monkeypatch.setitem(cluster.SETTINGS, *ONE_TRY)
     monkeypatch.setattr(cluster, "MEMORY", "800MB")  # less than `hoard` takes, more than a process does at rest
     announced = []
-    found = dict(each_done(operator.call, {1: (operator.neg, 7), 2: (hoard,)}, workers=1, announce=announced.append))
-    assert found[1] == -7
-    assert isinstance(found[2], LostWorkerError)
-    assert "free some memory" in str(found[2])
+    found = dict(each_done(call, [(operator.neg, 7), (hoard,)], workers=1, announce=announced.append))
+    assert found[operator.neg, 7] == -7
+    assert isinstance(found[hoard,], LostWorkerError)
     assert not announced or cluster._draws_dashboard()
 
 
@@ -119,7 +111,7 @@ def test_there_is_a_process_for_each_core_unless_a_number_is_given(
     monkeypatch.setattr("distributed.LocalCluster", start)
     monkeypatch.setattr("dask.system.CPU_COUNT", 5)
     with pytest.raises(FembearingError, match="end as soon as they start"):
-        next(each_done(operator.neg, {number: (number,) for number in range(7)}, workers=workers))
+        next(each_done(operator.neg, range(7), workers=workers))
     assert asked == [expected]
 
 
@@ -160,16 +152,24 @@ def test_points_of_a_worker_that_dies_are_tried_again_next_time(
     path, out, deadly = grid_file(SERIES + "friction.coefficient = [0.03, 0.07, 0.09]"), tmp_path / "out", [7]
 
     def dying(function, tasks, **_):
-        for piece, task in tasks.items():
-            yield piece, LostWorkerError("killed") if piece.start in deadly else function(*task)
+        for piece in tasks:
+            yield piece, LostWorkerError("killed") if piece.start in deadly else function(piece)
 
     monkeypatch.setattr("fembearing.sweep.run.each_done", dying)
     first = run_sweep(path, out=out)
     assert (first.computed, first.kept, first.lost, first.failed) == (14, 0, 7, 7)
     assert set(first.to_dataset()["failure"].sel(coefficient=0.07).values) == {"killed"}
     deadly.clear()
-    second = run_sweep(path, out=out)
-    assert (second.computed, second.kept, second.lost, second.failed) == (7, 14, 0, 0)
+
+    def stop(_share: float, step: str) -> None:
+        if step == "gathering":
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        run_sweep(path, out=out, progress=stop)
+    third = run_sweep(path, out=out)
+    assert (third.computed, third.kept, third.lost, third.failed) == (0, 21, 0, 0)
+    assert bool(third.to_dataset()["torque_total"].notnull().all())  # not the dataset of the first run
 
 
 # A sweep that keeps `HELD` pieces, says so and then waits: the signal always meets it in the middle of its work.
@@ -263,23 +263,23 @@ def test_a_cluster_elsewhere_computes_the_same_and_survives_a_worker(
         address = elsewhere.scheduler_address
         monkeypatch.setattr("fembearing.sweep.run.each_done", each_done)
         found = run_sweep(path, out=tmp_path / "cluster", scheduler=address)
-        tasks = {number: (operator.neg, number) for number in range(4)} | {"deadly": (os._exit, 3)}
+        tasks = [*((operator.neg, number) for number in range(4)), DEADLY]
         with monkeypatch.context() as patch:
             own = os.getpid()
             versions = lambda _name: "0.0.7" if os.getpid() == own else "0.0.6"  # noqa: E731, to be sent by value
             patch.setattr(cluster, "version", versions)
             with pytest.raises(InputError, match=r"a worker has not fembearing 0\.0\.7 as here \(0\.0\.6\); install"):
-                list(each_done(operator.call, tasks, scheduler=address))
+                list(each_done(call, tasks, scheduler=address))
         with pytest.raises(InputError, match="cannot read what it is sent; its scheduler needs fembearing"):
-            list(each_done(operator.call, {1: (operator.neg, Unreadable())}, scheduler=address))
-        done = dict(each_done(operator.call, tasks, scheduler=address))
-        going = each_done(operator.call, {1: (operator.neg, 7), 2: (time.sleep, 60)}, scheduler=address)
-        assert next(going) == (1, -7)
+            list(each_done(call, [(operator.neg, Unreadable())], scheduler=address))
+        done = dict(each_done(call, tasks, scheduler=address))
+        going = each_done(call, [(operator.neg, 7), (time.sleep, 60)], scheduler=address)
+        assert next(going) == ((operator.neg, 7), -7)
         elsewhere.close()
         with pytest.raises(InputError, match="the cluster went away; what is done is kept"):
             next(going)
-    assert isinstance(done.pop("deadly"), LostWorkerError)
-    assert done == {number: -number for number in range(4)}
+    assert isinstance(done.pop(DEADLY), LostWorkerError)
+    assert sorted(done.values()) == [-3, -2, -1, 0]
     assert found.to_dataset().drop_attrs().identical(whole.drop_attrs())
 
 
@@ -313,7 +313,7 @@ def test_what_listens_and_is_no_scheduler_is_one_line(says: bytes, capfd: pytest
         Thread(target=answer, daemon=True).start()
         place = f"tcp://127.0.0.1:{server.getsockname()[1]}"
         with pytest.raises(InputError, match="no Dask cluster answers there"):
-            list(each_done(operator.neg, {1: (7,)}, scheduler=place))
+            list(each_done(operator.neg, [7], scheduler=place))
         for there in held:
             there.close()
     gc.collect()  # a client that was given up would complain here

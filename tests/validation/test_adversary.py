@@ -1,6 +1,5 @@
 """The search for scenes that break their stated uncertainty: what it draws, and that it sees a wrong statement."""
 
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -8,7 +7,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from analytic.errors import ConvergenceError, InputError
 from analytic.result import FrictionTorque
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.torque import friction_torque
@@ -75,26 +73,3 @@ def test_a_scene_that_a_climb_found_keeps_its_statement(file: Path) -> None:
         found = friction_torque(replace(scene, tolerance=tolerance))
         error = np.abs(found.torque.total / best.torque.total - 1) - best.numerical_uncertainty
         assert np.all(error <= found.numerical_uncertainty)
-
-
-def test_the_worst_place_comes_first_and_once() -> None:
-    trial = adversary.Trial(place=(0.1,), tolerance=0.01, error=2e-3, stated=1e-3)
-    worse, unknown = replace(trial, place=(0.2,), error=5e-3), replace(trial, place=(0.3,), stated=np.inf)
-    found = adversary.worst_places([trial, unknown, worse, replace(trial, tolerance=0.05, error=1e-3)])
-    assert [each.place for each in found] == [(0.2,), (0.1,), (0.3,)]
-    assert [each.ratio for each in found] == [5.0, 2.0, 0.0]  # what is unknown is no violation
-    assert replace(trial, error=np.nan).ratio > 1  # no number is one
-
-
-def test_a_refusal_and_a_computation_that_fails_are_told_apart(monkeypatch: pytest.MonkeyPatch) -> None:
-    def failing(problem: Exception) -> Callable[[Any], FrictionTorque]:
-        def raised(_: Any) -> FrictionTorque:
-            raise problem
-
-        return raised
-
-    monkeypatch.setattr(adversary, "friction_torque", failing(InputError("too fast")))
-    assert adversary.trials_at(place(5)) is None
-    stuck = ConvergenceError(iterations=3, residual=1.0, tolerance=0.1)
-    monkeypatch.setattr(adversary, "friction_torque", failing(stuck))
-    assert adversary.trials_at(place(5)) == []

@@ -1,7 +1,6 @@
-"""The comparison with measured torques: its arithmetic by hand, its page, and the sentences that quote it."""
+"""The comparison with measured torques: its arithmetic by hand, and the sentences that quote it."""
 
 import csv
-import re
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -10,7 +9,6 @@ import numpy as np
 import pytest
 
 from fembearing.report.phrases import MEASURED, MEASURED_RANGE
-from validation.measured import page
 from validation.measured import run as measured
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -62,13 +60,6 @@ def test_the_inputs_have_the_sizes_that_the_formula_says(rig: Any) -> None:
     np.testing.assert_allclose(powers[1], powers[0] + 1, rtol=0.03)
     for name in ("boundary friction", "length of the roughness waves"):
         assert np.all(rig.inputs[name] < 0.01 * rig.computed)
-
-
-def test_the_verdict_comes_first_and_is_true(rig: Any) -> None:
-    agreeing = replace(rig, computed=rig.measured * 1.01)
-    text = page.page([rig, agreeing], [])
-    assert re.match(r"# .*\n\n\|E\| > u_val at 6 of 12 points and > 2 u_val at 5: .* off to both sides", text)
-    assert "too low" in page.page([rig, rig], []).splitlines()[2]
 
 
 def test_the_sentences_quote_the_report() -> None:

@@ -29,4 +29,4 @@ def test_the_changelog_knows_the_model_version() -> None:
 
 def test_a_result_carries_the_model_version() -> None:
     friction = friction_torque(load_scene("6205-dry"))
-    assert friction.to_json()["provenance"]["model_version"] == str(MODEL_VERSION)
+    assert friction.provenance["model_version"] == str(MODEL_VERSION)

@@ -16,18 +16,6 @@ from validation.paper import cage_scan as scan
 from validation.paper import printed_jumps as jumps
 
 SPEEDS = np.array([100.0, 300.0, 500.0]) * np.pi / 30
-RACES = ("inner_coefficient", "outer_coefficient")
-
-
-def series(**values: list[float]) -> dict[str, np.ndarray]:
-    """A reading at three speeds; the friction of races and cage is flat unless it is given."""
-    names = ("total_torque", "race_torque", "cage_torque", "cage_max_force", "pocket_coefficient", *RACES)
-    return {"inner_speed": SPEEDS} | {name: np.array(values.get(name, [0.05, 0.05, 0.05])) for name in names}
-
-
-def held(trends: list[Any], words: str) -> bool:
-    (trend,) = [trend for trend in trends if words in trend.claim]
-    return trend.held
 
 
 def test_the_published_numbers_are_read_in_si() -> None:
@@ -48,48 +36,6 @@ def test_a_curve_is_matched_if_all_its_points_are() -> None:
     assert curve(8e-3 * 1.09, 7e-3 * 0.92).verdict == "matched"
     assert curve(8e-3, 7e-3 * 1.12).verdict == "within a factor of 1.12"
     assert curve(8e-3 / 2.5, 7e-3).worst == pytest.approx(2.5)  # too little counts like too much
-
-
-def test_a_cage_torque_counts_as_a_power_and_then_as_moments() -> None:
-    ours = series(cage_torque=[0.1e-3, 1e-3, 2e-3]) | {"cage_moments": np.array([0.6e-3, 3e-3, 8.2e-3])}
-    points = [p for p in comparison.published() if (p.quantity, p.rms_roughness) == ("cage_torque", 1e-6)]
-    power, moments = comparison.curves(tuple(row for point in points for row in comparison.beside(point, ours)))
-    assert (power.ours, moments.ours) == ("cage_torque", "cage_moments")
-    assert power.worst == pytest.approx(6.0)
-    assert moments.verdict == "matched"
-
-
-def test_trends_follow_the_numbers() -> None:
-    rough = series(
-        total_torque=[9.0, 11.0, 14.0], race_torque=[7.0, 7.2, 7.1], inner_coefficient=[0.08, 0.081, 0.079],
-        outer_coefficient=[0.07, 0.071, 0.07], cage_torque=[1, 3, 6], cage_max_force=[2, 9, 28],
-        pocket_coefficient=[0.11, 0.11, 0.1],
-    )  # fmt: skip
-    smooth = series(
-        total_torque=[5.0, 4.0, 6.0], race_torque=[5.0, 4.0, 3.0], inner_coefficient=[0.03, 0.031, 0.04],
-        outer_coefficient=[0.02, 0.021, 0.02], cage_torque=[0.5, 2, 7], cage_max_force=[3, 2, 1],
-        pocket_coefficient=[0.1, 0.07, 0.05],
-    )  # fmt: skip
-    found = comparison.trends(rough, smooth)
-    assert held(found, "rougher raises the total")
-    assert not held(found, "the total torque rises")  # the smooth one falls first
-    assert held(found, "rougher raises the friction coefficients of both races")
-    assert not held(found, "races are flat")  # the smooth inner one rises by a third
-    assert held(found, "almost constant")
-    assert held(found, "race torque falls")
-    assert held(found, "cage torque rises")
-    assert not held(found, "rougher raises the cage torque")  # not at the last speed
-    assert not held(found, "largest cage force rises")
-    assert not held(found, "rougher raises the largest cage force")
-    assert held(found, "pocket's friction coefficient falls")
-    assert held(found, "rougher raises the pocket's")
-
-
-def test_the_calibrated_coefficient_is_a_power_of_the_speed() -> None:
-    speeds = np.array([100.0, np.sqrt(100 * 500), 500.0]) * np.pi / 30
-    for roughness, (slow, fast) in cage.COEFFICIENTS.items():
-        found = [cage.calibrated_coefficient(rms_roughness=roughness, inner_speed=speed) for speed in speeds]
-        assert found == pytest.approx([slow, np.sqrt(slow * fast), fast], rel=1e-12)  # round-off
 
 
 def test_the_share_of_traction_balances_a_ball() -> None:

@@ -77,7 +77,7 @@ def add_errors(solution: ContactSolution, errors: dict[str, list[float]], held: 
         for name in NAMES:
             scale = minor if "depth" in name else stresses.hertz[name]
             errors[name].append(abs(stresses.fe[name] - stresses.hertz[name]) / scale)
-            held[name] += not stresses.exceeds(name)
+            held[name] += not stresses.exceeds_uncertainty[name]
 
 
 if __name__ == "__main__":

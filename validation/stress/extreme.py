@@ -22,6 +22,7 @@ from analytic.scenefile.choice import Choice
 from analytic.scenefile.keys import SceneKey, paths, scene_key, with_key
 from analytic.scenefile.read import parse_scene
 from analytic.scenefile.template import scene_text as template
+from fembearing.plain_types import plain
 from validation.adversary.run import INPUTS, scene_text
 from validation.stress.watched import Input, SilentError
 
@@ -43,7 +44,7 @@ def scene_input(seed: int) -> Input:
 def torque_of(text: str) -> None:
     """Compute the torque of a scene. Raises SilentError where a number of the result is not finite."""
     result = friction_torque(parse_scene(text, origin="scene"))
-    require_finite_numbers(result.to_json())
+    require_finite_numbers(plain(result.rows))
 
 
 def require_finite_numbers(result: object) -> None:

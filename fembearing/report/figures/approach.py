@@ -1,14 +1,16 @@
 """The stiffness of each contact: load over approach, and how far each model is from Hertz."""
 
+from collections.abc import Sequence
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from fembearing.quantities import Units
-from fembearing.report.document.contact import Contact
-from fembearing.report.document.report import Report
+from fembearing.report.contact import ContactRecord
 from fembearing.report.figures.style import BLACK, BLUE, RED, contact_columns
 from fembearing.report.phrases import contact_place
+from fembearing.report.report import Report
 
 CAPTION = (
     "Above: load of the ball over its approach, by Hertz, by Hertz corrected for finite geometry as far as its fit "
@@ -24,7 +26,7 @@ def approach_plot(document: Report) -> tuple[Figure | None, str]:
     return contact_columns(document.contacts, _curve, _apart, units=units, labels=labels), CAPTION
 
 
-def _curve(panel: Axes, contact: Contact, units: Units) -> None:
+def _curve(panel: Axes, contact: ContactRecord, units: Units) -> None:
     """Load over approach, with the solved point."""
     curve, solved = contact.approach_curve, contact.fe.approach
     load, small = units.force.factor * np.array(curve.load), units.small_length.factor
@@ -44,7 +46,7 @@ def _curve(panel: Axes, contact: Contact, units: Units) -> None:
     panel.set(xlabel=f"approach, {units.small_length.name}", xlim=(0, None), ylim=(0, None))
 
 
-def _apart(panel: Axes, contact: Contact, units: Units) -> None:
+def _apart(panel: Axes, contact: ContactRecord, units: Units) -> None:
     """Departure from Hertz's approach, per cent."""
     curve, solved = contact.approach_curve, contact.fe.approach
     load, hertz = units.force.factor * np.array(curve.load), np.array(curve.hertz)
@@ -68,5 +70,5 @@ def _apart(panel: Axes, contact: Contact, units: Units) -> None:
     panel.set(xlabel=f"load, {units.force.name}", xlim=(0, None))
 
 
-def _known(values: list[float | None]) -> np.ndarray:
+def _known(values: Sequence[float | None]) -> np.ndarray:
     return np.array([np.nan if value is None else value for value in values])

@@ -8,9 +8,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from fembearing.quantities import MILLISECOND, Units
-from fembearing.report.document.report import Report
-from fembearing.report.document.torque import CageRecord
 from fembearing.report.figures.style import BLACK, BLUE, LETTERS, ORANGE, RED, TITLE, WIDTH, lettered
+from fembearing.report.report import Report
+from fembearing.verify.torque.cage_record import DrawnMotion
 
 STARTING, MEASURED, BLOCKS, LIMIT = "silver", BLUE, RED, BLACK
 HIGH, CAPTION_HIGH = 2.7, 1.0  # inches
@@ -50,12 +50,12 @@ def _why_at_rest(document: Report) -> str:
     )
 
 
-def cage_caption(motion: CageRecord) -> str:
+def cage_caption(motion: DrawnMotion) -> str:
     """What is drawn, and what to see in it."""
     return f"{WHAT_TO_SEE[motion.state]} {_drawn(f'{motion.start_up:g} s', _blocks(motion))}"
 
 
-def _blocks(motion: CageRecord) -> str:
+def _blocks(motion: DrawnMotion) -> str:
     return f"{len(motion.block_maxima)} blocks of {motion.block:.3g} s"
 
 
@@ -70,7 +70,7 @@ def _drawn(start_up: str, blocks: str) -> str:
     )
 
 
-def orbit_figure(motion: CageRecord, units: Units, *, captioned: bool = False) -> Figure:
+def orbit_figure(motion: DrawnMotion, units: Units, *, captioned: bool = False) -> Figure:
     """Orbit of the cage's centre, forces over time, and how often each force is exceeded."""
     figure = Figure(figsize=(WIDTH, HIGH + (CAPTION_HIGH if captioned else 0.0)), layout="constrained")
     for panel, draw in zip(figure.subplots(1, 3), (_orbit, _forces, _excess), strict=True):
@@ -89,7 +89,7 @@ def orbit_figure(motion: CageRecord, units: Units, *, captioned: bool = False) -
     return lettered(figure)
 
 
-def _orbit(panel: Axes, motion: CageRecord, units: Units) -> None:
+def _orbit(panel: Axes, motion: DrawnMotion, units: Units) -> None:
     """The orbit of the cage's centre, and the edge of its room."""
     orbit, room, small = motion.orbit, motion.room, units.small_length
     look: dict[str, Any] = {"lw": 0.6} if orbit.joined else {"linestyle": "none", "marker": ".", "ms": 2.5}
@@ -114,7 +114,7 @@ def _orbit(panel: Axes, motion: CageRecord, units: Units) -> None:
     _key(panel, columns=2)
 
 
-def _forces(panel: Axes, motion: CageRecord, units: Units) -> None:
+def _forces(panel: Axes, motion: DrawnMotion, units: Units) -> None:
     """Forces of the balls over time."""
     force, forces, start_up = units.force, motion.forces, MILLISECOND.factor * motion.start_up
     median = force.number(motion.max_force)
@@ -135,7 +135,7 @@ def _forces(panel: Axes, motion: CageRecord, units: Units) -> None:
     _key(panel)
 
 
-def _excess(panel: Axes, motion: CageRecord, units: Units) -> None:
+def _excess(panel: Axes, motion: DrawnMotion, units: Units) -> None:
     """How often each force is exceeded."""
     factor = units.force.factor
     instants, blocks = motion.exceedance, factor * np.sort(motion.block_maxima)

@@ -8,10 +8,10 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullFormatter
 
 from fembearing.quantities import CONTACT
-from fembearing.report.document.contact import Contact
-from fembearing.report.document.report import Report
+from fembearing.report.contact import ContactRecord
 from fembearing.report.figures.style import GREY, LETTERS, WIDTH, lettered, look_of
 from fembearing.report.phrases import place_of
+from fembearing.report.report import Report
 
 SAME = 1e-6  # relative: what is nearer to its limit is drawn here
 BELOW = 0.4  # of the least point of a panel: where the slope to compare with ends
@@ -53,7 +53,7 @@ def convergence_plot(document: Report) -> tuple[Figure | None, str]:
     return lettered(figure), CAPTION
 
 
-def _convergence(panel: Axes, contact: Contact, name: str) -> None:
+def _convergence(panel: Axes, contact: ContactRecord, name: str) -> None:
     """Distance of one quantity from its extrapolated value over the unknowns."""
     colour, mark = look_of(contact.pair, contact.geometry)
     unknowns, distance = _distances(contact, name)
@@ -67,12 +67,12 @@ def _convergence(panel: Axes, contact: Contact, name: str) -> None:
     )
 
 
-def _short(contact: Contact) -> str:
+def _short(contact: ContactRecord) -> str:
     """The place of a contact for a narrow key."""
     return place_of(contact.pair, contact.geometry).removeprefix("ball on ").removeprefix("ball in cage pocket, ")
 
 
-def _distances(contact: Contact, name: str) -> tuple[np.ndarray, np.ndarray]:
+def _distances(contact: ContactRecord, name: str) -> tuple[np.ndarray, np.ndarray]:
     """Unknowns and distance from the limit, %, mesh by mesh."""
     study = contact.convergence[name]
     values, limit = np.array(study.values), study.richardson
@@ -82,10 +82,10 @@ def _distances(contact: Contact, name: str) -> tuple[np.ndarray, np.ndarray]:
     return unknowns, 100 * np.maximum(np.abs(values / limit - 1), SAME)
 
 
-def _formal_slope(panel: Axes, contacts: Sequence[Contact], name: str) -> None:
+def _formal_slope(panel: Axes, contacts: Sequence[ContactRecord], name: str) -> None:
     """Below all points of the contacts that have a formal order in this quantity."""
-    ordered = [contact for contact in contacts if contact.convergence[name].formal_order is not None]
-    order = ordered[0].convergence[name].formal_order if ordered else None  # one for all contacts
+    ordered = [contact for contact in contacts if contact.formal_order[name] is not None]
+    order = ordered[0].formal_order[name] if ordered else None  # one for all contacts
     if order is None:
         return
     unknowns, distance = (np.concatenate(parts) for parts in zip(*(_distances(c, name) for c in ordered), strict=True))

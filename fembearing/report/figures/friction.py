@@ -5,10 +5,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from analytic.scene import Array
-from fembearing.report.document.report import Report
 from fembearing.report.figures.series_axis import SeriesAxis, axis_of
 from fembearing.report.figures.style import BLUE, GREEN, GREY, LETTERS, RED, WIDTH, lettered, scaled
 from fembearing.report.figures.torque import NO_TORQUE
+from fembearing.report.report import Report
 
 LOOKS = {"inner": (BLUE, "o", "-"), "outer": (RED, "s", "--"), "pocket": (GREEN, "^", ":")}  # lines may lie on another
 HIGH = 2.6  # inches

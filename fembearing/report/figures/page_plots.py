@@ -8,7 +8,6 @@ from typing import Literal, NamedTuple
 from matplotlib.figure import Figure
 
 from analytic.words import percent_of
-from fembearing.report.document.report import Report
 from fembearing.report.figures.approach import approach_plot
 from fembearing.report.figures.cage import cage_plot
 from fembearing.report.figures.convergence import convergence_plot
@@ -20,6 +19,7 @@ from fembearing.report.figures.ring import ring_plot
 from fembearing.report.figures.sensitivity import sensitivity_plot
 from fembearing.report.figures.style import png
 from fembearing.report.figures.torque import torque_plot
+from fembearing.report.report import Report
 
 PIXELS = 96  # of a page, per inch
 Section = Literal["torque", "contacts", "pictures", "meshes", "ring", "cage", "sensitivity", "cost"]  # of an appendix

@@ -3,11 +3,11 @@
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from analytic.prediction.rows import PredictedPoint, PredictionRows
 from fembearing.quantities import Units
-from fembearing.report.document.prediction import PredictedPoint, Prediction
-from fembearing.report.document.report import Report
 from fembearing.report.figures.style import BLACK, BLUE, ORANGE, SKY, WIDTH, lettered
 from fembearing.report.phrases import MADE_OF, explained_words, input_name, loads_of, present_loads
+from fembearing.report.report import Report
 
 MOST = 8  # inputs that are drawn
 ROW, HEADS = 0.14, 1.15  # inches: of a bar with its name, and of all that stands above and below
@@ -28,7 +28,7 @@ def prediction_plot(document: Report) -> tuple[Figure | None, str]:
     )
 
 
-def interval_figure(prediction: Prediction, units: Units) -> Figure:
+def interval_figure(prediction: PredictionRows, units: Units) -> Figure:
     """What the interval is made of, and the inputs; a column for the slowest and one for the fastest point."""
     points = prediction.ends
     drawn = [

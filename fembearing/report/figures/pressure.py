@@ -6,11 +6,10 @@ from matplotlib.figure import Figure
 
 from analytic.scene import Array
 from fembearing.quantities import CONTACT, Units
-from fembearing.report.document.contact import Contact
-from fembearing.report.document.report import Report
-from fembearing.report.document.table import OfQuantities
+from fembearing.report.contact import ContactRecord, OfQuantities
 from fembearing.report.figures.style import BLACK, BLUE, RED, contact_columns
 from fembearing.report.phrases import contact_place
+from fembearing.report.report import Report
 
 ROLLING, TRANSVERSE = CONTACT["semi_axis_rolling"], CONTACT["semi_axis_transverse"]
 ALONG = {  # axis of the profile -> semi-axis, words, colour, mark, line
@@ -40,7 +39,7 @@ def pressure_plot(document: Report) -> tuple[Figure | None, str]:
     return figure, CAPTION + (CUT if cut else "")
 
 
-def _profile(panel: Axes, contact: Contact, units: Units) -> None:
+def _profile(panel: Axes, contact: ContactRecord, units: Units) -> None:
     """Pressure along both axes, with Hertz's semi-ellipse."""
     hertz, factor = contact.hertz, units.pressure.factor
     for axis, (name, words, colour, mark, _) in ALONG.items():
@@ -61,7 +60,7 @@ def _profile(panel: Axes, contact: Contact, units: Units) -> None:
     panel.set_ylim(0, min(panel.get_ylim()[1], HIGHEST * factor * hertz.peak_pressure))
 
 
-def _difference(panel: Axes, contact: Contact, units: Units) -> None:  # noqa: ARG001
+def _difference(panel: Axes, contact: ContactRecord, units: Units) -> None:  # noqa: ARG001
     """The nodes less Hertz, per cent of Hertz's peak."""
     hertz, computed, largest = contact.hertz, contact.fe, 0.0
     for axis, (name, _, colour, mark, line) in ALONG.items():
@@ -87,12 +86,12 @@ def _semi_ellipse(position: Array, quantities: OfQuantities[float], semi_axis: s
     return quantities.peak_pressure * np.sqrt(np.maximum(inside, 0.0))
 
 
-def _is_whole(contact: Contact) -> bool:
+def _is_whole(contact: ContactRecord) -> bool:
     """Whether both transverse sides of the centre are meshed: where a shoulder cuts the contact off."""
     return contact.shoulder is not None and contact.shoulder.half
 
 
-def _shoulders(contact: Contact) -> list[float]:
+def _shoulders(contact: ContactRecord) -> list[float]:
     """y of the shoulders that cut it off, m, on the sides that are drawn."""
     cuts = [] if contact.shoulder is None else contact.shoulder.cuts
     return [y for y in cuts if y > 0 or _is_whole(contact)]

@@ -6,12 +6,12 @@ from matplotlib.figure import Figure
 from matplotlib.projections.polar import PolarAxes
 from matplotlib.ticker import MaxNLocator
 
+from analytic.loads.ring_state import Balls
 from fembearing.quantities import Units
-from fembearing.report.document.report import Report
-from fembearing.report.document.ring import Balls
 from fembearing.report.figures.style import BLUE, LETTERS, RED, WIDTH, lettered
 from fembearing.report.figures.torque import NO_TORQUE
 from fembearing.report.phrases import loads_of, present_loads
+from fembearing.report.report import Report
 
 LOOKS = {"inner": (BLUE, "o", "-"), "outer": (RED, "s", "--")}  # the lines may lie on each other
 HIGH = 2.5  # inches

@@ -7,10 +7,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from fembearing.quantities import CONTACT, Units
-from fembearing.report.document.report import Report
-from fembearing.report.document.torque import Input, PeakPressure, Sensitivity, TotalTorque
 from fembearing.report.figures.style import BLACK, BLUE, LETTERS, ORANGE, WIDTH, lettered
 from fembearing.report.phrases import loads_of, present_loads
+from fembearing.report.report import Report
+from fembearing.verify.torque.sensitivity import Input, Output, Sensitivity
 
 NAMES = {"total_torque": "total torque", "peak_pressure": CONTACT["peak_pressure"].name}
 LEAST = 1e-6  # relative: inputs that move nothing by as much are named in the caption alone
@@ -72,12 +72,13 @@ def _shown(each: Input, value: float, units: Units) -> str:
     return units.unit_for(each.unit, each.value).written(value, ".4g")
 
 
-def _title(output: TotalTorque | PeakPressure, outputs: Sequence[TotalTorque | PeakPressure], units: Units) -> str:
+def _title(output: Output, outputs: Sequence[Output], units: Units) -> str:
     """The output and its value."""
-    if isinstance(output, PeakPressure):
+    if output.point is None:
         return f"ball on {output.pair} race: {units.pressure.written(output.value, '.4g')}"
-    loads = loads_of(output, present_loads([each for each in outputs if isinstance(each, TotalTorque)]), units)
-    speed, torque = units.speed.written(output.inner_speed, ".5g"), units.torque.written(output.value, ".4g")
+    points = [each.point for each in outputs if each.point is not None]
+    loads = loads_of(output.point, present_loads(points), units)
+    speed, torque = units.speed.written(output.point.inner_speed, ".5g"), units.torque.written(output.value, ".4g")
     return f"{speed}, {loads}:\n{torque}"
 
 

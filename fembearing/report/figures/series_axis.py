@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.axes import Axes
 
+from analytic.result import TorquePoint
 from analytic.scene import Array
 from fembearing.quantities import QUANTITIES, Units
-from fembearing.report.document.torque import Point
 from fembearing.report.figures.style import DECADE, MANY, plain_ticks
 from fembearing.report.phrases import LOADS, loads_of, present_loads, varying_loads
 
@@ -24,7 +24,7 @@ class SeriesAxis:
     over: str  # the name of the coordinate that grows along it; empty where points follow each other
     units: Units
     values: Array  # (n,) where each point is drawn
-    points: Sequence[Point]  # in the same order
+    points: Sequence[TorquePoint]  # in the same order
     joined: bool  # neighbours may be joined by a line: one quantity grows along the axis, and nothing else changes
 
     @property
@@ -78,7 +78,7 @@ class SeriesAxis:
                 panel.xaxis.set_major_formatter("{x:g}")
 
 
-def axis_of(points: Sequence[Point], units: Units) -> SeriesAxis:
+def axis_of(points: Sequence[TorquePoint], units: Units) -> SeriesAxis:
     """Over the speed or the load that changes, where nothing else does; else point by point."""
     series = {name: np.array([getattr(point, name) for point in points]) for name in ("inner_speed", *LOADS)}
     series["inner_speed"] = np.abs(series["inner_speed"])

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import NullFormatter, ScalarFormatter
 
 from fembearing.quantities import Units
-from fembearing.report.document.contact import Contact
+from fembearing.report.contact import ContactRecord
 
 BLUE, ORANGE, GREEN, RED = "#0072B2", "#E69F00", "#009E73", "#D55E00"  # the palette of M. Okabe and K. Ito
 PURPLE, SKY, YELLOW = "#CC79A7", "#56B4E9", "#F0E442"
@@ -27,7 +27,7 @@ TITLE, LETTERS = 9, 8  # points
 SIDE_BY_SIDE = 4  # panels at most
 UPPER, LOWER = 1.6, 1.2  # inches: heights of the two panels of a contact
 HEADS = 0.7  # inches: titles of a row of contacts, and names of its axes
-DrawContact = Callable[[Axes, Contact, Units], None]
+DrawContact = Callable[[Axes, ContactRecord, Units], None]
 DOTS = 192  # per inch: twice those of a screen
 MANY = 25  # points on a line: more have no marks
 
@@ -64,7 +64,7 @@ def look_of(pair: str, geometry: str) -> tuple[str, str]:
 
 
 def contact_columns(
-    contacts: Sequence[Contact], *rows: DrawContact, units: Units, labels: tuple[str, str], shared: bool = False
+    contacts: Sequence[ContactRecord], *rows: DrawContact, units: Units, labels: tuple[str, str], shared: bool = False
 ) -> Figure:
     """Two panels for each contact, one above the other, contacts side by side, with one legend for all.
 

@@ -5,9 +5,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from fembearing.quantities import QUANTITIES
-from fembearing.report.document.report import Report
 from fembearing.report.figures.series_axis import SeriesAxis, axis_of
 from fembearing.report.figures.style import BLACK, BLUE, GREEN, GREY, LETTERS, ORANGE, PURPLE, SKY, WIDTH, lettered
+from fembearing.report.report import Report
 
 PARTS = {  # from the bottom, with words for the legend
     "spin": ("spin", BLUE),

@@ -7,9 +7,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from analytic.result import TorquePoint
 from analytic.scene import Array
 from fembearing.quantities import METRIC, QUANTITIES, RPM
-from fembearing.report.document.torque import Point
 from fembearing.report.figures.series_axis import SeriesAxis, axis_of
 from fembearing.report.figures.style import BLACK
 from fembearing.report.figures.torque import PARTS, draw_parts
@@ -28,7 +28,7 @@ DARK = "0.25"
 
 def figure_of_torque(result: SceneTorque) -> Figure:
     """The figure of a torque at all of its operating points."""
-    points = [Point.model_validate(point) for point in result.friction.to_json()["points"]]
+    points = result.friction.rows
     bearings = "" if result.friction.pair is None else "two "
     name = f"{bearings}{result.scene.bearing.name}"
     if len(points) == 1:
@@ -79,7 +79,7 @@ def _bars(axis: SeriesAxis, name: str) -> Figure:
     return figure
 
 
-def _one_point(point: Point, name: str) -> Figure:
+def _one_point(point: TorquePoint, name: str) -> Figure:
     """A bar for each part and one for the total, each with its number."""
     parts = [(words, colour, getattr(point.torque, part)) for part, (words, colour) in PARTS.items()]
     rows = [row for row in parts if row[2] is not None] + [("total", DARK, point.torque.total)]
@@ -103,7 +103,7 @@ def _one_point(point: Point, name: str) -> Figure:
     return figure
 
 
-def _uncertainty(point: Point) -> str:
+def _uncertainty(point: TorquePoint) -> str:
     """How uncertain the total is, in words."""
     numerical, model = point.uncertainty.numerical, point.uncertainty.model
     words = "numerical uncertainty unknown" if numerical is None else f"$\\pm$ {100 * numerical:.2g} % numerical"

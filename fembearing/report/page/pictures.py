@@ -6,10 +6,10 @@ from typing import NamedTuple
 
 from analytic.errors import InputError
 from analytic.reading import content_of
-from fembearing.report.document.report import PictureFile, Report
 from fembearing.report.figures.page_plots import embedded
 from fembearing.report.page.view import remade
 from fembearing.report.phrases import contact_title
+from fembearing.report.report import PictureFile, Report
 
 PNG = b"\x89PNG\r\n\x1a\n"  # how such a file begins
 LARGEST_FILE = 64_000_000  # bytes

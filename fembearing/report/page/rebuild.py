@@ -3,16 +3,15 @@
 import os
 import sys
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any
 
 from analytic.errors import InputError
 from analytic.reading import opened
 from analytic.writing import remove_leftovers, replaced_file
-from fembearing.report.document.read import read_report
 from fembearing.report.page.write import MARK, page_of
+from fembearing.report.report import read_report
 
 PAGE = "report.html"
 NO_DETAILS: Mapping[str, str] = MappingProxyType({})
@@ -23,12 +22,9 @@ ENOUGH = 1000  # bytes at the beginning of a page, with its mark
 class RebuiltPage:
     """The page that was written."""
 
-    file: Path
+    page: Path
     missing: tuple[str, ...]  # pictures that do not lie beside report.json
-
-    def to_json(self) -> dict[str, Any]:
-        """The result as plain types."""
-        return {"page": str(self.file), "missing": list(self.missing), "warnings": []}
+    warnings: tuple[str, ...] = ()
 
 
 def rebuild_page(numbers: Path, *, out: Path | None = None, details: Mapping[str, str] = NO_DETAILS) -> RebuiltPage:
@@ -40,7 +36,7 @@ def rebuild_page(numbers: Path, *, out: Path | None = None, details: Mapping[str
     written.
     """
     document = read_report(numbers)
-    document = document.model_copy(update={"report": document.report.model_copy(update=dict(details))})
+    document = replace(document, report=replace(document.report, **details))
     target = numbers.with_name(PAGE) if out is None else out
     place = f"--out {str(target)!r}"
     if os.path.lexists(target) and not _is_page(target):
@@ -51,7 +47,7 @@ def rebuild_page(numbers: Path, *, out: Path | None = None, details: Mapping[str
         file.write_bytes(page.encode())
     named = (numbers.parent / picture.file for picture in document.pictures)
     missing = tuple(file.name for file in named if not file.is_file() or file.is_symlink())
-    return RebuiltPage(file=target, missing=missing)
+    return RebuiltPage(page=target, missing=missing)
 
 
 def _is_page(file: Path) -> bool:

@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from fembearing.report.document.report import Report
+from fembearing.report.report import Report
 
 LONGEST_NAME, LONGEST_DATE = 60, 20  # letters of what the scene says that fit beside the rest
 SHORT_HASH, DAY = 12, 10  # letters; the day of a date and time

@@ -9,23 +9,24 @@ from fembearing.report.phrases import listed, shown
 
 def filled(template: str, /, **content: Any) -> str:
     """The text of a template of this folder; content : what its names stand for."""
-    return _environment().get_template(template).render(content)
+    return environment().get_template(template).render(content)
 
 
 def source_of(template: str) -> str:
     """The text of a template before it is filled."""
-    environment = _environment()
-    assert environment.loader is not None
-    return environment.loader.get_source(environment, template)[0]
+    made = environment()
+    assert made.loader is not None
+    return made.loader.get_source(made, template)[0]
 
 
-def _environment() -> Environment:
-    environment = Environment(
+def environment() -> Environment:
+    """Of the templates of this folder: every text is escaped."""
+    made = Environment(
         loader=PackageLoader("fembearing.report.page"),
         autoescape=True,
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    environment.filters |= {"shown": shown, "listed": listed}
-    return environment
+    made.filters |= {"shown": shown, "listed": listed}
+    return made

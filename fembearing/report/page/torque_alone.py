@@ -6,16 +6,14 @@ from fembearing.report.figures.page_plots import embedded
 from fembearing.report.figures.torque import PARTS
 from fembearing.report.page.template import filled
 from fembearing.report.phrases import (
-    CHECKS,
     LOADS,
     SHARES,
     capital,
-    limit_of,
     numerical_words,
-    share_of,
     uncertainty_of,
-    worst_of,
 )
+from fembearing.report.tables.inputs import effects_table
+from fembearing.report.tables.verdicts import physical_table
 from fembearing.report.torque_table import shown_columns
 from fembearing.verify.torque.scene_torque import SceneTorque
 
@@ -51,22 +49,11 @@ def torque_page(result: SceneTorque, figure: bytes) -> str:
         notes=[uncertainty_of(model, varied), f"{capital(result.catalogue.note)}.", *result.notes],
         verdict=verdicts.overall,
         numerical=numerical_words(verdicts.numerical),
-        checks=[
-            (
-                CHECKS[check.name],
-                check.where,
-                check.point + 1,
-                worst_of(check),
-                limit_of(check.limit, check.unit),
-                check,
-            )
-            for check in verdicts.physical
-        ],
+        physical=physical_table(verdicts.physical),
         failures=dict.fromkeys(check.note for check in verdicts.physical if check.verdict != "pass"),
         warnings=friction.warnings,
-        effects=friction.effects_to_json(),
-        share_of=share_of,
+        effects=effects_table(friction.shares),
         shares=SHARES,
         versions=friction.provenance,
-        fingerprint=provenance_of(result.scene)["scene_sha256"],
+        fingerprint=provenance_of(result.scene).scene_sha256,
     )

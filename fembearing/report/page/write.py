@@ -9,7 +9,6 @@ from pathlib import Path
 from analytic.oil.film import FILM_FACTORS
 from fembearing.quantities import RPM
 from fembearing.report import phrases
-from fembearing.report.document.report import Report
 from fembearing.report.figures.page_plots import PLOTS, ShownPlot, plots_of
 from fembearing.report.page.pictures import shown_pictures
 from fembearing.report.page.running_header import header_of
@@ -17,7 +16,6 @@ from fembearing.report.page.sections.appendices import appendices_of, letters_of
 from fembearing.report.page.sections.bearing import details_of
 from fembearing.report.page.sections.cage import cage_section
 from fembearing.report.page.sections.cost import cost_grid
-from fembearing.report.page.sections.inputs import effects_grid, inputs_grid
 from fembearing.report.page.sections.meshes import mesh_grid
 from fembearing.report.page.sections.next_steps import next_section
 from fembearing.report.page.sections.ring import ring_section
@@ -26,6 +24,8 @@ from fembearing.report.page.sections.torque import torque_section
 from fembearing.report.page.sections.verdicts import verdict_section
 from fembearing.report.page.template import filled
 from fembearing.report.page.view import script_hash
+from fembearing.report.report import Report
+from fembearing.report.tables.inputs import effects_table, inputs_table
 
 GENERATOR = "fembearing"
 MARK = f'<meta name="generator" content="{GENERATOR}">'  # by which a page of ours is known
@@ -51,13 +51,13 @@ def page_of(document: Report, folder: Path, *, plots: dict[str, list[ShownPlot]]
         plots=plots_of(document, PLOTS) if plots is None else plots,
         pictures=shown_pictures(document, folder),
         trouble=None if document.renderer == "VTK" else document.renderer,
-        scene=document.provenance.scene_content,
+        scene=document.scene,
         phrases=phrases,
         per_minute=RPM.factor,
         film_factors=FILM_FACTORS,
         details=details_of(document),
-        effects_grid=effects_grid(document),
-        inputs_grid=inputs_grid(document),
+        effects=document.torque and effects_table(document.torque.effects),
+        inputs=document.torque and inputs_table("where the inputs come from", document.torque.inputs, document.units),
         verdict_section=verdict_section(document),
         torque_section=torque_section(document),
         ring_section=ring_section(document),

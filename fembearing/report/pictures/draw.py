@@ -20,12 +20,12 @@ from matplotlib.ticker import MaxNLocator
 
 from analytic.writing import write
 from fembearing.quantities import MILLI, unit_for
-from fembearing.report.document.build import contact_table
-from fembearing.report.document.view import View
-from fembearing.report.page.view import view_page
+from fembearing.report.contact import contact_record
+from fembearing.report.page.view import read_view, view_page
 from fembearing.report.phrases import AXES, place_of, shoulder_lines, title_of
 from fembearing.report.pictures.framing import Frame, PressureScale, frame_of
 from fembearing.report.pictures.plain_map import draw_map
+from fembearing.report.report import PictureFile
 from fembearing.verify.contact.discrepancy import ContactSolution
 
 RENDERER = (sys.executable, "-m", "fembearing.report.pictures.render")
@@ -46,15 +46,11 @@ class Picture:
     frame: Frame | None  # where the contact lies in it; a section is not to scale, a view turns
     caption: str
 
-    def to_json(self) -> dict[str, str]:
+    @property
+    def listed(self) -> PictureFile:
         """The picture as the document lists it."""
-        return {
-            "file": self.file.name,
-            "kind": self.kind,
-            "pair": self.contact.contact.pair,
-            "geometry": self.contact.geometry,
-            "caption": self.caption,
-        }
+        pair, geometry = self.contact.contact.pair, self.contact.geometry
+        return PictureFile(file=self.file.name, kind=self.kind, pair=pair, geometry=geometry, caption=self.caption)
 
 
 def draw_pictures(
@@ -111,7 +107,7 @@ def rendered(jobs: list[dict[str, Any]], renderer: Sequence[str]) -> str | None:
     status, said = ended
     if status == 0 and all(Path(job["file"]).is_file() for job in jobs):
         for file in (Path(job["file"]) for job in jobs if job["kind"] == "view"):
-            write(file, view_page(View.model_validate_json(file.read_bytes())))
+            write(file, view_page(read_view(file.read_bytes())))
         return None
     for job in jobs:
         Path(job["file"]).unlink(missing_ok=True)  # one kind of picture in a report, not a mixture
@@ -226,7 +222,7 @@ def _shoulder_caption(contact: ContactSolution) -> str:
     """What a shoulder does to the contact; empty where it ends before it."""
     if not contact.shoulder:
         return ""
-    lines = " ".join(shoulder_lines(contact_table(contact)))
+    lines = " ".join(shoulder_lines(contact_record(contact)))
     return f"{lines} Orange: the shoulder; the black ellipse has the semi-axes of the load about its centroid. "
 
 

@@ -1,4 +1,4 @@
-"""The numbers of a contact to turn in the browser, `View` of `fembearing.report.document.view`.
+"""The numbers of a contact to turn in the browser, `View` of `fembearing.report.page.view`.
 
 It runs in the process of `fembearing.report.pictures.render`; the job is that of `fembearing.report.pictures.draw`.
 """

@@ -6,8 +6,9 @@ from rich.console import Console
 
 from analytic.words import percent_of
 from fembearing.quantities import CONTACT, MICRO, STIFFNESS, STRESSES, TANGENT
-from fembearing.report.document.contact import Contact
+from fembearing.report.contact import ContactRecord
 from fembearing.report.phrases import AXES, contact_title, quantities_of, ring_line, shoulder_lines, title_of
+from fembearing.report.phrases import shown as shown_as
 from fembearing.report.terminal.table import table_of
 from fembearing.verify.contact.load_series import LoadSeries
 from fembearing.verify.contact.subsurface import SubsurfaceComparison
@@ -15,7 +16,7 @@ from fembearing.verify.contact.subsurface import SubsurfaceComparison
 COLUMNS = {"quantity": 19, "Hertz": 9, "FE": 9, "Hertz/FE-1": 10, "+-": 6, "order": 5, "verdict": 9}  # characters
 
 
-def print_contact(out: Console, contact: Contact, verdicts: Mapping[str, str]) -> None:
+def print_contact(out: Console, contact: ContactRecord, verdicts: Mapping[str, str]) -> None:
     """Print one contact: its quantities by Hertz and by finite elements, with their verdicts if it is judged."""
     table = table_of(COLUMNS, title=contact_title(contact), left=("quantity", "verdict"), fixed=COLUMNS)
     for column, width in zip(table.columns, COLUMNS.values(), strict=True):
@@ -48,7 +49,7 @@ def print_contact(out: Console, contact: Contact, verdicts: Mapping[str, str]) -
         out.print(f"{ring_line(contact.ring)}\n")
 
 
-def _print_corrected(out: Console, contact: Contact) -> None:
+def _print_corrected(out: Console, contact: ContactRecord) -> None:
     """Hertz corrected for finite geometry; the verdicts above are on Hertz as it is."""
     corrected = contact.corrected
     if corrected is None:
@@ -60,7 +61,7 @@ def _print_corrected(out: Console, contact: Contact) -> None:
         values.append(f"{quantity.name} {value:.5g} {quantity.shown.name} ({error:+.2%})")
     out.print(
         f"Hertz corrected for finite geometry (its interpolation error, over FE - 1): {', '.join(values)}; "
-        f"stated 95 % uncertainty at most {max(each for _, each in corrected.uncertainty):.2%}."
+        f"stated 95 % uncertainty at most {max(corrected.uncertainty.values):.2%}."
     )
 
 
@@ -75,13 +76,13 @@ def print_subsurface(out: Console, below: SubsurfaceComparison) -> None:
         column.min_width = 10
     for name, quantity in STRESSES.items():
         shown = quantity.shown
-        discrepancy, uncertain = below.discrepancy(name), below.uncertainty[name]
+        discrepancy, uncertain = below.discrepancy[name], below.uncertainty[name]
         is_depth = name.endswith("depth")
         table.add_row(
             quantity.heading,
             f"{below.hertz[name] * shown.factor:.4g}",
             f"{below.fe[name] * shown.factor:.4g}",
-            f"{'-' if discrepancy is None else f'{discrepancy:+.2%}'} {'*' if below.exceeds(name) else ' '}",
+            f"{shown_as(discrepancy, '+.2%')} {'*' if below.exceeds_uncertainty[name] else ' '}",
             f"{uncertain * shown.factor:.2g} {shown.name}" if is_depth else f"{uncertain / below.fe[name]:.2%}",
         )
     out.print(table)

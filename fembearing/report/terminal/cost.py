@@ -36,10 +36,10 @@ def print_cost(out: Console, cost: Cost) -> None:
         out.print(f"Price of the next digit: {choices_line(ladder)}.")
         out.print(f"Reference: {ladder.reference}.\n", style="dim")
     machine = cost.provenance
-    versions = ", ".join(f"{name} {version}" for name, version in machine["versions"].items() if version)
+    versions = ", ".join(f"{name} {version}" for name, version in machine.versions.items() if version)
     out.print(
         f">: the cheapest method that is known to be within the tolerance, {percent_of(cost.tolerance)}. Bound: on "
         "the error, known before the reference is. Seconds: median of the repeats; first: the call before them; GiB: "
-        f"resident memory at most while it ran. {cost.seconds:.0f} s in all.\n{machine['processor']}, "
-        f"{machine['cores']} cores, {machine['platform']}, Python {machine['python']}; {versions}."
+        f"resident memory at most while it ran. {cost.cost.seconds:.0f} s in all.\n{machine.processor}, "
+        f"{machine.cores} cores, {machine.platform}, Python {machine.python}; {versions}."
     )

@@ -4,8 +4,8 @@ from collections.abc import Mapping, Sequence
 
 from rich.console import Console
 
+from analytic.prediction.rows import PredictionRows
 from fembearing.quantities import NEWTON_MILLIMETRE, RPM
-from fembearing.report.document.prediction import Prediction
 from fembearing.report.phrases import MADE_OF, explained_words, input_name, interval_at, interval_words
 from fembearing.report.terminal.table import table_of
 
@@ -13,7 +13,7 @@ NM = NEWTON_MILLIMETRE.factor
 MOST_INPUTS = 8
 
 
-def print_prediction(out: Console, prediction: Prediction, points: Mapping[int, int]) -> None:
+def print_prediction(out: Console, prediction: PredictionRows, points: Mapping[int, int]) -> None:
     """Print the interval, what it is made of, and the inputs that make it; points : place and number of each."""
     heads = ("#", "total", "95 %", "+-", "numerical", "inputs", "formulas")
     table = table_of(heads, title=f"95 % interval of the total, {NEWTON_MILLIMETRE.name}", fixed=heads[:3])

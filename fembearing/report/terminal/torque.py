@@ -7,25 +7,26 @@ from rich.console import Console
 from rich.markup import escape
 from rich.padding import Padding
 
-from analytic.cage.drive import LARGEST_GRIP
 from analytic.result import COLUMNS, COORDINATES, FrictionTorque, PairPart
 from analytic.words import angle_of
 from fembearing.quantities import CONTACT, MICRO, NEWTON_MILLIMETRE, QUANTITIES, RPM
 from fembearing.report.phrases import (
     LOADS,
     PAIRS,
+    REGIME,
     SHARES,
     capital,
     clearances_of,
     friction_of,
     pair_of,
     percent,
-    share_of,
     uncertainty_of,
-    value_of,
 )
-from fembearing.report.terminal.table import table_of
+from fembearing.report.tables.cage import motion_table, regime_table
+from fembearing.report.tables.inputs import effects_table, inputs_table
+from fembearing.report.terminal.table import printed, table_of
 from fembearing.report.terminal.verdicts import print_notes, print_numerical, print_physical
+from fembearing.report.torque import cage_motion
 from fembearing.verify.torque.scene_torque import SceneTorque
 
 NM = NEWTON_MILLIMETRE.factor
@@ -62,12 +63,11 @@ def print_torque(out: Console, result: SceneTorque) -> None:
     if friction.pair is not None:
         _print_pair(out, friction.pair, points)
     if result.prediction is not None:
-        from fembearing.report.document.prediction import Prediction  # pydantic: only an interval pays for it
         from fembearing.report.terminal.prediction import print_prediction
 
-        print_prediction(out, Prediction.model_validate(result.prediction.to_json()), points)
+        print_prediction(out, result.prediction.rows, points)
     _print_contacts(out, friction, points)
-    _print_cage(out, friction, points)
+    _print_cage(out, result, points)
     _print_effects(out, friction)
     _print_inputs(out, result)
     names = ("loads", "contacts", "sliding", *(() if friction.cage is None else ("cage",)))
@@ -158,7 +158,7 @@ def _print_pair(out: Console, pair: PairPart, points: Mapping[int, int]) -> None
                 "" if bearing else f"{found.stiffness[point] / MICRO.factor:.4g}",
             )
     out.print(table)
-    out.print(f"{pair_of(pair)}\n", style="dim", markup=False)
+    out.print(f"{pair_of(pair.rows)}\n", style="dim", markup=False)
 
 
 def _print_contacts(out: Console, friction: FrictionTorque, points: Mapping[int, int]) -> None:
@@ -194,91 +194,34 @@ def _print_contacts(out: Console, friction: FrictionTorque, points: Mapping[int,
     )
 
 
-def _print_cage(out: Console, friction: FrictionTorque, points: Mapping[int, int]) -> None:
-    """The cage at the points where it moved."""
-    if friction.cage is None or not any(friction.cage.motion):
+def _print_cage(out: Console, result: SceneTorque, points: Mapping[int, int]) -> None:
+    """The cage at the points where it moved: forces and torque, and what its motion asks of the races."""
+    rows = cage_motion(result) or ()
+    moved = {number: rows[point] for point, number in points.items() if rows and rows[point].torque is not None}
+    if not rows:
         return
-    heads = ("#", "state", "all forces, N", "largest, N", "95 %", f"torque, {NEWTON_MILLIMETRE.name}", "95 %")
-    table = table_of(heads, title="Cage in motion", left=("state",))
-    blocks = 0.0
-    for point in points:
-        motion = friction.cage.motion[point]
-        if motion is None:
-            continue
-        blocks = motion.block
-        table.add_row(
-            str(points[point]),
-            motion.state,
-            f"{motion.mean_force:.3g}",
-            f"{motion.max_force:.3g}",
-            "-".join(f"{force:.3g}" for force in motion.max_force_interval),
-            f"{motion.torque * NM:.3g}",
-            "-".join(f"{torque * NM:.3g}" for torque in motion.torque_interval),
-        )
-    out.print(table)
+    blocks = max((row.block for row in moved.values() if row.block is not None), default=0.0)
+    out.print(printed(motion_table(moved)))
     out.print(
         f"All forces: mean of their sum. Largest: of one ball on its pocket, in {blocks:.2g} s (median of blocks).\n",
         style="dim",
     )
-    _print_regimes(out, friction, points)
-
-
-def _print_regimes(out: Console, friction: FrictionTorque, points: Mapping[int, int]) -> None:
-    """How the cage goes round at the points where it moved, and what that asks of the races."""
-    heads = ("#", "state", f"whirl, {RPM.name}", f"wobble, {MICRO.name}", f"ball lead, {MICRO.name}")
-    table = table_of(
-        (*heads, "grip used", "grip number", f"races, {NEWTON_MILLIMETRE.name}"),
-        title="Regime of the cage",
-        left=("state",),
-    )
-    part = friction.cage
-    assert part is not None
-    for point in points:
-        motion = part.motion[point]
-        if motion is None:
-            continue
-        table.add_row(
-            str(points[point]),
-            motion.state,
-            f"{motion.whirl_speed * RPM.factor:.4g}",
-            f"{motion.wobble * MICRO.factor:.3g}",
-            f"{part.ball_lead[point] * MICRO.factor:.3g}",
-            percent(float(part.grip_share[point])),
-            "unknown" if np.isnan(part.grip_number[point]) else f"{part.grip_number[point]:.2g}",
-            "" if np.isnan(part.race_excess[point]) else f"{part.race_excess[point] * NM:+.3g}",
-        )
-    out.print(table)
-    out.print(
-        "Whirl: mean speed of the cage's centre about the axis. Wobble: root mean square change of its distance. "
-        "Grip used: of what the races carry along the orbit, by the mean force. Grip number: the same of a whirl, by "
-        f"the weakest ball; balls slide above {LARGEST_GRIP:g}. Races: what they lose more because the cage drags the "
-        "balls, where balls and cage move together; it is part of the cage's torque.\n",
-        style="dim",
-    )
+    out.print(printed(regime_table(moved)))
+    out.print(f"{REGIME}\n", style="dim")
 
 
 def _print_effects(out: Console, friction: FrictionTorque) -> None:
     """Each effect with its decision, share and reason."""
-    words = ("effect", "", "reason")
-    table = table_of(("effect", "", "share", "reason"), title="Effects", left=words, fixed=("effect", "", "share"))
-    for effect in friction.effects_to_json():
-        table.add_row(
-            effect["name"], effect["decision"], share_of(effect["share_is"], effect["share"]), escape(effect["reason"])
-        )
-    out.print(table)
+    out.print(printed(effects_table(friction.shares)))
     out.print(f"{SHARES}\n", style="dim")
 
 
 def _print_inputs(out: Console, result: SceneTorque) -> None:
     """The inputs that are not given as known, with where they come from."""
-    stated = [each for each in result.inputs if each.origin.status != "given"]
+    stated = [each for each in result.inputs if each.status != "given"]
     if not stated:
         return
-    words = ("input", "value", "status")
-    table = table_of(words, title="Inputs that are printed, derived or assumed", left=words, fixed=words)
-    for each in stated:
-        table.add_row(each.key, value_of(each.value, each.origin.uncertainty, each.unit), each.origin.status)
-    out.print(table)
+    out.print(printed(inputs_table("Inputs that are printed, derived or assumed", stated)))
     out.print("+-: one standard deviation. --json and the report name every source.\n", style="dim")
     if sources := result.scene.assumed:
         out.print("Assumed by this scene:")

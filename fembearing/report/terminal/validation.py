@@ -2,17 +2,17 @@
 
 from rich.console import Console
 
-from analytic.result import COORDINATES
+from analytic.result import COORDINATES, TorquePoint
 from analytic.words import angle_of, percent_of
 from fembearing.quantities import CONTACT, NEWTON_MILLIMETRE, RPM
-from fembearing.report.document.contact import Contact
-from fembearing.report.document.report import Report
-from fembearing.report.document.torque import Point, Torque, TorqueChange
+from fembearing.report.contact import ContactRecord
 from fembearing.report.phrases import friction_of, interval_at, interval_words, loads_of, percent, present_loads
+from fembearing.report.report import ChangeRecord, Report
 from fembearing.report.terminal.contacts import print_contact
 from fembearing.report.terminal.table import table_of
 from fembearing.report.terminal.torque import point_columns, shown_points
 from fembearing.report.terminal.verdicts import print_notes, print_numerical, print_physical
+from fembearing.report.torque import TorqueRecord
 
 
 def print_validation(out: Console, document: Report) -> None:
@@ -23,7 +23,7 @@ def print_validation(out: Console, document: Report) -> None:
     if len(document.contacts) > 2:
         _print_pocket(out, *document.contacts[2:])
     if document.torque is not None and document.torque_change is not None:
-        scene = document.provenance.scene_content
+        scene = document.scene
         friction = friction_of(coefficient=scene.friction_coefficient, is_lubricated=scene.is_lubricated)
         _print_totals(out, document.torque, friction)
         _print_change(out, document.torque, document.torque_change)
@@ -33,14 +33,11 @@ def print_validation(out: Console, document: Report) -> None:
     if document.torque is not None:
         print_notes(out, document.torque.notes)
         print_numerical(out, document.torque.verdicts.numerical)
-    verdict = document.verdict
-    each = {"comparison": verdict.comparison, "numerical": verdict.numerical, "physical": verdict.physical}
-    words = ", ".join(f"{name} {word}" for name, word in each.items() if word is not None)
     out.print(f"Tolerance {percent_of(document.tolerance)}, {document.cost.seconds:.1f} s.")
-    out.print(f"{verdict.overall}: {words}")
+    out.print(document.verdict.words)
 
 
-def _print_pocket(out: Console, seat: Contact, sheet: Contact) -> None:
+def _print_pocket(out: Console, seat: ContactRecord, sheet: ContactRecord) -> None:
     """K_pb by three models: the half space's formula, a thick seat, and the sheet that is there."""
     shown = CONTACT["stiffness"].shown
     formula, thick, thin = (
@@ -52,7 +49,7 @@ def _print_pocket(out: Console, seat: Contact, sheet: Contact) -> None:
     )
 
 
-def _print_totals(out: Console, torque: Torque, friction: str) -> None:
+def _print_totals(out: Console, torque: TorqueRecord, friction: str) -> None:
     """The total at every operating point, as `fembearing torque` computes it."""
     points = torque.points
     columns, fixed = point_columns({name: [getattr(point, name) for point in points] for name in COORDINATES})
@@ -85,7 +82,7 @@ def _print_totals(out: Console, torque: Torque, friction: str) -> None:
         out.print(f"{interval_words(predicted)}\n", style="dim", markup=False)
 
 
-def _print_change(out: Console, torque: Torque, change: TorqueChange) -> None:
+def _print_change(out: Console, torque: TorqueRecord, change: ChangeRecord) -> None:
     """What the contacts of finite elements change, at the operating point whose contacts were solved."""
     angles, totals = change.contact_angle, change.torque
     columns = (totals.production, totals.corrected, angles.production, angles.corrected, change.change.total)
@@ -111,6 +108,6 @@ def _print_change(out: Console, torque: Torque, change: TorqueChange) -> None:
         out.print(f"The race contacts are not all within the tolerance: {change.verdict}.\n")
 
 
-def _heaviest(point: Point) -> float:
+def _heaviest(point: TorquePoint) -> float:
     """The load of the heaviest ball, N."""
     return max(point.contact.inner.load, point.contact.outer.load)

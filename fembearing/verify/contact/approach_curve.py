@@ -1,10 +1,13 @@
 """Approach of ball and race over the load: by Hertz, and by Hertz corrected for finite geometry."""
 
 from dataclasses import dataclass, replace
+from typing import Annotated
 
 import numpy as np
+from annotated_types import MinLen
 
-from analytic.scene import Array, Contact
+from analytic.rows import NotNegative, Positive, require_one_length
+from analytic.scene import Contact
 from fembearing.fem.measure import Quantities
 from fembearing.verify.contact.hertz import corrected_hertz
 
@@ -12,14 +15,18 @@ POINTS = 25
 LEAST, MOST = 0.05, 1.5  # shares of the load that was solved
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True)
 class ApproachCurve:
-    """Approach over load; NaN outside the range of the correction's fit."""
+    """Approach over load; None outside the range of the correction's fit."""
 
-    load: Array  # (n,) of the ball, N, ascending
-    hertz: Array  # (n,) m
-    corrected: Array  # (n,) m
-    uncertainty: Array  # (n,) of the corrected approach, relative half-width, 95 %
+    load: Annotated[tuple[Positive, ...], MinLen(1)]  # of the ball, N, ascending
+    hertz: tuple[Positive, ...]  # m
+    corrected: tuple[Positive | None, ...]  # m
+    uncertainty: tuple[NotNegative | None, ...]  # of the corrected approach, relative half-width, 95 %
+
+    def __post_init__(self) -> None:
+        """Raises ValueError for lists of different lengths."""
+        require_one_length(*vars(self).values())
 
 
 def approach_over_load(contact: Contact, *, hertz: Quantities, correctable: bool) -> ApproachCurve:
@@ -29,7 +36,8 @@ def approach_over_load(contact: Contact, *, hertz: Quantities, correctable: bool
     correctable : whether the correction for finite geometry applies to this contact
     """
     factor = np.linspace(LEAST, MOST, POINTS)
-    corrected, uncertainty = np.full(POINTS, np.nan), np.full(POINTS, np.nan)
+    corrected: list[float | None] = [None] * POINTS
+    uncertainty: list[float | None] = [None] * POINTS
     for point, times in enumerate(factor if correctable else ()):
         scaled = Quantities(
             semi_axis_rolling=hertz.semi_axis_rolling * times ** (1 / 3),
@@ -42,8 +50,8 @@ def approach_over_load(contact: Contact, *, hertz: Quantities, correctable: bool
         if fitted is not None:
             corrected[point], uncertainty[point] = fitted.quantities.approach, fitted.uncertainty["approach"]
     return ApproachCurve(
-        load=contact.load * factor,
-        hertz=hertz.approach * factor ** (2 / 3),
-        corrected=corrected,
-        uncertainty=uncertainty,
+        load=tuple((contact.load * factor).tolist()),
+        hertz=tuple((hertz.approach * factor ** (2 / 3)).tolist()),
+        corrected=tuple(corrected),
+        uncertainty=tuple(uncertainty),
     )

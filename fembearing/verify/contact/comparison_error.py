@@ -6,9 +6,9 @@ Here S is a closed form and D another model, finite elements: this is a cross-ch
 """
 
 import math
-from dataclasses import asdict, dataclass
-from typing import Any
+from dataclasses import dataclass
 
+from analytic.rows import NotNegative
 from fembearing.grid_convergence import Estimate
 
 WHY = {  # the reason for each uncertainty
@@ -23,23 +23,21 @@ class Comparison:
     """One quantity; all fields in its unit."""
 
     error: float  # E
-    numerical: float  # u_num, of the simulation
-    input: float  # u_input
-    reference: float  # u_D
-
-    @property
-    def total(self) -> float:
-        """u_val."""
-        return math.hypot(self.numerical, self.input, self.reference)
-
-    @property
-    def is_resolved(self) -> bool:
-        return abs(self.error) > self.total
-
-    def to_json(self) -> dict[str, Any]:
-        return asdict(self) | {"total": self.total, "resolved": self.is_resolved}
+    numerical: NotNegative  # u_num, of the simulation
+    input: NotNegative  # u_input
+    reference: NotNegative  # u_D
+    total: NotNegative  # u_val
+    resolved: bool  # |E| > u_val
 
 
 def comparison_of(formula: float, part: Estimate) -> Comparison:
     """Compare a closed form's value with the estimate from the meshes."""
-    return Comparison(error=formula - part.value, numerical=0.0, input=0.0, reference=part.total * abs(part.value))
+    return compared(formula - part.value, numerical=0.0, given=0.0, reference=part.total * abs(part.value))
+
+
+def compared(error: float, *, numerical: float, given: float, reference: float) -> Comparison:
+    """E against u_val, of u_num, u_input and u_D; all in the unit of the quantity."""
+    total = math.hypot(numerical, given, reference)
+    return Comparison(
+        error=error, numerical=numerical, input=given, reference=reference, total=total, resolved=abs(error) > total
+    )

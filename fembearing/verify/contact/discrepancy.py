@@ -3,7 +3,7 @@
 import math
 import time
 from collections.abc import Iterator
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +19,6 @@ from fembearing.grid_convergence import Estimate
 from fembearing.mesh.meshfile import write_body
 from fembearing.mesh.recipe import Recipe
 from fembearing.mesh.ring import known_ring
-from fembearing.plain_types import plain
 from fembearing.progress import Progress, silent
 from fembearing.verify.contact.approach_curve import ApproachCurve, approach_over_load
 from fembearing.verify.contact.columns import COLUMNS, VERDICT, contact_dataset, contact_html, require_finite_results
@@ -184,42 +183,6 @@ class ContactSolution(Brief):
             write_body(written[side], body, pressure=pressure)
         return written
 
-    def to_json(self) -> dict[str, Any]:
-        """The contact as plain types; SI, discrepancies and uncertainties relative."""
-        return {
-            "pair": self.contact.pair,
-            "geometry": self.geometry,
-            "load": self.contact.load,
-            "contact_angle": self.contact.contact_angle,
-            "fe": asdict(self.reference),
-            "uncertainty": {name: part.total for name, part in self.estimates.items()},
-            "hertz": asdict(self.hertz),
-            "discrepancy": self.discrepancy,
-            "corrected": self.corrected
-            and {
-                "values": asdict(self.corrected.quantities),
-                "uncertainty": self.corrected.uncertainty,
-                "interpolation_error": self.interpolation_error,
-            },
-            "verdict": self.shown_verdict,
-            "judged": self.judged,
-            "rung": self.method,
-            "refinement": self.refinement,
-            "meshes": [
-                {"level": mesh.level, "unknowns": mesh.unknowns, "seconds": mesh.seconds} for mesh in self.meshes
-            ],
-            "ring": None if self.ring is None else self.ring.to_json(),
-            "convergence": {
-                name: part.to_json() | {"formal_order": self.formal_orders[name]}
-                for name, part in self.estimates.items()
-            },
-            "pressure_profile": plain(self.pressure_profile),
-            "approach_curve": plain(self.approach_curve),
-            "shoulder": self._shoulder_to_json(),
-            "cost": {"seconds": self.seconds, "unknowns": self.meshes[-1].unknowns, "peak_memory": self.peak_memory},
-            "warnings": list(self.warnings),
-        }
-
     def columns(self) -> dict[str, float]:
         """The values of `fembearing.verify.contact.columns.COLUMNS`, SI."""
         return {
@@ -248,22 +211,6 @@ class ContactSolution(Brief):
         """A table in a notebook."""
         caption = f"{self.contact.pair}, {self.geometry}, {self.contact.load:.4g} N: {self.shown_verdict}"
         return contact_html(self.columns(), caption)
-
-    def _shoulder_to_json(self) -> dict[str, Any] | None:
-        """The contact at the nearer shoulder that cuts it off; uncertainties relative."""
-        if not self.shoulder:
-            return None
-        return {
-            "sides": self.sides,
-            "half": self.meshes[-1].pair.footprint.half,  # whether half of the contact is meshed, not a quarter
-            "peak_pressure_at": 0.0,  # y, m: what "fe" and "hertz" compare, not the largest, which is at the edge
-            "strip_width": self.strip_width,
-            "hertz_line_load": self.hertz_line_load,
-            **{
-                name: {"fe": part.value, "uncertainty": part.total, "values": list(part.values), "order": part.order}
-                for name, part in self.shoulder.items()
-            },
-        }
 
 
 def solve_contact(

@@ -5,10 +5,12 @@ shoulder cuts it off a half is meshed, and transverse positions run from one sid
 """
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
+from annotated_types import MinLen
 
+from analytic.rows import require_one_length
 from analytic.scene import Array
 from fembearing.fem.measure import Quantities
 from fembearing.fem.solution import MeshSolution
@@ -20,15 +22,32 @@ BEYOND = 1.2  # semi-axes: farther out there is no contact
 ON_AXIS = 1e-9  # share of the mesh's extent: round-off
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True)
 class PressureProfile:
     """Pressure along one axis."""
 
-    position: Array  # (n,) m from the contact's centre, ascending
-    pressure: Array  # (n,) Pa
+    position: Annotated[tuple[float, ...], MinLen(1)]  # m from the contact's centre, ascending
+    pressure: tuple[float, ...]  # Pa
+
+    def __post_init__(self) -> None:
+        """Raises ValueError for lists of different lengths."""
+        require_one_length(self.position, self.pressure)
 
 
-Profiles = dict[Axis, dict[Literal["fe", "hertz"], PressureProfile]]
+@dataclass(frozen=True, kw_only=True)
+class BothProfiles:
+    """The pressure along one axis at the nodes of the finest mesh, and by Hertz."""
+
+    fe: PressureProfile
+    hertz: PressureProfile
+
+
+@dataclass(frozen=True, kw_only=True)
+class Profiles:
+    """The pressure along both axes through the centre."""
+
+    rolling: BothProfiles
+    transverse: BothProfiles
 
 
 def nodal_profile(mesh: MeshSolution, axis: Axis) -> PressureProfile:
@@ -45,7 +64,7 @@ def nodal_profile(mesh: MeshSolution, axis: Axis) -> PressureProfile:
     step = -(-nodes.size // (MOST - 2))  # both ends are added
     chosen = np.unique([0, *range(centre % step, nodes.size, step), nodes.size - 1])
     nodes = nodes[chosen]
-    return PressureProfile(position=along[nodes], pressure=np.where(mesh.force[nodes] > 0, mesh.pressure[nodes], 0.0))
+    return _profile(along[nodes], np.where(mesh.force[nodes] > 0, mesh.pressure[nodes], 0.0))
 
 
 def hertz_profile(hertz: Quantities, axis: Axis) -> PressureProfile:
@@ -54,9 +73,16 @@ def hertz_profile(hertz: Quantities, axis: Axis) -> PressureProfile:
     semi_axis = hertz.semi_axis_rolling if axis == "rolling" else hertz.semi_axis_transverse
     pressure = hertz.peak_pressure * np.cos(angle)
     pressure[-1] = 0.0  # without round-off
-    return PressureProfile(position=semi_axis * np.sin(angle), pressure=pressure)
+    return _profile(semi_axis * np.sin(angle), pressure)
 
 
 def profiles_of(mesh: MeshSolution, hertz: Quantities) -> Profiles:
     """Both axes, by finite elements and by Hertz."""
-    return {axis: {"fe": nodal_profile(mesh, axis), "hertz": hertz_profile(hertz, axis)} for axis in AXES}
+    rolling, transverse = (
+        BothProfiles(fe=nodal_profile(mesh, axis), hertz=hertz_profile(hertz, axis)) for axis in AXES
+    )
+    return Profiles(rolling=rolling, transverse=transverse)
+
+
+def _profile(position: Array, pressure: Array) -> PressureProfile:
+    return PressureProfile(position=tuple(position.tolist()), pressure=tuple(pressure.tolist()))

@@ -7,6 +7,7 @@ interference fit on a stiff shaft or in a stiff housing.
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from analytic.rows import NotNegative
 from fembearing.fem.ring_structure import block_compression, ring_compression
 from fembearing.fem.solution import MeshSolution
 from fembearing.grid_convergence import Estimate
@@ -27,19 +28,11 @@ class RingStructure:
     mesh: float  # m, half-width from the meshes
     domain: float  # m, half-width from the block that stands for the half space
     reach: float  # m, half-width from the length of the meshed piece of the ring
+    uncertainty: NotNegative  # m, the sum of all three, as they may depend on each other
 
     def __post_init__(self) -> None:
         """Raises InputError for a number that is not finite."""
         require_finite_results({"part of the approach": self.approach, "uncertainty": self.uncertainty}, of="ring")
-
-    @property
-    def uncertainty(self) -> float:
-        """The sum of all three, m, as they may depend on each other."""
-        return self.mesh + self.domain + self.reach
-
-    def to_json(self) -> dict[str, float]:
-        """As plain numbers, SI; the share is relative."""
-        return {"approach": self.approach, "share": self.share, "uncertainty": self.uncertainty}
 
 
 def structure_of_ring(meshes: Sequence[MeshSolution], approach: Estimate, *, recipe: Recipe) -> RingStructure:
@@ -53,10 +46,9 @@ def structure_of_ring(meshes: Sequence[MeshSolution], approach: Estimate, *, rec
     rough, soft = (ring_compression(mesh, recipe=recipe) - block_compression(mesh) for mesh in (coarse, fine))
     stiff = ring_compression(coarse, recipe=recipe, end="held") - block_compression(coarse)
     added = soft - approach.beyond * approach.limit  # the larger block, which the approach counts
-    return RingStructure(
-        approach=added,
-        share=added / approach.value,
-        mesh=LEFT * abs(soft - rough),
-        domain=approach.domain * approach.value,
-        reach=abs(rough - stiff),
-    )
+    parts = {
+        "mesh": LEFT * abs(soft - rough),
+        "domain": approach.domain * approach.value,
+        "reach": abs(rough - stiff),
+    }
+    return RingStructure(approach=added, share=added / approach.value, **parts, uncertainty=sum(parts.values()))

@@ -1,7 +1,6 @@
 """The greatest stresses under a contact, where fatigue begins: by Hertz's closed forms and by finite elements."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -27,6 +26,9 @@ class SubsurfaceComparison:
     hertz: dict[str, float]
     fe: dict[str, float]  # on the finest mesh
     uncertainty: dict[str, float]  # half-widths, Pa and m; not relative, as a depth may be 0
+    # Hertz's over the reference less one; None for the depth of a maximum on the surface, of either.
+    discrepancy: dict[str, float | None]
+    exceeds_uncertainty: dict[str, bool]  # whether Hertz's is outside the interval of the reference
 
     def __post_init__(self) -> None:
         """Raises InputError for a number that is not finite."""
@@ -34,26 +36,20 @@ class SubsurfaceComparison:
             found = {name.replace("_", " "): value for name, value in numbers.items()}
             require_finite_results(found, of=f"{by}, below the {self.side} surface")
 
-    def discrepancy(self, name: str) -> float | None:
-        """Production over reference less one; None for the depth of a maximum on the surface, of either."""
-        if 0.0 in (self.hertz[name], self.fe[name]):
-            return None
-        return self.hertz[name] / self.fe[name] - 1
 
-    def exceeds(self, name: str) -> bool:
-        """Whether production is outside the interval of the reference."""
-        return abs(self.hertz[name] - self.fe[name]) > self.uncertainty[name]
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain types, SI; discrepancies relative, uncertainties in Pa and m."""
-        return {
-            "side": self.side,
-            "fe": self.fe,
-            "uncertainty": self.uncertainty,
-            "hertz": self.hertz,
-            "discrepancy": {name: self.discrepancy(name) for name in NAMES},
-            "exceeds_uncertainty": {name: self.exceeds(name) for name in NAMES},
-        }
+def comparison_below(
+    side: Side, *, hertz: dict[str, float], fe: dict[str, float], uncertainty: dict[str, float]
+) -> SubsurfaceComparison:
+    """Hertz's maxima against those of finite elements, by `NAMES`: Pa, and m for depths."""
+    on_surface = [name for name in NAMES if 0.0 in (hertz[name], fe[name])]
+    return SubsurfaceComparison(
+        side=side,
+        hertz=hertz,
+        fe=fe,
+        uncertainty=uncertainty,
+        discrepancy={name: None if name in on_surface else hertz[name] / fe[name] - 1 for name in NAMES},
+        exceeds_uncertainty={name: abs(hertz[name] - fe[name]) > uncertainty[name] for name in NAMES},
+    )
 
 
 def compare_subsurface(solution: ContactSolution, *, side: Side = "lower") -> SubsurfaceComparison:
@@ -89,8 +85,8 @@ def compare_subsurface(solution: ContactSolution, *, side: Side = "lower") -> Su
         away = float(np.abs(tops - maxima[depth]).max(initial=0.0))
         least = LEAST_DEPTH * getattr(solution.reference, minor)
         uncertainty |= {name: off, depth: max(change[depth], away, least) + boundary[minor] * maxima[depth]}
-    return SubsurfaceComparison(
-        side=side,
+    return comparison_below(
+        side,
         hertz={name: float(getattr(closed, name)) for name in NAMES},
         fe=maxima,
         uncertainty=uncertainty,

@@ -8,13 +8,14 @@ import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import Any
+from typing import Annotated
 
 import numpy as np
+from annotated_types import Gt, Lt
 
 from analytic.errors import FembearingError
+from analytic.rows import Count, NotNegative
 from analytic.scene import Array
-from fembearing.plain_types import plain
 from fembearing.verify.memory import peak_while
 
 FORMULA_REPEATS = 15  # their median leaves out the effect of other programs on a short timing
@@ -32,13 +33,13 @@ class Method:
     name: str  # as readers see it
     error: float | None  # worst relative deviation from the reference; None for the reference and without one
     bound: float | None = None  # on the true error, relative, known without the reference; None: unknown
-    seconds: float | None  # median of the repeats; None if it failed
-    spread: float | None  # longest less shortest repeat, s
+    seconds: Annotated[float, Gt(0), Lt(1e12)] | None  # median of the repeats; None if it failed
+    spread: NotNegative | None  # longest less shortest repeat, s
     repeats: int  # number of timed runs
-    warm_up: float | None = None  # s, of the first call, which is in no repeat
-    predicted: float | None = None  # s, of a mesh, predicted before it was solved
-    memory: int | None  # largest resident memory of the process while it ran, bytes; see `memory.peak_while`
-    unknowns: int | None = None  # number, of a mesh
+    warm_up: NotNegative | None = None  # s, of the first call, which is in no repeat
+    predicted: NotNegative | None = None  # s, of a mesh, predicted before it was solved
+    memory: Count | None  # largest resident memory of the process while it ran, bytes; see `memory.peak_while`
+    unknowns: Count | None = None  # number, of a mesh
     known_error: float | None = None  # relative, compared with a tolerance, see `known_error`; None: unknown
     chosen: bool = False  # the cheapest within the tolerance
     failed: str | None = None  # why it gave no answer, in one line
@@ -49,21 +50,9 @@ class Choice:
     """The method that a tolerance needs."""
 
     tolerance: float  # relative
-    method: Method | None  # None where no method is within the tolerance
-    price: float | None  # seconds over those of the next looser choice; None for the first and without a method
-
-    @property
-    def name(self) -> str | None:
-        """Of the method."""
-        return None if self.method is None else self.method.name
-
-    @property
-    def seconds(self) -> float | None:
-        """Of the method."""
-        return None if self.method is None else self.method.seconds
-
-    def to_json(self) -> dict[str, Any]:
-        return {"tolerance": self.tolerance, "rung": self.name, "seconds": self.seconds, "price": self.price}
+    method: str | None  # its name; None where no method is within the tolerance
+    seconds: NotNegative | None  # of the method
+    price: NotNegative | None  # seconds over those of the next looser choice; None for the first and without a method
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -74,6 +63,7 @@ class Ladder:
     reference: str  # what the errors are relative to
     methods: tuple[Method, ...]
     absent: str | None = None  # why the scene has no such ladder; then there are no methods
+    choices: tuple[Choice, ...] = ()  # the method for each of DIGITS, and the price of the next digit
 
     @property
     def chosen(self) -> Method | None:
@@ -100,26 +90,17 @@ class Ladder:
         ]
         return self.methods[min(within)[1]] if within else None
 
-    @property
-    def choices(self) -> tuple[Choice, ...]:
-        """The method for each of DIGITS, and the price of the next digit."""
-        methods = [self.choose(digit) for digit in DIGITS]
-        seconds = [None if method is None else method.seconds for method in methods]
-        prices = [None, *(tight / loose if loose and tight else None for loose, tight in pairwise(seconds))]
-        return tuple(
-            Choice(tolerance=digit, method=method, price=price)
-            for digit, method, price in zip(DIGITS, methods, prices, strict=True)
-        )
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain types, SI."""
-        return {
-            "quantity": self.quantity,
-            "reference": self.reference,
-            "absent": self.absent,
-            "rungs": plain(self.methods),
-            "choices": [choice.to_json() for choice in self.choices],
-        }
+def with_choices(ladder: Ladder) -> Ladder:
+    """The ladder with the method for each of DIGITS."""
+    methods = [ladder.choose(digit) for digit in DIGITS]
+    seconds = [None if method is None else method.seconds for method in methods]
+    prices = [None, *(tight / loose if loose and tight else None for loose, tight in pairwise(seconds))]
+    choices = (
+        Choice(tolerance=digit, method=None if method is None else method.name, seconds=taken, price=price)
+        for digit, method, taken, price in zip(DIGITS, methods, seconds, prices, strict=True)
+    )
+    return replace(ladder, choices=tuple(choices))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -214,7 +195,7 @@ def ladder_of(quantity: str, reference: str, runs: Sequence[TimedMethod], *, tol
         )
     ladder = Ladder(quantity=quantity, reference=reference, methods=tuple(methods))
     chosen = ladder.choose(tolerance)
-    return replace(ladder, methods=tuple(replace(method, chosen=method is chosen) for method in methods))
+    return with_choices(replace(ladder, methods=tuple(replace(method, chosen=method is chosen) for method in methods)))
 
 
 def known_error(bound: float | None, error: float | None, reference: float | None) -> float | None:

@@ -1,15 +1,15 @@
 """What accuracy costs in a scene: every method of every ladder, with its error, bound, seconds and memory."""
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 from analytic.errors import InputError, require_positive
+from analytic.rows import Count
 from analytic.scene import Scene
 from fembearing.mesh.recipe import load_recipe
 from fembearing.progress import Progress, part_of, silent
-from fembearing.provenance import provenance_of
+from fembearing.provenance import Provenance, provenance_of
 from fembearing.verify.contact.scene_contact import RECIPES, contact_of
 from fembearing.verify.cost.cage_ladder import cage_methods
 from fembearing.verify.cost.contact_ladder import measured_contact
@@ -20,7 +20,7 @@ from fembearing.verify.cost.formula_ladders import (
     roughness_methods,
     turning_methods,
 )
-from fembearing.verify.cost.ladder import Ladder, UntimedLadder, measured
+from fembearing.verify.cost.ladder import Ladder, UntimedLadder, measured, with_choices
 from fembearing.verify.memory import peak_memory
 
 FORMULA_LADDERS: tuple[tuple[str, Callable[[Scene], UntimedLadder]], ...] = (
@@ -34,26 +34,23 @@ FORMULA_LADDERS: tuple[tuple[str, Callable[[Scene], UntimedLadder]], ...] = (
 FORMULAS = 0.4  # share of the time, only for the progress
 
 
+@dataclass(frozen=True, kw_only=True)
+class Spent:
+    """What a computation took."""
+
+    seconds: float
+    peak_memory: Count | None  # of the process, bytes
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Cost:
     """The measured ladders of a scene."""
 
-    scene: Scene
-    tolerance: float
     ladders: tuple[Ladder, ...]
-    seconds: float
-    peak_memory: int | None  # of the process, bytes
-    provenance: Mapping[str, Any]
-
-    def to_json(self) -> dict[str, Any]:
-        """The result as plain types; SI, errors relative."""
-        return {
-            "ladders": [ladder.to_json() for ladder in self.ladders],
-            "tolerance": self.tolerance,
-            "cost": {"seconds": self.seconds, "peak_memory": self.peak_memory},
-            "warnings": list(self.scene.warnings),
-            "provenance": self.provenance,
-        }
+    tolerance: float
+    cost: Spent
+    warnings: tuple[str, ...]  # of the scene, one line each
+    provenance: Provenance
 
 
 def measure_cost(scene: Scene, *, tolerance: float | None = None, progress: Progress = silent) -> Cost:
@@ -74,15 +71,14 @@ def measure_cost(scene: Scene, *, tolerance: float | None = None, progress: Prog
         try:
             ladders.append(measured(methods(scene), tolerance=tolerance))
         except InputError as reason:
-            ladders.append(Ladder(quantity=quantity, reference="none", methods=(), absent=str(reason)))
+            ladders.append(with_choices(Ladder(quantity=quantity, reference="none", methods=(), absent=str(reason))))
     recipe = load_recipe(RECIPES["real"])
     rest = part_of(progress, FORMULAS, 1.0)
     ladders.append(measured_contact(contact, recipe=recipe, tolerance=tolerance, progress=rest))
     return Cost(
-        scene=scene,
         tolerance=tolerance,
         ladders=tuple(ladders),
-        seconds=time.perf_counter() - start,
-        peak_memory=peak_memory(),
+        cost=Spent(seconds=time.perf_counter() - start, peak_memory=peak_memory()),
+        warnings=tuple(scene.warnings),
         provenance=provenance_of(scene),
     )

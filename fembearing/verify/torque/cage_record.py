@@ -2,23 +2,95 @@
 
 import json
 from dataclasses import dataclass
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
+from annotated_types import MinLen
 
 from analytic.brief import Brief
 from analytic.cage.motion import CageMotion
 from analytic.cage.series import CageSeries, recorded_motion
-from analytic.cage.statistics import CageStatistics
+from analytic.cage.statistics import CageStatistics, State
 from analytic.cage.steady import DrivenCage, whirl_speed
 from analytic.result import FrictionTorque
-from analytic.scene import Scene
+from analytic.rows import NotNegative, Positive, Two, require_one_length
+from analytic.scene import CageStart, Scene
 from fembearing.provenance import provenance_of
 
 INSTANTS_A_TURN = 40  # of a cage that whirls: a circle is drawn round
 FEWEST, MOST = 1000, 20000  # instants
 SEED = 0
 DIRECTIONS = 180  # in which the edge of the cage's room is computed
+
+
+Numbers = Annotated[tuple[float, ...], MinLen(1)]
+Places = Annotated[tuple[Two, ...], MinLen(1)]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Room:
+    """Where the centre of the cage can be, m."""
+
+    size: Positive
+    middle: Two
+    edge: Places
+
+
+@dataclass(frozen=True, kw_only=True)
+class Orbit:
+    """Places of the centre of the cage, m."""
+
+    joined: bool  # whether neighbours in a list are so in time too
+    start_up: Places
+    measured: Places
+
+
+@dataclass(frozen=True, kw_only=True)
+class Forces:
+    """Forces of balls on the cage over time."""
+
+    time: Numbers  # s
+    largest: Numbers  # of one ball, N
+    sum: Numbers  # over all balls, N
+
+    def __post_init__(self) -> None:
+        """Raises ValueError for lists of different lengths."""
+        require_one_length(self.time, self.largest, self.sum)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Exceedance:
+    """How often each force is exceeded."""
+
+    force: tuple[Positive, ...]  # N, rising
+    share: tuple[Positive, ...]  # of all instants
+
+    def __post_init__(self) -> None:
+        """Raises ValueError for lists of different lengths."""
+        require_one_length(self.force, self.share)
+
+
+@dataclass(frozen=True, kw_only=True)
+class DrawnMotion:
+    """One motion of a cage, as it is drawn; intervals at 95 %."""
+
+    point: int  # number of the operating point, from 1
+    inner_speed: float  # rad/s
+    bearing: str
+    state: State
+    start: CageStart
+    start_up: Positive  # that no statistics count, s
+    torque: float  # N m
+    torque_interval: Two  # N m
+    max_force: NotNegative  # N
+    max_force_interval: Two  # N
+    block: float  # s
+    block_maxima: Numbers  # N
+    gravity: tuple[float, float, float]  # m/s^2
+    room: Room
+    orbit: Orbit
+    forces: Forces
+    exceedance: Exceedance
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -37,8 +109,8 @@ class CageRecord(Brief):
         """(n,) whether an instant comes after the start-up, dimensionless."""
         return self.series.time > self.start_up
 
-    def drawn(self, *, most: int | None = None) -> dict[str, Any]:
-        """Orbit and forces of this motion, and the statistics of all seeds, as plain types for a figure.
+    def drawn(self, *, most: int | None = None) -> DrawnMotion:
+        """Orbit and forces of this motion, and the statistics of all seeds, for a figure.
 
         Parameters
         ----------
@@ -48,7 +120,7 @@ class CageRecord(Brief):
 
         Returns
         -------
-        dict
+        DrawnMotion
             SI.
         """
         series, statistics, after = self.series, self.statistics, self.measured
@@ -59,37 +131,32 @@ class CageRecord(Brief):
         places = [_evenly(series.centre[part, :2], most) for part in (~after, after)]
         total = np.linalg.norm(series.force, axis=2).sum(axis=1)
         force, share = exceedance(series.max_force[after], most)
-        return {
-            "point": self.point,
-            "inner_speed": self.cage.ring_speed,
-            "bearing": self.scene.bearing.name,
-            "state": statistics.state,
-            "start": statistics.start,
-            "start_up": self.start_up,
-            "torque": statistics.torque,
-            "torque_interval": list(statistics.torque_interval),
-            "max_force": statistics.max_force,
-            "max_force_interval": list(statistics.max_force_interval),
-            "block": statistics.block,
-            "block_maxima": list(statistics.block_maxima),
-            "gravity": list(self.cage.gravity),
-            "room": {
-                "size": self.cage.half_clearance,
-                "middle": self.cage.middle[:2].tolist(),
-                "edge": edge[:, :2].tolist(),
-            },
-            "orbit": {
-                "joined": most is None,  # neighbours in the list are so in time too
-                "start_up": places[0].tolist(),
-                "measured": places[1].tolist(),
-            },
-            "forces": {
-                "time": _evenly(series.time, most).tolist(),
-                "largest": _greatest(series.max_force, most).tolist(),
-                "sum": _greatest(total, most).tolist(),
-            },
-            "exceedance": {"force": force.tolist(), "share": share.tolist()},
-        }
+        shared = ("state", "start", "torque", "torque_interval", "max_force", "max_force_interval", "block")
+        return DrawnMotion(
+            point=self.point,
+            inner_speed=self.cage.ring_speed,
+            bearing=self.scene.bearing.name,
+            start_up=self.start_up,
+            **{name: getattr(statistics, name) for name in shared},
+            block_maxima=tuple(statistics.block_maxima),
+            gravity=self.cage.gravity,
+            room=Room(
+                size=self.cage.half_clearance,
+                middle=tuple(self.cage.middle[:2].tolist()),
+                edge=tuple(map(tuple, edge[:, :2].tolist())),
+            ),
+            orbit=Orbit(
+                joined=most is None,
+                start_up=tuple(map(tuple, places[0].tolist())),
+                measured=tuple(map(tuple, places[1].tolist())),
+            ),
+            forces=Forces(
+                time=tuple(_evenly(series.time, most).tolist()),
+                largest=tuple(_greatest(series.max_force, most).tolist()),
+                sum=tuple(_greatest(total, most).tolist()),
+            ),
+            exceedance=Exceedance(force=tuple(force.tolist()), share=tuple(share.tolist())),
+        )
 
     def to_dataset(self) -> Any:
         """The series as an xarray.Dataset with its provenance."""
@@ -98,10 +165,10 @@ class CageRecord(Brief):
         dataset.attrs = {
             "title": f"motion of the cage of {self.scene.bearing.name}, operating point {self.point}",
             "scene": self.scene.name,
-            "scene_content": json.dumps(origin["scene_content"]),
-            "scene_sha256": origin["scene_sha256"],
-            "history": f"{origin['date']}: {' '.join(origin['command'])}",
-            "versions": json.dumps(origin["versions"]),
+            "scene_content": json.dumps(origin.scene_content),
+            "scene_sha256": origin.scene_sha256,
+            "history": f"{origin.date}: {' '.join(origin.command)}",
+            "versions": json.dumps(origin.versions),
             "units": "SI; each variable has its own",
             "inner_speed_rad_per_s": self.cage.ring_speed,
             "room_m": self.cage.half_clearance,

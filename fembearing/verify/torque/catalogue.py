@@ -1,14 +1,12 @@
 """What bearing catalogues say of a scene's torque, or why they say nothing: shown with it, never as truth."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from analytic.brief import Brief
 from analytic.errors import InputError
 from analytic.scene import Scene
-from fembearing.plain_types import plain
 from fembearing.verify.torque.catalogue_models import CatalogueBand, bearing_series, scene_band
 
 
@@ -18,11 +16,6 @@ class BesideCatalogue(Brief):
 
     band: CatalogueBand | None  # arrays (n,), N m
     note: str  # why there is no band, or what to know of it
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain types, SI; low and high are None where there is no band."""
-        band = {"low": None, "high": None, "values": {}} if self.band is None else plain(self.band)
-        return band | {"note": self.note}
 
 
 def beside_catalogue(scene: Scene) -> BesideCatalogue:

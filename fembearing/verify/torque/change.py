@@ -7,7 +7,6 @@ not move it.
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
@@ -18,7 +17,6 @@ from analytic.loads.finite_geometry import corrections_of
 from analytic.result import FrictionTorque
 from analytic.scene import Array, Scene
 from analytic.torque import NO_CAGE, friction_torque
-from fembearing.plain_types import plain
 from fembearing.verify.contact.discrepancy import ContactSolution
 from fembearing.verify.contact.scene_contact import balls_of
 from fembearing.verify.contact.verdict import Verdict, worst
@@ -44,10 +42,6 @@ class FittedChange(Brief):
     relative: Array  # (n,) of the production's total; NaN where the correction does not reach
     uncertainty: Array  # (n,) of that change, from the factors' uncertainties, 95 %
     warnings: tuple[str, ...]  # where a contact is outside the range of the fit
-
-    def to_json(self) -> dict[str, Any]:
-        """Lists over the operating points; change and uncertainty relative; None where it does not reach."""
-        return plain({"change": self.relative, "uncertainty": self.uncertainty})
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -113,20 +107,6 @@ class TorqueChange(Brief):
         if before is None:
             return None
         return np.where(self.is_solved, _change(after, before), np.nan)
-
-    def to_json(self) -> dict[str, Any]:
-        """Lists over the operating points; SI, changes relative."""
-        own, total = self.production.contact_angle, self.production.torque.total
-        return {
-            "contact_angle": plain({"production": own, "corrected": self.contact_angle}),
-            "torque": plain({"production": total, "corrected": self.total}),
-            "change": plain({part: self.relative(part) for part in ("total", *OF_RACES)}),
-            "uncertainty": self.uncertainty,
-            "uncertainties": self.uncertainties,
-            "finite_geometry": None if self.fitted is None else self.fitted.to_json(),
-            "verdict": self.verdict,
-            "note": self.note,
-        }
 
 
 def change_of_torque(

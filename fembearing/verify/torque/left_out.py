@@ -1,7 +1,7 @@
 """Operating points of a scene that have no torque: which they are and why, and their places in what is shown."""
 
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, fields, is_dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -10,19 +10,16 @@ from numpy.typing import NDArray
 from analytic.errors import FembearingError
 from analytic.prediction.formulas import with_model_uncertainty
 from analytic.result import COORDINATES, FrictionTorque
+from analytic.rows import OperatingPoint
 from analytic.scene import Array, Scene
 from analytic.torque import friction_torque
 
 
 @dataclass(frozen=True, kw_only=True)
-class LeftOut:
+class LeftOut(OperatingPoint):
     """An operating point without a torque."""
 
     point: int  # number of the operating point, from 0
-    inner_speed: float  # rad/s
-    axial_load: float  # N
-    radial_load: float  # N
-    moment: float  # N m
     reason: str  # why, in words
 
 
@@ -51,20 +48,15 @@ class Places:
                 whole[name][each.point] = getattr(each, name)
         return whole
 
-    def rows(self, computed: Sequence[Any]) -> list[Any]:
-        """The same for rows of JSON: with None in the place of every number that is not known."""
+    def rows(self, computed: Sequence[Any]) -> tuple[Any, ...]:
+        """The same for rows: with NaN in the place of every number that is not known, and None of all else."""
         whole = [_without_values(computed[0])] * self.size
         for point, row in zip(self.computed, computed, strict=True):
             whole[point] = row
         for each in self.left_out:
-            if isinstance(computed[0], dict):
-                known = {name: getattr(each, name) for name in COORDINATES if name in computed[0]}
-                whole[each.point] = whole[each.point] | known
-        return whole
-
-    def to_json(self) -> list[dict[str, Any]]:
-        """Each point without a torque, SI."""
-        return [asdict(each) for each in self.left_out]
+            if isinstance(computed[0], OperatingPoint):
+                whole[each.point] = replace(whole[each.point], **{name: getattr(each, name) for name in COORDINATES})
+        return tuple(whole)
 
 
 def torque_where_it_is(scene: Scene) -> tuple[Scene, FrictionTorque, tuple[LeftOut, ...]]:
@@ -117,6 +109,11 @@ def _without_values(node: Any) -> Any:
     match node:
         case dict():
             return {name: _without_values(inside) for name, inside in node.items()}
-        case list():
-            return [_without_values(inside) for inside in node]
+        case tuple():
+            return tuple(_without_values(inside) for inside in node)
+        case float():
+            return np.nan
+    if is_dataclass(node) and not isinstance(node, type):
+        parts = {part.name: getattr(node, part.name) for part in fields(node)}
+        return replace(node, **{name: _without_values(part) for name, part in parts.items()})
     return None

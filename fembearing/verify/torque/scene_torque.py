@@ -74,7 +74,7 @@ class SceneTorque(Brief):
         numbers = self.places.computed
         return Verdicts(
             numerical=numerical_check(self.friction, tolerance=self.scene.tolerance),
-            physical=[replace(each, point=numbers[each.point]) for each in physical_checks(self.friction)],
+            physical=tuple(replace(each, point=numbers[each.point]) for each in physical_checks(self.friction)),
         )
 
     @property
@@ -134,48 +134,6 @@ class SceneTorque(Brief):
     def to_dataframe(self) -> Any:
         """A pandas.DataFrame of `to_dataset`: a row for each operating point, SI."""
         return frame_of(self.to_dataset(), POINT)
-
-    def to_json(self) -> dict[str, Any]:
-        """The torque as plain types, SI, with the catalogue band, None where there is none.
-
-        Numbers at the points that have no torque are None; `left_out` says why.
-        """
-        places, computed = self.places, self.friction.to_json()
-        prediction = None if self.prediction is None else self.prediction.to_json()
-        for rows in (computed, computed["pair"], prediction):
-            if rows is not None:
-                rows["points"] = places.rows(rows["points"])
-        return computed | {
-            "tolerance": self.scene.tolerance,
-            "catalogue_band": self._catalogue_to_json(),
-            "verdicts": self.verdicts.to_json(),
-            "notes": list(self.notes),
-            "inputs": [_input_to_json(each) for each in self.inputs],
-            "other_candidate": self._other_to_json(),
-            "prediction": prediction,
-            "left_out": places.to_json(),
-        }
-
-    def _catalogue_to_json(self) -> dict[str, Any]:
-        """The catalogue band at every point."""
-        band = self.catalogue.to_json()
-        if self.catalogue.band is None:
-            return band
-        rows = self.places.rows
-        values = {name: rows(each) for name, each in band["values"].items()}
-        return band | {"low": rows(band["low"]), "high": rows(band["high"]), "values": values}
-
-    def _other_to_json(self) -> dict[str, Any] | None:
-        """Balls and total of the other candidate."""
-        other = self.scene.bearing.other_candidate
-        if other is None or self.other_candidate is None:
-            return None
-        balls = {"ball_count": other.ball_count, "ball_diameter": other.ball_diameter}
-        return balls | {"total": self.places.rows(self.other_candidate.torque.total.tolist())}
-
-
-def _input_to_json(given: StatedInput) -> dict[str, Any]:
-    return {"key": given.key, "value": given.value, "unit": given.unit} | vars(given.origin)
 
 
 def _balls(bearing: Bearing) -> str:

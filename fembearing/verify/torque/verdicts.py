@@ -1,8 +1,9 @@
 """The verdicts on a result: comparison with finite elements, numerical accuracy, physical limits."""
 
-from collections.abc import Sequence
-from dataclasses import asdict, dataclass
-from typing import Any, Literal
+from dataclasses import dataclass
+from typing import Annotated, Literal
+
+from annotated_types import MinLen
 
 from analytic.verdicts import NumericalCheck, PhysicalCheck
 from fembearing.verify.contact.verdict import Verdict
@@ -17,7 +18,7 @@ class Verdicts:
     """The verdicts on one result, which are never mixed."""
 
     numerical: NumericalCheck | None  # None: there is no torque
-    physical: Sequence[PhysicalCheck]
+    physical: Annotated[tuple[PhysicalCheck, ...], MinLen(1)]
     comparison: Verdict | None = None  # of contacts against finite elements; None: nothing was compared
 
     @property
@@ -34,18 +35,28 @@ class Verdicts:
             return "fail"
         return "undecided" if any(verdict in IS_OPEN for verdict in each) else "pass"
 
-    def to_json(self) -> dict[str, Any]:
-        """Numerical and physical verdicts with their numbers, as plain types, SI."""
-        return {
-            "numerical": None if self.numerical is None else self.numerical.to_json(),
-            "physical": [asdict(check) for check in self.physical],
-        }
-
-    def summary(self) -> dict[str, str | None]:
+    @property
+    def summary(self) -> "Summary":
         """One word for each kind of verdict, and one for all."""
-        return {
-            "comparison": self.comparison,
-            "numerical": None if self.numerical is None else self.numerical.verdict,
-            "physical": self.worst_physical,
-            "overall": self.overall,
-        }
+        return Summary(
+            comparison=self.comparison,
+            numerical=None if self.numerical is None else self.numerical.verdict,
+            physical=self.worst_physical,
+            overall=self.overall,
+        )
+
+
+@dataclass(frozen=True, kw_only=True)
+class Summary:
+    """One word for each kind of verdict, and one for all."""
+
+    comparison: Verdict | None  # None: nothing was compared
+    numerical: Literal["pass", "not reached"] | None  # None: there is no torque
+    physical: Physical
+    overall: Overall
+
+    @property
+    def words(self) -> str:
+        """All in a line."""
+        each = {"comparison": self.comparison, "numerical": self.numerical, "physical": self.physical}
+        return f"{self.overall}: {', '.join(f'{name} {word}' for name, word in each.items() if word is not None)}"

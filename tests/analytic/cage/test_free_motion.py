@@ -170,19 +170,6 @@ def test_a_cage_that_slightly_loaded_balls_cannot_drive_slows_down() -> None:
     assert passed.race_power > passed.alone_power
 
 
-def test_light_balls_do_not_keep_a_cage_whirling() -> None:
-    """6000 rpm, 100 N: given balls press with 2250 N in all, these races hold 10 N a ball."""
-    races = races_under_thrust(axial_load=100.0, rpm=6000.0)
-    cage = cage_on(races)
-    given = CageMotion(cage, begin="whirl", seed=0)
-    given.advance(2e-3)
-    assert given.advance(2e-3).force > 2000
-    passed = measured(cage, races, "whirl", after=0.01, during=0.02)
-    # It rattles, and at times tries to whirl: on average below what the races hold.
-    assert passed.force < 9 * 2 * 0.1 * races.contacts.load.min() / 1.1
-    assert passed.circling < 0.2 * 58_100  # rad/s: of a cage that rolls in its pockets
-
-
 def test_balls_under_radial_load_lead_without_pressing_a_wide_cage() -> None:
     """A lead of 119 um, and 0.2 mm of clearance: the cage gives way and hangs as at rest."""
     operation = Operation(axial_load=np.array([1000.0]), inner_speed=np.array([W]), radial_load=500.0)
@@ -206,14 +193,6 @@ def test_running_backwards_is_the_mirror_image() -> None:
     assert ahead.max_force > 1
     np.testing.assert_allclose(mirrored, there, atol=1e-4 * 0.1e-3)  # Newton's last change grows with every impact
     np.testing.assert_allclose([back.slip_power, -back.moment], [ahead.slip_power, ahead.moment], rtol=1e-4)
-
-
-def test_a_slow_ramp_ends_at_rest() -> None:
-    passed = CageMotion(cage_on(THRUST), THRUST, begin="ramp", ramp=0.06, steps_per_contact=20)
-    passed.advance(0.09)
-    resting = passed.advance(0.02)
-    np.testing.assert_allclose(resting.slip_power / W, 0.0596e-3, rtol=0.03)
-    np.testing.assert_allclose(resting.race_power, resting.alone_power, rtol=1e-3)
 
 
 def test_statistics_take_free_balls_too() -> None:
@@ -242,17 +221,9 @@ def test_statistics_take_free_balls_too() -> None:
 @pytest.mark.parametrize(
     ("change", "options", "words"),
     [
-        (
-            {"ring_speed": 50.0},
-            {"begin": "rest"},
-            "the cage belongs to a ring at 50.0 rad/s and the races to one at 52.359",
-        ),
+        ({"ring_speed": 50.0}, {"begin": "rest"}, "50.0 rad/s .* 52.359"),
         ({"ball_lead": 2e-5}, {"begin": "rest"}, "ball_lead = 2e-05 m says where the balls run"),
-        (
-            {},
-            {"begin": "rest", "steps_per_contact": 9.0},
-            "steps_per_contact = 9.0 is too coarse .* need 10 or more, 40 are usual",
-        ),
+        ({}, {"begin": "rest", "steps_per_contact": 9.0}, "steps_per_contact = 9.0 is too coarse .* 10 or more"),
         ({}, {"begin": "sideways"}, 'start must be "rest", "ramp", "sudden" or "whirl"'),
     ],
 )
@@ -266,39 +237,3 @@ def test_an_impact_too_hard_for_the_steps_is_refused() -> None:
     motion.launch(velocity=np.array([90.0, 0.0, 0.0]), angular_velocity=np.zeros(3))
     with pytest.raises(InputError, match=r"an impact of .* N had .* steps: .* raise cage\.steps_per_contact .* times"):
         motion.advance(1e-5)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(("begin", "within"), [("rest", 5e-3), ("whirl", 5e-3)])
-def test_half_the_step_changes_the_torque_by_less_than_half_a_percent(begin: Any, within: float) -> None:
-    cage = cage_on(THRUST)
-    usual, fine = (measured(cage, THRUST, begin, after=0.1, during=0.1, steps=steps).slip_power for steps in (40, 80))
-    np.testing.assert_allclose(fine, usual, rtol=within)
-
-
-def test_a_fast_whirl_beyond_the_grip_of_the_races_raises_their_torque() -> None:
-    """6000 rpm and 1000 N, before the whirl may stop: slower, with less force, and the races lose much more."""
-    races = races_under_thrust(rpm=6000.0)
-    cage = cage_on(races)
-    passed = [measured(cage, races, "whirl", after=5e-3, during=0.015, seed=seed) for seed in range(9)]
-    force, circling, slip, excess = np.median(
-        [(each.force, each.circling, each.slip_power, each.race_power / each.alone_power) for each in passed], axis=0
-    )
-    # N: around what the races hold, 9 times 2 mu Q/(1 + mu_c), 603 N; given balls press with 2250 N.
-    assert 200 < force < 1000
-    assert circling < 0.6 * 58_100  # rad/s: of a cage that rolls in its pockets
-    assert excess > 2.5
-    # Number of another program. The motion is chaotic: one seed deviates by a third, the median of nine by an eighth.
-    np.testing.assert_allclose(slip / cage.ring_speed, 171e-3, rtol=0.35)
-
-
-@pytest.mark.slow
-def test_at_very_high_friction_of_the_races_a_fast_cage_whirls_on() -> None:
-    """The limit of given balls, at 6000 rpm: the races then hold ten times what the cage needs."""
-    races = races_under_thrust(rpm=6000.0, friction=10.0)
-    cage = cage_on(races)
-    given = CageMotion(cage, begin="whirl", seed=0)
-    given.advance(0.01)
-    free = measured(cage, races, "whirl", after=0.01, during=0.02)
-    np.testing.assert_allclose(free.force, given.advance(0.02).force, rtol=0.05)
-    assert free.max_force < 1000

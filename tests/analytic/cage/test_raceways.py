@@ -220,13 +220,6 @@ def test_the_azimuths_of_a_ring_are_those_of_its_balls() -> None:
     assert steps.max() < 3 * np.sort(steps, axis=1)[:, -9:].min()
 
 
-def test_running_backwards_turns_all_speeds() -> None:
-    races = races_under_thrust()
-    ahead, back = races.alone, replace(races, inner_speed=-races.inner_speed).alone
-    np.testing.assert_allclose(back.orbit_speed, -ahead.orbit_speed, rtol=1e-9)
-    np.testing.assert_allclose(back.slip_power, ahead.slip_power, rtol=1e-6)  # the last change of the speeds
-
-
 @pytest.mark.parametrize(
     ("change", "words"),
     [

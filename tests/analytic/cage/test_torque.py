@@ -1,20 +1,19 @@
 """The cage in the torque of a bearing: its method and the reason, what it adds, and what the JSON says of it."""
 
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from analytic import friction_torque, load_scene
+from analytic import friction_torque
 from analytic.cage.pocket import friction_in_pocket
 from analytic.cage.statistics import measured_motion
 from analytic.cage.torque import driven_cage
 from analytic.errors import InputError
 from analytic.scene import Land, Operation
+from fembearing.plain_types import plain
 from tests.analytic.cage.specimens import CAGED, with_cage
-from tests.analytic.scenefile.scene_texts import MINE, changed
 from tests.analytic.specimens import FINISH, OIL, present
 
 
@@ -26,7 +25,7 @@ def test_the_closed_form_adds_the_torque_of_a_resting_cage() -> None:
     np.testing.assert_allclose(result.torque.total, result.torque.race + result.torque.cage, rtol=1e-12)
     # The cage hangs off the vertical by the angle of friction.
     np.testing.assert_allclose(present(result.cage).mean_force, 6.58e-3 * 9.80665 * np.cos(np.arctan(0.1)), rtol=1e-9)
-    point = result.to_json()["points"][1]
+    point = plain(result.row(1))
     assert point["cage"]["state"] == "rest"
     assert point["cage"]["max_force"] is None
     assert point["friction_coefficient"]["pocket"] == 0.1
@@ -47,17 +46,12 @@ def test_the_closed_form_includes_drag() -> None:
         pressed = closed.mean_force - moved.mean_force
         assert np.all((-0.02 * moved.mean_force < pressed) & (pressed < 0.0642 + 0.02 * moved.mean_force))
         np.testing.assert_allclose(closed.signed_moment, moved.signed_moment, rtol=0.02)
-        assert closed.at(1)["signed_moment"] == closed.signed_moment[1]
+        assert closed.row(1).signed_moment == closed.signed_moment[1]
         back = replace(scene_of.operation, inner_speed=-CAGED.operation.inner_speed)
         mirrored = friction_torque(
             replace(scene_of, operation=back, effects={**CAGED.effects, "cage_dynamics": "off"})
         ).cage
         np.testing.assert_allclose(present(mirrored).signed_moment, -closed.signed_moment, rtol=1e-12)
-
-
-def test_the_closed_form_names_what_it_leaves_out() -> None:
-    aside = with_cage(CAGED, land=Land(ring="outer", clearance=0.3e-3, width=9e-3))
-    assert friction_torque(aside).provenance["cage"].startswith("closed form at rest, without land,")
 
 
 @pytest.mark.parametrize("ring", ["inner", "outer"])
@@ -120,33 +114,25 @@ def test_a_land_needs_the_height_of_its_shoulder() -> None:
 
 def test_a_start_calls_for_the_motion() -> None:
     result = friction_torque(with_cage(CAGED, start="whirl"))
-    assert result.cage is not None
-    assert result.torque.cage is not None
-    slow, fast = result.cage.motion
-    assert slow is not None
-    assert fast is not None
+    cage, torque = present(result.cage), present(result.torque.cage)
+    slow, fast = map(present, cage.motion)
     assert (slow.state, fast.state) == ("irregular", "whirl")  # the slow cage cannot whirl and still swings
-    assert result.torque.cage[1] == fast.torque
-    np.testing.assert_allclose(result.cage.half_interval, [np.diff(m.torque_interval)[0] / 2 for m in (slow, fast)])
-    share = result.cage.half_interval / result.torque.total
-    assert np.all(result.numerical_uncertainty >= share)
-    point = result.to_json()["points"][1]["cage"]
+    assert torque[1] == fast.torque
+    np.testing.assert_allclose(cage.half_interval, [np.diff(m.torque_interval)[0] / 2 for m in (slow, fast)])
+    assert np.all(result.numerical_uncertainty >= cage.half_interval / result.torque.total)
+    point = plain(result.row(1).cage)
     assert point["state"] == "whirl"
     assert point["max_force"] == fast.max_force
     assert point["interval"] == {"torque": list(fast.torque_interval), "max_force": list(fast.max_force_interval)}
     np.testing.assert_allclose(point["mean_force"], 15.95, rtol=0.02)  # m (w_b r/nabla + w_c)^2 nabla by hand
     assert point["duration"] == 0.06
     (warning,) = (warning for warning in result.warnings if "more than one steady motion" in warning)
-    assert 'cage.start = "whirl" leads to whirl' in warning
-    assert '"rest" to rest' in warning
-    assert (
-        result.provenance["cage"]
-        == 'motion from "whirl", 40 steps a contact, pocket stiffness by Hertz, friction by friction.coefficient'
-    )
+    assert '"whirl" leads to whirl' in warning
+    assert result.provenance["cage"].startswith('motion from "whirl", 40 steps a contact')
     back = replace(CAGED.operation, inner_speed=-CAGED.operation.inner_speed)
     mirrored = friction_torque(with_cage(replace(CAGED, operation=back), start="whirl"))
     # The disturbance is not mirrored, as with other seeds. The slow cage is not steady after so short a time.
-    np.testing.assert_allclose(present(mirrored.torque.cage)[1], result.torque.cage[1], rtol=0.03)
+    np.testing.assert_allclose(present(mirrored.torque.cage)[1], torque[1], rtol=0.03)
 
 
 def test_at_standstill_the_closed_form_is_the_limit() -> None:
@@ -184,14 +170,6 @@ def test_friction_comes_from_cage_oil_or_races() -> None:
     assert "thicker than their clearance" in warning
     with pytest.raises(InputError, match="friction of ball on pocket is not known"):
         friction_in_pocket(replace(CAGED, friction_coefficient=None), load=0.5, surface_speed=0.3)
-
-
-def test_a_scene_file_with_a_motion_runs(tmp_path: Path) -> None:
-    text = changed("90 rpm", "500 rpm", MINE) + '[cage]\nstart = "rest"\nseeds = 2\nduration = "20 ms"'
-    (tmp_path / "case.toml").write_text(text, "utf-8")
-    result = friction_torque(load_scene(tmp_path / "case.toml"))
-    motion = present(present(result.cage).motion[0])
-    assert motion.state == "rest"
 
 
 def test_the_scene_sets_the_steps() -> None:

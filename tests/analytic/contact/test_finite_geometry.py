@@ -3,7 +3,6 @@
 from dataclasses import fields, replace
 from functools import cache
 from importlib import import_module
-from importlib.resources import files
 from typing import Any
 
 import numpy as np
@@ -59,18 +58,6 @@ def test_a_point_contact_is_hertz() -> None:
         for quantity in stored_fit()["quantity"].values()
         for term in quantity["terms"]
     )
-
-
-@pytest.mark.parametrize("rolling_curvature", [0.27, -0.17])
-def test_deviations_grow_with_the_contact(rolling_curvature: float) -> None:
-    """Steel on steel, in an enclosing groove: the contact is shorter transverse, wider in rolling and stiffer."""
-    sizes = np.linspace(0.05, 0.43, 20)
-    steel = {"ball_poisson_ratio": 0.3, "race_poisson_ratio": 0.3, "ball_share": 0.5}
-    found = factors(replace(SHAPE, size=sizes, rolling_curvature=rolling_curvature, **steel))
-    assert (np.diff(found["semi_axis_rolling"]) > 0).all()
-    assert (np.diff(found["semi_axis_transverse"]) < 0).all()
-    assert (np.diff(found["peak_pressure"]) > 0).all()
-    assert (found["approach"] < 1).all()
 
 
 def test_only_ratios_matter(contacts: dict[str, Contact]) -> None:
@@ -129,20 +116,6 @@ def test_the_bases_agree_with_their_definitions() -> None:
     assert found["log_drift"] == pytest.approx(expected, rel=1e-12)
     assert found["race_drift"] == pytest.approx(0.57 * 0.38 / 0.69, rel=1e-12)
     assert found["ball_bulk"] == pytest.approx(0.43 / (1 - 0.27**2), rel=1e-12)
-
-
-def test_a_factor_is_the_sum_of_its_terms() -> None:
-    """The terms of the file, multiplied out at each side; shoulders and lands differ."""
-    shape = replace(SHAPE, far_shoulder=0.38, contact_angle=0.33)
-    bases, found = shape_bases(shape), factors(shape)
-    for name, quantity in stored_fit()["quantity"].items():
-        change = 0.0
-        for term in quantity["terms"]:
-            product = np.ones(2)
-            for base, power in term["powers"].items():
-                product = product * bases[base] ** power
-            change += term["coefficient"] * product.mean()
-        assert found[name] - 1 == pytest.approx(change, rel=1e-12)  # round-off
 
 
 def test_the_logarithm_of_the_approach_is_that_of_theory() -> None:
@@ -209,11 +182,6 @@ def test_beyond_the_range_nothing_jumps_and_two_steps_away_hertz_stays(name: str
     assert "is not applied" in found.warnings[0]
 
 
-def test_an_angle_outside_the_fit_is_told_in_degrees() -> None:
-    (warning,) = finite_geometry_factors(replace(SHAPE, contact_angle=np.deg2rad(46.5))).warnings
-    assert warning.startswith("contact angle 46.5 deg is outside 0 to 45.84 deg of the fit")  # 0.8 rad
-
-
 def test_a_contact_near_its_shoulder_is_held() -> None:
     name = "approach"
     near, far = (finite_geometry_factors(replace(SHAPE, size=0.4, shoulder=0.4 * ratio)) for ratio in (1.14, 1.16))
@@ -237,20 +205,6 @@ def test_a_correction_brings_its_own_peak_pressure() -> None:
     assert own.peak_pressure == pytest.approx(1.02 * hertz.peak_pressure, rel=1e-14)
     volume = 2 / 3 * np.pi * filled.peak_pressure * filled.semi_axis_x * filled.semi_axis_y
     assert volume == pytest.approx(210.0, rel=1e-13)  # round-off
-
-
-def test_each_side_acts_by_itself() -> None:
-    """A contact with two shoulders is the mean of two with equal ones; without an angle the sides can be exchanged."""
-    one, other, both, exchanged = (
-        factors(replace(SHAPE, shoulder=near, far_shoulder=far))
-        for near, far in ((0.31, 0.31), (0.83, 0.83), (0.31, 0.83), (0.83, 0.31))
-    )
-    alike = factors(replace(SHAPE, shoulder=0.31))
-    for name in NAMES:
-        assert both[name] == pytest.approx((one[name] + other[name]) / 2, rel=1e-13)  # round-off
-        assert exchanged[name] == pytest.approx(both[name], rel=1e-13)
-        assert alike[name] == pytest.approx(one[name], rel=1e-15)
-    assert abs(one["approach"] - other["approach"]) > 3e-4  # there is something to average
 
 
 def test_the_nearer_shoulder_decides_whether_the_contact_is_covered() -> None:
@@ -327,9 +281,3 @@ def test_the_range_is_that_of_the_solves() -> None:
         values = np.array([float(row[name]) for row in rows if row["set"] == "fit"])
         assert low <= values.min() < low + 0.05 * (high - low)
         assert high - 0.05 * (high - low) < values.max() <= high
-
-
-def test_its_data_comes_with_the_package() -> None:
-    assert (files("analytic") / "catalog" / "corrections" / "finite_geometry.toml").is_file()
-    told = stored_fit()["provenance"]
-    assert {"generator", "fit", "solver", "seeds", "mesh", "dates", "versions", "solves"} <= told.keys()

@@ -9,7 +9,6 @@ import pytest
 from analytic.contact.geometry import RACES, race_contact
 from analytic.contact.hertz import contact_modulus, hertz_contact, relative_curvatures
 from analytic.effects.ledger import Ledger
-from analytic.effects.warnings import _decisions
 from analytic.errors import InputError
 from analytic.result import FrictionTorque
 from analytic.scene import Bearing, ContactAngle, Operation, Scene
@@ -182,6 +181,7 @@ def test_thrust_and_radial_load_in_one_series_do_not_skid(scene: Scene) -> None:
         np.testing.assert_allclose(series[index], alone[0], rtol=0.3)  # the tolerance
 
 
+STILL = {"spin": "off", "conformity": "off"}
 WITHOUT = {"lubricant": None, "surface": None, "friction_coefficient": 0.07}
 
 
@@ -194,6 +194,21 @@ WITHOUT = {"lubricant": None, "surface": None, "friction_coefficient": 0.07}
         ({"effects": {"starvation": "on"}, **WITHOUT}, r"starvation.*no lubricant"),
         ({"effects": {"shoulder": "on"}}, 'shoulder = "on" cannot be had: not modelled; give "auto" or "off"'),
         ({"effects": {"spinning": "on"}}, "effects.spinning is not an effect to choose; known: .*spin, "),
+        ({"effects": STILL | {"asperities": "on"}}, "asperities.*neither spin nor conformity is computed"),
+        (
+            {"effects": STILL | {"inlet_heating": "on", "rolling": "off"}},
+            "inlet_heating.*nothing slides or rolls in oil",
+        ),
+        ({"effects": STILL | {"starvation": "on", "rolling": "off"}}, "starvation.*nothing slides or rolls in oil"),
+        (
+            {
+                "effects": {"conformity": "off", "spin": "on", "asperities": "on"},
+                "friction_coefficient": 0.07,
+                "surface": None,
+            },
+            "asperities.*coefficient is given",
+        ),
+        ({"effects": {"cage": "on"}}, "cage.*no cage is given"),
     ],
 )
 def test_an_effect_that_cannot_be_had_is_refused_in_one_line(scene: Scene, change: Any, words: str) -> None:
@@ -235,24 +250,6 @@ def test_balls_that_skid_are_refused_with_their_speed(scene: Scene) -> None:
         replace(scene, operation=light),
         r"inner_speed = 19099 rpm: the centrifugal force .* times its load under 0\.001 N .* above 1000.*raise",
     )
-
-
-@pytest.mark.parametrize(
-    ("share", "words"),
-    [(0.31, "could be 31 % of the torque"), (17.2, "could exceed the torque"), (np.inf, "could be of any size")],
-)
-def test_a_bound_beyond_the_torque_is_told_in_words(scene: Scene, share: float, words: str) -> None:
-    """Where it calls for the effect, and in the warning where the scene leaves the effect out all the same."""
-    ledger = Ledger(replace(scene, effects={"spin": "off"}), 2)
-    ledger.decide("centrifugal", bound=np.array([share, 0.02]))
-    ledger.decide("spin", bound=np.array([share, 0.02]))
-    called, left = ledger.made["centrifugal"], ledger.made["spin"]
-    assert called.reason == (
-        f"{words}, more than the 15 % that may be left out" if share < 1 else words
-    )  # half of the tolerance
-    assert (left.decision, left.share, left.reason) == ("off", share, "the scene says off")
-    beyond = ", more than the tolerance" if share < 1 else ""
-    assert list(_decisions(ledger)) == [f"spin is left out and {words}{beyond}: the scene says off"]
 
 
 def test_a_contact_beyond_its_shoulder_is_told_with_what_moved_it(scene: Scene) -> None:

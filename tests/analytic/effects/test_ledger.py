@@ -7,13 +7,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from analytic.effects.ledger import Ledger
-from analytic.effects.table import CHOSEN, COMPUTED, ENTRIES, TRIED
+from analytic.effects.table import CHOSEN, ENTRIES, TRIED
 from analytic.errors import InputError
 from analytic.result import FrictionTorque
-from analytic.scene import Bearing, Cage, Scene
+from analytic.scene import Bearing, Scene
 from analytic.torque import friction_torque
-from tests.analytic.specimens import drawn, dry, idling, part
+from tests.analytic.specimens import STAMPED_CAGE, drawn, dry, idling, part
 
 # A bound of less than this on the share of an effect may leave the total as it is, to the last digit.
 NEXT_TO_NOTHING = 1e-9
@@ -21,22 +20,16 @@ NEXT_TO_NOTHING = 1e-9
 
 def scene_of(bearing: Bearing, random: np.random.Generator) -> Scene:
     """A random scene with a random word on each effect; a cage that moves crosses its pockets once."""
-    cage = Cage(
-        pocket_diameter=8.14e-3,
-        pocket_depth=4.07e-3,
-        wall_thickness=0.9e-3,
-        mass=6.58e-3,
-        material=bearing.ball_material,
-    )
     words: dict[str, Any] = {name: ("auto", "on", "off")[random.integers(3)] for name in CHOSEN}
     scene = replace(
         drawn(bearing, random, 2),
         tolerance=10 ** random.uniform(-3, -1),
-        cage=cage if random.random() < 0.9 else None,
+        cage=STAMPED_CAGE if random.random() < 0.9 else None,
         effects=words,
     )
     start = ("rest", "ramp", "sudden", "whirl", None)[random.integers(5)]
-    return scene if scene.cage is None else replace(scene, cage=replace(cage, start=start, seeds=2, duration=0.007))
+    moving = replace(STAMPED_CAGE, start=start, seeds=2, duration=0.007)
+    return scene if scene.cage is None else replace(scene, cage=moving)
 
 
 def computed(scene: Scene) -> tuple[Scene, FrictionTorque]:
@@ -86,45 +79,12 @@ def test_without_sliding_the_inlets_act_on_rolling(bearing_6205: Bearing) -> Non
         np.testing.assert_allclose(part(on.torque, "rolling"), part(sliding.torque, "rolling"), rtol=1e-12)  # round-off
 
 
-@pytest.mark.parametrize(
-    ("change", "effects", "words"),
-    [
-        ({}, {"asperities": "on"}, "neither spin nor conformity is computed"),
-        ({"lubricant": None}, {"inlet_heating": "on"}, "no lubricant is given"),
-        ({}, {"inlet_heating": "on", "rolling": "off"}, "nothing slides or rolls in oil"),
-        ({}, {"starvation": "on", "rolling": "off"}, "nothing slides or rolls in oil"),
-        ({"friction_coefficient": 0.07, "surface": None}, {"spin": "on", "asperities": "on"}, "coefficient is given"),
-        ({}, {"cage": "on"}, "no cage is given"),
-    ],
-)
-def test_an_effect_that_cannot_act_is_refused(
-    bearing_6205: Bearing, change: dict[str, Any], effects: dict[str, Any], words: str
-) -> None:
-    still = {"spin": "off", "conformity": "off"}
-    scene = idling(bearing_6205)
-    if change.get("lubricant", scene.lubricant) is None:
-        change = change | {"surface": None, "friction_coefficient": 0.07}
-    with pytest.raises(InputError, match=f'= "on" cannot be had: .*{words}'):
-        friction_torque(replace(scene, **change, effects=still | effects))
-
-
 def test_a_motion_of_a_cage_that_is_left_out_is_refused(bearing_6205: Bearing) -> None:
     scene = scene_of(bearing_6205, np.random.default_rng(5))
     assert scene.cage is not None
     words: dict[str, Any] = {"cage": "off", "cage_dynamics": "on"}
     with pytest.raises(InputError, match='cage_dynamics = "on" cannot be had: the cage is left out'):
         friction_torque(replace(scene, effects=words))
-
-
-def test_the_ledger_names_what_nobody_settled(bearing_6205: Bearing) -> None:
-    ledger = Ledger(replace(dry(bearing_6205), effects={}), 1)
-    for name in COMPUTED:
-        if name != "starvation":
-            ledger.settle(name, on=False, reason="test")
-    with pytest.raises(
-        RuntimeError, match="without a decision: starvation, cage, cage_dynamics, ball_dynamics, seals, drag, plast"
-    ):
-        ledger.effects({}, np.array([0.1]), lambda _: 0.3)
 
 
 def test_without_conformity_spin_is_not_measured_against_it(bearing_6205: Bearing) -> None:

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from analytic.effects.table import LIMITS, PER_CUT_SHARE
-from analytic.errors import InputError
 from analytic.result import FrictionTorque
-from analytic.scene import Bearing, Cage, ContactAngle, Operation, Scene
+from analytic.scene import Bearing, ContactAngle, Operation, Scene
 from analytic.torque import friction_torque
+from tests.analytic.specimens import STAMPED_CAGE, effect_of
 
 
 @pytest.fixture(scope="module")
@@ -22,13 +22,7 @@ def scene(bearing_6205: Bearing) -> Scene:
         bearing=bearing_6205,
         contact_angle=ContactAngle(rule="given", value=0.18),
         operation=Operation(axial_load=np.array([300.0, 1000.0]), inner_speed=np.array([31.0, 52.36])),
-        cage=Cage(
-            pocket_diameter=8.14e-3,
-            pocket_depth=4.07e-3,
-            wall_thickness=0.9e-3,
-            mass=6.58e-3,
-            material=bearing_6205.ball_material,
-        ),
+        cage=STAMPED_CAGE,
         friction_coefficient=0.1,
         hysteresis_loss=0.007,
         effects={"finite_geometry": "off", "spin": "on"},
@@ -36,7 +30,7 @@ def scene(bearing_6205: Bearing) -> Scene:
 
 
 def reason_of(found: FrictionTorque, name: str) -> str:
-    effect = next(effect for effect in found.effects if effect.name == name)
+    effect = effect_of(found, name)
     assert effect.decision == "off"
     return effect.reason
 
@@ -59,12 +53,6 @@ def test_every_checked_effect_is_listed_with_its_number(scene: Scene) -> None:
         assert word not in words
 
 
-def test_nothing_slides_and_no_cage(scene: Scene) -> None:
-    found = friction_torque(replace(scene, cage=None, effects={"spin": "off", "conformity": "off"}))
-    assert reason_of(found, "creep").startswith('effects.spin = "off" leaves out a part of the slip')
-    assert reason_of(found, "cage") == "no cage is given: add a table [cage]"
-
-
 def test_each_limit_is_warned_of_when_it_is_passed(scene: Scene) -> None:
     def warned(load: float, word: str) -> bool:
         series = Operation(axial_load=np.array([load]), inner_speed=np.array([31.0]))
@@ -83,9 +71,7 @@ def test_a_plastic_contact_has_no_known_uncertainty(scene: Scene) -> None:
     np.testing.assert_array_equal(np.isinf(found.numerical_uncertainty), [False, True])
     (reason,) = found.unknown
     assert "static limit" in reason
-    document = found.to_json()
-    assert document["unknown"] == [reason]
-    assert [point["uncertainty"]["numerical"] is None for point in document["points"]] == [False, True]
+    assert [point.uncertainty.numerical is None for point in found.rows] == [False, True]
     assert friction_torque(scene).unknown == ()
 
 
@@ -135,7 +121,7 @@ def test_an_unknown_shoulder_is_said_and_undecided_where_a_low_one_would_cut(sce
     np.testing.assert_array_equal(np.isinf(torn.numerical_uncertainty), [False, True])
     (why,) = torn.unknown
     assert why.startswith("shoulder not known: a low one, of 0.1 ball diameters, would cut off 1")
-    assert torn.to_json()["points"][1]["uncertainty"]["numerical"] is None
+    assert torn.row(1).uncertainty.numerical is None
 
 
 def test_the_far_shoulder_cuts_too(scene: Scene) -> None:
@@ -168,13 +154,3 @@ def test_the_torque_with_unknown_shoulders_is_more_uncertain(scene: Scene) -> No
     # The farther one is the uncertainty, which is of the unknown torque: apart itself in the second order.
     np.testing.assert_allclose(grown, np.max(apart, axis=0), rtol=0.02, atol=1e-6)
     assert any("shoulder not known" in warning for warning in unknown.warnings)
-
-
-def test_a_ball_beyond_its_shoulder_is_refused_before_its_rotation_is_sought(
-    scene: Scene, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """The search takes seconds for loads that no groove holds: 3 kN m tilt the inner race out of the balls' way."""
-    monkeypatch.setattr("analytic.races.slide_freely", None)
-    tilted = replace(scene.operation, moment=3000.0)
-    with pytest.raises(InputError, match=r"beyond the \w+ race's shoulder: lower the load"):
-        friction_torque(replace(scene, spin_rule="free", operation=tilted, contact_angle=ContactAngle(rule="solved")))

@@ -5,7 +5,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from analytic.errors import InputError
 from analytic.races import loaded_balls_of
 from analytic.scene import Bearing, Operation
 from analytic.torque import friction_torque
@@ -23,12 +22,3 @@ def test_a_radial_load_takes_the_ring(bearing_6205: Bearing, radial_load: float,
     assert balls.load.shape == (2, 1, 1 if method == "thrust" else bearing_6205.ball_count)
     heaviest = friction_torque(scene).ball_load
     np.testing.assert_allclose(balls.load.max(), heaviest, rtol=1e-9)  # solved to 1e-12, with the same effects
-
-
-def test_an_operation_becomes_a_series_once() -> None:
-    series = Operation(axial_load=np.array([3.0, 5.0]), inner_speed=np.array([7.0])).as_series()
-    assert {values.shape for values in vars(series).values()} == {(2,)}
-    with pytest.raises(InputError, match="give at least one operating point"):
-        Operation(axial_load=np.array([]), inner_speed=np.array([])).as_series()
-    with pytest.raises(InputError, match="give equal lengths"):
-        Operation(axial_load=np.ones(2), inner_speed=np.ones(3)).as_series()

@@ -1,15 +1,13 @@
 """Effects are decided by trial: shares are measured, few points compute all, long series keep their tolerance."""
 
-import pickle
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from analytic.effects.table import COMPUTED, TRIED
-from analytic.effects.trial import FEW, Trial
+from analytic.effects.table import TRIED
+from analytic.effects.trial import FEW
 from analytic.result import FrictionTorque
 from analytic.scene import Bearing, Operation, Scene
 from analytic.solve.freely import FAR
@@ -115,16 +113,6 @@ def test_asperities_that_carry_load_count_whatever_they_change(bearing_6205: Bea
     assert "asperities carry up to" in asperities.reason
 
 
-@pytest.mark.parametrize("tolerance", [0.9, 0.05, 1e-7])
-def test_a_point_that_repeats_has_one_torque(bearing_6205: Bearing, tolerance: float) -> None:
-    scene = idling(bearing_6205)
-    many = Operation(axial_load=np.full(20, 61.0), inner_speed=np.full(20, 1.9), radial_load=np.full(20, 7.0))
-    found = friction_torque(replace(scene, tolerance=tolerance, operation=many))
-    np.testing.assert_array_equal(found.torque.total, found.torque.total[0])
-    whole = friction_torque(replace(scene, tolerance=1e-7, operation=many)).torque.total
-    assert np.all(np.abs(found.torque.total / whole - 1) <= found.numerical_uncertainty)
-
-
 def points_of(scene: Scene, chosen: NDArray[np.intp]) -> Operation:
     return Operation(**{name: values[chosen] for name, values in vars(scene.operation.as_series()).items()})
 
@@ -145,12 +133,6 @@ def assert_auto_meets_everything_on(scene: Scene) -> None:
     whole = friction_torque(replace(scene, tolerance=1e-7))  # into which nothing fits
     error = np.abs(found.torque.total / whole.torque.total - 1)
     assert np.all(error <= found.numerical_uncertainty + whole.numerical_uncertainty)
-
-
-@pytest.mark.parametrize("seed", range(30, 42))
-def test_what_auto_leaves_out_of_a_long_series_is_within_its_uncertainty(bearing_6205: Bearing, seed: int) -> None:
-    scene = drawn(bearing_6205, np.random.default_rng(seed), points=20 + 2 * (seed % 11))
-    assert_auto_meets_everything_on(replace(scene, tolerance=0.05, effects={}, sliding="auto"))
 
 
 @pytest.mark.parametrize("seed", range(100, 112))
@@ -211,24 +193,3 @@ def test_one_point_changes_no_other(rich: Scene, unlike: tuple[float, float]) ->
     others = np.arange(40) != 19
     np.testing.assert_allclose(mixed.torque.total[others], alike.torque.total[others], rtol=SAME)
     assert abs(mixed.torque.total[19] / alike.torque.total[19] - 1) > 0.1
-
-
-def test_shares_are_measured_when_read_and_survive_pickling(rich: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
-    found = friction_torque(rich)
-
-    def refused(*_: Any) -> Any:
-        raise AssertionError("measured")
-
-    with monkeypatch.context() as patch:
-        patch.setattr(Trial, "share", refused)
-        settled = found.settled(rich)
-        assert found.effects.decisions["asperities"] == "on"
-        assert found.is_on("centrifugal")
-        with pytest.raises(AssertionError, match="measured"):
-            list(found.effects)
-    assert set(settled.effects) >= set(COMPUTED)
-    for scene in (rich, drawn_scene(5)):  # the second one is a pair
-        found = friction_torque(scene)
-        copied = pickle.loads(pickle.dumps(friction_torque(scene)))
-        assert shares(copied) == shares(found)
-        assert None not in {shares(copied)[name] for name in TRIED if found.is_on(name)}

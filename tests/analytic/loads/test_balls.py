@@ -5,10 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from scipy.integrate import quad
-from scipy.optimize import brentq, minimize
+from scipy.optimize import minimize
 
-from analytic.errors import InputError
 from analytic.loads.balls import LoadedBalls, LoadEffects, loaded_balls, ring_balls
 from analytic.scene import (
     Autocorrelation,
@@ -175,26 +173,6 @@ def test_the_ring_without_side_load_is_the_closed_form(scene: Scene) -> None:
         np.testing.assert_allclose(each, np.broadcast_to(every, each.shape), rtol=1e-9)
 
 
-@pytest.mark.parametrize("count", [8, 9])
-def test_turning_the_radial_load_changes_nothing(scene: Scene, count: int) -> None:
-    """Eight balls look the same from both sides; nine differ by the pass of the balls."""
-    asked = replace(scene, bearing=replace(scene.bearing, ball_count=count))
-    np.testing.assert_allclose(
-        torque(asked, radial_load=-210.0, moment=-0.4),
-        torque(asked, radial_load=210.0, moment=0.4),
-        rtol=1e-9 if count == 8 else 2e-3,  # the ring's iteration; the pass of nine balls
-    )
-
-
-@pytest.mark.parametrize("count", [1, 2])
-def test_few_balls_carry_their_part_of_the_thrust(scene: Scene, count: int) -> None:
-    few = replace(scene, bearing=replace(scene.bearing, ball_count=count))
-    part = torque(few, radial_load=0.0, axial_load=310.0 * count / 9)
-    np.testing.assert_allclose(part, torque(scene, radial_load=0.0) * count / 9, rtol=1e-9)  # the ring's iteration
-    with pytest.raises(InputError, match=rf"ball_count = {count} carries thrust alone"):
-        torque(few)
-
-
 @pytest.fixture(scope="module")
 def oiled(scene: Scene) -> Scene:
     more = dict.fromkeys(("asperities", "inlet_heating", "starvation", "hysteresis", "rolling"), "on")
@@ -229,20 +207,6 @@ def test_balls_without_load_have_no_friction_to_move_them(scene: Scene, speed: f
     alone = replace(scene, operation=operation(0.0, 50.0, speed), effects={**ALL, "centrifugal": "off"})
     still = replace(alone, effects={**ALL, "centrifugal": "off", "gyroscopic": "off"})
     np.testing.assert_allclose(torque(alone), torque(still), rtol=1e-6)  # angles, and so moments, are 0
-
-
-def test_pure_radial_load_spreads_as_the_cosine(scene: Scene) -> None:
-    """Without clearance delta_j = delta cos(psi), Q as delta^1.5: the heaviest has Fr/sum cos^2.5, near 4.37 Fr/Z."""
-    closed = replace(scene, contact_angle=ContactAngle(rule="solved", free=0.0), operation=operation(0.0, 730.0, 3.0))
-    rest = replace(closed, effects=dict.fromkeys(("centrifugal", "gyroscopic", "finite_geometry"), "off"))
-    cosine = np.cos(2 * np.pi * np.arange(9) / 9)
-    heaviest = 730.0 / np.sum(np.maximum(cosine, 0) ** 2.5)
-    found = friction_torque(rest)
-    np.testing.assert_allclose(found.ball_load, heaviest, rtol=2e-3)  # approaches against A0, where angles stay
-    many = replace(rest, bearing=replace(rest.bearing, ball_count=90))
-    top, _ = quad(lambda psi: np.cos(psi) ** 2.5 / np.pi, 0, np.pi / 2)
-    np.testing.assert_allclose(friction_torque(many).ball_load, 730.0 / 90 / top, rtol=1e-3)
-    assert friction_torque(replace(rest, effects={})).torque.total[0] > 0
 
 
 THICK = replace(OIL, traction="eyring_constant", viscosity=0.6)
@@ -320,30 +284,6 @@ def test_the_torque_is_continuous_where_sides_change(scene: Scene, oiled: Scene)
         closes(lambda radial, each=each: torque(each, radial_load=radial), 0.0, (1.0, 0.1))
         closes(lambda moment, each=each: torque(each, radial_load=40.0, moment=moment), 0.0, (1e-2, 1e-3))
     closes(lambda speed: torque(scene, inner_speed=speed), 0.0, (10.0, 1.0))  # force and moment of the balls end
-
-
-def test_the_torque_is_continuous_where_spin_begins_and_is_full(scene: Scene) -> None:
-    still = {**ALL, **dict.fromkeys(("load_distribution", "centrifugal", "gyroscopic", "finite_geometry"), "off")}
-    held = replace(scene, spin_rule="outer_control", effects=still, operation=operation(310.0, 0.0, 20.0))
-
-    def at(angle: float, load: float = 310.0) -> float:
-        """Under the same load of each ball."""
-        found = replace(held, contact_angle=ContactAngle(rule="given", value=angle))
-        return torque(found, axial_load=load * np.sin(angle))
-
-    def spin_to_roll(angle: float) -> float:
-        found = replace(held, contact_angle=ContactAngle(rule="given", value=angle))
-        run = replace(found.operation, axial_load=np.array([310.0 * np.sin(angle)]))
-        result = friction_torque(replace(found, operation=run))
-        rolls, spin = motion(scene.bearing, angle, angle)
-        radius = 2 * 4.13e-3 * 3.97e-3 / (4.13e-3 + 3.97e-3)
-        return float(spin / rolls[0] * radius / result.inner.semi_axis_transverse[0])
-
-    full = brentq(lambda angle: spin_to_roll(angle) - 0.5, 1e-3, 0.6)
-    closes(at, full, (1e-3, 1e-4))
-    start, near, nearer = (at(angle) for angle in (1e-7, 1e-4, 1e-5))
-    assert abs(nearer - start) <= 0.2 * abs(near - start) + 1e-9 * start
-    assert abs(near - start) < 1e-4 * start
 
 
 def test_the_torque_is_continuous_as_roughness_and_speed_vanish(oiled: Scene) -> None:

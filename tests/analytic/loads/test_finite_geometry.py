@@ -16,25 +16,6 @@ SOLVED = ContactAngle(rule="solved", free=0.18)
 STILL = LoadEffects(load_distribution=False, centrifugal=False, gyroscopic=False)
 
 
-def test_each_load_takes_its_own_factors(bearing_6205: Bearing) -> None:
-    """Many loads at once give what each gives alone, in the corrected equilibrium too."""
-    loads = np.array([90.0, 400.0, 1500.0])
-    together = thrust_correction(bearing_6205, SOLVED, axial_load=loads)
-    balls = thrust_equilibrium(bearing_6205, SOLVED, axial_load=loads, correction=together.correction)
-    assert together.warnings == ()
-    for number, load in enumerate(loads):
-        alone = thrust_correction(bearing_6205, SOLVED, axial_load=load)
-        for race in ("inner", "outer"):
-            for name in NAMES:
-                many, one = (getattr(getattr(each, race).factors, name) for each in (together, alone))
-                np.testing.assert_allclose(many[number], one, rtol=1e-12)  # round-off
-        single = thrust_equilibrium(bearing_6205, SOLVED, axial_load=load, correction=alone.correction)
-        # Tolerance: that of the root
-        np.testing.assert_allclose(balls.contact_angle[number], single.contact_angle, rtol=1e-12)
-    balance = (bearing_6205.groove_centre_distance + balls.approach) * np.cos(balls.contact_angle)
-    np.testing.assert_allclose(balance, bearing_6205.groove_centre_distance * np.cos(0.18), rtol=1e-13)  # round-off
-
-
 def test_factors_at_the_hertz_equilibrium_are_those_at_the_corrected_one(bearing_6205: Bearing) -> None:
     """Once more from the equilibrium of the corrected contacts: the iteration that thrust_correction leaves out."""
     loads = np.array([50.0, 1000.0, 3000.0])

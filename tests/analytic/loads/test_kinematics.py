@@ -53,39 +53,6 @@ def test_nothing_slips_at_the_centres(inner: float, outer: float, inner_angle: f
     np.testing.assert_allclose(spin[1], 0.0, atol=1e-12)  # outer control; round-off of rates of some 100 rad/s
 
 
-def test_6205_at_500_rpm() -> None:
-    """By hand: R_i = 19.505 - 3.97 cos 0.3031 = 15.716, R_o = 23.294 mm."""
-    motion = kinematics(52.36, 0.0)
-    # Tolerance: 5 digits
-    np.testing.assert_allclose([motion.inner_radius, motion.outer_radius], [15.716e-3, 23.294e-3], rtol=5e-5)
-    np.testing.assert_allclose(motion.cage_speed, 52.36 * 15.716 / 39.01, rtol=1e-4)
-    np.testing.assert_allclose(motion.entrainment_speed, [52.36 * 15.716e-3 * 23.294 / 39.01] * 2, rtol=1e-4)
-    np.testing.assert_allclose(motion.inner_rolling_rate, 52.36 * 23.294 / 7.94, rtol=1e-4)
-    np.testing.assert_allclose(motion.outer_rolling_rate, 52.36 * 15.716 / 7.94, rtol=1e-4)
-
-
-def test_turning_the_other_way_mirrors_every_speed_and_standing_still_stops_them() -> None:
-    speeds = [name for name in vars(kinematics(3.0, 0.0)) if not name.endswith(("radius", "pitch"))]
-    for name in speeds:
-        forth, back, still = (getattr(kinematics(speed, 0.0), name) for speed in (52.4, -52.4, 0.0))
-        assert forth == -back > 0
-        assert still == 0
-
-
-def test_operating_points_broadcast() -> None:
-    series = ball_kinematics(
-        inner_speed=[[10.0], [-20.0]],
-        inner_angle=[0.1, 0.2, 0.3],
-        outer_angle=[0.1, 0.2, 0.25],
-        pitch_diameter=PITCH,
-        ball_diameter=BALL,
-    )
-    one = kinematics(-20.0, 0.0, 0.3, 0.25)
-    for name, values in vars(series).items():
-        assert values.shape == (2, 3)
-        assert values[1, 2] == getattr(one, name)
-
-
 @pytest.mark.parametrize(
     ("change", "words"),
     [

@@ -1,4 +1,4 @@
-"""The ring's equilibrium against its energy, the thrust closed form, balance of forces and Euler's equation."""
+"""The ring's equilibrium against its energy, the thrust closed form, and Euler's equation."""
 
 from dataclasses import replace
 from typing import Any
@@ -11,10 +11,10 @@ from hypothesis import given
 
 from analytic.contact.factors import ContactCorrection, ContactFactors
 from analytic.errors import InputError
-from analytic.loads.kinematics import ball_kinematics
 from analytic.loads.ring import RingEquilibrium, ring_equilibrium
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.scene import Bearing, ContactAngle, Material
+from tests.analytic.specimens import with_clearance
 
 SOLVED = ContactAngle(rule="solved")
 MIXED: dict[str, Any] = {
@@ -24,13 +24,6 @@ MIXED: dict[str, Any] = {
     "moment_x": 0.7,
     "moment_y": -1.9,
 }
-
-
-def with_clearance(bearing: Bearing, clearance: float, *, ball_count: int = 9) -> Bearing:
-    """The bearing with its outer ring opened to this diametral clearance, m; negative is preload."""
-    touching = bearing.inner.bottom_radius + bearing.ball_diameter
-    outer = replace(bearing.outer, bottom_radius=touching + clearance / 2)
-    return replace(bearing, outer=outer, ball_count=ball_count)
 
 
 def reference_arm(bearing: Bearing) -> float:
@@ -130,34 +123,6 @@ def test_the_load_is_the_gradient_of_the_elastic_energy(bearing_6205: Bearing, c
     np.testing.assert_allclose(equilibrium.stiffness / scale, tangent / scale, atol=1e-8)  # the differences' own error
 
 
-def test_forces_and_moments_balance_as_vectors(bearing_6205: Bearing) -> None:
-    equilibrium = ring_equilibrium(bearing_6205, SOLVED, **MIXED)
-    balance = force_and_moment(bearing_6205, equilibrium.inner_angle, equilibrium.inner_load)
-    np.testing.assert_allclose(balance, list(MIXED.values()), rtol=1e-9)
-    np.testing.assert_array_equal(equilibrium.inner_load, equilibrium.outer_load)
-    for race in contacts(equilibrium):  # Hertz at each ball's own angle
-        np.testing.assert_allclose(race.stiffness * race.approach**1.5, equilibrium.inner_load, rtol=1e-12)
-    reach = np.hypot(
-        *(
-            bearing_6205.groove_centre_distance - bearing_6205.diametral_clearance / 2 + offset
-            if axis == "radial"
-            else offset
-            for axis, offset in travel(bearing_6205, equilibrium).items()
-        )
-    )
-    approach = np.maximum(reach - bearing_6205.groove_centre_distance, 0)
-    # Tolerance: round-off of A0, m
-    np.testing.assert_allclose(equilibrium.inner.approach + equilibrium.outer.approach, approach, atol=1e-15)
-
-
-def travel(bearing: Bearing, equilibrium: RingEquilibrium) -> dict[str, np.ndarray]:
-    """Radial and axial displacement of the inner groove at each ball, m."""
-    axial, x, y, tilt_x, tilt_y = equilibrium.displacement
-    cosine, sine = np.cos(equilibrium.azimuth), np.sin(equilibrium.azimuth)
-    arm = reference_arm(bearing)
-    return {"radial": x * cosine + y * sine, "axial": axial + arm * (tilt_x * sine - tilt_y * cosine)}
-
-
 @given(
     ball_count=st.integers(3, 20),
     clearance=st.floats(-20e-6, 40e-6),
@@ -177,46 +142,6 @@ def test_any_load_is_carried(
     scale = np.abs(expected).max() + equilibrium.inner_load.max()
     rounding = 1e-15 * np.trace(equilibrium.stiffness[:3, :3]) * 1e-3  # round-off of a place of up to 1 mm, N
     np.testing.assert_allclose(balance, expected, rtol=0, atol=1e-11 * scale + rounding)
-
-
-def test_turning_the_load_by_a_pitch_turns_the_balls(bearing_6205: Bearing) -> None:
-    turn = 2 * np.pi / 9
-    cosine, sine = np.cos(turn), np.sin(turn)
-
-    def turned(x: float, y: float) -> tuple[float, float]:
-        return x * cosine - y * sine, x * sine + y * cosine
-
-    x, y = turned(MIXED["radial_load_x"], MIXED["radial_load_y"])
-    about_x, about_y = turned(MIXED["moment_x"], MIXED["moment_y"])
-    one = ring_equilibrium(bearing_6205, SOLVED, **MIXED, inner_speed=730.0)
-    other = ring_equilibrium(
-        bearing_6205,
-        SOLVED,
-        axial_load=MIXED["axial_load"],
-        radial_load_x=x,
-        radial_load_y=y,
-        moment_x=about_x,
-        moment_y=about_y,
-        inner_speed=730.0,
-    )
-    for field in ("inner_load", "outer_angle", "gyroscopic_moment"):
-        values = getattr(one, field)
-        close = 1e-8 * np.abs(values).max()  # residual over the softest ball
-        np.testing.assert_allclose(getattr(other, field), np.roll(values, 1), rtol=0, atol=close)
-
-
-def test_points_of_a_series_are_those_alone(bearing_6205: Bearing) -> None:
-    loads, radial = np.array([[40.0], [900.0]]), np.array([0.0, 70.0, 2100.0])
-    series = ring_equilibrium(bearing_6205, SOLVED, axial_load=loads, radial_load_y=radial, inner_speed=300.0)
-    assert series.inner_load.shape == series.outer.peak_pressure.shape == (2, 3, 9)
-    assert (series.displacement.shape, series.stiffness.shape, series.residual.shape) == (
-        (2, 3, 5),
-        (2, 3, 5, 5),
-        (2, 3),
-    )
-    alone = ring_equilibrium(bearing_6205, SOLVED, axial_load=900.0, radial_load_y=70.0, inner_speed=300.0)
-    np.testing.assert_allclose(series.inner_load[1, 1], alone.inner_load, rtol=1e-10)  # tolerance of the residual
-    np.testing.assert_allclose(series.inner.semi_axis_y[1, 1], alone.inner.semi_axis_y, rtol=1e-10)
 
 
 def test_no_load_leaves_the_play_and_a_preload_holds_its_balls(bearing_6205: Bearing) -> None:
@@ -303,28 +228,6 @@ def test_a_ring_that_hardly_touches_settles_under_a_moment(bearing_6205: Bearing
     np.testing.assert_allclose(borne, [1e-3, 0.0, 0.0, 0.224, across], atol=2e-8)
 
 
-def test_speed_parts_the_contact_angles_and_vanishes_with_them(bearing_6205: Bearing) -> None:
-    speeds = np.array([0.0, 1e-3, 400.0, 1600.0])
-    equilibrium = ring_equilibrium(bearing_6205, SOLVED, axial_load=520.0, inner_speed=speeds)
-    np.testing.assert_allclose(equilibrium.inner_load[1], equilibrium.inner_load[0], rtol=1e-9)  # F_c/Q is 1e-13
-    np.testing.assert_allclose(equilibrium.outer_angle[1], equilibrium.outer_angle[0], rtol=1e-9)
-    assert np.all(np.diff(equilibrium.inner_angle[1:, 0]) > 0)
-    assert np.all(np.diff(equilibrium.outer_angle[1:, 0]) < 0)
-    assert np.all(np.diff(equilibrium.outer_load[1:, 0]) > 0)
-    at_rest = ball_kinematics(
-        inner_speed=1e-3,
-        inner_angle=equilibrium.inner_angle[1, 0],
-        outer_angle=equilibrium.outer_angle[1, 0],
-        pitch_diameter=39.01e-3,
-        ball_diameter=7.94e-3,
-    )
-    orbit = 2.04e-3 * 39.01e-3 / 2 * at_rest.cage_speed**2
-    np.testing.assert_allclose(equilibrium.centrifugal_force[1], np.full(9, orbit), rtol=1e-9)  # the angles still agree
-    backwards = ring_equilibrium(bearing_6205, SOLVED, axial_load=520.0, inner_speed=-speeds)
-    # Both forces go with the square
-    np.testing.assert_allclose(backwards.inner_load, equilibrium.inner_load, rtol=1e-12)
-
-
 @pytest.mark.parametrize(
     ("angle", "changed", "words"),
     [
@@ -333,11 +236,7 @@ def test_speed_parts_the_contact_angles_and_vanishes_with_them(bearing_6205: Bea
         (ContactAngle(rule="given", value=0.18), {}, ("rule 'given'", "'solved'")),
         (ContactAngle(rule="solved", free=18.0), {}, ("free", "18.0", "degrees")),
         (SOLVED, {"radial_load_x": 1e9}, ("radial load of 1e+06 kN moves the rings", "grooves: lower the load")),
-        (
-            SOLVED,
-            {"inner_speed": [70.0, 1e5]},
-            ("the speed, 954930 rpm, drives", "out of its groove", "lower the speed"),
-        ),
+        (SOLVED, {"inner_speed": [70.0, 1e5]}, ("954930 rpm", "lower the speed")),
     ],
 )
 def test_impossible_input_is_refused(

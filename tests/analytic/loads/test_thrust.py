@@ -1,35 +1,20 @@
-"""Thrust equilibrium against the balances that define it, its limits, and an energy."""
+"""Thrust equilibrium against the balances that define it and another program."""
 
 from dataclasses import replace
 
-import hypothesis.strategies as st
 import numpy as np
 import pytest
-from hypothesis import given
-from scipy.optimize import minimize_scalar
 
 from analytic.contact.hertz import contact_modulus, hertz_contact
 from analytic.errors import InputError
 from analytic.loads.numbers import free_angle
 from analytic.loads.thrust import ThrustEquilibrium, thrust_equilibrium, thrust_equilibrium_frozen
 from analytic.scene import Bearing, ContactAngle
+from tests.analytic.specimens import with_clearance
 from tests.contacts import PEEK
 
 SOLVED = ContactAngle(rule="solved")
 LOADS = 10.0 ** np.arange(-12, 13, 2)  # N, from nothing to what no bearing survives
-
-
-def with_clearance(bearing: Bearing, clearance: float) -> Bearing:
-    """The bearing with its outer ring opened to this diametral clearance, m; negative is preload."""
-    touching = bearing.inner.bottom_radius + bearing.ball_diameter
-    return replace(bearing, outer=replace(bearing.outer, bottom_radius=touching + clearance / 2))
-
-
-def order(bearing: Bearing, angle: ContactAngle, quantity: str, load: float) -> float:
-    """Local exponent of a quantity of the equilibrium in the load."""
-    balls = thrust_equilibrium(bearing, angle, axial_load=[load, 2 * load])
-    low, high = getattr(balls, quantity)
-    return float(np.log2(high / low))
 
 
 def assert_balanced(balls: ThrustEquilibrium, bearing: Bearing, load: np.ndarray) -> None:
@@ -54,12 +39,10 @@ def test_forces_and_distances_balance_at_any_load(bearing_6205: Bearing, clearan
         np.testing.assert_allclose(one.contact_angle, balls.contact_angle[index], rtol=1e-13)  # alone or in a series
     assert np.all(np.diff(balls.contact_angle) >= 0)
     assert np.all(balls.contact_angle < np.pi / 2)
-
-
-@given(log_load=st.floats(-6, 5), clearance=st.floats(-30e-6, 60e-6))
-def test_any_load_and_clearance_balance(bearing_6205: Bearing, log_load: float, clearance: float) -> None:
-    bearing, load = with_clearance(bearing_6205, clearance), np.asarray(10.0**log_load)
-    assert_balanced(thrust_equilibrium(bearing, SOLVED, axial_load=load), bearing, load)
+    if clearance:  # at 0 its round-off decides
+        assert (balls.free_angle is None) == (clearance < 0)
+    if balls.free_angle is not None:
+        np.testing.assert_allclose(np.cos(balls.free_angle), 1 - clearance / (2 * 0.40e-3), rtol=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -89,62 +72,6 @@ def test_6205_at_a_given_angle(bearing_6205: Bearing) -> None:
     assert balls.free_angle is None
 
 
-def test_018_rad_is_no_loaded_angle_of_the_6205(bearing_6205: Bearing) -> None:
-    """Held at 0.18 rad under 1000 N the grooves would have to come closer than they can: cos al0 > 1."""
-    balls = thrust_equilibrium(bearing_6205, ContactAngle(rule="given", value=0.18), axial_load=1000.0)
-    distance = bearing_6205.groove_centre_distance
-    assert np.cos(0.18) * (distance + balls.approach) / distance > 1.02
-
-
-def test_the_axial_load_is_the_slope_of_the_elastic_energy(bearing_6205: Bearing) -> None:
-    """Virtual work: Fa dz = dU, where each ball shares the approach between the races so that U is least.
-
-    The stiffnesses are held: the equilibrium lets the force act along the contact's normal.
-    """
-    load = 731.0
-    balls = thrust_equilibrium(bearing_6205, SOLVED, axial_load=load)
-    springs = float(balls.inner.stiffness), float(balls.outer.stiffness)
-    radial = bearing_6205.groove_centre_distance - bearing_6205.diametral_clearance / 2
-    axial = radial * np.tan(float(balls.contact_angle))
-
-    def energy(axial: float) -> float:
-        approach = np.hypot(radial, axial) - bearing_6205.groove_centre_distance
-
-        def shared(inner: float) -> float:
-            return 0.4 * (springs[0] * inner**2.5 + springs[1] * (approach - inner) ** 2.5)
-
-        return bearing_6205.ball_count * minimize_scalar(shared, bounds=(0, approach), options={"xatol": 1e-14}).fun
-
-    step = 2e-8  # m: against an approach of 12 um the difference's own error is 1e-6
-    slope = (energy(axial + step) - energy(axial - step)) / (2 * step)
-    np.testing.assert_allclose(slope, load, rtol=1e-5)
-
-
-def test_small_loads_follow_the_known_powers(bearing_6205: Bearing) -> None:
-    close = 2e-3  # the next power of the load is this small at the loads chosen
-    angled, flat, tight = (with_clearance(bearing_6205, clearance) for clearance in (20e-6, 0.0, -14e-6))
-    np.testing.assert_allclose(order(angled, SOLVED, "ball_load", 1e-9), 1, atol=close)
-    np.testing.assert_allclose(order(angled, SOLVED, "approach", 1e-9), 2 / 3, atol=close)
-    zero = ContactAngle(rule="solved", free=0.0)  # opening a ring in floating point leaves a clearance of 1e-18 m
-    np.testing.assert_allclose(order(flat, zero, "contact_angle", 1e-9), 1 / 4, atol=close)  # Q ~ al^3, Fa ~ al^4
-    np.testing.assert_allclose(order(flat, zero, "ball_load", 1e-9), 3 / 4, atol=close)
-    np.testing.assert_allclose(order(tight, SOLVED, "contact_angle", 1e-9), 1, atol=close)  # Q stays at the preload's
-    np.testing.assert_allclose(order(tight, SOLVED, "ball_load", 1e-9), 0, atol=close)
-
-
-def test_a_small_load_leaves_the_free_angle(bearing_6205: Bearing) -> None:
-    balls = thrust_equilibrium(bearing_6205, SOLVED, axial_load=1e-12)
-    assert balls.free_angle is not None
-    np.testing.assert_allclose(balls.contact_angle, balls.free_angle, rtol=1e-9)  # delta/A0 is 2e-11
-    np.testing.assert_allclose(np.cos(balls.free_angle), 1 - 20e-6 / (2 * 0.40e-3), rtol=1e-12)
-
-
-def test_a_preloaded_ball_carries_its_interference(bearing_6205: Bearing) -> None:
-    balls = thrust_equilibrium(with_clearance(bearing_6205, -14e-6), SOLVED, axial_load=1e-12)
-    assert balls.free_angle is None
-    np.testing.assert_allclose(balls.approach, 7e-6, rtol=1e-9)  # one ball: half of the interference on the diameter
-
-
 def test_each_race_has_its_own_material(bearing_6205: Bearing) -> None:
     """At one ball load a soft outer ring leaves the inner contact as it is; delta ~ E*^(-2/3) on the outer."""
     given = ContactAngle(rule="given", value=0.18)
@@ -154,14 +81,6 @@ def test_each_race_has_its_own_material(bearing_6205: Bearing) -> None:
     steel_side = (1 - 0.3**2) / 206e9
     ratio = (2 * steel_side / (steel_side + (1 - 0.38**2) / 3.6e9)) ** (2 / 3)
     np.testing.assert_allclose(hard.outer.approach / mixed.outer.approach, ratio, rtol=1e-12)  # round-off
-
-
-def test_more_clearance_gives_a_steeper_angle(bearing_6205: Bearing) -> None:
-    angles = [
-        float(thrust_equilibrium(with_clearance(bearing_6205, c), SOLVED, axial_load=900.0).contact_angle)
-        for c in (-20e-6, 0.0, 13e-6, 37e-6)
-    ]
-    assert np.all(np.diff(angles) > 0.01)
 
 
 @pytest.mark.parametrize(

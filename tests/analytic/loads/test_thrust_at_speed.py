@@ -18,14 +18,10 @@ from analytic.loads.thrust import ThrustAtSpeed, thrust_at_speed, thrust_equilib
 from analytic.loads.thrust_ball import first_contacts, thrust_point
 from analytic.loads.turning import RuledTurning, TurningRule
 from analytic.scene import Bearing, ContactAngle, Operation
+from tests.analytic.specimens import with_clearance
 
 SOLVED = ContactAngle(rule="solved")
 FIELDS = "inner_load", "outer_load", "inner_angle", "outer_angle"
-
-
-def with_clearance(bearing: Bearing, clearance: float) -> Bearing:
-    touching = bearing.inner.bottom_radius + bearing.ball_diameter
-    return replace(bearing, outer=replace(bearing.outer, bottom_radius=touching + clearance / 2))
 
 
 def assert_at_rest(balls: ThrustAtSpeed, bearing: Bearing, load: float, speed: float) -> None:

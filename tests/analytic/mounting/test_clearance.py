@@ -10,10 +10,9 @@ from analytic.errors import InputError
 from analytic.loads.ring import ring_equilibrium
 from analytic.mounting.clearance import Mounting, mounted
 from analytic.scene import Bearing, Clearances, ContactAngle, Groove, Material
+from tests import contacts
 
-STEEL = Material(
-    name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="test", thermal_expansion=12.5e-6
-)
+STEEL = replace(contacts.STEEL, thermal_expansion=12.5e-6)
 ALUMINIUM = Material(
     name="aluminium", youngs_modulus=70e9, poisson_ratio=0.33, density=2700.0, source="test", thermal_expansion=23.5e-6
 )

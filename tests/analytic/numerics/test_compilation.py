@@ -7,12 +7,11 @@ import sys
 import time
 from inspect import unwrap
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import pytest
 
-from analytic.numerics import compilation
 from analytic.numerics.compilation import COMPILING, FOLDER, PREFIX, UNUSED, compiled
 from analytic.scene import Array
 
@@ -179,16 +178,6 @@ def test_damaged_files_are_compiled_again(program: Path, tmp_path: Path, how: st
     assert run(program, tmp_path / "cache") == (21.25, "")
 
 
-def test_foreign_files_do_no_harm(program: Path, tmp_path: Path) -> None:
-    cache = tmp_path / "cache"
-    assert run(program, cache)[0] == 21.25
-    for folder in {cache, *(file.parent for file in kept_files(cache))}:
-        (folder / "foreign.txt").write_text("of somebody else")
-    assert run(program, cache) == (21.25, "")
-    (cache / f"{PREFIX}0").write_text("a file where a folder is expected")
-    assert run(program, cache) == (21.25, "")
-
-
 def test_without_a_writable_folder_the_answer_is_the_same(program: Path, tmp_path: Path) -> None:
     (tmp_path / "file").touch()
     number, said = run(program, tmp_path / "file" / "cache")  # as a home that cannot be written, for the superuser too
@@ -256,13 +245,3 @@ def test_threads_may_make_the_first_call_together(program: Path, tmp_path: Path)
         process = start(program, tmp_path / "cache", THREADS)
         out, said = process.communicate(timeout=300)
         assert (process.returncode, out) == (0, "21.0 21.25\n"), said
-
-
-def test_a_user_keeps_numbas_own_settings() -> None:
-    from numba.core import config
-
-    settings: Any = config  # it has no types
-    before = settings.CACHE_DIR
-    assert powers_of(2.0)[0] == pytest.approx(2**0.3, rel=1e-14)
-    assert before == settings.CACHE_DIR
-    assert compilation.cache_folder().is_absolute()

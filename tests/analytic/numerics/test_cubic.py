@@ -20,18 +20,6 @@ def test_a_smooth_spline_is_that_of_scipy() -> None:
     assert np.isnan(cubic_at(cubics, pieces, np.nan)).all()
 
 
-def test_a_monotone_spline_falls_everywhere_through_its_points() -> None:
-    y = -np.cumsum(np.random.default_rng(6).uniform(0.0, 1.0, 41) ** 4)
-    cubics, (pieces,) = together(monotone_cubic(X, y))
-    inside = ANYWHERE[np.abs(ANYWHERE - (X[0] + X[-1]) / 2) <= (X[-1] - X[0]) / 2]
-    values, slopes = np.array([cubic_at(cubics, pieces, x) for x in inside]).T
-    assert np.all(np.diff(values) <= 0)
-    assert np.all(slopes <= 1e-12)  # round-off
-    assert slopes[0] < 0
-    assert slopes[-1] < 0
-    np.testing.assert_allclose([cubic_at(cubics, pieces, x)[0] for x in X], y, atol=1e-13)
-
-
 def test_a_monotone_spline_is_that_of_scipy_but_for_its_ends() -> None:
     y = np.cumsum(np.random.default_rng(8).uniform(-0.4, 1.0, 41))  # falls here and there, so that slopes are 0
     whole = PchipInterpolator(X, y)

@@ -1,19 +1,15 @@
-"""The shared load against a root in 40 digits, the digits of another program, and another unknown."""
+"""The shared load against a root in 40 digits, and the digits of another program."""
 
 import mpmath
 import numpy as np
 import pytest
-from scipy.integrate import quad
-from scipy.optimize import brentq
-from scipy.stats import norm
+from mpmath import mpf
 
 from analytic.oil.mixed import _inverse_cubic
 from analytic.scene import AsperityLaw
-from analytic.surface.asperity import asperity_load
-from analytic.surface.moments import Summits
-from analytic.surface.truncated_gap import TruncatedGap
-from tests.analytic.oil.mixed_contacts import ACCURACY, CONTACT, OIL, E, H, area, mixed, rough, smooth_film
+from tests.analytic.oil.mixed_contacts import ACCURACY, CONTACT, OIL, E, area, mixed, rough
 from tests.analytic.specimens import hertzian
+from tests.validation.hard.lubrication_exact import film, log_over_summits, mean_gap
 
 
 def test_the_next_step_is_exact_where_the_root_is_a_cubic_of_the_value() -> None:
@@ -27,55 +23,17 @@ def test_the_next_step_is_exact_where_the_root_is_a_cubic_of_the_value() -> None
     assert here + step == pytest.approx(0.7, rel=1e-13)  # differences of numbers near 1, over a step of 0.16
 
 
-def printed_film(share: mpmath.mpf, **changed: float) -> mpmath.mpf:
-    """The film formula as printed, of the load F (1 - s) and the modulus E* (1 - s)."""
-    q, given = mpmath.mpf, CONTACT | OIL | changed
-    r_x, stiff = 1 / q(given["curvature_rolling"]), 2 * q(given["modulus"]) * (1 - share)
-    u = 2 * q(given["viscosity"]) * given["entrainment_speed"] / (stiff * r_x)
-    m = q(given["load"]) * (1 - share) / (stiff * r_x**2) * u ** q("-0.75")
-    ell, lam = given["pressure_viscosity"] * stiff * mpmath.root(u, 4), q(given["curvature_transverse"]) * r_x
-    elastic = 1 + q("0.006") * mpmath.log(lam) + q("0.63") * lam ** (q(4) / 7)
-    ri = 145 * (1 + q("0.796") * lam ** (q(14) / 15)) ** (-q(15) / 7) / lam / m**2
-    rp = q("1.29") * (1 + q("0.691") * lam) ** (-q(2) / 3) * ell ** (q(2) / 3)
-    ei = q("3.18") * elastic ** (-q(14) / 25) * lam ** (-q(1) / 15) * m ** (-q(2) / 15)
-    ep = q("1.48") * elastic ** (-q(7) / 20) * lam ** (-q(1) / 24) * m ** (-q(1) / 12) * ell ** q("0.75")
-    s = 1.5 * (1 + mpmath.exp(-q("1.2") * ei / ep))
-    left = (ri ** q("1.5") + (ei**-4 + (q("1.8") / lam) ** -4) ** (-q(3) / 8)) ** (2 * s / 3)
-    return r_x * mpmath.sqrt(u) * (left + (rp**-8 + ep**-8) ** (-s / 8)) ** (1 / s)
-
-
-def printed_gap(d: mpmath.mpf, gap: TruncatedGap) -> mpmath.mpf:
-    """sigma [phi(x) + x Phi(x)], which cancels by no more than the digits there are."""
-    sigma = mpmath.mpf(gap.deviation)
-    x = d / sigma
-    density = mpmath.exp(-(x**2) / 2) / mpmath.sqrt(2 * mpmath.pi)
-    return sigma * (density + x * mpmath.erfc(-x / mpmath.sqrt(2)) / 2)
-
-
-def printed_pressure(separation: mpmath.mpf, summits: Summits) -> mpmath.mpf:
-    """Of the asperities, as printed, by quadrature over the heights of the summits."""
-    q = mpmath.mpf
-    radius, s = q(float(summits.radius)), q(float(summits.height_deviation))
-    d = separation - q(float(summits.mean_height))
-    w1 = (3 * mpmath.pi * q("0.4") * q(H) / (4 * q(E))) ** 2 * radius
-    w2 = 54 * w1
-
-    def load(z: mpmath.mpf) -> mpmath.mpf:
-        w = z - d
-        if w < w1:
-            force = q(4) / 3 * q(E) * mpmath.sqrt(radius) * w * mpmath.sqrt(w)
-        elif w < w2:
-            t = (w - w1) / (w2 - w1)
-            pressure = q(H) * (1 - q("0.6") * (mpmath.log(w2) - mpmath.log(w)) / (mpmath.log(w2) - mpmath.log(w1)))
-            force = pressure * mpmath.pi * radius * w * (1 - 2 * t**3 + 3 * t**2)
-        else:
-            force = 2 * mpmath.pi * radius * w * q(H)
-        return force * mpmath.exp((max(d, 0) ** 2 - z**2) / (2 * s**2)) / (s * mpmath.sqrt(2 * mpmath.pi))
-
-    bottom, top = max(d, -14 * s), mpmath.sqrt(max(d, 0) ** 2 + 200 * s**2)
-    steps = [bottom + (top - bottom) * part / 16 for part in (1, 2, 4, 8)]
-    breaks = {bottom, top, *(x for x in (d + w1, d + w2, *steps) if bottom < x < top)}
-    return q(float(summits.density)) * mpmath.quad(load, sorted(breaks)) * mpmath.exp(-(max(d, 0) ** 2) / (2 * s**2))
+def film_of(share: mpf, given: dict[str, float]) -> mpf:
+    """Of the load F (1 - s) and the modulus E* (1 - s)."""
+    names = {
+        "along": "curvature_rolling",
+        "across": "curvature_transverse",
+        "load": "load",
+        "modulus": "modulus",
+        "speed": "entrainment_speed",
+        "alpha": "pressure_viscosity",
+    }
+    return film(**{name: given[key] for name, key in names.items()}, borne=1 - share)
 
 
 @pytest.mark.parametrize(
@@ -91,27 +49,31 @@ def printed_pressure(separation: mpmath.mpf, summits: Summits) -> mpmath.mpf:
 )
 def test_the_root_of_the_printed_equations_in_40_digits(sq: float, changed: dict[str, float]) -> None:
     """The unknown is the separation of the mean planes, from which everything follows without an inverse."""
-    gap, given = rough(sq), CONTACT | changed
+    gap, given = rough(sq), CONTACT | OIL | changed
     found = mixed(gap, **changed)
     log_pressure = np.log(found.asperity_share * given["load"] / area(given["load"]))
     start, slope = (float(part) for part in gap.asperities.separation(log_pressure))
     step = -0.1 * slope * (1 - float(found.asperity_share))  # a tenth of 1 - s
     with mpmath.workdps(40):
-        nominal = mpmath.mpf(area(given["load"]))
+        nominal, summits = mpf(area(given["load"])), gap.asperities.summits
+        of = tuple(
+            mpf(float(each))
+            for each in (summits.density, summits.radius, summits.height_deviation, summits.mean_height)
+        )
 
-        def share(d: mpmath.mpf) -> mpmath.mpf:
-            return printed_pressure(d, gap.asperities.summits) * nominal / given["load"]
+        def share(d: mpf) -> mpf:
+            return mpmath.exp(log_over_summits((d - of[3]) / of[2], of, modulus=E)) * nominal / given["load"]
 
-        def excess(d: mpmath.mpf) -> mpmath.mpf:
-            return mpmath.log(printed_gap(d, gap) / printed_film(share(d), **changed))
+        def excess(d: mpf) -> mpf:
+            return mpmath.log(mean_gap(d, mpf(gap.deviation)) / film_of(share(d), given))
 
         with mpmath.workdps(20):
             d = mpmath.findroot(excess, (start + step, start + step / 2), solver="secant", tol=1e-24)
         exact = share(d)
-        film = printed_film(exact, **changed)
+        thickness = film_of(exact, given)
         remaining = float(1 - exact)
     np.testing.assert_allclose(float(found.asperity_share), float(exact), rtol=ACCURACY)
-    np.testing.assert_allclose(float(found.film_thickness), float(film), rtol=ACCURACY)
+    np.testing.assert_allclose(float(found.film_thickness), float(thickness), rtol=ACCURACY)
     # The splines' error in the gap is that of the film, which grows at least as (1 - s)^-1/2; round-off of 1 - s.
     if remaining < 0.5:
         np.testing.assert_allclose(1 - found.asperity_share, remaining, rtol=2 * ACCURACY, atol=1e-15)
@@ -204,48 +166,3 @@ def test_the_values_of_another_program(law: AsperityLaw, sq: float, length: floa
     if law == "zhao_maietta_chang" and (sq, length) in AT_500:
         fast = mixed(gap, **given, entrainment_speed=PER_RADIAN * 500).asperity_share
         np.testing.assert_allclose(fast, AT_500[sq, length], rtol=5e-5, atol=1e-6)  # 0 where it is printed as 0
-
-
-def adaptive_root(gap: TruncatedGap, sq: float, speed: float, **changed: float) -> tuple[float, float]:
-    """s and h from the separation of the mean planes, by adaptive quadratures over heights and summits."""
-    given = CONTACT | {"entrainment_speed": speed} | changed
-    summits = gap.asperities.summits
-    sigma, mean, deviation = gap.deviation, float(summits.mean_height), float(summits.height_deviation)
-    options = {"epsabs": 0, "epsrel": 1e-11, "limit": 500}
-
-    def gap_at(d: float) -> float:
-        x = d / sigma
-        return quad(lambda z: (x - z) * norm.pdf(z), -np.inf, x, **options)[0] * sigma  # pyright: ignore[reportCallIssue, reportArgumentType]
-
-    def share_at(d: float) -> float:
-        def load(z: float) -> float:
-            deep = deviation * z + mean - d
-            return norm.pdf(z) * float(
-                asperity_load(interference=deep, tip_radius=summits.radius, modulus=E, hardness=H).load
-            )
-
-        low = (d - mean) / deviation
-        edges = [edge for edge in np.linspace(-8, 10, 19) if edge > low]  # no summit is higher
-        parts = [quad(load, a, b, **options)[0] for a, b in zip([max(low, -8.0), *edges], edges, strict=False)]  # pyright: ignore[reportCallIssue, reportArgumentType]
-        return float(summits.density) * sum(parts) * area(given["load"]) / given["load"]
-
-    def excess(d: float) -> float:
-        share = share_at(d)
-        if share >= 1:
-            return -1.0
-        film = smooth_film(**(given | {"load": given["load"] * (1 - share), "modulus": E * (1 - share)}))
-        return float(np.log(gap_at(d) / film))
-
-    d = float(brentq(excess, -9 * sq, 5 * sq, xtol=1e-20, rtol=1e-14))  # pyright: ignore[reportArgumentType]
-    return share_at(d), gap_at(d)
-
-
-@pytest.mark.parametrize(
-    ("sq", "length", "speed"), [(0.1e-6, 20e-6, 0.4), (0.4e-6, 60e-6, 0.01), (1e-6, 60e-6, 0.9), (1e-6, 165e-6, 1e-3)]
-)
-def test_a_second_formulation_has_the_same_root(sq: float, length: float, speed: float) -> None:
-    gap = rough(sq, length)
-    found = mixed(gap, entrainment_speed=speed)
-    share, height = adaptive_root(gap, sq, speed)
-    np.testing.assert_allclose(found.asperity_share, share, rtol=1e-7)  # of the splines
-    np.testing.assert_allclose(found.film_thickness, height, rtol=1e-7)

@@ -19,7 +19,7 @@ def test_without_a_film_nothing_is_known() -> None:
     scene = load_scene("6205-dry")
     found = friction_torque(scene)
     assert with_model_uncertainty(scene, found).model_uncertainty is None
-    assert found.to_json()["points"][0]["uncertainty"]["model"] is None
+    assert found.row(0).uncertainty.model is None
 
 
 def test_films_moved_by_twice_the_standard_uncertainty_count() -> None:
@@ -35,9 +35,9 @@ def test_films_moved_by_twice_the_standard_uncertainty_count() -> None:
     np.testing.assert_allclose(parts["film"], np.maximum(more, -less), rtol=1e-12)
     assert set(parts) == {"film", "gap", "surfaces"}  # rolling is left out there
     np.testing.assert_allclose(whole**2, sum(part**2 for part in parts.values()), rtol=1e-12)
-    told = found.to_json()["points"][2]["uncertainty"]
-    assert told["model"] == whole[2]
-    assert told["model_parts"] == {name: part[2] for name, part in parts.items()}
+    told = found.row(2).uncertainty
+    assert told.model == whole[2]
+    assert told.model_parts == {name: part[2] for name, part in parts.items()}
 
 
 def test_the_other_parts_are_the_changes_by_other_formulas() -> None:

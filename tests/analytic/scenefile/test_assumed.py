@@ -17,8 +17,8 @@ def test_an_assumed_input_has_its_value_and_its_source() -> None:
     assert parsed.surface is not None
     temperature, friction = told["lubricant.temperature"], told["surface.boundary_friction"]
     assert (temperature.value, temperature.unit) == (parsed.lubricant.temperature, "K")
-    assert (temperature.origin.status, temperature.origin.source) == ("assumed", "a guess")
-    assert (friction.value, friction.unit, friction.origin.source) == (parsed.surface.boundary_friction, "1", "a book")
+    assert (temperature.status, temperature.source) == ("assumed", "a guess")
+    assert (friction.value, friction.unit, friction.source) == (parsed.surface.boundary_friction, "1", "a book")
     assert all(told[key] == plain[key] for key in plain)
 
 
@@ -26,8 +26,8 @@ def test_a_value_of_the_catalogue_keeps_its_standard_deviation() -> None:
     text = OILED + '[assumed]\nsurface.rms_roughness = "a drawing"\n'
     plain, told = ({each.key: each for each in stated_inputs(scene(one))} for one in (OILED, text))
     before, after = plain["surface.rms_roughness"], told["surface.rms_roughness"]
-    assert (after.value, after.origin.uncertainty) == (before.value, before.origin.uncertainty)
-    assert (after.origin.status, after.origin.source) == ("assumed", "a drawing")
+    assert (after.value, after.uncertainty) == (before.value, before.uncertainty)
+    assert (after.status, after.source) == ("assumed", "a drawing")
     assert list(told) == list(plain)  # in its place
 
 
@@ -55,8 +55,8 @@ def test_the_built_in_scene_names_everything_that_the_paper_leaves_open() -> Non
     left_open |= {f"surface.{key}" for key in ("hardness", "boundary_friction", "autocorrelation.length")}
     left_open |= {"friction.hysteresis_loss", "bearing.ball_material"}
     left_open |= {f"cage.{key}" for key in ("pocket_clearance", "wall_thickness", "friction_coefficient", "start")}
-    assert {key for key in left_open if inputs[key].origin.status != "assumed"} == set()
-    assert all(each.origin.source for each in inputs.values())
-    assert [key for key, each in inputs.items() if each.origin.status == "given"] == ["surface.rms_roughness"]
+    assert {key for key in left_open if inputs[key].status != "assumed"} == set()
+    assert all(each.source for each in inputs.values())
+    assert [key for key, each in inputs.items() if each.status == "given"] == ["surface.rms_roughness"]
     assert inputs["cage.pocket_clearance"].value == pytest.approx(0.2e-3, rel=1e-9)  # round-off of a difference
     assert (inputs["cage.start"].value, inputs["cage.start"].unit) == ("rest", "")

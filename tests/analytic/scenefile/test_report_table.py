@@ -39,5 +39,5 @@ def test_a_signature_changes_neither_torque_nor_hash() -> None:
     signed, blank = scene(SIGNED), scene(MINE)
     assert friction_torque(signed).torque.total == friction_torque(blank).torque.total
     first, second = provenance_of(signed), provenance_of(blank)
-    assert first["scene_sha256"] == second["scene_sha256"]
-    assert "report" not in first["scene_content"]
+    assert first.scene_sha256 == second.scene_sha256
+    assert "report" not in first.scene_content

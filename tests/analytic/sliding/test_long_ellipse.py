@@ -14,7 +14,6 @@ from analytic.contact.rolling_contact import ContactNumbers, RollingContact
 from analytic.errors import InputError
 from analytic.loads.balls import LoadEffects, thrust_balls
 from analytic.loads.kinematics import ball_kinematics
-from analytic.oil.rolling import hysteresis_moment
 from analytic.oil.traction import PointLaw
 from analytic.scene import Bearing, ContactAngle, SpinRule
 from analytic.sliding.long_ellipse import (
@@ -72,41 +71,6 @@ def test_moments_are_those_of_the_sliding(eps: float) -> None:
     np.testing.assert_allclose(found @ (spin, ROLL), expected[2], rtol=1e-9)
 
 
-@pytest.mark.parametrize("eps", [0.05, -0.2, 0.31, 0.63])
-def test_the_moments_exchanged_as_printed_are_not(eps: float) -> None:
-    """Negative control: the quadrature contradicts equations 4 and 5 with exchanged names."""
-    expected = slid(force=MU * Q, b=B, radius=R, roll=ROLL, spin=eps * ROLL * B / R)
-    spin, rolling = moments(eps)
-    assert not np.isclose(rolling, expected[0], rtol=0.05)
-    assert not np.isclose(spin, expected[1], rtol=0.05)
-
-
-def test_equation_2_as_printed_is_three_times_too_large() -> None:
-    _, rolling = moments(0.0)
-    np.testing.assert_allclose(MU * Q * B**2 / (4 * R) / rolling, 3.10, atol=0.005)  # half a unit of the last digit
-
-
-@pytest.mark.parametrize(
-    ("eps", "spin", "rolling"),
-    [
-        (0.0, 0.0, 0.0805711989),
-        (0.05, 0.0457751, 0.0794273),
-        (0.1, 0.0913293, 0.0760121),
-        (0.2, 0.1807144, 0.0626305),
-        (0.3, 0.2650518, 0.0416078),
-        (0.4, 0.3373129, 0.0164687),
-        (0.45, 0.3634366, 0.0054084),
-        (0.5, 0.375, 0.0),
-        (7.0, 0.375, 0.0),
-    ],
-)
-def test_moments_of_an_independent_calculation(eps: float, spin: float, rolling: float) -> None:
-    expected = np.array([spin * MU * Q * B, rolling * MU * Q * B**2 / R])
-    scale = MU * Q * B, MU * Q * B**2 / R
-    np.testing.assert_allclose(moments(eps) / scale, expected / scale, atol=0.5e-7)  # seven digits
-    np.testing.assert_allclose(moments(-eps) / scale, [-spin, rolling], atol=0.5e-7)
-
-
 @given(eps=st.floats(-3, 3))
 @example(eps=0.0)
 @example(eps=0.5)
@@ -121,29 +85,6 @@ def test_the_lines_of_pure_rolling_leave_no_force(eps: float) -> None:
         return float(y - y**3 / 3)
 
     np.testing.assert_allclose(below(second) - below(first), 2 / 3, rtol=1e-14)  # round-off
-
-
-def test_the_closed_forms_are_those_of_the_lines() -> None:
-    """Equations 4 and 5 in g1 and g2; the code has them in factors."""
-    eps = np.linspace(-0.5, 0.5, 23)
-    g1, g2 = pure_rolling_lines(eps)
-    spin, rolling = microslip_moments(
-        friction_force=MU * Q, semi_axis_transverse=B, deformed_radius=R, spin_to_roll=eps
-    )
-    bracket = g1**2 * (1 - g1**2 / 2) - g2**2 * (1 - g2**2 / 2)
-    np.testing.assert_allclose(spin, 0.75 * MU * Q * B * bracket, atol=1e-15 * MU * Q * B)  # round-off
-    bracket = 0.4 + g1**3 * (1 - 0.6 * g1**2) - g2**3 * (1 - 0.6 * g2**2)
-    np.testing.assert_allclose(rolling, MU * Q * B**2 / (4 * R) * bracket, atol=1e-15 * MU * Q * B**2 / R)
-
-
-@pytest.mark.parametrize("edge", [-0.5, 0.0, 0.5])
-def test_moments_are_continuous_with_their_slopes(edge: float) -> None:
-    step = 1e-6
-    left, at, right = moments(edge - step), moments(edge), moments(edge + step)
-    scale = np.array([MU * Q * B, MU * Q * B**2 / R])
-    np.testing.assert_allclose((right - left) / scale, 2 * step * np.array([0.91622, 0.0]) * (edge == 0), atol=1e-10)
-    # Second differences of a function with a continuous slope fall with the step: a kink would leave 1e-6.
-    np.testing.assert_allclose((right - 2 * at + left) / scale, 0.0, atol=1e-10)
 
 
 @pytest.mark.parametrize("spin", [-0.47, -0.013, 0.021, 0.31])
@@ -245,19 +186,6 @@ def test_under_control_only_the_other_race_spins(bearing_6205: Bearing, rule: Sp
     np.testing.assert_allclose(found.spin, moment * np.sin(0.18), rtol=1e-14)  # equation 10, round-off
 
 
-def test_conformity_and_hysteresis_are_equations_11_and_12(bearing_6205: Bearing) -> None:
-    contacts = both_contacts(bearing_6205, angle=0.18)
-    found = torque(contacts, (0.1, 0.07), np.sin(0.18))
-    half_pitch, reach = bearing_6205.pitch_diameter / 2, bearing_6205.ball_radius * np.cos(0.18)
-    inner_radius, outer_radius = half_pitch - reach, half_pitch + reach
-    lever = found.inner_rolling_moment * outer_radius + found.outer_rolling_moment * inner_radius
-    np.testing.assert_allclose(found.conformity, lever / bearing_6205.ball_diameter, rtol=1e-14)  # round-off
-    lost = [hysteresis_moment(contact, hysteresis_loss=0.007) for contact in contacts]
-    lever = lost[0] * outer_radius + lost[1] * inner_radius
-    hysteresis = sum(moment * contact.rolling_rate for moment, contact in zip(lost, contacts, strict=True))
-    np.testing.assert_allclose(hysteresis, lever / bearing_6205.ball_diameter, rtol=1e-14)
-
-
 SIZES = st.one_of(st.just(0.0), st.floats(1e-9, 10.0))
 
 
@@ -306,19 +234,6 @@ def test_very_unlike_contacts_balance() -> None:
     found = microslip_torque((inner, outer), friction_force=forces, spin_difference=spin, spin_rule="balanced")
     # Round-off of the share, times the ratio of the lengths: up to 1e5.
     np.testing.assert_allclose(found.inner_spin_moment, -found.outer_spin_moment, rtol=1e-11)
-
-
-def test_a_series_is_its_points() -> None:
-    """Points that converge early keep their values while others go on."""
-    angle, mu_inner, mu_outer = np.meshgrid([0.05, 0.6, 1.3], [0.0, 1e-9, 0.1], [0.0, 0.02, 0.1], indexing="ij")
-    contacts = rolling_contact(load=Q), rolling_contact(load=Q, semi_axis_transverse=0.9e-3)
-    series = torque(contacts, (mu_inner, mu_outer), np.sin(angle))
-    assert series.spin.shape == angle.shape
-    for index in np.ndindex(angle.shape):
-        alone = torque(contacts, (mu_inner[index], mu_outer[index]), np.sin(angle[index]))
-        for name, values in vars(series).items():
-            # vector and scalar sines may differ in the last bit
-            np.testing.assert_allclose(values[index], getattr(alone, name), rtol=1e-12, atol=1e-18)
 
 
 def test_a_bad_spin_is_refused() -> None:

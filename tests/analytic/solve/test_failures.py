@@ -52,11 +52,7 @@ CASES: list[tuple[dict[str, Any], dict[str, float], str]] = [
         {"axial_load": 0.0, "radial_load": 70.0},
         "act without thrust, and are the whole load: leave effects.load_distribution on auto",
     ),
-    (
-        {"contact_angle": GIVEN},
-        {"radial_load": 660.0},
-        r"up to 25\.5 % of what thrust does, and .* use \"solved\"",  # 660 tan(0.31)/830
-    ),
+    ({"contact_angle": GIVEN}, {"radial_load": 660.0}, r"25\.5 % of .* use \"solved\""),  # 660 tan(0.31)/830
     ({"contact_angle": GIVEN}, {"axial_load": 0.0, "radial_load": 70.0}, 'use "solved"'),
     (
         {},

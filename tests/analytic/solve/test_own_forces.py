@@ -79,19 +79,6 @@ def test_a_ball_without_load_has_own_forces_alone(bearing_6205: Bearing) -> None
     np.testing.assert_array_equal([shares_of(point) for point in found.points], [[np.inf] * 3, [0.0, 0.0, np.inf]])
 
 
-def test_the_gyroscopic_share_is_what_the_thrust_loses(bearing_6205: Bearing) -> None:
-    """The races share the friction that holds the moment: the normal force of the inner one loses half of the pull."""
-    free = ContactAngle(rule="solved", free=0.21)
-    scene = scene_of(bearing_6205, free, axial_load=310.0, inner_speed=700.0)
-    still, turning = found_at(scene), found_at(scene, "gyroscopic")
-    before, thrust = (float(of.balls["load"][0, 0, 0] * np.sin(of.balls["angle"][0, 0, 0])) for of in (still, turning))
-    angle = float(still.balls["angle"][0, 0, 0])
-    # At outer control the ball's axis leans less than the contact angle, and the moment is less than that upright.
-    leans = np.sin(np.arctan2(np.sin(angle), np.cos(angle) + 7.94 / 39.01))
-    pull = float(still.points["gyroscopic_share"][0]) * leans * np.cos(angle) / np.sin(angle)
-    np.testing.assert_allclose(1 - thrust / before, pull / 2, rtol=2e-3)  # angle and speeds follow by as much
-
-
 @pytest.mark.parametrize("given", [("radial_load",), ("moment",), ("radial_load", "moment")])
 def test_unequal_balls_add_up_to_the_radial_load_and_to_the_moment(
     bearing_6205: Bearing, given: tuple[str, ...]

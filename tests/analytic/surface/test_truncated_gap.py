@@ -1,10 +1,9 @@
-"""The mean gap of truncated surfaces: its integral in 40 digits, printed digits, limits, and its derivative."""
+"""The mean gap of truncated surfaces: its integral in 60 digits and its limits."""
 
 from dataclasses import replace
 
 import mpmath
 import numpy as np
-import pytest
 from scipy.integrate import quad
 from scipy.stats import norm
 
@@ -36,22 +35,6 @@ def law(surface: Surface = FINISHED) -> TruncatedGap:
     return found
 
 
-@pytest.mark.parametrize(
-    ("x", "printed", "digits"),
-    [
-        (-12.0, 1.4605e-34, 5),  # phi + x Phi cancels to rounding here
-        (-5.0, 5.346166e-8, 7),
-        (-1.0, 0.08331547, 7),
-        (0.0, 0.3989423, 7),
-        (1.0, 1.08331547, 9),
-    ],
-)
-def test_printed_digits_and_40_digits(x: float, printed: float, digits: int) -> None:
-    log_gap = float(log_mean_gap(np.array(x))[0])
-    np.testing.assert_allclose(log_gap, exact(x)[0], rtol=1e-15, atol=1e-14)
-    np.testing.assert_allclose(np.exp(log_gap), printed, rtol=5 * 10.0**-digits)  # half a unit of a leading 1
-
-
 def test_random_separations_against_60_digits() -> None:
     random = np.random.default_rng(20)
     x = np.concatenate([random.uniform(-12, 12, 200), random.choice([-1, 1], 300) * 10 ** random.uniform(-9, 6, 300)])
@@ -68,16 +51,6 @@ def test_it_is_the_mean_of_what_is_not_cut_off() -> None:
     for x in (-6.3, -1.7, 0.4, 3.1):
         mean, _ = quad(lambda z, x=x: (x - z) * norm.pdf(z), -40, x, epsabs=0, epsrel=1e-10, points=(x - 1, x - 3))
         np.testing.assert_allclose(np.exp(log_mean_gap(np.array(x))[0]), mean, rtol=1e-9)  # quad's
-
-
-def test_its_limits() -> None:
-    far = np.array([9.0, 40.0, 1e6])
-    np.testing.assert_allclose(np.exp(log_mean_gap(far)[0]), far, rtol=1e-13)  # nothing is cut off: the gap is d
-    deep = -np.array([1e4, 1e5, 1e6])
-    left = log_mean_gap(deep)[0] + deep**2 / 2 + np.log(2 * np.pi) / 2 + 2 * np.log(-deep)
-    np.testing.assert_allclose(left, 0, atol=1e-3)  # phi/t^2: logarithms of 5e11 are rounded to 6e-5
-    x = np.linspace(-200, 50, 100_001)
-    assert np.all(np.diff(log_mean_gap(x)[0]) > 0)
 
 
 def test_the_law_joins_pressure_and_gap() -> None:

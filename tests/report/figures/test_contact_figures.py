@@ -1,5 +1,9 @@
 """Plots of the contacts by the points that are drawn, against a result made by hand: see `made` in conftest.py."""
 
+from dataclasses import replace
+from types import SimpleNamespace
+from typing import cast
+
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
@@ -7,12 +11,13 @@ from matplotlib.collections import PolyCollection
 from matplotlib.container import ErrorbarContainer
 from matplotlib.lines import Line2D
 
-from fembearing.report.document.build import contact_table, report_of
-from fembearing.report.document.report import Report
+from fembearing.quantities import METRIC
+from fembearing.report.contact import ContactRecord, contact_record
 from fembearing.report.figures.approach import approach_plot
 from fembearing.report.figures.convergence import convergence_plot
 from fembearing.report.figures.pressure import pressure_plot
 from fembearing.report.figures.style import BLACK
+from fembearing.report.report import Report, report_of
 from fembearing.verify.contact.discrepancy import ContactSolution
 from fembearing.verify.validation import Validation
 from tests.analytic.specimens import present
@@ -20,6 +25,11 @@ from tests.report.conftest import INNER
 from tests.report.figures.figure_reader import labels_of, line_of, points_of
 
 PLACES = ("inner race", "outer race", "thick seat", "sheet on its rim")
+
+
+def report_with(*contacts: ContactRecord) -> Report:
+    """Nothing but these contacts."""
+    return cast(Report, SimpleNamespace(contacts=contacts, units=METRIC))
 
 
 def check_points(line: Line2D, x: list[float], y: list[float]) -> None:
@@ -80,8 +90,8 @@ def test_every_contact_is_in_every_panel(panels: dict[str, Axes]) -> None:
         assert axes.get_xlabel() == "unknowns"
 
 
-def test_a_cut_contact_has_no_formal_order(document: Report, cut_contact: ContactSolution) -> None:
-    figure, _ = convergence_plot(document.model_copy(update={"contacts": [contact_table(cut_contact)]}))
+def test_a_cut_contact_has_no_formal_order(cut_contact: ContactSolution) -> None:
+    figure, _ = convergence_plot(report_with(contact_record(cut_contact)))
     assert not any("formal order" in drawn_in(axes) for axes in present(figure).axes)
     assert labels_of(present(figure).axes[-1]) == ["inner race"]
 
@@ -114,9 +124,9 @@ def test_the_band_of_corrected_hertz_is_its_uncertainty_to_both_sides(document: 
     curve = document.contacts[0].approach_curve
     known = [number for number, approach in enumerate(curve.corrected) if approach is not None]
     half = np.linspace(0.004, 0.029, len(curve.load))
-    curve = curve.model_copy(update={"uncertainty": half.tolist()})
-    contact = document.contacts[0].model_copy(update={"approach_curve": curve})
-    figure = present(approach_plot(document.model_copy(update={"contacts": [contact]}))[0])
+    curve = replace(curve, uncertainty=tuple(half.tolist()))
+    contact = replace(document.contacts[0], approach_curve=curve)
+    figure = present(approach_plot(report_with(contact))[0])
     (band,) = (each for each in figure.axes[1].collections if isinstance(each, PolyCollection))
     load, hertz, corrected = (np.array(values)[known] for values in (curve.load, curve.hertz, curve.corrected))
     assert len(known) > 2
@@ -131,7 +141,7 @@ def test_contacts_stand_side_by_side_in_rows_of_equal_length(document: Report) -
     """At most four beside each other, each with its two panels one above the other."""
     for count, rows, columns in ((2, 1, 2), (4, 1, 4), (5, 2, 3), (9, 3, 3)):
         contacts = (3 * list(document.contacts))[:count]
-        figure, _ = approach_plot(document.model_copy(update={"contacts": contacts}))
+        figure, _ = approach_plot(report_with(*contacts))
         places = [present(panel.get_subplotspec()) for panel in present(figure).axes]
         found = [(place.rowspan.start, place.colspan.start) for place in places]
         assert len(found) == 2 * count
@@ -164,10 +174,8 @@ def test_pressure_is_drawn_in_semi_axes_and_less_hertz(checked: Validation) -> N
     assert figure.axes[0].get_title() == "Ball on inner race\n372.2 N"
 
 
-def test_a_cut_contact_is_drawn_on_both_sides_up_to_its_shoulder(
-    document: Report, cut_contact: ContactSolution
-) -> None:
-    figure, caption = pressure_plot(document.model_copy(update={"contacts": [contact_table(cut_contact)]}))
+def test_a_cut_contact_is_drawn_on_both_sides_up_to_its_shoulder(cut_contact: ContactSolution) -> None:
+    figure, caption = pressure_plot(report_with(contact_record(cut_contact)))
     above, below = present(figure).axes
     semi_axis = cut_contact.hertz.semi_axis_transverse
     across = points_of(line_of(above, "transverse"))

@@ -10,10 +10,9 @@ import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from fembearing.report.document.report import Ladder as DocumentLadder
 from fembearing.report.figures.cost import LEAST, MOST, cost_figures, cost_table
 from fembearing.report.phrases import choices_line
-from fembearing.verify.cost.ladder import Ladder, Method
+from fembearing.verify.cost.ladder import Ladder, Method, with_choices
 from tests.analytic.specimens import present
 
 GIB = 2**30
@@ -36,23 +35,25 @@ def method(
     )
 
 
-CONTACT = Ladder(
-    quantity="the contact",
-    reference="the finest",
-    methods=(
-        method("Hertz", error=0.031, bound=0.036, seconds=2e-6, gib=0.25),
-        method("finite elements, level 2", error=0.007, seconds=0.4, gib=0.5),
-        Method(
-            name="finite elements, level 3",
-            error=None,
-            seconds=None,
-            spread=None,
-            repeats=0,
-            memory=None,
-            failed="no room",
+CONTACT = with_choices(
+    Ladder(
+        quantity="the contact",
+        reference="the finest",
+        methods=(
+            method("Hertz", error=0.031, bound=0.036, seconds=2e-6, gib=0.25),
+            method("finite elements, level 2", error=0.007, seconds=0.4, gib=0.5),
+            Method(
+                name="finite elements, level 3",
+                error=None,
+                seconds=None,
+                spread=None,
+                repeats=0,
+                memory=None,
+                failed="no room",
+            ),
+            method("finite elements, level 4", error=None, bound=2e-4, seconds=3.5, gib=0.75),
         ),
-        method("finite elements, level 4", error=None, bound=2e-4, seconds=3.5, gib=0.75),
-    ),
+    )
 )
 LOAD = Ladder(
     quantity="the load",
@@ -60,11 +61,6 @@ LOAD = Ladder(
     methods=(method("thrust", error=0.9, bound=None, seconds=1e-3, gib=0.25),),
 )
 ABSENT = Ladder(quantity="roughness", reference="none", methods=(), absent="no surface")
-
-
-def listed(*ladders: Ladder) -> list[DocumentLadder]:
-    """As the document has them."""
-    return [DocumentLadder.model_validate(ladder.to_json()) for ladder in ladders]
 
 
 def drawn(axes: Axes) -> list[tuple[list[float], list[float]]]:
@@ -78,7 +74,7 @@ def drawn(axes: Axes) -> list[tuple[list[float], list[float]]]:
 
 @pytest.fixture(scope="module")
 def figure() -> Figure:
-    (found,) = cost_figures(listed(CONTACT, ABSENT, LOAD), tolerance=0.04)
+    (found,) = cost_figures([CONTACT, ABSENT, LOAD], tolerance=0.04)
     return found
 
 
@@ -125,7 +121,7 @@ def test_a_ring_marks_the_chosen_method() -> None:
     plain = method("a", error=0.01, seconds=0.1)
     chosen = replace(plain, chosen=True)
     counts = [
-        len(drawn(cost_figures(listed(Ladder(quantity="q", reference="r", methods=(one,))), tolerance=0.1)[0].axes[0]))
+        len(drawn(cost_figures([Ladder(quantity="q", reference="r", methods=(one,))], tolerance=0.1)[0].axes[0]))
         for one in (plain, chosen)
     ]
     assert counts[1] == counts[0] + 1
@@ -138,7 +134,7 @@ def test_only_levels_of_one_method_are_joined_and_four_panels_share_a_figure() -
         reference="r",
         methods=tuple(method(name, error=0.1 / (n + 2), seconds=10.0 ** (n - 4)) for n, name in enumerate(names)),
     )
-    figures = cost_figures(listed(*5 * [ladder]), tolerance=0.1)
+    figures = cost_figures([*5 * [ladder]], tolerance=0.1)
     assert [len(figure.axes) for figure in figures] == [4, 1]
     first, meshes, closed = drawn(figures[1].axes[0])
     assert (len(first[0]), len(closed[0])) == (1, 1)
@@ -147,14 +143,14 @@ def test_only_levels_of_one_method_are_joined_and_four_panels_share_a_figure() -
 
 def test_without_memory_there_is_no_panel_for_it() -> None:
     bare = Ladder(quantity="q", reference="r", methods=(method("a", error=0.01, seconds=0.1),))
-    assert len(cost_figures(listed(bare), tolerance=0.1)[0].axes) == 1
+    assert len(cost_figures([bare], tolerance=0.1)[0].axes) == 1
 
 
 def test_a_method_without_a_price_or_an_error_is_not_drawn() -> None:
     unknown = method("b", error=None, seconds=0.2)
     unpriced = method("c", error=0.3, seconds=None)
     ladder = Ladder(quantity="q", reference="r", methods=(method("a", error=0.01, seconds=0.1), unknown, unpriced))
-    (panel,) = cost_figures(listed(ladder), tolerance=0.1)[0].axes
+    (panel,) = cost_figures([ladder], tolerance=0.1)[0].axes
     assert ([0.1], [1.0]) in drawn(panel)
     assert all(x == [0.1] for x, y in drawn(panel) if 0 < len(x) == len(y))
 
@@ -164,12 +160,12 @@ def test_the_scale_of_errors_does_not_depend_on_the_tolerance(tolerance: float) 
     """A damaged report can have any; Matplotlib warns where an axis has no width."""
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        (figure,) = cost_figures(listed(CONTACT, LOAD), tolerance=tolerance)
+        (figure,) = cost_figures([CONTACT, LOAD], tolerance=tolerance)
     assert {panel.get_ylim() for panel in figure.axes} == {(LEAST / 3, MOST)}
 
 
 def test_the_table_holds_every_method_and_what_is_absent() -> None:
-    hertz, second, failed, finest, absent = csv.DictReader(StringIO(cost_table(listed(CONTACT, ABSENT))))
+    hertz, second, failed, finest, absent = csv.DictReader(StringIO(cost_table([CONTACT, ABSENT])))
     assert (hertz["name"], float(hertz["error"]), float(hertz["bound"])) == ("Hertz", 0.031, 0.036)
     assert int(second["memory"]) == GIB // 2
     assert (failed["failed"], failed["error"]) == ("no room", "")

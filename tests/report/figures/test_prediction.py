@@ -1,16 +1,18 @@
 """The interval in document, terminal and figure: what is shown is what was computed."""
 
+import json
+from dataclasses import dataclass
 from io import StringIO
-from typing import Any
+from typing import Any, ClassVar
 
 import pytest
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
-from pydantic import ValidationError
+from pydantic import TypeAdapter, ValidationError
 from rich.console import Console
 
+from analytic.prediction.rows import PredictionRows
 from fembearing.quantities import METRIC
-from fembearing.report.document.prediction import Prediction
 from fembearing.report.figures.prediction import interval_figure
 from fembearing.report.terminal.prediction import print_prediction
 
@@ -41,6 +43,18 @@ def point(speed: float, nominal: float, totals: list[float]) -> dict[str, Any]:
     }
 
 
+@dataclass(frozen=True)
+class Whole:
+    """As a report reads them: strictly."""
+
+    __pydantic_config__: ClassVar = {"strict": True, "extra": "forbid", "allow_inf_nan": False}
+    rows: PredictionRows
+
+
+def prediction_of(content: dict[str, Any]) -> PredictionRows:
+    return TypeAdapter(Whole).validate_json(json.dumps({"rows": content})).rows
+
+
 def content() -> dict[str, Any]:
     made = {"value": 1.5, "deviation": 0.2, "source": "judgement", "floor": 0.0}
     return {
@@ -67,7 +81,7 @@ def rectangles(panel: Axes) -> list[Rectangle]:
 
 def test_the_terminal_shows_ends_parts_inputs_and_failures() -> None:
     out = StringIO()
-    print_prediction(Console(file=out, width=80), Prediction.model_validate(content()), {0: 1, 1: 2})
+    print_prediction(Console(file=out, width=80), prediction_of(content()), {0: 1, 1: 2})
     said = out.getvalue()
     assert max(map(len, said.splitlines())) <= 80
     rows = [line.split() for line in said.splitlines()]
@@ -90,12 +104,12 @@ def test_shares_of_a_regression_that_predicts_nothing_are_said_to_be_unknown() -
     failed = content()
     failed["points"][1]["explained"] = -1600.7
     out = StringIO()
-    print_prediction(Console(file=out, width=80), Prediction.model_validate(failed), {0: 1, 1: 2})
+    print_prediction(Console(file=out, width=80), prediction_of(failed), {0: 1, 1: 2})
     assert "predicts 0 % or more of the variance: which inputs matter is not known" in " ".join(out.getvalue().split())
 
 
 def test_the_figure_has_the_ends_of_every_part_and_the_indices_of_the_inputs_that_matter() -> None:
-    figure = interval_figure(Prediction.model_validate(content()), METRIC)
+    figure = interval_figure(prediction_of(content()), METRIC)
     panels = figure.axes
     assert len(panels) == 4
     slow, fast, slow_indices, _ = panels
@@ -113,6 +127,10 @@ def test_indices_of_other_inputs_are_refused() -> None:
     damaged = content()
     damaged["points"][1]["indices"]["total"] = [0.1]
     with pytest.raises(ValidationError, match="indices of other than its 3 inputs"):
-        Prediction.model_validate(damaged)
-    with pytest.raises(ValidationError, match="extra_forbidden"):
-        Prediction.model_validate(content() | {"mood": "good"})
+        prediction_of(damaged)
+    with pytest.raises(ValidationError, match="unexpected_keyword_argument"):
+        prediction_of(content() | {"mood": "good"})
+
+
+def test_inputs_are_ranked_by_their_largest_index_at_either_end() -> None:
+    assert prediction_of(content()).ranked == [1, 0, 2]  # 0.61, 0.44 and 0.001

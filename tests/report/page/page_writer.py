@@ -4,18 +4,18 @@ from collections.abc import Sequence
 from pathlib import Path
 from unittest.mock import patch
 
-from fembearing.report.document.build import report_of
-from fembearing.report.document.report import Report
+from fembearing.plain_types import plain
 from fembearing.report.figures.page_plots import Plot
 from fembearing.report.page import write as page
 from fembearing.report.pictures.draw import Picture
+from fembearing.report.report import Report, report_in, report_of
 from fembearing.verify.validation import Validation
 
 
 def document_of(result: Validation, pictures: Sequence[Picture] = (), trouble: str | None = None) -> Report:
     """What report.json holds, read back."""
-    written = report_of(result, pictures=[picture.to_json() for picture in pictures], renderer=trouble)
-    return Report.model_validate(written.to_json())
+    written = report_of(result, pictures=[picture.listed for picture in pictures], renderer=trouble)
+    return report_in(plain(written))
 
 
 def written_page(

@@ -13,11 +13,12 @@ from rich.console import Console
 from analytic.scene import Scene
 from analytic.scenefile.read import load_scene, parse_scene
 from fembearing.grid_convergence import CAUTIOUS, FINEST, HALF, LEAST, UNSTEADY
+from fembearing.plain_types import plain
 from fembearing.provenance import provenance_of
 from fembearing.quantities import RPM
-from fembearing.report.document.build import report_of
 from fembearing.report.figures.page_plots import PLOTS
 from fembearing.report.pictures.draw import Picture
+from fembearing.report.report import report_of
 from fembearing.report.terminal.validation import print_validation
 from fembearing.verify.contact.discrepancy import ContactSolution
 from fembearing.verify.hard_record import HardRecord
@@ -250,11 +251,11 @@ def test_a_cage_that_moved_has_its_table(checked: Validation, tmp_path: Path) ->
     words = " ".join(page_of(moved, tmp_path).text.split())
     table = words.partition("Cage in motion")[2].partition("Orbit of the cage")[0]
     row = [
-        f"400{motion.state}whirl{1e3 * motion.torque:.3g}",
-        f"{1e3 * motion.torque_interval[0]:.3g} to {1e3 * motion.torque_interval[1]:.3g}",
-        f"{1e3 * motion.signed_moment:.2g}{motion.mean_force:.3g}{motion.max_force:.3g}",
-        f"{motion.max_force_interval[0]:.3g} to {motion.max_force_interval[1]:.3g}",
-        f"400whirl{RPM.factor * motion.whirl_speed:.4g}{1e6 * motion.wobble:.3g}0",  # without radial load no ball leads
+        f"1400{motion.state}whirl{motion.mean_force:.3g}{motion.max_force:.3g}",
+        f"{motion.max_force_interval[0]:.3g}-{motion.max_force_interval[1]:.3g}{1e3 * motion.torque:.3g}",
+        f"{1e3 * motion.torque_interval[0]:.3g}-{1e3 * motion.torque_interval[1]:.3g}{1e3 * motion.signed_moment:.2g}",
+        # Without radial load no ball leads.
+        f"1400whirl{RPM.factor * motion.whirl_speed:.4g}{1e6 * motion.wobble:.3g}0",
         f"{100 * cage.grip_share[0]:.2g} %{cage.grip_number[0]:.2g}0.02 s in blocks of 0.001 s",
         f"rest from rest, {1e3 * motion.other.torque:.3g} N mm: the start decides",
     ]
@@ -263,7 +264,7 @@ def test_a_cage_that_moved_has_its_table(checked: Validation, tmp_path: Path) ->
     assert places == sorted(places), (row, table)
     assert -1 not in places, (row, table)
     assert "leads to whirl" in words  # the warning
-    content = report_of(moved).to_json()["cage_motion"]
+    content = plain(report_of(moved).cage_motion)
     assert [point["state"] for point in content] == ["whirl"]
     assert report_of(checked).cage_motion is None
     document_of(moved)  # what `fembearing report` reads

@@ -160,7 +160,7 @@ def test_no_verdict_wears_the_colour_of_another(tables: Tables) -> None:
 
 
 def test_a_ring_stands_apart_from_its_contact(made: Validation, tmp_path: Path) -> None:
-    ring = RingStructure(approach=-0.2125e-6, share=-0.0407, mesh=6e-9, domain=1.5e-9, reach=0.3e-9)
+    ring = RingStructure(approach=-0.2125e-6, share=-0.0407, mesh=6e-9, domain=1.5e-9, reach=0.3e-9, uncertainty=7.8e-9)
     inner, outer, *pocket = made.contacts
     result = replace(made, contacts=(replace(inner, ring=None), replace(outer, ring=ring), *pocket))
     words = " ".join(written_page(result, tmp_path).split())

@@ -13,14 +13,14 @@ import pytest
 
 from analytic.errors import InputError, StorageError
 from fembearing import cli
-from fembearing.report.document import read as reading
-from fembearing.report.document.build import report_of
-from fembearing.report.document.report import Report
+from fembearing.plain_types import plain
+from fembearing.report import report as reading
 from fembearing.report.folder import write_report
 from fembearing.report.page import write as page_module
 from fembearing.report.page.rebuild import rebuild_page
 from fembearing.report.page.write import page_of
 from fembearing.report.pictures.draw import Picture
+from fembearing.report.report import report_in, report_of
 from fembearing.verify.validation import Validation
 from tests.report.page.page_writer import document_of
 
@@ -39,7 +39,7 @@ def report(checked: Validation, tmp_path_factory: pytest.TempPathFactory) -> Pat
 
 @pytest.fixture
 def document(made: Validation, pictures: list[Picture]) -> dict[str, Any]:
-    return document_of(made, pictures[:2]).to_json()
+    return plain(document_of(made, pictures[:2]))
 
 
 @pytest.fixture
@@ -57,7 +57,7 @@ def write(folder: Path, document: object) -> Path:
 def test_a_page_made_again_is_the_same_to_the_byte(report: Path) -> None:
     first = (report / "report.html").read_bytes()
     found = rebuild_page(report / "report.json")
-    assert (found.file, found.missing) == (report / "report.html", ())
+    assert (found.page, found.missing) == (report / "report.html", ())
     assert (report / "report.html").read_bytes() == first
     assert b"data:image/png;base64," in first
     assert not [file for file in report.iterdir() if file.name.startswith(".")]
@@ -66,14 +66,14 @@ def test_a_page_made_again_is_the_same_to_the_byte(report: Path) -> None:
 @pytest.mark.usefixtures("without_plots")
 def test_the_page_of_a_file_is_that_of_its_result(made: Validation, tmp_path: Path) -> None:
     """Of a result with every verdict in it, written elsewhere; a file of `validate --json` has no pictures."""
-    document = report_of(made).to_json()
+    document = plain(report_of(made))
     numbers = write(tmp_path, document)
     out = tmp_path / "for-a-customer.html"
-    assert rebuild_page(numbers, out=out).file == out
+    assert rebuild_page(numbers, out=out).page == out
     told = out.read_text("utf-8")
     assert "+10.00%" in told
     assert "No pictures were drawn with these numbers" in told
-    assert told == page_of(Report.model_validate(document), tmp_path)
+    assert told == page_of(report_in(document), tmp_path)
 
 
 @pytest.mark.usefixtures("without_plots")
@@ -84,11 +84,11 @@ def test_a_picture_that_is_not_there_leaves_a_word(
     (tmp_path / first.name).write_bytes(first.read_bytes())
     found = rebuild_page(write(tmp_path, document))
     assert found.missing == (second.name,)
-    text = found.file.read_text("utf-8")
+    text = found.page.read_text("utf-8")
     assert text.count("data:image/png") == 1
     assert f"The picture {second.name} does not lie beside report.json." in text
     (tmp_path / second.name).write_text("no picture")
-    text = rebuild_page(tmp_path / "report.json").file.read_text("utf-8")
+    text = rebuild_page(tmp_path / "report.json").page.read_text("utf-8")
     assert f"The file {second.name} beside report.json is no picture." in text
 
 
@@ -149,17 +149,17 @@ def put(document: dict[str, Any], place: str | tuple[str, ...], value: object) -
         ("verdicts.3.verdict", "good", ["verdicts.3.verdict = 'good'", "outside validity"]),
         ("tolerance", float("inf"), ["Infinity is no number of JSON"]),
         ("tolerance", float("nan"), ["NaN is no number of JSON"]),
-        ("format", 7, ["format 7", "reads format 4", "is of fembearing 0.1.0"]),
+        ("format", 7, ["format 7", "reads format 5", "is of fembearing 0.1.0"]),
         ("kind", "sweep", ["no report of `fembearing validate`"]),
-        ("pictures.0.file", "../secret.png", ["pictures.0.file = '../secret.png' is not written as it must be"]),
+        ("pictures.0.file", "../secret.png", ["pictures.0 has a picture '../secret.png', which is no plain name"]),
         ("pictures.0.pair", "pocket", ["has no contact for the picture"]),
         ("contacts.0.convergence.stiffness.values", [3.0], ["1 values of stiffness on 3 meshes"]),
         ("torque_change.change.total", [0.1], ["torque_change of other than the 3 points"]),
         ("torque_change", None, ["torque without torque_change"]),
         ("physical.0.point", 3, ["physical verdict on a point beyond the 3 points"]),
-        ("cost.ladders.0.rungs.0.seconds", -1.5, ["seconds = -1.5"]),
-        ("cost.ladders.0.rungs.0.name", "$\\frac$", ["name = ", "is not written as it must be"]),
-        ("sensitivity.inputs.0.unit", "$", ["sensitivity.inputs.0.unit"]),
+        ("cost.ladders.0.methods.0.seconds", -1.5, ["seconds = -1.5"]),
+        ("cost.ladders.0.methods.0.name", "$\\frac$", ["has a name '$", "a formula begins"]),
+        ("sensitivity.inputs.0.unit", "$", ["has a name '$'"]),
         ("provenance.platform", "\ud800", ["surrogates not allowed"]),
         ("torque.points.1.torque.drag", "2 N mm", ["torque.points.1.torque.drag = '2 N mm' is not known"]),
         (
@@ -184,7 +184,7 @@ def test_numbers_that_are_none_get_one_line(
     assert [file.name for file in tmp_path.iterdir()] == ["report.json"]
 
 
-@pytest.mark.parametrize("place", ["pictures.0.kind", "contacts.0.convergence.approach.grid_convergence_index"])
+@pytest.mark.parametrize("place", ["pictures.0.kind", "contacts.0.convergence.approach.mesh"])
 def test_a_key_that_the_page_reads_is_missed(document: dict[str, Any], tmp_path: Path, place: str) -> None:
     way, _, last = place.rpartition(".")
     here: Any = document
@@ -214,7 +214,7 @@ def test_a_missing_key_is_named_with_both_versions_where_they_differ(document: d
         (b"[1, 2]", "no report of"),
         (b'"text"', "no report of"),
         (b"{}", "no report of"),
-        (b'{"kind": "fembearing validation", "format": 4, "tolerance": 1e999}', "is missing"),
+        (b'{"kind": "fembearing validation", "format": 5, "tolerance": 1e999}', "tolerance inf is larger than"),
         (None, "No such file or directory; give the report.json"),
     ],
 )

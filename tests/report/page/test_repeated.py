@@ -8,9 +8,10 @@ from typing import Any
 import pytest
 
 from fembearing.mesh.recipe import Recipe
+from fembearing.plain_types import plain
 from fembearing.provenance import MEMORY, ORIGIN, TIMES, VARYING, repeatable
-from fembearing.report.document.build import report_of
 from fembearing.report.folder import validate
+from fembearing.report.report import report_of
 from fembearing.verify.contact import scene_contact
 from fembearing.verify.validation import Validation
 from tests.analytic.scenefile.scene_texts import MINE, scene
@@ -26,7 +27,7 @@ def twice(shallow: Callable[[str], Recipe]) -> list[Validation]:
 
 
 def told(result: Validation) -> dict[str, Any]:
-    return json.loads(json.dumps(report_of(result).to_json()))
+    return json.loads(json.dumps(plain(report_of(result))))
 
 
 def test_two_runs_differ_in_times_memory_and_origin_alone(twice: list[Validation]) -> None:

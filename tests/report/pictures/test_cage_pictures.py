@@ -2,6 +2,8 @@
 
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
+from typing import cast
 
 import numpy as np
 import pytest
@@ -12,14 +14,14 @@ from matplotlib.transforms import BboxBase
 
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
+from fembearing.plain_types import plain
 from fembearing.quantities import METRIC
-from fembearing.report.document.report import Report, ReportDetails
-from fembearing.report.document.torque import CageRecord as Motion
 from fembearing.report.figures.cage import cage_plot, orbit_figure
 from fembearing.report.pictures.cage import cage_job, picture_caption, view_of
 from fembearing.report.pictures.draw import RENDERER, rendered
 from fembearing.report.pictures.render_cage import cage_parts
-from fembearing.verify.torque.cage_record import CageRecord, exceedance, record_cage
+from fembearing.report.report import Report
+from fembearing.verify.torque.cage_record import CageRecord, DrawnMotion, exceedance, record_cage
 from tests.analytic.scenefile.scene_texts import MINE, changed
 from tests.analytic.specimens import present
 from tests.report.figures.figure_reader import as_document, line_of, points_of
@@ -41,9 +43,9 @@ FORCES = {1: (0.0, 3.0, 0.0), 6: (-1.5, 0.0, 0.0)}  # N, of two balls at the ins
 FOOT = 100  # pixels with the scales
 
 
-def motion_of(record: CageRecord) -> Motion:
+def motion_of(record: CageRecord) -> DrawnMotion:
     """As the document has it."""
-    return Motion.model_validate(record.drawn())
+    return record.drawn()
 
 
 @pytest.fixture(scope="module")
@@ -105,8 +107,8 @@ def test_the_axis_of_forces_reaches_below_the_least_of_them(record: CageRecord) 
     motion = motion_of(record)
     largest = np.linspace(0.4, 1.9, len(motion.forces.time))
     largest[5] = 0.0
-    forces = motion.forces.model_copy(update={"largest": largest.tolist(), "sum": (1.3 * largest).tolist()})
-    known = motion.model_copy(update={"forces": forces, "max_force": 2.7})
+    forces = replace(motion.forces, largest=tuple(largest), sum=tuple(1.3 * largest))
+    known = replace(motion, forces=forces, max_force=2.7)
     panel = orbit_figure(known, METRIC).axes[1]
     assert panel.get_ylim()[0] == pytest.approx(0.4 / 2, rel=1e-12)  # round-off
     assert panel.get_ylim()[1] > 1.3 * 1.9
@@ -138,7 +140,8 @@ def test_the_plot_names_regime_and_torque_and_nothing_overlaps(record: CageRecor
 
 
 def test_a_document_keeps_the_extremes_of_a_thinned_motion(record: CageRecord) -> None:
-    whole, thin = record.drawn(), record.drawn(most=60)
+    few = record.drawn(most=60)
+    whole, thin = plain(record.drawn()), plain(few)
     for name in ("largest", "sum"):
         assert len(thin["forces"][name]) <= 60
         assert max(thin["forces"][name]) == max(whole["forces"][name])
@@ -149,9 +152,8 @@ def test_a_document_keeps_the_extremes_of_a_thinned_motion(record: CageRecord) -
         tuple(place) for place in whole["orbit"]["measured"]
     }
     assert thin["exceedance"]["force"][-1] == max(whole["exceedance"]["force"])
-    motions = [Motion(**thin), Motion(**thin | {"inner_speed": 100.0, "state": "whirl"})]
-    details = ReportDetails.model_construct(units="metric")
-    figures, caption = cage_plot(Report.model_construct(cage_records=motions, report=details))
+    motions = (few, replace(few, inner_speed=100.0, state="whirl"))
+    figures, caption = cage_plot(cast(Report, SimpleNamespace(cage_records=motions, units=METRIC)))
     figure, other = present(figures)
     assert (len(figure.axes), len(other.axes)) == (3, 3)
     assert caption.count("Forces: the largest") == 1  # one caption for both
@@ -167,10 +169,10 @@ def test_a_document_keeps_the_extremes_of_a_thinned_motion(record: CageRecord) -
 def test_a_group_of_instants_is_told_by_its_greatest(record: CageRecord) -> None:
     force = record.series.max_force.size - np.arange(record.series.max_force.size, dtype=float)  # falls to 1 N
     series = replace(record.series, max_force=force)
-    thin = replace(record, series=series).drawn(most=60)["forces"]
+    thin = replace(record, series=series).drawn(most=60).forces
     step = -(-force.size // 60)
     expected = [force[max(0, end - step + 1)] for end in range(force.size - 1, -1, -step)][::-1]
-    np.testing.assert_array_equal(thin["largest"], expected)  # the first of each group
+    np.testing.assert_array_equal(thin.largest, expected)  # the first of each group
 
 
 def test_a_thinned_exceedance_keeps_the_rarest() -> None:

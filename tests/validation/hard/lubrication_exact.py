@@ -11,17 +11,22 @@ STIFF, HARDNESS = "1.13e11", "7.8e9"  # E* and H, Pa
 LENGTH = "60e-6"  # of the autocorrelation, m
 
 
+Number = str | float | mpf
+Summits = tuple[mpf, mpf, mpf, mpf]  # density, tip radius, deviation and mean height
+
+
 def asymptotes(
     *,
-    along: str = "310",
-    across: str = "9.7",
-    load: str = "613",
-    speed: str = "0.37",
-    alpha: str = "2.1e-8",
+    along: Number = "310",
+    across: Number = "9.7",
+    load: Number = "613",
+    speed: Number = "0.37",
+    alpha: Number = "2.1e-8",
+    modulus: Number = STIFF,
     borne: mpf = mpf(1),  # noqa: B008  # by the oil, share of load and stiffness
 ) -> tuple[mpf, mpf, dict[str, mpf]]:
     """R_x U^(1/2), lambda and H of each asymptote, powers as printed."""
-    r_x, stiff = 1 / mpf(along), 2 * mpf(STIFF) * borne
+    r_x, stiff = 1 / mpf(along), 2 * mpf(modulus) * borne
     u = 2 * mpf("0.061") * mpf(speed) / (stiff * r_x)
     m = mpf(load) * borne / (stiff * r_x**2) * u ** mpf("-0.75")
     ell, ratio = mpf(alpha) * stiff * mpmath.root(u, 4), mpf(across) * r_x
@@ -59,8 +64,8 @@ def rigid_isoviscous(**changed: str) -> mpf:
     return size * h["RI"]
 
 
-def summits(sq: str) -> tuple[mpf, mpf, mpf, mpf]:
-    """Density, tip radius, deviation and mean height of summits of two equal surfaces with gaussian autocorrelation."""
+def summits(sq: str) -> Summits:
+    """Of two equal surfaces with gaussian autocorrelation."""
     height = 2 * mpf(sq) ** 2
     slope, curvature = 2 * height / mpf(LENGTH) ** 2, 12 * height / mpf(LENGTH) ** 4
     return (
@@ -71,42 +76,43 @@ def summits(sq: str) -> tuple[mpf, mpf, mpf, mpf]:
     )
 
 
-def first_yield(radius: mpf) -> mpf:
-    return (3 * mpmath.pi * mpf("0.4") * mpf(HARDNESS) / (4 * mpf(STIFF))) ** 2 * radius
+def first_yield(radius: mpf, modulus: Number = STIFF) -> mpf:
+    return (3 * mpmath.pi * mpf("0.4") * mpf(HARDNESS) / (4 * mpf(modulus))) ** 2 * radius
 
 
-def elastic_summit(w: mpf, radius: mpf) -> mpf:
-    return mpf(4) / 3 * mpf(STIFF) * mpmath.sqrt(radius) * w ** mpf("1.5")
-
-
-def flowing_summit(w: mpf, radius: mpf) -> mpf:
-    return 2 * mpmath.pi * radius * w * mpf(HARDNESS)
-
-
-def log_pressure(t: mpf, sq: str) -> mpf:
-    """ln of the nominal pressure at t deviations above the mean of summits, by quadrature over their heights."""
-    density, radius, deviation, _ = summits(sq)
-    w1 = first_yield(radius)
+def summit(w: mpf, radius: mpf, modulus: Number = STIFF) -> tuple[mpf, mpf]:
+    """Load and area at this interference: elastic, in between, and flowing."""
+    w1 = first_yield(radius, modulus)
     w2 = 54 * w1
+    if w < w1:
+        return mpf(4) / 3 * mpf(modulus) * mpmath.sqrt(radius) * w * mpmath.sqrt(w), mpmath.pi * radius * w
+    if w >= w2:
+        return 2 * mpmath.pi * radius * w * mpf(HARDNESS), 2 * mpmath.pi * radius * w
+    part = (w - w1) / (w2 - w1)
+    area = mpmath.pi * radius * w * (1 - 2 * part**3 + 3 * part**2)
+    return mpf(HARDNESS) * (1 - mpf("0.6") * mpmath.log(w2 / w) / mpmath.log(mpf(54))) * area, area
 
-    def load(y: mpf) -> mpf:
-        w = y * deviation
-        if w < w1:
-            force = elastic_summit(w, radius)
-        elif w < w2:
-            part = (w - w1) / (w2 - w1)
-            bearing = mpf(HARDNESS) * (1 - mpf("0.6") * mpmath.log(w2 / w) / mpmath.log(mpf(54)))
-            force = bearing * mpmath.pi * radius * w * (1 - 2 * part**3 + 3 * part**2)
-        else:
-            force = flowing_summit(w, radius)
-        return force * mpmath.exp(-t * y - y**2 / 2)  # phi(t + y) over phi(t)
+
+def log_over_summits(t: mpf, of: Summits, *, area: bool = False, modulus: Number = STIFF) -> mpf:
+    """ln of nominal pressure or area fraction at t deviations above the mean, by quadrature over the heights."""
+    density, radius, deviation, _ = of
+    w1 = first_yield(radius, modulus)
+
+    def weighted(y: mpf) -> mpf:
+        return summit(y * deviation, radius, modulus)[area] * mpmath.exp(-t * y - y**2 / 2)  # phi(t + y) over phi(t)
 
     reach = 14 - t if t < 0 else mpmath.sqrt(t**2 + 200) - t
     edges = {mpf(0), reach, *(reach * part / 16 for part in (1, 2, 4, 8))}
     if t < 0:
         edges |= {-t + step for step in (-8, -4, -2, -1, 0, 1, 2, 4) if 0 < -t + step < reach}
-    edges |= {w / deviation for w in (w1, w2) if w / deviation < reach}
-    return mpmath.log(density * mpmath.quad(load, sorted(edges)) / mpmath.sqrt(2 * mpmath.pi)) - t**2 / 2
+    edges |= {w / deviation for w in (w1, 54 * w1) if w / deviation < reach}
+    return mpmath.log(density * mpmath.quad(weighted, sorted(edges)) / mpmath.sqrt(2 * mpmath.pi)) - t**2 / 2
+
+
+def mean_gap(separation: mpf, sigma: mpf) -> mpf:
+    """Of surfaces that are cut off where they overlap."""
+    x = separation / sigma
+    return sigma * (mpmath.npdf(x) + x * mpmath.ncdf(x))
 
 
 def left_to_oil(sq: str, **changed: str) -> tuple[mpf, mpf]:
@@ -114,27 +120,26 @@ def left_to_oil(sq: str, **changed: str) -> tuple[mpf, mpf]:
 
     The unknown is by how much, in logarithms, the separation exceeds that of dry surfaces, in deviations of summits.
     """
-    _, _, deviation, mean = summits(sq)
+    _, _, deviation, mean = of = summits(sq)
     sigma = mpmath.sqrt(2) * mpf(sq)
     ellipse = hertz(mpf(310), mpf("9.7"), mpf(613), mpf(STIFF))
     log_area = mpmath.log(mpmath.pi * ellipse["minor"] * ellipse["major"] / 613)
 
     def log_share(t: mpf) -> mpf:
-        return log_pressure(t, sq) + log_area
+        return log_over_summits(t, of) + log_area
 
-    def mean_gap(t: mpf) -> mpf:
-        x = (mean + t * deviation) / sigma
-        return sigma * (mpmath.npdf(x) + x * mpmath.ncdf(x))
+    def gap(t: mpf) -> mpf:
+        return mean_gap(mean + t * deviation, sigma)
 
     with mpmath.workdps(30):
         dry = mpmath.findroot(log_share, (mpf(0), mpf(-1)), tol=mpf(10) ** -56)
 
         def excess(log_rise: mpf) -> mpf:
             t = dry + mpmath.exp(log_rise)
-            return mpmath.log(mean_gap(t) / film(borne=-mpmath.expm1(log_share(t)), **changed))
+            return mpmath.log(gap(t) / film(borne=-mpmath.expm1(log_share(t)), **changed))
 
         t = dry + mpmath.exp(mpmath.findroot(excess, (mpf(-9), mpf(-10)), tol=mpf(10) ** -44))
-        return -mpmath.expm1(log_share(t)), mean_gap(t)
+        return -mpmath.expm1(log_share(t)), gap(t)
 
 
 def left_by_boundary(sq: str, **changed: str) -> mpf:
@@ -180,10 +185,10 @@ LUBRICATION: dict[str, Callable[[], mpf]] = {
     "mixed: very rough": lambda: left_to_oil("40e-6")[0],
     "mixed: 1e-9 m/s": lambda: left_by_boundary("0.3e-6", speed="1e-9"),
     "mixed: friction at vanishing load": lambda: mpf(2) / 3,
-    "asperity: vanishing interference": lambda: elastic_summit(mpf("1e-150"), mpf("50e-6")),
-    "asperity: first yield": lambda: elastic_summit(first_yield(mpf("50e-6")), mpf("50e-6")),
-    "asperity: full flow": lambda: flowing_summit(54 * first_yield(mpf("50e-6")), mpf("50e-6")),
-    "asperities: 60 deviations apart": lambda: log_pressure(mpf(60), "0.3e-6"),
+    "asperity: vanishing interference": lambda: summit(mpf("1e-150"), mpf("50e-6"))[0],
+    "asperity: first yield": lambda: summit(first_yield(mpf("50e-6")), mpf("50e-6"))[0],
+    "asperity: full flow": lambda: summit(54 * first_yield(mpf("50e-6")), mpf("50e-6"))[0],
+    "asperities: 60 deviations apart": lambda: log_over_summits(mpf(60), summits("0.3e-6")),
     "asperities: pressed flat": pressed_flat,
     "surface: exponential, tiny spacing": exponential_curvature,
     "oil: 3.1 GPa": lambda: roelands("3.1e9"),

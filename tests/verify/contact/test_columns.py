@@ -11,7 +11,7 @@ from analytic.errors import InputError
 from fembearing.grid_convergence import Estimate
 from fembearing.verify.contact.load_series import LoadPoint
 from fembearing.verify.contact.ring import RingStructure
-from fembearing.verify.contact.subsurface import NAMES, SubsurfaceComparison
+from fembearing.verify.contact.subsurface import NAMES, comparison_below
 
 APPROACH = Estimate(values=(5.9e-6, 5.93e-6), order=3.1, richardson=5.94e-6, mesh=2e-4)
 POINT = LoadPoint(
@@ -22,13 +22,13 @@ POINT = LoadPoint(
     tangent_uncertainty=None,  # left out, which is no fault
     verdict="pass",
 )
-BELOW = SubsurfaceComparison(
-    side="lower",
+BELOW = comparison_below(
+    "lower",
     hertz=dict(zip(NAMES, (0.61e9, 75e-6, 1.1e9, 0.0), strict=True)),
     fe=dict(zip(NAMES, (0.62e9, 74e-6, 1.11e9, 3e-6), strict=True)),
     uncertainty=dict(zip(NAMES, (0.02e9, 0.9e-6, 0.009e9, 4e-6), strict=True)),
 )
-RING = RingStructure(approach=-0.2125e-6, share=-0.0407, mesh=6e-9, domain=1.5e-9, reach=0.3e-9)
+RING = RingStructure(approach=-0.2125e-6, share=-0.0407, mesh=6e-9, domain=1.5e-9, reach=0.3e-9, uncertainty=7.8e-9)
 
 
 @pytest.mark.parametrize(
@@ -44,7 +44,10 @@ RING = RingStructure(approach=-0.2125e-6, share=-0.0407, mesh=6e-9, domain=1.5e-
             lambda: replace(BELOW, fe=BELOW.fe | {"max_von_mises": math.nan}),
             "the max von mises comes out as nan, finite elements, below the lower surface",
         ),
-        (lambda: replace(RING, reach=math.nan), "the uncertainty comes out as nan, ring: the numbers of the scene"),
+        (
+            lambda: replace(RING, uncertainty=math.nan),
+            "the uncertainty comes out as nan, ring: the numbers of the scene",
+        ),
     ],
 )
 def test_a_number_that_is_not_finite_is_refused(change: Callable[[], Any], words: str) -> None:

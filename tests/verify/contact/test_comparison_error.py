@@ -2,15 +2,16 @@
 
 import pytest
 
+from fembearing.plain_types import plain
+from fembearing.verify.contact.comparison_error import compared, comparison_of
 from fembearing.grid_convergence import Estimate
-from fembearing.verify.contact.comparison_error import Comparison, comparison_of
 
 
 @pytest.mark.parametrize(("error", "resolved"), [(-6.9, False), (7.0, False), (-7.1, True), (12.5, True)])
 def test_an_error_is_resolved_beyond_the_root_of_the_sum_of_squares(error: float, resolved: bool) -> None:
-    comparison = Comparison(error=error, numerical=2.0, input=3.0, reference=6.0)  # 4 + 9 + 36 = 49
+    comparison = compared(error, numerical=2.0, given=3.0, reference=6.0)  # 4 + 9 + 36 = 49
     assert comparison.total == 7.0
-    document = comparison.to_json()
+    document = plain(comparison)
     assert [document[name] for name in ("error", "numerical", "input", "reference")] == [error, 2.0, 3.0, 6.0]
     assert (document["total"], document["resolved"]) == (7.0, resolved)
 

@@ -49,7 +49,7 @@ def test_the_infinite_half_space_takes_the_place_of_the_block(monkeypatch: pytes
     assert structure.mesh == pytest.approx(0.01e-6, rel=1e-9)  # a third of -0.25 less -0.22
     assert structure.domain == pytest.approx(0.051e-6, rel=1e-9)  # 1 % of 5.1
     assert structure.reach == pytest.approx(0.01e-6, rel=1e-9)
-    assert structure.to_json()["uncertainty"] == pytest.approx(0.071e-6, rel=1e-9)
+    assert structure.uncertainty == pytest.approx(0.071e-6, rel=1e-9)
 
 
 @pytest.mark.slow
@@ -63,7 +63,7 @@ def test_the_ring_does_not_change_the_contact() -> None:
     layer = 1.377 * 372.2 * (1 - 0.3**2) / (3.1416 * 206e9 * 3.03e-3)
     assert -1.1 * layer < ringed.ring.approach < -0.6 * layer
     assert ringed.ring.uncertainty < 0.1 * abs(ringed.ring.approach)
-    assert (ringed.to_json()["geometry"], plain.to_json()["ring"]) == ("ring", None)
+    assert (ringed.geometry, plain.ring) == ("ring", None)
     assert ringed.reference == plain.reference
     assert ringed.verdicts == plain.verdicts
 

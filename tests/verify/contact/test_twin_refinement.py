@@ -10,7 +10,7 @@ import pytest
 from analytic.scene import Contact
 from fembearing.mesh.recipe import Recipe, load_recipe
 from fembearing.progress import silent
-from fembearing.report.document.build import contact_table
+from fembearing.report.contact import contact_record
 from fembearing.verify.contact.discrepancy import compare_contact
 from fembearing.verify.contact.mesh_refinement import COMPARED, FORMAL_ORDERS
 from fembearing.verify.contact.meshed_region import STIFFNESS
@@ -80,13 +80,13 @@ def test_the_result_says_whether_meshes_had_a_twin(
     )
     for each, recipe, refinement in cases:
         solution = compare_contact(each, recipe=shallow(recipe), tolerance=0.9)
-        assert solution.refinement == solution.to_json()["refinement"] == refinement
+        assert solution.refinement == contact_record(solution).refinement == refinement
         assert ("twin" in solution.method) == (refinement == "twin")
-        table = contact_table(solution)
+        table = contact_record(solution)
         assert table.refinement == refinement
         for name, part in solution.estimates.items():
             assert bool(part.corrected) == (refinement == "twin")
-            assert table.convergence[name].corrected == list(part.corrected)
+            assert table.convergence[name].corrected == part.corrected
 
 
 @pytest.mark.slow

@@ -75,12 +75,6 @@ def test_the_load_under_thrust_has_five_methods(scene: Scene) -> None:
     check_bounds(ladder)
 
 
-def test_at_standstill_bounds_cover_the_difference_of_two_solvers(scene: Scene) -> None:
-    """Nothing is left out there, but each solver stops at its own last step."""
-    still = replace(scene, operation=replace(scene.operation, inner_speed=np.zeros(5)))
-    check_bounds(measured(load_methods(still), tolerance=0.01))
-
-
 def test_a_radial_load_leaves_only_the_ring(scene: Scene) -> None:
     """The heaviest ball carries 4.37 Fr/Z and more: no method for thrust comes close."""
     pulled = replace(scene, operation=replace(scene.operation, radial_load=2500.0))
@@ -181,14 +175,6 @@ def test_differences_of_heights_miss_slopes_of_a_smooth_surface_only(
     assert bound("gaussian") > bound("exponential") + 0.005
 
 
-def test_the_scatter_of_a_generated_map_depends_on_its_correlation_lengths_alone() -> None:
-    waves = Autocorrelation(kind="exponential", length=21e-6, spacing=1.3e-6)
-    larger = replace(waves, length=3 * waves.length, spacing=3 * waves.spacing)
-    bound = formula_ladders._bound_of_generated
-    assert bound(larger, 350) == pytest.approx(bound(waves, 350), rel=1e-12)  # round-off
-    assert bound(replace(waves, length=3 * waves.length), 1050) == pytest.approx(bound(waves, 350), rel=1e-12)
-
-
 def without_friction(scene: Scene) -> Scene:
     return replace(scene, friction_coefficient=None)
 
@@ -229,3 +215,11 @@ def test_a_scene_without_such_a_ladder_says_why(
 ) -> None:
     with pytest.raises(InputError, match=words):
         methods(change(scene))
+
+
+def test_the_scatter_of_a_generated_map_depends_on_its_correlation_lengths_alone() -> None:
+    waves = Autocorrelation(kind="exponential", length=21e-6, spacing=1.3e-6)
+    larger = replace(waves, length=3 * waves.length, spacing=3 * waves.spacing)
+    bound = formula_ladders._bound_of_generated
+    assert bound(larger, 350) == pytest.approx(bound(waves, 350), rel=1e-12)  # round-off
+    assert bound(replace(waves, length=3 * waves.length), 1050) == pytest.approx(bound(waves, 350), rel=1e-12)

@@ -12,6 +12,7 @@ from analytic.loads.finite_geometry import thrust_correction
 from analytic.scene import Scene
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
+from fembearing.report.report import change_record
 from fembearing.grid_convergence import Estimate
 from fembearing.verify.torque.change import TorqueChange, change_of_torque
 from tests.analytic.scenefile.scene_texts import LUBRICANT, SURFACE
@@ -73,15 +74,6 @@ def test_conformity_goes_with_the_square_of_the_major_axis_and_hysteresis_with_t
     assert found.relative("spin") is None
 
 
-def test_a_stiffer_contact_steepens_nothing() -> None:
-    """Less approach leaves the ball at a flatter angle, which takes more load to carry the thrust."""
-    stiff = solution(approach=0.97)
-    found = change_in(SOLVED, inner=stiff, outer=stiff)
-    assert (found.corrected.contact_angle < found.own.contact_angle).all()
-    assert (found.corrected.ball_load > found.own.ball_load).all()
-    assert (relative(found, "total") > 0).all()
-
-
 def test_uncertainty_adds_what_each_input_does_alone() -> None:
     sure, unsure = solution(), solution(uncertainty=0.01)
     alone = [
@@ -132,15 +124,6 @@ def test_each_part_and_the_angle_are_as_uncertain_as_their_own_change() -> None:
     np.testing.assert_allclose(free["contact_angle"], sum(abs(each / angle - 1) for each in moved), rtol=1e-6)
 
 
-def test_the_numbers_are_plain_in_json() -> None:
-    found = change_in(FIXED, inner=solution(approach=0.97), outer=solution()).to_json()
-    assert found["change"]["spin"] is None
-    assert found["change"]["total"] == [None, pytest.approx(0.0, abs=1e-15)]
-    assert found["torque"]["corrected"][0] is None
-    assert None not in found["torque"]["production"]
-    assert len(found["torque"]["production"]) == 2
-
-
 def test_nothing_is_claimed_at_loads_that_were_not_solved() -> None:
     """700 N and 900 N: the contacts are those of the heavier ball, and their ratios to Hertz fade with the load."""
     change = present(change_in(SOLVED, inner=solution(approach=0.97), outer=solution()).relative("total"))
@@ -152,7 +135,7 @@ def test_the_change_carries_the_worse_verdict_of_its_contacts() -> None:
     sound, bad = solution(), solution()
     bad.verdict = "outside validity"
     for inner, outer in ((sound, bad), (bad, sound)):
-        assert change_in(FIXED, inner=inner, outer=outer).to_json()["verdict"] == "outside validity"
+        assert change_record(change_in(FIXED, inner=inner, outer=outer)).verdict == "outside validity"
 
 
 def test_the_correction_for_finite_geometry_knows_every_load() -> None:
@@ -164,22 +147,13 @@ def test_the_correction_for_finite_geometry_knows_every_load() -> None:
     bearing, load = FIXED.bearing, FIXED.operation.axial_load
     factors = thrust_correction(bearing, FIXED.contact_angle, axial_load=load)
     squares = [np.asarray(side.factors.semi_axis_transverse) ** 2 for side in (factors.inner, factors.outer)]
-    plain, changed = change.own.torque, found.torque.torque
-    ratio = present(changed.conformity) / present(plain.conformity)
+    own, changed = change.own.torque, found.torque.torque
+    ratio = present(changed.conformity) / present(own.conformity)
     assert (np.minimum(*squares) < ratio).all()
     assert (ratio < np.maximum(*squares)).all()
     assert (found.uncertainty > 0).all()
     assert (found.uncertainty < np.abs(found.relative)).all()
-    assert None not in found.to_json()["change"]
-
-
-def test_where_the_correction_does_not_reach_nothing_is_claimed() -> None:
-    wide = SCENE.replace('catalog = "paper_6205"', 'catalog = "paper_6205"\ninner.groove_radius = "4.9 mm"')
-    scene = parse_scene(wide.replace("RULE", "given").replace("VALUE", "value"), origin="test")
-    found = change_in(scene, inner=solution(), outer=solution()).fitted
-    assert found is not None
-    assert found.to_json()["change"] == [None, None]
-    assert found.warnings[0].startswith("inner: conformity 0.6171 is outside 0.505 to 0.58 of the fit")
+    assert np.isfinite(found.relative).all()
 
 
 def test_a_lubricated_scene_changes_by_angle_and_contacts() -> None:
@@ -191,7 +165,7 @@ def test_a_lubricated_scene_changes_by_angle_and_contacts() -> None:
     assert (relative(found, "conformity") > 0).all()
     assert (relative(found, "total") > 0).all()
     assert np.isfinite(found.uncertainty)
-    assert found.to_json()["change"]["rolling"][-1] == 0.0
+    assert present(change_record(found).change.rolling)[-1] == 0.0
 
 
 def test_the_total_is_that_of_the_production_with_what_the_races_change() -> None:
@@ -205,7 +179,7 @@ def test_the_total_is_that_of_the_production_with_what_the_races_change() -> Non
     assert present(production.torque.cage)[-1] > 0
     expected = production.torque.total - (1 - 0.98**2) * production.torque.race
     np.testing.assert_allclose(found.total[-1], expected[-1], rtol=1e-9)  # round-off
-    np.testing.assert_allclose(found.to_json()["torque"]["production"], production.torque.total, rtol=0)
+    np.testing.assert_allclose(change_record(found).torque.production, production.torque.total, rtol=0)
     np.testing.assert_allclose(
         present(found.relative("total"))[-1], (expected / production.torque.total)[-1] - 1, rtol=1e-9
     )
@@ -222,7 +196,7 @@ def test_contacts_that_are_those_of_the_fit_change_nothing_where_the_production_
     on = change_in(replace(one, effects={**one.effects, "finite_geometry": "on"}), **contacts)
     np.testing.assert_allclose(present(on.relative("total")), 0.0, atol=1e-9)  # round-off of the factors
     assert on.fitted is None
-    assert on.to_json()["finite_geometry"] is None
+    assert change_record(on).finite_geometry is None
     assert "what that fit leaves" in on.note
     off = change_in(one, **contacts)
     assert off.fitted is not None

@@ -1,9 +1,22 @@
 """Operating points without a torque keep their places in columns and in JSON."""
 
+from dataclasses import dataclass
+
 import numpy as np
 import pytest
 
+from analytic.rows import OperatingPoint
+from fembearing.plain_types import plain
 from fembearing.verify.torque.left_out import LeftOut, Places
+
+
+@dataclass(frozen=True, kw_only=True)
+class Prediction(OperatingPoint):
+    """A row with numbers in groups, and a text."""
+
+    made_of: dict[str, tuple[float, float]]
+    reason: str = "known"
+
 
 LOST = LeftOut(point=1, inner_speed=30.0, axial_load=5e9, radial_load=2.0, moment=0.3, reason="too heavy")
 PLACES = Places(size=4, left_out=(LOST,))
@@ -25,10 +38,13 @@ def test_columns_know_the_loads_of_every_point_and_nothing_else_of_a_lost_one() 
 
 def test_rows_have_the_same_keys_and_no_values_at_a_lost_point() -> None:
     rows = [
-        {"axial_load": load, "torque": {"total": 3e-5 * load, "spin": None}, "ends": [0.2 * load, 0.7 * load]}
+        Prediction(
+            inner_speed=20.0, axial_load=load, radial_load=0.0, moment=0.0, made_of={"input": (0.2 * load, 0.7 * load)}
+        )
         for load in (100.0, 300.0, 700.0)
     ]
     whole = PLACES.rows(rows)
     assert [whole[place] for place in PLACES.computed] == rows
-    assert whole[1] == {"axial_load": 5e9, "torque": {"total": None, "spin": None}, "ends": [None, None]}
-    assert PLACES.rows([2.0, 3.0, 7.0]) == [2.0, None, 3.0, 7.0]
+    point = {name: getattr(LOST, name) for name in ("inner_speed", "axial_load", "radial_load", "moment")}
+    assert plain(whole[1]) == point | {"made_of": {"input": [None, None]}, "reason": None}
+    assert plain(PLACES.rows([2.0, 3.0, 7.0])) == [2.0, None, 3.0, 7.0]

@@ -4,8 +4,8 @@ from collections.abc import Callable
 from string import ascii_uppercase
 from typing import NamedTuple
 
-from fembearing.report.document.report import Report
 from fembearing.report.page.sections.ring import ring_section
+from fembearing.report.report import Report
 
 
 class Appendix(NamedTuple):
@@ -31,7 +31,7 @@ PARTS = (
     Part("pictures", "Contact pressure"),
     Part("meshes", "Meshes and convergence"),
     Part("ring", "Ring and balls", lambda document: ring_section(document) is not None),
-    Part("cage", "Cage", lambda document: document.provenance.scene_content.cage is not None),
+    Part("cage", "Cage", lambda document: document.scene.cage is not None),
     Part("sensitivity", "Sensitivity to inputs", lambda document: document.sensitivity is not None),
     Part("cost", "What accuracy costs"),
     Part("next", "Warnings, and what to run next"),

@@ -4,23 +4,23 @@ from collections.abc import Iterator
 
 from analytic.words import angle_of
 from fembearing.quantities import QUANTITIES, Units
-from fembearing.report.document.report import Report
-from fembearing.report.document.scene import Cage, Groove, Scene
 from fembearing.report.phrases import LOADS, clearances_of, friction_of, listed
+from fembearing.report.report import Report
+from fembearing.report.scene_view import Cage, Groove, SceneView
 
 Facts = list[tuple[str, str]]
 
 
 def facts_of(document: Report) -> Facts:
     """Name and words of what defines the torque, for the summary."""
-    scene = document.provenance.scene_content
+    scene = document.scene
     facts = list(_facts(scene, document.units))
     return facts if document.torque is not None else [*facts, ("operation", _operation(scene, document.units))]
 
 
 def details_of(document: Report) -> Facts:
     """The same of grooves, materials and seats, for an appendix."""
-    scene, torque, units = document.provenance.scene_content, document.torque, document.units
+    scene, torque, units = document.scene, document.torque, document.units
     bearing = scene.bearing
     details = [
         (f"{race} groove", _groove(groove, bearing.ball_diameter, units))
@@ -40,7 +40,7 @@ def details_of(document: Report) -> Facts:
     return [*details, ("calibration", chosen)]
 
 
-def _facts(scene: Scene, units: Units) -> Iterator[tuple[str, str]]:
+def _facts(scene: SceneView, units: Units) -> Iterator[tuple[str, str]]:
     bearing, angle = scene.bearing, scene.contact_angle
     pitch = bearing.inner.bottom_radius + bearing.outer.bottom_radius
     gap = 2 * (bearing.outer.bottom_radius - bearing.inner.bottom_radius - bearing.ball_diameter)
@@ -74,7 +74,7 @@ def _facts(scene: Scene, units: Units) -> Iterator[tuple[str, str]]:
     yield "friction", friction_of(coefficient=scene.friction_coefficient, is_lubricated=scene.is_lubricated)
 
 
-def _operation(scene: Scene, units: Units) -> str:
+def _operation(scene: SceneView, units: Units) -> str:
     """Loads and speeds, where no torque has them."""
     given = scene.operation
     words = []
@@ -86,7 +86,7 @@ def _operation(scene: Scene, units: Units) -> str:
     return ", ".join([*words, f"inner speed {listed(given.inner_speed, units.speed.factor)} {units.speed.name}"])
 
 
-def _surface(scene: Scene, units: Units) -> str:
+def _surface(scene: SceneView, units: Units) -> str:
     surface = scene.surface
     assert surface is not None
     if surface.height_map is not None:

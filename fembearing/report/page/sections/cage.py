@@ -3,39 +3,37 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from analytic.cage.drive import LARGEST_GRIP
 from fembearing.quantities import Units
-from fembearing.report.document.contact import Contact
-from fembearing.report.document.report import Report
-from fembearing.report.document.torque import MovedCage
-from fembearing.report.page.sections.grid import Grid, Head, Row, grid_of
-from fembearing.report.phrases import digits, percent, place_of, shown
+from fembearing.report.contact import ContactRecord
+from fembearing.report.phrases import digits, place_of, shown
+from fembearing.report.report import Report
+from fembearing.report.tables.cage import motion_table, regime_table
+from fembearing.report.tables.table import Head, Row, Table, table_of
 
 
 class CageSection(NamedTuple):
     """Tables of the section; None where there is nothing to show."""
 
-    pocket: Grid | None
+    pocket: Table | None
     load: str  # of the pocket
-    motion: Grid | None
-    regimes: Grid | None
-    largest_grip: float
+    motion: Table | None
+    regimes: Table | None
 
 
 def cage_section(document: Report) -> CageSection:
     """What the section shows."""
     units = document.units
-    moved = [each for each in document.cage_motion or () if isinstance(each, MovedCage)]
+    rows = enumerate(document.cage_motion or (), start=1)
+    moved = {number: point for number, point in rows if point.torque is not None}
     return CageSection(
         pocket=_pocket(document.contacts, units),
         load=units.force.written(document.contacts[-1].load, ".4g"),
-        motion=_motion(moved, units) if moved else None,
-        regimes=_regimes(moved, units) if moved else None,
-        largest_grip=LARGEST_GRIP,
+        motion=motion_table(moved, units) if moved else None,
+        regimes=regime_table(moved, units) if moved else None,
     )
 
 
-def _pocket(contacts: Sequence[Contact], units: Units) -> Grid | None:
+def _pocket(contacts: Sequence[ContactRecord], units: Units) -> Table | None:
     """Each model of the pocket, Hertz first; None without a cage."""
     if len(contacts) < 4:
         return None
@@ -59,63 +57,4 @@ def _pocket(contacts: Sequence[Contact], units: Units) -> Grid | None:
         ]
         for model, values, uncertainty in models
     ]
-    return grid_of("stiffness of the pocket", heads, rows)
-
-
-def _motion(moved: Sequence[MovedCage], units: Units) -> Grid:
-    torque, force = units.torque, units.force
-    heads = [
-        Head(f"speed, {units.speed.name}"),
-        *(Head(name, "text") for name in ("regime", "start")),
-        *(Head(f"{name}, {torque.name}") for name in ("torque", "95 %", "signed moment")),
-        *(Head(f"{name}, {force.name}") for name in ("all forces", "largest", "95 %")),
-    ]
-    rows = [
-        [
-            shown(point.inner_speed, ".5g", units.speed.factor),
-            point.state,
-            point.start,
-            shown(point.torque, ".3g", torque.factor),
-            _between(point.interval.torque, torque.factor),
-            shown(point.signed_moment, ".2g", torque.factor),
-            shown(point.mean_force, ".3g", force.factor),
-            shown(point.max_force, ".3g", force.factor),
-            _between(point.interval.max_force, force.factor),
-        ]
-        for point in moved
-    ]
-    return grid_of("motion of the cage", heads, rows)
-
-
-def _other(point: MovedCage, units: Units) -> str:
-    other = point.other
-    if other is None:
-        return "the cage cannot whirl: one steady motion"
-    decides = "" if other.state == point.state else ": the start decides"
-    return f"{other.state} from {other.start}, {units.torque.written(other.torque, '.3g')}{decides}"
-
-
-def _regimes(moved: Sequence[MovedCage], units: Units) -> Grid:
-    speed, small = units.speed, units.small_length
-    names = (f"whirl, {speed.name}", f"wobble, {small.name}", f"ball lead, {small.name}", "grip used", "grip number")
-    heads = [Head(f"speed, {speed.name}"), Head("regime", "text"), *(Head(name) for name in names)]
-    heads += [Head("duration", "text"), Head("another start", "text")]
-    rows = [
-        [
-            shown(point.inner_speed, ".5g", units.speed.factor),
-            point.state,
-            shown(point.whirl_speed, ".4g", units.speed.factor),
-            shown(point.wobble, ".3g", small.factor),
-            shown(point.ball_lead, ".3g", small.factor),
-            percent(point.grip_share),
-            shown(point.grip_number, ".2g", absent="unknown"),
-            f"{point.duration:.3g} s in blocks of {point.block:.3g} s",
-            _other(point, units),
-        ]
-        for point in moved
-    ]
-    return grid_of("regime of the cage", heads, rows)
-
-
-def _between(ends: Sequence[float], factor: float) -> str:
-    return f"{ends[0] * factor:.3g} to {ends[1] * factor:.3g}"
+    return table_of("stiffness of the pocket", heads, rows)

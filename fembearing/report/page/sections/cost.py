@@ -2,9 +2,10 @@
 
 from collections.abc import Iterator
 
-from fembearing.report.document.report import Ladder, Report
-from fembearing.report.page.sections.grid import Grid, Group, Head, Row
 from fembearing.report.phrases import capital, shown
+from fembearing.report.report import Report
+from fembearing.report.tables.table import Group, Head, Row, Table
+from fembearing.verify.cost.ladder import Ladder
 
 HEADS = (
     Head("method", "text"),
@@ -16,9 +17,9 @@ HEADS = (
 )
 
 
-def cost_grid(document: Report) -> Grid:
+def cost_grid(document: Report) -> Table:
     """A group for each quantity, a row for each method."""
-    return Grid("methods", HEADS, [Group(list(_rows(ladder)), _title(ladder)) for ladder in document.cost.ladders])
+    return Table("methods", HEADS, [Group(list(_rows(ladder)), _title(ladder)) for ladder in document.cost.ladders])
 
 
 def _title(ladder: Ladder) -> str:

@@ -3,10 +3,11 @@
 from collections.abc import Iterator
 
 from fembearing.quantities import Units
-from fembearing.report.document.contact import Contact, Study
-from fembearing.report.document.report import Report
-from fembearing.report.page.sections.grid import Grid, Group, Head, Row
+from fembearing.report.contact import ContactRecord
 from fembearing.report.phrases import contact_title, digits, quantities_of, shown
+from fembearing.report.report import Report
+from fembearing.report.tables.table import Group, Head, Row, Table
+from fembearing.verify.contact.grid_convergence import Estimate
 
 HEADS = (
     Head("quantity", "name"),
@@ -19,16 +20,16 @@ HEADS = (
 )
 
 
-def mesh_grid(document: Report) -> Grid:
+def mesh_grid(document: Report) -> Table:
     """A group for each contact, a row for each quantity."""
     groups = [
         Group(list(_rows(contact, document.units)), contact_title(contact, document.units))
         for contact in document.contacts
     ]
-    return Grid("meshes of each contact", HEADS, groups)
+    return Table("meshes of each contact", HEADS, groups)
 
 
-def _rows(contact: Contact, units: Units) -> Iterator[Row]:
+def _rows(contact: ContactRecord, units: Units) -> Iterator[Row]:
     for name, quantity in quantities_of(contact, units).items():
         study, factor = contact.convergence[name], quantity.shown.factor
         yield [
@@ -42,7 +43,7 @@ def _rows(contact: Contact, units: Units) -> Iterator[Row]:
         ]
 
 
-def _on_meshes(study: Study, factor: float) -> str:
+def _on_meshes(study: Estimate, factor: float) -> str:
     plain, corrected = (
         ", ".join(digits(value, factor) for value in values) for values in (study.values, study.corrected)
     )

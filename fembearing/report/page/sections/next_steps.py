@@ -3,9 +3,9 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from fembearing.report.document.contact import Contact
-from fembearing.report.document.report import Report
+from fembearing.report.contact import ContactRecord
 from fembearing.report.phrases import place_of, quantities_of
+from fembearing.report.report import Report
 
 
 class Step(NamedTuple):
@@ -32,7 +32,7 @@ def next_section(document: Report) -> NextSection:
     )
 
 
-def _of_contact(document: Report, contact: Contact) -> Iterator[Step]:
+def _of_contact(document: Report, contact: ContactRecord) -> Iterator[Step]:
     """The steps that the verdicts on one contact call for."""
     rows, names = document.verdicts_on(contact), quantities_of(contact)
     place = place_of(contact.pair, contact.geometry)
@@ -46,7 +46,7 @@ def _of_contact(document: Report, contact: Contact) -> Iterator[Step]:
             "finite-element values, or a wider tolerance"
         )
         if contact.corrected:
-            worst = max(abs(error) for _, error in contact.corrected.interpolation_error)
+            worst = max(abs(error) for error in contact.corrected.interpolation_error.values)
             remedy = f'effects.finite_geometry = "on" corrects Hertz, to {worst:.2%} of the finite elements here'
         yield Step(f"{place}: Hertz fails in {failed}", remedy)
     open_to_meshes, open_beyond = [], []

@@ -2,10 +2,11 @@
 
 from collections.abc import Sequence
 
+from analytic.result import TorquePoint
+from analytic.rows import OperatingPoint
 from fembearing.quantities import QUANTITIES, Units
-from fembearing.report.document.torque import OperatingPoint, Point
-from fembearing.report.page.sections.grid import Head
 from fembearing.report.phrases import LOADS, loads_of, present_loads
+from fembearing.report.tables.table import Head
 
 MOST_IN_SUMMARY = 12
 NUMBER = Head("point", "name")
@@ -33,17 +34,19 @@ def point_name(points: Sequence[OperatingPoint], index: int, units: Units) -> st
     return f"{number}{loads_of(point, named, units)}, {units.speed.written(point.inner_speed, '.5g')}"
 
 
-def parts_of(points: Sequence[Point]) -> list[str]:
+def parts_of(points: Sequence[TorquePoint]) -> list[str]:
     """The parts of the torque that were computed or declared."""
-    return [name for name, value in points[0].torque if value is not None and name not in ("race", "total")]
+    return [
+        name for name, value in vars(points[0].torque).items() if value is not None and name not in ("race", "total")
+    ]
 
 
-def heaviest_point(points: Sequence[Point]) -> int:
+def heaviest_point(points: Sequence[TorquePoint]) -> int:
     """The point with the heaviest ball, whose contacts are solved; the first of equal ones."""
     return max(range(len(points)), key=lambda index: _heaviest(points[index]))
 
 
-def points_of_summary(points: Sequence[Point]) -> list[int]:
+def points_of_summary(points: Sequence[TorquePoint]) -> list[int]:
     """At most 12 points in their order: both ends, smallest and largest total, and an even choice of the others."""
     count = len(points)
     if count <= MOST_IN_SUMMARY:
@@ -56,5 +59,5 @@ def points_of_summary(points: Sequence[Point]) -> list[int]:
     return sorted(chosen)
 
 
-def _heaviest(point: Point) -> float:
+def _heaviest(point: TorquePoint) -> float:
     return max(point.contact.inner.load, point.contact.outer.load)

@@ -5,13 +5,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from analytic.loads.ring_state import Balls, Displacement, RingPoint
+from analytic.result import TorquePoint
 from fembearing.quantities import Units
-from fembearing.report.document.report import Report
-from fembearing.report.document.ring import Balls, Displacement, RingState
-from fembearing.report.document.torque import Point
-from fembearing.report.page.sections.grid import Grid, Group, Head, Row, grid_of
 from fembearing.report.page.sections.points import point_cells, point_heads, point_name
 from fembearing.report.phrases import angle_cell, digits
+from fembearing.report.report import Report
+from fembearing.report.tables.table import Group, Head, Row, Table, table_of
 
 AXES = ("axially", "along x", "along y")
 ROUND_OFF = 1e-9  # of the diagonal, below which an entry is none
@@ -20,9 +20,9 @@ ROUND_OFF = 1e-9  # of the diagonal, below which an entry is none
 class RingSection(NamedTuple):
     """Tables of the section; displacement None: the scene gives the contact angle, which no displacement belongs to."""
 
-    displacement: Grid | None
-    stiffness: Grid
-    balls: Grid
+    displacement: Table | None
+    stiffness: Table
+    balls: Table
 
 
 def ring_section(document: Report) -> RingSection | None:
@@ -37,17 +37,17 @@ def ring_section(document: Report) -> RingSection | None:
     balls = [Group(list(_balls(ring.balls, units)), point_name(points, index, units)) for index, ring in shown]
     return RingSection(
         displacement=_displacement(points, placed, units) if placed else None,
-        stiffness=Grid("stiffness of the bearing", [Head("", "name"), *_freedoms(units)], stiffness),
-        balls=Grid("balls", [Head("azimuth, deg (rad)", "name"), *_heads_of_balls(units)], balls),
+        stiffness=Table("stiffness of the bearing", [Head("", "name"), *_freedoms(units)], stiffness),
+        balls=Table("balls", [Head("azimuth, deg (rad)", "name"), *_heads_of_balls(units)], balls),
     )
 
 
-def _ends(points: Sequence[Point]) -> list[int]:
+def _ends(points: Sequence[TorquePoint]) -> list[int]:
     """The first and the last point."""
     return sorted({0, len(points) - 1}) if points else []
 
 
-def _displacement(points: Sequence[Point], placed: Sequence[tuple[int, Displacement]], units: Units) -> Grid:
+def _displacement(points: Sequence[TorquePoint], placed: Sequence[tuple[int, Displacement]], units: Units) -> Table:
     lengths = [Head(f"{name}, {units.small_length.name}") for name in AXES]
     tilts = [Head(f"tilt about {name}, deg (rad)") for name in "xy"]
     rows = [
@@ -58,7 +58,7 @@ def _displacement(points: Sequence[Point], placed: Sequence[tuple[int, Displacem
         ]
         for index, ring in placed
     ]
-    return grid_of("displacement of the inner ring", [*point_heads(points, units), *lengths, *tilts], rows)
+    return table_of("displacement of the inner ring", [*point_heads(points, units), *lengths, *tilts], rows)
 
 
 def _freedoms(units: Units) -> list[Head]:
@@ -73,7 +73,7 @@ def _heads_of_balls(units: Units) -> list[Head]:
     return [Head(name) for name in (*loads, *(f"angle, {race}, deg (rad)" for race in races))]
 
 
-def _stiffness(ring: RingState, units: Units) -> Iterator[Row]:
+def _stiffness(ring: RingPoint, units: Units) -> Iterator[Row]:
     force, torque = units.force, units.torque
     actions = [f"{name}, {force.name}" for name in ("axial force", "force along x", "force along y")]
     actions += [f"moment about {name}, {torque.name}" for name in "xy"]

@@ -4,13 +4,11 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from analytic.inputs import StatedInput
+from analytic.verdicts import NumericalCheck
 from fembearing.quantities import CONTACT, Units
-from fembearing.report.document.contact import Contact
-from fembearing.report.document.report import Report
-from fembearing.report.document.torque import StatedInput, Torque
-from fembearing.report.document.verdicts import NumericalVerdict
+from fembearing.report.contact import ContactRecord
 from fembearing.report.page.sections.bearing import Facts, facts_of
-from fembearing.report.page.sections.grid import Grid, Head, grid_of
 from fembearing.report.page.sections.points import (
     heaviest_point,
     parts_of,
@@ -20,15 +18,16 @@ from fembearing.report.page.sections.points import (
     points_of_summary,
 )
 from fembearing.report.phrases import (
-    CHECKS,
     angle_cell,
     digits,
     input_name,
     interval_at,
-    limit_of,
     percent,
-    worst_of,
 )
+from fembearing.report.report import Report
+from fembearing.report.tables.table import Head, Table, table_of
+from fembearing.report.tables.verdicts import physical_table
+from fembearing.report.torque import TorqueRecord
 
 MOST_NAMED = 8  # assumed inputs that the summary names
 OTHER_LOADS = (
@@ -71,10 +70,10 @@ class Summary(NamedTuple):
     boxes: list[Box]
     overall: str
     inputs: str
-    torque: Grid | None
+    torque: Table | None
     hidden: int  # operating points that only the appendix shows
-    physical: Grid
-    contacts: Grid
+    physical: Table
+    contacts: Table
     contacts_at: str
     change: str
     notes: list[str]
@@ -97,7 +96,7 @@ def summary_of(document: Report) -> Summary:
         inputs="" if torque is None else _status_of(torque.inputs),
         torque=None if torque is None else _torque(torque, document.units),
         hidden=0 if torque is None else len(torque.points) - len(points_of_summary(torque.points)),
-        physical=_physical(document),
+        physical=physical_table(document.physical, document.units),
         contacts=_contacts(document),
         contacts_at=_contacts_at(document),
         change=_change(document),
@@ -112,7 +111,7 @@ def summary_of(document: Report) -> Summary:
     )
 
 
-def _figures(torque: Torque, units: Units) -> list[Figure]:
+def _figures(torque: TorqueRecord, units: Units) -> list[Figure]:
     """The total: the one, or the largest and the smallest of a series."""
     points = torque.points
     totals = [point.torque.total for point in points]
@@ -128,7 +127,7 @@ def _figures(torque: Torque, units: Units) -> list[Figure]:
     return [_figure("Largest friction torque", torque, largest, units), _figure("Smallest", torque, smallest, units)]
 
 
-def _figure(name: str, torque: Torque, index: int, units: Units) -> Figure:
+def _figure(name: str, torque: TorqueRecord, index: int, units: Units) -> Figure:
     point = torque.points[index]
     spread = f"numerical uncertainty {percent(point.uncertainty.numerical)}"
     if torque.prediction is not None:
@@ -138,7 +137,7 @@ def _figure(name: str, torque: Torque, index: int, units: Units) -> Figure:
     return Figure(name, value, spread, point_name(torque.points, index, units))
 
 
-def _trust(torque: Torque) -> str:
+def _trust(torque: TorqueRecord) -> str:
     """How far to trust the torque: one sentence with one number, at the worst operating point."""
     if torque.prediction is not None:
         points = torque.prediction.points
@@ -162,14 +161,15 @@ def _boxes(document: Report) -> list[Box]:
     verdict, torque = document.verdict, document.torque
     compared = Counter(row.verdict for row in document.verdicts)
     words = f"Hertz against finite elements, tolerance {percent(document.tolerance)}: {_counted(compared)}."
-    boxes = [Box("Comparison", verdict.comparison, words)]
-    if torque is not None and verdict.numerical is not None:
-        boxes.append(Box("Numerical", verdict.numerical, _numerical(torque.verdicts.numerical)))
+    boxes = [Box("Comparison", verdict.comparison or "", words)]
+    check = None if torque is None else torque.verdicts.numerical
+    if check is not None and verdict.numerical is not None:
+        boxes.append(Box("Numerical", verdict.numerical, _numerical(check)))
     limits = f"Limits of the bearing: {_counted(Counter(check.verdict for check in document.physical))}."
     return [*boxes, Box("Physical", verdict.physical, limits)]
 
 
-def _numerical(check: NumericalVerdict) -> str:
+def _numerical(check: NumericalCheck) -> str:
     if check.uncertainty is None:
         return f"The uncertainty of the torque is not known: {_shortened(check.reason)}."
     return f"Uncertainty of the torque at most {percent(check.uncertainty)}, tolerance {percent(check.tolerance)}."
@@ -177,24 +177,6 @@ def _numerical(check: NumericalVerdict) -> str:
 
 def _counted(verdicts: Counter[str]) -> str:
     return ", ".join(f"{count} {verdict}" for verdict, count in verdicts.items())
-
-
-def _physical(document: Report) -> Grid:
-    """Each physical limit with the number and the operating point where it is worst."""
-    points, units = [] if document.torque is None else document.torque.points, document.units
-    heads = [Head("limit of", "name"), Head("where", "text"), Head("at", "text"), Head("worst"), Head("limit")]
-    rows = [
-        [
-            CHECKS.get(check.name, check.name),
-            check.where,
-            point_name(points, check.point, units) if points else "the heaviest ball",
-            worst_of(check, units),
-            limit_of(check.limit, check.unit, units),
-            check.verdict,
-        ]
-        for check in document.physical
-    ]
-    return grid_of("physical limits", [*heads, Head("verdict", "verdict")], rows)
 
 
 def _status_of(inputs: Sequence[StatedInput]) -> str:
@@ -208,7 +190,7 @@ def _status_of(inputs: Sequence[StatedInput]) -> str:
     return f"{len(inputs)} inputs: {words}. Assumed: {', '.join(assumed[:MOST_NAMED])}{more}."
 
 
-def _torque(torque: Torque, units: Units) -> Grid:
+def _torque(torque: TorqueRecord, units: Units) -> Table:
     """The torque by effect at each operating point, at most 12 of them."""
     points = torque.points
     parts, predicted = parts_of(points), torque.prediction
@@ -223,10 +205,10 @@ def _torque(torque: Torque, units: Units) -> Grid:
         ]
         for index in points_of_summary(points)
     ]
-    return grid_of("friction torque by effect", heads, rows)
+    return table_of("friction torque by effect", heads, rows)
 
 
-def _contacts(document: Report) -> Grid:
+def _contacts(document: Report) -> Table:
     """A row for each contact that is judged: what Hertz says, and how far it is from finite elements."""
     units = document.units
     pressure = CONTACT["peak_pressure"].in_units(units)
@@ -239,10 +221,10 @@ def _contacts(document: Report) -> Grid:
         *(Head(f"{quantity.name}, %") for quantity in CONTACT.values()),
         Head("verdict", "verdict"),
     ]
-    return grid_of("contacts", heads, [_contact(document, each) for each in document.contacts if each.judged])
+    return table_of("contacts", heads, [_contact(document, each) for each in document.contacts if each.judged])
 
 
-def _contact(document: Report, contact: Contact) -> list[str]:
+def _contact(document: Report, contact: ContactRecord) -> list[str]:
     verdicts, shown = document.verdicts_on(contact), document.units.pressure
     return [
         "cage pocket" if contact.pair == "pocket" else f"{contact.pair} race",

@@ -3,10 +3,8 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from analytic.result import TorquePoint
 from fembearing.quantities import Units
-from fembearing.report.document.report import Report
-from fembearing.report.document.torque import Point, Torque, TorqueChange
-from fembearing.report.page.sections.grid import Grid, Head, grid_of
 from fembearing.report.page.sections.points import parts_of, point_cells, point_heads
 from fembearing.report.phrases import (
     angle_cell,
@@ -18,6 +16,9 @@ from fembearing.report.phrases import (
     shown,
     uncertainty_of,
 )
+from fembearing.report.report import ChangeRecord, Report
+from fembearing.report.tables.table import Head, Table, table_of
+from fembearing.report.torque import TorqueRecord
 
 SIGNED = "+.2f"  # of a change in per cent
 
@@ -25,11 +26,11 @@ SIGNED = "+.2f"  # of a change in per cent
 class TorqueSection(NamedTuple):
     """Tables and sentences of the section on the torque."""
 
-    totals: Grid
-    changes: Grid
-    change: TorqueChange
+    totals: Table
+    changes: Table
+    change: ChangeRecord
     notes: list[str]
-    friction: Grid | None  # of one point, which no figure shows
+    friction: Table | None  # of one point, which no figure shows
 
 
 def torque_section(document: Report) -> TorqueSection | None:
@@ -54,14 +55,14 @@ def torque_section(document: Report) -> TorqueSection | None:
     )
 
 
-def _largest_parts(points: Sequence[Point]) -> dict[str, float]:
+def _largest_parts(points: Sequence[TorquePoint]) -> dict[str, float]:
     """Of the model's uncertainty, each at its worst operating point."""
     known = [point.uncertainty.model_parts or {} for point in points]
     names = dict.fromkeys(name for parts in known for name in parts)
     return {name: max(parts.get(name, 0.0) for parts in known) for name in names}
 
 
-def _totals(torque: Torque, units: Units) -> Grid:
+def _totals(torque: TorqueRecord, units: Units) -> Table:
     """Contact angle, parts, total, its numerical uncertainty, its interval and the catalogue band of each point."""
     points, parts, predicted = torque.points, parts_of(torque.points), torque.prediction
     low, high = torque.catalogue_band.low, torque.catalogue_band.high
@@ -88,10 +89,10 @@ def _totals(torque: Torque, units: Units) -> Grid:
         ]
         for index, point in enumerate(points)
     ]
-    return grid_of("friction torque at every operating point", heads, rows)
+    return table_of("friction torque at every operating point", heads, rows)
 
 
-def _friction(torque: Torque, units: Units) -> Grid | None:
+def _friction(torque: TorqueRecord, units: Units) -> Table | None:
     """Friction, film and asperities of the heaviest ball at the only point; None where nothing slides."""
     (point,) = torque.points
     small, gap = units.small_length, torque.gap_roughness
@@ -113,10 +114,10 @@ def _friction(torque: Torque, units: Units) -> Grid | None:
         )
     heads = [Head("contact", "name"), *map(Head, ("friction coefficient", f"film, {small.name}"))]
     heads += [Head("film over roughness"), Head("load on asperities")]
-    return grid_of("friction, film and asperities", heads, rows) if rows else None
+    return table_of("friction, film and asperities", heads, rows) if rows else None
 
 
-def _changes(points: Sequence[Point], change: TorqueChange, units: Units) -> Grid:
+def _changes(points: Sequence[TorquePoint], change: ChangeRecord, units: Units) -> Table:
     """Angle and total of the production and with contacts of finite elements, and the relative changes."""
     angles, totals, fitted = change.contact_angle, change.torque, change.finite_geometry
     heads = [
@@ -140,4 +141,4 @@ def _changes(points: Sequence[Point], change: TorqueChange, units: Units) -> Gri
         ]
         for index in range(len(points))
     ]
-    return grid_of("what contacts of finite elements change", heads, rows)
+    return table_of("what contacts of finite elements change", heads, rows)

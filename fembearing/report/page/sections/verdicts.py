@@ -3,10 +3,10 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from fembearing.report.document.contact import Contact
-from fembearing.report.document.report import Report
-from fembearing.report.page.sections.grid import Grid, Group, Head, Row
+from fembearing.report.contact import ContactRecord
 from fembearing.report.phrases import contact_place, contact_title, digits, quantities_of, shown
+from fembearing.report.report import Report
+from fembearing.report.tables.table import Group, Head, Row, Table
 
 HEADS = (
     Head("quantity", "name"),
@@ -24,7 +24,7 @@ HEADS = (
 class VerdictSection(NamedTuple):
     """What the section shows besides the document."""
 
-    judged: Grid
+    judged: Table
     comparisons: list[tuple[str, str]]  # place of a contact, and a sentence
     is_corrected: bool  # whether any contact is corrected for finite geometry
 
@@ -34,13 +34,13 @@ def verdict_section(document: Report) -> VerdictSection:
     judged = [contact for contact in document.contacts if contact.judged]
     groups = [Group(list(_rows(document, contact)), contact_title(contact, document.units)) for contact in judged]
     return VerdictSection(
-        judged=Grid("verdicts on each contact", HEADS, groups),
+        judged=Table("verdicts on each contact", HEADS, groups),
         comparisons=[(contact_place(contact), line) for contact in judged for line in _resolved(document, contact)],
         is_corrected=any(contact.corrected for contact in judged),
     )
 
 
-def _rows(document: Report, contact: Contact) -> Iterator[Row]:
+def _rows(document: Report, contact: ContactRecord) -> Iterator[Row]:
     verdicts, corrected = document.verdicts_on(contact), contact.corrected
     for name, quantity in quantities_of(contact, document.units).items():
         row, factor = verdicts[name], quantity.shown.factor
@@ -57,7 +57,7 @@ def _rows(document: Report, contact: Contact) -> Iterator[Row]:
         ]
 
 
-def _resolved(document: Report, contact: Contact) -> Iterator[str]:
+def _resolved(document: Report, contact: ContactRecord) -> Iterator[str]:
     """In sentences, what |E| against u_val says of Hertz in one contact."""
     rows, names = document.verdicts_on(contact), quantities_of(contact)
     parts: dict[bool, list[str]] = {True: [], False: []}

@@ -1,19 +1,13 @@
-"""The scene in the document, SI: the keys that the page reads, and all others of `analytic.scene.Scene` as they are."""
+"""The scene of a report, as far as the page tells of it: report.json holds it whole, whatever version wrote it."""
 
-from typing import Annotated, Literal
+from dataclasses import dataclass
+from typing import Any, ClassVar, Literal
 
-from pydantic import ConfigDict, Field
-
-from fembearing.report.document.table import Positive, Table
-
-
-class Noun(Table):
-    """A noun of the scene."""
-
-    model_config = ConfigDict(extra="allow")  # the scene is kept whole
+from analytic.rows import Positive
 
 
-class Material(Noun):
+@dataclass(frozen=True, kw_only=True)
+class Material:
     """A material."""
 
     name: str
@@ -22,7 +16,8 @@ class Material(Noun):
     source: str
 
 
-class Groove(Noun):
+@dataclass(frozen=True, kw_only=True)
+class Groove:
     """The groove of a ring."""
 
     bottom_radius: float
@@ -32,7 +27,8 @@ class Groove(Noun):
     material: Material
 
 
-class Bearing(Noun):
+@dataclass(frozen=True, kw_only=True)
+class Bearing:
     """The bearing."""
 
     name: str
@@ -44,7 +40,8 @@ class Bearing(Noun):
     outer: Groove
 
 
-class Cage(Noun):
+@dataclass(frozen=True, kw_only=True)
+class Cage:
     """The cage."""
 
     pocket_diameter: float
@@ -53,30 +50,34 @@ class Cage(Noun):
     material: Material
 
 
-class GivenAngle(Noun):
+@dataclass(frozen=True, kw_only=True)
+class GivenAngle:
     """A contact angle that the scene gives."""
 
     rule: Literal["given"]
     value: float
 
 
-class SolvedAngle(Noun):
+@dataclass(frozen=True, kw_only=True)
+class SolvedAngle:
     """A contact angle that follows from the load."""
 
     rule: Literal["solved"]
     free: float | None
 
 
-class Operation(Noun):
+@dataclass(frozen=True, kw_only=True)
+class Operation:
     """The operating points."""
 
-    axial_load: list[float]
-    inner_speed: list[float]
-    radial_load: list[float] | float
-    moment: list[float] | float
+    axial_load: tuple[float, ...]
+    inner_speed: tuple[float, ...]
+    radial_load: tuple[float, ...] | float
+    moment: tuple[float, ...] | float
 
 
-class Lubricant(Noun):
+@dataclass(frozen=True, kw_only=True)
+class Lubricant:
     """The oil."""
 
     viscosity: float
@@ -88,20 +89,23 @@ class Lubricant(Noun):
     name: str
 
 
-class Autocorrelation(Noun):
+@dataclass(frozen=True, kw_only=True)
+class Autocorrelation:
     """How heights of a surface hang together."""
 
     kind: str
     length: float
 
 
-class HeightMap(Noun):
+@dataclass(frozen=True, kw_only=True)
+class HeightMap:
     """A measured surface."""
 
     path: str
 
 
-class Declared(Noun):
+@dataclass(frozen=True, kw_only=True)
+class Declared:
     """A surface by its numbers."""
 
     height_map: None
@@ -110,19 +114,23 @@ class Declared(Noun):
     boundary_friction: float
 
 
-class Mapped(Noun):
+@dataclass(frozen=True, kw_only=True)
+class Mapped:
     """A surface by a height map."""
 
     height_map: HeightMap
     boundary_friction: float
 
 
-class Scene(Noun):
-    """The scene."""
+@dataclass(frozen=True, kw_only=True)
+class SceneView:
+    """The scene as far as the page tells of it."""
+
+    __pydantic_config__: ClassVar[dict[str, Any]] = {"strict": True, "extra": "ignore", "allow_inf_nan": False}
 
     name: str
     bearing: Bearing
-    contact_angle: Annotated[GivenAngle | SolvedAngle, Field(discriminator="rule")]
+    contact_angle: GivenAngle | SolvedAngle
     operation: Operation
     cage: Cage | None
     lubricant: Lubricant | None

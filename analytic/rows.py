@@ -1,0 +1,60 @@
+"""Rows of a result, one for each operating point: what JSON holds of arrays, and what is known of its numbers."""
+
+from collections.abc import Sized
+from dataclasses import dataclass, replace
+from typing import Annotated, Any, TypeVar
+
+from annotated_types import Ge, Gt, Lt
+
+T = TypeVar("T")  # of a group of numbers: Array at every operating point, (n,), or float at one of them
+Positive = Annotated[float, Gt(0)]
+NotNegative = Annotated[float, Ge(0)]
+Count = Annotated[int, Gt(0), Lt(2**63)]
+Two = tuple[float, float]
+
+
+@dataclass(frozen=True, kw_only=True)
+class OperatingPoint:
+    """Speed and loads."""
+
+    inner_speed: float  # rad/s
+    axial_load: float  # N
+    radial_load: float  # N
+    moment: float  # N m
+
+
+def row_of(series: Any, point: int) -> Any:
+    """One operating point of a group of numbers.
+
+    Parameters
+    ----------
+    series : dataclass
+        Whose fields are arrays, (n,), or None.
+    point : int
+        Number of the point, from 0.
+
+    Returns
+    -------
+    dataclass
+        Of the same type, whose fields are floats, or None.
+    """
+    rows = {name: None if values is None else float(values[point]) for name, values in vars(series).items()}
+    return replace(series, **rows)
+
+
+def require_one_length(*lists: Sized) -> None:
+    """Refuse lists that belong together and differ in length.
+
+    Parameters
+    ----------
+    *lists : sequences
+        Of any length.
+
+    Raises
+    ------
+    ValueError
+        They are not of one length.
+    """
+    lengths = sorted({len(each) for each in lists})
+    if len(lengths) > 1:
+        raise ValueError(f"has lists of {' and '.join(map(str, lengths))} values that belong together")

@@ -1,1 +1,0 @@
-"""The document of a report: what report.json holds, as typed models."""

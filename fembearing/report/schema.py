@@ -1,0 +1,28 @@
+"""JSON Schemas of results, from the types that they are written from."""
+
+from typing import Any
+
+from pydantic import TypeAdapter
+from pydantic.json_schema import GenerateJsonSchema
+from pydantic_core.core_schema import FloatSchema
+
+from fembearing.report.report import Report
+from fembearing.report.torque import TorqueFile
+
+
+class NumberOrNull(GenerateJsonSchema):
+    """Numbers are null at an operating point that has no torque."""
+
+    def float_schema(self, schema: FloatSchema) -> dict[str, Any]:
+        """A number, or null."""
+        return {"anyOf": [super().float_schema(schema), {"type": "null"}]}
+
+
+def report_schema() -> dict[str, Any]:
+    """Of report.json and `validate --json`."""
+    return TypeAdapter(Report).json_schema()
+
+
+def torque_schema() -> dict[str, Any]:
+    """Of `torque --json`."""
+    return TypeAdapter(TorqueFile).json_schema(schema_generator=NumberOrNull)

@@ -1,0 +1,1 @@
+"""Tables of a result, each made once: the terminal and the page render the same one."""

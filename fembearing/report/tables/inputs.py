@@ -1,0 +1,27 @@
+"""Which effects count, and where the inputs come from."""
+
+from collections.abc import Iterable
+
+from analytic.effects.ledger import Effect
+from analytic.inputs import StatedInput
+from fembearing.quantities import METRIC, Units
+from fembearing.report.phrases import share_of, value_of
+from fembearing.report.tables.table import Head, Table, table_of
+
+EFFECTS = (Head("effect", "name"), Head("", "name"), Head("share", fixed=True), Head("reason", "text"))
+INPUTS = (Head("input", "name"), Head("value", "name"), Head("status", "name"), Head("source", "text", wide=True))
+
+
+def effects_table(effects: Iterable[Effect]) -> Table:
+    """Each effect with its decision, share and reason."""
+    rows = [[each.name, each.decision, share_of(each.share_is, each.share), each.reason] for each in effects]
+    return table_of("Effects", EFFECTS, rows)
+
+
+def inputs_table(label: str, inputs: Iterable[StatedInput], units: Units = METRIC) -> Table:
+    """Each input with its value and its origin."""
+    rows = [
+        [each.key, value_of(each.value, each.uncertainty, each.unit, units), each.status, each.source]
+        for each in inputs
+    ]
+    return table_of(label, INPUTS, rows)

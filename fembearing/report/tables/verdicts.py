@@ -1,0 +1,34 @@
+"""The physical limits."""
+
+from collections.abc import Sequence
+
+from analytic.verdicts import PhysicalCheck
+from fembearing.quantities import METRIC, Units
+from fembearing.report.phrases import CHECKS, limit_of, worst_of
+from fembearing.report.tables.table import Head, Table, table_of
+
+HEADS = (
+    Head("check", "name"),
+    Head("where", "name"),
+    Head("#"),
+    Head("worst"),
+    Head("limit"),
+    Head("verdict", "verdict"),
+)
+POINT = "#: the operating point where it is worst. What the scene does not have is not checked."
+
+
+def physical_table(checks: Sequence[PhysicalCheck], units: Units = METRIC) -> Table:
+    """Each number with its limit, at the operating point where it is worst."""
+    rows = [
+        [
+            CHECKS[check.name],
+            check.where,
+            str(check.point + 1),
+            worst_of(check, units),
+            limit_of(check.limit, check.unit, units),
+            check.verdict,
+        ]
+        for check in checks
+    ]
+    return table_of("Physical limits", HEADS, rows)
