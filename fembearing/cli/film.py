@@ -10,7 +10,6 @@ from fembearing.cli.options import (
     Load,
     SceneName,
     read_load,
-    read_option,
     read_scene,
     read_tolerance,
     require_folder_name,
@@ -42,15 +41,13 @@ def film(
     given = read_scene(scene)
     limit = read_tolerance(tolerance, given)
     force = None if load is None else read_load(load)
-    turning = (
-        None if speed is None else read_option("--speed", speed, unit="rad/s", low=-1e5, high=1e5, example='"500 rpm"')
-    )
+    turning = None if speed is None else read_speed(speed)
     from contextlib import nullcontext
 
     from analytic.words import percent_of
     from analytic.writing import new_folder
     from fembearing.cli.console import out, print_json, shown_progress
-    from fembearing.report.film_folder import write_film
+    from fembearing.report.film_folder import film_content, write_film
     from fembearing.report.terminal.film import print_film
     from fembearing.verify.film.scene_film import film_of
 
@@ -59,11 +56,11 @@ def film(
         if place is not None:
             write_film(result, place)
     if as_json:
-        print_json(result.to_json())
+        print_json(film_content(result.numbers))
     else:
-        print_film(out, result)
-        print_warnings(result.warnings)
-    name, uncertainty = result.worst
+        print_film(out, result.numbers)
+        print_warnings(result.numbers.warnings)
+    name, uncertainty = result.numbers.worst
     if uncertainty <= limit:
         raise typer.Exit(DONE)
     raise typer.Exit(

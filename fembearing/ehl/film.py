@@ -3,7 +3,6 @@
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -41,18 +40,6 @@ class NumericalFilm:
     def disagreement(self) -> float:
         """F3 over F1, less 1: they are equal without error of the grids."""
         return self.dissipated_force.value / self.rolling_force.value - 1
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain types, SI, without the maps."""
-        contact = self.contact
-        quantities = ("central_film", "minimum_film", "rolling_force", "dissipated_force", "pressure_centre")
-        return {
-            **{name: getattr(self, name).to_json() for name in quantities},
-            "loading": contact.loading,
-            "thickening": contact.thickening,
-            "ellipticity": contact.ellipticity,
-            "seconds": self.seconds,
-        }
 
 
 def numerical_film(contact: LubricatedContact, *, refinement: float = USUAL) -> NumericalFilm:

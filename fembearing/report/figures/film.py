@@ -25,13 +25,14 @@ CAPTION = (
 
 def film_figure(film: RaceFilm, units: Units = METRIC) -> Figure:
     """The figure of a solved contact."""
-    solution, (a, b) = film.solution, film.contact.semi_axes
+    solution, numbers, contact = film.solution, film.numbers, film.solution.contact
+    a, b = contact.semi_axes
     x, y = solution.x, np.concatenate([-solution.y[::-1], solution.y])
     pressure, height = (np.concatenate([each[:, ::-1], each], axis=1) for each in (solution.pressure, solution.film))
     figure = Figure(figsize=(WIDTH, HEIGHT), layout="constrained")
     grid = figure.add_gridspec(2, 2, height_ratios=(1.25, 1.0))
     across, small = units.length, units.small_length
-    thin = 0.9 * film.minimum_film.numerical, THICKEST * film.central_film.numerical
+    thin = 0.9 * numbers.minimum_film.numerical, THICKEST * numbers.central_film.numerical
     for column, (values, ends, unit, name, colours) in enumerate(
         (
             (pressure, (0.0, pressure.max()), units.pressure, "pressure", "viridis"),
@@ -54,9 +55,10 @@ def film_figure(film: RaceFilm, units: Units = METRIC) -> Figure:
 
 def _along_rolling(panel: Axes, film: RaceFilm, pressure: Array, height: Array, units: Units) -> None:
     """Pressure, Hertz's semi-ellipse and film along the line of rolling through the centre."""
-    a, x = film.contact.semi_axes[0], film.solution.x
+    contact, x = film.solution.contact, film.solution.x
+    a = contact.semi_axes[0]
     fine = np.linspace(-1, 1, 400)
-    peak = film.contact.peak_pressure * units.pressure.factor
+    peak = contact.peak_pressure * units.pressure.factor
     panel.plot(fine, peak * np.sqrt(1 - fine**2), color=BLACK, linewidth=1, linestyle="--", label="Hertz's pressure")
     panel.plot(x / a, pressure * units.pressure.factor, color=BLUE, label="pressure")
     panel.set(xlim=(-2.5, SEEN), ylim=(0, 1.25 * peak), xlabel="along rolling, semi-axes a")
@@ -65,7 +67,7 @@ def _along_rolling(panel: Axes, film: RaceFilm, pressure: Array, height: Array, 
     other = panel.twinx()
     small = units.small_length
     other.plot(x / a, height * small.factor, color=RED, label="film")
-    other.set(ylim=(0, 4 * film.central_film.numerical * small.factor), ylabel=f"film, {small.name}")
+    other.set(ylim=(0, 4 * film.numbers.central_film.numerical * small.factor), ylabel=f"film, {small.name}")
     handles = [*panel.get_legend_handles_labels()[0], *other.get_legend_handles_labels()[0]]
     panel.legend(
         handles, [str(each.get_label()) for each in handles], loc="lower center", frameon=False, fontsize=LETTERS

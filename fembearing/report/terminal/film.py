@@ -5,7 +5,7 @@ from rich.console import Console
 from analytic.words import MICROMETRE, MILLINEWTON, RPM
 from fembearing.quantities import METRIC
 from fembearing.report.terminal.table import table_of
-from fembearing.verify.film.scene_film import RaceFilm
+from fembearing.verify.film.scene_film import FilmNumbers
 
 HEADS = ("quantity", "formula", "numerical", "formula/num.-1", "+-", "order")
 SHOWN = {
@@ -16,7 +16,7 @@ SHOWN = {
 }
 
 
-def print_film(out: Console, film: RaceFilm) -> None:
+def print_film(out: Console, film: FilmNumbers) -> None:
     """Print each quantity by formula and by numerical solution."""
     speed = RPM.written(film.inner_speed, ".4g")
     title = f"Lubricated contact of the ball on the {film.pair} race: {film.load:.4g} N, inner ring at {speed}"
@@ -32,14 +32,14 @@ def print_film(out: Console, film: RaceFilm) -> None:
             "none" if each.order is None else f"{each.order:.1f}",
         )
     out.print(table)
-    contact, reach = film.contact, film.contact.reach
+    reach, check = film.reach, film.dissipated_force / film.rolling_force.numerical - 1
     out.print(
         "+-: numerical uncertainty, 95 %; *: the difference exceeds it; order: observed on three grids. Pressure "
         "centre: its distance ahead of the contact's centre.\n"
-        f"M = {contact.loading:.4g}, L = {contact.thickening:.3g}, lambda = {contact.ellipticity:.3g}; entrainment "
+        f"M = {film.loading:.4g}, L = {film.thickening:.3g}, lambda = {film.ellipticity:.3g}; entrainment "
         f"{film.entrainment_speed:.4g} m/s; oil reaches {METRIC.length.written(reach.ahead, '.3g')} ahead and "
         f"{METRIC.length.written(reach.behind, '.3g')} behind; flooded, isothermal, smooth.\n"
-        f"Check: the force from the oil's dissipation differs by {film.solution.disagreement:+.1%}. "
-        f"{film.solution.seconds:.1f} s\n",
+        f"The force from the viscous dissipation, equal for incompressible oil, differs by {check:+.1%}. "
+        f"{film.seconds:.1f} s\n",
         style="dim",
     )

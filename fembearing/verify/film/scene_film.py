@@ -5,8 +5,7 @@ sides have the same oil, the same load and the same speed, without heat of the i
 """
 
 from collections.abc import Callable, Iterator
-from dataclasses import asdict, dataclass, replace
-from typing import Any
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -19,7 +18,7 @@ from analytic.oil.rolling import hydrodynamic_rolling
 from analytic.oil.viscosity import inlet_viscosity
 from analytic.scene import Contact, Scene
 from fembearing.ehl.ball_on_race import lubricated_contact
-from fembearing.ehl.contact import LubricatedContact
+from fembearing.ehl.contact import LubricatedContact, Reach
 from fembearing.ehl.film import NumericalFilm, numerical_film
 from fembearing.ehl.oil import Oil
 from fembearing.grid_convergence import Estimate
@@ -27,7 +26,6 @@ from fembearing.progress import Progress, silent
 from fembearing.verify.contact.scene_contact import balls_of
 
 REFINEMENTS = (0.6, 0.85, 1.2)  # of the middle grid, until the tolerance is reached
-KIND, FORMAT = "fembearing film", 1  # what the JSON is
 OUTSIDE = "the formula of the rolling force is outside its range: rigid bodies would resist less than elastic ones"
 JUDGED = ("central_film", "rolling_force")  # must reach the tolerance; the minimum lies beside the contact's edge
 
@@ -39,12 +37,8 @@ class FilmQuantity:
     formula: float
     numerical: float
     uncertainty: float  # of the numerical value, half-width at 95 %, in its unit
+    discrepancy: float  # formula over numerical value, less 1
     order: float | None  # observed on the three grids
-
-    @property
-    def discrepancy(self) -> float:
-        """Formula over numerical value, less 1."""
-        return self.formula / self.numerical - 1
 
     @property
     def relative_uncertainty(self) -> float:
@@ -52,26 +46,28 @@ class FilmQuantity:
         return self.uncertainty / abs(self.numerical)
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class RaceFilm(Brief):
-    """The lubricated contact of a ball on a race, by formula and by numerical solution."""
+@dataclass(frozen=True, kw_only=True)
+class FilmNumbers:
+    """The lubricated contact of a ball on a race: formulas and numerical solution, SI."""
 
     pair: Race
     load: float  # Q, N
     inner_speed: float  # of the inner ring, rad/s
     entrainment_speed: float  # u, mean of both surfaces relative to the contact, m/s
-    tolerance: float  # asked of central film and rolling force, relative
+    viscosity: float  # eta_0 at the temperature of the scene, Pa s
+    pressure_viscosity: float  # alpha, 1/Pa
+    reach: Reach  # of the oil
+    loading: float  # Moes's M
+    thickening: float  # Moes's L
+    ellipticity: float  # lambda = R_x/R_y
     central_film: FilmQuantity  # m
     minimum_film: FilmQuantity  # m
     rolling_force: FilmQuantity  # on each surface against its motion, N
-    pressure_centre: FilmQuantity  # how far it lies ahead of the contact's centre, m
-    solution: NumericalFilm  # with the maps of pressure and film
+    pressure_centre: FilmQuantity  # its distance ahead of the contact's centre, m
+    dissipated_force: float  # the force from the viscous dissipation, N: a check
+    tolerance: float  # asked of central film and rolling force, relative
+    seconds: float  # of the solution on its three grids
     warnings: tuple[str, ...]
-
-    @property
-    def contact(self) -> LubricatedContact:
-        """The problem that was solved."""
-        return self.solution.contact
 
     @property
     def quantities(self) -> dict[str, FilmQuantity]:
@@ -81,36 +77,22 @@ class RaceFilm(Brief):
 
     @property
     def worst(self) -> tuple[str, float]:
-        """The quantity of those that must reach the tolerance with the largest relative uncertainty."""
+        """The quantity with the largest relative uncertainty, of those that must reach the tolerance."""
         each = {name: getattr(self, name).relative_uncertainty for name in JUDGED}
         name = max(each, key=lambda name: each[name])
         return name, each[name]
 
-    def _facts(self) -> Iterator[str]:
-        yield from (self.pair, f"{self.load:.4g} N", f"{1e6 * self.central_film.numerical:.4g} um")
 
-    def to_json(self) -> dict[str, Any]:
-        """Plain types, SI; the discrepancy is relative."""
-        contact = self.contact
-        return {
-            "kind": KIND,
-            "format": FORMAT,
-            "pair": self.pair,
-            "load": self.load,
-            "inner_speed": self.inner_speed,
-            "entrainment_speed": self.entrainment_speed,
-            "viscosity": contact.oil.viscosity,
-            "pressure_viscosity": contact.oil.pressure_viscosity,
-            "reach": asdict(contact.reach),
-            "loading": contact.loading,
-            "thickening": contact.thickening,
-            "ellipticity": contact.ellipticity,
-            **{name: asdict(each) | {"discrepancy": each.discrepancy} for name, each in self.quantities.items()},
-            "dissipated_force": self.solution.dissipated_force.value,
-            "tolerance": self.tolerance,
-            "seconds": self.solution.seconds,
-            "warnings": list(self.warnings),
-        }
+@dataclass(frozen=True, kw_only=True, eq=False)
+class RaceFilm(Brief):
+    """The numbers of a lubricated contact and its solution, with the maps of pressure and film."""
+
+    numbers: FilmNumbers
+    solution: NumericalFilm
+
+    def _facts(self) -> Iterator[str]:
+        found = self.numbers
+        yield from (found.pair, f"{found.load:.4g} N", f"film {1e6 * found.central_film.numerical:.4g} um")
 
 
 def film_of(
@@ -225,19 +207,32 @@ def _compared(
     force = float(resistance.force)
 
     def beside(formula: float, part: Estimate) -> FilmQuantity:
-        uncertainty = part.total * abs(part.value)
-        return FilmQuantity(formula=formula, numerical=part.value, uncertainty=uncertainty, order=part.order)
+        return FilmQuantity(
+            formula=formula,
+            numerical=part.value,
+            uncertainty=part.total * abs(part.value),
+            discrepancy=formula / part.value - 1,
+            order=part.order,
+        )
 
-    return RaceFilm(
+    numbers = FilmNumbers(
         pair=pair,
         load=contact.load,
         inner_speed=inner_speed,
-        entrainment_speed=problem.speed,
-        tolerance=tolerance,
+        entrainment_speed=u,
+        viscosity=viscosity,
+        pressure_viscosity=pressure_viscosity,
+        reach=problem.reach,
+        loading=problem.loading,
+        thickening=problem.thickening,
+        ellipticity=problem.ellipticity,
         central_film=beside(central, solution.central_film),
         minimum_film=beside(central * float(ratio), solution.minimum_film),
         rolling_force=beside(force, solution.rolling_force),
         pressure_centre=beside(2 * rolling * force / contact.load, solution.pressure_centre),
-        solution=solution,
+        dissipated_force=solution.dissipated_force.value,
+        tolerance=tolerance,
+        seconds=solution.seconds,
         warnings=(OUTSIDE,) if resistance.outside_range.any() else (),
     )
+    return RaceFilm(numbers=numbers, solution=solution)
