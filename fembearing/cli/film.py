@@ -11,6 +11,7 @@ from fembearing.cli.options import (
     SceneName,
     read_load,
     read_scene,
+    read_speed,
     read_tolerance,
     require_folder_name,
 )
