@@ -8,12 +8,13 @@ import pytest
 
 from analytic.errors import InputError
 from analytic.oil.viscosity import roelands_viscosity
-from analytic.scene import Contact, Material
+from analytic.scene import Contact
 from fembearing.ehl.ball_on_race import lubricated_contact
 from fembearing.ehl.contact import LubricatedContact, Reach
 from fembearing.ehl.grid import graded_faces
 from fembearing.ehl.oil import Oil
 from fembearing.ehl.shape import BallOnRace, Paraboloid
+from tests.contacts import STEEL
 from tests.ehl.contacts import moes
 
 OIL = Oil(viscosity=0.0127, pressure_viscosity=1.9e-8)
@@ -26,8 +27,8 @@ RACE = Contact(
     far_shoulder=3.54e-3,
     contact_angle=0.18,
     load=372.0,
-    ball_material=Material(youngs_modulus=2.06e11, poisson_ratio=0.3),
-    race_material=Material(youngs_modulus=2.03e11, poisson_ratio=0.29),
+    ball_material=STEEL,
+    race_material=STEEL,
 )
 
 
