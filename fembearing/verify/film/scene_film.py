@@ -6,17 +6,22 @@ sides have the same oil, the same load and the same speed, without heat of the i
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from typing import Literal
 
 import numpy as np
 
 from analytic.brief import Brief
 from analytic.contact.geometry import RACES, Race, race_contact
 from analytic.contact.rolling_contact import RollingContact, deformed_radius
-from analytic.errors import InputError
-from analytic.oil.film import central_film, minimum_ratio
+from analytic.errors import ConvergenceError, InputError
+from analytic.oil.film import FILM_FACTORS, central_film, minimum_ratio
 from analytic.oil.rolling import hydrodynamic_rolling
+from analytic.oil.variation import COVERAGE, NOMINAL, ROLLING_SPREAD, Variation
 from analytic.oil.viscosity import inlet_viscosity
-from analytic.scene import Contact, Scene
+from analytic.prediction.evaluation import parts_of, without_moving_cage
+from analytic.prediction.settled import free_start
+from analytic.result import FrictionTorque
+from analytic.scene import Array, Contact, Scene
 from fembearing.ehl.ball_on_race import lubricated_contact
 from fembearing.ehl.contact import LubricatedContact, Reach
 from fembearing.ehl.film import NumericalFilm, numerical_film
@@ -25,8 +30,10 @@ from fembearing.grid_convergence import Estimate
 from fembearing.progress import Progress, silent
 from fembearing.verify.contact.scene_contact import balls_of
 
-REFINEMENTS = (0.6, 0.85, 1.2)  # of the middle grid, until the tolerance is reached
+REFINEMENTS = (0.75, 0.95, 1.2)  # of the middle grid, until the tolerance is reached
 OUTSIDE = "the formula of the rolling force is outside its range: rigid bodies would resist less than elastic ones"
+# Numerical value over formula, 95 %, as the model uncertainty of the torque states it
+ROLLING_FACTORS = float(np.exp(-COVERAGE * ROLLING_SPREAD)), float(np.exp(COVERAGE * ROLLING_SPREAD))
 JUDGED = ("central_film", "rolling_force")  # must reach the tolerance; the minimum lies beside the contact's edge
 
 
@@ -65,6 +72,7 @@ class FilmNumbers:
     rolling_force: FilmQuantity  # on each surface against its motion, N
     pressure_centre: FilmQuantity  # its distance ahead of the contact's centre, m
     dissipated_force: float  # the force from the viscous dissipation, N: a check
+    verdict: Literal["pass", "fail", "undecided"]  # whether film and force are within the stated errors of the formulas
     tolerance: float  # asked of central film and rolling force, relative
     seconds: float  # of the solution on its three grids
     warnings: tuple[str, ...]
@@ -155,12 +163,44 @@ def film_of(
     return _compared(pair, contact, solution, inner_speed=speed, tolerance=limit)
 
 
+def film_change(scene: Scene, friction: FrictionTorque, films: tuple[RaceFilm, ...]) -> Array:
+    """(n,) relative change of the torque with the numerical film and rolling force.
+
+    friction : friction_torque(scene)
+    All contacts get the mean ratios, numerical value over formula, of `films`; a cage that moves keeps its torque.
+    """
+
+    def ratio(name: str) -> float:
+        return float(np.mean([1 / (1 + film.numbers.quantities[name].discrepancy) for film in films]))
+
+    numerical = Variation(film=ratio("central_film"), rolling=ratio("rolling_force"))
+    same = without_moving_cage(scene, friction)
+    start = free_start(same)
+    base = parts_of(same, NOMINAL, start).total
+    return (parts_of(same, numerical, start).total - base) / friction.torque.total
+
+
+def _verdict(
+    *judged: tuple[FilmQuantity, tuple[float, float]],
+) -> Literal["pass", "fail", "undecided"]:
+    """Whether numerical values lie within factors of the formulas, for certain."""
+    inside, outside = True, False
+    for each, (least, most) in judged:
+        low, high = ((each.numerical + sign * each.uncertainty) / each.formula for sign in (-1, 1))
+        inside = inside and least <= low and high <= most
+        outside = outside or high < least or most < low
+    return "pass" if inside else "fail" if outside else "undecided"
+
+
 def _accurate(problem: LubricatedContact, *, tolerance: float, progress: Callable[[float], None]) -> NumericalFilm:
     """The solution on the coarsest grids that reach the tolerance, or on the finest."""
     *coarser, finest = REFINEMENTS
     for number, refinement in enumerate(coarser):
         progress(number / len(REFINEMENTS))
-        solution = numerical_film(problem, refinement=refinement)
+        try:
+            solution = numerical_film(problem, refinement=refinement)
+        except ConvergenceError:  # a finer grid may settle; the finest one says why it does not
+            continue
         if all(getattr(solution, name).total <= tolerance for name in JUDGED):
             return solution
     progress(len(coarser) / len(REFINEMENTS))
@@ -215,6 +255,7 @@ def _compared(
             order=part.order,
         )
 
+    film, rolling_force = beside(central, solution.central_film), beside(force, solution.rolling_force)
     numbers = FilmNumbers(
         pair=pair,
         load=contact.load,
@@ -226,11 +267,12 @@ def _compared(
         loading=problem.loading,
         thickening=problem.thickening,
         ellipticity=problem.ellipticity,
-        central_film=beside(central, solution.central_film),
+        central_film=film,
         minimum_film=beside(central * float(ratio), solution.minimum_film),
-        rolling_force=beside(force, solution.rolling_force),
+        rolling_force=rolling_force,
         pressure_centre=beside(2 * rolling * force / contact.load, solution.pressure_centre),
         dissipated_force=solution.dissipated_force.value,
+        verdict=_verdict((film, FILM_FACTORS), (rolling_force, ROLLING_FACTORS)),
         tolerance=tolerance,
         seconds=solution.seconds,
         warnings=(OUTSIDE,) if resistance.outside_range.any() else (),
