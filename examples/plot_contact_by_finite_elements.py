@@ -7,6 +7,7 @@ elements on the true shapes tell how much that matters, and how uncertain they a
 """
 
 import matplotlib.pyplot as plt
+import numpy as np
 
 import analytic
 import fembearing
@@ -32,9 +33,10 @@ for name, estimate in contact.estimates.items():
 
 profiles = contact.pressure_profile
 figure, axes = plt.subplots(1, 2, sharey=True, figsize=(7.2, 3.6), layout="constrained")
-for axis, (direction, profile) in zip(axes, profiles.items(), strict=True):
-    axis.plot(1e3 * profile["hertz"].position, 1e-9 * profile["hertz"].pressure, "k", label="Hertz")
-    axis.plot(1e3 * profile["fe"].position, 1e-9 * profile["fe"].pressure, "o", markersize=3, label="finite elements")
+for axis, (direction, profile) in zip(axes, vars(profiles).items(), strict=True):
+    for label, style, line in (("Hertz", "k-", profile.hertz), ("finite elements", "C0o", profile.fe)):
+        position, pressure = 1e3 * np.array(line.position), 1e-9 * np.array(line.pressure)
+        axis.plot(position, pressure, style, markersize=3, label=label)
     axis.set(xlabel=f"position, {direction}, mm")
     axis.grid(alpha=0.3)
 axes[0].set_ylabel("pressure, GPa")
