@@ -29,6 +29,7 @@ class Unit(NamedTuple):
 
 RPM, NEWTON, NEWTON_MILLIMETRE = Unit("rpm", 30 / np.pi), Unit("N", 1.0), Unit("N mm", 1e3)
 GIGAPASCAL, MILLIMETRE, MICROMETRE = Unit("GPa", 1e-9), Unit("mm", 1e3), Unit("um", 1e6)
+MILLINEWTON = Unit("mN", 1e3)
 DEGREE, PERCENT = Unit("deg", 180 / np.pi), Unit("%", 100.0)
 SHORT = 9e-5  # m: what is shorter is shown in micrometres
 LEVEL = 1e-9  # rad: a smaller angle is rounding of 0

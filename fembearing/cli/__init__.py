@@ -16,6 +16,7 @@ import typer
 from fembearing.cli import (
     contact,
     cost,
+    film,
     init,
     listing,
     mesh,
@@ -32,6 +33,7 @@ COMMANDS: dict[str, tuple[Callable[..., None], str]] = {  # with an example of w
     "validate": (validate.validate, 'bearing.toml --tolerance "1 %" --out report-of-my-bearing'),
     "torque": (torque.torque, 'bearing.toml --tolerance "1 %" --out torque-of-my-bearing'),
     "contact": (contact.contact, '--pair inner --load "620 N" --tolerance "0.1 %"'),
+    "film": (film.film, 'bearing.toml --pair inner --load "372 N" --speed "500 rpm" --tolerance "1 %"'),
     "cost": (cost.cost, 'bearing.toml --tolerance "1 %" --out cost-of-my-bearing'),
     "sweep": (sweep.sweep, "map.toml --out map-of-my-bearing"),
     "report": (report.report, "report-of-my-bearing/report.json --out for-my-customer.html"),

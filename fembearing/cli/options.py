@@ -112,6 +112,11 @@ def read_load(given: str) -> float:
     return _read_option("--load", given, "ball_load")
 
 
+def read_speed(given: str) -> float:
+    """The speed of an option in rad/s."""
+    return _read_option("--speed", given, "operation.inner_speed")
+
+
 def read_samples(given: int | None, *, with_interval: bool) -> int | Literal["enough"] | None:
     """The samples of an interval; None: no interval. Raises InputError for samples without an interval."""
     if given is not None and not with_interval:

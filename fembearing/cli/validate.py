@@ -28,6 +28,7 @@ def validate(
         bool, typer.Option("--cost", help="Measure every method to compute each quantity too.")
     ] = False,
     with_interval: WithInterval = False,
+    no_film: Annotated[bool, typer.Option("--no-film", help="Leave out the lubricated contacts.")] = False,
     as_json: AsJson = False,
 ) -> None:
     """Check the contacts of a scene: what Hertz gives, what finite elements give, and the difference."""
@@ -48,6 +49,7 @@ def validate(
             tolerance=limit,
             cost=with_cost,
             samples="enough" if with_interval else None,
+            film=not no_film,
             progress=progress,
         )
     document = report_of(result)

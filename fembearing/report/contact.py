@@ -7,9 +7,9 @@ from annotated_types import MinLen
 
 from analytic.rows import Count, NotNegative, Positive, T
 from analytic.scene import Pair
+from fembearing.grid_convergence import Estimate
 from fembearing.verify.contact.approach_curve import ApproachCurve
 from fembearing.verify.contact.discrepancy import ContactSolution
-from fembearing.verify.contact.grid_convergence import Estimate
 from fembearing.verify.contact.mesh_refinement import Refinement
 from fembearing.verify.contact.pressure_profile import Profiles
 from fembearing.verify.contact.ring import RingStructure

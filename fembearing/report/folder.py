@@ -4,6 +4,7 @@ import json
 from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from analytic.scene import Scene
 from analytic.scenefile.by_name import Given
@@ -11,8 +12,12 @@ from analytic.writing import new_folder, write
 from fembearing.plain_types import plain
 from fembearing.progress import Progress, part_of, silent
 from fembearing.verify.cost.scene_cost import Cost
+from fembearing.verify.film.scene_film import RaceFilm
 from fembearing.verify.torque.scene_torque import Samples
 from fembearing.verify.validation import Validation, check_scene
+
+if TYPE_CHECKING:
+    from fembearing.report.report import PictureFile
 
 CHECKED = 0.75  # of the whole job, when the contacts are solved and the report is still to be written
 
@@ -24,6 +29,7 @@ def validate(
     tolerance: Given | None = None,
     cost: bool = False,
     samples: Samples = None,
+    film: bool = True,
     progress: Progress = silent,
 ) -> Validation:
     """Check every contact of a scene, and write the report.
@@ -40,6 +46,8 @@ def validate(
         Measure every method of every ladder too.
     samples : int or "enough", optional
         Number of samples of the torque's 95 % interval; None: no interval.
+    film : bool
+        Solve the lubricated contacts of both races too, where there is oil and motion.
     progress : callable
         Called with the share done, 0 to 1 (dimensionless), and a word on the step at hand.
 
@@ -62,7 +70,7 @@ def validate(
     with nullcontext() if out is None else new_folder(Path(out)) as folder:
         checked = 1.0 if folder is None else CHECKED
         solving = part_of(progress, 0.0, checked)
-        result = check_scene(scene, tolerance=tolerance, cost=cost, samples=samples, progress=solving)
+        result = check_scene(scene, tolerance=tolerance, cost=cost, samples=samples, film=film, progress=solving)
         if folder is not None:
             progress(CHECKED, "report")
             result = write_report(result, folder)
@@ -85,12 +93,24 @@ def write_report(result: Validation, folder: Path) -> Validation:
     pictures, trouble = draw_pictures(result.contacts, folder, meanwhile=draw_plots)
     if trouble:
         result = replace(result, trouble=(f"the pictures are maps by matplotlib: {trouble}",))
-    document = report_of(result, pictures=[picture.listed for picture in pictures], renderer=trouble)
+    listed = [*(picture.listed for picture in pictures), *(_film_picture(film, folder) for film in result.films)]
+    document = report_of(result, pictures=listed, renderer=trouble)
     numbers = json.dumps(plain(document), indent=1, allow_nan=False)
     write(folder / "report.json", numbers)
     write(folder / "report.html", page_of(document, folder, plots=plots))
     write(folder / "cost.csv", cost_table(document.cost.ladders))
     return result
+
+
+def _film_picture(film: RaceFilm, folder: Path) -> "PictureFile":
+    """Write the picture of a film beside report.json."""
+    from fembearing.report.figures.film import CAPTION, film_figure
+    from fembearing.report.figures.style import png
+    from fembearing.report.report import PictureFile
+
+    pair, file = film.numbers.pair, f"{film.numbers.pair}-film.png"
+    write(folder / file, png(film_figure(film)))
+    return PictureFile(file=file, kind="film", pair=pair, geometry="real", caption=CAPTION)
 
 
 def write_cost(cost: Cost, folder: Path) -> None:

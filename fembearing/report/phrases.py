@@ -336,3 +336,12 @@ def shoulder_lines(contact: "ContactRecord", units: Units = METRIC) -> list[str]
         f"{units.line_load.written(line.fe, '.4g')} or {line.fe / shoulder.hertz_line_load:.3g} times Hertz's "
         "greatest line load. The pressure shown is that at y = 0, not at the edge, where it has no bound.",
     ]
+
+
+def film_change_words(change: Sequence[float]) -> str:
+    """What numerical films change in the torque;  change : at each operating point, relative."""
+    ends = " to ".join(dict.fromkeys(f"{end:+.1%}" for end in (min(change), max(change))))
+    return (
+        f"With the numerical film and rolling force of the heaviest ball in all contacts the torque changes by {ends}: "
+        "an estimate, as lighter balls have other ratios."
+    )

@@ -28,6 +28,7 @@ from fembearing.verify.contact.discrepancy import ContactSolution
 from fembearing.verify.contact.scene_contact import Shape
 from fembearing.verify.contact.verdict import Verdict
 from fembearing.verify.cost.ladder import Ladder
+from fembearing.verify.film.scene_film import FilmNumbers
 from fembearing.verify.hard_record import HardRecord
 from fembearing.verify.torque.cage_record import DrawnMotion
 from fembearing.verify.torque.change import OF_RACES, TorqueChange
@@ -159,7 +160,7 @@ class PictureFile:
     """A picture of a contact, in a file beside report.json."""
 
     file: str  # beside report.json, never elsewhere
-    kind: Literal["pressure", "section", "view"]
+    kind: Literal["pressure", "section", "view", "film"]
     pair: Pair
     geometry: Shape
     caption: str
@@ -189,6 +190,8 @@ class Report:
     torque_change: ChangeRecord | None
     cage_motion: tuple[CageMotionPoint, ...] | None
     cage_records: tuple[DrawnMotion, ...]
+    films: tuple[FilmNumbers, ...]
+    film_change: Floats | None  # of the torque at each point, relative; None without films or torque
     sensitivity: Sensitivity | None
     cost: Cost
     hard: HardRecord
@@ -215,6 +218,8 @@ class Report:
             count = len(self.torque.points)
             if any(check.point >= count for check in self.physical):
                 raise ValueError(f"has a physical verdict on a point beyond the {count} points of torque")
+            if self.film_change is not None and len(self.film_change) != count:
+                raise ValueError(f"has a film_change of other than the {count} points of torque")
             if self.torque_change.lengths != {count}:
                 raise ValueError(f"has a torque_change of other than the {count} points of torque")
             if self.torque.left_out or self.torque.pair is not None or self.torque.verdicts.numerical is None:
@@ -271,6 +276,8 @@ def report_of(result: Validation, *, pictures: Sequence[PictureFile] = (), rende
         torque_change=None if result.torque_change is None else change_record(result.torque_change),
         cage_motion=None if torque is None else cage_motion(torque),
         cage_records=tuple(record.drawn(most=INSTANTS) for record in result.cage_records),
+        films=tuple(film.numbers for film in result.films),
+        film_change=None if result.film_change is None else tuple(result.film_change.tolist()),
         sensitivity=result.sensitivity,
         cost=Cost(
             measured=result.measured, seconds=result.seconds, peak_memory=result.peak_memory, ladders=result.ladders

@@ -10,10 +10,11 @@ from typing import Any
 import numpy as np
 
 from analytic.brief import Brief
-from analytic.errors import InputError
+from analytic.contact.geometry import RACES as RACE_NAMES
+from analytic.errors import FembearingError, InputError
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.result import FrictionTorque
-from analytic.scene import Pair, Scene
+from analytic.scene import Array, Pair, Scene
 from analytic.scenefile.by_name import Given, with_tolerance
 from analytic.verdicts import pressure_check
 from fembearing.mesh.recipe import Geometry
@@ -27,6 +28,7 @@ from fembearing.verify.cost.contact_ladder import contact_ladder_of
 from fembearing.verify.cost.formula_ladders import SEED
 from fembearing.verify.cost.ladder import Ladder
 from fembearing.verify.cost.scene_cost import measure_cost
+from fembearing.verify.film.scene_film import RaceFilm, film_change, film_of
 from fembearing.verify.hard_record import HardRecord, last_run
 from fembearing.verify.memory import peak_memory
 from fembearing.verify.torque.cage_record import CageRecord, record_cage
@@ -56,6 +58,9 @@ class Validation(Brief):
     seconds: float  # wall time of all
     peak_memory: int | None  # of the process, bytes
     provenance: Provenance
+    films: tuple[RaceFilm, ...] = ()  # lubricated contacts of the heaviest balls, inner and outer; none without oil
+    film_change: Array | None = None  # (n,) of the torque by numerical films, relative; None without films or torque
+    no_film: tuple[str, ...] = ()  # why there is no numerical film
     sensitivity: Sensitivity | None = None  # None: not computed
     cage_records: tuple[CageRecord, ...] = ()  # of the slowest and the fastest point whose cage moved
     trouble: tuple[str, ...] = ()  # met while the report was written
@@ -95,7 +100,8 @@ class Validation(Brief):
         contacts = (warning for contact in self.contacts for warning in contact.warnings)
         torque = () if self.torque is None else self.torque.friction.warnings
         fitted = () if self.torque_change is None else self.torque_change.fitting_warnings
-        return tuple(dict.fromkeys([*contacts, *torque, *fitted, *self.trouble]))
+        films = (warning for film in self.films for warning in film.numbers.warnings)
+        return tuple(dict.fromkeys([*contacts, *torque, *fitted, *films, *self.no_film, *self.trouble]))
 
     def to_dataset(self) -> Any:
         """The contacts as an xarray.Dataset over `contact`, SI, with units and meanings; `torque` has its own."""
@@ -124,6 +130,7 @@ def check_scene(
     tolerance: Given | None = None,
     cost: bool = False,
     samples: Samples = None,
+    film: bool = True,
     progress: Progress = silent,
 ) -> Validation:
     """Check each race contact of a scene, and where it has a cage the pocket, in a thick seat and in its sheet.
@@ -131,6 +138,7 @@ def check_scene(
     tolerance : relative; the scene's unless given
     cost : measure every method of every ladder too
     samples : of the 95 % interval of the torque, or "enough"; None: no interval
+    film : solve the lubricated contacts too, where there is oil and motion
     progress : called with the share done, 0 to 1, and a word on the step at hand
     Raises InputError for a scene that cannot be solved, ConvergenceError for a contact that does not settle.
     """
@@ -163,11 +171,15 @@ def check_scene(
                 rings.append(beside.submit(_with_ring_if_known, contacts[-1]))
     inner, outer = (ring.result() for ring in rings)
     friction = None if torque is None else torque.friction
+    films, no_film = _films(scene, progress) if film else ((), ())
     return Validation(
         scene=scene,
         contacts=(inner, outer, *contacts[2:]),
         torque=torque,
         torque_change=None if friction is None else change_of_torque(scene, friction, inner=inner, outer=outer),
+        films=films,
+        film_change=film_change(scene, friction, films) if films and friction is not None else None,
+        no_film=no_film,
         hard=last_run(),
         ladders=measure_cost(scene, tolerance=scene.tolerance, progress=part_of(progress, shares[-1], 1.0)).ladders
         if cost
@@ -179,6 +191,20 @@ def check_scene(
         peak_memory=peak_memory(),
         provenance=provenance_of(scene, seeds=_seeds(scene, torque, cost=cost)),
     )
+
+
+def _films(scene: Scene, progress: Progress) -> tuple[tuple[RaceFilm, ...], tuple[str, ...]]:
+    """The lubricated contacts of both races, and why one has none; nothing without oil or motion."""
+    if scene.lubricant is None or not np.any(scene.operation.inner_speed):
+        return (), ()
+    films, reasons = [], []
+    for race in RACE_NAMES:
+        progress(1.0, f"{race}: film")
+        try:
+            films.append(film_of(scene, pair=race))
+        except FembearingError as problem:  # the contacts and the torque are known all the same
+            reasons.append(f"no numerical film on the {race} race: {problem}")
+    return tuple(films), tuple(reasons)
 
 
 def _seeds(scene: Scene, torque: SceneTorque | None, *, cost: bool) -> dict[str, Sequence[int]]:

@@ -11,8 +11,8 @@ from scipy.integrate import quad
 from analytic.scene import Contact, Material, Ring
 from fembearing.fem.ring_structure import block_compression, ring_compression
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
+from fembearing.grid_convergence import Estimate
 from fembearing.mesh.recipe import load_recipe
-from fembearing.verify.contact.grid_convergence import Estimate
 from fembearing.verify.contact.meshed_region import boundary_effect
 from fembearing.verify.contact.ring import structure_of_ring
 from tests import contacts

@@ -11,11 +11,11 @@ from analytic.effects.limits import LimitNumbers
 from analytic.result import FrictionTorque, TorqueParts
 from analytic.scene import Operation
 from fembearing.fem.measure import Quantities
+from fembearing.grid_convergence import Estimate
 from fembearing.provenance import provenance_of
 from fembearing.report.pictures.draw import Picture, draw_pictures
 from fembearing.report.report import Report, report_of
 from fembearing.verify.contact.discrepancy import ContactSolution
-from fembearing.verify.contact.grid_convergence import Estimate
 from fembearing.verify.contact.hertz import CorrectedHertz
 from fembearing.verify.cost.contact_ladder import contact_ladder_of
 from fembearing.verify.torque.change import FittedChange, TorqueChange

@@ -21,8 +21,8 @@ from fembearing.fem.guess import MAJOR_SHRINKS, MINOR_GROWS, expected_semi_axes
 from fembearing.fem.measure import STRIP
 from fembearing.fem.series import NARROWEST, WIDEST
 from fembearing.fem.solution import GOOD_GUESS, condensed_pair, fitted_solution, pressed, solve_on_mesh
+from fembearing.grid_convergence import FINEST, HALF
 from fembearing.mesh.recipe import load_recipe
-from fembearing.verify.contact.grid_convergence import FINEST, HALF
 from fembearing.verify.contact.hertz import hertz_quantities
 from fembearing.verify.contact.load_series import OFF_MESH
 from fembearing.verify.contact.mesh_refinement import COMPARED, FORMAL_ORDERS, STRIP_LEAST

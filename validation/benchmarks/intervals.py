@@ -5,7 +5,7 @@ idealisation these are Hertz's, which are exact; on true shapes they come from `
 proportions, corrected by what that mesh errs on the idealisation of the contact. Prints how often the 95 % interval
 contains the true value, the median of half-width over true error, and the largest of those corrections. Seeds 0 to 59,
 1000 to 1099, 5000 to 5019 and 7000 to 7099 were used to choose the factors of
-`fembearing.verify.contact.grid_convergence`; all others are a test of them.
+`fembearing.grid_convergence`; all others are a test of them.
 """
 
 import time

@@ -31,8 +31,8 @@ from analytic.scene import Contact, Material
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.solution import MeshSolution, solve_on_mesh
 from fembearing.fem.twin import twin_on_level
+from fembearing.grid_convergence import UNSTEADY, observed_order
 from fembearing.mesh.recipe import load_recipe
-from fembearing.verify.contact.grid_convergence import UNSTEADY, observed_order
 from fembearing.verify.contact.hertz import hertz_quantities
 from fembearing.verify.contact.mesh_refinement import COMPARED
 from fembearing.verify.contact.twin_refinement import estimates_with_twin

@@ -26,11 +26,13 @@ class ShownPicture(NamedTuple):
     missing: str | None = None
 
 
-def shown_pictures(document: Report, folder: Path) -> list[ShownPicture]:
-    """Every picture of a document; a sentence that several captions share stands in the first of them."""
+def shown_pictures(document: Report, folder: Path, *, of_films: bool) -> list[ShownPicture]:
+    """The pictures of films, or all others; a sentence that several captions share stands in the first of them."""
     said: set[str] = set()
     shown = []
     for picture in document.pictures:
+        if (picture.kind == "film") != of_films:
+            continue
         sentences = [each for each in SENTENCE_END.split(picture.caption) if each not in said]
         said |= {*sentences}
         shown.append(_shown(picture, document, folder)._replace(caption=" ".join(sentences)))

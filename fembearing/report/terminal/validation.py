@@ -6,9 +6,18 @@ from analytic.result import COORDINATES, TorquePoint
 from analytic.words import angle_of, percent_of
 from fembearing.quantities import CONTACT, NEWTON_MILLIMETRE, RPM
 from fembearing.report.contact import ContactRecord
-from fembearing.report.phrases import friction_of, interval_at, interval_words, loads_of, percent, present_loads
+from fembearing.report.phrases import (
+    film_change_words,
+    friction_of,
+    interval_at,
+    interval_words,
+    loads_of,
+    percent,
+    present_loads,
+)
 from fembearing.report.report import ChangeRecord, Report
 from fembearing.report.terminal.contacts import print_contact
+from fembearing.report.terminal.film import print_film
 from fembearing.report.terminal.table import table_of
 from fembearing.report.terminal.torque import point_columns, shown_points
 from fembearing.report.terminal.verdicts import print_notes, print_numerical, print_physical
@@ -20,6 +29,8 @@ def print_validation(out: Console, document: Report) -> None:
     for contact in document.contacts:
         verdicts = {name: row.verdict for name, row in document.verdicts_on(contact).items()}
         print_contact(out, contact, verdicts)
+    for film in document.films:
+        print_film(out, film)
     if len(document.contacts) > 2:
         _print_pocket(out, *document.contacts[2:])
     if document.torque is not None and document.torque_change is not None:
@@ -29,6 +40,8 @@ def print_validation(out: Console, document: Report) -> None:
         _print_change(out, document.torque, document.torque_change)
     else:
         out.print("No friction coefficient, lubricant or surface is given, so there is no torque.\n")
+    if document.film_change is not None:
+        out.print(f"{film_change_words(document.film_change)}\n")
     print_physical(out, document.physical)
     if document.torque is not None:
         print_notes(out, document.torque.notes)

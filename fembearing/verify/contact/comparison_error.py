@@ -9,7 +9,7 @@ import math
 from dataclasses import dataclass
 
 from analytic.rows import NotNegative
-from fembearing.verify.contact.grid_convergence import Estimate
+from fembearing.grid_convergence import Estimate
 
 WHY = {  # the reason for each uncertainty
     "numerical": "0, as the closed form is solved to round-off",

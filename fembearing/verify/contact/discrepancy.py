@@ -15,6 +15,7 @@ from analytic.scene import Contact, Pair, Scene
 from analytic.scenefile.by_name import Given, with_tolerance
 from fembearing.fem.measure import STRIP, Quantities
 from fembearing.fem.solution import MeshSolution
+from fembearing.grid_convergence import Estimate
 from fembearing.mesh.meshfile import write_body
 from fembearing.mesh.recipe import Recipe
 from fembearing.mesh.ring import known_ring
@@ -22,7 +23,6 @@ from fembearing.progress import Progress, silent
 from fembearing.verify.contact.approach_curve import ApproachCurve, approach_over_load
 from fembearing.verify.contact.columns import COLUMNS, VERDICT, contact_dataset, contact_html, require_finite_results
 from fembearing.verify.contact.comparison_error import Comparison, comparison_of
-from fembearing.verify.contact.grid_convergence import Estimate
 from fembearing.verify.contact.hertz import CorrectedHertz, corrected_hertz, hertz_quantities
 from fembearing.verify.contact.mesh_refinement import COMPARED, FORMAL_ORDERS, Estimates, Refinement
 from fembearing.verify.contact.pressure_profile import Profiles, profiles_of

@@ -21,10 +21,10 @@ from analytic.scene import Contact, Pair, Scene
 from analytic.scenefile.by_name import Given, with_tolerance
 from fembearing.fem.series import checked_loads, off_mesh, on_level, solve_series
 from fembearing.fem.solution import MeshSolution
+from fembearing.grid_convergence import Estimate
 from fembearing.mesh.recipe import Geometry, Recipe
 from fembearing.progress import Progress, part_of, silent
 from fembearing.verify.contact.columns import COLUMNS, VERDICT, require_finite_results
-from fembearing.verify.contact.grid_convergence import Estimate
 from fembearing.verify.contact.hertz import hertz_quantities
 from fembearing.verify.contact.mesh_refinement import estimates_of
 from fembearing.verify.contact.meshed_region import Boundary, boundary_effect, has_boundary, has_sides, with_sides

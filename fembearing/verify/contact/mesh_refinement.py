@@ -6,9 +6,9 @@ from typing import Literal
 
 from analytic.scene import Contact
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
+from fembearing.grid_convergence import FINEST, HALF, LEAST, UNSTEADY, Estimate, estimate
 from fembearing.mesh.recipe import Recipe
 from fembearing.progress import Progress
-from fembearing.verify.contact.grid_convergence import FINEST, HALF, LEAST, UNSTEADY, Estimate, estimate
 from fembearing.verify.contact.mesh_seconds import about, predicted_seconds
 from fembearing.verify.contact.meshed_region import each_side, far_boundary, has_sides, measured, with_sides
 

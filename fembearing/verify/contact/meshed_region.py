@@ -7,9 +7,9 @@ from dataclasses import asdict, dataclass, replace
 
 from fembearing.fem.solution import MeshSolution, solve_on_mesh
 from fembearing.fem.twin import TwinSolution, twin_factors
+from fembearing.grid_convergence import FINEST
 from fembearing.mesh.footprint import is_symmetric
 from fembearing.mesh.recipe import Recipe
-from fembearing.verify.contact.grid_convergence import FINEST
 
 # The effect of the far boundary on the pressure falls with this power of the block's size: a block twice as large shows
 # 0.45 to 0.85 of it, over blocks up to eight times as large (validation/correction/far_boundary.py). Half of it stays

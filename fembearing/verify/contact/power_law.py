@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import stdtrit
 
-from fembearing.verify.contact.grid_convergence import Estimate
+from fembearing.grid_convergence import Estimate
 
 Array = NDArray[np.float64]
 ALIKE = 0.3  # in ln F, a tenth of a semi-axis: farther apart, off-mesh errors of two loads are independent

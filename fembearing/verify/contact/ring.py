@@ -10,9 +10,9 @@ from dataclasses import dataclass
 from analytic.rows import NotNegative
 from fembearing.fem.ring_structure import block_compression, ring_compression
 from fembearing.fem.solution import MeshSolution
+from fembearing.grid_convergence import Estimate
 from fembearing.mesh.recipe import Recipe
 from fembearing.verify.contact.columns import require_finite_results
-from fembearing.verify.contact.grid_convergence import Estimate
 
 # From the first level to the second, with cells half as large, the difference of ring and block converges with order 3
 # or 4. The uncertainty is 1/(2^2 - 1) of its change, as for order 2.

@@ -6,9 +6,9 @@ import numpy as np
 
 from analytic.contact.subsurface import subsurface_maximum
 from fembearing.fem.subsurface import Array, Side, SubsurfaceStress, subsurface_stress
+from fembearing.grid_convergence import FINEST, LEAST, UNSTEADY
 from fembearing.verify.contact.columns import require_finite_results
 from fembearing.verify.contact.discrepancy import ContactSolution
-from fembearing.verify.contact.grid_convergence import FINEST, LEAST, UNSTEADY
 
 STRESSES = ("max_shear", "max_von_mises")  # each with its "_depth"
 NAMES: tuple[str, ...] = ("max_shear", "max_shear_depth", "max_von_mises", "max_von_mises_depth")

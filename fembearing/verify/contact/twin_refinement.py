@@ -10,9 +10,9 @@ from dataclasses import replace
 from analytic.scene import Contact
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.twin import TwinSolution, twin_on_level
+from fembearing.grid_convergence import Estimate, observed_order
 from fembearing.mesh.recipe import Recipe
 from fembearing.progress import Progress
-from fembearing.verify.contact.grid_convergence import Estimate, observed_order
 from fembearing.verify.contact.mesh_refinement import COMPARED, FORMAL_ORDERS, Estimates, Reference
 from fembearing.verify.contact.mesh_seconds import about, predicted_seconds
 from fembearing.verify.contact.meshed_region import (

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Literal
 
-from fembearing.verify.contact.grid_convergence import Estimate
+from fembearing.grid_convergence import Estimate
 
 Verdict = Literal["pass", "fail", "undecided", "outside validity"]
 AGREE = 0.1  # meshes that do not converge still agree if they differ by less than this share of the tolerance

@@ -12,6 +12,7 @@ from rich.console import Console
 
 from analytic.scene import Scene
 from analytic.scenefile.read import load_scene, parse_scene
+from fembearing.grid_convergence import CAUTIOUS, FINEST, HALF, LEAST, UNSTEADY
 from fembearing.plain_types import plain
 from fembearing.provenance import provenance_of
 from fembearing.quantities import RPM
@@ -20,7 +21,6 @@ from fembearing.report.pictures.draw import Picture
 from fembearing.report.report import report_of
 from fembearing.report.terminal.validation import print_validation
 from fembearing.verify.contact.discrepancy import ContactSolution
-from fembearing.verify.contact.grid_convergence import CAUTIOUS, FINEST, HALF, LEAST, UNSTEADY
 from fembearing.verify.hard_record import HardRecord
 from fembearing.verify.torque.change import change_of_torque
 from fembearing.verify.torque.scene_torque import torque_of_scene

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from analytic.errors import InputError
-from fembearing.verify.contact.grid_convergence import Estimate
+from fembearing.grid_convergence import Estimate
 from fembearing.verify.contact.load_series import LoadPoint
 from fembearing.verify.contact.ring import RingStructure
 from fembearing.verify.contact.subsurface import NAMES, comparison_below

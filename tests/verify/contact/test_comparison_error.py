@@ -2,9 +2,9 @@
 
 import pytest
 
+from fembearing.grid_convergence import Estimate
 from fembearing.plain_types import plain
 from fembearing.verify.contact.comparison_error import compared, comparison_of
-from fembearing.verify.contact.grid_convergence import Estimate
 
 
 @pytest.mark.parametrize(("error", "resolved"), [(-6.9, False), (7.0, False), (-7.1, True), (12.5, True)])

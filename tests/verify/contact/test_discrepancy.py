@@ -12,6 +12,7 @@ from rich.console import Console
 
 from analytic.errors import InputError
 from analytic.scene import Contact
+from fembearing.grid_convergence import Estimate
 from fembearing.mesh.recipe import Recipe, load_recipe
 from fembearing.plain_types import plain
 from fembearing.progress import silent
@@ -20,7 +21,6 @@ from fembearing.report.phrases import shoulder_lines
 from fembearing.report.terminal.contacts import print_contact
 from fembearing.verify.contact import discrepancy as module
 from fembearing.verify.contact.discrepancy import ContactSolution, compare_contact
-from fembearing.verify.contact.grid_convergence import Estimate
 from fembearing.verify.contact.hertz import hertz_quantities
 from fembearing.verify.contact.mesh_refinement import COMPARED, Reference
 from fembearing.verify.contact.reference import solve_reference

@@ -10,10 +10,10 @@ import pytest
 from analytic.errors import InputError
 from analytic.scene import Contact
 from analytic.scenefile.read import load_scene
+from fembearing.grid_convergence import CAUTIOUS, LEAST
 from fembearing.mesh.recipe import Geometry, Recipe, load_recipe
 from fembearing.progress import silent
 from fembearing.verify.contact.discrepancy import ContactSolution, solve_contact
-from fembearing.verify.contact.grid_convergence import CAUTIOUS, LEAST
 from fembearing.verify.contact.hertz import hertz_quantities
 from fembearing.verify.contact.load_series import LoadSeries, compare_series, solve_load_series
 from fembearing.verify.contact.power_law import StiffnessLaw

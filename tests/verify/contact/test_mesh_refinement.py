@@ -9,9 +9,9 @@ import pytest
 
 from analytic.scene import Contact
 from fembearing.fem.solution import solve_on_mesh
+from fembearing.grid_convergence import FINEST
 from fembearing.mesh.recipe import load_recipe
 from fembearing.progress import silent
-from fembearing.verify.contact.grid_convergence import FINEST
 from fembearing.verify.contact.mesh_refinement import _predicted_level
 from fembearing.verify.contact.meshed_region import SIDES_LEFT, SIDES_LEFT_IN_OTHERS, has_sides
 from fembearing.verify.contact.reference import solve_reference

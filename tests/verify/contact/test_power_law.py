@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fembearing.verify.contact.grid_convergence import Estimate
+from fembearing.grid_convergence import Estimate
 from fembearing.verify.contact.power_law import LawData, fit_law, fit_tangents
 from tests.analytic.specimens import present
 

@@ -7,10 +7,10 @@ import pytest
 
 from analytic.errors import InputError
 from analytic.scenefile.read import load_scene, parse_scene
+from fembearing.grid_convergence import Estimate
 from fembearing.mesh.recipe import load_recipe
 from fembearing.verify.contact import ring as module
 from fembearing.verify.contact.discrepancy import solve_contact
-from fembearing.verify.contact.grid_convergence import Estimate
 from fembearing.verify.contact.ring import structure_of_ring
 
 UNSEATED = """

@@ -12,8 +12,8 @@ from analytic.loads.finite_geometry import thrust_correction
 from analytic.scene import Scene
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
+from fembearing.grid_convergence import Estimate
 from fembearing.report.report import change_record
-from fembearing.verify.contact.grid_convergence import Estimate
 from fembearing.verify.torque.change import TorqueChange, change_of_torque
 from tests.analytic.scenefile.scene_texts import LUBRICANT, SURFACE
 from tests.analytic.specimens import present

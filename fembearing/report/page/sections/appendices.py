@@ -29,6 +29,7 @@ PARTS = (
     Part("torque", "Torque at every operating point", lambda document: document.torque is not None),
     Part("contacts", "Contacts"),
     Part("pictures", "Contact pressure"),
+    Part("film", "Film and rolling", lambda document: bool(document.films)),
     Part("meshes", "Meshes and convergence"),
     Part("ring", "Ring and balls", lambda document: ring_section(document) is not None),
     Part("cage", "Cage", lambda document: document.scene.cage is not None),

@@ -2,12 +2,12 @@
 
 from collections.abc import Iterator
 
+from fembearing.grid_convergence import Estimate
 from fembearing.quantities import Units
 from fembearing.report.contact import ContactRecord
 from fembearing.report.phrases import contact_title, digits, quantities_of, shown
 from fembearing.report.report import Report
 from fembearing.report.tables.table import Group, Head, Row, Table
-from fembearing.verify.contact.grid_convergence import Estimate
 
 HEADS = (
     Head("quantity", "name"),

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fembearing.verify.contact.grid_convergence import estimate, grid_convergence_index, observed_order
+from fembearing.grid_convergence import estimate, grid_convergence_index, observed_order
 from tests.analytic.specimens import present
 
 LEVELS = (2, 3, 5)  # unequal ratios, 3/2 and 5/3

@@ -1,0 +1,394 @@
+"""Pressure and film of a lubricated contact on one grid, by a semismooth Newton method that is fully coupled.
+
+Unknown are the pressure of each cell and the approach of the bodies. A cell whose pressure would fall below that of
+cavitation keeps it, and there the oil only has to leave. The load is one more equation. Lengths are in Hertz's
+semi-axis a, pressures in his p0 and films in a^2/R_x.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline, RegularGridInterpolator
+from scipy.linalg import lu_factor, lu_solve
+from scipy.sparse.linalg import LinearOperator, gmres
+
+from analytic.errors import ConvergenceError
+from analytic.scene import Array
+from fembearing.ehl.contact import LubricatedContact
+from fembearing.ehl.elastic import half_space_integrals
+from fembearing.ehl.grid import Grid, graded_faces
+from fembearing.ehl.reynolds import Balance, Fluid, balance
+
+# Cells at refinement 1, in units of the contact's half lengths; smaller at the inlet and outlet where the film is thin
+INLET, MIDDLE, EDGE, ACROSS = 0.5, 1.5, 0.06, 0.1  # the first is a share of the inlet's length, the second of the first
+GROWTH = 0.18  # of the size of cells over the distance outside
+WIDEST_INLET = 0.35  # of the half length
+CUT = 2.5  # half lengths behind the centre where cavitated oil is left out
+LAST, ROUGH = 1e-6, 1e-2  # largest step of pressure over the largest pressure: of a solution, and on the way to it
+STEPS = 30  # of Newton's method; 4 to 8 are usual
+LEAST_GAP = 0.2  # share of the film that a step leaves
+EASY = 20.0  # M of the contact at which a solution starts
+COARSER = 1.6  # the grid before the first
+EASIER, LEAST_EASIER = (
+    4.0,
+    1.1,
+)  # factor on the speed between two steps towards the contact, and the least that is tried
+INNER = 1e-3  # residual of the linear system where an older factorisation solves it
+MOST_INNER = 25  # steps for that, after which a new factorisation is cheaper
+
+
+class Start(NamedTuple):
+    """What a solution starts from."""
+
+    grid: Grid
+    pressure: Array  # (columns, rows), in p0
+    approach: float  # of the bodies, negative where they overlap, in a^2/R_x
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Solution:
+    """A contact on one grid, SI."""
+
+    contact: LubricatedContact
+    grid: Grid  # in m
+    pressure: Array  # (columns, rows), Pa
+    film: Array  # (columns, rows), m
+    balance: Balance  # mass in units of u a a^2/R_x
+
+    @property
+    def central_film(self) -> float:
+        """In the centre, m."""
+        return float(CubicSpline(self.grid.x, self._on_axis)(0.0))
+
+    @cached_property
+    def _on_axis(self) -> Array:
+        """(columns,) film at y = 0 by a parabola, even in y, through the two nearest rows, m."""
+        first, second = self.grid.y[:2] ** 2
+        return (second * self.film[:, 0] - first * self.film[:, 1]) / (second - first)
+
+    @property
+    def minimum_film(self) -> float:
+        """The least film of a cell where the oil is not cavitated, m."""
+        oil = self.pressure > self.contact.oil.cavitation_pressure
+        return float(self.film[oil].min())
+
+    @property
+    def rolling_force(self) -> float:
+        """F1 = -1/2 of the integral of p d(gap)/dx, on each surface against its motion, N; half is solved."""
+        slope = self.contact.shape.slope(self.grid.x[:, None], self.grid.y[None, :])
+        # The other half of the domain doubles the sum.
+        return -float((self.pressure * slope * self.grid.areas).sum())
+
+    @property
+    def dissipated_force(self) -> float:
+        """F3: the power that pressure flow turns into heat, over 2 u, N. Without error it is the rolling force."""
+        a, _ = self.contact.semi_axes
+        return self.balance.dissipation * a**3 / self.contact.shape.radii[0] * self.contact.peak_pressure
+
+    @property
+    def pressure_centre(self) -> float:
+        """How far the centre of pressure lies ahead of the contact's centre, m."""
+        force = self.pressure * self.grid.areas
+        return -float((force * self.grid.x[:, None]).sum() / force.sum())
+
+
+def solve_on_grids(contact: LubricatedContact, refinements: tuple[float, ...]) -> Iterator[Solution]:
+    """The solution on each grid, coarse to fine.
+
+    The first start is an easy contact, at a higher speed and of thinner oil under pressure, on a coarser grid still.
+    Raises ConvergenceError, which names the regime, where Newton's method does not settle.
+    """
+    first = Discretised(contact=contact, refinement=refinements[0] / COARSER)
+    factor = max((contact.loading / EASY) ** (4 / 3), 1.0)
+    path = first.path([(factor, first.first_guess(factor))], last=ROUGH)
+    for refinement in refinements:
+        place = Discretised(contact=contact, refinement=refinement)
+        path = place.path([(speed, place.carried(start)) for speed, start in path], last=LAST)
+        speed, start = path[-1]
+        if speed > 1.0:
+            raise ConvergenceError(
+                iterations=STEPS,
+                residual=speed,
+                tolerance=1.0,
+                unit="times its speed",
+                problem=(
+                    f"film of M {contact.loading:.3g}, L {contact.thickening:.3g}, lambda {contact.ellipticity:.3g}"
+                ),
+                remedy="The numerical film does not cover this regime.",
+            )
+        yield place.solution(start)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Discretised:
+    """A contact on one grid, in scaled units."""
+
+    contact: LubricatedContact
+    refinement: float
+
+    @cached_property
+    def likely_film(self) -> float:
+        """Moes's H within a factor of about two, which sets the size of cells and the first guess.
+
+        The first part is that of a rigid point contact, whose load is known in closed form but for a number.
+        """
+        contact = self.contact
+        slim = (3 + 2 * contact.ellipticity) ** 2 * contact.ellipticity
+        return 880 / (slim * contact.loading**2) + 1 + 0.3 * contact.thickening**0.75
+
+    @cached_property
+    def inflow(self) -> float:
+        """Distance from the centre where the gap has grown by the likely film."""
+        return float(2 * self.likely_film * self.film_scale) ** 0.5
+
+    @cached_property
+    def half_lengths(self) -> tuple[float, float]:
+        """Of the region that carries the load, along x and y: Hertz's ellipse, or more under a thick film."""
+        a, b = self.contact.semi_axes
+        return float(np.hypot(1, self.inflow)), float(np.hypot(b / a, self.inflow / self.contact.ellipticity**0.5))
+
+    @cached_property
+    def grid(self) -> Grid:
+        """In semi-axes a."""
+        contact, n = self.contact, self.refinement
+        a, _ = contact.semi_axes
+        long, wide = self.half_lengths
+        thin = self.likely_film * self.film_scale
+        inlet = min(WIDEST_INLET, thin ** (2 / 3)) if self.inflow < 1 else WIDEST_INLET
+        fine, middle = INLET * inlet, min(MIDDLE * INLET * inlet, ACROSS)
+        reach = contact.reach
+        ahead, side = reach.ahead / a / long, reach.side / a / wide
+        behind = reach.behind / a / long
+        if contact.oil.cavitation_pressure == 0.0:
+            behind = min(behind, CUT)
+        places = [-1.25, -0.75, -0.4, 0.5, 0.75, 1.08]
+        sizes = [fine, fine, middle, middle, fine, fine]
+        x = _within(places, sizes, -ahead, behind)
+        y = _within([0.0, 0.6, 0.9, 1.1], [ACROSS, ACROSS, EDGE, EDGE], 0.0, side)
+        return Grid(x_faces=graded_faces(*x, refinement=n) * long, y_faces=graded_faces(*y, refinement=n) * wide)
+
+    @cached_property
+    def elastic(self) -> Array:
+        """(n, n) film per pressure of each cell."""
+        contact, grid = self.contact, self.grid
+        a, _ = contact.semi_axes
+        found = half_space_integrals(grid.x, grid.y, grid.x_faces, grid.y_faces)
+        found *= contact.peak_pressure * contact.shape.radii[0] / (np.pi * contact.modulus * a)
+        return found
+
+    @cached_property
+    def gap(self) -> Array:
+        """(n,) of the undeformed bodies."""
+        return self._gap(self.grid.x[:, None], self.grid.y[None, :]).ravel()
+
+    def _gap(self, x: Array, y: Array) -> Array:
+        a, _ = self.contact.semi_axes
+        return self.contact.shape.gap(x * a, y * a) * self.contact.shape.radii[0] / a**2
+
+    @cached_property
+    def gap_beyond(self) -> tuple[Array, Array, Array]:
+        """By how much the gap on the ends and on the far side exceeds that of the next cells."""
+        grid = self.grid
+        gap = self.gap.reshape(grid.shape)
+        return (
+            self._gap(grid.x_faces[0], grid.y) - gap[0],
+            self._gap(grid.x_faces[-1], grid.y) - gap[-1],
+            self._gap(grid.x, grid.y_faces[-1]) - gap[:, -1],
+        )
+
+    @cached_property
+    def epsilon(self) -> float:
+        """Of Reynolds's equation, at the speed of the contact."""
+        contact = self.contact
+        a, _ = contact.semi_axes
+        unit = a**2 / contact.shape.radii[0]
+        return float(unit**2 * contact.peak_pressure / (12 * contact.oil.viscosity * contact.speed * a))
+
+    @property
+    def film_scale(self) -> float:
+        """Moes's unit of films."""
+        a, _ = self.contact.semi_axes
+        return float(self.contact.film_scale * self.contact.shape.radii[0] / a**2)
+
+    def first_guess(self, speed: float) -> Start:
+        """The pressure of a semi-ellipsoid under the load, and a likely film, at `speed` times the contact's."""
+        a, b = self.contact.semi_axes
+        long, wide = self.half_lengths
+        x, y = self.grid.x[:, None] / long, self.grid.y[None, :] / wide
+        pressure = b / a / (long * wide) * np.sqrt(np.maximum(1 - x**2 - y**2, 0.0))
+        easy = replace(self.contact, speed=self.contact.speed * speed)
+        film = Discretised(contact=easy, refinement=self.refinement).likely_film * self.film_scale * speed**0.5
+        return Start(self.grid, pressure, film - float((self.elastic @ pressure.ravel() + self.gap).min()))
+
+    def carried(self, start: Start) -> Start:
+        """The pressure on this grid from that on another one of the same region."""
+        old = start.grid
+        x = np.concatenate([old.x_faces[:1], old.x, old.x_faces[-1:]])
+        y = np.concatenate([-old.y[1::-1], old.y, old.y_faces[-1:]])
+        square = start.pressure * np.abs(start.pressure)  # Hertz's is a parabola, without the steep edge
+        padded = np.pad(np.column_stack([square[:, 1::-1], square]), ((1, 1), (0, 1)))
+        points = np.stack(np.broadcast_arrays(self.grid.x[:, None], self.grid.y[None, :]), axis=-1)
+        found = RegularGridInterpolator((x, y), padded, method="pchip")(points)
+        return Start(self.grid, np.sign(found) * np.sqrt(np.abs(found)), start.approach)
+
+    def _fluid(self, pressure: Array, film: Array, speed: float) -> Fluid:
+        """speed : times the contact's; oil thickens by the power -1/4 of it, so that Moes's L stays."""
+        oil, unit = self.contact.oil, self.contact.peak_pressure
+        log_viscosity, thickening = oil.log_viscosity(pressure * unit, share=speed**-0.25)
+        density, stiffening = oil.density(pressure * unit)
+        parts = pressure, film, log_viscosity, thickening * unit, density, stiffening * unit
+        return Fluid(*(part.reshape(self.grid.shape) for part in parts))
+
+    def balanced(self, pressure: Array, film: Array, speed: float) -> Balance:
+        """Reynolds's equation at pressure and film, (n,)."""
+        return balance(
+            self._fluid(pressure, film, speed),
+            grid=self.grid,
+            gap=self.gap_beyond,
+            epsilon=self.epsilon / speed,
+        )
+
+    def path(self, starts: list[tuple[float, Start]], *, last: float) -> list[tuple[float, Start]]:
+        """Solutions with the factors on the speed to which they belong, towards 1, as far as this grid holds a film.
+
+        starts : factors and what may lie near their solutions. The last that leads to a solution is taken.
+        last : of `settled`, at the speed of the contact
+        """
+        found: list[tuple[float, Start]] = []
+        starts, ratio = [*starts], EASIER
+        while ratio > LEAST_EASIER and (found or starts):
+            speed, start = (max(found[-1][0] / ratio, 1.0), found[-1][1]) if found else starts.pop()
+            solution = self.settled(start, speed=speed, last=last if speed == 1.0 else ROUGH)
+            if solution is not None:
+                found.append((speed, solution))
+                if speed == 1.0:
+                    break
+            elif found:
+                ratio **= 0.5
+        return found or [(np.inf, self.first_guess(1.0))]
+
+    def settled(self, start: Start, *, speed: float, last: float) -> Start | None:
+        """The solution at `speed` times the contact's, or None where there is none in reach.
+
+        last : largest step of pressure that ends the search, over the largest pressure
+        """
+        least = self.contact.oil.cavitation_pressure / self.contact.peak_pressure
+        areas, half_load = self.grid.areas.ravel(), np.pi / 3 * self.contact.semi_axes[1] / self.contact.semi_axes[0]
+        pressure, approach = np.maximum(start.pressure.ravel(), least), start.approach
+        solver = _Linear(self.elastic)
+        film = approach + self.gap + self.elastic @ pressure
+        for _ in range(STEPS):
+            now = self.balanced(pressure, np.maximum(film, 1e-2 * self.film_scale), speed)
+            diagonal = now.by_pressure.diagonal() + now.by_film.diagonal() * self.elastic.diagonal()
+            held = pressure - least < now.excess / np.abs(diagonal)
+            fixed = np.where(held, least - pressure, 0.0)
+            missing = half_load - float(areas @ (pressure + fixed))
+            step, lift = solver.step(now, held, fixed, areas, missing)
+            change = self.elastic @ step + lift
+            if not np.isfinite(change).all():
+                return None
+            closing = float((-change / np.maximum(film, 1e-2 * self.film_scale)).max())
+            share = min(1.0, max((1 - LEAST_GAP) / max(closing, 1e-9), 0.1))
+            pressure, approach = np.maximum(pressure + share * step, least), approach + share * lift
+            film = approach + self.gap + self.elastic @ pressure
+            if share == 1.0 and np.abs(step).max() < last * pressure.max():
+                return Start(self.grid, pressure.reshape(self.grid.shape), approach)
+        return None
+
+    def solution(self, found: Start) -> Solution:
+        """In SI units."""
+        contact = self.contact
+        a, _ = contact.semi_axes
+        pressure = found.pressure.ravel()
+        film = found.approach + self.gap + self.elastic @ pressure
+        return Solution(
+            contact=contact,
+            grid=Grid(x_faces=self.grid.x_faces * a, y_faces=self.grid.y_faces * a),
+            pressure=found.pressure * contact.peak_pressure,
+            film=film.reshape(self.grid.shape) * a**2 / contact.shape.radii[0],
+            balance=self.balanced(pressure, film, 1.0),
+        )
+
+
+class _Linear:
+    """Newton's linear systems on one grid: the first is factorised, and later ones are solved with its help."""
+
+    def __init__(self, elastic: Array) -> None:
+        self.elastic = elastic
+        self.factors: tuple[Array, NDArray[np.int32]] | None = None
+        self.known = np.zeros(0, dtype=np.intp)  # cells of the factorised system
+
+    def step(
+        self, now: Balance, held: NDArray[np.bool_], fixed: Array, areas: Array, missing: float
+    ) -> tuple[Array, float]:
+        """The step of pressure, (n,), and that of the approach.
+
+        held : cells that take the step `fixed`;  missing : load on the half domain beside that step
+        """
+        free = np.flatnonzero(~held)
+        wanted = -now.excess
+        if fixed.any():
+            wanted = wanted - now.by_pressure @ fixed - now.by_film @ (self.elastic @ fixed)
+        pushed = np.asarray(now.by_film.sum(axis=1)).ravel()
+        right = np.append(wanted[free], missing)
+        found = self._by_known_factors(now, free, pushed, areas, right)
+        if found is None:
+            matrix = np.empty((free.size + 1, free.size + 1), order="F")
+            matrix[:-1, :-1] = now.by_film[free] @ self.elastic[:, free]
+            coordinates = now.by_pressure[free][:, free].tocoo()
+            matrix[coordinates.coords] += coordinates.data
+            matrix[:-1, -1], matrix[-1, :-1], matrix[-1, -1] = pushed[free], areas[free], 0.0
+            self.factors, self.known = lu_factor(matrix, overwrite_a=True, check_finite=False), free
+            found = lu_solve(self.factors, right, check_finite=False)
+        step = fixed.copy()
+        step[free] = found[:-1]
+        return step, float(found[-1])
+
+    def _by_known_factors(
+        self, now: Balance, free: NDArray[np.intp], pushed: Array, areas: Array, right: Array
+    ) -> Array | None:
+        """GMRES on all free cells, preconditioned by the last factorisation; None where that is of no use."""
+        if self.factors is None:
+            return None
+        factors, known = self.factors, self.known
+        scale = 1 / np.maximum(np.abs(now.by_pressure.diagonal()), 1e-300)
+        full = np.zeros(self.elastic.shape[0])
+
+        def product(vector: Array) -> Array:
+            full[:] = 0.0
+            full[free] = vector[:-1]
+            out = now.by_pressure @ full + now.by_film @ (self.elastic @ full) + pushed * vector[-1]
+            return np.append(out[free], areas @ full)
+
+        def likely(vector: Array) -> Array:
+            full[:] = 0.0
+            full[free] = vector[:-1]
+            inner = lu_solve(factors, np.append(full[known], vector[-1]), check_finite=False)
+            scaled = full * scale
+            scaled[known] = inner[:-1]
+            return np.append(scaled[free], inner[-1])
+
+        size = (right.size, right.size)
+        found, status = gmres(
+            LinearOperator(size, matvec=product, dtype=np.float64),
+            right,
+            M=LinearOperator(size, matvec=likely, dtype=np.float64),
+            rtol=INNER,
+            restart=MOST_INNER,
+            maxiter=1,
+        )
+        return found if status == 0 else None
+
+
+def _within(places: list[float], sizes: list[float], start: float, end: float) -> tuple[list[float], list[float]]:
+    """The places between start and end, with both ends, and the sizes of cells there, which grow beyond the places."""
+    size = [
+        sizes[0] + GROWTH * (places[0] - start) if start < places[0] else float(np.interp(start, places, sizes)),
+        *(each for place, each in zip(places, sizes, strict=True) if start < place < end),
+        sizes[-1] + GROWTH * (end - places[-1]) if end > places[-1] else float(np.interp(end, places, sizes)),
+    ]
+    return [start, *(place for place in places if start < place < end), end], size

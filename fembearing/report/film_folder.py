@@ -1,0 +1,26 @@
+"""What a numerical film is written to: film.json and film.png."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+from analytic.writing import write
+from fembearing.plain_types import plain
+from fembearing.verify.film.scene_film import FilmNumbers, RaceFilm
+
+KIND, FORMAT = "fembearing film", 1
+
+
+def write_film(film: RaceFilm, folder: Path) -> None:
+    """Write the numbers with the caption of the picture, and the picture, into a folder."""
+    from fembearing.report.figures.film import CAPTION, film_figure
+    from fembearing.report.figures.style import png
+
+    write(folder / "film.png", png(film_figure(film)))
+    content = film_content(film.numbers) | {"picture": {"file": "film.png", "caption": CAPTION}}
+    write(folder / "film.json", json.dumps(content, indent=1, allow_nan=False).encode())
+
+
+def film_content(numbers: FilmNumbers) -> dict[str, Any]:
+    """What film.json and `film --json` hold, SI."""
+    return {"kind": KIND, "format": FORMAT} | plain(numbers)

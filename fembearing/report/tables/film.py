@@ -1,0 +1,50 @@
+"""The film of a ball on a race, by formula and by numerical solution."""
+
+from analytic.words import MILLINEWTON
+from fembearing.quantities import METRIC, Units
+from fembearing.report.tables.table import Head, Table, table_of
+from fembearing.verify.film.scene_film import FilmNumbers
+
+
+def film_table(film: FilmNumbers, units: Units = METRIC) -> Table:
+    """Each quantity with the difference of its formula."""
+    small = units.small_length
+    force = MILLINEWTON if units is METRIC else units.force
+    shown = {
+        "central_film": ("central film", small),
+        "minimum_film": ("minimum film", small),
+        "rolling_force": ("rolling force", force),
+        "pressure_centre": ("pressure centre", small),
+    }
+    speed = units.speed.written(film.inner_speed, ".4g")
+    load = units.force.written(film.load, ".4g")
+    heads = [Head("quantity", "name"), Head("formula"), Head("numerical"), Head("formula/num.-1", fixed=True)]
+    heads += [Head("+-"), Head("order")]
+    rows = [
+        [
+            f"{words}, {unit.name}",
+            f"{each.formula * unit.factor:.4g}",
+            f"{each.numerical * unit.factor:.4g}",
+            f"{each.discrepancy:+.1%} {'*' if abs(each.discrepancy) > each.relative_uncertainty else ' '}",
+            f"{each.relative_uncertainty:.1%}",
+            "none" if each.order is None else f"{each.order:.1f}",
+        ]
+        for name, each in film.quantities.items()
+        for words, unit in (shown[name],)
+    ]
+    return table_of(f"Film on the {film.pair} race: {load}, inner ring at {speed}", heads, rows)
+
+
+def film_notes(film: FilmNumbers, units: Units = METRIC) -> list[str]:
+    """What the columns are, what was solved, and how far to trust it."""
+    reach, check = film.reach, film.dissipated_force / film.rolling_force.numerical - 1
+    return [
+        "+-: numerical uncertainty, 95 %; *: the difference exceeds it; order: observed on three grids. Pressure "
+        "centre: its distance ahead of the contact's centre.",
+        f"M = {film.loading:.4g}, L = {film.thickening:.3g}, lambda = {film.ellipticity:.3g}; entrainment "
+        f"{film.entrainment_speed:.4g} m/s; oil reaches {units.length.written(reach.ahead, '.3g')} ahead and "
+        f"{units.length.written(reach.behind, '.3g')} behind; flooded, isothermal, smooth.",
+        f"The force from the viscous dissipation, equal for incompressible oil, differs by {check:+.1%}. "
+        f"{film.seconds:.1f} s",
+        f"Formulas of film and rolling force within their stated 95 % errors: {film.verdict}.",
+    ]

@@ -1,0 +1,241 @@
+"""Numerical films over the regime of bearings, and what is fitted to them: python validation/ehl/run.py [--count N]
+
+Solves lubricated contacts drawn over M, L and lambda, appends each to solutions.csv when it is done, and continues
+where it stopped. Then it fits rolling force and central film and prints the errors of solutions that the fit has not
+seen. --fit only fits.
+"""
+
+import argparse
+import csv
+import json
+import time
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from dataclasses import asdict, dataclass, fields
+from pathlib import Path
+
+import numpy as np
+from rich.console import Console
+from scipy.stats.qmc import Halton
+
+from analytic.contact.rolling_contact import elliptic_contact
+from analytic.errors import ConvergenceError
+from analytic.oil.film import central_film
+from fembearing.ehl.contact import LubricatedContact, Reach
+from fembearing.ehl.film import numerical_film
+from fembearing.ehl.oil import Oil
+from fembearing.ehl.shape import Paraboloid
+from fembearing.fem.half_space import hertz_ellipse
+
+HERE = Path(__file__).parent
+TABLE, FIT = HERE / "solutions.csv", HERE / "fit.json"
+VERSION = 1  # of the solver and of the settings below; rows of another one are solved again
+SEED, COUNT = 20, 260
+RANGES = {"loading": (5.0, 5e4), "thickening": (2.0, 20.0), "ellipticity": (0.02, 1.0)}  # M, L, lambda
+# The oil, bodies and radius: M, L and lambda say all with Barus's law, and within 2 % with Roelands's
+VISCOSITY, PRESSURE_VISCOSITY, MODULUS, RADIUS = 0.03, 2e-8, 113e9, 0.01  # Pa s, 1/Pa, E* in Pa, R_x in m
+MOST_PRESSURE = 4e9  # Pa: beyond, no steel bearing works
+REACH = 12.0  # half lengths a of the contact, or of the thicker film: the rest of the inlet is a logarithm
+REFINEMENT = 0.85
+
+
+@dataclass(frozen=True, kw_only=True)
+class Row:
+    """One solution, in Moes's numbers: films over R_x U^(1/2), forces over E' R_x^2 U."""
+
+    number: int  # in the sequence of draws
+    version: int
+    loading: float  # M
+    thickening: float  # L
+    ellipticity: float  # lambda
+    peak_pressure: float  # Hertz's, Pa
+    reach: float  # X/(R_x U^(1/4)); the oil is X/sqrt(lambda) wide to either side
+    central_film: float
+    central_film_uncertainty: float  # relative
+    central_film_order: float
+    minimum_film: float
+    minimum_film_uncertainty: float
+    rolling_force: float  # F^ at this reach
+    rolling_force_uncertainty: float
+    rolling_force_order: float
+    dissipated_force: float
+    seconds: float
+    trouble: str  # why there is no solution
+
+
+def drawn(count: int, *, seed: int = SEED) -> np.ndarray:
+    """(count, 3) M, L and lambda: the first draws of a Halton sequence whose pressure a bearing can have."""
+    lower, upper = np.log(np.array(list(RANGES.values()))).T
+    points = np.exp(lower + (upper - lower) * Halton(3, seed=seed).random(4 * count))
+    found = [each for each in points if contact_of(*each) is not None]
+    return np.array(found[:count])
+
+
+def contact_of(loading: float, thickening: float, ellipticity: float) -> LubricatedContact | None:
+    """The contact of given M, L and lambda; None where its pressure is beyond that of bearings."""
+    relative = (thickening / (PRESSURE_VISCOSITY * 2 * MODULUS)) ** 4
+    load = loading * relative**0.75 * 2 * MODULUS * RADIUS**2
+    a, b = hertz_ellipse((1 / RADIUS, ellipticity / RADIUS), load=load, modulus=MODULUS)
+    if 1.5 * load / (np.pi * a * b) > MOST_PRESSURE:
+        return None
+    thick = RADIUS * relative**0.25 * (2 + thickening**0.75) ** 0.5
+    reach = REACH * float(np.hypot(a, thick))
+    return LubricatedContact(
+        load=load,
+        modulus=MODULUS,
+        shape=Paraboloid(rolling_radius=RADIUS, transverse_radius=RADIUS / ellipticity),
+        speed=relative * MODULUS * RADIUS / VISCOSITY,
+        oil=Oil(viscosity=VISCOSITY, pressure_viscosity=PRESSURE_VISCOSITY),
+        reach=Reach(ahead=reach, behind=reach, side=max(reach / ellipticity**0.5, 2.5 * b)),
+    )
+
+
+def solved(number: int, point: tuple[float, float, float]) -> Row:
+    """The row of one draw."""
+    contact = contact_of(*point)
+    assert contact is not None
+    begun = time.perf_counter()
+    given = {
+        "number": number,
+        "version": VERSION,
+        "loading": point[0],
+        "thickening": point[1],
+        "ellipticity": point[2],
+        "peak_pressure": contact.peak_pressure,
+        "reach": contact.reach.ahead / (RADIUS * contact.relative_speed**0.25),
+    }
+    try:
+        film = numerical_film(contact, refinement=REFINEMENT)
+    except ConvergenceError as trouble:
+        missing = {field.name: np.nan for field in fields(Row) if field.name not in given}
+        return Row(**{**given, **missing, "seconds": time.perf_counter() - begun, "trouble": str(trouble)})
+    central, least, force = film.central_film, film.minimum_film, film.rolling_force
+    return Row(
+        **given,
+        central_film=central.value / contact.film_scale,
+        central_film_uncertainty=central.total,
+        central_film_order=central.order or np.nan,
+        minimum_film=least.value / contact.film_scale,
+        minimum_film_uncertainty=least.total,
+        rolling_force=force.value / contact.force_scale,
+        rolling_force_uncertainty=force.total,
+        rolling_force_order=force.order or np.nan,
+        dissipated_force=film.dissipated_force.value / contact.force_scale,
+        seconds=time.perf_counter() - begun,
+        trouble="",
+    )
+
+
+def known() -> list[Row]:
+    """The rows of this version in the table."""
+    if not TABLE.exists():
+        return []
+    kinds = {field.name: {"int": int, "str": str}.get(str(field.type), float) for field in fields(Row)}
+    kinds |= {"number": int, "version": int, "trouble": str}
+    with TABLE.open(newline="") as file:
+        rows = [Row(**{name: kinds[name](text) for name, text in row.items()}) for row in csv.DictReader(file)]
+    return [row for row in rows if row.version == VERSION]
+
+
+def extend(count: int, processes: int) -> None:
+    """Solve what is missing of the first `count` draws."""
+    done = {row.number for row in known()}
+    points = drawn(count)
+    missing = [number for number in range(count) if number not in done]
+    new = not TABLE.exists()
+    with TABLE.open("a", newline="") as file, ProcessPoolExecutor(processes) as pool:
+        writer = csv.DictWriter(file, [field.name for field in fields(Row)])
+        if new:
+            writer.writeheader()
+        jobs = [pool.submit(solved, number, tuple(points[number])) for number in missing]
+        for job in as_completed(jobs):
+            row = {
+                name: f"{each:.6g}" if isinstance(each, float) else each for name, each in asdict(job.result()).items()
+            }
+            writer.writerow(row)
+            file.flush()
+
+
+def terms(rows: list[Row]) -> tuple[list[str], np.ndarray]:
+    """Names and (rows, terms) values: products of up to two of ln M, ln L and ln lambda, and the cube of ln M."""
+    names = list(RANGES)
+    logs = np.log([[getattr(row, name) for name in names] for row in rows])
+    middle = np.mean(np.log(list(RANGES.values())), axis=1)
+    scaled = dict(zip(names, (logs - middle).T, strict=True))
+    found = {"1": np.ones(len(rows)), **scaled}
+    found |= {f"{a} {b}": scaled[a] * scaled[b] for i, a in enumerate(names) for b in names[i:]}
+    found["loading loading loading"] = scaled["loading"] ** 3
+    return list(found), np.column_stack(list(found.values()))
+
+
+def formula_film(row: Row) -> float:
+    """Moes's H by the closed formula for compressible oil, of which the fit is a correction: its asymptotes stay."""
+    contact = contact_of(row.loading, row.thickening, row.ellipticity)
+    assert contact is not None
+    film = central_film(
+        elliptic_contact(
+            curvature_rolling=1 / RADIUS,
+            curvature_transverse=row.ellipticity / RADIUS,
+            load=contact.load,
+            modulus=MODULUS,
+        ),
+        entrainment_speed=contact.speed,
+        viscosity=VISCOSITY,
+        pressure_viscosity=PRESSURE_VISCOSITY,
+        compressible=True,
+    )
+    return float(film.thickness) / contact.film_scale
+
+
+def fitted(target: np.ndarray, weight: np.ndarray, rows: list[Row]) -> tuple[dict[str, float], np.ndarray]:
+    """Coefficients of the terms, and the relative error that each solution has in the fit to all others.
+
+    weight : relative change of the quantity per change of the target. Errors are made even by it.
+    """
+    names, values = terms(rows)
+    orthogonal, triangle = np.linalg.qr(values * weight[:, None])
+    coefficients = np.linalg.solve(triangle, orthogonal.T @ (target * weight))
+    leverage = (orthogonal**2).sum(axis=1)
+    error = weight * (values @ coefficients - target) / (1 - leverage)
+    return dict(zip(names, coefficients.tolist(), strict=True)), error
+
+
+def fit(rows: list[Row]) -> dict[str, object]:
+    """Both fits with their left-out errors.
+
+    rolling force  F^ = S (ln(X/(R_x U^(1/4))) + G),  S = 6 pi/((3 + 2 lambda) sqrt(lambda)),  G: the terms
+    central film   H = H_formula exp(C),  C: the terms
+    """
+    ellipticity = np.array([row.ellipticity for row in rows])
+    slope = 6 * np.pi / ((3 + 2 * ellipticity) * ellipticity**0.5)
+    force = np.array([row.rolling_force for row in rows])
+    level = force / slope - np.log([row.reach for row in rows])
+    film = np.log([row.central_film / formula_film(row) for row in rows])
+    result: dict[str, object] = {"version": VERSION, "solutions": len(rows), "middle": "of the ranges, in logarithms"}
+    for name, target, weight in (("rolling_force", level, slope / force), ("central_film", film, np.ones(len(rows)))):
+        coefficients, error = fitted(target, weight, rows)
+        result[name] = {
+            "coefficients": coefficients,
+            "left_out_rms": float(np.sqrt((error**2).mean())),
+            "left_out_95": float(np.quantile(np.abs(error), 0.95)),
+            "left_out_largest": float(np.abs(error).max()),
+        }
+    return result
+
+
+def main() -> None:
+    """Solve what is missing, then fit."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--count", type=int, default=COUNT, help="solutions of the whole table")
+    parser.add_argument("--processes", type=int, default=1)
+    parser.add_argument("--fit", action="store_true", help="only fit the solutions that are there")
+    given = parser.parse_args()
+    if not given.fit:
+        extend(given.count, given.processes)
+    rows = [row for row in known() if not row.trouble]
+    result = fit(rows)
+    FIT.write_text(json.dumps(result, indent=1) + "\n")
+    Console().print_json(data=result)
+
+
+if __name__ == "__main__":
+    main()
