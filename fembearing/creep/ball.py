@@ -2,8 +2,8 @@
 
 The ball has four freedoms: v = (r_m w_c, r w_phi, r w_rho, r w_z), the speed along its orbit of radius r_m and its
 rotation along the orbit, outward and along the bearing axis. Up to three more are where it lies between the grooves.
-The contacts give their forces and the derivatives of these by the creepages (`fembearing.creep.rolling`). With these,
-few equations are left, which Newton's method solves before the contacts are solved again.
+The contacts give their forces and the derivatives of these by the creepages (`fembearing.creep.rolling`), which close
+Newton's method on the few equations of the ball.
 """
 
 from collections.abc import Callable
@@ -33,8 +33,8 @@ MOST_STEPS = 80  # of the ball; 5 to 15 are usual
 SETTLED = 1e-6  # what the ball lacks, over all friction
 NEARLY = 1e-3  # likewise: from here on the slip is taken at the same places, so that derivatives are exact
 LEAST_SHARE = 1 / 128  # of a step
+MOST_CHANGE, TINY = 0.5, 1e-300  # of the slip of a contact by a step
 LEAST_GAIN = 0.1  # of what the ball lacks, by a whole step
-MOST_EQUATION_STEPS, LAST_EQUATION_STEP = 30, 1e-11
 DIFFERENCE = 1e-6  # of the ball's radius, or of a hundredth of the groove's length, for derivatives of the equations
 ROLLS = 0.35  # y/b where a long contact that rolls freely between rigid surfaces does not slip
 
@@ -264,17 +264,26 @@ class _Search(NamedTuple):
         return np.concatenate([force, held.lacks(lie, (across[0], across[1]), outward)])
 
     def step(self, state: Array, met: _Met) -> Array:
-        """To where nothing lacks while contacts follow their derivatives."""
-        now, size = state.copy(), len(state) - 4
+        """Of Newton's method; the derivatives of the equations are differences, those of the contacts are in them."""
+        size = len(state) - 4
         scale = np.concatenate([np.full(4, self.ball.held.bearing.ball_radius), np.full(size, self._length())])
-        moves = np.diag(DIFFERENCE * scale)
-        for _ in range(MOST_EQUATION_STEPS):
-            columns = [self.lacks(now + move, met) - self.lacks(now - move, met) for move in moves]
-            change = -np.linalg.solve(np.stack(columns, axis=1) / (2 * DIFFERENCE), self.lacks(now, met))
-            now += change * scale
-            if np.max(np.abs(change)) < LAST_EQUATION_STEP:
-                break
-        return now - state
+        columns = [
+            self.lacks(state + move, met) - self.lacks(state - move, met) for move in np.diag(DIFFERENCE * scale)
+        ]
+        return -scale * np.linalg.solve(np.stack(columns, axis=1) / (2 * DIFFERENCE), self.lacks(state, met))
+
+    def longest(self, state: Array, step: Array) -> float:
+        """Share of a step that changes the slip of a contact by `MOST_CHANGE` of itself: beyond, friction is level."""
+        lie, there = self.lie(state), self.lie(state + step)
+        shares = []
+        for contact, load, now, then in zip(
+            self.contacts, lie.loads, self.slips(state, lie), self.slips(state + step, there), strict=True
+        ):
+            b = contact.unit.semi_axis_transverse * load ** (1 / 3)
+            sizes = np.array([1, b**2, 1, b**2, b])
+            slip, change = np.array(now.creepages) * sizes, (np.array(then.creepages) - now.creepages) * sizes
+            shares.append(MOST_CHANGE * np.sum(np.abs(slip)) / max(float(np.sum(np.abs(change))), TINY))
+        return min(shares)
 
     def _length(self) -> float:
         return 0.01 * self.ball.held.lengths[0]
@@ -287,7 +296,8 @@ class _Search(NamedTuple):
             if lacks <= SETTLED * met.friction:
                 return self._turned(state, met, number)
             follows = follows and lacks > NEARLY * met.friction
-            step, share = self.step(state, met), min(1.0, 4 * share)
+            step = self.step(state, met)
+            share = min(1.0, 4 * share, self.longest(state, step))
             while share >= LEAST_SHARE:
                 try:
                     there = self.met(state + share * step, met, follows)
