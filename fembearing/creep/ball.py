@@ -7,7 +7,7 @@ Newton's method on the few equations of the ball.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -32,6 +32,10 @@ from fembearing.creep.strips import Strips, ellipse_strips, hertz_pressure
 MOST_STEPS = 80  # of the ball; 5 to 15 are usual
 SETTLED = 1e-6  # what the ball lacks, over all friction
 NEARLY = 1e-3  # likewise: from here on the slip is taken at the same places, so that derivatives are exact
+# Surfaces that creep more let Newton's method come from far. Each way is softer so many times, one after another; the
+# first is for a start that is near, the others are tried where one before ends short.
+WAYS = (), (100.0, 10.0), (1e3, 300.0, 100.0, 30.0, 10.0, 5.0, 2.5, 1.5)
+ROUGHLY = 1e-2  # what the ball may lack before the last
 LEAST_SHARE = 1 / 128  # of a step
 MOST_CHANGE, TINY = 0.5, 1e-300  # of the slip of a contact by a step
 LEAST_GAIN = 0.1  # of what the ball lacks, by a whole step
@@ -126,6 +130,10 @@ class _Contact:
         )
 
 
+    def softer(self, times: float) -> "_Contact":
+        return replace(self, surfaces=replace(self.surfaces, gradient=times * self.surfaces.gradient))
+
+
 class _Met(NamedTuple):
     """What the contacts do in one state of the ball."""
 
@@ -152,8 +160,23 @@ def turn_ball(ball: TurningBall, grid: Grid, start: TurnedBall | None = None) ->
         for k, motion in enumerate(motions)
     )
     units = contacts[0].unit, contacts[1].unit
-    search = _Search(ball, (contacts[0], contacts[1]))
-    return search.settled(np.concatenate([velocity, ball.held.coordinates(lie, units)]))
+    state = np.concatenate([velocity, ball.held.coordinates(lie, units)])
+    ways = WAYS if start is not None else WAYS[1:]
+    for number, way in enumerate(ways):
+        try:
+            return _along(way, _Search(ball, (contacts[0], contacts[1])), state)
+        except ConvergenceError:
+            if number == len(ways) - 1:
+                raise
+    raise AssertionError("there is a way")
+
+
+def _along(way: tuple[float, ...], search: "_Search", state: Array) -> TurnedBall:
+    """From softer surfaces to the true ones."""
+    for times in way:
+        softer = search.contacts[0].softer(times), search.contacts[1].softer(times)
+        state = _Search(search.ball, softer).settled(state, ROUGHLY)[0]
+    return search.turned(*search.settled(state, SETTLED))
 
 
 def _lie_of(turned: TurnedBall) -> Lie:
@@ -288,13 +311,16 @@ class _Search(NamedTuple):
     def _length(self) -> float:
         return 0.01 * self.ball.held.lengths[0]
 
-    def settled(self, state: Array) -> TurnedBall:
-        """From a state; the places where slip is taken stop following it when that no longer helps."""
+    def settled(self, state: Array, accuracy: float) -> tuple[Array, _Met, int]:
+        """State, contacts and steps; accuracy : of what the ball lacks, over all friction.
+
+        The places where slip is taken stop following it when that no longer helps.
+        """
         met, follows, share = self.met(state, self.met(state, None)), True, 1.0
         lacks = float(np.linalg.norm(self.lacks(state, met)))
         for number in range(MOST_STEPS):
-            if lacks <= SETTLED * met.friction:
-                return self._turned(state, met, number)
+            if lacks <= accuracy * met.friction:
+                return state, met, number
             follows = follows and lacks > NEARLY * met.friction
             step = self.step(state, met)
             share = min(1.0, 4 * share, self.longest(state, step))
@@ -316,12 +342,12 @@ class _Search(NamedTuple):
         raise ConvergenceError(
             iterations=MOST_STEPS,
             residual=float(lacks),
-            tolerance=float(SETTLED * met.friction),
+            tolerance=float(accuracy * met.friction),
             problem="the rotation of the ball",
             remedy="Take more strips, or less friction.",
         )
 
-    def _turned(self, state: Array, met: _Met, steps: int) -> TurnedBall:
+    def turned(self, state: Array, met: _Met, steps: int) -> TurnedBall:
         lie = self.lie(state)
         slips = self.slips(state, lie)
         inner, outer = (
