@@ -293,7 +293,8 @@ class _Search(NamedTuple):
         columns = [
             self.lacks(state + move, met) - self.lacks(state - move, met) for move in np.diag(DIFFERENCE * scale)
         ]
-        return -scale * np.linalg.solve(np.stack(columns, axis=1) / (2 * DIFFERENCE), self.lacks(state, met))
+        tangent = np.stack(columns, axis=1) / (2 * DIFFERENCE)
+        return np.asarray(-scale * np.linalg.solve(tangent, self.lacks(state, met)), dtype=float)
 
     def longest(self, state: Array, step: Array) -> float:
         """Share of a step that changes the slip of a contact by `MOST_CHANGE` of itself: beyond, friction is level."""

@@ -11,9 +11,7 @@ from fembearing.creep.place import HeldBall
 from validation.benchmarks.random_scenes import BASE
 
 CERAMIC, GIVEN, OILED, FAST = 0.25, 0.2, 0.2, 0.3  # shares of the balls
-NITRIDE = Material(
-    name="silicon nitride", youngs_modulus=310e9, poisson_ratio=0.26, density=3200.0, source="typical"
-)
+NITRIDE = Material(name="silicon nitride", youngs_modulus=310e9, poisson_ratio=0.26, density=3200.0, source="typical")
 
 
 def random_ball(seed: int) -> TurningBall:
@@ -42,7 +40,10 @@ def _bearing(rng: np.random.Generator) -> Bearing:
     def groove(one: Groove) -> Groove:
         radius = float(rng.uniform(0.507, 0.55) * diameter)
         return replace(
-            one, bottom_radius=scale * one.bottom_radius, groove_radius=radius, shoulder_half_width=None,
+            one,
+            bottom_radius=scale * one.bottom_radius,
+            groove_radius=radius,
+            shoulder_half_width=None,
             far_shoulder_half_width=None,
         )
 
