@@ -7,13 +7,14 @@ Newton's method on the few equations of the ball.
 """
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
 
 from analytic.contact.geometry import RACES, Race, race_numbers
-from analytic.errors import ConvergenceError, InputError
+from analytic.errors import ConvergenceError, InputError, SingularError
 from analytic.oil.traction import PointLaw
 from analytic.scene import Array
 from fembearing.creep.friction import sliding_law
@@ -129,7 +130,6 @@ class _Contact:
             follows=follows,
         )
 
-
     def softer(self, times: float) -> "_Contact":
         return replace(self, surfaces=replace(self.surfaces, gradient=times * self.surfaces.gradient))
 
@@ -150,8 +150,11 @@ def turn_ball(ball: TurningBall, grid: Grid, start: TurnedBall | None = None) ->
     """The ball where no force and no moment is left on it.
 
     start : of another grid, from which the search begins
-    Raises InputError for a ball that one race does not touch, and ConvergenceError where Newton's method ends short.
+    Raises InputError for a ball that one race does not touch, or without friction, and ConvergenceError where Newton's
+    method ends short, as with a friction far above 1.
     """
+    if not any(law.boundary + law.plain + law.limit > 0 for law in ball.laws):
+        raise InputError("both races are without friction, and nothing turns the ball: give a coefficient above 0")
     lie = ball.held.at_rest() if start is None else _lie_of(start)
     motions = _motions(ball.held)
     velocity = _rolling_freely(ball.held, motions, lie) if start is None else start.velocity
@@ -161,14 +164,11 @@ def turn_ball(ball: TurningBall, grid: Grid, start: TurnedBall | None = None) ->
     )
     units = contacts[0].unit, contacts[1].unit
     state = np.concatenate([velocity, ball.held.coordinates(lie, units)])
-    ways = WAYS if start is not None else WAYS[1:]
-    for number, way in enumerate(ways):
-        try:
-            return _along(way, _Search(ball, (contacts[0], contacts[1])), state)
-        except ConvergenceError:
-            if number == len(ways) - 1:
-                raise
-    raise AssertionError("there is a way")
+    search, ways = _Search(ball, (contacts[0], contacts[1])), WAYS if start is not None else WAYS[1:]
+    for way in ways[:-1]:
+        with suppress(ConvergenceError):
+            return _along(way, search, state)
+    return _along(ways[-1], search, state)
 
 
 def _along(way: tuple[float, ...], search: "_Search", state: Array) -> TurnedBall:
@@ -231,13 +231,14 @@ def _cut(ball: TurningBall, k: int, motion: RaceMotion, lie: Lie, slip: RigidSli
         else Elasticity(influence=HalfSpaces(ball=bearing.ball_material, race=material))
     )
     pressure = elastic.pressure(strips) if elastic.pressure else hertz_pressure(strips, load=load)
+    pressure = pressure * load / np.sum(pressure * strips.area)
     return _Contact(
         motion=motion,
         unit=unit,
         law=ball.laws[k],
         load=load,
         surfaces=rolling_surfaces(strips, elastic.influence),
-        pressure=pressure * load / np.sum(pressure * strips.area),
+        pressure=pressure,
         pressed=pressed_slip(strips, elastic.influence, pressure),
     )
 
@@ -294,7 +295,11 @@ class _Search(NamedTuple):
             self.lacks(state + move, met) - self.lacks(state - move, met) for move in np.diag(DIFFERENCE * scale)
         ]
         tangent = np.stack(columns, axis=1) / (2 * DIFFERENCE)
-        return np.asarray(-scale * np.linalg.solve(tangent, self.lacks(state, met)), dtype=float)
+        try:
+            return np.asarray(-scale * np.linalg.solve(tangent, self.lacks(state, met)), dtype=float)
+        except np.linalg.LinAlgError:
+            problem = "the ball slides all over, and its friction does not change with its rotation"
+            raise SingularError(problem=problem, remedy="Take less speed, or more friction.") from None
 
     def longest(self, state: Array, step: Array) -> float:
         """Share of a step that changes the slip of a contact by `MOST_CHANGE` of itself: beyond, friction is level."""
