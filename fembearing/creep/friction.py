@@ -1,0 +1,166 @@
+"""Friction on rectangles: tractions that follow from slip by a law, and slip that follows from tractions by elasticity.
+
+With the slip s = v + M t and a law of friction, the tractions are the fixed point t = R(t - rho s), where R is the
+resolvent of the law: what is left of a traction that would be `reach` without slip. With Coulomb friction R projects on
+the disk of radius mu p. Newton's method with a line search solves this; it is semismooth [Christensen1998].
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.linalg import lu_factor, lu_solve
+
+from analytic.errors import ConvergenceError
+from analytic.oil.traction import PointLaw, thickened
+from analytic.scene import Array
+
+MOST_STEPS = 60  # 5 to 20 are usual
+SETTLED = 1e-10  # of the largest traction
+LEAST_SHARE = 1 / 64  # of a step
+SOLID = 1e250  # s/m: oil of this fluidity shears at its limit
+LARGEST_SINH = 700.0  # argument that still has a double
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SlidingLaw:
+    """Resistance to slip on each rectangle: a steady stress, and oil that flows by Eyring's law up to a limit.
+
+    Stress `steady` + min(`eyring` asinh(`fluidity` s), `limit`), opposite to the slip s.
+    """
+
+    steady: Array  # (n,) Pa
+    limit: Array  # (n,) Pa
+    eyring: float  # Pa; 0: there is no oil that flows
+    fluidity: Array  # (n,) over 1 of the slip
+
+    def resist(self, reach: Array, stiffness: Array) -> tuple[Array, Array]:
+        """Stress T with T + stiffness s = reach where the slip s has the stress T, and dT/d reach.
+
+        Parameters
+        ----------
+        reach : ndarray
+            Traction that would act without slip, Pa, (n,), >= 0.
+        stiffness : ndarray
+            Traction over slip, Pa, (n,), > 0.
+
+        Returns
+        -------
+        tuple of ndarray
+            Stress, Pa, and slope, each (n,).
+        """
+        stress, slope = np.minimum(reach, self.steady), (reach <= self.steady).astype(float)
+        if self.eyring == 0.0:
+            return stress, slope
+        most = np.minimum(self.limit / self.eyring, LARGEST_SINH)
+        slides = reach > self.steady
+        rest = np.where(slides, reach - self.steady, 0.0)
+        limited = rest >= self.limit + stiffness * np.sinh(most) / self.fluidity
+        y = _flowing(rest * self.fluidity / stiffness, self.eyring * self.fluidity / stiffness, most)
+        flows = slides & ~limited
+        oil = np.where(limited, self.limit, self.eyring * y)
+        yields = self.eyring / (self.eyring + stiffness * np.cosh(y) / self.fluidity)
+        return stress + np.where(slides, oil, 0.0), np.where(flows, yields, slope)
+
+
+def _flowing(asked: Array, softness: Array, most: Array) -> Array:
+    """The root of sinh(y) + softness y = asked, from above, where the left side is convex."""
+    y = np.minimum(np.minimum(np.arcsinh(asked), asked / (1 + softness)), most)
+    for _ in range(MOST_STEPS):
+        step = (np.sinh(y) + softness * y - asked) / (np.cosh(y) + softness)
+        y = np.clip(y - step, 0.0, most)
+        if np.all(np.abs(step) <= 1e-14 * np.maximum(y, 1.0)):  # a few roundings
+            break
+    return y
+
+
+def sliding_law(law: PointLaw, *, pressure: Array, speed: float) -> SlidingLaw:
+    """A law of traction on rectangles, for slip over the rolling speed.
+
+    law : numbers;  pressure : p, Pa, any shape, which is made (n,);  speed : V of rolling, m/s, >= 0
+    """
+    flat = pressure.ravel().astype(float)
+    steady, limit = law.boundary * flat + law.plain * (flat > 0), law.limit * flat
+    fluidity = speed * np.array([min(thickened(law, each).fluidity, SOLID) for each in flat.tolist()])
+    eyring = float(law.eyring) if speed > 0.0 and law.fluidity > 0.0 else 0.0  # standing oil does not resist
+    return SlidingLaw(steady=steady, limit=limit, eyring=eyring, fluidity=fluidity)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Settled:
+    """Tractions and slip that fulfil the law."""
+
+    traction: Array  # (2 n,) along x, then along y, Pa
+    slip: Array  # (2 n,) likewise, over the rolling speed
+    response: Array  # (2 n, k) of the tractions to the k patterns of slip, Pa
+    steps: int
+
+
+def settle(matrix: Array, slip: Array, law: SlidingLaw, *, stiffness: Array, patterns: Array, start: Array) -> Settled:
+    """Tractions under a slip of rigid bodies.
+
+    matrix : M, (2 n, 2 n), 1/Pa;  slip : v, (2 n,);  stiffness : rho, of each rectangle alone, (n,), Pa, > 0
+    patterns : of v, whose response is wanted, (2 n, k)
+    start : tractions, Pa, (2 n,)
+    Raises ConvergenceError where Newton's method ends short of it.
+    """
+    traction, moved = start, matrix @ start
+    found, slopes = _resolved(traction, slip + moved, law, stiffness)
+    left = traction - found
+    for number in range(MOST_STEPS):
+        factor = lu_factor(_tangent(matrix, slopes, stiffness), overwrite_a=True, check_finite=False)
+        largest = np.max(np.abs(traction), initial=0.0)
+        if np.max(np.abs(left)) <= SETTLED * largest or not np.any(left):
+            asked = _turned(slopes * stiffness, patterns)
+            answer = -lu_solve(factor, asked, check_finite=False)
+            return Settled(traction=traction, slip=slip + moved, response=answer, steps=number)
+        step = -lu_solve(factor, left, check_finite=False)
+        step_moved, share, size = matrix @ step, 1.0, np.sum(left**2)
+        while True:
+            trial, trial_moved = traction + share * step, moved + share * step_moved
+            found, slopes = _resolved(trial, slip + trial_moved, law, stiffness)
+            left = trial - found
+            if np.sum(left**2) <= (1 - share / 4) * size or share <= LEAST_SHARE:
+                break
+            share /= 2
+        traction, moved = trial, trial_moved
+    raise ConvergenceError(
+        iterations=MOST_STEPS,
+        residual=float(np.max(np.abs(left))),
+        tolerance=float(SETTLED * np.max(np.abs(traction))),
+        unit="Pa",
+        problem="friction on the contact",
+        remedy="Use more rectangles, or less friction.",
+    )
+
+
+def _resolved(traction: Array, slip: Array, law: SlidingLaw, stiffness: Array) -> tuple[Array, Array]:
+    """R(t - rho s), (2 n,), and the slopes of R by both components, (3, n): xx, xy, yy."""
+    n = stiffness.size
+    x, y = traction[:n] - stiffness * slip[:n], traction[n:] - stiffness * slip[n:]
+    reach = np.hypot(x, y)
+    stress, slope = law.resist(reach, stiffness)
+    over = np.divide(stress, reach, out=slope.copy(), where=reach > 0)
+    e_x, e_y = (np.divide(part, reach, out=np.zeros(n), where=reach > 0) for part in (x, y))
+    rest = slope - over
+    slopes = np.stack([over + rest * e_x * e_x, rest * e_x * e_y, over + rest * e_y * e_y])
+    return np.concatenate([over * x, over * y]), slopes
+
+
+def _turned(slopes: Array, vectors: Array) -> Array:
+    """R' times vectors, (2 n, k)."""
+    n = slopes.shape[1]
+    x, y = vectors[:n], vectors[n:]
+    xx, xy, yy = (slope[:, None] for slope in slopes)
+    return np.concatenate([xx * x + xy * y, xy * x + yy * y])
+
+
+def _tangent(matrix: Array, slopes: Array, stiffness: Array) -> Array:
+    """1 - R' (1 - rho M)."""
+    n = stiffness.size
+    tangent = _turned(slopes * stiffness, matrix)
+    index = np.arange(n)
+    tangent[index, index] += 1 - slopes[0]
+    tangent[index, index + n] -= slopes[1]
+    tangent[index + n, index] -= slopes[1]
+    tangent[index + n, index + n] += 1 - slopes[2]
+    return tangent

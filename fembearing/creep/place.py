@@ -1,0 +1,183 @@
+"""Where a ball lies between its grooves, and the forces across them. Coordinates are radial and axial."""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from scipy.optimize import brentq
+
+from analytic.contact.geometry import RACES, Race, race_curvatures, race_numbers
+from analytic.contact.hertz import unit_contact
+from analytic.scene import Array, Bearing
+
+LEAST_ANGLE, MOST_ANGLE = 1e-5, 1.55  # rad, between which a thrust finds its angle
+LAST_STEP = 1e-10  # rad
+
+
+class UnitContact(NamedTuple):
+    """A contact under 1 N."""
+
+    semi_axis_rolling: float  # m
+    semi_axis_transverse: float  # m
+    approach: float  # m
+
+
+class Lie(NamedTuple):
+    """How a ball lies: on inner and outer race."""
+
+    angles: tuple[float, float]  # al, rad
+    loads: tuple[float, float]  # Q, N; 0 without contact
+    orbit: float  # r_m, m
+
+
+@dataclass(frozen=True, kw_only=True)
+class HeldBall:
+    """What holds a ball: thrust on a ring that is free along the axis, or a ring in its place, or a given angle."""
+
+    bearing: Bearing
+    thrust: float  # Fa/Z, N, > 0; without a part where the ring is held
+    radial: float | None = None  # centre of the inner groove over that of the outer one, m; None: `angle` is given
+    axial: float | None = None  # likewise along the axis, m; None: the thrust places the ring
+    angle: float | None = None  # al, given, rad
+
+    @property
+    def outer_centre(self) -> float:
+        """Radius of the circle on which the outer groove's centre of curvature lies, m."""
+        groove = self.bearing.outer
+        return groove.bottom_radius - (0.0 if self.bearing.kind == "thrust" else groove.groove_radius)
+
+    @property
+    def lengths(self) -> tuple[float, float]:
+        """r_g - r of both grooves, m."""
+        bearing = self.bearing
+        return bearing.inner.groove_radius - bearing.ball_radius, bearing.outer.groove_radius - bearing.ball_radius
+
+    def unit(self, race: Race, angle: float) -> UnitContact:
+        """A contact at a contact angle, by Hertz.
+
+        Parameters
+        ----------
+        race : {"inner", "outer"}
+            The race.
+        angle : float
+            Contact angle, rad, in [0, pi/2].
+
+        Returns
+        -------
+        UnitContact
+            Under 1 N.
+        """
+        along, across = race_curvatures(self.bearing, race, contact_angle=angle)
+        unit = unit_contact(along, across, race_numbers(self.bearing, race).modulus)
+        return UnitContact(float(unit.semi_axis_x), float(unit.semi_axis_y), float(unit.approach))
+
+    def at_rest(self) -> Lie:
+        """Without friction.
+
+        Returns
+        -------
+        Lie
+            Equal angles and loads on both races.
+        """
+        angle = self._angle_at_rest()
+        approaches = [self.unit(race, angle).approach for race in RACES]
+        if self.axial is None:
+            load = self.thrust / float(np.sin(angle))
+        else:
+            stretch = np.hypot(self.radial or 0.0, self.axial) - sum(self.lengths)
+            load = float(max(stretch, 0.0) / sum(approaches)) ** 1.5
+        orbit = self.outer_centre + (self.lengths[1] + approaches[1] * load ** (2 / 3)) * np.cos(angle)
+        return Lie((angle, angle), (load, load), float(orbit))
+
+    def _angle_at_rest(self) -> float:
+        radial = self.radial
+        if radial is None:
+            return self.angle or 0.0
+        if self.axial is not None:
+            return float(np.arctan2(self.axial, radial))
+
+        def too_short(angle: float) -> float:
+            load = self.thrust / np.sin(angle)
+            reach = sum(self.unit(race, angle).approach for race in RACES) * load ** (2 / 3) + sum(self.lengths)
+            return radial - reach * np.cos(angle)
+
+        return float(brentq(too_short, LEAST_ANGLE, MOST_ANGLE, xtol=LAST_STEP))
+
+    def coordinates(self, lie: Lie, units: tuple[UnitContact, UnitContact]) -> Array:
+        """What a search moves.
+
+        Parameters
+        ----------
+        lie : Lie
+            How the ball lies.
+        units : tuple of UnitContact
+            Its contacts.
+
+        Returns
+        -------
+        ndarray
+            Ball over the outer groove's centre, radial and axial, then, under thrust, that of the inner groove along
+            the axis, m; empty where the angle is given.
+        """
+        if self.radial is None:
+            return np.zeros(0)
+        reach = [
+            length + unit.approach * load ** (2 / 3)
+            for length, unit, load in zip(self.lengths, units, lie.loads, strict=True)
+        ]
+        ball = reach[1] * np.cos(lie.angles[1]), reach[1] * np.sin(lie.angles[1])
+        ring = [] if self.axial is not None else [ball[1] + reach[0] * np.sin(lie.angles[0])]
+        return np.array([*ball, *ring])
+
+    def lie(self, place: Array, units: tuple[UnitContact, UnitContact]) -> Lie:
+        """How the ball lies at its coordinates.
+
+        Parameters
+        ----------
+        place : ndarray
+            Of `coordinates`, m.
+        units : tuple of UnitContact
+            Its contacts.
+
+        Returns
+        -------
+        Lie
+            Angles and loads.
+        """
+        if self.radial is None:
+            return self.at_rest()
+        ring = place[2] if self.axial is None else self.axial
+        arms = (self.radial - place[0], ring - place[1]), (place[0], place[1])
+        loads = tuple(
+            max((np.hypot(*arm) - length) / unit.approach, 0.0) ** 1.5
+            for arm, length, unit in zip(arms, self.lengths, units, strict=True)
+        )
+        angles = tuple(float(np.arctan2(arm[1], arm[0])) for arm in arms)
+        return Lie((angles[0], angles[1]), (float(loads[0]), float(loads[1])), self.outer_centre + float(place[0]))
+
+    def lacks(self, lie: Lie, across: tuple[float, float], outward: float) -> Array:
+        """What the equilibrium of forces lacks.
+
+        Parameters
+        ----------
+        lie : Lie
+            How the ball lies.
+        across : tuple of float
+            Friction on the ball across both grooves, N.
+        outward : float
+            Centrifugal force, N.
+
+        Returns
+        -------
+        ndarray
+            Of the ball, radial and axial, and under thrust of the inner ring along the axis, N.
+        """
+        if self.radial is None:
+            return np.zeros(0)
+        (inner, outer), (q_i, q_o), (t_i, t_o) = lie.angles, lie.loads, across
+        push = q_i * np.sin(inner) - t_i * np.cos(inner)
+        ball = [
+            q_i * np.cos(inner) + t_i * np.sin(inner) - q_o * np.cos(outer) - t_o * np.sin(outer) + outward,
+            push - q_o * np.sin(outer) + t_o * np.cos(outer),
+        ]
+        return np.array(ball if self.axial is not None else [*ball, push - self.thrust])

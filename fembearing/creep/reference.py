@@ -1,0 +1,95 @@
+"""The friction of a ball with its numerical uncertainty, from three grids."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from analytic.errors import require_positive
+from fembearing.creep.ball import Grid, TurnedBall, TurningBall, turn_ball
+
+GRIDS = (Grid(8, 4), Grid(12, 6), Grid(16, 8), Grid(24, 12), Grid(32, 16))
+ORDER = 2.0  # of the error in the length and width of a rectangle, where slip does not turn round
+# Where slip turns round the error is smaller and irregular. Half of Richardson's step was best on the balls of seeds
+# 1000 to 1015 of validation/creep/run.py, and so large a factor held all but one of their quantities.
+OF_STEP, CAUTIOUS = 0.5, 3.0
+FLOOR = 1e-4  # relative: the least uncertainty claimed
+
+
+class Estimate(NamedTuple):
+    """A quantity for vanishing rectangles."""
+
+    value: float  # in its unit
+    uncertainty: float  # half-width of the 95 % interval, in its unit
+    values: tuple[float, ...]  # on three grids, coarse to fine
+
+
+class RaceEstimates(NamedTuple):
+    """Of one contact; signs as in `ball.RaceCreep`."""
+
+    spin_moment: Estimate  # N m
+    rolling_moment: Estimate  # N m
+    transverse_force: Estimate  # N
+    slip_share: Estimate  # of the area
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class CreepReference:
+    """Friction of one ball on both races."""
+
+    inner: RaceEstimates
+    outer: RaceEstimates
+    torque: Estimate  # by sliding of this ball about the bearing axis, N m
+    finest: TurnedBall  # on the last grid, with maps of traction and slip
+    grids: tuple[Grid, ...]  # the last three
+
+
+def creep_reference(ball: TurningBall, *, tolerance: float = 0.01) -> CreepReference:
+    """The friction of a ball that turns steadily between its races.
+
+    tolerance : of the torque by sliding, relative, > 0
+    Grids become finer until the uncertainty of the torque is below the tolerance; the last grid ends this in any case.
+    Raises InputError and ConvergenceError as `ball.turn_ball` does.
+    """
+    require_positive(tolerance=tolerance)
+    turned: list[TurnedBall] = []
+    for number, grid in enumerate(GRIDS, 1):
+        turned.append(turn_ball(ball, grid, turned[-1] if turned else None))
+        if number < 3:
+            continue
+        last = turned[-3:]
+        torque = _estimate(last, GRIDS[number - 3 : number], lambda each: each.torque)
+        if torque.uncertainty <= tolerance * abs(torque.value):
+            break
+    grids = GRIDS[len(turned) - 3 : len(turned)]
+    inner, outer = (_race_estimates(turned[-3:], grids, k) for k in range(2))
+    torque = _estimate(turned[-3:], grids, lambda each: each.torque)
+    return CreepReference(inner=inner, outer=outer, torque=torque, finest=turned[-1], grids=grids)
+
+
+def _race_estimates(turned: list[TurnedBall], grids: tuple[Grid, ...], race: int) -> RaceEstimates:
+    return RaceEstimates(
+        spin_moment=_estimate(turned, grids, lambda each: each.races[race].spin_moment),
+        rolling_moment=_estimate(turned, grids, lambda each: each.races[race].rolling_moment),
+        transverse_force=_estimate(turned, grids, lambda each: each.races[race].transverse_force),
+        slip_share=_estimate(turned, grids, lambda each: each.races[race].friction.slip_share),
+    )
+
+
+def _estimate(turned: list[TurnedBall], grids: tuple[Grid, ...], quantity: Callable[[TurnedBall], float]) -> Estimate:
+    return estimate(tuple(map(quantity, turned)), tuple(1 / grid.strips for grid in grids))
+
+
+def estimate(values: tuple[float, ...], sizes: tuple[float, ...]) -> Estimate:
+    """Value and uncertainty from three grids, coarse to fine; sizes : of their rectangles, any unit, descending.
+
+    The value is the finest one and half of Richardson's step of second order. The uncertainty is three times that step,
+    or three times half of the step that the two coarser grids foretell, and 0.01 %.
+    """
+    first, middle, fine = values
+    squares = np.array(sizes) ** ORDER
+    step = float((fine - middle) * squares[2] / (squares[1] - squares[2]))
+    foretold = float((middle - first) * squares[2] / (squares[0] - squares[1]))
+    uncertainty = CAUTIOUS * max(abs(step), abs(foretold) / 2) + FLOOR * abs(fine)
+    return Estimate(fine + OF_STEP * step, uncertainty, values)
