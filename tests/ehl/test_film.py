@@ -107,6 +107,7 @@ def test_circular_contact_has_the_film_and_force_of_two_other_codes(ahead: float
     found = usual(200.0, ahead)
     assert film_number(found) == pytest.approx(3.63, rel=0.02)
     assert force_number(found) == pytest.approx(force, rel=0.02)
+    assert found.rolling_force.order is not None
     assert 1.5 <= found.rolling_force.order <= 2.8
     # F3 converges from below with an order near 1 where oil thickens: 1 to 3 % were seen.
     assert found.disagreement == pytest.approx(0.0, abs=0.035)
