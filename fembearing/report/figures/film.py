@@ -70,5 +70,5 @@ def _along_rolling(panel: Axes, film: RaceFilm, pressure: Array, height: Array, 
     other.set(ylim=(0, 4 * film.numbers.central_film.numerical * small.factor), ylabel=f"film, {small.name}")
     handles = [*panel.get_legend_handles_labels()[0], *other.get_legend_handles_labels()[0]]
     panel.legend(
-        handles, [str(each.get_label()) for each in handles], loc="lower center", frameon=False, fontsize=LETTERS
+        handles, [str(each.get_label()) for each in handles], loc="center left", frameon=False, fontsize=LETTERS
     )
