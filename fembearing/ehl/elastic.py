@@ -1,6 +1,6 @@
 """Deflection of a half space under pressure that is uniform on each cell of a tensor grid.
 
-Source: A. E. H. Love (1929), Phil. Trans. R. Soc. A 228, 377, in the form of [Johnson1985] section 3.8.
+Love's integral of a rectangle. Source: [Johnson1985] section 3.8.
 """
 
 import math

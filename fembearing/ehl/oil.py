@@ -38,8 +38,22 @@ class Oil:
             )
 
     def log_viscosity(self, pressure: Array, *, share: float = 1.0) -> tuple[Array, Array]:
-        """ln(eta/eta_0) and its slope in 1/Pa, times `share`, by which a solution approaches the oil from a softer one.
+        """Logarithm of the viscosity over that at ambient pressure, with its slope.
 
+        Parameters
+        ----------
+        pressure : ndarray, any shape
+            p over ambient pressure, Pa, above -1.9e8.
+        share : float
+            Factor on both, 0 to 1, dimensionless, by which a solution approaches the oil from a softer one.
+
+        Returns
+        -------
+        tuple of ndarray
+            ln(eta/eta_0), dimensionless, and its derivative by p, 1/Pa, each of the shape of pressure.
+
+        Notes
+        -----
         ln(eta/eta_0) = G [(1 + 5.1e-9 p)^Z - 1], G = ln(eta_0) + 9.67, Z = alpha/(5.1e-9 G); Barus: alpha p.
         """
         if self.law == "barus":
@@ -52,7 +66,18 @@ class Oil:
         return share * growth * np.expm1(exponent * ratio), slope
 
     def density(self, pressure: Array) -> tuple[Array, Array]:
-        """rho/rho_0 and its slope in 1/Pa: 1 + 0.34 p/(5.9e8 Pa + p)."""
+        """Density over that at ambient pressure, 1 + 0.34 p/(5.9e8 Pa + p), with its slope.
+
+        Parameters
+        ----------
+        pressure : ndarray, any shape
+            p over ambient pressure, Pa.
+
+        Returns
+        -------
+        tuple of ndarray
+            rho/rho_0, dimensionless, and its derivative by p, 1/Pa, each of the shape of pressure.
+        """
         if not self.compressible:
             return np.ones_like(pressure), np.zeros_like(pressure)
         stiff = STIFFENING + pressure
