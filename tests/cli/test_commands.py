@@ -86,7 +86,8 @@ def test_the_report_is_in_its_folder(validated: dict[str, Any], report: Path) ->
     assert (report / "report.html").is_file()
     kinds = {(picture["pair"], picture["geometry"], picture["kind"]) for picture in written["pictures"]}
     pairs = [("inner", "real"), ("outer", "real"), ("pocket", "real"), ("pocket", "wall")]
-    assert kinds == {(*pair, kind) for pair in pairs for kind in ("pressure", "section", "view")}
+    contacts = {(*pair, kind) for pair in pairs for kind in ("pressure", "section", "view")}
+    assert kinds == contacts | {(*pair, "film") for pair in pairs[:2]}
     assert written["renderer"] == "VTK"
 
 
