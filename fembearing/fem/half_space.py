@@ -88,7 +88,7 @@ def pressed_rectangle(x: Array, y: Array, *, half_sides: tuple[float, float]) ->
     Returns values per that unit of length. Source: Love's solution, [Johnson1985] section 3.3.
     """
     half_x, half_y = half_sides
-    total = np.zeros(np.broadcast_shapes(x.shape, y.shape))
+    total: Array = np.zeros(np.broadcast_shapes(x.shape, y.shape))
     for sign_x in (1, -1):
         for sign_y in (1, -1):
             corner_x, corner_y = x + sign_x * half_x, y + sign_y * half_y

@@ -106,6 +106,11 @@ def ratio(first: Quantities, second: Quantities) -> Quantities:
     return Quantities(**{name: value / getattr(second, name) for name, value in vars(first).items()})
 
 
+def product(first: Quantities, second: Quantities) -> Quantities:
+    """First times second, of each quantity."""
+    return Quantities(**{name: value * getattr(second, name) for name, value in vars(first).items()})
+
+
 def shoulder_load(*, centroid: float, strip_force: float, shoulder: float, load: float) -> ShoulderLoad:
     """The load at a shoulder from sums over the mesh.
 

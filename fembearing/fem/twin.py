@@ -29,7 +29,7 @@ from fembearing.fem.contact import press
 from fembearing.fem.elasticity import surface_mass
 from fembearing.fem.factor import solver_threads
 from fembearing.fem.half_space import contact_modulus, curvatures_under, exact_quantities, plane_strain_modulus
-from fembearing.fem.measure import Quantities, measured_quantities, nodal_pressure, ratio
+from fembearing.fem.measure import Quantities, measured_quantities, nodal_pressure, product, ratio
 from fembearing.fem.solution import MeshSolution, solve_on_mesh
 from fembearing.mesh.ball import block_of_ball, flat_ball
 from fembearing.mesh.bodies import Block, BodyMesh
@@ -58,8 +58,7 @@ class TwinSolution:
     @property
     def corrected(self) -> dict[str, float]:
         """Each quantity without the error that the twin shows."""
-        factors = vars(self.factors)
-        return {name: float(value * factors[name]) for name, value in vars(self.mesh.quantities).items()}
+        return vars(product(self.mesh.quantities, self.factors))
 
     @property
     def ellipse(self) -> tuple[float, float]:

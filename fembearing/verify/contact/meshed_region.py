@@ -5,6 +5,7 @@ What the true contact differs in is computed once, on one level, and corrects ev
 
 from dataclasses import asdict, dataclass, replace
 
+from analytic.scene import Contact
 from fembearing.fem.solution import MeshSolution, solve_on_mesh
 from fembearing.fem.twin import TwinSolution, twin_factors
 from fembearing.mesh.footprint import is_symmetric
@@ -56,13 +57,16 @@ def far_boundary(mesh: MeshSolution, *, recipe: Recipe) -> dict[str, Boundary]:
 
 def has_sides(mesh: MeshSolution, *, recipe: Recipe) -> bool:
     """Whether a quarter stands for a contact whose sides differ, by more than a tenth of the least uncertainty."""
-    if mesh.pair.footprint.half or is_symmetric(mesh.contact) or recipe.geometry != "real":
+    if mesh.pair.footprint.half or recipe.geometry != "real":
         return False
-    transverse = mesh.pair.semi_axes[1]
-    return (
-        SIDES_BOUND * (transverse / mesh.contact.ball_radius) ** 2 * transverse
-        > SIDES_LEAST * mesh.contact.nearer_shoulder
-    )
+    return sides_matter(mesh.contact, transverse=mesh.pair.semi_axes[1])
+
+
+def sides_matter(contact: Contact, *, transverse: float) -> bool:
+    """Whether the sides of an uncut contact of a transverse semi-axis, m, change it by more than that tenth."""
+    if is_symmetric(contact):
+        return False
+    return SIDES_BOUND * (transverse / contact.ball_radius) ** 2 * transverse > SIDES_LEAST * contact.nearer_shoulder
 
 
 def each_side(mesh: MeshSolution, *, recipe: Recipe) -> list[MeshSolution]:
@@ -85,8 +89,15 @@ def with_sides(
     """
     even, *both = (measured(part) for part in (mesh, above, below))
     sides = {name: (both[0][name] + both[1][name]) / (2 * value) - 1 if value else 0.0 for name, value in even.items()}
+    return with_effect_of_sides(boundary, sides, mesh.contact, transverse=mesh.pair.semi_axes[1])
+
+
+def with_effect_of_sides(
+    boundary: dict[str, Boundary], sides: dict[str, float], contact: Contact, *, transverse: float
+) -> dict[str, Boundary]:
+    """The same with a known effect of the true sides, relative, on a contact of a transverse semi-axis, m."""
     largest = max(abs(sides[name]) for name in SIDES_LEFT)
-    coarse = SIDES_COARSE * (mesh.pair.semi_axes[1] / mesh.contact.ball_radius) ** 2
+    coarse = SIDES_COARSE * (transverse / contact.ball_radius) ** 2
     left = {name: SIDES_LEFT.get(name, SIDES_LEFT_IN_OTHERS) * largest + coarse for name in boundary}
     return {name: replace(part, sides=sides[name], domain=part.domain + left[name]) for name, part in boundary.items()}
 
@@ -102,7 +113,7 @@ def boundary_effect(mesh: MeshSolution, larger: MeshSolution) -> dict[str, Bound
     The larger block shows a part of the effect on the pressure; the rest follows from the power with which it falls.
     The approach is defined as that of the larger block.
     """
-    return _effects(_changes(measured(mesh), measured(larger)), growth=_growth(mesh, larger), left=LEFT_BY_MESHES)
+    return effects(changes(measured(mesh), measured(larger)), growth=_growth(mesh, larger), left=LEFT_BY_MESHES)
 
 
 def boundary_effect_with_twin(solution: TwinSolution, *, recipe: Recipe) -> dict[str, Boundary]:
@@ -110,11 +121,11 @@ def boundary_effect_with_twin(solution: TwinSolution, *, recipe: Recipe) -> dict
     mesh, larger = solution.mesh, _larger(solution.mesh, recipe=recipe)
     after = TwinSolution(mesh=larger, factors=twin_factors(larger, recipe=recipe, extended=True)).corrected
     growth = _growth(mesh, larger)
-    effects = _effects(_changes(solution.corrected, after), growth=growth, left=LEFT_WITH_TWIN)
-    plain = _effects(_changes(measured(mesh), measured(larger)), growth=growth, left=LEFT_WITH_TWIN)
+    found = effects(changes(solution.corrected, after), growth=growth, left=LEFT_WITH_TWIN)
+    plain = effects(changes(measured(mesh), measured(larger)), growth=growth, left=LEFT_WITH_TWIN)
     return {
         name: replace(part, domain=part.domain + LEFT_BY_TWIN * abs(part.beyond - plain[name].beyond))
-        for name, part in effects.items()
+        for name, part in found.items()
     }
 
 
@@ -124,8 +135,8 @@ def _larger(mesh: MeshSolution, *, recipe: Recipe) -> MeshSolution:
     )
 
 
-def _changes(before: dict[str, float], after: dict[str, float]) -> dict[str, float]:
-    """Relative."""
+def changes(before: dict[str, float], after: dict[str, float]) -> dict[str, float]:
+    """Relative, of each quantity."""
     return {name: after[name] / value - 1 if value else 0.0 for name, value in before.items()}
 
 
@@ -135,15 +146,20 @@ def _growth(mesh: MeshSolution, larger: MeshSolution) -> float:
     return further / size
 
 
-def _effects(changes: dict[str, float], *, growth: float, left: float) -> dict[str, Boundary]:
-    effects = {}
-    for name, change in changes.items():
+def effects(relative: dict[str, float], *, growth: float, left: float) -> dict[str, Boundary]:
+    """The effect of the far boundary from relative changes between two blocks.
+
+    growth : size of the larger block over that of the other
+    left : share of the change in the approach that stays as uncertainty
+    """
+    found = {}
+    for name, change in relative.items():
         if name in UP_TO_LARGER:
-            effects[name] = Boundary(beyond=change, domain=left * abs(change))
+            found[name] = Boundary(beyond=change, domain=left * abs(change))
         else:
             whole = change / (1 - growth**-FADING)
-            effects[name] = Boundary(beyond=whole, domain=UNCERTAIN * abs(whole))
-    return effects
+            found[name] = Boundary(beyond=whole, domain=UNCERTAIN * abs(whole))
+    return found
 
 
 def measured(mesh: MeshSolution) -> dict[str, float]:

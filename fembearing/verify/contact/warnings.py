@@ -6,14 +6,17 @@ from collections.abc import Sequence
 from analytic.effects.table import STATIC_LIMIT
 from analytic.scene import Contact
 from analytic.words import MILLIMETRE, percent_of, pressure_of
+from fembearing.fem.pixel_contact import PixelSolution
 from fembearing.fem.solution import MeshSolution
 from fembearing.verify.contact.mesh_refinement import Estimates, Reference
 
 EDGE_OF_GROOVE = 1.05  # distance to the shoulder, in semi-axes, below which Hertz no longer applies
-Solved = tuple[MeshSolution, Estimates]  # a load on its finest mesh, and the estimates from all its meshes
+Solved = tuple[
+    MeshSolution | PixelSolution, Estimates
+]  # a load on its finest mesh, and the estimates from all its meshes
 
 
-def near_shoulder(mesh: MeshSolution, contact: Contact) -> bool:
+def near_shoulder(mesh: MeshSolution | PixelSolution, contact: Contact) -> bool:
     """Whether a solved contact reaches its shoulder, or nearly, where Hertz does not apply."""
     return mesh.shoulder is not None or EDGE_OF_GROOVE * mesh.quantities.semi_axis_transverse > contact.nearer_shoulder
 
