@@ -10,6 +10,7 @@ from dataclasses import asdict, dataclass, replace
 from functools import partial
 
 import numpy as np
+from scipy.interpolate import CubicSpline
 
 from analytic.scene import Contact
 from fembearing.fem.compliance import ComplianceOverLoad, PairCompliance, compliance_over_load, sampled_compliance
@@ -28,6 +29,7 @@ from fembearing.verify.contact.meshed_region import (
     Boundary,
     changes,
     effects,
+    sides_farther,
     sides_matter,
     with_effect_of_sides,
 )
@@ -53,6 +55,7 @@ class PairSeries:
     fine: ComplianceOverLoad  # second level
     beyond: ComplianceOverLoad  # first level, on a larger block
     sides: tuple[ComplianceOverLoad, ...]  # second level, with each of the true sides; empty where they do not matter
+    farther: CubicSpline | None  # of `sides_farther` over ln(load); None where it is not known
     growth: float  # of the larger block over the other
     sampled: tuple[float, ...]  # loads, N
 
@@ -72,7 +75,11 @@ class PairSeries:
         if self.sides:
             both = press_pair(_mean([each.at(load) for each in self.sides]), load=load)
             region = with_effect_of_sides(
-                region, changes(values, asdict(both.quantities)), last.contact, transverse=transverse
+                region,
+                changes(values, asdict(both.quantities)),
+                last.contact,
+                transverse=transverse,
+                farther=None if self.farther is None else float(self.farther(np.log(load))),
             )
         estimates = self._estimates(first, last, region, between=load not in self.sampled)
         return last, estimates
@@ -118,13 +125,24 @@ def pair_series(contact: Contact, *, recipe: Recipe, loads: Sequence[float]) -> 
     largest = expected_semi_axes(replace(contact, load=sampled[-1]), geometry="real")
     sided = sides_matter(contact, transverse=largest[1])
     samples = [_sampled(replace(contact, load=load), recipe=recipe, sided=sided) for load in sampled]
+    known = [
+        sides_farther(each[0].contact, recipe=recipe, semi_axes=each[0].semi_axes) if sided else None
+        for each in samples
+    ]
+    farther = None if None in known else CubicSpline(np.log(sampled), known)
     coarse, fine, beyond, *sides = (compliance_over_load(each) for each in zip(*samples, strict=True))
     reach = [
         block_of_race(contact, recipe, recipe.levels[0], Footprint(semi_axes=largest), extended).extent
         for extended in (True, False)
     ]
     return PairSeries(
-        coarse=coarse, fine=fine, beyond=beyond, sides=tuple(sides), growth=reach[0] / reach[1], sampled=sampled
+        coarse=coarse,
+        fine=fine,
+        beyond=beyond,
+        sides=tuple(sides),
+        farther=farther,
+        growth=reach[0] / reach[1],
+        sampled=sampled,
     )
 
 

@@ -31,6 +31,7 @@ from fembearing.verify.contact.grid_convergence import Estimate
 from fembearing.verify.contact.hertz import hertz_quantities
 from fembearing.verify.contact.mesh_refinement import Estimates, estimates_of
 from fembearing.verify.contact.meshed_region import Boundary, boundary_effect, has_boundary, has_sides, with_sides
+from fembearing.verify.contact.pocket_law import PocketLaw, fit_pocket_law
 from fembearing.verify.contact.power_law import LawData, StiffnessLaw, fit_law, fit_tangents
 from fembearing.verify.contact.reference import solve_reference
 from fembearing.verify.contact.scene_contact import Shape, as_meshed, contact_of, recipe_of, traced_to_load
@@ -104,6 +105,7 @@ class LoadSeries(Brief):
     tolerance: float  # of the verdicts, relative
     points: tuple[LoadPoint, ...]
     law: StiffnessLaw | None  # None for a single load
+    pocket_law: PocketLaw | None  # of the sheet of a pocket under two loads or more; else None
     hertz_stiffness: float  # K of Hertz, N/m^1.5
     solutions: tuple[MeshSolution | PixelSolution, ...]  # on the finest level, in the order of the points
     meshes: int  # number of meshes of one level that the loads share
@@ -163,6 +165,7 @@ class LoadSeries(Brief):
                 for point in self.points
             ],
             "law": law,
+            "pocket_law": self.pocket_law and asdict(self.pocket_law),
             "hertz_law": {"stiffness": self.hertz_stiffness, "exponent": 1.5},
             "verdict": self.shown_verdict,
             "cost": {"seconds": self.seconds, "meshes": self.meshes, "peak_memory": self.peak_memory},
@@ -300,6 +303,7 @@ def compare_series(
             for each in zip(finest, estimates, tangents, strict=True)
         ),
         law=law,
+        pocket_law=fit_pocket_law(data) if thin else None,
         hertz_stiffness=hertz_quantities(finest[0].contact).stiffness,
         solutions=finest,
         meshes=meshes,
@@ -431,5 +435,5 @@ def _approach(
     estimate = estimates_of((second, third))["approach"]
     boundary = {"approach": Boundary()} if larger is None else boundary_effect(second, larger)
     if above is not None and below is not None:
-        boundary = with_sides(boundary, second, above, below)
+        boundary = with_sides(boundary, second, above, below, farther=None)
     return replace(estimate, mesh=estimate.mesh + off_mesh_uncertainty(third), **vars(boundary["approach"]))

@@ -20,6 +20,7 @@ from fembearing.verify.contact.meshed_region import (
     boundary_effect_with_twin,
     each_side,
     has_sides,
+    sides_farther,
     with_sides,
 )
 
@@ -56,10 +57,10 @@ def solve_by_twin(
         return None
     progress(0.1, f"{contact.pair}: far boundary")
     far, on_first = boundary_effect_with_twin(coarse, recipe=recipe), True
-    solutions, both, estimates = [coarse], (), {}
+    solutions, both, farther, estimates = [coarse], (), None, {}
 
     def estimated() -> Estimates:
-        boundary = with_sides(far, solutions[1].mesh, *both) if both else far
+        boundary = with_sides(far, solutions[1].mesh, *both, farther=farther) if both else far
         return {name: replace(part, **vars(boundary[name])) for name, part in estimates_with_twin(solutions).items()}
 
     finer = recipe.levels[1:]
@@ -71,6 +72,7 @@ def solve_by_twin(
             return None
         if solutions == [coarse] and has_sides(solution.mesh, recipe=recipe):
             both = each_side(solution.mesh, recipe=recipe)
+            farther = sides_farther(contact, recipe=recipe, semi_axes=coarse.mesh.pair.semi_axes)
         solutions.append(solution)
         estimates = estimated()
         if on_first and (any(estimates[name].total > accuracy for name in quantities) or undecided(estimates)):
