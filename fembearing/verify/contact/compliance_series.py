@@ -33,7 +33,7 @@ from fembearing.verify.contact.meshed_region import (
     sides_matter,
     with_effect_of_sides,
 )
-from fembearing.verify.contact.twin_refinement import LEAST_WITH_TWIN, LEFT, ORDER, UNSTEADY_PRESSURE
+from fembearing.verify.contact.twin_refinement import LEAST_WITH_TWIN, LEFT, ORDER, ORDERS, UNSTEADY_PRESSURE
 
 APART = 3.0  # largest ratio of neighbouring loads at which the compliance is sampled
 # Relative uncertainty of all quantities between samples: at most 0.008 % on the inner and the outer race of a 6205, in
@@ -41,7 +41,7 @@ APART = 3.0  # largest ratio of neighbouring loads at which the compliance is sa
 BETWEEN = 1e-4
 # Uncertainty over (c/r)^2, with the larger semi-axis c and the ball's radius r, for what few samples miss of the
 # compliance. Chosen as the constants of `twin_refinement`.
-FEW_SAMPLES = 1e-3
+FEW_SAMPLES = 3e-3
 # What the curved cells of the second level leave of the approach, over (c/r)^2; chosen likewise.
 CURVED_CELLS = 3e-3
 AWAY = 1.05  # least distance of the nearer shoulder in semi-axes: nearer, a load is solved on meshes
@@ -89,15 +89,15 @@ class PairSeries:
         first: PixelSolution, last: PixelSolution, region: dict[str, Boundary], *, between: bool
     ) -> Estimates:
         coarse, fine = asdict(first.quantities), asdict(last.quantities)
-        left = {name: (value - coarse[name]) / (2**ORDER - 1) for name, value in fine.items()}
-        largest = max(abs(left[name] / fine[name]) for name in COMPARED)
+        change = {name: value - coarse[name] for name, value in fine.items()}
+        largest = max(abs(change[name] / fine[name]) for name in COMPARED) / (2**ORDER - 1)
         size = max(last.quantities.semi_axis_rolling, last.quantities.semi_axis_transverse)
         shape = (size / last.contact.ball_radius) ** 2
         uncertainty = LEAST_WITH_TWIN + FEW_SAMPLES * shape + LEFT * largest + BETWEEN * between
         mesh: dict[str, float] = dict.fromkeys(fine, uncertainty)
         mesh["stiffness"] *= STIFFNESS
         mesh["peak_pressure"] += UNSTEADY_PRESSURE
-        limits = {name: value + left[name] for name, value in fine.items()}
+        limits = {name: value + change[name] / (2 ** ORDERS.get(name, ORDER) - 1) for name, value in fine.items()}
         limits["approach"] *= 1 + CURVED_CELLS * shape
         limits["stiffness"] = last.contact.load / limits["approach"] ** 1.5
         return {
