@@ -22,7 +22,7 @@ from fembearing.mesh.footprint import Footprint, Sides
 from fembearing.mesh.race import block_of_race
 from fembearing.mesh.recipe import Recipe
 from fembearing.verify.contact.grid_convergence import Estimate
-from fembearing.verify.contact.mesh_refinement import COMPARED, Estimates
+from fembearing.verify.contact.mesh_refinement import COMPARED, FORMAL_ORDERS, Estimates
 from fembearing.verify.contact.meshed_region import (
     LEFT_WITH_TWIN,
     STIFFNESS,
@@ -40,7 +40,7 @@ APART = 3.0  # largest ratio of neighbouring loads at which the compliance is sa
 # ranges of 6 and of 100, against a compliance sampled at the load itself.
 BETWEEN = 1e-4
 # Uncertainty over (c/r)^2, with the larger semi-axis c and the ball's radius r, for what few samples miss of the
-# compliance. Chosen as the constants of `twin_refinement`.
+# compliance. Chosen on the calibration contacts of validation/intervals/twin.py.
 FEW_SAMPLES = 3e-3
 # What the curved cells of the second level leave of the approach, over (c/r)^2; chosen likewise.
 CURVED_CELLS = 3e-3
@@ -94,7 +94,7 @@ class PairSeries:
         size = max(last.quantities.semi_axis_rolling, last.quantities.semi_axis_transverse)
         shape = (size / last.contact.ball_radius) ** 2
         uncertainty = LEAST_WITH_TWIN + FEW_SAMPLES * shape + LEFT * largest + BETWEEN * between
-        mesh: dict[str, float] = dict.fromkeys(fine, uncertainty)
+        mesh = dict.fromkeys(FORMAL_ORDERS, uncertainty)
         mesh["stiffness"] *= STIFFNESS
         mesh["peak_pressure"] += UNSTEADY_PRESSURE
         limits = {name: value + change[name] / (2 ** ORDERS.get(name, ORDER) - 1) for name, value in fine.items()}

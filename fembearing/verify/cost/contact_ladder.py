@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
@@ -81,23 +82,22 @@ def _by_compliance(contact: Contact, recipe: Recipe, semi_axes: tuple[float, flo
     """
     if recipe.geometry != "real" or footprint_of(contact, semi_axes).cut:
         return []
-    methods = []
-    for level in recipe.levels[:2]:
-        seconds = []
-        for _ in range(MESH_REPEATS):
-            start = time.perf_counter()
-            compliance = pair_compliance(contact, recipe=recipe, level=level, semi_axes=shared_axes(semi_axes))
-            found = press_pair(compliance, load=contact.load).quantities
-            seconds.append(time.perf_counter() - start)
-        methods.append(
-            TimedMethod(
+
+    def solved(level: int) -> Array:
+        compliance = pair_compliance(contact, recipe=recipe, level=level, semi_axes=shared_axes(semi_axes))
+        return _compared(press_pair(compliance, load=contact.load).quantities)
+
+    bounds = COMPLIANCE_BOUNDS if contact.pair != "pocket" else {}
+    return [
+        timed(
+            UntimedMethod(
                 name=f"compliance of the pair, level {level}",
-                answer=_compared(found),
-                bound=COMPLIANCE_BOUNDS.get(level) if contact.pair != "pocket" else None,
-                seconds=tuple(seconds),
+                run=partial(solved, level),
+                bound=partial(bounds.get, level, np.inf),
             )
         )
-    return methods
+        for level in recipe.levels[:2]
+    ]
 
 
 def _with_twin(contact: Contact, recipe: Recipe) -> list[TimedMethod]:
