@@ -1,4 +1,4 @@
-"""Do intervals from meshes with a twin hold? python validation/intervals/twin.py [--contacts 180] [--seed 50060]
+"""Do intervals from meshes with a twin hold? python validation/intervals/twin.py [--contacts 240] [--seed 50060]
 
 Solves random contacts of true shape on the levels 1, 2 and 3 with their twins, as `solve_reference` does, and compares
 semi-axes, peak pressure and approach with plain levels 2, 3 and 4 on the same block, which are extrapolated with the
@@ -65,7 +65,7 @@ Row = dict[str, str]
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--out", type=Path, default=HERE, help="folder for the table")
-    parser.add_argument("--contacts", type=int, default=180, help="number of contacts")
+    parser.add_argument("--contacts", type=int, default=240, help="number of contacts")
     parser.add_argument("--seed", type=int, default=50060, help="first seed")
     given = parser.parse_args()
     given.out.mkdir(parents=True, exist_ok=True)

@@ -93,7 +93,7 @@ class PairSeries:
         largest = max(abs(change[name] / fine[name]) for name in COMPARED) / (2**ORDER - 1)
         size = max(last.quantities.semi_axis_rolling, last.quantities.semi_axis_transverse)
         shape = (size / last.contact.ball_radius) ** 2
-        uncertainty = LEAST_WITH_TWIN + FEW_SAMPLES * shape + LEFT * largest + BETWEEN * between
+        uncertainty = float(LEAST_WITH_TWIN + FEW_SAMPLES * shape + LEFT * largest + BETWEEN * between)
         mesh = dict.fromkeys(FORMAL_ORDERS, uncertainty)
         mesh["stiffness"] *= STIFFNESS
         mesh["peak_pressure"] += UNSTEADY_PRESSURE
