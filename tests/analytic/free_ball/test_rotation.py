@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from analytic.errors import ConvergenceError
-from analytic.free_ball import kernel, strips
+from analytic.free_ball import kernel, strips, turning
 from analytic.free_ball.rotation import Nodes, _write_nodes, quadratures_of
 from analytic.free_ball.state import QUADRATURE, contact_states
 from analytic.loads.kinematics import ball_kinematics
@@ -57,8 +57,10 @@ def test_the_closed_law_against_two_programs(
 
 @pytest.mark.parametrize(("bearing", "running", "expected"), MARCHED)
 def test_marched_creep_against_another_program(
-    bearing: tuple, running: tuple[float, float, float], expected: float
+    monkeypatch: pytest.MonkeyPatch, bearing: tuple, running: tuple[float, float, float], expected: float
 ) -> None:
+    """That program marches one flexibility, that of a long ellipse."""
+    monkeypatch.setattr(turning, "MARCHED", (1.0, 1.0))
     load, speed, friction = running
     balls = under_thrust(*bearing, load=load, speed=speed, friction=friction, creep="marched")
     assert 1e3 * balls.torque == pytest.approx(expected, rel=1e-2)
@@ -126,7 +128,7 @@ def test_a_ball_without_a_steady_rotation_is_named() -> None:
         dry_scene(replace(BEARING_6205, **grooves), 0.31, 0.07, load=load[some], speed=speed[some])
         for some in (slice(None), slice(1, 2))
     )
-    named = r"rotation of ball 0 under 7\d\.\d+ N on the inner and 4\d+ N on the outer race"
+    named = r"rotation of ball 0 under 7\d\.\d+ N on the inner and \d+ N on the outer race"
     with pytest.raises(ConvergenceError, match=named) as of_series:
         friction_torque(series)
     with pytest.raises(ConvergenceError) as of_point:
