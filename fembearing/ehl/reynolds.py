@@ -3,9 +3,9 @@
     R = d(rho h)/dx - d/dx(e dp/dx) - d/dy(e dp/dy) = 0  where  p > p_cav,  R >= 0 elsewhere,   e = epsilon rho h^3/eta
 
 Finite volumes. The surfaces carry rho h from upstream with second order, and 1/eta on a face is the logarithmic mean of
-both cells. With the viscosity of the mean pressure the flux would not be monotone in the pressures, and Newton's method
-would not settle at the pressure spike. Roots of the film are interpolated, not the film: that is exact on a parabola,
-where cells are large.
+both cells: by Barus's law that is its mean over the pressures between them, and the flux is monotone in both. With the
+viscosity of the mean pressure, errors of the force do not fall steadily with the cells. Roots of the film are
+interpolated, not the film: that is exact on a parabola, where cells are large.
 """
 
 from typing import NamedTuple

@@ -67,12 +67,14 @@ def test_a_dry_contact_is_that_of_hertz() -> None:
 
 
 @pytest.mark.parametrize(
-    ("law", "tolerance"),
-    # Exact but for Newton's last step and the reach's rounding; and not exact, since Roelands' exponent depends on the
-    # viscosity too: the films differ by 2.1 % here.
-    [("barus", 3e-3), ("roelands", 0.025)],
+    ("law", "pressure_viscosity", "tolerance"),
+    # Barus's law is similar but for Newton's last step. Roelands's is not quite: its exponent depends on the viscosity,
+    # and 2 % are known for these two.
+    [("barus", 1.3e-8, 3e-3), ("roelands", 2e-8, 0.02)],
 )
-def test_contacts_of_the_same_numbers_of_moes_have_the_same_film_and_force(law: str, tolerance: float) -> None:
+def test_contacts_of_the_same_numbers_of_moes_have_the_same_film_and_force(
+    law: str, pressure_viscosity: float, tolerance: float
+) -> None:
     one = numerical_film(moes(23.0, 5.0, 0.47, compressible=False, law=law), refinement=0.5)
     other = moes(
         23.0,
@@ -81,7 +83,7 @@ def test_contacts_of_the_same_numbers_of_moes_have_the_same_film_and_force(law: 
         compressible=False,
         law=law,
         viscosity=0.0125,
-        pressure_viscosity=1.3e-8,
+        pressure_viscosity=pressure_viscosity,
         modulus=0.8e11,
         radius=4e-3,
     )
@@ -106,8 +108,8 @@ def test_circular_contact_has_the_film_and_force_of_two_other_codes(ahead: float
     found = usual(200.0, ahead)
     assert film_number(found) == pytest.approx(3.63, rel=0.02)
     assert force_number(found) == pytest.approx(force, rel=0.02)
-    assert found.rolling_force.order is not None
-    assert 1.5 <= found.rolling_force.order <= 2.8
+    # With the viscosity of the mean pressure on a face the order of the force is 3.6 at the middle reach.
+    assert found.rolling_force.order == pytest.approx(2.15, abs=0.65)
     # F3 converges from below with an order near 1 where oil thickens: 1 to 3 % were seen.
     assert found.disagreement == pytest.approx(0.0, abs=0.035)
 
