@@ -1,4 +1,4 @@
-"""The report of a check: what is built of its results is what is written, read back, drawn and shown."""
+"""The report of a check: one type is written, read, drawn and shown."""
 
 import json
 import re

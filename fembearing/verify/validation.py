@@ -40,7 +40,7 @@ from fembearing.verify.torque.verdicts import Overall, Verdicts
 # Contacts with the seconds that they took on one machine, for the progress alone.
 RACES: tuple[tuple[Pair, Geometry, float], ...] = (("inner", "real", 5.0), ("outer", "real", 4.0))
 POCKET: tuple[tuple[Pair, Geometry, float], ...] = (("pocket", "real", 11.0), ("pocket", "wall", 10.0))  # seat, sheet
-COST_SECONDS = 45.0
+FILM_SECONDS, COST_SECONDS = 8.0, 45.0
 ENOUGH = 0.2  # uncertainty that a reference must reach, as a share of the tolerance that it is to judge
 
 
@@ -152,11 +152,12 @@ def check_scene(
         torque = torque_of_scene(scene, samples=samples, progress=lambda _share, step: progress(0.0, step))
     for pair, *_ in jobs:
         contact_of(scene, pair=pair)  # and so do the contacts
-    shares = np.cumsum([0.0, *(seconds for *_, seconds in jobs)])
+    films_too = film and scene.lubricant is not None and bool(np.any(scene.operation.inner_speed))
+    shares = np.cumsum([0.0, *(seconds for *_, seconds in jobs), FILM_SECONDS * films_too])
     shares = shares / (shares[-1] + COST_SECONDS * cost)
     contacts, rings = [], []
     with ThreadPoolExecutor(1) as beside:  # each ring is computed while the next contact is solved
-        for (pair, geometry, _), (begin, end) in zip(jobs, pairwise(shares), strict=True):
+        for (pair, geometry, _), (begin, end) in zip(jobs, pairwise(shares[:-1]), strict=True):
             contacts.append(
                 solve_contact(
                     scene,
@@ -171,14 +172,16 @@ def check_scene(
                 rings.append(beside.submit(_with_ring_if_known, contacts[-1]))
     inner, outer = (ring.result() for ring in rings)
     friction = None if torque is None else torque.friction
-    films, no_film = _films(scene, progress) if film else ((), ())
+    films, change, no_film = (), None, ()
+    if films_too:
+        films, change, no_film = _films(scene, friction, part_of(progress, shares[-2], shares[-1]))
     return Validation(
         scene=scene,
         contacts=(inner, outer, *contacts[2:]),
         torque=torque,
         torque_change=None if friction is None else change_of_torque(scene, friction, inner=inner, outer=outer),
         films=films,
-        film_change=film_change(scene, friction, films) if films and friction is not None else None,
+        film_change=change,
         no_film=no_film,
         hard=last_run(),
         ladders=measure_cost(scene, tolerance=scene.tolerance, progress=part_of(progress, shares[-1], 1.0)).ladders
@@ -193,18 +196,23 @@ def check_scene(
     )
 
 
-def _films(scene: Scene, progress: Progress) -> tuple[tuple[RaceFilm, ...], tuple[str, ...]]:
-    """The lubricated contacts of both races, and why one has none; nothing without oil or motion."""
-    if scene.lubricant is None or not np.any(scene.operation.inner_speed):
-        return (), ()
-    films, reasons = [], []
-    for race in RACE_NAMES:
-        progress(1.0, f"{race}: film")
+def _films(
+    scene: Scene, friction: FrictionTorque | None, progress: Progress
+) -> tuple[tuple[RaceFilm, ...], Array | None, tuple[str, ...]]:
+    """The lubricated contacts of both races, what they change in the torque, and why something is missing."""
+    films, change, reasons = [], None, []
+    for number, race in enumerate(RACE_NAMES):
+        begin, end = number / len(RACE_NAMES), (number + 1) / len(RACE_NAMES)
         try:
-            films.append(film_of(scene, pair=race))
+            films.append(film_of(scene, pair=race, progress=part_of(progress, begin, end)))
         except FembearingError as problem:  # the contacts and the torque are known all the same
             reasons.append(f"no numerical film on the {race} race: {problem}")
-    return tuple(films), tuple(reasons)
+    if films and friction is not None:
+        try:
+            change = film_change(scene, friction, tuple(films))
+        except FembearingError as problem:
+            reasons.append(f"no torque with the numerical films: {problem}")
+    return tuple(films), change, tuple(reasons)
 
 
 def _seeds(scene: Scene, torque: SceneTorque | None, *, cost: bool) -> dict[str, Sequence[int]]:

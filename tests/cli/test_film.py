@@ -1,4 +1,4 @@
-"""`fembearing film`: what it prints is the solution of the contact that was asked for, beside the formulas."""
+"""`fembearing film`: the solution of the given contact beside the formulas."""
 
 import json
 from pathlib import Path

@@ -318,7 +318,7 @@ def test_good_points_are_computed_however_many_fail(grid_file: Write, tmp_path: 
 def test_a_bug_is_raised_when_all_other_points_are_done(
     grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, broken: str
 ) -> None:
-    """In the reader of one scene of three, or in the torque at one point of a series; later it is mended."""
+    """In the reader of one scene of three, or in the torque at one point of a series; then the defect is removed."""
     whole = Grid.scene
 
     def scene(grid: Grid, variant: int) -> Any:
@@ -344,8 +344,8 @@ def test_a_bug_is_raised_when_all_other_points_are_done(
         np.testing.assert_array_equal(np.isnan(found["torque_total"]), bad)
         reason = "a defect of fembearing: ZeroDivisionError: by nothing"
         np.testing.assert_array_equal(found["failure"] == reason, bad)
-    mended = run_sweep(path, out=tmp_path / "out")
-    assert (mended.computed, mended.failed) == (6, 0)
+    repeated = run_sweep(path, out=tmp_path / "out")
+    assert (repeated.computed, repeated.failed) == (6, 0)
 
 
 @pytest.mark.usefixtures("in_process")

@@ -43,13 +43,21 @@ def heaviest_contact(scene: Scene, race: Race) -> Contact:
     Raises InputError as balls_of, for a contact beyond its shoulder, and where the shoulders are not known.
     """
     balls = balls_of(scene)
+    return contact_at(scene, balls, race, heaviest_place(balls))
+
+
+def heaviest_place(balls: LoadedBalls) -> tuple[int, int]:
+    """Operating point and column of the most heavily loaded ball, from 0: the same one on both races."""
     largest = balls.load.max(axis=0)
-    place = (RACES.index(race), *np.unravel_index(np.argmax(largest), largest.shape))
+    point, ball = np.unravel_index(np.argmax(largest), largest.shape)
+    return int(point), int(ball)
+
+
+def contact_at(scene: Scene, balls: LoadedBalls, race: Race, place: tuple[int, int]) -> Contact:
+    """The contact of one ball on one race, as `heaviest_contact`; place : as `heaviest_place`"""
+    at = (RACES.index(race), *place)
     return race_contact(
-        scene.bearing,
-        race,
-        contact_angle=float(balls.contact_angle[place]),
-        ball_load=float(balls.load[place]),
+        scene.bearing, race, contact_angle=float(balls.contact_angle[at]), ball_load=float(balls.load[at])
     )
 
 

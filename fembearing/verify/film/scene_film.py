@@ -11,7 +11,7 @@ from typing import Literal
 import numpy as np
 
 from analytic.brief import Brief
-from analytic.contact.geometry import RACES, Race, race_contact
+from analytic.contact.geometry import Race
 from analytic.contact.rolling_contact import RollingContact, deformed_radius
 from analytic.errors import ConvergenceError, InputError
 from analytic.oil.film import FILM_FACTORS, central_film, minimum_ratio
@@ -28,7 +28,7 @@ from fembearing.ehl.film import NumericalFilm, numerical_film
 from fembearing.ehl.oil import Oil
 from fembearing.grid_convergence import Estimate
 from fembearing.progress import Progress, silent
-from fembearing.verify.contact.scene_contact import balls_of
+from fembearing.verify.contact.scene_contact import balls_of, contact_at, heaviest_place
 
 REFINEMENTS = (0.75, 0.95, 1.2)  # of the middle grid, until the tolerance is reached
 OUTSIDE = "the formula of the rolling force is outside its range: rigid bodies would resist less than elastic ones"
@@ -210,16 +210,10 @@ def _accurate(problem: LubricatedContact, *, tolerance: float, progress: Callabl
 def _heaviest(scene: Scene, race: Race) -> tuple[Contact, float, float]:
     """The contact of the heaviest ball, the ring's speed there, rad/s, and the entrainment speed over it, m."""
     balls = balls_of(scene)
-    of_race = balls.load[RACES.index(race)]
-    point, ball = np.unravel_index(np.argmax(of_race), of_race.shape)
-    contact = race_contact(
-        scene.bearing,
-        race,
-        contact_angle=float(balls.contact_angle[RACES.index(race), point, ball]),
-        ball_load=float(of_race[point, ball]),
-    )
-    rate = getattr(balls.motion, f"{race}_entrainment")[point, ball]
-    return contact, float(scene.operation.as_series().inner_speed[point]), float(rate)
+    place = heaviest_place(balls)
+    contact = contact_at(scene, balls, race, place)
+    rate = getattr(balls.motion, f"{race}_entrainment")[place]
+    return contact, float(scene.operation.as_series().inner_speed[place[0]]), float(rate)
 
 
 def _compared(
