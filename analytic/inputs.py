@@ -61,6 +61,7 @@ UNCERTAIN: dict[str, Varied] = {
     "lubricant.pressure_viscosity": Varied(unit="1/Pa", example='"2e-9 1/Pa", or "10 %"'),
     "lubricant.eyring_stress": Varied(unit="Pa", example='"1.5 MPa", or "30 %"'),
     "lubricant.limiting_shear": PURE,
+    "lubricant.reach.ahead": PURE,
     "surface.rms_roughness": LENGTH,
     "surface.autocorrelation.length": LENGTH,
     "surface.boundary_friction": PURE,
@@ -74,6 +75,7 @@ UNCERTAIN: dict[str, Varied] = {
     "model.gap": PURE,
     "model.surfaces": PURE,
     "model.rolling": PURE,
+    "model.heating": PURE,
 }
 
 
@@ -179,9 +181,9 @@ def _of_oil(scene: Scene, table: str, key: str) -> float | None:
     oil, surface = scene.lubricant, scene.surface
     mixed = oil is not None and surface is not None and scene.friction_coefficient is None
     if table == "model":
-        return 1.0 if (oil is not None if key == "rolling" else mixed) else None
+        return 1.0 if (oil is not None if key in ("rolling", "heating") else mixed) else None
     if table == "lubricant":
-        asked = oil is not None and (mixed or key in ("viscosity", "temperature"))
+        asked = oil is not None and (mixed or key in ("viscosity", "temperature", "reach.ahead"))
         return (_value(oil, key) or None) if asked else None
     has_part = key != "autocorrelation.length" or (surface is not None and surface.autocorrelation is not None)
     return (_value(surface, key) or None) if mixed and has_part else None

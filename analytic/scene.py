@@ -22,6 +22,8 @@ SpinRule = Literal["free", "balanced", "inner_control", "outer_control"]
 Microslip = Literal["derived", "as_printed"]
 Traction = Literal["eyring_sinh", "eyring_constant"]
 Supply = Literal["oil_bath", "oil_spot", "grease"]
+FilmFormula = Literal["numerical", "nijenbanning"]
+RollingFormula = Literal["numerical", "biboulet", "houpert"]
 Decision = Literal["auto", "on", "off"]
 PocketAxis = Literal["axial", "radial"]
 CageStart = Literal["rest", "ramp", "sudden", "whirl"]
@@ -219,6 +221,14 @@ class ContactAngle(Noun):
 
 
 @dataclass(frozen=True, kw_only=True)
+class Reach(Noun):
+    """How far the oil reaches from the centre of a contact, along rolling, in radii of the ball."""
+
+    ahead: float = 0.9  # in the inlet; a bath fills the gap about up to the ball's outline
+    behind: float = 0.9  # in the outlet, which counts where cavitation_pressure is below 0
+
+
+@dataclass(frozen=True, kw_only=True)
 class Lubricant(Noun):
     """The oil at the inlets of the contacts."""
 
@@ -234,7 +244,11 @@ class Lubricant(Noun):
     traction: Traction  # law of the shear stress, see `analytic.oil.traction`
     supply: Supply = "oil_bath"  # how oil returns to the track
     starvation_degree: float | None = None  # m, see `analytic.oil.starvation`, >= 1; None: by the supply
-    compressible: bool = False  # whether pressure squeezes the oil in the film
+    reach: Reach = Reach()  # of the oil, to where a flooded inlet begins
+    cavitation_pressure: float = 0.0  # gauge, Pa, <= 0, at which oil in the outlet breaks; 0: the outlet is ventilated
+    compressible: bool = True  # whether pressure squeezes the oil in the film
+    film_formula: FilmFormula = "numerical"  # see `analytic.oil.ehl_fit` and `analytic.oil.film`
+    rolling_formula: RollingFormula = "numerical"  # see `analytic.oil.ehl_fit` and `analytic.oil.rolling`
     name: str = field(default="", compare=False)  # under which its numbers were looked up; empty: they are given
     origins: Mapping[str, Origin] = field(default_factory=nothing, compare=False)  # by field; empty: not noted
 

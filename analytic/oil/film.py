@@ -3,7 +3,7 @@
 Entrainment is in the direction of rolling. The formula is a fit to numerical solutions and joins four asymptotes: rigid
 or elastic bodies, each with oil of constant or of pressure-dependent viscosity. It assumes smooth bodies and an
 isothermal oil. Compressible oil flows through the contact in the same mass, so its film is thinner by the density ratio
-there; it is off by default, because measured films are thicker than the formula already.
+there. The torque takes it so, with the correction of `analytic.oil.ehl_fit`, which numerical solutions gave.
 Source: [Nijenbanning1994]. The exponent s also appears with H_EI/H_RI in place of H_EI/H_EP, which changes the film by
 5 to 8 %.
 """

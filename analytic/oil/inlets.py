@@ -7,9 +7,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from analytic.contact.geometry import Race
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.numerics.compilation import compiled
 from analytic.oil.asymptotes import FilmAsymptotes, Inflow, log_film_of
+from analytic.oil.ehl_fit import OilSupply, effective_reach
 from analytic.oil.film import heated_part, shear_heat, smallest_ratio
 from analytic.oil.rolling import heated_rolling, replenished, replenishment_rate
 from analytic.oil.starvation import (
@@ -21,14 +23,6 @@ from analytic.oil.starvation import (
 )
 from analytic.oil.viscosity import OilNumbers
 from analytic.scene import Bearing, Lubricant
-
-
-class OilSupply(NamedTuple):
-    """How oil comes to the inlets of a bearing, in numbers. With neither degree nor rate the inlets are flooded."""
-
-    mean_diameter: float  # of the bearing, m, for the inlets' heat
-    degree: float  # m of `analytic.oil.starvation`; NaN: not given
-    rate: float  # of `rolling.replenishment_rate`; NaN: no ring diameters
 
 
 class InletNumbers(NamedTuple):
@@ -76,15 +70,29 @@ def inlet_of(
     )
 
 
-def oil_supply(bearing: Bearing, lubricant: Lubricant) -> OilSupply:
-    """By the degree that the scene gives, or by the engineering estimate of what starvation leaves of rolling."""
+def oil_supply(bearing: Bearing, lubricant: Lubricant, race: Race, *, contact_angle: float) -> OilSupply:
+    """By the degree that the scene gives, or by the engineering estimate of what starvation leaves of rolling.
+
+    contact_angle : of the ball on the race, rad
+    """
     bore, outside, degree = bearing.bore_diameter, bearing.outside_diameter, lubricant.starvation_degree
     if bore is None or outside is None:
         mean, rate = bearing.pitch_diameter, np.nan
     else:
         mean = (bore + outside) / 2
         rate = float(replenishment_rate(bore_diameter=bore, outside_diameter=outside, supply=lubricant.supply))
-    return OilSupply(mean, np.nan if degree is None else float(checked_degrees(degree)), rate)
+    ahead, behind = (
+        effective_reach(bearing, race, reach=reach, contact_angle=contact_angle)
+        for reach in (lubricant.reach.ahead, lubricant.reach.behind)
+    )
+    return OilSupply(
+        mean,
+        np.nan if degree is None else float(checked_degrees(degree)),
+        rate,
+        ahead,
+        behind,
+        -float(lubricant.cavitation_pressure),
+    )
 
 
 def starvation_source(bearing: Bearing, lubricant: Lubricant) -> str | None:

@@ -7,14 +7,15 @@ import numpy as np
 from analytic.contact.hertz import HertzNumbers
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.numerics.compilation import compiled
-from analytic.oil.asymptotes import FITTED_ELLIPTICITY, asymptotes_of
-from analytic.oil.inlets import InletNumbers, OilSupply, inflow_of, inlet_of
+from analytic.oil.asymptotes import FITTED_ELLIPTICITY, asymptotes_of, thinned
+from analytic.oil.ehl_fit import OilSupply, Regime, covered, film_correction, fitted_force, regime_of
+from analytic.oil.inlets import InletNumbers, inflow_of, inlet_of
 from analytic.oil.mixed import MixedNumbers, mixed_of, oil_beside
 from analytic.oil.rolling import biboulet_force, houpert_force, rolling_groups
 from analytic.oil.traction import PointLaw, law_of_oil
-from analytic.oil.variation import Variation
+from analytic.oil.variation import FIT_SHARE, Variation
 from analytic.oil.viscosity import OilNumbers
-from analytic.scene import Array
+from analytic.scene import Array, Lubricant
 from analytic.surface.gap import SMOOTH, GapForm, GapNumbers
 
 
@@ -30,7 +31,11 @@ class Lubrication(NamedTuple):
     film: float  # factors on what the formulas give
     asperity_pressure: float
     rolling: float
-    houpert: bool  # the older formula for rolling
+    rolling_error: float  # of the closed formula; the fit has the power FIT_SHARE of it
+    heating: float  # power of the factors for heating
+    film_is_fitted: bool  # else by Nijenbanning
+    rolling_is_fitted: bool  # else by Houpert, or by Biboulet
+    houpert: bool
 
 
 class LubricatedContact(NamedTuple):
@@ -51,20 +56,27 @@ def rolling_torque_of(
     oil: OilNumbers,
     inlet: InletNumbers,
     lubrication: Lubrication,
+    regime: Regime,
     ring_speed: float,
 ) -> tuple[float, bool]:
     """Torque by hydrodynamic rolling about the bearing axis, N m, and whether the formula is extrapolated.
 
-    Arguments as in `lubricated_contact`.
+    regime : of the contact at its speed; the other arguments as in `lubricated_contact`
     """
-    group = rolling_groups(contact, unit, oil.viscosity, abs(ring_speed * contact.entrainment))
-    if lubrication.houpert:
-        force, too_fast = houpert_force(group, oil.pressure_viscosity), False
-    else:
-        force, too_fast = biboulet_force(contact, group)
-    left = lubrication.rolling
+    inflow = inflow_of(contact, oil, ring_speed)
+    share = covered(regime) if lubrication.rolling_is_fitted else 0.0
+    force, too_fast = 0.0, False
+    if share < 1.0:
+        group = rolling_groups(contact, unit, oil.viscosity, inflow.speed)
+        if lubrication.houpert:
+            force = houpert_force(group, oil.pressure_viscosity)
+        else:
+            force, too_fast = biboulet_force(contact, group)
+    if share > 0.0:
+        force += share * (fitted_force(contact, inflow, regime, lubrication.supply) - force)
+    left = lubrication.rolling * lubrication.rolling_error ** (1 - share * (1 - FIT_SHARE))
     if lubrication.heats:
-        left *= inlet.rolling_heating
+        left *= inlet.rolling_heating**lubrication.heating
     if lubrication.starves:
         left *= inlet.starvation.rolling_factor
     longer = contact.curvature_rolling < contact.curvature_transverse
@@ -89,11 +101,13 @@ def lubricated_contact(
     mixed.asperity_share or inlet.starvation.degree of NaN: the root was not found
     """
     inflow = inflow_of(contact, oil, ring_speed)
-    film = asymptotes_of(contact, inflow)
+    film, regime = asymptotes_of(contact, inflow), regime_of(contact, inflow)
+    if lubrication.film_is_fitted:
+        film = thinned(film, film_correction(regime))
     inlet = inlet_of(contact, peak_pressure, oil, film, lubrication.supply, ring_speed)
     thinner = lubrication.film
     if lubrication.heats:
-        thinner *= inlet.film_heating
+        thinner *= inlet.film_heating**lubrication.heating
     if lubrication.starves:
         thinner *= inlet.starvation.film_factor
     kind = lubrication.gap.kind if lubrication.asperities else SMOOTH
@@ -101,7 +115,7 @@ def lubricated_contact(
     mixed = mixed_of(contact, film, gap, thinner, lubrication.asperity_pressure)
     area, thickness = oil_beside(mixed.area_fraction, mixed.film_thickness, mixed.without_film)
     boundary = lubrication.boundary_friction * mixed.boundary_share
-    rolling, rolling_extrapolated = rolling_torque_of(contact, unit, oil, inlet, lubrication, ring_speed)
+    rolling, rolling_extrapolated = rolling_torque_of(contact, unit, oil, inlet, lubrication, regime, ring_speed)
     return LubricatedContact(
         mixed,
         law_of_oil(oil, boundary, 1.0 - mixed.asperity_share, area, thickness),
@@ -115,6 +129,7 @@ def lubricated_contact(
 def lubrication_of(
     gap: GapForm,
     supply: OilSupply,
+    lubricant: Lubricant,
     *,
     boundary_friction: float,
     asperities: bool,
@@ -134,5 +149,9 @@ def lubrication_of(
         film=variation.film,
         asperity_pressure=variation.asperity_pressure,
         rolling=variation.rolling,
-        houpert=variation.rolling_formula == "houpert",
+        rolling_error=variation.rolling_error,
+        heating=variation.heating,
+        film_is_fitted=lubricant.film_formula == "numerical",
+        rolling_is_fitted=lubricant.rolling_formula == "numerical",
+        houpert=lubricant.rolling_formula == "houpert",
     )

@@ -5,10 +5,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from analytic.contact.geometry import RACES
 from analytic.contact.hertz import contact_modulus, unit_hertz
 from analytic.contact.rolling_contact import ContactNumbers
+from analytic.loads.numbers import play_and_free_angle
 from analytic.numerics.compilation import compiled
-from analytic.oil.inlets import OilSupply, oil_supply
+from analytic.oil.ehl_fit import OilSupply
+from analytic.oil.inlets import oil_supply
 from analytic.oil.lubrication import Lubrication, lubricated_contact, lubrication_of
 from analytic.oil.mixed import MixedNumbers
 from analytic.oil.rolling import hysteresis
@@ -21,7 +24,8 @@ from analytic.surface.roughness import gap_roughness
 
 NO_OIL = OilNumbers(300.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 1.0, 0.0, True, False)
 SMOOTH_FORM = gap_forms(None)[0][0]
-DRY = Lubrication(SMOOTH_FORM, 0.0, OilSupply(1.0, np.nan, np.nan), False, False, False, 1.0, 1.0, 1.0, False)
+NO_SUPPLY = OilSupply(mean_diameter=1.0, degree=np.nan, rate=np.nan, ahead=1.0, behind=1.0, tension=0.0)
+DRY = Lubrication(SMOOTH_FORM, 0.0, NO_SUPPLY, *3 * (False,), *5 * (1.0,), *3 * (False,))
 
 
 class RaceResistance(NamedTuple):
@@ -90,17 +94,20 @@ def resistance_of(
     """
     given, inner, outer = scene.friction_coefficient, DRY, DRY
     if scene.lubricant is not None:
+        rule = scene.contact_angle
+        angle = rule.value or 0.0 if rule.rule == "given" else play_and_free_angle(scene.bearing, rule)[1] or 0.0
         inner, outer = (
             lubrication_of(
                 form,
-                oil_supply(scene.bearing, scene.lubricant),
+                oil_supply(scene.bearing, scene.lubricant, race, contact_angle=angle),
+                scene.lubricant,
                 boundary_friction=0.0 if scene.surface is None else scene.surface.boundary_friction,
                 asperities=is_on("asperities"),
                 heats=is_on("inlet_heating"),
                 starves=is_on("starvation"),
                 variation=variation,
             )
-            for form in forms
+            for form, race in zip(forms, RACES, strict=True)
         )
     return RaceResistance(
         inner=inner,

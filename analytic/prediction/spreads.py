@@ -9,7 +9,7 @@ import numpy as np
 from analytic.errors import InputError
 from analytic.inputs import UNCERTAIN, checked_deviation, uncertain_value
 from analytic.oil.film import FORMULA_UNCERTAINTY
-from analytic.oil.variation import ROLLING_SPREAD, SURFACE_SPREAD
+from analytic.oil.variation import HEATING_SPREAD, ROLLING_SPREAD, SURFACE_SPREAD
 from analytic.rows import Positive
 from analytic.scene import Array, Origin, Scene
 
@@ -45,6 +45,7 @@ DEFAULTS: dict[str, Default] = {
     "lubricant.pressure_viscosity": Default(0.10, True, "judgement: two laboratories differ by 8 %"),
     "lubricant.eyring_stress": Default(0.30, True, "judgement: 3 to 8 MPa are usual"),
     "lubricant.limiting_shear": Default(0.13, True, "judgement: 0.05 to 0.08 are usual"),
+    "lubricant.reach.ahead": Default(0.2, True, "judgement: oil in a bath reaches 0.45 to 1 radii of the ball ahead"),
     "surface.rms_roughness": Default(0.10, True, "judgement: how far a finish is repeated"),
     "surface.autocorrelation.length": Default(0.35, True, "judgement: it is seldom measured"),
     "surface.boundary_friction": Default(0.14, True, "judgement: 0.09 to 0.15 are usual"),
@@ -58,6 +59,7 @@ DEFAULTS: dict[str, Default] = {
     "model.gap": Default(0.5, True, "judgement: two laws of the gap differ by up to 2.5 times in the load share"),
     "model.surfaces": Default(SURFACE_SPREAD, True, "computed: generated surfaces of equal statistics differ so"),
     "model.rolling": Default(ROLLING_SPREAD, True, "judgement: formulas, and torques of three balls [Balan2015]"),
+    "model.heating": Default(HEATING_SPREAD, True, "judgement: laws of heating and of thinning by shear"),
 }
 NUMERICAL = "numerical"
 

@@ -30,9 +30,13 @@ def varied_scene(scene: Scene, values: Mapping[str, float]) -> tuple[Scene, Vari
         factors = {name: load / _nominal(scene, f"operation.{name}") for name, load in tables["operation"].items()}
         loads = {name: getattr(scene.operation, name) * factor for name, factor in factors.items()}
         changed["operation"] = replace(scene.operation, **loads)
+    ahead = tables.get("lubricant", {}).pop("reach.ahead", None)
     for name in ("arrangement", "lubricant", "losses", "cage"):
         if name in tables:
             changed[name] = replace(getattr(scene, name), **tables[name])
+    if ahead is not None:
+        oil = changed.get("lubricant", scene.lubricant)
+        changed["lubricant"] = replace(oil, reach=replace(oil.reach, ahead=ahead))
     if "surface" in tables and scene.surface is not None:
         changed["surface"] = _surface(scene.surface, tables["surface"])
     names = {"coefficient": "friction_coefficient", "hysteresis_loss": "hysteresis_loss"}
@@ -40,7 +44,8 @@ def varied_scene(scene: Scene, values: Mapping[str, float]) -> tuple[Scene, Vari
     model = tables.get("model", {})
     variation = Variation(
         film=model.get("film", 1.0),
-        rolling=model.get("rolling", 1.0),
+        rolling_error=model.get("rolling", 1.0),
+        heating=model.get("heating", 1.0),
         asperity_pressure=model.get("gap", 1.0) * model.get("surfaces", 1.0),
     )
     return replace(scene, **changed), variation

@@ -8,7 +8,7 @@ from typing import Any
 from analytic.errors import InputError
 from analytic.noun import read_only
 from analytic.oil.viscosity_temperature import ViscosityLine, eyring_stress_of, viscosity_line
-from analytic.scene import Lubricant
+from analytic.scene import Lubricant, Reach
 from analytic.scenefile.known_oil import (
     COLD,
     DENSITY_LIMIT,
@@ -20,8 +20,9 @@ from analytic.scenefile.known_oil import (
     base_oil,
     named_oil,
 )
-from analytic.scenefile.tables import LubricantTable
+from analytic.scenefile.tables import GivenLength, LubricantTable, ReachTable
 from analytic.scenefile.viscosity import GivenViscosity, ViscosityPoint
+from analytic.words import length_of
 
 DEFAULTS = {  # typical of mineral oils near 40 degC (no source seen)
     "limiting_shear": 0.065,
@@ -40,8 +41,8 @@ BY_PRODUCT = Known(status="derived", source="2 limiting_shear/pressure_viscosity
 PROPERTIES = (*EXAMPLES, "viscosity", "limiting_shear", "thermal_conductivity")
 
 
-def lubricant_of(table: LubricantTable) -> Lubricant:
-    """The lubricant of a scene.
+def lubricant_of(table: LubricantTable, *, ball_radius: float | None) -> Lubricant:
+    """The lubricant of a scene; ball_radius : m; None: not known, and the reach of the oil cannot be a length.
 
     Raises InputError, in one line, for an unknown name, for keys in conflict, for a temperature beyond the oil's data,
     and for what neither the keys nor the catalog gives.
@@ -81,7 +82,8 @@ def lubricant_of(table: LubricantTable) -> Lubricant:
         )
     properties = {key: found[key] or TYPICAL.property(DEFAULTS[key]) for key in PROPERTIES}
     choices: dict[str, Any] = {"traction": "eyring_sinh", "supply": "grease" if oil.is_grease else "oil_bath"}
-    choices |= {key: given[key] for key in (*choices, "starvation_degree", "compressible") if key in given}
+    others = "starvation_degree", "cavitation_pressure", "compressible", "film_formula", "rolling_formula"
+    choices |= {key: given[key] for key in (*choices, *others) if key in given}
     return Lubricant(
         **{key: each.value for key, each in properties.items()},
         viscosity_temperature=_slope(given, line, oil, reference),
@@ -89,8 +91,25 @@ def lubricant_of(table: LubricantTable) -> Lubricant:
         temperature=temperature,
         name=oil.name if "name" in given else "",
         origins=read_only({key: each.origin for key, each in properties.items()}),
+        reach=_reach(table.reach, ball_radius),
         **choices,
     )
+
+
+def _reach(table: ReachTable, ball_radius: float | None) -> Reach:
+    def share(key: str, given: float | GivenLength) -> float:
+        if not isinstance(given, GivenLength):
+            return given
+        if ball_radius is None:
+            raise InputError(f"lubricant.reach.{key} is a length, and no ball is given: give a share of its radius")
+        if given.metres > ball_radius:
+            raise InputError(
+                f"lubricant.reach.{key} of {length_of(given.metres)} is beyond the ball's radius, "
+                f"{length_of(ball_radius)}: give at most that"
+            )
+        return given.metres / ball_radius
+
+    return Reach(ahead=share("ahead", table.ahead), behind=share("behind", table.behind))
 
 
 def _refuse_conflicts(given: Mapping[str, Any]) -> None:

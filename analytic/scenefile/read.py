@@ -171,7 +171,7 @@ def _conflicts(
         yield from surface_conflicts(table.surface)
     if table.lubricant is not None:
         try:
-            lubricant_of(table.lubricant)
+            lubricant_of(table.lubricant, ball_radius=table.bearing.ball_diameter / 2)
         except InputError as problem:
             yield "", str(problem)
     for name in ("cage", "cage_dynamics", "ball_dynamics"):
@@ -255,7 +255,9 @@ def _scene(
         operation=_operation(table.operation),
         down=table.operation.down,
         cage=cage,
-        lubricant=None if table.lubricant is None else lubricant_of(table.lubricant),
+        lubricant=None
+        if table.lubricant is None
+        else lubricant_of(table.lubricant, ball_radius=bearing.ball_diameter / 2),
         surface=surface,
         friction_coefficient=friction.coefficient,
         **friction.model_dump(exclude={"coefficient"}),

@@ -4,7 +4,8 @@ Unknown keys are refused. A key without a default must be given. Values are read
 """
 
 import math
-from typing import Annotated, Literal, get_args
+from dataclasses import dataclass
+from typing import Annotated, Any, Literal, get_args
 
 from pydantic import BeforeValidator, Field
 
@@ -22,10 +23,13 @@ from analytic.scene import (
     CageStart,
     ClearanceGroup,
     Decision,
+    FilmFormula,
     GapModel,
     Lubricant,
     Microslip,
     PocketAxis,
+    Reach,
+    RollingFormula,
     Scene,
     Sliding,
     SpinRule,
@@ -243,6 +247,38 @@ class OperationTable(Table):
     down: Annotated[tuple[float, float, float], BeforeValidator(_direction)] | None = None
 
 
+@dataclass(frozen=True)
+class GivenLength:
+    """A length that is given where a share may stand too."""
+
+    metres: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class Extent(Dimension):
+    """A share of the ball's radius, or a length."""
+
+    def read(self, given: object) -> Any:
+        """The share, or the length. Raises ValueError as `Dimension.read`."""
+        if isinstance(given, str) and not given.rstrip().endswith("%"):
+            return GivenLength(EXTENT.read(given))
+        return super().read(given)
+
+
+EXTENT = Dimension(unit="m", low=1e-7, high=1.0, example='"3 mm"')
+ReachValue = Annotated[
+    float | GivenLength, Extent(unit="", low=0.05, high=1, example='0.9, of the ball\'s radius, or "3 mm"')
+]
+
+
+class ReachTable(Table):
+    """How far the oil reaches from the centre of a contact along rolling."""
+
+    HINT = "give { ahead = 0.9 }, of the ball's radius, or a length"
+    ahead: ReachValue = Reach.ahead
+    behind: ReachValue = Reach.behind
+
+
 class LubricantTable(Table):
     """What is left out follows from the name, the viscosities or the base oil: see `analytic.scenefile.oil`."""
 
@@ -269,7 +305,13 @@ class LubricantTable(Table):
     # Distance of the oil's meniscus from the centre of a contact, over its semi-axis along rolling; by the supply if
     # it is not given.
     starvation_degree: Annotated[float, Dimension(unit="", low=1, high=1e9, example="2")] | None = None
+    reach: ReachTable = ReachTable()
+    cavitation_pressure: Annotated[float, Dimension(unit="Pa", low=-1e8, high=0, example='"-0.1 MPa"')] = (
+        Lubricant.cavitation_pressure
+    )
     compressible: Annotated[bool, BeforeValidator(_switch)] = Lubricant.compressible
+    film_formula: FilmFormula = Lubricant.film_formula
+    rolling_formula: RollingFormula = Lubricant.rolling_formula
 
 
 class AutocorrelationTable(Table):

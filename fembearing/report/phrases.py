@@ -27,6 +27,8 @@ VARIED = {  # the parts of the model's uncertainty
     "gap": "law of the gap between surfaces",
     "surfaces": "spread of surfaces",
     "rolling": "formula of rolling",
+    "reach": "reach of the oil",
+    "heating": "heating of the inlets",
 }
 PAIRS = {"O": "back to back (O)", "X": "face to face (X)", "tandem": "in tandem"}
 CLEARANCES = ("unmounted", "mounted", "operating")

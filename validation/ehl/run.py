@@ -8,10 +8,13 @@ seen. --fit only fits.
 import argparse
 import csv
 import json
+import subprocess
+import sys
 import time
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import asdict, dataclass, fields
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from rich.console import Console
@@ -20,6 +23,7 @@ from scipy.stats.qmc import Halton
 from analytic.contact.rolling_contact import elliptic_contact
 from analytic.errors import ConvergenceError
 from analytic.oil.film import central_film
+from analytic.scene import Array
 from fembearing.ehl.contact import LubricatedContact, Reach
 from fembearing.ehl.film import numerical_film
 from fembearing.ehl.oil import Oil
@@ -27,12 +31,17 @@ from fembearing.ehl.shape import Paraboloid
 from fembearing.fem.half_space import hertz_ellipse
 
 HERE = Path(__file__).parent
-TABLE, FIT = HERE / "solutions.csv", HERE / "fit.json"
+TABLE, FIT, REACHES = HERE / "solutions.csv", HERE / "fit.json", HERE / "effective_reach.json"
+PRODUCTION = HERE.parents[1] / "analytic" / "oil" / "ehl_coefficients.py"
 VERSION = 1  # of the solver and of the settings below; rows of another one are solved again
 SEED, COUNT = 20, 260
 RANGES = {"loading": (5.0, 5e4), "thickening": (2.0, 20.0), "ellipticity": (0.02, 1.0)}  # M, L, lambda
 # The oil, bodies and radius: M, L and lambda say all with Barus's law, and within 2 % with Roelands's
 VISCOSITY, PRESSURE_VISCOSITY, MODULUS, RADIUS = 0.03, 2e-8, 113e9, 0.01  # Pa s, 1/Pa, E* in Pa, R_x in m
+# Of the fit: M sqrt(lambda), L and lambda. Below, the pressure fills the whole inlet; most draws beyond do not settle
+# on grids of this refinement.
+FITTED = {"loading": (6.0, 4000.0), "thickening": (2.0, 20.0), "ellipticity": (0.02, 1.0)}
+MIDDLE = (140.0, 6.3, 0.14)  # of these, about
 MOST_PRESSURE = 4e9  # Pa: beyond, no steel bearing works
 REACH = 12.0  # half lengths a of the contact, or of the thicker film: the rest of the inlet is a logarithm
 REFINEMENT = 0.85
@@ -62,7 +71,7 @@ class Row:
     trouble: str  # why there is no solution
 
 
-def drawn(count: int, *, seed: int = SEED) -> np.ndarray:
+def drawn(count: int, *, seed: int = SEED) -> Array:
     """(count, 3) M, L and lambda: the first draws of a Halton sequence whose pressure a bearing can have."""
     lower, upper = np.log(np.array(list(RANGES.values()))).T
     points = np.exp(lower + (upper - lower) * Halton(3, seed=seed).random(4 * count))
@@ -155,16 +164,17 @@ def extend(count: int, processes: int) -> None:
             file.flush()
 
 
-def terms(rows: list[Row]) -> tuple[list[str], np.ndarray]:
-    """Names and (rows, terms) values: products of up to two of ln M, ln L and ln lambda, and the cube of ln M."""
-    names = list(RANGES)
-    logs = np.log([[getattr(row, name) for name in names] for row in rows])
-    middle = np.mean(np.log(list(RANGES.values())), axis=1)
-    scaled = dict(zip(names, (logs - middle).T, strict=True))
-    found = {"1": np.ones(len(rows)), **scaled}
-    found |= {f"{a} {b}": scaled[a] * scaled[b] for i, a in enumerate(names) for b in names[i:]}
-    found["loading loading loading"] = scaled["loading"] ** 3
-    return list(found), np.column_stack(list(found.values()))
+def loading_of(row: Row) -> float:
+    """N = M sqrt(lambda): the loading of the ellipse."""
+    return row.loading * row.ellipticity**0.5
+
+
+def terms(rows: list[Row]) -> Array:
+    """(rows, terms) of the fit, in the order in which `analytic.oil.ehl_fit` takes them."""
+    values = np.array([[loading_of(row), row.thickening, row.ellipticity] for row in rows])
+    n, thick, shape = np.log(values / MIDDLE).T
+    cubic = [n**i * thick**j * shape**k for i in range(4) for j in range(4 - i) for k in range(4 - i - j)]
+    return np.column_stack([*cubic, *(each / values[:, 0] for each in (np.ones_like(n), thick, shape))])
 
 
 def formula_film(row: Row) -> float:
@@ -186,20 +196,20 @@ def formula_film(row: Row) -> float:
     return float(film.thickness) / contact.film_scale
 
 
-def fitted(target: np.ndarray, weight: np.ndarray, rows: list[Row]) -> tuple[dict[str, float], np.ndarray]:
+def fitted(target: Array, weight: Array, rows: list[Row]) -> tuple[Array, Array]:
     """Coefficients of the terms, and the relative error that each solution has in the fit to all others.
 
     weight : relative change of the quantity per change of the target. Errors are made even by it.
     """
-    names, values = terms(rows)
+    values = terms(rows)
     orthogonal, triangle = np.linalg.qr(values * weight[:, None])
     coefficients = np.linalg.solve(triangle, orthogonal.T @ (target * weight))
     leverage = (orthogonal**2).sum(axis=1)
     error = weight * (values @ coefficients - target) / (1 - leverage)
-    return dict(zip(names, coefficients.tolist(), strict=True)), error
+    return coefficients, error
 
 
-def fit(rows: list[Row]) -> dict[str, object]:
+def fit(rows: list[Row]) -> dict[str, Any]:
     """Both fits with their left-out errors.
 
     rolling force  F^ = S (ln(X/(R_x U^(1/4))) + G),  S = 6 pi/((3 + 2 lambda) sqrt(lambda)),  G: the terms
@@ -210,16 +220,34 @@ def fit(rows: list[Row]) -> dict[str, object]:
     force = np.array([row.rolling_force for row in rows])
     level = force / slope - np.log([row.reach for row in rows])
     film = np.log([row.central_film / formula_film(row) for row in rows])
-    result: dict[str, object] = {"version": VERSION, "solutions": len(rows), "middle": "of the ranges, in logarithms"}
+    result: dict[str, Any] = {"version": VERSION, "solutions": len(rows)}
     for name, target, weight in (("rolling_force", level, slope / force), ("central_film", film, np.ones(len(rows)))):
         coefficients, error = fitted(target, weight, rows)
         result[name] = {
-            "coefficients": coefficients,
+            "coefficients": [float(f"{each:.8g}") for each in coefficients],
             "left_out_rms": float(np.sqrt((error**2).mean())),
             "left_out_95": float(np.quantile(np.abs(error), 0.95)),
             "left_out_largest": float(np.abs(error).max()),
         }
     return result
+
+
+def write_production(result: dict[str, Any]) -> None:
+    """The module of coefficients that production takes."""
+    reach = json.loads(REACHES.read_text())
+    numbers = {
+        "RANGES": FITTED,
+        "MIDDLE": MIDDLE,
+        "ROLLING": tuple(result["rolling_force"]["coefficients"]),
+        "FILM": tuple(result["central_film"]["coefficients"]),
+        "REACH_LOWER": tuple(reach["lower"]),
+        "REACH_UPPER": tuple(reach["upper"]),
+        "REACH_POWERS": tuple(tuple(each) for each in reach["powers"]),
+        "REACH": tuple(round(each, 7) for each in reach["coefficients"]),
+    }
+    text = '"""Coefficients of `analytic.oil.ehl_fit`, written by `python validation/ehl/run.py`."""\n\n'
+    PRODUCTION.write_text(text + "".join(f"{name} = {each!r}\n" for name, each in numbers.items()))
+    subprocess.run([sys.executable, "-m", "ruff", "format", "--quiet", PRODUCTION], check=True)
 
 
 def main() -> None:
@@ -231,9 +259,11 @@ def main() -> None:
     given = parser.parse_args()
     if not given.fit:
         extend(given.count, given.processes)
-    rows = [row for row in known() if not row.trouble]
+    lowest, highest = FITTED["loading"]
+    rows = [row for row in known() if not row.trouble and lowest <= loading_of(row) <= highest]
     result = fit(rows)
     FIT.write_text(json.dumps(result, indent=1) + "\n")
+    write_production(result)
     Console().print_json(data=result)
 
 

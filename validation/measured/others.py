@@ -13,7 +13,6 @@ import numpy as np
 from analytic.contact.rolling_contact import RollingContact
 from analytic.loads.balls import LoadEffects, thrust_balls
 from analytic.oil.rolling import hysteresis_moment, inlet_shear_factor, per_minute, square_millimetres
-from analytic.oil.variation import Variation
 from analytic.oil.viscosity import inlet_viscosity
 from analytic.scene import Array, Operation, Scene
 from analytic.scenefile.read import load_scene, parse_scene
@@ -142,8 +141,9 @@ def _rolling_formulas() -> Iterator[Other]:
         ("6205_radial", "6205, 1500 N radial and 200 N axial"),
     ):
         scene = load_scene(HERE.parent / "scenes" / f"{name}.toml")
+        assert scene.lubricant is not None
         ours, other = (
-            friction_torque(scene, variation=Variation(rolling_formula=formula)).torque.rolling
+            friction_torque(replace(scene, lubricant=replace(scene.lubricant, rolling_formula=formula))).torque.rolling
             for formula in ("biboulet", "houpert")
         )
         assert ours is not None

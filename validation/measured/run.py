@@ -21,8 +21,7 @@ from scipy.special import ellipe
 
 from analytic.loads.balls import LoadEffects, thrust_balls
 from analytic.oil.rolling import HYSTERESIS_LOSS
-from analytic.oil.variation import Variation
-from analytic.scene import Array, Scene
+from analytic.scene import Array, RollingFormula, Scene
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
 from validation.measured.others import SNARE, Other, others
@@ -166,8 +165,14 @@ def compare(diameter: float) -> Rig:
     )
 
 
-def total(scene: Scene, variation: Variation | None = None) -> Array:
-    return friction_torque(scene, variation=variation or Variation()).torque.total
+def total(scene: Scene) -> Array:
+    return friction_torque(scene).torque.total
+
+
+def with_rolling_formula(scene: Scene, formula: RollingFormula) -> Scene:
+    """The scene with another law of the resistance to rolling."""
+    assert scene.lubricant is not None
+    return replace(scene, lubricant=replace(scene.lubricant, rolling_formula=formula))
 
 
 def half_change(scene: Scene, change: Callable[[Scene, float], Scene], uncertainty: float) -> Array:
@@ -245,7 +250,14 @@ def mechanisms(scene: Scene, computed: Array) -> Iterator[tuple[str, Array]]:
     most = replace(scene, hysteresis_loss=HYSTERESIS_LOSS[1])
     yield f"hysteresis with a loss factor of {HYSTERESIS_LOSS[1]:g}, more than in S", total(most) - computed
     yield "Snare's resistance of dry contacts, the whole", snare(scene) + 0 * computed
-    yield "rolling by the formula of [Houpert1987]", total(scene, Variation(rolling_formula="houpert")) - computed
+    formulas: tuple[tuple[RollingFormula, str], ...] = (
+        ("biboulet", "[Biboulet2010]"),
+        ("houpert", "[Houpert1987]"),
+    )
+    for formula, source in formulas:
+        yield f"rolling by the formula of {source}", total(with_rolling_formula(scene, formula)) - computed
+    drowned = replace(scene, lubricant=replace(scene.lubricant, cavitation_pressure=-1e5))
+    yield "an outlet full of oil that bears 0.1 MPa of tension", total(drowned) - computed
     starved = replace(scene, lubricant=replace(scene.lubricant, starvation_degree=2.0))
     yield "starvation, menisci at two semi-axes", total(starved) - computed
 

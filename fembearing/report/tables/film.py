@@ -7,7 +7,7 @@ from fembearing.verify.film.scene_film import FilmNumbers
 
 
 def film_table(film: FilmNumbers, units: Units = METRIC) -> Table:
-    """Each quantity with the difference of its formula."""
+    """Each quantity with the difference of what the torque takes."""
     small = units.small_length
     force = MILLINEWTON if units is METRIC else units.force
     shown = {
@@ -18,12 +18,19 @@ def film_table(film: FilmNumbers, units: Units = METRIC) -> Table:
     }
     speed = units.speed.written(film.inner_speed, ".4g")
     load = units.force.written(film.load, ".4g")
-    heads = [Head("quantity", "name"), Head("formula"), Head("numerical"), Head("formula/num.-1", fixed=True)]
+    heads = [
+        Head("quantity", "name"),
+        Head("formula"),
+        Head("model"),
+        Head("numerical"),
+        Head("model/num.-1", fixed=True),
+    ]
     heads += [Head("+-"), Head("order")]
     rows = [
         [
             f"{words}, {unit.name}",
             f"{each.formula * unit.factor:.4g}",
+            f"{each.production * unit.factor:.4g}",
             f"{each.numerical * unit.factor:.4g}",
             f"{each.discrepancy:+.1%} {'*' if abs(each.discrepancy) > each.relative_uncertainty else ' '}",
             f"{each.relative_uncertainty:.1%}",
@@ -39,12 +46,13 @@ def film_notes(film: FilmNumbers, units: Units = METRIC) -> list[str]:
     """What the columns are, what was solved, and how far to trust it."""
     reach, check = film.reach, film.dissipated_force / film.rolling_force.numerical - 1
     return [
-        "+-: numerical uncertainty, 95 %; *: the difference exceeds it; order: observed on three grids. Pressure "
-        "centre: its distance ahead of the contact's centre.",
+        "formula: [Nijenbanning1994], [Hamrock1977], [Biboulet2010]; model: what the torque takes; +-: numerical "
+        "uncertainty, 95 %; *: the difference exceeds it; order: observed on three grids. Pressure centre: its "
+        "distance ahead of the contact's centre.",
         f"M = {film.loading:.4g}, L = {film.thickening:.3g}, lambda = {film.ellipticity:.3g}; entrainment "
         f"{film.entrainment_speed:.4g} m/s; oil reaches {units.length.written(reach.ahead, '.3g')} ahead and "
         f"{units.length.written(reach.behind, '.3g')} behind; flooded, isothermal, smooth.",
         f"The force from the viscous dissipation, equal for incompressible oil, differs by {check:+.1%}. "
         f"{film.seconds:.1f} s",
-        f"Formulas of film and rolling force within their stated 95 % errors: {film.verdict}.",
+        f"Film and rolling force of the model within their stated 95 % errors: {film.verdict}.",
     ]

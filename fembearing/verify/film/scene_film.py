@@ -12,16 +12,19 @@ import numpy as np
 
 from analytic.brief import Brief
 from analytic.contact.geometry import Race
-from analytic.contact.rolling_contact import RollingContact, deformed_radius
+from analytic.contact.rolling_contact import ContactNumbers, RollingContact, deformed_radius
 from analytic.errors import ConvergenceError, InputError
+from analytic.oil.asymptotes import Inflow
+from analytic.oil.ehl_fit import OilSupply, covered, film_correction, fitted_force, regime_of
 from analytic.oil.film import FILM_FACTORS, central_film, minimum_ratio
-from analytic.oil.rolling import hydrodynamic_rolling
-from analytic.oil.variation import COVERAGE, NOMINAL, ROLLING_SPREAD, Variation
+from analytic.oil.inlets import oil_supply
+from analytic.oil.rolling import houpert_rolling, hydrodynamic_rolling
+from analytic.oil.variation import COVERAGE, FIT_SHARE, NOMINAL, ROLLING_SPREAD, Variation
 from analytic.oil.viscosity import inlet_viscosity
 from analytic.prediction.evaluation import parts_of, without_moving_cage
 from analytic.prediction.settled import free_start
 from analytic.result import FrictionTorque
-from analytic.scene import Array, Contact, Scene
+from analytic.scene import Array, Contact, Lubricant, Scene
 from fembearing.ehl.ball_on_race import lubricated_contact
 from fembearing.ehl.contact import LubricatedContact, Reach
 from fembearing.ehl.film import NumericalFilm, numerical_film
@@ -32,8 +35,6 @@ from fembearing.verify.contact.scene_contact import balls_of, contact_at, heavie
 
 REFINEMENTS = (0.75, 0.95, 1.2)  # of the middle grid, until the tolerance is reached
 OUTSIDE = "the formula of the rolling force is outside its range: rigid bodies would resist less than elastic ones"
-# Numerical value over formula, 95 %, as the model uncertainty of the torque states it
-ROLLING_FACTORS = float(np.exp(-COVERAGE * ROLLING_SPREAD)), float(np.exp(COVERAGE * ROLLING_SPREAD))
 JUDGED = ("central_film", "rolling_force")  # must reach the tolerance; the minimum lies beside the contact's edge
 
 
@@ -41,10 +42,11 @@ JUDGED = ("central_film", "rolling_force")  # must reach the tolerance; the mini
 class FilmQuantity:
     """One quantity by formula and by numerical solution, SI."""
 
-    formula: float
+    formula: float  # in closed form, without compression of the oil
+    production: float  # as the torque takes it: the fit to numerical solutions, or the formula outside its range
     numerical: float
     uncertainty: float  # of the numerical value, half-width at 95 %, in its unit
-    discrepancy: float  # formula over numerical value, less 1
+    discrepancy: float  # production over numerical value, less 1
     order: float | None  # observed on the three grids
 
     @property
@@ -153,14 +155,26 @@ def film_of(
     speed = speed if inner_speed is None else inner_speed
     if speed == 0:
         raise InputError("operation.inner_speed = 0: at standstill there is no film; give --speed or another scene")
-    at_inlet = inlet_viscosity(scene.lubricant)
-    oil = Oil(viscosity=float(at_inlet.viscosity), pressure_viscosity=float(scene.lubricant.pressure_viscosity))
-    problem = lubricated_contact(contact, oil=oil, entrainment_speed=speed * rate)
+    lubricant, at_inlet = scene.lubricant, inlet_viscosity(scene.lubricant)
+    oil = Oil(
+        viscosity=float(at_inlet.viscosity),
+        pressure_viscosity=float(lubricant.pressure_viscosity),
+        compressible=lubricant.compressible,
+        cavitation_pressure=float(lubricant.cavitation_pressure),
+    )
+    problem = lubricated_contact(
+        contact,
+        oil=oil,
+        entrainment_speed=speed * rate,
+        ahead=lubricant.reach.ahead * contact.ball_radius,
+        behind=lubricant.reach.behind * contact.ball_radius,
+    )
     limit = scene.tolerance if tolerance is None else tolerance
     solution = _accurate(
         problem, tolerance=limit, progress=lambda share: progress(share, f"{pair}: film on three grids")
     )
-    return _compared(pair, contact, solution, inner_speed=speed, tolerance=limit)
+    supply = oil_supply(scene.bearing, lubricant, pair, contact_angle=contact.contact_angle)
+    return _compared(pair, contact, solution, lubricant, supply, inner_speed=speed, tolerance=limit)
 
 
 def film_change(scene: Scene, friction: FrictionTorque, films: tuple[RaceFilm, ...]) -> Array:
@@ -183,10 +197,10 @@ def film_change(scene: Scene, friction: FrictionTorque, films: tuple[RaceFilm, .
 def _verdict(
     *judged: tuple[FilmQuantity, tuple[float, float]],
 ) -> Literal["pass", "fail", "undecided"]:
-    """Whether numerical values lie within factors of the formulas, for certain."""
+    """Whether numerical values lie within factors of what production takes, for certain."""
     inside, outside = True, False
     for each, (least, most) in judged:
-        low, high = ((each.numerical + sign * each.uncertainty) / each.formula for sign in (-1, 1))
+        low, high = ((each.numerical + sign * each.uncertainty) / each.production for sign in (-1, 1))
         inside = inside and least <= low and high <= most
         outside = outside or high < least or most < low
     return "pass" if inside else "fail" if outside else "undecided"
@@ -217,7 +231,14 @@ def _heaviest(scene: Scene, race: Race) -> tuple[Contact, float, float]:
 
 
 def _compared(
-    pair: Race, contact: Contact, solution: NumericalFilm, *, inner_speed: float, tolerance: float
+    pair: Race,
+    contact: Contact,
+    solution: NumericalFilm,
+    lubricant: Lubricant,
+    supply: OilSupply,
+    *,
+    inner_speed: float,
+    tolerance: float,
 ) -> RaceFilm:
     """The formulas beside a solution of the same contact."""
     problem = solution.contact
@@ -233,23 +254,49 @@ def _compared(
         rolling_rate=1.0,
     )
     u, viscosity, pressure_viscosity = problem.speed, problem.oil.viscosity, problem.oil.pressure_viscosity
-    central = float(
-        central_film(smooth, entrainment_speed=u, viscosity=viscosity, pressure_viscosity=pressure_viscosity).thickness
-    )
-    ratio = minimum_ratio(smooth, entrainment_speed=u, viscosity=viscosity, pressure_viscosity=pressure_viscosity)
+    inlet: dict[str, float] = {
+        "entrainment_speed": u,
+        "viscosity": viscosity,
+        "pressure_viscosity": pressure_viscosity,
+    }
+    ratio = float(minimum_ratio(smooth, **inlet))
     resistance = hydrodynamic_rolling(smooth, viscosity=viscosity, entrainment_speed=u)
+    alone, squeezed = (
+        float(
+            central_film(
+                smooth,
+                entrainment_speed=u,
+                viscosity=viscosity,
+                pressure_viscosity=pressure_viscosity,
+                compressible=compressible,
+            ).thickness
+        )
+        for compressible in (False, lubricant.compressible)
+    )
     force = float(resistance.force)
+    numbers = ContactNumbers._make((*(float(each) for each in smooth.fields[:8]), 1.0))
+    inflow = Inflow(u, viscosity, pressure_viscosity, lubricant.compressible, np.inf)
+    regime = regime_of(numbers, inflow)
+    share = covered(regime) if lubricant.rolling_formula == "numerical" else 0.0
+    if lubricant.film_formula == "numerical":
+        squeezed *= float(np.exp(film_correction(regime)))
+    resisting = force if lubricant.rolling_formula != "houpert" else float(houpert_rolling(smooth, **inlet).force)
+    if share > 0:
+        resisting += share * (fitted_force(numbers, inflow, regime, supply) - resisting)
 
-    def beside(formula: float, part: Estimate) -> FilmQuantity:
+    def beside(formula: float, production: float, part: Estimate) -> FilmQuantity:
         return FilmQuantity(
             formula=formula,
+            production=production,
             numerical=part.value,
             uncertainty=part.total * abs(part.value),
-            discrepancy=formula / part.value - 1,
+            discrepancy=production / part.value - 1,
             order=part.order,
         )
 
-    film, rolling_force = beside(central, solution.central_film), beside(force, solution.rolling_force)
+    film = beside(alone, squeezed, solution.central_film)
+    rolling_force = beside(force, resisting, solution.rolling_force)
+    spread = COVERAGE * ROLLING_SPREAD * (1 - share * (1 - FIT_SHARE))
     numbers = FilmNumbers(
         pair=pair,
         load=contact.load,
@@ -262,13 +309,15 @@ def _compared(
         thickening=problem.thickening,
         ellipticity=problem.ellipticity,
         central_film=film,
-        minimum_film=beside(central * float(ratio), solution.minimum_film),
+        minimum_film=beside(alone * ratio, squeezed * ratio, solution.minimum_film),
         rolling_force=rolling_force,
-        pressure_centre=beside(2 * rolling * force / contact.load, solution.pressure_centre),
+        pressure_centre=beside(
+            *(2 * rolling * each / contact.load for each in (force, resisting)), solution.pressure_centre
+        ),
         dissipated_force=solution.dissipated_force.value,
-        verdict=_verdict((film, FILM_FACTORS), (rolling_force, ROLLING_FACTORS)),
+        verdict=_verdict((film, FILM_FACTORS), (rolling_force, (np.exp(-spread), np.exp(spread)))),
         tolerance=tolerance,
         seconds=solution.seconds,
-        warnings=(OUTSIDE,) if resistance.outside_range.any() else (),
+        warnings=(OUTSIDE,) if share < 1 and resistance.outside_range.any() else (),
     )
     return RaceFilm(numbers=numbers, solution=solution)

@@ -6,9 +6,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from analytic.contact.geometry import RACES
 from analytic.contact.hertz import unit_hertz
 from analytic.contact.rolling_contact import ContactNumbers, RollingContact
 from analytic.loads.balls import LoadEffects, thrust_balls
+from analytic.oil.asymptotes import Inflow
+from analytic.oil.ehl_fit import covered, film_correction, fitted_force, regime_of
 from analytic.oil.film import film_asymptotes, inlet_heating_factor, minimum_ratio, thermal_loading
 from analytic.oil.inlets import oil_supply
 from analytic.oil.lubrication import LubricatedContact, lubricated_contact, lubrication_of
@@ -30,7 +33,8 @@ from analytic.surface.roughness import gap_roughness
 from tests.analytic.specimens import BEARING_6205, FINISH, OIL
 from tests.contacts import STEEL
 
-WARM = replace(OIL, temperature=331.0)
+CLOSED = replace(OIL, film_formula="nijenbanning", rolling_formula="biboulet")
+WARM = replace(CLOSED, temperature=331.0, compressible=False)
 ROUGH = replace(FINISH, rms_roughness=0.3e-6, gap="truncated")
 ELASTIC = replace(FINISH, gap="elastic")
 SPEEDS = (0.0, -3.1, 420.0)  # rad/s
@@ -59,7 +63,8 @@ def lubricated(
     contact, rate = loaded(race, point)
     (form,), cubics = gap_forms(gap_of(finish, contact))
     given = {"boundary_friction": finish.boundary_friction, "variation": variation}
-    lubrication = lubrication_of(form, oil_supply(bearing, oil), **given, **counts)  # pyright: ignore[reportArgumentType]
+    supply = oil_supply(bearing, oil, RACES[race], contact_angle=0.19)
+    lubrication = lubrication_of(form, supply, oil, **given, **counts)  # pyright: ignore[reportArgumentType]
     numbers = ContactNumbers._make((*contact.fields[:8], rate))
     unit = unit_hertz(numbers.curvature_rolling, numbers.curvature_transverse, numbers.modulus)
     peak = 1.5 * float(contact.mean_pressure)
@@ -102,7 +107,7 @@ def by_parts(
     mixed = mixed_contact(contact, film, gap=gap, film_factor=film_left, pressure_factor=variation.asperity_pressure)
     resistance = (
         houpert_rolling(contact, **thickens)
-        if variation.rolling_formula == "houpert"
+        if oil.rolling_formula == "houpert"
         else hydrodynamic_rolling(contact, **flow)
     )
     torque = rolling_left * rolling_torque(resistance, entrainment_rate=rate)
@@ -113,10 +118,10 @@ def by_parts(
     ("oil", "finish", "variation", "counts"),
     [
         (WARM, ROUGH, NOMINAL, ALL),
-        (replace(OIL, starvation_degree=1.2, compressible=True), ELASTIC, VARIED, ALL),
-        (replace(OIL, traction="eyring_constant"), ELASTIC, NOMINAL, ALL | {"heats": False, "starves": False}),
+        (replace(CLOSED, starvation_degree=1.2), ELASTIC, VARIED, ALL),
+        (replace(CLOSED, traction="eyring_constant"), ELASTIC, NOMINAL, ALL | {"heats": False, "starves": False}),
         (WARM, replace(FINISH, rms_roughness=0.0), NOMINAL, ALL | {"starves": False}),
-        (WARM, ROUGH, replace(VARIED, rolling_formula="houpert"), ALL | {"asperities": False}),
+        (replace(WARM, rolling_formula="houpert"), ROUGH, VARIED, ALL | {"asperities": False}),
     ],
 )
 def test_one_contact_is_that_of_its_parts(
@@ -131,6 +136,25 @@ def test_one_contact_is_that_of_its_parts(
         np.testing.assert_allclose(found.rolling_torque, torque, rtol=close)
         for speed in (0.02, 1.7):
             np.testing.assert_allclose(mean_force(found.law, contact, speed), friction(speed), rtol=close)
+
+
+def test_the_fit_replaces_both_formulas_within_its_range() -> None:
+    """Film and force are those of the fit; an error of the closed formula counts by its power for the fit, 0.12."""
+    plain = ALL | {"asperities": False, "heats": False, "starves": False}
+    for race in (0, 1):
+        contact, found = lubricated(BEARING_6205, race, 2, OIL, FINISH, NOMINAL, **plain)
+        _, closed = lubricated(BEARING_6205, race, 2, CLOSED, FINISH, NOMINAL, **plain)
+        speed = abs(SPEEDS[2] * contact.entrainment)
+        inflow = Inflow(speed, OIL.viscosity, OIL.pressure_viscosity, True, np.inf)
+        regime = regime_of(contact, inflow)
+        assert covered(regime) == 1
+        supply = oil_supply(BEARING_6205, OIL, RACES[race], contact_angle=0.19)
+        force = fitted_force(contact, inflow, regime, supply)
+        assert found.rolling_torque == pytest.approx(2 * force * contact.entrainment, rel=1e-12)
+        thinner = found.mixed.film_thickness / closed.mixed.film_thickness
+        assert thinner == pytest.approx(np.exp(film_correction(regime)), rel=1e-12)
+        _, doubtful = lubricated(BEARING_6205, race, 2, OIL, FINISH, Variation(rolling_error=1.7), **plain)
+        assert doubtful.rolling_torque / found.rolling_torque == pytest.approx(1.7**0.12, rel=1e-12)
 
 
 def test_rings_of_unknown_diameter_are_flooded() -> None:

@@ -1,0 +1,143 @@
+"""Central film and rolling force fitted to numerical solutions of lubricated contacts, compiled.
+
+The solutions and the command that makes them are in `validation/ehl`; `analytic.oil.ehl_coefficients` has what it
+fitted. With Moes's numbers M, L and lambda, U = 2 eta_0 u/(E' R_x), and the length X of the oil ahead of the contact:
+    rolling force  f = E' R_x^2 U S [ln(X_e/(R_x U^(1/4))) + G(M, L, lambda)],  S = 6 pi/((3 + 2 lambda) sqrt(lambda))
+    central film   h = h_formula exp(C(M, L, lambda))
+With N = M sqrt(lambda), G and C are polynomials of third degree in ln N, ln L and ln lambda, and of first degree in
+ln L and ln lambda over N, which matters for light loads. Far ahead of the contact the bodies are rigid, and the force
+grows by S for each e-fold of X. X_e is the reach that gives a paraboloid the force of a ball in its groove; it depends
+on the geometry alone.
+Outside the range of the solutions, N 6 to 4000, L 2 to 20 and lambda 0.02 to 1, the closed formulas hold. Both are
+blended over a factor of 1.5 in each number.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from analytic.contact.geometry import Race
+from analytic.contact.rolling_contact import ContactNumbers
+from analytic.numerics.compilation import compiled
+from analytic.oil import ehl_coefficients as fitted
+from analytic.oil.asymptotes import Inflow
+from analytic.scene import Array, Bearing
+
+BLEND = float(np.log(1.5))  # over which a number of Moes leaves the range
+(LOW_N, HIGH_N), (LOW_L, HIGH_L), (LOW_LAMBDA, HIGH_LAMBDA) = (
+    (float(np.log(low)), float(np.log(high))) for low, high in fitted.RANGES.values()
+)
+MIDDLE_N, MIDDLE_L, MIDDLE_LAMBDA = (float(np.log(each)) for each in fitted.MIDDLE)
+UNKNOWN_WIDTH = 0.8  # of a groove over the ball's radius, where the scene has no shoulders: a height of 0.2 D
+ROLLING, FILM = np.array(fitted.ROLLING), np.array(fitted.FILM)
+
+
+class OilSupply(NamedTuple):
+    """How oil comes to the inlets of a bearing, in numbers. With neither degree nor rate the inlets are flooded."""
+
+    mean_diameter: float  # of the bearing, m, for the inlets' heat
+    degree: float  # m of `analytic.oil.starvation`; NaN: not given
+    rate: float  # of `rolling.replenishment_rate`; NaN: no ring diameters
+    ahead: float  # length of the oil in the inlet of a paraboloid with the same rolling force, m
+    behind: float  # likewise in the outlet, m
+    tension: float  # that the oil bears in the outlet, Pa; 0: it is ventilated
+
+
+class Regime(NamedTuple):
+    """Moes's numbers of a contact, as logarithms."""
+
+    loading: float  # ln N
+    thickening: float  # ln L
+    ellipticity: float  # ln lambda
+
+
+@compiled
+def covered(regime: Regime) -> float:
+    """Share of the fit, 0 to 1: 1 within the range of the solutions, 0 beyond a factor of 1.5."""
+    n, thick, shape = regime.loading, regime.thickening, regime.ellipticity
+    beyond = max(LOW_N - n, n - HIGH_N, LOW_L - thick, thick - HIGH_L, LOW_LAMBDA - shape, shape - HIGH_LAMBDA)
+    if not beyond < BLEND:  # also where a number is infinite or none
+        return 0.0
+    left = 1 - max(beyond, 0.0) / BLEND
+    return left * left * (3 - 2 * left)
+
+
+@compiled
+def polynomial(coefficients: Array, regime: Regime) -> float:
+    """G or C; coefficients : in the order of `terms` in `validation/ehl/run.py`."""
+    n, thick, shape = regime.loading - MIDDLE_N, regime.thickening - MIDDLE_L, regime.ellipticity - MIDDLE_LAMBDA
+    total, place, by_n = 0.0, 0, 1.0
+    for i in range(4):
+        by_thick = by_n
+        for j in range(4 - i):
+            term = by_thick
+            for _ in range(4 - i - j):
+                total += coefficients[place] * term
+                place += 1
+                term *= shape
+            by_thick *= thick
+        by_n *= n
+    light = coefficients[place] + coefficients[place + 1] * thick + coefficients[place + 2] * shape
+    return total + light * np.exp(-regime.loading)
+
+
+@compiled
+def regime_of(contact: ContactNumbers, inflow: Inflow) -> Regime:
+    """Of a contact; infinite without load, motion or thickening."""
+    stiffness, rolling = 2 * contact.modulus, contact.curvature_rolling
+    log_speed = np.log(2 * inflow.viscosity * inflow.speed * rolling / stiffness)
+    shape = np.log(contact.curvature_transverse / rolling)
+    loading = np.log(contact.load * rolling**2 / stiffness) - 0.75 * log_speed + shape / 2
+    return Regime(
+        loading if log_speed > -np.inf else np.inf,  # not inf - inf without load
+        np.log(inflow.pressure_viscosity * stiffness) + log_speed / 4,
+        shape,
+    )
+
+
+@compiled
+def fitted_force(contact: ContactNumbers, inflow: Inflow, regime: Regime, supply: OilSupply) -> float:
+    """f, N; regime : of the contact and the inflow, within the range.
+
+    The outlet counts where the far field of pressure, mirrored, is above the oil's tension: beyond x with
+    x^3 = 48 eta_0 u R_x^2/((3 + 2 lambda) tension).
+    """
+    radius, ellipticity = 1 / contact.curvature_rolling, np.exp(regime.ellipticity)
+    shear = inflow.viscosity * inflow.speed
+    unit = radius * np.sqrt(np.sqrt(shear / (contact.modulus * radius)))
+    lengths = max(np.log(supply.ahead / unit) + polynomial(ROLLING, regime), 0.0)
+    if supply.tension > 0.0:
+        breaks = 48 * shear * radius**2 / ((3 + 2 * ellipticity) * supply.tension)
+        lengths += max(np.log(supply.behind) - np.log(breaks) / 3, 0.0)
+    return 12 * np.pi * shear * radius / ((3 + 2 * ellipticity) * np.sqrt(ellipticity)) * lengths
+
+
+@compiled
+def film_correction(regime: Regime) -> float:
+    """C of the film, which fades outside the range."""
+    share = covered(regime)
+    return share * polynomial(FILM, regime) if share > 0.0 else 0.0
+
+
+def effective_reach(bearing: Bearing, race: Race, *, reach: float, contact_angle: float) -> float:
+    """X_e of a ball on a race, m.
+
+    reach : of the oil from the centre of the contact along rolling, over the ball's radius
+    contact_angle : rad, about which the ball lies in the groove
+    Rigid bodies, true circles of ball and race, oil between the shoulders; geometry beyond the range of the fit counts
+    as its end.
+    """
+    ball, groove = bearing.ball_diameter / 2, bearing.inner if race == "inner" else bearing.outer
+    thrust = bearing.kind == "thrust"  # whose balls touch the bottom of the groove of a flat washer
+    curved = 0.0 if thrust else ball / (groove.bottom_radius * (1 if race == "inner" else -1))
+    near, far = groove.half_widths
+    width = UNKNOWN_WIDTH if near is None or far is None else (near + far) / 2 / ball
+    width *= 1.0 if thrust else np.cos(contact_angle)
+    point = np.array([curved, 1 - ball / groove.groove_radius, width, reach])
+    lower, upper = np.array(fitted.REACH_LOWER), np.array(fitted.REACH_UPPER)
+    inside = np.clip(point, lower, upper)
+    for each in (lower, upper, inside):
+        each[1:3] = np.log(each[1:3])
+    scaled = (2 * inside - lower - upper) / (upper - lower)
+    terms = np.prod(scaled ** np.array(fitted.REACH_POWERS), axis=1)
+    return float(reach * ball * np.exp(terms @ np.array(fitted.REACH)))
