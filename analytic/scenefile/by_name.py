@@ -152,7 +152,7 @@ def lubricant(
     *,
     temperature: Given | None = None,
     viscosity: Given | Sequence[str] | None = None,
-    **overrides: Given | bool,
+    **overrides: Given | bool | dict[str, float],
 ) -> Lubricant:
     """The lubricant that the table `[lubricant]` of a scene describes.
 
@@ -166,7 +166,7 @@ def lubricant(
     viscosity : float, str or sequence of str, optional
         Pa s, or as in a scene, for example ["46 cSt at 40 degC", "6.8 cSt at 100 degC"].
     **overrides : float, str or bool
-        Keys of [lubricant], which take precedence: numbers in SI, or texts with units.
+        Keys of [lubricant], which take precedence: numbers in SI, or texts with units; reach={"ahead": 0.9}.
 
     Returns
     -------
@@ -183,6 +183,10 @@ def lubricant(
     -----
     Sources: [ASTMD341] for the viscosity over the temperature, [Arana2019] for the stresses; see docs/oils.md.
     """
+    reach = overrides.get("reach")
+    lengths = [each for each in reach.values() if not isinstance(each, int | float)] if isinstance(reach, dict) else []
+    if lengths:
+        raise InputError(f"lubricant.reach = {lengths[0]!r}: no ball is given; give a share of its radius, as 0.9")
     keys = {"name": name, "temperature": temperature, "viscosity": viscosity, **overrides}
     found = _read_table("lubricant", {key: value for key, value in keys.items() if value is not None}).lubricant
     assert found is not None, "the document has the table"

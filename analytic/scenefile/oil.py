@@ -41,8 +41,8 @@ BY_PRODUCT = Known(status="derived", source="2 limiting_shear/pressure_viscosity
 PROPERTIES = (*EXAMPLES, "viscosity", "limiting_shear", "thermal_conductivity")
 
 
-def lubricant_of(table: LubricantTable, *, ball_radius: float | None) -> Lubricant:
-    """The lubricant of a scene; ball_radius : m; None: not known, and the reach of the oil cannot be a length.
+def lubricant_of(table: LubricantTable, *, ball_radius: float) -> Lubricant:
+    """The lubricant of a scene; ball_radius : m, over which lengths of the reach become shares.
 
     Raises InputError, in one line, for an unknown name, for keys in conflict, for a temperature beyond the oil's data,
     and for what neither the keys nor the catalog gives.
@@ -96,12 +96,10 @@ def lubricant_of(table: LubricantTable, *, ball_radius: float | None) -> Lubrica
     )
 
 
-def _reach(table: ReachTable, ball_radius: float | None) -> Reach:
+def _reach(table: ReachTable, ball_radius: float) -> Reach:
     def share(key: str, given: float | GivenLength) -> float:
         if not isinstance(given, GivenLength):
             return given
-        if ball_radius is None:
-            raise InputError(f"lubricant.reach.{key} is a length, and no ball is given: give a share of its radius")
         if given.metres > ball_radius:
             raise InputError(
                 f"lubricant.reach.{key} of {length_of(given.metres)} is beyond the ball's radius, "

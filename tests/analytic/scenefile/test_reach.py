@@ -13,10 +13,11 @@ BALL_RADIUS = 3.969e-3  # m, of a 6205
 def oil_of(**keys: object) -> Lubricant:
     document = {
         "name": "6205",
+        "tolerance": "2 %",
         "bearing": {"catalog": "6205"},
         "operation": {"axial_load": "730 N", "inner_speed": "410 rpm"},
         "lubricant": {"name": "ISO VG 46", **keys},
-        "surface": {"finish": "honed"},
+        "surface": {"finish": "ground and honed"},
     }
     found = scene_of(document, origin="scene").lubricant
     assert found is not None
