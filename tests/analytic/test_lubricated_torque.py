@@ -77,10 +77,7 @@ def test_film_and_share_carry_the_load_together(scene: Scene, temperature: float
             modulus=modulus * (1 - share),
         )
         oil = central_film(
-            softer,
-            entrainment_speed=u,
-            viscosity=viscosity,
-            pressure_viscosity=OIL.pressure_viscosity * x,
+            softer, entrainment_speed=u, viscosity=viscosity, pressure_viscosity=OIL.pressure_viscosity * x
         )
         heating = inlet_heating_factor(
             peak_pressure=contact.peak_pressure,

@@ -49,9 +49,7 @@ OIL = Lubricant(
     traction="eyring_sinh",
 )
 FINISH = Surface(
-    rms_roughness=0.05e-6,
-    autocorrelation=Autocorrelation(kind="gaussian", length=30e-6, spacing=2e-6),
-    hardness=7.8e9,
+    rms_roughness=0.05e-6, autocorrelation=Autocorrelation(kind="gaussian", length=30e-6, spacing=2e-6), hardness=7.8e9
 )
 STILL = LoadEffects(load_distribution=False, centrifugal=False, gyroscopic=False)
 
@@ -63,10 +61,7 @@ def scene_of(operation: Operation, **changed: Any) -> Scene:
 def contact_by_hand(load: float) -> HertzContact:
     """A washer is flat along rolling."""
     return hertz_contact(
-        curvature_x=2 / BALL,
-        curvature_y=2 / BALL - 1 / GROOVE,
-        load=load,
-        modulus=contact_modulus(STEEL, STEEL),
+        curvature_x=2 / BALL, curvature_y=2 / BALL - 1 / GROOVE, load=load, modulus=contact_modulus(STEEL, STEEL)
     )
 
 
@@ -190,10 +185,7 @@ def test_the_weight_counts_on_one_washer() -> None:
     axial = 25.0
     scene, total = scene_of(thrust(axial, speed=1.0)), np.array([2.0])
     bound = held_in_the_middle(
-        replace(scene, effects={"centrifugal": "off"}),
-        loaded(scene),
-        parts={"rolling": total},
-        total=total,
+        replace(scene, effects={"centrifugal": "off"}), loaded(scene), parts={"rolling": total}, total=total
     )
     np.testing.assert_allclose(bound, BEARING.ball_mass * 9.80665 * COUNT / axial / 3 / 2, rtol=1e-12)  # round-off
 

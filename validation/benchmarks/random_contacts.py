@@ -53,10 +53,7 @@ def _scaled(rng: np.random.Generator, bearing: Bearing, scale: float) -> Bearing
     def groove(like: Groove) -> Groove:
         radius = rng.uniform(0.505, 0.56) * diameter
         return replace(
-            like,
-            bottom_radius=scale * like.bottom_radius,
-            groove_radius=radius,
-            shoulder_half_width=scale * SHOULDER,
+            like, bottom_radius=scale * like.bottom_radius, groove_radius=radius, shoulder_half_width=scale * SHOULDER
         )
 
     return replace(bearing, ball_diameter=diameter, inner=groove(bearing.inner), outer=groove(bearing.outer))

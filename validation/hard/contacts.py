@@ -73,11 +73,7 @@ def radial_distance(load: float) -> float:
 
 
 def meshed(
-    contact: Contact,
-    *,
-    recipe: str = "hertzian",
-    level: int = LEVEL,
-    scale: tuple[float, float] = (1.0, 1.0),
+    contact: Contact, *, recipe: str = "hertzian", level: int = LEVEL, scale: tuple[float, float] = (1.0, 1.0)
 ) -> Quantities:
     """A contact on one mesh.
 

@@ -28,10 +28,7 @@ def rolling(spin_to_roll: float) -> float:
 def _moments(spin_to_roll: float) -> tuple[float, float]:
     mu, load, semi_axis, radius = 0.07, 530.0, 0.9e-3, 3.7e-3
     moments = microslip_moments(
-        friction_force=mu * load,
-        semi_axis_transverse=semi_axis,
-        deformed_radius=radius,
-        spin_to_roll=spin_to_roll,
+        friction_force=mu * load, semi_axis_transverse=semi_axis, deformed_radius=radius, spin_to_roll=spin_to_roll
     )
     size = mu * load * semi_axis
     return float(moments[0]) / size, float(moments[1]) * radius / (size * semi_axis)

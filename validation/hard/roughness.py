@@ -118,8 +118,7 @@ ROUGHNESS_CASES: tuple[HardCase, ...] = (
         answer="the difference, by 40 digits",
         evaluate=lambda: (
             spectral_moments(
-                rms_roughness=0.3e-6,
-                autocorrelation=Autocorrelation(kind="exponential", length=60e-6, spacing=60e-15),
+                rms_roughness=0.3e-6, autocorrelation=Autocorrelation(kind="exponential", length=60e-6, spacing=60e-15)
             ).curvature
         ),
         expected=2.7777777777777777769e31,

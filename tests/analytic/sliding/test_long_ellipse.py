@@ -108,10 +108,7 @@ def both_contacts(bearing: Bearing, *, angle: float) -> tuple[RollingContact, Ro
 
 
 def torque(
-    contacts: tuple[RollingContact, RollingContact],
-    mu: tuple[Any, Any],
-    spin: Any,
-    rule: SpinRule = "balanced",
+    contacts: tuple[RollingContact, RollingContact], mu: tuple[Any, Any], spin: Any, rule: SpinRule = "balanced"
 ) -> MicroslipTorque:
     forces = mu[0] * contacts[0].load, mu[1] * contacts[1].load
     return microslip_torque(contacts, friction_force=forces, spin_difference=spin, spin_rule=rule)

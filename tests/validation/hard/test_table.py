@@ -137,14 +137,7 @@ def test_the_record_is_of_this_table() -> None:
     assert found.model_version == MODEL_VERSION
 
 
-@pytest.mark.parametrize(
-    "answer",
-    [
-        {},
-        {"tolerance": (0.1, "why")},
-        {"expected": 2.5, "refusal": "no"},
-    ],
-)
+@pytest.mark.parametrize("answer", [{}, {"tolerance": (0.1, "why")}, {"expected": 2.5, "refusal": "no"}])
 def test_a_case_has_one_right_answer(answer: dict) -> None:
     with pytest.raises(InputError, match="hard case 'n'"):
         HardCase(name="n", problem="p", answer="a", evaluate=lambda: 1.5, **answer)
