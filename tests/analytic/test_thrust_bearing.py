@@ -22,6 +22,7 @@ from analytic.solve.solution import Solution, points_of, solved
 from analytic.torque import friction_torque
 from tests.analytic.specimens import part, thrust
 from tests.contacts import STEEL
+from tests.refusals import refused
 
 RIGHT = ContactAngle(rule="given", value=np.pi / 2)
 BALL, PITCH, GROOVE, COUNT = 7.2e-3, 37.4e-3, 3.9e-3, 11  # m
@@ -200,18 +201,15 @@ def test_shoulders_lie_on_both_sides_of_the_contact() -> None:
 @pytest.mark.parametrize(
     ("changed", "words"),
     [
-        ({"operation": replace(thrust(500.0), radial_load=np.array([3.0]))}, r"radial_load = 3 N: .* axial_load alone"),
-        ({"operation": replace(thrust(500.0), moment=np.array([-0.2]))}, r"moment = -200 N mm: .* axial_load alone"),
-        ({"operation": thrust(5.0, speed=300.0)}, "centrifugal force .* raise the load"),
+        ({"operation": replace(thrust(500.0), radial_load=np.array([3.0]))}, "radial_load = 3 N"),
+        ({"operation": replace(thrust(500.0), moment=np.array([-0.2]))}, "moment = -200 N mm"),
+        ({"operation": thrust(5.0, speed=300.0)}, "raise the load"),
         ({"contact_angle": ContactAngle(rule="solved")}, "90 degrees"),
         ({"contact_angle": ContactAngle(rule="given", value=1.5)}, "90 degrees"),
     ],
 )
-def test_what_it_does_not_carry_is_refused_in_one_line(changed: dict[str, Any], words: str) -> None:
-    scene = replace(scene_of(thrust(500.0), friction_coefficient=0.1), **changed)
-    with pytest.raises(InputError, match=words) as caught:
-        friction_torque(scene)
-    assert "\n" not in str(caught.value)
+def test_what_it_does_not_carry_is_refused(changed: dict[str, Any], words: str) -> None:
+    refused(lambda: friction_torque(replace(scene_of(thrust(500.0), friction_coefficient=0.1), **changed)), words)
 
 
 def test_it_has_neither_clearance_nor_an_equilibrium_of_the_ring() -> None:
