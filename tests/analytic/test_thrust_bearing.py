@@ -16,10 +16,11 @@ from analytic.loads.balls import LoadedBalls, LoadEffects, thrust_balls
 from analytic.loads.ring import ring_equilibrium
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.oil.rolling import hydrodynamic_rolling
-from analytic.scene import Autocorrelation, Bearing, ContactAngle, Groove, Lubricant, Operation, Scene, Surface
+from analytic.scene import Autocorrelation, Bearing, ContactAngle, Groove, Operation, Scene, Surface
 from analytic.solve.model import model_of
 from analytic.solve.solution import Solution, points_of, solved
 from analytic.torque import friction_torque
+from tests.analytic.specimens import OIL as USUAL_OIL
 from tests.analytic.specimens import part, thrust
 from tests.contacts import STEEL
 from tests.refusals import refused
@@ -37,18 +38,7 @@ BEARING = Bearing(
     inner=WASHER,
     outer=WASHER,
 )
-OIL = Lubricant(
-    viscosity=0.043,
-    pressure_viscosity=1.9e-8,
-    viscosity_temperature=0.04,
-    reference_temperature=313.0,
-    temperature=313.0,
-    thermal_conductivity=0.14,
-    density=870.0,
-    eyring_stress=6e6,
-    limiting_shear=0.07,
-    traction="eyring_sinh",
-)
+OIL = replace(USUAL_OIL, eyring_stress=6e6, limiting_shear=0.07)
 FINISH = Surface(
     rms_roughness=0.05e-6, autocorrelation=Autocorrelation(kind="gaussian", length=30e-6, spacing=2e-6), hardness=7.8e9
 )

@@ -56,16 +56,6 @@ def test_both_shells_touch_within_the_offset_of_their_centres() -> None:
     np.testing.assert_array_equal(normal[0] * [-1, 1, 1], normal[1])
 
 
-def test_a_whole_sphere_has_one_contact_without_a_jump_at_its_plane() -> None:
-    across = np.array([0.0, 0.07e-3, -0.09e-3])
-    for x in (0.0, 1e-12, -1e-12):
-        depths, _ = penetration(across + np.array([x, 0, 0]), half_clearance=0.1e-3, centre_offset=0.0)
-        assert np.count_nonzero(depths) == 1
-        assert depths.argmax() == (1 if x < 0 else 0)
-        np.testing.assert_allclose(depths.max(), np.hypot(0.07e-3, 0.09e-3) - 0.1e-3, rtol=1e-9)
-    assert not penetration(np.zeros(3), half_clearance=0.1e-3, centre_offset=0.0)[0].any()
-
-
 def bounce(mass: float, speed: float, stiffness: float, damping: float) -> tuple[float, float, float, float]:
     """Indentation, its elastic force, duration and final speed, by the equation of motion."""
 
