@@ -22,6 +22,7 @@ from pathlib import Path
 import numpy as np
 
 from analytic.contact.hertz import hertz_contact
+from validation.rows import read
 
 HERE = Path(__file__).parent
 ROWS = HERE.parents[1] / "analytic" / "catalog" / "bearings"
@@ -194,10 +195,6 @@ def score_of(candidates: Iterable[Candidate], count: int, diameter: float) -> fl
     return min(hits, default=math.inf)
 
 
-def read_rows(path: Path) -> list[dict[str, str]]:
-    return list(csv.DictReader(line for line in path.read_text("utf-8").splitlines() if not line.startswith("#")))
-
-
 def _rating(row: Mapping[str, str], angle: float = 0.0) -> Rating:
     return Rating(
         angle=angle,
@@ -231,9 +228,9 @@ class Check:
 
 def check_deep_groove(designations: Iterable[str] | None = None, *, priors: bool = True) -> list[Check]:
     """Every maker's deep groove bearing by itself; all designations without a choice."""
-    main = {row["designation"]: row for row in read_rows(ROWS / "deep_groove.csv")}
+    main = {row["designation"]: row for row in read(ROWS / "deep_groove.csv")}
     checks = []
-    for row in read_rows(ROWS / "deep_groove_by_maker.csv"):
+    for row in read(ROWS / "deep_groove_by_maker.csv"):
         if designations is not None and row["designation"] not in designations:
             continue
         size = main[row["designation"]]
@@ -264,7 +261,7 @@ def check_deep_groove(designations: Iterable[str] | None = None, *, priors: bool
 def check_angular_contact(*, priors: bool = True) -> list[Check]:
     """Angular contact bearings whose balls are derived; all angles of one size together."""
     groups: dict[tuple[str, str], list[dict[str, str]]] = defaultdict(list)
-    for row in read_rows(ROWS / "angular_contact.csv"):
+    for row in read(ROWS / "angular_contact.csv"):
         if row["ball_status"] == "derived":
             groups[row["maker"], row["designation"][:4]].append(row)
     checks = []
@@ -332,7 +329,7 @@ class Hit:
 
 def compare_balls(found: Mapping[str, Candidate]) -> list[Hit]:
     """Every row of published balls whose designation is among these."""
-    outside = {row["designation"]: float(row["outside_mm"]) for row in read_rows(ROWS / "deep_groove.csv")}
+    outside = {row["designation"]: float(row["outside_mm"]) for row in read(ROWS / "deep_groove.csv")}
     return [
         Hit(
             designation=row["designation"],
@@ -341,7 +338,7 @@ def compare_balls(found: Mapping[str, Candidate]) -> list[Hit]:
             printed=(int(row["ball_count"]), float(row["ball_diameter_mm"])),
             found=found[row["designation"]],
         )
-        for row in read_rows(GEOMETRY)
+        for row in read(GEOMETRY)
         if row["designation"] in found
     ]
 
@@ -357,7 +354,7 @@ def _hits_row(name: str, hits: Sequence[Hit]) -> str:
 
 def factor_errors() -> tuple[float, float]:
     """Largest difference of f0 and of f_c from the printed tables."""
-    table = read_rows(HERE.parent / "published" / "iso_ball_factors.csv")
+    table = read(HERE.parent / "published" / "iso_ball_factors.csv")
     static = [(float(row["gamma"]), float(row["f0"])) for row in table if row["f0"]]
     dynamic = [(float(row["gamma"]), float(row["fc"])) for row in table if row["fc"]]
     worst = []
