@@ -109,6 +109,13 @@ def test_a_rapidly_opening_contact_does_not_pull() -> None:
     assert motion.velocity[2] > 0.3999
 
 
+def test_one_ball_and_a_bearing_at_standstill() -> None:
+    passed = CageMotion(replace(CAGE, ball_count=1), begin="sudden", seed=3).advance(0.01)
+    assert np.isfinite(passed.slip_power)
+    still = replace(CAGE, ball_speed=0.0, orbit_speed=0.0, ring_speed=0.0, gravity=WEIGHTLESS)
+    assert CageMotion(still, begin="whirl").advance(0.01).max_force == 0
+
+
 def test_both_shells_hold_a_ball_between_them() -> None:
     """Pocket of Table 1: a hanging cage touches each ball with both shells, across the axis."""
     cage = replace(CAGE, **TABLE_1)

@@ -141,6 +141,12 @@ def test_harris_table() -> None:
     np.testing.assert_allclose(found.approach / (unit**2 * curvature_sum / 2), table["delta_star"], rtol=rounding)
 
 
+def test_zero_load_is_no_contact_of_finite_stiffness() -> None:
+    found = contact(load=0.0)
+    assert [float(getattr(found, field)) for field in FIELDS[:4]] == [0, 0, 0, 0]
+    np.testing.assert_allclose(found.stiffness, contact().stiffness, rtol=ROUND_OFF)
+
+
 def test_a_contact_under_one_newton_gives_that_under_any_load() -> None:
     loads = np.array([0.0, 3.7e-5, LOAD])
     scaled, direct = loaded_contact(contact(load=1.0), load=loads), contact(load=loads)  # pyright: ignore[reportArgumentType]

@@ -66,6 +66,11 @@ def test_the_oil_at_the_inlet() -> None:
     assert found.viscosity < ETA
 
 
+def test_no_pressure_and_no_temperature_effect() -> None:
+    flat = viscosity(np.array([0.0, 3e9]), np.array([300.0, 400.0]), pressure_viscosity=0.0, viscosity_temperature=0.0)
+    np.testing.assert_array_equal(flat, ETA)
+
+
 def test_nonsense_is_refused() -> None:
     refused(lambda: viscosity(-1.0, 300.0), "pressure")
     for temperature in (138.0, 40.0, np.nan):
