@@ -130,7 +130,7 @@ def test_what_cannot_be_is_refused() -> None:
     for name in ("bore_diameter", "outside_diameter"):
         refused(lambda: seated(bearing(**{name: None})), f"bearing.{name} is missing")  # noqa: B023
     refuses(partial(seated, bearing()), shaft_bore=26e-3, shaft_interference=0.2e-3, housing_interference=0.3e-3)
-    refuses(partial(seated, bearing()), shaft_bore=float("nan"))
+    refused(lambda: seated(bearing(), shaft_bore=float("nan")), "shaft_bore", "finite")
     refused(lambda: seated(bearing(), housing_outside_diameter=51e-3), "bearing.outside_diameter 52 mm")
     unknown = replace(STEEL, thermal_expansion=None)
     warm = {"housing_material": unknown, "outer_temperature": COLD + 3}
