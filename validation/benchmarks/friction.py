@@ -88,8 +88,6 @@ def main(
 
 def ladder(out: Console) -> None:
     table = Table("traction", "Sq, um", "rpm", "N mm", "of the last, missed by", "ms", title=", ".join(METHODS))
-    assert LADDER.lubricant is not None
-    assert LADDER.surface is not None
     for traction in LAWS:
         for roughness in (0.1e-6, 1e-6):
             for rpm in (100.0, 500.0):
@@ -163,7 +161,6 @@ def trials_of(seed: int) -> list[Trial]:
     scene = sliding_scene(seed)
     found = {method: friction_torque(replace(scene, sliding=method)) for method in METHODS}
     true = found["over_ellipse"].torque.total[0]
-    assert scene.lubricant is not None
     return [
         Trial(
             seed=seed,

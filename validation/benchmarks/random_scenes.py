@@ -54,7 +54,6 @@ def thrust_scene(rng: np.random.Generator, **friction: Any) -> Scene:
 
 def of_oil_and_finish(rng: np.random.Generator) -> dict[str, Any]:
     oil, length = BASE.lubricant, 10 ** rng.uniform(-4.7, -3.7)
-    assert oil is not None
     return {
         "lubricant": replace(
             oil,
@@ -82,7 +81,6 @@ def given(rng: np.random.Generator) -> dict[str, Any]:
 
 def with_cage(rng: np.random.Generator, scene: Scene) -> Scene:
     """The same scene with a cage: tight to loose, light to heavy, with any start."""
-    assert CAGE is not None
     pocket = scene.bearing.ball_diameter + rng.uniform(0.08e-3, 0.4e-3)
     cage = replace(
         CAGE,
@@ -144,7 +142,6 @@ def _scaled(rng: np.random.Generator, bearing: Bearing, scale: float) -> Bearing
 
 
 def _oil(rng: np.random.Generator) -> Lubricant:
-    assert BASE.lubricant is not None
     return replace(
         BASE.lubricant,
         viscosity=10 ** rng.uniform(-2.5, 0),

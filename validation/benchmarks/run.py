@@ -22,6 +22,7 @@ from statistics import median
 from typing import Any, Literal
 
 from rich.console import Console
+from rich.progress import track
 from rich.table import Table
 
 from validation.benchmarks.machine import machine, versions
@@ -212,7 +213,9 @@ def main() -> int:
     names = options.rows or [name for name, row in ROWS.items() if row.short or not options.short]
     with tempfile.TemporaryDirectory() as place:
         trees = [ROOT, *unpacked(options.against, Path(place).resolve())]
-        found = {name: measured(ROWS[name], trees, pairs=options.pairs) for name in names}
+        found = {}
+        for name in track(names, "rows", console=Console(stderr=True)):
+            found[name] = measured(ROWS[name], trees, pairs=options.pairs)
     show(found, against=options.against)
     if options.json:
         about = {"machine": machine(), "against": options.against, "rows": found}

@@ -200,7 +200,6 @@ INPUTS: dict[str, tuple[Sequence[str], float]] = {
 
 def mechanisms(scene: Scene, computed: Array) -> Iterator[tuple[str, Array]]:
     """What each mechanism that the model knows adds to the computed torque, or could add at most, N m."""
-    assert scene.surface is not None
     assert scene.hysteresis_loss is not None
     none = replace(scene, effects={**scene.effects, "asperities": "off"})
     yield "asperities, in S already", computed - total(none)
@@ -230,7 +229,6 @@ def snare(scene: Scene) -> float:
 def dry_pivoting(scene: Scene) -> float:
     """Torque of all contacts that pivot with the friction of asperities alone, N m: 3/8 mu Q b E(m) w/2 at each."""
     balls = balls_of(scene)
-    assert scene.surface is not None
     contact, load = balls.contact, balls.load[0, 0, 0]
     short, long = np.sort([contact.semi_axis_x[0, 0, 0], contact.semi_axis_y[0, 0, 0]])
     moment = 3 / 8 * scene.surface.boundary_friction * load * long * ellipe(1 - (short / long) ** 2)

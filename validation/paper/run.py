@@ -47,7 +47,6 @@ def main() -> None:
     readings = [compare(name, points) for name in SCENES]
     folder.mkdir(parents=True, exist_ok=True)
     surface = load("calibrated").surface
-    assert surface is not None
     assert surface.autocorrelation is not None
     draw_surfaces(surface.autocorrelation, folder / "paper_5_surfaces.png")
     draw_total(readings, points, folder / "paper_6_total.png")
