@@ -14,6 +14,7 @@ import json
 import os
 import subprocess
 import sys
+import tarfile
 import tempfile
 import zipfile
 from dataclasses import asdict, dataclass
@@ -231,27 +232,16 @@ def unpacked(against: str, place: Path) -> list[Path]:
     if against.endswith(".whl"):
         zipfile.ZipFile(against).extractall(place)
         return [place]
-    archive = place / "tree.zip"
-    git = [
-        "git",
-        "-C",
-        str(ROOT),
-        "archive",
-        "--format=zip",
-        "-o",
-        str(archive),
-        against,
-        "analytic",
-        "fembearing",
-        "meshes",
-    ]
+    archive = place / "tree.tar"
+    git = ("git", "-C", str(ROOT), "archive", "-o", str(archive), against, "analytic", "fembearing", "meshes")
     try:
         subprocess.run(git, check=True, capture_output=True, text=True)
     except (OSError, subprocess.CalledProcessError) as problem:
         reason = str(getattr(problem, "stderr", None) or problem).strip()
         Console(stderr=True).print(f"Nothing is compared, {against} is not in this clone: {reason}")
         return []
-    subprocess.run(["unzip", "-q", str(archive), "-d", str(place)], check=True)  # zipfile makes files of links
+    with tarfile.open(archive) as tree:
+        tree.extractall(place, filter="data")
     return [place]
 
 
