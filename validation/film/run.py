@@ -17,8 +17,9 @@ from rich.console import Console
 from rich.table import Table
 from scipy.optimize import brentq
 
-from analytic.contact.rolling_contact import elliptic_contact
-from analytic.oil.asymptotes import FITTED_ELLIPTICITY
+from analytic.contact.rolling_contact import ContactNumbers, elliptic_contact
+from analytic.oil.asymptotes import FITTED_ELLIPTICITY, Inflow
+from analytic.oil.ehl_fit import film_correction, regime_of
 from analytic.oil.film import FILM_FACTORS, FORMULA_UNCERTAINTY, central_film
 
 mpl.use("agg")
@@ -102,14 +103,16 @@ def main() -> None:
 
 
 def film(speed: np.ndarray, **changed: float) -> np.ndarray:
-    """Computed central film, m, with some inputs changed."""
+    """Central film as the torque takes it, m, with some inputs changed."""
     inputs = INPUTS | changed
     contact = elliptic_contact(
         curvature_rolling=1 / RADIUS, curvature_transverse=1 / RADIUS, load=inputs["load"], modulus=inputs["modulus"]
     )
-    return central_film(
-        contact, entrainment_speed=speed, viscosity=inputs["viscosity"], pressure_viscosity=inputs["pressure_viscosity"]
-    ).thickness
+    oil = {"viscosity": inputs["viscosity"], "pressure_viscosity": inputs["pressure_viscosity"]}
+    closed = central_film(contact, entrainment_speed=speed, compressible=True, **oil).thickness
+    numbers = ContactNumbers(*(float(each) for each in contact.fields[:6]), np.nan, np.nan, 1.0)
+    regimes = [regime_of(numbers, Inflow(float(u), *oil.values(), True, np.inf)) for u in speed]
+    return closed * np.exp([film_correction(regime) for regime in regimes])
 
 
 def compare() -> Comparison:

@@ -13,6 +13,7 @@ from fembearing.provenance import Provenance, provenance_of
 from fembearing.verify.contact.scene_contact import RECIPES, contact_of
 from fembearing.verify.cost.cage_ladder import cage_methods
 from fembearing.verify.cost.contact_ladder import measured_contact
+from fembearing.verify.cost.film_ladder import absent_films, measured_films
 from fembearing.verify.cost.formula_ladders import (
     friction_methods,
     hertz_methods,
@@ -31,7 +32,7 @@ FORMULA_LADDERS: tuple[tuple[str, Callable[[Scene], UntimedLadder]], ...] = (
     ("roughness", roughness_methods),
     ("cage torque", cage_methods),
 )
-FORMULAS = 0.4  # share of the time, only for the progress
+FORMULAS, FILMS = 0.3, 0.6  # shares of the time, only for the progress
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -72,8 +73,12 @@ def measure_cost(scene: Scene, *, tolerance: float | None = None, progress: Prog
             ladders.append(measured(methods(scene), tolerance=tolerance))
         except InputError as reason:
             ladders.append(with_choices(Ladder(quantity=quantity, reference="none", methods=(), absent=str(reason))))
+    try:
+        ladders += measured_films(scene, tolerance=tolerance, progress=part_of(progress, FORMULAS, FILMS))
+    except InputError as reason:
+        ladders += map(with_choices, absent_films(reason))
     recipe = load_recipe(RECIPES["real"])
-    rest = part_of(progress, FORMULAS, 1.0)
+    rest = part_of(progress, FILMS, 1.0)
     ladders.append(measured_contact(contact, recipe=recipe, tolerance=tolerance, progress=rest))
     return Cost(
         tolerance=tolerance,

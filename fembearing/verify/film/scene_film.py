@@ -12,19 +12,14 @@ import numpy as np
 
 from analytic.brief import Brief
 from analytic.contact.geometry import Race
-from analytic.contact.rolling_contact import ContactNumbers, RollingContact, deformed_radius
 from analytic.errors import ConvergenceError, InputError
-from analytic.oil.asymptotes import Inflow
-from analytic.oil.ehl_fit import OilSupply, covered, film_correction, fitted_force, regime_of
-from analytic.oil.film import FILM_FACTORS, central_film, minimum_ratio
-from analytic.oil.inlets import oil_supply
-from analytic.oil.rolling import houpert_rolling, hydrodynamic_rolling
+from analytic.oil.film import FILM_FACTORS
 from analytic.oil.variation import COVERAGE, FIT_SHARE, NOMINAL, ROLLING_SPREAD, Variation
 from analytic.oil.viscosity import inlet_viscosity
 from analytic.prediction.evaluation import parts_of, without_moving_cage
 from analytic.prediction.settled import free_start
 from analytic.result import FrictionTorque
-from analytic.scene import Array, Contact, Lubricant, Scene
+from analytic.scene import Array, Contact, Scene
 from fembearing.ehl.ball_on_race import lubricated_contact
 from fembearing.ehl.contact import LubricatedContact, Reach
 from fembearing.ehl.film import NumericalFilm, numerical_film
@@ -32,6 +27,7 @@ from fembearing.ehl.oil import Oil
 from fembearing.grid_convergence import Estimate
 from fembearing.progress import Progress, silent
 from fembearing.verify.contact.scene_contact import balls_of, contact_at, heaviest_place
+from fembearing.verify.film.closed_forms import ClosedForms
 
 REFINEMENTS = (0.75, 0.95, 1.2)  # of the middle grid, until the tolerance is reached
 OUTSIDE = "the formula of the rolling force is outside its range: rigid bodies would resist less than elastic ones"
@@ -147,34 +143,12 @@ def film_of(
     -----
     The ball turns by closed kinematics. The oil has the temperature of the scene.
     """
-    if scene.lubricant is None:
-        raise InputError("the scene is dry: add a table [lubricant], or there is no film to compute")
-    contact, speed, rate = _heaviest(scene, pair)
-    if load is not None:
-        contact = replace(contact, load=load)
-    speed = speed if inner_speed is None else inner_speed
-    if speed == 0:
-        raise InputError("operation.inner_speed = 0: at standstill there is no film; give --speed or another scene")
-    lubricant, at_inlet = scene.lubricant, inlet_viscosity(scene.lubricant)
-    oil = Oil(
-        viscosity=float(at_inlet.viscosity),
-        pressure_viscosity=float(lubricant.pressure_viscosity),
-        compressible=lubricant.compressible,
-        cavitation_pressure=float(lubricant.cavitation_pressure),
-    )
-    problem = lubricated_contact(
-        contact,
-        oil=oil,
-        entrainment_speed=speed * rate,
-        ahead=lubricant.reach.ahead * contact.ball_radius,
-        behind=lubricant.reach.behind * contact.ball_radius,
-    )
+    closed, speed = problem_of(scene, pair, load=load, inner_speed=inner_speed)
     limit = scene.tolerance if tolerance is None else tolerance
     solution = _accurate(
-        problem, tolerance=limit, progress=lambda share: progress(share, f"{pair}: film on three grids")
+        closed.problem, tolerance=limit, progress=lambda share: progress(share, f"{pair}: film on three grids")
     )
-    supply = oil_supply(scene.bearing, lubricant, pair, contact_angle=contact.contact_angle)
-    return _compared(pair, contact, solution, lubricant, supply, inner_speed=speed, tolerance=limit)
+    return _compared(closed, solution, inner_speed=speed, tolerance=limit)
 
 
 def film_change(scene: Scene, friction: FrictionTorque, films: tuple[RaceFilm, ...]) -> Array:
@@ -230,59 +204,42 @@ def _heaviest(scene: Scene, race: Race) -> tuple[Contact, float, float]:
     return contact, float(scene.operation.as_series().inner_speed[place[0]]), float(rate)
 
 
-def _compared(
-    pair: Race,
-    contact: Contact,
-    solution: NumericalFilm,
-    lubricant: Lubricant,
-    supply: OilSupply,
-    *,
-    inner_speed: float,
-    tolerance: float,
-) -> RaceFilm:
+def problem_of(
+    scene: Scene, pair: Race, *, load: float | None = None, inner_speed: float | None = None
+) -> tuple[ClosedForms, float]:
+    """The lubricated contact of the heaviest ball with its formulas, and the speed of the inner ring, rad/s.
+
+    load, inner_speed : N and rad/s; None: of the scene. Raises InputError for a dry scene, at standstill, and for what
+    the numerical solution does not cover.
+    """
+    lubricant = scene.lubricant
+    if lubricant is None:
+        raise InputError("the scene is dry: add a table [lubricant], or there is no film to compute")
+    contact, speed, rate = _heaviest(scene, pair)
+    if load is not None:
+        contact = replace(contact, load=load)
+    speed = speed if inner_speed is None else inner_speed
+    if speed == 0:
+        raise InputError("operation.inner_speed = 0: at standstill there is no film; give --speed or another scene")
+    oil = Oil(
+        viscosity=float(inlet_viscosity(lubricant).viscosity),
+        pressure_viscosity=float(lubricant.pressure_viscosity),
+        compressible=lubricant.compressible,
+        cavitation_pressure=float(lubricant.cavitation_pressure),
+    )
+    problem = lubricated_contact(
+        contact,
+        oil=oil,
+        entrainment_speed=speed * rate,
+        ahead=lubricant.reach.ahead * contact.ball_radius,
+        behind=lubricant.reach.behind * contact.ball_radius,
+    )
+    return ClosedForms(scene=scene, pair=pair, contact=contact, problem=problem), speed
+
+
+def _compared(closed: ClosedForms, solution: NumericalFilm, *, inner_speed: float, tolerance: float) -> RaceFilm:
     """The formulas beside a solution of the same contact."""
-    problem = solution.contact
-    (a, b), (rolling, transverse) = problem.semi_axes, problem.shape.radii
-    smooth = RollingContact(
-        load=contact.load,
-        semi_axis_rolling=a,
-        semi_axis_transverse=b,
-        curvature_rolling=1 / rolling,
-        curvature_transverse=1 / transverse,
-        modulus=problem.modulus,
-        deformed_radius=deformed_radius(groove_radius=contact.groove_radius, ball_diameter=2 * contact.ball_radius),
-        rolling_rate=1.0,
-    )
-    u, viscosity, pressure_viscosity = problem.speed, problem.oil.viscosity, problem.oil.pressure_viscosity
-    inlet: dict[str, float] = {
-        "entrainment_speed": u,
-        "viscosity": viscosity,
-        "pressure_viscosity": pressure_viscosity,
-    }
-    ratio = float(minimum_ratio(smooth, **inlet))
-    resistance = hydrodynamic_rolling(smooth, viscosity=viscosity, entrainment_speed=u)
-    alone, squeezed = (
-        float(
-            central_film(
-                smooth,
-                entrainment_speed=u,
-                viscosity=viscosity,
-                pressure_viscosity=pressure_viscosity,
-                compressible=compressible,
-            ).thickness
-        )
-        for compressible in (False, lubricant.compressible)
-    )
-    force = float(resistance.force)
-    numbers = ContactNumbers._make((*(float(each) for each in smooth.fields[:8]), 1.0))
-    inflow = Inflow(u, viscosity, pressure_viscosity, lubricant.compressible, np.inf)
-    regime = regime_of(numbers, inflow)
-    share = covered(regime) if lubricant.rolling_formula == "numerical" else 0.0
-    if lubricant.film_formula == "numerical":
-        squeezed *= float(np.exp(film_correction(regime)))
-    resisting = force if lubricant.rolling_formula != "houpert" else float(houpert_rolling(smooth, **inlet).force)
-    if share > 0:
-        resisting += share * (fitted_force(numbers, inflow, regime, supply) - resisting)
+    problem, contact = closed.problem, closed.contact
 
     def beside(formula: float, production: float, part: Estimate) -> FilmQuantity:
         return FilmQuantity(
@@ -294,30 +251,33 @@ def _compared(
             order=part.order,
         )
 
-    film = beside(alone, squeezed, solution.central_film)
-    rolling_force = beside(force, resisting, solution.rolling_force)
-    spread = COVERAGE * ROLLING_SPREAD * (1 - share * (1 - FIT_SHARE))
+    films = closed.film(), closed.model_film()
+    smallest = [closed.minimum_ratio() * each for each in films]
+    resistance = closed.resistance()
+    forces = float(resistance.force), closed.model_force()
+    arm = 2 * problem.shape.radii[0] / contact.load
+    film = beside(*films, solution.central_film)
+    rolling_force = beside(*forces, solution.rolling_force)
+    spread = COVERAGE * ROLLING_SPREAD * (1 - closed.share * (1 - FIT_SHARE))
     numbers = FilmNumbers(
-        pair=pair,
+        pair=closed.pair,
         load=contact.load,
         inner_speed=inner_speed,
-        entrainment_speed=u,
-        viscosity=viscosity,
-        pressure_viscosity=pressure_viscosity,
+        entrainment_speed=problem.speed,
+        viscosity=problem.oil.viscosity,
+        pressure_viscosity=problem.oil.pressure_viscosity,
         reach=problem.reach,
         loading=problem.loading,
         thickening=problem.thickening,
         ellipticity=problem.ellipticity,
         central_film=film,
-        minimum_film=beside(alone * ratio, squeezed * ratio, solution.minimum_film),
+        minimum_film=beside(smallest[0], smallest[1], solution.minimum_film),
         rolling_force=rolling_force,
-        pressure_centre=beside(
-            *(2 * rolling * each / contact.load for each in (force, resisting)), solution.pressure_centre
-        ),
+        pressure_centre=beside(forces[0] * arm, forces[1] * arm, solution.pressure_centre),
         dissipated_force=solution.dissipated_force.value,
         verdict=_verdict((film, FILM_FACTORS), (rolling_force, (np.exp(-spread), np.exp(spread)))),
         tolerance=tolerance,
         seconds=solution.seconds,
-        warnings=(OUTSIDE,) if share < 1 and resistance.outside_range.any() else (),
+        warnings=(OUTSIDE,) if closed.share < 1 and resistance.outside_range.any() else (),
     )
     return RaceFilm(numbers=numbers, solution=solution)
