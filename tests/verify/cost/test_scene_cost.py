@@ -32,6 +32,8 @@ def test_every_ladder_is_run_or_absent_with_a_reason(scene: Scene, monkeypatch: 
         "how balls turn",
         "roughness",
         "cage torque",
+        "central film, inner",
+        "rolling force, inner",
         "contact, inner",
     ]
     hertz, load, friction, turning, roughness, cage, contact = found.ladders
