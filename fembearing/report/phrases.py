@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from analytic.cage.drive import LARGEST_GRIP
 from analytic.words import angle_of, percent_of
 from fembearing.quantities import CONTACT, METRIC, Quantity, Units
 from fembearing.verify.cost.ladder import Ladder
@@ -46,16 +45,6 @@ CHECKS = {  # the physical verdicts
 }
 LONGEST_LIST = 12  # values in a cell of a table
 LOADS = ("axial_load", "radial_load", "moment")
-SHARES = (
-    "Share: of the total, the largest of all operating points. A share with <= is an estimate from above of what "
-    "leaving the effect out changes. The uncertainty of the torque does not count effects that the scene switches off."
-)
-REGIME = (
-    "Whirl: mean speed of the cage's centre about the axis. Wobble: root mean square change of its distance. "
-    "Grip used: of what the races carry along the orbit, by the mean force. Grip number: the same of a whirl, by "
-    f"the weakest ball; balls slide above {LARGEST_GRIP:g}. Races: what they lose more because the cage drags the "
-    "balls, where balls and cage move together; it is part of the cage's torque."
-)
 MEASURED_RANGE = "12 to 48 %"  # of validation/measured/measured.csv, which a test compares
 MEASURED = f"In the one rig with measured torques, three balls in oil, the torque is {MEASURED_RANGE} too low."
 LEAST_EXPLAINED = 0.5  # share of the variance below which the shares of the inputs say nothing
