@@ -88,6 +88,7 @@ def _show_contact(
 
 
 def _show_series(result: "LoadSeries", *, as_json: bool) -> dict[str, float]:
+    from analytic.words import percent_of
     from fembearing.cli.console import out, print_json
     from fembearing.report.tables.contacts import series_table
     from fembearing.report.terminal.table import show
@@ -96,6 +97,8 @@ def _show_series(result: "LoadSeries", *, as_json: bool) -> dict[str, float]:
         print_json(result.to_json())
     else:
         show(out, series_table(result))
+        verdict = result.verdict if result.judged else "shown, not judged"
+        out.print(f"{verdict}: tolerance {percent_of(result.tolerance)}")
         print_warnings(result.warnings)
     return {f"approach at {part.load:g} N": part.approach.total for part in result.points}
 

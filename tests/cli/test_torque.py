@@ -138,7 +138,9 @@ def test_a_long_series_is_shown_in_part() -> None:
     many = ", ".join(f'"{100 + speed} rpm"' for speed in range(40))
     text = SERIES.replace('["500 rpm", "2000 rpm"]', f"[{many}]").replace('["900 N", "400 N"]', '"900 N"')
     said = printed(text)
-    assert "12 of 40 operating points, with the least and the largest total; the JSON has all." in said
+    assert "12 of 40 operating points, with the least and the largest total; the JSON has all." in " ".join(
+        said.split()
+    )
     assert "axial load 900 N" in said.splitlines()[0]
     assert [line.split()[0] for line in said.splitlines()[3:15]][::11] == ["1", "40"]
 
@@ -350,7 +352,7 @@ def test_a_series_loses_only_its_bad_points(command, tmp_path: Path, monkeypatch
     )
     for name in ("kept.png", "kept.html", "kept"):
         assert command("torque", "bad.toml", "--keep-going", "--out", name).status == 3
-    assert '<th scope="row">3</th>' in (tmp_path / "kept.html").read_text("utf-8")
+    assert '<th scope="row" class="number">3</th>' in (tmp_path / "kept.html").read_text("utf-8")
 
 
 def test_a_point_without_a_model_uncertainty_is_lost_alone(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -4,7 +4,7 @@ from collections.abc import Collection, Mapping, Sequence
 
 from analytic.cage.drive import LARGEST_GRIP
 from fembearing.quantities import METRIC, Units
-from fembearing.report.phrases import percent, shown
+from fembearing.report.phrases import between, percent, shown
 from fembearing.report.tables.table import Head, Table, table_of
 from fembearing.report.torque import CageMotionPoint, TorqueRecord
 
@@ -47,9 +47,9 @@ def motion_table(moved: Moved, units: Units = METRIC) -> Table:
             point.start or "-",
             shown(point.mean_force, ".3g", force.factor),
             shown(point.max_force, ".3g", force.factor),
-            _between(point.interval and point.interval.max_force, force.factor),
+            between(point.interval and point.interval.max_force, force),
             shown(point.torque, ".3g", torque.factor),
-            _between(point.interval and point.interval.torque, torque.factor),
+            between(point.interval and point.interval.torque, torque),
             shown(point.signed_moment, ".2g", torque.factor),
         ]
         for number, point in moved.items()
@@ -94,7 +94,3 @@ def _other(point: CageMotionPoint, units: Units) -> str:
         return "the cage cannot whirl: one steady motion"
     decides = "" if other.state == point.state else ": the start decides"
     return f"{other.state} from {other.start}, {units.torque.written(other.torque, '.3g')}{decides}"
-
-
-def _between(ends: Sequence[float] | None, factor: float) -> str:
-    return "-" if ends is None else "-".join(f"{end * factor:.3g}" for end in ends)

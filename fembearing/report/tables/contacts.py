@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from analytic.words import percent_of
 from fembearing.quantities import METRIC, MICRO, STIFFNESS, STRESSES, TANGENT, Units
 from fembearing.report.contact import ContactRecord
 from fembearing.report.phrases import (
@@ -167,5 +166,3 @@ def _series_notes(series: LoadSeries) -> Iterator[str]:
     yield f"F: load; delta: approach; tangent: dF/d(delta), from a fit to all loads. {UNCERTAIN}."
     meshes = "mesh" if series.meshes == 1 else "meshes"
     yield f"Finite elements, {series.geometry}, {series.meshes} {meshes} for all loads, {series.seconds:.1f} s"
-    verdict = series.verdict if series.judged else "shown, not judged"
-    yield f"{verdict}: tolerance {percent_of(series.tolerance)}"

@@ -4,9 +4,8 @@ from collections.abc import Sequence
 
 from analytic.prediction.rows import PredictionRows
 from fembearing.quantities import METRIC, Units
-from fembearing.report.phrases import MADE_OF, digits, explained_words, input_name, interval_at, interval_words
+from fembearing.report.phrases import MADE_OF, between, digits, explained_words, input_name, interval_words
 from fembearing.report.tables.table import Head, Table, table_of
-from fembearing.report.tables.torque import between
 from fembearing.report.torque import TorqueRecord
 
 MOST_INPUTS = 8
@@ -32,15 +31,15 @@ def interval_table(prediction: PredictionRows, places: Sequence[int], units: Uni
             [
                 str(place + 1),
                 digits(point.nominal, torque.factor, 4),
-                interval_at(point, units),
+                between(point.total.ends, torque),
                 f"{torque.number(point.total.low_error):.1g}, {torque.number(point.total.high_error):.1g}",
-                *(between(point.made_of.get(kind), units) for kind in PARTS),
+                *(between(point.made_of.get(kind), torque) for kind in PARTS),
             ]
         )
     ends = prediction.ends
     formulas = [
         f"{MADE_OF[name].removeprefix('of them: ')} "
-        f"{' and '.join(between(point.made_of[name], units) for point in ends)}"
+        f"{' and '.join(between(point.made_of[name], torque) for point in ends)}"
         for name in ends[0].made_of
         if name.startswith("model.")
     ]

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from analytic.result import COLUMNS, COORDINATES, PairRows, TorquePoint
 from analytic.words import angle_of
 from fembearing.quantities import CONTACT, METRIC, QUANTITIES, Units
-from fembearing.report.phrases import PAIRS, angle_cell, capital, digits, interval_at, listed, pair_of, percent, shown
+from fembearing.report.phrases import PAIRS, angle_cell, between, capital, digits, listed, pair_of, percent, shown
 from fembearing.report.phrases import uncertainty_of as model_words
 from fembearing.report.report import ChangeRecord
 from fembearing.report.tables.points import fixed_loads, point_cells, point_heads
@@ -45,9 +45,9 @@ def torque_table(torque: TorqueRecord, bearing: str, places: Sequence[int], unit
         cells = [digits(each, units.torque.factor, 4) if each > RESIDUE * torque.total else "0" for each in values]
         cells += [digits(torque.total, units.torque.factor, 4), percent(point.uncertainty.numerical)]
         cells += [percent(point.uncertainty.model)] if model else []
-        cells += [] if predicted is None else [interval_at(predicted.points[place], units)]
+        cells += [] if predicted is None else [between(predicted.points[place].total.ends, units.torque)]
         ends = () if band.low is None or band.high is None else (band.low[place], band.high[place])
-        return [*point_cells(points, place, units), *cells, *([between(ends, units)] if ends else [])]
+        return [*point_cells(points, place, units), *cells, *([between(ends, units.torque)] if ends else [])]
 
     computed = set(torque.computed)
     words = [f"Friction torque of {'' if torque.pair is None else 'two '}{bearing}", *fixed_loads(points, units)]
@@ -68,11 +68,6 @@ def _torque_notes(torque: TorqueRecord, places: Sequence[int], units: Units) -> 
         model_words(model, largest),
         f"{capital(torque.catalogue_band.note)}.",
     ]
-
-
-def between(ends: Sequence[float] | None, units: Units) -> str:
-    """Two torques."""
-    return "-" if ends is None else "-".join(f"{units.torque.number(end):.3g}" for end in ends)
 
 
 def ball_table(torque: TorqueRecord, places: Sequence[int], units: Units = METRIC) -> Table:

@@ -96,8 +96,8 @@ def test_an_estimate_takes_the_inner_shoulder() -> None:
 @pytest.mark.parametrize(
     ("changed", "words"),
     [
-        ({"bearing": {"catalog": "6205"}}, "losses.seals = 'estimate' cannot be had: 6205 names no seals"),
-        ({"bearing": {"catalog": "paper_6205"}}, "cannot be had: it needs seals by a designation"),
+        ({"bearing": {"catalog": "6205"}}, "losses.seals = 'estimate' is refused: 6205 names no seals"),
+        ({"bearing": {"catalog": "paper_6205"}}, "is refused: it needs seals by a designation"),
         ({"losses": {"seals": "guess"}}, "or SKF's formula: estimate"),
     ],
 )

@@ -11,9 +11,9 @@ from fembearing.report.contact import ContactRecord
 from fembearing.report.page.sections.bearing import Facts, facts_of
 from fembearing.report.phrases import (
     angle_cell,
+    between,
     digits,
     input_name,
-    interval_at,
     percent,
 )
 from fembearing.report.report import Report
@@ -122,7 +122,7 @@ def _figure(name: str, torque: TorqueRecord, index: int, units: Units) -> Figure
     point = torque.points[index]
     spread = f"numerical uncertainty {percent(point.uncertainty.numerical)}"
     if torque.prediction is not None:
-        interval = interval_at(torque.prediction.points[index], units)
+        interval = between(torque.prediction.points[index].total.ends, units.torque)
         spread += f"; 95 % interval {interval} {units.torque.name}"
     value = f"{digits(point.torque.total, units.torque.factor, 4)} {units.torque.name}"
     return Figure(name, value, spread, point_name(torque.points, index, units))
