@@ -7,7 +7,6 @@ section shows comes from `fembearing.report.page.sections`, its plots from `femb
 from pathlib import Path
 
 from analytic.oil.film import FILM_FACTORS
-from fembearing.quantities import RPM
 from fembearing.report import phrases
 from fembearing.report.figures.page_plots import PLOTS, ShownPlot, plots_of
 from fembearing.report.page.pictures import shown_pictures
@@ -59,7 +58,6 @@ def page_of(document: Report, folder: Path, *, plots: dict[str, list[ShownPlot]]
         trouble=None if document.renderer == "VTK" else document.renderer,
         scene=document.scene,
         phrases=phrases,
-        per_minute=RPM.factor,
         film_factors=FILM_FACTORS,
         details=details_of(document),
         contacts=contacts_of(document, units),

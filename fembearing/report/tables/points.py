@@ -28,10 +28,9 @@ def point_heads(points: Sequence[OperatingPoint], units: Units) -> list[Head]:
 def point_cells(points: Sequence[OperatingPoint], index: int, units: Units) -> list[str]:
     """The cells below `point_heads`."""
     point = points[index]
-    factors = [QUANTITIES[name].in_units(units).shown.factor for name in present_loads(points)]
-    loads = [getattr(point, name) for name in present_loads(points)]
-    cells = [f"{load * factor:.5g}" for load, factor in zip(loads, factors, strict=True)]
-    return [str(index + 1), f"{point.inner_speed * units.speed.factor:.5g}", *cells]
+    shown = {name: QUANTITIES[name].in_units(units).shown for name in present_loads(points)}
+    loads = [f"{unit.number(getattr(point, name)):.5g}" for name, unit in shown.items()]
+    return [str(index + 1), f"{units.speed.number(point.inner_speed):.5g}", *loads]
 
 
 def fixed_loads(points: Sequence[OperatingPoint], units: Units) -> list[str]:

@@ -16,8 +16,9 @@ def prediction_tables(torque: TorqueRecord, places: Sequence[int], units: Units 
     """The interval at those of the points that have a torque, and what makes it; none without an interval."""
     if torque.prediction is None:
         return []
-    known = [place for place in places if place in torque.computed]
-    return [interval_table(torque.prediction, known, units), shares_table(torque.prediction, units)]
+    known = set(torque.computed)
+    shown = [place for place in places if place in known]
+    return [interval_table(torque.prediction, shown, units), shares_table(torque.prediction, units)]
 
 
 def interval_table(prediction: PredictionRows, places: Sequence[int], units: Units = METRIC) -> Table:

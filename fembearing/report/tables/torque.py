@@ -5,8 +5,18 @@ from collections.abc import Sequence
 from analytic.result import COLUMNS, COORDINATES, PairRows, TorquePoint
 from analytic.words import angle_of
 from fembearing.quantities import CONTACT, METRIC, QUANTITIES, Units
-from fembearing.report.phrases import PAIRS, angle_cell, between, capital, digits, listed, pair_of, percent, shown
-from fembearing.report.phrases import uncertainty_of as model_words
+from fembearing.report.phrases import (
+    PAIRS,
+    angle_cell,
+    between,
+    capital,
+    digits,
+    listed,
+    pair_of,
+    percent,
+    shown,
+    uncertainty_of,
+)
 from fembearing.report.report import ChangeRecord
 from fembearing.report.tables.points import fixed_loads, point_cells, point_heads
 from fembearing.report.tables.table import Head, Row, Table, table_of
@@ -65,14 +75,15 @@ def _torque_notes(torque: TorqueRecord, places: Sequence[int], units: Units) -> 
     return [
         *([some] if len(places) < count else []),
         f"In {units.torque.name} about the bearing axis; +-: numerical uncertainty.",
-        model_words(model, largest),
+        uncertainty_of(model, largest),
         f"{capital(torque.catalogue_band.note)}.",
     ]
 
 
 def ball_table(torque: TorqueRecord, places: Sequence[int], units: Units = METRIC) -> Table:
     """The ball that presses hardest, on both races."""
-    points, gap = [torque.points[place] for place in torque.computed], torque.gap_roughness
+    computed, gap = torque.computed, torque.gap_roughness
+    points = [torque.points[place] for place in computed]
     shapes = ("peak_pressure", "semi_axis_rolling", "semi_axis_transverse")
     contact = {name: CONTACT[name].in_units(units) for name in shapes}
     film, mu = QUANTITIES["film"].in_units(units), COLUMNS["friction_coefficient_inner"].symbol
@@ -99,7 +110,7 @@ def ball_table(torque: TorqueRecord, places: Sequence[int], units: Units = METRI
             angle_cell(point.contact_angle) if race == "inner" else "",
         ]
 
-    rows = [row(place, race) for place in places if place in torque.computed for race in ("inner", "outer")]
+    rows = [row(place, race) for place in places if place in computed for race in ("inner", "outer")]
     angles = [point.contact_angle for point in points]
     angle = " to ".join(dict.fromkeys((angle_of(min(angles)), angle_of(max(angles)))))
     share = "; asperities: their share of the load" if points[0].asperity_share.inner is not None else ""

@@ -17,11 +17,11 @@ def show(out: Console, table: Table) -> None:
         out.print(group.title or table.label, style="italic", markup=False)
         if group.rows:
             out.print(printed(Table("", table.heads, [group])))
-        tell(out, *group.notes, *blank)
-    tell(out, *table.notes, "")
+        _tell(out, *group.notes, *blank)
+    _tell(out, *table.notes, "")
 
 
-def tell(out: Console, *notes: str) -> None:
+def _tell(out: Console, *notes: str) -> None:
     """Print sentences, each on lines of its own."""
     for note in notes:
         out.print(note, style="dim", markup=False)
