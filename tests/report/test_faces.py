@@ -176,8 +176,8 @@ def page_agrees(check: Validation, folder: Path) -> None:
         assert point["torque"] == content["points"][number]["torque"]
         assert point["contact"] == content["points"][number]["contact"]
     page = written_page(check, folder)
-    parts = known_parts(friction)
-    shown = [*parts.values(), friction.torque.total]
+    parts, total = known_parts(friction), friction.torque.total
+    shown = [*(np.where(part > RESIDUE * total, part, 0.0) for part in parts.values()), total]
     for rows in tables_of(page, "Friction torque of"):
         assert [row["#"] for row in rows] == [str(number + 1) for number in range(friction.torque.total.size)]
         for row in rows:
