@@ -211,7 +211,7 @@ WITHOUT = {"lubricant": None, "surface": None, "friction_coefficient": 0.07}
         ({"effects": {"cage": "on"}}, "cage.*no cage is given"),
     ],
 )
-def test_an_effect_that_cannot_be_had_is_refused_in_one_line(scene: Scene, change: Any, words: str) -> None:
+def test_an_impossible_effect_is_refused_in_one_line(scene: Scene, change: Any, words: str) -> None:
     refused(replace(scene, **change), words)
 
 

@@ -156,7 +156,7 @@ def test_a_method_for_free_balls_needs_free_balls(
         friction_torque(replace(scene, sliding=sliding, **other))
 
 
-def test_creep_cannot_be_had_with_a_rule(scene: Scene) -> None:
+def test_creep_is_refused_with_a_rule(scene: Scene) -> None:
     with pytest.raises(InputError, match=r'effects\.creep = "on" is refused: friction\.spin_rule = "inner_control"'):
         friction_torque(replace(scene, spin_rule="inner_control", effects={"creep": "on"}))
 
