@@ -24,7 +24,7 @@ def test_the_fit_meets_fresh_solutions(point: tuple[float, float, float]) -> Non
     smooth = elliptic_contact(
         curvature_rolling=1 / rolling, curvature_transverse=1 / across, load=problem.load, modulus=problem.modulus
     )
-    numbers = ContactNumbers(*(float(each) for each in smooth.fields[:6]), np.nan, np.nan, 1.0)
+    numbers = ContactNumbers._make([*(float(each) for each in smooth.fields[:6]), np.nan, np.nan, 1.0])
     inflow = Inflow(problem.speed, problem.oil.viscosity, problem.oil.pressure_viscosity, True, np.inf)
     regime = regime_of(numbers, inflow)
     supply = OilSupply(1.0, np.nan, np.nan, ahead=problem.reach.ahead, behind=1.0, tension=0.0)

@@ -26,7 +26,7 @@ RADIUS, ACROSS, MODULUS = 3.2e-3, 58e-3, 113e9  # R_x, R_y, m; E*, Pa
 
 def contact(load: float) -> ContactNumbers:
     found = elliptic_contact(curvature_rolling=1 / RADIUS, curvature_transverse=1 / ACROSS, load=load, modulus=MODULUS)
-    return ContactNumbers(*(float(each) for each in found.fields[:6]), np.nan, np.nan, 1.0)
+    return ContactNumbers._make([*(float(each) for each in found.fields[:6]), np.nan, np.nan, 1.0])
 
 
 def inflow(speed: float = 0.47) -> Inflow:

@@ -60,7 +60,7 @@ def test_the_other_parts_are_the_changes_by_other_formulas() -> None:
     more, less = (with_reach(same, ahead) for ahead in (1.0, 0.45))
     changes = [np.abs(friction_torque(each).torque.total / total - 1) for each in (more, less)]
     np.testing.assert_allclose(parts["reach"], np.max(changes, axis=0), rtol=0.02)  # as for the gap
-    assert np.all(parts["reach"] * total / rolling > 0.05)  # half of the reach costs a force of 5 to 18 %
+    assert np.all(parts["reach"] * total / rolling > 0.01)  # beyond half of the ball's radius the gap is wide
 
 
 def with_reach(scene: Scene, ahead: float) -> Scene:
