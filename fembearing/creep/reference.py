@@ -8,6 +8,7 @@ import numpy as np
 
 from analytic.errors import require_positive
 from fembearing.creep.ball import Grid, TurnedBall, TurningBall, turn_ball
+from fembearing.grid_convergence import Estimate, observed_order
 
 GRIDS = (Grid(8, 4), Grid(12, 6), Grid(16, 8), Grid(24, 12), Grid(32, 16))
 ORDER = 2.0  # of the error in the length and width of a rectangle, where slip does not turn round
@@ -15,14 +16,7 @@ ORDER = 2.0  # of the error in the length and width of a rectangle, where slip d
 # 1000 to 1015 of validation/creep/run.py, and so large a factor held all but one of their quantities.
 OF_STEP, CAUTIOUS = 0.5, 3.0
 FLOOR = 1e-4  # relative: the least uncertainty claimed
-
-
-class Estimate(NamedTuple):
-    """A quantity for vanishing rectangles."""
-
-    value: float  # in its unit
-    uncertainty: float  # half-width of the 95 % interval, in its unit
-    values: tuple[float, ...]  # on three grids, coarse to fine
+TINY = 1e-300  # for a quantity that is 0 by symmetry, whose relative uncertainty is of any size
 
 
 class RaceEstimates(NamedTuple):
@@ -92,4 +86,10 @@ def estimate(values: tuple[float, ...], sizes: tuple[float, ...]) -> Estimate:
     step = float((fine - middle) * squares[2] / (squares[1] - squares[2]))
     foretold = float((middle - first) * squares[2] / (squares[0] - squares[1]))
     uncertainty = CAUTIOUS * max(abs(step), abs(foretold) / 2) + FLOOR * abs(fine)
-    return Estimate(fine + OF_STEP * step, uncertainty, values)
+    value = fine + OF_STEP * step
+    return Estimate(
+        values=values,
+        order=observed_order(values, sizes),
+        richardson=value,
+        mesh=uncertainty / max(abs(value), TINY),
+    )
