@@ -350,7 +350,7 @@ class _Search(NamedTuple):
             residual=float(lacks),
             tolerance=float(accuracy * met.friction),
             problem="the rotation of the ball",
-            remedy="Take more strips, or less friction.",
+            remedy="Give less friction or less speed, or more load.",
         )
 
     def turned(self, state: Array, met: _Met, steps: int) -> TurnedBall:

@@ -25,6 +25,7 @@ from fembearing.report.page.sections.verdicts import verdict_section
 from fembearing.report.page.template import filled
 from fembearing.report.page.view import script_hash
 from fembearing.report.report import Report
+from fembearing.report.tables.creep import creep_notes, creep_tables
 from fembearing.report.tables.film import film_notes, film_table
 from fembearing.report.tables.inputs import effects_table, inputs_table
 
@@ -50,10 +51,13 @@ def page_of(document: Report, folder: Path, *, plots: dict[str, list[ShownPlot]]
         appendices=appendices,
         letters=letters_of(appendices),
         plots=plots_of(document, PLOTS) if plots is None else plots,
-        pictures=shown_pictures(document, folder, of_films=False),
-        film_pictures=shown_pictures(document, folder, of_films=True),
+        pictures=shown_pictures(document, folder, kinds=("pressure", "section", "view")),
+        film_pictures=shown_pictures(document, folder, kinds=("film",)),
+        creep_pictures=shown_pictures(document, folder, kinds=("creep",)),
         film_tables=[film_table(film, document.units) for film in document.films],
         film_notes=[film_notes(film, document.units) for film in document.films],
+        creep_tables=document.creep and creep_tables(document.creep, document.units),
+        creep_notes=document.creep and creep_notes(document.creep, document.units),
         trouble=None if document.renderer == "VTK" else document.renderer,
         scene=document.scene,
         phrases=phrases,

@@ -18,6 +18,7 @@ from fembearing.creep.rolling import STICKS
 from fembearing.quantities import MILLI, unit_for
 from fembearing.report.phrases import title_of
 from fembearing.report.pictures.framing import round_length
+from fembearing.report.report import PictureFile
 from fembearing.verify.creep.scene_creep import SceneCreep
 
 SEEN = Grid(28, 14)  # in a picture
@@ -34,6 +35,11 @@ class CreepPicture(NamedTuple):
     file: str
     caption: str
     job: dict[str, Any]  # of the renderer
+
+    @property
+    def listed(self) -> PictureFile:
+        """The picture as the document lists it."""
+        return PictureFile(file=self.file, kind="creep", pair=self.race, geometry="real", caption=self.caption)
 
 
 def creep_pictures(creep: SceneCreep, folder: Path) -> list[CreepPicture]:
@@ -104,6 +110,6 @@ def _caption(contact: RaceCreep) -> str:
     return (
         f"Friction of the heaviest ball by the reference, {drawn}. Above: pressure, and as arrows the traction on the "
         "ball. Below: slip speed; blue rectangles stick, the others slip. The surfaces enter the contact at the upper "
-        f"edge: traction builds up from there until it reaches the limit of friction. {contact.friction.slip_share:.0%} "
-        "of the area slips."
+        "edge: traction builds up from there until it reaches the limit of friction. "
+        f"{contact.friction.slip_share:.0%} of the area slips."
     )

@@ -15,7 +15,7 @@ SHAFT, HEAD, TIP = 0.75, 6.0, 2.6  # pixels of an arrow: half width of its shaft
 NEAREST = 12.0  # pixels between two arrows
 LEAST = 3.0  # pixels: a shorter arrow is left out
 ABOVE, BELOW = 612, 248  # pixels from the lower edge: the middles of both ellipses
-FAR = 100.0  # pixels, to the eye
+FAR, NEARER = 100.0, np.array([0.0, 0.0, 1.0])  # pixels, to the eye
 
 
 def creep_map(job: dict[str, Any]) -> pv.Plotter:
@@ -27,12 +27,12 @@ def creep_map(job: dict[str, Any]) -> pv.Plotter:
     _paint(plotter, job, "slip", at=lower, colours=SLIPS, title="slip speed", left=0.66)
     sticks = _rectangles(job, np.array(job["sticks"]))
     if sticks is not None:
-        plotter.add_mesh(sticks.translate(lower + [0, 0, 1.0]), color=STUCK, lighting=False)
+        plotter.add_mesh(sticks.translate(lower + 1.0 * NEARER), color=STUCK, lighting=False)
     a, b = job["semi_axes"]
     angle = np.linspace(0, 2 * np.pi, 721)
     ring = _placed(job, a * np.sin(angle), b * np.cos(angle))
     for middle in (upper, lower):
-        plotter.add_mesh(pv.lines_from_points(ring + middle + [0, 0, 3.0]), color=INK, line_width=2)
+        plotter.add_mesh(pv.lines_from_points(ring + middle + 3.0 * NEARER), color=INK, line_width=2)
     _arrows(plotter, job, upper)
     _legend(plotter, job)
     plotter.background_color = pv.Color("white")
@@ -73,7 +73,7 @@ def _paint(
     faces = _rectangles(job, np.ones(values.shape, dtype=bool))
     assert faces is not None
     faces.cell_data[name] = values.ravel()
-    bar = {
+    bar: Any = {
         "title": f"{title}, {shown['unit']}\n",
         "vertical": False,
         "width": 0.3,
@@ -120,7 +120,7 @@ def _arrows(plotter: pv.Plotter, job: dict[str, Any], middle: np.ndarray) -> Non
             if np.linalg.norm(arrow) < LEAST:
                 continue
             x = (edges[j, k] + edges[j, k + 1]) / 2
-            tail = _placed(job, np.array([x]), np.array([(left[j] + right[j]) / 2]))[0] + middle + [0, 0, 4.0]
+            tail = _placed(job, np.array([x]), np.array([(left[j] + right[j]) / 2]))[0] + middle + 4.0 * NEARER
             plotter.add_mesh(_flat_arrow(tail, arrow), color=ARROW, lighting=False)
 
 

@@ -70,8 +70,8 @@ def _row(words: str, unit: Unit, each: CreepQuantity) -> list[str]:
 
 def _notes(creep: CreepNumbers, units: Units) -> Iterator[str]:
     yield (
-        "+-: numerical uncertainty of the reference, 95 %, a share of it or, where it may be 0, in the unit of the row; "
-        "*: the difference exceeds it. Moments and power resist; forces act on the ball."
+        "+-: numerical uncertainty of the reference, 95 %, a share of it or, where it may be 0, in the unit of the "
+        "row; *: the difference exceeds it. Moments and power resist; forces act on the ball."
     )
     yield (
         "Formula: a long ellipse that slides everywhere, closed kinematics; production: marched creep, a free ball; "

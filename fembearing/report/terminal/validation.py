@@ -7,6 +7,7 @@ from analytic.words import angle_of, percent_of
 from fembearing.quantities import CONTACT, NEWTON_MILLIMETRE, RPM
 from fembearing.report.contact import ContactRecord
 from fembearing.report.phrases import (
+    creep_change_words,
     film_change_words,
     friction_of,
     interval_at,
@@ -17,6 +18,7 @@ from fembearing.report.phrases import (
 )
 from fembearing.report.report import ChangeRecord, Report
 from fembearing.report.terminal.contacts import print_contact
+from fembearing.report.terminal.creep import print_creep
 from fembearing.report.terminal.film import print_film
 from fembearing.report.terminal.table import table_of
 from fembearing.report.terminal.torque import point_columns, shown_points
@@ -31,6 +33,8 @@ def print_validation(out: Console, document: Report) -> None:
         print_contact(out, contact, verdicts)
     for film in document.films:
         print_film(out, film)
+    if document.creep is not None:
+        print_creep(out, document.creep)
     if len(document.contacts) > 2:
         _print_pocket(out, *document.contacts[2:])
     if document.torque is not None and document.torque_change is not None:
@@ -42,6 +46,8 @@ def print_validation(out: Console, document: Report) -> None:
         out.print("No friction coefficient, lubricant or surface is given, so there is no torque.\n")
     if document.film_change is not None:
         out.print(f"{film_change_words(document.film_change)}\n")
+    if document.creep_change is not None:
+        out.print(f"{creep_change_words(document.creep_change)}\n")
     print_physical(out, document.physical)
     if document.torque is not None:
         print_notes(out, document.torque.notes)

@@ -123,6 +123,7 @@ class SceneCreep(Brief):
     numbers: CreepNumbers
     reference: CreepReference
     ball: TurningBall
+    place: int  # number of its operating point in the scene
 
     def _facts(self) -> Iterator[str]:
         found = self.numbers
@@ -174,7 +175,7 @@ def creep_of(
     """
     limit = scene.tolerance if tolerance is None else tolerance
     require_positive(tolerance=limit)
-    given = scene_at_heaviest(scene, load=load, inner_speed=inner_speed, friction=friction)
+    given, place = scene_at_heaviest(scene, load=load, inner_speed=inner_speed, friction=friction)
     progress(0.0, "friction by production")
     begun = time.perf_counter()
     production = produced(given)
@@ -210,13 +211,13 @@ def creep_of(
         production_seconds=between - begun,
         warnings=tuple(_warnings(given)),
     )
-    return SceneCreep(numbers=numbers, reference=heaviest, ball=balls[0].turning)
+    return SceneCreep(numbers=numbers, reference=heaviest, ball=balls[0].turning, place=place)
 
 
 def scene_at_heaviest(
     scene: Scene, *, load: float | None = None, inner_speed: float | None = None, friction: float | None = None
-) -> Scene:
-    """The scene at the operating point of its heaviest ball alone; arguments of `creep_of`.
+) -> tuple[Scene, int]:
+    """The scene at the operating point of its heaviest ball alone, and its number; arguments of `creep_of`.
 
     Raises InputError as `creep_of`.
     """
@@ -239,7 +240,7 @@ def scene_at_heaviest(
     if alone.inner_speed[0] == 0:
         raise InputError("operation.inner_speed = 0: at standstill nothing rolls; give --speed or another scene")
     scene = replace(scene, operation=alone)
-    return scene if load is None else _scaled_to(scene, load)
+    return scene if load is None else _scaled_to(scene, load), point
 
 
 def _scaled_to(scene: Scene, load: float) -> Scene:
