@@ -167,22 +167,8 @@ def check_scene(
     spent = FILM_SECONDS * films_too, CREEP_SECONDS * creep_too
     shares = np.cumsum([0.0, *(seconds for *_, seconds in jobs), *spent])
     shares = shares / (shares[-1] + COST_SECONDS * cost)
-    contacts, rings = [], []
-    with ThreadPoolExecutor(1) as beside:  # each ring is computed while the next contact is solved
-        for (pair, geometry, _), (begin, end) in zip(jobs, pairwise(shares[: -len(spent)]), strict=True):
-            contacts.append(
-                solve_contact(
-                    scene,
-                    pair=pair,
-                    geometry=geometry,
-                    tolerance=scene.tolerance,
-                    accuracy=ENOUGH * scene.tolerance,
-                    progress=part_of(progress, begin, end),
-                )
-            )
-            if len(contacts) <= len(RACES):
-                rings.append(beside.submit(_with_ring_if_known, contacts[-1]))
-    inner, outer = (ring.result() for ring in rings)
+    contacts = _contacts(scene, jobs, shares[: -len(spent)], progress)
+    inner, outer = contacts[:2]
     friction = None if torque is None else torque.friction
     films, change, no_film = (), None, ()
     if films_too:
@@ -192,7 +178,7 @@ def check_scene(
         slipping, creep_change, no_creep = _creep(scene, friction, part_of(progress, shares[-2], shares[-1]))
     return Validation(
         scene=scene,
-        contacts=(inner, outer, *contacts[2:]),
+        contacts=contacts,
         torque=torque,
         torque_change=None if friction is None else change_of_torque(scene, friction, inner=inner, outer=outer),
         films=films,
@@ -212,6 +198,28 @@ def check_scene(
         peak_memory=peak_memory(),
         provenance=provenance_of(scene, seeds=_seeds(scene, torque, cost=cost)),
     )
+
+
+def _contacts(
+    scene: Scene, jobs: Sequence[tuple[Pair, Geometry, float]], shares: Array, progress: Progress
+) -> tuple[ContactSolution, ...]:
+    """The contacts in the order of the jobs, races with their rings; shares : of the progress, one more than jobs"""
+    contacts, rings = [], []
+    with ThreadPoolExecutor(1) as beside:  # each ring is computed while the next contact is solved
+        for (pair, geometry, _), (begin, end) in zip(jobs, pairwise(shares), strict=True):
+            contacts.append(
+                solve_contact(
+                    scene,
+                    pair=pair,
+                    geometry=geometry,
+                    tolerance=scene.tolerance,
+                    accuracy=ENOUGH * scene.tolerance,
+                    progress=part_of(progress, begin, end),
+                )
+            )
+            if len(contacts) <= len(RACES):
+                rings.append(beside.submit(_with_ring_if_known, contacts[-1]))
+    return *(ring.result() for ring in rings), *contacts[len(RACES) :]
 
 
 def _films(

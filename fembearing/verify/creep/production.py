@@ -52,11 +52,6 @@ class RaceFriction(NamedTuple):
     slip_share: float  # of the area
     torque: float  # about the bearing axis, N m
 
-    def mirrored(self, turned: bool) -> "RaceFriction":
-        """The mirror image in a plane across the bearing axis; turned : whether it is taken."""
-        sign = -1 if turned else 1
-        return self._replace(creepage_across=sign * self.creepage_across, transverse_force=sign * self.transverse_force)
-
 
 class ProducedBall(NamedTuple):
     """A ball by both methods, and the same ball for the reference."""
@@ -235,7 +230,7 @@ def by_march(production: Production) -> tuple[RaceFriction, RaceFriction]:
                 np.array(ball.state["velocity"]),
             ),
             production.quadrature,
-        ).mirrored(ball.mirrored)
+        )
         for k, motion in enumerate(motions)
     )
     return inner, outer
