@@ -29,7 +29,7 @@ from analytic.oil.traction import PointLaw
 from analytic.scene import Scene
 from analytic.sliding.long_ellipse import MicroslipTorque, microslip_torque, pure_rolling_lines
 from analytic.solve.failures import require_settled
-from analytic.solve.model import model_of, workspace
+from analytic.solve.model import Model, model_of, workspace
 from analytic.solve.solution import points_of, solved
 from fembearing.creep.ball import TurningBall, race_motions
 from fembearing.creep.kinematics import RigidSlip, rigid_slip
@@ -82,19 +82,13 @@ def produced(scene: Scene) -> Production:
 
     Raises InputError and ConvergenceError as the torque does, and InputError where slip is left out.
     """
-    if off := [name for name in ("spin", "conformity") if scene.effects.get(name) == "off"]:
-        raise InputError(f'effects.{off[0]} = "off" leaves out a part of the slip, which no contact does: use "auto"')
-    can = possible(scene)
-    inertia = can["gyroscopic"] and (can["centrifugal"] or scene.bearing.kind == "thrust")
-    counted = can | {"weight": False, "finite_geometry": False, "spin": True, "conformity": True}
-    counted |= {"gyroscopic": inertia, "centrifugal": inertia and can["centrifugal"]}
-    ruled, free = model_of(scene, counted, judges=False), model_of(scene, counted, creep="marched", passes=PASSES)
+    ruled, free = models_of(scene)
     points, work = points_of(scene.operation, free.temperature), workspace(free)
     by_rule, found = solved(ruled, points), solved(free, points, work=work)
     for model, each in ((ruled, by_rule), (free, found)):
         require_settled(scene, model, points, each)
     heaviest = by_rule.balls[0][[int(by_rule.balls[0]["load"].max(axis=1).argmax())]]
-    speed = float(points[0, 3])
+    speed, inertia = float(points[0, 3]), bool(free.numbers.counted.gyroscopic)
     return Production(
         scene=scene,
         balls=_distinct(scene, work.balls[: found.balls.shape[1]], work.contacts, speed, inertia=inertia),
@@ -103,6 +97,17 @@ def produced(scene: Scene) -> Production:
         quadrature=free.tables.quadratures[PASSES],
         heaviest=heaviest,
     )
+
+
+def models_of(scene: Scene) -> tuple[Model, Model]:
+    """Of the formula and of marched creep. Raises InputError where slip is left out."""
+    if off := [name for name in ("spin", "conformity") if scene.effects.get(name) == "off"]:
+        raise InputError(f'effects.{off[0]} = "off" leaves out a part of the slip, which no contact does: use "auto"')
+    can = possible(scene)
+    inertia = can["gyroscopic"] and (can["centrifugal"] or scene.bearing.kind == "thrust")
+    counted = can | {"weight": False, "finite_geometry": False, "spin": True, "conformity": True}
+    counted |= {"gyroscopic": inertia, "centrifugal": inertia and can["centrifugal"]}
+    return model_of(scene, counted, judges=False), model_of(scene, counted, creep="marched", passes=PASSES)
 
 
 def _distinct(

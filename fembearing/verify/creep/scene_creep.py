@@ -181,18 +181,12 @@ def creep_of(
     production = produced(given)
     formula, march = by_formula(production), by_march(production)
     between = time.perf_counter()
-    balls = _balls_to_solve(production)
-    solved: list[CreepReference] = []
-    for number, ball in enumerate(balls):
-        progress(number / len(balls), f"friction of ball {number + 1} of {len(balls)} by the reference")
-        solved.append(creep_reference(ball.turning, tolerance=limit))
-    heaviest, mirrored = solved[0], balls[0].mirrored
-    speed = balls[0].turning.speed
+    reference, uncertainty, solved = reference_torque(production, tolerance=limit, progress=progress)
+    heaviest, ball = solved[0], production.balls[0]
     inner, outer = (
-        _race(estimates, race, mirrored, (formula[k], march[k]), speed)
+        _race(estimates, race, ball.mirrored, (formula[k], march[k]), ball.turning.speed)
         for k, (estimates, race) in enumerate(zip((heaviest.inner, heaviest.outer), heaviest.finest.races, strict=True))
     )
-    reference, uncertainty = _torque_of_all(production, balls, solved)
     grid = heaviest.grids[-1]
     numbers = CreepNumbers(
         point=_point_of(given.operation),
@@ -202,7 +196,7 @@ def creep_of(
         torque=CreepQuantity(
             formula=production.formula, production=production.torque, reference=reference, uncertainty=uncertainty
         ),
-        solved_balls=len(balls),
+        solved_balls=len(solved),
         different_balls=len(production.balls),
         strips=grid.strips,
         cells=grid.cells,
@@ -211,7 +205,7 @@ def creep_of(
         production_seconds=between - begun,
         warnings=tuple(_warnings(given)),
     )
-    return SceneCreep(numbers=numbers, reference=heaviest, ball=balls[0].turning, place=place)
+    return SceneCreep(numbers=numbers, reference=heaviest, ball=ball.turning, place=place)
 
 
 def scene_at_heaviest(
@@ -269,18 +263,23 @@ def _balls_to_solve(production: Production) -> tuple[ProducedBall, ...]:
     return tuple(balls)
 
 
-def _torque_of_all(
-    production: Production, balls: tuple[ProducedBall, ...], solved: list[CreepReference]
-) -> tuple[float, float]:
-    """Torque by sliding of all balls and its uncertainty, N m.
+def reference_torque(
+    production: Production, *, tolerance: float, progress: Progress = silent
+) -> tuple[float, float, list[CreepReference]]:
+    """Torque by sliding of all balls and its uncertainty, N m, and the balls that were solved, the heaviest first.
 
+    tolerance : of the torque of each ball, relative
     What is not solved changes as the last ball does, and is as uncertain as it changes.
     """
+    balls, solved = _balls_to_solve(production), []
+    for number, ball in enumerate(balls):
+        progress(number / len(balls), f"friction of ball {number + 1} of {len(balls)} by the reference")
+        solved.append(creep_reference(ball.turning, tolerance=tolerance))
     torque = sum(ball.number * each.torque.value for ball, each in zip(balls, solved, strict=True))
     uncertainty = sum(ball.number * each.torque.uncertainty for ball, each in zip(balls, solved, strict=True))
     left = production.torque - sum(ball.number * ball.torque for ball in balls)
     ratio = solved[-1].torque.value / balls[-1].torque
-    return float(torque + ratio * left), float(uncertainty + abs((ratio - 1) * left))
+    return float(torque + ratio * left), float(uncertainty + abs((ratio - 1) * left)), solved
 
 
 def _race(
