@@ -13,8 +13,6 @@ to 20085 and 30000 to 30123; all others test them. Plain levels are themselves u
 """
 
 import argparse
-import csv
-import os
 import time
 from collections.abc import Sequence
 from dataclasses import replace
@@ -36,6 +34,7 @@ from fembearing.mesh.recipe import load_recipe
 from fembearing.verify.contact.hertz import hertz_quantities
 from fembearing.verify.contact.mesh_refinement import COMPARED
 from fembearing.verify.contact.twin_refinement import estimates_with_twin
+from validation.rows import Row, read, write
 
 HERE = Path(__file__).parent
 RECIPE = load_recipe("race")
@@ -57,7 +56,6 @@ COLUMNS = (
 POCKETS = 8  # one of so many seeds is a pocket
 LARGEST = 0.42  # semi-axis over the ball's radius
 ORDERS = (2.5, 5.0)  # least and greatest order with which plain levels are extrapolated
-Row = dict[str, str]
 
 
 def main() -> None:
@@ -68,12 +66,12 @@ def main() -> None:
     given = parser.parse_args()
     given.out.mkdir(parents=True, exist_ok=True)
     path = given.out / "twin_coverage.csv"
-    rows = read(path) if path.exists() else []
+    rows = read(path)
     done = {row["seed"] for row in rows}
     ahead = [seed for seed in range(given.seed, given.seed + given.contacts) if str(seed) not in done]
     for seed in track(ahead, console=Console(stderr=True)):
         rows.append(compared(seed))
-        write(rows, path)
+        write(rows, path, COLUMNS)
     report(rows, Console(width=120))
 
 
@@ -183,21 +181,6 @@ def report(rows: list[Row], out: Console) -> None:
 
 def column(rows: list[Row], name: str) -> Any:
     return np.array([float(row[name]) for row in rows])
-
-
-def read(path: Path) -> list[Row]:
-    with path.open(encoding="utf-8", newline="") as file:
-        return list(csv.DictReader(file))
-
-
-def write(rows: list[Row], path: Path) -> None:
-    """Replace the file in one step, so that an interrupted run leaves a complete one."""
-    fresh = path.with_suffix(".new")
-    with fresh.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.DictWriter(file, list(COLUMNS), restval="", lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
-    os.replace(fresh, path)
 
 
 if __name__ == "__main__":
