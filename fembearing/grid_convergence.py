@@ -62,6 +62,11 @@ class Estimate:
         """The sum of mesh and domain uncertainty, relative, as they may depend on each other."""
         return self.mesh + self.domain
 
+    @property
+    def uncertainty(self) -> float:
+        """The same in the unit of the quantity."""
+        return self.total * abs(self.value)
+
 
 def estimate(
     values: Sequence[float], cell_sizes: Sequence[float], *, formal_order: float | None, singular: bool = False

@@ -19,6 +19,7 @@ LONGER = {  # functions that may have more
         ("settle_freely", "_one_pass", "slide_freely", "_loads", "_step_free_ball"),
         "part of a compiled kernel: records and arrays that one point works with",
     ),
+    "validate": "the main job and its command: what a check computes besides, each by its name",
     "model_of": "what a model is made of, each with its default",
 }
 HEAVY = {"vtk", "vtkmodules", "pyvista", "skfem", "pint", "pydantic", "pypardiso", "numba", "xarray", "netCDF4"}

@@ -16,6 +16,7 @@ import typer
 from fembearing.cli import (
     contact,
     cost,
+    creep,
     film,
     init,
     listing,
@@ -34,6 +35,7 @@ COMMANDS: dict[str, tuple[Callable[..., None], str]] = {  # with an example of w
     "torque": (torque.torque, 'bearing.toml --tolerance "1 %" --out torque-of-my-bearing'),
     "contact": (contact.contact, '--pair inner --load "620 N" --tolerance "0.1 %"'),
     "film": (film.film, 'bearing.toml --pair inner --load "372 N" --speed "500 rpm" --tolerance "1 %"'),
+    "creep": (creep.creep, 'bearing.toml --friction 0.1 --tolerance "1 %" --out friction-of-my-bearing'),
     "cost": (cost.cost, 'bearing.toml --tolerance "1 %" --out cost-of-my-bearing'),
     "sweep": (sweep.sweep, "map.toml --out map-of-my-bearing"),
     "report": (report.report, "report-of-my-bearing/report.json --out for-my-customer.html"),

@@ -117,6 +117,11 @@ def read_speed(given: str) -> float:
     return _read_option("--speed", given, "operation.inner_speed")
 
 
+def read_friction(given: str) -> float:
+    """The friction coefficient of an option."""
+    return _read_option("--friction", given, "friction.coefficient")
+
+
 def read_samples(given: int | None, *, with_interval: bool) -> int | Literal["enough"] | None:
     """The samples of an interval; None: no interval. Raises InputError for samples without an interval."""
     if given is not None and not with_interval:

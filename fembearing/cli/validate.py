@@ -29,6 +29,7 @@ def validate(
     ] = False,
     with_interval: WithInterval = False,
     no_film: Annotated[bool, typer.Option("--no-film", help="Leave out the lubricated contacts.")] = False,
+    no_creep: Annotated[bool, typer.Option("--no-creep", help="Leave out the reference of friction.")] = False,
     as_json: AsJson = False,
 ) -> None:
     """Check the contacts of a scene: what Hertz gives, what finite elements give, and the difference."""
@@ -50,6 +51,7 @@ def validate(
             cost=with_cost,
             samples="enough" if with_interval else None,
             film=not no_film,
+            creep=not no_creep,
             progress=progress,
         )
     document = report_of(result)

@@ -16,7 +16,7 @@ import numpy as np
 from analytic.contact.geometry import RACES, Race, race_numbers
 from analytic.errors import ConvergenceError, InputError, SingularError
 from analytic.oil.traction import PointLaw
-from analytic.scene import Array
+from analytic.scene import Array, Bearing
 from fembearing.creep.friction import sliding_law
 from fembearing.creep.half_space import HalfSpaces, Influence
 from fembearing.creep.kinematics import RaceMotion, RigidSlip, rigid_slip, slip_rates
@@ -156,7 +156,7 @@ def turn_ball(ball: TurningBall, grid: Grid, start: TurnedBall | None = None) ->
     if not any(law.boundary + law.plain + law.limit > 0 for law in ball.laws):
         raise InputError("both races are without friction, and nothing turns the ball: give a coefficient above 0")
     lie = ball.held.at_rest() if start is None else _lie_of(start)
-    motions = _motions(ball.held)
+    motions = race_motions(ball.held.bearing)
     velocity = _rolling_freely(ball.held, motions, lie) if start is None else start.velocity
     contacts = tuple(
         _cut(ball, k, motion, lie, rigid_slip(motion, lie.angles[k], lie.orbit, velocity), grid)
@@ -184,12 +184,12 @@ def _lie_of(turned: TurnedBall) -> Lie:
     return Lie((inner.angle, outer.angle), (inner.load, outer.load), turned.orbit)
 
 
-def _motions(held: HeldBall) -> tuple[RaceMotion, RaceMotion]:
+def race_motions(bearing: Bearing) -> tuple[RaceMotion, RaceMotion]:
     """The surfaces of both bodies meet where their shares of the compliance place them."""
-    radius = held.bearing.ball_radius
+    radius = bearing.ball_radius
 
     def motion(race: Race, sign: float) -> RaceMotion:
-        numbers = race_numbers(held.bearing, race)
+        numbers = race_numbers(bearing, race)
         curvature = 1 / radius - numbers.ball_share * numbers.curvature_transverse
         return RaceMotion(sign=sign, ball_radius=radius, surface_radius=1 / curvature)
 
@@ -350,7 +350,7 @@ class _Search(NamedTuple):
             residual=float(lacks),
             tolerance=float(accuracy * met.friction),
             problem="the rotation of the ball",
-            remedy="Take more strips, or less friction.",
+            remedy="Give less friction or less speed, or more load.",
         )
 
     def turned(self, state: Array, met: _Met, steps: int) -> TurnedBall:

@@ -71,20 +71,7 @@ class HalfSpaces:
     race: Material
 
     def by_traction(self, strips: Strips, x: Array, y: Array) -> Array:
-        """Displacement of the ball less that of the race by a unit traction on one rectangle.
-
-        Parameters
-        ----------
-        strips : Strips
-            The rectangles.
-        x, y : ndarray
-            Points of the surface, m, (points,).
-
-        Returns
-        -------
-        ndarray
-            Along x and y, by traction along x and y, m/Pa, (2, 2, points, rectangles).
-        """
+        """As `Influence` has it."""
         influence = np.empty((2, 2, x.size, strips.x.size))
         mixed = sum(body.poisson_ratio * _softness(body) for body in (self.ball, self.race))
         whole = _softness(self.ball) + _softness(self.race)
@@ -96,22 +83,7 @@ class HalfSpaces:
         return influence
 
     def by_pressure(self, strips: Strips, pressure: Array, x: Array, y: Array) -> Array:
-        """Tangential displacement of the ball less that of the race by all pressure.
-
-        Parameters
-        ----------
-        strips : Strips
-            The rectangles.
-        pressure : ndarray
-            On the rectangles, Pa, (strips, cells).
-        x, y : ndarray
-            Points of the surface, m, (points,).
-
-        Returns
-        -------
-        ndarray
-            Along x and y, m, (2, points); 0 for like materials.
-        """
+        """As `Influence` has it."""
         pulls = [(0.5 - body.poisson_ratio) * _softness(body) for body in (self.ball, self.race)]
         moved, flat = np.zeros((2, x.size)), pressure.ravel()
         if pulls[0] == pulls[1]:

@@ -60,14 +60,14 @@ class HeldBall:
         race : {"inner", "outer"}
             The race.
         angle : float
-            Contact angle, rad, in [0, pi/2].
+            Contact angle, rad, in [-pi/2, pi/2].
 
         Returns
         -------
         UnitContact
             Under 1 N.
         """
-        along, across = race_curvatures(self.bearing, race, contact_angle=angle)
+        along, across = race_curvatures(self.bearing, race, contact_angle=abs(angle))
         unit = unit_contact(along, across, race_numbers(self.bearing, race).modulus)
         return UnitContact(float(unit.semi_axis_x), float(unit.semi_axis_y), float(unit.approach))
 

@@ -6,32 +6,31 @@ from typing import NamedTuple
 
 import numpy as np
 
-from analytic.errors import require_positive
-from fembearing.creep.ball import Grid, TurnedBall, TurningBall, turn_ball
+from analytic.errors import ConvergenceError, require_positive
+from fembearing.creep.ball import Grid, RaceCreep, TurnedBall, TurningBall, turn_ball
+from fembearing.grid_convergence import Estimate, observed_order
 
 GRIDS = (Grid(8, 4), Grid(12, 6), Grid(16, 8), Grid(24, 12), Grid(32, 16))
+LEAST_GRIDS = 3  # which an uncertainty takes
 ORDER = 2.0  # of the error in the length and width of a rectangle, where slip does not turn round
 # Where slip turns round the error is smaller and irregular. Half of Richardson's step was best on the balls of seeds
 # 1000 to 1015 of validation/creep/run.py, and so large a factor held all but one of their quantities.
 OF_STEP, CAUTIOUS = 0.5, 3.0
 FLOOR = 1e-4  # relative: the least uncertainty claimed
-
-
-class Estimate(NamedTuple):
-    """A quantity for vanishing rectangles."""
-
-    value: float  # in its unit
-    uncertainty: float  # half-width of the 95 % interval, in its unit
-    values: tuple[float, ...]  # on three grids, coarse to fine
+TINY = 1e-300  # for a quantity that is 0 by symmetry, whose relative uncertainty is of any size
 
 
 class RaceEstimates(NamedTuple):
-    """Of one contact; signs as in `ball.RaceCreep`."""
+    """Of one contact; signs as in `ball.RaceCreep` and `rolling.Creepages`."""
 
+    creepage_along: Estimate  # of the centre
+    creepage_across: Estimate
+    spin_creepage: Estimate  # 1/m
     spin_moment: Estimate  # N m
     rolling_moment: Estimate  # N m
     transverse_force: Estimate  # N
     slip_share: Estimate  # of the area
+    torque: Estimate  # by sliding about the bearing axis, N m
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -50,35 +49,51 @@ def creep_reference(ball: TurningBall, *, tolerance: float = 0.01) -> CreepRefer
 
     tolerance : of the torque by sliding, relative, > 0
     Grids become finer until the uncertainty of the torque is below the tolerance; the last grid ends this in any case.
+    A grid on which the ball does not settle is left out, once: with few strips a ball that only rolls may not.
     Raises InputError and ConvergenceError as `ball.turn_ball` does.
     """
     require_positive(tolerance=tolerance)
+    grids: list[Grid] = []
     turned: list[TurnedBall] = []
-    for number, grid in enumerate(GRIDS, 1):
-        turned.append(turn_ball(ball, grid, turned[-1] if turned else None))
-        if number < 3:
+    for number, grid in enumerate(GRIDS):
+        try:
+            turned.append(turn_ball(ball, grid, turned[-1] if turned else None))
+        except ConvergenceError:
+            if len(turned) < number:  # the second one
+                raise
             continue
-        last = turned[-3:]
-        torque = _estimate(last, GRIDS[number - 3 : number], lambda each: each.torque)
+        grids.append(grid)
+        if len(grids) < LEAST_GRIDS:
+            continue
+        torque = _estimate(turned, grids, lambda each: each.torque)
         if torque.uncertainty <= tolerance * abs(torque.value):
             break
-    grids = GRIDS[len(turned) - 3 : len(turned)]
-    inner, outer = (_race_estimates(turned[-3:], grids, k) for k in range(2))
-    torque = _estimate(turned[-3:], grids, lambda each: each.torque)
-    return CreepReference(inner=inner, outer=outer, torque=torque, finest=turned[-1], grids=grids)
+    inner, outer = (_race_estimates(turned, grids, k) for k in range(2))
+    torque = _estimate(turned, grids, lambda each: each.torque)
+    last = grids[-LEAST_GRIDS:]
+    return CreepReference(inner=inner, outer=outer, torque=torque, finest=turned[-1], grids=tuple(last))
 
 
-def _race_estimates(turned: list[TurnedBall], grids: tuple[Grid, ...], race: int) -> RaceEstimates:
+def _race_estimates(turned: list[TurnedBall], grids: list[Grid], race: int) -> RaceEstimates:
+    def of(quantity: Callable[[RaceCreep], float]) -> Estimate:
+        return _estimate(turned, grids, lambda each: quantity(each.races[race]))
+
     return RaceEstimates(
-        spin_moment=_estimate(turned, grids, lambda each: each.races[race].spin_moment),
-        rolling_moment=_estimate(turned, grids, lambda each: each.races[race].rolling_moment),
-        transverse_force=_estimate(turned, grids, lambda each: each.races[race].transverse_force),
-        slip_share=_estimate(turned, grids, lambda each: each.races[race].friction.slip_share),
+        creepage_along=of(lambda each: each.friction.creepages.along),
+        creepage_across=of(lambda each: each.friction.creepages.across),
+        spin_creepage=of(lambda each: each.friction.creepages.spin),
+        spin_moment=of(lambda each: each.spin_moment),
+        rolling_moment=of(lambda each: each.rolling_moment),
+        transverse_force=of(lambda each: each.transverse_force),
+        slip_share=of(lambda each: each.friction.slip_share),
+        torque=of(lambda each: each.torque),
     )
 
 
-def _estimate(turned: list[TurnedBall], grids: tuple[Grid, ...], quantity: Callable[[TurnedBall], float]) -> Estimate:
-    return estimate(tuple(map(quantity, turned)), tuple(1 / grid.strips for grid in grids))
+def _estimate(turned: list[TurnedBall], grids: list[Grid], quantity: Callable[[TurnedBall], float]) -> Estimate:
+    """From the last three grids."""
+    values, sizes = map(quantity, turned[-LEAST_GRIDS:]), (1 / grid.strips for grid in grids[-LEAST_GRIDS:])
+    return estimate(tuple(map(float, values)), tuple(sizes))
 
 
 def estimate(values: tuple[float, ...], sizes: tuple[float, ...]) -> Estimate:
@@ -92,4 +107,10 @@ def estimate(values: tuple[float, ...], sizes: tuple[float, ...]) -> Estimate:
     step = float((fine - middle) * squares[2] / (squares[1] - squares[2]))
     foretold = float((middle - first) * squares[2] / (squares[0] - squares[1]))
     uncertainty = CAUTIOUS * max(abs(step), abs(foretold) / 2) + FLOOR * abs(fine)
-    return Estimate(fine + OF_STEP * step, uncertainty, values)
+    value = fine + OF_STEP * step
+    return Estimate(
+        values=values,
+        order=observed_order(values, sizes),
+        richardson=value,
+        mesh=uncertainty / max(abs(value), TINY),
+    )

@@ -30,6 +30,7 @@ def validate(
     cost: bool = False,
     samples: Samples = None,
     film: bool = True,
+    creep: bool = True,
     progress: Progress = silent,
 ) -> Validation:
     """Check every contact of a scene, and write the report.
@@ -48,6 +49,8 @@ def validate(
         Number of samples of the torque's 95 % interval; None: no interval.
     film : bool
         Solve the lubricated contacts of both races too, where there is oil and motion.
+    creep : bool
+        Solve stick and slip of the heaviest ball on both races too, where something slides.
     progress : callable
         Called with the share done, 0 to 1 (dimensionless), and a word on the step at hand.
 
@@ -70,7 +73,9 @@ def validate(
     with nullcontext() if out is None else new_folder(Path(out)) as folder:
         checked = 1.0 if folder is None else CHECKED
         solving = part_of(progress, 0.0, checked)
-        result = check_scene(scene, tolerance=tolerance, cost=cost, samples=samples, film=film, progress=solving)
+        result = check_scene(
+            scene, tolerance=tolerance, cost=cost, samples=samples, film=film, creep=creep, progress=solving
+        )
         if folder is not None:
             progress(CHECKED, "report")
             result = write_report(result, folder)
@@ -82,6 +87,7 @@ def write_report(result: Validation, folder: Path) -> Validation:
     from fembearing.report.figures.cost import cost_table
     from fembearing.report.figures.page_plots import PLOTS, plots_of
     from fembearing.report.page.write import page_of  # with matplotlib: half a second that only a report pays for
+    from fembearing.report.pictures.creep import creep_pictures
     from fembearing.report.pictures.draw import draw_pictures
     from fembearing.report.report import report_of
 
@@ -90,10 +96,14 @@ def write_report(result: Validation, folder: Path) -> Validation:
     def draw_plots() -> None:
         plots.update(plots_of(report_of(result), PLOTS))
 
-    pictures, trouble = draw_pictures(result.contacts, folder, meanwhile=draw_plots)
+    slipping = [] if result.creep is None else creep_pictures(result.creep, folder)
+    pictures, trouble = draw_pictures(
+        result.contacts, folder, besides=[each.job for each in slipping], meanwhile=draw_plots
+    )
     if trouble:
         result = replace(result, trouble=(f"the pictures are maps by matplotlib: {trouble}",))
     listed = [*(picture.listed for picture in pictures), *(_film_picture(film, folder) for film in result.films)]
+    listed += [each.listed for each in slipping if not trouble]
     document = report_of(result, pictures=listed, renderer=trouble)
     numbers = json.dumps(plain(document), indent=1, allow_nan=False)
     write(folder / "report.json", numbers)

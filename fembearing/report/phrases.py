@@ -326,3 +326,10 @@ def film_change_words(change: Sequence[float]) -> str:
         f"With the numerical film and rolling force of the heaviest ball in all contacts the torque changes by {ends}: "
         "an estimate, as lighter balls have other ratios."
     )
+
+
+def creep_change_words(change: float) -> str:
+    """What numerical friction changes in the torque;  change : at its operating point, relative."""
+    return (
+        f"With the numerical friction of the heaviest ball the torque at its operating point changes by {change:+.1%}."
+    )

@@ -28,6 +28,7 @@ from fembearing.verify.contact.discrepancy import ContactSolution
 from fembearing.verify.contact.scene_contact import Shape
 from fembearing.verify.contact.verdict import Verdict
 from fembearing.verify.cost.ladder import Ladder
+from fembearing.verify.creep.scene_creep import CreepNumbers
 from fembearing.verify.film.scene_film import FilmNumbers
 from fembearing.verify.hard_record import HardRecord
 from fembearing.verify.torque.cage_record import DrawnMotion
@@ -160,7 +161,7 @@ class PictureFile:
     """A picture of a contact, in a file beside report.json."""
 
     file: str  # beside report.json, never elsewhere
-    kind: Literal["pressure", "section", "view", "film"]
+    kind: Literal["pressure", "section", "view", "film", "creep"]
     pair: Pair
     geometry: Shape
     caption: str
@@ -192,6 +193,8 @@ class Report:
     cage_records: tuple[DrawnMotion, ...]
     films: tuple[FilmNumbers, ...]
     film_change: Floats | None  # of the torque at each point, relative; None without films or torque
+    creep: CreepNumbers | None = None  # friction of the heaviest ball; None where nothing slides
+    creep_change: float | None = None  # of the torque at its operating point by the reference, relative
     sensitivity: Sensitivity | None
     cost: Cost
     hard: HardRecord
@@ -278,6 +281,8 @@ def report_of(result: Validation, *, pictures: Sequence[PictureFile] = (), rende
         cage_records=tuple(record.drawn(most=INSTANTS) for record in result.cage_records),
         films=tuple(film.numbers for film in result.films),
         film_change=None if result.film_change is None else tuple(result.film_change.tolist()),
+        creep=None if result.creep is None else result.creep.numbers,
+        creep_change=result.creep_change,
         sensitivity=result.sensitivity,
         cost=Cost(
             measured=result.measured, seconds=result.seconds, peak_memory=result.peak_memory, ladders=result.ladders

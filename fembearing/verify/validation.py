@@ -28,6 +28,7 @@ from fembearing.verify.cost.contact_ladder import contact_ladder_of
 from fembearing.verify.cost.formula_ladders import SEED
 from fembearing.verify.cost.ladder import Ladder
 from fembearing.verify.cost.scene_cost import measure_cost
+from fembearing.verify.creep.scene_creep import SceneCreep, creep_of
 from fembearing.verify.film.scene_film import RaceFilm, film_change, film_of
 from fembearing.verify.hard_record import HardRecord, last_run
 from fembearing.verify.memory import peak_memory
@@ -40,7 +41,8 @@ from fembearing.verify.torque.verdicts import Overall, Verdicts
 # Contacts with the seconds that they took on one machine, for the progress alone.
 RACES: tuple[tuple[Pair, Geometry, float], ...] = (("inner", "real", 5.0), ("outer", "real", 4.0))
 POCKET: tuple[tuple[Pair, Geometry, float], ...] = (("pocket", "real", 11.0), ("pocket", "wall", 10.0))  # seat, sheet
-FILM_SECONDS, COST_SECONDS = 8.0, 45.0
+FILM_SECONDS, CREEP_SECONDS, COST_SECONDS = 8.0, 3.0, 45.0
+CREEP_TOLERANCE = 0.02  # the least that the check asks of numerical friction: half of it takes four times as long
 ENOUGH = 0.2  # uncertainty that a reference must reach, as a share of the tolerance that it is to judge
 
 
@@ -61,6 +63,9 @@ class Validation(Brief):
     films: tuple[RaceFilm, ...] = ()  # lubricated contacts of the heaviest balls, inner and outer; none without oil
     film_change: Array | None = None  # (n,) of the torque by numerical films, relative; None without films or torque
     no_film: tuple[str, ...] = ()  # why there is no numerical film
+    creep: SceneCreep | None = None  # numerical friction of the heaviest ball; None where nothing slides
+    creep_change: float | None = None  # of the torque at its point by numerical friction, relative; None without it
+    no_creep: tuple[str, ...] = ()  # why there is no numerical friction
     sensitivity: Sensitivity | None = None  # None: not computed
     cage_records: tuple[CageRecord, ...] = ()  # of the slowest and the fastest point whose cage moved
     trouble: tuple[str, ...] = ()  # met while the report was written
@@ -101,7 +106,9 @@ class Validation(Brief):
         torque = () if self.torque is None else self.torque.friction.warnings
         fitted = () if self.torque_change is None else self.torque_change.fitting_warnings
         films = (warning for film in self.films for warning in film.numbers.warnings)
-        return tuple(dict.fromkeys([*contacts, *torque, *fitted, *films, *self.no_film, *self.trouble]))
+        creep = () if self.creep is None else self.creep.numbers.warnings
+        missing = (*self.no_film, *self.no_creep, *self.trouble)
+        return tuple(dict.fromkeys([*contacts, *torque, *fitted, *films, *creep, *missing]))
 
     def to_dataset(self) -> Any:
         """The contacts as an xarray.Dataset over `contact`, SI, with units and meanings; `torque` has its own."""
@@ -131,6 +138,7 @@ def check_scene(
     cost: bool = False,
     samples: Samples = None,
     film: bool = True,
+    creep: bool = True,
     progress: Progress = silent,
 ) -> Validation:
     """Check each race contact of a scene, and where it has a cage the pocket, in a thick seat and in its sheet.
@@ -139,6 +147,7 @@ def check_scene(
     cost : measure every method of every ladder too
     samples : of the 95 % interval of the torque, or "enough"; None: no interval
     film : solve the lubricated contacts too, where there is oil and motion
+    creep : solve the friction of the heaviest ball too, where something slides
     progress : called with the share done, 0 to 1, and a word on the step at hand
     Raises InputError for a scene that cannot be solved, ConvergenceError for a contact that does not settle.
     """
@@ -152,12 +161,52 @@ def check_scene(
         torque = torque_of_scene(scene, samples=samples, progress=lambda _share, step: progress(0.0, step))
     for pair, *_ in jobs:
         contact_of(scene, pair=pair)  # and so do the contacts
-    films_too = film and scene.lubricant is not None and bool(np.any(scene.operation.inner_speed))
-    shares = np.cumsum([0.0, *(seconds for *_, seconds in jobs), FILM_SECONDS * films_too])
+    moves = bool(np.any(scene.operation.inner_speed))
+    films_too = film and scene.lubricant is not None and moves
+    creep_too = creep and moves and torque is not None and torque.friction.sliding != "auto"
+    spent = FILM_SECONDS * films_too, CREEP_SECONDS * creep_too
+    shares = np.cumsum([0.0, *(seconds for *_, seconds in jobs), *spent])
     shares = shares / (shares[-1] + COST_SECONDS * cost)
+    contacts = _contacts(scene, jobs, shares[: -len(spent)], progress)
+    inner, outer = contacts[:2]
+    friction = None if torque is None else torque.friction
+    films, change, no_film = (), None, ()
+    if films_too:
+        films, change, no_film = _films(scene, friction, part_of(progress, shares[-3], shares[-2]))
+    slipping, creep_change, no_creep = None, None, ()
+    if creep_too and friction is not None:
+        slipping, creep_change, no_creep = _creep(scene, friction, part_of(progress, shares[-2], shares[-1]))
+    return Validation(
+        scene=scene,
+        contacts=contacts,
+        torque=torque,
+        torque_change=None if friction is None else change_of_torque(scene, friction, inner=inner, outer=outer),
+        films=films,
+        film_change=change,
+        no_film=no_film,
+        creep=slipping,
+        creep_change=creep_change,
+        no_creep=no_creep,
+        hard=last_run(),
+        ladders=measure_cost(scene, tolerance=scene.tolerance, progress=part_of(progress, shares[-1], 1.0)).ladders
+        if cost
+        else tuple(contact_ladder_of(contact) for contact in contacts if contact.judged),
+        measured=cost,
+        sensitivity=sensitivity_of(scene),
+        cage_records=() if friction is None else _recorded(scene, friction),
+        seconds=time.perf_counter() - start,
+        peak_memory=peak_memory(),
+        provenance=provenance_of(scene, seeds=_seeds(scene, torque, cost=cost)),
+    )
+
+
+def _contacts(
+    scene: Scene, jobs: Sequence[tuple[Pair, Geometry, float]], shares: Array, progress: Progress
+) -> tuple[ContactSolution, ...]:
+    """The contacts in the order of the jobs, races with their rings; shares : of the progress, one more than jobs"""
     contacts, rings = [], []
     with ThreadPoolExecutor(1) as beside:  # each ring is computed while the next contact is solved
-        for (pair, geometry, _), (begin, end) in zip(jobs, pairwise(shares[:-1]), strict=True):
+        for (pair, geometry, _), (begin, end) in zip(jobs, pairwise(shares), strict=True):
             contacts.append(
                 solve_contact(
                     scene,
@@ -170,30 +219,7 @@ def check_scene(
             )
             if len(contacts) <= len(RACES):
                 rings.append(beside.submit(_with_ring_if_known, contacts[-1]))
-    inner, outer = (ring.result() for ring in rings)
-    friction = None if torque is None else torque.friction
-    films, change, no_film = (), None, ()
-    if films_too:
-        films, change, no_film = _films(scene, friction, part_of(progress, shares[-2], shares[-1]))
-    return Validation(
-        scene=scene,
-        contacts=(inner, outer, *contacts[2:]),
-        torque=torque,
-        torque_change=None if friction is None else change_of_torque(scene, friction, inner=inner, outer=outer),
-        films=films,
-        film_change=change,
-        no_film=no_film,
-        hard=last_run(),
-        ladders=measure_cost(scene, tolerance=scene.tolerance, progress=part_of(progress, shares[-1], 1.0)).ladders
-        if cost
-        else tuple(contact_ladder_of(contact) for contact in contacts if contact.judged),
-        measured=cost,
-        sensitivity=sensitivity_of(scene),
-        cage_records=() if friction is None else _recorded(scene, friction),
-        seconds=time.perf_counter() - start,
-        peak_memory=peak_memory(),
-        provenance=provenance_of(scene, seeds=_seeds(scene, torque, cost=cost)),
-    )
+    return *(ring.result() for ring in rings), *contacts[len(RACES) :]
 
 
 def _films(
@@ -213,6 +239,19 @@ def _films(
         except FembearingError as problem:
             reasons.append(f"no torque with the numerical films: {problem}")
     return tuple(films), change, tuple(reasons)
+
+
+def _creep(
+    scene: Scene, friction: FrictionTorque, progress: Progress
+) -> tuple[SceneCreep | None, float | None, tuple[str, ...]]:
+    """The numerical friction of the heaviest ball, what it changes in the torque, and why it is missing."""
+    try:
+        found = creep_of(scene, tolerance=max(scene.tolerance, CREEP_TOLERANCE), progress=progress)
+    except FembearingError as problem:  # the contacts and the torque are known all the same
+        return None, None, (f"no numerical friction: {problem}",)
+    torque = friction.torque
+    slides = sum(float(part[found.place]) for part in (torque.spin, torque.conformity) if part is not None)
+    return found, found.numbers.change * slides / float(torque.total[found.place]), ()
 
 
 def _seeds(scene: Scene, torque: SceneTorque | None, *, cost: bool) -> dict[str, Sequence[int]]:

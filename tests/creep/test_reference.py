@@ -14,12 +14,18 @@ def test_a_sequence_of_second_order_has_its_limit_inside_and_half_of_the_error_l
     found = estimate((first, middle, fine), sizes)
     np.testing.assert_allclose(found.value - 7.3, 0.9 / 16**2 / 2, rtol=1e-9)  # round-off of 7.3
     np.testing.assert_allclose(found.uncertainty, 3 * 0.9 / 16**2 + 1e-4 * fine, rtol=1e-9)
+    np.testing.assert_allclose(found.order, 2, rtol=1e-9)
 
 
 def test_two_grids_that_agree_by_chance_do_not_hide_the_change_before() -> None:
     found = estimate((7.1, 7.3, 7.3), (1 / 8, 1 / 12, 1 / 16))
     assert found.value == 7.3
     assert found.uncertainty > 0.1
+
+
+def test_a_quantity_that_is_0_by_symmetry_is_known_to_be_so() -> None:
+    found = estimate((0.0, 0.0, 0.0), (1 / 8, 1 / 12, 1 / 16))
+    assert (found.value, found.uncertainty) == (0.0, 0.0)
 
 
 def test_grids_become_finer_until_the_torque_is_certain() -> None:

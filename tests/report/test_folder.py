@@ -51,6 +51,7 @@ def test_a_report_holds_page_numbers_pictures_and_meshes(solved: Validation, tmp
     made = {f"{pair}-real-{part}" for pair in ("inner", "outer") for part in ("upper.vtu", "lower.vtu")}
     drawn = ("pressure.png", "section.png", "view.html")
     made |= {f"{pair}-real-{part}" for pair in ("inner", "outer") for part in drawn}
+    made |= {f"{pair}-creep.png" for pair in ("inner", "outer")}
     assert names == made | {"report.html", "report.json", "cost.csv"}
     assert [path.name for path in tmp_path.iterdir()] == ["report"]  # nothing beside it
     content = json.loads((out / "report.json").read_text("utf-8"))

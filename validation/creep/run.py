@@ -16,23 +16,17 @@ import numpy as np
 import typer
 from rich.console import Console
 
-from analytic.loads.numbers import play_and_free_angle
-from analytic.oil.traction import PointLaw
 from analytic.scene import Scene
 from analytic.scenefile.read import parse_scene
-from analytic.solve.model import model_of
-from analytic.solve.records import SETTLED
-from analytic.solve.solution import points_of, solved
-from fembearing.creep.ball import TurningBall, turn_ball
-from fembearing.creep.place import HeldBall
-from fembearing.creep.reference import GRIDS, creep_reference, estimate
+from fembearing.creep.ball import turn_ball
+from fembearing.creep.reference import GRIDS, estimate
+from fembearing.verify.creep.production import produced
+from fembearing.verify.creep.scene_creep import reference_torque
 from validation.creep.random_balls import random_ball
 
 HERE = Path(__file__).parent
 RACE_QUANTITIES = "spin_moment", "rolling_moment", "transverse_force", "slip_share"
 QUANTITIES = ("torque", *(f"{race}_{name}" for name in RACE_QUANTITIES for race in ("inner", "outer")))
-COUNTED: dict[str, bool] = dict.fromkeys(("load_distribution", "centrifugal", "gyroscopic", "spin", "conformity"), True)
-FINE = 3  # production's quadrature: 64 strips of 35 nodes
 SPEED = 52.36  # rad/s
 FRICTIONS, LOADS = (0.12, 0.06, 0.03, 0.01), (30.0, 400.0, 5000.0)  # N
 BEARINGS = {
@@ -136,26 +130,11 @@ def scene_of(bearing: str, friction: float, load: float) -> Scene:
     )
 
 
-def ball_of(scene: Scene) -> TurningBall:
-    """One ball of a scene under thrust with a friction coefficient."""
-    bearing, thrust = scene.bearing, float(scene.operation.axial_load[0]) / scene.bearing.ball_count
-    if bearing.kind == "thrust":
-        held = HeldBall(bearing=bearing, thrust=thrust, angle=np.pi / 2)
-    else:
-        play, _ = play_and_free_angle(bearing, scene.contact_angle)
-        held = HeldBall(bearing=bearing, thrust=thrust, radial=bearing.groove_centre_distance - play)
-    law = PointLaw(boundary=scene.friction_coefficient)
-    return TurningBall(held=held, laws=(law, law), speed=float(scene.operation.inner_speed[0]))
-
-
 def _compared(name: str, friction: float, load: float) -> Iterator[tuple[object, ...]]:
     """Torque by sliding of all balls, by production and by the reference, N m."""
-    scene = scene_of(name, friction, load)
-    model = model_of(scene, COUNTED, creep="marched", passes=FINE)
-    found = solved(model, points_of(scene.operation, 0.0)).points[0]
-    assert found["status"] == SETTLED
-    reference, balls = creep_reference(ball_of(scene)).torque, scene.bearing.ball_count
-    yield (name, friction, load, float(found["total"]), balls * reference.value, balls * reference.uncertainty)
+    production = produced(scene_of(name, friction, load))
+    reference, uncertainty, _ = reference_torque(production, tolerance=0.01)
+    yield (name, friction, load, production.torque, reference, uncertainty)
 
 
 def _print_production() -> None:

@@ -1,6 +1,7 @@
 """The pictures of a report as the page takes them in: files beside report.json, which a stranger may have put there."""
 
 import re
+from collections.abc import Collection
 from pathlib import Path
 from typing import NamedTuple
 
@@ -26,12 +27,12 @@ class ShownPicture(NamedTuple):
     missing: str | None = None
 
 
-def shown_pictures(document: Report, folder: Path, *, of_films: bool) -> list[ShownPicture]:
-    """The pictures of films, or all others; a sentence that several captions share stands in the first of them."""
+def shown_pictures(document: Report, folder: Path, *, kinds: Collection[str]) -> list[ShownPicture]:
+    """The pictures of some kinds; a sentence that several captions share stands in the first of them."""
     said: set[str] = set()
     shown = []
     for picture in document.pictures:
-        if (picture.kind == "film") != of_films:
+        if picture.kind not in kinds:
             continue
         sentences = [each for each in SENTENCE_END.split(picture.caption) if each not in said]
         said |= {*sentences}

@@ -24,6 +24,7 @@ from fembearing.report.report import Report
 from fembearing.report.tables.cage import cage_tables
 from fembearing.report.tables.contacts import contacts_of, pocket_table
 from fembearing.report.tables.cost import cost_table
+from fembearing.report.tables.creep import creep_table
 from fembearing.report.tables.film import film_table
 from fembearing.report.tables.inputs import effects_table, inputs_table
 from fembearing.report.tables.points import shown_places
@@ -53,8 +54,9 @@ def page_of(document: Report, folder: Path, *, plots: dict[str, list[ShownPlot]]
         appendices=appendices,
         letters=letters_of(appendices),
         plots=plots_of(document, PLOTS) if plots is None else plots,
-        pictures=shown_pictures(document, folder, of_films=False),
-        film_pictures=shown_pictures(document, folder, of_films=True),
+        pictures=shown_pictures(document, folder, kinds=("pressure", "section", "view")),
+        film_pictures=shown_pictures(document, folder, kinds=("film",)),
+        creep_pictures=shown_pictures(document, folder, kinds=("creep",)),
         trouble=None if document.renderer == "VTK" else document.renderer,
         scene=document.scene,
         phrases=phrases,
@@ -67,6 +69,7 @@ def page_of(document: Report, folder: Path, *, plots: dict[str, list[ShownPlot]]
             "inputs": _inputs(document),
             "torque": _torque(document),
             "film": [film_table(film, units) for film in document.films],
+            "creep": document.creep and creep_table(document.creep, units),
             "ring": ring_tables(document),
             "cage": _cage(document),
         },

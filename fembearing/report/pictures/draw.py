@@ -58,16 +58,18 @@ def draw_pictures(
     folder: Path,
     *,
     renderer: Sequence[str] = RENDERER,
+    besides: Sequence[dict[str, Any]] = (),
     meanwhile: Callable[[], None] = lambda: None,
 ) -> tuple[list[Picture], str | None]:
     """Draw each contact's pressure, section and view into `folder`, its meshes into .vtu beside them.
 
     renderer : the command that draws; it reads the jobs from standard input
+    besides : other jobs
     meanwhile : called while the renderer draws in a process of its own
     Gives the pictures, and why VTK could not draw them where it could not: then there are maps in place of its
     pressure pictures, no sections and no views.
     """
-    jobs = [job for contact in contacts for job in _jobs(contact, folder)]
+    jobs = [*(job for contact in contacts for job in _jobs(contact, folder)), *besides]
     with ThreadPoolExecutor(1) as beside:
         drawn = beside.submit(rendered, jobs, renderer)
         meanwhile()
@@ -88,10 +90,10 @@ def draw_pictures(
             )
         )
         if not trouble:
-            besides: dict[Kind, str] = {"section": _section_caption(contact), "view": _view_caption(contact)}
+            others: dict[Kind, str] = {"section": _section_caption(contact), "view": _view_caption(contact)}
             pictures += [
                 Picture(file=_file(contact, kind, folder), kind=kind, contact=contact, frame=None, caption=caption)
-                for kind, caption in besides.items()
+                for kind, caption in others.items()
             ]
     return pictures, trouble
 

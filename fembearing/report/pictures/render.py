@@ -17,6 +17,7 @@ import pyvista as pv
 
 from fembearing.report.pictures import render_mesh as mesh
 from fembearing.report.pictures.render_cage import cage_front
+from fembearing.report.pictures.render_creep import creep_map
 from fembearing.report.pictures.render_view import contact_view
 
 BARE = "gainsboro"
@@ -191,7 +192,7 @@ def colour_bar(job: dict[str, Any], *, width: float, left: float, height: float)
     }
 
 
-KINDS = {"pressure": pressure_map, "section": section, "view": contact_view, "cage": cage_front}
+KINDS = {"pressure": pressure_map, "section": section, "view": contact_view, "cage": cage_front, "creep": creep_map}
 
 if __name__ == "__main__":
     main()

@@ -3,9 +3,10 @@
 from rich.console import Console
 
 from analytic.words import percent_of
-from fembearing.report.phrases import film_change_words, friction_of
+from fembearing.report.phrases import creep_change_words, film_change_words, friction_of
 from fembearing.report.report import Report
 from fembearing.report.tables.contacts import contacts_of, pocket_table
+from fembearing.report.tables.creep import creep_table
 from fembearing.report.tables.film import film_table
 from fembearing.report.tables.points import shown_places
 from fembearing.report.tables.prediction import prediction_tables
@@ -20,6 +21,8 @@ def print_validation(out: Console, document: Report) -> None:
     pocket = pocket_table(document.contacts)
     for table in (contacts_of(document), *map(film_table, document.films), *([] if pocket is None else [pocket])):
         show(out, table)
+    if document.creep is not None:
+        show(out, creep_table(document.creep))
     if torque is None or change is None:
         out.print("No friction coefficient, lubricant or surface is given, so there is no torque.\n")
     else:
@@ -32,6 +35,8 @@ def print_validation(out: Console, document: Report) -> None:
         show(out, change_table(torque.points, change, places))
     if document.film_change is not None:
         out.print(f"{film_change_words(document.film_change)}\n")
+    if document.creep_change is not None:
+        out.print(f"{creep_change_words(document.creep_change)}\n")
     print_verdicts(out, document.physical, torque)
     out.print(f"Tolerance {percent_of(document.tolerance)}, {document.cost.seconds:.1f} s.")
     out.print(document.verdict.words)

@@ -13,6 +13,7 @@ from fembearing.provenance import Provenance, provenance_of
 from fembearing.verify.contact.scene_contact import RECIPES, contact_of
 from fembearing.verify.cost.cage_ladder import cage_methods
 from fembearing.verify.cost.contact_ladder import measured_contact
+from fembearing.verify.cost.creep_ladder import creep_methods
 from fembearing.verify.cost.film_ladder import absent_films, measured_films
 from fembearing.verify.cost.formula_ladders import (
     friction_methods,
@@ -29,6 +30,7 @@ FORMULA_LADDERS: tuple[tuple[str, Callable[[Scene], UntimedLadder]], ...] = (
     ("load of the heaviest ball", load_methods),
     ("friction torque", friction_methods),
     ("how balls turn", turning_methods),
+    ("sliding in the contacts", creep_methods),
     ("roughness", roughness_methods),
     ("cage torque", cage_methods),
 )

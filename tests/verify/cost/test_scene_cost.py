@@ -30,25 +30,25 @@ def test_every_ladder_is_run_or_absent_with_a_reason(scene: Scene, monkeypatch: 
         "load of the heaviest ball",
         "friction torque",
         "how balls turn",
+        "sliding in the contacts",
         "roughness",
         "cage torque",
         "central film, inner",
         "rolling force, inner",
         "contact, inner",
     ]
-    hertz, load, friction, turning, roughness, cage, film, force, contact = found.ladders
+    hertz, load, friction, turning, sliding, roughness, cage, film, force, contact = found.ladders
     assert "holds the angle" in (load.absent or "")
     assert "no [surface]" in (roughness.absent or "")
     assert "[lubricant]" in (film.absent or "")
     assert "[lubricant]" in (force.absent or "")
     assert hertz.chosen is hertz.methods[-1]  # exact
-    assert (
-        friction.chosen is turning.chosen is cage.chosen is contact.chosen is None
-    )  # no error there is known to be so small
+    # No error there is known to be so small.
+    assert friction.chosen is turning.chosen is sliding.chosen is cage.chosen is contact.chosen is None
     assert steps == sorted(steps, key=lambda step: step[0])
     assert "inner: mesh 2, about" in steps[-1][1]
     document = json.loads(json.dumps(plain(found), allow_nan=False))
-    mesh = document["ladders"][8]["methods"][2]
+    mesh = document["ladders"][9]["methods"][2]
     assert min(mesh["seconds"], mesh["predicted"], mesh["warm_up"]) > 0
 
 

@@ -1,0 +1,84 @@
+"""`fembearing creep`."""
+
+from typing import Annotated
+
+import typer
+
+from fembearing.cli.film import Speed
+from fembearing.cli.options import (
+    AsJson,
+    Folder,
+    SceneName,
+    read_friction,
+    read_load,
+    read_scene,
+    read_speed,
+    read_tolerance,
+    require_folder_name,
+)
+from fembearing.cli.status import DONE, NOT_SOLVED, complain, print_warnings
+
+Tolerance = Annotated[
+    str | None,
+    typer.Option(help='Accuracy required of the torque by sliding, for example "1 %" (default: from the scene).'),
+]
+Load = Annotated[
+    str | None,
+    typer.Option(help='Of the heaviest ball, for example "620 N": scales all loads (default: from the scene).'),
+]
+Friction = Annotated[
+    str | None, typer.Option(help="Friction coefficient of both races, for example 0.1 (default: from the scene).")
+]
+
+
+def creep(
+    scene: SceneName = None,
+    load: Load = None,
+    speed: Speed = None,
+    friction: Friction = None,
+    tolerance: Tolerance = None,
+    folder: Folder = None,
+    as_json: AsJson = False,
+) -> None:
+    """Solve stick and slip of a ball on both races and compare the formulas of spin, conformity and creep with it.
+
+    Exit status 0: solved to the required accuracy, whatever the formulas say; 3: not; 2: the input is at fault.
+    """
+    require_folder_name(folder)
+    given = read_scene(scene)
+    limit = read_tolerance(tolerance, given)
+    force = None if load is None else read_load(load)
+    turning = None if speed is None else read_speed(speed)
+    coefficient = None if friction is None else read_friction(friction)
+    from contextlib import nullcontext
+
+    from analytic.words import percent_of
+    from analytic.writing import new_folder
+    from fembearing.cli.console import out, print_json, shown_progress
+    from fembearing.report.creep_folder import creep_content, write_creep
+    from fembearing.report.tables.creep import creep_table
+    from fembearing.report.terminal.table import show
+    from fembearing.verify.creep.scene_creep import creep_of
+
+    trouble = None
+    with shown_progress() as progress, nullcontext() if folder is None else new_folder(folder) as place:
+        result = creep_of(
+            given, load=force, inner_speed=turning, friction=coefficient, tolerance=limit, progress=progress
+        )
+        if place is not None:
+            trouble = write_creep(result, place)
+    numbers = result.numbers
+    if as_json:
+        print_json(creep_content(numbers))
+    else:
+        show(out, creep_table(numbers))
+    print_warnings((*(() if as_json else numbers.warnings), *(() if trouble is None else (f"no pictures: {trouble}",))))
+    if numbers.relative_uncertainty <= limit:
+        raise typer.Exit(DONE)
+    raise typer.Exit(
+        complain(
+            f"not solved to {percent_of(limit, 2)}: the torque by sliding has an uncertainty of "
+            f"{percent_of(numbers.relative_uncertainty, 2)}; ask for a larger --tolerance",
+            NOT_SOLVED,
+        )
+    )

@@ -1,0 +1,88 @@
+"""Friction of a ball on both races by formula, production and reference."""
+
+from collections.abc import Iterator
+
+from analytic.words import Unit, percent_of
+from fembearing.quantities import METRIC, Units
+from fembearing.report.tables.table import Group, Head, Table
+from fembearing.verify.creep.scene_creep import CreepNumbers, CreepQuantity, RaceNumbers
+
+ONE, WATT = Unit("", 1.0), Unit("W", 1.0)
+
+
+def creep_table(creep: CreepNumbers, units: Units = METRIC) -> Table:
+    """A group for each race of the heaviest ball, and one for the torque by sliding of all balls."""
+    speed = units.speed.written(creep.point.inner_speed, ".4g")
+    races = [
+        Group(
+            [_row(words, unit, each) for words, unit, each in _shown(race, units)],
+            f"Friction on the {name} race: {units.force.written(race.load, '.4g')} at "
+            f"{units.angle.written(abs(race.contact_angle), '.2f')}, inner ring at {speed}",
+        )
+        for name, race in creep.races.items()
+    ]
+    whole = Group([_row("torque by sliding", units.torque, creep.torque)], "All balls about the bearing axis")
+    heads = [Head("quantity", "name"), Head("formula"), Head("production"), Head("reference")]
+    heads += [Head("prod./ref.-1", fixed=True), Head("+-")]
+    return Table("Stick and slip of the heaviest ball", heads, [*races, whole], list(_notes(creep, units)))
+
+
+def _shown(race: RaceNumbers, units: Units) -> Iterator[tuple[str, Unit, CreepQuantity]]:
+    """Words, unit and numbers of each quantity that is not 0 by all methods."""
+    length = units.length
+    each = {
+        "creepage_along": ("creepage along", ONE),
+        "creepage_across": ("creepage across", ONE),
+        "spin_creepage": ("spin over speed", Unit(f"1/{length.name}", 1 / length.factor)),
+        "spin_moment": ("spin moment", units.torque),
+        "rolling_moment": ("rolling moment", units.torque),
+        "transverse_force": ("transverse force", units.force),
+        "slip_share": ("area that slips", units.share),
+        "power": ("power", WATT),
+    }
+    for key, quantity in race.quantities.items():
+        methods = quantity.formula, quantity.production, quantity.reference
+        if max(map(abs, methods)) > quantity.uncertainty:
+            yield (*each[key], quantity)
+
+
+def _row(words: str, unit: Unit, each: CreepQuantity) -> list[str]:
+    """Where the reference may be 0, its uncertainty stands in the unit of the quantity."""
+    change, uncertainty = each.change, each.uncertainty
+    known = change is not None
+    differs = abs(each.production - each.reference) > uncertainty
+    return [
+        f"{words}, {unit.name}" if unit.name else words,
+        *(f"{unit.factor * value:.4g}" for value in (each.formula, each.production, each.reference)),
+        f"{f'{change:+.1%}' if known else 'none'} {'*' if differs else ' '}",
+        f"{uncertainty / abs(each.reference):.1%}" if known else f"{unit.factor * uncertainty:.1g}",
+    ]
+
+
+def _notes(creep: CreepNumbers, units: Units) -> Iterator[str]:
+    yield (
+        "+-: numerical uncertainty of the reference, 95 %, a share of it or, where it may be 0, in the unit of the "
+        "row; *: the difference exceeds it. Moments and power resist; forces act on the ball."
+    )
+    yield (
+        "Formula: a long ellipse that slides everywhere, closed kinematics; production: marched creep, a free ball; "
+        "reference: rolling contact of half spaces, stick and slip, a free ball. All by Hertz's contacts."
+    )
+    if not creep.spins:
+        yield "The ball does not spin: nothing slips but by the conformity of the groove, and by elastic creep."
+    if creep.solved_balls < creep.different_balls:
+        yield (
+            f"{creep.solved_balls} of {creep.different_balls} balls that differ are solved; the others change as the "
+            "last of them."
+        )
+    if creep.point.radial_load or creep.point.moment:
+        yield "The ring stays where production places it."
+    total = units.torque.written(creep.torque.reference - creep.torque.production, "+.3g")
+    yield (
+        f"The reference changes the torque by sliding by {creep.change:+.1%}, {total}, +- "
+        f"{percent_of(creep.relative_uncertainty, 2)}."
+    )
+    yield (
+        f"Finest grid {creep.strips} strips of {creep.cells} rectangles; reference {creep.seconds:.1f} s, production "
+        f"{creep.production_seconds:.2g} s."
+    )

@@ -1,0 +1,86 @@
+"""`fembearing creep`: friction of the heaviest ball by formula, production and reference."""
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import Result
+
+QUANTITIES = "spin_moment", "rolling_moment", "transverse_force", "slip_share"
+Run = Callable[..., Result]
+
+
+def test_every_number_of_both_races_and_the_torque(command: Run, tmp_path: Path) -> None:
+    folder = tmp_path / "friction"
+    ended = command("creep", "6205-dry", "--friction", "0.1", "--load", "370 N", "--json", "--out", str(folder))
+    assert ended.status == 0
+    found = json.loads(ended.out)
+    for race in ("inner", "outer"):
+        assert found[race]["load"] == pytest.approx(370, rel=0.01)  # friction across moves the angles
+        for name in QUANTITIES:
+            assert found[race][name].keys() == {"formula", "production", "reference", "uncertainty"}
+    # A separate program: 45.7 to 46.0 N mm under 1000 N with a friction of 0.1, some 370 N a ball.
+    assert found["torque"]["reference"] == pytest.approx(45.9e-3, rel=0.02)
+    assert found["torque"]["production"] == pytest.approx(43.39e-3, rel=0.02)
+    written = json.loads((folder / "creep.json").read_text())
+    pictures = written.pop("pictures")
+    assert written.keys() == found.keys()
+    for picture in pictures:
+        assert "stick" in picture["caption"]
+        assert (folder / picture["file"]).read_bytes().startswith(b"\x89PNG")
+    assert [picture["file"] for picture in pictures] == ["inner-creep.png", "outer-creep.png"]
+
+
+def test_a_table_for_each_race_and_one_of_all_balls(command: Run) -> None:
+    ended = command("creep", "6205-dry", "--tolerance", "5 %")
+    assert ended.status == 0
+    for words in ("inner race", "outer race", "spin moment, N mm", "All balls", "torque by sliding, N mm"):
+        assert words in ended.out
+    assert max(map(len, ended.out.splitlines())) <= 80
+
+
+@pytest.mark.parametrize(
+    ("words", "key"),
+    [
+        (("6205-dry", "--friction", "0"), "friction = 0"),
+        (("6205-dry", "--friction", "10"), "0 to 5"),
+        (("6205-dry", "--friction", "slippery"), "--friction"),
+        (("6205-dry", "--speed", "0 rpm"), "standstill"),
+        (("6205-dry", "--load", "-3 N"), "--load"),
+        (("6205-dry", "--load", "0 N"), "--load"),
+        (("6205-dry", "--load", "90 kN"), "shoulder"),
+        (("6205-dry", "--load", "5 N", "--speed", "20000 rpm"), "skids"),
+        (("6205-dry", "--tolerance", "0"), "--tolerance"),
+        (("6205-dry", "--out", "friction.png"), "--out"),
+        (("without_friction.toml",), "--friction"),
+        (("pair.toml",), "[arrangement]"),
+    ],
+)
+def test_a_mistake_gives_one_line(
+    command: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, words: tuple[str, ...], key: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    bare = 'name = "bare"\ntolerance = "5 %"\n[bearing]\ncatalog = "6205"\n[operation]\naxial_load = "1000 N"\n'
+    bare += 'inner_speed = "500 rpm"\n'
+    (tmp_path / "without_friction.toml").write_text(bare)
+    pair = '[arrangement]\nkind = "X"\npreload = "100 N"\n[friction]\ncoefficient = 0.1\n'
+    (tmp_path / "pair.toml").write_text(bare.replace("6205", "7205C") + pair)
+    ended = command("creep", *words)
+    assert (ended.status, ended.out) == (2, "")
+    assert key in ended.err
+    assert len(ended.err.splitlines()) == 1
+
+
+def test_a_ball_that_the_search_does_not_hold_is_not_solved(command: Run) -> None:
+    ended = command("creep", "6205-dry", "--friction", "4.9")
+    assert (ended.status, ended.out) == (3, "")
+    assert "rotation of the ball did not settle" in ended.err
+    assert len(ended.err.splitlines()) == 1
+
+
+def test_an_accuracy_that_no_grid_reaches_is_said(command: Run) -> None:
+    ended = command("creep", "6205-dry", "--tolerance", "0.01 %")
+    assert ended.status == 3
+    assert "not solved to 0.01 %" in ended.err
