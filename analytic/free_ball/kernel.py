@@ -98,7 +98,7 @@ def _contact(contact, ball, velocity, passing, quadrature, flows, sums):
             carried = _rows_of(contact, ball, b * sines[j], rows)
             state[SLIDE + j] = velocity[0] + rows[0, 2] * velocity[2] + rows[0, 3] * velocity[3] - carried
             state[LATERAL + j] = rows[1, 1] * velocity[1]
-        march_strips(contact, spin, (flow, length), quadrature, flows, state)
+        march_strips(contact, spin, (flow, length, contact.lean), quadrature, flows, state)
     for j in range(quadrature.strips):
         y = b * sines[j]
         carried = _rows_of(contact, ball, y, rows)

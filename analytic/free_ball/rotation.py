@@ -12,8 +12,10 @@ The terms of balls that come round to another load are left out; the cage carrie
 
 The stress is that of the law of traction at the slip that the elasticity of the surfaces leaves. Both have the
 flexibility L = 32 a/(3 pi^2 E*), that of a long ellipse in steady rolling at the speed u.
-- `marched`: along rolling, from the leading edge, L u d stress/d xi = s - g, and g slides against the law. With Coulomb
-  friction this is FASTSIM [Kalker1982] on strips, with one flexibility. Spin then pushes the ball across the groove.
+- `marched`: along rolling, from the leading edge, c L u d stress/d xi = s - g, and g slides against the law. With
+  Coulomb friction this is FASTSIM [Kalker1982] on strips. Spin then pushes the ball across the groove. c is MARCHED,
+  along and across: with it the torque by sliding is that of half spaces (`validation/creep/`). Across, it is near what
+  Kalker's C23 of spin asks for, not C22 of an even slip: what pushes a ball across its groove is spin.
 - `closed`: stress = T f(k), k = s p/(T p0 u L/a), f(k) = (2/pi)[atan k + k/(1 + k^2)] with the law's T(p, s). With
   Coulomb friction this is Polach's law [Polach2005], exact for the force of an even slip on a strip. It has no memory:
   the lateral push of spin is missing, which is 1 to 33 % of the torque.
@@ -31,6 +33,7 @@ from analytic.numerics.records import Record, Records
 from analytic.scene import Array
 
 Creep = Literal["none", "closed", "marched"]
+MARCHED = 1.35, 0.8  # L along and across rolling, over that of a long ellipse: fitted to `fembearing.creep`
 STIFFER = 1e3  # times: surfaces without creep, for a force that must not jump
 
 

@@ -15,7 +15,8 @@ CONTACT_STATE = np.dtype(
         ("normal_radial", "f8"),  # out of the ball
         ("normal_axial", "f8"),
         ("ring_rate", "f8"),  # of its ring
-        ("flexibility", "f8"),  # L/a, 1/Pa
+        ("flexibility", "f8"),  # L/a along rolling, 1/Pa
+        ("lean", "f8"),  # how much more it is across, where marched
         # The law of traction, as `analytic.oil.traction.PointLaw` has it for speeds per unit ring speed
         ("boundary", "f8"),
         ("plain", "f8"),

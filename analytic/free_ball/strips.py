@@ -13,15 +13,16 @@ from analytic.scene import Array
 
 PITCH = 200  # between rows of numbers of strips, of which there are at most 192
 # Where the rows begin: of slip, half-length and L u over it; stress at the last node and the one before; reach of slip
-# at a node, and stress and slope there. Then sums of three forces and of friction, and for each kind of slip four rows
-# of what it does to both stresses, and three of its stiffness.
+# at a node, how much less stiff it is than along, and stress and slope there. Then sums of three forces and of
+# friction, and for each kind of slip four rows of what it does to both stresses, and three of its stiffness.
 SLIDE, LATERAL, HALF, PER_STEP = range(0, 4 * PITCH, PITCH)
 STRESS_X, STRESS_Y, OLDER_X, OLDER_Y = range(4 * PITCH, 8 * PITCH, PITCH)
-REACH_X, REACH_Y, REACH, STRESS, SLOPE = range(8 * PITCH, 13 * PITCH, PITCH)
-FORCES, ALL_FRICTION = 13 * PITCH, 16 * PITCH
-BY_SLIDE, BY_LATERAL, BY_SPIN = range(17 * PITCH, 38 * PITCH, 7 * PITCH)
-ROWS = 38
+REACH_X, REACH_Y, REACH, STIFFER, STRESS, SLOPE = range(8 * PITCH, 14 * PITCH, PITCH)
+FORCES, ALL_FRICTION = 14 * PITCH, 17 * PITCH
+BY_SLIDE, BY_LATERAL, BY_SPIN = range(18 * PITCH, 39 * PITCH, 7 * PITCH)
+ROWS = 39
 NO_SLIP = 1e-200  # m: keeps a direction where nothing slides
+NO_SQUARE = 1e-300  # m^2: likewise of its square
 
 
 @compiled(fastmath=FAST)
@@ -63,15 +64,47 @@ def strip_closed(contact, slip, strip, quadrature, flows):
 
 
 @compiled(fastmath=FAST)
+def turned_stress(reach, sizes, stress, slope, compliance, lean):
+    """Stress along and across of a point, and its slopes by the reach: xx, xy, yx, yy.
+
+    reach : slip without this point's own stress, along and across;  sizes : |r| and |r|/|(r_x, r_y/lean)|
+    stress, slope : of the law, at the compliance c_e = c times the second size;  compliance : c, along
+    lean : how much more it is across
+    What sticks leans to the stiffer direction, and what slides opposes the slip, of the size g = |r| - c_e T: the
+    stress is along (r_x/(g + c T), r_y/(g + lean c T)). That is exact where nothing slides and where the slip is large.
+    """
+    r_x, r_y = reach
+    size, stiffer = sizes
+    per_size, even, square = 1.0 / size, compliance * stiffer, stiffer * stiffer
+    e_x, e_y = r_x * per_size, r_y * per_size
+    slip = size - even * stress
+    to_x, to_y = slip + compliance * lean * stress, slip + compliance * stress
+    d_x, d_y = r_x * to_x, r_y * to_y
+    per_length = 1.0 / (np.sqrt(d_x * d_x + d_y * d_y) + NO_SLIP)
+    n_x, n_y = d_x * per_length, d_y * per_length
+    # By both parts of the reach: of c_e, of T (by c_e it falls as T dT/d|r|), and of g.
+    even_x = even * per_size * e_x * (1.0 - square)
+    even_y = even * per_size * e_y * (1.0 - square / (lean * lean))
+    t_x, t_y = slope * (e_x - stress * even_x), slope * (e_y - stress * even_y)
+    g_x, g_y = e_x - even * t_x - stress * even_x, e_y - even * t_y - stress * even_y
+    bends = stress * per_length
+    a_x = bends * (n_x * r_y * (g_x + compliance * t_x) - n_y * (to_x + r_x * (g_x + compliance * lean * t_x)))
+    a_y = bends * (n_x * (to_y + r_y * (g_y + compliance * t_y)) - n_y * r_x * (g_y + compliance * lean * t_y))
+    slopes = n_x * t_x - n_y * a_x, n_x * t_y - n_y * a_y, n_y * t_x + n_x * a_x, n_y * t_y + n_x * a_y
+    return stress * n_x, stress * n_y, slopes
+
+
+@compiled(fastmath=FAST)
 def march_strips(contact, spin, flow, quadrature, flows, state):
     """All strips, marched side by side from their leading edges; writes their forces, stiffness and friction.
 
-    spin : slip by it;  flow : its direction, and L u;  flows : (strips, 2, nodes) as in `strip_closed`
-    state : of `strip_state`, with slip along and across
+    spin : slip by it;  flow : its direction, L u along, and L across over L along
+    flows : (strips, 2, nodes) as in `strip_closed`;  state : of `strip_state`, with slip along and across
     Nodes of different strips do not wait for each other, as those of one strip do. Where nothing is decided a processor
     takes several at once, as the compiler knows how far apart the rows are.
     """
-    side, length = flow
+    side, length, lean = flow
+    stiffer = 1.0 / (lean * lean)
     sines, cosines, weights = quadrature.along[0], quadrature.along[1], quadrature.along[2]
     peak, across = peak_pressure(contact), quadrature.across[1]
     for j in range(quadrature.strips):
@@ -86,46 +119,45 @@ def march_strips(contact, spin, flow, quadrature, flows, state):
             last_x, last_y = state[STRESS_X + j], state[STRESS_Y + j]
             reach_x = state[SLIDE + j] + from_last * last_x - from_older * state[OLDER_X + j]
             reach_y = state[LATERAL + j] + spin * halfway * state[HALF + j]
-            reach_y += from_last * last_y - from_older * state[OLDER_Y + j]
+            reach_y += lean * (from_last * last_y - from_older * state[OLDER_Y + j])
             state[OLDER_X + j], state[OLDER_Y + j] = last_x, last_y
             state[REACH_X + j], state[REACH_Y + j] = reach_x, reach_y
-            state[REACH + j] = np.sqrt(reach_x * reach_x + reach_y * reach_y) + NO_SLIP
+            square_x, square_y = reach_x * reach_x + NO_SQUARE, reach_y * reach_y
+            state[REACH + j] = np.sqrt(square_x + square_y)
+            state[STIFFER + j] = np.sqrt((square_x + square_y) / (square_x + square_y * stiffer))
         for j in range(quadrature.strips):
             shear = shear_at(contact, peak * across[j] * cosines[k], flows[j, 0, k], flows[j, 1, k])
-            state[STRESS + j], state[SLOPE + j] = sheared(state[REACH + j], state[PER_STEP + j] * to_here, shear)
+            even = state[PER_STEP + j] * to_here * state[STIFFER + j]
+            state[STRESS + j], state[SLOPE + j] = sheared(state[REACH + j], even, shear)
         for j in range(quadrature.strips):
-            half, stress, slope, per_reach = (
-                state[HALF + j],
-                state[STRESS + j],
-                state[SLOPE + j],
-                1.0 / state[REACH + j],
-            )
+            soft, half, stress = state[PER_STEP + j], state[HALF + j], state[STRESS + j]
+            reach, sizes = (state[REACH_X + j], state[REACH_Y + j]), (state[REACH + j], state[STIFFER + j])
+            stress_x, stress_y, slopes = turned_stress(reach, sizes, stress, state[SLOPE + j], soft * to_here, lean)
             x, area = half * place, weights[k] * half * cosines[k]
-            e_x, e_y, over = state[REACH_X + j] * per_reach, state[REACH_Y + j] * per_reach, stress * per_reach
-            state[STRESS_X + j], state[STRESS_Y + j] = stress * e_x, stress * e_y
-            state[FORCES + j] += area * stress * e_x
-            state[FORCES + PITCH + j] += area * stress * e_y
-            state[FORCES + 2 * PITCH + j] += area * stress * e_y * x
+            state[STRESS_X + j], state[STRESS_Y + j] = stress_x, stress_y
+            state[FORCES + j] += area * stress_x
+            state[FORCES + PITCH + j] += area * stress_y
+            state[FORCES + 2 * PITCH + j] += area * stress_y * x
             state[ALL_FRICTION + j] += area * stress
-            yields = over + (slope - over) * e_x * e_x, (slope - over) * e_x * e_y, over + (slope - over) * e_y * e_y
-            pulls = state[PER_STEP + j] * to_last, state[PER_STEP + j] * to_older
-            _respond(state, BY_SLIDE + j, (1.0, 0.0), pulls, yields, (area, x))
-            _respond(state, BY_LATERAL + j, (0.0, 1.0), pulls, yields, (area, x))
-            _respond(state, BY_SPIN + j, (0.0, halfway * half), pulls, yields, (area, x))
+            pulls = soft * to_last, soft * to_older, lean
+            _respond(state, BY_SLIDE + j, (1.0, 0.0), pulls, slopes, (area, x))
+            _respond(state, BY_LATERAL + j, (0.0, 1.0), pulls, slopes, (area, x))
+            _respond(state, BY_SPIN + j, (0.0, halfway * half), pulls, slopes, (area, x))
 
 
 @compiled(fastmath=FAST)
-def _respond(state, first, own, pulls, yields, node):
+def _respond(state, first, own, pulls, slopes, node):
     """Go on by a node with what one kind of slip does to the stress, and add it to the stiffness.
 
-    first : of its rows in the state;  own : how it moves the node itself;  pulls : of the last nodes' stress
-    yields : slopes of the stress, along and across;  node : area and place
+    first : of its rows in the state;  own : how it moves the node itself
+    pulls : of the last nodes' stress along, and how much more they are across;  slopes : of `crept`
+    node : area and place
     """
     area, x = node
     last_x, last_y = state[first], state[first + PITCH]
     to_x = own[0] + pulls[0] * last_x - pulls[1] * state[first + 2 * PITCH]
-    to_y = own[1] + pulls[0] * last_y - pulls[1] * state[first + 3 * PITCH]
-    by_x, by_y = yields[0] * to_x + yields[1] * to_y, yields[1] * to_x + yields[2] * to_y
+    to_y = own[1] + pulls[2] * (pulls[0] * last_y - pulls[1] * state[first + 3 * PITCH])
+    by_x, by_y = slopes[0] * to_x + slopes[1] * to_y, slopes[2] * to_x + slopes[3] * to_y
     state[first], state[first + PITCH] = by_x, by_y
     state[first + 2 * PITCH], state[first + 3 * PITCH] = last_x, last_y
     state[first + 4 * PITCH] += area * by_x

@@ -11,7 +11,7 @@ import numpy as np
 
 from analytic.contact.hertz import contact_modulus, loaded_hertz
 from analytic.free_ball.kernel import turn_ball
-from analytic.free_ball.rotation import STIFFER, Creep
+from analytic.free_ball.rotation import MARCHED, STIFFER, Creep
 from analytic.loads.kinematics import BallMotion, ruled_motion
 from analytic.loads.numbers import BearingNumbers
 from analytic.loads.thrust_ball import in_groove
@@ -32,7 +32,8 @@ class FreeNumbers(NamedTuple):
     """What free balls see of their bearing besides its numbers."""
 
     orbit: float  # radius of the circle on which the outer groove's centre of curvature lies, m
-    flexibility: tuple[float, float]  # L/a of inner and outer contact, 1/Pa
+    flexibility: tuple[float, float]  # L/a of inner and outer contact along rolling, 1/Pa
+    lean: float  # how much more it is across
     centrifugal: bool  # whether the force counts
     gyroscopic: bool  # whether the moment counts
 
@@ -66,7 +67,7 @@ def turned(
         contact.semi_axis_rolling, contact.semi_axis_transverse = hertz.semi_axis_x, hertz.semi_axis_y
         contact.radius = bearing.inner.deformed_radius if race == 0 else bearing.outer.deformed_radius
         contact.normal_radial, contact.normal_axial = side * np.cos(angles[race]), side * np.sin(angles[race])
-        contact.ring_rate, contact.flexibility = 1.0 - race, free.flexibility[race]
+        contact.ring_rate, contact.flexibility, contact.lean = 1.0 - race, free.flexibility[race], free.lean
     if np.isnan(velocity[0]):
         roll_by_rule(bearing, angles, orbit, velocity)
     if np.isnan(ball.given[0]):  # of this pass
@@ -170,10 +171,13 @@ def hold_law(contact: Record, law: PointLaw, speed: float) -> None:
 
 def free_numbers(bearing: Bearing, *, creep: Creep, inertia: tuple[bool, bool]) -> FreeNumbers:
     """How the balls of a bearing turn freely; inertia : whether centrifugal force and gyroscopic moment count."""
-    softer = 1 / STIFFER if creep == "none" else 1.0
+    along, across = MARCHED if creep == "marched" else (1.0, 1.0)
+    softer = 1 / STIFFER if creep == "none" else along
     inner, outer = (
         softer * 32 / (3 * np.pi**2 * float(contact_modulus(bearing.ball_material, groove.material)))
         for groove in (bearing.inner, bearing.outer)
     )
     above = 0.0 if bearing.kind == "thrust" else bearing.outer.groove_radius  # the profile's centre over the bottom
-    return FreeNumbers(float(bearing.outer.bottom_radius - above), (inner, outer), *map(bool, inertia))
+    return FreeNumbers(
+        float(bearing.outer.bottom_radius - above), (inner, outer), across / along, bool(inertia[0]), bool(inertia[1])
+    )

@@ -222,7 +222,7 @@ def test_the_builtin_scene_from_its_file() -> None:
         for method in ("marched_creep", "free_ball")
     )
     slip, without_creep = (part(each, "spin") + part(each, "conformity") for each in (free, rigid))
-    # Another program that marches the creep, 64 strips: 1.165. Its digits, and the tolerance of both.
-    np.testing.assert_allclose(slip / without_creep, 1.165, atol=0.005)
+    # By half spaces (`fembearing.creep`) 46.18 N mm +- 0.3 %: 1.230. The law's fit errs by 1 % here.
+    np.testing.assert_allclose(slip / without_creep, 1.230, rtol=0.012)
     # That program's torque of a free ball without creep, by Coulomb friction: 37.546 N mm
     np.testing.assert_allclose(without_creep, 37.546e-3, rtol=3e-3)

@@ -249,7 +249,8 @@ def _marched(contact: Record, slip: RigidSlip, quadrature: Record) -> RaceFricti
     slide = slip.side * speed * (given.along + given.along_bend * y**2 - given.spin * y)
     lateral, spin = speed * (given.across + given.across_bend * y**2), slip.side * speed * given.spin
     # Flow and leading edge: x of the reference points against the surfaces' velocity through the contact.
-    flow = (-slip.side, float(contact.flexibility) * speed * float(contact.semi_axis_rolling))
+    length = float(contact.flexibility) * speed * float(contact.semi_axis_rolling)
+    flow = (-slip.side, length, float(contact.lean))
     flows = np.empty((count, 2, nodes))
     hold_flows(contact, as_record(quadrature), flows)
     areas, slips, state = np.zeros((count, nodes)), np.zeros((count, nodes), dtype=bool), strip_state(count)
