@@ -45,8 +45,8 @@ def test_a_nearly_flat_contact_needs_no_more_than_its_twin(contacts: dict[str, C
     assert found is not None
     exact = {"semi_axis_rolling": a, "semi_axis_transverse": b, "peak_pressure": 3e-3 / (2 * np.pi * a * b)}
     for name, value in exact.items():
-        # 0.1 %: the mesh of the far ball, whose cells span a ratio of 8, is not that of a block
-        assert found.corrected[name] == pytest.approx(value, rel=1e-3), name
+        # 0.01 %: a hundredth of the error of this level. On the cells of a block the twin of the ball leaves 0.07 %.
+        assert found.corrected[name] == pytest.approx(value, rel=1e-4), name
 
 
 def test_the_twin_does_not_depend_on_size_and_stiffness(contacts: dict[str, Contact]) -> None:

@@ -9,7 +9,9 @@ from skfem import MeshHex2
 
 from analytic.errors import InputError
 from analytic.scene import Contact
+from fembearing.mesh.ball import block_of_ball, flat_ball
 from fembearing.mesh.bodies import BodyMesh
+from fembearing.mesh.footprint import Footprint
 from fembearing.mesh.pair import PairMesh, pair_mesh
 from fembearing.mesh.quality import mesh_quality
 from fembearing.mesh.recipe import load_recipe
@@ -262,3 +264,18 @@ def test_a_mesh_with_a_folded_cell_is_refused(contacts: dict[str, Contact]) -> N
     with pytest.raises(InputError, match=r"cell \d+ of the ball.* inside out at .* recipe race") as caught:
         pair_mesh(contacts["outer"], recipe=wide, level=2, semi_axes=SEMI_AXES["outer"])
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("level", [1, 2])
+def test_the_flat_ball_has_the_columns_and_the_layers_of_the_ball(contacts: dict[str, Contact], level: int) -> None:
+    """Seen along the load both have the same nodes; on the axis of the load they lie at the same depths."""
+    contact, recipe = contacts["inner"], load_recipe("race")
+    ball = pair_mesh(contact, recipe=recipe, level=level, semi_axes=SEMI_AXES["inner"]).upper
+    flat = flat_ball(block_of_ball(contact, recipe, level, Footprint(semi_axes=SEMI_AXES["inner"])))
+    np.testing.assert_array_equal(ball.mesh.t, flat.mesh.t)
+    scale = ROUND_OFF * contact.ball_radius
+    np.testing.assert_allclose(flat.mesh.doflocs[:2], ball.mesh.doflocs[:2], rtol=0, atol=scale)
+    assert np.abs(flat.mesh.doflocs[2, flat.surface]).max() < scale
+    axis = np.hypot(*ball.mesh.doflocs[:2]) < scale
+    np.testing.assert_allclose(flat.mesh.doflocs[2, axis], ball.mesh.doflocs[2, axis], rtol=0, atol=scale)
+    assert mesh_quality(flat.mesh).valid

@@ -6,14 +6,18 @@ from collections.abc import Sequence
 from analytic.effects.table import STATIC_LIMIT
 from analytic.scene import Contact
 from analytic.words import MILLIMETRE, percent_of, pressure_of
+from fembearing.fem.pixel_contact import PixelSolution
 from fembearing.fem.solution import MeshSolution
 from fembearing.verify.contact.mesh_refinement import Estimates, Reference
 
 EDGE_OF_GROOVE = 1.05  # distance to the shoulder, in semi-axes, below which Hertz no longer applies
-Solved = tuple[MeshSolution, Estimates]  # a load on its finest mesh, and the estimates from all its meshes
+ANNULAR = 0.5  # peak pressure over Hertz's, below which a contact on a sheet is near to a ring
+Solved = tuple[
+    MeshSolution | PixelSolution, Estimates
+]  # a load on its finest mesh, and the estimates from all its meshes
 
 
-def near_shoulder(mesh: MeshSolution, contact: Contact) -> bool:
+def near_shoulder(mesh: MeshSolution | PixelSolution, contact: Contact) -> bool:
     """Whether a solved contact reaches its shoulder, or nearly, where Hertz does not apply."""
     return mesh.shoulder is not None or EDGE_OF_GROOVE * mesh.quantities.semi_axis_transverse > contact.nearer_shoulder
 
@@ -37,6 +41,20 @@ def sheet_warning(contact: Contact) -> str:
     return (
         f"{contact.pair}: the sheet of {MILLIMETRE.written(contact.wall.thickness, '.3g')} bends on its rim, which "
         "Hertz's half space does not know: compare with the stiffness, do not judge by it"
+    )
+
+
+def annular_warning(contact: Contact, *, peak: float, hertz: float) -> str:
+    """The warning for a sheet that yields under the centre of the contact.
+
+    peak, hertz : peak pressure on the sheet and by Hertz, Pa
+    It is empty where the centre bears half of Hertz's pressure or more.
+    """
+    if peak >= ANNULAR * hertz:
+        return ""
+    return (
+        f"{contact.pair}: {pressure_of(peak)} at the centre is {percent_of(peak / hertz, 2)} of Hertz's: the sheet "
+        "yields there and the contact is about to become a ring, for which semi-axes and peak pressure say little"
     )
 
 

@@ -58,7 +58,8 @@ def test_what_twins_leave_is_extrapolated(levels: tuple[int, ...]) -> None:
         assert found[name].corrected == tuple(each.corrected[name] for each in solutions)
         assert (found[name].order is None) == (len(levels) == 2)
     before, last = levels[-2:]
-    largest = 11e-3 * (before**-ORDER - last**-ORDER)  # of the approach, relative to its exact value
+    power = ORDERS["approach"]
+    largest = 11e-3 * (before**-power - last**-power)  # of the approach, relative to its exact value
     expected = LEAST_WITH_TWIN + CURVED * shape * 0.007
     expected += LEFT * largest / ((last / before) ** ORDER - 1)
     for name in COMPARED:
