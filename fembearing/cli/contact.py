@@ -88,10 +88,12 @@ def _show_contact(
 
 def _show_series(result: "LoadSeries", *, as_json: bool) -> dict[str, float]:
     from fembearing.cli.console import out, print_json
+    from fembearing.plain_types import plain
+    from fembearing.report.load_series import series_record
     from fembearing.report.terminal.contacts import print_series
 
     if as_json:
-        print_json(result.to_json())
+        print_json(plain(series_record(result)))
     else:
         print_series(out, result)
         print_warnings(result.warnings)

@@ -11,6 +11,7 @@ from fembearing.report.phrases import AXES, contact_title, quantities_of, ring_l
 from fembearing.report.phrases import shown as shown_as
 from fembearing.report.terminal.table import table_of
 from fembearing.verify.contact.load_series import LoadSeries
+from fembearing.verify.contact.pocket_law import PocketLaw
 from fembearing.verify.contact.subsurface import SubsurfaceComparison
 
 COLUMNS = {"quantity": 19, "Hertz": 9, "FE": 9, "Hertz/FE-1": 10, "+-": 6, "order": 5, "verdict": 9}  # characters
@@ -120,6 +121,8 @@ def print_series(out: Console, series: LoadSeries) -> None:
             f"F = K delta^n: K {stiffness}, n {exponent} by finite elements; "
             f"{STIFFNESS.written(series.hertz_stiffness, '.5g')} and 1.5 by Hertz."
         )
+    if series.pocket_law is not None:
+        out.print(_sheet_law(series.pocket_law))
     out.print(
         "F: load; delta: approach; tangent: dF/d(delta), from a fit to all loads; +-: numerical uncertainty, 95 %; *: "
         f"the difference exceeds it.\nfinite elements, {series.geometry}, {series.meshes} "
@@ -128,3 +131,13 @@ def print_series(out: Console, series: LoadSeries) -> None:
     )
     verdict = series.verdict if series.judged else "shown, not judged"
     out.print(f"{verdict}: tolerance {percent_of(series.tolerance)}")
+
+
+def _sheet_law(law: PocketLaw) -> str:
+    """The law of the sheet of a pocket, and where a scene takes its stiffness."""
+    local, sheet = STIFFNESS.written(law.stiffness, ".5g"), f"{law.sheet * TANGENT.factor:.5g} {TANGENT.name}"
+    if law.stiffness_uncertainty is not None:
+        local += f" +- {law.stiffness_uncertainty:.2%}"
+    if law.sheet_uncertainty is not None:
+        sheet += f" +- {law.sheet_uncertainty:.2%}"
+    return f"delta = (F/K)^(2/3) + F/k, contact and sheet in series: K {local}, k {sheet} (cage.sheet_stiffness)."

@@ -56,7 +56,7 @@ class PairSeries:
     beyond: ComplianceOverLoad  # first level, on a larger block
     sides: tuple[ComplianceOverLoad, ...]  # second level, with each of the true sides; empty where they do not matter
     farther: CubicSpline | None  # of `sides_farther` over ln(load); None where it is not known
-    growth: float  # of the larger block over the other
+    recipe: Recipe
     sampled: tuple[float, ...]  # loads, N
 
     def under(self, load: float) -> tuple[PixelSolution, Estimates]:
@@ -69,7 +69,9 @@ class PairSeries:
         larger = press_pair(self.beyond.at(load), load=load)
         values = asdict(last.quantities)
         region = effects(
-            changes(asdict(first.quantities), asdict(larger.quantities)), growth=self.growth, left=LEFT_WITH_TWIN
+            changes(asdict(first.quantities), asdict(larger.quantities)),
+            growth=_growth(coarse, self.recipe),
+            left=LEFT_WITH_TWIN,
         )
         transverse = last.quantities.semi_axis_transverse
         if self.sides:
@@ -89,15 +91,15 @@ class PairSeries:
         first: PixelSolution, last: PixelSolution, region: dict[str, Boundary], *, between: bool
     ) -> Estimates:
         coarse, fine = asdict(first.quantities), asdict(last.quantities)
-        change = {name: value - coarse[name] for name, value in fine.items()}
-        largest = max(abs(change[name] / fine[name]) for name in COMPARED) / (2**ORDER - 1)
+        change, finer = {name: value - coarse[name] for name, value in fine.items()}, last.level / first.level
+        largest = max(abs(change[name] / fine[name]) for name in COMPARED) / (finer**ORDER - 1)
         size = max(last.quantities.semi_axis_rolling, last.quantities.semi_axis_transverse)
         shape = (size / last.contact.ball_radius) ** 2
         uncertainty = float(LEAST_WITH_TWIN + FEW_SAMPLES * shape + LEFT * largest + BETWEEN * between)
         mesh = dict.fromkeys(FORMAL_ORDERS, uncertainty)
         mesh["stiffness"] *= STIFFNESS
         mesh["peak_pressure"] += UNSTEADY_PRESSURE
-        limits = {name: value + change[name] / (2 ** ORDERS.get(name, ORDER) - 1) for name, value in fine.items()}
+        limits = {name: value + change[name] / (finer ** ORDERS.get(name, ORDER) - 1) for name, value in fine.items()}
         limits["approach"] *= 1 + CURVED_CELLS * shape
         limits["stiffness"] = last.contact.load / limits["approach"] ** 1.5
         return {
@@ -112,6 +114,16 @@ class PairSeries:
         }
 
 
+def _growth(compliance: PairCompliance, recipe: Recipe) -> float:
+    """Size of the larger block over that of the other for the ellipse of a compliance: the ring limits both."""
+    footprint = Footprint(semi_axes=compliance.semi_axes)
+    larger, block = (
+        block_of_race(compliance.contact, recipe, compliance.level, footprint, extended).extent
+        for extended in (True, False)
+    )
+    return larger / block
+
+
 def _mean(compliances: Sequence[PairCompliance]) -> PairCompliance:
     return replace(compliances[0], added=np.mean([each.added for each in compliances], axis=0))
 
@@ -122,8 +134,8 @@ def pair_series(contact: Contact, *, recipe: Recipe, loads: Sequence[float]) -> 
     Raises InputError and ConvergenceError as `condensed_pair` and `press_pair`.
     """
     sampled = sampling_loads(loads)
-    largest = expected_semi_axes(replace(contact, load=sampled[-1]), geometry="real")
-    sided = sides_matter(contact, transverse=largest[1])
+    _, widest = expected_semi_axes(replace(contact, load=sampled[-1]), geometry="real")
+    sided = sides_matter(contact, transverse=widest)
     samples = [_sampled(replace(contact, load=load), recipe=recipe, sided=sided) for load in sampled]
     known = [
         sides_farther(each[0].contact, recipe=recipe, semi_axes=each[0].semi_axes) if sided else None
@@ -131,17 +143,13 @@ def pair_series(contact: Contact, *, recipe: Recipe, loads: Sequence[float]) -> 
     ]
     farther = None if None in known else CubicSpline(np.log(sampled), known)
     coarse, fine, beyond, *sides = (compliance_over_load(each) for each in zip(*samples, strict=True))
-    reach = [
-        block_of_race(contact, recipe, recipe.levels[0], Footprint(semi_axes=largest), extended).extent
-        for extended in (True, False)
-    ]
     return PairSeries(
         coarse=coarse,
         fine=fine,
         beyond=beyond,
         sides=tuple(sides),
         farther=farther,
-        growth=reach[0] / reach[1],
+        recipe=recipe,
         sampled=sampled,
     )
 

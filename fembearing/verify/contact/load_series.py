@@ -9,7 +9,7 @@ accuracy is solved again on its own meshes.
 
 import time
 from collections.abc import Iterator
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -131,46 +131,6 @@ class LoadSeries(Brief):
     def shown_verdict(self) -> str:
         """The verdict; "shown" for a contact that is not judged."""
         return self.verdict if self.judged else "shown"
-
-    def to_json(self) -> dict[str, Any]:
-        """The series as plain types, SI; discrepancies and uncertainties are relative, except the exponent's."""
-        law = None
-        if self.law is not None:
-            law = asdict(self.law) | {"exponent_uncertainty": self.law.exponent_uncertainty}
-        return {
-            "pair": self.contact.pair,
-            "geometry": self.geometry,
-            "contact_angle": self.contact.contact_angle,
-            "loads": [
-                {
-                    "load": point.load,
-                    "approach": {
-                        "fe": point.approach.value,
-                        "uncertainty": point.approach.total,
-                        "hertz": point.hertz_approach,
-                        "discrepancy": point.discrepancy,
-                        "values": list(point.approach.values),
-                    },
-                    **{
-                        name: {"fe": part.value, "uncertainty": part.total, "values": list(part.values)}
-                        for name, part in point.others.items()
-                    },
-                    "tangent": {
-                        "fe": point.tangent,
-                        "uncertainty": point.tangent_uncertainty,
-                        "hertz": point.hertz_tangent,
-                    },
-                    "verdict": point.verdict,
-                }
-                for point in self.points
-            ],
-            "law": law,
-            "pocket_law": self.pocket_law and asdict(self.pocket_law),
-            "hertz_law": {"stiffness": self.hertz_stiffness, "exponent": 1.5},
-            "verdict": self.shown_verdict,
-            "cost": {"seconds": self.seconds, "meshes": self.meshes, "peak_memory": self.peak_memory},
-            "warnings": list(self.warnings),
-        }
 
     def to_dataset(self) -> Any:
         """An xarray.Dataset over the loads, SI, with units and meanings as attributes."""

@@ -9,6 +9,7 @@ from analytic.scene import Contact
 from fembearing.fem.compliance import pair_compliance
 from fembearing.fem.pixel_contact import press_pair
 from fembearing.fem.twin import shared_axes
+from fembearing.mesh.race import WIDEST_BLOCK
 from fembearing.mesh.recipe import load_recipe
 from fembearing.progress import silent
 from fembearing.verify.contact.compliance_series import (
@@ -21,6 +22,7 @@ from fembearing.verify.contact.compliance_series import (
 )
 from fembearing.verify.contact.load_series import compare_series
 from fembearing.verify.contact.mesh_refinement import COMPARED
+from fembearing.verify.contact.meshed_region import FADING, STIFFNESS
 from fembearing.verify.contact.reference import solve_reference
 
 RECIPE = load_recipe("race")
@@ -50,13 +52,35 @@ def test_between_its_loads_it_agrees_with_a_compliance_sampled_there(
 @pytest.mark.slow
 @pytest.mark.parametrize("load", [131.0, 400.0])
 def test_it_agrees_with_meshes_of_that_load(series: tuple[Contact, PairSeries], load: float) -> None:
-    """With far boundary and sides, on levels to 3, within both uncertainties; those of the series are below 0.1 %."""
+    """With far boundary and sides, on levels to 3, within both uncertainties; those of the series are below 0.1 %.
+
+    The stiffness, load over the 1.5th power of the approach, has 1.5 times the uncertainty of the approach.
+    """
     contact, over_load = series
     _, estimates = over_load.under(load)
     single = solve_reference(replace(contact, load=load), recipe=RECIPE, accuracy=5e-4, progress=silent)
     for name, part in single.estimates.items():
         assert abs(estimates[name].value / part.value - 1) < estimates[name].total + part.total, name
-        assert estimates[name].total < 1e-3, name
+        assert estimates[name].total < 1e-3 * (STIFFNESS if name == "stiffness" else 1), name
+
+
+def test_the_far_boundary_grows_with_the_block_of_each_load(contacts: dict[str, Contact]) -> None:
+    """The radius of the ring limits the larger block of the heavier load alone."""
+    contact = replace(
+        contacts["inner"], rolling_radius=10.0e-3, contact_angle=0.0, shoulder=3.9e-3, far_shoulder=3.9e-3
+    )
+    over_load = pair_series(contact, recipe=RECIPE, loads=(20.0, 560.0))
+    for load in over_load.sampled[:: len(over_load.sampled) - 1]:
+        _, estimates = over_load.under(load)
+        axes = over_load.coarse.at(load).semi_axes
+        block = RECIPE.domain.extent * max(axes)
+        growth = min(2 * block, WIDEST_BLOCK * contact.rolling_radius) / block
+        first, larger = (
+            press_pair(each.at(load), load=load).quantities for each in (over_load.coarse, over_load.beyond)
+        )
+        expected = (larger.peak_pressure / first.peak_pressure - 1) / (1 - growth**-FADING)
+        assert estimates["peak_pressure"].beyond == pytest.approx(expected, rel=1e-9), load
+    assert growth < 1.9  # of the heavier load
 
 
 def test_a_light_load_has_neither_far_boundary_nor_sides(contacts: dict[str, Contact]) -> None:
@@ -83,8 +107,3 @@ def test_loads_near_the_shoulder_are_solved_on_meshes(contacts: dict[str, Contac
     found = compare_series(contact, recipe=replace(RECIPE, levels=(1, 2, 3)), loads=loads, tolerance=0.9)
     assert [len(point.others) for point in found.points] == [4, 4, 0]
     assert found.law is not None
-    document = found.to_json()["loads"]
-    peak = found.points[0].others["peak_pressure"]
-    assert document[0]["peak_pressure"]["fe"] == peak.value
-    assert document[0]["peak_pressure"]["uncertainty"] == peak.total
-    assert "peak_pressure" not in document[2]

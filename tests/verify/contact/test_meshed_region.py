@@ -20,6 +20,7 @@ from fembearing.verify.contact import meshed_region
 from fembearing.verify.contact.meshed_region import (
     FADING,
     LEFT_BY_MESHES,
+    SIDES_LEFT,
     STEEP,
     STIFFNESS,
     UNCERTAIN,
@@ -161,6 +162,8 @@ def test_lands_too_steep_for_the_larger_block_widen_the_interval(monkeypatch: py
         with_effect_of_sides(boundary, sides, contact, transverse=8e-4, farther=farther) for farther in (0.0, None)
     )
     wider = {name: unknown[name].domain - known[name].domain for name in known}
-    assert wider["approach"] == pytest.approx(STEEP * np.sin(0.698), rel=1e-9)
-    assert wider["stiffness"] == pytest.approx(STIFFNESS * STEEP * np.sin(0.698), rel=1e-9)
+    left = SIDES_LEFT["approach"] * 2e-4
+    expected = np.sqrt(left**2 + (STEEP * np.sin(0.698)) ** 2) - left
+    assert wider["approach"] == pytest.approx(expected, rel=1e-9)
+    assert wider["stiffness"] == pytest.approx(STIFFNESS * expected, rel=1e-9)
     assert wider["peak_pressure"] == pytest.approx(0, abs=1e-15)
