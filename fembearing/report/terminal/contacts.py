@@ -122,7 +122,7 @@ def print_series(out: Console, series: LoadSeries) -> None:
             f"{STIFFNESS.written(series.hertz_stiffness, '.5g')} and 1.5 by Hertz."
         )
     if series.pocket_law is not None:
-        out.print(_sheet_law(series.pocket_law))
+        out.print(_sheet_law(series.pocket_law, largest=max(point.load for point in series.points)))
     out.print(
         "F: load; delta: approach; tangent: dF/d(delta), from a fit to all loads; +-: numerical uncertainty, 95 %; *: "
         f"the difference exceeds it.\nfinite elements, {series.geometry}, {series.meshes} "
@@ -133,11 +133,16 @@ def print_series(out: Console, series: LoadSeries) -> None:
     out.print(f"{verdict}: tolerance {percent_of(series.tolerance)}")
 
 
-def _sheet_law(law: PocketLaw) -> str:
-    """The law of the sheet of a pocket, and where a scene takes its stiffness."""
+def _sheet_law(law: PocketLaw, *, largest: float) -> str:
+    """The law of the sheet of a pocket, and the keys of a scene that take it; largest : load of the series, N."""
     local, sheet = STIFFNESS.written(law.stiffness, ".5g"), f"{law.sheet * TANGENT.factor:.5g} {TANGENT.name}"
     if law.stiffness_uncertainty is not None:
         local += f" +- {law.stiffness_uncertainty:.2%}"
     if law.sheet_uncertainty is not None:
         sheet += f" +- {law.sheet_uncertainty:.2%}"
-    return f"delta = (F/K)^(2/3) + F/k, contact and sheet in series: K {local}, k {sheet} (cage.sheet_stiffness)."
+    contact = f"{(largest / law.stiffness) ** (2 / 3) * MICRO.factor:.4g} {MICRO.name}"
+    return (
+        f"delta = (F/K)^(2/3) + F/k, contact and sheet in series: K {local}, k {sheet}. In [cage]:\n"
+        f'pocket_approach = {{ load = "{largest:.4g} N", approach = "{contact}" }}\n'
+        f'sheet_stiffness = "{law.sheet * TANGENT.factor:.4g} {TANGENT.name}"'
+    )

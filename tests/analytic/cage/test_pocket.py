@@ -6,6 +6,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from analytic.cage.pocket import (
+    elastic_force,
     friction_force,
     impact,
     impact_damping,
@@ -64,6 +65,18 @@ def test_a_whole_sphere_has_one_contact_without_a_jump_at_its_plane() -> None:
         assert depths.argmax() == (1 if x < 0 else 0)
         np.testing.assert_allclose(depths.max(), np.hypot(0.07e-3, 0.09e-3) - 0.1e-3, rtol=1e-9)
     assert not penetration(np.zeros(3), half_clearance=0.1e-3, centre_offset=0.0)[0].any()
+
+
+@pytest.mark.parametrize("softness", [1.3e-14, 7.7e-9, 4.1e-5])
+@pytest.mark.parametrize("force", [1.9e-9, 0.31, 28.0, 4.7e4])
+def test_contact_and_sheet_are_springs_in_series(softness: float, force: float) -> None:
+    """From a rigid sheet to one that takes all of the deformation."""
+    depth = (force / 6.1e10) ** (2 / 3) + force * softness
+    np.testing.assert_allclose(elastic_force(6.1e10, softness, depth), force, rtol=1e-12)  # of the last Newton step
+
+
+def test_a_rigid_sheet_leaves_the_force_of_hertz() -> None:
+    assert elastic_force(6.1e10, 0.0, 0.9e-6) == 6.1e10 * 0.9e-6 * np.sqrt(0.9e-6)
 
 
 def bounce(mass: float, speed: float, stiffness: float, damping: float) -> tuple[float, float, float, float]:
