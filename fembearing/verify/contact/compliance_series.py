@@ -138,7 +138,9 @@ def pair_series(contact: Contact, *, recipe: Recipe, loads: Sequence[float]) -> 
     sided = sides_matter(contact, transverse=widest)
     samples = [_sampled(replace(contact, load=load), recipe=recipe, sided=sided) for load in sampled]
     known = [
-        sides_farther(each[0].contact, recipe=recipe, semi_axes=each[0].semi_axes) if sided else None
+        sides_farther(each[0].contact, recipe=recipe, level=each[0].level, semi_axes=each[0].semi_axes)
+        if sided
+        else None
         for each in samples
     ]
     farther = None if None in known else CubicSpline(np.log(sampled), known)

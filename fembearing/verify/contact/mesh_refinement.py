@@ -73,7 +73,7 @@ def solve_by_levels(
     progress(0.2, f"{contact.pair}: far boundary")
     boundary = far_boundary(second, recipe=recipe)
     if has_sides(second, recipe=recipe):
-        farther = sides_farther(contact, recipe=recipe, semi_axes=second.pair.semi_axes)
+        farther = sides_farther(contact, recipe=recipe, level=recipe.levels[0], semi_axes=second.pair.semi_axes)
         boundary = with_sides(boundary, second, *each_side(second, recipe=recipe), farther=farther)
     first = solve_on_mesh(contact, recipe=recipe, level=recipe.levels[0], semi_axes=second.pair.semi_axes)
     meshes, estimates = [first, second], {}

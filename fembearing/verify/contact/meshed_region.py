@@ -35,11 +35,13 @@ SIDES_COARSE = 1e-3
 SIDES_LEFT = {"semi_axis_rolling": 0.15, "semi_axis_transverse": 0.15, "peak_pressure": 0.15, "approach": 0.3}
 STIFFNESS = 1.5  # relative change of load/approach^1.5 over that of the approach
 SIDES_LEFT_IN_OTHERS = STIFFNESS * SIDES_LEFT["approach"]
-# On the larger block the lands take part. What they add to the effect on the approach comes from the first level: 0.05
-# to 0.08 % at 40 degrees. From the second level it differs by up to 23 %, or 4e-5, on 16 contacts at 0.08 to 0.61 rad:
-# those of a 6205 and seeds 107 to 155 of validation/intervals/twin.py. Where cells of the larger block turn inside out
-# under a steep land it is not known: at most STEEP times the sine of the angle, from 0.14 % on a land of 0.69 rad.
-FARTHER_LEFT, STEEP = 0.25, 2.2e-3
+# On the larger block the lands take part. What they add to the effect on the approach, 0.05 to 0.08 % at 40 degrees,
+# differs on the first level from that on the second by up to 23 %, or 4e-5: 16 contacts at 0.08 to 0.61 rad, those of a
+# 6205 and seeds 107 to 155 of validation/intervals/twin.py. On the second level it differs from the third by up to 11 % on 7 of
+# them. Where
+# cells of the larger block turn inside out under a steep land it is not known: at most STEEP times the sine of the
+# angle, from 0.14 % on a land of 0.69 rad.
+FARTHER_LEFT, FARTHER_LEFT_ON_SECOND, STEEP = 0.25, 0.125, 2.2e-3
 # Bound on that effect over (b/r)^2 b/s, where s is the distance of the nearer shoulder; below a tenth of the least
 # uncertainty claimed it is not computed.
 SIDES_BOUND, SIDES_LEAST = 0.1, 0.1 * FINEST
@@ -89,12 +91,12 @@ def each_side(mesh: MeshSolution, *, recipe: Recipe) -> list[MeshSolution]:
     ]
 
 
-def sides_farther(contact: Contact, *, recipe: Recipe, semi_axes: tuple[float, float]) -> float | None:
+def sides_farther(contact: Contact, *, recipe: Recipe, level: int, semi_axes: tuple[float, float]) -> float | None:
     """Relative change of the approach by the true sides on the larger block, over that on the block of an ellipse, m.
 
     None where the larger block cannot be meshed with them.
     """
-    solved = partial(solve_on_mesh, contact, recipe=recipe, level=recipe.levels[0], semi_axes=semi_axes)
+    solved = partial(solve_on_mesh, contact, recipe=recipe, level=level, semi_axes=semi_axes)
     even = solved()
     try:
         larger, *both = (
@@ -114,16 +116,20 @@ def with_sides(
     below: MeshSolution,
     *,
     farther: float | None,
+    left: float = FARTHER_LEFT,
 ) -> dict[str, Boundary]:
     """The same with the effect of the true sides, from a quarter with each of them on the cells of `mesh`.
 
     Shoulders and lands of both sides change the contact by less than 0.3 %, and to first order each by itself: half of
     the contact gives the mean of the two quarters to 0.0015 % (validation/correction/sides.py).
     farther : from `sides_farther`
+    left : share of it that stays as uncertainty
     """
     even, *both = (measured(part) for part in (mesh, above, below))
     sides = {name: (both[0][name] + both[1][name]) / (2 * value) - 1 if value else 0.0 for name, value in even.items()}
-    return with_effect_of_sides(boundary, sides, mesh.contact, transverse=mesh.pair.semi_axes[1], farther=farther)
+    return with_effect_of_sides(
+        boundary, sides, mesh.contact, transverse=mesh.pair.semi_axes[1], farther=farther, left=left
+    )
 
 
 def with_effect_of_sides(
@@ -133,20 +139,21 @@ def with_effect_of_sides(
     *,
     transverse: float,
     farther: float | None,
+    left: float = FARTHER_LEFT,
 ) -> dict[str, Boundary]:
     """The same with a known effect of the true sides, relative, on a contact of a transverse semi-axis, m."""
     largest = max(abs(sides[name]) for name in SIDES_LEFT)
     coarse = SIDES_COARSE * (transverse / contact.ball_radius) ** 2
-    unknown = STEEP * abs(math.sin(contact.contact_angle)) if farther is None else FARTHER_LEFT * abs(farther)
+    unknown = STEEP * abs(math.sin(contact.contact_angle)) if farther is None else left * abs(farther)
     found = {}
     for name, part in boundary.items():
         power = {"approach": 1.0, "stiffness": -STIFFNESS}.get(name, 0.0)  # the other quantities are those of the block
-        left = SIDES_LEFT.get(name, SIDES_LEFT_IN_OTHERS) * largest
+        of_block = SIDES_LEFT.get(name, SIDES_LEFT_IN_OTHERS) * largest
         found[name] = replace(
             part,
             sides=(1 + sides[name]) * (1 + (farther or 0.0)) ** power - 1,
-            # Sides and lands are computed on different levels and blocks: their errors are independent.
-            domain=part.domain + math.hypot(left, power * unknown) + coarse,
+            # Far boundary, sides and lands are different computations on different blocks: their errors are independent.
+            domain=math.hypot(part.domain, of_block, power * unknown) + coarse,
         )
     return found
 

@@ -16,7 +16,10 @@ from fembearing.progress import Progress
 from fembearing.verify.contact.mesh_refinement import COMPARED, FORMAL_ORDERS, Estimates, Reference
 from fembearing.verify.contact.mesh_seconds import about, predicted_seconds
 from fembearing.verify.contact.meshed_region import (
+    FARTHER_LEFT,
+    FARTHER_LEFT_ON_SECOND,
     STIFFNESS,
+    Boundary,
     boundary_effect_with_twin,
     each_side,
     has_sides,
@@ -46,7 +49,8 @@ def solve_by_twin(
 ) -> Reference | None:
     """Solve `contact` on two levels of `recipe` or more, each with its twin; arguments as those of `solve_reference`.
 
-    The effect of the far boundary comes from the first level, and from the second where that is not certain enough.
+    The effects of far boundary and lands come from the first level, and from the second where that is not certain
+    enough.
     None where a twin says nothing: the contact is cut off by a shoulder, or far from the ellipse expected.
     """
     progress(0.0, f"{contact.pair}: size of the contact")
@@ -55,28 +59,34 @@ def solve_by_twin(
     )
     if coarse is None:
         return None
-    progress(0.1, f"{contact.pair}: far boundary")
-    far, on_first = boundary_effect_with_twin(coarse, recipe=recipe), True
-    solutions, both, farther, estimates = [coarse], (), None, {}
+    solutions, both, boundary, on_first, estimates = [coarse], (), {}, True, {}
+
+    def region(on: TwinSolution, *, left: float) -> dict[str, Boundary]:
+        """The effect of far boundary and true sides; left : share of the lands' that stays as uncertainty."""
+        far = boundary_effect_with_twin(on, recipe=recipe)
+        if not both:
+            return far
+        farther = sides_farther(contact, recipe=recipe, level=on.mesh.level, semi_axes=on.mesh.pair.semi_axes)
+        return with_sides(far, solutions[1].mesh, *both, farther=farther, left=left)
 
     def estimated() -> Estimates:
-        boundary = with_sides(far, solutions[1].mesh, *both, farther=farther) if both else far
         return {name: replace(part, **vars(boundary[name])) for name, part in estimates_with_twin(solutions).items()}
 
     finer = recipe.levels[1:]
     for number, level in enumerate(finer):
         expected = about(predicted_seconds(level, known=solutions[-1].mesh))
-        progress(0.2 + 0.8 * number / len(finer), f"{contact.pair}: level {level}, {expected}")
+        progress(0.1 + 0.9 * number / len(finer), f"{contact.pair}: level {level}, {expected}")
         solution = twin_on_level(contact, recipe=recipe, level=level, start=solutions[-1].ellipse)
         if solution is None:
             return None
-        if solutions == [coarse] and has_sides(solution.mesh, recipe=recipe):
-            both = each_side(solution.mesh, recipe=recipe)
-            farther = sides_farther(contact, recipe=recipe, semi_axes=coarse.mesh.pair.semi_axes)
         solutions.append(solution)
+        if not boundary:
+            progress(0.2, f"{contact.pair}: far boundary")
+            both = each_side(solution.mesh, recipe=recipe) if has_sides(solution.mesh, recipe=recipe) else ()
+            boundary = region(coarse, left=FARTHER_LEFT)
         estimates = estimated()
         if on_first and (any(estimates[name].total > accuracy for name in quantities) or undecided(estimates)):
-            far, on_first = boundary_effect_with_twin(solutions[1], recipe=recipe), False
+            boundary, on_first = region(solutions[1], left=FARTHER_LEFT_ON_SECOND), False
             estimates = estimated()
         accurate = all(
             estimates[name].mesh <= max(accuracy - estimates[name].domain, estimates[name].domain / 2)

@@ -155,15 +155,15 @@ def test_lands_too_steep_for_the_larger_block_widen_the_interval(monkeypatch: py
         return SimpleNamespace(upper=None, quantities=ENDLESS)
 
     monkeypatch.setattr(meshed_region, "solve_on_mesh", refused_with_sides)
-    assert sides_farther(contact, recipe=load_recipe("race"), semi_axes=(1e-4, 8e-4)) is None
+    assert sides_farther(contact, recipe=load_recipe("race"), level=1, semi_axes=(1e-4, 8e-4)) is None
     boundary = dict.fromkeys(vars(ENDLESS), Boundary(domain=1e-4))
     sides = dict.fromkeys(vars(ENDLESS), 2e-4)
     known, unknown = (
         with_effect_of_sides(boundary, sides, contact, transverse=8e-4, farther=farther) for farther in (0.0, None)
     )
     wider = {name: unknown[name].domain - known[name].domain for name in known}
-    left = SIDES_LEFT["approach"] * 2e-4
-    expected = np.sqrt(left**2 + (STEEP * np.sin(0.698)) ** 2) - left
-    assert wider["approach"] == pytest.approx(expected, rel=1e-9)
-    assert wider["stiffness"] == pytest.approx(STIFFNESS * expected, rel=1e-9)
+    for name, power in (("approach", 1.0), ("stiffness", STIFFNESS)):
+        square = 1e-4**2 + (power * SIDES_LEFT["approach"] * 2e-4) ** 2
+        steep = power * STEEP * np.sin(0.698)
+        assert wider[name] == pytest.approx(np.sqrt(square + steep**2) - np.sqrt(square), rel=1e-9)
     assert wider["peak_pressure"] == pytest.approx(0, abs=1e-15)
