@@ -36,11 +36,10 @@ SIDES_LEFT = {"semi_axis_rolling": 0.15, "semi_axis_transverse": 0.15, "peak_pre
 STIFFNESS = 1.5  # relative change of load/approach^1.5 over that of the approach
 SIDES_LEFT_IN_OTHERS = STIFFNESS * SIDES_LEFT["approach"]
 # On the larger block the lands take part. What they add to the effect on the approach, 0.05 to 0.08 % at 40 degrees,
-# differs on the first level from that on the second by up to 23 %, or 4e-5: 16 contacts at 0.08 to 0.61 rad, those of a
-# 6205 and seeds 107 to 155 of validation/intervals/twin.py. On the second level it differs from the third by up to 11 % on 7 of
-# them. Where
-# cells of the larger block turn inside out under a steep land it is not known: at most STEEP times the sine of the
-# angle, from 0.14 % on a land of 0.69 rad.
+# differs on the first level from that on the second by up to 23 %, or 4e-5, and on the second from the third by up to
+# 11 %: 16 and 12 contacts at 0.08 to 0.61 rad, a 6205 and seeds 107 to 155 of validation/intervals/twin.py. Where cells
+# of the larger block turn inside out under a steep land it is not known: at most STEEP times the sine of the angle,
+# from 0.14 % on a land of 0.69 rad.
 FARTHER_LEFT, FARTHER_LEFT_ON_SECOND, STEEP = 0.25, 0.125, 2.2e-3
 # Bound on that effect over (b/r)^2 b/s, where s is the distance of the nearer shoulder; below a tenth of the least
 # uncertainty claimed it is not computed.
@@ -152,7 +151,7 @@ def with_effect_of_sides(
         found[name] = replace(
             part,
             sides=(1 + sides[name]) * (1 + (farther or 0.0)) ** power - 1,
-            # Far boundary, sides and lands are different computations on different blocks: their errors are independent.
+            # Far boundary, sides and lands come from different blocks: their errors are independent.
             domain=math.hypot(part.domain, of_block, power * unknown) + coarse,
         )
     return found
