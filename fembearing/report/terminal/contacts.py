@@ -142,7 +142,7 @@ def _sheet_law(law: PocketLaw, *, largest: float) -> str:
         sheet += f" +- {law.sheet_uncertainty:.2%}"
     contact = f"{(largest / law.stiffness) ** (2 / 3) * MICRO.factor:.4g} {MICRO.name}"
     return (
-        f"delta = (F/K)^(2/3) + F/k, contact and sheet in series: K {local}, k {sheet}. In [cage]:\n"
-        f'pocket_approach = {{ load = "{largest:.4g} N", approach = "{contact}" }}\n'
-        f'sheet_stiffness = "{law.sheet * TANGENT.factor:.4g} {TANGENT.name}"'
+        f"delta = (F/K)^(2/3) + F/k, contact and sheet in series: K {local}, k {sheet}. In a scene:\n"
+        f'cage.pocket_approach = {{ load = "{largest:.4g} N", approach = "{contact}" }}\n'
+        f'cage.sheet_stiffness = "{law.sheet * TANGENT.factor:.4g} {TANGENT.name}"'
     )

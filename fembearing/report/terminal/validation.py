@@ -4,8 +4,8 @@ from rich.console import Console
 
 from analytic.result import COORDINATES, TorquePoint
 from analytic.words import angle_of, percent_of
-from fembearing.quantities import CONTACT, NEWTON_MILLIMETRE, RPM
-from fembearing.report.contact import ContactRecord
+from fembearing.quantities import CONTACT, NEWTON_MILLIMETRE, RPM, TANGENT
+from fembearing.report.contact import ContactRecord, sheet_in_series
 from fembearing.report.phrases import (
     film_change_words,
     friction_of,
@@ -56,9 +56,14 @@ def _print_pocket(out: Console, seat: ContactRecord, sheet: ContactRecord) -> No
     formula, thick, thin = (
         shown.factor * value for value in (seat.hertz.stiffness, seat.fe.stiffness, sheet.fe.stiffness)
     )
+    series = sheet_in_series(seat, sheet)
+    bends = series and (
+        f" In series with the seat the sheet has {TANGENT.written(series.stiffness, '.4g')} "
+        f"+- {percent_of(series.uncertainty, 2)}."
+    )
     out.print(
         f"Pocket, F = K_pb delta^1.5: K_pb {formula:.4g} {shown.name} by Hertz, {thick:.4g} in a thick seat, "
-        f"{thin:.4g} with the sheet on its rim ({thin / formula - 1:+.0%}).\n"
+        f"{thin:.4g} with the sheet on its rim ({thin / formula - 1:+.0%}).{bends or ''}\n"
     )
 
 

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from fembearing.quantities import Units
-from fembearing.report.contact import ContactRecord
+from fembearing.report.contact import ContactRecord, sheet_in_series
 from fembearing.report.phrases import digits, place_of, shown
 from fembearing.report.report import Report
 from fembearing.report.tables.cage import motion_table, regime_table
@@ -16,6 +16,7 @@ class CageSection(NamedTuple):
 
     pocket: Table | None
     load: str  # of the pocket
+    sheet: str | None  # stiffness of the sheet in series with the seat, and its uncertainty
     motion: Table | None
     regimes: Table | None
 
@@ -28,9 +29,15 @@ def cage_section(document: Report) -> CageSection:
     return CageSection(
         pocket=_pocket(document.contacts, units),
         load=units.force.written(document.contacts[-1].load, ".4g"),
+        sheet=_sheet(document.contacts, units),
         motion=motion_table(moved, units) if moved else None,
         regimes=regime_table(moved, units) if moved else None,
     )
+
+
+def _sheet(contacts: Sequence[ContactRecord], units: Units) -> str | None:
+    series = sheet_in_series(*contacts[2:]) if len(contacts) == 4 else None
+    return series and f"{units.tangent.written(series.stiffness, '.4g')} +- {series.uncertainty:.2%}"
 
 
 def _pocket(contacts: Sequence[ContactRecord], units: Units) -> Table | None:
