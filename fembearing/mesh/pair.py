@@ -96,10 +96,12 @@ def _ball_on_race(contact: Contact, recipe: Recipe, level: int, footprint: Footp
     radius, semi_axes = contact.ball_radius, footprint.semi_axes
     widest = WIDEST_CONTACT * radius / recipe.patch.margin_size
     if max(semi_axes) > widest:
+        most = contact.load * (widest / max(semi_axes)) ** 3  # the ellipse grows with the cube root of the load
+        remedy = "pocket_clearance" if contact.pair == "pocket" else "groove_radius"
         raise InputError(
             f"{contact.pair}: {contact.load:g} N spread the contact to a semi-axis of {length_of(max(semi_axes))}, "
-            f"too wide for a ball of radius {length_of(radius)}: the mesh holds up to {length_of(widest)}. Lower the "
-            "load, or raise groove_radius or youngs_modulus"
+            f"too wide for a ball of radius {length_of(radius)}: the mesh holds up to {length_of(widest)}, some "
+            f"{most:.2g} N. Lower the load, or raise {remedy} or youngs_modulus"
         )
     upper = ball_octant(contact, recipe, level, footprint)
     touching = upper.mesh.doflocs[:, upper.touching]

@@ -1,5 +1,7 @@
 """The meshed bodies against their exact shapes, and the levels of a recipe against each other."""
 
+import re
+from contextlib import nullcontext
 from dataclasses import replace
 
 import numpy as np
@@ -54,9 +56,18 @@ def test_no_cell_is_inside_out(contacts: dict[str, Contact], pair: str, recipe: 
 
 
 def test_a_contact_too_wide_for_its_ball_is_refused(contacts: dict[str, Contact]) -> None:
+    """With the load up to which the mesh holds: there is a mesh for its ellipse, and none for a little more."""
+    contact, recipe = contacts["inner"], load_recipe("race")
     with pytest.raises(InputError, match=r"too wide for a ball of radius 3\.97 mm") as caught:
-        pair_mesh(contacts["inner"], recipe=load_recipe("race"), level=1, semi_axes=(0.2e-3, 2.1e-3))
+        pair_mesh(contact, recipe=recipe, level=1, semi_axes=(0.2e-3, 2.1e-3))
     assert "\n" not in str(caught.value)
+    found = re.search(r"some (\S+) N", str(caught.value))
+    assert found is not None
+    share = (float(found[1]) / contact.load) ** (1 / 3)
+    for factor, possible in ((0.98, True), (1.02, False)):  # two digits of the load are 1.7 % of a length or less
+        axes = (factor * share * 0.2e-3, factor * share * 2.1e-3)
+        with nullcontext() if possible else pytest.raises(InputError, match="too wide"):
+            pair_mesh(contact, recipe=recipe, level=1, semi_axes=axes)
 
 
 def test_a_folded_cell_is_detected_and_located(contacts: dict[str, Contact]) -> None:
