@@ -100,7 +100,7 @@ def _ball_on_race(contact: Contact, recipe: Recipe, level: int, footprint: Footp
         remedy = "pocket_clearance" if contact.pair == "pocket" else "groove_radius"
         raise InputError(
             f"{contact.pair}: {contact.load:g} N spread the contact to a semi-axis of {length_of(max(semi_axes))}, "
-            f"too wide for a ball of radius {length_of(radius)}: the mesh holds up to {length_of(widest)}, some "
+            f"too wide for a ball of radius {length_of(radius)}: the mesh holds up to {length_of(widest)}, about "
             f"{most:.2g} N. Lower the load, or raise {remedy} or youngs_modulus"
         )
     upper = ball_octant(contact, recipe, level, footprint)

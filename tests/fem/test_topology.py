@@ -171,10 +171,10 @@ class GivesUp:
         self.error, self.forgot = error, 0
 
     def complement(self, upper: csr_matrix, border: csr_matrix) -> Any:
-        raise self.error("status -4")
+        raise self.error("status -4", upper, border)
 
     def solution(self, upper: csr_matrix, right: Array) -> Any:
-        raise self.error("status -4")
+        raise self.error("status -4", upper, right)
 
     def forget_numbers(self) -> None:
         self.forgot += 1
@@ -185,7 +185,7 @@ def test_superlu_takes_what_a_factor_gives_up() -> None:
     upper, border = csr_matrix([[4.0, 1.0], [0.0, 3.0]]), csr_matrix([[2.0], [5.0]])
     first = GivesUp(factor.LinAlgError)
     made = factor.FactorWithSubstitute(first, substitute=factor.SuperLUFactor())
-    with pytest.warns(RuntimeWarning, match=r"PARDISO gave up a matrix \(status -4\): SciPy's SuperLU"):
+    with pytest.warns(RuntimeWarning, match=r"PARDISO gave up a matrix \(.*status -4"):
         np.testing.assert_allclose(made.solution(upper, np.ones(2)), [2 / 11, 3 / 11], rtol=1e-14)
     with pytest.warns(RuntimeWarning, match="SuperLU"):
         # [2, 5] K^-1 [2, 5] by hand
