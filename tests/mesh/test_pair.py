@@ -9,6 +9,7 @@ import pytest
 from numpy.typing import NDArray
 from skfem import MeshHex2
 
+from analytic.contact.geometry import pocket_contact
 from analytic.errors import InputError
 from analytic.scene import Contact
 from fembearing.mesh.ball import block_of_ball, flat_ball
@@ -16,7 +17,9 @@ from fembearing.mesh.bodies import BodyMesh
 from fembearing.mesh.footprint import Footprint
 from fembearing.mesh.pair import PairMesh, pair_mesh
 from fembearing.mesh.quality import mesh_quality
+from fembearing.mesh.race import widest_on_race
 from fembearing.mesh.recipe import load_recipe
+from tests.analytic.specimens import BEARING_6205, STAMPED_CAGE
 
 Array = NDArray[np.float64]
 PAIRS, RECIPES = ("inner", "outer"), ("race", "hertzian")
@@ -68,6 +71,20 @@ def test_a_contact_too_wide_for_its_ball_is_refused(contacts: dict[str, Contact]
         axes = (factor * share * 1.4e-3, factor * share * 2.1e-3)
         with nullcontext() if possible else pytest.raises(InputError, match="too wide"):
             pair_mesh(contact, recipe=recipe, level=1, semi_axes=axes)
+
+
+@pytest.mark.parametrize("clearance", [0.5e-6, 10e-6, 0.2e-3])
+def test_a_conformal_pocket_is_meshed_up_to_its_limit_and_refused_beyond(clearance: float) -> None:
+    """The limit is below a third of the ball's radius; on all levels, with the larger block."""
+    cage = replace(STAMPED_CAGE, pocket_diameter=BEARING_6205.ball_diameter + clearance)
+    contact, recipe = pocket_contact(BEARING_6205, cage, load=5.0), load_recipe("race")
+    limit = widest_on_race(contact) / recipe.patch.margin_size
+    assert 0.3 * contact.ball_radius < limit < contact.ball_radius / 3
+    for level in recipe.levels[:3]:
+        within = pair_mesh(contact, recipe=recipe, level=level, semi_axes=(0.99 * limit, 0.99 * limit), extended=True)
+        assert all(mesh_quality(body.mesh).valid for body in (within.upper, within.lower))
+    with pytest.raises(InputError, match=r"^pocket: 5 N .* about \S+ N\. Lower the load, or raise pocket_clearance"):
+        pair_mesh(contact, recipe=recipe, level=1, semi_axes=(1.01 * limit, 1.01 * limit))
 
 
 def test_a_folded_cell_is_detected_and_located(contacts: dict[str, Contact]) -> None:
