@@ -318,8 +318,7 @@ def compare_contact(
     )
     meshes, estimates = reference.meshes, reference.estimates
     overrun = near_shoulder(meshes[-1], contact)
-    peak = estimates["peak_pressure"].value
-    annular = annular_warning(contact, peak=peak, hertz=hertz.peak_pressure) if thin else ""
+    annular = annular_warning(meshes[-1], hertz=hertz.peak_pressure) if thin else ""
     warnings = (
         *((sheet_warning(contact),) if thin else ()),
         *((annular,) if annular else ()),

@@ -37,6 +37,7 @@ from fembearing.verify.contact.reference import solve_reference
 from fembearing.verify.contact.scene_contact import Shape, as_meshed, contact_of, recipe_of, traced_to_load
 from fembearing.verify.contact.verdict import Verdict, could_be_decided, verdict_on, worst
 from fembearing.verify.contact.warnings import (
+    annular_warning,
     near_shoulder,
     series_shoulder_warning,
     sheet_warning,
@@ -253,6 +254,10 @@ def compare_series(
     tangents = [(None, None)] * given.size if law is None else fit_tangents(data, given, approaches)
     thin = recipe.geometry == "wall"
     over = [part.contact.load for part in finest if near_shoulder(part, contact)]
+    heaviest = finest[int(given.argmax())]
+    annular = ""
+    if thin and isinstance(heaviest, MeshSolution):  # a sheet is solved on meshes
+        annular = annular_warning(heaviest, hertz=hertz_quantities(heaviest.contact).peak_pressure)
     every = [(part, {"approach": approach}) for part, approach in zip(finest, approaches, strict=True)]
     return LoadSeries(
         contact=finest[0].contact,
@@ -271,6 +276,7 @@ def compare_series(
         peak_memory=peak_memory(),
         warnings=(
             *((sheet_warning(contact),) if thin else ()),
+            *((annular,) if annular else ()),
             *((series_shoulder_warning(contact, load=min(over)),) if over else ()),
             *solve_warnings(every, accuracy=accuracy, quantities=("approach",), thin=thin),
             *((two_loads_warning(contact),) if law is not None and not data.redundant else ()),

@@ -3,6 +3,8 @@
 import math
 from collections.abc import Sequence
 
+import numpy as np
+
 from analytic.effects.table import STATIC_LIMIT
 from analytic.scene import Contact
 from analytic.words import MILLIMETRE, percent_of, pressure_of
@@ -12,9 +14,8 @@ from fembearing.verify.contact.mesh_refinement import Estimates, Reference
 
 EDGE_OF_GROOVE = 1.05  # distance to the shoulder, in semi-axes, below which Hertz no longer applies
 ANNULAR = 0.5  # peak pressure over Hertz's, below which a contact on a sheet is near to a ring
-Solved = tuple[
-    MeshSolution | PixelSolution, Estimates
-]  # a load on its finest mesh, and the estimates from all its meshes
+# A load on its finest mesh or on pixels, and the estimates from all levels
+Solved = tuple[MeshSolution | PixelSolution, Estimates]
 
 
 def near_shoulder(mesh: MeshSolution | PixelSolution, contact: Contact) -> bool:
@@ -44,17 +45,22 @@ def sheet_warning(contact: Contact) -> str:
     )
 
 
-def annular_warning(contact: Contact, *, peak: float, hertz: float) -> str:
-    """The warning for a sheet that yields under the centre of the contact.
+def annular_warning(mesh: MeshSolution, *, hertz: float) -> str:
+    """The warning for a sheet that yields under the centre of the contact, where the pressure moves to a ring.
 
-    peak, hertz : peak pressure on the sheet and by Hertz, Pa
+    hertz : peak pressure by Hertz, Pa
     It is empty where the centre bears half of Hertz's pressure or more.
     """
+    peak = mesh.quantities.peak_pressure
     if peak >= ANNULAR * hertz:
         return ""
+    pressure = np.where(mesh.force > 0, mesh.pressure, 0.0)
+    most = int(np.argmax(pressure))
+    radius = MILLIMETRE.written(float(np.hypot(mesh.x[most], mesh.y[most])), ".3g")
     return (
-        f"{contact.pair}: {pressure_of(peak)} at the centre is {percent_of(peak / hertz, 2)} of Hertz's: the sheet "
-        "yields there and the contact is about to become a ring, for which semi-axes and peak pressure say little"
+        f"{mesh.contact.pair}: under {mesh.contact.load:g} N the sheet yields at the centre, where "
+        f"{pressure_of(peak)} are {percent_of(peak / hertz, 2)} of Hertz's; the largest pressure is "
+        f"{pressure_of(float(pressure[most]))}, {radius} from there: no quantity describes a ring"
     )
 
 

@@ -1,6 +1,9 @@
 """The law of a ball in the sheet of a pocket: its own data, springs in a row, and an independent solution."""
 
+import re
 from dataclasses import replace
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -8,6 +11,7 @@ import pytest
 from analytic.contact.geometry import pocket_contact
 from fembearing.mesh.recipe import load_recipe
 from fembearing.progress import silent
+from fembearing.verify.contact.discrepancy import compare_contact
 from fembearing.verify.contact.load_series import compare_series
 from fembearing.verify.contact.pocket_law import fit_pocket_law
 from fembearing.verify.contact.power_law import LawData
@@ -67,8 +71,31 @@ def test_the_sheet_bends_as_a_shell_and_the_law_holds_between_its_loads() -> Non
 
 
 def test_a_sheet_that_yields_under_the_centre_is_warned_of() -> None:
+    """With the largest pressure and its place; a node that bears no force does not count."""
     contact = pocket_contact(BEARING_6205, STAMPED_CAGE, load=28.0)
-    assert annular_warning(contact, peak=0.8e8, hertz=1.5e8) == ""
-    message = annular_warning(contact, peak=0.7e8, hertz=1.5e8)
-    assert "pocket: 0.07 GPa at the centre is 47 % of Hertz's" in message
+    mesh: Any = SimpleNamespace(
+        contact=contact,
+        quantities=SimpleNamespace(peak_pressure=0.7e8),
+        x=np.array([0.0, 0.3e-3, 0.9e-3]),
+        y=np.array([0.0, 0.4e-3, 0.0]),
+        pressure=np.array([0.7e8, 1.3e8, 9e8]),
+        force=np.array([2.0, 3.0, -1.0]),
+    )
+    assert annular_warning(mesh, hertz=1.3e8) == ""
+    message = annular_warning(mesh, hertz=1.5e8)
+    assert "pocket: under 28 N the sheet yields at the centre, where 0.07 GPa are 47 % of Hertz's" in message
+    assert "the largest pressure is 0.13 GPa, 0.5 mm from there" in message
     assert "\n" not in message
+
+
+@pytest.mark.slow
+def test_a_thin_sheet_bears_the_ball_on_a_ring() -> None:
+    """A sheet of 0.1 mm under 28 N, by the mean square distance of its load: above that of an even pressure, r^2/2."""
+    contact = pocket_contact(BEARING_6205, replace(STAMPED_CAGE, wall_thickness=0.1e-3), load=28.0)
+    found = compare_contact(contact, recipe=load_recipe("wall"), tolerance=0.05)
+    (message,) = (warning for warning in found.warnings if "yields at the centre" in warning)
+    mesh = found.meshes[-1]
+    square = np.sum(mesh.force * (mesh.x**2 + mesh.y**2)) / mesh.force.sum()
+    said = re.search(r"GPa, (\S+) mm from there", message)
+    assert said is not None
+    assert 0.55 < square / (float(said[1]) * 1e-3) ** 2 < 1  # Hertz's pressure has 0.4, a ring alone 1
