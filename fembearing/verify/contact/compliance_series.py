@@ -22,10 +22,8 @@ from fembearing.grid_convergence import Estimate
 from fembearing.mesh.footprint import Footprint, Sides
 from fembearing.mesh.race import block_of_race
 from fembearing.mesh.recipe import Recipe
-from fembearing.verify.contact.mesh_refinement import COMPARED, FORMAL_ORDERS, Estimates
+from fembearing.verify.contact.mesh_refinement import COMPARED, Estimates
 from fembearing.verify.contact.meshed_region import (
-    LEFT_WITH_TWIN,
-    STIFFNESS,
     Boundary,
     changes,
     effects,
@@ -33,15 +31,10 @@ from fembearing.verify.contact.meshed_region import (
     sides_matter,
     with_effect_of_sides,
 )
-from fembearing.verify.contact.twin_refinement import LEAST_WITH_TWIN, LEFT, ORDER, ORDERS, UNSTEADY_PRESSURE
+from fembearing.verify.contact.twin_refinement import ORDER, ORDERS
+from fembearing.verify.contact.uncertainty import LEFT_WITH_TWIN, on_pixels
 
 APART = 3.0  # largest ratio of neighbouring loads at which the compliance is sampled
-# Relative uncertainty of all quantities between samples: at most 0.008 % on the inner and the outer race of a 6205, in
-# ranges of 6 and of 100, against a compliance sampled at the load itself.
-BETWEEN = 1e-4
-# Uncertainty over (c/r)^2, with the larger semi-axis c and the ball's radius r, for what few samples miss of the
-# compliance. Chosen on the calibration contacts of validation/intervals/twin.py.
-FEW_SAMPLES = 3e-3
 # What the curved cells of the second level leave of the approach, over (c/r)^2; chosen likewise.
 CURVED_CELLS = 3e-3
 AWAY = 1.05  # least distance of the nearer shoulder in semi-axes: nearer, a load is solved on meshes
@@ -83,22 +76,19 @@ class PairSeries:
                 transverse=transverse,
                 farther=None if self.farther is None else float(self.farther(np.log(load))),
             )
-        estimates = self._estimates(first, last, region, between=load not in self.sampled)
+        estimates = self._estimates(first, last, region, is_sampled=load in self.sampled)
         return last, estimates
 
     @staticmethod
     def _estimates(
-        first: PixelSolution, last: PixelSolution, region: dict[str, Boundary], *, between: bool
+        first: PixelSolution, last: PixelSolution, region: dict[str, Boundary], *, is_sampled: bool
     ) -> Estimates:
         coarse, fine = asdict(first.quantities), asdict(last.quantities)
         change, finer = {name: value - coarse[name] for name, value in fine.items()}, last.level / first.level
         largest = max(abs(change[name] / fine[name]) for name in COMPARED) / (finer**ORDER - 1)
         size = max(last.quantities.semi_axis_rolling, last.quantities.semi_axis_transverse)
         shape = (size / last.contact.ball_radius) ** 2
-        uncertainty = float(LEAST_WITH_TWIN + FEW_SAMPLES * shape + LEFT * largest + BETWEEN * between)
-        mesh = dict.fromkeys(FORMAL_ORDERS, uncertainty)
-        mesh["stiffness"] *= STIFFNESS
-        mesh["peak_pressure"] += UNSTEADY_PRESSURE
+        mesh = on_pixels(shape=shape, step=largest, is_sampled=is_sampled)
         limits = {name: value + change[name] / (finer ** ORDERS.get(name, ORDER) - 1) for name, value in fine.items()}
         limits["approach"] *= 1 + CURVED_CELLS * shape
         limits["stiffness"] = last.contact.load / limits["approach"] ** 1.5

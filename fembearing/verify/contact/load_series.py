@@ -35,6 +35,7 @@ from fembearing.verify.contact.pocket_law import PocketLaw, fit_pocket_law
 from fembearing.verify.contact.power_law import LawData, StiffnessLaw, fit_law, fit_tangents
 from fembearing.verify.contact.reference import solve_reference
 from fembearing.verify.contact.scene_contact import Shape, as_meshed, contact_of, recipe_of, traced_to_load
+from fembearing.verify.contact.uncertainty import OFF_FROM, OFF_MESH
 from fembearing.verify.contact.verdict import Verdict, could_be_decided, verdict_on, worst
 from fembearing.verify.contact.warnings import (
     annular_warning,
@@ -45,13 +46,6 @@ from fembearing.verify.contact.warnings import (
     two_loads_warning,
 )
 from fembearing.verify.memory import peak_memory
-
-# Where the edge of an ellipse crosses cells made for another ellipse, the error of the approach oscillates with the
-# load, alike on all levels. On 14 idealised contacts at 33 sizes from 0.65 to 1.35 of the mesh's it exceeded the
-# error that the levels show by 0.21 % in 95 of 100 and 0.43 % at worst (validation/benchmarks/calibrations.py); it is
-# smaller where the ellipse is close to the mesh's.
-OFF_MESH = 3e-3
-OFF_FROM = 0.1  # difference of the ellipses, in semi-axes, from which OFF_MESH applies in full; in proportion below
 
 
 class SolvedLoad(NamedTuple):

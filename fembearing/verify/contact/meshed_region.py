@@ -16,31 +16,25 @@ from fembearing.fem.twin import TwinSolution, twin_factors
 from fembearing.grid_convergence import FINEST
 from fembearing.mesh.footprint import is_symmetric
 from fembearing.mesh.recipe import Recipe
+from fembearing.verify.contact.uncertainty import (
+    FARTHER_LEFT,
+    LEFT_BY_MESHES,
+    LEFT_BY_TWIN,
+    LEFT_WITH_TWIN,
+    SIDES_COARSE,
+    SIDES_LEFT,
+    SIDES_LEFT_IN_OTHERS,
+    STEEP,
+    STIFFNESS,
+    UNCERTAIN,
+)
 
 # The effect of the far boundary on the pressure falls with this power of the block's size: a block twice as large shows
-# 0.45 to 0.85 of it, over blocks up to eight times as large (validation/correction/far_boundary.py). Half of it stays
-# as uncertainty.
-FADING, UNCERTAIN = 1.6, 0.5
+# 0.45 to 0.85 of it, over blocks up to eight times as large (validation/correction/far_boundary.py).
+FADING = 1.6
 # The approach has no limit: it changes with the logarithm of the size, in a seat too. It is that of the larger block,
-# about 8 major semi-axes wide. The cells outside leave this share of the change between the blocks open; without twins
-# all cells do.
+# about 8 major semi-axes wide.
 UP_TO_LARGER = ("approach", "stiffness")
-LEFT_WITH_TWIN, LEFT_BY_MESHES = 0.25, 0.5
-# Share of what the twins correct in the change between the blocks that stays as uncertainty.
-LEFT_BY_TWIN = 0.1
-# The effect of the true sides, on the second level, differs from that on the third by at most these shares of the
-# largest effect, which is that on the approach, and SIDES_COARSE (b/r)^2: on 26 contacts with shoulders 1.13 to 2
-# semi-axes away.
-SIDES_COARSE = 1e-3
-SIDES_LEFT = {"semi_axis_rolling": 0.15, "semi_axis_transverse": 0.15, "peak_pressure": 0.15, "approach": 0.3}
-STIFFNESS = 1.5  # relative change of load/approach^1.5 over that of the approach
-SIDES_LEFT_IN_OTHERS = STIFFNESS * SIDES_LEFT["approach"]
-# On the larger block the lands take part. What they add to the effect on the approach, 0.05 to 0.08 % at 40 degrees,
-# differs on the first level from that on the second by up to 23 %, or 4e-5, and on the second from the third by up to
-# 11 %: 16 and 12 contacts at 0.08 to 0.61 rad, a 6205 and seeds 107 to 155 of validation/intervals/twin.py. Where cells
-# of the larger block turn inside out under a steep land it is not known: at most STEEP times the sine of the angle,
-# from 0.14 % on a land of 0.69 rad.
-FARTHER_LEFT, FARTHER_LEFT_ON_SECOND, STEEP = 0.25, 0.125, 2.2e-3
 # Bound on that effect over (b/r)^2 b/s, where s is the distance of the nearer shoulder; below a tenth of the least
 # uncertainty claimed it is not computed.
 SIDES_BOUND, SIDES_LEAST = 0.1, 0.1 * FINEST

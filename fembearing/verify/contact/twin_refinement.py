@@ -16,9 +16,6 @@ from fembearing.progress import Progress
 from fembearing.verify.contact.mesh_refinement import COMPARED, FORMAL_ORDERS, Estimates, Reference
 from fembearing.verify.contact.mesh_seconds import about, predicted_seconds
 from fembearing.verify.contact.meshed_region import (
-    FARTHER_LEFT,
-    FARTHER_LEFT_ON_SECOND,
-    STIFFNESS,
     Boundary,
     boundary_effect_with_twin,
     each_side,
@@ -26,6 +23,7 @@ from fembearing.verify.contact.meshed_region import (
     sides_farther,
     with_sides,
 )
+from fembearing.verify.contact.uncertainty import FARTHER_LEFT, FARTHER_LEFT_ON_SECOND, with_twin
 
 # Chosen on the calibration contacts of validation/intervals/twin.py, which tests them on others. ORDER: power of the
 # cell size with which the error falls that a twin leaves, and those of two quantities that differ.
@@ -33,9 +31,6 @@ ORDER, ORDERS = 4.0, {"semi_axis_transverse": 5.0, "approach": 3.0}
 # In bodies of true shape the error of the approach is that of their twin times 1 + SHAPED (c/r)^2, with the larger
 # semi-axis c and the ball's radius r.
 SHAPED = 0.8
-# The uncertainty: LEAST_WITH_TWIN, CURVED times (c/r)^2 and the largest error that the twin shows, and LEFT times the
-# largest extrapolation of a quantity; UNSTEADY_PRESSURE is added for the peak pressure, which has no steady order.
-LEAST_WITH_TWIN, CURVED, LEFT, UNSTEADY_PRESSURE = 1.5e-4, 0.3, 1.0, 1e-4
 
 
 def solve_by_twin(
@@ -113,10 +108,7 @@ def estimates_with_twin(solutions: Sequence[TwinSolution]) -> Estimates:
     limits["approach"] *= 1 + SHAPED * shape * (last.factors.approach - 1)
     limits["stiffness"] = last.mesh.contact.load / limits["approach"] ** 1.5
     shown = max(abs(getattr(last.factors, name) - 1) for name in COMPARED)
-    uncertainty = float(LEAST_WITH_TWIN + CURVED * shape * shown + LEFT * max(steps))
-    mesh = dict.fromkeys(FORMAL_ORDERS, uncertainty)
-    mesh["stiffness"] *= STIFFNESS
-    mesh["peak_pressure"] += UNSTEADY_PRESSURE
+    mesh = with_twin(shape=shape, shown=shown, step=max(steps))
     sizes = [1 / solution.mesh.level for solution in solutions]
     estimates = {}
     for name in FORMAL_ORDERS:

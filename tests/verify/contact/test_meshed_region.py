@@ -19,11 +19,6 @@ from fembearing.progress import silent
 from fembearing.verify.contact import meshed_region
 from fembearing.verify.contact.meshed_region import (
     FADING,
-    LEFT_BY_MESHES,
-    SIDES_LEFT,
-    STEEP,
-    STIFFNESS,
-    UNCERTAIN,
     Boundary,
     boundary_effect,
     boundary_effect_with_twin,
@@ -31,6 +26,7 @@ from fembearing.verify.contact.meshed_region import (
     with_effect_of_sides,
 )
 from fembearing.verify.contact.reference import solve_reference
+from fembearing.verify.contact.uncertainty import LEFT_BY_MESHES, SIDES_LEFT, STEEP, STIFFNESS, UNCERTAIN
 from tests.contacts import STEEL
 
 ENDLESS = Quantities(
