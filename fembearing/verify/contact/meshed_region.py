@@ -145,8 +145,8 @@ def with_effect_of_sides(
         found[name] = replace(
             part,
             sides=(1 + sides[name]) * (1 + (farther or 0.0)) ** power - 1,
-            # Far boundary, sides and lands come from different blocks: their errors are independent.
-            domain=math.hypot(part.domain, of_block, power * unknown) + coarse,
+            # Sides and lands come from different blocks and levels: their errors are independent.
+            domain=part.domain + math.hypot(of_block, power * unknown) + coarse,
         )
     return found
 
