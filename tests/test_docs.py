@@ -48,13 +48,6 @@ def test_every_reference_is_cited() -> None:
     assert [key for key in sorted(KEYS) if f"[{key}]" not in text and listed.count(f"[{key}]") < 2] == []
 
 
-def test_code_cites_by_key() -> None:
-    """Authors, years and "not seen" stand in the references alone."""
-    old_form = re.compile(r"\((?:18|19|20)\d\d\)|(?<!has )not seen|neither seen")
-    code = [(place, line) for place, line in LINES if place.startswith(("analytic", "fembearing"))]
-    assert [f"{place}: {line.strip()}" for place, line in code if ".py:" in place and old_form.search(line)] == []
-
-
 def anchors(page: Path) -> set[str]:
     """Of a page's headings, as GitHub makes them."""
     headings = re.findall(r"^#+ (.+)$", page.read_text("utf-8"), re.MULTILINE)
@@ -113,10 +106,6 @@ def test_every_number_of_readme_is_run_or_stands_on_a_page() -> None:
 def test_a_page_prints_what_it_says(page: Path, tmp_path: Path) -> None:
     found = {output.place[0]: differences(output) for output in run_in(tmp_path, page)}
     assert {place: lines for place, lines in found.items() if lines} == {}, "python -m tests.executed_pages PAGE"
-
-
-def test_some_pages_are_run() -> None:
-    assert {"README.md", "report.md", "shaft.md", "bearing.md"} <= {page.name for page in EXECUTED}
 
 
 def test_an_output_is_compared_line_by_line_and_number_by_number() -> None:

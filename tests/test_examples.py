@@ -9,8 +9,6 @@ from typing import Any
 import matplotlib.pyplot as plt
 import pytest
 
-from docs.extensions.gallery import ORDER
-
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 NOTEBOOKS = sorted(EXAMPLES.glob("*.ipynb"))
 PROGRAMS = sorted(EXAMPLES.glob("*.py"))
@@ -53,17 +51,6 @@ def test_a_program_runs_and_draws_a_picture(program: Path, monkeypatch: pytest.M
     plt.close("all")
     assert figures
     assert all(figure.get_axes() for figure in figures)
-
-
-@pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: path.stem)
-def test_a_program_reads_from_top_to_bottom(program: Path) -> None:
-    """The gallery shows its docstring, a title with text, and then code and text in turns."""
-    tree = ast.parse(program.read_text("utf-8"))
-    title, underline, *text = (ast.get_docstring(tree) or "").splitlines()
-    assert underline == "=" * len(title)
-    assert any(text)
-    assert program.read_text("utf-8").count("# %%\n") >= 2
-    assert program.name in ORDER
 
 
 def test_there_are_examples() -> None:

@@ -14,7 +14,6 @@ PAGES = {  # files of the tree, and the pages that show them
     "README.md": "index.md",
     "examples/README.rst": "gallery/index.rst",
     **{f"validation/{name}/{name}.md": f"{name}.md" for name in ("catalogue", "measured")},
-    "validation/paper/paper.md": "paper.md",
 }
 EXAMPLE = re.compile(r"examples/(plot_\w+)\.py")
 LINK = re.compile(r"(?<!!)\[(?P<words>[^]]+)\]\((?P<file>\.\./[^)#]+)(?P<place>#[^)]*)?\)")

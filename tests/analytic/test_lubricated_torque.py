@@ -20,6 +20,7 @@ from analytic.torque import RACES, friction_torque
 from fembearing.plain_types import plain
 from tests.analytic import specimens
 from tests.analytic.specimens import present
+from tests.refusals import refused
 
 OIL = replace(specimens.OIL, traction="eyring_constant")
 FINISH = replace(specimens.FINISH, rms_roughness=0.31e-6, ball_rms_roughness=0.13e-6, gap="truncated")
@@ -77,10 +78,7 @@ def test_film_and_share_carry_the_load_together(scene: Scene, temperature: float
             modulus=modulus * (1 - share),
         )
         oil = central_film(
-            softer,
-            entrainment_speed=u,
-            viscosity=viscosity,
-            pressure_viscosity=OIL.pressure_viscosity * x,
+            softer, entrainment_speed=u, viscosity=viscosity, pressure_viscosity=OIL.pressure_viscosity * x
         )
         heating = inlet_heating_factor(
             peak_pressure=contact.peak_pressure,
@@ -161,13 +159,6 @@ def test_a_smooth_surface_slides_on_oil_alone(scene: Scene) -> None:
     assert low < found.torque.total[0] < high
 
 
-@pytest.mark.parametrize("traction", ["eyring_sinh", "eyring_constant"])
-def test_the_torque_mirrors_with_the_speed(scene: Scene, traction: str) -> None:
-    oiled = replace(scene, lubricant=replace(OIL, traction=traction))  # pyright: ignore[reportArgumentType]
-    back = replace(oiled, operation=replace(oiled.operation, inner_speed=-SPEEDS))
-    np.testing.assert_array_equal(friction_torque(oiled).torque.total, friction_torque(back).torque.total)
-
-
 def test_what_does_not_slide_needs_no_film(scene: Scene) -> None:
     found = friction_torque(replace(scene, hysteresis_loss=0.006, effects={"spin": "off", "conformity": "off"}))
     point = plain(found.row(0))
@@ -176,20 +167,15 @@ def test_what_does_not_slide_needs_no_film(scene: Scene) -> None:
     assert np.all(found.torque.total > 0)
 
 
-@pytest.mark.parametrize(
-    ("change", "words"),
-    [
-        ({"friction_coefficient": 0.07}, r"friction\.coefficient = 0\.07 and \[surface\] both"),
-        ({"lubricant": None}, r"\[lubricant\] is missing.*\[surface\] alone"),
-        ({"surface": None}, r"\[surface\] is missing.*\[lubricant\] alone"),
-        ({"surface": replace(FINISH, hardness=None)}, r"surface\.hardness is missing, and steel has none"),
-        ({"lubricant": replace(OIL, temperature=120.0)}, "temperature must be above 138 K"),
-    ],
-)
-def test_what_does_not_fit_together_is_refused(scene: Scene, change: dict, words: str) -> None:
-    with pytest.raises(InputError, match=words) as problem:
-        friction_torque(replace(scene, **change))
-    assert "\n" not in str(problem.value)
+def test_what_does_not_fit_together_is_refused(scene: Scene) -> None:
+    for change, word in (
+        ({"friction_coefficient": 0.07}, "friction.coefficient = 0.07"),
+        ({"lubricant": None}, "[lubricant] is missing"),
+        ({"surface": None}, "[surface] is missing"),
+        ({"surface": replace(FINISH, hardness=None)}, "surface.hardness is missing"),
+        ({"lubricant": replace(OIL, temperature=120.0)}, "temperature"),
+    ):
+        refused(lambda: friction_torque(replace(scene, **change)), word)  # noqa: B023
 
 
 def test_rolling_beside_a_given_coefficient(bearing_6205: Bearing) -> None:

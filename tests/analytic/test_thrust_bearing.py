@@ -16,12 +16,14 @@ from analytic.loads.balls import LoadedBalls, LoadEffects, thrust_balls
 from analytic.loads.ring import ring_equilibrium
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.oil.rolling import hydrodynamic_rolling
-from analytic.scene import Autocorrelation, Bearing, ContactAngle, Groove, Lubricant, Operation, Scene, Surface
+from analytic.scene import Autocorrelation, Bearing, ContactAngle, Groove, Operation, Scene, Surface
 from analytic.solve.model import model_of
 from analytic.solve.solution import Solution, points_of, solved
 from analytic.torque import friction_torque
+from tests.analytic.specimens import OIL as USUAL_OIL
 from tests.analytic.specimens import part, thrust
 from tests.contacts import STEEL
+from tests.refusals import refused
 
 RIGHT = ContactAngle(rule="given", value=np.pi / 2)
 BALL, PITCH, GROOVE, COUNT = 7.2e-3, 37.4e-3, 3.9e-3, 11  # m
@@ -36,22 +38,9 @@ BEARING = Bearing(
     inner=WASHER,
     outer=WASHER,
 )
-OIL = Lubricant(
-    viscosity=0.043,
-    pressure_viscosity=1.9e-8,
-    viscosity_temperature=0.04,
-    reference_temperature=313.0,
-    temperature=313.0,
-    thermal_conductivity=0.14,
-    density=870.0,
-    eyring_stress=6e6,
-    limiting_shear=0.07,
-    traction="eyring_sinh",
-)
+OIL = replace(USUAL_OIL, eyring_stress=6e6, limiting_shear=0.07)
 FINISH = Surface(
-    rms_roughness=0.05e-6,
-    autocorrelation=Autocorrelation(kind="gaussian", length=30e-6, spacing=2e-6),
-    hardness=7.8e9,
+    rms_roughness=0.05e-6, autocorrelation=Autocorrelation(kind="gaussian", length=30e-6, spacing=2e-6), hardness=7.8e9
 )
 STILL = LoadEffects(load_distribution=False, centrifugal=False, gyroscopic=False)
 
@@ -63,10 +52,7 @@ def scene_of(operation: Operation, **changed: Any) -> Scene:
 def contact_by_hand(load: float) -> HertzContact:
     """A washer is flat along rolling."""
     return hertz_contact(
-        curvature_x=2 / BALL,
-        curvature_y=2 / BALL - 1 / GROOVE,
-        load=load,
-        modulus=contact_modulus(STEEL, STEEL),
+        curvature_x=2 / BALL, curvature_y=2 / BALL - 1 / GROOVE, load=load, modulus=contact_modulus(STEEL, STEEL)
     )
 
 
@@ -190,10 +176,7 @@ def test_the_weight_counts_on_one_washer() -> None:
     axial = 25.0
     scene, total = scene_of(thrust(axial, speed=1.0)), np.array([2.0])
     bound = held_in_the_middle(
-        replace(scene, effects={"centrifugal": "off"}),
-        loaded(scene),
-        parts={"rolling": total},
-        total=total,
+        replace(scene, effects={"centrifugal": "off"}), loaded(scene), parts={"rolling": total}, total=total
     )
     np.testing.assert_allclose(bound, BEARING.ball_mass * 9.80665 * COUNT / axial / 3 / 2, rtol=1e-12)  # round-off
 
@@ -208,18 +191,15 @@ def test_shoulders_lie_on_both_sides_of_the_contact() -> None:
 @pytest.mark.parametrize(
     ("changed", "words"),
     [
-        ({"operation": replace(thrust(500.0), radial_load=np.array([3.0]))}, r"radial_load = 3 N: .* axial_load alone"),
-        ({"operation": replace(thrust(500.0), moment=np.array([-0.2]))}, r"moment = -200 N mm: .* axial_load alone"),
-        ({"operation": thrust(5.0, speed=300.0)}, "centrifugal force .* raise the load"),
+        ({"operation": replace(thrust(500.0), radial_load=np.array([3.0]))}, "radial_load = 3 N"),
+        ({"operation": replace(thrust(500.0), moment=np.array([-0.2]))}, "moment = -200 N mm"),
+        ({"operation": thrust(5.0, speed=300.0)}, "raise the load"),
         ({"contact_angle": ContactAngle(rule="solved")}, "90 degrees"),
         ({"contact_angle": ContactAngle(rule="given", value=1.5)}, "90 degrees"),
     ],
 )
-def test_what_it_does_not_carry_is_refused_in_one_line(changed: dict[str, Any], words: str) -> None:
-    scene = replace(scene_of(thrust(500.0), friction_coefficient=0.1), **changed)
-    with pytest.raises(InputError, match=words) as caught:
-        friction_torque(scene)
-    assert "\n" not in str(caught.value)
+def test_what_it_does_not_carry_is_refused(changed: dict[str, Any], words: str) -> None:
+    refused(lambda: friction_torque(replace(scene_of(thrust(500.0), friction_coefficient=0.1), **changed)), words)
 
 
 def test_it_has_neither_clearance_nor_an_equilibrium_of_the_ring() -> None:

@@ -18,10 +18,7 @@ from tests.contacts import INNER_RING, OUTER_RING
 
 STEEPER = 1 / np.cos(0.3)
 INNER = replace(
-    contacts.INNER,
-    contact_angle=0.3,
-    rolling_radius=15.53e-3 * STEEPER + 4.13e-3 * (STEEPER - 1),
-    ring=INNER_RING,
+    contacts.INNER, contact_angle=0.3, rolling_radius=15.53e-3 * STEEPER + 4.13e-3 * (STEEPER - 1), ring=INNER_RING
 )
 OUTER = replace(
     contacts.OUTER,

@@ -122,28 +122,22 @@ def test_pieces_are_short_where_balls_carry_unlike_loads(
         ('operation.axial_load = { from = "1 N", to = "3 N", steps = 4 }', "axial_load.steps = 4 is an unknown key"),
         ('operation.axial_load = { from = "0 N", to = "3 N", count = 4, spacing = "log" }', "has no logarithm"),
         ('operation.axial_load = { from = "1 N", to = "3 N", count = 4, spacing = "even" }', "spacing = 'even' is not"),
-        (
-            'bearing.catalog = ["paper_6205", "nought"]',
-            r"catalog\[1\] = 'nought' is not in the catalog; give one of paper_6205",
-        ),
+        ('bearing.catalog = ["paper_6205", "nought"]',
+            r"catalog\[1\] = 'nought' is not in the catalog; give one of paper_6205"),
         ('bearing.catalog = { from = "paper_6205", to = "6208", count = 2 }', "has no order to step through"),
         ('effects.spin = ["on", "perhaps"]', "'perhaps' is not a word known here; give 'auto', 'on' or 'off'"),
         ('operation.axial_load = ["3 N"]\n"operation.axial_load" = ["4 N"]', "axial_load is there twice"),
         ('bearing.clearance = ["C3", "10 um"]', "bearing.clearance mixes words and quantities; give one kind"),
-        (
-            'bearing.clearance = { from = "C3", to = "10 um", count = 3 }',
-            "steps through quantities, not words; give a list",
-        ),
+        ('bearing.clearance = { from = "C3", to = "10 um", count = 3 }',
+            "steps through quantities, not words; give a list"),
         ("conformity = [0.52]", "conformity is no key of a scene file; did you mean bearing.conformity"),
         ('pair = ["inner"]', 'pair is of a contact; write what = "contact"'),
         ('bearing.ball_material.hardness = ["7 GPa"]', None),  # a table that the scene has as a word: found at a point
-        (
-            'operation.axial_load = { from = "1 N", to = "9 N", count = 90000 }\n'
+        ('operation.axial_load = { from = "1 N", to = "9 N", count = 90000 }\n'
             'operation.inner_speed = { from = "1 rpm", to = "9 rpm", count = 90000 }',
-            "90000 x 90000 = 8,100,000,000 points are too many for this machine's memory",
-        ),
+            "90000 x 90000 = 8,100,000,000 points are too many for this machine's memory"),
     ],
-)
+)  # fmt: skip
 def test_a_mistake_is_one_line(grid_file: Callable[..., Path], axes: str, complaint: str | None) -> None:
     path = grid_file(axes)
     if complaint is None:

@@ -78,9 +78,7 @@ def hoard() -> None:
 
 
 @pytest.mark.slow
-def test_a_process_that_takes_too_much_memory_is_ended_and_all_others_are_done(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_a_process_that_takes_too_much_memory_is_ended_and_all_others_are_done(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(cluster.SETTINGS, *ONE_TRY)
     monkeypatch.setattr(cluster, "MEMORY", "800MB")  # less than `hoard` takes, more than a process does at rest
     announced = []

@@ -1,8 +1,6 @@
 """The scripts that measure the torque model: each runs with tiny counts and writes its results."""
 
-import csv
 import pickle
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,21 +9,6 @@ from analytic.scene import Scene
 from analytic.torque import friction_torque
 from validation.benchmarks import friction as ladder
 from validation.benchmarks import random_scenes
-
-
-def rows(path: Path) -> list[dict[str, str]]:
-    with path.open(encoding="utf-8", newline="") as file:
-        return list(csv.DictReader(line for line in file if not line.startswith("#")))
-
-
-@pytest.mark.slow
-def test_auto_is_compared_with_everything_on(run_script, tmp_path: Path) -> None:
-    printed = run_script("benchmarks/effects.py", "--scenes", "2", "--out", tmp_path)
-    assert "2 scenes, seeds 30000 to 30001" in printed
-    written = rows(tmp_path / "effects.csv")
-    assert [float(row["tolerance"]) for row in written] == [0.1, 0.01, 0.001] * 2
-    assert all(abs(float(row["difference"])) < float(row["tolerance"]) for row in written)
-    assert (tmp_path / "effects.png").stat().st_size > 0
 
 
 @pytest.mark.parametrize("seed", [416, 1573, 648, 1156])
@@ -44,16 +27,3 @@ def test_a_scene_and_its_result_can_be_pickled() -> None:
     assert returned.provenance == direct.provenance
     with pytest.raises(TypeError):  # still read-only
         returned.provenance["scene"] = "another"
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        (("friction.py", "--errors", "--scenes", "3"), "seeds 40000 to 40002"),
-        (("cage.py", "--duration", "0.013", "--bounces", "3"), "largest drift of the energy"),
-    ],
-)
-def test_the_other_scripts_run(run_script, arguments: tuple[str, ...], words: str) -> None:
-    script, *options = arguments
-    assert words in run_script(f"benchmarks/{script}", *options)

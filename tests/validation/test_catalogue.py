@@ -54,7 +54,7 @@ def test_the_wrong_balls_are_seen() -> None:
 def test_listed_balls_have_the_printed_ratings() -> None:
     """All derived rows of grades A to C: at some pitch within the play the errors are those that the file states."""
     for name in ("deep_groove", "angular_contact"):
-        for row in catalogue.read_rows(catalogue.ROWS / f"{name}.csv"):
+        for row in catalogue.read(catalogue.ROWS / f"{name}.csv"):
             if row["ball_status"] != "derived" or row["grade"] == "D":
                 continue
             spread = catalogue.SPREADS[row["maker"]]

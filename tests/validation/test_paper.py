@@ -1,41 +1,18 @@
 """The paper, figure by figure: verdicts on known curves, what a cage's torque is, and the files that are written."""
 
 import json
-import re
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 
 from analytic.scene import CageStart
-from tests.analytic.specimens import present
 from validation.paper import cage, comparison
 from validation.paper import cage_scan as scan
 from validation.paper import printed_jumps as jumps
 
 SPEEDS = np.array([100.0, 300.0, 500.0]) * np.pi / 30
-
-
-def test_the_published_numbers_are_read_in_si() -> None:
-    found = {(p.quantity, p.rms_roughness, round(p.inner_speed * 30 / np.pi)): p for p in comparison.published()}
-    assert len(found) == 16
-    assert found["total_torque", 0.1e-6, 500].value == pytest.approx(12.90e-3)  # as in its text
-    assert found["cage_max_force", 1e-6, 100].value == pytest.approx(2.71)
-    assert {p.note for p in found.values() if p.quantity == "race_torque"} == {"about"}
-
-
-def test_a_curve_is_matched_if_all_its_points_are() -> None:
-    def curve(slow: float, fast: float) -> Any:
-        ours = {"inner_speed": SPEEDS, "race_torque": np.array([slow, 5e-3, fast])}
-        points = [p for p in comparison.published() if (p.quantity, p.rms_roughness) == ("race_torque", 0.1e-6)]
-        (found,) = comparison.curves(tuple(row for point in points for row in comparison.beside(point, ours)))
-        return found
-
-    assert curve(8e-3 * 1.09, 7e-3 * 0.92).verdict == "matched"
-    assert curve(8e-3, 7e-3 * 1.12).verdict == "within a factor of 1.12"
-    assert curve(8e-3 / 2.5, 7e-3).worst == pytest.approx(2.5)  # too little counts like too much
 
 
 def test_the_share_of_traction_balances_a_ball() -> None:
@@ -113,11 +90,9 @@ def test_the_printed_equations_jump_and_the_derived_ones_do_not() -> None:
 
 
 @pytest.mark.nightly
-def test_the_script_makes_every_figure_and_the_calibrated_forces_are_within_1_7(run_script, tmp_path: Path) -> None:
-    printed = run_script("paper/run.py", "--out", tmp_path)
-    assert "no evidence for the model" in printed
+def test_the_calibrated_forces_are_within_1_7_and_no_power_agrees(run_script, tmp_path: Path) -> None:
+    run_script("paper/run.py", "--out", tmp_path)
     written = json.loads((tmp_path / "paper.json").read_text("utf-8"))
-    assert [reading["name"] for reading in written["readings"]] == ["as printed", "calibrated", "physical"]
     verdicts = {
         (reading["name"], curve["ours"], curve["rms_roughness"]): curve
         for reading in written["readings"]
@@ -129,13 +104,6 @@ def test_the_script_makes_every_figure_and_the_calibrated_forces_are_within_1_7(
             assert verdicts["calibrated", chosen, roughness]["verdict"] == "matched"
         assert min(verdicts["calibrated", "cage_torque", roughness]["factors"]) > 2  # no power agrees
     assert verdicts["physical", "race_torque", 1e-6]["verdict"] != "matched"
-    assert any("as_printed" in text for text in written["readings"][0]["warnings"])
-    assert len((tmp_path / "paper.csv").read_text("utf-8").splitlines()) == 1 + 3 * 24
-    page = (tmp_path / "paper.md").read_text("utf-8")
-    free, held = present(re.search(r"largest force is ([\d.]+) N in place of ([\d.]+),", page)).groups()
-    assert 0 < float(free) < float(held)  # balls that slide press less
-    pictures = sorted(path.name for path in tmp_path.glob("*.png"))
-    assert len(pictures) == 6
-    assert all(f"]({name})" in page for name in pictures)
-    for section in ("What is power and what is not", "Misses and their reasons", "Calibrated inputs", "Table 1"):
-        assert f"## {section}\n" in page
+    held = written["readings"][1]["series"]["1e-07"]["cage_max_force"][-1]
+    assert 0 < written["free_balls"]["max_force"] < held  # balls that slide press less
+    assert len(list(tmp_path.glob("*.png"))) == 6

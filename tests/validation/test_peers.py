@@ -12,30 +12,6 @@ def peers_json(folder: Path) -> dict[str, Any]:
 
 
 @pytest.mark.slow
-def test_a_run_measures_ours_and_skips_a_missing_solver(
-    run_script, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    missing = tmp_path / "missing" / "tamaas.py"
-    missing.parent.mkdir()
-    missing.write_text("raise ModuleNotFoundError('no such module', name='tamaas')\n", "utf-8")
-    monkeypatch.setenv("PYTHONPATH", str(missing.parent))  # comes before an installed one
-    out = tmp_path / "out"
-    chosen = ("--workflows", "same mesh", "--cases", "sphere", "--peers", "tamaas", "ours")
-    printed = run_script("peers/run.py", "--out", out, "--steps", "1", *chosen)
-    found = peers_json(out)
-    assert found["skipped"] == {"tamaas": "tamaas is not installed"}
-    assert "tamaas skipped: tamaas is not installed" in printed
-    (row,) = found["rows"]
-    assert (row["peer"], row["case"], row["refinement"]) == ("ours", "sphere", 1)
-    assert row["worst"] == pytest.approx(max(map(abs, row["errors"].values())))
-    assert 1e-5 < row["worst"] < 0.01  # the coarsest mesh is 0.6 % off; not even a fine one is exact
-    assert min(row["import_seconds"], row["solve_seconds"]) > 0
-    assert row["process_seconds"] > row["solve_seconds"]
-    assert row["memory"] > 2**24  # bytes: an interpreter with NumPy takes more
-    assert (out / "peers.png").stat().st_size > 0
-
-
-@pytest.mark.slow
 def test_boundary_elements_hertz_and_ours_agree_on_the_ellipse_of_the_6205(run_script, tmp_path: Path) -> None:
     pytest.importorskip("tamaas", reason="its wheels are for Linux on x86-64 only")
     chosen = ("--workflows", "same mesh", "--cases", "ellipse", "--peers", "tamaas", "ours")

@@ -40,7 +40,6 @@ def time_load_series() -> None:
             runs = [solve_load_series(scene, pair=pair, loads=loads) for _ in range(REPEATS)]
             seconds[name] = statistics.median(run.seconds for run in runs)
             meshes[name], law = runs[0].meshes, runs[0].law
-        assert law is not None
         out.print(
             f"{pair}: one load {seconds['1']:.2f} s; 40 from 100 to 600 N {seconds['40'] - seconds['1']:.2f} s more on "
             f"{meshes['40']} mesh, 40 from 10 to 1000 N {seconds['40 wide'] - seconds['1']:.2f} s more on "

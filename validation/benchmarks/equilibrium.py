@@ -1,25 +1,17 @@
-"""Accuracy and cost of the load equilibria: python validation/benchmarks/equilibrium.py
+"""Accuracy of the load equilibria: python validation/benchmarks/equilibrium.py
 
-Prints the processor time of a thrust point, of a long series and of ring equilibria, the deviation of the ring under
-pure thrust from the closed form, and two cross-checks with published numbers (validation/published): ring displacements
-from another program [MASTA] and a maker's axial rigidity of a preloaded pair [GMN]. Times depend on the machine and are
-those of one thread.
+Prints the deviation of the ring under pure thrust from the closed form, and two cross-checks with published numbers
+(validation/published): ring displacements from another program [MASTA] and a maker's axial rigidity of a preloaded pair
+[GMN].
 """
 
-import os
-import time
-from collections.abc import Callable
 from pathlib import Path
-from typing import Any
-
-os.environ.setdefault("OMP_NUM_THREADS", "1")  # before numpy loads its threads
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import numpy as np
 from rich.console import Console
 from rich.table import Table
 
-from analytic import hertz_contact, load_scene
+from analytic import load_scene
 from analytic.loads.balls import LoadEffects
 from analytic.loads.pair import PairContacts, pair_equilibrium
 from analytic.loads.ring import ring_equilibrium
@@ -35,52 +27,9 @@ out = Console(width=110)
 
 
 def main() -> None:
-    processor_times()
     thrust_limit()
     displacements()
     rigidity()
-
-
-def seconds(call: Callable[[], object], *, repeats: int) -> float:
-    """Least processor time of a warm call."""
-    call()
-    times = []
-    for _ in range(repeats):
-        start = time.process_time()
-        call()
-        times.append(time.process_time() - start)
-    return min(times)
-
-
-def processor_times() -> None:
-    scene = load_scene("6205-dry")
-    bearing, rule = scene.bearing, scene.contact_angle
-    random = np.random.default_rng(5)
-    many = random.uniform(20, 2000, 100_000)
-    load: dict[str, Any] = {"axial_load": many[:10_000], "radial_load_x": random.uniform(0, 1000, 10_000)}
-    single: dict[str, Any] = {"axial_load": 300.0, "radial_load_x": 500.0}
-    curvatures = np.geomspace(37.0, 3.7e7, 10**6)
-    calls = {
-        "one million Hertz contacts, s": (
-            lambda: hertz_contact(curvature_x=curvatures, curvature_y=37.0, load=620.0, modulus=1.13e11),
-            3,
-            1.0,
-        ),
-        "one thrust point, ms": (lambda: thrust_equilibrium(bearing, rule, axial_load=1000.0), 200, 1e3),
-        "100 000 thrust points, s": (lambda: thrust_equilibrium(bearing, rule, axial_load=many), 3, 1.0),
-        "one ring point, 9 balls at rest, ms": (lambda: ring_equilibrium(bearing, rule, **single), 100, 1e3),
-        "the same at 500 rad/s, ms": (lambda: ring_equilibrium(bearing, rule, **single, inner_speed=500.0), 50, 1e3),
-        "10 000 ring points at rest, s": (lambda: ring_equilibrium(bearing, rule, **load), 2, 1.0),
-        "10 000 ring points at 500 rad/s, s": (
-            lambda: ring_equilibrium(bearing, rule, **load, inner_speed=500.0),
-            1,
-            1.0,
-        ),
-    }
-    table = Table("processor time", "least of a few")
-    for name, (call, repeats, unit) in calls.items():
-        table.add_row(name, f"{seconds(call, repeats=repeats) * unit:.3g}")
-    out.print(table)
 
 
 def thrust_limit() -> None:

@@ -4,7 +4,7 @@ Prints the race torque of a 6205 under 1000 N thrust at a given contact angle of
 three methods of `analytic.sliding.ball`, with the errors of the cheaper ones and the processor time of the torque. With
 --errors: the errors of the two cheaper methods in random scenes of oil and finish, two contacts each, with the
 numerical uncertainty that the result states, by which `auto` chooses. With --nodes [--balls 10000]: error and estimate
-(`analytic.sliding.judge`) of every method on random balls (`random_contacts`), with the worst ratio and its ball;
+(`analytic.sliding.judge`) of every method on random balls (`random_scenes`), with the worst ratio and its ball;
 status 1 where an error is above its estimate. The reference is the last method with 96 by 96 nodes. Model is compared
 with model; nothing is measured. Times are those of the machine.
 """
@@ -30,8 +30,7 @@ from analytic.sliding.ellipse import quadrature_of
 from analytic.solve.model import model_of
 from analytic.solve.records import SETTLED
 from analytic.solve.solution import points_of, solved
-from validation.benchmarks.random_contacts import sliding_alone, sliding_balls
-from validation.benchmarks.random_scenes import of_oil_and_finish, thrust_scene
+from validation.benchmarks.random_scenes import of_oil_and_finish, sliding_alone, sliding_balls, thrust_scene
 
 METHODS: tuple[SlidingMethod, ...] = ("single_coefficient", "along_axis", "over_ellipse")
 LAWS: tuple[Literal["eyring_constant", "eyring_sinh"], ...] = ("eyring_constant", "eyring_sinh")
@@ -89,8 +88,6 @@ def main(
 
 def ladder(out: Console) -> None:
     table = Table("traction", "Sq, um", "rpm", "N mm", "of the last, missed by", "ms", title=", ".join(METHODS))
-    assert LADDER.lubricant is not None
-    assert LADDER.surface is not None
     for traction in LAWS:
         for roughness in (0.1e-6, 1e-6):
             for rpm in (100.0, 500.0):
@@ -164,7 +161,6 @@ def trials_of(seed: int) -> list[Trial]:
     scene = sliding_scene(seed)
     found = {method: friction_torque(replace(scene, sliding=method)) for method in METHODS}
     true = found["over_ellipse"].torque.total[0]
-    assert scene.lubricant is not None
     return [
         Trial(
             seed=seed,

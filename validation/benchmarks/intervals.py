@@ -21,25 +21,17 @@ from rich.progress import track
 from rich.table import Table
 
 from analytic.errors import FembearingError
-from analytic.scene import Contact, Material
+from analytic.scene import Contact
 from fembearing.fem.solution import fitted_solution, solve_on_mesh
 from fembearing.mesh.recipe import Cells, Depth, Domain, Patch, Recipe, load_recipe
 from fembearing.progress import silent
 from fembearing.verify.contact.hertz import hertz_quantities
 from fembearing.verify.contact.mesh_refinement import COMPARED
 from fembearing.verify.contact.reference import solve_reference
+from validation.intervals.twin import MATERIALS
 
 ACCURACIES = (2e-3, 1e-3)
 SHARE_OF_POCKETS = 0.25  # of the idealised contacts; true shapes have none, as a seat's approach does not converge
-MATERIALS = [
-    Material(name=name, youngs_modulus=modulus, poisson_ratio=ratio, density=1.0, source="typical")
-    for name, modulus, ratio in (
-        ("steel", 206e9, 0.3),
-        ("silicon nitride", 310e9, 0.26),
-        ("bronze", 110e9, 0.34),
-        ("peek", 3.6e9, 0.38),
-    )
-]
 # The mesh of the converged solution shares only the grading towards the edge with the recipes. Halving its cells leaves
 # a sixteenth of the error or less (observed on the idealisation); this factor extrapolates it. Semi-axes and pressure
 # come from a block twice as wide, and the change by doubling it once more is added; the approach from the block that

@@ -1,240 +1,306 @@
-"""How fast is this tree, and has it become slower? python validation/benchmarks/run.py [--short] [--record]
+"""How fast is this tree beside another? python validation/benchmarks/run.py [--against COMMIT_OR_WHEEL] [--short]
 
-Measures contacts, validation, torques, intervals, the cage's motion, the start of the command line, and sweeps, in this
-tree and in a temporary worktree of the recorded commit, in turns. Each figure is the best of all turns, in processor
-seconds, or in wall seconds where a job uses several processes. The table has both figures, their ratio and the goal.
-The exit status is 1 if a figure is more than 1.5 times as bad as at the recorded commit after three attempts, or if
-this tree cannot measure it. A row of rows.py may state another limit, with its reason. The record is benchmarks.json in
-this folder; --record renews it, with a table in benchmarks.md and the picture benchmarks.png. A clone without
-the recorded commit compares nothing, and says so.
+Each row is an expression with its set-up. It is timed in this tree and in another one in turns, each time in a new
+process: the expression is repeated for a twentieth of a second once it is warm, or is called once where the first call
+of a process counts. The table has the medians of both trees, the median of the ratios of the pairs, and the difference
+of the results. Seconds are those of the processor with its children; wall seconds where several processes work.
 
---short measures some rows only, in less than a minute. The machine should be idle for figures to quote.
+The exit status is 1 if a row fails in one of the trees, or if it takes more than 1.5 times as long as in the other tree
+in each of three attempts. --json FILE also writes all figures. The machine should be idle for figures to quote.
 """
 
 import argparse
 import json
-import signal
+import os
+import subprocess
 import sys
-import time
-from collections.abc import Iterable, Sequence
-from concurrent.futures import ThreadPoolExecutor
-from contextlib import ExitStack, closing, suppress
-from dataclasses import asdict, dataclass, field
-from typing import Any
+import tarfile
+import tempfile
+import zipfile
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from statistics import median
+from typing import Any, Literal
+
+from rich.console import Console
+from rich.progress import track
+from rich.table import Table
 
 from validation.benchmarks.machine import machine, versions
-from validation.benchmarks.rows import ROWS, Row
-from validation.benchmarks.trees import ROOT, CommitMissingError, FailedError, Sample, Tree, checked_out, last_change
 
-RECORD = ROOT / "validation" / "reports" / "benchmarks.json"
-ATTEMPTS = 3  # until a row that became slower counts as such
-REPEATS = 3  # turns
-PATIENCE = {"short": 3.0, "full": 60.0}  # s, for the turns of a row; the first turn is finished in any case
-UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
-
-
-@dataclass(kw_only=True)
-class Measured:
-    """A row in one tree."""
-
-    samples: list[Sample] = field(default_factory=list)
-    failed: str | None = None
-
-    def add(self, row: Row, tree: Tree) -> None:
-        if self.failed is None:
-            try:
-                self.samples.append(row.measure(tree))
-            except FailedError as problem:
-                self.failed = str(problem)
-
-    def figure(self, row: Row) -> float | None:
-        return None if self.failed or not self.samples else row.best(self.samples)
+ROOT = Path(__file__).resolve().parents[2]
+AGAINST = "a62f40ab"  # renewed after a change that is slower on purpose
+ATTEMPTS, PAIRS = 3, 3
+SLOWER = 1.5  # times, beyond the scatter of pairs on a machine that does something else too
+LIMIT = 3600.0  # s, for one process
+ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS"), "1")
 
 
 @dataclass(frozen=True, kw_only=True)
-class Compared:
-    """A row in this tree and in the recorded one."""
+class Row:
+    """What is timed; goal : s."""
 
-    row: Row
-    now: Measured
-    recorded: Measured
-
-    @property
-    def ratio(self) -> float | None:
-        """How many times as bad this tree is; None where one of both figures is missing."""
-        now, recorded = self.now.figure(self.row), self.recorded.figure(self.row)
-        if now is None or recorded is None:
-            return None
-        return now / recorded if self.row.unit == "s" else recorded / now
-
-    @property
-    def slower(self) -> bool:
-        return self.ratio is not None and self.ratio > self.row.worst
-
-    @property
-    def difference(self) -> float | None:
-        """Of the results, relative: two trees that compute something else are not compared by their times."""
-        both = [each.samples[0].result for each in (self.now, self.recorded) if each.samples]
-        if len(both) < 2 or both[0] is None or not both[1]:
-            return None
-        return both[0] / both[1] - 1
+    title: str
+    call: str
+    setup: str = ""
+    goal: float | None = None
+    clock: Literal["cpu", "wall"] = "cpu"
+    first: bool = False  # whether the first call of a process counts
+    short: bool = False  # whether the short form has it
 
 
-def main(argv: list[str] | None = None) -> int:
+PHYSICAL, BY_RULE = 'scene("6205_physical")', 'scene("6205_physical", spin_rule="balanced")'
+CALIBRATED = 'scene("6205_paper_calibrated", spin_rule="balanced")'
+DRY = 'scene("6205-dry", cage=None, spin_rule="balanced")'
+POINT, VALIDATE = "friction_torque(one).torque.total[0]", 'command("validate", "6205-dry", "--json"{})'
+FIRST, NEXT = 'solve(pair="{}", accuracy={})', 'solve(pair="inner", accuracy=1e-3, load=next(loads))'
+CALL = "torque(axial_load=1000.0, inner_speed=52.0, radial_load={})"
+MOVING = (
+    f"cage = replace(dry.cage, start='whirl', duration=0.02); "
+    f"one = replace(at({DRY}), cage=cage, effects={{'cage_dynamics': 'on'}})"
+)
+SWEEP = 'command("sweep", grid({}), "--out", tempfile.mkdtemp(dir=".") + "/out", "--workers", "{}")'
+ROWS = {
+    "contact": Row(
+        title="contact in its groove to 0.1 %", call=FIRST.format("inner", 1e-3), goal=0.5, clock="wall", first=True
+    ),
+    "next_contact": Row(title="the same, the next load", call=NEXT, goal=0.2, clock="wall", short=True),
+    "contact_outer": Row(
+        title="contact of the outer race to 0.1 %", call=FIRST.format("outer", 1e-3), goal=0.5, clock="wall", first=True
+    ),
+    "fine_contact": Row(
+        title="contact to 0.05 %", call=FIRST.format("inner", 5e-4), goal=1.5, clock="wall", first=True
+    ),
+    "dry_point": Row(
+        title="torque point, a coefficient given", setup=f"one = at({DRY})", call=POINT, goal=0.1e-3, short=True
+    ),
+    "calibrated_point": Row(
+        title="torque point, calibrated", setup=f"one = at({CALIBRATED})", call=POINT, goal=0.15e-3, short=True
+    ),
+    "physical_point": Row(
+        title="torque point, physical", setup=f"one = at({BY_RULE})", call=POINT, goal=0.5e-3, short=True
+    ),
+    "free_point": Row(
+        title="torque point, free balls", setup=f"one = at({PHYSICAL}, spin_rule='free')", call=POINT, short=True
+    ),
+    "radial_point": Row(
+        title="torque point, 1000 N radial", setup=f"one = at({BY_RULE}, radial=1e3)", call=POINT, goal=1e-3, short=True
+    ),
+    "dry_call": Row(
+        title="call of torque_function, dry", setup=f"torque = torque_function({DRY})", call=CALL.format(0.0), goal=1e-4
+    ),
+    "physical_call": Row(
+        title="the same, physical", setup=f"torque = torque_function({BY_RULE})", call=CALL.format(0.0), goal=0.5e-3
+    ),
+    "radial_call": Row(
+        title="the same, 1000 N radial", setup=f"torque = torque_function({BY_RULE})", call=CALL.format(1e3), goal=1e-3
+    ),
+    "radial_series": Row(
+        title="1000 points, 1000 N radial", setup=f"one = at({BY_RULE}, points=1000, radial=1e3)", call=POINT, goal=0.6
+    ),
+    "thrust_series": Row(
+        title="100 000 thrust points", setup=f"one = at({BY_RULE}, points=100_000)", call=POINT, goal=0.5
+    ),
+    "free_series": Row(
+        title="100 000 points, free balls", setup=f"one = at({PHYSICAL}, points=100_000, spin_rule='free')", call=POINT
+    ),
+    "short_series": Row(
+        title="200 thrust points", setup=f"one = at({BY_RULE}, points=200)", call=POINT, short=True
+    ),
+    "interval": Row(
+        title="95 % interval, 1000 samples", call=f"predict({PHYSICAL}, samples=1000).total.high[0]", goal=2.0,
+        clock="wall", first=True
+    ),
+    "indices": Row(
+        title="Sobol indices, 4096 samples", call=f"predict({PHYSICAL}, samples=4096).total.high[0]", goal=5.0,
+        clock="wall", first=True
+    ),
+    "cage": Row(title="torque with a whirling cage, 0.02 s", setup=MOVING, call=POINT),
+    "hertz": Row(
+        title="one million Hertz contacts", setup="curvature = np.geomspace(37.0, 3.7e7, 10**6)",
+        call="hertz_contact(curvature_x=curvature, curvature_y=37.0, load=620.0, modulus=1.13e11).approach[0]"
+    ),
+    "ring": Row(
+        title="equilibrium of a ring at 500 rad/s", setup="from analytic.loads.ring import ring_equilibrium",
+        call="ring_equilibrium(dry.bearing, dry.contact_angle, axial_load=300.0, radial_load_x=500.0, "
+        "inner_speed=500.0).inner_load.max()",
+    ),
+    "first_call": Row(title="first torque of a process", call=f"friction_torque(at({PHYSICAL})).torque.total[0]",
+                      goal=0.4, first=True),
+    "version": Row(title="fembearing --version", call='command("--version")', goal=0.15, short=True),
+    "help": Row(title="fembearing --help", call='command("--help")', goal=0.15),
+    "torque": Row(title="fembearing torque", call='command("torque", "6205-dry", "--json")', goal=0.5, short=True),
+    "validate": Row(title="fembearing validate", call=VALIDATE.format(""), goal=4.0, clock="wall"),
+    "validate_out": Row(
+        title="the same with its report", call=VALIDATE.format(', "--out", tempfile.mkdtemp() + "/out"'),
+        goal=10.0, clock="wall"
+    ),
+    "sweep": Row(title="sweep of 4 points", call=SWEEP.format(2, 1)),
+    "sweep_one": Row(title="sweep of 8192 points, one worker", call=SWEEP.format(4096, 1), clock="wall", first=True),
+    "sweep_two": Row(title="the same, two workers", call=SWEEP.format(4096, 2), clock="wall", first=True),
+}  # fmt: skip
+# The child: standard input has a row and the folders, standard output gets its figures.
+CHILD = """
+import json, os, resource, subprocess, sys, tempfile, time
+from dataclasses import replace
+from pathlib import Path
+import numpy as np
+import analytic
+from analytic import friction_torque, hertz_contact, load_scene, predict, torque_function
+from analytic.scene import Operation
+
+row, tree, scenes = json.load(sys.stdin)
+assert Path(analytic.__file__).is_relative_to(tree), f"analytic comes from {analytic.__file__}"
+loads = (620.0 * (1 + 0.07 * number) for number in range(10**6))
+
+def file(name):
+    return name if name == "6205-dry" else f"{scenes}/{name}.toml"
+
+def scene(name, **fields):
+    return replace(load_scene(file(name)), **fields)
+
+def at(scene, points=1, radial=0.0, **fields):
+    random = np.random.default_rng(5)
+    axial, speed = random.uniform(100, 2000, points), random.uniform(10, 150, points)
+    if points == 1:
+        axial[:], speed[:] = 1000.0, 52.0
+    operation = Operation(axial_load=axial, inner_speed=speed, radial_load=radial)
+    return replace(scene, operation=operation, **fields)
+
+dry = scene("6205-dry")
+
+def solve(load=620.0, **options):
+    from fembearing import solve_contact
+    return solve_contact(dry, load=load, **options).reference.approach
+
+def grid(points):
+    text = (f'scene = {json.dumps(file("6205_physical"))}\\n[axes]\\noperation.inner_speed = ["500 rpm", "1500 rpm"]\\n'
+            f'operation.axial_load = {{ from = "200 N", to = "2 kN", count = {points} }}\\n')
+    Path("grid.toml").write_text(text, "utf-8")
+    return "grid.toml"
+
+def command(*arguments):
+    program = "from fembearing.cli import main; main()"
+    done = subprocess.run([sys.executable, "-P", "-c", program, *arguments], capture_output=True, text=True)
+    if done.returncode not in (0, 1):
+        raise RuntimeError(done.stderr.strip().splitlines()[-1])
+    return float("nan")
+
+def processor():
+    both = map(resource.getrusage, (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
+    return sum(each.ru_utime + each.ru_stime for each in both)
+
+exec(row["setup"])
+call = eval("lambda: " + row["call"])
+number = 1
+if not row["first"]:
+    result, start = float(call()), time.perf_counter()
+    call()
+    number = max(1, round(0.05 / (time.perf_counter() - start)))
+wall, cpu = time.perf_counter(), processor()
+for _ in range(number):
+    found = call()
+wall, cpu = time.perf_counter() - wall, processor() - cpu
+result = float(found) if row["first"] else result
+print(json.dumps({"wall": wall / number, "cpu": cpu / number, "result": result if result == result else None}))
+"""
+
+
+def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    names = [row.name for row in ROWS]
+    parser.add_argument("--against", default=AGAINST, metavar="COMMIT_OR_WHEEL")
+    parser.add_argument("--rows", nargs="+", choices=ROWS, metavar="ROW", help=", ".join(ROWS))
     parser.add_argument("--short", action="store_true", help="some rows only")
-    parser.add_argument("--rows", nargs="+", choices=names, metavar="ROW", help=", ".join(names))
-    parser.add_argument("--against", metavar="COMMIT", help="another commit than the recorded one")
-    parser.add_argument("--repeats", type=int, default=REPEATS, help="turns of each row")
-    parser.add_argument("--record", action="store_true", help="make this commit the recorded one")
-    options = parser.parse_args(argv)
-    if options.repeats < 1:
-        parser.error("--repeats must be at least 1")
-    commit = last_change()
-    if options.record and (options.short or options.rows):
-        parser.error("--record needs all rows")
-    if options.record and commit is None:
-        parser.error("--record needs analytic and fembearing as they are committed")
-    rows = [row for row in ROWS if row.name in (options.rows or names) and (row.short or not options.short)]
-    against = options.against or json.loads(RECORD.read_text("utf-8"))["commit"]
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # so that the worktree goes whatever ends the run
-    with ExitStack() as stack:
-        folders = [ROOT]
+    parser.add_argument("--pairs", type=int, default=PAIRS, help="turns of each row")
+    parser.add_argument("--json", type=Path, metavar="FILE")
+    options = parser.parse_args()
+    names = options.rows or [name for name, row in ROWS.items() if row.short or not options.short]
+    with tempfile.TemporaryDirectory() as place:
+        trees = [ROOT, *unpacked(options.against, Path(place).resolve())]
+        found = {}
+        for name in track(names, "rows", console=Console(stderr=True)):
+            found[name] = measured(ROWS[name], trees, pairs=options.pairs)
+    show(found, against=options.against)
+    if options.json:
+        about = {"machine": machine(), "against": options.against, "rows": found}
+        options.json.write_text(json.dumps(about, indent=1) + "\n", "utf-8")
+    return int(any(each.get("failed") or each.get("ratio", 0.0) > SLOWER for each in found.values()))
+
+
+def unpacked(against: str, place: Path) -> list[Path]:
+    """A folder with the packages of a wheel or a commit; none where this clone lacks the commit."""
+    if against.endswith(".whl"):
+        zipfile.ZipFile(against).extractall(place)
+        return [place]
+    archive = place / "tree.tar"
+    git = ("git", "-C", str(ROOT), "archive", "-o", str(archive), against, "analytic", "fembearing", "meshes")
+    try:
+        subprocess.run(git, check=True, capture_output=True, text=True)
+    except (OSError, subprocess.CalledProcessError) as problem:
+        reason = str(getattr(problem, "stderr", None) or problem).strip()
+        Console(stderr=True).print(f"Nothing is compared, {against} is not in this clone: {reason}")
+        return []
+    with tarfile.open(archive) as tree:
+        tree.extractall(place, filter="data")
+    return [place]
+
+
+def measured(row: Row, trees: list[Path], *, pairs: int) -> dict[str, Any]:
+    """Figures of a row in both trees; a row that seems slower is measured again."""
+    samples: list[list[dict[str, Any]]] = []
+    found: dict[str, Any] = {"title": row.title, "clock": row.clock, "goal": row.goal}
+    for attempt in range(ATTEMPTS):
         try:
-            folders.append(stack.enter_context(checked_out(against)))
-        except CommitMissingError as problem:
-            sys.stdout.write(f"Not compared: {problem}. This tree alone is measured, and no ratio can fail.\n")
-        trees = [stack.enter_context(closing(Tree(folder))) for folder in folders]
-        patience = PATIENCE["short" if options.short else "full"]
-        compared = [measured(row, trees, repeats=options.repeats, patience=patience) for row in rows]
-    print_table(compared, against=against)
-    if options.record:
-        record(compared, commit=str(commit), against=against)
-    return verdict(compared)
-
-
-def measured(row: Row, trees: Sequence[Tree], *, repeats: int, patience: float) -> Compared:
-    """One row, the trees in turns; a row that seems slower is measured again.
-
-    patience : seconds of an attempt after which no other turn begins
-    """
-    compared = Compared(row=row, now=Measured(), recorded=Measured())
-    parts = list(zip((compared.now, compared.recorded), trees, strict=False))
-    if not row.once:
-        warm(row, trees)
-    for _ in range(ATTEMPTS):
-        started = time.perf_counter()
-        for turn in range(1 if row.once else repeats):
-            if turn and time.perf_counter() - started > patience:
-                break
-            for part, tree in parts:
-                part.add(row, tree)
-        if not compared.slower:
+            if row.first and attempt == 0:  # formulas that a tree has not compiled yet do not count
+                for tree in trees:
+                    timed(row, tree)
+            for turn in range(pairs):
+                order = trees if turn % 2 == 0 else trees[::-1]
+                pair = {tree: timed(row, tree) for tree in order}
+                samples.append([pair[tree] for tree in trees])
+        except RuntimeError as problem:
+            return found | {"failed": str(problem)}
+        figures = [[sample[row.clock] for sample in pair] for pair in samples[attempt * pairs :]]
+        found["seconds"] = [median(column) for column in zip(*figures, strict=True)]
+        if len(trees) == 1:
             break
-    sys.stderr.write(f"{row.name}: {shown(compared.now.figure(row), row)}\n")
-    return compared
+        found["ratio"] = median(now / then for now, then in figures)
+        found["pairs"] = [now / then for now, then in figures]
+        now, then = (sample["result"] for sample in samples[0])
+        found["result_differs_by"] = now / then - 1 if now is not None and then else None
+        if found["ratio"] <= SLOWER:
+            break
+    return found
 
 
-def warm(row: Row, trees: Iterable[Tree]) -> None:
-    """Fill the caches of both trees at once; this time does not count."""
-
-    def once(tree: Tree) -> None:
-        with suppress(FailedError):
-            row.measure(tree)
-
-    with ThreadPoolExecutor() as pool:
-        list(pool.map(once, trees))
-
-
-def verdict(compared: Iterable[Compared]) -> int:
-    """The exit status, after a line for each row that fails."""
-    lines = []
-    for each in compared:
-        if each.now.failed:
-            lines.append(f"{each.row.name}: {each.now.failed}")
-        elif each.slower:
-            most = f"at most {each.row.worst:g}"
-            lines.append(f"{each.row.name}: {each.ratio:.2f} times as bad as at the recorded commit, {most}")
-    sys.stdout.writelines(f"FAILED {line}\n" for line in lines)
-    return 1 if lines else 0
+def timed(row: Row, tree: Path) -> dict[str, Any]:
+    """Seconds and result of one process. Raises RuntimeError."""
+    environment = os.environ | {"PYTHONPATH": str(tree), "PYTHONDONTWRITEBYTECODE": ""}
+    environment |= {} if '"validate"' in row.call else ONE_THREAD
+    given = json.dumps([asdict(row), str(tree), str(ROOT / "validation" / "scenes")])
+    with tempfile.TemporaryDirectory() as folder:
+        command = [sys.executable, "-P", "-c", CHILD]
+        done = subprocess.run(
+            command, input=given, cwd=folder, env=environment, capture_output=True, text=True, timeout=LIMIT
+        )
+    if done.returncode:
+        raise RuntimeError(f"{tree}: {(done.stderr.strip().splitlines() or ['no message'])[-1]}")
+    return json.loads(done.stdout.splitlines()[-1])
 
 
-def shown(figure: float | None, row: Row) -> str:
-    if figure is None:
-        return "-"
-    if row.unit == "times":
-        return f"{figure:.2f} times"
-    unit = next((unit for unit, size in UNITS.items() if figure >= 0.1 * size), "us")
-    return f"{figure / UNITS[unit]:.3g} {unit}"
-
-
-def cells(each: Compared) -> tuple[str, ...]:
-    """What, before, now, ratio, goal, difference of the results, notes."""
-    row, now = each.row, each.now.figure(each.row)
-    met = now is not None and row.goal is not None and (now <= row.goal if row.unit == "s" else now >= row.goal)
-    notes = {"now": each.now.failed or note_of(each.now)}
-    notes["then"] = "that tree cannot" if each.recorded.failed else note_of(each.recorded)
-    return (
-        f"{row.title}{', wall' if row.clock == 'wall' and row.unit == 's' else ''}",
-        shown(each.recorded.figure(row), row),
-        shown(now, row),
-        "-" if each.ratio is None else f"{each.ratio:.3g}",
-        "" if row.goal is None else shown(row.goal, row) + (", met" if met else ""),
-        "" if each.difference is None else f"{100 * each.difference:+.2g} %",
-        "; ".join(f"{when}: {text}" for when, text in notes.items() if text),
-    )
-
-
-def note_of(part: Measured) -> str:
-    return part.samples[-1].note if part.samples else ""
-
-
-def heads(against: str) -> tuple[str, ...]:
-    return ("what", f"at {against[:9]}", "this tree", "ratio", "goal", "result differs by", "notes")
-
-
-def print_table(compared: Iterable[Compared], *, against: str) -> None:
-    from rich.console import Console
-    from rich.table import Table
-
-    table = Table(*heads(against), title=f"{machine()}; {versions('numpy', 'scipy', 'numba')}")
-    for each in compared:
-        table.add_row(*cells(each))
+def show(found: dict[str, dict[str, Any]], *, against: str) -> None:
+    heads = ("row", "what", "this tree, s", f"{against[:12]}, s", "ratio", "goal, s", "result differs by")
+    table = Table(*heads, title=f"{machine()}; {versions('numpy', 'scipy', 'numba')}")
+    for name, each in found.items():
+        seconds = [f"{value:.3g}" for value in each.get("seconds", ())] + ["", ""]
+        ratio, differs = each.get("ratio"), each.get("result_differs_by")
+        verdict = "" if ratio is None else f"{ratio:.2f}" + (" SLOWER" if ratio > SLOWER else "")
+        table.add_row(
+            *(name, each["title"] + (", wall" if each["clock"] == "wall" else ""), *seconds[:2]),
+            *(each.get("failed", verdict), f"{each['goal'] or '':g}" if each["goal"] else ""),
+            "" if differs is None else f"{differs:+.1e}",
+        )
     Console(width=150).print(table)
-
-
-def record(compared: Sequence[Compared], *, commit: str, against: str) -> None:
-    from validation.benchmarks.speed_figure import draw  # with matplotlib
-
-    result = {
-        "commit": commit,
-        "against": against,
-        "machine": machine(),
-        "versions": versions("numpy", "scipy", "numba"),
-        "rows": [as_json(each) for each in compared],
-    }
-    RECORD.write_text(json.dumps(result, indent=1) + "\n", "utf-8")
-    table = [heads(against), ("---",) * len(heads(against)), *map(cells, compared)]
-    title = (
-        f"# Speed of {commit[:9]} against {against[:9]}\n\n`python validation/benchmarks/run.py --record` measured:\n"
-    )
-    lines = "\n".join(f"| {' | '.join(line)} |" for line in table)
-    RECORD.with_suffix(".md").write_text(f"{title}\n{lines}\n\n{machine()}; {result['versions']}.\n", "utf-8")
-    draw(result, RECORD.with_suffix(".png"))
-
-
-def as_json(each: Compared) -> dict[str, Any]:
-    row = each.row
-    return {
-        **{name: getattr(row, name) for name in ("name", "title", "unit", "clock", "goal")},
-        "figure": each.now.figure(row),
-        "recorded_figure": each.recorded.figure(row),
-        "ratio": each.ratio,
-        "result_differs_by": each.difference,
-        "now": asdict(each.now),
-        "recorded": asdict(each.recorded),
-    }
 
 
 if __name__ == "__main__":

@@ -9,8 +9,6 @@ cores; an interrupted run continues where it stopped.
 """
 
 import argparse
-import csv
-import os
 from dataclasses import fields, replace
 from multiprocessing import Pool
 from pathlib import Path
@@ -33,6 +31,7 @@ from fembearing.verify.contact.hertz import hertz_quantities
 from fembearing.verify.contact.mesh_refinement import COMPARED
 from fembearing.verify.contact.reference import solve_reference
 from fembearing.verify.contact.scene_contact import heaviest_contact
+from validation.rows import Row, read, write
 
 mpl.use("agg")
 
@@ -63,7 +62,6 @@ COLUMNS = (
     *(f"{name}{part}" for name in COMPARED for part in ("", "_uncertainty", "_error", "_stated")),
     *("covered", "warnings", "trouble"),
 )
-Row = dict[str, str]
 
 
 def main() -> None:
@@ -74,7 +72,7 @@ def main() -> None:
     given.out.mkdir(parents=True, exist_ok=True)
     table, shares = given.out / "catalogue_contacts.csv", np.random.default_rng(SEED).random(len(BEARINGS))
     loads = [float(SHARES[0] * (SHARES[1] / SHARES[0]) ** share) for share in shares]
-    known = read(table) if table.exists() else []
+    known = read(table)
     done = {(row["bearing"], row["race"]) for row in known}
     ahead: list[tuple[str, Race, float]] = [
         (bearing, race, load)
@@ -85,9 +83,9 @@ def main() -> None:
     with Pool(given.jobs) as pool:
         for row in track(pool.imap(solved, ahead), total=len(ahead), console=Console(stderr=True)):
             known.append(row)
-            write(known, table)
+            write(known, table, COLUMNS)
     known = [compared(row) for row in known]
-    write(known, table)
+    write(known, table, COLUMNS)
     report(known, Console(width=120))
     draw(known, given.out / "catalogue_contacts.png")
 
@@ -180,21 +178,6 @@ def draw(rows: list[Row], path: Path) -> None:
     panel.set_ylabel("error of corrected Hertz over stated uncertainty")
     panel.legend(fontsize=8)
     figure.savefig(path, dpi=130, metadata={"Software": None})
-
-
-def read(path: Path) -> list[Row]:
-    with path.open(encoding="utf-8", newline="") as file:
-        return list(csv.DictReader(file))
-
-
-def write(rows: list[Row], path: Path) -> None:
-    """Replace the file in one step, so that an interrupted run leaves a complete one."""
-    fresh = path.with_suffix(".new")
-    with fresh.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.DictWriter(file, list(COLUMNS), restval="", lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
-    os.replace(fresh, path)
 
 
 if __name__ == "__main__":

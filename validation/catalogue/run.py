@@ -22,6 +22,7 @@ from pathlib import Path
 import numpy as np
 
 from analytic.contact.hertz import hertz_contact
+from validation.rows import read
 
 HERE = Path(__file__).parent
 ROWS = HERE.parents[1] / "analytic" / "catalog" / "bearings"
@@ -55,25 +56,17 @@ class Spread:
 
     static: float  # relative
     dynamic: float
-    factor: float  # of f0
-    rounded: float  # half of the last digit of f0
-    dynamic_ratios: tuple[float, ...]  # C over that of [ISO281]
-    smaller_factor: tuple[
-        bool, ...
-    ]  # whether f0 is the smaller of inner and outer contact, as in [ISO76], or the inner
+    smaller_factor: tuple[bool, ...]  # whether f0 is the smaller of both contacts, as in [ISO76], or the inner
+    factor: float = 0.06  # of f0
+    rounded: float = 0.0  # half of the last digit of f0
+    dynamic_ratios: tuple[float, ...] = (1.0,)  # C over that of [ISO281]
 
 
 SPREADS = {
-    "NSK": Spread(
-        static=0.005, dynamic=0.007, factor=0.06, rounded=0.0, dynamic_ratios=(1.0,), smaller_factor=(False,)
-    ),
-    "KOYO": Spread(
-        static=0.005, dynamic=0.007, factor=0.06, rounded=0.0, dynamic_ratios=(1.0,), smaller_factor=(True,)
-    ),
+    "NSK": Spread(static=0.005, dynamic=0.007, smaller_factor=(False,)),
+    "KOYO": Spread(static=0.005, dynamic=0.007, smaller_factor=(True,)),
     # Found in its deep groove bearings: some of its C are 4.8 % above [ISO281]; f0 is a whole number from 10 on.
-    "SKF": Spread(
-        static=0.01, dynamic=0.011, factor=0.06, rounded=0.5, dynamic_ratios=(1.0, 1.048), smaller_factor=(False, True)
-    ),
+    "SKF": Spread(static=0.01, dynamic=0.011, smaller_factor=(False, True), rounded=0.5, dynamic_ratios=(1.0, 1.048)),
 }
 
 
@@ -194,10 +187,6 @@ def score_of(candidates: Iterable[Candidate], count: int, diameter: float) -> fl
     return min(hits, default=math.inf)
 
 
-def read_rows(path: Path) -> list[dict[str, str]]:
-    return list(csv.DictReader(line for line in path.read_text("utf-8").splitlines() if not line.startswith("#")))
-
-
 def _rating(row: Mapping[str, str], angle: float = 0.0) -> Rating:
     return Rating(
         angle=angle,
@@ -231,64 +220,58 @@ class Check:
 
 def check_deep_groove(designations: Iterable[str] | None = None, *, priors: bool = True) -> list[Check]:
     """Every maker's deep groove bearing by itself; all designations without a choice."""
-    main = {row["designation"]: row for row in read_rows(ROWS / "deep_groove.csv")}
+    main = {row["designation"]: row for row in read(ROWS / "deep_groove.csv")}
     checks = []
-    for row in read_rows(ROWS / "deep_groove_by_maker.csv"):
-        if designations is not None and row["designation"] not in designations:
-            continue
-        size = main[row["designation"]]
-        bore, outside = float(size["bore_mm"]), float(size["outside_mm"])
-        found = score_balls(
-            [_rating(row)],
-            SPREADS[row["maker"]],
-            section=(outside - bore) / 2,
-            pitch=(bore + outside) / 2,
-            play=SMALL_PLAY if outside < SMALL else PLAY,
-            priors=priors,
-        )
-        balls = size if row["maker"] in size["supported_by"].split(" + ") and row["grade"] != "D" else row
-        listed = (int(balls["ball_count"]), float(balls["ball_diameter_mm"])) if balls["ball_count"] else None
-        checks.append(
-            Check(
-                maker=row["maker"],
-                designation=row["designation"],
-                outside=outside,
-                grade=row["grade"],
-                listed=listed,
-                candidates=found,
-            )
-        )
+    for row in read(ROWS / "deep_groove_by_maker.csv"):
+        if designations is None or row["designation"] in designations:
+            size = main[row["designation"]]
+            balls = size if row["maker"] in size["supported_by"].split(" + ") and row["grade"] != "D" else row
+            pitch = (float(size["bore_mm"]) + float(size["outside_mm"])) / 2
+            checks.append(checked(row["designation"], row, size, balls, [_rating(row)], pitch=pitch, priors=priors))
     return checks
 
 
 def check_angular_contact(*, priors: bool = True) -> list[Check]:
     """Angular contact bearings whose balls are derived; all angles of one size together."""
     groups: dict[tuple[str, str], list[dict[str, str]]] = defaultdict(list)
-    for row in read_rows(ROWS / "angular_contact.csv"):
+    for row in read(ROWS / "angular_contact.csv"):
         if row["ball_status"] == "derived":
             groups[row["maker"], row["designation"][:4]].append(row)
     checks = []
-    for (maker, _), rows in groups.items():
-        first = rows[0]
-        found = score_balls(
-            [_rating(row, math.radians(float(row["contact_angle_deg"]))) for row in rows],
-            SPREADS[maker],
-            section=(float(first["outside_mm"]) - float(first["bore_mm"])) / 2,
-            pitch=float(first["pitch_diameter_mm"]),
-            play=PLAY,
-            priors=priors,
-        )
-        checks.append(
-            Check(
-                maker=maker,
-                designation=" ".join(row["designation"] for row in rows),
-                outside=float(first["outside_mm"]),
-                grade=first["grade"],
-                listed=(int(first["ball_count"]), float(first["ball_diameter_mm"])),
-                candidates=found,
-            )
-        )
+    for rows in groups.values():
+        first, names = rows[0], " ".join(row["designation"] for row in rows)
+        ratings = [_rating(row, math.radians(float(row["contact_angle_deg"]))) for row in rows]
+        pitch = float(first["pitch_diameter_mm"])
+        checks.append(checked(names, first, first, first, ratings, pitch=pitch, play=PLAY, priors=priors))
     return checks
+
+
+def checked(
+    designation: str,
+    row: Mapping[str, str],
+    size: Mapping[str, str],
+    balls: Mapping[str, str],
+    ratings: Sequence[Rating],
+    *,
+    pitch: float,
+    priors: bool,
+    play: float | None = None,
+) -> Check:
+    """row : maker and grade;  size, balls : rows that have them;  play : None: by the outside diameter"""
+    bore, outside = float(size["bore_mm"]), float(size["outside_mm"])
+    play = play or (SMALL_PLAY if outside < SMALL else PLAY)
+    found = score_balls(
+        ratings, SPREADS[row["maker"]], section=(outside - bore) / 2, pitch=pitch, play=play, priors=priors
+    )
+    listed = (int(balls["ball_count"]), float(balls["ball_diameter_mm"])) if balls["ball_count"] else None
+    return Check(
+        maker=row["maker"],
+        designation=designation,
+        outside=outside,
+        grade=row["grade"],
+        listed=listed,
+        candidates=found,
+    )
 
 
 def supported(checks: Iterable[Check]) -> dict[str, Candidate]:
@@ -332,7 +315,7 @@ class Hit:
 
 def compare_balls(found: Mapping[str, Candidate]) -> list[Hit]:
     """Every row of published balls whose designation is among these."""
-    outside = {row["designation"]: float(row["outside_mm"]) for row in read_rows(ROWS / "deep_groove.csv")}
+    outside = {row["designation"]: float(row["outside_mm"]) for row in read(ROWS / "deep_groove.csv")}
     return [
         Hit(
             designation=row["designation"],
@@ -341,7 +324,7 @@ def compare_balls(found: Mapping[str, Candidate]) -> list[Hit]:
             printed=(int(row["ball_count"]), float(row["ball_diameter_mm"])),
             found=found[row["designation"]],
         )
-        for row in read_rows(GEOMETRY)
+        for row in read(GEOMETRY)
         if row["designation"] in found
     ]
 
@@ -357,7 +340,7 @@ def _hits_row(name: str, hits: Sequence[Hit]) -> str:
 
 def factor_errors() -> tuple[float, float]:
     """Largest difference of f0 and of f_c from the printed tables."""
-    table = read_rows(HERE.parent / "published" / "iso_ball_factors.csv")
+    table = read(HERE.parent / "published" / "iso_ball_factors.csv")
     static = [(float(row["gamma"]), float(row["f0"])) for row in table if row["f0"]]
     dynamic = [(float(row["gamma"]), float(row["fc"])) for row in table if row["fc"]]
     worst = []

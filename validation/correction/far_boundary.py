@@ -52,7 +52,6 @@ def changes_with_size(contact: Contact) -> tuple[tuple[str, str], list[str]]:
         if solution is None:
             return ("", ""), ["no twin"]
         start = solution.ellipse
-    assert solution is not None
     mesh = solution.mesh
     size = float(mesh.pair.lower.mesh.doflocs[0].max())
     shape = f"{max(mesh.pair.semi_axes) / contact.ball_radius:.3f}", f"{contact.groove_radius / size:.2f}"

@@ -14,8 +14,6 @@ g/(1 - g) on the inner and -g/(1 + g) on the outer race, from -0.25 to 0.48.
 An interrupted run continues where it stopped.
 """
 
-import csv
-import os
 import subprocess
 import tomllib
 from collections.abc import Iterator
@@ -39,6 +37,7 @@ from fembearing.mesh.recipe import load_recipe
 from fembearing.progress import silent
 from fembearing.verify.contact.hertz import hertz_quantities
 from fembearing.verify.contact.reference import solve_reference
+from validation.rows import Row, read, write
 
 HERE = Path(__file__).parent
 SOLVES, BEARINGS = HERE / "solves.csv", HERE / "bearings.toml"
@@ -82,7 +81,6 @@ MATERIALS = {  # E, nu; typical values
     "peek": (3.6e9, 0.38),
 }
 RADIUS, MODULUS = 5e-3, 113e9  # r, m; E*, Pa; the ratios do not depend on them
-Row = dict[str, str]
 
 
 def main(
@@ -107,8 +105,8 @@ def main(
     ahead = [each for each in wanted if (each[0], str(each[1])) not in done]
     for group, number, name, shape in track(ahead, console=Console(stderr=True)):
         rows.append({"set": group, "number": str(number), "name": name} | origin | solved(shape))
-        write_rows(rows)
-    write_rows(rows)
+        write(rows, SOLVES, COLUMNS, about=provenance())
+    write(rows, SOLVES, COLUMNS, about=provenance())
 
 
 def drawn(group: str, count: int) -> Iterator[tuple[str, int, str, dict[str, float]]]:
@@ -265,26 +263,12 @@ def solved(shape: dict[str, float]) -> Row:
 
 
 def read_rows() -> list[Row]:
-    """The stored rows; none if there is no file yet."""
-    if not SOLVES.exists():
-        return []
-    lines = (line for line in SOLVES.read_text("utf-8").splitlines() if not line.startswith("#"))
+    """The stored rows; the oldest have no far shoulder and no contact angle."""
     return [
         row
         | {"far_shoulder": row.get("far_shoulder") or row["shoulder"], "contact_angle": row.get("contact_angle") or "0"}
-        for row in csv.DictReader(lines)
+        for row in read(SOLVES)
     ]
-
-
-def write_rows(rows: list[Row]) -> None:
-    """Replace the file in one step, so that an interrupted run leaves a complete one."""
-    fresh = SOLVES.with_suffix(".new")
-    with fresh.open("w", encoding="utf-8", newline="") as file:
-        file.writelines(f"# {line}\n" for line in provenance())
-        writer = csv.DictWriter(file, COLUMNS, restval="", lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
-    os.replace(fresh, SOLVES)
 
 
 def provenance() -> Iterator[str]:

@@ -105,16 +105,10 @@ def film(speed: np.ndarray, **changed: float) -> np.ndarray:
     """Computed central film, m, with some inputs changed."""
     inputs = INPUTS | changed
     contact = elliptic_contact(
-        curvature_rolling=1 / RADIUS,
-        curvature_transverse=1 / RADIUS,
-        load=inputs["load"],
-        modulus=inputs["modulus"],
+        curvature_rolling=1 / RADIUS, curvature_transverse=1 / RADIUS, load=inputs["load"], modulus=inputs["modulus"]
     )
     return central_film(
-        contact,
-        entrainment_speed=speed,
-        viscosity=inputs["viscosity"],
-        pressure_viscosity=inputs["pressure_viscosity"],
+        contact, entrainment_speed=speed, viscosity=inputs["viscosity"], pressure_viscosity=inputs["pressure_viscosity"]
     ).thickness
 
 

@@ -16,7 +16,7 @@ Outcome = Literal["right", "refused", "wrong"]
 ROUND_OFF = (1e-13, "a few hundred roundings of a double")
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True)
 class HardCase:
     """One case: its answer is a number within a tolerance, or an error with given words."""
 

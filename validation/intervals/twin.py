@@ -14,8 +14,6 @@ others test them. Plain levels are themselves uncertain by some 0.02 %.
 """
 
 import argparse
-import csv
-import os
 import time
 from collections.abc import Sequence
 from dataclasses import replace
@@ -37,6 +35,7 @@ from fembearing.mesh.recipe import load_recipe
 from fembearing.verify.contact.hertz import hertz_quantities
 from fembearing.verify.contact.mesh_refinement import COMPARED
 from fembearing.verify.contact.twin_refinement import estimates_with_twin
+from validation.rows import Row, read, write
 
 HERE = Path(__file__).parent
 RECIPE = load_recipe("race")
@@ -59,7 +58,6 @@ POCKETS = 8  # one of so many seeds is a pocket
 LARGEST = 0.42  # semi-axis over the ball's radius
 ACCURACIES = (2e-3, 1e-3, 5e-4)
 ORDERS = (2.5, 5.0)  # least and greatest order with which plain levels are extrapolated
-Row = dict[str, str]
 
 
 def main() -> None:
@@ -70,12 +68,12 @@ def main() -> None:
     given = parser.parse_args()
     given.out.mkdir(parents=True, exist_ok=True)
     path = given.out / "twin_coverage.csv"
-    rows = read(path) if path.exists() else []
+    rows = read(path)
     done = {row["seed"] for row in rows}
     ahead = [seed for seed in range(given.seed, given.seed + given.contacts) if str(seed) not in done]
     for seed in track(ahead, console=Console(stderr=True)):
         rows.append(compared(seed))
-        write(rows, path)
+        write(rows, path, COLUMNS)
     report(rows, Console(width=120))
 
 
@@ -209,21 +207,6 @@ def held_at(rows: list[Row], accuracy: float) -> str:
 
 def column(rows: list[Row], name: str) -> Any:
     return np.array([float(row[name]) for row in rows])
-
-
-def read(path: Path) -> list[Row]:
-    with path.open(encoding="utf-8", newline="") as file:
-        return list(csv.DictReader(file))
-
-
-def write(rows: list[Row], path: Path) -> None:
-    """Replace the file in one step, so that an interrupted run leaves a complete one."""
-    fresh = path.with_suffix(".new")
-    with fresh.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.DictWriter(file, list(COLUMNS), restval="", lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
-    os.replace(fresh, path)
 
 
 if __name__ == "__main__":

@@ -121,7 +121,6 @@ def skf_thrust_torque(scene: Scene) -> Array:
     mu = phi_bl mu_bl + (1 - phi_bl) mu_EHL, phi_bl = exp(-2.6e-8 (n nu)^1.4 d_m);  d_m = (d + D)/2, mm, N, 1/min, mm2/s
     """
     bearing, oil, operation = scene.bearing, scene.lubricant, scene.operation.as_series()
-    assert oil is not None
     assert bearing.bore_diameter is not None
     assert bearing.outside_diameter is not None
     mean = (bearing.bore_diameter + bearing.outside_diameter) / 2

@@ -10,16 +10,17 @@ one table. It takes half a minute.
 
 import argparse
 import csv
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from rich.console import Console
 from scipy.special import ellipe
 
-from analytic.loads.balls import LoadEffects, thrust_balls
+from analytic.loads.balls import LoadedBalls, LoadEffects, thrust_balls
 from analytic.oil.rolling import HYSTERESIS_LOSS
 from analytic.oil.variation import Variation
 from analytic.scene import Array, Scene
@@ -32,7 +33,6 @@ HERE = Path(__file__).parent
 DATA = HERE.parent / "published" / "balan2015.csv"
 RIGS = {3.0: "thrust_rig_3mm.toml", 6.35: "thrust_rig_6mm.toml"}  # ball diameter, mm: scene
 RPM = (60, 90, 120, 150, 180, 210)
-DRY_SHARE = (0.02, 0.12)  # of the lubricated torque, as stated
 # Standard uncertainties, relative. Judgement: the moment of inertia by which a spin-down becomes a torque, and that of
 # the balls, which turn with the race. The scatter of single runs comes from the data.
 INERTIA, BALL_INERTIA = 0.03, 0.025
@@ -90,11 +90,6 @@ class Rig:
     def validation(self) -> Array:
         """u_val."""
         return np.sqrt(self.numerical**2 + self.input**2 + self.measurement**2)
-
-    @property
-    def dry_share(self) -> tuple[float, float]:
-        """Least and largest stated share of the dry torque."""
-        return DRY_SHARE
 
     @property
     def viscosity_needed(self) -> Array:
@@ -170,72 +165,41 @@ def total(scene: Scene, variation: Variation | None = None) -> Array:
     return friction_torque(scene, variation=variation or Variation()).torque.total
 
 
-def half_change(scene: Scene, change: Callable[[Scene, float], Scene], uncertainty: float) -> Array:
+def half_change(scene: Scene, paths: Sequence[str], uncertainty: float) -> Array:
     """Half of the difference between the torques with an input raised and lowered by its standard uncertainty."""
-    return np.abs(total(change(scene, 1 + uncertainty)) - total(change(scene, 1 - uncertainty))) / 2
+    low, high = (total(scaled(scene, paths, 1 + sign * uncertainty)) for sign in (-1, 1))
+    return np.abs(high - low) / 2
 
 
-def of_washers(scene: Scene, key: str, factor: float) -> Scene:
-    bearing = scene.bearing
-    rings = {name: replace(getattr(bearing, name), **{key: getattr(getattr(bearing, name), key) * factor})
-             for name in ("inner", "outer")}  # fmt: skip
-    return replace(scene, bearing=replace(bearing, **rings))
+def scaled(noun: Any, paths: Sequence[str], factor: float) -> Any:
+    """The noun with the numbers at these paths multiplied by a factor."""
+    for path in paths:
+        name, _, rest = path.partition(".")
+        inside = getattr(noun, name)
+        noun = replace(noun, **{name: scaled(inside, [rest], factor) if rest else inside * factor})
+    return noun
 
 
-def of_oil(scene: Scene, factor: float) -> Scene:
-    oil = scene.lubricant
-    assert oil is not None
-    return replace(scene, lubricant=replace(oil, viscosity=oil.viscosity * factor))
-
-
-def of_load(scene: Scene, factor: float) -> Scene:
-    return replace(scene, operation=replace(scene.operation, axial_load=scene.operation.axial_load * factor))
-
-
-def of_waves(scene: Scene, factor: float) -> Scene:
-    surface = scene.surface
-    assert surface is not None
-    assert surface.autocorrelation is not None
-    waves = replace(surface.autocorrelation, length=surface.autocorrelation.length * factor)
-    return replace(scene, surface=replace(surface, autocorrelation=waves))
-
-
-def of_steel(scene: Scene, factor: float) -> Scene:
-    ball = scene.bearing.ball_material
-    steel = replace(ball, youngs_modulus=ball.youngs_modulus * factor)
-    bearing = scene.bearing
-    rings = {name: replace(getattr(bearing, name), material=steel) for name in ("inner", "outer")}
-    return replace(scene, bearing=replace(bearing, ball_material=steel, **rings))
-
-
-def of_losses(scene: Scene, factor: float) -> Scene:
-    assert scene.hysteresis_loss is not None
-    return replace(scene, hysteresis_loss=scene.hysteresis_loss * factor)
-
-
-def of_boundary(scene: Scene, factor: float) -> Scene:
-    surface = scene.surface
-    assert surface is not None
-    return replace(scene, surface=replace(surface, boundary_friction=surface.boundary_friction * factor))
+def of_races(key: str) -> tuple[str, str]:
+    return f"bearing.inner.{key}", f"bearing.outer.{key}"
 
 
 # What changes, and its relative standard uncertainty. Viscosity: one printed digit, and half a kelvin. Radius: 17 to
 # 19 mm, uniform. The others are judgement; roughness waves, boundary friction and hysteresis hardly count.
-INPUTS: dict[str, tuple[Callable[[Scene, float], Scene], float]] = {
-    "viscosity": (of_oil, 0.065),
-    "radius of the races": (lambda scene, factor: of_washers(scene, "bottom_radius", factor), UNIFORM / 18),
-    "groove radius": (lambda scene, factor: of_washers(scene, "groove_radius", factor), 0.01),
-    "load": (of_load, 0.01),
-    "Young's modulus": (of_steel, 0.01),
-    "length of the roughness waves": (of_waves, 0.35),
-    "boundary friction": (of_boundary, 0.15),
-    "hysteresis loss": (of_losses, 0.5),
+INPUTS: dict[str, tuple[Sequence[str], float]] = {
+    "viscosity": (["lubricant.viscosity"], 0.065),
+    "radius of the races": (of_races("bottom_radius"), UNIFORM / 18),
+    "groove radius": (of_races("groove_radius"), 0.01),
+    "load": (["operation.axial_load"], 0.01),
+    "Young's modulus": (["bearing.ball_material.youngs_modulus", *of_races("material.youngs_modulus")], 0.01),
+    "length of the roughness waves": (["surface.autocorrelation.length"], 0.35),
+    "boundary friction": (["surface.boundary_friction"], 0.15),
+    "hysteresis loss": (["hysteresis_loss"], 0.5),
 }
 
 
 def mechanisms(scene: Scene, computed: Array) -> Iterator[tuple[str, Array]]:
     """What each mechanism that the model knows adds to the computed torque, or could add at most, N m."""
-    assert scene.surface is not None
     assert scene.hysteresis_loss is not None
     none = replace(scene, effects={**scene.effects, "asperities": "off"})
     yield "asperities, in S already", computed - total(none)
@@ -250,27 +214,21 @@ def mechanisms(scene: Scene, computed: Array) -> Iterator[tuple[str, Array]]:
     yield "starvation, menisci at two semi-axes", total(starved) - computed
 
 
+def balls_of(scene: Scene) -> LoadedBalls:
+    effects = LoadEffects(load_distribution=False, centrifugal=False, gyroscopic=False)
+    return thrust_balls(scene.bearing, scene.contact_angle, scene.operation.as_series(), effects)
+
+
 def snare(scene: Scene) -> float:
     """Torque of all contacts by Snare's resistance to rolling, N m."""
-    balls = thrust_balls(
-        scene.bearing,
-        scene.contact_angle,
-        scene.operation.as_series(),
-        LoadEffects(load_distribution=False, centrifugal=False, gyroscopic=False),
-    )
+    balls = balls_of(scene)
     moment = SNARE * balls.load[:, :1] * scene.bearing.ball_diameter
     return float(balls.total(moment * balls.contacts.rolling_rate[:, :1])[0])
 
 
 def dry_pivoting(scene: Scene) -> float:
     """Torque of all contacts that pivot with the friction of asperities alone, N m: 3/8 mu Q b E(m) w/2 at each."""
-    balls = thrust_balls(
-        scene.bearing,
-        scene.contact_angle,
-        scene.operation.as_series(),
-        LoadEffects(load_distribution=False, centrifugal=False, gyroscopic=False),
-    )
-    assert scene.surface is not None
+    balls = balls_of(scene)
     contact, load = balls.contact, balls.load[0, 0, 0]
     short, long = np.sort([contact.semi_axis_x[0, 0, 0], contact.semi_axis_y[0, 0, 0]])
     moment = 3 / 8 * scene.surface.boundary_friction * load * long * ellipe(1 - (short / long) ** 2)

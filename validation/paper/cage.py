@@ -56,7 +56,6 @@ class CagePoint:
 
 def at_finish(scene: Scene, rms_roughness: float) -> Scene:
     """The scene with another Sq of ball and races, m."""
-    assert scene.surface is not None
     return replace(scene, surface=replace(scene.surface, rms_roughness=rms_roughness))
 
 
@@ -104,7 +103,6 @@ def cage_scene(reading: str, scene: Scene, *, inner_speed: float) -> Scene:
     if reading == "as printed":
         cage = replace(printed_pocket(), restitution=1.0, start="sudden")
     elif reading == "calibrated":
-        assert scene.surface is not None
         assert scene.surface.rms_roughness is not None
         coefficient = calibrated_coefficient(rms_roughness=scene.surface.rms_roughness, inner_speed=inner_speed)
         cage = loose_cage(clearance=CLEARANCE, start="whirl", friction_coefficient=coefficient)
@@ -132,11 +130,7 @@ def cage_at(scene: Scene, *, axis_angle: float | None = None) -> CagePoint:
     """
     found, cage = friction_torque(scene), scene.cage
     part = found.cage
-    assert cage is not None
-    assert part is not None
     motion, driven = part.motion[0], part.driven[0]
-    assert motion is not None
-    assert driven is not None
     if axis_angle is not None:
         driven = replace(driven, contact_angle=axis_angle)
         motion = measured_motion(driven, start=motion.start, seeds=cage.seeds, duration=cage.duration)
@@ -167,10 +161,8 @@ def cage_at(scene: Scene, *, axis_angle: float | None = None) -> CagePoint:
 
 def on_free_balls(scene: Scene) -> CageStatistics:
     """The motion of the cage of a scene of `with_moving_cage` with balls that the cage may brake, both together."""
-    assert scene.cage is not None
     short = replace(scene.cage, seeds=FREE_SEEDS, duration=FREE_DURATION)
     part = friction_torque(replace(scene, cage=short, effects={**scene.effects, "ball_dynamics": "on"})).cage
-    assert part is not None
     (motion,) = part.motion
     assert motion is not None
     return motion

@@ -121,10 +121,7 @@ def fitting_coefficient(scene: Scene, *, clearance: float, angle: float, rms_rou
         ball_diameter=bearing.ball_diameter,
     )
     whirl = whirl_speed(
-        ball_speed=motion.ball_speed,
-        ball_radius=bearing.ball_radius,
-        contact_angle=0.0,
-        half_clearance=clearance / 2,
+        ball_speed=motion.ball_speed, ball_radius=bearing.ball_radius, contact_angle=0.0, half_clearance=clearance / 2
     )
     force = whirl_force(cage_mass=cage.mass, whirl=whirl, orbit_speed=motion.cage_speed, half_clearance=clearance / 2)
     return printed("cage_torque", rms_roughness, rpm) / (bearing.ball_radius * float(force))

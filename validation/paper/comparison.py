@@ -185,9 +185,7 @@ def beside(point: Point, values: Series) -> list[PointComparison]:
     names = [point.quantity, *([MOMENTS[point.quantity]] if point.quantity in MOMENTS else [])]
     return [
         PointComparison(
-            point=point,
-            ours=name,
-            computed=float(np.interp(point.inner_speed, values["inner_speed"], values[name])),
+            point=point, ours=name, computed=float(np.interp(point.inner_speed, values["inner_speed"], values[name]))
         )
         for name in names
     ]

@@ -11,7 +11,6 @@ from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from analytic.scene import Array, Autocorrelation
-from analytic.surface.heightmap import Measurement, measure
 from analytic.surface.roughness import generated_surface
 from validation.paper.cage import ROUGH, RPM, SMOOTH
 from validation.paper.comparison import Comparison, Point, Series
@@ -26,11 +25,10 @@ LEAST = {"cage_torque": 0.03, "cage_max_force": 0.5, "pocket_coefficient": 0.02,
 Panel = tuple[str, str, float]  # title, quantity, factor from SI
 
 
-def draw_surfaces(autocorrelation: Autocorrelation, path: Path) -> dict[float, Measurement]:
-    """Figure 5; returns what the two maps measure."""
+def draw_surfaces(autocorrelation: Autocorrelation, path: Path) -> None:
+    """Figure 5."""
     figure = Figure(figsize=(10.5, 3.1), layout=ConstrainedLayoutEngine(w_pad=0.12))
     axes = figure.subplots(1, 3, width_ratios=(1, 1, 1.2))
-    found = {}
     width = autocorrelation.spacing * MAP_POINTS * 1e3
     for number, (axis, roughness) in enumerate(zip(axes, FINISHES, strict=False)):
         surface = generated_surface(
@@ -43,12 +41,10 @@ def draw_surfaces(autocorrelation: Autocorrelation, path: Path) -> dict[float, M
         place = np.arange(MAP_POINTS) * autocorrelation.spacing * 1e3
         axes[2].plot(place, heights[MAP_POINTS // 2], color="k" if number == 0 else "tab:red", lw=1.2,
                      label=f"Sq {roughness * 1e6:g} µm")  # fmt: skip
-        found[roughness] = measure(surface)
     axes[2].set(title="middle rows of both, one scale", xlabel="x, mm", ylabel="height, µm", ylim=(-2.2, 3))
     axes[2].legend(frameon=False, loc="upper right", ncols=2)
     axes[2].grid(alpha=0.3)
     _save(figure, path)
-    return found
 
 
 def draw_total(readings: list[Comparison], points: list[Point], path: Path) -> None:

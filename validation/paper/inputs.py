@@ -45,8 +45,6 @@ CALIBRATED = (
 def assumed_inputs(reading: str, scene: Scene) -> dict[str, str]:
     """Inputs that the paper does not give and the reading assumes, in words; for both finishes."""
     ball, angle, oil, surface = scene.bearing.ball_material, scene.contact_angle, scene.lubricant, scene.surface
-    assert oil is not None
-    assert surface is not None
     assert surface.autocorrelation is not None
     correlation, hardness = surface.autocorrelation, surface.hardness or ball.hardness or np.nan
     moving = cage_scene(reading, scene, inner_speed=SLOWEST)
@@ -86,7 +84,6 @@ def _coefficients() -> str:
 def table_1(scene: Scene) -> list[tuple[str, str, str]]:
     """Table 1 of [Paper]: parameter, its value there, and what the readings make of it."""
     bearing = scene.bearing
-    assert scene.cage is not None
     volume = 4 / 3 * np.pi * bearing.ball_radius**3
     steel = f"{bearing.ball_material.density * volume * 1e3:.2f} g by volume and density"
     chord = bearing.pitch_diameter * np.sin(np.pi / bearing.ball_count)

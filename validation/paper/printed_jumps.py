@@ -32,7 +32,6 @@ def printed_jumps(scene: Scene) -> list[Jump]:
                                              radial_load=0.0, moment=0.0))  # fmt: skip
     found, bearing = friction_torque(scene), scene.bearing
     outer_coefficient = found.friction_coefficient.outer
-    assert outer_coefficient is not None
     outer = {
         "friction_force": outer_coefficient[0] * found.ball_load[0],
         "semi_axis_transverse": found.outer.semi_axis_transverse[0],

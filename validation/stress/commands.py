@@ -89,8 +89,6 @@ def run(arguments: Sequence[str], cwd: Path, limits: Limits = FREE, program: Seq
         start_new_session=True,
         preexec_fn=limits.apply,
     )
-    assert process.stdout is not None
-    assert process.stderr is not None
     ending = Timer(DEAF, os.killpg, (process.pid, signal.SIGKILL))
     ending.start()
     with ThreadPoolExecutor(1) as pool:

@@ -54,17 +54,22 @@ def require_finite_numbers(result: object) -> None:
             raise SilentError(f"{place} = {number}")
 
 
-def numbers(node: object, place: str = "") -> Iterator[tuple[str, float]]:
+def numbers(node: object) -> Iterator[tuple[str, float]]:
     """All floats in lists and dicts, with their places."""
+    return ((place, value) for place, value in leaves(node) if isinstance(value, float))
+
+
+def leaves(node: object, place: str = "") -> Iterator[tuple[str, object]]:
+    """All values in lists and dicts, with their places."""
     match node:
-        case float():
-            yield place, node
-        case dict():
+        case dict() if node:
             for name, inside in node.items():
-                yield from numbers(inside, f"{place}.{name}")
-        case list() | tuple():
+                yield from leaves(inside, f"{place}.{name}")
+        case list() | tuple() if node:
             for index, inside in enumerate(node):
-                yield from numbers(inside, f"{place}[{index}]")
+                yield from leaves(inside, f"{place}[{index}]")
+        case _:
+            yield place, node
 
 
 def extreme_scene(rng: np.random.Generator) -> str:

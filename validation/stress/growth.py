@@ -9,8 +9,8 @@ import gc
 import multiprocessing
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, replace
-from multiprocessing.connection import Connection
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -27,34 +27,13 @@ SPEED = np.array([27.0])  # rad/s
 MOST = {"friction_torque": 5e6, "solve_contact": 50e6}  # bytes
 
 
-@dataclass(frozen=True)
-class Growth:
-    """Memory gained by calls of one function in a process of their own."""
-
-    function: str
-    calls: int
-    gained: float  # bytes, after the first tenth of the calls
-
-    @property
-    def fault(self) -> str:
-        return "" if self.gained < MOST[self.function] else f"grows by {self.gained / 1e6:.1f} MB"
+def growth_of(function: str, calls: int, *, seconds: float = np.inf) -> tuple[int, float]:
+    """Calls of one function in a process of its own, as many as there is time for, and bytes gained after a tenth."""
+    with ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as pool:
+        return pool.submit(_measure, function, calls, seconds).result()
 
 
-def growth_of(function: str, calls: int, *, seconds: float = np.inf) -> Growth:
-    """The memory gained by so many calls, or by as many as there is time for."""
-    receiver, sender = multiprocessing.Pipe(duplex=False)
-    process = multiprocessing.Process(target=_measure, args=(function, calls, seconds, sender))
-    process.start()
-    sender.close()
-    try:
-        done, gained = receiver.recv()
-    except EOFError:
-        done, gained = calls, np.inf
-    process.join()
-    return Growth(function, done, gained)
-
-
-def _measure(function: str, calls: int, seconds: float, sender: Connection) -> None:
+def _measure(function: str, calls: int, seconds: float) -> tuple[int, float]:
     call = {"friction_torque": _torque, "solve_contact": _contact}[function](calls)
     begun, done = time.monotonic(), 0
 
@@ -68,7 +47,7 @@ def _measure(function: str, calls: int, seconds: float, sender: Connection) -> N
 
     gained = -call_until(WARM)
     gained += call_until(1.0)
-    sender.send((done, gained))
+    return done, gained
 
 
 def oiled() -> Scene:

@@ -9,7 +9,7 @@ import json
 import os
 import shutil
 import tempfile
-from collections.abc import Generator, Iterator
+from collections.abc import Generator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -18,6 +18,7 @@ import numpy as np
 import xarray
 
 from validation.stress.commands import Run, fault_of, run
+from validation.stress.extreme import leaves
 
 VICTIM = Path(__file__).with_name("victim.py")
 NEVER = 10**9
@@ -178,16 +179,3 @@ def content_of(folder: Path) -> Content:
 
 def hidden_in(folder: Path) -> list[str]:
     return [path.name for path in folder.iterdir() if path.name.startswith(".")]
-
-
-def leaves(node: object, place: str = "") -> Iterator[tuple[str, object]]:
-    """All values in lists and dicts, with their places."""
-    match node:
-        case dict() if node:
-            for name, inside in node.items():
-                yield from leaves(inside, f"{place}.{name}")
-        case list() if node:
-            for index, inside in enumerate(node):
-                yield from leaves(inside, f"{place}[{index}]")
-        case _:
-            yield place, node

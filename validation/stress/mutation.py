@@ -1,42 +1,58 @@
 """Do the tests of a folder see a change of one operator in it?
 
-Each mutant runs in a copy of the tree with the tests that mirror its module's folder, the module's own tests first,
-until one fails. A test that fails, or tests that hang, have seen the mutant; any other end of pytest is an error.
-Each mutant has all formulas that its tests take compiled, in a folder that is deleted after it. In the end the tests
-that failed run on the source as it is: they must pass.
+A mutant is the source with one node of its syntax tree replaced: + and - swapped, * and / swapped, a power raised by
+one, a comparison turned round, `<` and `<=` swapped beside a whole number, `and` and `or` swapped, `not` or a minus
+taken away, min and max swapped, or a coefficient increased by a tenth. Messages and assertions are left alone, and so
+are coefficients in modules that draw. Each mutant runs in a copy of the tree with the tests that mirror its module's
+folder, until one fails; tests that hang have seen it too. Its formulas are compiled into a folder of its own.
 """
 
-import compileall
-import csv
+import ast
 import os
 import shutil
 import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
-from dataclasses import dataclass
-from functools import cache
+from copy import deepcopy
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from queue import SimpleQueue
 
+import numpy as np
+
 from analytic.numerics.compilation import FOLDER
-from validation.stress.mutants import PACKAGES, Mutant, drawn
 
 ROOT = Path(__file__).resolve().parents[2]
-LEFT_OUT = (".git", ".venv*", ".*_cache", "__pycache__", "build", "dist", "*.egg-info")  # of the copies
-MEMORY = 8_000_000_000  # bytes of data of a process
-LONGEST, DEAF = (
-    700,
-    3000,
-)  # s of the processor, of which up to 300 compile, and of the clock; tests that do not end have seen the mutant
-LIMITED = f'ulimit -t {LONGEST}; ulimit -d {MEMORY // 1024}; exec "$@"'
-TIMED_OUT = (124, 137, 152, -9, -24)  # statuses of `timeout`, and of a process that the limit ends
-FAILED = 1  # status of pytest where a test fails
-KILLED = ("killed", "timeout")
-COLUMNS = ("module", "line", "kind", "before", "after", "outcome", "seconds", "test", "judgement", "commit")
+PACKAGES = ("analytic", "fembearing")
+LEFT_OUT = shutil.ignore_patterns(".git", ".venv*", ".*_cache", "__pycache__", "build", "dist", "*.egg-info")
+DRAWING = ("fembearing/report/figures", "fembearing/report/pictures")
+LIMITED = 'ulimit -t 700; ulimit -d 8000000; exec "$@"'  # s of the processor, 300 to compile; kB of data
+DEAF = "3000"  # s of the clock
+TIMED_OUT = (124, 137, 152, -9, -24)  # statuses of `timeout`, and of a process that a limit ends
+SWAPPED = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.FloorDiv: ast.Mult}
+OPPOSITE = {ast.Lt: ast.GtE, ast.Gt: ast.LtE, ast.Eq: ast.NotEq, ast.Is: ast.IsNot, ast.In: ast.NotIn}
+OPPOSITE |= {after: before for before, after in OPPOSITE.items()}
+LIMIT = {ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt}  # itself out of the range, or into it
+EXTREMES = {"min": "max", "minimum": "maximum", "argmin": "argmax"}
+EXTREMES |= {after: before for before, after in EXTREMES.items()}
+
+
+@dataclass(frozen=True)
+class Mutant:
+    """One change of one expression."""
+
+    module: str  # path from the root
+    line: int
+    kind: str
+    before: str
+    after: str
+    span: tuple[int, int]  # of the expression in the file, bytes
+
+    def source(self, original: bytes) -> bytes:
+        return original[: self.span[0]] + b"(" + self.after.encode() + b")" + original[self.span[1] :]
 
 
 @dataclass(frozen=True)
@@ -48,19 +64,94 @@ class Outcome:
 
     @property
     def row(self) -> dict[str, object]:
-        mutant = self.mutant
-        return {
-            "module": mutant.module,
-            "line": mutant.line,
-            "kind": mutant.kind,
-            "before": mutant.before,
-            "after": mutant.after,
-            "outcome": self.outcome,
-            "seconds": f"{self.seconds:.0f}",
-            "test": self.test,
-            "judgement": "",  # of a survivor, by hand: the test that sees it now, or why it changes nothing
-            "commit": commit(),
-        }
+        mutant = {name: value for name, value in asdict(self.mutant).items() if name != "span"}
+        return mutant | {"outcome": self.outcome, "seconds": round(self.seconds), "test": self.test}
+
+
+def drawn(count: int, seed: int, root: Path = ROOT) -> list[Mutant]:
+    """Half of them from each package, at even distances in the row of all its mutants, in random order."""
+    rng = np.random.default_rng(seed)
+    chosen = []
+    for package in PACKAGES:
+        every = [mutant for path in sorted((root / package).rglob("*.py")) for mutant in mutants(path, root)]
+        places = ((np.arange(count // 2) + rng.random()) * len(every) / (count // 2)).astype(int)
+        chosen += [every[place] for place in np.unique(places)]
+    return [chosen[place] for place in rng.permutation(len(chosen))]
+
+
+def mutants(path: Path, root: Path = ROOT) -> Iterator[Mutant]:
+    source, module = path.read_bytes(), path.relative_to(root).as_posix()
+    starts = np.cumsum([0, *map(len, source.splitlines(keepends=True))])
+    for node in expressions(ast.parse(source)):
+        span = [int(starts[line - 1]) + column for line, column in (
+            (node.lineno, node.col_offset), (node.end_lineno or 0, node.end_col_offset or 0))]  # fmt: skip
+        for kind, after in changes(node):
+            if kind != "coefficient" or not module.startswith(DRAWING):
+                yield Mutant(module, node.lineno, kind, ast.unparse(node), ast.unparse(after), (span[0], span[1]))
+
+
+def expressions(node: ast.AST) -> Iterator[ast.expr]:
+    """All expressions of a tree that decide or compute."""
+    for name, child in ast.iter_fields(node):
+        if name in ("annotation", "returns", "decorator_list", "format_spec", "type_params"):
+            continue
+        for each in child if isinstance(child, list) else [child]:
+            is_code = isinstance(each, ast.AST) and not isinstance(each, ast.Raise | ast.Assert | ast.JoinedStr)
+            if is_code and not (isinstance(each, ast.If) and "TYPE_CHECKING" in ast.unparse(each.test)):
+                if isinstance(each, ast.expr):
+                    yield each
+                yield from expressions(each)
+
+
+def changes(node: ast.expr) -> Iterator[tuple[str, ast.expr]]:
+    """What kind of change, and the node that replaces this one."""
+
+    def with_(**fields: object) -> ast.expr:
+        other = deepcopy(node)
+        vars(other).update(fields)
+        return other
+
+    match node:
+        case ast.BinOp(op=ast.Pow(), right=power):
+            yield "power", with_(right=ast.BinOp(power, ast.Add(), ast.Constant(1)))
+        case ast.BinOp(op=op) if type(op) in SWAPPED and not of_text(node):
+            yield "arithmetic", with_(op=SWAPPED[type(op)]())
+        case ast.BinOp(op=ast.BitAnd()):
+            yield "logic", with_(op=ast.BitOr())
+        case ast.BoolOp(op=op):
+            yield "logic", with_(op=ast.Or() if isinstance(op, ast.And) else ast.And())
+        case ast.Compare(ops=[op, *others], left=left, comparators=[right, *_]):
+            yield "comparison", with_(ops=[OPPOSITE[type(op)](), *others])
+            if not others and type(op) in LIMIT and (is_whole(left) or is_whole(right)):
+                yield "limit", with_(ops=[LIMIT[type(op)]()])
+        case ast.UnaryOp(op=ast.Not() | ast.USub(), operand=operand) if not isinstance(operand, ast.Constant):
+            yield "sign", operand
+        case ast.Call(func=ast.Name(id=name)) if name in EXTREMES:
+            yield "extreme", with_(func=ast.Name(EXTREMES[name]))
+        case ast.Call(func=ast.Attribute(value=owner, attr=name)) if name in EXTREMES:
+            yield "extreme", with_(func=ast.Attribute(owner, EXTREMES[name]))
+    if isinstance(node, ast.BinOp) and type(node.op) in SWAPPED:
+        for name in ("left", "right"):
+            match getattr(node, name):
+                case ast.Constant(value=float(value)) if value not in (0.0, 1.0):
+                    yield "coefficient", with_(**{name: ast.Constant(1.1 * value)})
+
+
+def is_whole(node: ast.expr) -> bool:
+    """Whether it is a whole number or a length, where the limit itself occurs."""
+    match node:
+        case ast.Constant(value=int(value) | float(value)):
+            return not isinstance(value, bool) and (isinstance(value, int) or value == 0)
+        case ast.Call(func=ast.Name(id="len")) | ast.Attribute(attr="size" | "ndim"):
+            return True
+    return False
+
+
+def of_text(node: ast.BinOp) -> bool:
+    """Whether it puts texts or lists together, which no other operator does."""
+    kinds = (ast.JoinedStr, ast.List, ast.Tuple, ast.ListComp)
+    sides = (node.left, node.right)
+    return any(isinstance(side, kinds) or isinstance(getattr(side, "value", None), str) for side in sides)
 
 
 class Tree:
@@ -68,56 +159,37 @@ class Tree:
 
     def __init__(self, folder: Path, before: Sequence[str]) -> None:
         self.root, self.before = folder, before
-        shutil.copytree(ROOT, self.root, ignore=shutil.ignore_patterns(*LEFT_OUT), symlinks=True)
-        for package in (*PACKAGES, "tests"):
-            compileall.compile_dir(self.root / package, quiet=1)
-        self.writes = 0
+        shutil.copytree(ROOT, self.root, ignore=LEFT_OUT, symlinks=True)
 
     def test(self, mutant: Mutant) -> Outcome:
-        with self.changed(mutant):
-            return Outcome(mutant, *self.run(tests_of(self.root, mutant.module)))
-
-    @contextmanager
-    def changed(self, mutant: Mutant) -> Iterator[None]:
         file = self.root / mutant.module
-        original, times = file.read_bytes(), file.stat()
-        self.writes += 1
+        original = file.read_bytes()
         file.write_bytes(mutant.source(original))
-        os.utime(file, (self.writes, self.writes))  # Python knows stale byte code by time and size
         try:
-            yield
+            return Outcome(mutant, *self.run(tests_of(self.root, mutant.module)))
         finally:
             file.write_bytes(original)
-            os.utime(file, ns=(times.st_atime_ns, times.st_mtime_ns))
 
     def run(self, tests: Sequence[str]) -> tuple[str, float, str]:
         """Run tests until one fails: outcome, seconds, and the test."""
-        limits = ("timeout", "--kill-after=10", str(DEAF), "bash", "-c", LIMITED, "limited")
-        pytest = (sys.executable, "-m", "pytest", "-q", "-x", "-rfE", "-p", "no:cacheprovider")
-        own = {"PYTHONPATH": str(self.root), "PYTHONDONTWRITEBYTECODE": "1", "CI": "true", "OMP_NUM_THREADS": "1"}
-        with tempfile.TemporaryFile() as output, tempfile.TemporaryDirectory() as cache:
+        limits = ("timeout", "--kill-after=10", DEAF, "bash", "-c", LIMITED, "limited")
+        pytest = (sys.executable, "-B", "-m", "pytest", "-q", "-x", "-rfE", "-p", "no:cacheprovider", *tests)
+        with tempfile.TemporaryDirectory() as cache:
+            # Byte code is neither written nor read: that of a mutant could be as old and as long as another's.
+            own = {"PYTHONPATH": str(self.root), "CI": "true", "OMP_NUM_THREADS": "1", FOLDER: cache}
             start = time.monotonic()
             done = subprocess.run(
-                [*self.before, *limits, *pytest, *tests],
-                cwd=self.root,
-                env=os.environ | own | {FOLDER: cache},
-                stdin=subprocess.DEVNULL,
-                stdout=output,
-                stderr=subprocess.STDOUT,
-                check=False,
-            )
+                [*self.before, *limits, *pytest], cwd=self.root, env=os.environ | own, stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", check=False,
+            )  # fmt: skip
             seconds = time.monotonic() - start
-            output.seek(0)
-            words = output.read().decode(errors="replace")
-        if done.returncode == 0:
-            return "survived", seconds, ""
-        if done.returncode in TIMED_OUT:
-            return "timeout", seconds, ""
-        failed = [line.partition(" - ")[0] for line in words.splitlines() if line.startswith(("FAILED", "ERROR"))]
-        if done.returncode == FAILED and failed:
-            return "killed", seconds, failed[0]
-        said = failed or words.strip().splitlines()[-1:]
-        return "error", seconds, f"status {done.returncode}: {''.join(said[:1]):.200}"
+        if done.returncode == 0 or done.returncode in TIMED_OUT:
+            return "timeout" if done.returncode else "survived", seconds, ""
+        lines = done.stdout.strip().splitlines() or [""]
+        failed = [line.partition(" - ")[0] for line in lines if line.startswith(("FAILED", "ERROR"))]
+        if done.returncode == 1 and failed:
+            return "killed", seconds, failed[0].partition(" ")[2]
+        return "error", seconds, f"status {done.returncode}: {(failed or lines)[-1]:.200}"
 
 
 def tests_of(root: Path, module: str) -> list[str]:
@@ -130,75 +202,29 @@ def tests_of(root: Path, module: str) -> list[str]:
     while not (files := sorted((root / "tests" / folder).glob("test_*.py"))):
         folder = folder.parent
     dotted = ".".join(path.with_suffix("").parts)
-
-    def distance(file: Path) -> tuple[bool, int]:
-        return not file.stem.startswith(f"test_{path.stem}"), -file.read_text("utf-8").count(dotted)
-
-    return [file.relative_to(root).as_posix() for file in sorted(files, key=distance)]
+    files.sort(key=lambda file: (not file.stem.startswith(f"test_{path.stem}"), -file.read_text().count(dotted)))
+    return [file.relative_to(root).as_posix() for file in files]
 
 
-@cache
-def commit() -> str:
-    """The commit of the tree."""
-    command = ["git", "-C", str(ROOT), "describe", "--always", "--dirty"]
-    return subprocess.run(command, capture_output=True, text=True, check=False).stdout.strip()
-
-
-def test_mutants(count: int, seed: int, *, jobs: int, before: Sequence[str], record: Path) -> None:
-    """Test mutants; each is added to the CSV file at once. Those that it has of this commit are not tested again."""
-    mutants = drawn(ROOT, count, seed)
-    done = {tuple(row[name] for name in COLUMNS[:5]) for row in rows_of(record) if row["commit"] == commit()}
-    ahead = [
-        mutant
-        for mutant in mutants
-        if (mutant.module, str(mutant.line), mutant.kind, mutant.before, mutant.after) not in done
-    ]
+def outcomes(chosen: Sequence[Mutant], *, jobs: int, before: Sequence[str] = ()) -> Generator[Outcome]:
+    """The outcome of each mutant; at last, as an error, the tests that also fail without one."""
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(jobs) as pool:
         trees: SimpleQueue[Tree] = SimpleQueue()
         for number in range(jobs):
             trees.put(Tree(Path(folder) / str(number), before))
 
-        def test(mutant: Mutant) -> None:
+        def test(mutant: Mutant) -> Outcome:
             tree = trees.get()
             try:
-                outcome = tree.test(mutant)
+                return tree.test(mutant)
             finally:
                 trees.put(tree)
-            add(record, outcome.row)
 
-        for _ in pool.map(test, ahead):
-            pass
-
-
-def failing_without(record: Path, before: Sequence[str]) -> Iterator[str]:
-    """The tests that failed with a mutant of this commit and do not pass without one, at most one of each file.
-
-    Each file has the limits of time of a mutant; tests that do not end within them have not passed.
-    """
-    files: dict[str, set[str]] = {}
-    for row in rows_of(record):
-        if row["commit"] == commit() and row["outcome"] == "killed":
-            test = row["test"].partition(" ")[2].partition("[")[0]
-            files.setdefault(test.partition("::")[0], set()).add(test)
-    with tempfile.TemporaryDirectory() as folder:
-        tree = Tree(Path(folder) / "tree", before)
-        for file, tests in files.items():
-            outcome, seconds, words = tree.run(sorted(tests))
-            if outcome != "survived":
-                yield words or f"{file}: {outcome} after {seconds:.0f} s"
-
-
-def rows_of(record: Path) -> list[dict[str, str]]:
-    if not record.exists():
-        return []
-    with record.open(newline="") as file:
-        return list(csv.DictReader(file))
-
-
-def add(record: Path, row: dict[str, object]) -> None:
-    new = not record.exists()
-    with record.open("a", newline="") as file:
-        writer: csv.DictWriter[str] = csv.DictWriter(file, COLUMNS)
-        if new:
-            writer.writeheader()
-        writer.writerow(row)
+        failed = set()
+        for outcome in pool.map(test, chosen):
+            failed |= {outcome.test} if outcome.outcome == "killed" else set()
+            yield outcome
+        if failed:
+            found, seconds, test_ = trees.get().run(sorted(failed))
+            if found != "survived":
+                yield Outcome(Mutant("none", 0, "", "", "", (0, 0)), "error", seconds, test_)

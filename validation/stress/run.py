@@ -7,10 +7,9 @@
     growth    memory of a process after many calls
     mutation  one operator of the source changed at a time: do the tests of its folder see it?
 
-Without PARTS all run, for hours; with --short all but mutation, in two minutes. Prints a table, and writes each row
-with its date and commit to stress.md in the folder --out, beside mutation.csv; rows of an earlier run stay until
-their part runs again. Faults are printed with the seed that makes them again, and inputs that led to one are kept in
-the folder --keep. Exit status: 0 no fault, 1 a fault.
+Without PARTS all run, for hours; with --short all but mutation, in two minutes. Prints a table, and writes it to
+stress.md in the folder --out, beside mutation.csv. Faults are printed with the seed that makes them again, and inputs
+that led to one are kept in the folder --keep. Exit status: 0 no fault, 1 a fault.
 """
 
 import os
@@ -19,6 +18,7 @@ os.environ.setdefault("OMP_NUM_THREADS", "1")  # before NumPy loads its threads
 
 import argparse
 import compileall
+import csv
 import pickle
 import shlex
 import sys
@@ -28,7 +28,6 @@ from collections import Counter
 from collections.abc import Generator, Iterator
 from contextlib import closing
 from dataclasses import dataclass, field
-from datetime import UTC, datetime
 from functools import cached_property
 from pathlib import Path
 from typing import TypeVar
@@ -43,11 +42,10 @@ from validation.stress.faces import damaged_through_commands, scenes_through_fac
 from validation.stress.growth import MOST, growth_of
 from validation.stress.kills import kills
 from validation.stress.limits import ended
-from validation.stress.mutation import KILLED, commit, failing_without, rows_of, test_mutants
+from validation.stress.mutation import drawn, outcomes
 from validation.stress.watched import Tried, tried
 
 Each = TypeVar("Each")
-RECORD, FIRST_ROW = "stress.md", 6  # the line of the page
 MOST_REFUSED = 0.8  # share of the inputs; with more, the draw tests little but the first check of a reader
 ENOUGH = 40  # inputs for a share that means something
 
@@ -84,10 +82,10 @@ class Row:
         told = ", ".join(f"{count} {outcome}" for outcome, count in sorted(self.outcomes.items()))
         worst = (f"{self.slowest:.1f}" if self.slowest else "", f"{self.largest / 1e6:.0f}" if self.largest else "")
         tries = (str(self.first_seed), str(self.outcomes.total()), told)
-        return self.part, *tries, *worst, str(len(self.faults)), f"{datetime.now(UTC):%Y-%m-%d}", commit()
+        return self.part, *tries, *worst, str(len(self.faults))
 
 
-HEAD = ("part", "first seed", "tries", "outcomes", "slowest, s", "largest, MB", "faults", "date", "commit")
+HEAD = ("part", "first seed", "tries", "outcomes", "slowest, s", "largest, MB", "faults")
 
 
 def main(argv: list[str] | None = None) -> int:
@@ -102,7 +100,7 @@ def main(argv: list[str] | None = None) -> int:
         )
     parser.add_argument("--minutes", type=float, default=np.inf, help="a row ends then, with as many tries as it has")
     parser.add_argument("--before", default="", help="what the tests of a mutant are started by, as 'nice -n 15'")
-    parser.add_argument("--out", type=Path, help=f"folder for {RECORD} and mutation.csv; nothing is written without it")
+    parser.add_argument("--out", type=Path, help="folder for stress.md and mutation.csv; nothing is written without it")
     parser.add_argument("--keep", type=Path, default=Path("stress-faults"), help="folder for inputs with a fault")
     options = parser.parse_args(argv)
     size = SHORT if options.short else LONG
@@ -120,8 +118,7 @@ def main(argv: list[str] | None = None) -> int:
                 rows.append(row)
                 say(" | ".join(row.cells), *(f"  {fault}" for fault in row.faults))
                 if options.out is not None:
-                    options.out.mkdir(parents=True, exist_ok=True)
-                    add_to_record(options.out / RECORD, row)
+                    write(rows, options.out)
     say(f"{sum(len(row.faults) for row in rows)} faults, {time.perf_counter() - begun:.0f} s")
     return int(any(row.faults for row in rows))
 
@@ -230,26 +227,26 @@ def limited(place: Place) -> Iterator[Row]:
 
 def growing(place: Place) -> Iterator[Row]:
     for function, calls in zip(MOST, place.budget.calls, strict=True):
-        found = growth_of(function, calls, seconds=60 * place.options.minutes)
-        row = Row(f"growth, {function}", Counter(calls=found.calls), [found.fault] if found.fault else [])
-        row.largest = max(found.gained, 0.0)
-        yield row
+        done, gained = growth_of(function, calls, seconds=60 * place.options.minutes)
+        fault = [] if gained < MOST[function] else [f"grows by {gained / 1e6:.1f} MB"]
+        yield Row(f"growth, {function}", Counter(calls=done), fault, largest=max(gained, 0.0))
 
 
 def mutated(place: Place) -> Iterator[Row]:
-    options, before = place.options, shlex.split(place.options.before)
-    place_of_rows = place.folder if options.out is None else options.out
-    place_of_rows.mkdir(parents=True, exist_ok=True)
-    rows = place_of_rows / "mutation.csv"
-    row = Row("mutation")
-    test_mutants(place.budget.mutants, options.seed, jobs=options.jobs, before=before, record=rows)
-    for each in rows_of(rows):
-        if each["commit"] == commit():
-            row.outcomes[each["outcome"]] += 1
-            if each["outcome"] not in KILLED and not each["judgement"]:
-                mutant = f"{each['module']}:{each['line']}, {each['before']} -> {each['after']}"
-                row.faults.append(f"{each['outcome']}: {mutant} {each['test']}".strip())
-    row.faults += [f"without a mutant {test}" for test in failing_without(rows, before)]
+    row, options, table = Row("mutation"), place.options, []
+    chosen = drawn(place.budget.mutants, options.seed)
+    for each in place.within_minutes(outcomes(chosen, jobs=options.jobs, before=shlex.split(options.before))):
+        row.outcomes[each.outcome] += 1
+        table.append(each.row)
+        if each.outcome in ("survived", "error"):
+            mutant = each.mutant
+            row.faults.append(f"{each.outcome}: {mutant.module}:{mutant.line}, {mutant.before} -> {mutant.after}")
+        if options.out is not None:
+            options.out.mkdir(parents=True, exist_ok=True)
+            with (options.out / "mutation.csv").open("w", newline="") as file:
+                writer = csv.DictWriter(file, list(table[0]))
+                writer.writeheader()
+                writer.writerows(table)
     yield row
 
 
@@ -263,21 +260,12 @@ PARTS = {
 }
 
 
-def add_to_record(file: Path, row: Row) -> None:
-    """Put a row into the table of a page, in the place of an earlier one of its part, and its faults below."""
-    known = file.read_text("utf-8").splitlines() if file.exists() else []
-    old = [line for line in known[FIRST_ROW:] if line.startswith(("| ", "- "))]
-    kept = [line for line in old if line[2:].partition(" |")[0].partition(":")[0] != row.part]
-    kept += [f"| {' | '.join(row.cells)} |", *(f"- {row.part}: {' '.join(fault.split())}" for fault in row.faults)]
-    table, faults = ([line for line in kept if line.startswith(mark)] for mark in ("|", "-"))
-    lines = [
-        "# Robustness",
-        "",
-        "By `python validation/stress/run.py`; what each part does, CONTRIBUTING.md says.",
-        "",
-    ]
-    lines += [f"| {' | '.join(HEAD)} |", f"|{' --- |' * len(HEAD)}", *table]
-    file.write_text("\n".join([*lines, "", *(["Faults:", "", *faults] if faults else ["No faults."]), ""]), "utf-8")
+def write(rows: list[Row], folder: Path) -> None:
+    folder.mkdir(parents=True, exist_ok=True)
+    table = [HEAD, ["---"] * len(HEAD), *(row.cells for row in rows)]
+    faults = [f"- {row.part}: {' '.join(fault.split())}" for row in rows for fault in row.faults]
+    lines = ["# Robustness", "", *(f"| {' | '.join(cells)} |" for cells in table), "", *(faults or ["No faults."])]
+    (folder / "stress.md").write_text("\n".join(lines) + "\n", "utf-8")
 
 
 if __name__ == "__main__":

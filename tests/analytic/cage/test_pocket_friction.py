@@ -45,10 +45,7 @@ def film(scene: Scene, entrainment_speed: np.ndarray) -> np.ndarray:
         curvature_rolling=1 / RADIUS, curvature_transverse=1 / RADIUS, load=LOAD, modulus=contact(scene)[0]
     )
     computed = central_film(
-        pocket,
-        entrainment_speed=entrainment_speed,
-        viscosity=THIN.viscosity,
-        pressure_viscosity=0.0,
+        pocket, entrainment_speed=entrainment_speed, viscosity=THIN.viscosity, pressure_viscosity=0.0
     )
     assert not np.any(computed.capped)
     return computed.thickness

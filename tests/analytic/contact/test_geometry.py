@@ -19,6 +19,7 @@ from analytic.contact.hertz import relative_curvatures
 from analytic.errors import InputError
 from analytic.scene import Bearing, Ring
 from tests.analytic.specimens import STAMPED_CAGE
+from tests.refusals import refused
 
 RACES: list[Race] = ["inner", "outer"]
 ANGLE, LOAD = 0.31, 372.0  # rad, N
@@ -87,12 +88,8 @@ def test_the_contact_has_the_curvatures_of_the_formula(bearing_6205: Bearing, ra
         ("pocket", ANGLE, LOAD, ("race", "pocket")),
     ],
 )
-def test_a_contact_off_the_groove_is_refused(
-    bearing_6205: Bearing, race: Race, angle: float, load: float, words: tuple[str, ...]
-) -> None:
-    with pytest.raises(InputError) as refusal:
-        race_contact(bearing_6205, race, contact_angle=angle, ball_load=load)
-    assert all(word in str(refusal.value) for word in words), refusal.value
+def test_a_contact_off_the_groove_is_refused(bearing_6205: Bearing, race, angle, load, words) -> None:
+    refused(lambda: race_contact(bearing_6205, race, contact_angle=angle, ball_load=load), *words)
 
 
 def test_the_ring_behind_a_groove_is_known_with_its_seat_and_width(bearing_6205) -> None:
@@ -152,18 +149,11 @@ def test_a_far_shoulder_that_is_not_given_is_as_the_near_one(bearing_6205: Beari
 
 
 @pytest.mark.parametrize(
-    ("near", "far", "words"),
-    [
-        (3.1e-3, -0.1e-3, "-0.1 mm must be at least 0"),
-        (3.1e-3, 4.3e-3, "4.3 mm must be .* below groove_radius 4.* mm"),
-        (4.5e-3, 3.1e-3, r"4.5 mm must lie between 0 and groove_radius 4\.\d+ mm"),
-    ],
+    ("near", "far", "wrong"), [(3.1e-3, -0.1e-3, "-0.1"), (3.1e-3, 4.3e-3, "4.3"), (4.5e-3, 3.1e-3, "4.5")]
 )
-def test_an_impossible_shoulder_is_refused_in_millimetres(
-    bearing_6205: Bearing, near: float, far: float, words: str
-) -> None:
-    with pytest.raises(InputError, match=words):
-        race_contact(with_half_widths(bearing_6205, near, far), "inner", contact_angle=0.1, ball_load=LOAD)
+def test_an_impossible_shoulder_is_refused_in_millimetres(bearing_6205: Bearing, near, far, wrong) -> None:
+    odd = with_half_widths(bearing_6205, near, far)
+    refused(lambda: race_contact(odd, "inner", contact_angle=0.1, ball_load=LOAD), f"{wrong} mm must")
 
 
 def test_unknown_shoulders_are_asked_for_in_one_line(bearing_6205: Bearing) -> None:

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import mpmath
 import numpy as np
@@ -20,6 +21,7 @@ from analytic.contact.hertz import (
 from analytic.errors import InputError
 from analytic.scene import Contact, Material
 from tests.contacts import INNER, PEEK, STEEL
+from tests.refusals import refused, refuses
 from tests.validation.hard.hertz_exact import hertz
 
 FIELDS = ("semi_axis_x", "semi_axis_y", "peak_pressure", "approach", "stiffness")
@@ -29,7 +31,7 @@ LARGE, SMALL = 310.0, 9.7  # 1/m: a ball on the inner race of a small bearing
 ROUND_OFF = 1e-13  # a few hundred roundings of a double
 
 
-def contact(curvature_x: float = LARGE, curvature_y: float = SMALL, **changed: float) -> HertzContact:
+def contact(curvature_x: float = LARGE, curvature_y: float = SMALL, **changed: Any) -> HertzContact:
     arguments = {"load": LOAD, "modulus": MODULUS} | changed
     return hertz_contact(curvature_x=curvature_x, curvature_y=curvature_y, **arguments)
 
@@ -163,24 +165,12 @@ def test_arguments_broadcast() -> None:
         np.testing.assert_allclose(values[2, 1], getattr(contact(77.0, SMALL, load=41.0), field), rtol=ROUND_OFF)
 
 
-@pytest.mark.parametrize(
-    ("changed", "words"),
-    [
-        ({"load": -3.5}, ("load", "-3.5", "at least 0")),
-        ({"load": [2.0, float("nan")]}, ("load", "nan", "index [1]")),
-        ({"curvature_x": 0.0}, ("curvature_x", "0.0", "positive")),
-        ({"curvature_y": [[5.0, -7.0]]}, ("curvature_y", "-7.0", "index [0, 1]")),
-        ({"modulus": float("inf")}, ("modulus", "inf", "finite")),
-        ({"modulus": "steel"}, ("modulus", "steel", "number")),
-        ({"modulus": 3j}, ("modulus", "real")),
-        ({"load": [1.5, 2.5], "modulus": [3e9, 4e9, 5e9]}, ("(2,)", "(3,)", "equal lengths")),
-    ],
-)
-def test_a_bad_argument_is_named(changed: dict, words: tuple[str, ...]) -> None:
-    arguments = {"curvature_x": LARGE, "curvature_y": SMALL, "load": LOAD, "modulus": MODULUS} | changed
-    with pytest.raises(InputError) as refusal:
-        hertz_contact(**arguments)
-    assert all(word in str(refusal.value) for word in words), refusal.value
+def test_a_bad_argument_is_named() -> None:
+    refuses(contact, load=-3.5, curvature_x=0.0, curvature_y=[[5.0, -7.0]], modulus=float("inf"))
+    refused(lambda: contact(load=[2.0, float("nan")]), "load", "nan", "index [1]")
+    refused(lambda: contact(modulus="steel"), "modulus", "steel", "number")
+    refused(lambda: contact(modulus=3j), "modulus", "real")
+    refused(lambda: contact(load=[1.5, 2.5], modulus=[3e9, 4e9, 5e9]), "(2,)", "(3,)", "equal lengths")
 
 
 def test_modulus_of_two_bodies() -> None:
@@ -198,18 +188,8 @@ def test_curvatures_of_a_ball_on_both_races() -> None:
     assert concave[0] < 1 / 3.97e-3 < convex[0]
 
 
-@pytest.mark.parametrize(
-    ("changed", "words"),
-    [
-        ({"groove_radius": 3.97e-3}, ("groove_radius 0.00397", "line")),
-        ({"groove_radius": -4.13e-3}, ("groove_radius", "positive")),
-        ({"rolling_radius": -3.9e-3}, ("rolling_radius", "-0.0039")),
-        ({"rolling_radius": 0.0}, ("rolling_radius", "0.0")),
-        ({"rolling_radius": float("nan")}, ("rolling_radius", "nan")),
-        ({"ball_radius": 0.0}, ("ball_radius", "positive")),
-    ],
-)
-def test_an_impossible_ball_on_race_is_refused(changed: dict, words: tuple[str, ...]) -> None:
-    with pytest.raises(InputError) as refusal:
-        relative_curvatures(ball_on_race(**changed))
-    assert all(word in str(refusal.value) for word in words), refusal.value
+def test_an_impossible_ball_on_race_is_refused() -> None:
+    for radius in (-3.9e-3, 0.0, float("nan")):
+        refused(lambda: relative_curvatures(ball_on_race(rolling_radius=radius)), "rolling_radius", str(radius))  # noqa: B023
+    for wrong in ({"groove_radius": 3.97e-3}, {"groove_radius": -4.13e-3}, {"ball_radius": 0.0}):
+        refused(lambda: relative_curvatures(ball_on_race(**wrong)), *wrong)  # noqa: B023

@@ -177,12 +177,7 @@ def test_the_ring_without_side_load_is_the_closed_form(scene: Scene) -> None:
 def oiled(scene: Scene) -> Scene:
     more = dict.fromkeys(("asperities", "inlet_heating", "starvation", "hysteresis", "rolling"), "on")
     return replace(
-        scene,
-        friction_coefficient=None,
-        lubricant=OIL,
-        surface=FINISH,
-        hysteresis_loss=0.006,
-        effects={**ALL, **more},
+        scene, friction_coefficient=None, lubricant=OIL, surface=FINISH, hysteresis_loss=0.006, effects={**ALL, **more}
     )
 
 
@@ -230,11 +225,7 @@ def test_the_torque_does_not_depend_on_units(oiled: Scene, metre: float, kilogra
         return replace(noun, material=material(noun.material), **lengths)
 
     bearing, run = oiled.bearing, oiled.operation
-    plain = replace(
-        oiled,
-        lubricant=THICK,
-        effects={**oiled.effects, "inlet_heating": "off", "starvation": "off"},
-    )
+    plain = replace(oiled, lubricant=THICK, effects={**oiled.effects, "inlet_heating": "off", "starvation": "off"})
     scaled = replace(
         plain,
         bearing=replace(

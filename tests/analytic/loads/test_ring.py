@@ -15,6 +15,7 @@ from analytic.loads.ring import RingEquilibrium, ring_equilibrium
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.scene import Bearing, ContactAngle, Material
 from tests.analytic.specimens import with_clearance
+from tests.refusals import refused
 
 SOLVED = ContactAngle(rule="solved")
 MIXED: dict[str, Any] = {
@@ -235,16 +236,12 @@ def test_a_ring_that_hardly_touches_settles_under_a_moment(bearing_6205: Bearing
         (SOLVED, {"inner_speed": [3.0, float("inf")]}, ("inner_speed", "inf", "index [1]")),
         (ContactAngle(rule="given", value=0.18), {}, ("rule 'given'", "'solved'")),
         (ContactAngle(rule="solved", free=18.0), {}, ("free", "18.0", "degrees")),
-        (SOLVED, {"radial_load_x": 1e9}, ("radial load of 1e+06 kN moves the rings", "grooves: lower the load")),
+        (SOLVED, {"radial_load_x": 1e9}, ("1e+06 kN", "lower the load")),
         (SOLVED, {"inner_speed": [70.0, 1e5]}, ("954930 rpm", "lower the speed")),
     ],
 )
-def test_impossible_input_is_refused(
-    bearing_6205: Bearing, angle: ContactAngle, changed: dict[str, Any], words: tuple
-) -> None:
-    with pytest.raises(InputError) as refusal:
-        ring_equilibrium(bearing_6205, angle, axial_load=5.0, **changed)
-    assert all(word in str(refusal.value) for word in words), refusal.value
+def test_impossible_input_is_refused(bearing_6205: Bearing, angle, changed, words) -> None:
+    refused(lambda: ring_equilibrium(bearing_6205, angle, axial_load=5.0, **changed), *words)
 
 
 def test_a_weight_that_sinks_balls_through_soft_races_is_named(bearing_6205: Bearing) -> None:

@@ -189,19 +189,13 @@ def test_grade_d_is_refused_with_what_to_measure() -> None:
         (HAND, ("bearing.clearance is missing", '"10 um"', '"CN"', "nominal")),
         (HAND + 'clearance = "C3"\n', ("bearing.clearance = 'C3'", "bore_diameter")),
         (HAND + 'clearance = "C6"\n', ("bearing.clearance = 'C6'", "C2, CN, C3, C4, C5")),
-        (
-            HAND + PLAY + 'contact_angle = { nominal = "15 deg" }\n',
-            ("bearing.clearance = '16 um'", "contact_angle.nominal", "leave one of them out"),
-        ),
+        (HAND + PLAY + 'contact_angle = { nominal = "15 deg" }\n',
+            ("bearing.clearance = '16 um'", "contact_angle.nominal", "leave one of them out")),
         (HAND + PLAY + "inner.conformity = 0.52\n", ("bearing.conformity = 0.53", "inner", "leave one of them out")),
-        (
-            HAND.replace("conformity = 0.53\n", 'inner = { conformity = 0.52, groove_radius = "5.2 mm" }\n') + PLAY,
-            ("bearing.inner.conformity = 0.52", "groove_radius", "bearing.outer.groove_radius is missing"),
-        ),
-        (
-            HAND + PLAY + 'outer = { shoulder_height = "2 mm", shoulder_diameter = "56 mm" }\n',
-            ("bearing.outer.shoulder_diameter = '56 mm'", "says the same as shoulder_height"),
-        ),
+        (HAND.replace("conformity = 0.53\n", 'inner = { conformity = 0.52, groove_radius = "5.2 mm" }\n') + PLAY,
+            ("bearing.inner.conformity = 0.52", "groove_radius", "bearing.outer.groove_radius is missing")),
+        (HAND + PLAY + 'outer = { shoulder_height = "2 mm", shoulder_diameter = "56 mm" }\n',
+            ("bearing.outer.shoulder_diameter = '56 mm'", "says the same as shoulder_height")),
         (HAND + PLAY + 'inner.shoulder_height = "5.4 mm"\n', ("inner.shoulder_height = '5.4 mm'", "5.3 mm")),
         (HAND + PLAY + 'inner.shoulder_diameter = "39 mm"\n', ("shoulder_diameter = '39 mm'", "39.992", "50.592")),
         (HAND + PLAY + 'outer.shoulder_diameter = "61 mm"\n', ("shoulder_diameter = '61 mm'", "60.008", "49.408")),
@@ -211,25 +205,18 @@ def test_grade_d_is_refused_with_what_to_measure() -> None:
             + 'inner = { bottom_radius = "20 mm", shoulder_diameter = "40 mm" }\n',  # at the bottom: no shoulder
             ("bearing.inner.shoulder_diameter = '40 mm' must be between", "40 mm, and 50.6 mm"),
         ),
-        (
-            HAND + PLAY + 'inner.bottom_radius = "20 mm"\nouter.bottom_radius = "30 mm"\n',
-            ("bearing.clearance = '16 um' follows from the bottom_radius", "bearing.pitch_diameter = '50 mm' follows"),
-        ),
+        (HAND + PLAY + 'inner.bottom_radius = "20 mm"\nouter.bottom_radius = "30 mm"\n',
+            ("bearing.clearance = '16 um' follows from the bottom_radius", "bearing.pitch_diameter = '50 mm' follows")),
         (HEAD + 'catalog = "7205 BEP"\nclearance = "C3"\n', ("clearance = 'C3'", "deep groove", "40 deg")),
-        (
-            HEAD.replace('axial_load = "700 N"', 'radial_load = "1 kN"') + 'catalog = "7205 BEP"\n',
-            ("operation.axial_load", "slide apart", "1430 N", "[arrangement]"),
-        ),
-        (
-            HEAD.replace('axial_load = "700 N"', 'axial_load = ["0 N", "1 N"]\nradial_load = ["1 N", "2 N", "3 N"]')
-            + 'catalog = "7205 BEP"\n',
-            ("axial_load has 2 and operation.radial_load has 3", "equal lengths"),
-        ),
+        (HEAD.replace('axial_load = "700 N"', 'radial_load = "1 kN"') + 'catalog = "7205 BEP"\n',
+            ("operation.axial_load", "slide apart", "1430 N", "[arrangement]")),
+        (HEAD.replace('axial_load = "700 N"', 'axial_load = ["0 N", "1 N"]\nradial_load = ["1 N", "2 N", "3 N"]')
+            + 'catalog = "7205 BEP"\n', ("axial_load has 2 and operation.radial_load has 3", "equal lengths")),
         (HAND + PLAY + 'inner.bottom_radius = "20 mm"\n', ("bearing.outer.bottom_radius is missing", "both rings")),
         (HAND.replace('pitch_diameter = "50 mm"\n', PLAY), ("bearing.pitch_diameter is missing", '"39 mm"')),
         (HEAD + "catalog = 6206\n", ("bearing.catalog: 6206", "in quotes")),
     ],
-)
+)  # fmt: skip
 def test_what_is_missing_or_said_twice_is_named(text: str, words: tuple[str, ...]) -> None:
     message = refusal(text)
     assert message.isprintable()

@@ -92,44 +92,26 @@ def test_an_arrangement_is_read() -> None:
         (SEATS + 'ball_temperature = "75 degC"\n', "", r"mounting\.ball_temperature = '75 degC' goes with"),
         (SEATS + 'shaft_bore = "30 mm"\n', "", r"mounting\.shaft_bore = '30 mm' must be below bearing.bore_diameter"),
         ('[mounting]\nshaft_interference = "12"\n', "", r"mounting\.shaft_interference = '12' .*12 um"),
-        (
-            SEATS + WARM + 'shaft_material = "peek"\n',
-            "",
-            r"mounting\.shaft_material = 'peek' 'peek' of the shaft has no",
-        ),
-        (
-            '[mounting]\nshaft_fit = "k5"\n',
-            "",
-            r"mounting\.shaft_fit = 'k5' is an unknown key; did you mean shaft_interference\?",
-        ),
+        (SEATS + WARM + 'shaft_material = "peek"\n', "",
+            r"mounting\.shaft_material = 'peek' 'peek' of the shaft has no"),
+        ('[mounting]\nshaft_fit = "k5"\n', "",
+            r"mounting\.shaft_fit = 'k5' is an unknown key; did you mean shaft_interference\?"),
         ('[mounting]\nhousing_fit = "H7"\n', "", r"did you mean housing_interference\?"),
         ('[arrangement]\nkind = "O"\n', "", r"arrangement = .* needs one of preload and offset"),
         ('[arrangement]\nkind = "tandem"\npreload = "9 N"\n', "", r"arrangement\.preload = '9 N' does not go"),
-        (
-            '[arrangement]\nkind = "O"\npreload = "9 N"\noffset = "3 um"\n',
-            "",
-            r"arrangement\.offset = '3 um' and preload both say how the pair is clamped; leave one of them out",
-        ),
+        ('[arrangement]\nkind = "O"\npreload = "9 N"\noffset = "3 um"\n', "",
+            r"arrangement\.offset = '3 um' and preload both say how the pair is clamped; leave one of them out"),
         ('[arrangement]\nkind = "DB"\npreload = "9 N"\n', "", r"arrangement\.kind = 'DB' is .*; give \"O\" \(.*, DB\)"),
         ('[arrangement]\nkind = "DT"\npreload = "9 N"\n', "", r"arrangement\.kind = 'DT' is .* \"tandem\" \(DT\)"),
-        (
-            '[arrangement]\nkind = "O"\npreload = "9 N"\ndistance = "9 mm"\n',
-            "",
-            r"arrangement\.distance = '9 mm' must be at least bearing.width 15 mm",
-        ),
+        ('[arrangement]\nkind = "O"\npreload = "9 N"\ndistance = "9 mm"\n', "",
+            r"arrangement\.distance = '9 mm' must be at least bearing.width 15 mm"),
         ('[arrangement]\nkind = "O"\noffset = "3 mm"\n', "", r"arrangement\.offset = '3 mm' must be at most 758\.2 um"),
-        (
-            '[arrangement]\nkind = "X"\noffset = "0.5 mm"\n',
-            'inner = { shoulder_half_width = "2 mm" }',
-            r"arrangement\.offset = '0.5 mm' must be at most .* um: there the balls reach a shoulder",
-        ),
-        (
-            '[arrangement]\nkind = "O"\npreload = "9 N"\n',
-            'contact_angle = { rule = "given", value = "12 deg" }',
-            r"bearing\.contact_angle\.rule = 'given' holds an angle that the loads of a pair change",
-        ),
+        ('[arrangement]\nkind = "X"\noffset = "0.5 mm"\n', 'inner = { shoulder_half_width = "2 mm" }',
+            r"arrangement\.offset = '0.5 mm' must be at most .* um: there the balls reach a shoulder"),
+        ('[arrangement]\nkind = "O"\npreload = "9 N"\n', 'contact_angle = { rule = "given", value = "12 deg" }',
+            r"bearing\.contact_angle\.rule = 'given' holds an angle that the loads of a pair change"),
     ],
-)
+)  # fmt: skip
 def test_a_mistake_is_one_line(more: str, bearing: str, words: str) -> None:
     with pytest.raises(InputError, match=words) as problem:
         scene(more, bearing=bearing)

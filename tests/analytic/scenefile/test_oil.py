@@ -214,52 +214,36 @@ def test_an_oil_without_a_line_takes_a_viscosity_at_its_temperature() -> None:
 MESSAGES = [
     ('name = "ISO VG 48"', ("lubricant.name = 'ISO VG 48'", "near it are", "ISO VG 46 mineral")),
     ('name = "olive oil"', ("lubricant.name = 'olive oil'", "near it are")),
-    (
-        'name = "SKF LT10"\ndensity = "900 kg/m^3"',
-        (
-            "lubricant.pressure_viscosity is missing: no sourced value for grease SKF LT10; give",
-            "eyring_stress is missing",
-        ),
-    ),
+    ('name = "SKF LT10"\ndensity = "900 kg/m^3"', (
+        "lubricant.pressure_viscosity is missing: no sourced value for grease SKF LT10; give",
+        "eyring_stress is missing")),
     ('name = "SKF LT10"', ("lubricant.density is missing: no sourced value for grease SKF LT10",)),
     ('name = "vg46"\ntemperature = "160 degC"', ("lubricant.temperature must be 0 to 140 degC", "got 160 degC")),
     ('name = "vg46"\nreference_temperature = "50 degC"', ("lubricant.reference_temperature", "lubricant.name")),
     ('name = "vg46"\nbase_oil = "PAO"', ("lubricant.base_oil", "leave it out")),
     ('base_oil = "PAO"', ("lubricant.viscosity is missing", 'name = "ISO VG 46"')),
-    (
-        'viscosity = "60 cSt"',
-        ("lubricant.viscosity = '60 cSt' is kinematic", "lubricant.density is missing", "870 kg/m^3"),
-    ),
+    ('viscosity = "60 cSt"',
+        ("lubricant.viscosity = '60 cSt' is kinematic", "lubricant.density is missing", "870 kg/m^3")),
     ('viscosity = "46 cSt at 40 degC"', ("lubricant.viscosity = '46 cSt at 40 degC' is kinematic", "870 kg/m^3")),
-    (
-        'viscosity = "46 cSt at 40 degC"\nbase_oil = "PAO"\nreference_temperature = "40 degC"',
-        ("lubricant.reference_temperature", "say the same", "leave one of them out"),
-    ),
-    (
-        'name = "vg46"\nviscosity = "9 mPa s at 80 degC"\ntemperature = "70 degC"',
-        ("lubricant.viscosity = '9 mPa s at 80 degC' is not at lubricant.temperature, 70 degC",),
-    ),
+    ('viscosity = "46 cSt at 40 degC"\nbase_oil = "PAO"\nreference_temperature = "40 degC"',
+        ("lubricant.reference_temperature", "say the same", "leave one of them out")),
+    ('name = "vg46"\nviscosity = "9 mPa s at 80 degC"\ntemperature = "70 degC"',
+        ("lubricant.viscosity = '9 mPa s at 80 degC' is not at lubricant.temperature, 70 degC",)),
     ('name = "ISO VG 70"', ("near it are ISO VG 68 mineral, ISO VG 68 PAO;",)),
     ('name = "iso vg 0"', ("near it are ",)),
-    (
-        'name = "my oil"',
-        ("two viscosities", 'viscosity = ["46 cSt at 40 degC", "6.8 cSt at 100', 'base_oil = "mineral"'),
-    ),
+    ('name = "my oil"',
+        ("two viscosities", 'viscosity = ["46 cSt at 40 degC", "6.8 cSt at 100', 'base_oil = "mineral"')),
     ('viscosity = ["46 cSt at 40 degC", "6.8 cSt"]', ("lubricant.viscosity", "has no temperature", "at 100 degC")),
     ('viscosity = ["46 cSt at 40 degC"]', ("lubricant.viscosity", "not one viscosity or two")),
     ('viscosity = ["46 cSt at 40 s", "6.8 cSt at 100 degC"]', ("lubricant.viscosity", "unit like degC")),
     ('viscosity = "46 mm^2"', ("lubricant.viscosity = '46 mm^2'", "Pa s")),
     ('viscosity = "0 cSt"\ndensity = "1 g/cm^3"', ("lubricant.viscosity = '0 cSt'",)),
-    (
-        'viscosity = ["46 cSt at 40 degC", "68 cSt at 100 degC"]\nbase_oil = "PAO"',
-        ("lubricant.viscosity must fall with the temperature", "68 mm2/s at 100 degC"),
-    ),
-    (
-        'viscosity = ["46 cSt at 40 degC", "7 cSt at 100 degC"]\nbase_oil = "PAO"\nreference_temperature = "50 degC"',
-        ("lubricant.reference_temperature", "two temperatures", "give temperature alone"),
-    ),
+    ('viscosity = ["46 cSt at 40 degC", "68 cSt at 100 degC"]\nbase_oil = "PAO"',
+        ("lubricant.viscosity must fall with the temperature", "68 mm2/s at 100 degC")),
+    ('viscosity = ["46 cSt at 40 degC", "7 cSt at 100 degC"]\nbase_oil = "PAO"\nreference_temperature = "50 degC"',
+        ("lubricant.reference_temperature", "two temperatures", "give temperature alone")),
     ('viscosity = "60 mPa s"\nbase_oil = "whale"', ("lubricant.base_oil = 'whale'", "mineral, naphthenic, PAO")),
-]
+]  # fmt: skip
 
 
 @pytest.mark.parametrize(("text", "words"), MESSAGES)
@@ -271,8 +255,7 @@ def test_a_mistake_is_named_in_one_line(text: str, words: tuple[str, ...]) -> No
 
 def test_mistakes_from_python_are_named_too() -> None:
     with pytest.raises(
-        InputError,
-        match=r"lubricant\.density = '87.0 kg/m\^3' is out of range; give 100 to 5000 kg/m\^3",
+        InputError, match=r"lubricant\.density = '87.0 kg/m\^3' is out of range; give 100 to 5000 kg/m\^3"
     ):
         analytic.lubricant("vg46", density=87.0)
     with pytest.raises(InputError, match=r"lubricant\.viscositty is no key.*did you mean"):

@@ -77,13 +77,6 @@ def test_the_scene_runs_within_its_tolerance(designation: str) -> None:
     assert np.all(result.numerical_uncertainty <= scene.tolerance)
 
 
-def test_lines_are_short_and_the_first_names_the_schema() -> None:
-    for designation in DESIGNATIONS:
-        lines = scene_text(designation).splitlines()
-        assert lines[0] == "#:schema fembearing-scene.schema.json"
-        assert max(map(len, lines)) <= 120
-
-
 def test_a_file_comes_before_a_scene_of_that_name_and_before_a_bearing(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

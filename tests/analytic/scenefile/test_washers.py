@@ -40,26 +40,15 @@ def test_the_circle_of_the_balls_is_that_of_both_grooves() -> None:
         ('"39 mm"', '"7 mm"', "bearing.pitch_diameter.*must exceed ball_diameter 7.1 mm"),
         ("conformity = 0.53", "", "groove_radius is missing"),
         ("conformity = 0.53", 'conformity = 0.53\nclearance = "5 um"', 'bearing.clearance.*kind = "radial"'),
-        (
-            "conformity = 0.53",
-            'conformity = 0.53\ncontact_angle = { nominal = "60 deg" }',
-            'bearing.contact_angle.*kind = "radial"',
-        ),
-        (
-            "conformity = 0.53",
-            'conformity = 0.53\nouter = { bottom_radius = "19 mm" }',
-            'bearing.outer.bottom_radius.*kind = "radial"',
-        ),
-        (
-            "conformity = 0.53",
-            "inner = { conformity = 0.53 }\nouter = { conformity = 0.54 }",
-            "bearing.outer.groove_radius.*two equal grooves",
-        ),
-        (
-            "conformity = 0.53",
+        ("conformity = 0.53", 'conformity = 0.53\ncontact_angle = { nominal = "60 deg" }',
+            'bearing.contact_angle.*kind = "radial"'),
+        ("conformity = 0.53", 'conformity = 0.53\nouter = { bottom_radius = "19 mm" }',
+            'bearing.outer.bottom_radius.*kind = "radial"'),
+        ("conformity = 0.53", "inner = { conformity = 0.53 }\nouter = { conformity = 0.54 }",
+            "bearing.outer.groove_radius.*two equal grooves"),
+        ("conformity = 0.53",
             'conformity = 0.53\ninner = { shoulder_height = "3.6 mm" }\nouter = { shoulder_height = "3.6 mm" }',
-            "washers touch",
-        ),
+            "washers touch"),
         ("conformity = 0.53", 'conformity = 0.53\nbore_diameter = "40 mm"', "bearing.bore_diameter.*below"),
         ("conformity = 0.53", 'conformity = 0.53\noutside_diameter = "38 mm"', "bearing.outside_diameter.*exceed"),
         ('"90 rpm"', '"90 rpm"\nradial_load = "2 N"', "operation.radial_load.*axial_load alone"),
@@ -68,7 +57,7 @@ def test_the_circle_of_the_balls_is_that_of_both_grooves() -> None:
         ("[friction]", '[arrangement]\nkind = "O"\npreload = "5 N"\n[friction]', "arrangement.*not modelled for a"),
         ('kind = "thrust"', 'kind = "axial"', "bearing.kind"),
     ],
-)
+)  # fmt: skip
 def test_what_does_not_go_with_washers_is_refused_in_one_line(old: str, new: str, words: str) -> None:
     said = refusal(changed(old, new, THRUST))
     assert re.search(words, said), said

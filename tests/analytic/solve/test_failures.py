@@ -47,26 +47,17 @@ def under(scene: Scene, *points: dict[str, float]) -> Scene:
 CASES: list[tuple[dict[str, Any], dict[str, float], str]] = [
     ({}, {"axial_load": 0.0, "inner_speed": 0.0}, r"operation\.axial_load = 0 N: without thrust .*; give a load"),
     ({}, {"axial_load": 0.0}, r"operation\.axial_load = 0 N: without thrust nothing presses the balls; give a load"),
-    (
-        {"effects": {"load_distribution": "off"}},
-        {"axial_load": 0.0, "radial_load": 70.0},
-        "act without thrust, and are the whole load: leave effects.load_distribution on auto",
-    ),
+    ({"effects": {"load_distribution": "off"}}, {"axial_load": 0.0, "radial_load": 70.0},
+        "act without thrust, and are the whole load: leave effects.load_distribution on auto"),
     ({"contact_angle": GIVEN}, {"radial_load": 660.0}, r"25\.5 % of .* use \"solved\""),  # 660 tan(0.31)/830
     ({"contact_angle": GIVEN}, {"axial_load": 0.0, "radial_load": 70.0}, 'use "solved"'),
-    (
-        {},
-        {"axial_load": 2e-3, "inner_speed": 2300.0},
-        r"inner_speed = 21963 rpm: the centrifugal force of a ball is .* under 0\.002 N of thrust, above 1000",
-    ),
+    ({}, {"axial_load": 2e-3, "inner_speed": 2300.0},
+        r"inner_speed = 21963 rpm: the centrifugal force of a ball is .* under 0\.002 N of thrust, above 1000"),
     ({}, {"axial_load": 7.7e6}, r"axial_load = 7\.7e\+06 N: the contact moves to .* shoulder: lower the load"),
     ({}, {"moment": 1900.0}, r"axial_load = 830 N, operation\.moment = 1\.9e\+06 N mm: .* shoulder: lower the load"),
-    (
-        {"spin_rule": "free", "sliding": "free_ball", "friction_coefficient": 1e-9},
-        {"inner_speed": 1900.0},
-        r"the rotation of ball 0 under .* did not settle .* Raise the load or lower the speed",
-    ),
-]
+    ({"spin_rule": "free", "sliding": "free_ball", "friction_coefficient": 1e-9}, {"inner_speed": 1900.0},
+        r"the rotation of ball 0 under .* did not settle .* Raise the load or lower the speed"),
+]  # fmt: skip
 
 
 @pytest.mark.parametrize(("changed", "bad", "words"), CASES)

@@ -36,10 +36,7 @@ def scene_of(bearing: Bearing, **operation: Array) -> Scene:
 def drawn(count: int, *, radial: bool) -> dict[str, Array]:
     """Loads, N, and speeds, rad/s, over two decades."""
     random = np.random.default_rng(17)
-    operation = {
-        "axial_load": 10 ** random.uniform(1.5, 3.2, count),
-        "inner_speed": 10 ** random.uniform(1, 3, count),
-    }
+    operation = {"axial_load": 10 ** random.uniform(1.5, 3.2, count), "inner_speed": 10 ** random.uniform(1, 3, count)}
     return operation | ({"radial_load": 10 ** random.uniform(2, 3, count)} if radial else {})
 
 

@@ -1,6 +1,7 @@
 """Rough contact against its defining integrals in 40 digits, Greenwood and Williamson's limit, and its inverse."""
 
-from functools import cache
+from dataclasses import replace
+from functools import cache, partial
 
 import hypothesis.strategies as st
 import mpmath
@@ -14,6 +15,7 @@ from analytic.errors import InputError
 from analytic.scene import Material, Surface
 from analytic.surface.asperity import AsperityContact, asperity_contact, asperity_load, separation_at, softer_hardness
 from analytic.surface.moments import Summits
+from tests.refusals import refused, refuses
 from tests.validation.hard.lubrication_exact import log_over_summits, summit
 
 SUMMITS = Summits(density=5e8, radius=50e-6, height_deviation=0.8e-6, mean_height=1.3e-6)
@@ -173,22 +175,11 @@ def test_the_softer_body_yields() -> None:
         softer_hardness(Surface(hardness=-6e9), hard, soft)
 
 
-@pytest.mark.parametrize(
-    ("h", "changed", "message"),
-    [
-        (np.nan, {}, "film_thickness must be finite"),
-        (1e-6, {"modulus": 0.0}, "modulus must be positive"),
-        (1e-6, {"hardness": -1.0}, "hardness must be positive"),
-        (1e-6, {"hardness": np.inf}, "hardness must be positive and finite"),
-        (np.ones(3), {"modulus": np.ones(2)}, "give equal lengths"),
-    ],
-)
-def test_nonsense_is_refused(h: object, changed: dict[str, float], message: str) -> None:
-    with pytest.raises(InputError, match=message):
-        contact(h, SUMMITS, **changed)
-    with pytest.raises(InputError, match="density must be at least 0"):
-        contact(1e-6, Summits(density=-5e8, radius=50e-6, height_deviation=0.8e-6, mean_height=1.3e-6))
-    with pytest.raises(InputError, match="radius must be positive"):
-        contact(1e-6, Summits(density=5e8, radius=0.0, height_deviation=0.8e-6, mean_height=1.3e-6))
-    with pytest.raises(InputError, match="pressure must be at least 0"):
-        separation(-1.0)
+def test_nonsense_is_refused() -> None:
+    refused(lambda: contact(np.nan, SUMMITS), "film_thickness")
+    refuses(partial(contact, 1e-6, SUMMITS), modulus=0.0, hardness=-1.0)
+    refuses(partial(contact, 1e-6, SUMMITS), hardness=np.inf)
+    refused(lambda: contact(np.ones(3), SUMMITS, modulus=np.ones(2)), "equal lengths")
+    for wrong in ({"density": -5e8}, {"radius": 0.0}):
+        refused(lambda: contact(1e-6, replace(SUMMITS, **wrong)), *wrong)  # noqa: B023
+    refused(lambda: separation(-1.0), "pressure")

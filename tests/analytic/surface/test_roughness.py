@@ -3,6 +3,7 @@
 import re
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import mpmath
 import numpy as np
@@ -13,6 +14,7 @@ from analytic.scene import Autocorrelation, HeightMapFile, Surface
 from analytic.surface.heightmap import HeightMap, Measurement, levelled, measure
 from analytic.surface.moments import mccool_summits
 from analytic.surface.roughness import autocorrelation_at, gap_roughness, generated_surface, spectral_moments
+from tests.refusals import refused, refuses
 
 SQ = 0.37e-6  # m
 SMOOTH = Autocorrelation(kind="gaussian", length=21e-6, spacing=2.1e-6)
@@ -189,22 +191,15 @@ def test_a_surface_too_steep_for_shallow_asperities_is_refused() -> None:
         gap_roughness(Surface(rms_roughness=10.6e-6, autocorrelation=SMOOTH))
 
 
-@pytest.mark.parametrize(
-    ("changed", "points", "message"),
-    [
-        ({"spacing": 2.2e-6}, POINTS, "spacing 2.2 um is more than a tenth of its length"),
-        ({}, 99, "give 100 points or more"),
-        ({"length": 51e-6}, POINTS, "more than a tenth of 240 points"),
-        ({}, 4097, "points must be 32 to 4096"),
-        ({"length": 0.0}, POINTS, "length must be positive"),
-        ({"spacing": np.nan}, POINTS, "spacing must be positive and finite"),
-        ({"kind": "fractal"}, POINTS, "kind must be gaussian or exponential"),
-    ],
-)
-def test_nonsense_is_refused(changed: dict[str, object], points: int, message: str) -> None:
-    fields = {"kind": SMOOTH.kind, "length": SMOOTH.length, "spacing": SMOOTH.spacing} | changed
-    with pytest.raises(InputError, match=message):
-        generated_surface(rms_roughness=SQ, autocorrelation=Autocorrelation(**fields), points=points, seed=3)  # pyright: ignore
+def test_nonsense_is_refused() -> None:
+    def made_of(points: int = POINTS, **changed: Any) -> object:
+        of_surface = replace(SMOOTH, **changed)
+        return generated_surface(rms_roughness=SQ, autocorrelation=of_surface, points=points, seed=3)
+
+    refuses(made_of, length=0.0, spacing=np.nan, kind="fractal", points=4097)
+    refused(lambda: made_of(spacing=2.2e-6), "spacing 2.2 um")
+    refused(lambda: made_of(points=99), "100 points")
+    refused(lambda: made_of(length=51e-6), "240 points")
 
 
 def test_the_smallest_surface_is_accepted() -> None:

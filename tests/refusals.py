@@ -1,0 +1,23 @@
+"""What is refused: an InputError of one line, with the words that name the key and its value."""
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from analytic.errors import InputError
+
+
+def refused(call: Callable[[], Any], *words: str) -> None:
+    """The call is refused with these words."""
+    with pytest.raises(InputError) as found:
+        call()
+    message = str(found.value)
+    assert "\n" not in message, message
+    assert [word for word in words if word not in message] == [], message
+
+
+def refuses(call: Callable[..., Any], **wrong: Any) -> None:
+    """Each of these values by itself is refused by its name."""
+    for name, value in wrong.items():
+        refused(lambda: call(**{name: value}), name)  # noqa: B023 - called at once
