@@ -278,7 +278,7 @@ def _free_creep(
         contrary = contrary or 'effects.creep = "off" leaves the creep out: use "auto"'
     asked = scene.sliding in FREE_METHODS.values()
     if slides and contrary is not None and asked:
-        raise InputError(f'friction.sliding = "{scene.sliding}" cannot be had: {contrary}')
+        raise InputError(f'friction.sliding = "{scene.sliding}" is refused: {contrary}')
     tried, between = trial.solved(counted) if slides else base, 1.0 if trial.is_of_all else BETWEEN
     share = tried.points["creep"] + PER_LAG * tried.sliding_number.max(axis=0)
     on = ledger.decide(

@@ -90,7 +90,7 @@ class Ledger:
             raise InputError(f"effects.{min(unknown)} is not an effect to choose; known: {known}")
         for name in LIMITS:
             if scene.effects.get(name) == "on":
-                raise InputError(f'effects.{name} = "on" cannot be had: not modelled; give "auto" or "off"')
+                raise InputError(f'effects.{name} = "on" is refused: not modelled; give "auto" or "off"')
         self.scene = scene
         self.budget = SHARE_OF_TOLERANCE * scene.tolerance
         self.left_out = np.zeros(points)  # bounds of what auto leaves out, compounded, at each point
@@ -183,7 +183,7 @@ class Ledger:
 
     def _settle(self, name: str, *, on: bool, share: Array | float | None, reason: str) -> bool:
         if not on and self.scene.effects.get(name) == "on":
-            raise InputError(f'effects.{name} = "on" cannot be had: {reason}')
+            raise InputError(f'effects.{name} = "on" is refused: {reason}')
         self.made[name] = Effect(
             name=name,
             decision="on" if on else "off",

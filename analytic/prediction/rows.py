@@ -23,6 +23,11 @@ class Interval(Brief, Generic[T]):
     low_error: T  # standard error
     high_error: T
 
+    @property
+    def ends(self) -> tuple[T, T]:
+        """The low and the high end, N m."""
+        return self.low, self.high
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SobolIndices(Brief, Generic[T]):

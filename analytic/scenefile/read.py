@@ -243,7 +243,7 @@ def _scene(
         try:
             losses, notes = losses_of(table.losses, delivered, row)
         except InputError as problem:
-            misfits.append(("losses.seals", f"cannot be had: {problem}"))
+            misfits.append(("losses.seals", f"is refused: {problem}"))
     friction = table.friction or FrictionTable()
     scene = Scene(
         name=table.name,

@@ -69,7 +69,8 @@ def _show_contact(
     from fembearing.cli.console import out, print_json
     from fembearing.plain_types import plain
     from fembearing.report.contact import contact_record
-    from fembearing.report.terminal.contacts import print_contact, print_subsurface
+    from fembearing.report.tables.contacts import contact_table, subsurface_table
+    from fembearing.report.terminal.table import show
     from fembearing.verify.contact.discrepancy import SHOWN_OF_A_SHEET
     from fembearing.verify.contact.mesh_refinement import COMPARED
 
@@ -77,9 +78,9 @@ def _show_contact(
         added = {"tolerance": result.tolerance, "accuracy": accuracy, "subsurface": plain(below)}
         print_json(plain(contact_record(result)) | added)
     else:
-        print_contact(out, contact_record(result), result.verdicts)
+        show(out, contact_table([(contact_record(result), result.verdicts)]))
         if below is not None:
-            print_subsurface(out, below)
+            show(out, subsurface_table(below))
         if result.judged:
             out.print(f"Hertz by the scene's tolerance of {percent_of(result.tolerance)}: {result.verdict}")
         print_warnings(result.warnings)
@@ -87,15 +88,19 @@ def _show_contact(
 
 
 def _show_series(result: "LoadSeries", *, as_json: bool) -> dict[str, float]:
+    from analytic.words import percent_of
     from fembearing.cli.console import out, print_json
     from fembearing.plain_types import plain
     from fembearing.report.load_series import series_record
-    from fembearing.report.terminal.contacts import print_series
+    from fembearing.report.tables.contacts import series_table
+    from fembearing.report.terminal.table import show
 
     if as_json:
         print_json(plain(series_record(result)))
     else:
-        print_series(out, result)
+        show(out, series_table(result))
+        verdict = result.verdict if result.judged else "shown, not judged"
+        out.print(f"{verdict}: tolerance {percent_of(result.tolerance)}")
         print_warnings(result.warnings)
     return {f"approach at {part.load:g} N": part.approach.total for part in result.points}
 

@@ -49,7 +49,8 @@ def film(
     from analytic.writing import new_folder
     from fembearing.cli.console import out, print_json, shown_progress
     from fembearing.report.film_folder import film_content, write_film
-    from fembearing.report.terminal.film import print_film
+    from fembearing.report.tables.film import film_table
+    from fembearing.report.terminal.table import show
     from fembearing.verify.film.scene_film import film_of
 
     with shown_progress() as progress, nullcontext() if folder is None else new_folder(folder) as place:
@@ -59,7 +60,7 @@ def film(
     if as_json:
         print_json(film_content(result.numbers))
     else:
-        print_film(out, result.numbers)
+        show(out, film_table(result.numbers))
         print_warnings(result.numbers.warnings)
     name, uncertainty = result.numbers.worst
     if uncertainty <= limit:

@@ -28,6 +28,7 @@ def sweep(
     """
     require_folder_name(folder)
     from fembearing.cli.console import print_json, shown_progress
+    from fembearing.plain_types import plain
     from fembearing.sweep.run import run_sweep
 
     try:
@@ -42,7 +43,7 @@ def sweep(
         complain(f"stopped; {kept if folder.exists() else 'nothing is done yet'}", INTERRUPTED)
         raise
     if as_json:
-        print_json(result.to_json() | {"maps": [str(file) for file in maps]})
+        print_json(plain(result) | {"maps": plain(maps)})
     else:
         _print(result, maps)
     raise typer.Exit(NOT_SOLVED if result.failed else DONE)

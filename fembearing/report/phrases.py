@@ -7,13 +7,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from analytic.cage.drive import LARGEST_GRIP
-from analytic.words import angle_of, percent_of
+from analytic.words import Unit, angle_of, percent_of
 from fembearing.quantities import CONTACT, METRIC, Quantity, Units
 from fembearing.verify.cost.ladder import Ladder
 
 if TYPE_CHECKING:
-    from analytic.prediction.rows import PredictedPoint, PredictionRows
+    from analytic.prediction.rows import PredictionRows
     from analytic.result import PairRows
     from analytic.rows import OperatingPoint
     from analytic.scene import Clearances
@@ -46,16 +45,6 @@ CHECKS = {  # the physical verdicts
 }
 LONGEST_LIST = 12  # values in a cell of a table
 LOADS = ("axial_load", "radial_load", "moment")
-SHARES = (
-    "Share: of the total, the largest of all operating points. A share with <= is an estimate from above of what "
-    "leaving the effect out changes. The uncertainty of the torque does not count effects that the scene switches off."
-)
-REGIME = (
-    "Whirl: mean speed of the cage's centre about the axis. Wobble: root mean square change of its distance. "
-    "Grip used: of what the races carry along the orbit, by the mean force. Grip number: the same of a whirl, by "
-    f"the weakest ball; balls slide above {LARGEST_GRIP:g}. Races: what they lose more because the cage drags the "
-    "balls, where balls and cage move together; it is part of the cage's torque."
-)
 MEASURED_RANGE = "12 to 48 %"  # of validation/measured/measured.csv, which a test compares
 MEASURED = f"In the one rig with measured torques, three balls in oil, the torque is {MEASURED_RANGE} too low."
 LEAST_EXPLAINED = 0.5  # share of the variance below which the shares of the inputs say nothing
@@ -129,6 +118,11 @@ def digits(value: float | None, factor: float = 1.0, count: int = 5, *, absent: 
 def shown(value: float | None, form: str, factor: float = 1.0, unit: str = "", *, absent: str = "-") -> str:
     """A value in the unit of a table, `factor` times the SI value."""
     return absent if value is None else f"{value * factor:{form}}{unit}"
+
+
+def between(ends: Sequence[float] | None, unit: Unit) -> str:
+    """Both ends of an interval, SI, in the unit of a table."""
+    return "-" if ends is None else "-".join(f"{unit.number(end):.3g}" for end in ends)
 
 
 def percent(value: float | None) -> str:
@@ -261,21 +255,6 @@ def input_name(key: str) -> str:
     table, _, rest = key.partition(".")
     words = rest.replace(".", " ").replace("_", " ") or "numerical uncertainty"
     return f"{words} (cage)" if table == "cage" else words
-
-
-def interval_at(point: "PredictedPoint", units: Units = METRIC) -> str:
-    """The 95 % interval of the total, in the unit of a table."""
-    return "-".join(f"{units.torque.number(end):.3g}" for end in (point.total.low, point.total.high))
-
-
-def predicted_torque(prediction: "PredictionRows", units: Units = METRIC) -> str:
-    """The torque with its interval at the slowest and the fastest point, in a sentence."""
-    each = [
-        f"{units.torque.written(point.nominal, '.3g')} ({interval_at(point, units)}) at "
-        f"{units.speed.written(point.inner_speed, '.4g')}"
-        for point in prediction.ends
-    ]
-    return f"Friction torque with its 95 % interval: {', '.join(each)}."
 
 
 def explained_words(prediction: "PredictionRows") -> str:

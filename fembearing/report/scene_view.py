@@ -4,27 +4,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar, Literal
 
 from analytic.rows import Positive
-
-
-@dataclass(frozen=True, kw_only=True)
-class Material:
-    """A material."""
-
-    name: str
-    youngs_modulus: float
-    poisson_ratio: float
-    source: str
-
-
-@dataclass(frozen=True, kw_only=True)
-class Groove:
-    """The groove of a ring."""
-
-    bottom_radius: float
-    groove_radius: float
-    shoulder_half_width: float | None
-    far_shoulder_half_width: float | None = None
-    material: Material
+from analytic.scene import Autocorrelation, Groove, HeightMapFile, Material
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -90,21 +70,6 @@ class Lubricant:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Autocorrelation:
-    """How heights of a surface hang together."""
-
-    kind: str
-    length: float
-
-
-@dataclass(frozen=True, kw_only=True)
-class HeightMap:
-    """A measured surface."""
-
-    path: str
-
-
-@dataclass(frozen=True, kw_only=True)
 class Declared:
     """A surface by its numbers."""
 
@@ -118,7 +83,7 @@ class Declared:
 class Mapped:
     """A surface by a height map."""
 
-    height_map: HeightMap
+    height_map: HeightMapFile
     boundary_friction: float
 
 

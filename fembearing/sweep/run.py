@@ -4,7 +4,7 @@ import time
 from collections import Counter
 from collections.abc import Callable, Iterable
 from contextlib import closing
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -57,10 +57,6 @@ class Sweep(Brief):
 
         with xarray.open_dataset(self.file, engine="netcdf4") as dataset:
             return (dataset[[name for name in names if name in dataset]] if names else dataset).load()
-
-    def to_json(self) -> dict[str, Any]:
-        """Plain types."""
-        return asdict(self)
 
 
 @dataclass(frozen=True, kw_only=True)

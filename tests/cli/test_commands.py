@@ -344,8 +344,8 @@ def test_cost_shows_error_and_time_of_each_method(command, monkeypatch: pytest.M
     assert shown.status == 0
     for words in ("Hertz contact", "Load of the heaviest ball", "Contact, inner", "Price of the next digit", "GiB"):
         assert words in shown.out
-    assert "Roughness: does not apply: the scene has no [surface]." in shown.out
-    chosen = [line.split()[1] for line in shown.out.splitlines() if line.startswith(">  ")]
+    assert "Roughness\nDoes not apply: the scene has no [surface]." in shown.out
+    chosen = [line.split()[1] for line in shown.out.splitlines() if line.startswith("> ")]
     assert chosen[:3] == ["exact", "thrust,", "over"]  # of two meshes none is known to be that good
     assert max(map(len, shown.out.splitlines())) <= 80
     assert sorted(file.name for file in folder.iterdir()) == ["cost.csv", "cost.json", "cost.png"]

@@ -15,7 +15,8 @@ from analytic.result import COORDINATES, FrictionTorque
 from analytic.scene import Array
 from fembearing.plain_types import plain
 from fembearing.provenance import provenance_of
-from fembearing.report.terminal.torque import RESIDUE, print_torque
+from fembearing.report.tables.torque import RESIDUE
+from fembearing.report.terminal.torque import print_torque
 from fembearing.report.torque import torque_file
 from fembearing.report.torque_table import csv_of
 from fembearing.verify.torque.change import TorqueChange
@@ -124,7 +125,7 @@ def frame_agrees(result: SceneTorque) -> None:
 
 
 def terminal_agrees(result: SceneTorque) -> None:
-    """To the digits that are printed: three of a part that counts, four of a total and of a contact."""
+    """To the four digits that are printed, of a part that counts."""
     out = StringIO()
     print_torque(Console(file=out, width=300), result)
     lines = out.getvalue().splitlines()
@@ -136,7 +137,7 @@ def terminal_agrees(result: SceneTorque) -> None:
         cells = row[row.index(speed_cell(friction, number)) + 1 :]
         cells = cells[len(cells) - len(parts) - 2 - (result.catalogue.band is not None) :]
         counted = [p[number] if p[number] > RESIDUE * total[number] else 0.0 for p in parts.values()]
-        assert [float(cell) for cell in cells[: len(parts)]] == [digits(1e3 * part, 3) for part in counted]
+        assert [float(cell) for cell in cells[: len(parts)]] == [digits(1e3 * part, 4) for part in counted]
         assert float(cells[len(parts)]) == digits(1e3 * total[number], 4)
     contacts = rows_after(lines, "Heaviest ball")
     assert len(contacts) == 2 * total.size
@@ -175,25 +176,27 @@ def page_agrees(check: Validation, folder: Path) -> None:
         assert point["torque"] == content["points"][number]["torque"]
         assert point["contact"] == content["points"][number]["contact"]
     page = written_page(check, folder)
-    parts = known_parts(friction)
-    shown = [*parts.values(), friction.torque.total]
-    for label in ("friction torque by effect", "friction torque at every operating point"):
-        rows = table_of(page, label)
-        assert [row["point"] for row in rows] == [str(number + 1) for number in range(friction.torque.total.size)]
+    parts, total = known_parts(friction), friction.torque.total
+    shown = [*(np.where(part > RESIDUE * total, part, 0.0) for part in parts.values()), total]
+    for rows in tables_of(page, "Friction torque of"):
+        assert [row["#"] for row in rows] == [str(number + 1) for number in range(friction.torque.total.size)]
         for row in rows:
-            number, start = int(row["point"]) - 1, row["speed, rpm"]
+            number, start = int(row["#"]) - 1, row["speed, rpm"]
             assert float(start) == digits(TO_RPM * friction.inner_speed[number], 5)
             names = [*parts, "total"]
             assert [float(row[name]) for name in names] == [digits(1e3 * part[number], 4) for part in shown]
-    for row, contact in zip(table_of(page, "contacts"), [c for c in check.contacts if c.judged], strict=True):
+    for row, contact in zip(tables_of(page, "contacts")[0], [c for c in check.contacts if c.judged], strict=True):
         assert float(row["ball load, N"]) == digits(contact.contact.load, 4)
         pressures = [float(row["peak pressure, GPa: Hertz"]), float(row["finite elements"])]
         reference = contact.estimates["peak_pressure"].value
         assert pressures == [digits(1e-9 * value, 4) for value in (contact.hertz.peak_pressure, reference)]
 
 
-def table_of(page: str, label: str) -> list[dict[str, str]]:
-    """The rows of a table of the page by its label, each by the heads of its columns."""
-    found = present(re.search(rf'aria-label="{label}"><table.*?</table>', page, re.DOTALL)).group()
-    rows = [re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", row) for row in re.findall(r"<tr>(.*?)</tr>", found, re.DOTALL)]
-    return [dict(zip(rows[0], row, strict=True)) for row in rows[1:]]
+def tables_of(page: str, label: str) -> list[list[dict[str, str]]]:
+    """The rows of the tables of the page whose labels begin so, each by the heads of its columns."""
+    tables = []
+    for found in re.findall(rf'aria-label="{label}[^"]*"><table.*?</table>', page, re.DOTALL):
+        rows = re.findall(r"<tr>(.*?)</tr>", found, re.DOTALL)
+        heads, *cells = (re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", row) for row in rows)
+        tables.append([dict(zip(heads, row, strict=True)) for row in cells])
+    return tables

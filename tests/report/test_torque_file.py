@@ -121,7 +121,7 @@ def test_the_page_needs_nothing_else_and_shows_markup_as_text() -> None:
     assert "<b>" not in page
     assert set(re.findall(r'(?:src|href)="(.{10})', page)) == {"data:image"}
     for total in torque_of_scene(named).friction.torque.total:
-        assert f'<td class="number">{total * 1e3:.4g}</td>' in page
+        assert f'<td class="number">{total * 1e3:#.4g}</td>' in page
 
 
 @pytest.mark.parametrize(

@@ -62,7 +62,7 @@ def no_room_in_the_pocket(scene: Scene) -> Scene:
     ],
     ids=["effect", "pocket", "no friction"],
 )
-def test_what_cannot_be_had_is_refused_before_anything_is_solved(spoiled: Callable[[Scene], Scene], words: str) -> None:
+def test_what_is_impossible_is_refused_before_anything_is_solved(spoiled: Callable[[Scene], Scene], words: str) -> None:
     """A solve tells its progress before it starts."""
     told: list[str] = []
     with pytest.raises(InputError, match=words):

@@ -7,26 +7,29 @@ section shows comes from `fembearing.report.page.sections`, its plots from `femb
 from pathlib import Path
 
 from analytic.oil.film import FILM_FACTORS
-from fembearing.quantities import RPM
 from fembearing.report import phrases
 from fembearing.report.figures.page_plots import PLOTS, ShownPlot, plots_of
 from fembearing.report.page.pictures import shown_pictures
 from fembearing.report.page.running_header import header_of
 from fembearing.report.page.sections.appendices import appendices_of, letters_of
 from fembearing.report.page.sections.bearing import details_of
-from fembearing.report.page.sections.cage import cage_section
-from fembearing.report.page.sections.cost import cost_grid
 from fembearing.report.page.sections.meshes import mesh_grid
 from fembearing.report.page.sections.next_steps import next_section
-from fembearing.report.page.sections.ring import ring_section
+from fembearing.report.page.sections.ring import ring_tables
 from fembearing.report.page.sections.summary import summary_of
-from fembearing.report.page.sections.torque import torque_section
-from fembearing.report.page.sections.verdicts import verdict_section
+from fembearing.report.page.sections.verdicts import comparisons_of
 from fembearing.report.page.template import filled
 from fembearing.report.page.view import script_hash
 from fembearing.report.report import Report
-from fembearing.report.tables.film import film_notes, film_table
+from fembearing.report.tables.cage import cage_tables
+from fembearing.report.tables.contacts import contacts_of, pocket_table
+from fembearing.report.tables.cost import cost_table
+from fembearing.report.tables.film import film_table
 from fembearing.report.tables.inputs import effects_table, inputs_table
+from fembearing.report.tables.points import shown_places
+from fembearing.report.tables.prediction import prediction_tables
+from fembearing.report.tables.table import Table
+from fembearing.report.tables.torque import ball_table, change_table, torque_table
 
 GENERATOR = "fembearing"
 MARK = f'<meta name="generator" content="{GENERATOR}">'  # by which a page of ours is known
@@ -38,7 +41,7 @@ def page_of(document: Report, folder: Path, *, plots: dict[str, list[ShownPlot]]
     folder : where the pictures of the document lie; the page says which of them is missing
     plots : of the document, by section, where they are drawn already
     """
-    appendices = appendices_of(document)
+    appendices, units = appendices_of(document), document.units
     return filled(
         "page.html",
         document=document,
@@ -52,21 +55,50 @@ def page_of(document: Report, folder: Path, *, plots: dict[str, list[ShownPlot]]
         plots=plots_of(document, PLOTS) if plots is None else plots,
         pictures=shown_pictures(document, folder, of_films=False),
         film_pictures=shown_pictures(document, folder, of_films=True),
-        film_tables=[film_table(film, document.units) for film in document.films],
-        film_notes=[film_notes(film, document.units) for film in document.films],
         trouble=None if document.renderer == "VTK" else document.renderer,
         scene=document.scene,
         phrases=phrases,
-        per_minute=RPM.factor,
         film_factors=FILM_FACTORS,
         details=details_of(document),
-        effects=document.torque and effects_table(document.torque.effects),
-        inputs=document.torque and inputs_table("where the inputs come from", document.torque.inputs, document.units),
-        verdict_section=verdict_section(document),
-        torque_section=torque_section(document),
-        ring_section=ring_section(document),
-        cage_section=cage_section(document),
-        mesh_grid=mesh_grid(document),
-        cost_grid=cost_grid(document),
+        contacts=contacts_of(document, units),
+        comparisons=comparisons_of(document),
+        pocket=pocket_table(document.contacts, units),
+        tables={
+            "inputs": _inputs(document),
+            "torque": _torque(document),
+            "film": [film_table(film, units) for film in document.films],
+            "ring": ring_tables(document),
+            "cage": _cage(document),
+        },
+        meshes=mesh_grid(document),
+        cost=cost_table(document.cost.ladders),
         next_section=next_section(document),
     )
+
+
+def _inputs(document: Report) -> list[Table]:
+    torque = document.torque
+    if torque is None:
+        return []
+    named = [inputs_table("Where the inputs come from", torque.inputs, document.units)] if torque.inputs else []
+    return [*named, *([effects_table(torque.effects)] if torque.effects else [])]
+
+
+def _torque(document: Report) -> list[Table]:
+    """Of every operating point; of a long series some balls and intervals."""
+    torque, change, units = document.torque, document.torque_change, document.units
+    if torque is None or change is None:
+        return []
+    every, some = range(len(torque.points)), shown_places(torque)
+    return [
+        torque_table(torque, document.scene.bearing.name, every, units),
+        ball_table(torque, some, units),
+        *prediction_tables(torque, every, units),
+        change_table(torque.points, change, every, units),
+    ]
+
+
+def _cage(document: Report) -> list[Table]:
+    torque = document.torque
+    every = () if torque is None else range(len(torque.points))
+    return [] if torque is None else cage_tables(document.cage_motion, torque, every, document.units)

@@ -1,13 +1,37 @@
 """The cage in motion."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
+from analytic.cage.drive import LARGEST_GRIP
 from fembearing.quantities import METRIC, Units
-from fembearing.report.phrases import percent, shown
+from fembearing.report.phrases import between, percent, shown
 from fembearing.report.tables.table import Head, Table, table_of
-from fembearing.report.torque import CageMotionPoint
+from fembearing.report.torque import CageMotionPoint, TorqueRecord
 
 Moved = Mapping[int, CageMotionPoint]  # by the number of the operating point
+MOTION = (
+    "The cage is driven by its balls, by time stepping. Torque: power of sliding and drag over the speed of the ring, "
+    "in the total. All forces: mean of their sum. Largest: of one ball on its pocket, the median over blocks. 95 %: "
+    "interval of the mean over seeds."
+)
+REGIME = (
+    "Whirl: mean speed of the cage's centre about the axis. Wobble: root mean square change of its distance. "
+    "Grip used: of what the races carry along the orbit, by the mean force. Grip number: the same of a whirl, by "
+    f"the weakest ball; balls slide above {LARGEST_GRIP:g}. Races: what they lose more because the cage drags the "
+    "balls, where balls and cage move together; it is part of the cage's torque."
+)
+
+
+def cage_tables(
+    motion: Sequence[CageMotionPoint] | None, torque: TorqueRecord, places: Collection[int], units: Units = METRIC
+) -> list[Table]:
+    """Forces and regime at those of the points where a cage moved; none where none did.
+
+    motion : at each point that has a torque
+    """
+    points = zip(torque.computed, motion or (), strict=motion is not None)
+    moved = {place + 1: point for place, point in points if place in places and point.torque is not None}
+    return [motion_table(moved, units), regime_table(moved, units)] if moved else []
 
 
 def motion_table(moved: Moved, units: Units = METRIC) -> Table:
@@ -23,14 +47,14 @@ def motion_table(moved: Moved, units: Units = METRIC) -> Table:
             point.start or "-",
             shown(point.mean_force, ".3g", force.factor),
             shown(point.max_force, ".3g", force.factor),
-            _between(point.interval and point.interval.max_force, force.factor),
+            between(point.interval and point.interval.max_force, force),
             shown(point.torque, ".3g", torque.factor),
-            _between(point.interval and point.interval.torque, torque.factor),
+            between(point.interval and point.interval.torque, torque),
             shown(point.signed_moment, ".2g", torque.factor),
         ]
         for number, point in moved.items()
     ]
-    return table_of("Cage in motion", heads, rows)
+    return table_of("Cage in motion", heads, rows, [MOTION])
 
 
 def regime_table(moved: Moved, units: Units = METRIC) -> Table:
@@ -53,7 +77,7 @@ def regime_table(moved: Moved, units: Units = METRIC) -> Table:
         ]
         for number, point in moved.items()
     ]
-    return table_of("Regime of the cage", heads, rows)
+    return table_of("Regime of the cage", heads, rows, [REGIME])
 
 
 def _first(units: Units) -> list[Head]:
@@ -70,7 +94,3 @@ def _other(point: CageMotionPoint, units: Units) -> str:
         return "the cage cannot whirl: one steady motion"
     decides = "" if other.state == point.state else ": the start decides"
     return f"{other.state} from {other.start}, {units.torque.written(other.torque, '.3g')}{decides}"
-
-
-def _between(ends: Sequence[float] | None, factor: float) -> str:
-    return "-" if ends is None else "-".join(f"{end * factor:.3g}" for end in ends)

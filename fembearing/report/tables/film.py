@@ -32,10 +32,10 @@ def film_table(film: FilmNumbers, units: Units = METRIC) -> Table:
         for name, each in film.quantities.items()
         for words, unit in (shown[name],)
     ]
-    return table_of(f"Film on the {film.pair} race: {load}, inner ring at {speed}", heads, rows)
+    return table_of(f"Film on the {film.pair} race: {load}, inner ring at {speed}", heads, rows, _notes(film, units))
 
 
-def film_notes(film: FilmNumbers, units: Units = METRIC) -> list[str]:
+def _notes(film: FilmNumbers, units: Units) -> list[str]:
     """What the columns are, what was solved, and how far to trust it."""
     reach, check = film.reach, film.dissipated_force / film.rolling_force.numerical - 1
     return [

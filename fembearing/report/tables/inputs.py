@@ -9,13 +9,21 @@ from fembearing.report.phrases import share_of, value_of
 from fembearing.report.tables.table import Head, Table, table_of
 
 EFFECTS = (Head("effect", "name"), Head("", "name"), Head("share", fixed=True), Head("reason", "text"))
+SHARES = (
+    "Share: of the total, the largest of all operating points. A share with <= is an estimate from above of what "
+    "leaving the effect out changes. The uncertainty of the torque does not count effects that the scene switches off."
+)
+ORIGINS = (
+    "Given: the scene says so. Printed: a catalogue or a paper prints it. Derived: computed from what is printed. "
+    "Assumed: nobody prints it. +-: one standard deviation."
+)
 INPUTS = (Head("input", "name"), Head("value", "name"), Head("status", "name"), Head("source", "text", wide=True))
 
 
 def effects_table(effects: Iterable[Effect]) -> Table:
     """Each effect with its decision, share and reason."""
     rows = [[each.name, each.decision, share_of(each.share_is, each.share), each.reason] for each in effects]
-    return table_of("Effects", EFFECTS, rows)
+    return table_of("Effects", EFFECTS, rows, [SHARES])
 
 
 def inputs_table(label: str, inputs: Iterable[StatedInput], units: Units = METRIC) -> Table:
@@ -24,4 +32,4 @@ def inputs_table(label: str, inputs: Iterable[StatedInput], units: Units = METRI
         [each.key, value_of(each.value, each.uncertainty, each.unit, units), each.status, each.source]
         for each in inputs
     ]
-    return table_of(label, INPUTS, rows)
+    return table_of(label, INPUTS, rows, [ORIGINS])

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from analytic.verdicts import PhysicalCheck
 from fembearing.quantities import METRIC, Units
-from fembearing.report.phrases import CHECKS, limit_of, worst_of
+from fembearing.report.phrases import CHECKS, capital, limit_of, worst_of
 from fembearing.report.tables.table import Head, Table, table_of
 
 HEADS = (
@@ -31,4 +31,10 @@ def physical_table(checks: Sequence[PhysicalCheck], units: Units = METRIC) -> Ta
         ]
         for check in checks
     ]
-    return table_of("Physical limits", HEADS, rows)
+    return table_of("Physical limits", HEADS, rows, [*failures(checks), POINT])
+
+
+def failures(checks: Sequence[PhysicalCheck]) -> list[str]:
+    """Why limits do not hold, or are not known to hold, in sentences."""
+    open_ = [check for check in checks if check.verdict != "pass"]
+    return list(dict.fromkeys(f"{capital(CHECKS[check.name])}: {check.note}" for check in open_))

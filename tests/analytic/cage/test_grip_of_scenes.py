@@ -132,7 +132,7 @@ def test_pockets_too_tight_for_the_lead_are_squeezed() -> None:
     np.testing.assert_allclose(cage.torque, 0.1 * cage.mean_force * rate, rtol=0.01)
     np.testing.assert_allclose(cage.unsure, cage.torque, rtol=1e-12)  # round-off
     assert ", squeezed by balls that lead at 1 of 1 points," in result.provenance["cage"]
-    with pytest.raises(InputError, match='cage_dynamics = "on" cannot be had: balls lead by up to'):
+    with pytest.raises(InputError, match='cage_dynamics = "on" is refused: balls lead by up to'):
         friction_torque(replace(scene, effects={**scene.effects, "cage_dynamics": "on"}))
 
 
@@ -177,5 +177,5 @@ def test_ball_dynamics_is_settled_whatever_the_scene() -> None:
     off = replace(with_cage(FAST, start="rest"), effects={**FAST.effects, "cage_dynamics": "off"})
     assert "the cage does not move" in effect_of(friction_torque(off), "ball_dynamics").reason
     wanted = replace(FAST, effects={**FAST.effects, "ball_dynamics": "on"})
-    with pytest.raises(InputError, match=r'ball_dynamics = "on" cannot be had: cage\.start is not given'):
+    with pytest.raises(InputError, match=r'ball_dynamics = "on" is refused: cage\.start is not given'):
         friction_torque(wanted)

@@ -87,7 +87,7 @@ def test_an_estimate_takes_the_inner_shoulder() -> None:
     assert math.isclose(found.total[0] - without.total[0], expected, rel_tol=1e-9)  # a small difference
 
 
-def test_an_estimate_that_cannot_be_had_is_refused_in_one_line() -> None:
+def test_an_impossible_estimate_is_refused_in_one_line() -> None:
     for catalog in ("6205", "paper_6205"):
         given = {"losses": {"seals": "estimate"}, "bearing": {"catalog": catalog}}
         refused(lambda: sealed("6205-2RS1", **given), "losses.seals = 'estimate'")  # noqa: B023

@@ -71,5 +71,5 @@ def test_without_cage_or_with_the_cage_left_out_nothing_is_added() -> None:
 
 
 def test_a_motion_needs_its_start() -> None:
-    with pytest.raises(InputError, match=r'effects\.cage_dynamics = "on" cannot be had: cage\.start is not given'):
+    with pytest.raises(InputError, match=r'effects\.cage_dynamics = "on" is refused: cage\.start is not given'):
         friction_torque(replace(CAGED, effects={**CAGED.effects, "cage_dynamics": "on"}))

@@ -1,4 +1,4 @@
-"""Which effects act: those left out change nothing, and what cannot be had is refused."""
+"""Which effects act: those left out change nothing, and what is impossible is refused."""
 
 from dataclasses import replace
 from typing import Any
@@ -192,7 +192,7 @@ WITHOUT = {"lubricant": None, "surface": None, "friction_coefficient": 0.07}
         ({"effects": {"rolling": "on"}, **WITHOUT}, r"rolling.*add a table \[lubricant\]"),
         ({"effects": {"inlet_heating": "on"}, **WITHOUT}, r"inlet_heating.*no lubricant"),
         ({"effects": {"starvation": "on"}, **WITHOUT}, r"starvation.*no lubricant"),
-        ({"effects": {"shoulder": "on"}}, 'shoulder = "on" cannot be had: not modelled; give "auto" or "off"'),
+        ({"effects": {"shoulder": "on"}}, 'shoulder = "on" is refused: not modelled; give "auto" or "off"'),
         ({"effects": {"spinning": "on"}}, "effects.spinning is not an effect to choose; known: .*spin, "),
         ({"effects": STILL | {"asperities": "on"}}, "asperities.*neither spin nor conformity is computed"),
         (
@@ -211,7 +211,7 @@ WITHOUT = {"lubricant": None, "surface": None, "friction_coefficient": 0.07}
         ({"effects": {"cage": "on"}}, "cage.*no cage is given"),
     ],
 )
-def test_an_effect_that_cannot_be_had_is_refused_in_one_line(scene: Scene, change: Any, words: str) -> None:
+def test_an_impossible_effect_is_refused_in_one_line(scene: Scene, change: Any, words: str) -> None:
     refused(replace(scene, **change), words)
 
 
@@ -229,7 +229,7 @@ def test_starvation_needs_the_rings(scene: Scene) -> None:
 @pytest.mark.parametrize("name", ["load_distribution", "centrifugal", "gyroscopic"])
 def test_a_held_angle_takes_no_ring(scene: Scene, name: str) -> None:
     held = replace(scene, contact_angle=ContactAngle(rule="given", value=0.2))
-    refused(replace(held, effects={name: "on"}), f'{name} = "on" cannot be had: .*use "solved"')
+    refused(replace(held, effects={name: "on"}), f'{name} = "on" is refused: .*use "solved"')
 
 
 def test_a_radial_load_at_a_held_angle_is_refused_where_it_matters(scene: Scene) -> None:

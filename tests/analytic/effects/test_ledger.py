@@ -39,7 +39,7 @@ def computed(scene: Scene) -> tuple[Scene, FrictionTorque]:
             return scene, friction_torque(scene)
         except InputError as problem:
             words = str(problem)
-        refused = re.match(r'effects\.(\w+) = "on" cannot be had: \w', words)
+        refused = re.match(r'effects\.(\w+) = "on" is refused: \w', words)
         assert refused, words
         name = refused.group(1)
         assert scene.effects[name] == "on"
@@ -83,7 +83,7 @@ def test_a_motion_of_a_cage_that_is_left_out_is_refused(bearing_6205: Bearing) -
     scene = scene_of(bearing_6205, np.random.default_rng(5))
     assert scene.cage is not None
     words: dict[str, Any] = {"cage": "off", "cage_dynamics": "on"}
-    with pytest.raises(InputError, match='cage_dynamics = "on" cannot be had: the cage is left out'):
+    with pytest.raises(InputError, match='cage_dynamics = "on" is refused: the cage is left out'):
         friction_torque(replace(scene, effects=words))
 
 

@@ -151,13 +151,13 @@ def test_a_given_angle_holds_loads_but_not_how_balls_turn(scene: Scene) -> None:
 def test_a_method_for_free_balls_needs_free_balls(
     scene: Scene, sliding: SlidingMethod, other: dict[str, Any], reason: str
 ) -> None:
-    message = rf'friction\.sliding = "{sliding}" cannot be had: {reason}.*: use'
+    message = rf'friction\.sliding = "{sliding}" is refused: {reason}.*: use'
     with pytest.raises(InputError, match=message):
         friction_torque(replace(scene, sliding=sliding, **other))
 
 
-def test_creep_cannot_be_had_with_a_rule(scene: Scene) -> None:
-    with pytest.raises(InputError, match=r'effects\.creep = "on" cannot be had: friction\.spin_rule = "inner_control"'):
+def test_creep_is_refused_with_a_rule(scene: Scene) -> None:
+    with pytest.raises(InputError, match=r'effects\.creep = "on" is refused: friction\.spin_rule = "inner_control"'):
         friction_torque(replace(scene, spin_rule="inner_control", effects={"creep": "on"}))
 
 

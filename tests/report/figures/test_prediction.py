@@ -14,7 +14,8 @@ from rich.console import Console
 from analytic.prediction.rows import PredictionRows
 from fembearing.quantities import METRIC
 from fembearing.report.figures.prediction import interval_figure
-from fembearing.report.terminal.prediction import print_prediction
+from fembearing.report.tables.prediction import interval_table, shares_table
+from fembearing.report.terminal.table import show
 
 
 def point(speed: float, nominal: float, totals: list[float]) -> dict[str, Any]:
@@ -75,17 +76,22 @@ def content() -> dict[str, Any]:
     }
 
 
+def printed(prediction: PredictionRows) -> str:
+    out = StringIO()
+    for table in (interval_table(prediction, range(2)), shares_table(prediction)):
+        show(Console(file=out, width=80), table)
+    return out.getvalue()
+
+
 def rectangles(panel: Axes) -> list[Rectangle]:
     return [patch for patch in panel.patches if isinstance(patch, Rectangle)]
 
 
 def test_the_terminal_shows_ends_parts_inputs_and_failures() -> None:
-    out = StringIO()
-    print_prediction(Console(file=out, width=80), prediction_of(content()), {0: 1, 1: 2})
-    said = out.getvalue()
+    said = printed(prediction_of(content()))
     assert max(map(len, said.splitlines())) <= 80
     rows = [line.split() for line in said.splitlines()]
-    assert ["1", "21", "12.6-39.9", "0.2,", "0.7", "20.6-21.6", "14.7-31.5", "16.8-29.4"] in rows
+    assert ["1", "21.00", "12.6-39.9", "0.2,", "0.7", "20.6-21.6", "14.7-31.5", "16.8-29.4"] in rows
     words = " ".join(said.split())
     for word in (
         "film formula 55 +- 2 61 +- 4 55 +- 2 31 +- 4",
@@ -103,9 +109,8 @@ def test_shares_of_a_regression_that_predicts_nothing_are_said_to_be_unknown() -
     """Left-out predictions can miss by more than the mean does: their share of the variance is then below 0."""
     failed = content()
     failed["points"][1]["explained"] = -1600.7
-    out = StringIO()
-    print_prediction(Console(file=out, width=80), prediction_of(failed), {0: 1, 1: 2})
-    assert "predicts 0 % or more of the variance: which inputs matter is not known" in " ".join(out.getvalue().split())
+    words = " ".join(printed(prediction_of(failed)).split())
+    assert "predicts 0 % or more of the variance: which inputs matter is not known" in words
 
 
 def test_the_figure_has_the_ends_of_every_part_and_the_indices_of_the_inputs_that_matter() -> None:

@@ -18,7 +18,8 @@ from fembearing.plain_types import plain
 from fembearing.progress import silent
 from fembearing.report.contact import contact_record
 from fembearing.report.phrases import shoulder_lines
-from fembearing.report.terminal.contacts import print_contact
+from fembearing.report.tables.contacts import contact_table
+from fembearing.report.terminal.table import show
 from fembearing.verify.contact import discrepancy as module
 from fembearing.verify.contact.discrepancy import ContactSolution, compare_contact
 from fembearing.verify.contact.hertz import hertz_quantities
@@ -75,7 +76,7 @@ def test_the_pressure_of_a_cut_contact_is_not_called_its_peak(cut_contact: Conta
     pressures = cut_contact.meshes[-1].pressure
     assert pressures.max() > 1.02 * cut_contact.reference.peak_pressure
     out = StringIO()
-    print_contact(Console(file=out, width=80), contact_record(cut_contact), cut_contact.verdicts)
+    show(Console(file=out, width=80), contact_table([(contact_record(cut_contact), cut_contact.verdicts)]))
     assert "peak pressure" not in out.getvalue()
     assert "pressure at y = 0, GPa" in out.getvalue()
     assert present(contact_record(cut_contact).shoulder).peak_pressure_at == 0

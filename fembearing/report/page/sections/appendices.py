@@ -4,7 +4,7 @@ from collections.abc import Callable
 from string import ascii_uppercase
 from typing import NamedTuple
 
-from fembearing.report.page.sections.ring import ring_section
+from fembearing.report.page.sections.ring import ring_tables
 from fembearing.report.report import Report
 
 
@@ -31,7 +31,7 @@ PARTS = (
     Part("pictures", "Contact pressure"),
     Part("film", "Film and rolling", lambda document: bool(document.films)),
     Part("meshes", "Meshes and convergence"),
-    Part("ring", "Ring and balls", lambda document: ring_section(document) is not None),
+    Part("ring", "Ring and balls", lambda document: bool(ring_tables(document))),
     Part("cage", "Cage", lambda document: document.scene.cage is not None),
     Part("sensitivity", "Sensitivity to inputs", lambda document: document.sensitivity is not None),
     Part("cost", "What accuracy costs"),

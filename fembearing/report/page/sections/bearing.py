@@ -2,11 +2,12 @@
 
 from collections.abc import Iterator
 
+from analytic.scene import Groove
 from analytic.words import angle_of
 from fembearing.quantities import QUANTITIES, Units
 from fembearing.report.phrases import LOADS, clearances_of, friction_of, listed
 from fembearing.report.report import Report
-from fembearing.report.scene_view import Cage, Groove, SceneView
+from fembearing.report.scene_view import Cage, SceneView
 
 Facts = list[tuple[str, str]]
 

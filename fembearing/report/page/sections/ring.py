@@ -1,45 +1,39 @@
 """The inner ring and every ball at the first and the last operating point, as the polar plot beside them."""
 
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
 import numpy as np
 
 from analytic.loads.ring_state import Balls, Displacement, RingPoint
 from analytic.result import TorquePoint
 from fembearing.quantities import Units
-from fembearing.report.page.sections.points import point_cells, point_heads, point_name
 from fembearing.report.phrases import angle_cell, digits
 from fembearing.report.report import Report
+from fembearing.report.tables.points import point_cells, point_heads, point_name
 from fembearing.report.tables.table import Group, Head, Row, Table, table_of
 
 AXES = ("axially", "along x", "along y")
 ROUND_OFF = 1e-9  # of the diagonal, below which an entry is none
 
 
-class RingSection(NamedTuple):
-    """Tables of the section; displacement None: the scene gives the contact angle, which no displacement belongs to."""
+def ring_tables(document: Report) -> list[Table]:
+    """What the section shows: the displacement where the contact angle follows from it, stiffness and balls.
 
-    displacement: Table | None
-    stiffness: Table
-    balls: Table
-
-
-def ring_section(document: Report) -> RingSection | None:
-    """What the section shows; None without a torque."""
+    None of them without a torque.
+    """
     points = [] if document.torque is None else document.torque.points
     units = document.units
     shown = [(index, ring) for index in _ends(points) if (ring := points[index].ring) is not None]
     if not shown:
-        return None
+        return []
     placed = [(index, ring.displacement) for index, ring in shown if ring.displacement is not None]
     stiffness = [Group(list(_stiffness(ring, units)), point_name(points, index, units)) for index, ring in shown]
     balls = [Group(list(_balls(ring.balls, units)), point_name(points, index, units)) for index, ring in shown]
-    return RingSection(
-        displacement=_displacement(points, placed, units) if placed else None,
-        stiffness=Table("stiffness of the bearing", [Head("", "name"), *_freedoms(units)], stiffness),
-        balls=Table("balls", [Head("azimuth, deg (rad)", "name"), *_heads_of_balls(units)], balls),
-    )
+    return [
+        *([_displacement(points, placed, units)] if placed else []),
+        Table("Stiffness: what moves the ring by one unit", [Head("", "name"), *_freedoms(units)], stiffness),
+        Table("Load and contact angle of every ball", _heads_of_balls(units), balls),
+    ]
 
 
 def _ends(points: Sequence[TorquePoint]) -> list[int]:
@@ -58,7 +52,7 @@ def _displacement(points: Sequence[TorquePoint], placed: Sequence[tuple[int, Dis
         ]
         for index, ring in placed
     ]
-    return table_of("displacement of the inner ring", [*point_heads(points, units), *lengths, *tilts], rows)
+    return table_of("Displacement of the inner ring", [*point_heads(points, units), *lengths, *tilts], rows)
 
 
 def _freedoms(units: Units) -> list[Head]:
@@ -70,7 +64,8 @@ def _freedoms(units: Units) -> list[Head]:
 def _heads_of_balls(units: Units) -> list[Head]:
     races = ("inner", "outer")
     loads = [f"load, {race}, {units.force.name}" for race in races]
-    return [Head(name) for name in (*loads, *(f"angle, {race}, deg (rad)" for race in races))]
+    numbers = [Head(name) for name in (*loads, *(f"angle, {race}, deg (rad)" for race in races))]
+    return [Head("azimuth, deg (rad)", "name"), *numbers]
 
 
 def _stiffness(ring: RingPoint, units: Units) -> Iterator[Row]:

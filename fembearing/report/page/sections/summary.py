@@ -9,24 +9,18 @@ from analytic.verdicts import NumericalCheck
 from fembearing.quantities import CONTACT, Units
 from fembearing.report.contact import ContactRecord
 from fembearing.report.page.sections.bearing import Facts, facts_of
-from fembearing.report.page.sections.points import (
-    heaviest_point,
-    parts_of,
-    point_cells,
-    point_heads,
-    point_name,
-    points_of_summary,
-)
 from fembearing.report.phrases import (
     angle_cell,
+    between,
     digits,
     input_name,
-    interval_at,
     percent,
 )
 from fembearing.report.report import Report
+from fembearing.report.tables.points import heaviest_point, point_name, shown_places
 from fembearing.report.tables.table import Head, Table, table_of
-from fembearing.report.tables.verdicts import physical_table
+from fembearing.report.tables.torque import torque_table
+from fembearing.report.tables.verdicts import POINT, failures, physical_table
 from fembearing.report.torque import TorqueRecord
 
 MOST_NAMED = 8  # assumed inputs that the summary names
@@ -71,7 +65,6 @@ class Summary(NamedTuple):
     overall: str
     inputs: str
     torque: Table | None
-    hidden: int  # operating points that only the appendix shows
     physical: Table
     contacts: Table
     contacts_at: str
@@ -85,8 +78,7 @@ class Summary(NamedTuple):
 def summary_of(document: Report) -> Summary:
     """The summary of a report."""
     torque = document.torque
-    failures = dict.fromkeys(check.note for check in document.physical if check.verdict != "pass")
-    notes = [*failures, *([] if torque is None else torque.notes), *document.warnings]
+    notes = [*failures(document.physical), *([] if torque is None else torque.notes), *document.warnings]
     boxes = _boxes(document)
     return Summary(
         figures=[] if torque is None else _figures(torque, document.units),
@@ -94,9 +86,8 @@ def summary_of(document: Report) -> Summary:
         boxes=boxes,
         overall=document.verdict.overall,
         inputs="" if torque is None else _status_of(torque.inputs),
-        torque=None if torque is None else _torque(torque, document.units),
-        hidden=0 if torque is None else len(torque.points) - len(points_of_summary(torque.points)),
-        physical=physical_table(document.physical, document.units),
+        torque=None if torque is None else _torque(document, torque),
+        physical=physical_table(document.physical, document.units)._replace(notes=[POINT]),
         contacts=_contacts(document),
         contacts_at=_contacts_at(document),
         change=_change(document),
@@ -131,7 +122,7 @@ def _figure(name: str, torque: TorqueRecord, index: int, units: Units) -> Figure
     point = torque.points[index]
     spread = f"numerical uncertainty {percent(point.uncertainty.numerical)}"
     if torque.prediction is not None:
-        interval = interval_at(torque.prediction.points[index], units)
+        interval = between(torque.prediction.points[index].total.ends, units.torque)
         spread += f"; 95 % interval {interval} {units.torque.name}"
     value = f"{digits(point.torque.total, units.torque.factor, 4)} {units.torque.name}"
     return Figure(name, value, spread, point_name(torque.points, index, units))
@@ -190,22 +181,11 @@ def _status_of(inputs: Sequence[StatedInput]) -> str:
     return f"{len(inputs)} inputs: {words}. Assumed: {', '.join(assumed[:MOST_NAMED])}{more}."
 
 
-def _torque(torque: TorqueRecord, units: Units) -> Table:
-    """The torque by effect at each operating point, at most 12 of them."""
-    points = torque.points
-    parts, predicted = parts_of(points), torque.prediction
-    heads = [*point_heads(points, units), *(Head(name) for name in parts), Head("total"), Head("\N{PLUS-MINUS SIGN}")]
-    heads += [] if predicted is None else [Head("95 %")]
-    rows = [
-        [
-            *point_cells(points, index, units),
-            *(digits(getattr(points[index].torque, name), units.torque.factor, 4) for name in (*parts, "total")),
-            percent(points[index].uncertainty.numerical),
-            *(() if predicted is None else (interval_at(predicted.points[index], units),)),
-        ]
-        for index in points_of_summary(points)
-    ]
-    return table_of("friction torque by effect", heads, rows)
+def _torque(document: Report, torque: TorqueRecord) -> Table:
+    """The torque at most 12 operating points, without what is said of it in the appendix."""
+    places = shown_places(torque)
+    table = torque_table(torque, document.scene.bearing.name, places, document.units)
+    return table._replace(notes=table.notes[: 1 + (len(places) < len(torque.points))])
 
 
 def _contacts(document: Report) -> Table:

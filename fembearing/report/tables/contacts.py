@@ -1,0 +1,191 @@
+"""Contacts by Hertz and by finite elements: their quantities, the pocket, the stress below, a series of loads."""
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from fembearing.quantities import METRIC, MICRO, STIFFNESS, STRESSES, TANGENT, Units
+from fembearing.report.contact import ContactRecord, sheet_in_series
+from fembearing.report.phrases import (
+    AXES,
+    capital,
+    contact_title,
+    digits,
+    place_of,
+    quantities_of,
+    ring_line,
+    shoulder_lines,
+    shown,
+    title_of,
+)
+from fembearing.report.report import Report
+from fembearing.report.tables.table import Group, Head, Row, Table, table_of
+from fembearing.verify.contact.load_series import LoadSeries
+from fembearing.verify.contact.pocket_law import PocketLaw
+from fembearing.verify.contact.subsurface import SubsurfaceComparison
+
+OFF = "Hertz/FE-1"  # Hertz's over finite elements, less one
+UNCERTAIN = "FE: finite elements; +-: their numerical uncertainty, 95 %; *: the difference exceeds it"
+
+
+def contacts_of(document: Report, units: Units = METRIC) -> Table:
+    """Every contact of a check with its verdicts."""
+    verdicts = [{name: row.verdict for name, row in document.verdicts_on(each).items()} for each in document.contacts]
+    return contact_table(list(zip(document.contacts, verdicts, strict=True)), units)
+
+
+def contact_table(contacts: Sequence[tuple[ContactRecord, Mapping[str, str]]], units: Units = METRIC) -> Table:
+    """A group for each contact with the verdicts on it, a row for each quantity."""
+    heads = [Head("quantity", "name"), Head("Hertz", fixed=True), Head("FE", fixed=True), Head(OFF, fixed=True)]
+    heads += [Head("+-", fixed=True), Head("order", fixed=True), Head("verdict", "verdict")]
+    groups = [
+        Group(list(_rows(contact, verdicts, units)), contact_title(contact, units), _notes(contact, units))
+        for contact, verdicts in contacts
+    ]
+    words = (
+        "order: observed on the meshes; twin: corrected by half spaces on the same cells; outside: of Hertz's validity"
+    )
+    return Table("Contacts", heads, groups, [f"{AXES}. {UNCERTAIN}; {words}."])
+
+
+def _rows(contact: ContactRecord, verdicts: Mapping[str, str], units: Units) -> Iterator[Row]:
+    for name, quantity in quantities_of(contact, units).items():
+        study, factor = contact.convergence[name], quantity.shown.factor
+        yield [
+            quantity.heading,
+            digits(contact.hertz[name], factor),
+            digits(contact.fe[name], factor),
+            _off(contact.discrepancy[name], abs(contact.discrepancy[name]) > contact.uncertainty[name]),
+            f"{contact.uncertainty[name]:.2%}",
+            "twin" if study.corrected else shown(study.order, ".1f", absent="none"),
+            verdicts[name].removesuffix(" validity") if contact.judged else "shown",
+        ]
+
+
+def _off(discrepancy: float | None, exceeds: bool) -> str:
+    return f"{shown(discrepancy, '+.2%')} {'*' if exceeds else ' '}"
+
+
+def _notes(contact: ContactRecord, units: Units) -> list[str]:
+    """Hertz corrected for finite geometry, while verdicts are on Hertz as it is; shoulders, ring, and the method."""
+    notes, corrected = [], contact.corrected
+    if corrected is not None:
+        values = ", ".join(
+            f"{quantity.name} {quantity.shown.written(corrected.values[name], '.5g')} "
+            f"({corrected.interpolation_error[name]:+.2%})"
+            for name, quantity in quantities_of(contact, units).items()
+        )
+        notes.append(
+            f"Hertz corrected for finite geometry (its interpolation error, over FE - 1): {values}; stated 95 % "
+            f"uncertainty at most {max(corrected.uncertainty.values):.2%}."
+        )
+    notes += shoulder_lines(contact, units)
+    notes += [] if contact.ring is None else [ring_line(contact.ring, units)]
+    return [*notes, f"{capital(contact.method)}, {contact.cost.seconds:.1f} s"]
+
+
+def pocket_table(contacts: Sequence[ContactRecord], units: Units = METRIC) -> Table | None:
+    """The stiffness K_pb by each model of the pocket, Hertz first; None without a cage."""
+    if len(contacts) < 4:
+        return None
+    approach, stiffness, half_spaces = units.small_length, units.stiffness, contacts[2].hertz
+    models = [("half spaces, Hertz", half_spaces, None)]
+    models += [
+        (place_of(each.pair, each.geometry).rpartition(", ")[2], each.fe, each.uncertainty.stiffness)
+        for each in contacts[2:]
+    ]
+    heads = [Head("model", "name"), Head(f"K_pb, {stiffness.name}"), Head("+-"), Head("over Hertz's, less 1")]
+    heads += [Head(f"approach, {approach.name}")]
+    rows = [
+        [
+            model,
+            digits(values.stiffness, stiffness.factor, 4),
+            shown(uncertainty, ".2%", absent=""),
+            f"{values.stiffness / half_spaces.stiffness - 1:+.1%}",
+            digits(values.approach, approach.factor, 4),
+        ]
+        for model, values, uncertainty in models
+    ]
+    load = units.force.written(contacts[-1].load, ".4g")
+    series = sheet_in_series(*contacts[2:])
+    notes = []
+    if series is not None:
+        sheet = units.tangent.written(series.stiffness, ".4g")
+        notes.append(
+            f"In series with the seat the sheet has {sheet} +- {series.uncertainty:.2%}: cage.sheet_stiffness."
+        )
+    return table_of(f"Cage pocket: F = K_pb delta^1.5, at {load}", heads, rows, notes)
+
+
+def subsurface_table(below: SubsurfaceComparison) -> Table:
+    """Where fatigue begins, in the body under the ball."""
+    heads = [Head("quantity", "name"), *(Head(name, fixed=True) for name in ("Hertz", "FE", OFF, "+-"))]
+    rows = []
+    for name, quantity in STRESSES.items():
+        unit, uncertain = quantity.shown, below.uncertainty[name]
+        is_depth = name.endswith("depth")
+        rows.append(
+            [
+                quantity.heading,
+                digits(below.hertz[name], unit.factor, 4),
+                digits(below.fe[name], unit.factor, 4),
+                _off(below.discrepancy[name], below.exceeds_uncertainty[name]),
+                unit.written(uncertain, ".2g") if is_depth else f"{uncertain / below.fe[name]:.2%}",
+            ]
+        )
+    return table_of("Greatest stress under the centre, in the lower body", heads, rows)
+
+
+def series_table(series: LoadSeries) -> Table:
+    """Each load with approach and tangent stiffness; the law through all of them."""
+    contact, um = series.contact, MICRO.name
+    names = ("load, N", f"Hertz, {um}", f"FE, {um}", OFF, "+-", f"tangent FE, {TANGENT.name}", "+-", "Hertz")
+    rows = [
+        [
+            f"{point.load:.4g}",
+            digits(point.hertz_approach, MICRO.factor),
+            digits(point.approach.value, MICRO.factor),
+            _off(point.discrepancy, abs(point.discrepancy) > point.approach.total),
+            f"{point.approach.total:.2%}",
+            digits(point.tangent, TANGENT.factor, 4),
+            shown(point.tangent_uncertainty, ".2%"),
+            digits(point.hertz_tangent, TANGENT.factor, 4),
+        ]
+        for point in series.points
+    ]
+    title = title_of(contact.pair, series.geometry, contact.contact_angle, f"{len(series.points)} loads")
+    return table_of(title, [Head(name) for name in names], rows, [*_law(series), *_series_notes(series)])
+
+
+def _law(series: LoadSeries) -> Iterator[str]:
+    law = series.law
+    if law is None:
+        return
+    stiffness, exponent = f"{law.stiffness * 1e-9:.5g} GN/m^{law.exponent:.4f}", f"{law.exponent:.4f}"
+    if law.stiffness_uncertainty is not None:
+        stiffness += f" +- {law.stiffness_uncertainty:.2%}"
+    assumed = law.exponent_uncertainty is None
+    exponent += " (power law assumed)" if assumed else f" +- {law.exponent_uncertainty:.4f}"
+    yield (
+        f"F = K delta^n: K {stiffness}, n {exponent} by finite elements; "
+        f"{STIFFNESS.written(series.hertz_stiffness, '.5g')} and 1.5 by Hertz."
+    )
+    if series.pocket_law is not None:
+        yield from _sheet_law(series.pocket_law, largest=max(point.load for point in series.points))
+
+
+def _sheet_law(law: PocketLaw, *, largest: float) -> Iterator[str]:
+    """The law of the sheet of a pocket, and the keys of a scene that take it; largest : load of the series, N."""
+    local, sheet = STIFFNESS.written(law.stiffness, ".5g"), TANGENT.written(law.sheet, ".5g")
+    if law.stiffness_uncertainty is not None:
+        local += f" +- {law.stiffness_uncertainty:.2%}"
+    if law.sheet_uncertainty is not None:
+        sheet += f" +- {law.sheet_uncertainty:.2%}"
+    contact = MICRO.written((largest / law.stiffness) ** (2 / 3), ".4g")
+    yield f"delta = (F/K)^(2/3) + F/k, contact and sheet in series: K {local}, k {sheet}. In a scene:"
+    yield f'cage.pocket_approach = {{ load = "{largest:.4g} N", approach = "{contact}" }}'
+    yield f'cage.sheet_stiffness = "{TANGENT.written(law.sheet, ".4g")}"'
+
+
+def _series_notes(series: LoadSeries) -> Iterator[str]:
+    yield f"F: load; delta: approach; tangent: dF/d(delta), from a fit to all loads. {UNCERTAIN}."
+    meshes = "mesh" if series.meshes == 1 else "meshes"
+    yield f"Finite elements, {series.geometry}, {series.meshes} {meshes} for all loads, {series.seconds:.1f} s"

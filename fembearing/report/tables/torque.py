@@ -1,0 +1,185 @@
+"""The torque at each operating point, the heaviest ball there, and what finite-element contacts change."""
+
+from collections.abc import Sequence
+
+from analytic.result import COLUMNS, COORDINATES, PairRows, TorquePoint
+from analytic.words import angle_of
+from fembearing.quantities import CONTACT, METRIC, QUANTITIES, Units
+from fembearing.report.phrases import (
+    PAIRS,
+    angle_cell,
+    between,
+    capital,
+    digits,
+    listed,
+    pair_of,
+    percent,
+    shown,
+    uncertainty_of,
+)
+from fembearing.report.report import ChangeRecord
+from fembearing.report.tables.points import fixed_loads, point_cells, point_heads
+from fembearing.report.tables.table import Head, Row, Table, table_of
+from fembearing.report.torque import TorqueRecord
+
+RESIDUE = 1e-6  # of the total: a smaller part is what is left of a balance of the balls, not a torque
+PARTS = {  # with their names in a terminal
+    "spin": "spin",
+    "conformity": "conf.",
+    "hysteresis": "hyst.",
+    "rolling": "roll.",
+    "cage": "cage",
+    "declared": "decl.",
+}
+
+
+def torque_table(torque: TorqueRecord, bearing: str, places: Sequence[int], units: Units = METRIC) -> Table:
+    """Parts, total, its uncertainties, its interval and the catalogue band.
+
+    places : of the points that are shown; one without a torque has no numbers
+    """
+    points, predicted, band = torque.points, torque.prediction, torque.catalogue_band
+    parts = [name for name in PARTS if getattr(points[0].torque, name) is not None]
+    model = any(point.uncertainty.model is not None for point in points)
+    after = [Head("+-", fixed=True), *([Head("+- of formulas, 95 %", wide=True)] if model else [])]
+    after += [] if predicted is None else [Head("95 %", fixed=True)]
+    after += [] if band.low is None else [Head("catalogue", fixed=True)]
+    heads = [*point_heads(points, units), *(Head(name, short=PARTS[name]) for name in parts)]
+    heads += [Head("total", fixed=True), *after]
+
+    def row(place: int) -> Row:
+        point, torque = points[place], points[place].torque
+        if place not in computed:
+            return [*point_cells(points, place, units), *("" for _ in parts), "left out", *("" for _ in after)]
+        values = [getattr(torque, name) for name in parts]
+        cells = [digits(each, units.torque.factor, 4) if each > RESIDUE * torque.total else "0" for each in values]
+        cells += [digits(torque.total, units.torque.factor, 4), percent(point.uncertainty.numerical)]
+        cells += [percent(point.uncertainty.model)] if model else []
+        cells += [] if predicted is None else [between(predicted.points[place].total.ends, units.torque)]
+        ends = () if band.low is None or band.high is None else (band.low[place], band.high[place])
+        return [*point_cells(points, place, units), *cells, *([between(ends, units.torque)] if ends else [])]
+
+    computed = set(torque.computed)
+    words = [f"Friction torque of {'' if torque.pair is None else 'two '}{bearing}", *fixed_loads(points, units)]
+    return table_of(", ".join(words), heads, [row(place) for place in places], _torque_notes(torque, places, units))
+
+
+def _torque_notes(torque: TorqueRecord, places: Sequence[int], units: Units) -> list[str]:
+    """What the columns are, which points are there, and how uncertain the model is at its worst point."""
+    known = [torque.points[place].uncertainty for place in torque.computed]
+    parts = [each.model_parts or {} for each in known]
+    largest = {name: max(each.get(name, 0.0) for each in parts) for name in dict.fromkeys(n for e in parts for n in e)}
+    model = max((each.model for each in known if each.model is not None), default=None)
+    count = len(torque.points)
+    some = f"{len(places)} of {count} operating points, with the least and the largest total; the JSON has all."
+    return [
+        *([some] if len(places) < count else []),
+        f"In {units.torque.name} about the bearing axis; +-: numerical uncertainty.",
+        uncertainty_of(model, largest),
+        f"{capital(torque.catalogue_band.note)}.",
+    ]
+
+
+def ball_table(torque: TorqueRecord, places: Sequence[int], units: Units = METRIC) -> Table:
+    """The ball that presses hardest, on both races."""
+    computed, gap = torque.computed, torque.gap_roughness
+    points = [torque.points[place] for place in computed]
+    shapes = ("peak_pressure", "semi_axis_rolling", "semi_axis_transverse")
+    contact = {name: CONTACT[name].in_units(units) for name in shapes}
+    film, mu = QUANTITIES["film"].in_units(units), COLUMNS["friction_coefficient_inner"].symbol
+    columns = [
+        ("friction_coefficient", Head(mu), 1.0),
+        ("film", Head(film.heading), film.shown.factor),
+        ("film", Head("film/roughness", wide=True), 1 / gap if gap else 0.0),
+        ("asperity_share", Head("asperities, %"), 100.0),
+    ]
+    known = [each for each in columns if getattr(points[0], each[0]).inner is not None]
+    heads = [Head("#"), Head("race", "name"), Head(f"load, {units.force.name}")]
+    heads += [Head(f"{each.symbol}, {each.shown.name}") for each in contact.values()]
+    heads += [*(head for _, head, _ in known), Head("contact angle, deg (rad)", wide=True)]
+
+    def row(place: int, race: str) -> Row:
+        point = torque.points[place]
+        pressed = getattr(point.contact, race)
+        return [
+            str(place + 1),
+            race,
+            digits(pressed.load, units.force.factor, 4),
+            *(digits(getattr(pressed, name), each.shown.factor, 4) for name, each in contact.items()),
+            *(digits(getattr(getattr(point, name), race), factor, 3) for name, _, factor in known),
+            angle_cell(point.contact_angle) if race == "inner" else "",
+        ]
+
+    rows = [row(place, race) for place in places if place in computed for race in ("inner", "outer")]
+    angles = [point.contact_angle for point in points]
+    angle = " to ".join(dict.fromkeys((angle_of(min(angles)), angle_of(max(angles)))))
+    share = "; asperities: their share of the load" if points[0].asperity_share.inner is not None else ""
+    notes = [f"Contact angle {angle}, mean of both races. a along rolling, b transverse{share}."]
+    pocket = [each for point in points if (each := point.friction_coefficient.pocket) is not None]
+    notes += [f"Friction coefficient of ball on pocket: {listed(pocket)}."] if pocket else []
+    return table_of("Heaviest ball", heads, rows, notes)
+
+
+def pair_table(pair: PairRows, places: Sequence[int], units: Units = METRIC) -> Table:
+    """The loads and the torque of each bearing of a pair, and the pair's stiffness; places : as `torque_table`."""
+    every = [bearing for point in pair.points for bearing in point.bearings]
+    loads = {"axial_load": COORDINATES["axial_load"].symbol, "radial_load": "Fr", "moment": "M"}
+    shown_loads = {
+        name: QUANTITIES[name].in_units(units).shown
+        for name in loads
+        if name == "axial_load" or any(getattr(each, name) for each in every)
+    }
+    heads = [Head("#"), Head("bearing", "name")]
+    heads += [Head(f"{loads[name]}, {unit.name}") for name, unit in shown_loads.items()]
+    heads += [Head(f"ball, {units.force.name}"), Head(f"torque, {units.torque.name}")]
+    heads += [Head(f"dFa/dz, {units.tangent.name}")]
+    rows = [
+        [
+            str(place + 1),
+            f"{name}, relieved" if bearing.is_relieved else name,
+            *(f"{unit.number(getattr(bearing, load)):.4g}" for load, unit in shown_loads.items()),
+            f"{units.force.number(bearing.ball_load):.4g}",
+            f"{units.torque.number(bearing.torque):.4g}",
+            f"{units.tangent.number(pair.points[place].stiffness):.4g}" if name == "first" else "",
+        ]
+        for place in places
+        for name, bearing in zip(("first", "second"), pair.points[place].bearings, strict=True)
+    ]
+    return table_of(f"Bearings of the pair, {PAIRS[pair.kind]}", heads, rows, [pair_of(pair, units)])
+
+
+def change_table(
+    points: Sequence[TorquePoint], change: ChangeRecord, places: Sequence[int], units: Units = METRIC
+) -> Table:
+    """Angle and total of the production and with contacts of finite elements, and the relative changes."""
+    angles, totals, fitted = change.contact_angle, change.torque, change.finite_geometry
+    angle = Head("angle, deg (rad)", wide=True)
+    heads = [*point_heads(points, units), Head("production"), angle, Head("contacts of FE"), angle, Head("change, %")]
+    heads += [] if fitted is None else [Head("by the fit, %")]
+    rows = [
+        [
+            *point_cells(points, place, units),
+            digits(totals.production[place], units.torque.factor, 4),
+            angle_cell(angles.production[place]),
+            digits(totals.corrected[place], units.torque.factor, 4),
+            angle_cell(angles.corrected[place]),
+            shown(change.change.total[place], "+.2f", 100),
+            *([] if fitted is None else [shown(fitted.change[place], "+.2f", 100)]),
+        ]
+        for place in places
+    ]
+    return table_of("What finite-element contacts change", heads, rows, _change_notes(change, units))
+
+
+def _change_notes(change: ChangeRecord, units: Units) -> list[str]:
+    """What the columns are, how uncertain the changes are, and how far the contacts under them hold."""
+    words = [
+        f"Torque in {units.torque.name}; the change has a numerical uncertainty of {100 * change.uncertainty:.2f} %. "
+        f"A dash: no contact was solved at that ball load. {change.note}"
+    ]
+    if change.finite_geometry is not None:
+        off = max((each for each in change.finite_geometry.uncertainty if each is not None), default=0.0)
+        words.append(f"By the fit: Hertz's contacts corrected for finite geometry; +- {100 * off:.2f} %.")
+    if change.verdict != "pass":
+        words.append(f"The race contacts are not all within the tolerance: {change.verdict}.")
+    return words
