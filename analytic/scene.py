@@ -107,6 +107,7 @@ class Cage(Noun):
     material: Material
     pocket_axis: PocketAxis = "axial"  # line through the centres of both half-shells; axial in a stamped cage
     pocket_stiffness: float | None = None  # K_pb, N/m^1.5, by finite elements or a test; None: by Hertz
+    sheet_stiffness: float | None = None  # k, N/m, of the sheet in series with the pocket's contact; None: rigid
     friction_coefficient: float | None = None  # of ball on pocket; None: that of the races
     restitution: float = 0.8  # share of the speed that remains after an impact; assumed
     start: CageStart | None = None  # how the motion begins; None: no motion

@@ -24,6 +24,7 @@ UNITS: dict[str, str] = {
     "density": "kg/m^3",
     "duration": "s",
     "pocket_stiffness": "N/m^1.5",
+    "sheet_stiffness": "N/m",
     "Cage.drag": "N m s",
     **dict.fromkeys(("start", "material", "ball_material"), ""),  # words
 }

@@ -12,7 +12,7 @@ import pytest
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 NOTEBOOKS = sorted(EXAMPLES.glob("*.ipynb"))
 PROGRAMS = sorted(EXAMPLES.glob("*.py"))
-LONG = {"plot_interval", "plot_measured_roughness", "plot_stiffness_law"}  # 5 s and more
+LONG = {"plot_interval", "plot_measured_roughness", "plot_stiffness_law", "plot_thin_sheet"}  # 5 s and more
 plt.switch_backend("agg")  # no window
 
 

@@ -107,42 +107,48 @@ def squeeze_force(
     room: ArrayLike,
     pocket_friction: ArrayLike,
     pocket_stiffness: ArrayLike,
+    sheet_softness: ArrayLike = 0.0,
     creep_stiffness: ArrayLike,
     outer_radius: ArrayLike,
 ) -> Array:
     """N = 2 G a b C11 |A| sin(beta)/R_o, N, of each ball: pockets too tight for balls that lead; all broadcast.
 
-        2 nabla + 2 (N/K_pb)^(2/3) = |A| (cos(beta) + mu_c sin(beta))
+        2 nabla + 2 (N/K_pb)^(2/3) + 2 N/k = |A| (cos(beta) + mu_c sin(beta))
     In stiff pockets without friction this is N = 2 G a b C11 sqrt(A^2 - (2 nabla)^2)/R_o.
     ball_lead : A, m;  room : 2 nabla, the lead that the pockets leave free, m, > 0;  0 where |A| <= 2 nabla
-    pocket_friction : mu_c;  pocket_stiffness : K_pb, N/m^1.5, > 0
+    pocket_friction : mu_c;  pocket_stiffness : K_pb, N/m^1.5, > 0;  sheet_softness : 1/k, m/N
     creep_stiffness : G a b C11, N, of a race, > 0, see `race_grip`;  outer_radius : R_o, m, > 0
-    The cage holds each ball nabla + (N/K_pb)^(2/3) off the middle of its pocket, in directions that turn twice as fast
-    as the azimuth, so that all press alike. The cage has gone off the axis of the load by the angle beta; along the
-    orbit act N sin(psi + beta) and mu_c N cos(psi + beta), and the races let a ball creep at this force times
+    The cage holds each ball nabla + (N/K_pb)^(2/3) + N/k off the middle of its pocket, in directions that turn twice as
+    fast as the azimuth, so that all press alike. The cage has gone off the axis of the load by the angle beta; along
+    the orbit act N sin(psi + beta) and mu_c N cos(psi + beta), and the races let a ball creep at this force times
     u/(2 G a b C11). In the steady motion creep takes from the lead what the pockets do not leave. This holds at any
     speed, as creep and conflict are both in proportion to it. The angle takes some radians of the orbit to grow.
     Valid for a rigid cage and small creep, N below half of `carried_force`, which limits N.
     """
     require_positive(
-        room=room, pocket_stiffness=pocket_stiffness, creep_stiffness=creep_stiffness, outer_radius=outer_radius
+        room=room,
+        pocket_stiffness=pocket_stiffness,
+        creep_stiffness=creep_stiffness,
+        outer_radius=outer_radius,
     )
-    require_non_negative(pocket_friction=pocket_friction)
-    lead, free, mu, pocket, creep = np.broadcast_arrays(
+    require_non_negative(pocket_friction=pocket_friction, sheet_softness=sheet_softness)
+    lead, free, mu, pocket, sheet, creep = np.broadcast_arrays(
         np.abs(np.asarray(ball_lead, dtype=np.float64)),
         np.asarray(room, dtype=np.float64),
         np.asarray(pocket_friction, dtype=np.float64),
         np.asarray(pocket_stiffness, dtype=np.float64),
+        np.asarray(sheet_softness, dtype=np.float64),
         2 * np.asarray(creep_stiffness) / np.asarray(outer_radius),
     )
     softness = 2 * (creep * lead / pocket) ** (2 / 3)  # m, of the lead, at beta = pi/2
+    bending = 2 * creep * lead * sheet  # m, likewise
 
     def surplus(beta: Array) -> tuple[Array, Array]:
         """Over the lead, of what pockets and compliance leave, with its slope."""
         sine, cosine = np.sin(beta), np.cos(beta)
         with np.errstate(divide="ignore", invalid="ignore"):
-            slope = softness * (2 / 3) * cosine / np.cbrt(sine) + lead * (sine - mu * cosine)
-        return free + softness * np.cbrt(sine) ** 2 - lead * (cosine + mu * sine), slope
+            slope = softness * (2 / 3) * cosine / np.cbrt(sine) + bending * cosine + lead * (sine - mu * cosine)
+        return free + softness * np.cbrt(sine) ** 2 + bending * sine - lead * (cosine + mu * sine), slope
 
     end = np.where(lead > free, np.pi / 2, 0.0)
     beta = bracketed_root(
@@ -275,6 +281,7 @@ class CageDrive:
             room=self.room,
             pocket_friction=friction_coefficient,
             pocket_stiffness=pocket_stiffness_of(self.bearing, self.cage),
+            sheet_softness=sheet_softness_of(self.cage),
             creep_stiffness=self.grip.creep_stiffness,
             outer_radius=self.grip.outer_radius,
         )
@@ -356,6 +363,11 @@ def pocket_shape_of(bearing: Bearing, cage: Cage) -> PocketShape:
     return pocket_shape(
         ball_diameter=bearing.ball_diameter, pocket_diameter=cage.pocket_diameter, pocket_depth=cage.pocket_depth
     )
+
+
+def sheet_softness_of(cage: Cage) -> float:
+    """1/k, m/N, of the sheet in series with the contact; 0: rigid."""
+    return 0.0 if cage.sheet_stiffness is None else 1 / cage.sheet_stiffness
 
 
 def pocket_stiffness_of(bearing: Bearing, cage: Cage) -> float:

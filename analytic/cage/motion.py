@@ -71,7 +71,8 @@ CAGE = np.dtype(
         "ball_radius",
         "drag",
     )
-    + numbers("half_clearance", "centre_offset", "stiffness", "damping", "least_impact", "friction", "smoothing")
+    + numbers("half_clearance", "centre_offset", "stiffness", "sheet_softness", "damping", "least_impact")
+    + numbers("friction", "smoothing")
     + numbers("orbit_speed", "spin_axial", "spin_radial", "lead", "ramp", "deepest")
     + numbers("land_radius", "land_half_clearance", "land_side", "land_speed", "land_half_width")
     + [("gravity", np.float64, 3), ("axial_pockets", np.bool_)],
@@ -498,6 +499,7 @@ def _cage_constants(cage: DrivenCage, ramp: float) -> np.void:
         "half_clearance": cage.half_clearance,
         "centre_offset": cage.centre_offset,
         "stiffness": cage.stiffness,
+        "sheet_softness": cage.sheet_softness,
         "damping": impact_damping(cage.restitution),
         "least_impact": LEAST_IMPACT,
         "friction": cage.friction_coefficient,
@@ -735,7 +737,8 @@ class CageMotion:
                 # Friction of the rotating balls holds the cage off the vertical; at standstill it swings from there.
                 leaning = np.arctan(cage.friction_coefficient) * np.sign(cage.ball_speed)
                 down = Rotation.from_rotvec([0.0, 0.0, leaning]).apply(np.array(cage.gravity) / pull)
-                sag = (cage.mass * pull / cage.ball_count / cage.stiffness) ** (2 / 3)
+                load = cage.mass * pull / cage.ball_count
+                sag = (load / cage.stiffness) ** (2 / 3) + load * cage.sheet_softness
                 self._state["place"] += down * (cage.free_path(down) + sag)
             if begin == "rest":
                 self.launch(velocity=np.zeros(3), angular_velocity=turning)
@@ -751,8 +754,9 @@ class CageMotion:
 
     def _require_fine_steps(self, raceways: Raceways, force: float) -> None:
         """Raise InputError if the hardest impact, with this force, N, had too few steps."""
-        stiffness = 1.5 * np.cbrt(self.cage.stiffness**2 * max(force, 1e-300))
-        steps = float(np.pi * np.sqrt(_impact_mass(self.cage, raceways) / stiffness)) / self.step
+        contact = 1.5 * np.cbrt(self.cage.stiffness**2 * max(force, 1e-300))
+        softness = 1 / contact + self.cage.sheet_softness
+        steps = float(np.pi * np.sqrt(_impact_mass(self.cage, raceways) * softness)) / self.step
         if steps < LEAST_STEPS_SEEN:
             raise InputError(
                 f"an impact of {force:.3g} N had {steps:.2g} steps: the stiffness of the pocket needs "

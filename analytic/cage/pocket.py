@@ -4,7 +4,8 @@ Frame of the pocket (frame p of the paper): x is the axis of the pocket, from on
 cage, whose halves are riveted together from both sides, x is the axis of the bearing; `Cage.pocket_axis` names it.
 Shell s = +1 or -1 is half a sphere of radius D_p/2 on the side of s x. It is k deep, so its centre lies at
 x = -s (D_p/2 - k). Offsets are from the centre of the pocket to that of the ball; forces act on the cage.
-The ball slides inside nearly equal radii, where Hertz's K_pb is only an estimate; finite elements can replace it.
+The ball slides inside nearly equal radii, where Hertz's K_pb is only an estimate; finite elements can replace it. The
+sheet bends on its rim with a stiffness k, in series with the contact: delta = (N/K_pb)^(2/3) + N/k.
 The forces of both shells are added: the ball touches both at once where |x| < D_p/2 - k, not only at x = 0.
 Source: equations 13 to 17 of [Paper]; damping by [Hunt1975], with the loss of an impact derived here.
 
@@ -42,6 +43,7 @@ SHELLS = np.array([1.0, -1.0])  # s
 LEAST_RESTITUTION = 0.05  # below, the damping force exceeds twenty times the elastic force
 # (1 - e)/(1 + e) below which a series of four terms is used: its error is 4e-13, less than that of cancellation.
 SMALL_LOSS = 0.03
+NEWTON_OF_SHEET = 5  # from at most 1.33 times the root, on a convex function: the error is below 1e-12
 
 
 def pocket_stiffness(*, ball_diameter: ArrayLike, pocket_diameter: ArrayLike, modulus: ArrayLike) -> Array:
@@ -94,6 +96,22 @@ def penetration(offset: ArrayLike, *, half_clearance: float, centre_offset: floa
     facing = (side > 0) | ((side == 0) & (SHELLS > 0))
     normal = np.divide(from_centre, distance[..., None], out=np.zeros(from_centre.shape), where=distance[..., None] > 0)
     return np.where(facing, np.maximum(distance - half_clearance, 0.0), 0.0), normal
+
+
+@compiled(fastmath=FAST, inline=True)
+def elastic_force(stiffness, softness, depth):
+    """N, N, of a contact in series with a sheet: depth = (N/K_pb)^(2/3) + N/k.
+
+    stiffness : K_pb, N/m^1.5;  softness : 1/k, m/N, 0: a rigid sheet;  depth : delta, m, > 0
+    """
+    root = np.sqrt(depth)
+    if softness == 0.0:
+        return stiffness * depth * root
+    share = stiffness * softness
+    root = min(root, np.cbrt(depth / share))  # root of the depth of the contact alone, from above
+    for _ in range(NEWTON_OF_SHEET):
+        root -= (root * root * (1.0 + share * root) - depth) / (root * (2.0 + 3.0 * share * root))
+    return stiffness * root * root * root
 
 
 def normal_force(
@@ -265,7 +283,7 @@ def _pushed_on_shell(cage, ball, body, impact_speed, shell):
     closing = gx * nx + gy * ny + gz * nz
     fastest = max(impact_speed[shell], closing, cage.least_impact)
     impact_speed[shell] = fastest
-    elastic = cage.stiffness * depth * np.sqrt(depth)
+    elastic = elastic_force(cage.stiffness, cage.sheet_softness, depth)
     normal = max(elastic * (1.0 + cage.damping * closing / fastest), 0.0)
     gx, gy, gz = gx - closing * nx, gy - closing * ny, gz - closing * nz
     speed = np.sqrt(gx * gx + gy * gy + gz * gz)

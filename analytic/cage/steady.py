@@ -54,6 +54,7 @@ class DrivenCage:
     centre_offset: float = 0.0  # D_p/2 - k, m
     pocket_axis: PocketAxis = "axial"  # x in `analytic.cage.pocket`: the line through the centres of both shells
     stiffness: float  # K_pb, N/m^1.5
+    sheet_softness: float = 0.0  # 1/k, m/N, of the sheet in series with the contact
     restitution: float  # e, of an impact, a share
     friction_coefficient: float  # mu, of ball on pocket
     orbit_speed: float  # w_c, of the balls about the bearing's axis, rad/s
@@ -84,7 +85,10 @@ class DrivenCage:
         axial, transverse = self.inertia
         require_positive(axial_inertia=axial, transverse_inertia=transverse)
         require_non_negative(
-            centre_offset=self.centre_offset, friction_coefficient=self.friction_coefficient, drag=self.drag
+            centre_offset=self.centre_offset,
+            sheet_softness=self.sheet_softness,
+            friction_coefficient=self.friction_coefficient,
+            drag=self.drag,
         )
         require_finite(
             orbit_speed=self.orbit_speed,
@@ -188,7 +192,10 @@ class DrivenCage:
 
     @property
     def contact_time(self) -> float:
-        """Duration of the shortest impact to expect, the fastest on all balls at once, s; infinite at standstill."""
+        """Duration of the shortest impact to expect, the fastest on all balls at once, s; infinite at standstill.
+
+        A sheet that bends only makes impacts longer.
+        """
         if not self.impact_speed > 0:
             return np.inf
         mass = self.mass / max(self.ball_count, 3)  # a single ball far from the centre meets a third of the mass

@@ -20,6 +20,7 @@ from analytic.cage.drive import (
     pocket_shape_of,
     pocket_stiffness_of,
     resting_cage,
+    sheet_softness_of,
     used_share,
 )
 from analytic.cage.pocket import PocketFriction
@@ -307,6 +308,7 @@ def driven_cage(
         centre_offset=shape.centre_offset,
         pocket_axis=cage.pocket_axis,
         stiffness=pocket_stiffness_of(bearing, cage),
+        sheet_softness=sheet_softness_of(cage),
         restitution=cage.restitution,
         friction_coefficient=friction_coefficient,
         orbit_speed=orbit_speed,
@@ -369,6 +371,8 @@ def _provenance(drive: CageDrive, friction: PocketFriction, *, moves: bool, free
         land = ", without land" if cage.land is not None else ""
         return f"closed form at rest{land}{squeezed}, friction by {friction.source}"
     stiffness = "Hertz" if cage.pocket_stiffness is None else "given approach"
+    if cage.sheet_stiffness is not None:
+        stiffness += f" with a sheet of {cage.sheet_stiffness * 1e-6:.4g} N/um"
     steps = f"{cage.steps_per_contact} steps a contact"
     return (
         f'motion from "{cage.start}", {steps}, pocket stiffness by {stiffness}{squeezed}, friction by {friction.source}'

@@ -208,7 +208,7 @@ class LandTable(Table):
 
 
 class PocketApproachTable(Table):
-    """What a test or finite elements found: it replaces Hertz's stiffness."""
+    """What a test or finite elements found: it replaces Hertz's stiffness. With a sheet, of the contact alone."""
 
     HINT = 'give what a test or finite elements found, { load = "28 N", approach = "0.883 um" }'
     load: Force
@@ -226,6 +226,7 @@ class CageTable(Table):
     material: MaterialEntry
     pocket_axis: PocketAxis = Cage.pocket_axis
     pocket_approach: PocketApproachTable | None = None
+    sheet_stiffness: Annotated[float, Dimension(unit="N/m", low=1e3, high=1e12, example='"130 N/um"')] | None = None
     friction_coefficient: Friction | None = None
     restitution: Annotated[float, Dimension(unit="", low=0.05, high=1, example="0.8")] = Cage.restitution
     start: CageStart | None = Field(default=None, description='give "rest", "ramp", "sudden" or "whirl"')

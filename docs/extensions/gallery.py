@@ -12,6 +12,7 @@ ORDER = (
     "plot_cage_motion.py",
     "plot_contact_by_finite_elements.py",
     "plot_stiffness_law.py",
+    "plot_thin_sheet.py",
 )
 
 

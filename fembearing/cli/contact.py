@@ -90,11 +90,13 @@ def _show_contact(
 def _show_series(result: "LoadSeries", *, as_json: bool) -> dict[str, float]:
     from analytic.words import percent_of
     from fembearing.cli.console import out, print_json
+    from fembearing.plain_types import plain
+    from fembearing.report.load_series import series_record
     from fembearing.report.tables.contacts import series_table
     from fembearing.report.terminal.table import show
 
     if as_json:
-        print_json(result.to_json())
+        print_json(plain(series_record(result)))
     else:
         show(out, series_table(result))
         verdict = result.verdict if result.judged else "shown, not judged"

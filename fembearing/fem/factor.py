@@ -2,16 +2,18 @@
 
 K comes as its upper triangle; with it comes a border B of further columns. Both factors give B.T K^-1 B and K^-1 r.
 PARDISO eliminates K from [K B; B.T 0] without ever computing K^-1 B: the Schur complement that remains is -B.T K^-1 B.
+A matrix that PARDISO gives up is left to SuperLU, with a warning.
 """
 
 import ctypes
 import os
 import sys
+import warnings
 import weakref
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,14 +26,14 @@ for library in Path(sys.prefix, "lib").glob("libmkl_rt.so*"):
     os.environ.setdefault("PYPARDISO_MKL_RT", str(library))
 try:
     from pypardiso import PyPardisoSolver
-    from pypardiso.pardiso_wrapper import PyPardisoError
 except ImportError:  # other processors than x86-64 have no MKL
-    PyPardisoSolver, PyPardisoError = None, LinAlgError
+    PyPardisoSolver = None
 
 Array = NDArray[np.float64]
 OUT_OF_MEMORY = (-2, -8, -9)  # status codes of PARDISO: too little memory, too many entries to count, disk full
 RELEASE, ANALYSIS, NUMBERS, FORWARD, BACKWARD = 0, 11, 22, 331, 333  # phases of PARDISO
 PERMANENT, FACTORS = 16, 17  # its counts of memory, kB
+GIVEN_UP = "PARDISO gave up a matrix ({}): SciPy's SuperLU solved it instead, which takes many times as long"
 
 
 class Factor(Protocol):
@@ -57,7 +59,48 @@ class Factor(Protocol):
 
 def new_factor(upper: csr_matrix, border: csr_matrix) -> Factor:
     """A factor for matrices and borders with the stored entries of these."""
-    return SuperLUFactor() if PyPardisoSolver is None else PardisoFactor(upper, border)
+    if PyPardisoSolver is None:
+        return SuperLUFactor()
+    try:
+        return FactorWithSubstitute(PardisoFactor(upper, border), substitute=SuperLUFactor())
+    except LinAlgError as problem:
+        warnings.warn(GIVEN_UP.format(problem), RuntimeWarning, stacklevel=2)
+        return SuperLUFactor()
+
+
+class FactorWithSubstitute:
+    """A factor, and another for a matrix that the first one gives up; an error of both is that of the substitute."""
+
+    def __init__(self, factor: Factor, *, substitute: Factor) -> None:
+        self._factor, self._substitute = factor, substitute
+
+    def complement(self, upper: csr_matrix, border: csr_matrix) -> Array:
+        """As `Factor`."""
+        try:
+            return self._factor.complement(upper, border)
+        except LinAlgError as problem:
+            return self._noted(self._substitute.complement(upper, border), problem)
+
+    def solution(self, upper: csr_matrix, right: Array) -> Array:
+        """As `Factor`."""
+        try:
+            return self._factor.solution(upper, right)
+        except LinAlgError as problem:
+            return self._noted(self._substitute.solution(upper, right), problem)
+
+    def forget_numbers(self) -> None:
+        """As `Factor`."""
+        self._factor.forget_numbers()
+
+    @property
+    def memory(self) -> int:
+        """As `Factor`."""
+        return self._factor.memory
+
+    @staticmethod
+    def _noted(found: Array, problem: LinAlgError) -> Array:
+        warnings.warn(GIVEN_UP.format(problem), RuntimeWarning, stacklevel=3)
+        return found
 
 
 class PardisoFactor:
@@ -117,18 +160,52 @@ class PardisoFactor:
         return found.reshape(count, count)
 
     def _call(self, phase: int, right: Array) -> Array:
-        """One phase of PARDISO; the answer has the size of `right`.
+        """One phase of PARDISO; the answer has the size of `right`."""
+        with _one_thread(self._solver.libmkl):
+            found, status = _pardiso(self._solver, phase, self._matrix, right)
+        if status in OUT_OF_MEMORY:
+            raise MemoryError(f"PARDISO status {status}")
+        if status != 0:
+            raise LinAlgError(f"PARDISO status {status}")
+        return found
 
-        `_call_pardiso` is private: pypardiso has no public call for a phase alone or for a Schur complement.
-        """
-        self._solver.set_phase(phase)
-        try:
-            with _one_thread(self._solver.libmkl):
-                return self._solver._call_pardiso(self._matrix, right)
-        except PyPardisoError as problem:
-            if getattr(problem, "value", 0) in OUT_OF_MEMORY:
-                raise MemoryError(str(problem)) from problem
-            raise LinAlgError(str(problem).rstrip(".")) from problem
+
+def _pardiso(solver: Any, phase: int, matrix: csr_matrix, right: Array) -> tuple[Array, int]:
+    """The answer of MKL's function `pardiso` to one phase, and its status, 0 for success.
+
+    pypardiso has no call for a phase alone or for a Schur complement; its solver holds the library and the state.
+    """
+
+    def whole(number: int) -> object:
+        return ctypes.byref(ctypes.c_int32(number))
+
+    def whole_numbers(array: NDArray[np.int32]) -> object:
+        return array.ctypes.data_as(ctypes.POINTER(ctypes.c_int32))
+
+    def numbers(array: Array) -> object:
+        return array.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
+
+    found, status = np.zeros_like(right), ctypes.c_int32(0)
+    starts, columns = ((part + 1).astype(np.int32) for part in (matrix.indptr, matrix.indices))  # counted from 1
+    solver.libmkl.pardiso(
+        solver.pt.ctypes.data_as(ctypes.POINTER(ctypes.c_int64)),
+        whole(1),  # matrices with a factor
+        whole(1),  # number of this one
+        whole(solver.mtype),
+        whole(phase),
+        whole(matrix.shape[0]),
+        numbers(matrix.data),
+        whole_numbers(starts),
+        whole_numbers(columns),
+        whole_numbers(solver.perm),
+        whole(1),  # columns of `right`
+        whole_numbers(solver.iparm),
+        whole(0),  # prints nothing
+        numbers(right),
+        numbers(found),
+        ctypes.byref(status),
+    )
+    return found, status.value
 
 
 def _bordered(upper: csr_matrix, border: csr_matrix) -> tuple[csr_matrix, NDArray[np.int32]]:

@@ -11,11 +11,15 @@ Source: [Johnson1985] section 4.2, whose integrals over the potential of an elli
 
 import math
 
+import numpy as np
+from numpy.typing import NDArray
 from scipy.optimize import brentq
 from scipy.special import elliprd, elliprf
 
 from analytic.scene import Contact, Material
+from fembearing.fem.measure import Quantities
 
+Array = NDArray[np.float64]
 ROUND_OFF = 1e-15  # of the logarithm of an axis ratio
 
 
@@ -46,6 +50,18 @@ def approach_under(semi_axes: tuple[float, float], *, load: float, modulus: floa
     return 3 * load / (2 * math.pi * modulus) * float(elliprf(0, a**2, b**2))
 
 
+def exact_quantities(semi_axes: tuple[float, float], *, load: float, modulus: float) -> Quantities:
+    """All quantities of two half spaces under a load with an ellipse of given semi-axes; arguments as above."""
+    approach = approach_under(semi_axes, load=load, modulus=modulus)
+    return Quantities(
+        semi_axis_rolling=semi_axes[0],
+        semi_axis_transverse=semi_axes[1],
+        peak_pressure=3 * load / (2 * math.pi * semi_axes[0] * semi_axes[1]),
+        approach=approach,
+        stiffness=load / approach**1.5,
+    )
+
+
 def hertz_ellipse(curvatures: tuple[float, float], *, load: float, modulus: float) -> tuple[float, float]:
     """Semi-axes in x and y, m, of the ellipse in which a load closes a gap of given relative curvatures, 1/m, positive.
 
@@ -63,3 +79,21 @@ def hertz_ellipse(curvatures: tuple[float, float], *, load: float, modulus: floa
     unit, _ = curvatures_under((1.0, ratio), load=load, modulus=modulus)
     a = (unit / x) ** (1 / 3)  # curvatures fall with the cube of the size
     return a, ratio * a
+
+
+def pressed_rectangle(x: Array, y: Array, *, half_sides: tuple[float, float]) -> Array:
+    """Displacement at (x, y) times pi E*, for a unit force spread evenly over a rectangle about the origin.
+
+    x, y : any one shape;  half_sides : of the rectangle, in the same unit of length
+    Returns values per that unit of length. Source: Love's solution, [Johnson1985] section 3.3.
+    """
+    half_x, half_y = half_sides
+    total: Array = np.zeros(np.broadcast_shapes(x.shape, y.shape))
+    for sign_x in (1, -1):
+        for sign_y in (1, -1):
+            corner_x, corner_y = x + sign_x * half_x, y + sign_y * half_y
+            part = corner_x * np.arcsinh(corner_y / np.abs(corner_x)) + corner_y * np.arcsinh(
+                corner_x / np.abs(corner_y)
+            )
+            total += sign_x * sign_y * part
+    return total / (4 * half_x * half_y)

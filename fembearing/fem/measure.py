@@ -82,6 +82,35 @@ def peak_pressure(
     return float(np.sqrt(fitted[0])) if fitted[0] > 0 else centre
 
 
+def measured_quantities(
+    x: Array, y: Array, force: Array, pressure: Array, area: Array, *, load: float, approach: float
+) -> Quantities:
+    """All quantities of a contact symmetric to x = 0 and y = 0, from the nodes of a quarter.
+
+    force : (m,) along the load, N
+    pressure, area : (m,) Pa and m^2
+    load : of the whole contact, N
+    """
+    semi_axes = semi_axis(x, force), semi_axis(y, force)
+    return Quantities(
+        semi_axis_rolling=semi_axes[0],
+        semi_axis_transverse=semi_axes[1],
+        peak_pressure=peak_pressure(x, y, pressure, area, semi_axes=semi_axes),
+        approach=approach,
+        stiffness=load / approach**1.5,
+    )
+
+
+def ratio(first: Quantities, second: Quantities) -> Quantities:
+    """First over second, of each quantity."""
+    return Quantities(**{name: value / getattr(second, name) for name, value in vars(first).items()})
+
+
+def product(first: Quantities, second: Quantities) -> Quantities:
+    """First times second, of each quantity."""
+    return Quantities(**{name: value * getattr(second, name) for name, value in vars(first).items()})
+
+
 def shoulder_load(*, centroid: float, strip_force: float, shoulder: float, load: float) -> ShoulderLoad:
     """The load at a shoulder from sums over the mesh.
 

@@ -1,13 +1,21 @@
 """The ball: an octant or a quarter, from the pole, where the contact is, to the middle plane."""
 
 import numpy as np
+from numpy.typing import NDArray
 
 from analytic.scene import Contact
-from fembearing.mesh.bodies import BodyMesh, body_mesh, cells_of
+from fembearing.mesh.bodies import Block, BodyMesh, body_mesh
 from fembearing.mesh.footprint import Footprint
-from fembearing.mesh.patch import contact_zone, depth_lines, far_square, outside_share, patch_mesh
+from fembearing.mesh.patch import PatchMesh, contact_zone, depth_lines, far_square, outside_share, patch_mesh
 from fembearing.mesh.race import places_facing
 from fembearing.mesh.recipe import Recipe
+
+Array = NDArray[np.float64]
+
+
+def block_of_ball(contact: Contact, recipe: Recipe, level: int, footprint: Footprint) -> Block:
+    """The grid of the ball, which reaches to its middle plane."""
+    return Block(recipe=recipe, level=level, semi_axes=footprint.semi_axes, reach=contact.ball_radius)
 
 
 def ball_octant(contact: Contact, recipe: Recipe, level: int, footprint: Footprint) -> BodyMesh:
@@ -17,28 +25,39 @@ def ball_octant(contact: Contact, recipe: Recipe, level: int, footprint: Footpri
     the sphere and the faces X, Y, Z = 0 to the planes of the octant. Half a contact gets the mirror image as well.
     Source: [Nowell2005]; the volume of the ball checks it.
     """
-    radius, semi_axes = contact.ball_radius, footprint.semi_axes
-    cells = cells_of(recipe, level, growth=radius / min(semi_axes))
-    patch = patch_mesh(cells, ends=footprint.ends, half=footprint.half)
+    block = block_of_ball(contact, recipe, level, footprint)
+    patch = patch_mesh(block.whole, ends=footprint.ends, half=footprint.half)
     zone = contact_zone(patch, shape=recipe.patch, footprint=footprint)
-    zone_x, zone_y = zone = (places_facing(contact, zone) if footprint.cut else zone) / radius
-    square, difference = np.array([zone_x, zone_y]) ** 2, zone_x**2 - zone_y**2
+    cube = _in_cube(block, patch, places_facing(contact, zone) if footprint.cut else zone)
+    across, (at_x, at_y, at_z) = _across(cube), cube
+    height = at_z * np.sqrt(1 - at_x**2 / 2 - at_y**2 / 2 + at_x**2 * at_y**2 / 3)
+    return body_mesh("ball", patch, contact.ball_radius * np.vstack([across, 1 - height]))
+
+
+def flat_ball(block: Block) -> BodyMesh:
+    """A half space with the columns and the layers of the ball on the grid of `block`: its surface is a plane."""
+    footprint = Footprint(semi_axes=block.semi_axes)
+    patch = patch_mesh(block.whole)
+    cube = _in_cube(block, patch, contact_zone(patch, shape=block.recipe.patch, footprint=footprint))
+    return body_mesh("half space", patch, block.reach * np.vstack([_across(cube), 1 - cube[2]]))
+
+
+def _in_cube(block: Block, patch: PatchMesh, zone: Array) -> Array:
+    """Place of each node in the cube, (3, nodes); `zone` (2, columns), m, is the place of the columns on the ball."""
+    radius = block.reach
+    zone_x, zone_y = zone = zone / radius
+    square, difference = zone**2, zone_x**2 - zone_y**2
     linear = 3 + 2 * np.array([difference, -difference])
     near = np.sqrt(12 * square / (linear + np.sqrt(linear**2 - 24 * square)))  # inverse of the map on the face Z = 1
     near = np.copysign(near, zone)
-    growth = radius / (recipe.patch.margin_size * min(semi_axes))
-    share = outside_share(patch, rings=patch.cells.outside, growth=growth, straight=False)
+    share = outside_share(patch, rings=patch.cells.outside, growth=block.growth, straight=False)
     # Not straight: the map is flat at the cube's far corner, where cells with centred middle nodes turn inside out.
-    cube = near * (1 - share) + far_square(patch.u, patch.v) * share
-    lines = depth_lines(patch.cells.depth, depth=recipe.depth, minor=min(semi_axes), extent=radius)
-    at_x, at_y = cube[:, patch.column]
-    at_z = 1 - lines[np.rint(2 * patch.layer).astype(int)] / radius
-    xx, yy, zz = at_x**2, at_y**2, at_z**2
-    position = radius * np.array(
-        [
-            at_x * np.sqrt(1 - yy / 2 - zz / 2 + yy * zz / 3),
-            at_y * np.sqrt(1 - zz / 2 - xx / 2 + zz * xx / 3),
-            1 - at_z * np.sqrt(1 - xx / 2 - yy / 2 + xx * yy / 3),
-        ]
-    )
-    return body_mesh("ball", patch, position)
+    plane = near * (1 - share) + far_square(patch.u, patch.v) * share
+    lines = depth_lines(patch.cells.depth, depth=block.recipe.depth, minor=min(block.semi_axes), extent=radius)
+    return np.vstack([plane[:, patch.column], 1 - lines[np.rint(2 * patch.layer).astype(int)] / radius])
+
+
+def _across(cube: Array) -> Array:
+    """x and y of places in the cube, (2, ...), in radii."""
+    xx, yy, zz = cube**2
+    return cube[:2] * np.sqrt([1 - yy / 2 - zz / 2 + yy * zz / 3, 1 - zz / 2 - xx / 2 + zz * xx / 3])

@@ -82,6 +82,11 @@ class Block:
     further: float | None = None
 
     @property
+    def extent(self) -> float:
+        """Distance of the far boundary, m."""
+        return self.reach if self.further is None else self.further
+
+    @property
     def whole(self) -> Cells:
         """Cell counts up to `reach`."""
         return cells_of(self.recipe, self.level, growth=self.reach / min(self.semi_axes))

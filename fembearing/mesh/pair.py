@@ -18,7 +18,7 @@ from fembearing.mesh.footprint import Footprint, Sides, as_quarter, footprint_of
 from fembearing.mesh.half_space import flat_block
 from fembearing.mesh.pocket import pocket_wall
 from fembearing.mesh.quality import mesh_quality
-from fembearing.mesh.race import distance_to_race, race_block
+from fembearing.mesh.race import distance_to_race, race_block, widest_on_race
 from fembearing.mesh.recipe import Recipe
 
 Array = NDArray[np.float64]
@@ -94,12 +94,17 @@ def _half_spaces(contact: Contact, recipe: Recipe, level: int, footprint: Footpr
 
 def _ball_on_race(contact: Contact, recipe: Recipe, level: int, footprint: Footprint, extended: bool) -> PairMesh:
     radius, semi_axes = contact.ball_radius, footprint.semi_axes
-    widest = WIDEST_CONTACT * radius / recipe.patch.margin_size
+    widest = WIDEST_CONTACT * radius
+    if recipe.geometry == "real":  # a pocket curves as much along rolling as its ball
+        widest = min(widest, widest_on_race(contact))
+    widest /= recipe.patch.margin_size
     if max(semi_axes) > widest:
+        most = contact.load * (widest / max(semi_axes)) ** 3  # the ellipse grows with the cube root of the load
+        remedy = "pocket_clearance" if contact.pair == "pocket" else "groove_radius"
         raise InputError(
             f"{contact.pair}: {contact.load:g} N spread the contact to a semi-axis of {length_of(max(semi_axes))}, "
-            f"too wide for a ball of radius {length_of(radius)}: the mesh holds up to {length_of(widest)}. Lower the "
-            "load, or raise groove_radius or youngs_modulus"
+            f"too wide for a ball of radius {length_of(radius)}: the mesh holds up to {length_of(widest)}, about "
+            f"{most:.2g} N. Lower the load, or raise {remedy} or youngs_modulus"
         )
     upper = ball_octant(contact, recipe, level, footprint)
     touching = upper.mesh.doflocs[:, upper.touching]

@@ -12,6 +12,7 @@ from fembearing.mesh.recipe import Recipe
 Array = NDArray[np.float64]
 NEWTON = 8  # rounds; five reach round-off at 40 degrees
 STEEPEST = 1.2  # rad, profile angle up to which a groove is meshed as a height over the tangent plane
+LEAST_OUTSIDE = 1.06  # end of the block over the contact with its margin; nearer, the cells between them fold
 LEAST_FURTHER = 1.5  # smallest size of an extended block over its own, where the ring limits it
 WIDEST_BLOCK = 0.7  # over the rolling radius; beyond, the surface of an inner ring is too steep
 
@@ -28,6 +29,11 @@ def race_block(contact: Contact, recipe: Recipe, level: int, footprint: Footprin
         zone = meeting_places(contact, zone)
     plane = block.plane(patch, zone)
     return body_mesh("race", patch, block.stack(patch, plane, race_height(contact, *plane), side=-1))
+
+
+def widest_on_race(contact: Contact) -> float:
+    """Half the length of the largest contact with its margin that a block holds, m; infinite on a plane."""
+    return WIDEST_BLOCK * abs(contact.rolling_radius) / LEAST_FURTHER / LEAST_OUTSIDE
 
 
 def block_of_race(contact: Contact, recipe: Recipe, level: int, footprint: Footprint, extended: bool) -> Block:

@@ -131,6 +131,21 @@ class ContactRecord:
                 raise ValueError(f"has {len(study.values)} values of {name} on {len(self.meshes)} meshes")
 
 
+@dataclass(frozen=True, kw_only=True)
+class SheetInSeries:
+    """What the sheet of a pocket adds to the contact with a thick seat, as a spring in series."""
+
+    stiffness: float  # k, N/m: load over the approach that the sheet adds
+    uncertainty: float  # relative, 95 %
+
+
+def sheet_in_series(seat: ContactRecord, sheet: ContactRecord) -> SheetInSeries | None:
+    """From both models of a pocket under one load; None where the sheet adds no more than is uncertain."""
+    added = sheet.fe.approach - seat.fe.approach
+    off = sum(each.fe.approach * each.uncertainty.approach for each in (seat, sheet))
+    return SheetInSeries(stiffness=seat.load / added, uncertainty=off / added) if added > off else None
+
+
 def contact_record(solution: ContactSolution) -> ContactRecord:
     """The record of a solved contact."""
     finest, parts = solution.meshes[-1], solution.estimates

@@ -154,16 +154,62 @@ def test_complement_and_solution_by_hand() -> None:
 @pytest.mark.parametrize(("code", "error"), [(-2, MemoryError), (-4, factor.LinAlgError)])
 def test_pardisos_errors_get_a_kind(code: int, error: type[Exception], monkeypatch: pytest.MonkeyPatch) -> None:
     upper = csr_matrix([[4.0, 1.0], [0.0, 3.0]])
-    made = new_factor(upper, csr_matrix((2, 0)))
-
-    def refuse(*_: object) -> None:
-        raise factor.PyPardisoError(code)
-
+    made = factor.PardisoFactor(upper, csr_matrix((2, 0)))
     with monkeypatch.context() as patch:
-        patch.setattr(factor.PyPardisoSolver, "_call_pardiso", refuse)
+        patch.setattr(factor, "_pardiso", lambda *_: (np.zeros(2), code))
         with pytest.raises(error, match=str(code)):
             made.solution(upper, np.ones(2))
     np.testing.assert_allclose(made.solution(upper, np.ones(2)), [2 / 11, 3 / 11], rtol=1e-14)  # as good as before
+
+
+class GivesUp:
+    """A factor that fails for every matrix, and holds 7 bytes."""
+
+    memory = 7
+
+    def __init__(self, error: type[Exception]) -> None:
+        self.error, self.forgot = error, 0
+
+    def complement(self, upper: csr_matrix, border: csr_matrix) -> Any:
+        raise self.error("status -4", upper, border)
+
+    def solution(self, upper: csr_matrix, right: Array) -> Any:
+        raise self.error("status -4", upper, right)
+
+    def forget_numbers(self) -> None:
+        self.forgot += 1
+
+
+def test_superlu_takes_what_a_factor_gives_up() -> None:
+    """K = [[4, 1], [1, 3]] as above, with a warning; a lack of memory is none of its business."""
+    upper, border = csr_matrix([[4.0, 1.0], [0.0, 3.0]]), csr_matrix([[2.0], [5.0]])
+    first = GivesUp(factor.LinAlgError)
+    made = factor.FactorWithSubstitute(first, substitute=factor.SuperLUFactor())
+    with pytest.warns(RuntimeWarning, match=r"PARDISO gave up a matrix \(.*status -4"):
+        np.testing.assert_allclose(made.solution(upper, np.ones(2)), [2 / 11, 3 / 11], rtol=1e-14)
+    with pytest.warns(RuntimeWarning, match="SuperLU"):
+        # [2, 5] K^-1 [2, 5] by hand
+        np.testing.assert_allclose(made.complement(upper, border), [[92 / 11]], rtol=1e-14)
+    made.forget_numbers()
+    assert (made.memory, first.forgot) == (7, 1)
+    with pytest.raises(MemoryError):
+        factor.FactorWithSubstitute(GivesUp(MemoryError), substitute=factor.SuperLUFactor()).solution(upper, np.ones(2))
+
+
+def test_a_matrix_without_a_factor_stays_an_error() -> None:
+    """Of both solvers: a row of zeros."""
+    made = factor.FactorWithSubstitute(GivesUp(factor.LinAlgError), substitute=factor.SuperLUFactor())
+    with pytest.raises(RuntimeError, match="singular"):
+        made.solution(csr_matrix([[4.0, 0.0], [0.0, 0.0]]), np.ones(2))
+
+
+@has_pardiso
+def test_a_failed_analysis_leaves_superlu_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    upper = csr_matrix([[4.0, 1.0], [0.0, 3.0]])
+    monkeypatch.setattr(factor, "_pardiso", lambda *_: (np.zeros(2), -3))
+    with pytest.warns(RuntimeWarning, match="status -3"):
+        made = new_factor(upper, csr_matrix((2, 0)))
+    np.testing.assert_allclose(made.solution(upper, np.ones(2)), [2 / 11, 3 / 11], rtol=1e-14)
 
 
 @pytest.mark.parametrize("threads", [1, 2])

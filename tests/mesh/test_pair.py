@@ -1,5 +1,7 @@
 """The meshed bodies against their exact shapes, and the levels of a recipe against each other."""
 
+import re
+from contextlib import nullcontext
 from dataclasses import replace
 
 import numpy as np
@@ -7,12 +9,17 @@ import pytest
 from numpy.typing import NDArray
 from skfem import MeshHex2
 
+from analytic.contact.geometry import pocket_contact
 from analytic.errors import InputError
 from analytic.scene import Contact
+from fembearing.mesh.ball import block_of_ball, flat_ball
 from fembearing.mesh.bodies import BodyMesh
+from fembearing.mesh.footprint import Footprint
 from fembearing.mesh.pair import PairMesh, pair_mesh
 from fembearing.mesh.quality import mesh_quality
+from fembearing.mesh.race import widest_on_race
 from fembearing.mesh.recipe import load_recipe
+from tests.analytic.specimens import BEARING_6205, STAMPED_CAGE
 
 Array = NDArray[np.float64]
 PAIRS, RECIPES = ("inner", "outer"), ("race", "hertzian")
@@ -52,9 +59,32 @@ def test_no_cell_is_inside_out(contacts: dict[str, Contact], pair: str, recipe: 
 
 
 def test_a_contact_too_wide_for_its_ball_is_refused(contacts: dict[str, Contact]) -> None:
+    """With the load up to which the mesh holds: there is a mesh for its ellipse, and none for a little more."""
+    contact, recipe = contacts["inner"], load_recipe("race")
     with pytest.raises(InputError, match=r"too wide for a ball of radius 3\.97 mm") as caught:
-        pair_mesh(contacts["inner"], recipe=load_recipe("race"), level=1, semi_axes=(0.2e-3, 2.1e-3))
+        pair_mesh(contact, recipe=recipe, level=1, semi_axes=(1.4e-3, 2.1e-3))
     assert "\n" not in str(caught.value)
+    found = re.search(r"about (\S+) N", str(caught.value))
+    assert found is not None
+    share = (float(found[1]) / contact.load) ** (1 / 3)
+    for factor, possible in ((0.98, True), (1.02, False)):  # two digits of the load are 1.7 % of a length or less
+        axes = (factor * share * 1.4e-3, factor * share * 2.1e-3)
+        with nullcontext() if possible else pytest.raises(InputError, match="too wide"):
+            pair_mesh(contact, recipe=recipe, level=1, semi_axes=axes)
+
+
+@pytest.mark.parametrize("clearance", [0.5e-6, 10e-6, 0.2e-3])
+def test_a_conformal_pocket_is_meshed_up_to_its_limit_and_refused_beyond(clearance: float) -> None:
+    """The limit is below a third of the ball's radius; on all levels, with the larger block."""
+    cage = replace(STAMPED_CAGE, pocket_diameter=BEARING_6205.ball_diameter + clearance)
+    contact, recipe = pocket_contact(BEARING_6205, cage, load=5.0), load_recipe("race")
+    limit = widest_on_race(contact) / recipe.patch.margin_size
+    assert 0.3 * contact.ball_radius < limit < contact.ball_radius / 3
+    for level in recipe.levels[:3]:
+        within = pair_mesh(contact, recipe=recipe, level=level, semi_axes=(0.99 * limit, 0.99 * limit), extended=True)
+        assert all(mesh_quality(body.mesh).valid for body in (within.upper, within.lower))
+    with pytest.raises(InputError, match=r"^pocket: 5 N .* about \S+ N\. Lower the load, or raise pocket_clearance"):
+        pair_mesh(contact, recipe=recipe, level=1, semi_axes=(1.01 * limit, 1.01 * limit))
 
 
 def test_a_folded_cell_is_detected_and_located(contacts: dict[str, Contact]) -> None:
@@ -262,3 +292,18 @@ def test_a_mesh_with_a_folded_cell_is_refused(contacts: dict[str, Contact]) -> N
     with pytest.raises(InputError, match=r"cell \d+ of the ball.* inside out at .* recipe race") as caught:
         pair_mesh(contacts["outer"], recipe=wide, level=2, semi_axes=SEMI_AXES["outer"])
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("level", [1, 2])
+def test_the_flat_ball_has_the_columns_and_the_layers_of_the_ball(contacts: dict[str, Contact], level: int) -> None:
+    """Seen along the load both have the same nodes; on the axis of the load they lie at the same depths."""
+    contact, recipe = contacts["inner"], load_recipe("race")
+    ball = pair_mesh(contact, recipe=recipe, level=level, semi_axes=SEMI_AXES["inner"]).upper
+    flat = flat_ball(block_of_ball(contact, recipe, level, Footprint(semi_axes=SEMI_AXES["inner"])))
+    np.testing.assert_array_equal(ball.mesh.t, flat.mesh.t)
+    scale = ROUND_OFF * contact.ball_radius
+    np.testing.assert_allclose(flat.mesh.doflocs[:2], ball.mesh.doflocs[:2], rtol=0, atol=scale)
+    assert np.abs(flat.mesh.doflocs[2, flat.surface]).max() < scale
+    axis = np.hypot(*ball.mesh.doflocs[:2]) < scale
+    np.testing.assert_allclose(flat.mesh.doflocs[2, axis], ball.mesh.doflocs[2, axis], rtol=0, atol=scale)
+    assert mesh_quality(flat.mesh).valid

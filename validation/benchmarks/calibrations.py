@@ -24,8 +24,8 @@ from fembearing.fem.solution import GOOD_GUESS, condensed_pair, fitted_solution,
 from fembearing.grid_convergence import FINEST, HALF
 from fembearing.mesh.recipe import load_recipe
 from fembearing.verify.contact.hertz import hertz_quantities
-from fembearing.verify.contact.load_series import OFF_MESH
 from fembearing.verify.contact.mesh_refinement import COMPARED, FORMAL_ORDERS, STRIP_LEAST
+from fembearing.verify.contact.uncertainty import OFF_MESH
 from validation.benchmarks.intervals import random_contact
 
 SIZES = np.linspace(0.65, 1.35, 33)  # size of an ellipse over the size for which its mesh is made

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 
 from fembearing.quantities import METRIC, MICRO, STIFFNESS, STRESSES, TANGENT, Units
-from fembearing.report.contact import ContactRecord
+from fembearing.report.contact import ContactRecord, sheet_in_series
 from fembearing.report.phrases import (
     AXES,
     capital,
@@ -19,6 +19,7 @@ from fembearing.report.phrases import (
 from fembearing.report.report import Report
 from fembearing.report.tables.table import Group, Head, Row, Table, table_of
 from fembearing.verify.contact.load_series import LoadSeries
+from fembearing.verify.contact.pocket_law import PocketLaw
 from fembearing.verify.contact.subsurface import SubsurfaceComparison
 
 OFF = "Hertz/FE-1"  # Hertz's over finite elements, less one
@@ -104,7 +105,14 @@ def pocket_table(contacts: Sequence[ContactRecord], units: Units = METRIC) -> Ta
         for model, values, uncertainty in models
     ]
     load = units.force.written(contacts[-1].load, ".4g")
-    return table_of(f"Cage pocket: F = K_pb delta^1.5, at {load}", heads, rows)
+    series = sheet_in_series(*contacts[2:])
+    notes = []
+    if series is not None:
+        sheet = units.tangent.written(series.stiffness, ".4g")
+        notes.append(
+            f"In series with the seat the sheet has {sheet} +- {series.uncertainty:.2%}: cage.sheet_stiffness."
+        )
+    return table_of(f"Cage pocket: F = K_pb delta^1.5, at {load}", heads, rows, notes)
 
 
 def subsurface_table(below: SubsurfaceComparison) -> Table:
@@ -160,6 +168,21 @@ def _law(series: LoadSeries) -> Iterator[str]:
         f"F = K delta^n: K {stiffness}, n {exponent} by finite elements; "
         f"{STIFFNESS.written(series.hertz_stiffness, '.5g')} and 1.5 by Hertz."
     )
+    if series.pocket_law is not None:
+        yield from _sheet_law(series.pocket_law, largest=max(point.load for point in series.points))
+
+
+def _sheet_law(law: PocketLaw, *, largest: float) -> Iterator[str]:
+    """The law of the sheet of a pocket, and the keys of a scene that take it; largest : load of the series, N."""
+    local, sheet = STIFFNESS.written(law.stiffness, ".5g"), TANGENT.written(law.sheet, ".5g")
+    if law.stiffness_uncertainty is not None:
+        local += f" +- {law.stiffness_uncertainty:.2%}"
+    if law.sheet_uncertainty is not None:
+        sheet += f" +- {law.sheet_uncertainty:.2%}"
+    contact = MICRO.written((largest / law.stiffness) ** (2 / 3), ".4g")
+    yield f"delta = (F/K)^(2/3) + F/k, contact and sheet in series: K {local}, k {sheet}. In a scene:"
+    yield f'cage.pocket_approach = {{ load = "{largest:.4g} N", approach = "{contact}" }}'
+    yield f'cage.sheet_stiffness = "{TANGENT.written(law.sheet, ".4g")}"'
 
 
 def _series_notes(series: LoadSeries) -> Iterator[str]:

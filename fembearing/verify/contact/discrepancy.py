@@ -30,7 +30,13 @@ from fembearing.verify.contact.reference import solve_reference
 from fembearing.verify.contact.ring import RingStructure, structure_of_ring
 from fembearing.verify.contact.scene_contact import Shape, as_meshed, contact_of, recipe_of, traced_to_load
 from fembearing.verify.contact.verdict import Verdict, could_be_decided, verdict_on, worst
-from fembearing.verify.contact.warnings import near_shoulder, sheet_warning, shoulder_warning, solve_warnings
+from fembearing.verify.contact.warnings import (
+    annular_warning,
+    near_shoulder,
+    sheet_warning,
+    shoulder_warning,
+    solve_warnings,
+)
 from fembearing.verify.memory import peak_memory
 
 SHOWN_OF_A_SHEET = ("approach",)  # what its bending changes; the stiffness follows from it
@@ -312,8 +318,10 @@ def compare_contact(
     )
     meshes, estimates = reference.meshes, reference.estimates
     overrun = near_shoulder(meshes[-1], contact)
+    annular = annular_warning(meshes[-1], hertz=hertz.peak_pressure) if thin else ""
     warnings = (
         *((sheet_warning(contact),) if thin else ()),
+        *((annular,) if annular else ()),
         *((shoulder_warning(contact, reference),) if overrun else ()),
         *solve_warnings([(meshes[-1], estimates)], accuracy=accuracy, quantities=quantities, thin=thin),
     )

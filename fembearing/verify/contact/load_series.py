@@ -1,14 +1,15 @@
 """A contact under many loads: its stiffness law F = K delta^n by finite elements, and Hertz's F = K delta^1.5.
 
-F: load, N; delta: approach, m. Each approach comes from the second and third level of a recipe, with value and
-uncertainty as for a single contact. Loads share meshes, and a load whose ellipse differs from that of its mesh is more
-uncertain: see `OFF_MESH`. A load whose approach is then too uncertain for the required accuracy is solved again on its
-own meshes.
+F: load, N; delta: approach, m. Loads of a true shape that end before the shoulder are solved by the compliance of the
+pair, see `fembearing.verify.contact.compliance_series`. Each other approach comes from the second and third level of a
+recipe, with value and uncertainty as for a single contact. These loads share meshes, and a load whose ellipse differs
+from that of its mesh is more uncertain: see `OFF_MESH`. A load whose approach is then too uncertain for the required
+accuracy is solved again on its own meshes.
 """
 
 import time
 from collections.abc import Iterator
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -19,20 +20,25 @@ from analytic.errors import InputError, require_non_negative
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.scene import Contact, Pair, Scene
 from analytic.scenefile.by_name import Given, with_tolerance
+from fembearing.fem.pixel_contact import PixelSolution
 from fembearing.fem.series import checked_loads, off_mesh, on_level, solve_series
 from fembearing.fem.solution import MeshSolution
 from fembearing.grid_convergence import Estimate
 from fembearing.mesh.recipe import Geometry, Recipe
 from fembearing.progress import Progress, part_of, silent
 from fembearing.verify.contact.columns import COLUMNS, VERDICT, require_finite_results
+from fembearing.verify.contact.compliance_series import ends_before_shoulder, pair_series
 from fembearing.verify.contact.hertz import hertz_quantities
-from fembearing.verify.contact.mesh_refinement import estimates_of
+from fembearing.verify.contact.mesh_refinement import Estimates, estimates_of
 from fembearing.verify.contact.meshed_region import Boundary, boundary_effect, has_boundary, has_sides, with_sides
+from fembearing.verify.contact.pocket_law import PocketLaw, fit_pocket_law
 from fembearing.verify.contact.power_law import LawData, StiffnessLaw, fit_law, fit_tangents
 from fembearing.verify.contact.reference import solve_reference
 from fembearing.verify.contact.scene_contact import Shape, as_meshed, contact_of, recipe_of, traced_to_load
+from fembearing.verify.contact.uncertainty import OFF_FROM, OFF_MESH
 from fembearing.verify.contact.verdict import Verdict, could_be_decided, verdict_on, worst
 from fembearing.verify.contact.warnings import (
+    annular_warning,
     near_shoulder,
     series_shoulder_warning,
     sheet_warning,
@@ -41,19 +47,12 @@ from fembearing.verify.contact.warnings import (
 )
 from fembearing.verify.memory import peak_memory
 
-# Where the edge of an ellipse crosses cells made for another ellipse, the error of the approach oscillates with the
-# load, alike on all levels. On 14 idealised contacts at 33 sizes from 0.65 to 1.35 of the mesh's it exceeded the
-# error that the levels show by 0.21 % in 95 of 100 and 0.43 % at worst (validation/benchmarks/calibrations.py); it is
-# smaller where the ellipse is close to the mesh's.
-OFF_MESH = 3e-3
-OFF_FROM = 0.1  # difference of the ellipses, in semi-axes, from which OFF_MESH applies in full; in proportion below
-
 
 class SolvedLoad(NamedTuple):
     """One load of a series."""
 
-    mesh: MeshSolution  # on the finest level
-    approach: Estimate
+    mesh: MeshSolution | PixelSolution  # on the finest level
+    estimates: Estimates  # of the approach, and of the other quantities where the compliance of the pair gives them
     off_mesh: float  # relative, the part of the approach's uncertainty by `OFF_MESH`
 
 
@@ -63,6 +62,7 @@ class LoadPoint:
 
     load: float  # N
     approach: Estimate  # m
+    others: Estimates  # semi-axes, peak pressure and stiffness, where the compliance of the pair gives them; else empty
     hertz_approach: float  # m
     tangent: float | None  # by finite elements; None for a single load
     tangent_uncertainty: float | None  # None without a third load, which shows the deviation from a power law
@@ -74,6 +74,7 @@ class LoadPoint:
             "approach": self.approach.value,
             "uncertainty of the approach": self.approach.total,
             "approach by Hertz": self.hertz_approach,
+            **{name: part.value for name, part in self.others.items()},
             "tangent": self.tangent,
             "uncertainty of the tangent": self.tangent_uncertainty,
         }
@@ -99,8 +100,10 @@ class LoadSeries(Brief):
     tolerance: float  # of the verdicts, relative
     points: tuple[LoadPoint, ...]
     law: StiffnessLaw | None  # None for a single load
+    pocket_law: PocketLaw | None  # of the sheet of a pocket under two loads or more; else None
     hertz_stiffness: float  # K of Hertz, N/m^1.5
-    solutions: tuple[MeshSolution, ...]  # on the finest level, in the order of the points
+    solutions: tuple[MeshSolution | PixelSolution, ...]  # on the finest level, in the order of the points
+    meshes: int  # number of meshes of one level that the loads share
     seconds: float
     peak_memory: int | None  # of the process when the series was solved, bytes
     warnings: tuple[str, ...]  # one line each
@@ -108,11 +111,6 @@ class LoadSeries(Brief):
     def _facts(self) -> Iterator[str]:
         yield from (self.contact.pair, self.geometry, f"{span([point.load for point in self.points])} N")
         yield from (f"{len(self.points)} loads", self.shown_verdict)
-
-    @property
-    def meshes(self) -> int:
-        """Number of meshes of one level that the loads share."""
-        return len({id(part.bodies) for part in self.solutions})
 
     @property
     def judged(self) -> bool:
@@ -128,41 +126,6 @@ class LoadSeries(Brief):
     def shown_verdict(self) -> str:
         """The verdict; "shown" for a contact that is not judged."""
         return self.verdict if self.judged else "shown"
-
-    def to_json(self) -> dict[str, Any]:
-        """The series as plain types, SI; discrepancies and uncertainties are relative, except the exponent's."""
-        law = None
-        if self.law is not None:
-            law = asdict(self.law) | {"exponent_uncertainty": self.law.exponent_uncertainty}
-        return {
-            "pair": self.contact.pair,
-            "geometry": self.geometry,
-            "contact_angle": self.contact.contact_angle,
-            "loads": [
-                {
-                    "load": point.load,
-                    "approach": {
-                        "fe": point.approach.value,
-                        "uncertainty": point.approach.total,
-                        "hertz": point.hertz_approach,
-                        "discrepancy": point.discrepancy,
-                        "values": list(point.approach.values),
-                    },
-                    "tangent": {
-                        "fe": point.tangent,
-                        "uncertainty": point.tangent_uncertainty,
-                        "hertz": point.hertz_tangent,
-                    },
-                    "verdict": point.verdict,
-                }
-                for point in self.points
-            ],
-            "law": law,
-            "hertz_law": {"stiffness": self.hertz_stiffness, "exponent": 1.5},
-            "verdict": self.shown_verdict,
-            "cost": {"seconds": self.seconds, "meshes": self.meshes, "peak_memory": self.peak_memory},
-            "warnings": list(self.warnings),
-        }
 
     def to_dataset(self) -> Any:
         """An xarray.Dataset over the loads, SI, with units and meanings as attributes."""
@@ -265,7 +228,7 @@ def compare_series(
     accuracy: float | None = None,
     progress: Progress = silent,
 ) -> LoadSeries:
-    """Solve `contact` under each of `loads`, (n,) N, on the second and third level of `recipe`.
+    """Solve `contact` under each of `loads`, (n,) N, by the compliance of the pair or on two levels of `recipe`.
 
     tolerance : relative, for the verdict;  accuracy : of each approach, relative; the tolerance unless given
     A load whose approach misses the accuracy, or whose verdict is undecided, is solved again on its own meshes.
@@ -274,49 +237,40 @@ def compare_series(
     accuracy = tolerance if accuracy is None else accuracy
     contact = as_meshed(contact, recipe=recipe)
     given = checked_loads(loads)
-    middle, fine = recipe.levels[1:3]
-    progress(0.0, f"{contact.pair}: {given.size} loads")
-    second = solve_series(contact, recipe=recipe, level=middle, loads=given)
-    progress(0.3, f"{contact.pair}: far boundary")
-    bounded = has_boundary(second[0], recipe=recipe)
-    larger = on_level(second, recipe=recipe, level=middle, extended=True) if bounded else (None,) * given.size
-    # Where one load needs the true sides all get them; a mesh that is cut off is half of the contact already.
-    sided = any(has_sides(part, recipe=recipe) for part in second)
-    both = [
-        on_level(second, recipe=recipe, level=middle, sides=side) if sided else (None,) * given.size
-        for side in ("above", "below")
-    ]
-    progress(0.5, f"{contact.pair}: level {fine}")
-    third = on_level(second, recipe=recipe, level=fine)
-    solved = {
-        parts[1].contact.load: SolvedLoad(parts[1], _approach(*parts), off_mesh_uncertainty(parts[1]))
-        for parts in zip(second, third, larger, *both, strict=True)
-    }
+    solved, meshes = _solved(contact, recipe=recipe, loads=sorted(set(given.tolist())), progress=progress)
     solved |= _refined(
         solved, recipe=recipe, tolerance=tolerance, accuracy=accuracy, progress=part_of(progress, 0.6, 1.0)
     )
-    third, approaches, off = zip(*(solved[load] for load in given.tolist()), strict=True)
+    finest, estimates, off = zip(*(solved[load] for load in given.tolist()), strict=True)
+    approaches = [part["approach"] for part in estimates]
     data = LawData.of(given, approaches, off)
     law = fit_law(data)
     tangents = [(None, None)] * given.size if law is None else fit_tangents(data, given, approaches)
     thin = recipe.geometry == "wall"
-    over = [part.contact.load for part in third if near_shoulder(part, contact)]
-    every = [(part, {"approach": approach}) for part, approach in zip(third, approaches, strict=True)]
+    over = [part.contact.load for part in finest if near_shoulder(part, contact)]
+    heaviest = finest[int(given.argmax())]
+    annular = ""
+    if thin and isinstance(heaviest, MeshSolution):  # a sheet is solved on meshes
+        annular = annular_warning(heaviest, hertz=hertz_quantities(heaviest.contact).peak_pressure)
+    every = [(part, {"approach": approach}) for part, approach in zip(finest, approaches, strict=True)]
     return LoadSeries(
-        contact=third[0].contact,
+        contact=finest[0].contact,
         geometry=recipe.geometry,
         tolerance=tolerance,
         points=tuple(
             _point_of(*each, tolerance=tolerance, valid=not thin and each[0].contact.load not in over)
-            for each in zip(third, approaches, tangents, strict=True)
+            for each in zip(finest, estimates, tangents, strict=True)
         ),
         law=law,
-        hertz_stiffness=hertz_quantities(third[0].contact).stiffness,
-        solutions=third,
+        pocket_law=fit_pocket_law(data) if thin else None,
+        hertz_stiffness=hertz_quantities(finest[0].contact).stiffness,
+        solutions=finest,
+        meshes=meshes,
         seconds=time.perf_counter() - start,
         peak_memory=peak_memory(),
         warnings=(
             *((sheet_warning(contact),) if thin else ()),
+            *((annular,) if annular else ()),
             *((series_shoulder_warning(contact, load=min(over)),) if over else ()),
             *solve_warnings(every, accuracy=accuracy, quantities=("approach",), thin=thin),
             *((two_loads_warning(contact),) if law is not None and not data.redundant else ()),
@@ -324,17 +278,71 @@ def compare_series(
     )
 
 
+def _solved(
+    contact: Contact, *, recipe: Recipe, loads: list[float], progress: Progress
+) -> tuple[dict[float, SolvedLoad], int]:
+    """Each of `loads`, and the number of meshes of one level.
+
+    loads : N, ascending, each once
+    Two loads or more of a true shape that end before the shoulder share the compliance of the pair.
+    """
+    progress(0.0, f"{contact.pair}: {len(loads)} loads")
+    shared = []
+    if recipe.geometry == "real":
+        shared = [load for load in loads if ends_before_shoulder(replace(contact, load=load))]
+    if len(shared) < 2:
+        return _on_shared_meshes(contact, recipe=recipe, loads=loads, progress=progress)
+    series = pair_series(contact, recipe=recipe, loads=shared)
+    progress(0.4, f"{contact.pair}: {len(shared)} loads by the compliance of the pair")
+    solved = {load: SolvedLoad(*series.under(load), 0.0) for load in shared}
+    others, meshes = {}, 0
+    if len(shared) < len(loads):
+        over = [load for load in loads if load not in solved]
+        others, meshes = _on_shared_meshes(contact, recipe=recipe, loads=over, progress=progress)
+    return solved | others, len(series.sampled) + meshes
+
+
+def _on_shared_meshes(
+    contact: Contact, *, recipe: Recipe, loads: list[float], progress: Progress
+) -> tuple[dict[float, SolvedLoad], int]:
+    """Each of `loads` on plain levels, and the number of meshes of one level; arguments as above."""
+    middle, fine = recipe.levels[1:3]
+    second = solve_series(contact, recipe=recipe, level=middle, loads=loads)
+    progress(0.3, f"{contact.pair}: far boundary")
+    bounded = has_boundary(second[0], recipe=recipe)
+    larger = on_level(second, recipe=recipe, level=middle, extended=True) if bounded else (None,) * len(loads)
+    # Where one load needs the true sides all get them; a mesh that is cut off is half of the contact already.
+    sided = any(has_sides(part, recipe=recipe) for part in second)
+    both = [
+        on_level(second, recipe=recipe, level=middle, sides=side) if sided else (None,) * len(loads)
+        for side in ("above", "below")
+    ]
+    progress(0.5, f"{contact.pair}: level {fine}")
+    third = on_level(second, recipe=recipe, level=fine)
+    solved = {
+        parts[1].contact.load: SolvedLoad(parts[1], {"approach": _approach(*parts)}, off_mesh_uncertainty(parts[1]))
+        for parts in zip(second, third, larger, *both, strict=True)
+    }
+    return solved, len({id(part.bodies) for part in third})
+
+
 def _point_of(
-    part: MeshSolution, approach: Estimate, tangent: tuple[float | None, float | None], *, tolerance: float, valid: bool
+    part: MeshSolution | PixelSolution,
+    estimates: Estimates,
+    tangent: tuple[float | None, float | None],
+    *,
+    tolerance: float,
+    valid: bool,
 ) -> LoadPoint:
     """One load of the series.
 
-    part : on the finest mesh;  tangent : stiffness and its uncertainty;  valid : whether Hertz can be judged there
+    part : on the finest level;  tangent : stiffness and its uncertainty;  valid : whether Hertz can be judged there
     """
-    formula = hertz_quantities(part.contact).approach
+    formula, approach = hertz_quantities(part.contact).approach, estimates["approach"]
     return LoadPoint(
         load=part.contact.load,
         approach=approach,
+        others={name: each for name, each in estimates.items() if name != "approach"},
         hertz_approach=formula,
         tangent=tangent[0],
         tangent_uncertainty=tangent[1],
@@ -352,8 +360,8 @@ def _refined(
         return recipe.geometry != "wall" and could_be_decided(formula, part, tolerance=tolerance)
 
     refined = {}
-    for number, (load, (mesh, part, _)) in enumerate(solved.items()):
-        contact = mesh.contact
+    for number, (load, (mesh, estimates, _)) in enumerate(solved.items()):
+        contact, part = mesh.contact, estimates["approach"]
         decided = mesh.shoulder is not None or not undecided(part, contact)  # at a shoulder Hertz is not judged
         if part.mesh <= max(accuracy - part.domain, part.domain / 2) and decided:
             continue
@@ -368,7 +376,7 @@ def _refined(
             )
         except InputError:  # an ellipse too wide for its own mesh: the result on its neighbour's stays
             continue
-        refined[load] = SolvedLoad(single.meshes[-1], single.estimates["approach"], 0.0)
+        refined[load] = SolvedLoad(single.meshes[-1], single.estimates, 0.0)
     return refined
 
 
@@ -387,5 +395,5 @@ def _approach(
     estimate = estimates_of((second, third))["approach"]
     boundary = {"approach": Boundary()} if larger is None else boundary_effect(second, larger)
     if above is not None and below is not None:
-        boundary = with_sides(boundary, second, above, below)
+        boundary = with_sides(boundary, second, above, below, farther=None)
     return replace(estimate, mesh=estimate.mesh + off_mesh_uncertainty(third), **vars(boundary["approach"]))

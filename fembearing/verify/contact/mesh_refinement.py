@@ -10,7 +10,14 @@ from fembearing.grid_convergence import FINEST, HALF, LEAST, UNSTEADY, Estimate,
 from fembearing.mesh.recipe import Recipe
 from fembearing.progress import Progress
 from fembearing.verify.contact.mesh_seconds import about, predicted_seconds
-from fembearing.verify.contact.meshed_region import each_side, far_boundary, has_sides, measured, with_sides
+from fembearing.verify.contact.meshed_region import (
+    each_side,
+    far_boundary,
+    has_sides,
+    measured,
+    sides_farther,
+    with_sides,
+)
 
 Estimates = dict[str, Estimate]
 # How the error of the meshes was removed: by twins of half spaces on the same cells, or by extrapolation alone
@@ -66,7 +73,8 @@ def solve_by_levels(
     progress(0.2, f"{contact.pair}: far boundary")
     boundary = far_boundary(second, recipe=recipe)
     if has_sides(second, recipe=recipe):
-        boundary = with_sides(boundary, second, *each_side(second, recipe=recipe))
+        farther = sides_farther(contact, recipe=recipe, level=recipe.levels[0], semi_axes=second.pair.semi_axes)
+        boundary = with_sides(boundary, second, *each_side(second, recipe=recipe), farther=farther)
     first = solve_on_mesh(contact, recipe=recipe, level=recipe.levels[0], semi_axes=second.pair.semi_axes)
     meshes, estimates = [first, second], {}
     allowed = {name: max(accuracy - boundary[name].domain, boundary[name].domain / 2) for name in quantities}

@@ -3,32 +3,38 @@
 What the true contact differs in is computed once, on one level, and corrects every quantity.
 """
 
+import math
 from dataclasses import asdict, dataclass, replace
+from functools import partial
 
+import numpy as np
+
+from analytic.errors import InputError
+from analytic.scene import Contact
 from fembearing.fem.solution import MeshSolution, solve_on_mesh
 from fembearing.fem.twin import TwinSolution, twin_factors
 from fembearing.grid_convergence import FINEST
 from fembearing.mesh.footprint import is_symmetric
 from fembearing.mesh.recipe import Recipe
+from fembearing.verify.contact.uncertainty import (
+    FARTHER_LEFT,
+    LEFT_BY_MESHES,
+    LEFT_BY_TWIN,
+    LEFT_WITH_TWIN,
+    SIDES_COARSE,
+    SIDES_LEFT,
+    SIDES_LEFT_IN_OTHERS,
+    STEEP,
+    STIFFNESS,
+    UNCERTAIN,
+)
 
 # The effect of the far boundary on the pressure falls with this power of the block's size: a block twice as large shows
-# 0.45 to 0.85 of it, over blocks up to eight times as large (validation/correction/far_boundary.py). Half of it stays
-# as uncertainty.
-FADING, UNCERTAIN = 1.6, 0.5
+# 0.45 to 0.85 of it, over blocks up to eight times as large (validation/correction/far_boundary.py).
+FADING = 1.6
 # The approach has no limit: it changes with the logarithm of the size, in a seat too. It is that of the larger block,
-# about 8 major semi-axes wide. The cells outside leave this share of the change between the blocks open; without twins
-# all cells do.
+# about 8 major semi-axes wide.
 UP_TO_LARGER = ("approach", "stiffness")
-LEFT_WITH_TWIN, LEFT_BY_MESHES = 0.25, 0.5
-# Share of what the twins correct in the change between the blocks that stays as uncertainty.
-LEFT_BY_TWIN = 0.1
-# The effect of the true sides, on the second level, differs from that on the third by at most these shares of the
-# largest effect, which is that on the approach, and SIDES_COARSE (b/r)^2: on 26 contacts with shoulders 1.13 to 2
-# semi-axes away.
-SIDES_COARSE = 1e-3
-SIDES_LEFT = {"semi_axis_rolling": 0.15, "semi_axis_transverse": 0.15, "peak_pressure": 0.15, "approach": 0.3}
-STIFFNESS = 1.5  # relative change of load/approach^1.5 over that of the approach
-SIDES_LEFT_IN_OTHERS = STIFFNESS * SIDES_LEFT["approach"]
 # Bound on that effect over (b/r)^2 b/s, where s is the distance of the nearer shoulder; below a tenth of the least
 # uncertainty claimed it is not computed.
 SIDES_BOUND, SIDES_LEAST = 0.1, 0.1 * FINEST
@@ -56,13 +62,16 @@ def far_boundary(mesh: MeshSolution, *, recipe: Recipe) -> dict[str, Boundary]:
 
 def has_sides(mesh: MeshSolution, *, recipe: Recipe) -> bool:
     """Whether a quarter stands for a contact whose sides differ, by more than a tenth of the least uncertainty."""
-    if mesh.pair.footprint.half or is_symmetric(mesh.contact) or recipe.geometry != "real":
+    if mesh.pair.footprint.half or recipe.geometry != "real":
         return False
-    transverse = mesh.pair.semi_axes[1]
-    return (
-        SIDES_BOUND * (transverse / mesh.contact.ball_radius) ** 2 * transverse
-        > SIDES_LEAST * mesh.contact.nearer_shoulder
-    )
+    return sides_matter(mesh.contact, transverse=mesh.pair.semi_axes[1])
+
+
+def sides_matter(contact: Contact, *, transverse: float) -> bool:
+    """Whether the sides of an uncut contact of a transverse semi-axis, m, change it by more than that tenth."""
+    if is_symmetric(contact):
+        return False
+    return SIDES_BOUND * (transverse / contact.ball_radius) ** 2 * transverse > SIDES_LEAST * contact.nearer_shoulder
 
 
 def each_side(mesh: MeshSolution, *, recipe: Recipe) -> list[MeshSolution]:
@@ -75,20 +84,71 @@ def each_side(mesh: MeshSolution, *, recipe: Recipe) -> list[MeshSolution]:
     ]
 
 
+def sides_farther(contact: Contact, *, recipe: Recipe, level: int, semi_axes: tuple[float, float]) -> float | None:
+    """Relative change of the approach by the true sides on the larger block, over that on the block of an ellipse, m.
+
+    None where the larger block cannot be meshed with them.
+    """
+    solved = partial(solve_on_mesh, contact, recipe=recipe, level=level, semi_axes=semi_axes)
+    even = solved()
+    try:
+        larger, *both = (
+            [solved(sides=side, extended=extended, upper=even.upper).quantities.approach for extended in (False, True)]
+            for side in ("even", "above", "below")
+        )
+    except InputError:
+        return None
+    by_sides = np.mean(both, axis=0) / larger
+    return float(by_sides[1] / by_sides[0] - 1)
+
+
 def with_sides(
-    boundary: dict[str, Boundary], mesh: MeshSolution, above: MeshSolution, below: MeshSolution
+    boundary: dict[str, Boundary],
+    mesh: MeshSolution,
+    above: MeshSolution,
+    below: MeshSolution,
+    *,
+    farther: float | None,
+    left: float = FARTHER_LEFT,
 ) -> dict[str, Boundary]:
     """The same with the effect of the true sides, from a quarter with each of them on the cells of `mesh`.
 
     Shoulders and lands of both sides change the contact by less than 0.3 %, and to first order each by itself: half of
     the contact gives the mean of the two quarters to 0.0015 % (validation/correction/sides.py).
+    farther : from `sides_farther`
+    left : share of it that stays as uncertainty
     """
     even, *both = (measured(part) for part in (mesh, above, below))
     sides = {name: (both[0][name] + both[1][name]) / (2 * value) - 1 if value else 0.0 for name, value in even.items()}
+    return with_effect_of_sides(
+        boundary, sides, mesh.contact, transverse=mesh.pair.semi_axes[1], farther=farther, left=left
+    )
+
+
+def with_effect_of_sides(
+    boundary: dict[str, Boundary],
+    sides: dict[str, float],
+    contact: Contact,
+    *,
+    transverse: float,
+    farther: float | None,
+    left: float = FARTHER_LEFT,
+) -> dict[str, Boundary]:
+    """The same with a known effect of the true sides, relative, on a contact of a transverse semi-axis, m."""
     largest = max(abs(sides[name]) for name in SIDES_LEFT)
-    coarse = SIDES_COARSE * (mesh.pair.semi_axes[1] / mesh.contact.ball_radius) ** 2
-    left = {name: SIDES_LEFT.get(name, SIDES_LEFT_IN_OTHERS) * largest + coarse for name in boundary}
-    return {name: replace(part, sides=sides[name], domain=part.domain + left[name]) for name, part in boundary.items()}
+    coarse = SIDES_COARSE * (transverse / contact.ball_radius) ** 2
+    unknown = STEEP * abs(math.sin(contact.contact_angle)) if farther is None else left * abs(farther)
+    found = {}
+    for name, part in boundary.items():
+        power = {"approach": 1.0, "stiffness": -STIFFNESS}.get(name, 0.0)  # the other quantities are those of the block
+        of_block = SIDES_LEFT.get(name, SIDES_LEFT_IN_OTHERS) * largest
+        found[name] = replace(
+            part,
+            sides=(1 + sides[name]) * (1 + (farther or 0.0)) ** power - 1,
+            # Sides and lands come from different blocks and levels: their errors are independent.
+            domain=part.domain + math.hypot(of_block, power * unknown) + coarse,
+        )
+    return found
 
 
 def has_boundary(mesh: MeshSolution, *, recipe: Recipe) -> bool:
@@ -102,7 +162,7 @@ def boundary_effect(mesh: MeshSolution, larger: MeshSolution) -> dict[str, Bound
     The larger block shows a part of the effect on the pressure; the rest follows from the power with which it falls.
     The approach is defined as that of the larger block.
     """
-    return _effects(_changes(measured(mesh), measured(larger)), growth=_growth(mesh, larger), left=LEFT_BY_MESHES)
+    return effects(changes(measured(mesh), measured(larger)), growth=_growth(mesh, larger), left=LEFT_BY_MESHES)
 
 
 def boundary_effect_with_twin(solution: TwinSolution, *, recipe: Recipe) -> dict[str, Boundary]:
@@ -110,11 +170,11 @@ def boundary_effect_with_twin(solution: TwinSolution, *, recipe: Recipe) -> dict
     mesh, larger = solution.mesh, _larger(solution.mesh, recipe=recipe)
     after = TwinSolution(mesh=larger, factors=twin_factors(larger, recipe=recipe, extended=True)).corrected
     growth = _growth(mesh, larger)
-    effects = _effects(_changes(solution.corrected, after), growth=growth, left=LEFT_WITH_TWIN)
-    plain = _effects(_changes(measured(mesh), measured(larger)), growth=growth, left=LEFT_WITH_TWIN)
+    found = effects(changes(solution.corrected, after), growth=growth, left=LEFT_WITH_TWIN)
+    plain = effects(changes(measured(mesh), measured(larger)), growth=growth, left=LEFT_WITH_TWIN)
     return {
         name: replace(part, domain=part.domain + LEFT_BY_TWIN * abs(part.beyond - plain[name].beyond))
-        for name, part in effects.items()
+        for name, part in found.items()
     }
 
 
@@ -124,8 +184,8 @@ def _larger(mesh: MeshSolution, *, recipe: Recipe) -> MeshSolution:
     )
 
 
-def _changes(before: dict[str, float], after: dict[str, float]) -> dict[str, float]:
-    """Relative."""
+def changes(before: dict[str, float], after: dict[str, float]) -> dict[str, float]:
+    """Relative, of each quantity."""
     return {name: after[name] / value - 1 if value else 0.0 for name, value in before.items()}
 
 
@@ -135,15 +195,20 @@ def _growth(mesh: MeshSolution, larger: MeshSolution) -> float:
     return further / size
 
 
-def _effects(changes: dict[str, float], *, growth: float, left: float) -> dict[str, Boundary]:
-    effects = {}
-    for name, change in changes.items():
+def effects(relative: dict[str, float], *, growth: float, left: float) -> dict[str, Boundary]:
+    """The effect of the far boundary from relative changes between two blocks.
+
+    growth : size of the larger block over that of the other
+    left : share of the change in the approach that stays as uncertainty
+    """
+    found = {}
+    for name, change in relative.items():
         if name in UP_TO_LARGER:
-            effects[name] = Boundary(beyond=change, domain=left * abs(change))
+            found[name] = Boundary(beyond=change, domain=left * abs(change))
         else:
             whole = change / (1 - growth**-FADING)
-            effects[name] = Boundary(beyond=whole, domain=UNCERTAIN * abs(whole))
-    return effects
+            found[name] = Boundary(beyond=whole, domain=UNCERTAIN * abs(whole))
+    return found
 
 
 def measured(mesh: MeshSolution) -> dict[str, float]:

@@ -1,7 +1,7 @@
 """A contact of true shape from two levels or more, each corrected by its twin of half spaces.
 
-What a twin leaves of a mesh's error falls with nearly the same order as the error itself: it is a tenth of the error on
-the first level and of that on the second. The corrected values of the last two levels are therefore extrapolated.
+What a twin leaves of a mesh's error falls faster than the error itself: it is a tenth of the error on the first level
+and a hundredth on the second. The corrected values of the last two levels are extrapolated.
 """
 
 from collections.abc import Callable, Sequence
@@ -16,22 +16,21 @@ from fembearing.progress import Progress
 from fembearing.verify.contact.mesh_refinement import COMPARED, FORMAL_ORDERS, Estimates, Reference
 from fembearing.verify.contact.mesh_seconds import about, predicted_seconds
 from fembearing.verify.contact.meshed_region import (
-    STIFFNESS,
+    Boundary,
     boundary_effect_with_twin,
     each_side,
     has_sides,
+    sides_farther,
     with_sides,
 )
+from fembearing.verify.contact.uncertainty import FARTHER_LEFT, FARTHER_LEFT_ON_SECOND, with_twin
 
 # Chosen on the calibration contacts of validation/intervals/twin.py, which tests them on others. ORDER: power of the
-# cell size with which the error falls that a twin leaves; that of the transverse semi-axis falls faster.
-ORDER, ORDERS = 3.5, {"semi_axis_transverse": 4.0}
+# cell size with which the error falls that a twin leaves, and those of two quantities that differ.
+ORDER, ORDERS = 4.0, {"semi_axis_transverse": 5.0, "approach": 3.0}
 # In bodies of true shape the error of the approach is that of their twin times 1 + SHAPED (c/r)^2, with the larger
 # semi-axis c and the ball's radius r.
 SHAPED = 0.8
-# The uncertainty: LEAST_WITH_TWIN, CURVED times (c/r)^2 and the largest error that the twin shows, and LEFT times the
-# largest extrapolation of a quantity; UNSTEADY_PRESSURE is added for the peak pressure, which has no steady order.
-LEAST_WITH_TWIN, CURVED, LEFT, UNSTEADY_PRESSURE = 1e-4, 0.6, 0.55, 1e-4
 
 
 def solve_by_twin(
@@ -45,7 +44,8 @@ def solve_by_twin(
 ) -> Reference | None:
     """Solve `contact` on two levels of `recipe` or more, each with its twin; arguments as those of `solve_reference`.
 
-    The effect of the far boundary comes from the first level, and from the second where that is not certain enough.
+    The effects of far boundary and lands come from the first level, and from the second where that is not certain
+    enough.
     None where a twin says nothing: the contact is cut off by a shoulder, or far from the ellipse expected.
     """
     progress(0.0, f"{contact.pair}: size of the contact")
@@ -54,27 +54,34 @@ def solve_by_twin(
     )
     if coarse is None:
         return None
-    progress(0.1, f"{contact.pair}: far boundary")
-    far, on_first = boundary_effect_with_twin(coarse, recipe=recipe), True
-    solutions, both, estimates = [coarse], (), {}
+    solutions, both, boundary, on_first, estimates = [coarse], (), {}, True, {}
+
+    def region(on: TwinSolution, *, left: float) -> dict[str, Boundary]:
+        """The effect of far boundary and true sides; left : share of the lands' that stays as uncertainty."""
+        far = boundary_effect_with_twin(on, recipe=recipe)
+        if not both:
+            return far
+        farther = sides_farther(contact, recipe=recipe, level=on.mesh.level, semi_axes=on.mesh.pair.semi_axes)
+        return with_sides(far, solutions[1].mesh, *both, farther=farther, left=left)
 
     def estimated() -> Estimates:
-        boundary = with_sides(far, solutions[1].mesh, *both) if both else far
         return {name: replace(part, **vars(boundary[name])) for name, part in estimates_with_twin(solutions).items()}
 
     finer = recipe.levels[1:]
     for number, level in enumerate(finer):
         expected = about(predicted_seconds(level, known=solutions[-1].mesh))
-        progress(0.2 + 0.8 * number / len(finer), f"{contact.pair}: level {level}, {expected}")
+        progress(0.1 + 0.9 * number / len(finer), f"{contact.pair}: level {level}, {expected}")
         solution = twin_on_level(contact, recipe=recipe, level=level, start=solutions[-1].ellipse)
         if solution is None:
             return None
-        if solutions == [coarse] and has_sides(solution.mesh, recipe=recipe):
-            both = each_side(solution.mesh, recipe=recipe)
         solutions.append(solution)
+        if not boundary:
+            progress(0.2, f"{contact.pair}: far boundary")
+            both = each_side(solution.mesh, recipe=recipe) if has_sides(solution.mesh, recipe=recipe) else ()
+            boundary = region(coarse, left=FARTHER_LEFT)
         estimates = estimated()
         if on_first and (any(estimates[name].total > accuracy for name in quantities) or undecided(estimates)):
-            far, on_first = boundary_effect_with_twin(solutions[1], recipe=recipe), False
+            boundary, on_first = region(solutions[1], left=FARTHER_LEFT_ON_SECOND), False
             estimates = estimated()
         accurate = all(
             estimates[name].mesh <= max(accuracy - estimates[name].domain, estimates[name].domain / 2)
@@ -101,10 +108,7 @@ def estimates_with_twin(solutions: Sequence[TwinSolution]) -> Estimates:
     limits["approach"] *= 1 + SHAPED * shape * (last.factors.approach - 1)
     limits["stiffness"] = last.mesh.contact.load / limits["approach"] ** 1.5
     shown = max(abs(getattr(last.factors, name) - 1) for name in COMPARED)
-    uncertainty = float(LEAST_WITH_TWIN + CURVED * shape * shown + LEFT * max(steps))
-    mesh = dict.fromkeys(FORMAL_ORDERS, uncertainty)
-    mesh["stiffness"] *= STIFFNESS
-    mesh["peak_pressure"] += UNSTEADY_PRESSURE
+    mesh = with_twin(shape=shape, shown=shown, step=max(steps))
     sizes = [1 / solution.mesh.level for solution in solutions]
     estimates = {}
     for name in FORMAL_ORDERS:

@@ -3,17 +3,22 @@
 import math
 from collections.abc import Sequence
 
+import numpy as np
+
 from analytic.effects.table import STATIC_LIMIT
 from analytic.scene import Contact
 from analytic.words import MILLIMETRE, percent_of, pressure_of
+from fembearing.fem.pixel_contact import PixelSolution
 from fembearing.fem.solution import MeshSolution
 from fembearing.verify.contact.mesh_refinement import Estimates, Reference
 
 EDGE_OF_GROOVE = 1.05  # distance to the shoulder, in semi-axes, below which Hertz no longer applies
-Solved = tuple[MeshSolution, Estimates]  # a load on its finest mesh, and the estimates from all its meshes
+ANNULAR = 0.5  # peak pressure over Hertz's, below which a contact on a sheet is near to a ring
+# A load on its finest mesh or on pixels, and the estimates from all levels
+Solved = tuple[MeshSolution | PixelSolution, Estimates]
 
 
-def near_shoulder(mesh: MeshSolution, contact: Contact) -> bool:
+def near_shoulder(mesh: MeshSolution | PixelSolution, contact: Contact) -> bool:
     """Whether a solved contact reaches its shoulder, or nearly, where Hertz does not apply."""
     return mesh.shoulder is not None or EDGE_OF_GROOVE * mesh.quantities.semi_axis_transverse > contact.nearer_shoulder
 
@@ -37,6 +42,25 @@ def sheet_warning(contact: Contact) -> str:
     return (
         f"{contact.pair}: the sheet of {MILLIMETRE.written(contact.wall.thickness, '.3g')} bends on its rim, which "
         "Hertz's half space does not know: compare with the stiffness, do not judge by it"
+    )
+
+
+def annular_warning(mesh: MeshSolution, *, hertz: float) -> str:
+    """The warning for a sheet that yields under the centre of the contact, where the pressure moves to a ring.
+
+    hertz : peak pressure by Hertz, Pa
+    It is empty where the centre bears half of Hertz's pressure or more.
+    """
+    peak = mesh.quantities.peak_pressure
+    if peak >= ANNULAR * hertz:
+        return ""
+    pressure = np.where(mesh.force > 0, mesh.pressure, 0.0)
+    most = int(np.argmax(pressure))
+    radius = MILLIMETRE.written(float(np.hypot(mesh.x[most], mesh.y[most])), ".3g")
+    return (
+        f"{mesh.contact.pair}: under {mesh.contact.load:g} N the sheet yields at the centre, where "
+        f"{pressure_of(peak)} are {percent_of(peak / hertz, 2)} of Hertz's; the largest pressure is "
+        f"{pressure_of(float(pressure[most]))}, {radius} from there: no quantity describes a ring"
     )
 
 

@@ -2,13 +2,18 @@
 
 import time
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
 from analytic.errors import FembearingError, InputError
 from analytic.scene import Array, Contact
+from fembearing.fem.compliance import pair_compliance
 from fembearing.fem.measure import Quantities
+from fembearing.fem.pixel_contact import press_pair
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
+from fembearing.fem.twin import shared_axes
+from fembearing.mesh.footprint import footprint_of
 from fembearing.mesh.recipe import Recipe
 from fembearing.progress import Progress, silent
 from fembearing.verify.contact.discrepancy import ContactSolution
@@ -27,6 +32,9 @@ DEAR = 10.0  # s: a mesh that takes longer is timed once, to save minutes on a s
 # follows the ellipse, so that all have about the same error. The errors of 16 random contacts were 0.045 to 0.099,
 # 0.0038 to 0.0094, 0.0008 to 0.0020 and 0.0003 to 0.0007; validation/benchmarks/choices.py tests others.
 LEVEL_BOUNDS = {1: 0.105, 2: 0.01, 3: 0.0021, 4: 0.0008}
+# The same of the compliance of a pair: the errors of 19 random races and pockets, seeds 100 to 118 of
+# validation/intervals/twin.py, were up to 0.0052 and 0.0005.
+COMPLIANCE_BOUNDS = {1: 0.008, 2: 0.001}
 
 
 def measured_contact(contact: Contact, *, recipe: Recipe, tolerance: float, progress: Progress = silent) -> Ladder:
@@ -61,9 +69,35 @@ def measured_contact(contact: Contact, *, recipe: Recipe, tolerance: float, prog
         methods.append(_mesh_method(mesh, seconds=seconds, warm_up=warm_up, memory=memory, predicted=expected))
     estimates = estimates_of(meshes) if len(meshes) >= FEWEST else None
     levels = list(methods)
+    methods += _by_compliance(contact, recipe, sized.pair.semi_axes)
     methods += _with_twin(contact, recipe)
     methods += _extrapolated(estimates, levels)
     return ladder_of(_quantity(contact), _reference(meshes, estimates), methods, tolerance=tolerance)
+
+
+def _by_compliance(contact: Contact, recipe: Recipe, semi_axes: tuple[float, float]) -> list[TimedMethod]:
+    """Half spaces on pixels with what the true shapes add, from each coarse level; none without a true shape.
+
+    Under another load of a series the compliance is known, and only its pixels are solved again.
+    """
+    if recipe.geometry != "real" or footprint_of(contact, semi_axes).cut:
+        return []
+
+    def solved(level: int) -> Array:
+        compliance = pair_compliance(contact, recipe=recipe, level=level, semi_axes=shared_axes(semi_axes))
+        return _compared(press_pair(compliance, load=contact.load).quantities)
+
+    bounds = COMPLIANCE_BOUNDS if contact.pair != "pocket" else {}
+    return [
+        timed(
+            UntimedMethod(
+                name=f"compliance of the pair, level {level}",
+                run=partial(solved, level),
+                bound=partial(bounds.get, level, np.inf),
+            )
+        )
+        for level in recipe.levels[:2]
+    ]
 
 
 def _with_twin(contact: Contact, recipe: Recipe) -> list[TimedMethod]:

@@ -157,6 +157,7 @@ class Squeeze:
     room: float  # 2 nabla, m
     creep: float  # lead over force, R_o/(2 G a b C11), m/N
     stiffness: float  # N/m^1.5
+    softness: float = 0.0  # of the sheet, m/N, 0: rigid
     friction: float = 0.0  # mu_c
     grip: tuple[float, float] | None = None  # 2 mu Q at psi = 0 and pi, N: creep saturates; None: it is linear
 
@@ -166,10 +167,15 @@ class Squeeze:
         offset = (state[:9] - state[11])[:, None] * along - state[9:11]
         distance = np.linalg.norm(offset, axis=1)
         normal = offset / distance[:, None]
-        force = self.stiffness * np.maximum(distance - self.room / 2, 0.0) ** 1.5
+        force = self.resisting(np.maximum(distance - self.room / 2, 0.0))
         turned = np.stack([-normal[:, 1], normal[:, 0]], axis=1)
         on_cage = force[:, None] * (normal - self.friction * turned)
         return force, on_cage, np.sum(on_cage * along, axis=1)
+
+    def resisting(self, depth: Array) -> Array:
+        """Force of contact and sheet, N, by a table of the depth that a force takes."""
+        force = np.concatenate([[0.0], np.geomspace(1e-6, 1e4, 4000)])
+        return np.interp(depth, (force / self.stiffness) ** (2 / 3) + force * self.softness, force)
 
     def crept(self, pull: Array, azimuth: Array) -> Array:
         """m per radian of the orbit, at the forces along it."""
@@ -201,14 +207,17 @@ class Squeeze:
 
 
 @pytest.mark.parametrize("friction", [0.0, 0.13])
-@pytest.mark.parametrize("stiffness", [6e10, 5e9])
-def test_the_squeeze_force_is_that_of_a_marched_motion(friction: float, stiffness: float) -> None:
-    squeeze = Squeeze(lead=118.4e-6, room=100e-6, creep=4.0e-7, stiffness=stiffness, friction=friction)
+@pytest.mark.parametrize(("stiffness", "softness"), [(6e10, 0.0), (5e9, 0.0), (6e10, 3e-7)])
+def test_the_squeeze_force_is_that_of_a_marched_motion(friction: float, stiffness: float, softness: float) -> None:
+    squeeze = Squeeze(
+        lead=118.4e-6, room=100e-6, creep=4.0e-7, stiffness=stiffness, softness=softness, friction=friction
+    )
     force = squeeze_force(
         ball_lead=np.array([-1.0, 1.0]) * squeeze.lead,
         room=squeeze.room,
         pocket_friction=friction,
         pocket_stiffness=stiffness,
+        sheet_softness=softness,
         creep_stiffness=29.1e3,
         outer_radius=2 * 29.1e3 * squeeze.creep,
     )

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 from analytic.cage.motion import CageMotion, MotionError
 from analytic.cage.pocket import impact
@@ -73,6 +74,23 @@ def test_impact_force_agrees_with_the_closed_form() -> None:
         np.testing.assert_allclose(largest, exact.force, rtol=3e-3)  # the largest of 40 steps
         forces.append(largest)
     np.testing.assert_allclose(np.log(forces[1] / forces[0]) / np.log(43 / 11), 1.2, atol=3e-3)
+
+
+@pytest.mark.parametrize("softness", [1 / 1.3e8, 1 / 2e6])
+def test_a_sheet_takes_a_share_of_the_energy_of_an_impact(softness: float) -> None:
+    """m v^2/2 = 2/5 F^(5/3)/K^(2/3) + F^2/(2 k): a contact and a sheet that take up the speed of the cage."""
+    cage = replace(
+        CAGE, friction_coefficient=0.0, restitution=1.0, gravity=WEIGHTLESS, orbit_speed=0.0, sheet_softness=softness
+    )
+    motion = CageMotion(cage, begin="sudden")
+    motion.launch(velocity=np.array([0.258, 0.344, 0.0]), angular_velocity=np.zeros(3))
+    largest = motion.advance(1.9 * cage.half_clearance / 0.43).max_force
+    energy = cage.mass / 9 * 0.43**2 / 2
+    force = brentq(
+        lambda f: 0.4 * f ** (5 / 3) / cage.stiffness ** (2 / 3) + f**2 * softness / 2 - energy, 1e-6, 1e6, xtol=1e-9
+    )
+    np.testing.assert_allclose(largest, force, rtol=3e-3)  # the largest of 40 steps or more
+    assert force < 0.95 * impact(mass=cage.mass / 9, speed=0.43, stiffness=cage.stiffness).force
 
 
 @pytest.mark.parametrize("restitution", [0.3, 0.8])

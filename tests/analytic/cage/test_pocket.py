@@ -6,6 +6,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from analytic.cage.pocket import (
+    elastic_force,
     friction_force,
     impact,
     impact_damping,
@@ -54,6 +55,18 @@ def test_both_shells_touch_within_the_offset_of_their_centres() -> None:
     depths, normal = penetration(across, half_clearance=NABLA, centre_offset=OFF)
     assert depths[0] == depths[1]
     np.testing.assert_array_equal(normal[0] * [-1, 1, 1], normal[1])
+
+
+@pytest.mark.parametrize("softness", [1.3e-14, 7.7e-9, 4.1e-5])
+@pytest.mark.parametrize("force", [1.9e-9, 0.31, 28.0, 4.7e4])
+def test_contact_and_sheet_are_springs_in_series(softness: float, force: float) -> None:
+    """From a rigid sheet to one that takes all of the deformation."""
+    depth = (force / 6.1e10) ** (2 / 3) + force * softness
+    np.testing.assert_allclose(elastic_force(6.1e10, softness, depth), force, rtol=1e-12)  # of the last Newton step
+
+
+def test_a_rigid_sheet_leaves_the_force_of_hertz() -> None:
+    assert elastic_force(6.1e10, 0.0, 0.9e-6) == 6.1e10 * 0.9e-6 * np.sqrt(0.9e-6)
 
 
 def bounce(mass: float, speed: float, stiffness: float, damping: float) -> tuple[float, float, float, float]:

@@ -57,7 +57,7 @@ def test_the_closed_form_includes_drag() -> None:
 @pytest.mark.parametrize("ring", ["inner", "outer"])
 def test_the_motion_is_that_of_the_scene(ring: Any) -> None:
     """Every key of the cage reaches the motion. The land is where the circle of the groove reaches the shoulder."""
-    change: dict[str, Any] = {"restitution": 0.37, "drag": 3e-6, "pocket_stiffness": 7.7e9}
+    change: dict[str, Any] = {"restitution": 0.37, "drag": 3e-6, "pocket_stiffness": 7.7e9, "sheet_stiffness": 1.3e8}
     change |= {"pocket_axis": "radial", "gravity": "along", "pocket_depth": 4.05e-3}
     aside = present(with_cage(CAGED, land=Land(ring=ring, clearance=0.3e-3, width=9e-3), **change).cage)
     driven = driven_cage(
@@ -72,7 +72,7 @@ def test_the_motion_is_that_of_the_scene(ring: Any) -> None:
     assert {name: getattr(driven, name) for name in ("restitution", "drag", "pocket_axis")} == {
         name: change[name] for name in ("restitution", "drag", "pocket_axis")
     }
-    assert (driven.stiffness, driven.gravity) == (7.7e9, (0.0, 0.0, -9.80665))
+    assert (driven.stiffness, driven.sheet_softness, driven.gravity) == (7.7e9, 1 / 1.3e8, (0.0, 0.0, -9.80665))
     assert (driven.orbit_speed, driven.ball_speed, driven.ring_speed) == (-16.0, -95.0, -41.0)
     np.testing.assert_allclose([driven.half_clearance, driven.centre_offset], [0.1e-3, 0.02e-3], rtol=1e-9)
     land, bearing = driven.land, CAGED.bearing

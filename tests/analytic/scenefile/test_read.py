@@ -132,6 +132,7 @@ def test_the_motion_of_a_cage_is_read() -> None:
         "steps_per_contact = 57\n"
         'pocket_axis = "radial"\nfriction_coefficient = 0.08\n'
         'pocket_approach = { load = "28 N", approach = "0.9 um" }\n'
+        'sheet_stiffness = "130 N/um"\n'
         'land = { ring = "outer", clearance = "0.3 mm", width = "9 mm" }\n'
     )
     cage = present(scene(PLAIN + "[cage]\n" + text).cage)
@@ -141,6 +142,7 @@ def test_the_motion_of_a_cage_is_read() -> None:
     assert cage.friction_coefficient == 0.08
     assert cage.land == Land(ring="outer", clearance=0.3e-3, width=9e-3)
     assert cage.pocket_stiffness == pytest.approx(28 / 0.9e-6**1.5, rel=1e-12)
+    assert cage.sheet_stiffness == pytest.approx(1.3e8, rel=1e-12)
 
 
 def test_no_lubricant_and_no_surface_is_none() -> None:

@@ -17,6 +17,7 @@ APPROACH = Estimate(values=(5.9e-6, 5.93e-6), order=3.1, richardson=5.94e-6, mes
 POINT = LoadPoint(
     load=372.0,
     approach=APPROACH,
+    others={},
     hertz_approach=6.004e-6,
     tangent=9.4e7,
     tangent_uncertainty=None,  # left out, which is no fault

@@ -13,8 +13,9 @@ from fembearing.grid_convergence import FINEST
 from fembearing.mesh.recipe import load_recipe
 from fembearing.progress import silent
 from fembearing.verify.contact.mesh_refinement import _predicted_level
-from fembearing.verify.contact.meshed_region import SIDES_LEFT, SIDES_LEFT_IN_OTHERS, has_sides
+from fembearing.verify.contact.meshed_region import has_sides
 from fembearing.verify.contact.reference import solve_reference
+from fembearing.verify.contact.uncertainty import SIDES_LEFT, SIDES_LEFT_IN_OTHERS
 
 ORDER = 3.0  # of a semi-axis
 

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from analytic.errors import InputError
 from analytic.scene import Contact
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.measure import Quantities
@@ -14,13 +15,19 @@ from fembearing.fem.solution import solve_on_mesh
 from fembearing.fem.twin import TwinSolution, twin_factors, twin_on_level
 from fembearing.mesh import race
 from fembearing.mesh.recipe import load_recipe
+from fembearing.progress import silent
+from fembearing.verify.contact import meshed_region
 from fembearing.verify.contact.meshed_region import (
     FADING,
-    LEFT_BY_MESHES,
-    UNCERTAIN,
+    Boundary,
     boundary_effect,
     boundary_effect_with_twin,
+    sides_farther,
+    with_effect_of_sides,
 )
+from fembearing.verify.contact.reference import solve_reference
+from fembearing.verify.contact.uncertainty import LEFT_BY_MESHES, SIDES_LEFT, STEEP, STIFFNESS, UNCERTAIN
+from tests.contacts import STEEL
 
 ENDLESS = Quantities(
     semi_axis_rolling=0.12e-3, semi_axis_transverse=0.7e-3, peak_pressure=2.1e9, approach=6.2e-6, stiffness=2.4e10
@@ -91,3 +98,68 @@ def test_the_first_level_predicts_larger_blocks_on_the_second(
     approach = stated["approach"]
     assert abs(near["approach"] / block["approach"] - 1 - approach.beyond) < approach.domain < 5e-4
     assert pair != "outer" or abs(far["approach"] / near["approach"] - 1) > abs(approach.beyond) / 4
+
+
+def steep(pair: str, *, size: float) -> Contact:
+    """A steel contact at 40 degrees, with a semi-axis of `size` ball radii and lands 0.45 rad beyond it."""
+    angle, radius = 0.698, 3.97e-3
+    inner = pair == "inner"
+    groove = 2 * radius * (0.52 if inner else 0.53)
+    ring = 19.5e-3 / np.cos(angle)
+    contact = Contact(
+        pair="inner" if inner else "outer",
+        ball_radius=radius,
+        groove_radius=groove,
+        rolling_radius=ring - radius if inner else -ring - radius,
+        shoulder=groove * np.sin(np.arcsin(size * radius / groove) + 0.45),
+        far_shoulder=groove * np.sin(angle + 0.5),
+        contact_angle=angle,
+        load=100.0,
+        ball_material=STEEL,
+        race_material=STEEL,
+    )
+    for _ in range(9):  # the ellipse grows a little slower than the cube root of the load
+        across = expected_semi_axes(contact, geometry="real")[1]
+        contact = replace(contact, load=contact.load * (size * radius / across) ** 3)
+    return contact
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("pair", "size", "level"), [("outer", 0.25, 2), ("inner", 0.2, 1)])
+def test_at_forty_degrees_the_approach_has_its_lands_up_to_the_larger_block(pair: str, size: float, level: int) -> None:
+    """Half of the contact with both lands on the larger block, over the quarter on the block; no sum of two quarters.
+
+    The level is the finest on which no cell of that half is inside out.
+    """
+    contact, recipe = steep(pair, size=size), load_recipe("race")
+    found = solve_reference(contact, recipe=recipe, accuracy=2e-3, progress=silent).estimates["approach"]
+    axes = expected_semi_axes(contact, geometry="real")
+    quarter = solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=axes)
+    half = solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=axes, extended=True, sides="both")
+    change = half.quantities.approach / quarter.quantities.approach
+    assert abs(found.sides) > 4e-4  # the lands count
+    assert abs((1 + found.beyond) * (1 + found.sides) / change - 1) < found.domain < 1e-3
+
+
+def test_lands_too_steep_for_the_larger_block_widen_the_interval(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The approach by the sine of the angle and the stiffness by its power; the pressure is that of the block."""
+    contact = steep("outer", size=0.2)
+
+    def refused_with_sides(*_: Any, sides: str = "even", **__: Any) -> Any:
+        if sides != "even":
+            raise InputError("inside out")
+        return SimpleNamespace(upper=None, quantities=ENDLESS)
+
+    monkeypatch.setattr(meshed_region, "solve_on_mesh", refused_with_sides)
+    assert sides_farther(contact, recipe=load_recipe("race"), level=1, semi_axes=(1e-4, 8e-4)) is None
+    boundary = dict.fromkeys(vars(ENDLESS), Boundary(domain=1e-4))
+    sides = dict.fromkeys(vars(ENDLESS), 2e-4)
+    known, unknown = (
+        with_effect_of_sides(boundary, sides, contact, transverse=8e-4, farther=farther) for farther in (0.0, None)
+    )
+    wider = {name: unknown[name].domain - known[name].domain for name in known}
+    for name, power in (("approach", 1.0), ("stiffness", STIFFNESS)):
+        square = (power * SIDES_LEFT["approach"] * 2e-4) ** 2
+        land = power * STEEP * np.sin(0.698)
+        assert wider[name] == pytest.approx(np.sqrt(square + land**2) - np.sqrt(square), rel=1e-9)
+    assert wider["peak_pressure"] == pytest.approx(0, abs=1e-15)

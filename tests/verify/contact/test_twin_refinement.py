@@ -13,18 +13,9 @@ from fembearing.progress import silent
 from fembearing.report.contact import contact_record
 from fembearing.verify.contact.discrepancy import compare_contact
 from fembearing.verify.contact.mesh_refinement import COMPARED, FORMAL_ORDERS
-from fembearing.verify.contact.meshed_region import STIFFNESS
 from fembearing.verify.contact.reference import solve_reference
-from fembearing.verify.contact.twin_refinement import (
-    CURVED,
-    LEAST_WITH_TWIN,
-    LEFT,
-    ORDER,
-    ORDERS,
-    SHAPED,
-    UNSTEADY_PRESSURE,
-    estimates_with_twin,
-)
+from fembearing.verify.contact.twin_refinement import ORDER, ORDERS, SHAPED, estimates_with_twin
+from fembearing.verify.contact.uncertainty import CURVED, LEAST_WITH_TWIN, LEFT, STIFFNESS, UNSTEADY_PRESSURE
 
 EXACT = {"semi_axis_rolling": 0.12e-3, "semi_axis_transverse": 0.7e-3, "peak_pressure": 2.1e9, "approach": 6.2e-6}
 LEFT_BY_TWIN = {"semi_axis_rolling": 3e-3, "semi_axis_transverse": -7e-3, "peak_pressure": 2e-3, "approach": 11e-3}
@@ -58,7 +49,8 @@ def test_what_twins_leave_is_extrapolated(levels: tuple[int, ...]) -> None:
         assert found[name].corrected == tuple(each.corrected[name] for each in solutions)
         assert (found[name].order is None) == (len(levels) == 2)
     before, last = levels[-2:]
-    largest = 11e-3 * (before**-ORDER - last**-ORDER)  # of the approach, relative to its exact value
+    power = ORDERS["approach"]
+    largest = 11e-3 * (before**-power - last**-power)  # of the approach, relative to its exact value
     expected = LEAST_WITH_TWIN + CURVED * shape * 0.007
     expected += LEFT * largest / ((last / before) ** ORDER - 1)
     for name in COMPARED:

@@ -58,8 +58,11 @@ def test_a_measured_ladder_agrees_with_that_of_a_solution(
     assert "extrapolated" in run.reference
     seconds = [mesh.seconds for mesh in solved.meshes]
     assert [method.seconds for method in taken.methods[2:]] == [*seconds, sum(seconds)]
-    *levels, twin, extrapolated = run.methods
+    *levels, first, second, twin, extrapolated = run.methods
     assert [method.unknowns for method in levels] == [None, None, *(mesh.unknowns for mesh in solved.meshes)]
+    assert [each.name for each in (first, second)] == [f"compliance of the pair, level {level}" for level in (1, 2)]
+    for each, level in ((first, 1), (second, 2)):  # a compliance of one level is far better than its mesh
+        assert present(each.error) < present(each.bound) < LEVEL_BOUNDS[level] / 5
     assert (twin.name, extrapolated.error) == ("finite elements, twin, to level 2", None)
     # The plain levels are themselves uncertain by 0.02 %; those with a twin claim less than a third level alone
     assert present(twin.error) < present(twin.bound) + 2e-4 < present(levels[-1].bound)

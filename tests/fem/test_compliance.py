@@ -1,0 +1,108 @@
+"""The compliance of a pair against direct condensation, against Hertz, and against meshes with a twin."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.integrate import dblquad
+
+from analytic.errors import ConvergenceError
+from analytic.scene import Contact
+from fembearing.fem.compliance import PairCompliance, compliance_over_load, sampled_compliance
+from fembearing.fem.guess import expected_semi_axes
+from fembearing.fem.half_space import contact_modulus, exact_quantities, hertz_ellipse, pressed_rectangle
+from fembearing.fem.pixel_contact import press_pair
+from fembearing.fem.solution import condensed_pair, pressed
+from fembearing.fem.twin import shared_axes, twin_of, twin_on_level
+from fembearing.mesh.recipe import load_recipe
+from tests.contacts import PEEK
+
+RECIPE = load_recipe("race")
+NAMES = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")
+
+
+def axes_of(contact: Contact) -> tuple[float, float]:
+    return shared_axes(expected_semi_axes(contact, geometry="real"))
+
+
+def sampled(contact: Contact, *, level: int) -> PairCompliance:
+    bodies = condensed_pair(contact, recipe=RECIPE, level=level, semi_axes=axes_of(contact))
+    return sampled_compliance(bodies, recipe=RECIPE)
+
+
+@pytest.mark.parametrize("pair", ["inner", "outer"])
+def test_added_to_its_twin_it_is_the_direct_condensation(contacts: dict[str, Contact], pair: str) -> None:
+    """Under the forces of the solved contact, which are none of the samples, everywhere in the ellipse."""
+    contact = replace(contacts[pair], race_material=PEEK, load=60.0)
+    axes = axes_of(contact)
+    bodies = condensed_pair(contact, recipe=RECIPE, level=2, semi_axes=axes)
+    solved = pressed(bodies, load=contact.load, expected=axes)
+    twin = twin_of(contact, recipe=RECIPE, level=2, footprint=bodies.pair.footprint)
+    compliance = bodies.upper.compliance + bodies.lower.compliance
+    direct = compliance @ solved.force + contact.load * (bodies.upper.drift + bodies.lower.drift)
+    flat = twin.compliance @ solved.force + 4 * solved.force.sum() * twin.drift
+    flat = flat / (contact_modulus(contact) * axes[0])
+    added = sampled_compliance(bodies, recipe=RECIPE).added_displacement(solved.x, solved.y, 4 * solved.force)
+    inside = (solved.x / axes[0]) ** 2 + (solved.y / axes[1]) ** 2 <= 1
+    approach = solved.quantities.approach
+    assert np.abs(direct - flat)[inside].max() > 0.01 * approach  # what is added counts
+    left = (flat + added - direct)[inside] / approach
+    # Single nodes keep the noise of the mesh, which the polynomials smooth; its mean over the pressure is a tenth.
+    np.testing.assert_allclose(left, 0, atol=1e-3)
+    assert abs(np.average(left, weights=np.maximum(solved.force[inside], 0))) < 1e-4
+
+
+def test_without_addition_a_light_contact_is_hertzs(contacts: dict[str, Contact]) -> None:
+    contact = replace(contacts["outer"], load=1e-3, groove_radius=4.9e-3)
+    modulus = contact_modulus(contact)
+    curvatures = 1 / contact.ball_radius + 1 / contact.rolling_radius, 1 / contact.ball_radius - 1 / 4.9e-3
+    ellipse = hertz_ellipse(curvatures, load=1e-3, modulus=modulus)
+    nothing = PairCompliance(contact=contact, level=0, semi_axes=axes_of(contact), added=np.zeros((6, 6)))
+    found = press_pair(nothing, load=1e-3)
+    for name, value in vars(exact_quantities(ellipse, load=1e-3, modulus=modulus)).items():
+        # 0.001 %: the square of the semi-axis over the ball's radius is 3e-6
+        assert getattr(found.quantities, name) == pytest.approx(value, rel=1e-5), name
+    assert 4 * found.force.sum() == pytest.approx(1e-3, rel=1e-5)
+
+
+@pytest.mark.parametrize("pair", ["inner", "outer"])
+@pytest.mark.parametrize(("level", "allowed"), [(1, 5e-3), (2, 5e-4)])
+def test_pixels_agree_with_meshes(contacts: dict[str, Contact], pair: str, level: int, allowed: float) -> None:
+    """A second level with its twin; most of what is allowed is the error of a first level without extrapolation."""
+    contact = replace(contacts[pair], race_material=PEEK, load=20.0)
+    found = press_pair(sampled(contact, level=level), load=contact.load)
+    mesh = twin_on_level(contact, recipe=RECIPE, level=2, start=axes_of(contact))
+    assert mesh is not None
+    for name in NAMES:
+        assert getattr(found.quantities, name) == pytest.approx(mesh.corrected[name], rel=allowed), name
+
+
+def test_a_spline_over_the_load_goes_through_its_samples(contacts: dict[str, Contact]) -> None:
+    loads = (90.0, 230.0, 610.0)
+    samples = [sampled(replace(contacts["outer"], load=load), level=1) for load in loads]
+    series = compliance_over_load(samples)
+    for load, sample in zip(loads, samples, strict=True):
+        again = series.at(load)
+        assert again.contact.load == load
+        np.testing.assert_allclose(again.semi_axes, sample.semi_axes, rtol=1e-12)  # round-off
+        np.testing.assert_allclose(again.added, sample.added, rtol=1e-9, atol=1e-12 * np.abs(sample.added).max())
+
+
+def test_an_addition_as_large_as_the_half_spaces_is_refused(contacts: dict[str, Contact]) -> None:
+    sample = sampled(contacts["inner"], level=1)
+    with pytest.raises(ConvergenceError, match="the shapes of ball and race add to half spaces") as caught:
+        press_pair(replace(sample, added=-60 * sample.added), load=contacts["inner"].load)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("place", [(0.0, 0.0), (0.31, -0.17), (0.9, 2.3)])
+def test_a_rectangle_yields_as_the_point_loads_on_it(place: tuple[float, float]) -> None:
+    """1/distance integrated over the rectangle by quadrature, piecewise where it holds the place."""
+    sides, (x, y) = (0.42, 0.77), place
+    total = 0.0
+    for low_x, high_x in ((-sides[0], min(x, sides[0])), (min(x, sides[0]), sides[0])):
+        for low_y, high_y in ((-sides[1], min(y, sides[1])), (min(y, sides[1]), sides[1])):
+            part, _ = dblquad(lambda v, u: 1 / np.hypot(u - x, v - y), low_x, high_x, low_y, high_y)
+            total += part
+    found = pressed_rectangle(np.array([x]), np.array([y]), half_sides=sides)
+    np.testing.assert_allclose(found, total / (4 * sides[0] * sides[1]), rtol=1e-6)  # of the quadrature

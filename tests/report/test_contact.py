@@ -1,0 +1,26 @@
+"""The sheet of a pocket as a spring in series with its seat."""
+
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from fembearing.report.contact import sheet_in_series
+from tests.analytic.specimens import present
+
+
+def pocket(approach: float, uncertainty: float) -> Any:
+    """A pocket under 28 N."""
+    return SimpleNamespace(
+        load=28.0, fe=SimpleNamespace(approach=approach), uncertainty=SimpleNamespace(approach=uncertainty)
+    )
+
+
+def test_the_sheet_is_softer_by_what_it_adds_to_the_approach() -> None:
+    """Both approaches off by their half-widths, in opposite directions, stay within the uncertainty."""
+    exact, seat = 9.7e7, 0.587e-6
+    found = present(sheet_in_series(pocket(seat, 1e-3), pocket(seat + 28.0 / exact, 2e-3)))
+    assert found.stiffness == pytest.approx(exact, rel=1e-12)
+    off = present(sheet_in_series(pocket(seat * 1.001, 0.0), pocket((seat + 28.0 / exact) * 0.998, 0.0)))
+    assert abs(off.stiffness / exact - 1) == pytest.approx(found.uncertainty, rel=0.01)  # to first order
+    assert sheet_in_series(pocket(seat, 1e-3), pocket(seat * 1.001, 2e-3)) is None
