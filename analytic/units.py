@@ -7,10 +7,14 @@ from typing import Any, Protocol
 UNITS: dict[str, str] = {
     **dict.fromkeys(("ball_count", "conformity", "limiting_shear", "boundary_friction", "poisson_ratio"), "1"),
     **dict.fromkeys(("friction_coefficient", "coefficient", "restitution", "starvation_degree"), "1"),
+    **dict.fromkeys(("ahead", "behind"), "1"),
     **dict.fromkeys(("hysteresis_loss", "tolerance", "accuracy", "seeds", "steps_per_contact"), "1"),
     **dict.fromkeys(("static_load_rating", "dynamic_load_rating", "preload"), "N"),
     **dict.fromkeys(("axial_load", "radial_load", "load", "loads", "ball_load"), "N"),
-    **dict.fromkeys(("eyring_stress", "hardness", "youngs_modulus", "shaft_pressure", "housing_pressure"), "Pa"),
+    **dict.fromkeys(
+        ("eyring_stress", "cavitation_pressure", "hardness", "youngs_modulus", "shaft_pressure", "housing_pressure"),
+        "Pa",
+    ),
     **dict.fromkeys(("moment", "seals", "drag"), "N m"),
     **dict.fromkeys(("ball_mass", "mass"), "kg"),
     **dict.fromkeys(("inner_speed", "outer_speed"), "rad/s"),

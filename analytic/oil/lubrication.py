@@ -1,5 +1,6 @@
 """A lubricated contact of a ball with its race: film, shared load, traction and resistance to rolling."""
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -132,20 +133,21 @@ def lubrication_of(
     lubricant: Lubricant,
     *,
     boundary_friction: float,
-    asperities: bool,
-    heats: bool,
-    starves: bool,
+    is_on: Callable[[str], bool],
     variation: Variation,
 ) -> Lubrication:
-    """What counts in the contacts of a race; gap : of ball and race;  supply : of the bearing."""
+    """What counts in the contacts of a race.
+
+    gap : of ball and race;  supply : of the bearing;  is_on : whether an effect counts
+    """
     known = not (np.isnan(supply.degree) and np.isnan(supply.rate))
     return Lubrication(
         gap=gap,
         boundary_friction=float(boundary_friction),
         supply=supply,
-        asperities=asperities,
-        heats=heats,
-        starves=starves and known,
+        asperities=is_on("asperities"),
+        heats=is_on("inlet_heating"),
+        starves=is_on("starvation") and known,
         film=variation.film,
         asperity_pressure=variation.asperity_pressure,
         rolling=variation.rolling,

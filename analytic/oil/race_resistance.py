@@ -102,9 +102,7 @@ def resistance_of(
                 oil_supply(scene.bearing, scene.lubricant, race, contact_angle=angle),
                 scene.lubricant,
                 boundary_friction=0.0 if scene.surface is None else scene.surface.boundary_friction,
-                asperities=is_on("asperities"),
-                heats=is_on("inlet_heating"),
-                starves=is_on("starvation"),
+                is_on=is_on,
                 variation=variation,
             )
             for form, race in zip(forms, RACES, strict=True)

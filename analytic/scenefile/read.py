@@ -255,9 +255,7 @@ def _scene(
         operation=_operation(table.operation),
         down=table.operation.down,
         cage=cage,
-        lubricant=None
-        if table.lubricant is None
-        else lubricant_of(table.lubricant, ball_radius=bearing.ball_diameter / 2),
+        lubricant=table.lubricant and lubricant_of(table.lubricant, ball_radius=bearing.ball_diameter / 2),
         surface=surface,
         friction_coefficient=friction.coefficient,
         **friction.model_dump(exclude={"coefficient"}),

@@ -259,6 +259,11 @@ class GivenLength:
 class Extent(Dimension):
     """A share of the ball's radius, or a length."""
 
+    @property
+    def accepted(self) -> str:
+        """The end of every message."""
+        return f"{super().accepted} of the ball's radius, or a length, {EXTENT.example}"
+
     def read(self, given: object) -> Any:
         """The share, or the length. Raises ValueError as `Dimension.read`."""
         if isinstance(given, str) and not given.rstrip().endswith("%"):
@@ -267,9 +272,7 @@ class Extent(Dimension):
 
 
 EXTENT = Dimension(unit="m", low=1e-7, high=1.0, example='"3 mm"')
-ReachValue = Annotated[
-    float | GivenLength, Extent(unit="", low=0.05, high=1, example='0.9, of the ball\'s radius, or "3 mm"')
-]
+ReachValue = Annotated[float | GivenLength, Extent(unit="", low=0.05, high=1, example="0.9")]
 
 
 class ReachTable(Table):

@@ -30,6 +30,8 @@ PLAIN |= dict.fromkeys(("starvation", "centrifugal", "gyroscopic"), "off")
 SPEEDS = np.array([3.7, 21.0, 640.0])
 SLOWLY = Operation(axial_load=np.array([730.0]), inner_speed=np.array([1e-9]))
 
+CLOSED = replace(OIL, film_formula="nijenbanning", rolling_formula="biboulet", compressible=False)  # by formulas alone
+
 
 @pytest.fixture(scope="module")
 def scene(bearing_6205: Bearing) -> Scene:
@@ -58,7 +60,7 @@ def as_given(scene: Scene, coefficient: float) -> Scene:
 @pytest.mark.parametrize("temperature", [313.15, 341.0])
 def test_film_and_share_carry_the_load_together(scene: Scene, temperature: float) -> None:
     """What defines them: the film of the oil's part of load and modulus fills the gap under the asperities' part."""
-    found = friction_torque(replace(scene, lubricant=replace(OIL, temperature=temperature)))
+    found = friction_torque(replace(scene, lubricant=replace(CLOSED, temperature=temperature)))
     # Roelands' law by its logarithm at ambient pressure: ln eta = -9.67 + G x, x = [(T - 138)/(T0 - 138)]^-S.
     g = np.log(OIL.viscosity) + 9.67
     x = ((temperature - 138) / 175.15) ** (-OIL.viscosity_temperature * 175.15 / g)
@@ -141,6 +143,7 @@ def test_a_smooth_surface_slides_on_oil_alone(scene: Scene) -> None:
     """Under one load the force is tau_E times the area, whatever the speed: between both races' coefficients given."""
     smooth = replace(
         scene,
+        lubricant=replace(CLOSED, traction=present(scene.lubricant).traction),
         surface=replace(FINISH, rms_roughness=0.0, ball_rms_roughness=0.0, hardness=None),
         operation=Operation(axial_load=np.full(3, 730.0), inner_speed=SPEEDS),
         effects=PLAIN | {"rolling": "off"},
@@ -189,7 +192,7 @@ def test_rolling_beside_a_given_coefficient(bearing_6205: Bearing) -> None:
                 bearing=bearing_6205,
                 contact_angle=ContactAngle(rule="given", value=0.18),
                 operation=Operation(axial_load=np.full(3, 1000.0), inner_speed=speeds),
-                lubricant=replace(OIL, viscosity=viscosity),
+                lubricant=replace(CLOSED, viscosity=viscosity),
                 friction_coefficient=0.05,
                 spin_rule="balanced",  # as that calculation: balls that roll on their contacts' middles
                 effects={"inlet_heating": "off", "starvation": "off"},

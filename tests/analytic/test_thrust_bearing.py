@@ -113,7 +113,8 @@ def test_pivoting_in_boundary_friction_is_the_closed_form(sliding: Any) -> None:
 def test_rolling_is_the_sum_over_the_contacts() -> None:
     """Power 2 u f at each, over w; twice the balls under twice the load lose twice as much."""
     axial, speed = 480.0, 31.0
-    scene = scene_of(thrust(axial, speed=speed), lubricant=OIL, surface=FINISH, spin_rule="balanced")
+    closed = replace(OIL, rolling_formula="biboulet")
+    scene = scene_of(thrust(axial, speed=speed), lubricant=closed, surface=FINISH, spin_rule="balanced")
     effects = {"finite_geometry": "off", "inlet_heating": "off"}
     rolling = part(friction_torque(replace(scene, effects=effects)).torque, "rolling")
     by_hand = contact_by_hand(axial / COUNT)

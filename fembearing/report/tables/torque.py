@@ -1,6 +1,7 @@
 """The torque at each operating point, the heaviest ball there, and what finite-element contacts change."""
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from analytic.result import COLUMNS, COORDINATES, PairRows, TorquePoint
 from analytic.words import angle_of
@@ -17,10 +18,12 @@ from fembearing.report.phrases import (
     shown,
     uncertainty_of,
 )
-from fembearing.report.report import ChangeRecord
 from fembearing.report.tables.points import fixed_loads, point_cells, point_heads
 from fembearing.report.tables.table import Head, Row, Table, table_of
 from fembearing.report.torque import TorqueRecord
+
+if TYPE_CHECKING:  # a torque alone needs no solver, which the report of a check loads
+    from fembearing.report.report import ChangeRecord
 
 RESIDUE = 1e-6  # of the total: a smaller part is what is left of a balance of the balls, not a torque
 PARTS = {  # with their names in a terminal
@@ -149,7 +152,7 @@ def pair_table(pair: PairRows, places: Sequence[int], units: Units = METRIC) -> 
 
 
 def change_table(
-    points: Sequence[TorquePoint], change: ChangeRecord, places: Sequence[int], units: Units = METRIC
+    points: Sequence[TorquePoint], change: "ChangeRecord", places: Sequence[int], units: Units = METRIC
 ) -> Table:
     """Angle and total of the production and with contacts of finite elements, and the relative changes."""
     angles, totals, fitted = change.contact_angle, change.torque, change.finite_geometry
@@ -171,7 +174,7 @@ def change_table(
     return table_of("What finite-element contacts change", heads, rows, _change_notes(change, units))
 
 
-def _change_notes(change: ChangeRecord, units: Units) -> list[str]:
+def _change_notes(change: "ChangeRecord", units: Units) -> list[str]:
     """What the columns are, how uncertain the changes are, and how far the contacts under them hold."""
     words = [
         f"Torque in {units.torque.name}; the change has a numerical uncertainty of {100 * change.uncertainty:.2f} %. "

@@ -1,7 +1,7 @@
 """What the accuracy of film and rolling force costs: formula, the fit of production, and grids from coarse to fine."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
@@ -16,7 +16,10 @@ from fembearing.verify.cost.ladder import Ladder, TimedMethod, UntimedMethod, la
 from fembearing.verify.film.scene_film import problem_of
 
 FILM, FORCE = "central film, inner", "rolling force, inner"
+FITTED = "fit to numerical solutions"
+REFERENCE = "three grids, extrapolated; a grid's seconds are with those of the grids before it"
 REFINEMENTS = USUAL / RATIO, USUAL, USUAL * RATIO
+Form = tuple[str, Callable[[], float], float]  # name, value, bound
 
 
 def measured_films(scene: Scene, *, tolerance: float, progress: Progress) -> tuple[Ladder, Ladder]:
@@ -25,73 +28,52 @@ def measured_films(scene: Scene, *, tolerance: float, progress: Progress) -> tup
     Raises InputError for a scene without such a film.
     """
     closed, _ = problem_of(scene, "inner")
-    spread = COVERAGE * ROLLING_SPREAD
-    of_film, of_force = FILM_FACTORS[1] - 1, float(np.expm1(spread))
-    of_fit = float(np.expm1(spread * (1 - closed.share * (1 - FIT_SHARE))))
-    solutions, seconds, failed = [], [], None
+    grids, failed = [], None
     begun = time.perf_counter()
     try:
         for number, solution in enumerate(solve_on_grids(closed.problem, REFINEMENTS)):
-            solutions.append(solution)
-            seconds.append(time.perf_counter() - begun)
+            grids.append((solution, time.perf_counter() - begun))
             progress((number + 1) / len(REFINEMENTS), f"film, grid {number + 1}")
     except FembearingError as problem:
         failed = str(problem)
+    spread, of_film = COVERAGE * ROLLING_SPREAD, FILM_FACTORS[1] - 1
+    of_fit = spread * (1 - closed.share * (1 - FIT_SHARE))
+    films = (("formula", closed.film, of_film), (FITTED, closed.model_film, of_film))
+    forces = (
+        ("formula", lambda: float(closed.resistance().force), float(np.expm1(spread))),
+        (FITTED, closed.model_force, float(np.expm1(of_fit))),
+    )
+    reference = "none: a grid did not settle" if failed else REFERENCE
 
-    def ladder(
-        name: str,
-        formula: Callable[[], float],
-        model: Callable[[], float],
-        value: Callable[[Solution], float],
-        bounds: tuple[float, float],
-    ) -> Ladder:
-        forms = zip(("formula", "fit to numerical solutions"), (formula, model), bounds, strict=True)
-        methods = [
-            timed(UntimedMethod(name=each, run=lambda run=run: np.array([run()]), bound=lambda bound=bound: bound))
-            for each, run, bound in forms
-        ]
-        values = [value(each) for each in solutions]
-        methods += [
-            TimedMethod(
-                name=f"numerical, grid {number + 1}",
-                answer=np.array([each]),
-                seconds=(seconds[number],),
-                unknowns=solutions[number].pressure.size,
-            )
-            for number, each in enumerate(values)
-        ]
-        if failed is not None:
-            methods.append(TimedMethod(name="numerical", answer=None, failed=failed))
-        else:
-            limit = extrapolation(tuple(values), tuple(1 / each for each in REFINEMENTS))
-            answer = np.array([limit.value])
-            methods.append(
-                TimedMethod(
-                    name="numerical, three grids",
-                    answer=answer,
-                    bound=limit.total,
-                    seconds=(seconds[-1],),
-                    may_refer=True,
-                )
-            )
-        words = "three grids, extrapolated; a grid's seconds are with those of the grids before it"
-        return ladder_of(name, "none: no grid settled" if failed else words, methods, tolerance=tolerance)
+    def ladder(name: str, forms: Sequence[Form], value: Callable[[Solution], float]) -> Ladder:
+        methods = [*map(_form, forms), *_numerical([(value(each), seconds) for each, seconds in grids], failed)]
+        return ladder_of(name, reference, methods, tolerance=tolerance)
 
     return (
-        ladder(
-            FILM,
-            closed.film,
-            closed.model_film,
-            lambda each: each.central_film,
-            (of_film, of_film),
-        ),
-        ladder(
-            FORCE,
-            lambda: float(closed.resistance().force),
-            closed.model_force,
-            lambda each: each.rolling_force,
-            (of_force, of_fit),
-        ),
+        ladder(FILM, films, lambda each: each.central_film),
+        ladder(FORCE, forces, lambda each: each.rolling_force),
+    )
+
+
+def _form(form: Form) -> TimedMethod:
+    name, run, bound = form
+    return timed(UntimedMethod(name=name, run=lambda: np.array([run()]), bound=lambda: bound))
+
+
+def _numerical(grids: Sequence[tuple[float, float]], failed: str | None) -> Iterator[TimedMethod]:
+    """Each grid, value and seconds, and the extrapolation; failed : why a grid has no solution."""
+    for number, (value, seconds) in enumerate(grids):
+        yield TimedMethod(name=f"numerical, grid {number + 1}", answer=np.array([value]), seconds=(seconds,))
+    if failed is not None:
+        yield TimedMethod(name="numerical", answer=None, failed=failed)
+        return
+    limit = extrapolation(tuple(value for value, _ in grids), tuple(1 / each for each in REFINEMENTS))
+    yield TimedMethod(
+        name="numerical, three grids",
+        answer=np.array([limit.value]),
+        bound=limit.total,
+        seconds=(grids[-1][1],),
+        may_refer=True,
     )
 
 

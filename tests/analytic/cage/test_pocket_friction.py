@@ -14,7 +14,7 @@ from tests.analytic.specimens import FINISH, OIL, STAMPED_CAGE
 BALL, POCKET = 3.97e-3, 6.95e-3  # m, radii: the paper's pocket
 RADIUS = 1 / (1 / BALL - 1 / POCKET)
 LOAD, SPEED = 4.7, np.array([0.31, 0.83])  # N, m/s
-THIN = replace(OIL, viscosity=0.0043, pressure_viscosity=0.0, eyring_stress=63e6)
+THIN = replace(OIL, viscosity=0.0043, pressure_viscosity=0.0, eyring_stress=63e6, compressible=False)
 
 
 @pytest.fixture

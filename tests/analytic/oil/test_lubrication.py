@@ -62,9 +62,10 @@ def lubricated(
 ) -> tuple[ContactNumbers, LubricatedContact]:
     contact, rate = loaded(race, point)
     (form,), cubics = gap_forms(gap_of(finish, contact))
+    names = {"asperities": "asperities", "inlet_heating": "heats", "starvation": "starves"}
     given = {"boundary_friction": finish.boundary_friction, "variation": variation}
     supply = oil_supply(bearing, oil, RACES[race], contact_angle=0.19)
-    lubrication = lubrication_of(form, supply, oil, **given, **counts)  # pyright: ignore[reportArgumentType]
+    lubrication = lubrication_of(form, supply, oil, is_on=lambda name: counts[names[name]], **given)  # pyright: ignore[reportArgumentType]
     numbers = ContactNumbers._make((*contact.fields[:8], rate))
     unit = unit_hertz(numbers.curvature_rolling, numbers.curvature_transverse, numbers.modulus)
     peak = 1.5 * float(contact.mean_pressure)

@@ -160,8 +160,8 @@ def test_a_lubricant_is_read() -> None:
     assert hot is not None
     assert (hot.temperature, hot.reference_temperature, hot.thermal_conductivity) == (353.15, 313.15, 0.13)
     assert hot.density == 850.0
-    assert not hot.compressible
-    assert present(scene(OIL + "compressible = true").lubricant).compressible
+    assert hot.compressible
+    assert not present(scene(OIL + "compressible = false").lubricant).compressible
 
 
 def test_a_surface_is_read(tmp_path: Path) -> None:

@@ -108,7 +108,7 @@ def test_every_table_that_a_check_prints_stands_in_its_page(made: Validation, tm
     out = StringIO()
     print_validation(Console(file=out, width=ROOMY), report_of(made))
     page, text = Tables(written_page(made, tmp_path)), in_text(out.getvalue())
-    assert len(text) == 4 + 1 + 2 + 1  # contacts, pocket, torque and its change, limits
+    assert len(text) == 4 + 3 + 1 + 2 + 1  # contacts, sliding, pocket, torque and its change, limits
     for title, (_, *rows) in text.items():
         _, *long_rows = in_page(page, title)
         assert len(rows) == len(long_rows)
