@@ -143,7 +143,8 @@ def test_free_balls_share_the_spin_by_symmetry() -> None:
     assert found.film.outer is not None
     np.testing.assert_allclose(found.film.inner, found.film.outer, rtol=1e-5)  # the moment of inertia tells them apart
     ruled = friction_torque(replace(scene, spin_rule="balanced", sliding="over_ellipse"))
-    assert np.all(found.torque.race < ruled.torque.race)  # creep takes slip off
+    most = ruled.torque.race * (1 + found.numerical_uncertainty)  # creep takes slip off, here next to nothing
+    assert np.all(found.torque.race < most)
     assert np.all(found.torque.race > 0.9 * ruled.torque.race)  # of spin many times the saturated one, little
 
 

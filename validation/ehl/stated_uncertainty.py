@@ -1,7 +1,7 @@
-"""Whether the stated numerical uncertainty of a film holds: python validation/ehl/coverage.py [--count N]
+"""Whether the stated numerical uncertainty of a film holds: python validation/ehl/stated_uncertainty.py [--count N]
 
 Contacts that no table has are solved on three grids, and again on three grids two levels finer. The stated 95 %
-interval of the first should hold the value of the second. Appends to coverage.csv, continues it, and prints the share.
+interval of the first should hold the value of the second. Appends to stated_uncertainty.csv, continues it, and prints the share.
 """
 
 import argparse
@@ -15,7 +15,7 @@ from analytic.errors import ConvergenceError
 from fembearing.ehl.film import RATIO, numerical_film
 from validation.ehl.run import FITTED, contact_of, drawn
 
-TABLE = Path(__file__).parent / "coverage.csv"
+TABLE = Path(__file__).parent / "stated_uncertainty.csv"
 SEED, COUNT = 77, 60
 COARSE = 0.6  # refinement of the middle grid: two levels finer is near to the finest that the memory holds
 QUANTITIES = "central_film", "minimum_film", "rolling_force"
