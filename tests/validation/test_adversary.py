@@ -40,7 +40,6 @@ BROKEN_ONCE = {
     "the same, faster": 5312,
     "two quadratures of free balls agree by chance": 5325,
     "the weight turns a flat contact, in an unknown direction": 5141,
-    "slow free balls slip under their weight": 61482,
     "a ball that friction hardly drives lags behind": 61082,
     "balls of unequal loads lag behind unequally": 71134,
     "the weight in an unknown direction by another method of sliding": 61326,
