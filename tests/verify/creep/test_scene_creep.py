@@ -117,7 +117,7 @@ def test_the_load_that_is_asked_for_scales_all_loads() -> None:
     scene = scene_of('radial_load = "900 N"\naxial_load = "500 N"')
     scaled, _ = scene_at_heaviest(scene, load=812.0)
     operation = scaled.operation
-    assert float(operation.radial_load[0]) / float(operation.axial_load[0]) == pytest.approx(1.8)
+    assert np.divide(operation.radial_load, operation.axial_load) == pytest.approx(1.8)
     found = produced(scaled)
     # Weight and finite geometry, which these methods leave out, take part in the search.
     assert found.balls[0].load == pytest.approx(812.0, rel=0.01)
