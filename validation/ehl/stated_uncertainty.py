@@ -1,7 +1,7 @@
 """Whether the stated numerical uncertainty of a film holds: python validation/ehl/stated_uncertainty.py [--count N]
 
 Contacts that no table has are solved on three grids, and again on three grids two levels finer. The stated 95 %
-interval of the first should hold the value of the second. Appends to stated_uncertainty.csv, continues it, and prints the share.
+interval of the first should hold the value of the second. Continues stated_uncertainty.csv, and prints the share.
 """
 
 import argparse
