@@ -2,11 +2,13 @@
 
 import math
 from functools import cache
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
 
-from fembearing.ehl.film import NumericalFilm, extrapolation, numerical_film
+from fembearing.ehl.film import NumericalFilm, estimates_of, extrapolation, numerical_film
 from fembearing.ehl.solver import solve_on_grids
 from tests.ehl.contacts import moes
 
@@ -137,3 +139,17 @@ def test_the_interval_holds_the_limit_of_a_sequence_of_another_order(order: floa
     sizes = (1.7, 1.2, 1.2**2 / 1.7)
     found = extrapolation(tuple(3.1 - 0.02 * size**order for size in sizes), sizes)
     assert abs(found.value - 3.1) <= found.total * found.value
+
+
+def test_a_force_whose_errors_cancel_is_as_uncertain_as_its_film_tells() -> None:
+    """On three grids of one contact the force hardly moves, although the film has an error of 6 % on the last one."""
+    films, forces, least = (0.786, 0.883, 0.940), (1.006, 1.0043, 0.9977), (0.77, 0.86, 0.91)
+    solutions: list[Any] = [
+        SimpleNamespace(
+            central_film=film, rolling_force=force, minimum_film=low, dissipated_force=force, pressure_centre=force
+        )
+        for film, force, low in zip(films, forces, least, strict=True)
+    ]
+    found = estimates_of(solutions, (0.41, 0.6, 0.87))
+    assert found["rolling_force"].total > 0.0082  # the change to two finer levels
+    assert found["minimum_film"].total >= 0.09 / found["minimum_film"].value  # its largest change

@@ -9,8 +9,9 @@ from analytic.errors import FembearingError, InputError
 from analytic.oil.film import FILM_FACTORS
 from analytic.oil.variation import COVERAGE, FIT_SHARE, ROLLING_SPREAD
 from analytic.scene import Scene
-from fembearing.ehl.film import RATIO, USUAL, extrapolation
-from fembearing.ehl.solver import Solution, solve_on_grids
+from fembearing.ehl.film import RATIO, USUAL, estimates_of
+from fembearing.ehl.solver import solve_on_grids
+from fembearing.grid_convergence import Estimate
 from fembearing.progress import Progress
 from fembearing.verify.cost.ladder import Ladder, TimedMethod, UntimedMethod, ladder_of, timed
 from fembearing.verify.film.scene_film import problem_of
@@ -45,14 +46,14 @@ def measured_films(scene: Scene, *, tolerance: float, progress: Progress) -> tup
     )
     reference = "none: a grid did not settle" if failed else REFERENCE
 
-    def ladder(name: str, forms: Sequence[Form], value: Callable[[Solution], float]) -> Ladder:
-        methods = [*map(_form, forms), *_numerical([(value(each), seconds) for each, seconds in grids], failed)]
+    limits = {} if failed else estimates_of([each for each, _ in grids], REFINEMENTS)
+
+    def ladder(name: str, forms: Sequence[Form], key: str) -> Ladder:
+        values = [(getattr(each, key), seconds) for each, seconds in grids]
+        methods = [*map(_form, forms), *_numerical(values, limits.get(key), failed)]
         return ladder_of(name, reference, methods, tolerance=tolerance)
 
-    return (
-        ladder(FILM, films, lambda each: each.central_film),
-        ladder(FORCE, forces, lambda each: each.rolling_force),
-    )
+    return ladder(FILM, films, "central_film"), ladder(FORCE, forces, "rolling_force")
 
 
 def _form(form: Form) -> TimedMethod:
@@ -60,14 +61,15 @@ def _form(form: Form) -> TimedMethod:
     return timed(UntimedMethod(name=name, run=lambda: np.array([run()]), bound=lambda: bound))
 
 
-def _numerical(grids: Sequence[tuple[float, float]], failed: str | None) -> Iterator[TimedMethod]:
+def _numerical(
+    grids: Sequence[tuple[float, float]], limit: Estimate | None, failed: str | None
+) -> Iterator[TimedMethod]:
     """Each grid, value and seconds, and the extrapolation; failed : why a grid has no solution."""
     for number, (value, seconds) in enumerate(grids):
         yield TimedMethod(name=f"numerical, grid {number + 1}", answer=np.array([value]), seconds=(seconds,))
-    if failed is not None:
+    if limit is None:
         yield TimedMethod(name="numerical", answer=None, failed=failed)
         return
-    limit = extrapolation(tuple(value for value, _ in grids), tuple(1 / each for each in REFINEMENTS))
     yield TimedMethod(
         name="numerical, three grids",
         answer=np.array([limit.value]),
