@@ -8,6 +8,7 @@ from analytic.contact.geometry import RACES
 from analytic.effects.ledger import Ledger, size_of
 from analytic.effects.washers import HELD
 from analytic.numerics.records import Records
+from analytic.oil.lubrication import SHORTEST
 from analytic.solve.solution import Solution
 from analytic.surface.roughness import GapRoughness
 from analytic.words import MICROMETRE
@@ -59,8 +60,8 @@ def torque_warnings(
             warnings += _film(found.balls, race)
         if ledger.is_on("rolling") and found.points["rolling_extrapolated"][:, race].any():
             warnings.append(
-                f"rolling on the {name} race is extrapolated: its formula is for slow rolling of contacts that are "
-                "longer across it than along"
+                f"rolling on the {name} race is extrapolated: its law is for slow rolling of contacts that are longer "
+                f"across it than along, with oil {SHORTEST:g} semi-axes ahead or more"
             )
     return [*warnings, *limits, *_decisions(ledger)]
 

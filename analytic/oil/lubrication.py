@@ -19,6 +19,8 @@ from analytic.oil.viscosity import OilNumbers
 from analytic.scene import Array, Lubricant
 from analytic.surface.gap import SMOOTH, GapForm, GapNumbers
 
+SHORTEST = 3.0  # semi-axes: with less oil ahead the elastic gap is below that of the fit's far field
+
 
 class Lubrication(NamedTuple):
     """What all contacts of a race share besides the oil, and what counts in them."""
@@ -47,7 +49,8 @@ class LubricatedContact(NamedTuple):
     inlet: InletNumbers
     rolling_torque: float  # about the bearing axis, N m
     film_extrapolated: bool  # the ellipse is not of a shape that the film formula was fitted to
-    rolling_extrapolated: bool  # longer along rolling than across, or so fast that rigid bodies resist less
+    # Longer along rolling than across, so fast that rigid bodies resist less, or with little oil ahead
+    rolling_extrapolated: bool
 
 
 @compiled
@@ -81,7 +84,8 @@ def rolling_torque_of(
     if lubrication.starves:
         left *= inlet.starvation.rolling_factor
     longer = contact.curvature_rolling < contact.curvature_transverse
-    return left * 2.0 * force * contact.entrainment, too_fast or longer
+    short = share > 0.0 and lubrication.supply.ahead < SHORTEST * contact.semi_axis_rolling
+    return left * 2.0 * force * contact.entrainment, too_fast or longer or short
 
 
 @compiled

@@ -13,7 +13,7 @@ from analytic.contact.rolling_contact import elliptic_contact
 from analytic.errors import InputError
 from analytic.oil.film import central_film, inlet_heating_factor
 from analytic.oil.variation import Variation
-from analytic.scene import Bearing, ContactAngle, Decision, Operation, Scene
+from analytic.scene import Bearing, ContactAngle, Decision, Operation, Reach, Scene
 from analytic.surface.asperity import asperity_contact, separation_at
 from analytic.surface.roughness import gap_roughness
 from analytic.torque import RACES, friction_torque
@@ -232,3 +232,13 @@ def test_a_factor_on_the_film_reaches_film_and_torque(scene: Scene) -> None:
     assert np.all(thin.torque.total > plain.torque.total)  # a share of load meets 0.11, the oil here far less
     with pytest.raises(InputError, match="film must be positive"):
         friction_torque(scene, variation=Variation(film=0.0))
+
+
+def test_oil_that_ends_next_to_the_contact_is_said_to_be_extrapolated(scene: Scene) -> None:
+    """0.06 of the ball's radius is some two semi-axes; the usual reach is tens of them."""
+    short = replace(present(scene.lubricant), reach=Reach(ahead=0.06))
+    told = [
+        any("semi-axes ahead" in warning for warning in friction_torque(each).warnings)
+        for each in (scene, replace(scene, lubricant=short))
+    ]
+    assert told == [False, True]
