@@ -32,6 +32,7 @@ PACKAGES = (
 # Keys whose values may differ between two runs of one scene with the same seeds; the rest of the JSON is the same.
 TIMES = (
     "seconds",
+    "production_seconds",
     "evaluation_seconds",
     "spread",
     "warm_up",

@@ -37,7 +37,7 @@ def test_film_and_force_of_the_load_and_speed_that_are_asked_for(
     assert (once["pair"], once["load"]) == ("inner", LOAD)
     for name in ("central_film", "minimum_film", "rolling_force", "pressure_centre"):
         part = once[name]
-        assert part["discrepancy"] == pytest.approx(part["formula"] / part["numerical"] - 1, rel=1e-12)
+        assert part["discrepancy"] == pytest.approx(part["production"] / part["numerical"] - 1, rel=1e-12)
         assert 0 < part["uncertainty"] < 0.1 * part["numerical"]
     assert once["minimum_film"]["numerical"] < once["central_film"]["numerical"]
     # The moment of the pressure is Q x_p, and f = Q x_p/(2 R_x) for parabolas; circles differ by parts in a hundred.
