@@ -45,7 +45,7 @@ DEFAULTS: dict[str, Default] = {
     "lubricant.pressure_viscosity": Default(0.10, True, "judgement: two laboratories differ by 8 %"),
     "lubricant.eyring_stress": Default(0.30, True, "judgement: 3 to 8 MPa are usual"),
     "lubricant.limiting_shear": Default(0.13, True, "judgement: 0.05 to 0.08 are usual"),
-    "lubricant.reach.ahead": Default(0.2, True, "judgement: oil in a bath reaches 0.45 to 1 radii of the ball ahead"),
+    "lubricant.reach.ahead": Default(0.2, True, "judgement: oil in a bath reaches 0.6 radii of the ball or more ahead"),
     "surface.rms_roughness": Default(0.10, True, "judgement: how far a finish is repeated"),
     "surface.autocorrelation.length": Default(0.35, True, "judgement: it is seldom measured"),
     "surface.boundary_friction": Default(0.14, True, "judgement: 0.09 to 0.15 are usual"),

@@ -16,7 +16,7 @@ POINTS = ((37.0, 3.4, 0.61), (420.0, 12.7, 0.083), (1900.0, 6.1, 0.037))  # M, L
 @pytest.mark.slow
 @pytest.mark.parametrize("point", POINTS)
 def test_the_fit_meets_fresh_solutions(point: tuple[float, float, float]) -> None:
-    """Within its error of left-out solutions, 4 % in the film and 3 % in the force at 95 %, and the solution's own."""
+    """Within its error of left-out solutions, 2.9 % in the film and 0.8 % in the force at 95 %, and the solution's own."""
     problem = contact_of(*point)
     assert problem is not None
     found = numerical_film(problem)
@@ -29,7 +29,7 @@ def test_the_fit_meets_fresh_solutions(point: tuple[float, float, float]) -> Non
     regime = regime_of(numbers, inflow)
     supply = OilSupply(1.0, np.nan, np.nan, ahead=problem.reach.ahead, behind=1.0, tension=0.0)
     force = found.rolling_force
-    assert fitted_force(numbers, inflow, regime, supply) == pytest.approx(force.value, rel=0.03 + force.total)
+    assert fitted_force(numbers, inflow, regime, supply) == pytest.approx(force.value, rel=0.008 + force.total)
     formula = central_film(
         smooth,
         entrainment_speed=problem.speed,
@@ -38,4 +38,4 @@ def test_the_fit_meets_fresh_solutions(point: tuple[float, float, float]) -> Non
         compressible=True,
     )
     film = float(formula.thickness) * np.exp(film_correction(regime))
-    assert film == pytest.approx(found.central_film.value, rel=0.04 + found.central_film.total)
+    assert film == pytest.approx(found.central_film.value, rel=0.029 + found.central_film.total)

@@ -138,7 +138,7 @@ def known() -> list[Row]:
     """The rows of this version in the table."""
     if not TABLE.exists():
         return []
-    kinds = {field.name: {"int": int, "str": str}.get(str(field.type), float) for field in fields(Row)}
+    kinds: dict[str, Any] = dict.fromkeys((field.name for field in fields(Row)), float)
     kinds |= {"number": int, "version": int, "trouble": str}
     with TABLE.open(newline="") as file:
         rows = [Row(**{name: kinds[name](text) for name, text in row.items()}) for row in csv.DictReader(file)]

@@ -152,7 +152,7 @@ def _rolling_formulas() -> Iterator[Other]:
             compared_with="formula of [Houpert1987]",
             kind="cross-check",
             **_ranged(ours, other),
-            worth="the numerical fit against an older formula: not an error of either",
+            worth="the model against an older formula: not an error of either",
         )
 
 

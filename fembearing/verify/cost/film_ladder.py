@@ -17,7 +17,7 @@ from fembearing.verify.cost.ladder import Ladder, TimedMethod, UntimedMethod, la
 from fembearing.verify.film.scene_film import problem_of
 
 FILM, FORCE = "central film, inner", "rolling force, inner"
-FITTED = "fit to numerical solutions"
+MODEL = "as the torque takes it"
 REFERENCE = "three grids, extrapolated; a grid's seconds are with those of the grids before it"
 REFINEMENTS = USUAL / RATIO, USUAL, USUAL * RATIO
 Form = tuple[str, Callable[[], float], float]  # name, value, bound
@@ -39,10 +39,10 @@ def measured_films(scene: Scene, *, tolerance: float, progress: Progress) -> tup
         failed = str(problem)
     spread, of_film = COVERAGE * ROLLING_SPREAD, FILM_FACTORS[1] - 1
     of_fit = spread * (1 - closed.share * (1 - FIT_SHARE))
-    films = (("formula", closed.film, of_film), (FITTED, closed.model_film, of_film))
+    films = (("formula", closed.film, of_film), (MODEL, closed.model_film, of_film))
     forces = (
         ("formula", lambda: float(closed.resistance().force), float(np.expm1(spread))),
-        (FITTED, closed.model_force, float(np.expm1(of_fit))),
+        (MODEL, closed.model_force, float(np.expm1(of_fit))),
     )
     reference = "none: a grid did not settle" if failed else REFERENCE
 

@@ -155,7 +155,7 @@ def film_change(scene: Scene, friction: FrictionTorque, films: tuple[RaceFilm, .
     """(n,) relative change of the torque with the numerical film and rolling force.
 
     friction : friction_torque(scene)
-    All contacts get the mean ratios, numerical value over formula, of `films`; a cage that moves keeps its torque.
+    All contacts get the mean ratios, numerical value over the model, of `films`; a cage that moves keeps its torque.
     """
 
     def ratio(name: str) -> float:
