@@ -16,7 +16,7 @@ POINTS = ((37.0, 3.4, 0.61), (420.0, 12.7, 0.083), (1900.0, 6.1, 0.037))  # M, L
 @pytest.mark.slow
 @pytest.mark.parametrize("point", POINTS)
 def test_the_fit_meets_fresh_solutions(point: tuple[float, float, float]) -> None:
-    """Within its error of left-out solutions, 2.9 % in the film and 0.8 % in the force at 95 %, and the solution's own."""
+    """Within its error of left-out solutions, 2.9 % of films and 0.8 % of forces at 95 %, and the solution's own."""
     problem = contact_of(*point)
     assert problem is not None
     found = numerical_film(problem)
