@@ -86,7 +86,11 @@ class Files:
             ("mesh", changed_mesh, lambda path: read_body(path, name="ball")),
             ("grid", changed_grid, lambda path: load_grid(path).first_scene()),
             ("report", self.changed_report, read_page),
-            ("picture", self.changed_picture, lambda path: shown_pictures(self.document, path.parent, of_films=False)),
+            (
+                "picture",
+                self.changed_picture,
+                lambda path: shown_pictures(self.document, path.parent, kinds=("pressure", "section", "view")),
+            ),
         )
         kind, change, read = kinds[seed % len(kinds)]
         name, content = change(rng)

@@ -132,8 +132,10 @@ def value_of(key: SceneKey, given: object, rng: np.random.Generator) -> object:
     elif rng.random() < 0.3:
         number = float(rng.choice([low, high]))
     else:
-        least = low if low > 0 else SMALLEST * high
-        number = float(np.exp(rng.uniform(np.log(least), np.log(high)))) * (-1 if low < 0 and rng.random() < 0.5 else 1)
+        most = max(abs(low), high)
+        least = low if low > 0 else SMALLEST * most
+        number = float(np.exp(rng.uniform(np.log(least), np.log(most))))
+        number *= -1 if high <= 0 or (low < 0 and rng.random() < 0.5) else 1
         number = float(np.clip(number, low, high))
     unit = key.dimension.unit
     return f"{number!r} {unit}" if unit else number
