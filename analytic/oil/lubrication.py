@@ -8,7 +8,7 @@ import numpy as np
 from analytic.contact.hertz import HertzNumbers
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.numerics.compilation import compiled
-from analytic.oil.asymptotes import FITTED_ELLIPTICITY, asymptotes_of, thinned
+from analytic.oil.asymptotes import FITTED_ELLIPTICITY, Inflow, asymptotes_of, thinned
 from analytic.oil.ehl_fit import OilSupply, Regime, covered, film_correction, fitted_force, regime_of
 from analytic.oil.inlets import InletNumbers, inflow_of, inlet_of
 from analytic.oil.mixed import MixedNumbers, mixed_of, oil_beside
@@ -54,6 +54,33 @@ class LubricatedContact(NamedTuple):
 
 
 @compiled
+def rolling_force_of(
+    contact: ContactNumbers,
+    unit: HertzNumbers,
+    inflow: Inflow,
+    regime: Regime,
+    supply: OilSupply,
+    fitted: bool,
+    houpert: bool,
+) -> tuple[float, float, bool]:
+    """f of a flooded, isothermal contact, N; the share of the fit in it; whether rigid bodies resist less.
+
+    fitted, houpert : as `Lubrication` has them;  the other arguments as in `rolling_torque_of`
+    """
+    share = covered(regime) if fitted else 0.0
+    force, too_fast = 0.0, False
+    if share < 1.0:
+        group = rolling_groups(contact, unit, inflow.viscosity, inflow.speed)
+        if houpert:
+            force = houpert_force(group, inflow.pressure_viscosity)
+        else:
+            force, too_fast = biboulet_force(contact, group)
+    if share > 0.0:
+        force += share * (fitted_force(contact, inflow, regime, supply) - force)
+    return force, share, too_fast
+
+
+@compiled
 def rolling_torque_of(
     contact: ContactNumbers,
     unit: HertzNumbers,
@@ -68,16 +95,9 @@ def rolling_torque_of(
     regime : of the contact at its speed; the other arguments as in `lubricated_contact`
     """
     inflow = inflow_of(contact, oil, ring_speed)
-    share = covered(regime) if lubrication.rolling_is_fitted else 0.0
-    force, too_fast = 0.0, False
-    if share < 1.0:
-        group = rolling_groups(contact, unit, oil.viscosity, inflow.speed)
-        if lubrication.houpert:
-            force = houpert_force(group, oil.pressure_viscosity)
-        else:
-            force, too_fast = biboulet_force(contact, group)
-    if share > 0.0:
-        force += share * (fitted_force(contact, inflow, regime, lubrication.supply) - force)
+    force, share, too_fast = rolling_force_of(
+        contact, unit, inflow, regime, lubrication.supply, lubrication.rolling_is_fitted, lubrication.houpert
+    )
     left = lubrication.rolling * lubrication.rolling_error ** (1 - share * (1 - FIT_SHARE))
     if lubrication.heats:
         left *= inlet.rolling_heating**lubrication.heating

@@ -13,9 +13,9 @@ from analytic.prediction.settled import free_start
 from analytic.result import FrictionTorque, require_numbers
 from analytic.scene import Array, Bearing, Scene, Surface
 
-# How far the oil may reach ahead of a contact, over the ball's radius: a judgement. A bath fills the gap up to
-# about the ball's outline.
-REACHES = (0.45, 1.0)
+# How far the oil may reach ahead of a contact, over the reach of the scene: a judgement. In a bath, whose oil is taken
+# to reach 0.9 of the ball's radius, these are 0.45 and 1 radii.
+REACHES = (0.5, 1.1)
 
 
 def with_model_uncertainty(scene: Scene, result: FrictionTorque) -> FrictionTorque:
@@ -28,7 +28,7 @@ def with_model_uncertainty(scene: Scene, result: FrictionTorque) -> FrictionTorq
         surfaces: asperities that press more and less by twice the spread between surfaces of equal statistics
         rolling: a resistance to rolling of 0.94 and 1.06 times that of the numerical fit, and of 0.61 and 1.65 times
             that of the closed formula, as far as either counts
-        reach: oil that reaches 0.45 and 1 radii of the ball ahead of each contact
+        reach: oil that reaches 0.5 and 1.1 times as far ahead of each contact
         heating: the factors for heating of the inlets by the powers 0.61 and 1.65
     The largest change counts. The parts are independent, so the root of the sum of their squares is the whole.
     A cage that moves keeps its torque. The errors of the oil's own properties, of traction and of the inputs come on
@@ -46,10 +46,11 @@ def with_model_uncertainty(scene: Scene, result: FrictionTorque) -> FrictionTorq
     if result.torque.rolling is not None and lubricant is not None:
         factors = [np.exp(sign * COVERAGE * ROLLING_SPREAD) for sign in (-1, 1)]
         variations["rolling"] = [(same, Variation(rolling_error=factor)) for factor in factors]
-        reaches = [
-            replace(same, lubricant=replace(lubricant, reach=replace(lubricant.reach, ahead=x))) for x in REACHES
+        oils = [
+            replace(lubricant, reach=replace(lubricant.reach, ahead=factor * lubricant.reach.ahead))
+            for factor in REACHES
         ]
-        variations["reach"] = [(varied, NOMINAL) for varied in reaches]
+        variations["reach"] = [(replace(same, lubricant=oil), NOMINAL) for oil in oils]
         if result.is_on("inlet_heating"):
             factors = [np.exp(sign * COVERAGE * HEATING_SPREAD) for sign in (-1, 1)]
             variations["heating"] = [(same, Variation(heating=factor)) for factor in factors]

@@ -38,11 +38,11 @@ def measured_films(scene: Scene, *, tolerance: float, progress: Progress) -> tup
     except FembearingError as problem:
         failed = str(problem)
     spread, of_film = COVERAGE * ROLLING_SPREAD, FILM_FACTORS[1] - 1
-    of_fit = spread * (1 - closed.share * (1 - FIT_SHARE))
+    of_fit = spread * (1 - closed.model_force()[1] * (1 - FIT_SHARE))
     films = (("formula", closed.film, of_film), (MODEL, closed.model_film, of_film))
     forces = (
         ("formula", lambda: float(closed.resistance().force), float(np.expm1(spread))),
-        (MODEL, closed.model_force, float(np.expm1(of_fit))),
+        (MODEL, lambda: closed.model_force()[0], float(np.expm1(of_fit))),
     )
     reference = "none: a grid did not settle" if failed else REFERENCE
 

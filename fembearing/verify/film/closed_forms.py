@@ -6,12 +6,14 @@ from functools import cached_property
 import numpy as np
 
 from analytic.contact.geometry import Race
+from analytic.contact.hertz import unit_hertz
 from analytic.contact.rolling_contact import ContactNumbers, RollingContact, deformed_radius
 from analytic.oil.asymptotes import Inflow
-from analytic.oil.ehl_fit import Regime, covered, film_correction, fitted_force, regime_of
+from analytic.oil.ehl_fit import Regime, film_correction, regime_of
 from analytic.oil.film import central_film, minimum_ratio
 from analytic.oil.inlets import oil_supply
-from analytic.oil.rolling import RollingResistance, houpert_rolling, hydrodynamic_rolling
+from analytic.oil.lubrication import rolling_force_of
+from analytic.oil.rolling import RollingResistance, hydrodynamic_rolling
 from analytic.scene import Contact, Scene
 from fembearing.ehl.contact import LubricatedContact
 
@@ -57,12 +59,6 @@ class ClosedForms:
         """Moes's numbers."""
         return regime_of(self.numbers, self.inflow)
 
-    @property
-    def share(self) -> float:
-        """Of the fit in the rolling force, 0 to 1."""
-        assert self.scene.lubricant is not None
-        return covered(self.regime) if self.scene.lubricant.rolling_formula == "numerical" else 0.0
-
     def film(self, *, compressible: bool = False) -> float:
         """Central film by [Nijenbanning1994], m."""
         found = central_film(
@@ -94,22 +90,14 @@ class ClosedForms:
         """By [Biboulet2010]."""
         return hydrodynamic_rolling(self.smooth, viscosity=self.inflow.viscosity, entrainment_speed=self.inflow.speed)
 
-    def model_force(self) -> float:
-        """Rolling force as the torque takes it, N."""
-        assert self.scene.lubricant is not None
-        if self.scene.lubricant.rolling_formula == "houpert":
-            closed = houpert_rolling(
-                self.smooth,
-                viscosity=self.inflow.viscosity,
-                pressure_viscosity=self.inflow.pressure_viscosity,
-                entrainment_speed=self.inflow.speed,
-            )
-        else:
-            closed = self.resistance()
-        force, share = float(closed.force), self.share
-        if share == 0:
-            return force
-        supply = oil_supply(
-            self.scene.bearing, self.scene.lubricant, self.pair, contact_angle=self.contact.contact_angle
+    def model_force(self) -> tuple[float, float]:
+        """Rolling force as the torque takes it, N, and the share of the fit in it, 0 to 1."""
+        lubricant = self.scene.lubricant
+        assert lubricant is not None
+        numbers, formula = self.numbers, lubricant.rolling_formula
+        alone = unit_hertz(numbers.curvature_rolling, numbers.curvature_transverse, numbers.modulus)
+        supply = oil_supply(self.scene.bearing, lubricant, self.pair, contact_angle=self.contact.contact_angle)
+        force, share, _ = rolling_force_of(
+            numbers, alone, self.inflow, self.regime, supply, formula == "numerical", formula == "houpert"
         )
-        return force + share * (fitted_force(self.numbers, self.inflow, self.regime, supply) - force)
+        return force, share

@@ -254,11 +254,12 @@ def _compared(closed: ClosedForms, solution: NumericalFilm, *, inner_speed: floa
     films = closed.film(), closed.model_film()
     smallest = [closed.minimum_ratio() * each for each in films]
     resistance = closed.resistance()
-    forces = float(resistance.force), closed.model_force()
+    produced, share = closed.model_force()
+    forces = float(resistance.force), produced
     arm = 2 * problem.shape.radii[0] / contact.load
     film = beside(*films, solution.central_film)
     rolling_force = beside(*forces, solution.rolling_force)
-    spread = COVERAGE * ROLLING_SPREAD * (1 - closed.share * (1 - FIT_SHARE))
+    spread = COVERAGE * ROLLING_SPREAD * (1 - share * (1 - FIT_SHARE))
     numbers = FilmNumbers(
         pair=closed.pair,
         load=contact.load,
@@ -278,6 +279,6 @@ def _compared(closed: ClosedForms, solution: NumericalFilm, *, inner_speed: floa
         verdict=_verdict((film, FILM_FACTORS), (rolling_force, (np.exp(-spread), np.exp(spread)))),
         tolerance=tolerance,
         seconds=solution.seconds,
-        warnings=(OUTSIDE,) if closed.share < 1 and resistance.outside_range.any() else (),
+        warnings=(OUTSIDE,) if share < 1 and resistance.outside_range.any() else (),
     )
     return RaceFilm(numbers=numbers, solution=solution)

@@ -43,7 +43,7 @@ def test_films_moved_by_twice_the_standard_uncertainty_count() -> None:
 
 def test_the_other_parts_are_the_changes_by_other_formulas() -> None:
     """Each is computed here by hand, at a speed where the two formulas of rolling differ little."""
-    scene = load_scene(SCENES / "6205_physical.toml")
+    scene = with_reach(load_scene(SCENES / "6205_physical.toml"), 0.6)
     plain = friction_torque(scene)
     parts, same = present(with_model_uncertainty(scene, plain).model_parts), plain.settled(scene)
     total = plain.torque.total
@@ -57,7 +57,7 @@ def test_the_other_parts_are_the_changes_by_other_formulas() -> None:
     rolling = present(plain.torque.rolling)
     # The factor hardly moves the balls, and all torques have the same quadrature: known to 1e-4 of the change.
     np.testing.assert_allclose(parts["rolling"], np.expm1(0.5 * 0.12) * rolling / total, rtol=1e-3)
-    more, less = (with_reach(same, ahead) for ahead in (1.0, 0.45))
+    more, less = (with_reach(same, ahead) for ahead in (0.66, 0.3))
     changes = [np.abs(friction_torque(each).torque.total / total - 1) for each in (more, less)]
     np.testing.assert_allclose(parts["reach"], np.max(changes, axis=0), rtol=0.02)  # as for the gap
     assert np.all(parts["reach"] * total / rolling > 0.01)  # beyond half of the ball's radius the gap is wide
