@@ -31,7 +31,7 @@ from fembearing.verify.creep.production import (
 
 LEAST_SHARE = 0.02  # of the torque by sliding, of balls that are not solved but change as the last one that was
 MOST_BALLS = 6  # that are solved
-SCALED, MOST_SCALINGS = 1e-6, 60  # relative, of a ball's load that is asked for; steps towards it
+SCALED, MOST_SCALINGS = 1e-6, 60  # relative error of the ball's load; largest number of steps
 NO_FRICTION = "without friction nothing resists slip"
 NO_SPIN = 1e-9  # of the slip by conformity
 

@@ -24,13 +24,10 @@ from fembearing.verify.contact.verdict import Verdict, worst
 SAME_LOAD = 0.01  # relative: the ratios change with the load's power 1/3 to 2/3, so by a hundredth of themselves
 FACTORS = ("semi_axis_rolling", "semi_axis_transverse", "approach")
 OF_RACES = ("race", "spin", "conformity", "hysteresis", "rolling")
-FITTED = (
-    "The production's contacts are Hertz's with the fit for finite geometry: what finite elements change is what that "
-    "fit leaves."
-)
+FITTED = "Production takes Hertz's contacts with the fit for finite geometry: the change is the error of that fit."
 NOT_FITTED = (
-    "The production's contacts are Hertz's without the fit for finite geometry: what finite elements change is all "
-    "that the true shapes do."
+    "Production takes Hertz's contacts without the fit for finite geometry: the change is the whole effect of the true "
+    "shapes."
 )
 
 

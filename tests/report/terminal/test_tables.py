@@ -68,7 +68,7 @@ def test_the_terminal_sums_up_pocket_and_torque(printed: str) -> None:
         "sheet on its rim 39.52 0.57% -35.0% 0.8700",
         "3 600 910 53.00 51.50 -2.83 -2.67",  # 53 + 48.5 - 50
         "the change has a numerical uncertainty of 1.37 %",
-        "what finite elements change is all that the true shapes do",
+        "the change is the whole effect of the true shapes",
         "semi-axis a 0.1203 mm (+0.25%)",
         "error, over FE - 1): approach 5.2198 um (-0.10%)",
         "peak pressure 1.7085 GPa (+0.50%)",

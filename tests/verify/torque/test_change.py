@@ -197,7 +197,7 @@ def test_contacts_that_are_those_of_the_fit_change_nothing_where_the_production_
     np.testing.assert_allclose(present(on.relative("total")), 0.0, atol=1e-9)  # round-off of the factors
     assert on.fitted is None
     assert change_record(on).finite_geometry is None
-    assert "what that fit leaves" in on.note
+    assert "the error of that fit" in on.note
     off = change_in(one, **contacts)
     assert off.fitted is not None
     np.testing.assert_allclose(present(off.relative("total")), off.fitted.relative, rtol=1e-9)  # likewise
