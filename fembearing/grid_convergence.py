@@ -4,6 +4,7 @@ Sources: [Roache1998] for extrapolation and the grid-convergence index; [Oberkam
 the index; [Celik2008] for the observed order at unequal ratios. The formulas are checked on sequences of known order.
 """
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -59,13 +60,21 @@ class Estimate:
 
     @property
     def total(self) -> float:
-        """The sum of mesh and domain uncertainty, relative, as they may depend on each other."""
-        return self.mesh + self.domain
+        """Mesh and domain uncertainty, relative, in quadrature: cells and the size of the block err independently."""
+        return math.hypot(self.mesh, self.domain)
 
     @property
     def uncertainty(self) -> float:
         """The same in the unit of the quantity."""
         return self.total * abs(self.value)
+
+
+def mesh_allowed(accuracy: float, *, domain: float) -> float:
+    """Mesh uncertainty with which the whole meets the accuracy, or half of the domain's: finer meshes hardly help.
+
+    accuracy : of a quantity;  domain : its uncertainty from the size of the meshed region; all relative
+    """
+    return max(math.sqrt(max(accuracy**2 - domain**2, 0.0)), domain / 2)
 
 
 def estimate(

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fembearing.grid_convergence import estimate, grid_convergence_index, observed_order
+from fembearing.grid_convergence import estimate, grid_convergence_index, mesh_allowed, observed_order
 from tests.analytic.specimens import present
 
 LEVELS = (2, 3, 5)  # unequal ratios, 3/2 and 5/3
@@ -118,11 +118,17 @@ def test_only_the_last_three_meshes_decide() -> None:
     assert (part.mesh, part.value) == (expected.mesh, expected.value)
 
 
-def test_an_infinite_region_changes_the_value_and_adds_its_uncertainty() -> None:
+def test_an_infinite_region_changes_the_value_and_is_uncertain_by_itself() -> None:
     part = estimate(sequence(7.3, 0.4, 3.0), SIZES, formal_order=3.0)
     moved = replace(part, beyond=0.02, domain=0.01)
     np.testing.assert_allclose(moved.value, 1.02 * 7.3, rtol=1e-12)  # round-off
-    np.testing.assert_allclose(moved.total, part.mesh + 0.01, rtol=1e-12)
+    assert replace(moved, mesh=0.024, domain=0.007).total == 0.025  # the sides of a right triangle
+
+
+def test_the_mesh_may_err_by_what_the_domain_leaves_of_the_accuracy() -> None:
+    allowed = mesh_allowed(0.025, domain=0.007)
+    np.testing.assert_allclose(allowed, 0.024, rtol=1e-12)  # round-off
+    assert mesh_allowed(0.025, domain=0.06) == 0.03  # half of what no mesh lowers
 
 
 @pytest.mark.parametrize(("formal", "singular"), [(4.0, False), (3.0, False), (None, False), (None, True)])

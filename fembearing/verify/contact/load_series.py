@@ -23,7 +23,7 @@ from analytic.scenefile.by_name import Given, with_tolerance
 from fembearing.fem.pixel_contact import PixelSolution
 from fembearing.fem.series import checked_loads, off_mesh, on_level, solve_series
 from fembearing.fem.solution import MeshSolution
-from fembearing.grid_convergence import Estimate
+from fembearing.grid_convergence import Estimate, mesh_allowed
 from fembearing.mesh.recipe import Geometry, Recipe
 from fembearing.progress import Progress, part_of, silent
 from fembearing.verify.contact.columns import COLUMNS, VERDICT, require_finite_results
@@ -363,7 +363,7 @@ def _refined(
     for number, (load, (mesh, estimates, _)) in enumerate(solved.items()):
         contact, part = mesh.contact, estimates["approach"]
         decided = mesh.shoulder is not None or not undecided(part, contact)  # at a shoulder Hertz is not judged
-        if part.mesh <= max(accuracy - part.domain, part.domain / 2) and decided:
+        if part.mesh <= mesh_allowed(accuracy, domain=part.domain) and decided:
             continue
         try:
             single = solve_reference(

@@ -6,7 +6,7 @@ from typing import Literal
 
 from analytic.scene import Contact
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
-from fembearing.grid_convergence import FINEST, HALF, LEAST, UNSTEADY, Estimate, estimate
+from fembearing.grid_convergence import FINEST, HALF, LEAST, UNSTEADY, Estimate, estimate, mesh_allowed
 from fembearing.mesh.recipe import Recipe
 from fembearing.progress import Progress
 from fembearing.verify.contact.mesh_seconds import about, predicted_seconds
@@ -77,7 +77,7 @@ def solve_by_levels(
         boundary = with_sides(boundary, second, *each_side(second, recipe=recipe), farther=farther)
     first = solve_on_mesh(contact, recipe=recipe, level=recipe.levels[0], semi_axes=second.pair.semi_axes)
     meshes, estimates = [first, second], {}
-    allowed = {name: max(accuracy - boundary[name].domain, boundary[name].domain / 2) for name in quantities}
+    allowed = {name: mesh_allowed(accuracy, domain=boundary[name].domain) for name in quantities}
     predicted = _predicted_level(meshes, recipe=recipe, allowed=allowed)
     finer = [level for level in recipe.levels if level >= predicted]
     for number, level in enumerate(finer):

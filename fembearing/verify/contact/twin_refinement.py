@@ -10,7 +10,7 @@ from dataclasses import replace
 from analytic.scene import Contact
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.twin import TwinSolution, twin_on_level
-from fembearing.grid_convergence import Estimate, observed_order
+from fembearing.grid_convergence import Estimate, mesh_allowed, observed_order
 from fembearing.mesh.recipe import Recipe
 from fembearing.progress import Progress
 from fembearing.verify.contact.mesh_refinement import COMPARED, FORMAL_ORDERS, Estimates, Reference
@@ -84,8 +84,7 @@ def solve_by_twin(
             boundary, on_first = region(solutions[1], left=FARTHER_LEFT_ON_SECOND), False
             estimates = estimated()
         accurate = all(
-            estimates[name].mesh <= max(accuracy - estimates[name].domain, estimates[name].domain / 2)
-            for name in quantities
+            estimates[name].mesh <= mesh_allowed(accuracy, domain=estimates[name].domain) for name in quantities
         )
         if accurate and not undecided(estimates):
             break

@@ -6,7 +6,8 @@
 - sides and lands: `meshed_region.with_effect_of_sides`, in `Estimate.domain`
 - an ellipse on the mesh of another: `load_series.off_mesh_uncertainty`, in `Estimate.mesh`
 
-`Estimate.total`, which is stated, is their sum. docs/validation.md has the coverage on other contacts.
+`Estimate.total`, which is stated, joins mesh and domain in quadrature. docs/validation.md has the coverage on other
+contacts.
 """
 
 STIFFNESS = 1.5  # relative change of load/approach^1.5 over that of the approach

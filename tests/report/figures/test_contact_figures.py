@@ -114,7 +114,7 @@ def test_approaches_are_in_micrometres_with_their_intervals(document: Report) ->
     (point,) = points_of(bar.lines[0])
     np.testing.assert_allclose(point, (371.5, 100 * (5.225e-6 / given.hertz - 1)), rtol=1e-9)
     (segment,) = bar.lines[2][0].get_segments()
-    half = 100 * 5.225e-6 / given.hertz * (given.mesh + given.domain)
+    half = 100 * 5.225e-6 / given.hertz * np.hypot(given.mesh, given.domain)
     np.testing.assert_allclose(np.diff(segment[:, 1]), 2 * half, rtol=1e-9)
     assert len(figure.axes) == 8
     assert np.isnan(points_of(line_of(figure.axes[4], "Hertz, corrected"))[:, 0]).all()  # no fit reaches a pocket

@@ -45,7 +45,7 @@ def solution(uncertainty: float = 0.0, **ratios: float) -> Any:
         verdict="pass",
         discrepancy={name: 1 / ratios.get(name, 1.0) - 1 for name in NAMES},
         estimates={
-            name: Estimate(values=(1.3,), order=2.0, richardson=None, mesh=0.7 * uncertainty, domain=0.3 * uncertainty)
+            name: Estimate(values=(1.3,), order=2.0, richardson=None, mesh=0.8 * uncertainty, domain=0.6 * uncertainty)
             for name in NAMES
         },
     )
