@@ -2,12 +2,13 @@
 
 The solutions and the command that makes them are in `validation/ehl`; `analytic.oil.ehl_coefficients` has what it
 fitted. With Moes's numbers M, L and lambda, U = 2 eta_0 u/(E' R_x), and the length X of the oil ahead of the contact:
-    rolling force  f = E' R_x^2 U S [ln(X_e/(R_x U^(1/4))) + G(M, L, lambda)],  S = 6 pi/((3 + 2 lambda) sqrt(lambda))
+    rolling force  f = E' R_x^2 U S ln(1 + (X_e - a)/s),  S = 6 pi/((3 + 2 lambda) sqrt(lambda))
+    inlet's length s = R_x U^(1/4) exp(-G(M, L, lambda)),  a: Hertz's semi-axis along rolling
     central film   h = h_formula exp(C(M, L, lambda))
 With N = M sqrt(lambda), G and C are polynomials of third degree in ln N, ln L and ln lambda, and of first degree in
 ln L and ln lambda over N, which matters for light loads. Far ahead of the contact the bodies are rigid, and the force
-grows by S for each e-fold of X. X_e is the reach that gives a paraboloid the force of a ball in its groove; it depends
-on the geometry alone.
+grows by S for each e-fold of X; without oil ahead of the contact it is 0. X_e is the reach that gives a paraboloid the
+force of a ball in its groove; it depends on the geometry alone.
 Outside the range of the solutions, N 6 to 4000, L 2 to 20 and lambda 0.02 to 1, the closed formulas hold. Both are
 blended over a factor of 1.5 in each number.
 """
@@ -96,16 +97,34 @@ def regime_of(contact: ContactNumbers, inflow: Inflow) -> Regime:
 
 
 @compiled
+def inlet_length(contact: ContactNumbers, inflow: Inflow, regime: Regime) -> float:
+    """s, m; regime : of the contact and the inflow; beyond the range of the solutions it counts as its end."""
+    radius = 1 / contact.curvature_rolling
+    unit = radius * np.sqrt(np.sqrt(inflow.viscosity * inflow.speed / (contact.modulus * radius)))
+    inside = Regime(
+        min(max(regime.loading, LOW_N), HIGH_N),
+        min(max(regime.thickening, LOW_L), HIGH_L),
+        min(max(regime.ellipticity, LOW_LAMBDA), HIGH_LAMBDA),
+    )
+    return unit * np.exp(-polynomial(ROLLING, inside))
+
+
+@compiled
+def inlet_lengths(ahead: float, semi_axis: float, length: float) -> float:
+    """ln(1 + (X - a)/s), the e-folds of oil in an inlet; lengths in one unit, X at least a."""
+    return np.log1p((ahead - semi_axis) / length)
+
+
+@compiled
 def fitted_force(contact: ContactNumbers, inflow: Inflow, regime: Regime, supply: OilSupply) -> float:
     """f, N; regime : of the contact and the inflow, within the range.
 
     The outlet counts where the far field of pressure, mirrored, is above the oil's tension: beyond x with
     x^3 = 48 eta_0 u R_x^2/((3 + 2 lambda) tension).
     """
-    radius, ellipticity = 1 / contact.curvature_rolling, np.exp(regime.ellipticity)
+    radius, ellipticity, a = 1 / contact.curvature_rolling, np.exp(regime.ellipticity), contact.semi_axis_rolling
     shear = inflow.viscosity * inflow.speed
-    unit = radius * np.sqrt(np.sqrt(shear / (contact.modulus * radius)))
-    lengths = max(np.log(supply.ahead / unit) + polynomial(ROLLING, regime), 0.0)
+    lengths = inlet_lengths(max(supply.ahead, a), a, inlet_length(contact, inflow, regime))
     if supply.tension > 0.0:
         breaks = 48 * shear * radius**2 / ((3 + 2 * ellipticity) * supply.tension)
         lengths += max(np.log(supply.behind) - np.log(breaks) / 3, 0.0)

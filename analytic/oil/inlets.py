@@ -11,13 +11,13 @@ from analytic.contact.geometry import Race
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.numerics.compilation import compiled
 from analytic.oil.asymptotes import FilmAsymptotes, Inflow, log_film_of
-from analytic.oil.ehl_fit import OilSupply, effective_reach
-from analytic.oil.film import heated_part, shear_heat, smallest_ratio
+from analytic.oil.ehl_fit import OilSupply, Regime, effective_reach, inlet_length
+from analytic.oil.film import heated_part, shear_heat
 from analytic.oil.rolling import heated_rolling, replenished, replenishment_rate
 from analytic.oil.starvation import (
     FLOODED,
     StarvedNumbers,
-    checked_degrees,
+    checked_degree,
     starved_by_degree,
     starved_by_factor,
 )
@@ -47,10 +47,12 @@ def inlet_of(
     oil: OilNumbers,
     film: FilmAsymptotes,
     supply: OilSupply,
+    regime: Regime,
     ring_speed: float,
 ) -> InletNumbers:
     """Both factors of a contact; peak_pressure : p0, Pa;  film : flooded and isothermal, smooth.
 
+    regime : of the contact at its speed
     A ball slides by less than 1 % of its rolling, so the heat is that of rolling.
     """
     inflow = inflow_of(contact, oil, ring_speed)
@@ -58,11 +60,12 @@ def inlet_of(
     kinematic = oil.viscosity / oil.density
     starved = FLOODED
     if not np.isnan(supply.degree) or not np.isnan(supply.rate):
-        height, ratio = np.exp(log_film_of(film, 0.0)[0]), smallest_ratio(contact, inflow)
+        height, length = np.exp(log_film_of(film, 0.0)[0]), inlet_length(contact, inflow, regime)
         if np.isnan(supply.degree):
-            starved = starved_by_factor(contact, replenished(supply.rate, abs(ring_speed), kinematic), height, ratio)
+            left = replenished(supply.rate, abs(ring_speed), kinematic)
+            starved = starved_by_factor(contact, left, height, supply.ahead, length)
         else:
-            starved = starved_by_degree(contact, supply.degree, height, ratio)
+            starved = starved_by_degree(contact, supply.degree, height, supply.ahead, length)
     return InletNumbers(
         heated_part(peak_pressure, contact.modulus, loading, 0.0),
         heated_rolling(supply.mean_diameter, abs(ring_speed), kinematic),
@@ -87,7 +90,7 @@ def oil_supply(bearing: Bearing, lubricant: Lubricant, race: Race, *, contact_an
     )
     return OilSupply(
         mean,
-        np.nan if degree is None else float(checked_degrees(degree)),
+        np.nan if degree is None else checked_degree(degree),
         rate,
         ahead,
         behind,

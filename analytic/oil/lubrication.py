@@ -123,13 +123,13 @@ def lubricated_contact(
     cubics : the splines of the gap law
     unit : under 1 N by Hertz alone, as the formula for rolling has it;  peak_pressure : p0, Pa
     ring_speed : w, rad/s, of either sign
-    mixed.asperity_share or inlet.starvation.degree of NaN: the root was not found
+    mixed.asperity_share of NaN: the root was not found
     """
     inflow = inflow_of(contact, oil, ring_speed)
     film, regime = asymptotes_of(contact, inflow), regime_of(contact, inflow)
     if lubrication.film_is_fitted:
         film = thinned(film, film_correction(regime))
-    inlet = inlet_of(contact, peak_pressure, oil, film, lubrication.supply, ring_speed)
+    inlet = inlet_of(contact, peak_pressure, oil, film, lubrication.supply, regime, ring_speed)
     thinner = lubrication.film
     if lubrication.heats:
         thinner *= inlet.film_heating**lubrication.heating

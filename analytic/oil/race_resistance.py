@@ -47,7 +47,7 @@ class ResistedContact(NamedTuple):
     mixed: MixedNumbers  # NaN without oil and surface
     rolling_torque: float  # hydrodynamic, about the bearing axis, N m
     hysteresis_torque: float  # likewise
-    starvation_degree: float  # of the inlet; NaN: no degree leaves the rolling that is known
+    starvation_degree: float  # of the inlet
     film_extrapolated: bool  # as `LubricatedContact` has them
     rolling_extrapolated: bool
 

@@ -10,7 +10,6 @@ from analytic.loads.ring_series import unsettled_ring
 from analytic.loads.thrust import unsettled
 from analytic.numerics.records import Records
 from analytic.oil.mixed import no_shared_load
-from analytic.oil.starvation import no_meniscus
 from analytic.scene import Array, Bearing, Scene
 from analytic.sliding.ellipse import no_creep_speed
 from analytic.sliding.long_ellipse import no_spin_balance
@@ -20,7 +19,6 @@ from analytic.solve.records import (
     BEYOND_SHOULDER,
     NO_CREEP_SPEED,
     NO_DISTRIBUTION,
-    NO_MENISCUS,
     NO_SHARED_LOAD,
     NO_SPIN_BALANCE,
     NO_STEADY_ROTATION,
@@ -75,7 +73,6 @@ def _failure(scene: Scene, model: Model, point: Array, found: Solution, work: Wo
         return unsettled_ring(bearing, model.numbers.ring.grooves, speed, work.ring, work.balls, rounds)
     words = {
         NO_SHARED_LOAD: no_shared_load,
-        NO_MENISCUS: no_meniscus,
         NO_SPIN_BALANCE: no_spin_balance,
         NO_CREEP_SPEED: no_creep_speed,
     }

@@ -52,7 +52,6 @@ from analytic.solve.records import (
     NO_CAGE_DRIVE,
     NO_CREEP_SPEED,
     NO_DISTRIBUTION,
-    NO_MENISCUS,
     NO_SHARED_LOAD,
     NO_SPIN_BALANCE,
     NO_STEADY_ROTATION,
@@ -350,8 +349,6 @@ def note_limits(model: ModelNumbers, race: int, found: LoadedContact, j: int, ou
         out.rolling_extrapolated[race] = True
     if model.has_oil and np.isnan(model.resistance.coefficient) and np.isnan(found.resisted.mixed.asperity_share):
         out.status = NO_SHARED_LOAD
-    if np.isnan(found.resisted.starvation_degree):
-        out.status = NO_MENISCUS
 
 
 @compiled

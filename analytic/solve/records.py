@@ -86,8 +86,7 @@ POINT = np.dtype(
     BEYOND_SHOULDER,
     NO_STEADY_ROTATION,
     NO_SHARED_LOAD,
-    NO_MENISCUS,
     NO_SPIN_BALANCE,
     NO_CREEP_SPEED,
     NO_CAGE_DRIVE,
-) = range(17)
+) = range(16)

@@ -169,6 +169,13 @@ def loading_of(row: Row) -> float:
     return row.loading * row.ellipticity**0.5
 
 
+def semi_axis_of(row: Row) -> float:
+    """a/(R_x U^(1/4))."""
+    contact = contact_of(row.loading, row.thickening, row.ellipticity)
+    assert contact is not None
+    return contact.semi_axes[0] / (RADIUS * contact.relative_speed**0.25)
+
+
 def terms(rows: list[Row]) -> Array:
     """(rows, terms) of the fit, in the order in which `analytic.oil.ehl_fit` takes them."""
     values = np.array([[loading_of(row), row.thickening, row.ellipticity] for row in rows])
@@ -212,16 +219,18 @@ def fitted(target: Array, weight: Array, rows: list[Row]) -> tuple[Array, Array]
 def fit(rows: list[Row]) -> dict[str, Any]:
     """Both fits with their left-out errors.
 
-    rolling force  F^ = S (ln(X/(R_x U^(1/4))) + G),  S = 6 pi/((3 + 2 lambda) sqrt(lambda)),  G: the terms
-    central film   H = H_formula exp(C),  C: the terms
+    rolling force  F^ = S ln(1 + (X - a)/s),  s = R_x U^(1/4) exp(-G),  S = 6 pi/((3 + 2 lambda) sqrt(lambda))
+    central film   H = H_formula exp(C);  G and C: the terms
     """
     ellipticity = np.array([row.ellipticity for row in rows])
     slope = 6 * np.pi / ((3 + 2 * ellipticity) * ellipticity**0.5)
     force = np.array([row.rolling_force for row in rows])
-    level = force / slope - np.log([row.reach for row in rows])
+    beyond = np.array([row.reach - semi_axis_of(row) for row in rows])
+    level = np.log(np.expm1(force / slope) / beyond)
     film = np.log([row.central_film / formula_film(row) for row in rows])
     result: dict[str, Any] = {"version": VERSION, "solutions": len(rows)}
-    for name, target, weight in (("rolling_force", level, slope / force), ("central_film", film, np.ones(len(rows)))):
+    gain = -np.expm1(-force / slope) * slope / force  # relative change of the force per change of G
+    for name, target, weight in (("rolling_force", level, gain), ("central_film", film, np.ones(len(rows)))):
         coefficients, error = fitted(target, weight, rows)
         result[name] = {
             "coefficients": [float(f"{each:.8g}") for each in coefficients],

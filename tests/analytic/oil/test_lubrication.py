@@ -11,8 +11,8 @@ from analytic.contact.hertz import unit_hertz
 from analytic.contact.rolling_contact import ContactNumbers, RollingContact
 from analytic.loads.balls import LoadEffects, thrust_balls
 from analytic.oil.asymptotes import Inflow
-from analytic.oil.ehl_fit import covered, film_correction, fitted_force, regime_of
-from analytic.oil.film import film_asymptotes, inlet_heating_factor, minimum_ratio, thermal_loading
+from analytic.oil.ehl_fit import covered, film_correction, fitted_force, inlet_length, regime_of
+from analytic.oil.film import film_asymptotes, inlet_heating_factor, thermal_loading
 from analytic.oil.inlets import oil_supply
 from analytic.oil.lubrication import LubricatedContact, lubricated_contact, lubrication_of
 from analytic.oil.mixed import MixedContact, mixed_contact
@@ -23,7 +23,7 @@ from analytic.oil.rolling import (
     replenishment_factor,
     rolling_torque,
 )
-from analytic.oil.starvation import starved_at_degree, starved_at_factor
+from analytic.oil.starvation import starved_by_degree, starved_by_factor
 from analytic.oil.traction import mean_force, mixed_traction
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.oil.viscosity import inlet_viscosity, oil_at, oil_numbers, roelands_viscosity
@@ -96,13 +96,16 @@ def by_parts(
         )
         rolling_left = rolling_left * inlet_shear_factor(mean_diameter=(BORE + OUTSIDE) / 2, **runs)
     if counts["starves"]:
-        flooded = {"film": np.exp(film.log_film(0.0)[0]), "minimum_ratio": minimum_ratio(contact, **thickens)}
+        numbers = ContactNumbers._make((*(float(each) for each in contact.fields[:8]), rate))
+        inflow = Inflow(abs(speed * rate), inlet.viscosity, inlet.pressure_viscosity, oil.compressible, np.inf)
+        ahead = oil_supply(BEARING_6205, oil, RACES[race], contact_angle=0.19).ahead
+        flooded = float(np.exp(film.log_film(0.0)[0])), ahead, inlet_length(numbers, inflow, regime_of(numbers, inflow))
         if oil.starvation_degree is None:
             rings = {"bore_diameter": BORE, "outside_diameter": OUTSIDE}
             replenished = replenishment_factor(**rings, **runs, supply=oil.supply)
-            starved = starved_at_factor(contact, rolling_factor=replenished, **flooded)
+            starved = starved_by_factor(numbers, float(replenished), *flooded)
         else:
-            starved = starved_at_degree(contact, degree=oil.starvation_degree, **flooded)
+            starved = starved_by_degree(numbers, oil.starvation_degree, *flooded)
         film_left, rolling_left = film_left * starved.film_factor, rolling_left * starved.rolling_factor
     gap = gap_of(finish, contact) if counts["asperities"] else None
     mixed = mixed_contact(contact, film, gap=gap, film_factor=film_left, pressure_factor=variation.asperity_pressure)

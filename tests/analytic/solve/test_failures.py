@@ -20,7 +20,6 @@ SOLVED, GIVEN = ContactAngle(rule="solved", free=0.26), ContactAngle(rule="given
 GOOD = {"axial_load": 830.0, "radial_load": 0.0, "moment": 0.0, "inner_speed": 47.0}
 NEVER_SOLVED = {  # statuses that no scene of these tests has
     records.NO_SHARED_LOAD,
-    records.NO_MENISCUS,
     records.NO_SPIN_BALANCE,
     records.NO_CREEP_SPEED,
 }
