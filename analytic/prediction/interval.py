@@ -10,11 +10,9 @@ from scipy.special import ndtri
 from scipy.stats import qmc
 
 from analytic.prediction.regression import Regression
-from analytic.prediction.rows import Interval
+from analytic.prediction.rows import ENDS, Interval
 from analytic.scene import Array
 
-COVERED = 0.95
-ENDS = ((1 - COVERED) / 2, (1 + COVERED) / 2)
 POINTS = 2**13  # of the regression
 STEP = 0.01  # in probability, for the density at an end
 SEED = 1  # of the regression's points, the same for every scene

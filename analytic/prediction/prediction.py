@@ -15,15 +15,17 @@ from analytic.errors import InputError
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.prediction.evaluation import Problem, problem_of
 from analytic.prediction.indices import indices_of
-from analytic.prediction.interval import (
+from analytic.prediction.interval import interval_of, least_samples, normal_points
+from analytic.prediction.regression import Regression, regression_of
+from analytic.prediction.rows import (
     COVERED,
     ENDS,
-    interval_of,
-    least_samples,
-    normal_points,
+    Interval,
+    PredictedPoint,
+    PredictionRows,
+    SobolIndices,
+    largest_error,
 )
-from analytic.prediction.regression import Regression, regression_of
-from analytic.prediction.rows import Interval, PredictedPoint, PredictionRows, SobolIndices, largest_error
 from analytic.prediction.sampling import Progress, sampled, silent
 from analytic.prediction.spreads import NUMERICAL, UncertainInput, uncertain_inputs
 from analytic.result import COORDINATES, POINT, FrictionTorque

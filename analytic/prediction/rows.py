@@ -12,6 +12,9 @@ from analytic.prediction.spreads import UncertainInput
 from analytic.rows import Count, NotNegative, OperatingPoint, T, Two
 from analytic.scene import Array
 
+COVERED = 0.95  # probability of an interval
+ENDS = ((1 - COVERED) / 2, (1 + COVERED) / 2)
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Interval(Brief, Generic[T]):

@@ -13,6 +13,13 @@ import typer
 
 DONE, CHECK_FAILED, INPUT_AT_FAULT, NOT_SOLVED = 0, 1, 2, 3
 STATUS = {"pass": DONE, "fail": CHECK_FAILED, "undecided": NOT_SOLVED}  # of a result's verdicts together
+STANDING_STATUS = {  # of the word that says how far a torque can be trusted
+    "fail": CHECK_FAILED,
+    "incomplete": NOT_SOLVED,
+    "undecided": NOT_SOLVED,
+    "check": DONE,
+    "pass": DONE,
+}
 DEFECT, NO_MEMORY, NO_STORAGE = 70, 71, 74
 INTERRUPTED, PIPE_CLOSED = 130, 141  # what a shell makes of the two signals
 

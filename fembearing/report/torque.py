@@ -12,11 +12,12 @@ from analytic.effects.ledger import Effect
 from analytic.inputs import StatedInput
 from analytic.prediction.rows import PredictionRows
 from analytic.result import PairRows, TorquePoint
-from analytic.rows import NotNegative, Positive
+from analytic.rows import NotNegative, Positive, Two
 from analytic.scene import CageStart, Clearances
 from fembearing.plain_types import plain
 from fembearing.verify.torque.left_out import LeftOut, Places
 from fembearing.verify.torque.scene_torque import SceneTorque
+from fembearing.verify.torque.standing import Standing
 from fembearing.verify.torque.verdicts import Verdicts
 
 KIND, FORMAT = "fembearing torque", 5  # what the JSON is; the number rises when a key changes its name or meaning
@@ -60,7 +61,9 @@ class TorqueRecord:
     notes: tuple[str, ...]  # none of them is judged
     inputs: tuple[StatedInput, ...]
     other_candidate: OtherCandidate | None
+    interval: tuple[Two | None, ...]  # ends of 95 % at each point, N m, by samples or to first order; None: not known
     prediction: PredictionRows | None
+    standing: Standing  # how far the torque can be trusted, in one word
     left_out: tuple[LeftOut, ...]  # points without a torque: their numbers are null
 
     def __post_init__(self) -> None:
@@ -128,9 +131,18 @@ def _content(result: SceneTorque) -> dict[str, Any]:
         "notes": result.notes,
         "inputs": result.inputs,
         "other_candidate": _other(result),
+        "interval": rows(_interval(result)),
+        "standing": result.standing,
         "prediction": prediction and replace(prediction, points=rows(prediction.points)),
         "left_out": result.left_out,
     }
+
+
+def _interval(result: SceneTorque) -> list[Two | None]:
+    """Both ends at each operating point that has a torque."""
+    if result.interval is None:
+        return [None] * result.friction.inner_speed.size
+    return [(float(low), float(high)) for low, high in result.interval.T]
 
 
 def _band(result: SceneTorque) -> Band:

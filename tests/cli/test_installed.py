@@ -7,7 +7,7 @@ from rich.console import Console
 
 from analytic.errors import InputError
 from analytic.scenefile.read import parse_scene
-from fembearing.report.terminal.torque import print_torque
+from fembearing.report.terminal.torque import print_details
 from fembearing.report.torque import torque_record
 from fembearing.verify.contact.discrepancy import solve_contact
 from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene
@@ -37,7 +37,7 @@ def found(more: str = "", *, tight: int = 12) -> SceneTorque:
 
 def printed(result: SceneTorque) -> str:
     out = StringIO()
-    print_torque(Console(file=out, width=80), result)
+    print_details(Console(file=out, width=80), result)
     return out.getvalue()
 
 

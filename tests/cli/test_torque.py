@@ -20,7 +20,7 @@ from analytic.scenefile.template import scene_text
 from analytic.torque import friction_torque
 from fembearing.cli.status import CHECK_FAILED, DONE, INPUT_AT_FAULT, NOT_SOLVED
 from fembearing.plain_types import plain
-from fembearing.report.terminal.torque import print_torque
+from fembearing.report.terminal.torque import print_details
 from fembearing.verify.torque import left_out
 from fembearing.verify.torque.scene_torque import torque_of_scene
 from fembearing.verify.torque.verdicts import Verdicts
@@ -42,7 +42,7 @@ contact_angle = { nominal = "30 deg" }
 
 def printed(text: str) -> str:
     out = StringIO()
-    print_torque(Console(file=out, width=80), torque_of_scene(parse_scene(text, origin="here")))
+    print_details(Console(file=out, width=80), torque_of_scene(parse_scene(text, origin="here")))
     return out.getvalue()
 
 
@@ -52,7 +52,7 @@ def test_what_is_left_of_a_balance_is_shown_as_nothing() -> None:
     parts = found.friction.torque
     residue = replace(parts, spin=parts.total * np.array([3.1e-10, 2.3e-3]))
     out = StringIO()
-    print_torque(Console(file=out, width=80), replace(found, friction=replace(found.friction, torque=residue)))
+    print_details(Console(file=out, width=80), replace(found, friction=replace(found.friction, torque=residue)))
     first, second = (line.split() for line in out.getvalue().splitlines()[3:5])
     assert "0" in first
     assert f"{2.3 * parts.total[1]:#.4g}" in second  # N mm

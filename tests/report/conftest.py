@@ -201,7 +201,7 @@ def made(checked: Validation) -> Validation:
         provenance=provenance_of(scene),
         contacts=contacts,
         ladders=tuple(contact_ladder_of(contact) for contact in contacts if contact.judged),
-        torque=replace(torque, scene=scene, friction=production),
+        torque=replace(torque, scene=scene, friction=production, interval=None),
         torque_change=TorqueChange(
             production=production,
             own=own,

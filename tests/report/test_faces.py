@@ -16,7 +16,7 @@ from analytic.scene import Array
 from fembearing.plain_types import plain
 from fembearing.provenance import provenance_of
 from fembearing.report.tables.torque import RESIDUE
-from fembearing.report.terminal.torque import print_torque
+from fembearing.report.terminal.torque import print_details
 from fembearing.report.torque import torque_file
 from fembearing.report.torque_table import csv_of
 from fembearing.verify.torque.change import TorqueChange
@@ -127,7 +127,7 @@ def frame_agrees(result: SceneTorque) -> None:
 def terminal_agrees(result: SceneTorque) -> None:
     """To the four digits that are printed, of a part that counts."""
     out = StringIO()
-    print_torque(Console(file=out, width=300), result)
+    print_details(Console(file=out, width=300), result)
     lines = out.getvalue().splitlines()
     friction = result.friction
     parts, total = known_parts(friction), friction.torque.total

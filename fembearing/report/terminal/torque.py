@@ -7,6 +7,7 @@ from rich.markup import escape
 from rich.padding import Padding
 
 from analytic.verdicts import PhysicalCheck
+from fembearing.report.headline import film_words, headline_table, makers_words
 from fembearing.report.phrases import clearances_of, friction_of, numerical_words
 from fembearing.report.tables.cage import cage_tables
 from fembearing.report.tables.inputs import effects_table, inputs_table
@@ -19,7 +20,16 @@ from fembearing.report.torque import TorqueRecord, cage_motion, torque_record
 from fembearing.verify.torque.scene_torque import SceneTorque
 
 
-def print_torque(out: Console, result: SceneTorque) -> None:
+def print_headline(out: Console, result: SceneTorque) -> None:
+    """Print what was computed, the torque with its interval, the film, the makers' formulas, and the verdict."""
+    record = torque_record(result)
+    show(out, headline_table(result.scene, record))
+    for line in (film_words(result), makers_words(record), f"{record.standing.word}: {record.standing.reason}"):
+        if line is not None:
+            out.print(line, markup=False)
+
+
+def print_details(out: Console, result: SceneTorque) -> None:
     """Print a friction torque: parts, contacts, cage and effects, and the verdicts, in the last line in a word each."""
     scene, verdicts, torque = result.scene, result.verdicts, torque_record(result)
     places = shown_places(torque)

@@ -21,6 +21,7 @@ from fembearing.progress import Progress, silent
 from fembearing.verify.torque.catalogue import BesideCatalogue, beside_catalogue
 from fembearing.verify.torque.catalogue_models import CatalogueBand
 from fembearing.verify.torque.left_out import LeftOut, Places, torque_where_it_is
+from fembearing.verify.torque.standing import Standing, standing_of
 from fembearing.verify.torque.verdicts import Verdicts
 
 if TYPE_CHECKING:  # with SciPy's statistics, which take half a second to import
@@ -32,6 +33,7 @@ BESIDE: dict[str, Column] = {  # what stands beside the torque, one number at ea
     "catalogue_low": Column("N m", "lower end of the catalogue band"),
     "catalogue_high": Column("N m", "upper end of the catalogue band"),
 }
+MOST_ESTIMATED = 50  # operating points with an interval to first order, which costs some 40 torques
 Samples = int | Literal["enough"] | None  # of an interval: a number, until its ends are known well enough, or none
 
 
@@ -45,7 +47,9 @@ class SceneTorque(Brief):
     other_candidate: FrictionTorque | None = (
         None  # with the balls that the ratings fit nearly as well, if there are any
     )
-    prediction: "Prediction | None" = None  # the interval; None: not asked for
+    # Both ends of the 95 % interval at each operating point, N m, (2, n), by samples or to first order; None: not known
+    interval: Array | None = None
+    prediction: "Prediction | None" = None  # the samples of the interval; None: not asked for
     left_out: tuple[LeftOut, ...] = ()  # operating points of the scene that have no torque; warnings say it too
 
     def __post_init__(self) -> None:
@@ -76,6 +80,15 @@ class SceneTorque(Brief):
             numerical=numerical_check(self.friction, tolerance=self.scene.tolerance),
             physical=tuple(replace(each, point=numbers[each.point]) for each in physical_checks(self.friction)),
         )
+
+    @cached_property
+    def standing(self) -> Standing:
+        """How far it can be trusted, in one word."""
+        off = {
+            each.name: each.share for each in self.friction.shares if each.decision == "off" and each.share is not None
+        }
+        total = self.friction.torque.total
+        return standing_of(self.scene, total=total, shares=off, verdicts=self.verdicts, band=self.catalogue.band)
 
     @property
     def places(self) -> Places:
@@ -120,10 +133,10 @@ class SceneTorque(Brief):
         return {name: Labelled((POINT,), whole[name], column) for name, (_, column) in every.items()}
 
     def _beside(self) -> Iterator[tuple[str, Array]]:
-        interval = None if self.prediction is None else self.prediction.total
-        for name, group in (("interval", interval), ("catalogue", self.catalogue.band)):
-            if group is not None:
-                yield from ((f"{name}_{end}", getattr(group, end)) for end in ("low", "high"))
+        if self.interval is not None:
+            yield from zip(("interval_low", "interval_high"), self.interval, strict=True)
+        if (band := self.catalogue.band) is not None:
+            yield from (("catalogue_low", band.low), ("catalogue_high", band.high))
 
     def to_dataset(self) -> Any:
         """An xarray.Dataset over the operating points, SI, with units and meanings as attributes."""
@@ -163,7 +176,7 @@ def torque_of_scene(
 ) -> SceneTorque:
     """The torque of a scene.
 
-    samples : of its 95 % interval, or "enough"; None: no interval
+    samples : of its 95 % interval, or "enough"; None: an estimate to first order, for at most 50 operating points
     keep_going : leave out the operating points that have no torque, and say why
     progress : called with the share of the samples done
     Raises InputError as friction_torque, and with samples as predict; with keep_going where no point has a torque.
@@ -177,16 +190,23 @@ def torque_of_scene(
     else:
         friction = with_model_uncertainty(scene, friction_torque(scene))
     other, friction = _with_other_balls(scene, friction)
-    prediction = None
-    if samples is not None:
+    prediction, interval = None, None
+    if samples is None:
+        if friction.inner_speed.size <= MOST_ESTIMATED:
+            from analytic.prediction.first_order import first_order_ends
+
+            interval = first_order_ends(scene, friction)
+    else:
         from analytic.prediction.prediction import predict
 
         prediction = predict(scene, samples=None if samples == "enough" else samples, progress=progress)
+        interval = np.array(prediction.total.ends)
     return SceneTorque(
         scene=scene,
         friction=friction,
         catalogue=beside_catalogue(scene),
         other_candidate=other,
+        interval=interval,
         prediction=prediction,
         left_out=left_out,
     )

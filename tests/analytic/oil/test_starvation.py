@@ -1,7 +1,6 @@
 """Starved inlets: definitions in other forms, limits, both ways to the degree, and a numerical solution."""
 
 from dataclasses import replace
-from functools import partial
 from typing import Any
 
 import hypothesis.strategies as st

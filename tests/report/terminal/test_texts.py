@@ -13,7 +13,7 @@ from analytic.errors import InputError
 from analytic.result import FrictionTorque
 from analytic.scene import ContactAngle, Operation
 from analytic.torque import friction_torque
-from fembearing.report.terminal.torque import print_torque
+from fembearing.report.terminal.torque import print_details
 from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene
 from tests.analytic.cage.specimens import CAGED, with_cage
 from tests.analytic.scenefile.scene_texts import OILED, SPEEDS, changed, scene
@@ -76,7 +76,7 @@ def test_texts_of_a_cage_have_none() -> None:
 
 def check(result: SceneTorque) -> None:
     out = StringIO()
-    print_torque(Console(file=out, width=200), result)
+    print_details(Console(file=out, width=200), result)
     for text in (*texts_of(result.friction), *result.notes, *out.getvalue().splitlines()):
         for what, form in FORBIDDEN.items():
             assert not re.search(form, text), f"{what}: {text}"

@@ -1,0 +1,105 @@
+"""The first lines of a torque: what was computed, the torque with its interval, and how far to trust it."""
+
+import numpy as np
+
+from analytic.result import TorquePoint
+from analytic.scene import Scene
+from analytic.words import percent_of
+from fembearing.quantities import METRIC, Units
+from fembearing.report.phrases import between
+from fembearing.report.tables.points import fixed_loads, point_cells, point_heads
+from fembearing.report.tables.table import Head, Table, table_of
+from fembearing.report.tables.torque import PARTS, RESIDUE
+from fembearing.report.torque import TorqueRecord
+from fembearing.verify.torque.scene_torque import SceneTorque
+
+ZERO_CELSIUS = 273.15  # K
+MOST_ROWS = 6  # points of a series in the headline
+FULL, BOUNDARY = 0.01, 0.9  # share of the load on asperities: below a full film, above boundary lubrication
+ABSENT = "not known"
+
+
+def headline_title(scene: Scene, record: TorqueRecord, units: Units = METRIC) -> str:
+    """Bearing, loads, speed where it is one, oil, temperature and supply."""
+    points, oil = record.points, scene.lubricant
+    words = [f"{'' if record.pair is None else 'two '}{scene.bearing.name}"]
+    words += [each.replace(" load", "") for each in fixed_loads(points, units)]
+    speeds = {point.inner_speed for point in points}
+    words += [units.speed.written(speeds.pop(), ".5g")] if len(speeds) == 1 else []
+    if oil is None:
+        words.append(
+            "dry" if scene.friction_coefficient is None else f"friction coefficient {scene.friction_coefficient:g}"
+        )
+    else:
+        words.append(f"{oil.name or 'oil'} at {oil.temperature - ZERO_CELSIUS:.4g} degC")
+        words.append(oil.supply.replace("_", " "))
+    return ", ".join(words)
+
+
+def headline_table(scene: Scene, record: TorqueRecord, units: Units = METRIC) -> Table:
+    """One row for each point, at most six: torque, interval, power and the two largest parts."""
+    points, computed = record.points, record.computed
+    places = (
+        computed
+        if len(computed) <= MOST_ROWS
+        else [computed[round(number)] for number in np.linspace(0, len(computed) - 1, MOST_ROWS)]
+    )
+    heads = [*point_heads(points, units), Head(f"torque, {units.torque.name}", fixed=True), Head("95 %", fixed=True)]
+    heads += [Head("power, W", fixed=True), Head("made of", "name")]
+    rows = [
+        [
+            *point_cells(points, place, units),
+            f"{units.torque.number(points[place].torque.total):.4g}",
+            ABSENT if (ends := record.interval[place]) is None else between(ends, units.torque),
+            f"{points[place].torque.total * abs(points[place].inner_speed):.3g}",
+            split_of(points[place]),
+        ]
+        for place in places
+    ]
+    left = len(points) - len(places)
+    notes = [f"{left} more points with --details."] if left else []
+    return table_of(headline_title(scene, record, units), heads, rows, notes)
+
+
+def split_of(point: TorquePoint) -> str:
+    """The parts of the torque, from the largest, in per cent."""
+    total = point.torque.total
+    parts = {
+        short: value
+        for name, short in PARTS.items()
+        if (value := getattr(point.torque, name)) is not None and value > RESIDUE * total
+    }
+    largest = sorted(parts, key=parts.__getitem__, reverse=True)
+    return ", ".join(f"{name} {100 * parts[name] / total:.0f} %" for name in largest[:3])
+
+
+def film_words(result: SceneTorque) -> str | None:
+    """Film ratio and regime of the heaviest ball; None without oil and surface."""
+    films, roughness, shares = result.friction.film, result.friction.gap_roughness, result.friction.asperity_share
+    if roughness is None or films.inner is None or films.outer is None or shares.inner is None or shares.outer is None:
+        return None
+    ratios = [f"{_span(film / roughness)} {race}" for race, film in vars(films).items()]
+    carried = np.concatenate([shares.inner, shares.outer])
+    names = [
+        "full film" if each < FULL else "boundary" if each > BOUNDARY else "mixed"
+        for each in (carried.min(), carried.max())
+    ]
+    regime = " to ".join(dict.fromkeys(names))
+    return f"film: lambda {', '.join(ratios)}; asperities carry up to {percent_of(float(carried.max()), 2)}: {regime}"
+
+
+def makers_words(record: TorqueRecord, units: Units = METRIC) -> str:
+    """What the formulas of each maker give, over all points."""
+    band = record.catalogue_band
+    makers: dict[str, list[float]] = {}
+    for name, series in band.values.items():  # a maker may have two constants: "Palmgren, z = 0.0004"
+        makers.setdefault(name.partition(",")[0], []).extend(each for each in series if each is not None)
+    numbers = [f"{name} {between((min(known), max(known)), units.torque)}" for name, known in makers.items() if known]
+    if not numbers:
+        return "makers: no formula holds for this bearing or load"
+    return f"makers: {', '.join(numbers)} {units.torque.name}"
+
+
+def _span(values: np.ndarray) -> str:
+    low, high = f"{np.min(values):.2g}", f"{np.max(values):.2g}"
+    return low if low == high else f"{low} to {high}"

@@ -1,0 +1,89 @@
+"""How far a torque can be trusted, in one word and the reason for it."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from analytic.scene import Array, Scene
+from analytic.words import percent_of
+from fembearing.verify.torque.catalogue_models import CatalogueBand
+from fembearing.verify.torque.verdicts import IS_OPEN, Verdicts
+
+Word = Literal["fail", "incomplete", "undecided", "check", "pass"]
+UNMEASURED = "no measured torque of such a bearing is known"
+PHYSICAL = {
+    "peak_pressure": "the peak pressure exceeds the static limit",
+    "shoulder": "a shoulder cuts the contact off",
+    "sliding": "the oil holds the balls back more than friction drives them",
+    "gyroscopic_hold": "friction does not hold the gyroscopic moment of a ball",
+    "cage_force": "the force of the cage exceeds the grip of the races",
+}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Standing:
+    """The first that applies of
+
+    - fail: a comparison or a physical limit fails
+    - incomplete: an effect lacks its input and could exceed the tolerance
+    - undecided: the solver error exceeds the tolerance, or a limit is not known
+    - check: the torque is outside the band of the makers' formulas
+    - pass: none of these
+    """
+
+    word: Word
+    reason: str
+
+
+def standing_of(
+    scene: Scene, *, total: Array, shares: dict[str, float], verdicts: Verdicts, band: CatalogueBand | None
+) -> Standing:
+    """Of a torque.
+
+    total : N m, (n,);  shares : of the total, of the effects that are off, at most;  band : arrays (n,), N m
+    """
+    if verdicts.overall == "fail":
+        return Standing(word="fail", reason="; ".join(_failures(verdicts)))
+    lacking = {
+        name: share
+        for name, share in shares.items()
+        if share > scene.tolerance and scene.effects.get(name, "auto") == "auto"
+    }
+    if lacking:
+        name = max(lacking, key=lacking.__getitem__)
+        size = (
+            f"could be {percent_of(lacking[name], 2)} of the torque"
+            if np.isfinite(lacking[name])
+            else "is of unknown size"
+        )
+        return Standing(word="incomplete", reason=f"{name} lacks its input and {size}; see --details")
+    numerical = verdicts.numerical
+    if numerical is not None and numerical.verdict in IS_OPEN:
+        error = "is not known" if numerical.uncertainty is None else f"is {percent_of(numerical.uncertainty, 2)}"
+        return Standing(
+            word="undecided", reason=f"the solver error {error}, asked {percent_of(numerical.tolerance, 2)}"
+        )
+    if verdicts.overall == "undecided":
+        return Standing(word="undecided", reason="a physical limit is not known; see --details")
+    if band is None:
+        return Standing(word="check", reason=f"no maker's formula holds for this bearing; {UNMEASURED}")
+    if outside := where_outside(total, band):
+        return Standing(word="check", reason=f"{outside} the makers' formulas; {UNMEASURED}")
+    return Standing(word="pass", reason=f"inside the makers' formulas; {UNMEASURED}")
+
+
+def _failures(verdicts: Verdicts) -> Iterator[str]:
+    if verdicts.comparison in ("fail", "outside validity"):
+        yield f"the comparison with finite elements: {verdicts.comparison}"
+    for check in verdicts.physical:
+        if check.verdict == "fail":
+            yield f"{PHYSICAL[check.name]} ({check.where})"
+
+
+def where_outside(total: Array, band: CatalogueBand) -> str:
+    """On which side of the band the torque lies, at some point; empty: on none."""
+    sides = [name for name, points in (("below", total < band.low), ("above", total > band.high)) if np.any(points)]
+    some = "" if total.size == 1 or np.all((total < band.low) | (total > band.high)) else "in part "
+    return some + " and ".join(sides) if sides else ""
