@@ -337,7 +337,7 @@ class Operation(Noun):
 class MeasuredTorque(Noun):
     """Friction torques that were measured at n operating points, each (n,); None: as in the scene."""
 
-    file: str  # that has them
+    file: str  # that has them, as messages name it
     torque: Array  # N m, > 0
     uncertainty: Array | None = None  # standard, of the torque, N m, >= 0; None: not known
     inner_speed: Array | None = None  # rad/s

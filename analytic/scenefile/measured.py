@@ -73,7 +73,7 @@ def read_measured(path: str | os.PathLike[str]) -> MeasuredTorque:
             raise
         raise InputError(f"{plain(os.fspath(path))}: {problem}") from None
     return MeasuredTorque(
-        file=os.fspath(path), **{column.name: each for column, each in zip(columns, values, strict=True)}
+        file=plain(os.fspath(path)), **{column.name: each for column, each in zip(columns, values, strict=True)}
     )
 
 
@@ -88,7 +88,7 @@ def with_oils(
         return measured
     if table is None or own is None:
         raise InputError(
-            f"{plain(measured.file)}: the column temperature is that of the oil, and the scene has no [lubricant]; "
+            f"{measured.file}: the column temperature is that of the oil, and the scene has no [lubricant]; "
             "leave the column out"
         )
     oils = {own.temperature: own}
@@ -100,7 +100,7 @@ def with_oils(
             except InputError as problem:
                 row = int(np.flatnonzero(measured.temperature == temperature)[0]) + 1
                 raise InputError(
-                    f"{plain(measured.file)}: row {row}: temperature = {temperature - 273.15:.4g} degC: {problem}"
+                    f"{measured.file}: row {row}: temperature = {temperature - 273.15:.4g} degC: {problem}"
                 ) from problem
     return replace(measured, oils=read_only(oils))
 
@@ -132,7 +132,7 @@ def _columns(cells: Sequence[str]) -> list[Column]:
     names = [column.name for column in columns]
     for name in COLUMNS:
         if names.count(name) > 1:
-            raise ValueError(f"has {names.count(name)} columns {name}; leave one")
+            raise ValueError(f"has {names.count(name)} columns {name}; keep one of them")
     if "torque" not in names:
         raise ValueError(f"has no column torque, only {', '.join(names)}; add one, for example {_head('torque')}")
     if not {*OPERATING} & {*names}:
@@ -165,8 +165,9 @@ def _column(cell: str) -> Column:
 def _values(columns: Sequence[Column], row: Row) -> Iterator[float]:
     """The numbers of a row, SI. Raises ValueError."""
     if len(row.cells) != len(columns):
-        remedy = "write decimal points, not commas" if len(row.cells) > len(columns) else "give one for each column"
-        raise ValueError(f"{row.place} has {len(row.cells)} values for {len(columns)} columns; {remedy}")
+        remedy = "write decimal points, not commas" if len(row.cells) > len(columns) else "give one for each"
+        count = f"{len(row.cells)} value{'' if len(row.cells) == 1 else 's'}"
+        raise ValueError(f"{row.place} has {count}, and there are {len(columns)} columns; {remedy}")
     read = {each.name: _value(each, cell, row.place) for each, cell in zip(columns, row.cells, strict=True)}
     if read.get("inner_speed") == 0:
         raise ValueError(f"{row.place}: inner_speed = 0: nothing turns; give the speed, or leave the row out")
@@ -186,6 +187,8 @@ def _value(column: Column, cell: str, place: str) -> float:
     if not re.fullmatch(NUMBER, cell, re.ASCII):
         what = "is empty" if not cell else f"= {shown(cell)} is no number"
         raise ValueError(f"{place}: {column.name} {what}; give a number in {column.unit}, or leave the row out")
+    if column.name == "torque" and cell.startswith("-"):
+        raise ValueError(f"{place}: torque = {cell} {column.unit} is below 0; give its magnitude, whatever its sign")
     try:
         return column.dimension.read(f"{cell} {column.unit}")
     except ValueError as problem:

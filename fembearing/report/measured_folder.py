@@ -34,7 +34,10 @@ def write_comparison(comparison: MeasuredComparison, scene: Scene, folder: Path)
     from fembearing.report.page.measured_alone import comparison_page
 
     figure = measured_figure(comparison, SYSTEMS[scene.report.units])
-    picture, origin = png(figure), provenance_of(scene, seeds={"samples of the interval": [comparison.seed]})
+    picture, origin = (
+        png(figure),
+        provenance_of(scene, seeds={"samples beside the measured torques": [comparison.seed]}),
+    )
     content = plain(ComparisonFile(**vars(comparison))) | {"run": plain(origin)}
     write(folder / "compare.json", json.dumps(content, indent=1, allow_nan=False))
     write(folder / "compare.csv", csv_of(comparison))

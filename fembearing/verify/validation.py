@@ -202,7 +202,7 @@ def check_scene(
         cage_records=() if friction is None else _recorded(scene, friction),
         seconds=time.perf_counter() - start,
         peak_memory=peak_memory(),
-        provenance=provenance_of(scene, seeds=_seeds(scene, torque, cost=cost)),
+        provenance=provenance_of(scene, seeds=_seeds(scene, torque, measured_torques, cost=cost)),
     )
 
 
@@ -260,7 +260,9 @@ def _creep(
     return found, found.numbers.change * slides / float(torque.total[found.place]), ()
 
 
-def _seeds(scene: Scene, torque: SceneTorque | None, *, cost: bool) -> dict[str, Sequence[int]]:
+def _seeds(
+    scene: Scene, torque: SceneTorque | None, measured: MeasuredComparison | None, *, cost: bool
+) -> dict[str, Sequence[int]]:
     """The seeds of all that is random in a check."""
     cage, surface, friction = scene.cage, scene.surface, None if torque is None else torque.friction
     seeds: dict[str, Sequence[int]] = {}
@@ -268,6 +270,8 @@ def _seeds(scene: Scene, torque: SceneTorque | None, *, cost: bool) -> dict[str,
         seeds["motion of the cage"] = range(cage.seeds)
     if torque is not None and torque.prediction is not None:
         seeds["samples of the interval"] = (torque.prediction.seed,)
+    if measured is not None:
+        seeds["samples beside the measured torques"] = (measured.seed,)
     if cost and surface is not None and surface.autocorrelation is not None:
         seeds["generated surface"] = (SEED,)
     return seeds

@@ -126,7 +126,10 @@ def compare_measured(
     begun = perf_counter()
     measured = scene.measured if data is None else read_measured(data)
     if measured is None:
-        raise InputError("the scene has no [measured]; give a CSV file of measured torques too")
+        raise InputError(
+            "the scene has no table [measured]; give a CSV file of measured torques with the scene, or write file = "
+            '"data.csv" into that table'
+        )
     scenes = list(_scenes(scene, measured))
     predictions = [
         _predicted(each, samples, seed, part_of(progress, number / len(scenes), (number + 1) / len(scenes)))

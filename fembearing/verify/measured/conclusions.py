@@ -22,7 +22,8 @@ def conclusions_of(
     places = {verdict: [p for p, row in enumerate(rows) if row.verdict == verdict] for verdict in (*SIDES, "undecided")}
     missed = sum(len(places[verdict]) for verdict in SIDES)
     if missed:
-        yield f"Missed: {missed} of {len(rows)} measured torques are outside their 95 % intervals."
+        where = "is outside its 95 % interval" if missed == 1 else "are outside their 95 % intervals"
+        yield f"Missed: {missed} of {len(rows)} measured torques {where}."
     for verdict, side in SIDES.items():
         if places[verdict]:
             off = _span([abs(rows[place].relative) for place in places[verdict]])
@@ -33,7 +34,8 @@ def conclusions_of(
             "error of the solver, which is not known."
         )
     if not missed and not places["undecided"]:
-        yield f"Measured torques inside their 95 % intervals: all {len(rows)}."
+        all_rows = f"All {len(rows)} measured torques are inside their 95 % intervals."
+        yield all_rows if len(rows) > 1 else "The measured torque is inside its 95 % interval."
     yield _meaning(rows, missed=bool(missed))
     if scatter is not None:
         ends = _span([row.relative for row in rows], "+.0f")
