@@ -63,9 +63,10 @@ def caption_of(comparison: MeasuredComparison) -> str:
     found = f"{missed} of {len(comparison.rows)} points miss" if missed else "no point misses"
     return (
         "Above: the measured torques with bars of 1.96 u_D, and the computed torque with its 95 % interval by solver, "
-        f"inputs and formulas. Diamonds: band and bar together do not explain the distance; {found}. Below: E, the "
-        "computed less the measured torque over the measured one, with bars of 1.96 u_val, by solver, inputs and "
-        "measurement. Where a bar does not reach 0 the formulas err, if inputs and measurement are as good as stated."
+        "inputs and formulas. Diamonds: the distance exceeds what band and bar explain together, the root of the sum "
+        f"of their squares; {found}. Below: E, the computed less the measured torque over the measured one, with bars "
+        "of 1.96 u_val, by solver, inputs and measurement. Where a bar does not reach 0 the formulas err, if inputs "
+        "and measurement are as good as stated."
     )
 
 

@@ -50,7 +50,7 @@ def measured_table(comparison: MeasuredComparison, units: Units = METRIC) -> Tab
         fixed.append(f"inner speed {units.speed.written(rows[0].inner_speed, '.4g')}")
     if rows[0].temperature is not None and not heated:
         fixed.append(f"oil at {units.temperature.written(rows[0].temperature, '.4g')}")
-    words = [f"Measured and computed friction torque, {torque.name}", *fixed]
+    words = [f"Measured and computed torque, {torque.name}", *fixed]
     listed = [cells(place, row) for place, row in enumerate(rows)]
     return table_of(", ".join(words), heads, listed, [*comparison.conclusions, *comparison.notes, COLUMNS])
 
