@@ -28,7 +28,8 @@ from typing import Any
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 BLOCK = re.compile(
-    r"<!-- (?P<mark>run(?:, status (?P<status>\d+))?|output|file: (?P<file>[\w.-]+)) -->\n```(?P<kind>\w+)\n(?P<text>.*?)```\n",
+    r"<!-- (?P<mark>run(?:, status (?P<status>\d+))?|output|file: (?P<file>[\w.-]+)) -->\n"
+    r"```(?P<kind>\w+)\n(?P<text>.*?)```\n",
     re.DOTALL,
 )
 NUMBER = re.compile(r"(?<![\w.])[+-]?\d+\.?\d*(?:e[+-]?\d+)?(?![\w])")

@@ -52,8 +52,8 @@ def test_the_example_misses_at_low_speed_and_says_so_first(command: Run) -> None
 
 def test_the_scene_of_the_example_is_that_of_the_validation() -> None:
     own, other = load_scene(EXAMPLES[1]), load_scene(ROOT / "validation/scenes/thrust_rig_3mm.toml")
-    totals = [analytic.friction_torque(scene).torque.total for scene in (own, other)]
-    np.testing.assert_array_equal(*totals)
+    ours, theirs = (analytic.friction_torque(scene).torque.total for scene in (own, other))
+    np.testing.assert_array_equal(ours, theirs)
 
 
 def test_a_scene_alone_names_its_data_and_passes(command: Run, place: Path) -> None:

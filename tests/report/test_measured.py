@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from matplotlib.axes import Axes
 from rich.console import Console
 
 from fembearing.plain_types import plain
@@ -168,6 +169,12 @@ def test_the_figure_is_over_the_first_quantity_that_varies(
         assert list(axis.values[places]) == sorted(axis.values[places])
 
 
+def drawn(panel: Axes) -> dict[str, tuple[list[float], list[float]]]:
+    """Places of the points of a panel, by their mark."""
+    lines = [(str(line.get_marker()), np.asarray(line.get_xydata())) for line in panel.lines]
+    return {mark: (xy[:, 0].tolist(), xy[:, 1].tolist()) for mark, xy in lines if mark in ("o", "D") and xy.size}
+
+
 def test_points_bars_and_bands_are_where_the_rows_are(with_measured: Report) -> None:
     figure, caption = measured_plot(with_measured)
     assert figure is not None
@@ -175,13 +182,8 @@ def test_points_bars_and_bands_are_where_the_rows_are(with_measured: Report) -> 
     above, below = figure.axes
     band = above.collections[0].get_paths()[0].vertices
     assert {round(float(y), 9) for y in np.asarray(band)[:, 1]} == {41.0, 62.0}  # N mm, of the computed torque alone
-    points = {line.get_marker(): line for line in above.lines if line.get_marker() in "oD" and len(line.get_xdata())}
-    assert {mark: (list(line.get_xdata()), list(line.get_ydata())) for mark, line in points.items()} == {
-        "o": ([pytest.approx(900)], [40.0]),
-        "D": ([pytest.approx(600)], [40.0]),
-    }
-    marks = [line for line in below.lines if line.get_marker() in "oD" and len(line.get_xdata())]
-    assert all(list(line.get_ydata()) == [pytest.approx(25.0)] for line in marks)
+    assert drawn(above) == {"o": ([pytest.approx(900)], [40.0]), "D": ([pytest.approx(600)], [40.0])}
+    assert drawn(below) == {mark: (speeds, [pytest.approx(25.0)]) for mark, (speeds, _) in drawn(above).items()}
     assert measured_plot(replace(with_measured, measured=None)) == (None, "")
 
 

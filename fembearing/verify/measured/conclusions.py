@@ -44,8 +44,8 @@ def conclusions_of(
     if scatter is not None and len(rows) >= FEW and any(row.resolved for row in rows):
         leading = ", ".join(f"{key} {100 * share:.0f} %" for key, share in inputs.items())
         yield (
-            "The mean of E exceeds its standard deviation: one cause common to all rows explains most of it. Shares in "
-            f"the variance of the computed torque: {leading}."
+            "The mean of E exceeds its standard deviation: one cause common to all rows can explain most of it. Shares "
+            f"in the variance of the computed torque: {leading}."
             if abs(mean_error) > scatter
             else "E varies from row to row by more than its mean: no constant factor explains it."
         )
@@ -54,7 +54,10 @@ def conclusions_of(
 def _meaning(rows: Sequence[MeasuredRow], *, missed: bool) -> str:
     """What can be concluded."""
     if missed:
-        return "At least one of inputs, measurement and formulas errs there by more than is stated."
+        return (
+            "A 95 % interval misses one torque of 20 by chance. Where it misses more, an input, the measurement or a "
+            "formula errs by more than is stated."
+        )
     resolved = [place for place, row in enumerate(rows) if row.resolved]
     if resolved:
         return (

@@ -116,8 +116,8 @@ def test_a_scene_names_its_file_from_its_folder_and_a_given_one_comes_first(
     assert (own.measured.file, given.measured.file) == (str(Path("rig/data.csv")), "other.csv")
     assert given.measured.torque.tolist() == [0.007]
     plain = load_scene_text(tmp_path, MINE)
-    torques = [analytic.friction_torque(scene).torque.total for scene in (own, plain)]
-    np.testing.assert_array_equal(*torques)
+    measured, bare = (analytic.friction_torque(scene).torque.total for scene in (own, plain))
+    np.testing.assert_array_equal(measured, bare)
     # They change no torque, so they change no hash.
     assert provenance_of(own).scene_sha256 == provenance_of(plain).scene_sha256
 

@@ -103,7 +103,8 @@ def test_what_is_missed_comes_first() -> None:
     missed, side, meaning, spread, course = concluded(9.0, 5.0, 8.0, 8.5)
     assert missed == "Missed: 3 of 4 measured torques are outside their 95 % intervals."
     assert side == "The model is too low at rows 1, 3 and 4, by 38 to 44 %."  # 5/8 - 1, 5/9 - 1
-    assert "inputs, measurement and formulas errs there by more than is stated" in meaning
+    assert "one torque of 20 by chance" in meaning
+    assert "errs by more than is stated" in meaning
     # -44.4, 0, -37.5, -41.2 %: mean -30.8 %, standard deviation 20.7 %.
     assert spread == "Over all rows E, computed less measured, is -44 to +0 %, mean -30.8 %, standard deviation 21 %."
     assert "one cause common to all rows" in course
