@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from fembearing.cli.options import BUILTIN, AsJson, Folder, Samples, SceneName, require_folder_name
+from fembearing.cli.options import AsJson, Folder, Samples, require_folder_name, scene_names_like
 from fembearing.cli.status import STATUS, print_warnings
 
 Data = Annotated[
@@ -12,6 +12,14 @@ Data = Annotated[
     typer.Argument(
         metavar="DATA",
         help="CSV file of measured torques, each column with its unit; without it [measured] of the scene names it.",
+    ),
+]
+SceneName = Annotated[
+    str | None,
+    typer.Argument(
+        metavar="SCENE",
+        help="Scene file, TOML; or a bearing of the catalog, as 6206. It may stand alone.",
+        autocompletion=scene_names_like,
     ),
 ]
 Seed = Annotated[int, typer.Option(help="Number that fixes the samples of the intervals.")]
@@ -61,15 +69,13 @@ def compare(
 
 
 def _data_and_scene(data: str | None, scene: str | None) -> tuple[str | None, str]:
-    """The two arguments; one alone is the scene. Raises InputError for one that is the other's place."""
+    """The two arguments; one alone is the scene. Raises InputError for none, and for one in the place of the other."""
     from analytic.errors import InputError
 
-    if scene is None:
-        if data is not None and data.casefold().endswith(".csv"):
-            raise InputError(
-                f"{data!r} is the file of measured torques; give the scene after it: fembearing compare {data} SCENE"
-            )
-        return None, BUILTIN if data is None else data
-    if scene.casefold().endswith(".csv"):
+    if data is None:
+        raise InputError("give the measured torques and the scene: fembearing compare data.csv bearing.toml")
+    if scene is None and data.casefold().endswith(".csv"):
+        raise InputError(f"{data!r} has the measured torques; give the scene after it: fembearing compare {data} SCENE")
+    if scene is not None and scene.casefold().endswith(".csv"):
         raise InputError(f"give the measured torques first: fembearing compare {scene} {data}")
-    return data, scene
+    return (None, data) if scene is None else (data, scene)

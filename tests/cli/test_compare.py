@@ -109,7 +109,7 @@ def test_a_folder_has_page_numbers_table_and_figure(command: Run, place: Path) -
         (("bare.toml", "data.csv"), ("measured torques first", "fembearing compare data.csv bare.toml")),
         (("data.csv",), ("'data.csv'", "fembearing compare data.csv SCENE")),
         (("bare.toml",), ("no table [measured]",)),
-        ((), ("no table [measured]",)),
+        ((), ("fembearing compare data.csv bearing.toml",)),
         (("gone.csv", "bare.toml"), ("gone.csv", "No such file")),
         (("data.csv", "gone.toml"), ("gone.toml",)),
         (("data.csv", "bare.toml", "--samples", "3"), ("samples = 3", "at least")),
