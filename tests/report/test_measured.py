@@ -56,7 +56,7 @@ def comparison(*rows: MeasuredRow) -> MeasuredComparison:
         inside=sum(each.verdict == "inside" for each in rows),
         mean_error=0.21,
         scatter=0.03,
-        inputs={"lubricant.viscosity": 0.61},
+        shares={"lubricant.viscosity": 0.61},
         samples=640,
         seed=7,
         seconds=2.5,

@@ -41,7 +41,7 @@ class MeasuredComparison(Brief):
     inside: int  # number of rows whose measured torque lies in its 95 % interval
     mean_error: float  # of E/D over the rows, dimensionless
     scatter: float | None  # standard deviation of E/D about its mean, dimensionless; None: one row
-    inputs: Mapping[str, float]  # share of the variance of S by key, of those that matter most at any row
+    shares: Mapping[str, float]  # of the variance of S, the largest at any row, by the inputs that matter most
     samples: Count  # number that the intervals are computed from
     seed: int  # of the samples, a number
     seconds: NotNegative
@@ -140,7 +140,7 @@ def compare_measured(
         for point, place in enumerate(places.tolist()):
             found[place] = row_of(measured, place, prediction, point, each)
     rows = tuple(found[place] for place in range(measured.torque.size))
-    relative, inputs = [row.relative for row in rows], _leading(predictions)
+    relative, shares = [row.relative for row in rows], _leading(predictions)
     mean_error, scatter = fmean(relative), stdev(relative) if len(relative) > 1 else None
     return MeasuredComparison(
         scene=scene.name,
@@ -149,11 +149,11 @@ def compare_measured(
         inside=sum(row.verdict == "inside" for row in rows),
         mean_error=mean_error,
         scatter=scatter,
-        inputs=inputs,
+        shares=shares,
         samples=max(each.samples for each in predictions),
         seed=seed,
         seconds=perf_counter() - begun,
-        conclusions=tuple(conclusions_of(rows, mean_error, scatter, inputs)),
+        conclusions=tuple(conclusions_of(rows, mean_error, scatter, shares)),
         notes=tuple(notes_of(measured, rows)),
         warnings=tuple(dict.fromkeys(warning for each in predictions for warning in each.nominal.warnings)),
     )

@@ -13,11 +13,11 @@ SIDES = {"model too low": "too low", "model too high": "too high"}
 
 
 def conclusions_of(
-    rows: Sequence[MeasuredRow], mean_error: float, scatter: float | None, inputs: Mapping[str, float]
+    rows: Sequence[MeasuredRow], mean_error: float, scatter: float | None, shares: Mapping[str, float]
 ) -> Iterator[str]:
     """What is missed first; then the error of all rows, and what follows from it.
 
-    mean_error, scatter : of E/D;  inputs : share of the variance of S by key
+    mean_error, scatter : of E/D;  shares : of the variance of S, by input
     """
     places = {verdict: [p for p, row in enumerate(rows) if row.verdict == verdict] for verdict in (*SIDES, "undecided")}
     missed = sum(len(places[verdict]) for verdict in SIDES)
@@ -42,7 +42,7 @@ def conclusions_of(
         spread = f"{ends}, mean {100 * mean_error:+.1f} %, standard deviation {percent_of(scatter, 2)}"
         yield f"Over all rows E, computed less measured, is {spread}."
     if scatter is not None and len(rows) >= FEW and any(row.resolved for row in rows):
-        leading = ", ".join(f"{key} {100 * share:.0f} %" for key, share in inputs.items())
+        leading = ", ".join(f"{key} {100 * share:.0f} %" for key, share in shares.items())
         yield (
             "The mean of E exceeds its standard deviation: one cause common to all rows can explain most of it. Shares "
             f"in the variance of the computed torque: {leading}."

@@ -72,7 +72,7 @@ class MeasuredRow(OperatingPoint):
 
     @property
     def resolved(self) -> bool:
-        """Whether solver, inputs and measurement do not explain E: |E| > 1.96 u_val."""
+        """Whether solver, inputs and measurement do not explain E: its size exceeds 1.96 u_val."""
         return abs(self.error) > COVERAGE * self.validation
 
 
