@@ -334,6 +334,20 @@ class Operation(Noun):
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
+class MeasuredTorque(Noun):
+    """Friction torques that were measured at n operating points, each (n,); None: as in the scene."""
+
+    file: str  # that has them, as messages name it
+    torque: Array  # N m, > 0
+    uncertainty: Array | None = None  # standard, of the torque, N m, >= 0; None: not known
+    inner_speed: Array | None = None  # rad/s
+    axial_load: Array | None = None  # N
+    radial_load: Array | None = None  # N
+    temperature: Array | None = None  # of the oil at the inlets, K
+    oils: Mapping[float, Lubricant] = field(default_factory=nothing)  # by temperature, K, as the scene's file has them
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Scene(Noun):
     """A bearing, its operating points, and the accuracy of the result."""
 
@@ -359,6 +373,7 @@ class Scene(Noun):
     calibration: str | None = None  # which inputs were fitted to which numbers, in words; None: nothing declared
     down: tuple[float, float, float] | None = None  # unit vector of gravity along x, y, z, dimensionless; None: unknown
     warnings: tuple[str, ...] = ()  # from reading the scene
+    measured: MeasuredTorque | None = None  # what to compare the torque with; None: nothing
     report: ReportDetails = field(default_factory=ReportDetails)
 
     def _facts(self) -> Iterator[str]:

@@ -5,6 +5,7 @@
     contact = fembearing.solve_contact(scene, pair="inner")
     series = fembearing.solve_load_series(scene, pair="inner", loads=[10.0, 100.0, 1000.0])
     result = fembearing.validate(scene, out="report-folder")
+    found = fembearing.compare_measured(scene, "data.csv")
     dataset = fembearing.run_sweep("map.toml", out="map-folder").to_dataset()
 
 `__init__.pyi` lists the names. Each is imported on first use, so that a program pays only for what it calls.

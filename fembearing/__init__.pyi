@@ -5,6 +5,8 @@ from .verify.contact.discrepancy import ContactSolution as ContactSolution
 from .verify.contact.discrepancy import solve_contact as solve_contact
 from .verify.contact.load_series import LoadSeries as LoadSeries
 from .verify.contact.load_series import solve_load_series as solve_load_series
+from .verify.measured.comparison import MeasuredComparison as MeasuredComparison
+from .verify.measured.comparison import compare_measured as compare_measured
 from .verify.validation import Validation as Validation
 
 __version__: str

@@ -66,11 +66,12 @@ class Provenance:
 def provenance_of(scene: Scene, *, seeds: Mapping[str, Sequence[int]] = MappingProxyType({})) -> Provenance:
     """The whole scene in SI and its hash; date, command, machine, and the versions of the packages.
 
-    What only the report says (`Scene.report`) is left out: who signs it, in which units, changes no number and no hash.
+    What changes no torque is left out, so that it changes no hash: `Scene.report`, who signs and in which units, and
+    `Scene.measured`, whose numbers stand beside the computed ones.
     seeds : of each random quantity, by its name; without them nothing is random
     """
     content = plain(scene)
-    del content["report"]
+    del content["report"], content["measured"]
     return Provenance(
         scene=scene.name,
         scene_content=content,

@@ -4,6 +4,7 @@ In a page a comment before a block says what the block is for:
 
     <!-- file: my.toml -->    the block is this file
     <!-- run -->              the block is run: `fembearing` commands, or Python
+    <!-- run, status 1 -->    the same, and its commands end with this status
     <!-- output -->           the block is what the last command before it printed; a line "..." stands for any lines
 
     python -m tests.executed_pages PAGE ...
@@ -17,6 +18,7 @@ import io
 import os
 import re
 import shlex
+import shutil
 import sys
 import tempfile
 from collections.abc import Iterator
@@ -24,8 +26,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 BLOCK = re.compile(
-    r"<!-- (?P<mark>run|output|file: (?P<file>[\w.-]+)) -->\n```(?P<kind>\w+)\n(?P<text>.*?)```\n", re.DOTALL
+    r"<!-- (?P<mark>run(?:, status (?P<status>\d+))?|output|file: (?P<file>[\w.-]+)) -->\n"
+    r"```(?P<kind>\w+)\n(?P<text>.*?)```\n",
+    re.DOTALL,
 )
 NUMBER = re.compile(r"(?<![\w.])[+-]?\d+\.?\d*(?:e[+-]?\d+)?(?![\w])")
 LEFT_OUT = "..."
@@ -53,7 +58,8 @@ def outputs(page: str) -> Iterator[Output]:
         elif block["kind"] == "python":
             printed = printed_by_python(text, names)
         else:
-            printed = [printed_by_command(command) for command in commands_in(text)][-1]
+            status = int(block["status"] or 0)
+            printed = [printed_by_command(command, status) for command in commands_in(text)][-1]
 
 
 def commands_in(text: str) -> Iterator[str]:
@@ -63,8 +69,11 @@ def commands_in(text: str) -> Iterator[str]:
             yield line.strip()
 
 
-def printed_by_command(line: str) -> str:
-    """What a `fembearing` command prints, on a terminal of 80 columns. Raises RuntimeError for one that fails."""
+def printed_by_command(line: str, status: int = 0) -> str:
+    """What a `fembearing` command prints, on a terminal of 80 columns.
+
+    Raises RuntimeError for one that ends with another status.
+    """
     from fembearing.cli import main
 
     words = shlex.split(line, comments=True)
@@ -77,7 +86,7 @@ def printed_by_command(line: str) -> str:
         try:
             main()
         except SystemExit as stop:
-            if stop.code not in (0, None):
+            if int(stop.code or 0) != status:
                 raise RuntimeError(f"{line}: status {stop.code}: {errors.getvalue().strip()}") from None
         finally:
             sys.argv = before
@@ -140,7 +149,10 @@ def renewed(output: Output) -> str:
 
 
 def run_in(folder: Path, page: Path) -> list[Output]:
-    """Run a page in a folder, as on a terminal of 80 columns."""
+    """Run a page in a folder that has the data and scenes of the examples, as on a terminal of 80 columns."""
+    (folder / "examples").mkdir()
+    for file in (*EXAMPLES.glob("*.csv"), *EXAMPLES.glob("*.toml")):
+        shutil.copy(file, folder / "examples")
     before, columns = Path.cwd(), os.environ.get("COLUMNS")
     os.chdir(folder)
     os.environ["COLUMNS"] = "80"

@@ -199,6 +199,8 @@ def predict(
     nominal = friction_torque(scene)
     if workers is not None and workers < 1:
         raise InputError(f"workers = {workers}: give a whole number from 1, or leave it out for one a core")
+    if seed < 0:
+        raise InputError(f"seed = {seed}: give a whole number from 0, as {SEED}")
     problem = _problem(scene, nominal, samples)
     scores = normal_points(len(problem.inputs))
     first = SAMPLES if samples is None else samples

@@ -160,13 +160,20 @@ class Dimension:
         match = QUANTITY.fullmatch(_plain_powers(given)) if len(given) <= LONGEST else None
         if match is None:
             raise ValueError(f"is not a number and a unit{self._hint(given)}; {self.accepted}")
-        number, unit = Decimal(match[1]), self._unit(match[2])
-        remedy = self._remedy(match[2])
+        try:
+            unit = self.known_unit(match[2])
+        except ValueError as problem:
+            raise ValueError(f"{problem}; {self.accepted}") from None
+        return float((Decimal(match[1]) * unit.factor + unit.zero) / self._si.factor)
+
+    def known_unit(self, written: str) -> Unit:
+        """The unit that is written. Raises ValueError for one that is unknown or of another kind."""
+        unit, remedy = self._unit(written), self._remedy(written)
         if unit is None:
-            raise ValueError(f"has the unknown unit {match[2]!r}{remedy}; {self.accepted}")
+            raise ValueError(f"has the unknown unit {written!r}{remedy}")
         if unit.powers != self._si.powers:
-            raise ValueError(f"is not {self._kind}{remedy}; {self.accepted}")
-        return float((number * unit.factor + unit.zero) / self._si.factor)
+            raise ValueError(f"is not {self._kind}{remedy}")
+        return unit
 
     @property
     def _si(self) -> Unit:

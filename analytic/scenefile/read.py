@@ -33,6 +33,7 @@ from analytic.scenefile.find import find_scene
 from analytic.scenefile.installation import arranged, in_operation, installation_faults
 from analytic.scenefile.keys import fault_at, faults_of
 from analytic.scenefile.losses import losses_of
+from analytic.scenefile.measured import read_measured, with_oils
 from analytic.scenefile.oil import lubricant_of
 from analytic.scenefile.spread_tables import given_assumptions, given_spreads
 from analytic.scenefile.surface import surface_conflicts, surface_of
@@ -53,13 +54,15 @@ BALLS = ("ball_count", "ball_diameter")
 MOST_FAULTS = 5  # in one message; the others are counted
 
 
-def load_scene(scene: str | os.PathLike[str]) -> Scene:
+def load_scene(scene: str | os.PathLike[str], *, measured: str | os.PathLike[str] | None = None) -> Scene:
     """The scene that a TOML file describes; or a built-in scene, or a bearing of the catalog, by its name.
 
     Parameters
     ----------
     scene : str or path
         A file, a built-in scene as "6205-dry", or a bearing of the catalog as "6206".
+    measured : str or path, optional
+        CSV file of measured torques, in place of the scene's [measured]; None: that one, if there is one.
 
     Returns
     -------
@@ -70,10 +73,11 @@ def load_scene(scene: str | os.PathLike[str]) -> Scene:
     ------
     InputError
         A name that is none of these; a file that cannot be read, is too large or is not TOML; a key that is unknown,
-        missing, without its unit, out of range or in conflict with other keys.
+        missing, without its unit, out of range or in conflict with other keys; measured torques likewise.
     """
     found = find_scene(scene)
-    return parse_scene(found.text, origin=found.origin, folder=found.folder)
+    document = parse_text(found.text, origin=found.origin)
+    return scene_of(document, origin=found.origin, folder=found.folder, measured=measured)
 
 
 def parse_scene(text: str, *, origin: str, folder: Path = Path()) -> Scene:
@@ -85,8 +89,14 @@ def parse_scene(text: str, *, origin: str, folder: Path = Path()) -> Scene:
     return scene_of(parse_text(text, origin=origin), origin=origin, folder=folder)
 
 
-def scene_of(document: dict[str, Any], *, origin: str, folder: Path = Path()) -> Scene:
-    """The scene that a parsed TOML document describes; the arguments and errors of parse_scene.
+def scene_of(
+    document: dict[str, Any],
+    *,
+    origin: str,
+    folder: Path = Path(),
+    measured: str | os.PathLike[str] | None = None,
+) -> Scene:
+    """The scene that a parsed TOML document describes; the arguments and errors of load_scene and parse_scene.
 
     The entries of the catalog are put into the document.
     """
@@ -108,7 +118,7 @@ def scene_of(document: dict[str, Any], *, origin: str, folder: Path = Path()) ->
             if not found:
                 scene, found = _scene(table, own, row, folder)
             if scene is not None and not found:
-                return scene
+                return _with_measured(scene, table, folder, measured)
             faults = [fault_at(document, key, problem) for key, problem in found]
     more = f"; and {len(faults) - MOST_FAULTS} more" if len(faults) > MOST_FAULTS else ""
     raise InputError(f"{origin}: " + "; ".join(faults[:MOST_FAULTS]) + more)
@@ -269,6 +279,17 @@ def _scene(
     sources, unmatched = given_assumptions(table.assumed, scene)
     scene = replace(scene, uncertainty=MappingProxyType(spreads), assumed=MappingProxyType(sources))
     return scene, [*misfits, *unplaced, *unfitting, *unmatched]
+
+
+def _with_measured(scene: Scene, table: SceneTable, folder: Path, given: str | os.PathLike[str] | None) -> Scene:
+    """The scene with its measured torques, if there are any; given : their file, in place of that of [measured]."""
+    if given is None and table.measured is not None:
+        given = folder / table.measured.file
+    if given is None:
+        return scene
+    found = read_measured(given)
+    radius = scene.bearing.ball_radius
+    return replace(scene, measured=with_oils(found, table.lubricant, scene.lubricant, ball_radius=radius))
 
 
 def _gap_key(given: BearingTable) -> str:

@@ -381,6 +381,14 @@ class EffectsTable(Table):
     ball_dynamics: Decision = "auto"
 
 
+class MeasuredTable(Table):
+    """Measured torques, with which the computed ones are compared."""
+
+    HINT = 'give a table [measured] of file = "data.csv"'
+
+    file: Text = Field(description="give the path of a CSV file of measured torques, from the scene file's folder")
+
+
 class ReportTable(Table):
     """What is printed in the report beside the numbers."""
 
@@ -411,4 +419,5 @@ class SceneTable(Table):
     effects: EffectsTable = EffectsTable()
     uncertainty: UncertaintyTable = UncertaintyTable()  # pyright: ignore[reportInvalidTypeForm]
     assumed: AssumedTable = AssumedTable()  # pyright: ignore[reportInvalidTypeForm]
+    measured: MeasuredTable | None = None
     report: ReportTable = ReportTable()

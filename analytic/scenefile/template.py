@@ -47,6 +47,9 @@ hysteresis_loss = 0.007                   # assumed: 0.003 to 0.025 are in use, 
 #seals = "5 N mm"                         # of both seals together, or "estimate" by SKF's formula
 #drag = "2 N mm"                          # of the oil that balls and cage move
 
+#[measured]                               # with which `fembearing compare` compares the torque
+#file = "data.csv"                        # columns as inner_speed [rpm], torque [N mm], uncertainty [N mm]
+
 #[effects]                                # "auto" decides by the tolerance; or "on", "off"
 #creep = "auto"
 #rolling = "auto"

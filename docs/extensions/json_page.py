@@ -20,6 +20,8 @@ uncertainties and discrepancies are relative. `null` stands where something is n
 - `report.json` of `fembearing validate`, and `validate --json`: [Report](#report).
 - `torque.json` and `torque --json`: [TorqueRecord](#torquerecord) with `kind` and `format`; the file has `run`, where
   it comes from, and the folder's `cage_motion`, the files of moving cages, as well.
+- `compare.json` and `compare --json`: [MeasuredComparison](#measuredcomparison) with `kind` and `format`; the file has
+  `run` as well.
 - `contact --json`: [ContactRecord](#contactrecord), with the stresses below the surface.
 """
 PLAIN = {float: "number", int: "whole number", str: "text", bool: "`true` or `false`", type(None): "`null`", Any: "any"}

@@ -14,6 +14,7 @@ from typing import Annotated, Any
 import typer
 
 from fembearing.cli import (
+    compare,
     contact,
     cost,
     creep,
@@ -33,6 +34,7 @@ from fembearing.cli.boundary import DEBUG, guarded
 COMMANDS: dict[str, tuple[Callable[..., None], str]] = {  # with an example of what follows the name
     "validate": (validate.validate, 'bearing.toml --tolerance "1 %" --out report-of-my-bearing'),
     "torque": (torque.torque, 'bearing.toml --tolerance "1 %" --out torque-of-my-bearing'),
+    "compare": (compare.compare, "data.csv bearing.toml --out comparison-of-my-bearing"),
     "contact": (contact.contact, '--pair inner --load "620 N" --tolerance "0.1 %"'),
     "film": (film.film, 'bearing.toml --pair inner --load "372 N" --speed "500 rpm" --tolerance "1 %"'),
     "creep": (creep.creep, 'bearing.toml --friction 0.1 --tolerance "1 %" --out friction-of-my-bearing'),

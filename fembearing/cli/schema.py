@@ -14,11 +14,16 @@ class File(StrEnum):
     GRID = "grid"
     REPORT = "report"
     TORQUE = "torque"
+    COMPARE = "compare"
 
 
 def schema(
     file: Annotated[
-        File, typer.Argument(help="scene or grid, which people write; report: report.json; torque: torque --json.")
+        File,
+        typer.Argument(
+            help="scene or grid, which people write; report: report.json; torque: torque --json; compare: "
+            "compare --json."
+        ),
     ],
 ) -> None:
     """Print the JSON Schema of a file: scene and grid, by which editors complete keys, or a JSON result."""
@@ -35,6 +40,6 @@ def _schema_of(file: File) -> dict[str, Any]:
         from fembearing.sweep.schema import grid_schema
 
         return grid_schema()
-    from fembearing.report.schema import report_schema, torque_schema
+    from fembearing.report.schema import comparison_schema, report_schema, torque_schema
 
-    return report_schema() if file is File.REPORT else torque_schema()
+    return {File.REPORT: report_schema, File.TORQUE: torque_schema, File.COMPARE: comparison_schema}[file]()

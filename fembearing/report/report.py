@@ -31,6 +31,7 @@ from fembearing.verify.cost.ladder import Ladder
 from fembearing.verify.creep.scene_creep import CreepNumbers
 from fembearing.verify.film.scene_film import FilmNumbers
 from fembearing.verify.hard_record import HardRecord
+from fembearing.verify.measured.comparison import MeasuredComparison
 from fembearing.verify.torque.cage_record import DrawnMotion
 from fembearing.verify.torque.change import OF_RACES, TorqueChange
 from fembearing.verify.torque.sensitivity import Sensitivity
@@ -195,6 +196,7 @@ class Report:
     film_change: Floats | None  # of the torque at each point, relative; None without films or torque
     creep: CreepNumbers | None = None  # friction of the heaviest ball; None where nothing slides
     creep_change: float | None = None  # of the torque at its operating point by the reference, relative
+    measured: MeasuredComparison | None = None  # measured torques beside the computed ones; None: the scene has none
     sensitivity: Sensitivity | None
     cost: Cost
     hard: HardRecord
@@ -283,6 +285,7 @@ def report_of(result: Validation, *, pictures: Sequence[PictureFile] = (), rende
         film_change=None if result.film_change is None else tuple(result.film_change.tolist()),
         creep=None if result.creep is None else result.creep.numbers,
         creep_change=result.creep_change,
+        measured=result.measured_torques,
         sensitivity=result.sensitivity,
         cost=Cost(
             measured=result.measured, seconds=result.seconds, peak_memory=result.peak_memory, ladders=result.ladders

@@ -6,6 +6,7 @@ from pydantic import TypeAdapter
 from pydantic.json_schema import GenerateJsonSchema
 from pydantic_core.core_schema import FloatSchema
 
+from fembearing.report.measured_folder import ComparisonFile
 from fembearing.report.report import Report
 from fembearing.report.torque import TorqueFile
 
@@ -26,3 +27,8 @@ def report_schema() -> dict[str, Any]:
 def torque_schema() -> dict[str, Any]:
     """Of `torque --json`."""
     return TypeAdapter(TorqueFile).json_schema(schema_generator=NumberOrNull)
+
+
+def comparison_schema() -> dict[str, Any]:
+    """Of `compare --json`."""
+    return TypeAdapter(ComparisonFile).json_schema()

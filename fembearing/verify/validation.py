@@ -31,6 +31,7 @@ from fembearing.verify.cost.scene_cost import measure_cost
 from fembearing.verify.creep.scene_creep import SceneCreep, creep_of
 from fembearing.verify.film.scene_film import RaceFilm, film_change, film_of
 from fembearing.verify.hard_record import HardRecord, last_run
+from fembearing.verify.measured.comparison import MeasuredComparison, compare_measured
 from fembearing.verify.memory import peak_memory
 from fembearing.verify.torque.cage_record import CageRecord, record_cage
 from fembearing.verify.torque.change import TorqueChange, change_of_torque
@@ -66,6 +67,7 @@ class Validation(Brief):
     creep: SceneCreep | None = None  # numerical friction of the heaviest ball; None where nothing slides
     creep_change: float | None = None  # of the torque at its point by numerical friction, relative; None without it
     no_creep: tuple[str, ...] = ()  # why there is no numerical friction
+    measured_torques: MeasuredComparison | None = None  # beside the computed ones; None: the scene has none
     sensitivity: Sensitivity | None = None  # None: not computed
     cage_records: tuple[CageRecord, ...] = ()  # of the slowest and the fastest point whose cage moved
     trouble: tuple[str, ...] = ()  # met while the report was written
@@ -159,6 +161,9 @@ def check_scene(
     if scene.has_friction or "on" in scene.effects.values():
         # Refuses what it cannot model before anything is solved.
         torque = torque_of_scene(scene, samples=samples, progress=lambda _share, step: progress(0.0, step))
+    measured_torques = None
+    if scene.measured is not None:
+        measured_torques = compare_measured(scene, progress=lambda _share, step: progress(0.0, step))
     for pair, *_ in jobs:
         contact_of(scene, pair=pair)  # and so do the contacts
     moves = bool(np.any(scene.operation.inner_speed))
@@ -192,11 +197,12 @@ def check_scene(
         if cost
         else tuple(contact_ladder_of(contact) for contact in contacts if contact.judged),
         measured=cost,
+        measured_torques=measured_torques,
         sensitivity=sensitivity_of(scene),
         cage_records=() if friction is None else _recorded(scene, friction),
         seconds=time.perf_counter() - start,
         peak_memory=peak_memory(),
-        provenance=provenance_of(scene, seeds=_seeds(scene, torque, cost=cost)),
+        provenance=provenance_of(scene, seeds=_seeds(scene, torque, measured_torques, cost=cost)),
     )
 
 
@@ -254,7 +260,9 @@ def _creep(
     return found, found.numbers.change * slides / float(torque.total[found.place]), ()
 
 
-def _seeds(scene: Scene, torque: SceneTorque | None, *, cost: bool) -> dict[str, Sequence[int]]:
+def _seeds(
+    scene: Scene, torque: SceneTorque | None, measured: MeasuredComparison | None, *, cost: bool
+) -> dict[str, Sequence[int]]:
     """The seeds of all that is random in a check."""
     cage, surface, friction = scene.cage, scene.surface, None if torque is None else torque.friction
     seeds: dict[str, Sequence[int]] = {}
@@ -262,6 +270,8 @@ def _seeds(scene: Scene, torque: SceneTorque | None, *, cost: bool) -> dict[str,
         seeds["motion of the cage"] = range(cage.seeds)
     if torque is not None and torque.prediction is not None:
         seeds["samples of the interval"] = (torque.prediction.seed,)
+    if measured is not None:
+        seeds["samples beside the measured torques"] = (measured.seed,)
     if cost and surface is not None and surface.autocorrelation is not None:
         seeds["generated surface"] = (SEED,)
     return seeds

@@ -17,6 +17,7 @@ from fembearing.plain_types import plain
 from fembearing.report.figures.approach import approach_plot
 from fembearing.report.figures.cage import cage_plot
 from fembearing.report.figures.friction import friction_plot
+from fembearing.report.figures.measured import measured_plot
 from fembearing.report.figures.page_plots import PLOTS
 from fembearing.report.figures.prediction import prediction_plot
 from fembearing.report.figures.pressure import pressure_plot
@@ -27,6 +28,7 @@ from fembearing.report.report import report_in, report_of
 from fembearing.verify.torque.cage_record import record_cage
 from fembearing.verify.validation import Validation
 from tests.report.pictures.test_cage_pictures import MOVING
+from tests.report.test_measured import TWO
 
 Document = dict[str, Any]  # what report.json holds
 OF_PLOTS = {  # a key, and the module's function that reads it
@@ -38,18 +40,19 @@ OF_PLOTS = {  # a key, and the module's function that reads it
     "asperity_share": friction_plot,
     "torque": torque_plot,
     "prediction": prediction_plot,
+    "measured": measured_plot,
 }
 
 
 @pytest.fixture(scope="module")
 def document(checked: Validation) -> Document:
-    """With a cage that moved, and an interval."""
+    """With a cage that moved, an interval, and measured torques."""
     scene = parse_scene(MOVING, origin="here")
     record = record_cage(scene, friction_torque(scene), 0)
     assert record is not None
     assert checked.torque is not None
     torque = replace(checked.torque, prediction=predict(checked.scene, samples=64, workers=1))
-    whole = replace(checked, cage_records=(record,), torque=torque)
+    whole = replace(checked, cage_records=(record,), torque=torque, measured_torques=TWO)
     return json.loads(json.dumps(plain(report_of(whole)), allow_nan=False))
 
 
@@ -97,7 +100,7 @@ def test_writing_computes_nothing(checked: Validation, monkeypatch: pytest.Monke
 def test_no_key_gets_lost(document: Document) -> None:
     """Every table but the scene's refuses a key that it does not name."""
     tables = [way for way in places(document) if isinstance(at(document, way), dict) and "scene_content" not in way]
-    keyed = ("values", "chosen", "seeds", "versions", "uncertainties")  # by names that the results choose
+    keyed = ("values", "chosen", "seeds", "versions", "uncertainties", "shares")  # by names that the results choose
     strict = [way for way in tables if way[-1] not in keyed]
     assert len(strict) > 50
     for way in strict:

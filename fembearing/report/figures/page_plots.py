@@ -13,6 +13,7 @@ from fembearing.report.figures.cage import cage_plot
 from fembearing.report.figures.convergence import convergence_plot
 from fembearing.report.figures.cost import cost_figures
 from fembearing.report.figures.friction import friction_plot
+from fembearing.report.figures.measured import measured_plot
 from fembearing.report.figures.prediction import prediction_plot
 from fembearing.report.figures.pressure import pressure_plot
 from fembearing.report.figures.ring import ring_plot
@@ -22,7 +23,9 @@ from fembearing.report.figures.torque import torque_plot
 from fembearing.report.report import Report
 
 PIXELS = 96  # of a page, per inch
-Section = Literal["torque", "contacts", "pictures", "meshes", "ring", "cage", "sensitivity", "cost"]  # of an appendix
+Section = Literal[  # of an appendix
+    "torque", "measured", "contacts", "pictures", "meshes", "ring", "cage", "sensitivity", "cost"
+]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -84,6 +87,7 @@ PLOTS: tuple[Plot, ...] = (
     Plot(section="torque", heading="Torque by effect", draw=torque_plot),
     Plot(section="torque", heading="Friction, film and asperities", draw=friction_plot),
     Plot(section="torque", heading="95 % interval of the torque", draw=prediction_plot),
+    Plot(section="measured", heading="Measured and computed torque", draw=measured_plot),
     Plot(section="ring", heading="Balls around the ring", draw=ring_plot),
     Plot(section="sensitivity", heading="One input at a time", draw=sensitivity_plot),
     Plot(section="cage", heading="Orbit of the cage and its forces", draw=cage_plot),

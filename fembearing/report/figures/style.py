@@ -5,6 +5,7 @@ from io import BytesIO
 from typing import Any
 
 import numpy as np
+from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import NullFormatter, ScalarFormatter
@@ -40,6 +41,12 @@ def png(figure: Figure) -> bytes:
 def pdf(figure: Figure) -> bytes:
     """The figure as a file of lines and letters."""
     return _saved(figure, format="pdf")
+
+
+def svg(figure: Figure) -> bytes:
+    """The figure as a picture of lines and letters, the same in every run."""
+    with rc_context({"svg.hashsalt": "fembearing"}):
+        return _saved(figure, format="svg", metadata={"Date": None})
 
 
 def _saved(figure: Figure, **how: Any) -> bytes:

@@ -27,6 +27,7 @@ from fembearing.report.tables.cost import cost_table
 from fembearing.report.tables.creep import creep_table
 from fembearing.report.tables.film import film_table
 from fembearing.report.tables.inputs import effects_table, inputs_table
+from fembearing.report.tables.measured import measured_table
 from fembearing.report.tables.points import shown_places
 from fembearing.report.tables.prediction import prediction_tables
 from fembearing.report.tables.table import Table
@@ -68,6 +69,7 @@ def page_of(document: Report, folder: Path, *, plots: dict[str, list[ShownPlot]]
         tables={
             "inputs": _inputs(document),
             "torque": _torque(document),
+            "measured": document.measured and measured_table(document.measured, units),
             "film": [film_table(film, units) for film in document.films],
             "creep": document.creep and creep_table(document.creep, units),
             "ring": ring_tables(document),

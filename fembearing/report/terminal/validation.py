@@ -8,6 +8,7 @@ from fembearing.report.report import Report
 from fembearing.report.tables.contacts import contacts_of, pocket_table
 from fembearing.report.tables.creep import creep_table
 from fembearing.report.tables.film import film_table
+from fembearing.report.tables.measured import measured_table
 from fembearing.report.tables.points import shown_places
 from fembearing.report.tables.prediction import prediction_tables
 from fembearing.report.tables.torque import change_table, torque_table
@@ -33,6 +34,8 @@ def print_validation(out: Console, document: Report) -> None:
         for table in prediction_tables(torque, places):
             show(out, table)
         show(out, change_table(torque.points, change, places))
+    if document.measured is not None:
+        show(out, measured_table(document.measured))
     if document.film_change is not None:
         out.print(f"{film_change_words(document.film_change)}\n")
     if document.creep_change is not None:

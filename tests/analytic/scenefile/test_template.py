@@ -60,10 +60,12 @@ def test_the_load_is_light_and_of_the_kind_that_the_bearing_carries() -> None:
     assert groove.operation.axial_load == angular.operation.radial_load == 0.0
 
 
-def test_every_table_in_comments_is_read() -> None:
+def test_every_table_in_comments_is_read(tmp_path: Path) -> None:
+    (tmp_path / "data.csv").write_text("inner_speed [rpm],torque [N mm]\n500,7\n")
     text, count = re.subn(r"(?m)^#(\[?\w)", r"\1", scene_text("6206"))
     assert count > 20
-    scene = parse_scene(text, origin="here")
+    scene = parse_scene(text, origin="here", folder=tmp_path)
+    assert scene.measured is not None
     assert scene.cage is not None
     assert scene.losses.seals == pytest.approx(5e-3, rel=1e-12)  # one rounding
     assert set(scene.effects.values()) == {"auto"}

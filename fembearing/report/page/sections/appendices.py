@@ -27,6 +27,7 @@ class Part(NamedTuple):
 PARTS = (
     Part("inputs", "Inputs and effects"),
     Part("torque", "Torque at every operating point", lambda document: document.torque is not None),
+    Part("measured", "Measured torques", lambda document: document.measured is not None),
     Part("contacts", "Contacts"),
     Part("pictures", "Contact pressure"),
     Part("film", "Film and rolling", lambda document: bool(document.films)),

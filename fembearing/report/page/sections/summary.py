@@ -78,7 +78,8 @@ class Summary(NamedTuple):
 def summary_of(document: Report) -> Summary:
     """The summary of a report."""
     torque = document.torque
-    notes = [*failures(document.physical), *([] if torque is None else torque.notes), *document.warnings]
+    measured = [] if document.measured is None else [document.measured.conclusions[0]]  # what is missed
+    notes = [*failures(document.physical), *measured, *([] if torque is None else torque.notes), *document.warnings]
     boxes = _boxes(document)
     return Summary(
         figures=[] if torque is None else _figures(torque, document.units),

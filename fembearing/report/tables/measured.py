@@ -1,0 +1,60 @@
+"""Measured torques beside the computed ones."""
+
+from analytic.scenefile.measured import OPERATING
+from fembearing.quantities import METRIC, Units
+from fembearing.report.phrases import between, digits
+from fembearing.report.tables.points import fixed_loads, point_cells, point_heads
+from fembearing.report.tables.table import Head, Row, Table, table_of
+from fembearing.verify.measured.comparison import MeasuredComparison
+from fembearing.verify.measured.rows import MeasuredRow
+
+MOST_VARYING = 2  # operating columns beside which a terminal has room for the uncertainty of the measured torque
+COLUMNS = (
+    "95 %: interval in which the measured torque should lie, by solver, inputs, formulas and measurement; too low, too "
+    "high: the model. E: computed less measured, over measured. u: u_val over measured, u_val^2 = u_num^2 + u_input^2 "
+    "+ u_D^2 [ASME2009]; it and +- are standard uncertainties."
+)
+
+
+def measured_table(comparison: MeasuredComparison, units: Units = METRIC) -> Table:
+    """A row for each measured torque, and below it what the rows show."""
+    rows, torque = comparison.rows, units.torque
+    varying = [name for name in OPERATING if len({getattr(row, name) for row in rows}) > 1]
+    heated = "temperature" in varying
+    heads = point_heads(rows, units)
+    heads += [Head(f"oil, {units.temperature.name}", short=units.temperature.name)] if heated else []
+    heads += [Head("measured", short="meas."), Head("+-", wide=len(varying) > MOST_VARYING)]
+    heads += [Head("computed", short="comp."), Head("95 %", fixed=True)]
+    heads += [Head("E, %"), Head("u_num, %", wide=True), Head("u_input, %", wide=True), Head("u_D, %", wide=True)]
+    heads += [Head("u_val, %", short="u, %"), Head("formulas, %", wide=True), Head("beyond, %", wide=True)]
+    heads += [Head("verdict", "verdict")]
+
+    def cells(place: int, row: MeasuredRow) -> Row:
+        oil = [] if row.temperature is None or not heated else [f"{units.temperature.number(row.temperature):.4g}"]
+        return [
+            *point_cells(rows, place, units),
+            *oil,
+            digits(row.measured, torque.factor, 4),
+            "-" if row.measurement is None else f"{torque.number(row.measurement):.2g}",
+            digits(row.computed, torque.factor, 4),
+            between((row.low, row.high), torque),
+            f"{100 * row.relative:+.1f}",
+            *(_percent(part, row) for part in (row.numerical, row.input, row.measurement, row.validation)),
+            _percent(row.formulas, row),
+            _percent(row.beyond, row) if row.beyond else "-",
+            row.verdict.removeprefix("model "),
+        ]
+
+    fixed = fixed_loads(rows, units)
+    if "inner_speed" not in varying:
+        fixed.append(f"inner speed {units.speed.written(rows[0].inner_speed, '.4g')}")
+    if rows[0].temperature is not None and not heated:
+        fixed.append(f"oil at {units.temperature.written(rows[0].temperature, '.4g')}")
+    words = [f"Measured and computed torque, {torque.name}", *fixed]
+    listed = [cells(place, row) for place, row in enumerate(rows)]
+    return table_of(", ".join(words), heads, listed, [*comparison.conclusions, *comparison.notes, COLUMNS])
+
+
+def _percent(part: float | None, row: MeasuredRow) -> str:
+    """A part of the uncertainty over the measured torque."""
+    return "-" if part is None else f"{100 * part / row.measured:.2g}"

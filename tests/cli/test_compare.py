@@ -1,0 +1,128 @@
+"""`fembearing compare`: measured torques of a file beside the computed ones."""
+
+import csv
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import jsonschema
+import numpy as np
+import pytest
+
+import analytic
+from analytic.scenefile.read import load_scene
+from fembearing.report.schema import comparison_schema
+from tests.analytic.scenefile.scene_texts import MINE
+from tests.conftest import Result
+
+Run = Callable[..., Result]
+ROOT = Path(__file__).resolve().parents[2]
+EXAMPLES = str(ROOT / "examples/balan_3mm.csv"), str(ROOT / "examples/thrust_rig_3mm.toml")
+QUICK = ("--samples", "64")  # no assertion depends on the accuracy of the interval
+HEAD = "inner_speed [rpm],torque [N mm],uncertainty [%]\n"
+
+
+@pytest.fixture
+def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The working folder, with a scene and its measured torques, all inside."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "scene.toml").write_text(MINE + 'spin_rule = "balanced"\n[measured]\nfile = "data.csv"\n')
+    scene = MINE + 'spin_rule = "balanced"\n'
+    (tmp_path / "bare.toml").write_text(scene)
+    torque = 1e3 * analytic.friction_torque(load_scene("bare.toml")).torque.total[0]
+    (tmp_path / "data.csv").write_text(f"{HEAD}90,{0.96 * torque:.6g},2\n90,{1.03 * torque:.6g},2\n")
+    (tmp_path / "far.csv").write_text(f"{HEAD}90,{0.96 * torque:.6g},2\n90,{9 * torque:.6g},2\n")
+    return tmp_path
+
+
+def test_the_example_misses_at_low_speed_and_says_so_first(command: Run) -> None:
+    ended = command("compare", *EXAMPLES, *QUICK)
+    assert ended.status == 1  # a comparison fails
+    lines = ended.out.splitlines()
+    rows = [line.split() for line in lines[3:9]]
+    assert [row[1] for row in rows] == ["60", "90", "120", "150", "180", "210"]
+    # Computed torques of validation/measured/measured.md, uN m, by the same scene.
+    assert [float(row[4]) for row in rows] == pytest.approx([0.0357, 0.0497, 0.0629, 0.0756, 0.0878, 0.0998], rel=3e-3)
+    assert rows[0][-2:] == ["too", "low"]
+    assert rows[-1][-1] == "inside"
+    assert lines[9].startswith("Missed: 2 of 6")
+    assert max(map(len, lines)) <= 80
+    assert lines[-1].startswith("fail: 4 of 6 inside, 64 samples")
+
+
+def test_the_scene_of_the_example_is_that_of_the_validation() -> None:
+    own, other = load_scene(EXAMPLES[1]), load_scene(ROOT / "validation/scenes/thrust_rig_3mm.toml")
+    ours, theirs = (analytic.friction_torque(scene).torque.total for scene in (own, other))
+    np.testing.assert_array_equal(ours, theirs)
+
+
+def test_a_scene_alone_names_its_data_and_passes(command: Run, place: Path) -> None:
+    assert place.is_dir()
+    own, given = command("compare", "scene.toml", *QUICK), command("compare", "data.csv", "bare.toml", *QUICK)
+    assert (own.status, given.status) == (0, 0)
+    assert own.out.splitlines()[:-1] == given.out.splitlines()[:-1]  # the last one has the seconds
+    assert "All 2 measured torques are inside" in own.out
+    assert command("compare", "far.csv", "scene.toml", *QUICK).status == 1  # in place of the scene's own
+
+
+def test_json_fits_its_schema_and_is_alone_on_standard_output(command: Run, place: Path) -> None:
+    assert place.is_dir()
+    ended = command("compare", "scene.toml", "--json", "--seed", "5", *QUICK)
+    found = json.loads(ended.out)
+    jsonschema.validate(found, comparison_schema())
+    assert json.loads(command("schema", "compare").out) == json.loads(json.dumps(comparison_schema()))
+    assert (found["kind"], found["format"]) == ("fembearing compare", 1)
+    assert (found["seed"], found["samples"], found["inside"]) == (5, 64, 2)
+    assert found["rows"][0]["error"] == pytest.approx(found["rows"][0]["computed"] - found["rows"][0]["measured"])
+    again = json.loads(command("compare", "scene.toml", "--json", "--seed", "5", *QUICK).out)
+    assert found.pop("seconds") > 0
+    assert again.pop("seconds") > 0
+    assert found == again
+
+
+def test_a_folder_has_page_numbers_table_and_figure(command: Run, place: Path) -> None:
+    ended = command("compare", "far.csv", "bare.toml", "--out", "found", *QUICK)
+    assert "report: found" in ended.out
+    folder = place / "found"
+    names = {"compare.html", "compare.json", "compare.csv", "compare.png", "compare.svg"}
+    assert {file.name for file in folder.iterdir()} == names
+    numbers = json.loads((folder / "compare.json").read_text("utf-8"))
+    assert numbers["run"]["seeds"] == {"samples beside the measured torques": [1]}
+    with (folder / "compare.csv").open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    assert [row["verdict"] for row in rows] == ["inside", "model too low"]
+    for row, same in zip(rows, numbers["rows"], strict=True):
+        assert float(row["error [N mm]"]) == pytest.approx(1e3 * same["error"], rel=1e-12)  # 15 digits are written
+        assert float(row["inner_speed [rpm]"]) == pytest.approx(90)
+        assert row["temperature [degC]"] == ""  # the scene has no oil
+    assert (folder / "compare.png").read_bytes().startswith(b"\x89PNG")
+    assert b"<svg" in (folder / "compare.svg").read_bytes()
+    page = (folder / "compare.html").read_text("utf-8")
+    assert "Missed: 1 of 2 measured torques is outside its 95 % interval." in page
+    assert 'class="too">too low' in page
+    assert "data:image/png;base64," in page
+
+
+@pytest.mark.parametrize(
+    ("words", "parts"),
+    [
+        (("bare.toml", "data.csv"), ("measured torques first", "fembearing compare data.csv bare.toml")),
+        (("data.csv",), ("'data.csv'", "fembearing compare data.csv SCENE")),
+        (("bare.toml",), ("no table [measured]",)),
+        ((), ("fembearing compare data.csv bearing.toml",)),
+        (("gone.csv", "bare.toml"), ("gone.csv", "No such file")),
+        (("data.csv", "gone.toml"), ("gone.toml",)),
+        (("data.csv", "bare.toml", "--samples", "3"), ("samples = 3", "at least")),
+        (("data.csv", "bare.toml", "--seed", "-5"), ("seed = -5", "from 0")),
+        (("data.csv", "bare.toml", "--out", "new.png"), ("--out 'new.png'", "writes a folder")),
+        (("wrong.csv", "bare.toml"), ("wrong.csv: column 'speed [rpm]'", "inner_speed [rpm]?")),
+    ],
+)
+def test_a_mistake_gives_one_line(command: Run, place: Path, words: tuple[str, ...], parts: tuple[str, ...]) -> None:
+    (place / "wrong.csv").write_text("speed [rpm],torque [N mm]\n60,5\n")
+    before = sorted(place.iterdir())
+    ended = command("compare", *words)
+    assert (ended.status, ended.out) == (2, "")
+    assert ended.err.count("\n") == 1
+    assert [part for part in parts if part not in ended.err] == [], ended.err
+    assert sorted(place.iterdir()) == before
