@@ -1,0 +1,58 @@
+"""The interval to first order: against a law whose interval is known, and against samples."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from analytic.prediction.first_order import first_order_ends
+from analytic.prediction.prediction import predict
+from analytic.scene import Scene
+from analytic.scenefile.read import load_scene
+from analytic.torque import friction_torque
+
+ONE_INPUT = dict.fromkeys(
+    (
+        "bearing.inner.conformity", "bearing.outer.conformity", "bearing.contact_angle.free", "operation.axial_load",
+        "friction.hysteresis_loss", "cage.friction_coefficient",
+    ),
+    0.0,
+)  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def dry() -> Scene:
+    return load_scene("6205-dry")
+
+
+def test_one_input_in_proportion_gives_its_own_interval(dry: Scene) -> None:
+    """Without hysteresis and cage the torque of gross sliding goes with the friction coefficient, which is lognormal."""
+    scene = replace(
+        dry,
+        uncertainty=ONE_INPUT | {"friction.coefficient": 0.02},  # a fifth of 0.1
+        effects={"hysteresis": "off", "cage": "off", "cage_dynamics": "off", "creep": "off"},
+        spin_rule="balanced",
+        sliding="coulomb_line",
+    )
+    nominal = friction_torque(scene)
+    ends = first_order_ends(scene, nominal)
+    assert ends is not None
+    # 1e-3: the balls' numerical uncertainty, two deviations of the total, is another input
+    spread = np.hypot(0.2, nominal.numerical_uncertainty / 2)
+    np.testing.assert_allclose(ends, nominal.torque.total * np.exp(1.959964 * np.array([-spread, spread])), rtol=1e-3)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["paper_6205", "6205-dry"])
+def test_the_ends_are_those_of_samples(name: str) -> None:
+    """Within a tenth: products of two inputs are neglected, and 1024 samples know their ends to some 3 %."""
+    scene = load_scene(name)
+    ends = first_order_ends(scene, friction_torque(scene))
+    assert ends is not None
+    np.testing.assert_allclose(ends, predict(scene, samples=1024).total.ends, rtol=0.1)
+
+
+def test_an_input_that_leaves_no_torque_leaves_no_interval(dry: Scene) -> None:
+    """Conformity below a half is no groove: an end of its spread has no torque."""
+    wild = replace(dry, uncertainty={"operation.axial_load": 900.0, "bearing.contact_angle.free": 0.6})
+    assert first_order_ends(wild, friction_torque(dry)) is None

@@ -1,0 +1,58 @@
+"""The word for a torque: each by its own cause, in the order fail, incomplete, undecided, check, pass."""
+
+from dataclasses import replace
+from types import MappingProxyType
+
+import numpy as np
+import pytest
+
+from analytic.scene import Scene
+from analytic.verdicts import NumericalCheck, PhysicalCheck
+from fembearing.verify.torque.catalogue_models import CatalogueBand
+from fembearing.verify.torque.standing import Standing, standing_of
+from fembearing.verify.torque.verdicts import Verdicts
+
+GOOD = PhysicalCheck(
+    name="peak_pressure", where="inner race", point=0, value=1.7e9, limit=4.2e9, unit="Pa", verdict="pass", note=""
+)
+SOLVED = NumericalCheck(verdict="pass", uncertainty=0.013, tolerance=0.05, reason="")
+TOTAL = np.array([0.021, 0.037])
+BAND = CatalogueBand(
+    low=np.array([0.017, 0.033]), high=np.array([0.029, 0.041]), values=MappingProxyType({"SKF": np.array([0.02, 0.04])})
+)
+
+
+@pytest.fixture
+def scene(dry_scene: Scene) -> Scene:
+    return replace(dry_scene, tolerance=0.05, effects={})
+
+
+def found(scene: Scene, **changed: object) -> Standing:
+    given = {"numerical": SOLVED, "physical": (GOOD,), "band": BAND, "shares": {"drag": 0.02}, "total": TOTAL} | changed
+    verdicts = Verdicts(numerical=given["numerical"], physical=given["physical"])  # pyright: ignore[reportArgumentType]
+    return standing_of(scene, total=given["total"], shares=given["shares"], verdicts=verdicts, band=given["band"])  # pyright: ignore[reportArgumentType]
+
+
+def test_each_cause_has_its_word_and_names_itself(scene: Scene) -> None:
+    beyond = replace(GOOD, value=4.7e9, verdict="fail")
+    loose = NumericalCheck(verdict="not reached", uncertainty=0.083, tolerance=0.05, reason="")
+    lacking = {"drag": 0.02, "cage": 0.31, "weight": 0.07}
+    for changed, word, reason in (
+        ({}, "pass", "inside the makers' formulas"),
+        ({"total": np.array([0.015, 0.031])}, "check", "below the makers' formulas"),
+        ({"total": np.array([0.021, 0.047])}, "check", "in part above the makers' formulas"),
+        ({"band": None}, "check", "no maker's formula"),
+        ({"numerical": loose}, "undecided", "solver error is 8.3 %, asked 5 %"),
+        ({"physical": (replace(GOOD, verdict="unknown"),)}, "undecided", "limit is not known"),
+        ({"shares": lacking, "numerical": loose}, "incomplete", "cage lacks its input and could be 31 %"),
+        ({"shares": {"cage": np.inf}}, "incomplete", "cage lacks its input and is of unknown size"),
+        ({"physical": (beyond,), "shares": lacking}, "fail", "peak pressure exceeds the static limit (inner race)"),
+    ):
+        standing = found(scene, **changed)
+        assert standing.word == word
+        assert reason in standing.reason
+
+
+def test_an_effect_that_the_scene_switches_off_is_not_missing(scene: Scene) -> None:
+    off = replace(scene, effects={"cage": "off"})
+    assert found(off, shares={"cage": 0.31}).word == "pass"
