@@ -11,7 +11,7 @@ from fembearing.creep.half_space import HalfSpaces
 from fembearing.creep.strips import Strips
 from fembearing.fem.compliance import PairCompliance
 from fembearing.fem.traction import ACROSS, ALONG, NORMAL, Axis
-from fembearing.verify.contact.meshed_pair import meshed_pair
+from fembearing.verify.contact.elastic_bodies import meshed_pair
 from fembearing.verify.creep.production import ProducedBall
 
 CENTRE = 1e-3  # semi-axes: where the displacement along rolling is still linear

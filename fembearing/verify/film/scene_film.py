@@ -26,7 +26,7 @@ from fembearing.ehl.film import NumericalFilm, numerical_film
 from fembearing.ehl.oil import Oil
 from fembearing.grid_convergence import Estimate
 from fembearing.progress import Progress, silent
-from fembearing.verify.contact.meshed_pair import Compliance, meshed_pair
+from fembearing.verify.contact.elastic_bodies import Compliance, meshed_pair
 from fembearing.verify.contact.scene_contact import balls_of, contact_at, heaviest_place
 from fembearing.verify.film.closed_forms import ClosedForms
 
