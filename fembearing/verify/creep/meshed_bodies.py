@@ -46,7 +46,8 @@ class MeshedBodies:
             return self.compliance.added_influence((x, y), _middles(strips), moves=moves, by=NORMAL) @ force
 
         near = CENTRE * a
-        stretch = added(np.array([near]), np.zeros(1), ALONG) / near
+        behind, ahead = added(np.array([-near, near]), np.zeros(2), ALONG)
+        stretch = (ahead - behind) / (2 * near)
         moved = self.half_spaces.by_pressure(strips, pressure, x, y)
         return moved + np.array([added(x, y, ALONG) - stretch * x, added(x, y, ACROSS)])
 
