@@ -51,7 +51,7 @@ def solved(contact: LubricatedContact) -> Solution:
     return found
 
 
-@pytest.mark.parametrize("share", [0.2, -0.2])
+@pytest.mark.parametrize("share", [0.2, -0.3])
 def test_an_addition_that_bends_both_surfaces_is_another_radius(share: float) -> None:
     """c (x^2 + x'^2) moves surfaces under the load Q by c Q x^2 and an approach: a curvature of 2 c Q."""
     contact = moes(12.0, 5.0, 0.3, ahead=4.0)
@@ -61,8 +61,8 @@ def test_an_addition_that_bends_both_surfaces_is_another_radius(share: float) ->
     direct, by_addition, without = solved(curved), solved(bent), solved(contact)
     assert abs(direct.central_film / without.central_film - 1) > 0.04
     assert abs(direct.pressure_centre / without.pressure_centre - 1) > 0.1
-    # Each has a grid for the ellipse of its own radius, with an error of 1 %.
-    assert by_addition.central_film == pytest.approx(direct.central_film, rel=0.015)
+    # Each has a grid for the ellipse of its own radius, with an error of 1 to 2 %.
+    assert by_addition.central_film == pytest.approx(direct.central_film, rel=0.02)
     assert by_addition.pressure_centre == pytest.approx(direct.pressure_centre, rel=0.03)
 
 
