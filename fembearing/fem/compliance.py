@@ -136,9 +136,9 @@ def whole_compliance(contact: Contact, *, recipe: Recipe, level: int, semi_axes:
     """The compliance of ball and race of true shape for any pressure and tractions, from one level of a recipe.
 
     semi_axes : of the contact, m, to a few per cent
-    Pressure has the polynomials up to the fourth degree, each traction those up to the third. A traction and the
-    displacement along it lie in the surface of each body, whose normals turn over the contact. That tractions move the
-    surfaces along their normals, and so change the pressure, is in it too.
+    Pressure has the polynomials up to the fourth degree, each traction those up to the third. Loads and displacements
+    lie along each body's own normals and its own surface, which turn over the contact. That tractions move the surfaces
+    along their normals, and so change the pressure, is in it too.
     Raises InputError if the bodies cannot be meshed and where a shoulder cuts the contact off, SingularError as
     `condense`.
     """
@@ -157,7 +157,6 @@ def whole_compliance(contact: Contact, *, recipe: Recipe, level: int, semi_axes:
     force = surface_mass(pair.upper.mesh, nodes) @ (root[:, None] * values)
     into_ball, upright = tangent_frame(pair.normal), np.eye(3)[:, :, None]
     into_race = -tangent_frame(_normal_of_race(contact, *pair.lower.mesh.doflocs[:2, pair.lower.touching]))
-    into_race[NORMAL] = pair.normal  # as contact forces push it
     flat_upper = flat_ball(block_of_ball(contact, recipe, level, footprint))
     flat_lower = flat_race(block_of_race(contact, recipe, level, footprint, False))
     ball, race = contact.ball_material, contact.race_material

@@ -95,8 +95,8 @@ def test_outside_the_ellipse_it_is_near_the_meshed_bodies(contacts: dict[str, Co
     added = of_ball - of_flat_ball + LinearNDInterpolator(race_at, added_by_race)(at)
 
     compliance = sampled_compliance(bodies, recipe=RECIPE)
-    whole = np.concatenate([at, place.T])  # forces first act where they are, then displacements are read
-    held = compliance.added_displacement(*whole.T, np.concatenate([np.zeros(len(at)), 4 * force]))[: len(at)]
+    x, y = np.concatenate([at, place.T]).T  # displacements are read at the first, forces act at the others
+    held = compliance.added_displacement(x, y, np.concatenate([np.zeros(len(at)), 4 * force]))[: len(at)]
     approach = approach_under(axes, load=4 * force.sum(), modulus=contact_modulus(contact))
     error, far = np.abs(held - added) / approach, np.linalg.norm(at / axes, axis=1)
     for nearest, farthest, stated in ((0, 1, 1e-3), (1, 1.5, 3e-3), (1.5, 3, 1.2e-2), (3, 99, 3e-2)):

@@ -20,7 +20,7 @@ from fembearing.mesh.bodies import Block, BodyMesh
 from fembearing.mesh.footprint import Footprint
 from fembearing.mesh.half_space import flat_block
 from fembearing.mesh.recipe import load_recipe
-from tests.contacts import NITRIDE
+from tests.contacts import NITRIDE, PEEK
 
 Array = NDArray[np.float64]
 RECIPE = load_recipe("race")
@@ -130,13 +130,29 @@ def disk() -> tuple[Array, Array, Array]:
     return x, y, root / root.sum()
 
 
+def on_plane(contact: Contact, race: Material) -> PairCompliance:
+    """A sphere on a plane, with a contact so large that the sphere adds per cents."""
+    shape = {"groove_radius": np.inf, "rolling_radius": np.inf, "shoulder": np.inf, "far_shoulder": np.inf}
+    a, _ = expected_semi_axes(replace(contact, **shape))
+    return whole(replace(contact, **shape, contact_angle=0.0, race_material=race), 1, (3 * a, 3 * a))
+
+
 @pytest.fixture(scope="module")
 def on_flat(contacts: dict[str, Contact]) -> PairCompliance:
-    """A sphere on a plane: nothing distinguishes a direction."""
-    shape = {"groove_radius": np.inf, "rolling_radius": np.inf, "shoulder": np.inf, "far_shoulder": np.inf}
-    contact = replace(contacts["inner"], **shape, contact_angle=0.0, race_material=NITRIDE)
-    a, _ = expected_semi_axes(contact)
-    return whole(contact, 1, (3 * a, 3 * a))  # large, so that the sphere adds per cents
+    return on_plane(contacts["inner"], NITRIDE)
+
+
+def test_a_plane_adds_nothing_however_soft(contacts: dict[str, Contact], on_flat: PairCompliance) -> None:
+    """Beside its own yielding, 50 times that of the ball, where one direction of a push would be as large."""
+    soft = on_plane(contacts["inner"], PEEK)
+    x, y, load = disk()
+    a, _ = soft.semi_axes
+    place = a * x, a * y
+    approach = approach_under((a, a), load=1.0, modulus=contact_modulus(soft.contact))
+    push = load * np.array([np.ones_like(x) + x, 0.7 - y, 1.1 + 0 * x])
+    found, ball = (moved(each, push, place=place, loaded=place) / approach for each in (soft, on_flat))
+    # Columns of the plane start where the normals of the ball meet it: a 2 % wider grid than that of its twin.
+    np.testing.assert_allclose(np.ptp(found - ball, axis=1), 0, atol=0.02)
 
 
 Places = tuple[Array, Array]
@@ -155,7 +171,7 @@ def moved(pair: PairCompliance, push: Array, *, place: Places, loaded: Places) -
 
 @pytest.mark.parametrize("turn", [np.pi / 2, np.pi / 5])
 def test_a_sphere_on_a_plane_has_no_direction(on_flat: PairCompliance, turn: float) -> None:
-    """A turned load moves it by the turned displacement: all parities, and what couples the components, agree."""
+    """Nothing distinguishes one: a turned load moves it by the turned displacement: all parities, and what couples the components, agree."""
     x, y, load = disk()
     cosine, sine = np.cos(turn), np.sin(turn)
     matrix = np.array([[cosine, -sine, 0], [sine, cosine, 0], [0, 0, 1]])
@@ -200,7 +216,7 @@ def test_a_first_level_is_near_a_second_one(contacts: dict[str, Contact], pair: 
 
 @pytest.mark.parametrize("pair", ["inner", "outer"])
 def test_even_pressure_is_that_of_the_condensed_bodies(contacts: dict[str, Contact], pair: str) -> None:
-    """Condensation has another far field, another fit and no tractions."""
+    """Condensation has another far field and fit, and pushes the race along the ball's normals, not along its own."""
     contact = contacts[pair]
     axes = shared_axes(expected_semi_axes(contact, geometry="real"))
     condensed = pair_compliance(contact, recipe=RECIPE, level=2, semi_axes=axes)
@@ -210,7 +226,9 @@ def test_even_pressure_is_that_of_the_condensed_bodies(contacts: dict[str, Conta
     found = whole(contact, 2, axes).added_displacement(*place, load) / approach
     expected = condensed.added_displacement(*place, load) / approach
     assert np.abs(expected).min() > 0.02
-    np.testing.assert_allclose(found, expected, atol=3e-4)  # noise of single nodes, which both smooth in their way
+    np.testing.assert_allclose(
+        found, expected, atol=2.5e-3
+    )  # the angle between these normals, up to 0.04, times a slide along the race
 
 
 @pytest.mark.parametrize("pair", ["inner", "outer"])

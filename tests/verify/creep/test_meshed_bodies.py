@@ -66,6 +66,23 @@ def test_a_traction_moves_as_its_moment_says(
     np.testing.assert_allclose(found, expected, rtol=1e-6, atol=1e-6 * np.abs(expected).max())  # of a difference
 
 
+@pytest.mark.parametrize("moves", [Term(0, 2, 1), Term(1, 0, 1)])
+def test_a_pressure_moves_as_its_moment_says(
+    pair: PairCompliance, half_spaces: HalfSpaces, strips: Strips, moves: Term
+) -> None:
+    by = Term(NORMAL, 1, 0)
+    bodies = MeshedBodies(half_spaces=half_spaces, compliance=only(pair, moves, by, 3.1e-9))
+    a, b = pair.semi_axes
+    x, y = np.array([0.31, -0.52]) * a, np.array([-0.44, 0.13]) * b
+    pressure = 1e9 * np.random.default_rng(4).uniform(0, 1, strips.x.shape)
+    found = bodies.by_pressure(strips, pressure, x, y) - half_spaces.by_pressure(strips, pressure, x, y)
+    at_x, at_y = strips.x / a, strips.y / b
+    moment = np.sum(at_x / np.maximum(1, np.hypot(at_x, at_y)) * pressure * strips.area)
+    expected = np.zeros((2, 2))
+    expected[moves.axis] = 3.1e-9 * moment * (x / a) ** moves.of_x * (y / b) ** moves.of_y
+    np.testing.assert_allclose(found, expected, rtol=1e-6, atol=1e-6 * np.abs(expected).max())  # of a difference
+
+
 def test_work_is_mutual(pair: PairCompliance, half_spaces: HalfSpaces, strips: Strips) -> None:
     """Betti: the displacement of one rectangle by a force on another one is that the other way round."""
     bodies = MeshedBodies(half_spaces=half_spaces, compliance=pair)
