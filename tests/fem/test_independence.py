@@ -70,6 +70,8 @@ def solve():
     twin = twins.twin_on_level(contact, recipe=recipe, level=1, start=axes)
     pair = compliances.pair_compliance(contact, recipe=recipe, level=1, semi_axes=twins.shared_axes(axes))
     found = pixels.press_pair(pair, load=contact.load)
+    whole = compliances.whole_compliance(contact, recipe=recipe, level=1, semi_axes=axes)
+    print(whole.added.tobytes().hex())
     print(twin.corrected, pair.added.tobytes().hex(), astuple(found.quantities), found.force.tobytes().hex())
 
 def refuse(*_, **__):

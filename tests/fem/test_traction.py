@@ -171,7 +171,7 @@ def moved(pair: PairCompliance, push: Array, *, place: Places, loaded: Places) -
 
 @pytest.mark.parametrize("turn", [np.pi / 2, np.pi / 5])
 def test_a_sphere_on_a_plane_has_no_direction(on_flat: PairCompliance, turn: float) -> None:
-    """Nothing distinguishes one: a turned load moves it by the turned displacement: all parities, and what couples the components, agree."""
+    """A turned load moves it by the turned displacement: all parities, and the coupling of components, agree."""
     x, y, load = disk()
     cosine, sine = np.cos(turn), np.sin(turn)
     matrix = np.array([[cosine, -sine, 0], [sine, cosine, 0], [0, 0, 1]])
