@@ -71,8 +71,8 @@ def solve():
     pair = compliances.pair_compliance(contact, recipe=recipe, level=1, semi_axes=twins.shared_axes(axes))
     found = pixels.press_pair(pair, load=contact.load)
     whole = compliances.whole_compliance(contact, recipe=recipe, level=1, semi_axes=axes)
-    print(whole.added.tobytes().hex())
-    print(twin.corrected, pair.added.tobytes().hex(), astuple(found.quantities), found.force.tobytes().hex())
+    added = [each.added.tobytes().hex() for each in (pair, whole)]
+    print(twin.corrected, added, astuple(found.quantities), found.force.tobytes().hex())
 
 def refuse(*_, **__):
     raise RuntimeError("a formula of the production model was called")
