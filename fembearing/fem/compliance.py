@@ -137,7 +137,8 @@ def whole_compliance(contact: Contact, *, recipe: Recipe, level: int, semi_axes:
 
     semi_axes : of the contact, m, to a few per cent
     Pressure has the polynomials up to the fourth degree, each traction those up to the third. Loads and displacements
-    lie along each body's own normals and its own surface, which turn over the contact. That tractions move the surfaces
+    lie along each body's own surface and normals, which turn over the contact; but pressure and the displacement that
+    closes the gap lie along the ball's on both, as in the contact of two meshes. That tractions move the surfaces
     along their normals, and so change the pressure, is in it too.
     Raises InputError if the bodies cannot be meshed and where a shoulder cuts the contact off, SingularError as
     `condense`.
@@ -161,8 +162,12 @@ def whole_compliance(contact: Contact, *, recipe: Recipe, level: int, semi_axes:
     flat_lower = flat_race(block_of_race(contact, recipe, level, footprint, False))
     ball, race = contact.ball_material, contact.race_material
     opposite = np.array([-1, -1, 1])[:, None, None] * upright  # both flat bodies lie at z > 0
-    work = worked(pair.upper, material=ball, directions=into_ball, terms=WHOLE, force=force)
-    work += worked(pair.lower, material=race, directions=into_race, terms=WHOLE, force=force, depth=-1)
+    as_ball = np.array([*into_race[:NORMAL], pair.normal])
+    pressed = worked(pair.lower, material=race, directions=as_ball, terms=WHOLE, force=force, depth=-1)
+    work = worked(pair.lower, material=race, directions=into_race, terms=WHOLE, force=force, depth=-1)
+    normal = np.array([term.axis == NORMAL for term in WHOLE])
+    work = np.where(np.outer(normal, normal), pressed, work)
+    work += worked(pair.upper, material=ball, directions=into_ball, terms=WHOLE, force=force)
     work -= worked(flat_upper, material=ball, directions=upright, terms=WHOLE, force=force)
     work -= worked(flat_lower, material=race, directions=opposite, terms=WHOLE, force=force)
     alike = np.array([[one.axis == other.axis and one.parity == other.parity for other in WHOLE] for one in WHOLE])

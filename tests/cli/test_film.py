@@ -62,8 +62,8 @@ def test_true_shapes_change_a_film_by_parts_in_a_thousand(
     given = ("--load", "372 N", "--speed", "500 rpm")
     plain, meshed = (solved(capsys, monkeypatch, *given, "--compliance", kind) for kind in ("half-space", "meshed"))
     assert (plain["compliance"], meshed["compliance"]) == ("half-space", "meshed")
-    # Of finer grids: +0.3 and +0.6 %, validation/ehl/true_shapes.csv. The errors of equal grids nearly cancel.
-    for name, change in (("central_film", 3.2e-3), ("rolling_force", 5.8e-3)):
+    # Of finer grids: +0.2 and +0.35 %, validation/ehl/true_shapes.csv. The errors of equal grids nearly cancel.
+    for name, change in (("central_film", 2.05e-3), ("rolling_force", 3.5e-3)):
         assert meshed[name]["numerical"] / plain[name]["numerical"] - 1 == pytest.approx(change, abs=1.5e-3)
         assert meshed[name]["production"] == plain[name]["production"]
 
