@@ -216,7 +216,7 @@ def test_a_first_level_is_near_a_second_one(contacts: dict[str, Contact], pair: 
 
 @pytest.mark.parametrize("pair", ["inner", "outer"])
 def test_even_pressure_is_that_of_the_condensed_bodies(contacts: dict[str, Contact], pair: str) -> None:
-    """Condensation has another far field and fit, and pushes the race along the ball's normals, not along its own."""
+    """Condensation has another far field, another fit and no tractions."""
     contact = contacts[pair]
     axes = shared_axes(expected_semi_axes(contact, geometry="real"))
     condensed = pair_compliance(contact, recipe=RECIPE, level=2, semi_axes=axes)
@@ -226,9 +226,7 @@ def test_even_pressure_is_that_of_the_condensed_bodies(contacts: dict[str, Conta
     found = whole(contact, 2, axes).added_displacement(*place, load) / approach
     expected = condensed.added_displacement(*place, load) / approach
     assert np.abs(expected).min() > 0.02
-    np.testing.assert_allclose(
-        found, expected, atol=2.5e-3
-    )  # the angle between these normals, up to 0.04, times a slide along the race
+    np.testing.assert_allclose(found, expected, atol=3e-4)  # noise of single nodes, which both smooth
 
 
 @pytest.mark.parametrize("pair", ["inner", "outer"])
