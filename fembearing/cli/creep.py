@@ -7,6 +7,7 @@ import typer
 from fembearing.cli.film import Speed
 from fembearing.cli.options import (
     AsJson,
+    Bodies,
     Folder,
     SceneName,
     read_friction,
@@ -37,6 +38,7 @@ def creep(
     speed: Speed = None,
     friction: Friction = None,
     tolerance: Tolerance = None,
+    compliance: Bodies = "half-space",
     folder: Folder = None,
     as_json: AsJson = False,
 ) -> None:
@@ -63,7 +65,13 @@ def creep(
     trouble = None
     with shown_progress() as progress, nullcontext() if folder is None else new_folder(folder) as place:
         result = creep_of(
-            given, load=force, inner_speed=turning, friction=coefficient, tolerance=limit, progress=progress
+            given,
+            load=force,
+            inner_speed=turning,
+            friction=coefficient,
+            tolerance=limit,
+            compliance=compliance,
+            progress=progress,
         )
         if place is not None:
             trouble = write_creep(result, place)

@@ -6,6 +6,7 @@ import typer
 
 from fembearing.cli.options import (
     AsJson,
+    Bodies,
     Folder,
     Load,
     SceneName,
@@ -31,6 +32,7 @@ def film(
     load: Load = None,
     speed: Speed = None,
     tolerance: Tolerance = None,
+    compliance: Bodies = "half-space",
     folder: Folder = None,
     as_json: AsJson = False,
 ) -> None:
@@ -54,7 +56,15 @@ def film(
     from fembearing.verify.film.scene_film import film_of
 
     with shown_progress() as progress, nullcontext() if folder is None else new_folder(folder) as place:
-        result = film_of(given, pair=pair, load=force, inner_speed=turning, tolerance=limit, progress=progress)
+        result = film_of(
+            given,
+            pair=pair,
+            load=force,
+            inner_speed=turning,
+            tolerance=limit,
+            compliance=compliance,
+            progress=progress,
+        )
         if place is not None:
             write_film(result, place)
     if as_json:

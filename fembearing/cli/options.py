@@ -83,6 +83,15 @@ Geometry = Annotated[
     ),
 ]
 
+Bodies = Annotated[
+    Literal["half-space", "meshed"],
+    typer.Option(
+        "--compliance",
+        help="Elastic bodies of the numerical solution: two half spaces, or ball and race of true shape by finite "
+        "elements.",
+    ),
+]
+
 
 def read_scene(name: str | None) -> "Scene":
     """The scene of that name; the built-in one without a name."""

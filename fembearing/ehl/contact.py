@@ -40,6 +40,25 @@ class Shape(Protocol):
         ...
 
 
+class AddedCompliance(Protocol):
+    """What the true shapes of both bodies add to the displacement of two half spaces."""
+
+    def normal_influence(self, place: tuple[Array, Array], loaded: tuple[Array, Array]) -> Array:
+        """Displacement of the surfaces from each other by unit normal forces on them.
+
+        Parameters
+        ----------
+        place, loaded : tuple of ndarray, shapes (m,) and (n,)
+            x and y of the displacement and of the forces, m; the contact's centre is the origin.
+
+        Returns
+        -------
+        ndarray, shape (m, n)
+            m/N, symmetric in y: mirrored places and forces have the same.
+        """
+        ...
+
+
 @dataclass(frozen=True, kw_only=True)
 class Reach:
     """Where the oil ends, as distances from the centre of the contact; the pressure there is ambient."""
@@ -54,7 +73,7 @@ class Reach:
 
 @dataclass(frozen=True, kw_only=True)
 class LubricatedContact:
-    """Two elastic half spaces that roll on each other without sliding, with oil between them.
+    """Two elastic bodies that roll on each other without sliding, with oil between them: half spaces, or true shapes.
 
     Raises InputError if there is no load or no motion, if the contact is longer in rolling than across, if the oil ends
     within the contact or the bodies before the oil, or if Hertz's pressure exceeds 5 GPa.
@@ -66,6 +85,7 @@ class LubricatedContact:
     speed: float  # u, mean of both surfaces, towards +x, m/s
     oil: Oil
     reach: Reach
+    added: AddedCompliance | None = None  # None: half spaces
 
     def __post_init__(self) -> None:
         require_positive(modulus=self.modulus)

@@ -178,6 +178,11 @@ class Discretised:
         a, _ = contact.semi_axes
         found = half_space_integrals(grid.x, grid.y, grid.x_faces, grid.y_faces)
         found *= contact.peak_pressure * contact.shape.radii[0] / (np.pi * contact.modulus * a)
+        if contact.added is not None:
+            x, y = (a * part.ravel() for part in np.meshgrid(grid.x, grid.y, indexing="ij"))
+            scale = contact.peak_pressure * contact.shape.radii[0] * grid.areas.ravel()
+            for side in (1, -1):  # a cell and its mirror image
+                found += contact.added.normal_influence((x, y), (x, side * y)) * scale
         return found
 
     @cached_property

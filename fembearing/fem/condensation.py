@@ -170,12 +170,12 @@ def held_stiffness(
         name=body.name,
         topology=topology,
         upper=topology.assembled(entries),
-        far_force=-_forces_of(displacement, cells, entries)[topology.free],
+        far_force=-nodal_forces(displacement, cells, entries)[topology.free],
         held=displacement,
     )
 
 
-def _forces_of(displacement: Array, cells: NDArray[np.intp], entries: Array) -> Array:
+def nodal_forces(displacement: Array, cells: NDArray[np.intp], entries: Array) -> Array:
     """Forces (3 nodes,), N/m times the unit of `displacement`, (3, nodes), on all degrees of freedom.
 
     entries : `cell_stiffness` of the `cells`; few of them have nodes that move

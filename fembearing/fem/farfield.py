@@ -26,6 +26,47 @@ def point_load(x: Array, y: Array, depth: Array, *, material: Material) -> Array
     return np.array([sideways * x, sideways * y, inwards])
 
 
+def tangential_point_load(x: Array, y: Array, depth: Array, *, material: Material) -> Array:
+    """Displacement under a unit force along x at the origin, (3, ...), m/N; the third component points into the body.
+
+    Source: the solution of Cerruti, [Johnson1985] section 3.6.
+    """
+    ratio = material.poisson_ratio
+    scale = (1 + ratio) / (2 * np.pi * material.youngs_modulus)
+    distance = np.sqrt(x**2 + y**2 + depth**2)
+    reach = distance + depth
+    bent = 1 / distance**3 - (1 - 2 * ratio) / (distance * reach**2)
+    along = 1 / distance + (1 - 2 * ratio) / reach + bent * x**2
+    inwards = x * (depth / distance**3 + (1 - 2 * ratio) / (distance * reach))
+    return scale * np.array([along, bent * x * y, inwards])
+
+
+def loaded_surface(place: Array, loaded: Array, force: Array, *, material: Material) -> Array:
+    """Displacement of a half space under point forces on its surface.
+
+    Parameters
+    ----------
+    place : ndarray, shape (3, n)
+        x, y and depth, m, of places away from the forces.
+    loaded : ndarray, shape (2, m)
+        x and y of the forces, m.
+    force : ndarray, shape (3, m, k)
+        k sets of forces, N; the third component points into the body.
+    material : Material
+        Of the half space.
+
+    Returns
+    -------
+    ndarray, shape (3, n, k)
+        Displacement, m; the third component points into the body.
+    """
+    x, y = (place[axis][:, None] - loaded[axis] for axis in range(2))
+    depth = np.broadcast_to(place[2][:, None], x.shape)
+    by_y = tangential_point_load(y, x, depth, material=material)[[1, 0, 2]]
+    each = tangential_point_load(x, y, depth, material=material), by_y, point_load(x, y, depth, material=material)
+    return np.einsum("bapm,bmk->apk", np.array(each), force)
+
+
 def pressed_ellipse(
     x: Array,
     y: Array,

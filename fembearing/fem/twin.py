@@ -143,7 +143,7 @@ def twin_of(contact: Contact, *, recipe: Recipe, level: int, footprint: Footprin
     ball = _in_units(block_of_ball(contact, recipe, level, footprint), of=rolling)
     race = _in_units(block_of_race(contact, recipe, level, footprint, extended), of=rolling)
     above = _condensed(flat_ball, ball, contact.ball_material.poisson_ratio)
-    below = _condensed(_flat_race, race, contact.race_material.poisson_ratio)
+    below = _condensed(flat_race, race, contact.race_material.poisson_ratio)
     share = contact_modulus(contact) / plane_strain_modulus(contact.ball_material)
     return Twin(
         surface=_surface(race),
@@ -208,11 +208,12 @@ def _condensed(mesh: Callable[[Block], BodyMesh], block: Block, poisson_ratio: f
 
 @lru_cache(KEPT)
 def _surface(block: Block) -> Surface:
-    body = _flat_race(block)
+    body = flat_race(block)
     x, y, _ = body.mesh.doflocs[:, body.touching]
     mass = surface_mass(body.mesh, body.touching)
     return Surface(x=x, y=y, mass=mass, area=np.asarray(mass.sum(axis=1)).ravel())
 
 
-def _flat_race(block: Block) -> BodyMesh:
+def flat_race(block: Block) -> BodyMesh:
+    """A half space on the grid of the block of a race."""
     return flat_block(block, Footprint(semi_axes=block.semi_axes))

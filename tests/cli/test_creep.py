@@ -34,6 +34,17 @@ def test_every_number_of_both_races_and_the_torque(command: Run, tmp_path: Path)
     assert [picture["file"] for picture in pictures] == ["inner-creep.png", "outer-creep.png"]
 
 
+def test_meshed_bodies_are_named_and_change_the_torque_a_little(command: Run) -> None:
+    given = "creep", "6205-dry", "--friction", "0.1", "--tolerance", "2 %"
+    plain, meshed = (
+        json.loads(command(*given, "--json", "--compliance", kind).out) for kind in ("half-space", "meshed")
+    )
+    assert (plain["compliance"], meshed["compliance"]) == ("half-space", "meshed")
+    # 0.4 % on fine grids, validation/ehl/true_shapes.csv; grids of 2 % change it by as much
+    assert 0 < abs(meshed["torque"]["reference"] / plain["torque"]["reference"] - 1) < 0.02
+    assert "ball and race of true shape" in " ".join(command(*given, "--compliance", "meshed").out.split())
+
+
 def test_a_table_for_each_race_and_one_of_all_balls(command: Run) -> None:
     ended = command("creep", "6205-dry", "--tolerance", "5 %")
     assert ended.status == 0
@@ -57,6 +68,8 @@ def test_a_table_for_each_race_and_one_of_all_balls(command: Run) -> None:
         (("6205-dry", "--out", "friction.png"), "--out"),
         (("without_friction.toml",), "--friction"),
         (("pair.toml",), "[arrangement]"),
+        (("6205-dry", "--load", "2.5 kN", "--compliance", "meshed"), "past its shoulder"),
+        (("6205-dry", "--compliance", "rigid"), "--compliance"),
     ],
 )
 def test_a_mistake_gives_one_line(

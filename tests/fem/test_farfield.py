@@ -7,7 +7,7 @@ import pytest
 from numpy.typing import NDArray
 
 from analytic.scene import Material
-from fembearing.fem.farfield import point_load, pressed_ellipse
+from fembearing.fem.farfield import loaded_surface, point_load, pressed_ellipse, tangential_point_load
 
 Array = NDArray[np.float64]
 ALLOY = Material(name="alloy", youngs_modulus=71.0, poisson_ratio=0.34, density=2.7, source="test")
@@ -22,6 +22,13 @@ def displacement(place: Array) -> Array:
     return point_load(*place, material=ALLOY)
 
 
+def sideways(place: Array) -> Array:
+    return tangential_point_load(*place, material=ALLOY)
+
+
+POINT_LOADS = pytest.mark.parametrize("load", [displacement, sideways])
+
+
 def derivative(field: Field, axis: int) -> Field:
     def along(place: Array) -> Array:
         step = np.zeros_like(place)
@@ -32,9 +39,9 @@ def derivative(field: Field, axis: int) -> Field:
     return along
 
 
-def stress(place: Array) -> Array:
+def stress(load: Field, place: Array) -> Array:
     """(3, 3, ...)"""
-    gradient = np.array([derivative(displacement, axis)(place) for axis in range(3)])  # [j, i]: d_j u_i
+    gradient = np.array([derivative(load, axis)(place) for axis in range(3)])  # [j, i]: d_j u_i
     trace = np.einsum("ii...->...", gradient)
     return np.einsum("ij,...->ij...", np.eye(3), LAM * trace) + MU * (gradient + np.swapaxes(gradient, 0, 1))
 
@@ -46,9 +53,10 @@ def inside() -> Array:
     return place
 
 
-def test_a_point_load_satisfies_naviers_equations(inside: Array) -> None:
+@POINT_LOADS
+def test_a_point_load_satisfies_naviers_equations(inside: Array, load: Field) -> None:
     """(lambda + mu) grad div u + mu laplace u = 0 inside; a wrong term or nu leaves a residual of its own size."""
-    second = np.array([[derivative(derivative(displacement, i), j)(inside) for j in range(3)] for i in range(3)])
+    second = np.array([[derivative(derivative(load, i), j)(inside) for j in range(3)] for i in range(3)])
     grad_div = (LAM + MU) * np.einsum("ijj...->i...", second)
     laplace = MU * np.einsum("jji...->i...", second)
     size = np.abs(laplace).max()
@@ -56,25 +64,27 @@ def test_a_point_load_satisfies_naviers_equations(inside: Array) -> None:
     assert np.abs(grad_div + laplace).max() < 1e-7 * size  # round-off of two differences at the nearest points
 
 
-def test_a_point_load_leaves_the_surface_free() -> None:
+@POINT_LOADS
+def test_a_point_load_leaves_the_surface_free(load: Field) -> None:
     place = np.random.default_rng(12).uniform(0.5, 1.5, (3, 25))
     place[2] = 0.0
-    traction = stress(place)[2]
-    assert np.abs(stress(place)[:2, :2]).max() > 1e-2  # the surface is stressed, but not loaded
+    traction = stress(load, place)[2]
+    assert np.abs(stress(load, place)[:2, :2]).max() > 1e-2  # the surface is stressed, but not loaded
     assert np.abs(traction).max() < 1e-10  # round-off of one difference
 
 
-def test_a_point_load_carries_one_newton() -> None:
-    """Traction over a hemisphere about the load, pushing back; its sideways parts and its moment vanish."""
+@pytest.mark.parametrize(("load", "force"), [(displacement, (0, 0, 1)), (sideways, (1, 0, 0))])
+def test_a_point_load_carries_one_newton(load: Field, force: tuple[int, ...]) -> None:
+    """Traction over a hemisphere about the load, pushing back; its other parts vanish."""
     points, weights = np.polynomial.legendre.leggauss(24)
     cosine, weights = (points + 1) / 2, weights / 2
     turn = (np.arange(16) + 0.5) * 2 * np.pi / 16
     sine = np.sqrt(1 - cosine**2)[:, None]
     normal = np.array([sine * np.cos(turn), sine * np.sin(turn), np.broadcast_to(cosine[:, None], (24, 16))])
     radius = 1.3
-    traction = np.einsum("ij...,j...->i...", stress(radius * normal), normal)
-    force = np.einsum("ipt,p->i", traction, weights) * (2 * np.pi / 16) * radius**2
-    np.testing.assert_allclose(force, [0.0, 0.0, -1.0], atol=1e-9)  # round-off of the differences
+    traction = np.einsum("ij...,j...->i...", stress(load, radius * normal), normal)
+    found = np.einsum("ipt,p->i", traction, weights) * (2 * np.pi / 16) * radius**2
+    np.testing.assert_allclose(found, -np.array(force), atol=1e-9)  # round-off of the differences
 
 
 def test_the_surface_sinks_as_boussinesq_says() -> None:
@@ -82,6 +92,27 @@ def test_the_surface_sinks_as_boussinesq_says() -> None:
     sunk = point_load(np.array([0.3]), np.array([-0.7]), np.array([0.0]), material=ALLOY)[2]
     expected = (1 - ALLOY.poisson_ratio**2) / (np.pi * ALLOY.youngs_modulus * np.hypot(0.3, 0.7))
     np.testing.assert_allclose(sunk, expected, rtol=1e-14)  # round-off
+
+
+def test_both_point_loads_do_the_same_work_on_each_other() -> None:
+    """Betti on the surface, with a force along y as well: from each place the other one lies in the opposite way."""
+    places = np.array([[0.31, -0.42], [-0.17, 0.93], [0.0, 0.0]])  # of two loads, the columns
+    pushed = np.array([[[0.8, 0.0], [0.0, -0.3]], [[-0.5, 0.0], [0.0, 1.4]], [[0.9, 0.0], [0.0, 0.6]]])
+    first, second = (
+        loaded_surface(places[:, [1 - n]], places[:2, [n]], pushed[:, [n]], material=ALLOY)[:, 0, n] for n in (0, 1)
+    )
+    there, here = first @ pushed[:, 1, 1], second @ pushed[:, 0, 0]
+    np.testing.assert_allclose(there, here, rtol=1e-14)  # round-off
+    tangential = first[:2] @ pushed[:2, 1, 1]
+    assert abs(tangential - there) > 0.01 * abs(there)  # normal forces take part
+
+
+def test_a_load_across_is_the_one_along_turned() -> None:
+    place = np.array([[0.6], [-0.35], [0.8]])
+    force = np.array([0.0, 1.0, 0.0])[:, None, None]
+    found = loaded_surface(place, np.zeros((2, 1)), force, material=ALLOY)[:, 0, 0]
+    turned = sideways(np.array([place[1], -place[0], place[2]]))[:, 0]  # x' = y, y' = -x
+    np.testing.assert_allclose(found, [-turned[1], turned[0], turned[2]], rtol=1e-14)  # round-off
 
 
 SEMI_AXES = 0.11, 0.94

@@ -70,7 +70,9 @@ def solve():
     twin = twins.twin_on_level(contact, recipe=recipe, level=1, start=axes)
     pair = compliances.pair_compliance(contact, recipe=recipe, level=1, semi_axes=twins.shared_axes(axes))
     found = pixels.press_pair(pair, load=contact.load)
-    print(twin.corrected, pair.added.tobytes().hex(), astuple(found.quantities), found.force.tobytes().hex())
+    whole = compliances.whole_compliance(contact, recipe=recipe, level=1, semi_axes=axes)
+    added = [each.added.tobytes().hex() for each in (pair, whole)]
+    print(twin.corrected, added, astuple(found.quantities), found.force.tobytes().hex())
 
 def refuse(*_, **__):
     raise RuntimeError("a formula of the production model was called")

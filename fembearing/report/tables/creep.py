@@ -7,6 +7,7 @@ from fembearing.quantities import METRIC, Units
 from fembearing.report.tables.table import Group, Head, Table
 from fembearing.verify.creep.scene_creep import CreepNumbers, CreepQuantity, RaceNumbers
 
+BODIES = {"half-space": "half spaces", "meshed": "ball and race of true shape by finite elements"}
 ONE, WATT = Unit("", 1.0), Unit("W", 1.0)
 
 
@@ -66,7 +67,8 @@ def _notes(creep: CreepNumbers, units: Units) -> Iterator[str]:
     )
     yield (
         "Formula: a long ellipse that slides everywhere, closed kinematics; production: marched creep, a free ball; "
-        "reference: rolling contact of half spaces, stick and slip, a free ball. All by Hertz's contacts."
+        f"reference: rolling contact of {BODIES[creep.compliance]}, stick and slip, a free ball. All by Hertz's "
+        "contacts."
     )
     if not creep.spins:
         yield "The ball does not spin: nothing slips but by the conformity of the groove, and by elastic creep."

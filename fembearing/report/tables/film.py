@@ -5,6 +5,8 @@ from fembearing.quantities import METRIC, Units
 from fembearing.report.tables.table import Head, Table, table_of
 from fembearing.verify.film.scene_film import FilmNumbers
 
+BODIES = {"half-space": "elastic half spaces", "meshed": "ball and race of true shape, by finite elements"}
+
 
 def film_table(film: FilmNumbers, units: Units = METRIC) -> Table:
     """Each quantity with the difference of what the torque takes."""
@@ -51,7 +53,7 @@ def _notes(film: FilmNumbers, units: Units) -> list[str]:
         "distance ahead of the contact's centre.",
         f"M = {film.loading:.4g}, L = {film.thickening:.3g}, lambda = {film.ellipticity:.3g}; entrainment "
         f"{film.entrainment_speed:.4g} m/s; oil reaches {units.length.written(reach.ahead, '.3g')} ahead and "
-        f"{units.length.written(reach.behind, '.3g')} behind; flooded, isothermal, smooth.",
+        f"{units.length.written(reach.behind, '.3g')} behind; flooded, isothermal, smooth; {BODIES[film.compliance]}.",
         f"The force from the viscous dissipation, equal for incompressible oil, differs by {check:+.1%}. "
         f"{film.seconds:.1f} s",
         f"Film and rolling force of the model within their stated 95 % errors: {film.verdict}.",

@@ -19,7 +19,9 @@ from analytic.scene import Bearing, Material, Operation, Scene
 from fembearing.creep.ball import RaceCreep, TurningBall
 from fembearing.creep.reference import CreepReference, RaceEstimates, creep_reference
 from fembearing.progress import Progress, silent
+from fembearing.verify.contact.elastic_bodies import Compliance
 from fembearing.verify.contact.scene_contact import balls_of, heaviest_place, traced_to_load
+from fembearing.verify.creep.meshed_bodies import with_meshed_bodies
 from fembearing.verify.creep.production import (
     ProducedBall,
     Production,
@@ -91,6 +93,7 @@ class CreepNumbers:
     seconds: float  # of the reference
     production_seconds: float
     warnings: tuple[str, ...]
+    compliance: Compliance = "half-space"  # of the reference
 
     @property
     def races(self) -> dict[Race, RaceNumbers]:
@@ -138,6 +141,7 @@ def creep_of(
     inner_speed: float | None = None,
     friction: float | None = None,
     tolerance: float | None = None,
+    compliance: Compliance = "half-space",
     progress: Progress = silent,
 ) -> SceneCreep:
     """Solve the friction of the heaviest ball, and compare formula and production with it.
@@ -154,6 +158,8 @@ def creep_of(
         Coefficient of both races, in place of the scene's; dimensionless.
     tolerance : float, optional
         Required of the torque by sliding, relative (dimensionless); None: the scene's.
+    compliance : {"half-space", "meshed"}
+        Elastic bodies of the reference: half spaces, or ball and race of true shape by finite elements.
     progress : callable
         Called with the share done, 0 to 1 (dimensionless), and the name of the current step.
 
@@ -165,7 +171,8 @@ def creep_of(
     Raises
     ------
     InputError
-        For a scene without friction, standstill, and what no method covers.
+        For a scene without friction, standstill, what no method covers, and meshed bodies whose contact a shoulder
+        cuts off.
     ConvergenceError
         Where the ball slides all over, or the iteration does not converge.
 
@@ -181,7 +188,9 @@ def creep_of(
     production = produced(given)
     formula, march = by_formula(production), by_march(production)
     between = time.perf_counter()
-    reference, uncertainty, solved = reference_torque(production, tolerance=limit, progress=progress)
+    reference, uncertainty, solved = reference_torque(
+        production, tolerance=limit, compliance=compliance, progress=progress
+    )
     heaviest, ball = solved[0], production.balls[0]
     inner, outer = (
         _race(estimates, race, ball.mirrored, (formula[k], march[k]), ball.turning.speed)
@@ -204,6 +213,7 @@ def creep_of(
         seconds=time.perf_counter() - between,
         production_seconds=between - begun,
         warnings=tuple(_warnings(given)),
+        compliance=compliance,
     )
     return SceneCreep(numbers=numbers, reference=heaviest, ball=ball.turning, place=place)
 
@@ -264,17 +274,22 @@ def _balls_to_solve(production: Production) -> tuple[ProducedBall, ...]:
 
 
 def reference_torque(
-    production: Production, *, tolerance: float, progress: Progress = silent
+    production: Production,
+    *,
+    tolerance: float,
+    compliance: Compliance = "half-space",
+    progress: Progress = silent,
 ) -> tuple[float, float, list[CreepReference]]:
     """Torque by sliding of all balls and its uncertainty, N m, and the balls that were solved, the heaviest first.
 
-    tolerance : of the torque of each ball, relative
+    tolerance : of the torque of each ball, relative;  compliance : of the elastic bodies
     What is not solved changes as the last ball does, and is as uncertain as it changes.
     """
     balls, solved = _balls_to_solve(production), []
     for number, ball in enumerate(balls):
         progress(number / len(balls), f"friction of ball {number + 1} of {len(balls)} by the reference")
-        solved.append(creep_reference(ball.turning, tolerance=tolerance))
+        turning = ball.turning if compliance == "half-space" else with_meshed_bodies(production.scene, ball)
+        solved.append(creep_reference(turning, tolerance=tolerance))
     torque = sum(ball.number * each.torque.value for ball, each in zip(balls, solved, strict=True))
     uncertainty = sum(ball.number * each.torque.uncertainty for ball, each in zip(balls, solved, strict=True))
     left = production.torque - sum(ball.number * ball.torque for ball in balls)

@@ -26,6 +26,7 @@ from fembearing.ehl.film import NumericalFilm, numerical_film
 from fembearing.ehl.oil import Oil
 from fembearing.grid_convergence import Estimate
 from fembearing.progress import Progress, silent
+from fembearing.verify.contact.elastic_bodies import Compliance, meshed_pair
 from fembearing.verify.contact.scene_contact import balls_of, contact_at, heaviest_place
 from fembearing.verify.film.closed_forms import ClosedForms
 
@@ -74,6 +75,7 @@ class FilmNumbers:
     tolerance: float  # asked of central film and rolling force, relative
     seconds: float  # of the solution on its three grids
     warnings: tuple[str, ...]
+    compliance: Compliance = "half-space"  # of the numerical solution
 
     @property
     def quantities(self) -> dict[str, FilmQuantity]:
@@ -108,6 +110,7 @@ def film_of(
     load: float | None = None,
     inner_speed: float | None = None,
     tolerance: float | None = None,
+    compliance: Compliance = "half-space",
     progress: Progress = silent,
 ) -> RaceFilm:
     """Solve the lubricated contact of the heaviest ball on one race and compare the formulas with it.
@@ -124,6 +127,8 @@ def film_of(
         Of the inner ring, rad/s, of either sign; None: that of the operating point of the heaviest ball.
     tolerance : float, optional
         Required of central film and rolling force, relative (dimensionless); None: the scene's.
+    compliance : {"half-space", "meshed"}
+        Elastic bodies of the numerical solution: half spaces, or ball and race of true shape by finite elements.
     progress : callable
         Called with the share done, 0 to 1 (dimensionless), and the name of the current step.
 
@@ -135,7 +140,8 @@ def film_of(
     Raises
     ------
     InputError
-        For a dry scene, standstill, and what the numerical solution does not cover.
+        For a dry scene, standstill, what the numerical solution does not cover, and meshed bodies whose contact a
+        shoulder cuts off.
     ConvergenceError
         Where the numerical solution does not converge.
 
@@ -144,11 +150,16 @@ def film_of(
     The ball turns by closed kinematics. The oil has the temperature of the scene.
     """
     closed, speed = problem_of(scene, pair, load=load, inner_speed=inner_speed)
+    problem = closed.problem
+    if compliance == "meshed":
+        progress(0.0, f"{pair}: compliance of ball and race")
+        problem = replace(problem, added=meshed_pair(closed.contact))
     limit = scene.tolerance if tolerance is None else tolerance
     solution = _accurate(
-        closed.problem, tolerance=limit, progress=lambda share: progress(share, f"{pair}: film on three grids")
+        problem, tolerance=limit, progress=lambda share: progress(share, f"{pair}: film on three grids")
     )
-    return _compared(closed, solution, inner_speed=speed, tolerance=limit)
+    found = _compared(closed, solution, inner_speed=speed, tolerance=limit)
+    return replace(found, numbers=replace(found.numbers, compliance=compliance))
 
 
 def film_change(scene: Scene, friction: FrictionTorque, films: tuple[RaceFilm, ...]) -> Array:

@@ -1,0 +1,99 @@
+"""What half spaces leave out of film and friction: python validation/ehl/true_shapes.py
+
+Film and rolling force of one contact, and the torque by sliding of a bearing, on half spaces and on ball and race of
+true shape by finite elements; writes true_shapes.csv. Both are solved on the same grids, whose errors nearly cancel in
+the difference; its own uncertainty is how much it changes between the two finest grids.
+"""
+
+import csv
+import time
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import NamedTuple
+
+from analytic.contact.geometry import RACES
+from analytic.scene import Scene
+from analytic.scenefile.read import load_scene, parse_scene
+from analytic.words import RPM
+from fembearing.ehl.contact import LubricatedContact
+from fembearing.ehl.film import numerical_film
+from fembearing.grid_convergence import Estimate
+from fembearing.verify.contact.elastic_bodies import meshed_pair
+from fembearing.verify.creep.scene_creep import creep_of
+from fembearing.verify.film.scene_film import problem_of
+
+TABLE = Path(__file__).parent / "true_shapes.csv"
+LOAD, SPEED, REFINEMENT = 372.0, 500 / RPM.factor, 0.95  # N, rad/s, of the middle grid
+HEAD = ("bearing", "race", "quantity", "half_spaces", "meshed", "change", "uncertainty", "s_half_spaces", "s_meshed")
+FILM = ("central_film", "minimum_film", "rolling_force")
+OF_A_RACE = ("spin_moment", "rolling_moment", "transverse_force", "slip_share")
+ACCURACY = 2e-3  # of the torque by sliding
+BEARINGS = ("6205", "7208B")
+
+
+class Row(NamedTuple):
+    """One quantity in SI."""
+
+    race: str
+    quantity: str
+    values: tuple[Estimate, Estimate]  # on half spaces, and on meshed bodies
+    seconds: tuple[float, float]
+
+    def cells(self, bearing: str) -> tuple[object, ...]:
+        plain, meshed = self.values
+        changes = [new / old - 1 for old, new in zip(plain.values, meshed.values, strict=True)]
+        uncertainty = abs(changes[-1] - changes[-2])
+        values = (f"{each.value:.5g}" for each in self.values)
+        seconds = (f"{each:.1f}" for each in self.seconds)
+        return (bearing, self.race, self.quantity, *values, f"{changes[-1]:+.5f}", f"{uncertainty:.5f}", *seconds)
+
+
+def scene_of(bearing: str) -> Scene:
+    """Thrust of 1000 N, a friction coefficient of 0.1, and the oil of the built-in scene."""
+    dry = parse_scene(
+        f'name = "{bearing}"\ntolerance = "0.5 %"\n[bearing]\ncatalog = "{bearing}"\n[operation]\n'
+        'axial_load = "1000 N"\ninner_speed = "500 rpm"\n[friction]\ncoefficient = 0.1\n',
+        origin=bearing,
+    )
+    return replace(dry, lubricant=load_scene("paper_6205").lubricant)
+
+
+def films(scene: Scene) -> Iterator[Row]:
+    for race in RACES:
+        closed, _ = problem_of(scene, race, load=LOAD, inner_speed=SPEED)
+        begun = time.perf_counter()
+        meshed: LubricatedContact = replace(closed.problem, added=meshed_pair(closed.contact))
+        sampled = time.perf_counter() - begun
+        plain, true = (numerical_film(each, refinement=REFINEMENT) for each in (closed.problem, meshed))
+        for name in FILM:
+            values = getattr(plain, name), getattr(true, name)
+            yield Row(race, name, values, (plain.seconds, true.seconds + sampled))
+
+
+def frictions(scene: Scene) -> Iterator[Row]:
+    dry = replace(scene, lubricant=None)
+    creep_of(dry)  # formulas compile at their first call
+    plain, true = (creep_of(dry, tolerance=ACCURACY, compliance=kind) for kind in ("half-space", "meshed"))
+    seconds = plain.numbers.seconds, true.numbers.seconds
+    for race in RACES:
+        for name in OF_A_RACE:
+            values = (getattr(getattr(each.reference, race), name) for each in (plain, true))
+            first, second = values
+            yield Row(race, name, (first, second), seconds)
+    yield Row("both", "torque of a ball by sliding", (plain.reference.torque, true.reference.torque), seconds)
+
+
+def main() -> None:
+    with TABLE.open("w", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(HEAD)
+        for bearing in BEARINGS:
+            scene = scene_of(bearing)
+            for row in (*frictions(scene), *films(scene)):
+                writer.writerow(row.cells(bearing))
+            file.flush()
+
+
+if __name__ == "__main__":
+    main()
