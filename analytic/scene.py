@@ -24,6 +24,7 @@ Traction = Literal["eyring_sinh", "eyring_constant"]
 Supply = Literal["oil_bath", "oil_spot", "grease"]
 FilmFormula = Literal["numerical", "nijenbanning"]
 RollingFormula = Literal["numerical", "biboulet", "houpert"]
+ElasticRolling = Literal["hysteresis", "houpert"]
 Decision = Literal["auto", "on", "off"]
 PocketAxis = Literal["axial", "radial"]
 CageStart = Literal["rest", "ramp", "sudden", "whirl"]
@@ -42,6 +43,9 @@ Sliding = Literal["auto"] | SlidingMethod
 
 STANDARD_GRAVITY = 9.80665  # m/s^2
 OIL_TEMPERATURES = 200.0, 600.0  # K: between them is the oil of a scene
+# Loss factor of bearing steel under rolling that calculations take most often: no measured one was found.
+USUAL_LOSS = 0.007
+LOSS_SPREAD = 0.5  # standard deviation of its logarithm, a judgement: 0.003 to 0.025 are in use
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -348,7 +352,8 @@ class Scene(Noun):
     lubricant: Lubricant | None = None  # None: unknown
     surface: Surface | None = None  # None: unknown
     friction_coefficient: float | None = None  # mu of every race contact, given instead of a surface
-    hysteresis_loss: float | None = None  # alpha', share of the elastic energy lost in each cycle; None: unknown
+    hysteresis_loss: float | None = None  # alpha', share of the elastic energy lost in each cycle; None: USUAL_LOSS
+    elastic_rolling: ElasticRolling = "hysteresis"  # law of the loss by elastic rolling, see `analytic.oil.rolling`
     losses: Losses = Losses()
     spin_rule: SpinRule = "free"  # how a ball turns; free: by mechanics, else its spin is shared by a rule
     sliding: Sliding = "auto"  # method that integrates sliding; auto: chosen by the tolerance
@@ -363,6 +368,11 @@ class Scene(Noun):
 
     def _facts(self) -> Iterator[str]:
         yield from (self.name, self.bearing.name, points_of(vars(self.operation)), f"tolerance {self.tolerance:g}")
+
+    @property
+    def loss_factor(self) -> float:
+        """alpha' that counts: the given one, else the usual one, dimensionless."""
+        return USUAL_LOSS if self.hysteresis_loss is None else self.hysteresis_loss
 
     @property
     def has_friction(self) -> bool:

@@ -10,7 +10,6 @@ from typing import Literal
 
 from analytic.cage.drive import LARGEST_GRIP
 from analytic.contact.geometry import USUAL_SHOULDERS
-from analytic.oil.rolling import HYSTERESIS_LOSS
 from analytic.scene import Scene
 from analytic.sliding.creep import PER_ROLL_CREEP, PER_SPIN_CREEP
 from analytic.words import pressure_of
@@ -151,15 +150,6 @@ LUBRICATED_SURFACE = Need(
 RING_DIAMETERS = Need(
     keys="`[lubricant]` with `starvation_degree`, or `bore_diameter` and `outside_diameter`", lacks=_ring_diameters
 )
-LOSS_FACTOR = Need(
-    keys="`hysteresis_loss`",
-    lacks=lambda scene: (
-        "friction.hysteresis_loss is not given: the share of elastic energy lost in each cycle; no measured one is "
-        f"known, {HYSTERESIS_LOSS[0]:g} to {HYSTERESIS_LOSS[1]:g} are in use for steel, often 0.007"
-        if scene.hysteresis_loss is None
-        else None
-    ),
-)
 
 TABLE = (
     Entry(
@@ -243,9 +233,7 @@ TABLE = (
     Entry(
         name="hysteresis",
         kind="computed",
-        meaning="elastic energy lost by the bodies in each cycle",
-        needs=LOSS_FACTOR,
-        bound=f"where it is left out: the loss by a factor of {HYSTERESIS_LOSS[1]:g}",
+        meaning="energy lost by elastic rolling: hysteresis of the bodies, or Houpert's law of slow rolling",
     ),
     Entry(
         name="rolling",

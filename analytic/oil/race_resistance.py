@@ -14,7 +14,7 @@ from analytic.oil.ehl_fit import OilSupply
 from analytic.oil.inlets import oil_supply
 from analytic.oil.lubrication import Lubrication, lubricated_contact, lubrication_of
 from analytic.oil.mixed import MixedNumbers
-from analytic.oil.rolling import hysteresis
+from analytic.oil.rolling import elastic_rolling
 from analytic.oil.traction import PointLaw
 from analytic.oil.variation import Variation
 from analytic.oil.viscosity import OilNumbers
@@ -36,7 +36,10 @@ class RaceResistance(NamedTuple):
     has_oil: bool
     rolls: bool  # the oil resists rolling
     coefficient: float  # of friction; NaN: by oil and surface
-    hysteresis_loss: float  # alpha'; 0: none counts
+    elastic: bool  # elastic rolling loses energy
+    by_houpert: bool  # by the law of slow rolling, else by hysteresis
+    hysteresis_loss: float  # alpha'
+    elastic_step: float  # of the way to the other law, see `rolling.elastic_rolling`
 
 
 class ResistedContact(NamedTuple):
@@ -46,7 +49,7 @@ class ResistedContact(NamedTuple):
     law: PointLaw
     mixed: MixedNumbers  # NaN without oil and surface
     rolling_torque: float  # hydrodynamic, about the bearing axis, N m
-    hysteresis_torque: float  # likewise
+    hysteresis_torque: float  # likewise, by elastic rolling
     starvation_degree: float  # of the inlet; NaN: no degree leaves the rolling that is known
     film_extrapolated: bool  # as `LubricatedContact` has them
     rolling_extrapolated: bool
@@ -70,7 +73,7 @@ def resisted_contact(
     cubics : the splines of the gap laws
     oil : at its temperature;  peak_pressure : p0, Pa;  ring_speed : w, rad/s, of either sign
     """
-    law, rolling = PointLaw(resistance.coefficient, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0
+    law, rolling, lost = PointLaw(resistance.coefficient, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0, 0.0
     mixed, degree, thin, fast = NOT_MIXED, 1.0, False, False
     if resistance.has_oil:
         alone = unit_hertz(contact.curvature_rolling, contact.curvature_transverse, contact.modulus)
@@ -81,7 +84,9 @@ def resisted_contact(
             rolling, fast = oiled.rolling_torque, oiled.rolling_extrapolated
         if np.isnan(resistance.coefficient):
             law, mixed, thin = oiled.law, oiled.mixed, oiled.film_extrapolated
-    lost = hysteresis(contact, resistance.hysteresis_loss) * contact.rolling_rate
+    if resistance.elastic:
+        loss, step = resistance.hysteresis_loss, resistance.elastic_step
+        lost = elastic_rolling(contact, loss, resistance.by_houpert, step) * contact.rolling_rate
     return ResistedContact(contact, law, mixed, rolling, lost, degree, thin, fast)
 
 
@@ -113,7 +118,10 @@ def resistance_of(
         has_oil=scene.lubricant is not None,
         rolls=is_on("rolling"),
         coefficient=np.nan if given is None else float(given),
-        hysteresis_loss=float(scene.hysteresis_loss or 0.0) * is_on("hysteresis"),
+        elastic=is_on("hysteresis"),
+        by_houpert=scene.elastic_rolling == "houpert",
+        hysteresis_loss=float(scene.loss_factor),
+        elastic_step=variation.elastic_rolling,
     )
 
 

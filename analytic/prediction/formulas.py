@@ -30,6 +30,8 @@ def with_model_uncertainty(scene: Scene, result: FrictionTorque) -> FrictionTorq
             that of the closed formula, as far as either counts
         reach: oil that reaches 0.5 and 1.1 times as far ahead of each contact
         heating: the factors for heating of the inlets by the powers 0.61 and 1.65
+        elastic_rolling: the other law of elastic rolling, `hysteresis` or `houpert`, and as far to the other side, up
+            to the law of dry contacts
     The largest change counts. The parts are independent, so the root of the sum of their squares is the whole.
     A cage that moves keeps its torque. The errors of the oil's own properties, of traction and of the inputs come on
     top, so the true uncertainty is larger.
@@ -54,6 +56,8 @@ def with_model_uncertainty(scene: Scene, result: FrictionTorque) -> FrictionTorq
         if result.is_on("inlet_heating"):
             factors = [np.exp(sign * COVERAGE * HEATING_SPREAD) for sign in (-1, 1)]
             variations["heating"] = [(same, Variation(heating=factor)) for factor in factors]
+    if result.is_on("hysteresis") and scene.loss_factor:
+        variations["elastic_rolling"] = [(same, Variation(elastic_rolling=step)) for step in (-1.0, 1.0)]
     if not variations:
         return result
     start = free_start(same)

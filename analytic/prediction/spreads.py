@@ -9,9 +9,9 @@ import numpy as np
 from analytic.errors import InputError
 from analytic.inputs import UNCERTAIN, checked_deviation, uncertain_value
 from analytic.oil.film import FORMULA_UNCERTAINTY
-from analytic.oil.variation import HEATING_SPREAD, ROLLING_SPREAD, SURFACE_SPREAD
+from analytic.oil.variation import ELASTIC_SPREAD, HEATING_SPREAD, ROLLING_SPREAD, SURFACE_SPREAD
 from analytic.rows import Positive
-from analytic.scene import Array, Origin, Scene
+from analytic.scene import LOSS_SPREAD, Array, Origin, Scene
 
 
 class Default(NamedTuple):
@@ -51,7 +51,7 @@ DEFAULTS: dict[str, Default] = {
     "surface.boundary_friction": Default(0.14, True, "judgement: 0.09 to 0.15 are usual"),
     "surface.hardness": Default(0.05, True, "judgement: 60 to 64 HRC"),
     "friction.coefficient": Default(0.20, True, "judgement"),
-    "friction.hysteresis_loss": Default(0.50, True, "judgement: sources have 0.003 to 0.025"),
+    "friction.hysteresis_loss": Default(LOSS_SPREAD, True, "judgement: sources have 0.003 to 0.025"),
     "losses.seals": Default(0.30, True, "judgement: seals differ and run in"),
     "losses.drag": Default(0.30, True, "judgement"),
     "cage.friction_coefficient": Default(0.30, True, "judgement: as for the boundary friction of other surfaces"),
@@ -60,6 +60,7 @@ DEFAULTS: dict[str, Default] = {
     "model.surfaces": Default(SURFACE_SPREAD, True, "computed: generated surfaces of equal statistics differ so"),
     "model.rolling": Default(ROLLING_SPREAD, True, "judgement: formulas, and torques of three balls [Balan2015]"),
     "model.heating": Default(HEATING_SPREAD, True, "judgement: laws of heating and of thinning by shear"),
+    "model.elastic_rolling": Default(ELASTIC_SPREAD, False, "the distance of two laws, hysteresis and [Houpert2002]"),
 }
 NUMERICAL = "numerical"
 

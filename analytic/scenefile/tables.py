@@ -23,6 +23,7 @@ from analytic.scene import (
     CageStart,
     ClearanceGroup,
     Decision,
+    ElasticRolling,
     FilmFormula,
     GapModel,
     Lubricant,
@@ -350,6 +351,7 @@ class FrictionTable(Table):
     HINT = "give a table [friction], with coefficient where no lubricant is given"
     coefficient: Friction | None = None  # of every race contact; replaces that of lubricant and surface
     hysteresis_loss: Annotated[float, Dimension(unit="", low=0, high=1, example="0.007")] | None = None
+    elastic_rolling: ElasticRolling = Scene.elastic_rolling
     spin_rule: SpinRule = Scene.spin_rule
     sliding: Sliding = Scene.sliding
     microslip: Microslip = Scene.microslip  # "as_printed": equations 2 to 7 with the misprints of the paper

@@ -28,6 +28,7 @@ finish = "ground and honed"               # or Ra = "0.05 um", of each of the tw
 
 [friction]
 hysteresis_loss = 0.007                   # assumed: 0.003 to 0.025 are in use, none measured
+#elastic_rolling = "houpert"              # law of slow rolling, in place of hysteresis
 
 # Tables to add: take away the # in front of each line.
 

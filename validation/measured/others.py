@@ -3,6 +3,7 @@
 Every comparison is a range of ratios: ours over the other's.
 """
 
+import csv
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -12,7 +13,14 @@ import numpy as np
 
 from analytic.contact.rolling_contact import RollingContact
 from analytic.loads.balls import LoadEffects, thrust_balls
-from analytic.oil.rolling import hysteresis_moment, inlet_shear_factor, per_minute, square_millimetres
+from analytic.oil.rolling import (
+    OILED_FRICTION,
+    hysteresis_moment,
+    inlet_shear_factor,
+    per_minute,
+    slow_rolling_moment,
+    square_millimetres,
+)
 from analytic.oil.viscosity import inlet_viscosity
 from analytic.scene import Array, Operation, Scene
 from analytic.scenefile.read import load_scene, parse_scene
@@ -22,7 +30,6 @@ from validation.benchmarks.equilibrium import GROOVES, axial_rigidity_of_pair
 from validation.film import run as film
 
 HERE = Path(__file__).parent
-SNARE = 0.00021  # moment of a contact that resists rolling, over load times ball diameter, dry steel
 # SKF's constants of all thrust ball bearings, in the Russian text of its catalogue of 2016; mm, N, N mm
 SKF_THRUST = (1.03e-6, 0.016)  # R_1, S_1
 SKF_BOUNDARY, SKF_FILM = 0.12, 0.05  # mu_bl, mu_EHL [SKF2018]
@@ -65,7 +72,7 @@ class Other:
 
 
 def others() -> list[Other]:
-    return [_films(), *_catalogues(), _thrust_catalogue(), *_rolling_formulas(), _snare(), _rigidity()]
+    return [_films(), *_catalogues(), _thrust_catalogue(), *_rolling_formulas(), *_slow_rolling(), _rigidity()]
 
 
 def _ranged(ours: Array, theirs: Array) -> dict[str, float]:
@@ -156,21 +163,34 @@ def _rolling_formulas() -> Iterator[Other]:
         )
 
 
-def _snare() -> Other:
-    ratios = []
+def _slow_rolling() -> Iterator[Other]:
+    """Both laws of elastic rolling against measured resistances to slow rolling."""
+    laws: dict[str, list[Array]] = {"hysteresis, loss factor 0.007": [], "Houpert's law, mu = 0.05": []}
     for name in ("thrust_rig_3mm", "thrust_rig_6mm", "6205_physical"):
         scene = load_scene(HERE.parent / "scenes" / f"{name}.toml")
-        contacts = _contacts(scene)
-        assert scene.hysteresis_loss is not None
-        ours = hysteresis_moment(contacts, hysteresis_loss=scene.hysteresis_loss)
-        ratios.append(np.ravel(ours / (SNARE * contacts.load * scene.bearing.ball_diameter)))
-    return Other(
-        what="hysteresis of a contact, loss factor 0.007: rig and 6205",
-        compared_with="Snare's resistance of dry contacts to rolling, as [Houpert2002] has it",
-        kind="plausibility",
-        **_ranged(np.concatenate(ratios), np.ones(1)),
-        worth="exceeds the whole dry torque that is stated for balls of 3 mm: no measure of hysteresis",
-    )
+        contacts, scale = _contacts(scene), scene.bearing.ball_diameter
+        moments = (
+            hysteresis_moment(contacts, hysteresis_loss=scene.loss_factor),
+            slow_rolling_moment(contacts, friction_coefficient=OILED_FRICTION),
+        )
+        for ratios, moment in zip(laws.values(), moments, strict=True):
+            ratios.append(np.ravel(moment / (contacts.load * scale)))
+    for source, case, value in measured_resistances():
+        for law, ratios in laws.items():
+            yield Other(
+                what=f"elastic rolling of a contact, {law}: rig and 6205",
+                compared_with=f"slow rolling of {case} [{source}]",
+                kind="plausibility",
+                **_ranged(np.concatenate(ratios), np.full(1, value)),
+                worth="measured with little or no oil, and slip by conformity is in it; the rig is hardly known",
+            )
+
+
+def measured_resistances() -> Iterator[tuple[str, str, float]]:
+    """Source, case, and moment over load and ball diameter."""
+    with (HERE.parent / "published" / "slow_rolling_resistance.csv").open(encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(line for line in file if not line.startswith("#")):
+            yield row["source"], row["case"], float(row["moment_over_load_diameter"])
 
 
 def _contacts(scene: Scene) -> RollingContact:

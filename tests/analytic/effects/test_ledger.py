@@ -89,7 +89,7 @@ def test_a_motion_of_a_cage_that_is_left_out_is_refused(bearing_6205: Bearing) -
 
 def test_without_conformity_spin_is_not_measured_against_it(bearing_6205: Bearing) -> None:
     """Spin is then the only part of the torque: leaving it out would leave nothing."""
-    scene = replace(dry(bearing_6205), hysteresis_loss=None, effects={"conformity": "off"})
+    scene = replace(dry(bearing_6205), effects={"hysteresis": "off", "conformity": "off"})
     assert friction_torque(scene).effects.decisions["spin"] == "on"
 
 
