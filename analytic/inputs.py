@@ -77,6 +77,7 @@ UNCERTAIN: dict[str, Varied] = {
     "model.rolling": PURE,
     "model.heating": PURE,
     "model.elastic_rolling": Varied(unit="", example="0.5", floor=None),
+    "model.unloaded_balls": PURE,
 }
 
 
@@ -160,6 +161,9 @@ def uncertain_value(scene: Scene, key: str) -> float | None:
         return (scene.loss_factor or None) if scene.elastic_rolling == "hysteresis" and has_elastic else None
     if key == "model.elastic_rolling":
         return 0.0 if has_elastic and scene.loss_factor else None
+    if key == "model.unloaded_balls":
+        is_on = scene.effects.get("unloaded_balls") != "off" and not scene.operation.is_thrust
+        return 1.0 if is_on and scene.lubricant is not None and scene.lubricant.supply == "oil_bath" else None
     return _of_oil(scene, table, rest)
 
 

@@ -127,6 +127,14 @@ def _held_angle(scene: Scene) -> str | None:
     return None
 
 
+def _no_bath(scene: Scene) -> str | None:
+    if scene.lubricant is not None and scene.lubricant.supply != "oil_bath":
+        return f'lubricant.supply = "{scene.lubricant.supply}" leaves no oil around balls without load'
+    if scene.effects.get("rolling") == "off":
+        return 'effects.rolling = "off" leaves out all rolling in oil'
+    return _lubricant(scene) or _held_angle(scene)
+
+
 SOLVED_ANGLE = Need(keys='`contact_angle.rule = "solved"`', lacks=_held_angle)
 TURNING_BALL = Need(  # the moment moves no load of a ball at 90 degrees, and so leaves its angle alone
     keys='`contact_angle.rule = "solved"`, or a thrust bearing',
@@ -240,6 +248,13 @@ TABLE = (
         kind="computed",
         meaning="hydrodynamic resistance of the oil in the inlets to rolling",
         needs=LUBRICANT,
+    ),
+    Entry(
+        name="unloaded_balls",
+        kind="computed",
+        meaning="hydrodynamic resistance to rolling of balls that carry no load",
+        needs=Need(keys='`[lubricant]` with `supply = "oil_bath"`, `contact_angle.rule = "solved"`', lacks=_no_bath),
+        idle="every ball carries load",
     ),
     Entry(
         name="cage",

@@ -234,6 +234,8 @@ def _has_effect(scene: Scene, name: str, counted: Mapping[str, bool]) -> bool:
     slides = counted["spin"] or counted["conformity"]
     if name == "asperities":
         return slides
+    if name == "unloaded_balls":
+        return counted["rolling"] and (counted["load_distribution"] or counted["weight"])
     in_oil = counted["rolling"] or (slides and scene.friction_coefficient is None)
     return in_oil if name in ("inlet_heating", "starvation") else True
 

@@ -10,7 +10,7 @@ from analytic.contact.hertz import contact_modulus, unit_hertz
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.loads.numbers import play_and_free_angle
 from analytic.numerics.compilation import compiled
-from analytic.oil.ehl_fit import OilSupply
+from analytic.oil.ehl_fit import OilSupply, gap_force
 from analytic.oil.inlets import oil_supply
 from analytic.oil.lubrication import Lubrication, lubricated_contact, lubrication_of
 from analytic.oil.mixed import MixedNumbers
@@ -40,6 +40,7 @@ class RaceResistance(NamedTuple):
     by_houpert: bool  # by the law of slow rolling, else by hysteresis
     hysteresis_loss: float  # alpha'
     elastic_step: float  # of the way to the other law, see `rolling.elastic_rolling`
+    unloaded: float  # factor on the rolling of balls without load
 
 
 class ResistedContact(NamedTuple):
@@ -90,6 +91,27 @@ def resisted_contact(
     return ResistedContact(contact, law, mixed, rolling, lost, degree, thin, fast)
 
 
+@compiled
+def torque_off_race(
+    resistance: RaceResistance,
+    oil: OilNumbers,
+    race: int,
+    contact: ContactNumbers,
+    entrainment: float,
+    gap: float,
+    ring_speed: float,
+) -> float:
+    """Torque by the rolling of a ball that a gap keeps off its inner (0) or outer race (1), N m.
+
+    contact : of the ball, without load;  entrainment : u over the ring speed, m;  gap : m;  the others as in
+        `resisted_contact`
+    """
+    supply, radius = (resistance.inner if race == 0 else resistance.outer).supply, 1 / contact.curvature_rolling
+    shear = oil.viscosity * abs(ring_speed) * entrainment
+    force = gap_force(shear, radius, contact.curvature_transverse * radius, gap, supply.ahead)
+    return resistance.unloaded * 2.0 * force * entrainment
+
+
 def resistance_of(
     scene: Scene, forms: Sequence[GapForm], is_on: Callable[[str], bool], variation: Variation
 ) -> RaceResistance:
@@ -122,6 +144,7 @@ def resistance_of(
         by_houpert=scene.elastic_rolling == "houpert",
         hysteresis_loss=float(scene.loss_factor),
         elastic_step=variation.elastic_rolling,
+        unloaded=variation.unloaded_balls,
     )
 
 

@@ -19,7 +19,7 @@ from analytic.numerics.compilation import compiled, rows_of
 from analytic.numerics.root import cube_root
 from analytic.scene import Array, Supply
 
-STARVATION: dict[Supply, float] = {"oil_bath": 3e-8, "oil_spot": 6e-8, "grease": 6e-8}  # K_rs
+STARVATION: dict[Supply, float] = {"oil_bath": 3e-8, "oil_jet": 3e-8, "oil_spot": 6e-8, "grease": 6e-8}  # K_rs
 PER_MINUTE, SQUARE_MILLIMETRES = 60 / (2 * np.pi), 1e6  # in a rad/s, in a m^2
 DEEP_GROOVE, ANGULAR_CONTACT = 3.1, 4.4  # K_Z of bearings of one row
 # Loss factors of bearing steel under rolling that are in use, as no measured one was found. 0.004 to 0.01 are usual; a
@@ -354,7 +354,7 @@ def replenishment_factor(
     """phi_rs = exp(-K_rs nu n (d + D) sqrt(K_Z/[2 (D - d)])): SKF's factor on the rolling torque for starvation.
 
     bore_diameter, outside_diameter : d < D, m;  ring_speed : rad/s, >= 0;  kinematic_viscosity : nu, m^2/s, > 0
-    supply : `oil_bath` (low level; also oil jet), `oil_spot` (oil-air) or `grease`, with K_rs of 3e-8, 6e-8 and 6e-8
+    supply : `oil_bath` (low level) or `oil_jet` with K_rs of 3e-8, `oil_spot` (oil-air) or `grease` with 6e-8
     geometry : K_Z, 3.1 of deep groove and 4.4 of angular contact ball bearings of one row
     The factor is 0 to 1. The formula takes n in 1/min, the diameters in mm and nu in mm^2/s.
     Source: [SKF2018].

@@ -9,7 +9,13 @@ import numpy as np
 from analytic.errors import InputError
 from analytic.inputs import UNCERTAIN, checked_deviation, uncertain_value
 from analytic.oil.film import FORMULA_UNCERTAINTY
-from analytic.oil.variation import ELASTIC_SPREAD, HEATING_SPREAD, ROLLING_SPREAD, SURFACE_SPREAD
+from analytic.oil.variation import (
+    ELASTIC_SPREAD,
+    HEATING_SPREAD,
+    ROLLING_SPREAD,
+    SURFACE_SPREAD,
+    UNLOADED_SPREAD,
+)
 from analytic.rows import Positive
 from analytic.scene import LOSS_SPREAD, Array, Origin, Scene
 
@@ -60,6 +66,7 @@ DEFAULTS: dict[str, Default] = {
     "model.surfaces": Default(SURFACE_SPREAD, True, "computed: generated surfaces of equal statistics differ so"),
     "model.rolling": Default(ROLLING_SPREAD, True, "judgement: formulas, and torques of three balls [Balan2015]"),
     "model.heating": Default(HEATING_SPREAD, True, "judgement: laws of heating and of thinning by shear"),
+    "model.unloaded_balls": Default(UNLOADED_SPREAD, True, "judgement: where a ball lies in its clearance"),
     "model.elastic_rolling": Default(ELASTIC_SPREAD, False, "the distance of two laws, hysteresis and [Houpert2002]"),
 }
 NUMERICAL = "numerical"

@@ -378,6 +378,7 @@ class EffectsTable(Table):
     creep: Decision = "auto"
     hysteresis: Decision = "auto"
     rolling: Decision = "auto"
+    unloaded_balls: Decision = "auto"
     cage: Decision = "auto"
     cage_dynamics: Decision = "auto"
     ball_dynamics: Decision = "auto"

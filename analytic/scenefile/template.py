@@ -21,7 +21,7 @@ down = [1, 0, 0]                          # gravity points along the radial load
 #moment = "0 N m"                         # that tilts the rings
 """
 REST = """\
-#supply = "grease"                        # "oil_bath", "oil_spot" or "grease"
+#supply = "grease"                        # "oil_bath", "oil_jet", "oil_spot" or "grease"
 
 [surface]
 finish = "ground and honed"               # or Ra = "0.05 um", of each of the two surfaces

@@ -45,6 +45,7 @@ class Counted(NamedTuple):
     conformity: bool
     hysteresis: bool
     rolling: bool  # resistance of the oil to it
+    unloaded_balls: bool  # in oil: they roll too
     cage: bool
 
 

@@ -11,6 +11,7 @@ from typing import Literal
 
 import numpy as np
 
+from analytic.catalog.bearing_rows import find_bearing
 from analytic.contact.rolling_contact import RollingContact
 from analytic.loads.balls import LoadEffects, thrust_balls
 from analytic.oil.rolling import (
@@ -25,13 +26,15 @@ from analytic.oil.viscosity import inlet_viscosity
 from analytic.scene import Array, Operation, Scene
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.torque import friction_torque
-from fembearing.verify.torque.catalogue_models import scene_band
+from fembearing.verify.torque.catalogue_models import case_of, scene_band, skf_parts
 from validation.benchmarks.equilibrium import GROOVES, axial_rigidity_of_pair
+from validation.catalogue.torque import scene_at
 from validation.film import run as film
 
 HERE = Path(__file__).parent
 # SKF's constants of all thrust ball bearings, in the Russian text of its catalogue of 2016; mm, N, N mm
 SKF_THRUST = (1.03e-6, 0.016)  # R_1, S_1
+RADIAL = ("6004", "6204", "6205", "6208", "6212", "6305", "6310")
 SKF_BOUNDARY, SKF_FILM = 0.12, 0.05  # mu_bl, mu_EHL [SKF2018]
 THRUST_51205 = """
 name = "51205, dimensions assumed"
@@ -72,7 +75,15 @@ class Other:
 
 
 def others() -> list[Other]:
-    return [_films(), *_catalogues(), _thrust_catalogue(), *_rolling_formulas(), *_slow_rolling(), _rigidity()]
+    return [
+        _films(),
+        *_catalogues(),
+        _thrust_catalogue(),
+        *_rolling_formulas(),
+        *_slow_rolling(),
+        *_radial_rolling(),
+        _rigidity(),
+    ]
 
 
 def _ranged(ours: Array, theirs: Array) -> dict[str, float]:
@@ -184,6 +195,24 @@ def _slow_rolling() -> Iterator[Other]:
                 **_ranged(np.concatenate(ratios), np.full(1, value)),
                 worth="measured with little or no oil, and slip by conformity is in it; the rig is hardly known",
             )
+
+
+def _radial_rolling() -> Iterator[Other]:
+    """Rolling of deep groove bearings under radial load, with and without the balls that carry nothing."""
+    cases = [scene_at(find_bearing(name), "radial") for name in RADIAL]
+    theirs = [skf_parts(case_of(scene), lubrication="oil_bath")[0] for scene in cases]
+    for decision, words in (("off", "without unloaded balls"), ("auto", "with unloaded balls")):
+        ours = []
+        for scene in cases:
+            varied = replace(scene, effects={**scene.effects, "unloaded_balls": decision})
+            ours.append(friction_torque(varied).torque.rolling)
+        yield Other(
+            what=f"rolling of {len(RADIAL)} deep groove bearings, 0.05 C radial, 1000 rpm, {words}",
+            compared_with="SKF's rolling part",
+            kind="cross-check",
+            **_ranged(np.array(ours), np.array(theirs)),
+            worth="a fit to unpublished tests of whole bearings, and to nothing here",
+        )
 
 
 def measured_resistances() -> Iterator[tuple[str, str, float]]:
