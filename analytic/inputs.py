@@ -61,6 +61,7 @@ UNCERTAIN: dict[str, Varied] = {
     "lubricant.pressure_viscosity": Varied(unit="1/Pa", example='"2e-9 1/Pa", or "10 %"'),
     "lubricant.eyring_stress": Varied(unit="Pa", example='"1.5 MPa", or "30 %"'),
     "lubricant.limiting_shear": PURE,
+    "lubricant.surface_tension": Varied(unit="N/m", example='"0.003 N/m", or "12 %"'),
     "lubricant.reach.ahead": PURE,
     "surface.rms_roughness": LENGTH,
     "surface.autocorrelation.length": LENGTH,
@@ -77,6 +78,7 @@ UNCERTAIN: dict[str, Varied] = {
     "model.rolling": PURE,
     "model.heating": PURE,
     "model.elastic_rolling": Varied(unit="", example="0.5", floor=None),
+    "model.grease_film": PURE,
     "model.unloaded_balls": PURE,
 }
 
@@ -138,7 +140,7 @@ def uncertain_value(scene: Scene, key: str) -> float | None:
     Of a load the largest magnitude of the series, which varies as a whole; of a formula 1, of a step between two 0.
     """
     table, _, rest = key.partition(".")
-    angle, has_elastic = scene.contact_angle, scene.effects.get("hysteresis") != "off"
+    angle, has_elastic = scene.contact_angle, scene.has_friction and scene.effects.get("hysteresis") != "off"
     if table == "operation":
         return float(np.max(np.abs(getattr(scene.operation, rest)))) or None
     if key == "bearing.contact_angle.free":
@@ -198,6 +200,10 @@ def _of_oil(scene: Scene, table: str, key: str) -> float | None:
     """The value of an input of oil, surface or formula, as far as this scene's friction comes from them."""
     oil, surface = scene.lubricant, scene.surface
     mixed = oil is not None and surface is not None and scene.friction_coefficient is None
+    if key == "surface_tension" or (table == "model" and key == "grease_film"):
+        if oil is None or not oil.starves_as_measured(scene.bearing) or scene.effects.get("starvation") == "off":
+            return None
+        return 1.0 if table == "model" else oil.surface_tension
     if table == "model":
         return 1.0 if (oil is not None if key in ("rolling", "heating") else mixed) else None
     if table == "lubricant":

@@ -42,6 +42,7 @@ BearingKind = Literal["radial", "thrust"]
 Sliding = Literal["auto"] | SlidingMethod
 
 STANDARD_GRAVITY = 9.80665  # m/s^2
+STEEPEST_DEEP_GROOVE = 20.0  # degrees: a larger unloaded contact angle is that of an angular contact bearing
 OIL_TEMPERATURES = 200.0, 600.0  # K: between them is the oil of a scene
 # Loss factor of bearing steel under rolling that calculations take most often: no measured one was found.
 USUAL_LOSS = 0.007
@@ -158,6 +159,14 @@ class Bearing(Noun):
         return self.inner.bottom_radius + self.outer.bottom_radius
 
     @property
+    def is_deep_groove(self) -> bool:
+        """By its series, as 62 or 618; without one by an unloaded contact angle of at most 20 degrees."""
+        if self.kind == "thrust" or self.series is not None:
+            return self.series is not None and self.series.isdigit()
+        play = max(self.diametral_clearance, 0.0) / (2 * self.groove_centre_distance)
+        return bool(1 - play >= np.cos(np.deg2rad(STEEPEST_DEEP_GROOVE)))
+
+    @property
     def diametral_clearance(self) -> float:
         """P_d: radial clearance of the unloaded bearing, on the diameter, m; negative is preload.
 
@@ -248,6 +257,7 @@ class Lubricant(Noun):
     limiting_shear: float  # zeta, ratio of the largest shear stress to the pressure
     traction: Traction  # law of the shear stress, see `analytic.oil.traction`
     supply: Supply = "oil_bath"  # how oil returns to the track
+    surface_tension: float = 0.022  # of the oil that bleeds from a grease, N/m
     starvation_degree: float | None = None  # m, see `analytic.oil.starvation`, >= 1; None: by the supply
     reach: Reach = Reach()  # of the oil, to where a flooded inlet begins
     cavitation_pressure: float = 0.0  # gauge, Pa, <= 0, at which oil in the outlet breaks; 0: the outlet is ventilated
@@ -256,6 +266,10 @@ class Lubricant(Noun):
     rolling_formula: RollingFormula = "numerical"  # see `analytic.oil.ehl_fit` and `analytic.oil.rolling`
     name: str = field(default="", compare=False)  # under which its numbers were looked up; empty: they are given
     origins: Mapping[str, Origin] = field(default_factory=nothing, compare=False)  # by field; empty: not noted
+
+    def starves_as_measured(self, bearing: Bearing) -> bool:
+        """Whether it is grease in a deep groove bearing, whose films were measured, and no degree is given."""
+        return self.supply == "grease" and self.starvation_degree is None and bearing.is_deep_groove
 
 
 @dataclass(frozen=True, kw_only=True)

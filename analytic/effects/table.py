@@ -10,6 +10,7 @@ from typing import Literal
 
 from analytic.cage.drive import LARGEST_GRIP
 from analytic.contact.geometry import USUAL_SHOULDERS
+from analytic.oil.inlets import starvation_source
 from analytic.scene import Scene
 from analytic.sliding.creep import PER_ROLL_CREEP, PER_SPIN_CREEP
 from analytic.words import pressure_of
@@ -71,7 +72,7 @@ def _lubricant(scene: Scene) -> str | None:
 
 
 def _ring_diameters(scene: Scene) -> str | None:
-    if scene.lubricant is not None and scene.lubricant.starvation_degree is not None:
+    if scene.lubricant is not None and starvation_source(scene.bearing, scene.lubricant) is not None:
         return None
     if scene.bearing.bore_diameter is None or scene.bearing.outside_diameter is None:
         return _lubricant(scene) or "bearing.bore_diameter and bearing.outside_diameter are not given"
@@ -130,8 +131,6 @@ def _held_angle(scene: Scene) -> str | None:
 def _no_bath(scene: Scene) -> str | None:
     if scene.lubricant is not None and scene.lubricant.supply != "oil_bath":
         return f'lubricant.supply = "{scene.lubricant.supply}" leaves no oil around balls without load'
-    if scene.effects.get("rolling") == "off":
-        return 'effects.rolling = "off" leaves out all rolling in oil'
     return _lubricant(scene) or _held_angle(scene)
 
 
@@ -156,7 +155,9 @@ LUBRICATED_SURFACE = Need(
     ),
 )
 RING_DIAMETERS = Need(
-    keys="`[lubricant]` with `starvation_degree`, or `bore_diameter` and `outside_diameter`", lacks=_ring_diameters
+    keys="`[lubricant]` with `starvation_degree`, or `bore_diameter` and `outside_diameter`, or grease in a deep "
+    "groove bearing",
+    lacks=_ring_diameters,
 )
 
 TABLE = (

@@ -235,7 +235,8 @@ def _has_effect(scene: Scene, name: str, counted: Mapping[str, bool]) -> bool:
     if name == "asperities":
         return slides
     if name == "unloaded_balls":
-        return counted["rolling"] and (counted["load_distribution"] or counted["weight"])
+        asked = scene.effects.get(name) == "on"
+        return asked or (counted["rolling"] and (counted["load_distribution"] or counted["weight"]))
     in_oil = counted["rolling"] or (slides and scene.friction_coefficient is None)
     return in_oil if name in ("inlet_heating", "starvation") else True
 

@@ -37,7 +37,7 @@ ROLLING, FILM = np.array(fitted.ROLLING), np.array(fitted.FILM)
 
 
 class OilSupply(NamedTuple):
-    """How oil comes to the inlets of a bearing, in numbers. With neither degree nor rate the inlets are flooded."""
+    """How oil comes to the inlets of a bearing, in numbers. With no degree, no rate and no grease they are flooded."""
 
     mean_diameter: float  # of the bearing, m, for the inlets' heat
     degree: float  # m of `analytic.oil.starvation`; NaN: not given
@@ -45,6 +45,10 @@ class OilSupply(NamedTuple):
     ahead: float  # length of the oil in the inlet of a paraboloid with the same rolling force, m
     behind: float  # likewise in the outlet, m
     tension: float  # that the oil bears in the outlet, Pa; 0: it is ventilated
+    churned: bool = False  # grease in a deep groove bearing, where no degree is given: by the films measured there
+    surface_tension: float = 1.0  # of the grease's oil, N/m
+    axial_share: float = 1.0  # of the load, of the operating point
+    grease_film: float = 0.0  # added to ln f of the measured films
 
 
 class Regime(NamedTuple):

@@ -3,6 +3,8 @@
 One number tells how far the oil reaches: the degree m, the distance from the centre of the contact to the meniscus
 ahead of it, over the semi-axis along rolling. At 1 the meniscus stands at the edge of the contact, and nothing is left
 of film and rolling. At inf the inlet is flooded. A contact without load or without a film counts as flooded.
+The degree comes from the scene, or from an estimate of the rolling that is left. Films measured with grease
+(`analytic.oil.grease`) give film and degree, and rolling loses as much as the film.
 The film's factor is a fit to point contacts. The gap at the meniscus is that of a line contact, and so is the factor on
 rolling: on a race they are a first estimate. Where the film begins to thin, rolling has already lost some 45 %.
 Sources: [Hamrock1977b] for the film, [Biboulet2010a] for rolling.
@@ -157,6 +159,16 @@ def starved_by_degree(contact: ContactNumbers, degree: float, film: float, ratio
     reach, log_excess = log_reach(contact, film), np.log(degree - 1)
     fullness = np.exp(log_gap_ratio(log_excess, reach) - np.log(ratio)) if degree < np.inf else np.inf
     return StarvedNumbers(degree, np.exp(log_film_factor(log_excess, reach)), fullness, rolling_left(fullness))
+
+
+@compiled
+def starved_by_film(contact: ContactNumbers, log_factor: float, film: float, ratio: float) -> StarvedNumbers:
+    """The degree that leaves this much of the film, and of rolling as much; log_factor : ln f, >= 0 where flooded."""
+    if contact.semi_axis_rolling == 0.0 or film == 0.0 or log_factor >= 0.0:
+        return FLOODED
+    log_excess = LOG_THINNING + 0.58 * log_reach(contact, film) + log_factor / 0.29
+    found = starved_by_degree(contact, 1 + np.exp(log_excess), film, ratio)
+    return StarvedNumbers(found.degree, found.film_factor, found.fullness, found.film_factor)
 
 
 @compiled

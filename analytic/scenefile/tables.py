@@ -307,6 +307,8 @@ class LubricantTable(Table):
     ) = None
     density: Annotated[float, Dimension(unit="kg/m^3", low=100, high=5000, example='"870 kg/m^3"')] | None = None
     supply: Supply = Lubricant.supply
+    # Of the oil that bleeds from a grease
+    surface_tension: Annotated[float, Dimension(unit="N/m", low=1e-3, high=1.0, example='"0.022 N/m"')] | None = None
     # Distance of the oil's meniscus from the centre of a contact, over its semi-axis along rolling; by the supply if
     # it is not given.
     starvation_degree: Annotated[float, Dimension(unit="", low=1, high=1e9, example="2")] | None = None

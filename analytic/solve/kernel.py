@@ -28,6 +28,7 @@ from analytic.loads.thrust_ball import first_contacts, in_groove, settle_ruled_t
 from analytic.loads.turning import TurningRule
 from analytic.numerics.compilation import compiled
 from analytic.numerics.records import Record, Records
+from analytic.oil.grease import axial_share_of
 from analytic.oil.race_resistance import ResistedContact, resisted_contact, torque_off_race
 from analytic.oil.traction import PointLaw, mean_force
 from analytic.oil.viscosity import OilNumbers, oil_at
@@ -149,6 +150,9 @@ def begin(model: ModelNumbers, tables: Tables, points: Array, i: int, work: Work
     reset(of_point)
     if model.has_oil and points[i, 4] != model.warm.temperature:
         put_oil(model.warm, oil_at(model.oil, points[i, 4]))
+    share = axial_share_of(points[i, 0], points[i, 1], points[i, 2], model.ring.bearing.pitch_diameter)
+    put_axial_share(model.resistance.inner.supply, share)
+    put_axial_share(model.resistance.outer.supply, share)
     last = given.shape[3] - 1
     for j in range(len(work.balls)):
         for race in range(2):
@@ -174,6 +178,12 @@ def put_oil(oil: Record, found: OilNumbers) -> None:
     """Write what of an oil changes with the temperature."""
     oil.temperature, oil.viscosity, oil.growth = found.temperature, found.viscosity, found.growth
     oil.pressure_viscosity, oil.viscosity_temperature = found.pressure_viscosity, found.viscosity_temperature
+
+
+@compiled
+def put_axial_share(supply: Record, share: float) -> None:
+    """Write what of the supply of oil belongs to the operating point."""
+    supply.axial_share = share
 
 
 @compiled

@@ -156,7 +156,7 @@ class Model:
             lubrication = resistance[race]
             supply = lubrication["supply"]
             lubrication["asperities"], lubrication["heats"] = effects.asperities, effects.inlet_heating
-            known = not (np.isnan(supply["degree"][0]) and np.isnan(supply["rate"][0]))
+            known = supply["churned"][0] or not (np.isnan(supply["degree"][0]) and np.isnan(supply["rate"][0]))
             lubrication["starves"] = effects.starvation and known
         return replace(self, numbers=record_in(numbers), balls=self._weighed(self.weights * effects.weight))
 
