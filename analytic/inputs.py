@@ -7,7 +7,7 @@ import numpy as np
 
 from analytic.errors import InputError
 from analytic.rows import NotNegative
-from analytic.scene import Bearing, Groove, Material, Scene, Status
+from analytic.scene import LOSS_SPREAD, Bearing, Groove, Material, Origin, Scene, Status
 from analytic.units import unit_of
 
 LARGEST_SHARE = 3.0  # of a value: a standard deviation beyond it says that the value is not known
@@ -42,7 +42,7 @@ PURE = Varied(unit="", example="0.01")
 CONFORMITY = Varied(unit="", example="0.002", floor=TIGHTEST_GROOVE)
 ANGLE = Varied(unit="rad", example='"1.5 deg"', floor=None)
 # By the keys of [uncertainty]; `Scene.uncertainty` has standard deviations, SI, in place of the defaults. Those of
-# `model` are factors on formulas.
+# `model` are factors on formulas; that of `elastic_rolling` is a step to the other law.
 UNCERTAIN: dict[str, Varied] = {
     "bearing.ball_diameter": LENGTH,
     "bearing.pitch_diameter": LENGTH,
@@ -61,6 +61,7 @@ UNCERTAIN: dict[str, Varied] = {
     "lubricant.pressure_viscosity": Varied(unit="1/Pa", example='"2e-9 1/Pa", or "10 %"'),
     "lubricant.eyring_stress": Varied(unit="Pa", example='"1.5 MPa", or "30 %"'),
     "lubricant.limiting_shear": PURE,
+    "lubricant.surface_tension": Varied(unit="N/m", example='"0.003 N/m", or "12 %"'),
     "lubricant.reach.ahead": PURE,
     "surface.rms_roughness": LENGTH,
     "surface.autocorrelation.length": LENGTH,
@@ -76,7 +77,13 @@ UNCERTAIN: dict[str, Varied] = {
     "model.surfaces": PURE,
     "model.rolling": PURE,
     "model.heating": PURE,
+    "model.elastic_rolling": Varied(unit="", example="0.5", floor=None),
+    "model.grease_film": PURE,
+    "model.unloaded_balls": PURE,
 }
+
+
+USUAL_LOSS_ORIGIN = "usual in calculations for bearing steel; 0.003 to 0.025 are in use, none of them measured"
 
 
 # By the keys of [assumed].
@@ -87,7 +94,7 @@ ASSUMABLE = (
 
 
 def stated_inputs(scene: Scene) -> tuple[StatedInput, ...]:
-    """The inputs that have an origin: those of bearing, oil and surface, and what the scene says it assumes."""
+    """The inputs that have an origin: of bearing, oil and surface, what the scene assumes, and a usual loss factor."""
     known = known_inputs(scene)
     assumed = {key: replace(known[key], status="assumed", source=scene.assumed[key]) for key in scene.assumed}
     return tuple((_with_origin(scene) | assumed).values())
@@ -111,7 +118,13 @@ def known_inputs(scene: Scene) -> dict[str, StatedInput]:
 
 def _with_origin(scene: Scene) -> dict[str, StatedInput]:
     tables = {name: getattr(scene, name) for name in ("bearing", "lubricant", "surface")}
-    return {
+    usual = {}
+    loss = uncertain_value(scene, "friction.hysteresis_loss")
+    if scene.hysteresis_loss is None and loss is not None:
+        origin = Origin(status="assumed", uncertainty=LOSS_SPREAD * loss, source=USUAL_LOSS_ORIGIN)
+        key = "friction.hysteresis_loss"
+        usual[key] = StatedInput(key=key, value=loss, unit=unit_of(key), **vars(origin))
+    return usual | {
         f"{name}.{key}": StatedInput(
             key=f"{name}.{key}", value=_stated(scene, table, key), unit=unit_of(key), **vars(origin)
         )
@@ -124,10 +137,10 @@ def _with_origin(scene: Scene) -> dict[str, StatedInput]:
 def uncertain_value(scene: Scene, key: str) -> float | None:
     """The value of an input of UNCERTAIN, SI, about which it varies; None where the torque does not ask for it.
 
-    Of a load the largest magnitude of the series, which varies as a whole; of a formula 1.
+    Of a load the largest magnitude of the series, which varies as a whole; of a formula 1, of a step between two 0.
     """
     table, _, rest = key.partition(".")
-    angle = scene.contact_angle
+    angle, has_elastic = scene.contact_angle, scene.has_friction and scene.effects.get("hysteresis") != "off"
     if table == "operation":
         return float(np.max(np.abs(getattr(scene.operation, rest)))) or None
     if key == "bearing.contact_angle.free":
@@ -145,7 +158,14 @@ def uncertain_value(scene: Scene, key: str) -> float | None:
     if table == "losses":
         return getattr(scene.losses, rest) or None
     if table == "friction":
-        return (scene.friction_coefficient if rest == "coefficient" else scene.hysteresis_loss) or None
+        if rest == "coefficient":
+            return scene.friction_coefficient or None
+        return (scene.loss_factor or None) if scene.elastic_rolling == "hysteresis" and has_elastic else None
+    if key == "model.elastic_rolling":
+        return 0.0 if has_elastic and scene.loss_factor else None
+    if key == "model.unloaded_balls":
+        is_on = scene.effects.get("unloaded_balls") != "off" and not scene.operation.is_thrust
+        return 1.0 if is_on and scene.lubricant is not None and scene.lubricant.supply == "oil_bath" else None
     return _of_oil(scene, table, rest)
 
 
@@ -180,6 +200,10 @@ def _of_oil(scene: Scene, table: str, key: str) -> float | None:
     """The value of an input of oil, surface or formula, as far as this scene's friction comes from them."""
     oil, surface = scene.lubricant, scene.surface
     mixed = oil is not None and surface is not None and scene.friction_coefficient is None
+    if key == "surface_tension" or (table == "model" and key == "grease_film"):
+        if oil is None or not oil.starves_as_measured(scene.bearing) or scene.effects.get("starvation") == "off":
+            return None
+        return 1.0 if table == "model" else oil.surface_tension
     if table == "model":
         return 1.0 if (oil is not None if key in ("rolling", "heating") else mixed) else None
     if table == "lubricant":

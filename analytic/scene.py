@@ -21,9 +21,10 @@ Pair = Literal["inner", "outer", "pocket"]
 SpinRule = Literal["free", "balanced", "inner_control", "outer_control"]
 Microslip = Literal["derived", "as_printed"]
 Traction = Literal["eyring_sinh", "eyring_constant"]
-Supply = Literal["oil_bath", "oil_spot", "grease"]
+Supply = Literal["oil_bath", "oil_jet", "oil_spot", "grease"]
 FilmFormula = Literal["numerical", "nijenbanning"]
 RollingFormula = Literal["numerical", "biboulet", "houpert"]
+ElasticRolling = Literal["hysteresis", "houpert"]
 Decision = Literal["auto", "on", "off"]
 PocketAxis = Literal["axial", "radial"]
 CageStart = Literal["rest", "ramp", "sudden", "whirl"]
@@ -41,7 +42,11 @@ BearingKind = Literal["radial", "thrust"]
 Sliding = Literal["auto"] | SlidingMethod
 
 STANDARD_GRAVITY = 9.80665  # m/s^2
+STEEPEST_DEEP_GROOVE = 20.0  # degrees: a larger unloaded contact angle is that of an angular contact bearing
 OIL_TEMPERATURES = 200.0, 600.0  # K: between them is the oil of a scene
+# Loss factor of bearing steel under rolling that calculations take most often: no measured one was found.
+USUAL_LOSS = 0.007
+LOSS_SPREAD = 0.5  # standard deviation of its logarithm, a judgement: 0.003 to 0.025 are in use
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -154,6 +159,14 @@ class Bearing(Noun):
         return self.inner.bottom_radius + self.outer.bottom_radius
 
     @property
+    def is_deep_groove(self) -> bool:
+        """By its series, as 62 or 618; without one by an unloaded contact angle of at most 20 degrees."""
+        if self.kind == "thrust" or self.series is not None:
+            return self.series is not None and self.series.isdigit()
+        play = max(self.diametral_clearance, 0.0) / (2 * self.groove_centre_distance)
+        return bool(1 - play >= np.cos(np.deg2rad(STEEPEST_DEEP_GROOVE)))
+
+    @property
     def diametral_clearance(self) -> float:
         """P_d: radial clearance of the unloaded bearing, on the diameter, m; negative is preload.
 
@@ -244,6 +257,7 @@ class Lubricant(Noun):
     limiting_shear: float  # zeta, ratio of the largest shear stress to the pressure
     traction: Traction  # law of the shear stress, see `analytic.oil.traction`
     supply: Supply = "oil_bath"  # how oil returns to the track
+    surface_tension: float = 0.022  # of the oil that bleeds from a grease, N/m
     starvation_degree: float | None = None  # m, see `analytic.oil.starvation`, >= 1; None: by the supply
     reach: Reach = Reach()  # of the oil, to where a flooded inlet begins
     cavitation_pressure: float = 0.0  # gauge, Pa, <= 0, at which oil in the outlet breaks; 0: the outlet is ventilated
@@ -252,6 +266,10 @@ class Lubricant(Noun):
     rolling_formula: RollingFormula = "numerical"  # see `analytic.oil.ehl_fit` and `analytic.oil.rolling`
     name: str = field(default="", compare=False)  # under which its numbers were looked up; empty: they are given
     origins: Mapping[str, Origin] = field(default_factory=nothing, compare=False)  # by field; empty: not noted
+
+    def starves_as_measured(self, bearing: Bearing) -> bool:
+        """Whether it is grease in a deep groove bearing, whose films were measured, and no degree is given."""
+        return self.supply == "grease" and self.starvation_degree is None and bearing.is_deep_groove
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -362,7 +380,8 @@ class Scene(Noun):
     lubricant: Lubricant | None = None  # None: unknown
     surface: Surface | None = None  # None: unknown
     friction_coefficient: float | None = None  # mu of every race contact, given instead of a surface
-    hysteresis_loss: float | None = None  # alpha', share of the elastic energy lost in each cycle; None: unknown
+    hysteresis_loss: float | None = None  # alpha', share of the elastic energy lost in each cycle; None: USUAL_LOSS
+    elastic_rolling: ElasticRolling = "hysteresis"  # law of the loss by elastic rolling, see `analytic.oil.rolling`
     losses: Losses = Losses()
     spin_rule: SpinRule = "free"  # how a ball turns; free: by mechanics, else its spin is shared by a rule
     sliding: Sliding = "auto"  # method that integrates sliding; auto: chosen by the tolerance
@@ -378,6 +397,11 @@ class Scene(Noun):
 
     def _facts(self) -> Iterator[str]:
         yield from (self.name, self.bearing.name, points_of(vars(self.operation)), f"tolerance {self.tolerance:g}")
+
+    @property
+    def loss_factor(self) -> float:
+        """alpha' that counts: the given one, else the usual one, dimensionless."""
+        return USUAL_LOSS if self.hysteresis_loss is None else self.hysteresis_loss
 
     @property
     def has_friction(self) -> bool:

@@ -29,6 +29,7 @@ UNITS: dict[str, str] = {
     "duration": "s",
     "pocket_stiffness": "N/m^1.5",
     "sheet_stiffness": "N/m",
+    "surface_tension": "N/m",
     "Cage.drag": "N m s",
     **dict.fromkeys(("MeasuredTorque.torque", "MeasuredTorque.uncertainty"), "N m"),
     **dict.fromkeys(("start", "material", "ball_material"), ""),  # words

@@ -49,7 +49,10 @@ def test_a_key_has_its_unit_range_and_default() -> None:
     assert cells(page, "`[mounting]`")["`mounting_temperature`"][:3] == ["degC", "-73.15 to 326.85", "`20 degC`"]
     assert cells(page, "`[operation]`")["`inner_speed`"][:3] == ["rpm, or a list", "-1e+07 to 1e+07", "required"]
     assert cells(page, "`[operation]`")["`down`"][0] == "three numbers"
-    assert cells(page, "`[lubricant]`")["`supply`"][::2] == ["`oil_bath` or `oil_spot` or `grease`", "`oil_bath`"]
+    assert cells(page, "`[lubricant]`")["`supply`"][::2] == [
+        "`oil_bath` or `oil_jet` or `oil_spot` or `grease`",
+        "`oil_bath`",
+    ]
     assert cells(page, "`[lubricant]`")["`compressible`"][0] == "`true` or `false`"
     assert cells(page, "`[bearing]`")["`clearance`"][1].endswith("or `C2`, `CN`, `C3`, `C4`, `C5`")
 

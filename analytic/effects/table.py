@@ -10,7 +10,7 @@ from typing import Literal
 
 from analytic.cage.drive import LARGEST_GRIP
 from analytic.contact.geometry import USUAL_SHOULDERS
-from analytic.oil.rolling import HYSTERESIS_LOSS
+from analytic.oil.inlets import starvation_source
 from analytic.scene import Scene
 from analytic.sliding.creep import PER_ROLL_CREEP, PER_SPIN_CREEP
 from analytic.words import pressure_of
@@ -72,7 +72,7 @@ def _lubricant(scene: Scene) -> str | None:
 
 
 def _ring_diameters(scene: Scene) -> str | None:
-    if scene.lubricant is not None and scene.lubricant.starvation_degree is not None:
+    if scene.lubricant is not None and starvation_source(scene.bearing, scene.lubricant) is not None:
         return None
     if scene.bearing.bore_diameter is None or scene.bearing.outside_diameter is None:
         return _lubricant(scene) or "bearing.bore_diameter and bearing.outside_diameter are not given"
@@ -128,6 +128,12 @@ def _held_angle(scene: Scene) -> str | None:
     return None
 
 
+def _no_bath(scene: Scene) -> str | None:
+    if scene.lubricant is not None and scene.lubricant.supply != "oil_bath":
+        return f'lubricant.supply = "{scene.lubricant.supply}" leaves no oil around balls without load'
+    return _lubricant(scene) or _held_angle(scene)
+
+
 SOLVED_ANGLE = Need(keys='`contact_angle.rule = "solved"`', lacks=_held_angle)
 TURNING_BALL = Need(  # the moment moves no load of a ball at 90 degrees, and so leaves its angle alone
     keys='`contact_angle.rule = "solved"`, or a thrust bearing',
@@ -149,16 +155,9 @@ LUBRICATED_SURFACE = Need(
     ),
 )
 RING_DIAMETERS = Need(
-    keys="`[lubricant]` with `starvation_degree`, or `bore_diameter` and `outside_diameter`", lacks=_ring_diameters
-)
-LOSS_FACTOR = Need(
-    keys="`hysteresis_loss`",
-    lacks=lambda scene: (
-        "friction.hysteresis_loss is not given: the share of elastic energy lost in each cycle; no measured one is "
-        f"known, {HYSTERESIS_LOSS[0]:g} to {HYSTERESIS_LOSS[1]:g} are in use for steel, often 0.007"
-        if scene.hysteresis_loss is None
-        else None
-    ),
+    keys="`[lubricant]` with `starvation_degree`, or `bore_diameter` and `outside_diameter`, or grease in a deep "
+    "groove bearing",
+    lacks=_ring_diameters,
 )
 
 TABLE = (
@@ -243,15 +242,20 @@ TABLE = (
     Entry(
         name="hysteresis",
         kind="computed",
-        meaning="elastic energy lost by the bodies in each cycle",
-        needs=LOSS_FACTOR,
-        bound=f"where it is left out: the loss by a factor of {HYSTERESIS_LOSS[1]:g}",
+        meaning="energy lost by elastic rolling: hysteresis of the bodies, or Houpert's law of slow rolling",
     ),
     Entry(
         name="rolling",
         kind="computed",
         meaning="hydrodynamic resistance of the oil in the inlets to rolling",
         needs=LUBRICANT,
+    ),
+    Entry(
+        name="unloaded_balls",
+        kind="computed",
+        meaning="hydrodynamic resistance to rolling of balls that carry no load",
+        needs=Need(keys='`[lubricant]` with `supply = "oil_bath"`, `contact_angle.rule = "solved"`', lacks=_no_bath),
+        idle="every ball carries load",
     ),
     Entry(
         name="cage",

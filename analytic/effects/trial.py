@@ -27,7 +27,6 @@ from analytic.effects.table import (
     ruled,
 )
 from analytic.loads.inertia import ratio
-from analytic.oil.rolling import HYSTERESIS_LOSS
 from analytic.oil.variation import Variation
 from analytic.scene import STANDARD_GRAVITY, Array, Bearing, Operation, Scene
 from analytic.sliding.judge import SINGLE_COEFFICIENT
@@ -75,12 +74,6 @@ class Trial:
         """(k,) the same with the changes of all parts added by size: they may cancel in a trial, not in the torque."""
         other, base = self._changed(counted, names), self.solved(counted)
         return _change(other.race_parts, base.race_parts)
-
-    def share_of_hysteresis(self, counted: Mapping[str, bool]) -> Array:
-        """(k,) the same for hysteresis with the largest loss factor in use."""
-        model = self.model.counting({**counted, "hysteresis": True}, loss=HYSTERESIS_LOSS[1]).at(self.tried)
-        lossy = solved(model, self.points[self.tried]).race_torque
-        return _change(lossy[None], self.solved(counted).race_torque[None])
 
     def _changed(self, counted: Mapping[str, bool], names: tuple[str, ...]) -> Solution:
         return self.solved({**counted, **{name: not counted[name] for name in names}})
@@ -136,7 +129,7 @@ def decide_effects(ledger: Ledger, trial: Trial, base: Solution, *, has_factors:
         if name == "finite_geometry" and has_factors:
             ledger.settle(name, on=True, reason=entry.given)
         elif entry.lacks(scene) is not None:
-            share = _share_without_input(trial, base, counted, name)
+            share = _share_without_input(trial, base, name)
             ledger.decide(name, bound=None if share is None else _at_all(ledger, share))
         elif counted[name]:
             alike = name == "load_distribution" or (name == "weight" and not counted["load_distribution"])
@@ -241,6 +234,9 @@ def _has_effect(scene: Scene, name: str, counted: Mapping[str, bool]) -> bool:
     slides = counted["spin"] or counted["conformity"]
     if name == "asperities":
         return slides
+    if name == "unloaded_balls":
+        asked = scene.effects.get(name) == "on"
+        return asked or (counted["rolling"] and (counted["load_distribution"] or counted["weight"]))
     in_oil = counted["rolling"] or (slides and scene.friction_coefficient is None)
     return in_oil if name in ("inlet_heating", "starvation") else True
 
@@ -251,10 +247,8 @@ def _demanded(name: str, base: Solution, scene: Scene) -> str | None:
     return f"asperities carry up to {percent_of(share, 2)} of a contact's load" if share > scene.tolerance else None
 
 
-def _share_without_input(trial: Trial, base: Solution, counted: Mapping[str, bool], name: str) -> Array | None:
+def _share_without_input(trial: Trial, base: Solution, name: str) -> Array | None:
     """(k,) about, of an effect that lacks its input; None: not known."""
-    if name == "hysteresis":
-        return trial.share_of_hysteresis(counted)
     if name == "load_distribution":
         return PER_DISTRIBUTION * unequal_loads(trial.scene, trial.operation, trial.under_thrust)
     if name in ("centrifugal", "gyroscopic", "weight"):

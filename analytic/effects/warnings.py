@@ -8,10 +8,11 @@ from analytic.contact.geometry import RACES
 from analytic.effects.ledger import Ledger, size_of
 from analytic.effects.washers import HELD
 from analytic.numerics.records import Records
+from analytic.oil.grease import MEASURED_SIZES
 from analytic.oil.lubrication import SHORTEST
 from analytic.solve.solution import Solution
 from analytic.surface.roughness import GapRoughness
-from analytic.words import MICROMETRE
+from analytic.words import MICROMETRE, MILLIMETRE
 
 LIGHT = 0.01  # of the heaviest ball's load: a film of a lighter ball hardly changes the torque
 
@@ -53,6 +54,7 @@ def torque_warnings(
         )
     if scene.lubricant is None and not ledger.rules_out("rolling"):
         warnings.append("rolling needs [lubricant]: the total is too low by the hydrodynamic resistance to it")
+    warnings += _greased(ledger)
     if roughness is not None:
         warnings += roughness.warnings
     for race, name in enumerate(RACES):
@@ -74,6 +76,20 @@ def _decisions(ledger: Ledger) -> Iterator[str]:
         if effect.decision == "off" and effect.share is not None and effect.share > ledger.scene.tolerance:
             beyond = ", more than the tolerance" if effect.share <= 1 else ""
             yield f"{effect.name} is left out and {size_of(effect.share)}{beyond}: {effect.reason}"
+
+
+def _greased(ledger: Ledger) -> Iterator[str]:
+    """A greased bearing of another size than the measured ones."""
+    bearing, oil = ledger.scene.bearing, ledger.scene.lubricant
+    if oil is None or not oil.starves_as_measured(bearing) or not ledger.is_on("starvation"):
+        return
+    (low, high), mean = MEASURED_SIZES, bearing.pitch_diameter
+    if not low <= mean <= high:
+        yield (
+            f"films with grease are extrapolated: they were measured in bearings of {MILLIMETRE.written(low, 'g')} to "
+            f"{MILLIMETRE.written(high, 'g')} pitch diameter, 6204 to 6209, and this one has "
+            f"{MILLIMETRE.written(mean, '.3g')}"
+        )
 
 
 def _film(balls: Records, race: int) -> Iterator[str]:

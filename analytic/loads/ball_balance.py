@@ -62,6 +62,20 @@ def grooves_of(bearing: Bearing, play: float) -> Grooves:
 
 
 @compiled
+def gap_to_race(grooves: Grooves, inner_arm: Vector, outer_arm: Vector, loads: tuple[float, float], race: int) -> float:
+    """Distance from its inner (0) or outer race (1) of a ball without load there, m.
+
+    inner_arm, outer_arm : of the ball, as `BallBalance` has them;  loads : on both races, N
+    A ball that its own force presses on the other race lies there; any other lies in the middle of its clearance.
+    """
+    if loads[1 - race] == 0.0:
+        return (grooves.distance - np.hypot(inner_arm[0], inner_arm[1])) / 2
+    if race == 1:
+        return grooves.outer_length - np.hypot(outer_arm[0], outer_arm[1])
+    return grooves.inner_length - np.hypot(inner_arm[0] - outer_arm[0], inner_arm[1] - outer_arm[1])
+
+
+@compiled
 def contact_tangent(along: float, across: float, normal: Vector) -> Tangent:
     """Tangent of a spring with these stiffnesses along its normal and, load over length, at right angles to it, N/m."""
     more = along - across

@@ -13,6 +13,7 @@ from analytic.numerics.compilation import compiled
 from analytic.oil.asymptotes import FilmAsymptotes, Inflow, log_film_of
 from analytic.oil.ehl_fit import OilSupply, Regime, effective_reach, inlet_length
 from analytic.oil.film import heated_part, shear_heat
+from analytic.oil.grease import log_greased_film
 from analytic.oil.rolling import heated_rolling, replenished, replenishment_rate
 from analytic.oil.starvation import (
     FLOODED,
@@ -20,6 +21,7 @@ from analytic.oil.starvation import (
     checked_degree,
     starved_by_degree,
     starved_by_factor,
+    starved_by_film,
 )
 from analytic.oil.viscosity import OilNumbers
 from analytic.scene import Bearing, Lubricant
@@ -59,7 +61,12 @@ def inlet_of(
     loading = shear_heat(oil.viscosity, oil.viscosity_temperature, inflow.speed, oil.thermal_conductivity)
     kinematic = oil.viscosity / oil.density
     starved = FLOODED
-    if not np.isnan(supply.degree) or not np.isnan(supply.rate):
+    if supply.churned:
+        shear, width = inflow.viscosity * inflow.speed, contact.semi_axis_transverse
+        if shear * width > 0.0:
+            left = log_greased_film(shear, width, supply.surface_tension, supply.axial_share) + supply.grease_film
+            starved = starved_by_film(contact, np.exp(left), np.exp(log_film_of(film, 0.0)[0]))
+    elif not np.isnan(supply.degree) or not np.isnan(supply.rate):
         height, length = np.exp(log_film_of(film, 0.0)[0]), inlet_length(contact, inflow, regime)
         if np.isnan(supply.degree):
             left = replenished(supply.rate, abs(ring_speed), kinematic)
@@ -74,7 +81,7 @@ def inlet_of(
 
 
 def oil_supply(bearing: Bearing, lubricant: Lubricant, race: Race, *, contact_angle: float) -> OilSupply:
-    """By the degree that the scene gives, or by the engineering estimate of what starvation leaves of rolling.
+    """By the degree that the scene gives, films measured with grease, or an estimate of what is left of rolling.
 
     contact_angle : of the ball on the race, rad
     """
@@ -95,6 +102,8 @@ def oil_supply(bearing: Bearing, lubricant: Lubricant, race: Race, *, contact_an
         ahead,
         behind,
         -float(lubricant.cavitation_pressure),
+        churned=lubricant.starves_as_measured(bearing),
+        surface_tension=float(lubricant.surface_tension),
     )
 
 
@@ -102,6 +111,8 @@ def starvation_source(bearing: Bearing, lubricant: Lubricant) -> str | None:
     """Where the degree of starvation comes from, in words; None: it is not known."""
     if lubricant.starvation_degree is not None:
         return f"degree {lubricant.starvation_degree:g}, given"
+    if lubricant.starves_as_measured(bearing):
+        return "degree by films measured in greased deep groove bearings"
     if bearing.bore_diameter is None or bearing.outside_diameter is None:
         return None
     return f"degree by the replenishment factor of {lubricant.supply}"

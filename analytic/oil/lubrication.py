@@ -164,11 +164,11 @@ def lubrication_of(
 
     gap : of ball and race;  supply : of the bearing;  is_on : whether an effect counts
     """
-    known = not (np.isnan(supply.degree) and np.isnan(supply.rate))
+    known = supply.churned or not (np.isnan(supply.degree) and np.isnan(supply.rate))
     return Lubrication(
         gap=gap,
         boundary_friction=float(boundary_friction),
-        supply=supply,
+        supply=supply._replace(grease_film=float(np.log(variation.grease_film))),
         asperities=is_on("asperities"),
         heats=is_on("inlet_heating"),
         starves=is_on("starvation") and known,

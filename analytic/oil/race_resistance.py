@@ -10,11 +10,11 @@ from analytic.contact.hertz import contact_modulus, unit_hertz
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.loads.numbers import play_and_free_angle
 from analytic.numerics.compilation import compiled
-from analytic.oil.ehl_fit import OilSupply
+from analytic.oil.ehl_fit import OilSupply, gap_force
 from analytic.oil.inlets import oil_supply
 from analytic.oil.lubrication import Lubrication, lubricated_contact, lubrication_of
 from analytic.oil.mixed import MixedNumbers
-from analytic.oil.rolling import hysteresis
+from analytic.oil.rolling import elastic_rolling
 from analytic.oil.traction import PointLaw
 from analytic.oil.variation import Variation
 from analytic.oil.viscosity import OilNumbers
@@ -36,7 +36,11 @@ class RaceResistance(NamedTuple):
     has_oil: bool
     rolls: bool  # the oil resists rolling
     coefficient: float  # of friction; NaN: by oil and surface
-    hysteresis_loss: float  # alpha'; 0: none counts
+    elastic: bool  # elastic rolling loses energy
+    by_houpert: bool  # by the law of slow rolling, else by hysteresis
+    hysteresis_loss: float  # alpha'
+    elastic_step: float  # of the way to the other law, see `rolling.elastic_rolling`
+    unloaded: float  # factor on the rolling of balls without load
 
 
 class ResistedContact(NamedTuple):
@@ -46,7 +50,7 @@ class ResistedContact(NamedTuple):
     law: PointLaw
     mixed: MixedNumbers  # NaN without oil and surface
     rolling_torque: float  # hydrodynamic, about the bearing axis, N m
-    hysteresis_torque: float  # likewise
+    hysteresis_torque: float  # likewise, by elastic rolling
     starvation_degree: float  # of the inlet
     film_extrapolated: bool  # as `LubricatedContact` has them
     rolling_extrapolated: bool
@@ -70,7 +74,7 @@ def resisted_contact(
     cubics : the splines of the gap laws
     oil : at its temperature;  peak_pressure : p0, Pa;  ring_speed : w, rad/s, of either sign
     """
-    law, rolling = PointLaw(resistance.coefficient, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0
+    law, rolling, lost = PointLaw(resistance.coefficient, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0, 0.0
     mixed, degree, thin, fast = NOT_MIXED, 1.0, False, False
     if resistance.has_oil:
         alone = unit_hertz(contact.curvature_rolling, contact.curvature_transverse, contact.modulus)
@@ -81,8 +85,31 @@ def resisted_contact(
             rolling, fast = oiled.rolling_torque, oiled.rolling_extrapolated
         if np.isnan(resistance.coefficient):
             law, mixed, thin = oiled.law, oiled.mixed, oiled.film_extrapolated
-    lost = hysteresis(contact, resistance.hysteresis_loss) * contact.rolling_rate
+    if resistance.elastic:
+        loss, step = resistance.hysteresis_loss, resistance.elastic_step
+        lost = elastic_rolling(contact, loss, resistance.by_houpert, step) * contact.rolling_rate
     return ResistedContact(contact, law, mixed, rolling, lost, degree, thin, fast)
+
+
+@compiled
+def torque_off_race(
+    resistance: RaceResistance,
+    oil: OilNumbers,
+    race: int,
+    contact: ContactNumbers,
+    entrainment: float,
+    gap: float,
+    ring_speed: float,
+) -> float:
+    """Torque by the rolling of a ball that a gap keeps off its inner (0) or outer race (1), N m.
+
+    contact : of the ball, without load;  entrainment : u over the ring speed, m;  gap : m;  the others as in
+        `resisted_contact`
+    """
+    supply, radius = (resistance.inner if race == 0 else resistance.outer).supply, 1 / contact.curvature_rolling
+    shear = oil.viscosity * abs(ring_speed) * entrainment
+    force = gap_force(shear, radius, contact.curvature_transverse * radius, gap, supply.ahead)
+    return resistance.unloaded * 2.0 * force * entrainment
 
 
 def resistance_of(
@@ -113,7 +140,11 @@ def resistance_of(
         has_oil=scene.lubricant is not None,
         rolls=is_on("rolling"),
         coefficient=np.nan if given is None else float(given),
-        hysteresis_loss=float(scene.hysteresis_loss or 0.0) * is_on("hysteresis"),
+        elastic=is_on("hysteresis"),
+        by_houpert=scene.elastic_rolling == "houpert",
+        hysteresis_loss=float(scene.loss_factor),
+        elastic_step=variation.elastic_rolling,
+        unloaded=variation.unloaded_balls,
     )
 
 

@@ -5,6 +5,7 @@ length over the semi-axis along rolling. At 1 the meniscus stands at the edge of
 film and rolling. An inlet is flooded where the oil reaches as far as the supply of the scene lets it.
     rolling   g = ln(1 + (m a - a)/s)/ln(1 + (X - a)/s), with the length X of a flooded inlet and s of `ehl_fit`
     film      f = min(1, [(m - 1)/(m* - 1)]^0.29), m* = 1 + 3.06 [(R_x/a)^2 h/R_x]^0.58
+Films measured with grease (`analytic.oil.grease`) give f; rolling then loses as much as the film.
 A contact without load or without a film counts as flooded. Rolling starves long before the film.
 `validation/ehl/starved.py` compares both with numerical solutions: from m = 2 on g is 3 % too low to 9 % too high and
 f 10 % too low to 6 % too high; from 1.3 to 2 g is 15 % too low to 34 % too high and f 7 % too low to 27 % too high.
@@ -30,13 +31,19 @@ class StarvedNumbers(NamedTuple):
 
 
 FLOODED = StarvedNumbers(np.inf, 1.0, 1.0)
+THINNING = 0.29  # power of f
+
+
+@compiled
+def thinning_excess(contact: ContactNumbers, film: float) -> float:
+    """m* - 1; film : h, m, flooded, in the centre of a contact with load, > 0."""
+    return 3.06 * (film / contact.curvature_rolling / contact.semi_axis_rolling**2) ** 0.58
 
 
 @compiled
 def film_factor(contact: ContactNumbers, degree: float, film: float) -> float:
-    """f; film : h, m, flooded, in the centre of a contact with load, > 0."""
-    thins = 3.06 * (film / contact.curvature_rolling / contact.semi_axis_rolling**2) ** 0.58
-    return min(1.0, ((degree - 1) / thins) ** 0.29)
+    """f; film : as above."""
+    return min(1.0, ((degree - 1) / thinning_excess(contact, film)) ** THINNING)
 
 
 @compiled
@@ -52,6 +59,14 @@ def starved_by_degree(
         return StarvedNumbers(degree, 1.0, 1.0)
     left = inlet_lengths(degree * a, a, inlet_length) / inlet_lengths(ahead, a, inlet_length)
     return StarvedNumbers(degree, film_factor(contact, degree, film), left)
+
+
+@compiled
+def starved_by_film(contact: ContactNumbers, factor: float, film: float) -> StarvedNumbers:
+    """The degree that leaves this much of the film, and of rolling as much; factor : f, 1 or more where flooded."""
+    if contact.semi_axis_rolling == 0.0 or film == 0.0 or factor >= 1.0:
+        return FLOODED
+    return StarvedNumbers(1 + thinning_excess(contact, film) * factor ** (1 / THINNING), factor, factor)
 
 
 @compiled

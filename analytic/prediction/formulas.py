@@ -7,7 +7,16 @@ import numpy as np
 
 from analytic.effects.ledger import share_in
 from analytic.oil.film import FILM_FACTORS
-from analytic.oil.variation import COVERAGE, HEATING_SPREAD, NOMINAL, ROLLING_SPREAD, SURFACE_SPREAD, Variation
+from analytic.oil.variation import (
+    COVERAGE,
+    GREASE_SPREAD,
+    HEATING_SPREAD,
+    NOMINAL,
+    ROLLING_SPREAD,
+    SURFACE_SPREAD,
+    UNLOADED_SPREAD,
+    Variation,
+)
 from analytic.prediction.evaluation import parts_of, without_moving_cage
 from analytic.prediction.settled import free_start
 from analytic.result import FrictionTorque, require_numbers
@@ -30,6 +39,10 @@ def with_model_uncertainty(scene: Scene, result: FrictionTorque) -> FrictionTorq
             that of the closed formula, as far as either counts
         reach: oil that reaches 0.5 and 1.1 times as far ahead of each contact
         heating: the factors for heating of the inlets by the powers 0.61 and 1.65
+        grease_film: the films measured with grease by 0.74 and 1.35, with the rolling that belongs to them
+        unloaded_balls: their rolling by the factors 0.61 and 1.65
+        elastic_rolling: the other law of elastic rolling, `hysteresis` or `houpert`, and as far to the other side, up
+            to the law of dry contacts
     The largest change counts. The parts are independent, so the root of the sum of their squares is the whole.
     A cage that moves keeps its torque. The errors of the oil's own properties, of traction and of the inputs come on
     top, so the true uncertainty is larger.
@@ -54,6 +67,14 @@ def with_model_uncertainty(scene: Scene, result: FrictionTorque) -> FrictionTorq
         if result.is_on("inlet_heating"):
             factors = [np.exp(sign * COVERAGE * HEATING_SPREAD) for sign in (-1, 1)]
             variations["heating"] = [(same, Variation(heating=factor)) for factor in factors]
+    if lubricant is not None and lubricant.starves_as_measured(scene.bearing) and result.is_on("starvation"):
+        factors = [np.exp(sign * COVERAGE * GREASE_SPREAD) for sign in (-1, 1)]
+        variations["grease_film"] = [(same, Variation(grease_film=factor)) for factor in factors]
+    if result.is_on("unloaded_balls"):
+        factors = [np.exp(sign * COVERAGE * UNLOADED_SPREAD) for sign in (-1, 1)]
+        variations["unloaded_balls"] = [(same, Variation(unloaded_balls=factor)) for factor in factors]
+    if result.is_on("hysteresis") and scene.loss_factor:
+        variations["elastic_rolling"] = [(same, Variation(elastic_rolling=step)) for step in (-1.0, 1.0)]
     if not variations:
         return result
     start = free_start(same)

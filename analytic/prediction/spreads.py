@@ -9,9 +9,16 @@ import numpy as np
 from analytic.errors import InputError
 from analytic.inputs import UNCERTAIN, checked_deviation, uncertain_value
 from analytic.oil.film import FORMULA_UNCERTAINTY
-from analytic.oil.variation import HEATING_SPREAD, ROLLING_SPREAD, SURFACE_SPREAD
+from analytic.oil.variation import (
+    ELASTIC_SPREAD,
+    GREASE_SPREAD,
+    HEATING_SPREAD,
+    ROLLING_SPREAD,
+    SURFACE_SPREAD,
+    UNLOADED_SPREAD,
+)
 from analytic.rows import Positive
-from analytic.scene import Array, Origin, Scene
+from analytic.scene import LOSS_SPREAD, Array, Origin, Scene
 
 
 class Default(NamedTuple):
@@ -45,13 +52,14 @@ DEFAULTS: dict[str, Default] = {
     "lubricant.pressure_viscosity": Default(0.10, True, "judgement: two laboratories differ by 8 %"),
     "lubricant.eyring_stress": Default(0.30, True, "judgement: 3 to 8 MPa are usual"),
     "lubricant.limiting_shear": Default(0.13, True, "judgement: 0.05 to 0.08 are usual"),
+    "lubricant.surface_tension": Default(0.125, True, "0.017 to 0.028 N/m of two greases [Shetty2024]"),
     "lubricant.reach.ahead": Default(0.2, True, "judgement: oil in a bath reaches 0.6 radii of the ball or more ahead"),
     "surface.rms_roughness": Default(0.10, True, "judgement: how far a finish is repeated"),
     "surface.autocorrelation.length": Default(0.35, True, "judgement: it is seldom measured"),
     "surface.boundary_friction": Default(0.14, True, "judgement: 0.09 to 0.15 are usual"),
     "surface.hardness": Default(0.05, True, "judgement: 60 to 64 HRC"),
     "friction.coefficient": Default(0.20, True, "judgement"),
-    "friction.hysteresis_loss": Default(0.50, True, "judgement: sources have 0.003 to 0.025"),
+    "friction.hysteresis_loss": Default(LOSS_SPREAD, True, "judgement: sources have 0.003 to 0.025"),
     "losses.seals": Default(0.30, True, "judgement: seals differ and run in"),
     "losses.drag": Default(0.30, True, "judgement"),
     "cage.friction_coefficient": Default(0.30, True, "judgement: as for the boundary friction of other surfaces"),
@@ -60,6 +68,9 @@ DEFAULTS: dict[str, Default] = {
     "model.surfaces": Default(SURFACE_SPREAD, True, "computed: generated surfaces of equal statistics differ so"),
     "model.rolling": Default(ROLLING_SPREAD, True, "judgement: formulas, and torques of three balls [Balan2015]"),
     "model.heating": Default(HEATING_SPREAD, True, "judgement: laws of heating and of thinning by shear"),
+    "model.grease_film": Default(GREASE_SPREAD, True, "judgement: laws of films measured with grease [Shetty2024]"),
+    "model.unloaded_balls": Default(UNLOADED_SPREAD, True, "judgement: where a ball lies in its clearance"),
+    "model.elastic_rolling": Default(ELASTIC_SPREAD, False, "the distance of two laws, hysteresis and [Houpert2002]"),
 }
 NUMERICAL = "numerical"
 

@@ -47,6 +47,9 @@ def varied_scene(scene: Scene, values: Mapping[str, float]) -> tuple[Scene, Vari
         rolling_error=model.get("rolling", 1.0),
         heating=model.get("heating", 1.0),
         asperity_pressure=model.get("gap", 1.0) * model.get("surfaces", 1.0),
+        elastic_rolling=model.get("elastic_rolling", 0.0),
+        grease_film=model.get("grease_film", 1.0),
+        unloaded_balls=model.get("unloaded_balls", 1.0),
     )
     return replace(scene, **changed), variation
 

@@ -6,6 +6,8 @@ from difflib import get_close_matches
 from math import log, sqrt
 from typing import Any
 
+import numpy as np
+
 from analytic import catalog
 from analytic.errors import InputError
 from analytic.oil.viscosity_temperature import PressureViscosityLaw, ViscosityLine, law_through, viscosity_line
@@ -16,10 +18,12 @@ from analytic.scenefile.text import shown
 COLD, HOT = 313.15, 373.15  # K: where the catalog's viscosities are given
 DENSITY_AT = 288.15  # K: where its densities are given
 # Limits, over the value.
-DENSITY_LIMIT = 0.03  # an assumed density: base oils of one kind are some 850 to 900 kg/m^3
+DENSITY_LIMIT = 0.03  # an assumed density: mineral base oils are some 850 to 900 kg/m^3
 MEASURED_LIMIT = 0.05  # a measured pressure-viscosity coefficient; two laboratories differ by 8 %
-DERIVED_LIMIT = 0.25  # one by the kind of oil: a judgement, as the law is fitted to one class, ISO VG 100
 SHEAR_LIMIT = 0.10  # traction by the limiting shear of [Arana2019] was within 10 % of tests
+HOT_LIMIT = 0.20  # an assumed viscosity at 100 degC: indices of 95 and 140 differ by 18 % in VG 46
+KINDS = {"diester": "ester"}  # other names of kinds of base oil
+UNKNOWN_KIND = "not known"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -63,9 +67,9 @@ class KnownOil:
 
     name: str  # for messages and sources
     source: str = ""  # of the viscosities
-    cold_viscosity: float | None = None  # kinematic, at 40 degC, m^2/s
     line: ViscosityLine | None = None
     is_class: bool = False  # whether the viscosity is that of a class of ISO 3448
+    hot_is_assumed: bool = False  # whether nobody prints the viscosity at 100 degC
     density: Density | None = None
     law: PressureViscosityLaw | None = None
     law_known: Known = Known(status="derived", source="")
@@ -84,31 +88,48 @@ def named_oil(given: str) -> KnownOil:
             '"6.8 cSt at 100 degC"] and base_oil = "mineral"'
         )
     row = catalog.rows("oils")[name]
-    base = base_oil(row["base oil"]) if row["base oil"] in catalog.rows("base_oils") else KnownOil(name="")
-    cold, hot = _value(row, "viscosity_40"), _cell(row, "viscosity_100")
-    own: dict[str, Any] = {}
+    kind = KINDS.get(row["base oil"], row["base oil"])
+    base = base_oil(kind if kind in catalog.rows("base_oils") else UNKNOWN_KIND)
+    cold, printed = _value(row, "viscosity_40"), _cell(row, "viscosity_100")
+    hot = _usual_hot_viscosity(cold) if printed is None else printed
+    own: dict[str, Any] = {"line": viscosity_line(temperatures=(COLD, HOT), viscosities=(cold, hot))}
     if row["density status"]:
         known = Known(status="printed", source=row["source"])
         if row["density status"] != "printed":
             near = row["source"] if base.density is None else f"near that of {base.density.known.source}"
             known = Known(status="assumed", source=near, limit=DENSITY_LIMIT)
         own["density"] = Density(at_15=_value(row, "density_15"), slope=_value(row, "density_slope"), known=known)
-    if hot is not None:
-        own["line"] = viscosity_line(temperatures=(COLD, HOT), viscosities=(cold, hot))
-        if _cell(row, "pressure_viscosity_40") is not None:
-            measured = _value(row, "pressure_viscosity_40"), _value(row, "pressure_viscosity_100")
-            own["law"] = law_through(viscosities=(cold, hot), coefficients=measured)
-            own["law_known"] = Known(status="printed", source=row["source"], limit=MEASURED_LIMIT)
-    own |= _shear_and_conductivity(row, "printed")
+    if _cell(row, "pressure_viscosity_40") is not None:
+        measured = _value(row, "pressure_viscosity_40"), _value(row, "pressure_viscosity_100")
+        own["law"] = law_through(viscosities=(cold, hot), coefficients=measured)
+        own["law_known"] = Known(status="printed", source=row["source"], limit=MEASURED_LIMIT)
+    own |= _shear_and_conductivity(row, "printed", SHEAR_LIMIT)
     return replace(
         base,
         name=f"grease {name}" if row["kind"] == "grease" else name,
         source="; ".join(text for text in (row["source"], row["note"]) if text),
-        cold_viscosity=cold,
+        hot_is_assumed=printed is None,
         is_class=row["viscosity status"] == "class",
         is_grease=row["kind"] == "grease",
         **own,
     )
+
+
+def _usual_hot_viscosity(cold: float) -> float:
+    """Kinematic viscosity at 100 degC of a mineral oil of the classes with this one at 40 degC, m^2/s.
+
+    Interpolated in logarithms of both.
+    """
+    rows = [row for name, row in catalog.rows("oils").items() if name.endswith(" mineral")]
+    both = np.log([(_value(row, "viscosity_40"), _value(row, "viscosity_100")) for row in rows])
+    return float(np.exp(np.interp(np.log(cold), *both.T)))
+
+
+def assumed_properties(name: str) -> tuple[str, ...]:
+    """What of an oil of the catalog is assumed, of its coefficient and its viscosity at 100 degC."""
+    oil = named_oil(name)
+    known = {"pressure_viscosity": oil.law_known.status != "assumed", "viscosity_100": not oil.hot_is_assumed}
+    return tuple(each for each, is_known in known.items() if not is_known)
 
 
 def _near(given: str) -> list[str]:
@@ -127,20 +148,23 @@ def base_oil(name: str) -> KnownOil:
     """What oils of this kind have in common; name : one of catalog.rows("base_oils")."""
     row = catalog.rows("base_oils")[name]
     density, slope = _value(row, "density_15"), _value(row, "density_slope")
-    assumed = Known(status="assumed", source=row["source"], limit=DENSITY_LIMIT)
+    assumed = Known(status="assumed", source=row["source"], limit=float(row["density_limit"]))
+    status: Status = "assumed" if row["status"] == "assumed" else "derived"
     law = f"{row['factor [1/GPa]']} nu^{row['exponent']} 1/GPa, nu in mm2/s; {row['source']}"
     return KnownOil(
         name=f"{name} oil",
         density=Density(at_15=density, slope=slope, known=assumed),
         law=PressureViscosityLaw(factor=_value(row, "factor"), exponent=_value(row, "exponent")),
-        law_known=Known(status="derived", source=law, limit=DERIVED_LIMIT),
-        **_shear_and_conductivity(row, "assumed"),
+        law_known=Known(status=status, source=law, limit=float(row["coefficient_limit"])),
+        **_shear_and_conductivity(row, "assumed", float(row["shear_limit"])),
     )
 
 
-def _shear_and_conductivity(row: catalog.Row, status: Status) -> dict[str, Any]:
+def _shear_and_conductivity(row: catalog.Row, status: Status, limit: float) -> dict[str, Any]:
     """Those that the row has."""
-    shear = Known(status=status, source="by the kind of oil, table 2 of [Arana2019]", limit=SHEAR_LIMIT)
+    read = row.get("status") != "assumed"
+    source = "by the kind of oil, table 2 of [Arana2019]" if read else row["source"]
+    shear = Known(status=status, source=source, limit=limit)
     conductivity = Known(status=status, source="table A1 of [Schwarz2023], of FVA 3")
     cells = {"limiting_shear": shear, "thermal_conductivity": conductivity}
     return {name: known.property(value) for name, known in cells.items() if (value := _cell(row, name)) is not None}

@@ -13,6 +13,7 @@ from analytic.scenefile.known_oil import (
     COLD,
     DENSITY_LIMIT,
     HOT,
+    HOT_LIMIT,
     Density,
     Known,
     KnownOil,
@@ -37,6 +38,8 @@ INDEX_LIMIT = 0.05  # at 100 degC: some ten points of an assumed viscosity index
 EYRING_LIMIT = 0.5  # 3 to 8 MPa are usual, about the 5 MPa of mineral oils
 GIVEN = Known(status="given", source="the scene")
 TYPICAL = Known(status="assumed", source="typical of mineral oils near 40 degC, no source seen")
+BLED_TENSION = 0.022  # N/m, between those of two greases
+BLED = Known(status="assumed", source="between 0.017 and 0.028 N/m of two greases at 61 degC [Shetty2024]", limit=0.25)
 BY_PRODUCT = Known(status="derived", source="2 limiting_shear/pressure_viscosity [Arana2019]", limit=EYRING_LIMIT)
 PROPERTIES = (*EXAMPLES, "viscosity", "limiting_shear", "thermal_conductivity")
 
@@ -81,6 +84,9 @@ def lubricant_of(table: LubricantTable, *, ball_radius: float) -> Lubricant:
             "; ".join(f"lubricant.{key} is missing{reason}; give for example {EXAMPLES[key]}" for key in missing)
         )
     properties = {key: found[key] or TYPICAL.property(DEFAULTS[key]) for key in PROPERTIES}
+    if given.get("supply", "grease" if oil.is_grease else "") == "grease":
+        tension = given.get("surface_tension")
+        properties["surface_tension"] = BLED.property(BLED_TENSION) if tension is None else GIVEN.property(tension)
     choices: dict[str, Any] = {"traction": "eyring_sinh", "supply": "grease" if oil.is_grease else "oil_bath"}
     others = "starvation_degree", "cavitation_pressure", "compressible", "film_formula", "rolling_formula"
     choices |= {key: given[key] for key in (*choices, *others) if key in given}
@@ -193,27 +199,25 @@ def _viscosity(
         (point,) = viscosity.points
         value = point.value * density.value if point.is_kinematic else point.value
         return GIVEN.property(value)
-    if line is None:
-        if abs(temperature - COLD) > 0.01:
-            raise InputError(
-                f"lubricant.temperature must be 40 degC, got {temperature - 273.15:.4g} degC: no sourced viscosity of "
-                f"{oil.name} at another temperature; give viscosity at that temperature"
-            )
-        assert oil.cold_viscosity is not None
-        nu = oil.cold_viscosity
-    else:
-        try:
-            nu = line.kinematic_viscosity(temperature)
-        except InputError as problem:
-            raise InputError(f"lubricant.{problem}") from problem
+    assert line is not None  # of a name, or of two viscosities
+    try:
+        nu = line.kinematic_viscosity(temperature)
+    except InputError as problem:
+        raise InputError(f"lubricant.{problem}") from problem
     if viscosity is not None:
         return Known(status="derived", source="two viscosities of the scene, ASTM D341").property(nu * density.value)
     limit = None
     source = f"{oil.name}: {oil.source}"
+    away = log(temperature / COLD) / log(HOT / COLD)
     if oil.is_class:
-        limit = hypot(CLASS_LIMIT, INDEX_LIMIT * log(temperature / COLD) / log(HOT / COLD), DENSITY_LIMIT)
+        limit = hypot(CLASS_LIMIT, INDEX_LIMIT * away, DENSITY_LIMIT)
         source += "; the limits of the class are +-10 % at 40 degC"
-    at_a_print = abs(temperature - COLD) < 0.01 or (abs(temperature - HOT) < 0.01 and not oil.is_class)
+    at_a_print = abs(temperature - COLD) < 0.01
+    if oil.hot_is_assumed and not at_a_print:
+        limit = abs(HOT_LIMIT * away)
+        source += "; at 100 degC as mineral oils of a viscosity index of 95, assumed"
+        return Known(status="assumed", source=source, limit=limit).property(nu * density.value)
+    at_a_print |= abs(temperature - HOT) < 0.01 and not oil.is_class and not oil.hot_is_assumed
     known = Known(status="printed", source=source, limit=limit)
     if not at_a_print:
         known = Known(status="derived", source=f"{source}; ASTM D341", limit=limit)

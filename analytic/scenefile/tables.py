@@ -23,6 +23,7 @@ from analytic.scene import (
     CageStart,
     ClearanceGroup,
     Decision,
+    ElasticRolling,
     FilmFormula,
     GapModel,
     Lubricant,
@@ -306,6 +307,8 @@ class LubricantTable(Table):
     ) = None
     density: Annotated[float, Dimension(unit="kg/m^3", low=100, high=5000, example='"870 kg/m^3"')] | None = None
     supply: Supply = Lubricant.supply
+    # Of the oil that bleeds from a grease
+    surface_tension: Annotated[float, Dimension(unit="N/m", low=1e-3, high=1.0, example='"0.022 N/m"')] | None = None
     # Distance of the oil's meniscus from the centre of a contact, over its semi-axis along rolling; by the supply if
     # it is not given.
     starvation_degree: Annotated[float, Dimension(unit="", low=1, high=1e9, example="2")] | None = None
@@ -350,6 +353,7 @@ class FrictionTable(Table):
     HINT = "give a table [friction], with coefficient where no lubricant is given"
     coefficient: Friction | None = None  # of every race contact; replaces that of lubricant and surface
     hysteresis_loss: Annotated[float, Dimension(unit="", low=0, high=1, example="0.007")] | None = None
+    elastic_rolling: ElasticRolling = Scene.elastic_rolling
     spin_rule: SpinRule = Scene.spin_rule
     sliding: Sliding = Scene.sliding
     microslip: Microslip = Scene.microslip  # "as_printed": equations 2 to 7 with the misprints of the paper
@@ -376,6 +380,7 @@ class EffectsTable(Table):
     creep: Decision = "auto"
     hysteresis: Decision = "auto"
     rolling: Decision = "auto"
+    unloaded_balls: Decision = "auto"
     cage: Decision = "auto"
     cage_dynamics: Decision = "auto"
     ball_dynamics: Decision = "auto"

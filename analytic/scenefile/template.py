@@ -21,13 +21,14 @@ down = [1, 0, 0]                          # gravity points along the radial load
 #moment = "0 N m"                         # that tilts the rings
 """
 REST = """\
-#supply = "grease"                        # "oil_bath", "oil_spot" or "grease"
+#supply = "grease"                        # "oil_bath", "oil_jet", "oil_spot" or "grease"
 
 [surface]
 finish = "ground and honed"               # or Ra = "0.05 um", of each of the two surfaces
 
 [friction]
 hysteresis_loss = 0.007                   # assumed: 0.003 to 0.025 are in use, none measured
+#elastic_rolling = "houpert"              # law of slow rolling, in place of hysteresis
 
 # Tables to add: take away the # in front of each line.
 

@@ -18,16 +18,18 @@ from analytic.contact.rolling_contact import ContactNumbers
 from analytic.free_ball.kernel import add_law_powers
 from analytic.free_ball.passes import FreeAccuracy, FreeEnd, FreeModel, put_motion, settle_freely
 from analytic.free_ball.rounds import SKIDS
+from analytic.loads.ball_balance import gap_to_race
 from analytic.loads.inertia import moment_of_turned_axis, outward_force
 from analytic.loads.kinematics import BallMotion, ruled_motion
 from analytic.loads.race_contacts import contact_under
 from analytic.loads.ring_rounds import BY_LOAD, BY_POINT, Round, settle_ruled_ring
 from analytic.loads.ring_rounds import SETTLED as ROUNDS_SETTLED
-from analytic.loads.thrust_ball import first_contacts, settle_ruled_thrust, thrust_point
+from analytic.loads.thrust_ball import first_contacts, in_groove, settle_ruled_thrust, thrust_point
 from analytic.loads.turning import TurningRule
 from analytic.numerics.compilation import compiled
 from analytic.numerics.records import Record, Records
-from analytic.oil.race_resistance import ResistedContact, resisted_contact
+from analytic.oil.grease import axial_share_of
+from analytic.oil.race_resistance import ResistedContact, resisted_contact, torque_off_race
 from analytic.oil.traction import PointLaw, mean_force
 from analytic.oil.viscosity import OilNumbers, oil_at
 from analytic.scene import STANDARD_GRAVITY, Array
@@ -147,6 +149,9 @@ def begin(model: ModelNumbers, tables: Tables, points: Array, i: int, work: Work
     reset(of_point)
     if model.has_oil and points[i, 4] != model.warm.temperature:
         put_oil(model.warm, oil_at(model.oil, points[i, 4]))
+    share = axial_share_of(points[i, 0], points[i, 1], points[i, 2], model.ring.bearing.pitch_diameter)
+    put_axial_share(model.resistance.inner.supply, share)
+    put_axial_share(model.resistance.outer.supply, share)
     last = given.shape[3] - 1
     for j in range(len(work.balls)):
         for race in range(2):
@@ -172,6 +177,12 @@ def put_oil(oil: Record, found: OilNumbers) -> None:
     """Write what of an oil changes with the temperature."""
     oil.temperature, oil.viscosity, oil.growth = found.temperature, found.viscosity, found.growth
     oil.pressure_viscosity, oil.viscosity_temperature = found.pressure_viscosity, found.viscosity_temperature
+
+
+@compiled
+def put_axial_share(supply: Record, share: float) -> None:
+    """Write what of the supply of oil belongs to the operating point."""
+    supply.axial_share = share
 
 
 @compiled
@@ -386,12 +397,25 @@ def add_ball(
         note_limits(model, race, found, j, out)
         out.hysteresis += alike * resisted.hysteresis_torque
         out.rolling += alike * resisted.rolling_torque
+        if model.counted.unloaded_balls and model.resistance.rolls and ball.load[race] == 0.0:
+            out.rolling += alike * torque_of_unloaded(model, load.speed, race, ball, resisted.contact)
         if resisted.contact.entrainment > 0.0:
             out.rolling_force[race] += alike * resisted.rolling_torque / (2 * resisted.contact.entrainment)
         if slides:
             out.most_friction[race] += alike * friction_held(resisted, load.speed)
             share = creep_share(resisted.contact, resisted.law, abs(load.speed), abs(motion.spin_difference))
             out.creep = max(out.creep, share)
+
+
+@compiled
+def torque_of_unloaded(model: ModelNumbers, speed: float, race: int, ball: Record, contact: ContactNumbers) -> float:
+    """Torque by rolling of a ball without load on a race, N m; the cage pushes it, and it turns as if loaded."""
+    angles = in_groove(ball.angle[0]), in_groove(ball.angle[1])
+    motion = ruled_motion(model.ring.bearing, 1.0, angles[0], angles[1])
+    entrainment = motion.inner_entrainment if race == 0 else motion.outer_entrainment
+    arms = (ball.inner_arm[0], ball.inner_arm[1]), (ball.outer_arm[0], ball.outer_arm[1])
+    gap = gap_to_race(model.ring.grooves, arms[0], arms[1], (ball.load[0], ball.load[1]), race)
+    return torque_off_race(model.resistance, model.warm, race, contact, entrainment, gap, speed)
 
 
 @compiled

@@ -45,6 +45,7 @@ class Counted(NamedTuple):
     conformity: bool
     hysteresis: bool
     rolling: bool  # resistance of the oil to it
+    unloaded_balls: bool  # in oil: they roll too
     cage: bool
 
 
@@ -96,7 +97,6 @@ class Model:
     tables: Tables
     balls: Records  # (Z,) of `state.BALL_STATE`, at rest
     weights: Array  # (Z, 2) of the balls, radial and axial, N; 0 where their direction is not known
-    loss: float  # alpha' by hysteresis, share of elastic energy; 0: not known
     creep: Creep | None  # of freely turning balls; None: they turn by rule
     temperature: float  # of the oil, K; 0 without
 
@@ -134,15 +134,13 @@ class Model:
             numbers[name] = value
         return replace(self, numbers=record_in(numbers))
 
-    def counting(self, counted: Mapping[str, bool], *, loss: float | None = None) -> "Model":
+    def counting(self, counted: Mapping[str, bool]) -> "Model":
         """The model with other effects; those that are not named do not count.
 
         Parameters
         ----------
         counted : mapping of str to bool
             Whether each effect of `Counted` counts.
-        loss : float, optional
-            Share of elastic energy that hysteresis loses, dimensionless; None: the scene's.
 
         Returns
         -------
@@ -153,12 +151,12 @@ class Model:
         numbers["counted"] = effects
         resistance = numbers["resistance"]
         resistance["rolls"] = effects.rolling
-        resistance["hysteresis_loss"] = (self.loss if loss is None else loss) * effects.hysteresis
+        resistance["elastic"] = effects.hysteresis
         for race in ("inner", "outer"):
             lubrication = resistance[race]
             supply = lubrication["supply"]
             lubrication["asperities"], lubrication["heats"] = effects.asperities, effects.inlet_heating
-            known = not (np.isnan(supply["degree"][0]) and np.isnan(supply["rate"][0]))
+            known = supply["churned"][0] or not (np.isnan(supply["degree"][0]) and np.isnan(supply["rate"][0]))
             lubrication["starves"] = effects.starvation and known
         return replace(self, numbers=record_in(numbers), balls=self._weighed(self.weights * effects.weight))
 
@@ -243,8 +241,8 @@ def model_of(
     Raises InputError as the formulas do that take the scene's numbers.
     """
     effects, bearing = _counted_of(counted), scene.bearing
-    loss, boundary = scene.hysteresis_loss or 0.0, 0.0 if scene.surface is None else scene.surface.boundary_friction
-    require_non_negative(ball_mass=bearing.ball_mass, hysteresis_loss=loss, boundary_friction=boundary)
+    boundary = 0.0 if scene.surface is None else scene.surface.boundary_friction
+    require_non_negative(ball_mass=bearing.ball_mass, hysteresis_loss=scene.loss_factor, boundary_friction=boundary)
     oil = NO_OIL if scene.lubricant is None else oil_numbers(scene.lubricant)
     cage = scene.cage if effects.cage else None
     forms, cubics = gap_forms(*_gap_laws(scene, cage))
@@ -283,7 +281,6 @@ def model_of(
         ),
         balls=balls,
         weights=weights,
-        loss=float(loss),
         creep=creep,
         temperature=0.0 if scene.lubricant is None else float(scene.lubricant.temperature),
     )

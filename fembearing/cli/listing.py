@@ -14,7 +14,7 @@ OF_BEARING = (
     *("designation", "kind", "bore", "outside", "width", "ball_count", "ball_diameter", "nominal_angle"),
     *("dynamic_load_rating", "static_load_rating", "grade", "maker"),
 )
-NARROW = 6  # columns; more stand close together, to fit a screen of 80 characters
+NARROW = 6  # columns; so many and more stand close together, to fit a screen of 80 characters
 
 
 def listing(
@@ -49,6 +49,7 @@ def _bearings() -> list[Row]:
 
 def _oils() -> list[Row]:
     from analytic import catalog
+    from analytic.scenefile.known_oil import assumed_properties
 
     return [
         {
@@ -57,6 +58,7 @@ def _oils() -> list[Row]:
             "base_oil": row["base oil"],
             "kinematic_viscosity_40": _si(row["viscosity_40 [mm^2/s]"]),
             "kinematic_viscosity_100": _si(row["viscosity_100 [mm^2/s]"]),
+            "assumed": list(assumed_properties(name)),
         }
         for name, row in catalog.rows("oils").items()
     ]
@@ -100,6 +102,7 @@ ROWS: dict[Topic, Callable[[], list[Row]]] = {
     "scenes": _scenes,
     "effects": _effects,
 }
+SHORT = {"pressure_viscosity": "alpha", "viscosity_100": "nu100"}
 Column = tuple[str, Callable[[Row], str]]
 
 
@@ -131,6 +134,7 @@ COLUMNS: dict[Topic, Sequence[Column]] = {
         _text("base_oil"),
         _number("kinematic_viscosity_40", "40 degC, mm2/s", 1e6),
         _number("kinematic_viscosity_100", "100 degC", 1e6),
+        ("assumed", lambda row: ", ".join(SHORT[each] for each in row["assumed"])),
     ),
     "materials": (
         _text("material"),
@@ -150,7 +154,7 @@ def _print(columns: Sequence[Column], rows: Sequence[Row]) -> None:
 
     from fembearing.cli.console import out
 
-    gap = 0 if len(columns) > NARROW else 1  # beside the blank between columns
+    gap = 0 if len(columns) >= NARROW else 1  # beside the blank between columns
     table = Table(*(head for head, _ in columns), box=SIMPLE_HEAD, padding=(0, gap, 0, 0))
     table.columns[0].no_wrap = True
     for row in rows:

@@ -28,6 +28,9 @@ VARIED = {  # the parts of the model's uncertainty
     "rolling": "formula of rolling",
     "reach": "reach of the oil",
     "heating": "heating of the inlets",
+    "elastic_rolling": "law of elastic rolling",
+    "grease_film": "films with grease",
+    "unloaded_balls": "balls without load",
 }
 PAIRS = {"O": "back to back (O)", "X": "face to face (X)", "tandem": "in tandem"}
 CLEARANCES = ("unmounted", "mounted", "operating")

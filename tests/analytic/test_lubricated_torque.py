@@ -195,7 +195,7 @@ def test_rolling_beside_a_given_coefficient(bearing_6205: Bearing) -> None:
                 lubricant=replace(CLOSED, viscosity=viscosity),
                 friction_coefficient=0.05,
                 spin_rule="balanced",  # as that calculation: balls that roll on their contacts' middles
-                effects={"inlet_heating": "off", "starvation": "off"},
+                effects={"hysteresis": "off", "inlet_heating": "off", "starvation": "off"},
             )
         )
         assert found.torque.rolling is not None

@@ -25,7 +25,7 @@ def scene(bearing_6205: Bearing) -> Scene:
 
 
 def test_what_is_left_out_is_none_and_said(scene: Scene) -> None:
-    found = friction_torque(replace(scene, hysteresis_loss=None, effects={"conformity": "off", "spin": "on"}))
+    found = friction_torque(replace(scene, effects={"hysteresis": "off", "conformity": "off", "spin": "on"}))
     assert found.torque.conformity is None
     assert found.torque.hysteresis is None
     assert found.torque.rolling is None
@@ -35,7 +35,7 @@ def test_what_is_left_out_is_none_and_said(scene: Scene) -> None:
     assert list(told) == list(ENTRIES)
     assert (told["spin"].decision, told["spin"].share, told["spin"].reason) == ("on", 1.0, "the scene says on")
     assert [found.is_on(name) for name in ("spin", "conformity", "no effect")] == [True, False, False]
-    for name, words in (("conformity", "says off"), ("hysteresis", "hysteresis_loss"), ("rolling", "no lubricant")):
+    for name, words in (("conformity", "says off"), ("hysteresis", "says off"), ("rolling", "no lubricant")):
         assert words in told[name].reason
     assert any("conformity is left out" in warning for warning in found.warnings)
     nothing = friction_torque(without(scene, *DRY_PARTS)).torque

@@ -117,12 +117,12 @@ def test_without_oil_the_band_is_left_out_with_a_reason() -> None:
 def test_an_effect_that_the_scene_turns_off_is_marked_as_deliberate() -> None:
     """Balls that no load presses roll by centrifugal force; left out on purpose it is not uncertain."""
     text = SERIES.replace('["900 N", "400 N"]', '"0 N"\nradial_load = "100 N"').replace("2000 rpm", "30000 rpm")
-    text += '[effects]\ncentrifugal = "off"\nweight = "off"\n'
+    text += '[effects]\ncentrifugal = "off"\nweight = "off"\nunloaded_balls = "off"\n'
     off = parse_scene(text, origin="here")
     said = " ".join(printed(text).split())
     found = torque_of_scene(off)
     centrifugal = next(effect for effect in found.friction.effects if effect.name == "centrifugal")
-    whole = friction_torque(replace(off, effects={"weight": "off"})).torque.total
+    whole = friction_torque(replace(off, effects={"weight": "off", "unloaded_balls": "off"})).torque.total
     change = np.max(np.abs(whole / found.friction.torque.total - 1))
     # The trial has cruder methods than the result: 2 % is the scene's tolerance.
     assert centrifugal.share == pytest.approx(change, rel=0.02)

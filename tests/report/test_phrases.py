@@ -4,8 +4,9 @@ from dataclasses import replace
 
 import pytest
 
+from analytic.inputs import UNCERTAIN
 from analytic.verdicts import NumericalCheck
-from fembearing.report.phrases import numerical_words, place_of
+from fembearing.report.phrases import input_name, numerical_words, place_of
 from tests.analytic.specimens import present
 
 
@@ -32,3 +33,9 @@ def test_an_uncertainty_has_its_number_or_the_reason_why_it_is_not_known() -> No
 )
 def test_a_contact_is_named_by_its_race_or_its_seat(pair: str, geometry: str, words: str) -> None:
     assert place_of(pair, geometry) == words
+
+
+def test_every_uncertain_input_has_a_name() -> None:
+    names = [input_name(key) for key in UNCERTAIN]
+    assert all(names)
+    assert not any("." in name for name in names)

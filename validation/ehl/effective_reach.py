@@ -7,12 +7,13 @@ sides. ln(X_eff/X) depends on four ratios of lengths; it is computed for drawn g
 
 import argparse
 import json
+from collections.abc import Callable
 from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 from rich.console import Console
-from scipy.sparse import coo_array
+from scipy.sparse import csr_array
 from scipy.sparse.linalg import spsolve
 from scipy.stats.qmc import Halton
 
@@ -39,34 +40,39 @@ def faces(ends: list[float], coarser: float) -> Array:
     return np.unique(np.concatenate(pieces))
 
 
-def rigid_force(shape: Shape, grid: Grid, *, ahead: float, side: float) -> float:
-    """F^ of rigid bodies in the inlet; lengths over R_x, and the pressure is 0 in the middle and where the oil ends."""
-    inside = (grid.x[:, None] < ahead) & (grid.y[None, :] < side)
-    number = np.where(inside, np.cumsum(inside).reshape(inside.shape) - 1, -1)
+def pressure_operator(film: Callable[[Array, Array], Array], grid: Grid) -> csr_array:
+    """(n, n) flow by pressure out of each cell, rigid bodies; the pressure is 0 at the ends and at the far side.
 
-    def film(x: Array, y: Array) -> Array:
-        return CORE + shape.gap(np.minimum(x, ahead)[:, None], np.minimum(y, side)[None, :])
-
+    film : at x (columns,) and y (rows,), (columns, rows)
+    """
     conductance_x = film(grid.x_faces, grid.y) ** 3 * grid.widths_y[None, :]
     conductance_y = film(grid.x, grid.y_faces) ** 3 * grid.widths_x[:, None]
-    steps_x = np.diff(np.concatenate([grid.x_faces[:1], grid.x, grid.x_faces[-1:]]))
-    steps_y = np.diff(np.concatenate([grid.y_faces[:1], grid.y, grid.y_faces[-1:]]))
-    conductance_x /= steps_x[:, None]
-    conductance_y /= steps_y[None, :]
+    conductance_x /= np.diff(np.concatenate([grid.x_faces[:1], grid.x, grid.x_faces[-1:]]))[:, None]
+    conductance_y /= np.diff(np.concatenate([grid.y_faces[:1], grid.y, grid.y_faces[-1:]]))[None, :]
     conductance_y[:, 0] = 0.0  # symmetry
     diagonal = conductance_x[1:] + conductance_x[:-1] + conductance_y[:, 1:] + conductance_y[:, :-1]
-    rows, columns, values = [number[inside]], [number[inside]], [diagonal[inside]]
+    number = np.arange(diagonal.size).reshape(diagonal.shape)
+    rows, columns, values = [number.ravel()], [number.ravel()], [diagonal.ravel()]
     for first, second, between in (
         (number[:-1], number[1:], conductance_x[1:-1]),
         (number[:, :-1], number[:, 1:], conductance_y[:, 1:-1]),
     ):
-        both = (first >= 0) & (second >= 0)
-        rows += [first[both], second[both]]
-        columns += [second[both], first[both]]
-        values += [-between[both], -between[both]]
-    matrix = coo_array((np.concatenate(values), (np.concatenate(rows), np.concatenate(columns)))).tocsc()
+        rows += [first.ravel(), second.ravel()]
+        columns += [second.ravel(), first.ravel()]
+        values += [-between.ravel(), -between.ravel()]
+    return csr_array((np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))))
+
+
+def rigid_force(shape: Shape, grid: Grid, *, ahead: float, side: float) -> float:
+    """F^ of rigid bodies in the inlet; lengths over R_x, and the pressure is 0 in the middle and where the oil ends."""
+    inside = (grid.x[:, None] < ahead) & (grid.y[None, :] < side)
+
+    def film(x: Array, y: Array) -> Array:
+        return CORE + shape.gap(np.minimum(x, ahead)[:, None], np.minimum(y, side)[None, :])
+
+    at = np.flatnonzero(inside)
     rise = np.diff(film(grid.x_faces, grid.y), axis=0) * grid.widths_y[None, :]  # x points ahead
-    pressure = spsolve(matrix, rise[inside])
+    pressure = spsolve(pressure_operator(film, grid)[at][:, at].tocsc(), rise[inside])
     slope = shape.slope(np.minimum(grid.x, ahead)[:, None], np.minimum(grid.y, side)[None, :])
     return float(6 * (pressure * (slope * grid.areas)[inside]).sum())
 

@@ -25,7 +25,7 @@ from analytic.oil.rolling import HYSTERESIS_LOSS
 from analytic.scene import Array, RollingFormula, Scene
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
-from validation.measured.others import SNARE, Other, others
+from validation.measured.others import Other, measured_resistances, others
 from validation.measured.page import draw, page
 
 HERE = Path(__file__).parent
@@ -234,7 +234,8 @@ def balls_of(scene: Scene) -> LoadedBalls:
 def snare(scene: Scene) -> float:
     """Torque of all contacts by Snare's resistance to rolling, N m."""
     balls = balls_of(scene)
-    moment = SNARE * balls.load[:, :1] * scene.bearing.ball_diameter
+    resistance = next(value for source, _, value in measured_resistances() if source == "Snare1968")
+    moment = resistance * balls.load[:, :1] * scene.bearing.ball_diameter
     return float(balls.total(moment * balls.contacts.rolling_rate[:, :1])[0])
 
 

@@ -85,7 +85,14 @@ class CatalogueBand(Brief):
 
 
 def scene_band(scene: Scene) -> CatalogueBand:
-    """The band at every operating point of a scene, with the oil at its inlet temperature; arrays (n,).
+    """The band at every operating point of a scene; arrays (n,), errors as of `case_of`."""
+    case = case_of(scene)
+    assert scene.lubricant is not None
+    return catalogue_band(case, lubrication=scene.lubricant.supply)
+
+
+def case_of(scene: Scene) -> CatalogueCase:
+    """What the models need of a scene, with the oil at its inlet temperature; arrays (n,).
 
     Raises InputError in one line, the reason for which there is no band: no oil, rating or ring diameter, a series of
     bearings without constants, a moment or a thrust below 0.
@@ -113,7 +120,7 @@ def scene_band(scene: Scene) -> CatalogueBand:
             f"operation.axial_load = {axial.max():g} N is above the static load rating of {rating:g} N, up to which "
             "the models are"
         )
-    case = CatalogueCase(
+    return CatalogueCase(
         series=series,
         bore_diameter=bore,
         outside_diameter=outside,
@@ -123,7 +130,6 @@ def scene_band(scene: Scene) -> CatalogueBand:
         ring_speed=np.abs(operation.inner_speed),
         kinematic_viscosity=inlet_viscosity(oil).viscosity / oil.density,
     )
-    return catalogue_band(case, lubrication=oil.supply)
 
 
 def bearing_series(bearing: Bearing) -> str:
@@ -172,7 +178,13 @@ def catalogue_band(case: CatalogueCase, *, lubrication: Supply) -> CatalogueBand
 
 
 def skf_torque(case: CatalogueCase, *, lubrication: Supply) -> Array:
-    """SKF's rolling and sliding torque M_rr + M_sl, N m, without seals and drag.
+    """SKF's torque without seals and drag, M_rr + M_sl, N m; arguments and errors as of `skf_parts`."""
+    rolling, sliding = skf_parts(case, lubrication=lubrication)
+    return rolling + sliding
+
+
+def skf_parts(case: CatalogueCase, *, lubrication: Supply) -> tuple[Array, Array]:
+    """SKF's rolling and sliding torque M_rr and M_sl, N m.
 
     With d_m = (d + D)/2 and n in rev/min:
         M_rr = phi_ish phi_rs G_rr (nu n)^0.6
@@ -207,7 +219,7 @@ def skf_torque(case: CatalogueCase, *, lubrication: Supply) -> Array:
     )
     boundary = np.exp(-2.6e-8 * (speed * oil) ** 1.4 * mean)
     friction = boundary * BOUNDARY_FRICTION + (1 - boundary) * FILM_FRICTION
-    return (rolling + sliding * friction) / 1e3  # N mm to N m
+    return rolling / 1e3, sliding * friction / 1e3  # N mm to N m
 
 
 def _skf_deep_groove(case: CatalogueCase, load: Array, thrust: Array, *, mean: Array) -> tuple[Array, Array]:

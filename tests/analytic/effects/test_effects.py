@@ -147,8 +147,7 @@ def test_what_is_a_part_of_the_torque_and_left_out_is_absent(scene: Scene) -> No
         given = (torque.hysteresis, torque.rolling, found.film.inner, torque.conformity)
         return tuple(part is not None for part in given)  # pyright: ignore[reportReturnType]
 
-    # auto: no loss is known
-    assert parts(hysteresis_loss=None, effects={"rolling": "off"}) == (False, False, True, True)
+    assert parts(effects={"rolling": "off"}, operation=few(scene)) == (True, False, True, True)
     # auto: there is no oil
     assert parts(lubricant=None, surface=None, friction_coefficient=0.06) == (True, False, False, True)
     assert parts(effects={"spin": "off", "conformity": "off", "hysteresis": "off"}) == (False, True, False, False)
@@ -188,7 +187,6 @@ WITHOUT = {"lubricant": None, "surface": None, "friction_coefficient": 0.07}
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        ({"effects": {"hysteresis": "on"}, "hysteresis_loss": None}, "hysteresis_loss is not given.*0.003 to 0.025"),
         ({"effects": {"rolling": "on"}, **WITHOUT}, r"rolling.*add a table \[lubricant\]"),
         ({"effects": {"inlet_heating": "on"}, **WITHOUT}, r"inlet_heating.*no lubricant"),
         ({"effects": {"starvation": "on"}, **WITHOUT}, r"starvation.*no lubricant"),

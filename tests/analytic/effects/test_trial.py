@@ -57,7 +57,7 @@ def under_thrust(scene: Scene) -> Scene:
     return without(replace(scene, operation=operation), "load_distribution")
 
 
-@pytest.mark.parametrize("name", TRIED)
+@pytest.mark.parametrize("name", sorted(set(TRIED) - {"unloaded_balls"}))  # here every ball is loaded
 def test_an_effect_changes_the_torque_by_its_stated_share(rich: Scene, name: str) -> None:
     """Where it counts, and where the scene leaves it out."""
     for scene in (rich, under_thrust(rich)):
@@ -97,7 +97,8 @@ def test_a_longer_series_decides(bearing_6205: Bearing) -> None:
     loose, strict = (friction_torque(replace(scene, tolerance=tolerance)) for tolerance in (0.9, 1e-9))
     assert {name for name in TRIED if loose.is_on(name)} <= {"rolling", "hysteresis"}  # nearly all of the torque
     assert loose.is_on("rolling")
-    idle = {"load_distribution", "weight", "asperities"}  # no radial load, no direction, a finish far below the film
+    # No radial load, no direction, a finish far below the film, no ball without load
+    idle = {"load_distribution", "weight", "asperities", "unloaded_balls"}
     assert {name for name in TRIED if strict.is_on(name)} == set(TRIED) - idle
 
 

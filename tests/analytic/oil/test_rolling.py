@@ -10,14 +10,16 @@ from hypothesis import given
 from scipy.integrate import dblquad
 
 from analytic.contact.geometry import race_curvatures
-from analytic.contact.rolling_contact import RollingContact, deformed_radius
+from analytic.contact.rolling_contact import ContactNumbers, RollingContact, deformed_radius
 from analytic.errors import InputError
 from analytic.oil.rolling import (
     RollingResistance,
+    elastic_rolling,
     houpert_rolling,
     hydrodynamic_rolling,
     hysteresis_moment,
     rolling_torque,
+    slow_rolling_moment,
 )
 from analytic.scene import Bearing
 from tests.analytic.specimens import hertzian, rolling_contact
@@ -217,3 +219,34 @@ def test_hysteresis_takes_its_share_of_the_work_of_the_front_half() -> None:
     moment, _ = dblquad(pressure_times_arm, -1, 1, 0, lambda y: np.sqrt(1 - y**2), epsabs=1e-12)
     found = hysteresis_moment(rolling_contact(load=load, semi_axis_rolling=a), hysteresis_loss=loss)
     np.testing.assert_allclose(found, loss * moment, rtol=1e-6)  # quadrature across the square-root edge
+
+
+def test_slow_rolling_of_dry_contacts_is_snares() -> None:
+    """0.00021 Q D on a flat race, where R_x = D/2 [Snare1968]; the moment goes as the friction coefficient."""
+    load, diameter = 37.0, 7.94e-3
+    flat = rolling_contact(load=load, curvature_rolling=2 / diameter)
+    dry = slow_rolling_moment(flat, friction_coefficient=0.11)
+    np.testing.assert_allclose(dry, 0.00021 * load * diameter, rtol=0.005 / 0.21)  # its last digit
+    np.testing.assert_allclose(slow_rolling_moment(flat, friction_coefficient=0.05) / dry, 5 / 11, rtol=1e-12)
+    refused(lambda: slow_rolling_moment(flat, friction_coefficient=-0.05), "friction_coefficient")
+
+
+def test_a_step_leads_from_one_law_of_elastic_rolling_to_the_other() -> None:
+    """One step is the other law, half of it their geometric mean; no step passes the law of dry contacts."""
+    contact = rolling_contact(load=370.0, semi_axis_rolling=0.11e-3)
+    numbers = ContactNumbers(*(float(each) for each in contact.fields))
+    laws = [float(hysteresis_moment(contact, hysteresis_loss=0.0063))]
+    laws += [float(slow_rolling_moment(contact, friction_coefficient=mu)) for mu in (0.05, 0.11)]
+    assert laws == sorted(laws)
+
+    def moment(by_houpert: bool, step: float) -> float:
+        return float(elastic_rolling(numbers, 0.0063, by_houpert, step))
+
+    for by_houpert, own, other in ((False, *laws[:2]), (True, laws[1], laws[0])):
+        assert moment(by_houpert, 0.0) == own
+        np.testing.assert_allclose(moment(by_houpert, 1.0), other, rtol=1e-12)
+        np.testing.assert_allclose(moment(by_houpert, 0.5), np.sqrt(own * other), rtol=1e-12)
+    assert moment(True, -3.0) == moment(False, 7.0) == laws[2]
+    assert elastic_rolling(numbers, 0.0, False, 1.0) == 0.0  # a scene without loss has none
+    given = 2 * laws[2] / laws[0] * 0.0063  # a loss factor beyond that of dry contacts
+    np.testing.assert_allclose(elastic_rolling(numbers, given, False, 0.0), 2 * laws[2], rtol=1e-12)

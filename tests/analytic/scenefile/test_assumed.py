@@ -31,6 +31,18 @@ def test_a_value_of_the_catalogue_keeps_its_standard_deviation() -> None:
     assert list(told) == list(plain)  # in its place
 
 
+def test_a_loss_factor_that_nobody_gives_is_assumed() -> None:
+    plain, given, other = (
+        {each.key: each for each in stated_inputs(scene(f"{OILED}{friction}"))}
+        for friction in ("", "[friction]\nhysteresis_loss = 0.006\n", '[friction]\nelastic_rolling = "houpert"\n')
+    )
+    usual = plain["friction.hysteresis_loss"]
+    assert (usual.value, usual.status) == (0.007, "assumed")
+    assert "0.003 to 0.025" in usual.source
+    assert "friction.hysteresis_loss" not in given  # as all that the scene gives
+    assert "friction.hysteresis_loss" not in other  # it has no part there
+
+
 @pytest.mark.parametrize(
     ("line", "words"),
     [

@@ -18,7 +18,9 @@ GOOD = PhysicalCheck(
 SOLVED = NumericalCheck(verdict="pass", uncertainty=0.013, tolerance=0.05, reason="")
 TOTAL = np.array([0.021, 0.037])
 BAND = CatalogueBand(
-    low=np.array([0.017, 0.033]), high=np.array([0.029, 0.041]), values=MappingProxyType({"SKF": np.array([0.02, 0.04])})
+    low=np.array([0.017, 0.033]),
+    high=np.array([0.029, 0.041]),
+    values=MappingProxyType({"SKF": np.array([0.02, 0.04])}),
 )
 
 

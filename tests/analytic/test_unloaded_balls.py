@@ -1,0 +1,104 @@
+"""Balls without load that roll in oil: where they lie, what they cost, and when they count."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from analytic.loads.ball_balance import gap_to_race, grooves_of, settled_ball
+from analytic.loads.numbers import play_and_free_angle
+from analytic.oil.ehl_fit import effective_reach
+from analytic.scene import Bearing, ContactAngle, Scene, Supply
+from analytic.scenefile.read import parse_scene
+from analytic.torque import friction_torque
+from tests.analytic.specimens import present
+
+RADIAL = """
+name = "radial"
+tolerance = "5 %"
+[bearing]
+catalog = "6207"
+clearance = "14 um"
+[operation]
+radial_load = "830 N"
+inner_speed = "900 rpm"
+[lubricant]
+name = "ISO VG 46"
+temperature = "52 degC"
+[surface]
+finish = "ground and honed"
+[friction]
+spin_rule = "balanced"
+[effects]
+centrifugal = "off"
+gyroscopic = "off"
+weight = "off"
+"""
+
+
+@pytest.fixture(scope="module")
+def scene() -> Scene:
+    return parse_scene(RADIAL, origin="here")
+
+
+def without(scene: Scene) -> Scene:
+    return replace(scene, effects={**scene.effects, "unloaded_balls": "off"})
+
+
+def test_a_ball_lies_in_the_middle_of_its_clearance_or_where_its_own_force_presses_it(bearing_6205: Bearing) -> None:
+    grooves = grooves_of(bearing_6205, play_and_free_angle(bearing_6205, ContactAngle(rule="solved"))[0])
+    clearance = bearing_6205.diametral_clearance / 2  # of the ball, between concentric races
+    for own, share in (((0.0, 0.0), (0.5, 0.5)), ((1e-6, 0.0), (1.0, 0.0)), ((-1e-6, 0.0), (0.0, 1.0))):
+        ball = settled_ball(grooves, (0.0, 0.0), (1.3e-9, 1.1e-9), own, (0.0, 0.0))
+        loads = ball.inner_load, ball.outer_load
+        gaps = [gap_to_race(grooves, ball.inner_arm, ball.outer_arm, loads, race) for race in range(2)]
+        for race in range(2):
+            if loads[race] == 0.0:
+                np.testing.assert_allclose(gaps[race], share[race] * clearance, rtol=1e-3)  # of 0.1 pm of approach
+
+
+def test_the_balls_out_of_the_load_are_summed(scene: Scene) -> None:
+    """Under a radial load the gap of a ball follows from the place of the ring alone."""
+    found, bare = friction_torque(scene), friction_torque(without(scene))
+    ring, bearing, oil = present(found.ring), scene.bearing, present(scene.lubricant)
+    count = bearing.ball_count
+    moved = present(ring.displacement)[0, 1]  # along x
+    around = 2 * np.pi * np.arange(count) / count
+    speed, torque = scene.operation.inner_speed[0], 0.0
+    viscosity = oil.viscosity  # at the temperature of the oil, which is that of the scene
+    for azimuth, load in zip(around, ring.load[0, 0], strict=True):
+        if load > 0:
+            continue
+        gap = (bearing.diametral_clearance / 2 - moved * np.cos(azimuth)) / 2
+        for race, sign in (("inner", 1), ("outer", -1)):
+            groove, ball = getattr(bearing, race), bearing.ball_radius
+            orbit = bearing.pitch_diameter / 2
+            radius = 1 / (1 / ball + sign / (orbit - sign * ball))
+            ellipticity = radius * (1 / ball - 1 / groove.groove_radius)
+            ahead = effective_reach(bearing, race, reach=0.9, contact_angle=0.0)  # pyright: ignore[reportArgumentType]
+            entrainment = (orbit - ball) * (orbit + ball) / (2 * orbit)
+            force = 6 * np.pi * viscosity * speed * entrainment * radius / ((3 + 2 * ellipticity) * ellipticity**0.5)
+            force *= np.log(1 + ahead**2 / (7.5 * gap * radius))
+            torque += 2 * force * entrainment
+    added = present(found.torque.rolling) - present(bare.torque.rolling)
+    # The reach is that of the free contact angle, here 0.1 rad, whose cosine narrows the groove by 0.5 %.
+    np.testing.assert_allclose(added, torque, rtol=5e-3)
+    assert added / bare.torque.total > 0.02
+
+
+@pytest.mark.parametrize("supply", ["oil_jet", "oil_spot", "grease"])
+def test_only_a_bath_has_oil_around_them(scene: Scene, supply: Supply) -> None:
+    oil = replace(present(scene.lubricant), supply=supply)
+    found = friction_torque(replace(scene, lubricant=oil))
+    effect = {each.name: each for each in found.effects}["unloaded_balls"]
+    assert (effect.decision, supply in effect.reason) == ("off", True)
+    np.testing.assert_array_equal(
+        found.torque.total, friction_torque(without(replace(scene, lubricant=oil))).torque.total
+    )
+
+
+def test_under_thrust_every_ball_carries(scene: Scene) -> None:
+    thrust = replace(scene.operation, axial_load=np.array([400.0]), radial_load=np.zeros(1))
+    found = friction_torque(replace(scene, operation=thrust))
+    effect = {each.name: each for each in found.effects}["unloaded_balls"]
+    assert (effect.decision, effect.reason) == ("off", "every ball carries load")
