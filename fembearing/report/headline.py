@@ -56,8 +56,9 @@ def headline_table(scene: Scene, record: TorqueRecord, units: Units = METRIC) ->
         ]
         for place in places
     ]
-    left = len(points) - len(places)
+    left = len(computed) - len(places)
     notes = [f"{left} more points with --details."] if left else []
+    notes += [f"{len(record.left_out)} points have no torque and are left out."] if record.left_out else []
     return table_of(headline_title(scene, record, units), heads, rows, notes)
 
 

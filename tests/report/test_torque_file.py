@@ -56,6 +56,8 @@ def in_json(content: dict[str, Any], point: int, name: str) -> float | None:
     group, _, rest = name.partition("_")
     if group in ("torque", "uncertainty"):
         return row[group][rest]
+    if group == "interval":
+        return content["interval"][point][("low", "high").index(rest)]
     if group == "catalogue":
         return content["catalogue_band"][rest][point]
     stem, _, race = name.rpartition("_")

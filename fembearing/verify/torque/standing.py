@@ -27,7 +27,7 @@ class Standing:
     """The first that applies of
 
     - fail: a comparison or a physical limit fails
-    - incomplete: an effect lacks its input and could exceed the tolerance
+    - incomplete: an effect that `auto` cannot decide is left out and could exceed the tolerance
     - undecided: the solver error exceeds the tolerance, or a limit is not known
     - check: the torque is outside the band of the makers' formulas
     - pass: none of these
@@ -58,7 +58,7 @@ def standing_of(
             if np.isfinite(lacking[name])
             else "is of unknown size"
         )
-        return Standing(word="incomplete", reason=f"{name} lacks its input and {size}; see --details")
+        return Standing(word="incomplete", reason=f"{name} is left out and {size}; see --details")
     numerical = verdicts.numerical
     if numerical is not None and numerical.verdict in IS_OPEN:
         error = "is not known" if numerical.uncertainty is None else f"is {percent_of(numerical.uncertainty, 2)}"

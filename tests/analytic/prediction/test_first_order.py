@@ -14,7 +14,7 @@ from analytic.torque import friction_torque
 ONE_INPUT = dict.fromkeys(
     (
         "bearing.inner.conformity", "bearing.outer.conformity", "bearing.contact_angle.free", "operation.axial_load",
-        "friction.hysteresis_loss", "cage.friction_coefficient",
+        "cage.friction_coefficient",
     ),
     0.0,
 )  # fmt: skip
@@ -26,13 +26,13 @@ def dry() -> Scene:
 
 
 def test_one_input_in_proportion_gives_its_own_interval(dry: Scene) -> None:
-    """Without hysteresis and cage the torque of gross sliding goes with the friction coefficient, which is lognormal."""
+    """The torque of gross sliding goes with the friction coefficient, which is lognormal."""
     scene = replace(
         dry,
         uncertainty=ONE_INPUT | {"friction.coefficient": 0.02},  # a fifth of 0.1
         effects={"hysteresis": "off", "cage": "off", "cage_dynamics": "off", "creep": "off"},
         spin_rule="balanced",
-        sliding="coulomb_line",
+        sliding="along_axis",
     )
     nominal = friction_torque(scene)
     ends = first_order_ends(scene, nominal)

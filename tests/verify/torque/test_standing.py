@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from analytic.scene import Scene
+from analytic.scenefile.read import load_scene
 from analytic.verdicts import NumericalCheck, PhysicalCheck
 from fembearing.verify.torque.catalogue_models import CatalogueBand
 from fembearing.verify.torque.standing import Standing, standing_of
@@ -24,9 +25,9 @@ BAND = CatalogueBand(
 )
 
 
-@pytest.fixture
-def scene(dry_scene: Scene) -> Scene:
-    return replace(dry_scene, tolerance=0.05, effects={})
+@pytest.fixture(scope="module")
+def scene() -> Scene:
+    return replace(load_scene("6205-dry"), tolerance=0.05, effects={})
 
 
 def found(scene: Scene, **changed: object) -> Standing:
@@ -46,8 +47,8 @@ def test_each_cause_has_its_word_and_names_itself(scene: Scene) -> None:
         ({"band": None}, "check", "no maker's formula"),
         ({"numerical": loose}, "undecided", "solver error is 8.3 %, asked 5 %"),
         ({"physical": (replace(GOOD, verdict="unknown"),)}, "undecided", "limit is not known"),
-        ({"shares": lacking, "numerical": loose}, "incomplete", "cage lacks its input and could be 31 %"),
-        ({"shares": {"cage": np.inf}}, "incomplete", "cage lacks its input and is of unknown size"),
+        ({"shares": lacking, "numerical": loose}, "incomplete", "cage is left out and could be 31 %"),
+        ({"shares": {"cage": np.inf}}, "incomplete", "cage is left out and is of unknown size"),
         ({"physical": (beyond,), "shares": lacking}, "fail", "peak pressure exceeds the static limit (inner race)"),
     ):
         standing = found(scene, **changed)
