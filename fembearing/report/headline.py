@@ -23,7 +23,8 @@ def headline_title(scene: Scene, record: TorqueRecord, units: Units = METRIC) ->
     """Bearing, loads, speed where it is one, oil, temperature and supply."""
     points, oil = record.points, scene.lubricant
     words = [f"{'' if record.pair is None else 'two '}{scene.bearing.name}"]
-    words += [each.replace(" load", "") for each in fixed_loads(points, units)]
+    loads = [each for each in fixed_loads(points, units) if " 0 " not in each]
+    words += [each.replace(" load", "") for each in loads]
     speeds = {point.inner_speed for point in points}
     words += [units.speed.written(speeds.pop(), ".5g")] if len(speeds) == 1 else []
     if oil is None:
@@ -95,7 +96,8 @@ def makers_words(record: TorqueRecord, units: Units = METRIC) -> str:
     makers: dict[str, list[float]] = {}
     for name, series in band.values.items():  # a maker may have two constants: "Palmgren, z = 0.0004"
         makers.setdefault(name.partition(",")[0], []).extend(each for each in series if each is not None)
-    numbers = [f"{name} {between((min(known), max(known)), units.torque)}" for name, known in makers.items() if known]
+    ends = {name: sorted({min(known), max(known)}) for name, known in makers.items() if known}
+    numbers = [f"{name} {between(values, units.torque)}" for name, values in ends.items()]
     if not numbers:
         return "makers: no formula holds for this bearing or load"
     return f"makers: {', '.join(numbers)} {units.torque.name}"

@@ -46,11 +46,7 @@ def standing_of(
     """
     if verdicts.overall == "fail":
         return Standing(word="fail", reason="; ".join(_failures(verdicts)))
-    lacking = {
-        name: share
-        for name, share in shares.items()
-        if share > scene.tolerance and scene.effects.get(name, "auto") == "auto"
-    }
+    lacking = {name: share for name, share in shares.items() if share > scene.tolerance and not _chosen(scene, name)}
     if lacking:
         name = max(lacking, key=lacking.__getitem__)
         size = (
@@ -72,6 +68,11 @@ def standing_of(
     if outside := where_outside(total, band):
         return Standing(word="check", reason=f"{outside} the makers' formulas; {UNMEASURED}")
     return Standing(word="pass", reason=f"inside the makers' formulas; {UNMEASURED}")
+
+
+def _chosen(scene: Scene, effect: str) -> bool:
+    """Whether the scene itself leaves the effect out: by its name, or by a rule that says how the balls turn."""
+    return scene.effects.get(effect, "auto") != "auto" or (effect == "creep" and scene.spin_rule != "free")
 
 
 def _failures(verdicts: Verdicts) -> Iterator[str]:

@@ -14,7 +14,6 @@ from analytic.torque import friction_torque
 ONE_INPUT = dict.fromkeys(
     (
         "bearing.inner.conformity", "bearing.outer.conformity", "bearing.contact_angle.free", "operation.axial_load",
-        "cage.friction_coefficient",
     ),
     0.0,
 )  # fmt: skip
