@@ -268,7 +268,18 @@ class Lubricant(Noun):
     origins: Mapping[str, Origin] = field(default_factory=nothing, compare=False)  # by field; empty: not noted
 
     def starves_as_measured(self, bearing: Bearing) -> bool:
-        """Whether it is grease in a deep groove bearing, whose films were measured, and no degree is given."""
+        """Whether it is grease in a deep groove bearing, whose films were measured, and no degree is given.
+
+        Parameters
+        ----------
+        bearing : Bearing
+            That it lubricates.
+
+        Returns
+        -------
+        bool
+            Whether `analytic.oil.grease` gives its films.
+        """
         return self.supply == "grease" and self.starvation_degree is None and bearing.is_deep_groove
 
 
