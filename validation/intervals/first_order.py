@@ -90,10 +90,12 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=900, help="of the first scene")
     parser.add_argument("--out", type=Path, default=HERE, help="folder of first_order.csv")
     given = parser.parse_args()
-    rows = [compared(seed, given.samples) for seed in range(given.seed, given.seed + given.scenes)]
+    out, rows = Console(width=120, highlight=False), []
     given.out.mkdir(parents=True, exist_ok=True)
-    write(rows, given.out / "first_order.csv", COLUMNS)
-    report(rows, given.samples, Console(width=120, highlight=False))
+    for seed in range(given.seed, given.seed + given.scenes):
+        rows.append(compared(seed, given.samples))
+        write(rows, given.out / "first_order.csv", COLUMNS)  # an interrupted run leaves those that are done
+    report(rows, given.samples, out)
 
 
 if __name__ == "__main__":

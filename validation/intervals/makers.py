@@ -124,7 +124,8 @@ def _median(values: Array) -> str:
 def draw(rows: Sequence[Row]) -> Figure:
     """All over the computed torque: the interval, and the formulas."""
     figure = Figure(figsize=(10, 7), layout="constrained")
-    for axes, case in zip(figure.subplots(2, 1, sharex=True, sharey=True), CASES, strict=True):
+    panels = figure.subplots(2, 1, sharex=True, sharey=True)
+    for axes, case in zip(panels, CASES, strict=True):
         own = sorted(
             (row for row in rows if row["case"] == case and row.get("low")), key=lambda row: float(row["torque"])
         )
@@ -141,8 +142,8 @@ def draw(rows: Sequence[Row]) -> Figure:
         axes.set_yticks(ticks, [f"{tick:g}" for tick in ticks])
         axes.minorticks_off()
         axes.set_title("0.05 C radial" if case == "radial" else "0.02 C0 axial", fontsize=10)
-    axes.set_xlabel("computed torque, N mm")
-    axes.legend(fontsize=8, ncols=3)
+    panels[-1].set_xlabel("computed torque, N mm")
+    panels[-1].legend(fontsize=8, ncols=3)
     return figure
 
 

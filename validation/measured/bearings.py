@@ -91,6 +91,7 @@ def film_6016() -> Anchor:
     """Central film at the heaviest ball of a 6016, outer race."""
     row = next(published_rows("film_6016.csv"))
     found = friction_torque(parse_scene(FILM_6016.format(**row), origin="6016"))
+    assert found.film.outer is not None
     measured = float(row["film_um"])
     share = np.sqrt(FILM_MEASURED**2 + FILM_VISCOSITY**2 + FILM_PRESSURE_VISCOSITY**2)
     return Anchor(

@@ -15,8 +15,8 @@ def fag_torque(case: CatalogueCase) -> tuple[Array, Array]:
     """M_0 + M_1 with the least and with the largest of the factors printed, N m.
 
     M_0 = 1e-7 f_0 (nu n)^(2/3) d_m^3,  M_1 = f_1 (P_0/C_0)^x P_1 d_m,  N mm
-    with d_m = (d + D)/2 in mm, nu in mm2/s, n in 1/min, P_1 = max(F_r, k F_a - 0.1 F_r), P_0 = max(F_r, X_0 F_r + Y_0 F_a)
-    Source: [FAG2002].
+    with d_m = (d + D)/2 in mm, nu in mm2/s, n in 1/min,
+    P_1 = max(F_r, k F_a - 0.1 F_r),  P_0 = max(F_r, X_0 F_r + Y_0 F_a).  Source: [FAG2002].
     Raises InputError below nu n = 2000 mm2/s 1/min.
     """
     bore, outside = ring_diameters(case.bore_diameter, case.outside_diameter)
