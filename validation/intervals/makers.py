@@ -4,10 +4,10 @@ python validation/intervals/makers.py [--bearings 200]
 The 95 % interval of the total by `first_order_ends`, with the spreads that it states, beside the twelve mean torques of
 the spin-downs [Balan2015], which were measured; and beside the formulas of SKF, Palmgren, ISO 15312 and FAG, which were
 not: they are fits to unpublished tests, and differ among themselves by factors. Bearings are taken evenly from those of
-the catalogue that have constants and the grades printed, A or B, which are 180; under 0.05 C radial and under 0.02 C0
-axial as in validation/catalogue/torque.py. The moment that seats an angular contact bearing is in ours only. A share near 95 % would not prove the interval, and a
-small one says that model or formula is off by more than inputs explain. It writes makers.csv and makers.png into this
-folder, in two minutes.
+the catalogue that have constants and the grades printed, A or B, which are 180. They run under 0.05 C radial and under
+0.02 C0 axial as in validation/catalogue/torque.py; the moment that seats an angular contact bearing is in ours only. A
+share near 95 % would not prove the interval; a small one says that model or formula is off by more than inputs explain.
+It writes makers.csv and makers.png into this folder, in two minutes.
 """
 
 import argparse
