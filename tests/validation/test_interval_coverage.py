@@ -23,8 +23,8 @@ def test_measured_torques_are_counted_against_an_interval_that_is_not_moved() ->
     assert {each.points for each in found} == {6}
     for each in found:
         assert each.covered + each.below + each.above == 6
-    # The interval is about the model's own torque, which is below every measured one.
+    # The interval is about the model's own torque, which is below the measured one up to 150 rpm, four speeds of six.
     rig = program.measured.compare(3.0)
     interval = program.predict(rig.scene, samples=128, workers=1).total
     assert np.all((interval.low < rig.computed) & (rig.computed < interval.high))
-    assert np.all(rig.computed < rig.measured)
+    assert np.flatnonzero(rig.computed < rig.measured).tolist() == [0, 1, 2, 3]

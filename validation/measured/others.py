@@ -1,17 +1,11 @@
-"""What else the torque and its parts are compared with, and what each comparison is worth.
+"""What else the torque and its parts are compared with, and what each comparison is worth."""
 
-Every comparison is a range of ratios: ours over the other's.
-"""
-
-import csv
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
-from typing import Literal
 
 import numpy as np
 
-from analytic.catalog.bearing_rows import find_bearing
 from analytic.contact.rolling_contact import RollingContact
 from analytic.loads.balls import LoadEffects, thrust_balls
 from analytic.oil.rolling import (
@@ -26,10 +20,12 @@ from analytic.oil.viscosity import inlet_viscosity
 from analytic.scene import Array, Operation, Scene
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.torque import friction_torque
-from fembearing.verify.torque.catalogue_models import case_of, scene_band, skf_parts
+from fembearing.verify.torque.catalogue_models import scene_band
 from validation.benchmarks.equilibrium import GROOVES, axial_rigidity_of_pair
-from validation.catalogue.torque import scene_at
 from validation.film import run as film
+from validation.measured.anchor import Anchor, published_columns, published_rows
+from validation.measured.bearings import whole_bearings
+from validation.measured.makers import makers_parts
 
 HERE = Path(__file__).parent
 # SKF's constants of all thrust ball bearings, in the Russian text of its catalogue of 2016; mm, N, N mm
@@ -58,7 +54,6 @@ finish = "superfinished"
 [friction]
 spin_rule = "balanced"
 """
-RADIAL = ("6004", "6204", "6205", "6208", "6212", "6305", "6310")
 SKF_BOUNDARY, SKF_FILM = 0.12, 0.05  # mu_bl, mu_EHL [SKF2018]
 THRUST_51205 = """
 name = "51205, dimensions assumed"
@@ -86,48 +81,36 @@ starvation = "off"
 """
 
 
-@dataclass(frozen=True, kw_only=True)
-class Other:
-    """One comparison; low and high : ends of ours over the other's."""
-
-    what: str
-    compared_with: str
-    kind: Literal["validation", "cross-check", "plausibility"]
-    low: float
-    high: float
-    worth: str
-
-
-def others() -> list[Other]:
+def others() -> list[Anchor]:
+    """All anchors but the spin-downs."""
     return [
         _films(),
+        *whole_bearings(),
         *_catalogues(),
+        *makers_parts(),
         _thrust_catalogue(),
         *_rolling_formulas(),
         *_slow_rolling(),
         *_greased(),
-        *_radial_rolling(),
         _rigidity(),
     ]
 
 
-def _ranged(ours: Array, theirs: Array) -> dict[str, float]:
-    ratio = np.asarray(ours) / np.asarray(theirs)
-    return {"low": float(np.nanmin(ratio)), "high": float(np.nanmax(ratio))}
-
-
-def _films() -> Other:
+def _films() -> Anchor:
     found = film.compare()
-    return Other(
+    return Anchor(
         what="central film, circular contact, 0.02 to 0.7 m/s, 0.50 GPa",
-        compared_with="films measured by interferometry [Wittek]",
-        kind="validation",
-        **_ranged(found.computed[found.judged], found.measured[found.judged]),
-        worth="validates the film at ellipticity 1 and 0.5 GPa; races have 0.03 to 0.07 and 1 to 3 GPa",
+        source="films measured by interferometry [Wittek]",
+        kind="measured",
+        theirs=1e9 * found.measured[found.judged],
+        ours=1e9 * found.computed[found.judged],
+        unit="nm",
+        uncertainty=1e9 * found.uncertainty[found.judged],
+        worth="tests the film at ellipticity 1 and 0.5 GPa; races have 0.03 to 0.07 and 1 to 3 GPa",
     )
 
 
-def _catalogues() -> Iterator[Other]:
+def _catalogues() -> Iterator[Anchor]:
     for name, words in (
         ("6205_radial", "6205, 1500 N radial and 200 N axial, 100 to 1500 rpm"),
         ("6205_physical", "6205, 1000 N axial, races of Sq 1 um, 100 to 500 rpm"),
@@ -136,22 +119,26 @@ def _catalogues() -> Iterator[Other]:
         total = friction_torque(replace(scene, cage=None)).torque.total
         for model, values in scene_band(scene).values.items():
             if np.isfinite(values).any():
-                yield Other(
+                yield Anchor(
                     what=f"torque of a {words}",
-                    compared_with=model,
-                    kind="cross-check",
-                    **_ranged(total, values),
+                    source=model,
+                    kind="maker's formula" if model == "SKF" else "formula",
+                    theirs=1e3 * values,
+                    ours=1e3 * total,
+                    unit="N mm",
                     worth="a fit to unpublished tests of usual bearings; oil, finish and loss factor here are assumed",
                 )
 
 
-def _thrust_catalogue() -> Other:
+def _thrust_catalogue() -> Anchor:
     scene = parse_scene(THRUST_51205, origin="51205")
-    return Other(
+    return Anchor(
         what="torque of a thrust bearing 51205 as assumed, 1000 N, 100 to 1500 rpm",
-        compared_with="SKF, thrust ball bearings",
-        kind="cross-check",
-        **_ranged(friction_torque(scene).torque.total, skf_thrust_torque(scene)),
+        source="SKF, thrust ball bearings",
+        kind="maker's formula",
+        theirs=1e3 * skf_thrust_torque(scene),
+        ours=1e3 * friction_torque(scene).torque.total,
+        unit="N mm",
         worth="a fit to unpublished tests; number of balls, oil and finish are assumed, both without starvation",
     )
 
@@ -176,7 +163,7 @@ def skf_thrust_torque(scene: Scene) -> Array:
     return (rolling + sliding * friction) / 1e3
 
 
-def _rolling_formulas() -> Iterator[Other]:
+def _rolling_formulas() -> Iterator[Anchor]:
     for name, words in (
         ("thrust_rig_3mm", "rig, balls of 3 mm"),
         ("thrust_rig_6mm", "rig, balls of 6.35 mm"),
@@ -190,16 +177,18 @@ def _rolling_formulas() -> Iterator[Other]:
         )
         assert ours is not None
         assert other is not None
-        yield Other(
+        yield Anchor(
             what=f"rolling torque, {words}",
-            compared_with="formula of [Houpert1987]",
-            kind="cross-check",
-            **_ranged(ours, other),
+            source="formula of [Houpert1987]",
+            kind="formula",
+            theirs=1e3 * other,
+            ours=1e3 * ours,
+            unit="N mm",
             worth="the model against an older formula: not an error of either",
         )
 
 
-def _slow_rolling() -> Iterator[Other]:
+def _slow_rolling() -> Iterator[Anchor]:
     """Both laws of elastic rolling against measured resistances to slow rolling."""
     laws: dict[str, list[Array]] = {"hysteresis, loss factor 0.007": [], "Houpert's law, mu = 0.05": []}
     for name in ("thrust_rig_3mm", "thrust_rig_6mm", "6205_physical"):
@@ -213,36 +202,20 @@ def _slow_rolling() -> Iterator[Other]:
             ratios.append(np.ravel(moment / (contacts.load * scale)))
     for source, case, value in measured_resistances():
         for law, ratios in laws.items():
-            yield Other(
+            yield Anchor(
                 what=f"elastic rolling of a contact, {law}: rig and 6205",
-                compared_with=f"slow rolling of {case} [{source}]",
-                kind="plausibility",
-                **_ranged(np.concatenate(ratios), np.full(1, value)),
+                source=f"slow rolling of {case} [{source}]",
+                kind="second hand",
+                theirs=value,
+                ours=np.concatenate(ratios),
+                unit="Q D",
                 worth="measured with little or no oil, and slip by conformity is in it; the rig is hardly known",
             )
 
 
-def _radial_rolling() -> Iterator[Other]:
-    """Rolling of deep groove bearings under radial load, with and without the balls that carry nothing."""
-    cases = [scene_at(find_bearing(name), "radial") for name in RADIAL]
-    theirs = [skf_parts(case_of(scene), lubrication="oil_bath")[0] for scene in cases]
-    for decision, words in (("off", "without unloaded balls"), ("auto", "with unloaded balls")):
-        ours = []
-        for scene in cases:
-            varied = replace(scene, effects={**scene.effects, "unloaded_balls": decision})
-            ours.append(friction_torque(varied).torque.rolling)
-        yield Other(
-            what=f"rolling of {len(RADIAL)} deep groove bearings, 0.05 C radial, 1000 rpm, {words}",
-            compared_with="SKF's rolling part",
-            kind="cross-check",
-            **_ranged(np.array(ours), np.array(theirs)),
-            worth="a fit to unpublished tests of whole bearings, and to nothing here",
-        )
-
-
-def _greased() -> Iterator[Other]:
+def _greased() -> Iterator[Anchor]:
     """Films of a greased 6209 over flooded ones, against the paper's law for all loads, which is not the model's."""
-    rows = np.genfromtxt(HERE.parent / "published" / "grease_film.csv", delimiter=",", names=True, skip_header=4)
+    rows = published_columns("grease_film.csv")
     for words, chosen in (("axial loads", rows["radial_N"] == 0), ("radial and both loads", rows["radial_N"] > 0)):
         ours, theirs = [], []
         for base_oil, tension in GREASES:
@@ -258,20 +231,21 @@ def _greased() -> Iterator[Other]:
             lengths = found.inner.semi_axis_transverse / (1e-6 * rows["z_r_um"][chosen])
             theirs.append(7.305 * (moved * lengths / tension) ** -0.34)
             ours.append(found.film.inner / flooded.film.inner)
-        yield Other(
+        yield Anchor(
             what=f"film of a greased 6209 over the flooded one, two greases, 4000 rpm, {words}",
-            compared_with="law for all loads [Shetty2024]",
-            kind="cross-check",
-            **_ranged(np.array(ours), np.array(theirs)),
+            source="law for all loads [Shetty2024]",
+            kind="formula",
+            theirs=np.array(theirs),
+            ours=np.array(ours),
+            unit="1",
             worth="both are fits to the same measured films, whose points were not read off",
         )
 
 
 def measured_resistances() -> Iterator[tuple[str, str, float]]:
     """Source, case, and moment over load and ball diameter."""
-    with (HERE.parent / "published" / "slow_rolling_resistance.csv").open(encoding="utf-8", newline="") as file:
-        for row in csv.DictReader(line for line in file if not line.startswith("#")):
-            yield row["source"], row["case"], float(row["moment_over_load_diameter"])
+    for row in published_rows("slow_rolling_resistance.csv"):
+        yield row["source"], row["case"], float(row["moment_over_load_diameter"])
 
 
 def _contacts(scene: Scene) -> RollingContact:
@@ -285,13 +259,15 @@ def _contacts(scene: Scene) -> RollingContact:
     ).contacts
 
 
-def _rigidity() -> Other:
-    rows = np.genfromtxt(HERE.parent / "published" / "gmn_axial_rigidity.csv", delimiter=",", names=True, skip_header=2)
+def _rigidity() -> Anchor:
+    rows = published_columns("gmn_axial_rigidity.csv")
     ours = np.array([axial_rigidity_of_pair(groove, rows["preload_N"]) for groove in GROOVES])
-    return Other(
+    return Anchor(
         what=f"axial rigidity of a preloaded pair, 100 to 600 N, groove radii {GROOVES[0]:g} to {GROOVES[-1]:g} D",
-        compared_with="a maker's catalogue [GMN]",
-        kind="cross-check",
-        **_ranged(ours, rows["axial_rigidity_of_pair_N_per_um"] * 1e6),
+        source="a maker's catalogue [GMN]",
+        kind="maker's formula",
+        theirs=rows["axial_rigidity_of_pair_N_per_um"],
+        ours=1e-6 * ours,
+        unit="N/um",
         worth="calculated by the maker; the groove radii are not known",
     )

@@ -12,18 +12,16 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 if TYPE_CHECKING:
-    from validation.measured.others import Other
     from validation.measured.run import Rig
 
 mpl.use("agg")
 
 DRY_SHARE = (0.02, 0.12)  # of the lubricated torque, as stated
-COLOURS = {"validation": "C0", "cross-check": "C1", "plausibility": "0.5"}
 
 
-def page(rigs: Sequence[Rig], others: Sequence[Other]) -> str:
+def page(rigs: Sequence[Rig]) -> str:
     """measured.md, in markdown; every number in it is computed."""
-    return "\n".join((*_verdict(rigs), *_points(rigs), *_mechanisms(rigs), *_others(others))) + "\n"
+    return "\n".join((*_verdict(rigs), *_points(rigs), *_mechanisms(rigs))) + "\n"
 
 
 def _verdict(rigs: Sequence[Rig]) -> Iterator[str]:
@@ -102,19 +100,7 @@ def _mechanisms(rigs: Sequence[Rig]) -> Iterator[str]:
         "falls with speed (3 mm) or within the runs (6.35 mm), which a constant force does not."
     )
     yield ""
-
-
-def _others(others: Sequence[Other]) -> Iterator[str]:
-    yield "## All other comparisons"
-    yield ""
-    yield "| what | with | kind | ours over the other | what it is worth |"
-    yield "| --- " * 5 + "|"
-    for each in others:
-        yield (
-            f"| {each.what} | {each.compared_with} | {each.kind} | {each.low:.2f} to {each.high:.2f} | {each.worth} |"
-        )
-    yield ""
-    yield "![Measured and computed torques, and all other comparisons](measured.png)"
+    yield "![Measured and computed torques of three balls between thrust races](measured.png)"
 
 
 def _range(values: np.ndarray, digits: int = 1) -> str:
@@ -126,12 +112,10 @@ def _rpm(rig: Rig) -> np.ndarray:
     return np.asarray(rig.scene.operation.inner_speed) * 30 / np.pi
 
 
-def draw(rigs: Sequence[Rig], others: Sequence[Other], path: Path) -> None:
-    figure = Figure(figsize=(10, 11.5), layout="constrained")
-    above, below = figure.subfigures(2, 1, height_ratios=(1, 1.6))
-    for axes, rig in zip(above.subplots(1, len(rigs)), rigs, strict=True):
+def draw(rigs: Sequence[Rig], path: Path) -> None:
+    figure = Figure(figsize=(10, 4.4), layout="constrained")
+    for axes, rig in zip(figure.subplots(1, len(rigs)), rigs, strict=True):
         _draw_rig(axes, rig)
-    _draw_others(below.subplots(), others)
     figure.savefig(path, dpi=130, metadata={"Software": None})
 
 
@@ -148,19 +132,3 @@ def _draw_rig(axes: Axes, rig: Rig) -> None:
     axes.set(xlabel="speed, rpm", ylabel="torque, uN m", ylim=(0, None))
     axes.set_title(f"three balls of {1e3 * rig.ball_diameter:g} mm", fontsize=10)
     axes.legend(frameon=False, fontsize=8)
-
-
-def _draw_others(axes: Axes, others: Sequence[Other]) -> None:
-    for place, each in enumerate(reversed(others)):
-        colour = COLOURS[each.kind]
-        axes.plot([each.low, each.high], [place, place], "|-", color=colour, lw=3, solid_capstyle="butt")
-    names = [f"{each.what}\nwith {each.compared_with} ({each.kind})" for each in reversed(others)]
-    axes.set_yticks(range(len(others)), names, fontsize=7)
-    axes.axvline(1, color="k", lw=0.8)
-    axes.set_xscale("log")
-    ticks = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5]
-    axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
-    axes.minorticks_off()
-    axes.grid(visible=True, axis="x", color="0.9")
-    axes.set_axisbelow(True)
-    axes.set_xlabel("ours over the other")

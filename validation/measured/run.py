@@ -4,8 +4,8 @@ Three balls roll without a cage between two thrust races, the lower one fixed, a
 spin-downs [Balan2015], two sizes of balls and loads, one oil. The comparison follows [ASME2009] at each speed: the
 error E = S - D of the computed against the measured torque is that of the model to within u_val = sqrt(u_num^2 +
 u_input^2 + u_D^2). All uncertainties are standard ones. The program prints what it found, and writes measured.md,
-measured.csv and measured.png into this folder, with all other comparisons (others.py) in
-one table. It takes half a minute.
+measured.csv and measured.png into this folder; and anchors.md, anchors.csv and anchors.png with every number that the
+model is compared with, first what is missed. It takes half a minute.
 """
 
 import argparse
@@ -25,7 +25,9 @@ from analytic.oil.rolling import HYSTERESIS_LOSS
 from analytic.scene import Array, RollingFormula, Scene
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
-from validation.measured.others import Other, measured_resistances, others
+from validation.measured.anchor import Anchor, first_what_is_missed
+from validation.measured.anchors_page import anchors_page, draw_anchors, write_anchors
+from validation.measured.others import measured_resistances, others
 from validation.measured.page import draw, page
 
 HERE = Path(__file__).parent
@@ -112,25 +114,29 @@ def main() -> None:
     parser.add_argument("--out", type=Path, default=HERE, help="folder of the results")
     folder = parser.parse_args().out
     rigs = [compare(diameter) for diameter in RIGS]
-    other = [*map(as_other, rigs), *others()]
+    anchors = first_what_is_missed([*map(spin_down_anchor, rigs), *others()])
     folder.mkdir(parents=True, exist_ok=True)
-    text = page(rigs, other)
-    (folder / "measured.md").write_text(text, encoding="utf-8")
-    write(rigs, other, folder / "measured.csv")
-    draw(rigs, other, folder / "measured.png")
-    Console(width=120).print(text, markup=False, highlight=False)
+    texts = {"measured.md": page(rigs), "anchors.md": anchors_page(anchors)}
+    write(rigs, folder / "measured.csv")
+    draw(rigs, folder / "measured.png")
+    write_anchors(anchors, folder / "anchors.csv")
+    draw_anchors(anchors, folder / "anchors.png")
+    for name, text in texts.items():
+        (folder / name).write_text(text, encoding="utf-8")
+        Console(width=120).print(text, markup=False, highlight=False)
 
 
-def as_other(rig: Rig) -> Other:
+def spin_down_anchor(rig: Rig) -> Anchor:
     """The comparison as one line among the others."""
-    ratio = rig.computed / rig.measured
-    return Other(
+    return Anchor(
         what=f"torque of three balls of {1e3 * rig.ball_diameter:g} mm between thrust races, {RPM[0]} to {RPM[-1]} rpm",
-        compared_with="spin-downs [Balan2015]",
-        kind="validation",
-        low=float(ratio.min()),
-        high=float(ratio.max()),
-        worth="tests the resistance to rolling in oil at light loads and finds it too low; sliding hardly counts there",
+        source="spin-downs [Balan2015]",
+        kind="measured",
+        theirs=1e6 * rig.measured,
+        ours=1e6 * rig.computed,
+        unit="uN m",
+        uncertainty=1e6 * rig.validation,
+        worth="tests the resistance to rolling in oil at light loads; sliding hardly counts there",
     )
 
 
@@ -248,8 +254,8 @@ def dry_pivoting(scene: Scene) -> float:
     return float(2 * scene.bearing.ball_count * moment / 2)
 
 
-def write(rigs: list[Rig], other: list[Other], path: Path) -> None:
-    """One row for each point, uN m; then one for each of the other comparisons."""
+def write(rigs: list[Rig], path: Path) -> None:
+    """One row for each point, uN m."""
     with path.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file)
         writer.writerow(
@@ -263,12 +269,6 @@ def write(rigs: list[Rig], other: list[Other], path: Path) -> None:
             for point, rpm in enumerate(RPM):
                 values = (f"{part[point]:.5g}" for part in micro)
                 writer.writerow((f"{1e3 * rig.ball_diameter:g}", rpm, int(rig.count[point]), *values))
-        writer.writerow([])
-        writer.writerow(("compared", "with", "kind", "low", "high", "worth"))
-        for each in other:
-            writer.writerow(
-                (each.what, each.compared_with, each.kind, f"{each.low:.4g}", f"{each.high:.4g}", each.worth)
-            )
 
 
 if __name__ == "__main__":
