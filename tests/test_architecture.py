@@ -20,7 +20,7 @@ LONGER = {  # functions that may have more
         "part of a compiled kernel: records and arrays that one point works with",
     ),
     "validate": "the main job and its command: what a check computes besides, each by its name",
-    **dict.fromkeys(("film", "creep"), "a command: its options, each by its name"),
+    **dict.fromkeys(("film", "creep", "torque"), "a command: its options, each by its name"),
     "model_of": "what a model is made of, each with its default",
 }
 HEAVY = {"vtk", "vtkmodules", "pyvista", "skfem", "pint", "pydantic", "pypardiso", "numba", "xarray", "netCDF4"}

@@ -17,7 +17,7 @@ OPTIONS: dict[str, Any] = {  # by the fields of a choice
         str | None, typer.Option(help=f"Name of the oil, of `fembearing list oils`; {USUAL.oil} without it.")
     ],
     "temperature": Annotated[str | None, typer.Option(help=f"Of the oil; {USUAL.temperature} without it.")],
-    "supply": Annotated[str | None, typer.Option(help="oil_bath, oil_jet, oil_spot or grease; oil_bath without it.")],
+    "supply": Annotated[str | None, typer.Option(help="oil_bath, oil_jet, oil_spot or grease; by the oil without it.")],
 }
 SETTINGS: dict[str, Any] = {
     "settings": Annotated[

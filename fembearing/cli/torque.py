@@ -53,8 +53,8 @@ def torque(
     names = scenes or [BUILTIN]
     _require_fitting(names, target)
     options, settings = given_options(), given_settings()
-    given = {name: read_scene(name, settings=settings, options=options) for name in names}
-    given = {name: replace(scene, tolerance=read_tolerance(tolerance, scene)) for name, scene in given.items()}
+    read = {name: read_scene(name, settings=settings, options=options) for name in names}
+    read = {name: replace(scene, tolerance=read_tolerance(tolerance, scene)) for name, scene in read.items()}
     count = read_samples(samples, with_interval=with_interval)
     from fembearing.cli.console import out, print_json, shown_progress
     from fembearing.plain_types import plain
@@ -64,8 +64,8 @@ def torque(
     results: dict[str, SceneTorque] = {}
     lacking = None
     with shown_progress() as progress:
-        for name, scene in given.items():
-            with _named(name if len(given) > 1 else None):
+        for name, scene in read.items():
+            with _named(name if len(read) > 1 else None):
                 results[name], lacking = torque_with_files(
                     scene, out=target, samples=count, keep_going=keep_going, progress=progress
                 )

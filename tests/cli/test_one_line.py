@@ -10,7 +10,7 @@ import pytest
 import analytic
 from analytic.scenefile.template import scene_text
 
-LINE = {
+LINE: dict[str, Any] = {
     "radial_load": "3kN",
     "axial_load": "200N",
     "speed": "2900rpm",
@@ -138,7 +138,7 @@ def test_without_a_command_there_is_help(command) -> None:
         (["a.toml", "--set", "tolerance=1%", "--set", "tolerance=2%"], ["tolerance stands twice"]),
         (["a.toml", "6308", "-o", "new"], ["--out 'new'", "there are 2"]),
         (["6308", "6308"], ["'6308' stands twice"]),
-        (["6308", "a.toml", "--set", "operation.radial_load=90000 kN"], ["6308: ", "shoulder"]),
+        (["6308", "a.toml", "--set", "operation.radial_load=90000 kN"], ["6308: the radial load", "lower the load"]),
     ],
 )
 def test_a_mistake_is_one_line(

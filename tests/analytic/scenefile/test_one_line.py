@@ -17,7 +17,7 @@ from analytic.scenefile.template import scene_text
 from tests.refusals import refused
 
 RPM = np.pi / 30
-LINE = {
+LINE: dict[str, Any] = {
     "radial_load": "3kN",
     "axial_load": "200N",
     "speed": "2900rpm",
