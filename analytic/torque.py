@@ -4,6 +4,7 @@ Every part is the power that one effect loses, over the speed of the ring. Torqu
 and oppose the rotation: the other direction of rotation mirrors them.
 """
 
+import os
 import platform
 from collections.abc import Mapping
 from dataclasses import replace
@@ -11,7 +12,7 @@ from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from time import perf_counter
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -61,18 +62,20 @@ class Unsure(NamedTuple):
 
 
 def friction_torque(
-    scene: Scene,
+    scene: Scene | str | os.PathLike[str],
     *,
     tolerance: float | str | Quantity | None = None,
     correction: ContactCorrection | None = None,
     variation: Variation = NOMINAL,
+    **given: Any,
 ) -> FrictionTorque:
     """Friction torque at every operating point of the scene.
 
     Parameters
     ----------
-    scene : Scene
-        Bearing, loads, speeds, and either oil with surfaces or a friction coefficient.
+    scene : Scene, str or path
+        Bearing, loads, speeds, and either oil with surfaces or a friction coefficient; or what `load_scene` reads, a
+        file or a designation as "6308".
     tolerance : float or str, optional
         Of the torque, relative (dimensionless), or a text as "1 %"; None: the scene's.
     correction : ContactCorrection, optional
@@ -80,6 +83,8 @@ def friction_torque(
         they change contact angle and ball loads too.
     variation : Variation
         Of the formulas of oil and surfaces, dimensionless factors, to show the effect of their uncertainty.
+    **given : float, str, list or mapping
+        With a name, the other arguments of `load_scene`: radial_load="3 kN", speed="3000 rpm", settings.
 
     Returns
     -------
@@ -90,7 +95,7 @@ def friction_torque(
     ------
     InputError
         The scene gives neither or both of coefficient and surface, demands an effect that lacks its input, or loads the
-        balls beyond a shoulder.
+        balls beyond a shoulder; with a name, as `load_scene`.
     ConvergenceError
         An equilibrium that did not settle.
 
@@ -111,6 +116,12 @@ def friction_torque(
     Sources: [Paper], and those of the modules named here.
     """
     started = perf_counter()
+    if not isinstance(scene, Scene):
+        from analytic.scenefile.read import load_scene  # with pydantic: only who asks for it pays
+
+        scene = load_scene(scene, **given)
+    elif given:
+        raise InputError(f"{min(given)} goes with a designation as 6308; change a Scene by dataclasses.replace")
     if tolerance is not None:
         from analytic.scenefile.by_name import with_tolerance  # with pydantic and pint: only who asks for it pays
 

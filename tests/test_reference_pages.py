@@ -29,7 +29,7 @@ def test_every_command_is_there_with_its_options() -> None:
     assert contact["`--pair` `inner` or `outer` or `pocket`"][0] == "`inner`"
     assert "`--load` text, more than once" in contact
     assert "`DESIGNATION`" in cells(page, "`init`")
-    assert "`--out` path" in cells(page, "`init`")
+    assert "`--out`, `-o` path" in cells(page, "`init`")
 
 
 def test_every_key_of_a_scene_is_there() -> None:

@@ -16,8 +16,9 @@ from analytic.scene import Array, Bearing, Lubricant, Material, Operation, Scene
 from analytic.scenefile.keys import scene_key
 from analytic.scenefile.material import catalog_material
 from analytic.scenefile.read import scene_of
+from analytic.scenefile.setting import as_text
 from analytic.scenefile.text import shown
-from analytic.units import Quantity, has_unit
+from analytic.units import Quantity
 
 Given = float | str | Quantity  # a number in SI, a text with a unit, or a quantity
 Series = ArrayLike | str | Sequence[str] | Quantity | Sequence[Quantity]
@@ -67,7 +68,7 @@ def _with_units(table: Mapping[str, Any], path: str) -> dict[str, Any]:
     """The table with numbers in SI as the texts that a scene has in their place."""
     written = {}
     for key, given in table.items():
-        place, value = f"{path}.{key}", _as_text(given)
+        place, value = f"{path}.{key}", as_text(given)
         if isinstance(value, Mapping):
             written[key] = _with_units(value, place)
         elif isinstance(value, float | int) and not isinstance(value, bool):
@@ -113,7 +114,7 @@ def operation(
 
 def _in_si(path: str, given: Series) -> Array:
     """Numbers, which are in SI already, or quantities in texts: one or a list."""
-    given = _as_text(given)
+    given = as_text(given)
     if isinstance(given, str):
         return np.asarray(scene_key(path).read_as(path, given))
     if isinstance(given, list | tuple) and any(isinstance(each, str) for each in given):
@@ -222,16 +223,4 @@ def material(name: str, **overrides: Given) -> Material:
 
 def with_tolerance(scene: Scene, tolerance: Given) -> Scene:
     """The scene with another tolerance: a number, a text as "1 %", or a quantity. Raises InputError as a scene file."""
-    return replace(scene, tolerance=scene_key("tolerance").read_as("tolerance", _as_text(tolerance)))
-
-
-def _as_text(value: Any) -> Any:
-    """A quantity of pint as a scene has it, "20.0 degree_Celsius", an array of it as a list; else the value itself."""
-    if isinstance(value, list | tuple):
-        return [_as_text(each) for each in value] if has_unit(value) else value
-    if not has_unit(value):
-        return value
-    numbers, unit = np.asarray(value.magnitude), f"{value.units:C}"
-    if numbers.ndim > 1 or numbers.dtype.kind not in "fiu":
-        return value
-    return [f"{number!r} {unit}" for number in numbers.tolist()] if numbers.ndim else f"{numbers.item()!r} {unit}"
+    return replace(scene, tolerance=scene_key("tolerance").read_as("tolerance", as_text(tolerance)))

@@ -1,17 +1,26 @@
-"""What `fembearing init` writes beside a bearing. It imports little, because the help of the command shows it."""
+"""What the scene of a bearing of the catalogue gives beside it. It imports little: the help of commands shows it."""
 
 from dataclasses import dataclass
 
 
 @dataclass(frozen=True, kw_only=True)
 class Choice:
-    """What a written scene gives beside its bearing; as in a scene file."""
+    """Values of a scene file by the names of the options that give them; a list makes a series."""
 
-    axial_load: str | None = None  # None of both loads: a light load that suits the bearing
-    radial_load: str | None = None
-    inner_speed: str = "1000 rpm"
-    oil: str = "ISO VG 68"
-    temperature: str = "60 degC"
+    axial_load: object = None  # None of both loads: a light load that suits the bearing
+    radial_load: object = None
+    speed: object = "1000 rpm"
+    oil: object = "ISO VG 68"
+    temperature: object = "60 degC"
+    supply: object = None  # None: an oil bath, or grease where the lubricant is one
 
 
 USUAL = Choice()
+KEYS = {  # of a scene file, by the options
+    "axial_load": "operation.axial_load",
+    "radial_load": "operation.radial_load",
+    "speed": "operation.inner_speed",
+    "oil": "lubricant.name",
+    "temperature": "lubricant.temperature",
+    "supply": "lubricant.supply",
+}

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from analytic import catalog
 from analytic.errors import InputError
+from analytic.scenefile.choice import USUAL, Choice
 from analytic.scenefile.template import scene_text
 from analytic.scenefile.text import plain, read_text
 
@@ -24,10 +25,13 @@ class SceneText:
     text: str
     origin: str  # names the text in messages
     folder: Path  # that the paths in the text start from
+    designation: str | None = None  # of a bearing of the catalogue, whose usual scene it is
 
 
-def find_scene(name: str | os.PathLike[str], *, folder: Path = Path()) -> SceneText:
-    """The scene that a name means; folder : that a relative path starts from.
+def find_scene(name: str | os.PathLike[str], *, folder: Path = Path(), choice: Choice = USUAL) -> SceneText:
+    """The scene that a name means.
+
+    folder : that a relative path starts from;  choice : for the scene of a bearing of the catalogue
 
     A file that exists comes first, then a built-in scene, then a bearing of the catalogue, whose scene is the one that
     `fembearing init` writes. A name that ends like one of a file, with .toml or .txt,
@@ -40,7 +44,8 @@ def find_scene(name: str | os.PathLike[str], *, folder: Path = Path()) -> SceneT
         path = catalog.path("scenes", given)
     elif not os.path.isfile(path) and _may_be_a_bearing(given):
         try:
-            return SceneText(text=scene_text(given), origin=f"scene of {given}", folder=folder)
+            text = scene_text(given, choice)
+            return SceneText(text=text, origin=f"scene of {given}", folder=folder, designation=given)
         except InputError as problem:
             if os.path.basename(given) == given:
                 raise InputError(f"{problem} (no scene file has this name either, nor a scene {known})") from None

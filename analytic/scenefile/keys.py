@@ -37,6 +37,12 @@ class SceneKey:
     in_series: bool  # whether a list of values makes a series
     field: FieldInfo
 
+    @property
+    def takes_text(self) -> bool:
+        """Whether any text is a value, also one that looks like a number: a name, a date."""
+        kinds = (self.field.annotation, *get_args(self.field.annotation))
+        return any(kind is str or (get_origin(kind) is Annotated and get_args(kind)[0] is str) for kind in kinds)
+
     def read(self, given: object) -> Value:
         """The value, a quantity in SI. Raises ValueError that says what is wrong and what is accepted."""
         if self.dimension is not None:

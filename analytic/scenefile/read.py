@@ -29,12 +29,14 @@ from analytic.scene import (
 )
 from analytic.scenefile import fit
 from analytic.scenefile.bearing import bearing_faults, bearing_of, catalog_row, with_catalog
+from analytic.scenefile.choice import KEYS
 from analytic.scenefile.find import find_scene
 from analytic.scenefile.installation import arranged, in_operation, installation_faults
-from analytic.scenefile.keys import fault_at, faults_of
+from analytic.scenefile.keys import fault_at, faults_of, with_key
 from analytic.scenefile.losses import losses_of
 from analytic.scenefile.measured import read_measured, with_oils
 from analytic.scenefile.oil import lubricant_of
+from analytic.scenefile.setting import read_choice, read_setting
 from analytic.scenefile.spread_tables import given_assumptions, given_spreads
 from analytic.scenefile.surface import surface_conflicts, surface_of
 from analytic.scenefile.tables import (
@@ -44,17 +46,24 @@ from analytic.scenefile.tables import (
     OperationTable,
     SceneTable,
 )
-from analytic.scenefile.text import parse_text
+from analytic.scenefile.text import parse_text, plain, shown
 
 AS_PRINTED = "as_printed"  # the cage of the paper: the only variant whose pockets may overlap, with a warning
 # Thrust over radial load times tan(angle) at which all balls of a bearing, and half of them, are loaded: 1.67 and 1.22
 # by the integrals of the load distribution [Harris2007], rounded up.
 SEATED, HALF_SEATED = 1.7, 1.25
 BALLS = ("ball_count", "ball_diameter")
+NOTHING_SET: Mapping[str, Any] = MappingProxyType({})
 MOST_FAULTS = 5  # in one message; the others are counted
 
 
-def load_scene(scene: str | os.PathLike[str], *, measured: str | os.PathLike[str] | None = None) -> Scene:
+def load_scene(
+    scene: str | os.PathLike[str],
+    *,
+    measured: str | os.PathLike[str] | None = None,
+    settings: Mapping[str, Any] = NOTHING_SET,
+    **options: Any,
+) -> Scene:
     """The scene that a TOML file describes; or a built-in scene, or a bearing of the catalog, by its name.
 
     Parameters
@@ -63,6 +72,12 @@ def load_scene(scene: str | os.PathLike[str], *, measured: str | os.PathLike[str
         A file, a built-in scene as "6205-dry", or a bearing of the catalog as "6206".
     measured : str or path, optional
         CSV file of measured torques, in place of the scene's [measured]; None: that one, if there is one.
+    settings : mapping of str to value, optional
+        Values by keys of a scene, as {"lubricant.supply": "grease"}, in place of the scene's own: numbers in SI, texts
+        as they are typed ("60C", "2,5 kN"), quantities, or lists.
+    **options : float, str or list
+        Of a bearing of the catalog, likewise, with the names of the options of `fembearing torque`: axial_load and
+        radial_load, N, speed, rad/s, oil, temperature, K, and supply. A text without a unit for a speed is in rpm.
 
     Returns
     -------
@@ -73,20 +88,47 @@ def load_scene(scene: str | os.PathLike[str], *, measured: str | os.PathLike[str
     ------
     InputError
         A name that is none of these; a file that cannot be read, is too large or is not TOML; a key that is unknown,
-        missing, without its unit, out of range or in conflict with other keys; measured torques likewise.
+        missing, without its unit, out of range or in conflict with other keys; measured torques likewise; options with
+        a scene that is no bearing of the catalog.
     """
-    found = find_scene(scene)
-    document = parse_text(found.text, origin=found.origin)
-    return scene_of(document, origin=found.origin, folder=found.folder, measured=measured)
+    choice, notes = read_choice(options)
+    found = find_scene(scene, choice=choice)
+    if found.designation is None:
+        refuse_options(options, os.fspath(scene))
+    read = parse_scene(found.text, origin=found.origin, folder=found.folder, measured=measured, settings=settings)
+    return replace(read, warnings=(*read.warnings, *notes))
 
 
-def parse_scene(text: str, *, origin: str, folder: Path = Path()) -> Scene:
+def refuse_options(options: Mapping[str, Any], scene: str) -> None:
+    """Raises InputError for an option beside a scene that says everything itself."""
+    for name, given in options.items():
+        if given is not None:
+            raise InputError(
+                f"{name} = {shown(given)} goes with a bearing of the catalog, as 6206, and {plain(scene)} is a scene: "
+                f'set its key in place of it, --set "{KEYS[name]}={plain(str(given))}" (from Python by settings)'
+            )
+
+
+def parse_scene(
+    text: str,
+    *,
+    origin: str,
+    folder: Path = Path(),
+    measured: str | os.PathLike[str] | None = None,
+    settings: Mapping[str, Any] = NOTHING_SET,
+) -> Scene:
     """The scene that TOML text describes.
 
     origin : names the text in messages;  folder : that the paths in the text start from
-    Raises InputError as load_scene does.
+    measured, settings and errors : those of load_scene
     """
-    return scene_of(parse_text(text, origin=origin), origin=origin, folder=folder)
+    document, notes = parse_text(text, origin=origin), []
+    for path, given in settings.items():
+        value, told = read_setting(path, given)
+        document = with_key(document, path, value)
+        notes += told
+    scene = scene_of(document, origin=origin, folder=folder, measured=measured)
+    return replace(scene, warnings=(*scene.warnings, *notes))
 
 
 def scene_of(

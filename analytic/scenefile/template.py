@@ -20,8 +20,8 @@ OPERATION = """\
 down = [1, 0, 0]                          # gravity points along the radial load, the shaft lies; [0, 0, 1]: it stands
 #moment = "0 N m"                         # that tilts the rings
 """
+SUPPLIES = '"oil_bath", "oil_jet", "oil_spot" or "grease"'
 REST = """\
-#supply = "grease"                        # "oil_bath", "oil_jet", "oil_spot" or "grease"
 
 [surface]
 finish = "ground and honed"               # or Ra = "0.05 um", of each of the two surfaces
@@ -60,7 +60,7 @@ hysteresis_loss = 0.007                   # assumed: 0.003 to 0.025 are in use, 
 def scene_text(designation: str, choice: Choice = USUAL) -> str:
     """The scene of a bearing, in TOML with comments; it runs as it is.
 
-    Raises InputError for a designation that the catalogue does not have. The texts of the choice are not checked.
+    Raises InputError for a designation that the catalogue does not have. The values of the choice are not checked.
     """
     bearing = find_bearing(designation)
     name = _quoted(designation)
@@ -150,7 +150,8 @@ def _standing(origin: Origin, unit: str) -> str:
 
 def _operation(bearing: CatalogBearing, choice: Choice) -> str:
     """Loads and speed."""
-    radial, axial, words = choice.radial_load or "0 N", choice.axial_load or "0 N", "along x, across the shaft"
+    radial, axial = ("0 N" if load is None else load for load in (choice.radial_load, choice.axial_load))
+    words = "along x, across the shaft"
     if choice.radial_load is None and choice.axial_load is None:
         share = RADIAL_SHARE if bearing.nominal_angle is None else AXIAL_SHARE
         load = f"{float(f'{share * bearing.static_load_rating:.2g}'):g} N"
@@ -160,20 +161,24 @@ def _operation(bearing: CatalogBearing, choice: Choice) -> str:
         _line(f"radial_load = {_quoted(radial)}", words)
         + _line(f"axial_load = {_quoted(axial)}", "along the shaft, at least 0")
         + _line(
-            f"inner_speed = {_quoted(choice.inner_speed)}",
+            f"inner_speed = {_quoted(choice.speed)}",
             'of the inner ring; ["500 rpm", "1000 rpm"] makes a series',
         )
     )
 
 
 def _oil(choice: Choice) -> str:
-    return _line(f"name = {_quoted(choice.oil)}", "`fembearing list oils` shows all") + _line(
-        f"temperature = {_quoted(choice.temperature)}", "where the oil enters the contacts"
+    supply = '#supply = "grease"' if choice.supply is None else f"supply = {_quoted(choice.supply)}"
+    return (
+        _line(f"name = {_quoted(choice.oil)}", "`fembearing list oils` shows all")
+        + _line(f"temperature = {_quoted(choice.temperature)}", "where the oil enters the contacts")
+        + _line(supply, SUPPLIES)
     )
 
 
-def _quoted(text: str) -> str:
-    return json.dumps(text, ensure_ascii=False)
+def _quoted(value: object) -> str:
+    """A text, a number, a switch or a list of them in TOML."""
+    return json.dumps(value, ensure_ascii=False)
 
 
 def _line(setting: str, words: str) -> str:

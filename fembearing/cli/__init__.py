@@ -33,7 +33,7 @@ from fembearing.cli.boundary import DEBUG, guarded
 
 COMMANDS: dict[str, tuple[Callable[..., None], str]] = {  # with an example of what follows the name
     "validate": (validate.validate, 'bearing.toml --tolerance "1 %" --out report-of-my-bearing'),
-    "torque": (torque.torque, 'bearing.toml --tolerance "1 %" --out torque-of-my-bearing'),
+    "torque": (torque.torque, "6308 --radial-load 3kN --speed 3000rpm --oil 'ISO VG 68' --temperature 60C"),
     "compare": (compare.compare, "data.csv bearing.toml --out comparison-of-my-bearing"),
     "contact": (contact.contact, '--pair inner --load "620 N" --tolerance "0.1 %"'),
     "film": (film.film, 'bearing.toml --pair inner --load "372 N" --speed "500 rpm" --tolerance "1 %"'),
@@ -53,7 +53,7 @@ STATUSES = """Exit status: 0 done, all verdicts hold; 1 a check failed; 2 the in
 accuracy, or a verdict is not known; 70 a defect of fembearing; 71 not enough memory; 74 a file or stream cannot be
 written or read; 130, 141, 143 ended by Ctrl-C, a closed pipe, a signal."""
 app = typer.Typer(
-    no_args_is_help=True,
+    invoke_without_command=True,
     context_settings={"help_option_names": ["-h", "--help"]},
     epilog=STATUSES,
     pretty_exceptions_enable=False,
@@ -74,6 +74,7 @@ def print_version(wanted: bool) -> None:
 
 @app.callback()
 def about(
+    context: typer.Context,
     _version: Annotated[
         bool, typer.Option("--version", is_eager=True, callback=print_version, help="Show the version and end.")
     ] = False,
@@ -81,6 +82,8 @@ def about(
 ) -> None:
     """Friction and contact of a ball bearing: closed forms, checked by finite elements."""
     DEBUG.set(debug)
+    if context.invoked_subcommand is None:
+        typer.echo(context.get_help())
 
 
 def main() -> None:

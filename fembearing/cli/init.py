@@ -9,10 +9,13 @@ from typing import Annotated
 
 import typer
 
-from analytic.scenefile.choice import Choice
+from fembearing.cli.added_options import with_options
 from fembearing.cli.options import bearing_names_like
+from fembearing.cli.scene_options import OPTIONS, given_options
+from fembearing.cli.status import print_warnings
 
 
+@with_options(OPTIONS)
 def init(
     designation: Annotated[
         str,
@@ -22,25 +25,19 @@ def init(
             autocompletion=bearing_names_like,
         ),
     ],
-    axial_load: Annotated[str | None, typer.Option(help='For example "500 N".')] = None,
-    radial_load: Annotated[
-        str | None, typer.Option(help='For example "5 kN"; a light load that suits the bearing without both.')
-    ] = None,
-    speed: Annotated[str, typer.Option(help="Of the inner ring.")] = Choice.inner_speed,
-    oil: Annotated[str, typer.Option(help="Name of the oil: `fembearing list oils`.")] = Choice.oil,
-    temperature: Annotated[str, typer.Option(help="Of the oil.")] = Choice.temperature,
     file: Annotated[
-        Path | None, typer.Option("--out", help="The scene file; DESIGNATION.toml in this folder without it.")
+        Path | None, typer.Option("--out", "-o", help="The scene file; DESIGNATION.toml in this folder without it.")
     ] = None,
 ) -> None:
     """Write the scene of a bearing of the catalogue, ready to run and to edit. No file is replaced."""
     from analytic.scenefile.read import parse_scene
     from analytic.scenefile.schema import scene_schema
+    from analytic.scenefile.setting import read_choice
     from analytic.scenefile.template import SCHEMA_NAME, scene_text
     from analytic.writing import new_file
     from fembearing.cli.console import out
 
-    choice = Choice(axial_load=axial_load, radial_load=radial_load, inner_speed=speed, oil=oil, temperature=temperature)
+    choice, notes = read_choice(given_options())
     text = scene_text(designation, choice)
     parse_scene(text, origin="init")  # so that a scene with a mistake in it is not written
     path = Path(re.sub(r"[^\w.+-]+", "-", designation.strip()) + ".toml") if file is None else file
@@ -50,5 +47,6 @@ def init(
     if not os.path.lexists(schema):
         with new_file(schema) as apart:
             apart.write_text(json.dumps(scene_schema(), indent=1, ensure_ascii=False), "utf-8")
+    print_warnings(notes)
     out.tell(f"written: {path}; an editor completes its keys by {schema}")
     out.tell(f"next: fembearing torque {shlex.quote(str(path))}")

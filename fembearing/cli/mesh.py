@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 def mesh(
-    folder: Annotated[Path, typer.Option("--out", help="Folder for the .vtu files; made if it is missing.")],
+    folder: Annotated[Path, typer.Option("--out", "-o", help="Folder for the .vtu files; made if it is missing.")],
     scene: SceneName = None,
     pair: Annotated[PairName, typer.Option(help="Which contact.")] = "inner",
     geometry: Geometry = "real",

@@ -1,6 +1,9 @@
 """Arguments and options that several commands take, each described once, and how their texts are read."""
 
+import sys
+from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
@@ -9,6 +12,8 @@ if TYPE_CHECKING:
     from analytic.scene import Scene
 
 BUILTIN = "paper_6205"
+STANDARD_INPUT = "-"  # as the name of a scene
+NOTHING_SET: Mapping[str, str] = MappingProxyType({})
 OF_FILES = (".csv", ".html", ".json", ".nc", ".pdf", ".png", ".toml", ".vtu")  # endings
 PairName = Literal["inner", "outer", "pocket"]
 GeometryName = Literal["real", "hertzian", "wall", "ring"]
@@ -35,7 +40,17 @@ SceneName = Annotated[
     str | None,
     typer.Argument(
         metavar="SCENE",
-        help="Scene file, TOML; or a bearing of the catalog, as 6206; the built-in paper_6205 without it.",
+        help="Scene file, TOML, or - for standard input; or a bearing of the catalog, as 6206; the built-in "
+        "paper_6205 without it.",
+        autocompletion=scene_names_like,
+    ),
+]
+SceneNames = Annotated[
+    list[str] | None,
+    typer.Argument(
+        metavar="SCENE",
+        help="Scene file, TOML, or - for standard input; or a bearing of the catalog, as 6206; the built-in "
+        "paper_6205 without it. Several are compared.",
         autocompletion=scene_names_like,
     ),
 ]
@@ -49,12 +64,13 @@ Accuracy = Annotated[
     ),
 ]
 Folder = Annotated[
-    Path | None, typer.Option("--out", help="New folder for page or pictures, tables, series in time and JSON.")
+    Path | None, typer.Option("--out", "-o", help="New folder for page or pictures, tables, series in time and JSON.")
 ]
 Target = Annotated[
     Path | None,
     typer.Option(
         "--out",
+        "-o",
         help="New folder for torque.json, torque.csv, torque.png and series in time; or one file: .csv, .json, .png, "
         ".pdf, .html.",
     ),
@@ -93,11 +109,30 @@ Bodies = Annotated[
 ]
 
 
-def read_scene(name: str | None) -> "Scene":
-    """The scene of that name; the built-in one without a name."""
-    from analytic.scenefile.read import load_scene
+def read_scene(
+    name: str | None, *, settings: Mapping[str, str] = NOTHING_SET, options: Mapping[str, str] = NOTHING_SET
+) -> "Scene":
+    """The scene of that name, "-" that of standard input, None the built-in one; the others as for `load_scene`."""
+    from analytic.scenefile.read import load_scene, parse_scene, refuse_options
 
-    return load_scene(BUILTIN if name is None else name)
+    if name != STANDARD_INPUT:
+        return load_scene(BUILTIN if name is None else name, settings=settings, **options)
+    refuse_options(options, "standard input")
+    return parse_scene(_standard_input(), origin="standard input", settings=settings)
+
+
+def _standard_input() -> str:
+    """Raises InputError for more than a scene file may have, and for what is not UTF-8."""
+    from analytic.errors import InputError
+    from analytic.scenefile.text import LARGEST_FILE
+
+    content = sys.stdin.buffer.read(LARGEST_FILE + 1)
+    if len(content) > LARGEST_FILE:
+        raise InputError(f"standard input: has more than {LARGEST_FILE} bytes; give a scene")
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as problem:
+        raise InputError(f"standard input: byte {problem.start} is not UTF-8; give the scene as UTF-8") from problem
 
 
 def require_folder_name(folder: Path | None) -> None:

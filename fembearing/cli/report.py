@@ -16,7 +16,7 @@ def report(
     page: Annotated[
         Path | None,
         typer.Option(
-            "--out", help="The page; without it report.html next to the numbers. Only such a page is replaced."
+            "--out", "-o", help="The page; without it report.html next to the numbers. Only such a page is replaced."
         ),
     ] = None,
     as_json: AsJson = False,

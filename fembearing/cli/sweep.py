@@ -16,7 +16,9 @@ MAPS = "maps"
 
 def sweep(
     grid: Annotated[Path, typer.Argument(metavar="GRID", help="Grid file, TOML: a scene, and axes.")],
-    folder: Annotated[Path, typer.Option("--out", help="Folder of this sweep; made, or continued if it is there.")],
+    folder: Annotated[
+        Path, typer.Option("--out", "-o", help="Folder of this sweep; made, or continued if it is there.")
+    ],
     workers: Annotated[int | None, typer.Option(help="Processes of this machine; one a core without it.")] = None,
     scheduler: Annotated[str | None, typer.Option(help="Address of a Dask cluster that computes instead.")] = None,
     as_json: AsJson = False,

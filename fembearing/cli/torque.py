@@ -1,14 +1,20 @@
 """`fembearing torque`."""
 
+from collections.abc import Collection, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import replace
-from typing import Annotated
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from fembearing.cli.added_options import with_options
 from fembearing.cli.options import (
+    BUILTIN,
+    STANDARD_INPUT,
     AsJson,
     Samples,
-    SceneName,
+    SceneNames,
     Target,
     Tolerance,
     WithInterval,
@@ -16,11 +22,17 @@ from fembearing.cli.options import (
     read_scene,
     read_tolerance,
 )
-from fembearing.cli.status import DONE, NOT_SOLVED, STANDING_STATUS, print_warnings, say
+from fembearing.cli.scene_options import OPTIONS, SETTINGS, given_options, given_settings
+from fembearing.cli.status import CHECK_FAILED, DONE, NOT_SOLVED, STANDING_STATUS, print_warnings, say
+
+if TYPE_CHECKING:
+    from analytic.scene import Scene
+    from fembearing.verify.torque.scene_torque import SceneTorque
 
 
+@with_options(OPTIONS | SETTINGS)
 def torque(
-    scene: SceneName = None,
+    scenes: SceneNames = None,
     tolerance: Tolerance = None,
     target: Target = None,
     with_interval: WithInterval = False,
@@ -33,28 +45,95 @@ def torque(
     ] = False,
     as_json: AsJson = False,
 ) -> None:
-    """Friction torque of a scene with its 95 % interval, and how far to trust it."""
-    given, count = read_scene(scene), read_samples(samples, with_interval=with_interval)
-    given = replace(given, tolerance=read_tolerance(tolerance, given))
+    """Friction torque of a scene with its 95 % interval, and how far to trust it. Several scenes are compared.
+
+    A bearing of the catalog needs no file: loads, speed, oil, temperature and supply are options, and what they leave
+    out is assumed and printed. Any other scene takes --set.
+    """
+    names = scenes or [BUILTIN]
+    _require_fitting(names, target)
+    options, settings = given_options(), given_settings()
+    read = {name: read_scene(name, settings=settings, options=options) for name in names}
+    read = {name: replace(scene, tolerance=read_tolerance(tolerance, scene)) for name, scene in read.items()}
+    count = read_samples(samples, with_interval=with_interval)
     from fembearing.cli.console import out, print_json, shown_progress
     from fembearing.plain_types import plain
-    from fembearing.report.terminal.torque import print_details, print_headline
     from fembearing.report.torque import torque_file
     from fembearing.report.torque_folder import torque_with_files
 
+    results: dict[str, SceneTorque] = {}
+    lacking = None
     with shown_progress() as progress:
-        result, lacking = torque_with_files(given, out=target, samples=count, keep_going=keep_going, progress=progress)
+        for name, scene in read.items():
+            with _named(name if len(read) > 1 else None):
+                results[name], lacking = torque_with_files(
+                    scene, out=target, samples=count, keep_going=keep_going, progress=progress
+                )
     if as_json:
-        print_json(plain(torque_file(result)))
+        files = {name: plain(torque_file(result)) for name, result in results.items()}
+        print_json(files if len(files) > 1 else files[names[0]])
     else:
-        print_headline(out, result)
-        if details:
-            out.print()
-            print_details(out, result)
-        print_warnings(result.friction.warnings)
+        _print(results, details=details)
         if target is not None:
             out.tell(f"{'file' if target.suffix else 'folder'}: {target}")
     if lacking is not None:
         say(lacking)
-    status = STANDING_STATUS[result.standing.word]
-    raise typer.Exit(NOT_SOLVED if status == DONE and result.left_out else status)
+    raise typer.Exit(_status(results.values()))
+
+
+def _require_fitting(names: list[str], target: Path | None) -> None:
+    """Raises InputError for a scene that stands twice, and for files of several scenes."""
+    from analytic.errors import InputError
+
+    twice = next((name for name in names if names.count(name) > 1), None)
+    if twice is not None:
+        raise InputError(f"the scene {twice!r} stands twice: leave one of them out")
+    if target is not None and len(names) > 1:
+        raise InputError(
+            f"--out {str(target)!r} takes one scene, and there are {len(names)}: leave out --out, or give one"
+        )
+
+
+@contextmanager
+def _named(name: str | None) -> Iterator[None]:
+    """An InputError that arises begins with the name of its scene; None: there is one scene alone."""
+    from analytic.errors import InputError
+
+    try:
+        yield
+    except InputError as problem:
+        raise problem if name is None else InputError(f"{name}: {problem}") from problem
+
+
+def _print(results: "Mapping[str, SceneTorque]", *, details: bool) -> None:
+    from fembearing.cli.console import out
+    from fembearing.report.headline import side_by_side
+    from fembearing.report.terminal.table import show
+    from fembearing.report.terminal.torque import print_details, print_headline
+
+    if len(results) > 1:
+        show(out, side_by_side(results))
+    for name, result in results.items():
+        before = f"{name}: " if len(results) > 1 else ""
+        if not before:
+            print_headline(out, result)
+        if name != STANDARD_INPUT and (assumed := _assumed(name, result.scene)):
+            out.tell(f"{before}assumed: {', '.join(assumed)}; --set KEY=VALUE gives another value")
+        if details:
+            out.print()
+            print_details(out, result)
+        print_warnings(tuple(f"{before}{warning}" for warning in result.friction.warnings))
+
+
+def _assumed(name: str, scene: "Scene") -> list[str]:
+    """What a bearing of the catalog leaves to the usual scene."""
+    from analytic.scenefile.assumption import assumptions
+
+    return [*assumptions(name, scene, settings=given_settings(), options=given_options())]
+
+
+def _status(results: "Collection[SceneTorque]") -> int:
+    """That of the worst scene; a failed check before what is not solved."""
+    statuses = {STANDING_STATUS[result.standing.word] for result in results}
+    statuses |= {NOT_SOLVED for result in results if result.left_out}
+    return next((status for status in (CHECK_FAILED, NOT_SOLVED) if status in statuses), DONE)

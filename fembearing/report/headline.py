@@ -1,5 +1,7 @@
 """The first lines of a torque: what was computed, the torque with its interval, and how far to trust it."""
 
+from collections.abc import Collection, Mapping
+
 import numpy as np
 
 from analytic.result import TorquePoint
@@ -10,7 +12,7 @@ from fembearing.report.phrases import between
 from fembearing.report.tables.points import fixed_loads, point_cells, point_heads
 from fembearing.report.tables.table import Head, Table, table_of
 from fembearing.report.tables.torque import PARTS, RESIDUE
-from fembearing.report.torque import TorqueRecord
+from fembearing.report.torque import TorqueRecord, torque_record
 from fembearing.verify.torque.scene_torque import SceneTorque
 
 ZERO_CELSIUS = 273.15  # K
@@ -63,6 +65,36 @@ def headline_table(scene: Scene, record: TorqueRecord, units: Units = METRIC) ->
     return table_of(headline_title(scene, record, units), heads, rows, notes)
 
 
+def side_by_side(results: Mapping[str, SceneTorque], units: Units = METRIC) -> Table:
+    """One row for each scene: torque, interval, power and the largest parts; of a series from the least to the most.
+
+    results : by the name of the scene
+    """
+    heads = [Head("scene", "name"), Head(f"torque, {units.torque.name}", fixed=True), Head("95 %", fixed=True)]
+    heads += [Head("power, W", fixed=True), Head("made of", "text"), Head("verdict", "verdict")]
+    rows, notes = [], []
+    for name, result in results.items():
+        record = torque_record(result)
+        points = [record.points[place] for place in record.computed]
+        ends = [each for place in record.computed if (each := record.interval[place]) is not None]
+        highest = max(points, key=lambda point: point.torque.total)
+        rows.append(
+            [
+                name,
+                _span([units.torque.number(point.torque.total) for point in points], ".4g", "-"),
+                between((min(ends)[0], max(high for _, high in ends)), units.torque)
+                if len(ends) == len(points)
+                else ABSENT,
+                _span([point.torque.total * abs(point.inner_speed) for point in points], ".3g", "-"),
+                split_of(highest),
+                record.standing.word,
+            ]
+        )
+        series = "" if len(points) == 1 else f"{len(points)} points, made of: at the highest torque; "
+        notes.append(f"{name}: {series}{record.standing.reason}")
+    return table_of("Friction torque", heads, rows, notes)
+
+
 def split_of(point: TorquePoint) -> str:
     """The parts of the torque, from the largest, in per cent."""
     total = point.torque.total
@@ -103,6 +135,6 @@ def makers_words(record: TorqueRecord, units: Units = METRIC) -> str:
     return f"makers: {', '.join(numbers)} {units.torque.name}"
 
 
-def _span(values: np.ndarray) -> str:
-    low, high = f"{np.min(values):.2g}", f"{np.max(values):.2g}"
-    return low if low == high else f"{low} to {high}"
+def _span(values: Collection[float] | np.ndarray, form: str = ".2g", joined: str = " to ") -> str:
+    low, high = f"{min(values):{form}}", f"{max(values):{form}}"
+    return low if low == high else f"{low}{joined}{high}"

@@ -1,0 +1,127 @@
+"""Values of keys that are given beside a scene: by options of a bearing of the catalogue, and by settings of any key.
+
+People type them, so a key says how its unit is read, which a scene file does not do: "60C" is 60 degC, "3KN" is 3 kN,
+"2,5 kN" is 2.5 kN, and a speed without a unit is in rpm. Numbers from Python are SI.
+"""
+
+import re
+import tomllib
+from collections.abc import Mapping
+from difflib import get_close_matches
+from typing import Any
+
+import numpy as np
+
+from analytic.errors import InputError
+from analytic.scenefile.choice import KEYS, Choice
+from analytic.scenefile.keys import scene_key
+from analytic.scenefile.quantity import Dimension
+from analytic.scenefile.text import plain, shown
+from analytic.units import has_unit
+
+TYPED = re.compile(r"\s*([+-]?[\d.,]+(?:[eE][+-]?\d+)?)\s*((?:(?:1? */|[^\d+-]).*?)?)\s*")
+AMBIGUOUS = re.compile(r"([+-]?[1-9]\d*),(\d{3})")  # 0,500 is no group of thousands
+DECIMAL_COMMA = re.compile(r"[+-]?\d*,\d+(?:[eE][+-]?\d+)?")
+# Units by their names in small letters, for keys of each SI unit. "mN" and "MN" differ by their case alone.
+SPELLINGS = {
+    "K": {"c": "degC", "°c": "degC", "degc": "degC", "f": "degF", "°f": "degF", "degf": "degF", "k": "K"},
+    "N": {"n": "N", "kn": "kN"},
+    "rad/s": {"rpm": "rpm", "": "rpm"},
+}
+SETTING = "give KEY=VALUE, for example --set lubricant.supply=grease"
+
+
+def read_choice(options: Mapping[str, Any]) -> tuple[Choice, tuple[str, ...]]:
+    """What options give, and notes on how it was read; None: not given. Raises InputError for an unknown option."""
+    values, notes = {}, []
+    for name, given in options.items():
+        if name not in KEYS:
+            near = get_close_matches(name, KEYS, n=1)
+            remedy = f"did you mean {near[0]}?" if near else f"give {', '.join(KEYS)}, or the key in settings"
+            raise InputError(f"{plain(name)} is no option of a bearing; {remedy}")
+        if given is not None:
+            values[name], note = read_setting(KEYS[name], given)
+            notes += note
+    return Choice(**values), tuple(notes)
+
+
+def typed_settings(texts: list[str]) -> dict[str, str]:
+    """Settings as "key=value" by key. Raises InputError for one that is none, and for a key that stands twice."""
+    settings: dict[str, str] = {}
+    for text in texts:
+        key, mark, value = (part.strip() for part in text.partition("="))
+        if not (mark and key and value):
+            raise InputError(f"--set {shown(text)} is no setting; {SETTING}")
+        if key in settings:
+            raise InputError(f"--set {plain(key)} stands twice: leave one of them out")
+        settings[key] = value
+    return settings
+
+
+def read_setting(path: str, given: Any) -> tuple[Any, list[str]]:
+    """The value of a key as a scene file has it, and notes on how it was read.
+
+    given : a text, as it is typed; or from Python a number in SI, a quantity, a switch, or a list
+    Raises InputError for an unknown key and an ambiguous number; the value itself is checked with the scene.
+    """
+    key, value = scene_key(path), as_text(given)
+    is_typed = isinstance(value, str)
+    if is_typed and not key.takes_text:
+        value = _toml_value(value)
+    if key.dimension is None:
+        return value, []
+    notes: list[str] = []
+    parts = [*value] if isinstance(value, list | tuple) else [value]
+    read = [_in_context(path, key.dimension, part, notes=notes, is_typed=is_typed) for part in parts]
+    return (read if isinstance(value, list | tuple) else read[0]), notes
+
+
+def _toml_value(text: str) -> Any:
+    """The text as a value of TOML: a number, a switch, a text in quotes or a list of them; else the text itself."""
+    try:
+        value = tomllib.loads(f"value = {text}")["value"]
+    except (ValueError, RecursionError):
+        return text
+    parts = value if isinstance(value, list) else [value]
+    return value if all(isinstance(part, str | int | float) for part in parts) else text
+
+
+def _in_context(path: str, dimension: Dimension, value: Any, *, notes: list[str], is_typed: bool) -> Any:
+    """A quantity as a scene file has it; what is none is left for the scene to refuse."""
+    if isinstance(value, int | float) and not isinstance(value, bool):
+        if not dimension.unit:
+            return value
+        if not is_typed:
+            return f"{float(value)!r} {dimension.unit}"
+        if dimension.unit != "rad/s":
+            return value
+        value = repr(value)
+    found = TYPED.fullmatch(value) if isinstance(value, str) else None
+    if found is None:
+        return value
+    number, unit = found.groups()
+    if group := AMBIGUOUS.fullmatch(number):
+        whole, rest = group.groups()
+        decimal = f"{whole}.{rest}".rstrip("0").rstrip(".")
+        readings = " or ".join(f"{each} {unit}".rstrip() for each in (whole + rest, decimal))
+        raise InputError(f"{path} = {shown(value)} is ambiguous, a comma before three digits: write {readings}")
+    if DECIMAL_COMMA.fullmatch(number):
+        number = number.replace(",", ".")
+    if not dimension.unit and not unit:
+        return float(number) if re.fullmatch(r"[+-]?\d*\.?\d+(?:[eE][+-]?\d+)?", number) else value
+    meant = SPELLINGS.get(dimension.unit, {}).get(unit.lower(), unit)
+    if not unit and meant:
+        notes.append(f"{path} = {number} has no unit and is read as {number} {meant}")
+    return f"{number} {meant}".rstrip()
+
+
+def as_text(value: Any) -> Any:
+    """A quantity of pint as a scene has it, "20.0 degree_Celsius", an array of it as a list; else the value itself."""
+    if isinstance(value, list | tuple):
+        return [as_text(each) for each in value] if has_unit(value) else value
+    if not has_unit(value):
+        return value
+    numbers, unit = np.asarray(value.magnitude), f"{value.units:C}"
+    if numbers.ndim > 1 or numbers.dtype.kind not in "fiu":
+        return value
+    return [f"{number!r} {unit}" for number in numbers.tolist()] if numbers.ndim else f"{numbers.item()!r} {unit}"

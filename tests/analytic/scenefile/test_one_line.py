@@ -1,0 +1,196 @@
+"""A bearing in one line: how its options are read, and that the scene is the one that `fembearing init` writes."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+from pint import UnitRegistry
+
+from analytic import friction_torque, load_scene
+from analytic.scene import Scene
+from analytic.scenefile.assumption import assumptions
+from analytic.scenefile.choice import KEYS, Choice
+from analytic.scenefile.keys import paths
+from analytic.scenefile.read import parse_scene
+from analytic.scenefile.setting import read_setting, typed_settings
+from analytic.scenefile.template import scene_text
+from tests.refusals import refused
+
+RPM = np.pi / 30
+LINE: dict[str, Any] = {
+    "radial_load": "3kN",
+    "axial_load": "200N",
+    "speed": "2900rpm",
+    "oil": "ISO VG 46",
+    "temperature": "65C",
+    "supply": "grease",
+}
+WRITTEN = Choice(
+    radial_load="3 kN",
+    axial_load="200 N",
+    speed="2900 rpm",
+    oil="ISO VG 46",
+    temperature="65 degC",
+    supply="grease",
+)
+
+
+def same(one: Scene, other: Scene) -> None:
+    """Every field of both scenes, to the last digit; the operation holds arrays."""
+    np.testing.assert_equal(vars(one.operation), vars(other.operation))
+    for name, value in vars(one).items():
+        assert name == "operation" or value == getattr(other, name), name
+
+
+@pytest.mark.parametrize(
+    ("key", "typed", "read"),
+    [
+        ("lubricant.temperature", "65C", "65 degC"),
+        ("lubricant.temperature", "65 c", "65 degC"),
+        ("lubricant.temperature", "65 °C", "65 degC"),
+        ("lubricant.temperature", "140 F", "140 degF"),
+        ("lubricant.temperature", "338 k", "338 K"),
+        ("lubricant.temperature", 338, "338.0 K"),
+        ("operation.radial_load", "3KN", "3 kN"),
+        ("operation.radial_load", "-3 kn", "-3 kN"),
+        ("operation.radial_load", "2,5 kN", "2.5 kN"),
+        ("operation.radial_load", "0,500 kN", "0.500 kN"),  # no thousands begin with 0
+        ("operation.radial_load", "2,5000 kN", "2.5000 kN"),
+        ("operation.radial_load", "7 mN", "7 mN"),  # not MN
+        ("operation.radial_load", '"3 kN"', "3 kN"),  # as in a scene file
+        ("operation.radial_load", 3000.0, "3000.0 N"),
+        ("operation.inner_speed", "2900RPM", "2900 rpm"),
+        ("operation.inner_speed", "2900 1/min", "2900 1/min"),
+        ("operation.inner_speed", '["700 rpm", "2900rpm"]', ["700 rpm", "2900 rpm"]),
+        ("operation.inner_speed", ["700 rpm", "2900rpm"], ["700 rpm", "2900 rpm"]),
+        ("operation.inner_speed", [70.0, 290.0], ["70.0 rad/s", "290.0 rad/s"]),
+        ("operation.down", "[0, 0, 2]", [0, 0, 2]),
+        ("lubricant.compressible", "false", False),
+        ("lubricant.compressible", False, False),
+        ("lubricant.supply", "grease", "grease"),
+        (
+            "lubricant.viscosity",
+            '["46 cSt at 40 degC", "7 cSt at 100 degC"]',
+            ["46 cSt at 40 degC", "7 cSt at 100 degC"],
+        ),
+        ("bearing.catalog", "6206", "6206"),  # a name, not a number
+        ("bearing.clearance", "C3", "C3"),
+        ("bearing.clearance", "12um", "12 um"),
+        ("bearing.ball_count", "9", 9),
+        ("report.date", "2026-03-04", "2026-03-04"),
+        ("tolerance", "2%", "2 %"),
+        ("friction.hysteresis_loss", "0.005", 0.005),
+        ("friction.hysteresis_loss", "0,005", 0.005),
+        ("losses.seals", "estimate", "estimate"),
+    ],
+)
+def test_a_value_is_read_by_the_unit_of_its_key(key: str, typed: Any, read: Any) -> None:
+    value, notes = read_setting(key, typed)
+    assert (value, type(value), notes) == (read, type(read), [])
+
+
+@pytest.mark.parametrize("typed", ["2900", " 2900 ", '"2900"'])
+def test_a_speed_without_a_unit_is_in_rpm_and_says_so(typed: str) -> None:
+    note = "operation.inner_speed = 2900 has no unit and is read as 2900 rpm"
+    assert read_setting("operation.inner_speed", typed) == ("2900 rpm", [note])
+    scene = load_scene("6308", **{**LINE, "speed": typed})
+    np.testing.assert_allclose(scene.operation.inner_speed, 2900 * RPM, rtol=1e-12)  # round-off
+    assert scene.warnings == (*load_scene("6308", **LINE).warnings, note)
+    assert load_scene("6308", settings={"operation.inner_speed": typed}).warnings[-1] == note
+
+
+def test_a_quantity_of_pint_is_an_option_too() -> None:
+    unit = UnitRegistry()
+    same(load_scene("6308", radial_load=3 * unit.kN), load_scene("6308", radial_load="3 kN"))
+
+
+def test_the_options_are_the_fields_of_a_choice_and_keys_of_a_scene() -> None:
+    assert KEYS.keys() == Choice.__dataclass_fields__.keys()
+    assert {*KEYS.values()} <= {*paths()}
+
+
+@pytest.mark.parametrize("designation", ["6308", "6305-2RS/C3"])
+def test_one_line_is_the_scene_that_init_writes(designation: str) -> None:
+    file = parse_scene(scene_text(designation, WRITTEN), origin="here")
+    same(load_scene(designation, **LINE), file)
+    settings = {KEYS[name]: value for name, value in LINE.items()}
+    same(load_scene(designation, settings=settings), file)  # keys one by one: the second way to the same scene
+
+
+def test_the_torque_of_one_line_is_that_of_its_scene() -> None:
+    file = parse_scene(scene_text("6308", WRITTEN), origin="here")
+    assert friction_torque("6308", **LINE).torque.total == friction_torque(file).torque.total
+    warmer = friction_torque("6308", **{**LINE, "temperature": "85C"}).torque.total
+    assert warmer < friction_torque("6308", **LINE).torque.total  # thinner oil rolls more easily
+
+
+def test_a_setting_takes_the_place_of_a_key_and_leaves_the_others() -> None:
+    usual = load_scene("6308", **LINE)
+    changed = load_scene("6308", settings={"bearing.inner.conformity": "0,515", "effects.cage": "off"}, **LINE)
+    assert changed.bearing.inner.groove_radius == pytest.approx(0.515 * usual.bearing.ball_diameter, rel=1e-12)
+    assert changed.effects["cage"] == "off"
+    assert (changed.operation.radial_load, changed.lubricant) == (usual.operation.radial_load, usual.lubricant)
+
+
+def test_what_nobody_gave_is_assumed(tmp_path: Any) -> None:
+    def left(name: str, *settings: str, **options: str) -> dict[str, str]:
+        scene = load_scene(name, settings=typed_settings([*settings]), **options)
+        found = assumptions(name, scene, settings=typed_settings([*settings]), options=options)
+        return dict(each.split(" = ") for each in found)
+
+    usual = left("6308")
+    assert usual["operation.inner_speed"] == "1000 rpm"
+    assert usual["lubricant.supply"] == "oil_bath"
+    assert usual["bearing.clearance"] == "CN"
+    assert usual.keys() - left("6308", **LINE).keys() == {*KEYS.values()}
+    assert usual.keys() - left("6308", "friction.hysteresis_loss=0.004").keys() == {"friction.hysteresis_loss"}
+    assert "bearing.clearance" not in left("6308/C3")  # the designation says it
+    assert "bearing.clearance" not in left("7208B")  # its contact angle takes the place
+    (tmp_path / "a.toml").write_text(scene_text("6308"), "utf-8")
+    assert left(str(tmp_path / "a.toml")) == left("paper_6205") == {}
+
+
+@pytest.mark.parametrize(
+    ("name", "given", "words"),
+    [
+        ("6399", {}, ("6399", "nearest: ")),
+        ("6308", {"radial_load": "3"}, ("operation.radial_load = 3 has no unit", '"500 N"')),
+        ("6308", {"radial_load": "3 mm"}, ("operation.radial_load = '3 mm' is not in a unit like N",)),
+        ("6308", {"radial_load": "3 kg"}, ("kg is a mass: write kgf",)),
+        ("6308", {"radial_load": "2,500 N"}, ("radial_load = '2,500 N' is ambiguous", "write 2500 N or 2.5 N")),
+        ("6308", {"radial_load": "much"}, ("operation.radial_load = 'much' is not a number and a unit",)),
+        ("6308", {"temperature": "65"}, ("lubricant.temperature = 65 has no unit", "degC")),
+        ("6308", {"temperature": "2000C"}, ("lubricant.temperature = '2000 degC' is out of range",)),
+        ("6308", {"speed": "50 Hz"}, ("operation.inner_speed = '50 Hz'", "write rpm")),
+        ("6308", {"speed": "nan"}, ("operation.inner_speed = 'nan'",)),
+        ("6308", {"oil": "ISO VG 47"}, ("lubricant.name = 'ISO VG 47'", "near it are", "ISO VG 46")),
+        ("6308", {"supply": "butter"}, ("lubricant.supply = 'butter'", "oil_bath", "grease")),
+        ("6308", {"sped": "3 rpm"}, ("sped is no option of a bearing", "did you mean speed?")),
+        ("6308", {"settings": {"lubricant.suply": "grease"}}, ("lubricant.suply", "did you mean lubricant.supply")),
+        ("6308", {"settings": {"lubricant": "grease"}}, ("lubricant is a table", "lubricant.name")),
+        ("6308", {"settings": {"bearing.ball_count": "many"}}, ("bearing.ball_count = 'many'", "whole number")),
+        ("6308", {"settings": {"surface.Ra": "0,050 um", "surface.finish": 3}}, ("surface.finish = 3",)),
+        (
+            "paper_6205",
+            {"speed": "3 rpm"},
+            ("speed = '3 rpm'", "paper_6205 is a scene", "--set"),
+        ),
+    ],
+)
+def test_a_mistake_is_one_line(name: str, given: dict[str, Any], words: tuple[str, ...]) -> None:
+    refused(lambda: load_scene(name, **given), *words)
+    refused(lambda: friction_torque(name, **given), *words)
+
+
+def test_an_option_beside_a_scene_object_is_refused() -> None:
+    scene = load_scene("6308")
+    refused(lambda: friction_torque(scene, speed="3 rpm"), "speed", "designation", "replace")
+
+
+@pytest.mark.parametrize("text", ["lubricant.supply", "=grease", "lubricant.supply=", ""])
+def test_a_setting_needs_key_and_value(text: str) -> None:
+    refused(lambda: typed_settings([text]), "--set", "KEY=VALUE")
+
+
+def test_a_setting_stands_once() -> None:
+    refused(lambda: typed_settings(["tolerance=1%", "tolerance=2%"]), "tolerance stands twice")
