@@ -50,7 +50,7 @@ CHECKS = {  # the physical verdicts
 }
 LONGEST_LIST = 12  # values in a cell of a table
 LOADS = ("axial_load", "radial_load", "moment")
-MEASURED_RANGE = "35 % too low to 9 % too high"  # of validation/measured/measured.csv, which a test compares
+MEASURED_RANGE = "35 % too low to 10 % too high"  # of validation/measured/measured.csv, which a test compares
 MEASURED = f"In the one rig with measured torques, three balls in oil, the torque is {MEASURED_RANGE}."
 LEAST_EXPLAINED = 0.5  # share of the variance below which the shares of the inputs say nothing
 AXES = "a along rolling (x), b transverse (y), load along z"

@@ -147,6 +147,7 @@ def torque_made(torque: FrictionTorque, *, angle: list[float], total: list[float
         inner=replace(torque.inner, load=np.array([249.0, 370.0, 371.0])),
         outer=replace(torque.outer, load=np.array([250.0, 371.0, 372.0])),
         numerical_uncertainty=np.array([0.011, 0.012, 0.013]),
+        model_uncertainty=np.array([0.21, 0.22, 0.23]),
         limits=LimitNumbers(
             peak_pressure=np.array([[1.72e9, 1.78e9, 1.76e9], [1.53e9, 1.56e9, 1.57e9]]),
             cut_off=np.array([[0.0, 0.012, 0.031], [0.0, 0.0, 0.002]]),

@@ -100,7 +100,15 @@ def test_writing_computes_nothing(checked: Validation, monkeypatch: pytest.Monke
 def test_no_key_gets_lost(document: Document) -> None:
     """Every table but the scene's refuses a key that it does not name."""
     tables = [way for way in places(document) if isinstance(at(document, way), dict) and "scene_content" not in way]
-    keyed = ("values", "chosen", "seeds", "versions", "uncertainties", "shares")  # by names that the results choose
+    keyed = (
+        "values",
+        "chosen",
+        "seeds",
+        "versions",
+        "uncertainties",
+        "shares",
+        "model_parts",
+    )  # by names that the results choose
     strict = [way for way in tables if way[-1] not in keyed]
     assert len(strict) > 50
     for way in strict:

@@ -21,6 +21,7 @@ from analytic.scenefile.read import load_scene, parse_scene
 from analytic.torque import friction_torque
 from fembearing.plain_types import plain
 from tests.analytic.scenefile.scene_texts import OILED
+from tests.analytic.specimens import present
 
 GROOVES = ("bearing.inner.conformity", "bearing.outer.conformity")
 SPREADS = {"friction.coefficient": 0.02, "friction.hysteresis_loss": 0.002, "losses.seals": 1.5e-3}
@@ -231,6 +232,8 @@ def test_an_input_takes_the_value_that_it_is_given(key: str) -> None:
         scene = replace(scene, losses=Losses(seals=3e-3, drag=2e-3), operation=analytic.operation(**loads))
     if key.startswith("surface.hardness") and scene.surface is not None:
         scene = replace(scene, surface=replace(scene.surface, hardness=7e9))
+    if key == "lubricant.surface_tension":
+        scene = replace(scene, lubricant=replace(present(scene.lubricant), supply="grease"))
     if key == "friction.hysteresis_loss":
         scene = replace(scene, hysteresis_loss=0.006)
     if key == "bearing.contact_angle.value":
