@@ -23,6 +23,7 @@ from analytic.scene import Scene
 STATM = Path("/proc/self/statm")  # Linux
 PAGE = 4096  # bytes
 WARM = 0.1  # share of the calls before the memory is first measured: they fill caches
+LEAST_WARM = 3  # calls: the second contact still fills caches, by some 50 MB
 SPEED = np.array([27.0])  # rad/s
 MOST = {"friction_torque": 5e6, "solve_contact": 50e6}  # bytes
 
@@ -40,7 +41,7 @@ def _measure(function: str, calls: int, seconds: float) -> tuple[int, float]:
     def call_until(share: float) -> float:
         """The memory after this share of the calls, or of the time."""
         nonlocal done
-        while done < max(share * calls, 1) and time.monotonic() - begun < share * seconds:
+        while done < max(share * calls, LEAST_WARM) and time.monotonic() - begun < share * seconds:
             call(done)
             done += 1
         return resident()
