@@ -18,7 +18,6 @@ STANDING_STATUS = {  # of the word that says how far a torque can be trusted
     "incomplete": NOT_SOLVED,
     "undecided": NOT_SOLVED,
     "check": DONE,
-    "pass": DONE,
 }
 DEFECT, NO_MEMORY, NO_STORAGE = 70, 71, 74
 INTERRUPTED, PIPE_CLOSED = 130, 141  # what a shell makes of the two signals

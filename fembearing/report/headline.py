@@ -4,12 +4,12 @@ from collections.abc import Collection, Mapping
 
 import numpy as np
 
-from analytic.result import TorquePoint
+from analytic.result import COORDINATES, TorquePoint
 from analytic.scene import Scene
 from analytic.words import percent_of
-from fembearing.quantities import METRIC, Units
-from fembearing.report.phrases import between
-from fembearing.report.tables.points import fixed_loads, point_cells, point_heads
+from fembearing.quantities import METRIC, QUANTITIES, Units
+from fembearing.report.phrases import between, present_loads, varying_loads
+from fembearing.report.tables.points import point_cells, point_heads
 from fembearing.report.tables.table import Head, Table, table_of
 from fembearing.report.tables.torque import PARTS, RESIDUE
 from fembearing.report.torque import TorqueRecord, torque_record
@@ -25,8 +25,10 @@ def headline_title(scene: Scene, record: TorqueRecord, units: Units = METRIC) ->
     """Bearing, loads, speed where it is one, oil, temperature and supply."""
     points, oil = record.points, scene.lubricant
     words = [f"{'' if record.pair is None else 'two '}{scene.bearing.name}"]
-    loads = [each for each in fixed_loads(points, units) if " 0 " not in each]
-    words += [each.replace(" load", "") for each in loads]
+    fixed = [name for name in present_loads(points) if name not in varying_loads(points) and getattr(points[0], name)]
+    for name in fixed:
+        load = QUANTITIES[name].in_units(units).shown.written(getattr(points[0], name), ".5g")
+        words.append(f"{COORDINATES[name].meaning.removesuffix(' load')} {load}")
     speeds = {point.inner_speed for point in points}
     words += [units.speed.written(speeds.pop(), ".5g")] if len(speeds) == 1 else []
     if oil is None:
@@ -40,7 +42,7 @@ def headline_title(scene: Scene, record: TorqueRecord, units: Units = METRIC) ->
 
 
 def headline_table(scene: Scene, record: TorqueRecord, units: Units = METRIC) -> Table:
-    """One row for each point, at most six: torque, interval, power and the two largest parts."""
+    """One row for each point, at most six: torque, interval, power and the largest parts."""
     points, computed = record.points, record.computed
     places = (
         computed
@@ -59,8 +61,11 @@ def headline_table(scene: Scene, record: TorqueRecord, units: Units = METRIC) ->
         ]
         for place in places
     ]
-    left = len(computed) - len(places)
-    notes = [f"{left} more points with --details."] if left else []
+    notes = []
+    if len(places) < len(computed):
+        notes.append(f"{len(places)} of {len(computed)} operating points; --json and --out have all.")
+    if all(record.interval[place] is None for place in places):
+        notes.append("No interval: more than 50 points, or an input at its end has no torque; try --interval.")
     notes += [f"{len(record.left_out)} points have no torque and are left out."] if record.left_out else []
     return table_of(headline_title(scene, record, units), heads, rows, notes)
 

@@ -164,7 +164,7 @@ def test_json_is_alone_on_standard_output_and_has_the_band(command, tmp_path: Pa
 @pytest.mark.parametrize(
     ("text", "status", "words"),
     [
-        (SERIES, DONE, "pass: inside the makers' formulas"),
+        (SERIES, DONE, "check: inside the makers' formulas"),
         # A low shoulder would cut off more than a tenth, and nobody knows how high it is
         (SERIES.replace(BEARING, NO_SHOULDER), NOT_SOLVED, "undecided: the solver error is not known"),
         # 0.2 rad: 9 balls carry 5033 N each, which 4.2 GPa allows up to some 4400 N

@@ -11,7 +11,7 @@ from analytic.words import percent_of
 from fembearing.verify.torque.catalogue_models import CatalogueBand
 from fembearing.verify.torque.verdicts import IS_OPEN, Verdicts
 
-Word = Literal["fail", "incomplete", "undecided", "check", "pass"]
+Word = Literal["fail", "incomplete", "undecided", "check"]
 UNMEASURED = "no measured torque of such a bearing is known"
 PHYSICAL = {
     "peak_pressure": "the peak pressure exceeds the static limit",
@@ -29,8 +29,9 @@ class Standing:
     - fail: a comparison or a physical limit fails
     - incomplete: an effect that `auto` cannot decide is left out and could exceed the tolerance
     - undecided: the solver error exceeds the tolerance, or a limit is not known
-    - check: the torque is outside the band of the makers' formulas
-    - pass: none of these
+    - check: none of these; the reason says where the torque lies by the makers' formulas
+
+    No torque passes: nothing here compares it with a measured one, which `fembearing compare` does.
     """
 
     word: Word
@@ -65,9 +66,7 @@ def standing_of(
         return Standing(word="undecided", reason="a physical limit is not known; see --details")
     if band is None:
         return Standing(word="check", reason=f"no maker's formula holds for this bearing; {UNMEASURED}")
-    if outside := where_outside(total, band):
-        return Standing(word="check", reason=f"{outside} the makers' formulas; {UNMEASURED}")
-    return Standing(word="pass", reason=f"inside the makers' formulas; {UNMEASURED}")
+    return Standing(word="check", reason=f"{_place(total, band)} the makers' formulas; {UNMEASURED}")
 
 
 def _chosen(scene: Scene, effect: str) -> bool:
@@ -83,8 +82,8 @@ def _failures(verdicts: Verdicts) -> Iterator[str]:
             yield f"{PHYSICAL[check.name]} ({check.where})"
 
 
-def where_outside(total: Array, band: CatalogueBand) -> str:
-    """On which side of the band the torque lies, at some point; empty: on none."""
+def _place(total: Array, band: CatalogueBand) -> str:
+    """Where the torque lies by the band: inside at all points, or on which side at all or some."""
     sides = [name for name, points in (("below", total < band.low), ("above", total > band.high)) if np.any(points)]
     some = "" if total.size == 1 or np.all((total < band.low) | (total > band.high)) else "in part "
-    return some + " and ".join(sides) if sides else ""
+    return some + " and ".join(sides) if sides else "inside"

@@ -1,4 +1,4 @@
-"""The word for a torque: each by its own cause, in the order fail, incomplete, undecided, check, pass."""
+"""The word for a torque: each by its own cause, in the order fail, incomplete, undecided, check."""
 
 from dataclasses import replace
 from types import MappingProxyType
@@ -41,7 +41,7 @@ def test_each_cause_has_its_word_and_names_itself(scene: Scene) -> None:
     loose = NumericalCheck(verdict="not reached", uncertainty=0.083, tolerance=0.05, reason="")
     lacking = {"drag": 0.02, "cage": 0.31, "weight": 0.07}
     for changed, word, reason in (
-        ({}, "pass", "inside the makers' formulas"),
+        ({}, "check", "inside the makers' formulas"),
         ({"total": np.array([0.015, 0.031])}, "check", "below the makers' formulas"),
         ({"total": np.array([0.021, 0.047])}, "check", "in part above the makers' formulas"),
         ({"band": None}, "check", "no maker's formula"),
@@ -58,4 +58,4 @@ def test_each_cause_has_its_word_and_names_itself(scene: Scene) -> None:
 
 def test_an_effect_that_the_scene_switches_off_is_not_missing(scene: Scene) -> None:
     off = replace(scene, effects={"cage": "off"}, spin_rule="balanced")
-    assert found(off, shares={"cage": 0.31, "creep": 0.56}).word == "pass"
+    assert found(off, shares={"cage": 0.31, "creep": 0.56}).word == "check"
