@@ -1,0 +1,62 @@
+"""The headline of a torque: its words and numbers against those of the result."""
+
+from dataclasses import replace
+from io import StringIO
+
+import numpy as np
+import pytest
+from rich.console import Console
+
+from analytic.scenefile.read import load_scene
+from fembearing.report.headline import makers_words
+from fembearing.report.terminal.torque import print_headline
+from fembearing.report.torque import Band, torque_record
+from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene
+from tests.analytic.specimens import present
+
+
+@pytest.fixture(scope="module")
+def result() -> SceneTorque:
+    return torque_of_scene(load_scene("6206", radial_load="2 kN", speed="1500 rpm", oil="ISO VG 46"))
+
+
+def lines_of(result: SceneTorque) -> list[str]:
+    out = StringIO()
+    print_headline(Console(file=out, width=80), result)
+    return out.getvalue().splitlines()
+
+
+def test_it_has_torque_interval_power_and_verdict(result: SceneTorque) -> None:
+    lines, total = lines_of(result), float(result.friction.torque.total[0])
+    assert lines[0].startswith("6206, radial 2000 N, 1500 rpm, ISO VG 46")  # a load of 0 is no word
+    low, high = (1e3 * float(end) for (end,) in present(result.interval))
+    row = lines[3].split()
+    assert row[:5] == ["1", "1500", f"{1e3 * total:.4g}", f"{low:.3g}-{high:.3g}", f"{total * 50 * np.pi:.3g}"]
+    assert lines[-1].startswith(f"{result.standing.word}: ")
+    assert max(map(len, lines)) <= 80
+    assert len(lines) <= 12
+
+
+def test_the_lubrication_follows_from_the_share_of_the_asperities(result: SceneTorque) -> None:
+    for inner, outer, words in (
+        (0.003, 0.006, ": full film"),
+        (0.004, 0.2, ": full film to mixed"),
+        (0.7, 0.95, ": mixed to boundary"),
+    ):
+        share = replace(result.friction.asperity_share, inner=np.array([inner]), outer=np.array([outer]))
+        printed = " ".join(lines_of(replace(result, friction=replace(result.friction, asperity_share=share))))
+        assert f"{words} makers" in printed
+
+
+def test_a_maker_with_two_constants_is_one_maker(result: SceneTorque) -> None:
+    values = {"SKF": (0.031, 0.037), "Palmgren, z = 0.0004": (0.011, None), "Palmgren, z = 0.0006": (0.019, 0.023)}
+    band = Band(low=(0.011, 0.023), high=(0.031, 0.037), values=values, note="")
+    assert makers_words(
+        replace(torque_record(result), catalogue_band=band, points=2 * torque_record(result).points)
+    ) == ("makers: SKF 31-37, Palmgren 11-23 N mm")
+
+
+def test_without_an_interval_it_says_so(result: SceneTorque) -> None:
+    printed = " ".join(lines_of(replace(result, interval=None)))
+    assert "not known" in printed
+    assert "try --interval" in printed
