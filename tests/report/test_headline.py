@@ -44,19 +44,20 @@ def test_the_lubrication_follows_from_the_share_of_the_asperities(result: SceneT
         (0.7, 0.95, ": mixed to boundary"),
     ):
         share = replace(result.friction.asperity_share, inner=np.array([inner]), outer=np.array([outer]))
-        printed = " ".join(lines_of(replace(result, friction=replace(result.friction, asperity_share=share))))
+        lines = lines_of(replace(result, friction=replace(result.friction, asperity_share=share)))
+        printed = " ".join(" ".join(lines).split())
         assert f"{words} makers" in printed
 
 
 def test_a_maker_with_two_constants_is_one_maker(result: SceneTorque) -> None:
     values = {"SKF": (0.031, 0.037), "Palmgren, z = 0.0004": (0.011, None), "Palmgren, z = 0.0006": (0.019, 0.023)}
     band = Band(low=(0.011, 0.023), high=(0.031, 0.037), values=values, note="")
-    assert makers_words(
-        replace(torque_record(result), catalogue_band=band, points=2 * torque_record(result).points)
-    ) == ("makers: SKF 31-37, Palmgren 11-23 N mm")
+    record = torque_record(result)
+    two = replace(record, catalogue_band=band, points=2 * record.points, interval=2 * record.interval)
+    assert makers_words(two) == "makers: SKF 31-37, Palmgren 11-23 N mm"
 
 
 def test_without_an_interval_it_says_so(result: SceneTorque) -> None:
-    printed = " ".join(lines_of(replace(result, interval=None)))
+    printed = " ".join(" ".join(lines_of(replace(result, interval=None))).split())
     assert "not known" in printed
     assert "try --interval" in printed
