@@ -191,7 +191,7 @@ def uncertainty_of(model: float | None, parts: Mapping[str, float]) -> str:
     """
     if model is None:
         return f"Model uncertainty: not known, as no oil is computed. {MEASURED}"
-    named = ", ".join(f"{VARIED[name]} {100 * part:.2g} %" for name, part in parts.items())
+    named = ", ".join(f"{VARIED[name]} {100 * part:.2g} %" for name, part in parts.items() if part > 0)
     return (
         f"Model uncertainty, 95 %: up to {100 * model:.2g} % of the total, by {named}. Oil data, traction and inputs "
         f"come on top. {MEASURED}"
