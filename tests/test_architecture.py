@@ -7,7 +7,10 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
+import grimp
 import pytest
+
+from analytic.numerics.compilation import ABOVE
 
 ROOT = Path(__file__).resolve().parents[1]
 OURS = ("analytic", "fembearing")
@@ -115,6 +118,15 @@ def test_every_function_on_the_list_of_longer_ones_needs_to_be_there() -> None:
     trees = (ast.parse(path.read_text("utf-8")) for top in OURS for path in (ROOT / top).rglob("*.py"))
     functions = (node for tree in trees for node in ast.walk(tree) if isinstance(node, ast.FunctionDef))
     assert {node.name for node in functions if parameters_of(node) > MOST_PARAMETERS} == LONGER.keys()
+
+
+def test_no_compiled_function_imports_a_folder_that_its_digest_leaves_out() -> None:
+    graph = grimp.build_graph("analytic", cache_dir=None)
+    compiled = [path for path in sorted(ROOT.glob("analytic/**/*.py")) if "\n@compiled" in path.read_text("utf-8")]
+    names = [".".join(path.relative_to(ROOT).with_suffix("").parts) for path in compiled]
+    imported = {name for module in names for name in (module, *graph.find_upstream_modules(module))}
+    assert len(compiled) > 30  # else the search looks for the wrong word
+    assert {name for name in imported if not ABOVE.isdisjoint(name.split("."))} == set()
 
 
 def test_importing_the_production_model_is_light() -> None:

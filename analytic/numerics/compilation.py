@@ -7,9 +7,9 @@ Python calls them, and they call each other by names of their modules, but not i
 function that fails gives NaN or a status, and a division by zero gives infinity or NaN.
 
 Numba keeps them in the folder FEMBEARING_CACHE, else in the platform's folder for caches. Numba notices a change of a
-function's own file, but none of a function that it calls or of a constant that it takes. A digest of all files of this
-package is therefore part of the folder's name: any of them may hold such a constant. The folder can be deleted at any
-time.
+function's own file, but none of a function that it calls or of a constant that it takes. A digest of the files of this
+package is therefore part of the folder's name. It leaves out the folders in ABOVE, which no compiled function imports.
+The folder can be deleted at any time.
 """
 
 import gc
@@ -37,6 +37,9 @@ EXACT: Freedoms = frozenset()
 FOLDER = "FEMBEARING_CACHE"  # of the environment
 PREFIX = "formulas-"  # of the folders in it, one for each version
 UNUSED = 30 * 24 * 3600.0  # s after which the folder of another version is deleted
+ABOVE = frozenset(
+    {"bearings", "effects", "materials", "prediction", "scenefile", "scenes"}
+)  # formulas import none of it
 SEAL = "sha256"  # name of the file with the digest of a function's other files
 COMPILING = "compiling formulas, once on this machine"
 said: set[str] = set()  # lines on standard error: each once a process
@@ -133,8 +136,9 @@ def kept_in() -> Path | None:
     import numba
 
     version = hashlib.sha256(f"{sys.version} {numba.__version__} {llvmlite.__version__}".encode())
-    for file in sorted(Path(__file__).parents[1].rglob("*.*")):
-        if file.is_file() and "__pycache__" not in file.parts:
+    package = Path(__file__).parents[1]
+    for file in sorted(package.rglob("*.*")):
+        if file.is_file() and {"__pycache__", *ABOVE}.isdisjoint(file.relative_to(package).parts):
             version.update(file.read_bytes())
     try:
         folder = cache_folder() / f"{PREFIX}{version.hexdigest()[:16]}"
