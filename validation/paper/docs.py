@@ -1,7 +1,7 @@
 """The page on the paper: python validation/paper/docs.py
 
-Writes docs/paper.md from paper.json, so that every number in its tables is a stored one. `run.py` makes that file, and
-the pictures.
+Writes figures.md from paper.json, so that every number in its tables is a stored one. `run.py` makes that file, and the
+pictures.
 """
 
 import json
@@ -16,7 +16,7 @@ from validation.paper.inputs import CALIBRATED
 
 HERE = Path(__file__).parent
 STORED = HERE / "paper.json"
-PAGE = HERE.parents[1] / "docs/paper.md"
+PAGE = HERE / "figures.md"
 REASONS = {  # (reading, quantity) -> why it misses the paper
     ("as printed", "race_torque"): """The misprints of equations 2 to 7 lower the torque by a fifth. A film that grows
         with speed takes load off the asperities, so the torque falls with speed.""",
@@ -61,13 +61,13 @@ AFTERWORD = """\
   numbers match.
 - **The cage torque as a torque.** The lost power is several times smaller. The sum of the friction moments about the
   balls' centres matches, with a coefficient chosen for each speed, but it is no loss
-  ([cage](theory/cage.md#what-is-a-friction-torque)).
+  ([cage](../../docs/theory/cage.md#what-is-a-friction-torque)).
 - **The cage forces of both finishes.** Mass, speed and clearance determine the force of a whirl. Friction, the only
   effect of the finish, hardly changes it, and the paper's forces for both finishes are far apart.
 - **The coefficient of ball on pocket.** It does not follow from oil and finish: the pocket is outside the range of
   the film formula, and the curvature of the pocket determines the computed value.
 
-[Validation](validation.md#the-paper-figure-by-figure) has the basis of the calibration.
+[Validation](README.md#the-basis-of-the-calibration) has the basis of the calibration.
 """
 
 
@@ -128,7 +128,7 @@ def _figure_5(readings: Sequence[Any]) -> Iterator[str]:
 def _figure_7(stored: dict[str, Any]) -> Iterator[str]:
     yield from _head("7: friction coefficients", "paper_7_coefficients.png")
     yield from _text(
-        """The text prints no numbers for this figure ([ours](../validation/paper/paper.json)). By the text,
+        """The text prints no numbers for this figure ([ours](paper.json)). By the text,
         coefficients are lower for the smoother finish at all contacts, hardly depend on speed at the races, and fall
         with speed at the cage. The first holds at the races in every reading. The second holds within 10 % at Sq 0.1
         um as printed and calibrated, not at 1 um. The calibrated coefficient at the cage is chosen. Mixed lubrication
@@ -148,7 +148,7 @@ def _figure_7(stored: dict[str, Any]) -> Iterator[str]:
     )
     yield ""
     alternative = "Coefficient of ball on pocket: the one that the paper's cage torque needs, and mixed lubrication"
-    yield f"![{alternative}]({_at('paper_pocket.png')})"
+    yield f"![{alternative}](paper_pocket.png)"
     yield ""
 
 
@@ -183,8 +183,8 @@ def _misprints(jumps: Sequence[Any]) -> Iterator[str]:
     yield ""
     yield from _text(
         """The names of both moments are exchanged at the ends of the range, and equation 2 lacks a factor of 0.322
-        ([proof](theory/traction-and-sliding.md#the-misprints-of-equations-2-3-6-and-7)). As printed, the moments of one
-        contact and the torque of the bearing jump between the cases. Values on both sides, N mm:"""
+        ([proof](../../docs/theory/traction-and-sliding.md#the-misprints-of-equations-2-3-6-and-7)). As printed, the
+        moments of one contact and the torque of the bearing jump between the cases. Values on both sides, N mm:"""
     )
     yield from _rows(
         ("where", "quantity", "as printed", "derived"),
@@ -279,11 +279,7 @@ def _ends(values: Sequence[float]) -> str:
 
 
 def _head(title: str, picture: str) -> Iterator[str]:
-    yield from (f"## Figure {title}", "", f"![Figure {title}, by three readings of the paper]({_at(picture)})", "")
-
-
-def _at(picture: str) -> str:
-    return f"../validation/paper/{picture}"
+    yield from (f"## Figure {title}", "", f"![Figure {title}, by three readings of the paper]({picture})", "")
 
 
 def _beside(readings: Sequence[Any], quantity: str, scale: float, unit: str) -> Iterator[str]:
