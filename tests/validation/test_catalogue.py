@@ -81,6 +81,6 @@ def test_listed_balls_have_the_printed_ratings() -> None:
 def test_the_script_writes_its_tables(run_script: Callable[..., str], tmp_path: Path) -> None:
     text = run_script("catalogue/run.py", "--out", tmp_path)
     assert (tmp_path / "catalogue.md").read_text("utf-8") == text
-    assert "| most makers | 31 | 29 | 27 | 25 | 21 |" in text  # stated in docs/catalogue.md
+    assert "| most makers | 31 | 29 | 27 | 25 | 21 |" in text  # stated in validation/catalogue/README.md
     rows = (tmp_path / "catalogue.csv").read_text("utf-8").splitlines()
     assert len(rows) == 1 + 517 + 151  # makers' deep groove bearings, sizes of angular contact bearings
