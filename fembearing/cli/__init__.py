@@ -41,10 +41,7 @@ COMMANDS: dict[str, tuple[Callable[..., None], str]] = {  # with an example of w
     "creep": (creep.creep, 'bearing.toml --friction 0.1 --tolerance "1 %" --out friction-of-my-bearing'),
     "cost": (cost.cost, 'bearing.toml --tolerance "1 %" --out cost-of-my-bearing'),
     "sweep": (sweep.sweep, "map.toml --out map-of-my-bearing"),
-    "export": (
-        export.export,
-        "6206 --to fmu --radial-load '500 N to 5 kN in 7 log' --temperature '40 degC to 100 degC in 4'",
-    ),
+    "export": (export.export, "6206 --to fmu --radial-load '500 N to 5 kN in 7' --out my-bearing.fmu"),
     "report": (report.report, "report-of-my-bearing/report.json --out for-my-customer.html"),
     "mesh": (mesh.mesh, "--pair inner --level 2 --out meshes-of-the-inner-race"),
     "init": (init.init, "6206 --out my-bearing.toml"),

@@ -94,9 +94,7 @@ def export(
         raise InputError(f"to = {plain(str(to))!r} is no format; give {', '.join(get_args(FormatName))}")
     form, file = FORMATS[to], Path(out)
     if file.suffix.casefold() != form.ending:
-        raise InputError(
-            f"--out {str(file)!r} ends with {file.suffix!r}, and {to} is written to {form.ending}; rename it"
-        )
+        raise InputError(f"--out {str(file)!r}: a file of {to} ends with {form.ending!r}; rename it")
     require_utf8(file)
     axes = axes_of(scene, over or {}, whole=form.is_map)
     if not form.is_map:

@@ -1,8 +1,8 @@
 /* Co-simulation unit, FMI 2.0, of a table of friction torques; it needs no other file but table.h.
 
-   table.h has GUID, AXES, COUNTS, NODES, SIZE and TABLE. An input is an axis of more than one node; the others are
-   constants. Torques are interpolated by polynomials through the nearest ORDER nodes of each axis. The declarations
-   below have the names and the memory layout of the standard, as far as this unit takes part in it. */
+   table.h has GUID, AXES, COUNTS, NODES, OUTSIDE, SIZE and TABLE. An input is an axis of more than one node; the others
+   are constants. Torques lie on straight lines between the nodes of each axis. The declarations below have the names
+   and the memory layout of the standard, as far as this unit takes part in it. */
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -16,7 +16,6 @@
 #else
 #define EXPORT __attribute__((visibility("default")))
 #endif
-#define ORDER 4
 #define OUTPUTS 4 /* low end of the torque, torque, high end, power: numbered after the axes */
 
 typedef double fmi2Real;
@@ -53,54 +52,48 @@ static fmi2Status refuse(Unit *unit, const char *words, double value)
     return fmi2Error;
 }
 
-/* The first node and the weights of the polynomial through `size` nodes near x. */
-static int weigh(const double *nodes, int count, int size, double x, double *weight)
+/* The node below x and the share of the one above. */
+static int locate(const double *nodes, int count, double x, double *above)
 {
-    int above = 0, start, i, j;
-    while (above < count && nodes[above] <= x)
-        above++;
-    start = above - size / 2;
-    start = start < 0 ? 0 : start > count - size ? count - size : start;
-    for (i = 0; i < size; i++) {
-        weight[i] = 1.0;
-        for (j = 0; j < size; j++)
-            if (j != i)
-                weight[i] *= (x - nodes[start + j]) / (nodes[start + i] - nodes[start + j]);
+    int below = 0;
+    *above = 0.0;
+    if (count > 1) {
+        while (below < count - 2 && nodes[below + 1] <= x)
+            below++;
+        *above = (x - nodes[below]) / (nodes[below + 1] - nodes[below]);
     }
-    return start;
+    return below;
 }
 
 /* Low end, torque and high end, N m, at inputs within the table; returns the number of an axis that is left, or -1. */
 static int interpolate(const double *input, double *torque)
 {
-    double weight[AXES][ORDER];
-    int start[AXES], size[AXES], at[AXES] = {0}, axis, part, first = 0;
+    double above[AXES];
+    int below[AXES], axis, part, corner, first = 0;
     for (axis = 0; axis < AXES; axis++) {
         const double *nodes = NODES + first;
         double x = axis == 0 ? fabs(input[axis]) : input[axis]; /* the other direction of rotation mirrors it */
         int count = COUNTS[axis];
         if (!(nodes[0] <= x && x <= nodes[count - 1]))
             return axis;
-        size[axis] = count < ORDER ? count : ORDER;
-        start[axis] = weigh(nodes, count, size[axis], x, weight[axis]);
+        below[axis] = locate(nodes, count, x, &above[axis]);
         first += count;
     }
     for (part = 0; part < 3; part++)
         torque[part] = 0.0;
-    for (;;) {
-        double product = 1.0;
+    for (corner = 0; corner < 1 << AXES; corner++) { /* of the cell */
+        double weight = 1.0;
         size_t place = 0;
         for (axis = 0; axis < AXES; axis++) {
-            product *= weight[axis][at[axis]];
-            place = place * (size_t)COUNTS[axis] + (size_t)(start[axis] + at[axis]);
+            int upper = corner >> axis & 1;
+            weight *= upper ? above[axis] : 1.0 - above[axis];
+            place = place * (size_t)COUNTS[axis] + (size_t)(below[axis] + upper);
         }
-        for (part = 0; part < 3; part++)
-            torque[part] += product * TABLE[part][place];
-        for (axis = AXES - 1; axis >= 0 && ++at[axis] == size[axis]; axis--)
-            at[axis] = 0;
-        if (axis < 0)
-            return -1;
+        if (weight > 0.0)
+            for (part = 0; part < 3; part++)
+                torque[part] += weight * TABLE[part][place];
     }
+    return -1;
 }
 
 static void begin(State *state)

@@ -1,8 +1,8 @@
 """The torque map as a functional mock-up unit, FMI 2.0 for co-simulation [FMI2022], which needs no Python.
 
-The table is a part of the compiled library; `fmu.c` interpolates in it by cubic polynomials. Inputs are the axes with
-more than one value, outputs the torque, both ends of its 95 % interval, and the power lost. An input beyond the table
-is an error of the unit: nothing is known there.
+The table is a part of the compiled library; `fmu.c` draws straight lines in it along each axis. Inputs are the axes
+with more than one value, outputs the torque, both ends of its 95 % interval, and the power lost. An input beyond the
+table is an error of the unit: nothing is known there.
 """
 
 import hashlib
@@ -20,7 +20,7 @@ from analytic.errors import InputError
 from analytic.scene import Array, Scene
 from analytic.writing import scratch_folder
 from fembearing.formats.axes import SHOWN, Axes, axes_in_words
-from fembearing.formats.interpolation import CUBIC, table_error
+from fembearing.formats.interpolation import table_error
 from fembearing.formats.torque_map import TorqueMap, from_standstill, torque_map
 from fembearing.progress import Progress, part_of
 
@@ -65,7 +65,7 @@ def write_fmu(scene: Scene, axes: Axes, file: Path, progress: Progress) -> tuple
         raise InputError(f"{counts} = {nodes} nodes are more than the {MOST} that an FMU below 1 MB takes; give fewer")
     found = torque_map(scene, axes, progress=part_of(progress, 0.0, 0.8))
     progress(0.8, "error of the table")
-    error = table_error(found, order=CUBIC)
+    error = table_error(found)
     source = files("fembearing.formats").joinpath("fmu.c").read_text("utf-8")
     table = _table(found)
     guid = hashlib.sha256((source + table).encode()).hexdigest()[:32]

@@ -11,7 +11,7 @@ from pathlib import Path
 from analytic.errors import InputError
 from analytic.scene import Array, Scene
 from fembearing.formats.axes import Axes, axes_in_words
-from fembearing.formats.interpolation import LINEAR, table_error
+from fembearing.formats.interpolation import table_error
 from fembearing.formats.torque_map import TorqueMap, from_standstill, torque_map
 from fembearing.progress import Progress
 
@@ -31,7 +31,7 @@ def write_modelica(scene: Scene, axes: Axes, file: Path, progress: Progress) -> 
             f"give for example {'friction_' + re.sub(r'[^A-Za-z0-9_]+', '_', file.stem) + '.mo'!r}"
         )
     found = torque_map(scene, from_standstill(axes), progress=progress)
-    error = table_error(found, order=LINEAR)
+    error = table_error(found)
     file.write_text(_package(file.stem, found, error), "utf-8")
     return (f"straight lines between the speeds differ from the torque by up to {100 * error:.2g} %",)
 

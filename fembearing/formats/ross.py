@@ -50,9 +50,7 @@ def write_ross(scene: Scene, axes: Axes, file: Path, progress: Progress) -> tupl
     if speeds.size < 2:
         raise InputError("an element of ROSS needs speeds to interpolate between; give speed as a range")
     if not file.stem.isidentifier():
-        raise InputError(
-            f"--out {file.name!r} is no name of a Python module; give letters, digits and _, as bearing.py"
-        )
+        raise InputError(f"--out {file.name!r} is no name of a Python module; give for example bearing.py")
     stiffness = stiffness_at(scene, axes)
     rows = "".join(f'    "{name}": {stiffness[:, i, j].tolist()},\n' for name, (i, j) in COEFFICIENTS.items())
     text = TEXT.format(

@@ -11,7 +11,7 @@ import numpy as np
 
 from analytic.scene import Array, Scene
 from fembearing.formats.axes import Axes, axes_in_words
-from fembearing.formats.interpolation import LINEAR, table_error
+from fembearing.formats.interpolation import table_error
 from fembearing.formats.torque_map import HIGH, LOW, NOMINAL, from_standstill, torque_map
 from fembearing.progress import Progress
 
@@ -41,7 +41,7 @@ friction.high = {high}; % N*m
 def write_simscape(scene: Scene, axes: Axes, file: Path, progress: Progress) -> tuple[str, ...]:
     """Write the script, for both directions of rotation."""
     found = torque_map(scene, from_standstill(axes), progress=progress)
-    error = table_error(found, order=LINEAR)
+    error = table_error(found)
     speeds, torques = found.curve
     slow = STICKING * float(speeds[1])
     positive = np.concatenate([[slow], speeds[1:]])

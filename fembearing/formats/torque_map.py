@@ -4,14 +4,15 @@ The torque is that of `analytic.torque_function`, one for each temperature, with
 Effects and methods are settled once, by the corners of the axes at the scene's temperature, for its tolerance.
 
 The interval is an estimate, and its ends over the torque vary less than the torque. So they are computed with
-`spin_rule` "balanced", at a few loads and temperatures, and between these their logarithms are linear;
-`tests/formats/test_torque_map.py` has the error of both.
+`spin_rule` "balanced" and one sliding coefficient a contact, at a few nodes, and between these their logarithms are
+linear; `tests/formats/test_torque_map.py` has the error of both.
 
 A bearing that stands has the torque at which it begins to turn. The model has it as its limit for small speeds: there
 the films vanish and the whole load is on asperities, or on the given coefficient. It is computed at CREEPING times the
 first speed above 0.
 """
 
+import math
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 
@@ -23,12 +24,12 @@ from analytic.prediction.first_order import first_order_ends
 from analytic.scene import Array, Lubricant, Operation, Scene
 from analytic.scenefile.by_name import lubricant
 from analytic.torque import friction_torque
-from fembearing.formats.axes import Axes
+from fembearing.formats.axes import SLOWEST, Axes
 from fembearing.progress import Progress, silent
 
 OF_OPERATION = {"speed": "inner_speed", "axial_load": "axial_load", "radial_load": "radial_load"}
 CREEPING = 1e-6  # speed at which a bearing begins to turn, over the first speed of the axis above 0
-NODES = {"speed": 100, "axial_load": 4, "radial_load": 4, "temperature": 3}  # most of an axis, that have an interval
+NODES = {"speed": 12, "axial_load": 3, "radial_load": 3, "temperature": 2}  # most of an axis, that have an interval
 LOW, NOMINAL, HIGH = range(3)
 
 
@@ -104,9 +105,16 @@ def moving_speeds(speeds: Array) -> Array:
 
 
 def from_standstill(axes: Axes) -> Axes:
-    """The same axes with speed 0 before the others, which models of motion need."""
-    speeds = axes["speed"]
-    return axes if speeds[0] == 0 else {**axes, "speed": np.concatenate([[0.0], speeds])}
+    """The same axes with speed 0 and slow ones, each twice the one before, in front: what models of motion need.
+
+    Films form, and the torque falls by half, long before the first speed of an even range.
+    Raises InputError for a table without a speed above 0.
+    """
+    above = axes["speed"][axes["speed"] > 0]
+    if not above.size:
+        raise InputError("the table has speed 0 alone; give speed as a range, for example '0 rpm to 6000 rpm in 15'")
+    steps = max(math.ceil(math.log2(above[0] / (SLOWEST * above[-1]))), 0)
+    return {**axes, "speed": np.concatenate([[0.0], above[0] * 2.0 ** -np.arange(steps, 0, -1), above])}
 
 
 def at_temperature(scene: Scene, temperature: float) -> Scene:
@@ -143,7 +151,7 @@ def _interval(law: TorqueOverAxes, axes: Axes, progress: Progress) -> Array:
     temperatures = chosen.pop("temperature", [None])
     loads = {OF_OPERATION[name]: values for name, values in _product(chosen).items()}
     operation = Operation(**loads, moment=np.full(loads["inner_speed"].size, law.moment))
-    balanced = replace(law.scene, operation=operation, spin_rule="balanced", sliding="auto")
+    balanced = replace(law.scene, operation=operation, spin_rule="balanced", sliding="single_coefficient")
     found = []
     for number, temperature in enumerate(temperatures):
         progress((1 + number) / (1 + len(temperatures)), "interval")

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 import xarray
 
-from analytic import friction_torque
+from analytic import friction_torque, torque_function
 from analytic.prediction.first_order import first_order_ends
 from analytic.scene import Operation, Scene
 from analytic.scenefile.read import load_scene
 from fembearing.formats.axes import axes_of
 from fembearing.formats.choice import export
-from fembearing.formats.torque_map import TorqueMap, from_standstill, torque_map
+from fembearing.formats.torque_map import TorqueMap, at_temperature, from_standstill, torque_map
 from tests.refusals import refused
 
 OVER = {
@@ -36,11 +36,34 @@ def table(scene: Scene) -> TorqueMap:
 
 
 def test_the_torque_is_that_of_the_function_at_each_node(table: TorqueMap) -> None:
+    """At the scene's own temperature; elsewhere the oil is that of the catalogue there, as the next test has it."""
     speeds, axial, radial, warm = table.axes.values()
-    for at in ((1, 0, 0, 2), (3, 2, 0, 0), (6, 1, 0, 1)):
+    function = torque_function(table.law.scene)
+    for at in ((1, 0, 0), (3, 2, 0), (6, 1, 0)):
         given = {"inner_speed": speeds[at[0]], "axial_load": axial[at[1]], "radial_load": radial[at[2]]}
-        right = table.function.copy()(**given, temperature=warm[at[3]])
-        np.testing.assert_allclose(table.nominal[at], right, rtol=1e-10)  # two starts of the ring's equilibrium
+        np.testing.assert_allclose(table.nominal[*at, 1], function(**given), rtol=1e-10)  # two starts of the ring
+    assert table.scene.lubricant is not None
+    assert warm[1] == pytest.approx(table.scene.lubricant.temperature)
+
+
+def test_the_oil_is_that_of_the_catalogue_at_each_temperature(table: TorqueMap) -> None:
+    there = load_scene(
+        "6206",
+        speed="1500 rpm",
+        radial_load="900 N",
+        temperature="75 degC",
+        settings={"friction.spin_rule": "balanced"},
+    )
+    assert at_temperature(table.scene, 348.15).lubricant == there.lubricant
+    settled = replace(table.law.scene, lubricant=there.lubricant)
+    right = torque_function(settled)(inner_speed=table.axes["speed"][4], axial_load=400.0, radial_load=900.0)
+    assert table.nominal[4, 1, 0, 2] == pytest.approx(right, rel=1e-10)
+    # Of an oil whose viscosity is given, nothing else is known: it follows its own law.
+    own = replace(table.scene, lubricant=replace(there.lubricant, name="", density=901.0))  # pyright: ignore
+    assert at_temperature(own, 330.0).lubricant == replace(own.lubricant, temperature=330.0)  # pyright: ignore
+    given = at_temperature(replace(own, lubricant=replace(own.lubricant, name=there.lubricant.name)), 330.0)  # pyright: ignore
+    assert given.lubricant.density == 901.0  # pyright: ignore
+    assert given.lubricant.viscosity > there.lubricant.viscosity  # pyright: ignore
 
 
 def test_the_interval_is_that_of_each_point(scene: Scene, table: TorqueMap) -> None:
@@ -58,20 +81,21 @@ def test_the_interval_is_that_of_each_point(scene: Scene, table: TorqueMap) -> N
 
 
 def test_standstill_is_the_limit_of_small_speeds(table: TorqueMap) -> None:
-    _, axial, radial, warm = table.axes.values()
+    _, axial, radial, _ = table.axes.values()
     assert np.isfinite(table.torque).all()
     assert (table.torque > 0).all()
+    function = torque_function(table.law.scene)
     for place, load in enumerate(axial):
-        slow = table.function.series(
-            inner_speed=[1e-3, 1e-4], axial_load=load, radial_load=radial[0], temperature=warm[1]
-        )
-        np.testing.assert_allclose(table.nominal[0, place, 0, 1], slow, rtol=0.02)
+        slow = function.series(inner_speed=[0.0, 1e-4, 1e-3], axial_load=load, radial_load=radial[0])
+        np.testing.assert_allclose(table.nominal[0, place, 0, 1], slow, rtol=0.02)  # as at 0.01 rpm, and at 0 itself
 
 
-def test_standstill_comes_first(table: TorqueMap) -> None:
-    assert from_standstill(table.axes) is table.axes
-    moved = from_standstill({"speed": np.array([3.0, 7.0]), "axial_load": np.array([50.0])})
-    np.testing.assert_array_equal(moved["speed"], [0.0, 3.0, 7.0])
+def test_standstill_and_slow_speeds_come_first() -> None:
+    moved = from_standstill({"speed": np.array([3.0, 7.0]), "axial_load": np.array([50.0])})["speed"]
+    np.testing.assert_array_equal(moved[-3:], [1.5, 3.0, 7.0])
+    np.testing.assert_allclose(moved[2:-1] / moved[1:-2], 2.0, rtol=1e-15)
+    assert moved[0] == 0 < moved[1] <= 7e-5
+    refused(lambda: from_standstill({"speed": np.array([0.0])}), "speed 0 alone")
 
 
 def test_csv_and_netcdf_have_the_map(scene: Scene, table: TorqueMap, tmp_path: Path) -> None:
