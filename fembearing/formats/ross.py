@@ -1,9 +1,10 @@
 """The stiffness of the bearing over speed as a bearing element of ROSS [Timbo2020], rotor dynamics in Python.
 
-ROSS lays its axes x and y across the shaft, as the ring has them here, with the radial load along x. Its element takes
-the stiffness of two displacements, kxx, kxy, kyx and kyy, and along the shaft, kzz; the tilts of the ring stay at rest:
-its moments act on the shaft at other nodes. The stiffness is the tangent at the load of the axis, with each contact's K
-and the balls' own forces held (`analytic.loads.ring_state`). Damping is 0: no formula here gives any.
+In ROSS x and y lie across the shaft and the weight acts along -y. So y of ROSS is x of the ring here, along the radial
+load, and x of ROSS is -y of the ring. The element takes the stiffness of two displacements, kxx, kxy, kyx and kyy, and
+along the shaft, kzz. It has no tilts: the moments of the ring are left out. The stiffness is the tangent at the load of
+the axis, with each contact's K and the balls' own forces held (`analytic.loads.ring_state`). Damping is 0: no formula
+here gives any.
 """
 
 from dataclasses import replace
@@ -17,14 +18,22 @@ from analytic.torque import friction_torque
 from fembearing.formats.axes import Axes, axes_in_words
 from fembearing.progress import Progress
 
-COEFFICIENTS = {"kxx": (1, 1), "kxy": (1, 2), "kyx": (2, 1), "kyy": (2, 2), "kzz": (0, 0)}  # places in the stiffness
+COEFFICIENTS = {  # sign and place in the stiffness of the ring: z, x, y and tilts
+    "kxx": (1, 2, 2),
+    "kxy": (-1, 2, 1),
+    "kyx": (-1, 1, 2),
+    "kyy": (1, 1, 1),
+    "kzz": (1, 0, 0),
+}
 TEXT = '''\
-"""Stiffness of {bearing} for ROSS, computed by fembearing for {axes}.
+"""Stiffness of {bearing} for ROSS, computed by fembearing.
+
+{axes}
 
     from {module} import bearing
     rotor = ross.Rotor(shaft_elements, disk_elements, [bearing(n=0), bearing(n=6)])
 
-The radial load acts along x. Damping is 0, as the model has none: give cxx from a test of your machine.
+The radial load acts along y, as the weight in ROSS. The model has no damping: give cxx from a test of your machine.
 """
 
 import ross
@@ -36,7 +45,7 @@ STIFFNESS = {{  # N/m
 
 def bearing(n, cxx=0.0, **others):
     """The bearing at a node of the shaft; cxx : damping in x and y, N s/m;  others : of ross.BearingElement."""
-    return ross.BearingElement(n=n, cxx=cxx, frequency=SPEED, tag={bearing!r}, **STIFFNESS, **others)
+    return ross.BearingElement(n=n, cxx=cxx, frequency=SPEED, **STIFFNESS, **others)
 '''
 
 
@@ -52,7 +61,9 @@ def write_ross(scene: Scene, axes: Axes, file: Path, progress: Progress) -> tupl
     if not file.stem.isidentifier():
         raise InputError(f"--out {file.name!r} is no name of a Python module; give for example bearing.py")
     stiffness = stiffness_at(scene, axes)
-    rows = "".join(f'    "{name}": {stiffness[:, i, j].tolist()},\n' for name, (i, j) in COEFFICIENTS.items())
+    rows = "".join(
+        f'    "{name}": {(sign * stiffness[:, i, j]).tolist()},\n' for name, (sign, i, j) in COEFFICIENTS.items()
+    )
     text = TEXT.format(
         bearing=scene.bearing.name,
         axes=axes_in_words(axes),

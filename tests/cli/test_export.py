@@ -48,7 +48,7 @@ def test_a_scene_file_takes_ranges_too(command, place: Path) -> None:
         (["--to", "csv", "--speed", "0 rpm to 60 rpm in 1"], ["has 1 values"]),
         (["--to", "csv", "--out", "scene.toml"], ["scene.toml", ".csv"]),
         (["--to", "modelica", "--radial-load", "1 kN to 2 kN in 3"], ["radial_load has 3 values", "modelica"]),
-        (["--to", "csv", "--axial-load", "3 mm to 5 mm in 3"], ["3 mm", "N"]),
+        (["--to", "csv", "--axial-load", "3 mm to 5 mm in 3"], ["axial_load", "5 mm", "N"]),
     ],
 )
 def test_a_mistake_gets_one_line(command, place: Path, arguments: list[str], words: list[str]) -> None:

@@ -34,7 +34,7 @@ def test_the_stiffness_is_the_slope_of_the_load(scene: Scene, tmp_path: Path, mo
     """Against a difference of displacements of the ring, at 9000 rpm, along each axis."""
     file = export(scene, to="ross", out=tmp_path / "bearing.py", over=OVER).file
     element = module_of(file, monkeypatch)["bearing"](n=3)
-    assert (element["n"], element["tag"], element["cxx"]) == (3, "7206B", 0.0)
+    assert (element["n"], element["cxx"]) == (3, 0.0)
     np.testing.assert_allclose(element["frequency"], np.linspace(0, 9000, 6) * np.pi / 30)
     loads = {"axial_load": [697.0, 703.0, 700.0, 700.0], "radial_load": [300.0, 300.0, 297.0, 303.0]}
     speed = np.full(4, 9000 * np.pi / 30)
@@ -46,8 +46,11 @@ def test_the_stiffness_is_the_slope_of_the_load(scene: Scene, tmp_path: Path, mo
     moved = np.stack([place[1] - place[0], place[3] - place[2]], axis=1)  # by 6 N along z, and along x
     # The stiffness holds each contact's K, which follows the contact angle: 1 % of the change of load.
     np.testing.assert_allclose((whole @ moved)[[0, 1]], [[6.0, 0.0], [0.0, 6.0]], atol=0.06)
-    for name, (i, j) in {"kxx": (1, 1), "kxy": (1, 2), "kyx": (2, 1), "kyy": (2, 2), "kzz": (0, 0)}.items():
-        np.testing.assert_allclose(element[name][-1], whole[i, j], rtol=1e-3, atol=1e-6 * whole[1, 1])
+    # y of ROSS is x of the ring, x of ROSS is -y
+    for name, right in {"kxx": whole[2, 2], "kyy": whole[1, 1], "kzz": whole[0, 0], "kxy": -whole[2, 1]}.items():
+        np.testing.assert_allclose(element[name][-1], right, rtol=1e-3, atol=1e-6 * whole[1, 1])
+    assert element["kyy"][-1] > 2 * element["kxx"][-1]  # stiffer along the load
+    assert element["kyx"] == element["kxy"]
 
 
 def map_arrays(loads: dict[str, list[float]]) -> dict[str, Any]:
@@ -66,7 +69,8 @@ def test_a_rotor_of_ross_runs_on_it(scene: Scene, tmp_path: Path) -> None:
     found = rotor.run_modal(speed=speed)
     assert (found.wn[:4] > 0).all()
     stiff = np.asarray(first.K(speed))
-    np.testing.assert_allclose(stiff[0, 0], np.interp(speed, first.frequency, first.kxx), rtol=0.02)  # splines of ROSS
+    # ROSS draws splines through the speeds, which bend by 2 % from straight lines here.
+    np.testing.assert_allclose(stiff[1, 1], np.interp(speed, first.frequency, first.kyy), rtol=0.03)
 
 
 def test_what_has_no_stiffness_is_refused(scene: Scene, tmp_path: Path) -> None:
