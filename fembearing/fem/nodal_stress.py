@@ -10,7 +10,7 @@ from fembearing.fem.subsurface import GAUSS
 ROWS, COLUMNS = (0, 1, 2, 0, 1, 0), (0, 1, 2, 1, 2, 2)  # of xx, yy, zz, xy, yz and xz, as VTK orders a symmetric tensor
 
 
-def nodal_stress(mesh: MeshHex2, displacement: Array, material: Material) -> Array:
+def stress_at_nodes(mesh: MeshHex2, displacement: Array, material: Material) -> Array:
     """Stress (6, nodes), Pa: xx, yy, zz, xy, yz, xz; tensile stress is positive.
 
     displacement : (3, nodes), m
@@ -34,7 +34,7 @@ def nodal_stress(mesh: MeshHex2, displacement: Array, material: Material) -> Arr
 
 
 def von_mises(stress: Array) -> Array:
-    """Equivalent stress (nodes,), Pa, of stresses (6, nodes) in the order of `nodal_stress`."""
+    """Equivalent stress (nodes,), Pa, of stresses (6, nodes) in the order of `stress_at_nodes`."""
     xx, yy, zz, *shear = stress
     normal = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
     return np.sqrt(normal / 2 + 3 * np.square(shear).sum(axis=0))

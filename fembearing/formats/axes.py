@@ -43,7 +43,7 @@ class Range(NamedTuple):
 
     first: str
     last: str
-    count: int
+    size: int
     log: bool
 
 
@@ -77,17 +77,17 @@ def axis_values(name: str, given: Any) -> Array:
 
 def _stepped(name: str, given: str, parts: Range) -> Array:
     first, last = _one(name, parts.first), _one(name, parts.last)
-    if parts.count < 2:
+    if parts.size < 2:
         raise InputError(
-            f"{name} = {given!r} has {parts.count} values, and an axis has 2 or more; give one alone as it is"
+            f"{name} = {given!r} has {parts.size} values, and an axis has 2 or more; give one alone as it is"
         )
-    if parts.count > MOST:
-        raise InputError(f"{name} = {given!r} has {parts.count} values, more than {MOST}; give fewer")
+    if parts.size > MOST:
+        raise InputError(f"{name} = {given!r} has {parts.size} values, more than {MOST}; give fewer")
     if first == last:
-        raise InputError(f"{name} = {given!r} is one value {parts.count} times; give two different ends")
+        raise InputError(f"{name} = {given!r} is one value {parts.size} times; give two different ends")
     if parts.log and first * last <= 0:
         raise InputError(f"{name} = {given!r}: a range from 0 or through 0 has no equal ratios; leave out log")
-    values = (np.geomspace if parts.log else np.linspace)(first, last, parts.count)
+    values = (np.geomspace if parts.log else np.linspace)(first, last, parts.size)
     values[[0, -1]] = first, last  # exactly as written
     return values
 

@@ -8,7 +8,7 @@ import numpy as np
 from analytic.scene import Scene
 from analytic.words import NEWTON_MILLIMETRE
 from fembearing.formats.axes import SHOWN, Axes
-from fembearing.formats.torque_map import OF_OPERATION, torque_map
+from fembearing.formats.torque_map import OF_OPERATION, mapped_torque
 from fembearing.progress import Progress
 
 TORQUES = ("torque_low", "torque", "torque_high")  # in the order of a map
@@ -16,7 +16,7 @@ TORQUES = ("torque_low", "torque", "torque_high")  # in the order of a map
 
 def write_csv(scene: Scene, axes: Axes, file: Path, progress: Progress) -> tuple[str, ...]:
     """Write the map, 15 digits a number; speed varies slowest."""
-    found = torque_map(scene, axes, progress=progress)
+    found = mapped_torque(scene, axes, progress=progress)
     points = np.meshgrid(*(SHOWN[name].number(values) for name, values in axes.items()), indexing="ij")
     columns = [*points, *NEWTON_MILLIMETRE.number(found.torque)]
     heads = [f"{OF_OPERATION.get(name, name)} [{SHOWN[name].name}]" for name in axes]

@@ -21,7 +21,7 @@ from analytic.scene import Array, Scene
 from analytic.writing import scratch_folder
 from fembearing.formats.axes import SHOWN, Axes, axes_in_words
 from fembearing.formats.interpolation import table_error
-from fembearing.formats.torque_map import TorqueMap, from_standstill, torque_map
+from fembearing.formats.torque_map import TorqueMap, from_standstill, mapped_torque
 from fembearing.progress import Progress, part_of
 
 COMPILERS = ("cc", "gcc", "clang")
@@ -63,7 +63,7 @@ def write_fmu(scene: Scene, axes: Axes, file: Path, progress: Progress) -> tuple
     if nodes > MOST:
         counts = " x ".join(str(values.size) for values in axes.values())
         raise InputError(f"{counts} = {nodes} nodes are more than the {MOST} that an FMU below 1 MB takes; give fewer")
-    found = torque_map(scene, axes, progress=part_of(progress, 0.0, 0.8))
+    found = mapped_torque(scene, axes, progress=part_of(progress, 0.0, 0.8))
     progress(0.8, "error of the table")
     error = table_error(found)
     source = files("fembearing.formats").joinpath("fmu.c").read_text("utf-8")
@@ -72,7 +72,7 @@ def write_fmu(scene: Scene, axes: Axes, file: Path, progress: Progress) -> tuple
     table = f'#define GUID "{guid}"\n{table}'
     with scratch_folder(file.parent) as folder:
         library = _compiled(compiler, {"fmu.c": source, "table.h": table}, folder)
-    name, ending = SYSTEMS[sys.platform]
+    name, ending = SYSTEMS.get(sys.platform, (sys.platform, ".so"))
     place = f"binaries/{name}{8 * struct.calcsize('P')}/{NAME}{ending}"
     contents = {
         "modelDescription.xml": _description(found, guid, error),
@@ -147,7 +147,7 @@ def _description(found: TorqueMap, guid: str, error: float) -> bytes:
         canGetAndSetFMUstate="true",
         canSerializeFMUstate="true",
     )
-    SubElement(SubElement(unit, "SourceFiles"), "File", name="fmu.c")
+    SubElement(SubElement(unit, "SourceFiles"), "File", {"name": "fmu.c"})
     units = SubElement(root, "UnitDefinitions")
     for name, bases in BASES.items():
         SubElement(SubElement(units, "Unit", name=name), "BaseUnit", bases)

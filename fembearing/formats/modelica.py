@@ -12,7 +12,7 @@ from analytic.errors import InputError
 from analytic.scene import Array, Scene
 from fembearing.formats.axes import Axes, axes_in_words
 from fembearing.formats.interpolation import table_error
-from fembearing.formats.torque_map import TorqueMap, from_standstill, torque_map
+from fembearing.formats.torque_map import TorqueMap, from_standstill, mapped_torque
 from fembearing.progress import Progress
 
 IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
@@ -30,7 +30,7 @@ def write_modelica(scene: Scene, axes: Axes, file: Path, progress: Progress) -> 
             f"--out {file.name!r}: a Modelica package has the name of its file, letters, digits and _, a letter first; "
             f"give for example {'friction_' + re.sub(r'[^A-Za-z0-9_]+', '_', file.stem) + '.mo'!r}"
         )
-    found = torque_map(scene, from_standstill(axes), progress=progress)
+    found = mapped_torque(scene, from_standstill(axes), progress=progress)
     error = table_error(found)
     file.write_text(_package(file.stem, found, error), "utf-8")
     return (f"straight lines between the speeds differ from the torque by up to {100 * error:.2g} %",)

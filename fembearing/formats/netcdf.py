@@ -7,7 +7,7 @@ from analytic.labelled import Column, Labelled, dataset_of
 from analytic.result import COORDINATES
 from analytic.scene import Scene
 from fembearing.formats.axes import Axes
-from fembearing.formats.torque_map import OF_OPERATION, torque_map
+from fembearing.formats.torque_map import OF_OPERATION, mapped_torque
 from fembearing.progress import Progress
 from fembearing.provenance import provenance_of
 
@@ -21,7 +21,7 @@ TEMPERATURE = Column("K", "temperature of the oil at the inlets")
 
 def write_netcdf(scene: Scene, axes: Axes, file: Path, progress: Progress) -> tuple[str, ...]:
     """Write the map as a dataset of three variables over the axes."""
-    found = torque_map(scene, axes, progress=progress)
+    found = mapped_torque(scene, axes, progress=progress)
     names = {name: OF_OPERATION.get(name, name) for name in axes}
     origin = provenance_of(scene)
     dataset = dataset_of(

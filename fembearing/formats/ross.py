@@ -81,7 +81,7 @@ def stiffness_at(scene: Scene, axes: Axes) -> Array:
         raise InputError("a pair of bearings has no stiffness at one node; give the scene of each bearing by itself")
     speeds, oil = axes["speed"], scene.lubricant
     loads = {name: np.full(speeds.size, axes[name][0]) for name in ("axial_load", "radial_load")}
-    moment = np.full(speeds.size, scene.operation.as_series().moment[0])
+    moment = np.full(speeds.size, np.ravel(scene.operation.as_series().moment)[0])
     if oil is not None:
         oil = replace(oil, temperature=float(axes["temperature"][0]))
     ring = friction_torque(

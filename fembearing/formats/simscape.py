@@ -12,7 +12,7 @@ import numpy as np
 from analytic.scene import Array, Scene
 from fembearing.formats.axes import Axes, axes_in_words
 from fembearing.formats.interpolation import table_error
-from fembearing.formats.torque_map import HIGH, LOW, NOMINAL, from_standstill, torque_map
+from fembearing.formats.torque_map import HIGH, LOW, NOMINAL, from_standstill, mapped_torque
 from fembearing.progress import Progress
 
 STICKING = 1e-3
@@ -40,7 +40,7 @@ friction.high = {high}; % N*m
 
 def write_simscape(scene: Scene, axes: Axes, file: Path, progress: Progress) -> tuple[str, ...]:
     """Write the script, for both directions of rotation."""
-    found = torque_map(scene, from_standstill(axes), progress=progress)
+    found = mapped_torque(scene, from_standstill(axes), progress=progress)
     error = table_error(found)
     speeds, torques = found.curve
     slow = STICKING * float(speeds[1])

@@ -38,7 +38,7 @@ class TorqueOverAxes:
 
     def __init__(self, scene: Scene, axes: Axes) -> None:
         """Settles effects and methods. Raises InputError and ConvergenceError as `torque_function`."""
-        self.moment = float(scene.operation.as_series().moment[0])
+        self.moment = float(np.ravel(scene.operation.as_series().moment)[0])
         ends = {OF_OPERATION[name]: (values[0], values[-1]) for name, values in axes.items() if name in OF_OPERATION}
         own = torque_function(scene, over={**ends, "moment": (self.moment, self.moment)})
         self.scene = own.scene  # with every effect settled
@@ -82,7 +82,7 @@ class TorqueMap:
         return self.axes["speed"], self.torque.reshape(3, -1)
 
 
-def torque_map(scene: Scene, axes: Axes, *, progress: Progress = silent) -> TorqueMap:
+def mapped_torque(scene: Scene, axes: Axes, *, progress: Progress = silent) -> TorqueMap:
     """The torque of a scene over axes.
 
     axes : of `fembearing.formats.axes.axes_of`

@@ -7,7 +7,7 @@ from analytic.contact.hertz import contact_modulus, hertz_contact, relative_curv
 from analytic.contact.subsurface import subsurface_maximum
 from analytic.scene import Contact
 from fembearing.fem.elasticity import lame_parameters
-from fembearing.fem.nodal_stress import nodal_stress, von_mises
+from fembearing.fem.nodal_stress import stress_at_nodes, von_mises
 from fembearing.fem.solution import solve_on_mesh
 from fembearing.fem.subsurface import body_displacement, body_of
 from fembearing.mesh.pair import pair_mesh
@@ -23,7 +23,7 @@ def test_an_even_strain_has_its_stress_at_every_node(contacts: dict[str, Contact
     strain = (SLOPE + SLOPE.T) / 2
     exact = 2 * mu * strain + lam * np.trace(strain) * np.eye(3)
     for body in (pair.upper, pair.lower):
-        found = nodal_stress(body.mesh, SLOPE @ body.mesh.doflocs, STEEL)
+        found = stress_at_nodes(body.mesh, SLOPE @ body.mesh.doflocs, STEEL)
         wanted = exact[[0, 1, 2, 0, 1, 0], [0, 1, 2, 1, 2, 2]]
         # rounding: positions of millimetres to 1e-16 m, differences over cells of micrometres
         np.testing.assert_allclose(found, np.broadcast_to(wanted[:, None], found.shape), rtol=0, atol=1e-6 * mu * 1e-4)
@@ -45,7 +45,7 @@ def test_the_greatest_equivalent_stress_is_that_of_the_closed_form(contacts: dic
     solution = solve_on_mesh(contact, recipe=load_recipe("hertzian"), level=3, semi_axes=semi_axes)
     body, material = body_of(solution, side)  # pyright: ignore[reportArgumentType]
     moved = body_displacement(solution, side=side)  # pyright: ignore[reportArgumentType]
-    stress = nodal_stress(body.mesh, moved, material)
+    stress = stress_at_nodes(body.mesh, moved, material)
     exact = subsurface_maximum(
         poisson_ratio=material.poisson_ratio,
         peak_pressure=float(hertz.peak_pressure),

@@ -9,8 +9,8 @@ import pytest
 from analytic.scene import Scene
 from analytic.scenefile.read import load_scene
 from fembearing.formats.axes import axes_of
-from fembearing.formats.choice import export
-from fembearing.formats.torque_map import TorqueMap, from_standstill, torque_map
+from fembearing.formats.choice import FormatName, export
+from fembearing.formats.torque_map import TorqueMap, from_standstill, mapped_torque
 from tests.refusals import refused
 
 OVER = {"speed": "0 rpm to 2700 rpm in 7"}
@@ -24,7 +24,7 @@ def scene() -> Scene:
 
 @pytest.fixture(scope="module")
 def curve(scene: Scene) -> TorqueMap:
-    return torque_map(scene, from_standstill(axes_of(scene, OVER, whole=False)))
+    return mapped_torque(scene, from_standstill(axes_of(scene, OVER, whole=False)))
 
 
 def tables_of(text: str) -> dict[str, np.ndarray]:
@@ -86,14 +86,14 @@ def test_a_script_of_matlab_has_both_directions_and_no_jump(scene: Scene, curve:
 
 
 @pytest.mark.parametrize("to", ["modelica", "simscape"])
-def test_standstill_is_added_and_straight_lines_err_by_what_is_stated(to: str, scene: Scene, tmp_path: Path) -> None:
+def test_standstill_is_added_and_the_stated_error_holds(to: FormatName, scene: Scene, tmp_path: Path) -> None:
     ending = {"modelica": ".mo", "simscape": ".m"}[to]
     over = {"speed": "600 rpm to 2400 rpm in 4"}
-    made = export(scene, to=to, out=tmp_path / f"made{ending}", over=over)  # pyright: ignore[reportArgumentType]
+    made = export(scene, to=to, out=tmp_path / f"made{ending}", over=over)
     stated = re.search(r"by up to ([\d.]+) %", made.notes[0])
     assert stated
     text = made.file.read_text("utf-8")
-    table = torque_map(scene, from_standstill(axes_of(scene, over, whole=False)))
+    table = mapped_torque(scene, from_standstill(axes_of(scene, over, whole=False)))
     speeds, torques = table.axes["speed"], table.nominal.ravel()
     assert repr(speeds[1].item()) in text
     assert 0 < speeds[1] < 1e-4 * speeds[-1]  # the torque falls by half before 600 rpm

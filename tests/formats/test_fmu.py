@@ -15,7 +15,7 @@ from fembearing.formats import fmu
 from fembearing.formats.axes import axes_of
 from fembearing.formats.choice import export
 from fembearing.formats.interpolation import interpolated
-from fembearing.formats.torque_map import TorqueMap, from_standstill, torque_map
+from fembearing.formats.torque_map import TorqueMap, from_standstill, mapped_torque
 from tests.refusals import refused
 
 fmpy = pytest.importorskip("fmpy", reason="an optional tool, which reads the unit")
@@ -41,7 +41,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Made:
     scene = load_scene("6206", speed="1500 rpm", radial_load="400 N", settings={"friction.spin_rule": "balanced"})
     file = tmp_path_factory.mktemp("unit") / "bearing.fmu"
     export(scene, to="fmu", out=file, over=OVER)
-    table = torque_map(scene, from_standstill(axes_of(scene, OVER, whole=True)))
+    table = mapped_torque(scene, from_standstill(axes_of(scene, OVER, whole=True)))
     return Made(file, table, fmpy.read_model_description(str(file), validate=True))
 
 

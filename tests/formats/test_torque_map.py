@@ -14,7 +14,7 @@ from analytic.scene import Operation, Scene
 from analytic.scenefile.read import load_scene
 from fembearing.formats.axes import axes_of
 from fembearing.formats.choice import export
-from fembearing.formats.torque_map import TorqueMap, at_temperature, from_standstill, torque_map
+from fembearing.formats.torque_map import TorqueMap, at_temperature, from_standstill, mapped_torque
 from tests.refusals import refused
 
 OVER = {
@@ -32,7 +32,7 @@ def scene() -> Scene:
 
 @pytest.fixture(scope="module")
 def table(scene: Scene) -> TorqueMap:
-    return torque_map(scene, axes_of(scene, OVER, whole=True))
+    return mapped_torque(scene, axes_of(scene, OVER, whole=True))
 
 
 def test_the_torque_is_that_of_the_function_at_each_node(table: TorqueMap) -> None:

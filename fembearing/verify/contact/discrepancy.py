@@ -14,7 +14,7 @@ from analytic.errors import require_non_negative
 from analytic.scene import Contact, Pair, Scene
 from analytic.scenefile.by_name import Given, with_tolerance
 from fembearing.fem.measure import STRIP, Quantities
-from fembearing.fem.nodal_stress import nodal_stress, von_mises
+from fembearing.fem.nodal_stress import stress_at_nodes, von_mises
 from fembearing.fem.solution import MeshSolution
 from fembearing.fem.subsurface import Side, body_displacement, body_of
 from fembearing.grid_convergence import Estimate
@@ -193,7 +193,7 @@ class ContactSolution(Brief):
             # A node without force does not touch: the fitted nodal pressure there is noise.
             pressure[body.touching] = np.where(finest.force > 0, finest.pressure, 0.0)
             displacement = body_displacement(finest, side=side)
-            stress = nodal_stress(body.mesh, displacement, material)
+            stress = stress_at_nodes(body.mesh, displacement, material)
             written[side] = folder / f"{self.contact.pair}-{self.geometry}-{side}.vtu"
             fields = {"pressure": pressure, "displacement": displacement.T, "stress": stress.T}
             write_body(written[side], body, **fields, von_mises=von_mises(stress))
