@@ -171,15 +171,11 @@ def _description(found: TorqueMap, guid: str, error: float) -> bytes:
 def _add_variable(variables: Element, name: str, kind: tuple[str, str], real: dict[str, str], meaning: str) -> None:
     """kind : variability and causality;  real : attributes of its type"""
     variability, causality = kind
-    exact = {"initial": "exact"} if variability == "constant" else {}
-    variable = SubElement(
-        variables,
-        "ScalarVariable",
-        name=name,
-        valueReference=str(len(variables)),
-        description=meaning,
-        causality=causality,
-        variability=variability,
-        **exact,
-    )
-    SubElement(variable, "Real", real)
+    attributes = {
+        "name": name,
+        "valueReference": str(len(variables)),
+        "description": meaning,
+        "causality": causality,
+        "variability": variability,
+    }
+    SubElement(SubElement(variables, "ScalarVariable", attributes), "Real", real)

@@ -151,7 +151,13 @@ def _interval(law: TorqueOverAxes, axes: Axes, progress: Progress) -> Array:
     temperatures = chosen.pop("temperature", [None])
     loads = {OF_OPERATION[name]: values for name, values in _product(chosen).items()}
     operation = Operation(**loads, moment=np.full(loads["inner_speed"].size, law.moment))
-    balanced = replace(law.scene, operation=operation, spin_rule="balanced", sliding="single_coefficient")
+    balanced = replace(
+        law.scene,
+        operation=operation,
+        spin_rule="balanced",
+        sliding="single_coefficient",
+        effects={**law.scene.effects, "creep": "off"},  # it goes with free balls alone
+    )
     found = []
     for number, temperature in enumerate(temperatures):
         progress((1 + number) / (1 + len(temperatures)), "interval")

@@ -106,9 +106,8 @@ def test_standstill_is_added_and_the_stated_error_holds(to: FormatName, scene: S
 
 def test_one_load_and_one_temperature(scene: Scene, tmp_path: Path) -> None:
     over = OVER | {"radial_load": "500 N to 900 N in 3"}
-    for to, name in (("modelica", "a.mo"), ("simscape", "a.m"), ("ross", "a.py")):
-        refused(
-            lambda to=to, name=name: export(scene, to=to, out=tmp_path / name, over=over), "radial_load has 3 values"
-        )
+    files: tuple[tuple[FormatName, str], ...] = (("modelica", "a.mo"), ("simscape", "a.m"), ("ross", "a.py"))
+    for to, name in files:
+        refused(lambda to=to, name=name: export(scene, to=to, out=tmp_path / name, over=over), "radial_load has 3")
     refused(lambda: export(scene, to="modelica", out=tmp_path / "6206.mo", over=OVER), "friction_6206.mo")
     assert list(tmp_path.iterdir()) == []

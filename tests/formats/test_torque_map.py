@@ -130,6 +130,20 @@ def test_a_dry_bearing_has_a_map_without_a_temperature(tmp_path: Path) -> None:
     assert all(float(cell) >= 0 for row in rows for cell in row)
 
 
+def test_free_balls_have_the_interval_of_balanced_ones() -> None:
+    """The ends over the torque, as the map has them: within 6 %, where they are 0.47 to 3.8 of it."""
+    scene = load_scene("6206", speed="1500 rpm", radial_load="2 kN")
+    found = mapped_torque(scene, axes_of(scene, {"speed": [0.3, 3.0, 30.0]}, whole=False))
+    point = Operation(inner_speed=np.array([0.3, 30.0]), axial_load=np.zeros(2), radial_load=np.full(2, 2000.0))
+    nominal = friction_torque(replace(scene, operation=point))
+    assert nominal.sliding == "marched_creep"
+    ends = first_order_ends(replace(scene, operation=point), nominal)
+    assert ends is not None
+    low, torque, high = found.curve[1][:, ::2]
+    np.testing.assert_allclose([low / torque, high / torque], ends / nominal.torque.total, rtol=0.06)
+    np.testing.assert_allclose(torque, nominal.torque.total, rtol=scene.tolerance)
+
+
 def test_mistakes_are_refused_in_one_line(scene: Scene, tmp_path: Path) -> None:
     (tmp_path / "there.csv").touch()
     wrong = {
