@@ -32,7 +32,7 @@ EXAMPLES = {
     "temperature": "40 degC to 100 degC in 4",
 }
 MOST = 100_000  # values of an axis: more is a slip
-SPEEDS, LOADS, TEMPERATURES = 31, 7, 5  # values of an axis that is not given
+SPEEDS, LOADS, TEMPERATURES = 31, 5, 3  # values of an axis that is not given
 SLOWEST = 1e-5  # first speed above standstill of such an axis, over the last one: slower, hardly any film forms
 AROUND = 2.0  # such an axis of load ends at the scene's load over and times this
 NEAR = 20.0  # K: and one of temperature so far from the scene's
