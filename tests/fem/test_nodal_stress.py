@@ -29,7 +29,7 @@ def test_an_even_strain_has_its_stress_at_every_node(contacts: dict[str, Contact
         np.testing.assert_allclose(found, np.broadcast_to(wanted[:, None], found.shape), rtol=0, atol=1e-6 * mu * 1e-4)
 
 
-def test_a_strain_that_varies_evenly_is_exact_in_bricks(contacts: dict[str, Contact]) -> None:
+def test_a_strain_that_varies_evenly_is_exact_along_depth(contacts: dict[str, Contact]) -> None:
     """u_x = c x z: the stress is linear, as its extrapolation to the nodes is."""
     pair = pair_mesh(contacts["inner"], recipe=load_recipe("hertzian"), level=1, semi_axes=(0.11e-3, 0.83e-3))
     mesh, slope = pair.lower.mesh, 0.3  # 1/m
@@ -38,7 +38,9 @@ def test_a_strain_that_varies_evenly_is_exact_in_bricks(contacts: dict[str, Cont
     found = stress_at_nodes(mesh, np.array([slope * x * z, 0 * x, 0 * x]), STEEL)
     nothing = 0 * x
     exact = np.array([(lam + 2 * mu) * z, lam * z, lam * z, nothing, nothing, mu * x]) * slope
-    np.testing.assert_allclose(found, exact, rtol=0, atol=1e-9 * np.abs(exact).max())  # rounding, as above
+    np.testing.assert_allclose(found[:5], exact[:5], rtol=0, atol=1e-12 * np.abs(exact).max())  # rounding
+    # Around the ellipse x is no linear function within a cell.
+    np.testing.assert_allclose(found[5], exact[5], rtol=0, atol=2e-3 * np.abs(exact).max())
 
 
 def test_the_equivalent_stress_of_plain_states() -> None:
