@@ -1,3 +1,5 @@
+from .formats.choice import Exported as Exported
+from .formats.choice import export as export
 from .report.folder import validate as validate
 from .sweep.run import Sweep as Sweep
 from .sweep.run import run_sweep as run_sweep

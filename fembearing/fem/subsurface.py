@@ -59,7 +59,7 @@ def subsurface_stress(solution: MeshSolution, *, side: Side = "lower") -> Subsur
             f"{solution.contact.pair}: no stress below the contact, which is cut off at one shoulder and has no axis "
             "of symmetry to find the greatest on; lower the load or the contact angle"
         )
-    body, material = _body(solution, side)
+    body, material = body_of(solution, side)
     displacement = body_displacement(solution, side=side)
     place, stresses = _stress_at_axis(body, displacement, material)
     minor = min(solution.pair.semi_axes)  # of the mesh: the measured ones are 0 where a single node touches
@@ -97,7 +97,7 @@ def body_displacement(solution: MeshSolution, *, side: Side) -> Array:
     As in `condense`, the displacement of half a ball is relative to its middle plane, which is held transversely.
     """
     pair = solution.pair
-    body, material = _body(solution, side)
+    body, material = body_of(solution, side)
     system = held_stiffness(body, material=material, semi_axes=pair.semi_axes, shoulders=pair.footprint.shoulders)
     direction = -pair.normal if side == "upper" else pair.normal
     push = system.forces(body.touching, direction) @ solution.force
@@ -109,7 +109,8 @@ def body_displacement(solution: MeshSolution, *, side: Side) -> Array:
     return moved
 
 
-def _body(solution: MeshSolution, side: Side) -> tuple[BodyMesh, Material]:
+def body_of(solution: MeshSolution, side: Side) -> tuple[BodyMesh, Material]:
+    """The mesh and the material of a body of a contact."""
     if side == "upper":
         return solution.pair.upper, solution.contact.ball_material
     return solution.pair.lower, solution.contact.race_material

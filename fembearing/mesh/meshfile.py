@@ -21,7 +21,7 @@ SETS = ("surface", "far", "clamped", "plane_x", "plane_y", "plane_z")
 def write_body(path: Path, body: BodyMesh, **fields: Any) -> None:
     """Write a body as .vtu, whole or not at all.
 
-    fields : further arrays over the nodes, (nodes,) or (nodes, 3), SI
+    fields : further arrays over the nodes, (nodes,), (nodes, 3) or (nodes, 6), SI
     """
     count = body.mesh.doflocs.shape[1]
     order = np.full(count, ABSENT, dtype=np.int32)

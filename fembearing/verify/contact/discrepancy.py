@@ -14,7 +14,9 @@ from analytic.errors import require_non_negative
 from analytic.scene import Contact, Pair, Scene
 from analytic.scenefile.by_name import Given, with_tolerance
 from fembearing.fem.measure import STRIP, Quantities
+from fembearing.fem.nodal_stress import stress_at_nodes, von_mises
 from fembearing.fem.solution import MeshSolution
+from fembearing.fem.subsurface import Side, body_displacement, body_of
 from fembearing.grid_convergence import Estimate
 from fembearing.mesh.meshfile import write_body
 from fembearing.mesh.recipe import Recipe
@@ -168,7 +170,9 @@ class ContactSolution(Brief):
         return 3 * self.contact.load / (4 * self.hertz.semi_axis_transverse)
 
     def write_meshes(self, folder: Path) -> dict[str, Path]:
-        """Write both bodies of the finest mesh with the pressure, Pa, as .vtu.
+        """Write both bodies of the finest mesh with pressure and stress, Pa, and displacement, m, as .vtu.
+
+        The stress is a symmetric tensor, with xx, yy, zz, xy, yz and xz at each node; von_mises is the equivalent one.
 
         Parameters
         ----------
@@ -180,13 +184,19 @@ class ContactSolution(Brief):
         dict
             The paths, by "upper" and "lower".
         """
-        finest, written = self.meshes[-1], {}
-        for side, body in (("upper", finest.pair.upper), ("lower", finest.pair.lower)):
+        finest = self.meshes[-1]
+        written: dict[str, Path] = {}
+        sides: tuple[Side, ...] = ("upper", "lower")
+        for side in sides:
+            body, material = body_of(finest, side)
             pressure = np.zeros(body.mesh.doflocs.shape[1])
             # A node without force does not touch: the fitted nodal pressure there is noise.
             pressure[body.touching] = np.where(finest.force > 0, finest.pressure, 0.0)
+            displacement = body_displacement(finest, side=side)
+            stress = stress_at_nodes(body.mesh, displacement, material)
             written[side] = folder / f"{self.contact.pair}-{self.geometry}-{side}.vtu"
-            write_body(written[side], body, pressure=pressure)
+            fields = {"pressure": pressure, "displacement": displacement.T, "stress": stress.T}
+            write_body(written[side], body, **fields, von_mises=von_mises(stress))
         return written
 
     def columns(self) -> dict[str, float]:

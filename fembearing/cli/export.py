@@ -1,0 +1,66 @@
+"""`fembearing export`."""
+
+import re
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import typer
+
+from fembearing.cli.added_options import with_options
+from fembearing.cli.options import BUILTIN, STANDARD_INPUT, SceneName, read_scene
+from fembearing.cli.scene_options import OPTIONS, SETTINGS, given_options, given_settings
+from fembearing.cli.status import print_warnings
+
+RANGES: dict[str, Any] = {  # options that are a range here, in place of those of one torque
+    "axial_load": Annotated[str | None, typer.Option(help='For example "500 N", or a range "100 N to 1 kN in 5 log".')],
+    "radial_load": Annotated[str | None, typer.Option(help='For example "2 kN", or a range "1 kN to 5 kN in 5".')],
+    "speed": Annotated[
+        str | None,
+        typer.Option(help='For example "0 rpm to 6000 rpm in 15"; from 0 to twice the speed of the scene without it.'),
+    ],
+    "temperature": Annotated[
+        str | None, typer.Option(help='Of the oil, for example "70 degC", or a range "40 degC to 100 degC in 4".')
+    ],
+}
+
+
+@with_options(OPTIONS | RANGES | SETTINGS)
+def export(
+    to: Annotated[
+        Literal["csv", "netcdf", "modelica", "simscape", "ross", "fmu"], typer.Option("--to", help="The format.")
+    ],
+    scene: SceneName = None,
+    file: Annotated[
+        Path | None,
+        typer.Option("--out", "-o", help="The new file; named after the scene and the format without it."),
+    ] = None,
+) -> None:
+    """Write the torque over speed, load and temperature for another program, or the stiffness for rotor dynamics.
+
+    csv and netcdf are maps with their 95 % interval, modelica and simscape friction over speed, fmu a unit of FMI 2.0
+    that needs a C compiler, and ross the stiffness over speed. Loads and temperature are one value or a range.
+    """
+    from analytic.scenefile.find import find_scene
+    from fembearing.cli.console import out, shown_progress
+    from fembearing.formats.axes import range_of
+    from fembearing.formats.choice import FORMATS
+    from fembearing.formats.choice import export as write_export
+
+    options = given_options()
+    over = {name: options[name] for name in RANGES if name in options}
+    name = BUILTIN if scene is None else scene
+    if name != STANDARD_INPUT and find_scene(name).designation is not None:
+        ends = {key: found.last for key, text in over.items() if (found := range_of(text)) is not None}
+        read = read_scene(name, settings=given_settings(), options=options | ends)
+    else:  # a scene that says its own loads: an option is an axis of the table alone
+        others = {key: text for key, text in options.items() if key not in RANGES}
+        read = read_scene(scene, settings=given_settings(), options=others)
+    if file is None:
+        word = re.sub(r"\W+", "_", read.bearing.name).strip("_")
+        file = Path(f"friction_{word}{FORMATS[to].ending}")
+    with shown_progress() as progress:
+        done = write_export(read, to=to, out=file, over=over, progress=progress)
+    print_warnings(read.warnings)
+    out.tell(f"written: {done.file}; {done.axes}")
+    for note in done.notes:
+        out.tell(f"note: {note}")

@@ -1,0 +1,106 @@
+"""The formats, and the function that writes a scene in one of them."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal, NamedTuple, get_args
+
+from analytic.errors import InputError
+from analytic.scene import Scene
+from analytic.scenefile.text import plain
+from analytic.writing import new_file, require_utf8
+from fembearing.formats.axes import Axes, axes_in_words, axes_of
+from fembearing.formats.csv_table import write_csv
+from fembearing.formats.fmu import write_fmu
+from fembearing.formats.modelica import write_modelica
+from fembearing.formats.netcdf import write_netcdf
+from fembearing.formats.ross import write_ross
+from fembearing.formats.simscape import write_simscape
+from fembearing.progress import Progress, silent
+
+FormatName = Literal["csv", "netcdf", "modelica", "simscape", "ross", "fmu"]
+
+
+class Format(NamedTuple):
+    """How a format is written."""
+
+    ending: str  # of the file
+    is_map: bool  # over loads and temperature too; else over speed alone
+    write: Callable[[Scene, Axes, Path, Progress], tuple[str, ...]]  # gives notes on the file, a sentence each
+
+
+FORMATS: Mapping[str, Format] = {
+    "csv": Format(".csv", True, write_csv),
+    "netcdf": Format(".nc", True, write_netcdf),
+    "modelica": Format(".mo", False, write_modelica),
+    "simscape": Format(".m", False, write_simscape),
+    "ross": Format(".py", False, write_ross),
+    "fmu": Format(".fmu", True, write_fmu),
+}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Exported:
+    """A file that another program reads."""
+
+    file: Path
+    axes: str  # size and ranges of its table, in words
+    notes: tuple[str, ...]  # what to know of it, a sentence each
+
+
+def export(
+    scene: Scene,
+    *,
+    to: FormatName,
+    out: Path | str,
+    over: Mapping[str, Any] | None = None,
+    progress: Progress = silent,
+) -> Exported:
+    """Write the friction torque of a scene, or its stiffness, in a form that another program reads.
+
+    Parameters
+    ----------
+    scene : Scene
+        With one moment. What `over` leaves out follows from its operating points and its oil.
+    to : {"csv", "netcdf", "modelica", "simscape", "ross", "fmu"}
+        The format. Modelica, Simscape and ROSS take one load and one temperature.
+    out : str or path
+        The file, with the ending of the format; it must not exist yet.
+    over : mapping of str to str or array_like, optional
+        Axes of the table: speed, rad/s, axial_load and radial_load, N, temperature of the oil, K. Texts as
+        "0 rpm to 6000 rpm in 15", or " log" behind it for equal ratios; lists that ascend; or one value.
+    progress : callable
+        Called with the share done, 0 to 1 (dimensionless), and a word on the step at hand.
+
+    Returns
+    -------
+    Exported
+        The file, its axes, and notes as the error of interpolation.
+
+    Raises
+    ------
+    InputError
+        An unknown format or axis, a range without a torque, a file that exists or cannot be made, a missing compiler.
+    ConvergenceError
+        As `analytic.friction_torque`.
+
+    Notes
+    -----
+    The torque is that of `analytic.torque_function` over these axes, with its 95 % interval to first order. At speed 0
+    it is the limit for small speeds, at which the bearing begins to turn.
+    Sources: those of `analytic.friction_torque`; [FMI2022], [Modelica2020] and [Timbo2020] for the forms.
+    """
+    if to not in FORMATS:
+        raise InputError(f"to = {plain(str(to))!r} is no format; give {', '.join(get_args(FormatName))}")
+    form, file = FORMATS[to], Path(out)
+    if file.suffix.casefold() != form.ending:
+        raise InputError(f"--out {str(file)!r}: a file of {to} ends with {form.ending!r}; rename it")
+    require_utf8(file)
+    axes = axes_of(scene, over or {}, whole=form.is_map)
+    if not form.is_map:
+        for name, values in axes.items():
+            if name != "speed" and values.size > 1:
+                raise InputError(f"{name} has {values.size} values, and {to} takes one; write a file for each")
+    with new_file(file) as apart:
+        notes = form.write(scene, axes, apart, progress)
+    return Exported(file=file, axes=axes_in_words(axes), notes=notes)

@@ -1,0 +1,54 @@
+"""Values between the nodes of a table, by straight lines along each axis, and their error.
+
+This is what readers of the tables do: BearingFriction of Modelica, the lookup tables of Simscape, and `fmu.c`. The
+torque of a bearing has kinks, as where a ball is relieved; polynomials of a higher degree err more there, and may make
+a torque negative.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from analytic.scene import Array
+from fembearing.formats.torque_map import TorqueMap
+
+MOST = 1000  # points at which an error is measured
+SEED = 1  # of the choice of so many
+
+
+def interpolated(axes: Sequence[Array], table: Array, points: Sequence[Array]) -> Array:
+    """The table at points, (n,).
+
+    axes : nodes of each, ascending;  table : of the shape of the axes;  points : (n,) of each axis, within its nodes
+    """
+    first, *others = (_weights(nodes, at) for nodes, at in zip(axes, points, strict=True))
+    found = np.tensordot(first, table, axes=1)
+    for weights in others:
+        found = np.einsum("ni,ni...->n...", weights, found)
+    return found
+
+
+def _weights(nodes: Array, at: Array) -> Array:
+    """(n, nodes) weight of each node at points, (n,)."""
+    weights, every = np.zeros((at.size, nodes.size)), np.arange(at.size)
+    if nodes.size == 1:
+        return weights + 1.0
+    below = np.clip(np.searchsorted(nodes, at, side="right") - 1, 0, nodes.size - 2)
+    weights[every, below + 1] = (at - nodes[below]) / (nodes[below + 1] - nodes[below])
+    weights[every, below] = 1 - weights[every, below + 1]
+    return weights
+
+
+def table_error(found: TorqueMap) -> float:
+    """The largest error of the interpolated torque over the torque itself, in the middle of the cells of the table.
+
+    Of more than MOST cells so many are chosen at random. On each axis the error of a straight line is largest near the
+    middle between two nodes.
+    """
+    middles = [values if values.size == 1 else (values[1:] + values[:-1]) / 2 for values in found.axes.values()]
+    points = np.stack([each.ravel() for each in np.meshgrid(*middles, indexing="ij")])
+    if points.shape[1] > MOST:
+        points = points[:, np.random.default_rng(SEED).choice(points.shape[1], MOST, replace=False)]
+    right = found.law.at(dict(zip(found.axes, points, strict=True)))
+    error = np.abs(interpolated([*found.axes.values()], found.nominal, [*points]) - right)
+    return float(np.max(np.divide(error, right, out=np.zeros_like(error), where=right > 0)))

@@ -1,0 +1,78 @@
+"""Ranges of speed, load and temperature: what they mean, and what is refused."""
+
+import numpy as np
+import pytest
+
+from analytic.scenefile.read import load_scene
+from fembearing.formats.axes import axes_in_words, axes_of, axis_values
+from tests.refusals import refused
+
+RPM = np.pi / 30
+
+
+def test_a_range_has_even_steps_or_equal_ratios_and_its_ends_exactly() -> None:
+    speeds = axis_values("speed", "0 rpm to 6000 rpm in 5")
+    np.testing.assert_allclose(speeds, RPM * np.array([0.0, 1500.0, 3000.0, 4500.0, 6000.0]), rtol=1e-15)
+    loads = axis_values("axial_load", "50 N to 3.2 kN in 4 log")
+    np.testing.assert_allclose(loads, [50.0, 200.0, 800.0, 3200.0], rtol=1e-14)
+    assert (loads[0], loads[-1]) == (50.0, 3200.0)
+    np.testing.assert_allclose(axis_values("temperature", "40C to 70C in 3"), [313.15, 328.15, 343.15], rtol=1e-15)
+
+
+def test_one_value_and_lists_are_axes_too() -> None:
+    np.testing.assert_array_equal(axis_values("radial_load", "2,5 kN"), [2500.0])
+    np.testing.assert_allclose(axis_values("speed", '["300 rpm", "450 rpm"]'), [300 * RPM, 450 * RPM], rtol=1e-15)
+    np.testing.assert_array_equal(axis_values("axial_load", [120.0, 310.0]), [120.0, 310.0])
+    np.testing.assert_array_equal(axis_values("axial_load", ["120 N", "0.31 kN"]), [120.0, 310.0])
+
+
+@pytest.mark.parametrize(
+    ("name", "given", "words"),
+    [
+        ("speed", "0 rpm to 6000 rpm in 1", ["speed", "has 1 values", "2 or more"]),
+        ("speed", "300 rpm to 300 rpm in 4", ["one value 4 times"]),
+        ("speed", "0 rpm to 6000 rpm in 5 log", ["no equal ratios"]),
+        ("speed", "-20 rpm to 60 rpm in 5", ["speed begins at -20 rpm"]),
+        ("speed", "0 rpm to 6000 N in 5", ["6000 N", "rpm"]),
+        ("axial_load", "2 kN to 100 N in 5", ["does not ascend"]),
+        ("axial_load", [120.0, 120.0], ["does not ascend"]),
+        ("axial_load", "100 N to 200 N in 100001", ["more than 100000"]),
+        ("axial_load", [], ["no list"]),
+        ("temperature", "60 degC to 900 degC in 3", ["900 degC", "out of range"]),
+        ("radial_load", "much", ["radial_load", "much"]),
+        ("moment", "3 N m", ["moment is no axis", "speed, axial_load"]),
+    ],
+)
+def test_what_is_no_axis_is_refused(name: str, given: object, words: list[str]) -> None:
+    refused(lambda: axis_values(name, given), *words)
+
+
+def test_what_is_not_given_follows_from_the_scene() -> None:
+    scene = load_scene("6206", radial_load="3 kN", speed="700 rpm", temperature="50 degC")
+    whole, curve = (axes_of(scene, {}, whole=each) for each in (True, False))
+    assert whole["speed"][0] == 0
+    assert whole["speed"][-1] == pytest.approx(1400 * RPM)  # twice the scene's
+    np.testing.assert_allclose(whole["radial_load"][[0, -1]], [1500.0, 6000.0])  # half and double
+    np.testing.assert_array_equal(whole["axial_load"], [0.0])
+    np.testing.assert_allclose(whole["temperature"][[0, -1]], [303.15, 343.15])  # 20 K around
+    assert {name: values.size for name, values in curve.items() if name != "speed"} == {
+        "axial_load": 1,
+        "radial_load": 1,
+        "temperature": 1,
+    }
+    given = axes_of(scene, {"speed": "0 rpm to 900 rpm in 4", "temperature": "55 degC"}, whole=False)
+    assert axes_in_words(given) == (
+        "speed 0 rpm to 900 rpm in 4, axial load 0 N in 1, radial load 3000 N in 1, temperature 55 degC in 1"
+    )
+
+
+def test_a_scene_without_an_oil_has_no_temperature() -> None:
+    dry = load_scene("6205-dry")
+    assert "temperature" not in axes_of(dry, {}, whole=True)
+    refused(lambda: axes_of(dry, {"temperature": "50 degC"}, whole=True), "temperature", "no", "oil")
+
+
+def test_several_values_of_the_scene_are_no_axis_of_a_curve() -> None:
+    scene = load_scene("6206", radial_load=["1 kN", "2 kN"], speed="700 rpm")
+    refused(lambda: axes_of(scene, {}, whole=False), "radial load has 2 values", "give radial_load")
+    np.testing.assert_array_equal(axes_of(scene, {}, whole=True)["radial_load"][[0, -1]], [1000.0, 2000.0])

@@ -1,0 +1,215 @@
+"""The unit in FMPy: valid, with the torque within its stated error; it keeps its state and refuses what is outside."""
+
+import re
+import zipfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+
+from analytic.scene import Array
+from analytic.scenefile.read import load_scene
+from fembearing.formats import fmu
+from fembearing.formats.axes import axes_of
+from fembearing.formats.choice import export
+from fembearing.formats.interpolation import interpolated
+from fembearing.formats.torque_map import TorqueMap, from_standstill, mapped_torque
+from tests.refusals import refused
+
+fmpy = pytest.importorskip("fmpy", reason="an optional tool, which reads the unit")
+fmi2 = pytest.importorskip("fmpy.fmi2")
+
+OVER = {
+    "speed": "0 rpm to 3000 rpm in 5",
+    "axial_load": "150 N to 900 N in 3",
+    "radial_load": "400 N",
+    "temperature": "50 degC to 75 degC in 2",
+}
+INPUTS, OUTPUTS = ("speed", "axial_load", "temperature"), ("low", "torque", "high", "power")
+
+
+class Made(NamedTuple):
+    file: Path
+    table: TorqueMap
+    description: Any  # of FMPy
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> Made:
+    scene = load_scene("6206", speed="1500 rpm", radial_load="400 N", settings={"friction.spin_rule": "balanced"})
+    file = tmp_path_factory.mktemp("unit") / "bearing.fmu"
+    export(scene, to="fmu", out=file, over=OVER)
+    table = mapped_torque(scene, from_standstill(axes_of(scene, OVER, whole=True)))
+    return Made(file, table, fmpy.read_model_description(str(file), validate=True))
+
+
+class Unit:
+    """An instance of the unit in its simulation."""
+
+    def __init__(self, made: Made, folder: str, name: str) -> None:
+        self.places = {each.name: each.valueReference for each in made.description.modelVariables}
+        self.slave = fmi2.FMU2Slave(
+            guid=made.description.guid,
+            unzipDirectory=folder,
+            modelIdentifier=made.description.coSimulation.modelIdentifier,
+            instanceName=name,
+        )
+        self.slave.instantiate()
+        self.slave.setupExperiment(startTime=0.0)
+        self.slave.enterInitializationMode()
+        self.slave.exitInitializationMode()
+
+    def give(self, **values: float) -> None:
+        self.slave.setReal([self.places[name] for name in values], list(values.values()))
+
+    def take(self, *names: str) -> list[float]:
+        return self.slave.getReal([self.places[name] for name in names])
+
+
+@pytest.fixture
+def units(made: Made) -> Iterator[tuple[Unit, Unit]]:
+    folder = fmpy.extract(str(made.file))
+    both = Unit(made, folder, "first"), Unit(made, folder, "second")
+    yield both
+    for unit in both:
+        unit.slave.terminate()
+        unit.slave.freeInstance()
+
+
+def way(table: TorqueMap, count: int) -> dict[str, Array]:
+    """Inputs that wander through the table, the speed through 0 too."""
+    rng = np.random.default_rng(11)
+    found = {}
+    for name in INPUTS:
+        low, high = table.axes[name][[0, -1]]
+        walk = np.cumsum(rng.normal(size=count))
+        found[name] = low + (high - low) * (walk - walk.min()) / np.ptp(walk)
+    middle = np.median(found["speed"])
+    found["speed"] = np.where(np.arange(count) % 2, -1.0, 1.0) * np.abs(found["speed"] - middle)
+    low, high = table.axes["temperature"][[0, -1]]
+    found["temperature"] = np.linspace(low, high, 3)[rng.integers(3, size=count)]  # each takes a function of its own
+    return found
+
+
+def stated_error(made: Made) -> float:
+    found = re.search(r"by up to ([\d.e-]+) %", made.description.description)
+    assert found
+    return float(found[1]) / 100
+
+
+def test_a_thousand_steps_have_the_torque_within_the_stated_error(made: Made, units: tuple[Unit, Unit]) -> None:
+    inputs, unit = way(made.table, 1000), units[0]
+    found = np.empty((1000, len(OUTPUTS)))
+    for step in range(1000):
+        unit.give(**{name: float(values[step]) for name, values in inputs.items()})
+        unit.slave.doStep(currentCommunicationPoint=0.01 * step, communicationStepSize=0.01)
+        found[step] = unit.take(*OUTPUTS)
+    low, torque, high, power = found.T
+    points = {"speed": np.abs(inputs["speed"]), "axial_load": inputs["axial_load"], "radial_load": np.full(1000, 400.0)}
+    points["temperature"] = inputs["temperature"]
+    right = made.table.law.at(points)
+    np.testing.assert_array_less(np.abs(torque / right - 1), stated_error(made))
+    assert (low < torque).all()
+    assert (torque < high).all()
+    np.testing.assert_allclose(power, torque * np.abs(inputs["speed"]), rtol=1e-14)
+    # the same straight lines a second time, by NumPy
+    for part, values in zip(made.table.torque, (low, torque, high), strict=True):
+        again = interpolated([*made.table.axes.values()], part, [*points.values()])
+        np.testing.assert_allclose(values, again, rtol=1e-12)
+
+
+def test_fmpy_simulates_it(made: Made) -> None:
+    time = np.array([0.0, 0.4, 1.0])
+    given = np.array(list(zip(time, [10.0, 40.0, -90.0], strict=True)), dtype=[("time", float), ("speed", float)])
+    found = fmpy.simulate_fmu(str(made.file), stop_time=1.0, output_interval=0.1, input=given, output=list(OUTPUTS))
+    assert len(found) == 11
+    assert np.isfinite(np.array([found[name] for name in OUTPUTS])).all()
+    assert (found["torque"] > 0).all()
+
+
+def test_the_state_comes_back_and_reset_begins_again(units: tuple[Unit, Unit]) -> None:
+    unit = units[0]
+    begun = unit.take(*INPUTS, *OUTPUTS)
+    unit.give(speed=31.0, axial_load=333.0)
+    kept, state = unit.take(*INPUTS, *OUTPUTS), unit.slave.getFMUstate()
+    text = unit.slave.serializeFMUstate(state)
+    unit.give(speed=250.0, temperature=325.0)
+    assert unit.take("torque") != kept[4:5]
+    unit.slave.setFMUstate(state)
+    assert unit.take(*INPUTS, *OUTPUTS) == kept
+    unit.give(speed=77.0)
+    again = fmi2.fmi2FMUstate()
+    unit.slave.deSerializeFMUstate(text, again)
+    unit.slave.setFMUstate(again)
+    assert unit.take(*INPUTS, *OUTPUTS) == kept
+    for each in (state, again):
+        unit.slave.freeFMUstate(each)
+    unit.slave.reset()
+    assert unit.take(*INPUTS, *OUTPUTS) == begun
+
+
+def test_two_instances_do_not_mix(units: tuple[Unit, Unit]) -> None:
+    first, second = units
+    first.give(speed=17.0)
+    second.give(speed=170.0)
+    alone = first.take(*OUTPUTS)
+    second.give(axial_load=880.0)
+    second.slave.doStep(currentCommunicationPoint=0.0, communicationStepSize=0.1)
+    assert first.take(*OUTPUTS) == alone
+    assert first.take("speed") == [17.0]
+    assert second.take("speed", "axial_load") == [170.0, 880.0]
+
+
+@pytest.mark.parametrize("given", [{"speed": 400.0}, {"axial_load": 20.0}, {"temperature": 350.0}, {"speed": np.nan}])
+def test_an_input_outside_the_table_is_an_error_and_no_number(
+    units: tuple[Unit, Unit], given: dict[str, float]
+) -> None:
+    unit = units[0]
+    inside = dict(zip(given, unit.take(*given), strict=True))
+    unit.give(**given)
+    with pytest.raises(Exception, match="status 3"):
+        unit.take("torque")
+    unit.give(**inside)
+    assert unit.take("torque")[0] > 0
+
+
+def test_a_constant_and_an_output_cannot_be_set(units: tuple[Unit, Unit]) -> None:
+    assert units[0].take("radial_load") == [400.0]
+    for name in ("radial_load", "torque"):
+        with pytest.raises(Exception, match="status 3"):
+            units[0].give(**{name: 5.0})
+
+
+def test_standstill_has_the_breakaway_torque(made: Made, units: tuple[Unit, Unit]) -> None:
+    unit = units[0]
+    unit.give(
+        speed=0.0, axial_load=float(made.table.axes["axial_load"][1]), temperature=made.table.axes["temperature"][1]
+    )
+    torque, power = unit.take("torque", "power")
+    assert torque == pytest.approx(made.table.nominal[0, 1, 0, 1], rel=1e-13)
+    assert power == 0.0
+
+
+def test_the_file_is_small_and_the_same_each_time(made: Made, tmp_path: Path) -> None:
+    assert made.file.stat().st_size < 1e6
+    with zipfile.ZipFile(made.file) as unit:
+        assert {"modelDescription.xml", "sources/fmu.c", "sources/table.h"} < set(unit.namelist())
+        assert b"python" not in next(unit.read(name) for name in unit.namelist() if "binaries" in name).lower()
+    again = tmp_path / "again.fmu"
+    export(made.table.scene, to="fmu", out=again, over=OVER)
+    with zipfile.ZipFile(made.file) as one, zipfile.ZipFile(again) as other:
+        for name in ("modelDescription.xml", "sources/table.h"):
+            assert one.read(name) == other.read(name)
+
+
+def test_no_compiler_and_a_broken_one_are_refused(made: Made, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    file = tmp_path / "bearing.fmu"
+    monkeypatch.setattr(fmu.shutil, "which", lambda _: None)
+    refused(lambda: export(made.table.scene, to="fmu", out=file, over=OVER), "C compiler", "install one")
+    monkeypatch.setattr(fmu.shutil, "which", lambda _: "/bin/false")
+    refused(lambda: export(made.table.scene, to="fmu", out=file, over=OVER), "'/bin/false' fails", "status 1")
+    many = OVER | {"speed": "0 rpm to 3000 rpm in 2000"}
+    refused(lambda: export(made.table.scene, to="fmu", out=file, over=many), " x 3 x 1 x 2 = ", "fewer")
+    assert list(tmp_path.iterdir()) == []

@@ -1,0 +1,77 @@
+"""The bearing element of ROSS: its coefficients are the ring's stiffness, and a rotor runs on it."""
+
+import runpy
+import sys
+from dataclasses import replace
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from analytic import friction_torque
+from analytic.scene import Arrangement, Operation, Scene
+from analytic.scenefile.read import load_scene
+from fembearing.formats.choice import export
+from tests.refusals import refused
+
+OVER = {"speed": "0 rpm to 9000 rpm in 6", "axial_load": "700 N", "radial_load": "300 N"}
+
+
+@pytest.fixture(scope="module")
+def scene() -> Scene:
+    return load_scene("7206B", axial_load="700 N", radial_load="300 N", speed="3000 rpm")
+
+
+def module_of(file: Path, monkeypatch: pytest.MonkeyPatch) -> dict[str, Any]:
+    """The module that was written, with an element that keeps what it is given."""
+    monkeypatch.setitem(sys.modules, "ross", SimpleNamespace(BearingElement=dict))
+    return runpy.run_path(str(file))
+
+
+def test_the_stiffness_is_the_slope_of_the_load(scene: Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Against differences of the ring's place, at 3600 rpm, along the axis and along the radial load."""
+    file = export(scene, to="ross", out=tmp_path / "bearing.py", over=OVER).file
+    element = module_of(file, monkeypatch)["bearing"](n=3)
+    assert (element["n"], element["cxx"]) == (3, 0.0)
+    np.testing.assert_allclose(element["frequency"], np.linspace(0, 9000, 6) * np.pi / 30)
+    axial, radial = np.array([693.0, 707.0, 700.0, 700.0]), np.array([300.0, 300.0, 293.0, 307.0])
+    points = Operation(inner_speed=np.full(4, 3600 * np.pi / 30), axial_load=axial, radial_load=radial)
+    ring = friction_torque(replace(scene, operation=points)).ring
+    assert ring is not None
+    place, whole = ring.displacement, ring.stiffness.mean(axis=0)
+    assert place is not None
+    moved = np.stack([place[1] - place[0], place[3] - place[2]], axis=1)  # by 14 N along z, and along x
+    # The stiffness holds each contact's K and the balls' own forces, which follow the load: 2.5 %, and 4.6 % across.
+    np.testing.assert_allclose((whole @ moved)[[0, 1]] / 14.0, np.eye(2), atol=0.06)
+    # y of ROSS is x of the ring, x of ROSS is -y
+    for name, right in {"kxx": whole[2, 2], "kyy": whole[1, 1], "kzz": whole[0, 0], "kxy": -whole[2, 1]}.items():
+        np.testing.assert_allclose(element[name][2], right, rtol=1e-3, atol=1e-6 * whole[1, 1])
+    assert element["kyy"][2] > 2 * element["kxx"][2]  # stiffer along the load
+    assert element["kyx"] == element["kxy"]
+
+
+def test_a_rotor_of_ross_runs_on_it(scene: Scene, tmp_path: Path) -> None:
+    ross = pytest.importorskip("ross", reason="an optional tool, which is large")
+    file = export(scene, to="ross", out=tmp_path / "bearing.py", over=OVER).file
+    bearing = runpy.run_path(str(file))["bearing"]
+    first, last = bearing(n=0), bearing(n=6, cxx=150.0)
+    shaft = [ross.ShaftElement(L=0.05, idl=0.0, odl=0.03, material=ross.steel) for _ in range(6)]
+    disk = ross.DiskElement.from_geometry(n=3, material=ross.steel, width=0.03, i_d=0.03, o_d=0.16)
+    rotor = ross.Rotor(shaft, [disk], [first, last])
+    speed = 5000 * np.pi / 30
+    found = rotor.run_modal(speed=speed)
+    assert (found.wn[:4] > 0).all()
+    stiff = np.asarray(first.K(speed))
+    # ROSS draws splines through the speeds, which bend by 2 % from straight lines here.
+    np.testing.assert_allclose(stiff[1, 1], np.interp(speed, first.frequency, first.kyy), rtol=0.03)
+
+
+def test_what_has_no_stiffness_is_refused(scene: Scene, tmp_path: Path) -> None:
+    file = tmp_path / "bearing.py"
+    pair = replace(scene, arrangement=Arrangement(kind="X", preload=130.0, distance=0.03))
+    refused(lambda: export(pair, to="ross", out=file, over=OVER), "pair of bearings")
+    refused(lambda: export(scene, to="ross", out=file, over=OVER | {"speed": "300 rpm"}), "give speed as a range")
+    refused(lambda: export(scene, to="ross", out=tmp_path / "6206.py", over=OVER), "6206.py", "Python module")
+    assert list(tmp_path.iterdir()) == []
