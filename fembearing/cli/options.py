@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
+from fembearing.cli.status import print_warnings
+
 if TYPE_CHECKING:
     from analytic.scene import Scene
 
@@ -179,16 +181,17 @@ def _read_option(option: str, given: str, key: str) -> float:
     """The value of an option in SI. Raises InputError for a text that this key of a scene or a grid does not take."""
     from analytic.errors import InputError
     from analytic.scenefile.keys import scene_key
+    from analytic.scenefile.setting import read_setting
     from analytic.scenefile.tables import SceneTable
     from fembearing.sweep.grid import OF_AXES, GridTable
 
-    dimension = scene_key(key, root=GridTable if key in OF_AXES else SceneTable).dimension
+    root = GridTable if key in OF_AXES else SceneTable
+    value, notes = read_setting(key, given, root=root)
+    dimension = scene_key(key, root=root).dimension
     assert dimension is not None, key
     try:
-        number: object = float(given)  # on the command line a pure number is text too
-    except ValueError:
-        number = given
-    try:
-        return dimension.read(number)
+        number = dimension.read(value)
     except ValueError as problem:
         raise InputError(f"{option} {given!r} {problem}") from None
+    print_warnings(tuple(notes))
+    return number
