@@ -167,7 +167,7 @@ def _fault_of(place: Place, error: Mapping[str, Any]) -> str:
     if error["type"] in ("missing", "too_short"):  # an empty table
         return f"{place.path} is missing; {accepted(place.field) or NOTHING}"
     if error["type"] == "extra_forbidden":
-        problem = f"is an unknown key; {_instead(place, error["input"])}"
+        problem = f"is an unknown key; {_instead(place, error['input'])}"
     elif error["type"] in ("value_error", "literal_error"):
         problem = _problem(error, place.field)
     else:  # the tables allow only one other error: not a table

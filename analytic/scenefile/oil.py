@@ -142,7 +142,7 @@ def _refuse_conflicts(given: Mapping[str, Any]) -> None:
         )
     if viscosity is not None and viscosity.is_kinematic and own is None and not viscosity.is_pair and "name" in given:
         raise InputError(
-            f"lubricant.viscosity = {viscosity.text} has no temperature, and the oil of lubricant.name has another at each: "
+            f"lubricant.viscosity = {viscosity.text} has no temperature beside lubricant.name: "
             'write for example "46 cSt at 40 degC", or leave it out'
         )
     if viscosity is not None and own is not None and "name" in given and given.get("temperature", own) != own:

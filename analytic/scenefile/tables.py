@@ -92,7 +92,7 @@ HEAVIEST = 1e8  # N, and N m: beyond the static load rating of the largest ball 
 Force = Annotated[float, Dimension(unit="N", low=1e-15, high=HEAVIEST, example='"1 kN"')]
 Thrust = Annotated[float, Dimension(unit="N", low=0, high=HEAVIEST, example='"1 kN"')]
 Side = Annotated[float, Dimension(unit="N", low=-HEAVIEST, high=HEAVIEST, example='"0.5 kN"')]
-Moment = Annotated[float, Dimension(unit="N m", low=-HEAVIEST, high=HEAVIEST, example='"2 kN m"')]
+Moment = Annotated[float, Dimension(unit="N m", low=-HEAVIEST, high=HEAVIEST, example='"2 N m"')]
 ClearanceEntry = Annotated[
     float | ClearanceGroup,
     QuantityOrWord(unit="m", low=-1, high=1, example='"10 um"', words=get_args(ClearanceGroup), meaning="a group"),

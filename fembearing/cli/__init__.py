@@ -30,6 +30,8 @@ from fembearing.cli import (
     warmup,
 )
 from fembearing.cli.boundary import DEBUG, guarded
+from fembearing.cli.common_options import FORCE, QUIET, VERBOSE, with_common
+from fembearing.cli.report_options import UNITS
 
 COMMANDS: dict[str, tuple[Callable[..., None], str]] = {  # with an example of what follows the name
     "validate": (validate.validate, 'bearing.toml --tolerance "1 %" --out report-of-my-bearing'),
@@ -47,6 +49,9 @@ COMMANDS: dict[str, tuple[Callable[..., None], str]] = {  # with an example of w
     "schema": (schema.schema, "grid"),
     "warmup": (warmup.warmup, ""),
 }
+LONG = {"validate", "torque", "compare", "contact", "film", "creep", "cost", "sweep", "warmup"}  # commands with steps
+WRITING = {"validate", "torque", "compare", "film", "creep", "cost", "init"}  # a new file or folder
+SHOWING = {"torque", "compare", "contact", "film", "creep", "list"}  # lengths, forces or torques; no report
 # Between two searches for garbage: imports make many objects, all of which stay. It saves a tenth of a second.
 OBJECTS = 100_000
 STATUSES = """Exit status: 0 done, all verdicts hold; 1 a check failed; 2 the input is at fault; 3 not solved to the
@@ -61,7 +66,10 @@ app = typer.Typer(
 )
 for _name, (_function, _example) in COMMANDS.items():
     _summary = " ".join(str(_function.__doc__).partition("\n\n")[0].split())
-    app.command(_name, short_help=_summary, epilog=f"Example: fembearing {_name} {_example}".rstrip())(_function)
+    _kinds = ((LONG, VERBOSE), (WRITING, FORCE), (SHOWING, UNITS))
+    _options = QUIET | {key: each for names, kind in _kinds if _name in names for key, each in kind.items()}
+    _epilog = f"Example: fembearing {_name} {_example}".rstrip()
+    app.command(_name, short_help=_summary, epilog=_epilog)(with_common(_options)(_function))
 
 
 def print_version(wanted: bool) -> None:

@@ -2,6 +2,7 @@
 
 import sys
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Annotated, Literal
@@ -118,9 +119,20 @@ def read_scene(
     from analytic.scenefile.read import load_scene, parse_scene, refuse_options
 
     if name != STANDARD_INPUT:
-        return load_scene(BUILTIN if name is None else name, settings=settings, **options)
+        return with_details(load_scene(BUILTIN if name is None else name, settings=settings, **options))
     refuse_options(options, "standard input")
-    return parse_scene(_standard_input(), origin="standard input", settings=settings)
+    return with_details(parse_scene(_standard_input(), origin="standard input", settings=settings))
+
+
+def with_details(scene: "Scene") -> "Scene":
+    """The scene with the details of the report that options give, or the user's settings where it says none."""
+    from analytic.report_details import ReportDetails
+    from fembearing.cli.config import own_details
+    from fembearing.cli.report_options import given_details
+
+    usual = vars(ReportDetails())
+    own = {name: value for name, value in own_details().items() if getattr(scene.report, name) == usual[name]}
+    return replace(scene, report=replace(scene.report, **{**own, **given_details()}))
 
 
 def _standard_input() -> str:
