@@ -290,6 +290,8 @@ def _scene(
     surface = None if table.surface is None else surface_of(table.surface, folder)
     if surface is not None and surface.height_map is not None and not os.path.isfile(surface.height_map.path):
         misfits.append(("surface.height_map.path", "is not a file; give its path from the scene file's folder"))
+    if surface is not None and table.lubricant is not None:
+        misfits += fit.surface_misfits(surface, bearing, cage)
     losses, notes = Losses(), ()
     if not misfits:
         try:

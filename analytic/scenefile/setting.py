@@ -55,7 +55,7 @@ def read_setting(path: str, given: Any, *, root: type[Table] = SceneTable) -> tu
 
     root : whose key it is
     given : a text, as it is typed; or from Python a number in SI, a quantity, a switch, or a list
-    Raises InputError for an unknown key and an ambiguous number; the value itself is checked with the scene.
+    Raises InputError for an unknown key; the value itself is checked with the scene.
     """
     key, value = scene_key(path, root=root), as_text(given)
     is_typed = isinstance(value, str)
@@ -93,8 +93,8 @@ def _in_context(path: str, dimension: Dimension, value: Any, *, notes: list[str]
         return value
     try:
         text = dimension.tidy(value)
-    except ValueError as problem:
-        raise InputError(f"{path} = {shown(value)} {problem}") from None
+    except ValueError:
+        return value
     if dimension.unit not in ("", "rad/s") or not re.fullmatch(NUMBER, text, re.ASCII):
         return text
     if not dimension.unit:

@@ -185,11 +185,12 @@ def _cage(bearing: CatalogBearing) -> str:
     sheet = min(SHEET * ball, WEB * web)
     around = math.pi * pitch + count * (math.pi / 2 - 1) * ball
     volume = 2 * sheet * SHEET_WIDTH * ball * around
+    steel, peek = (f"{float(f'{1e3 * density * volume:.2g}'):g} g" for density in (STEEL, PEEK))
     return (
         _line("#[cage]", "without it the cage has no share; numbers of a sheet cage, scaled from another bearing")
         + f'#pocket_clearance = "{1e3 * POCKET * ball:.2g} mm"\n'
         + f'#wall_thickness = "{1e3 * sheet:.2g} mm"\n'
-        + _line(f'#mass = "{1e3 * STEEL * volume:.2g} g"', f"of PEEK {1e3 * PEEK * volume:.2g} g")
+        + _line(f'#mass = "{steel}"', f"of PEEK {peek}")
         + _line('#material = "steel"', 'or "peek"')
     )
 

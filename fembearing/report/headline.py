@@ -49,7 +49,7 @@ def headline_table(scene: Scene, record: TorqueRecord, units: Units = METRIC) ->
         else [computed[round(number)] for number in np.linspace(0, len(computed) - 1, MOST_ROWS)]
     )
     heads = [*point_heads(points, units), Head(f"torque, {units.torque.name}", fixed=True), Head("95 %", fixed=True)]
-    heads += [Head("power, W", fixed=True), Head("made of", "name")]
+    heads += [Head("power, W", fixed=True), Head("made of", "text")]
     rows = [
         [
             *point_cells(points, place, units),
