@@ -6,6 +6,7 @@ import textwrap
 from collections.abc import Iterator
 
 from analytic.catalog.bearing_rows import CatalogBearing, clearance_group, find_bearing
+from analytic.catalog.seals import seal_torque
 from analytic.errors import InputError
 from analytic.scene import Origin
 from analytic.scenefile.choice import USUAL, Choice
@@ -22,7 +23,7 @@ WIDTH = 118  # characters of a line
 COLUMN = 41  # where comments begin
 
 OPERATION = """\
-down = [1, 0, 0]                          # gravity points along the radial load, the shaft lies; [0, 0, 1]: it stands
+down = [1, 0, 0]                          # gravity is along the radial load; [0, 0, 1]: the shaft stands on its thrust
 #moment = "0 N m"                         # that tilts the rings
 """
 SUPPLIES = '"oil_bath", "oil_jet", "oil_spot" or "grease"'
@@ -40,14 +41,11 @@ hysteresis_loss = 0.007                   # assumed: 0.003 to 0.025 are in use, 
 #[mounting]                               # what seats and temperatures take from the clearance
 #shaft_interference = "5 um"              # on the diameter
 #housing_interference = "0 um"
-#inner_temperature = "65 degC"            # of inner ring and shaft
-#outer_temperature = "60 degC"
+#inner_temperature = "65 degC"            # of inner ring and shaft, together with the next line
+#outer_temperature = "60 degC"            # of outer ring and housing
 
 """
 MORE = """\
-
-#[losses]                                 # torque that you know and that is added
-#seals = "5 N mm"                         # of both seals together, or "estimate" by SKF's formula
 #drag = "2 N mm"                          # of the oil that balls and cage move
 
 #[measured]                               # with which `fembearing compare` compares the torque
@@ -78,7 +76,7 @@ def scene_text(designation: str, choice: Choice = USUAL) -> str:
             head,
             f"[bearing]\ncatalog = {name}\n{warnings}{_play(bearing)}{_dimensions(bearing)}",
             f"[operation]\n{_operation(bearing, choice)}{OPERATION}",
-            f"[lubricant]\n{_oil(choice)}{REST}{_cage(bearing)}{MORE}",
+            f"[lubricant]\n{_oil(choice)}{REST}{_cage(bearing)}\n{_seals(bearing)}{MORE}",
         )
     )
 
@@ -187,11 +185,24 @@ def _cage(bearing: CatalogBearing) -> str:
     volume = 2 * sheet * SHEET_WIDTH * ball * around
     steel, peek = (f"{float(f'{1e3 * density * volume:.2g}'):g} g" for density in (STEEL, PEEK))
     return (
-        _line("#[cage]", "without it the cage has no share; numbers of a sheet cage, scaled from another bearing")
+        _line("#[cage]", "without it the cage has no share; numbers scaled from the sheet cage of a 6205")
         + f'#pocket_clearance = "{1e3 * POCKET * ball:.2g} mm"\n'
         + f'#wall_thickness = "{1e3 * sheet:.2g} mm"\n'
         + _line(f'#mass = "{steel}"', f"of PEEK {peek}")
         + _line('#material = "steel"', 'or "peek"')
+    )
+
+
+def _seals(bearing: CatalogBearing) -> str:
+    """The head of the table of losses in comments, with its first key."""
+    try:
+        seal_torque(bearing, counterface=bearing.bore)
+    except InputError:
+        estimate = ""
+    else:
+        estimate = ', or "estimate" by SKF\'s formula'
+    return _line("#[losses]", "torque that you know and that is added") + _line(
+        '#seals = "5 N mm"', f"of both seals together{estimate}"
     )
 
 
