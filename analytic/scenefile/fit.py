@@ -3,6 +3,7 @@
 Every check is geometry of the unloaded bearing. A preload that elastic contacts can carry is accepted.
 """
 
+import os
 from collections.abc import Container, Iterator
 
 import numpy as np
@@ -110,9 +111,14 @@ def cage_misfits(bearing: Bearing, cage: Cage, *, pocket: str, pockets_may_overl
             yield "cage.wall_thickness", f"must be at most the web between pockets, {_mm(chord - diameter)}"
 
 
-def surface_misfits(surface: Surface, bearing: Bearing, cage: Cage | None) -> Iterator[tuple[str, str]]:
-    """The same for summits that yield in a body whose hardness nobody gives."""
-    if surface.gap == "elastic" or surface.asperities == "greenwood_williamson" or surface.hardness is not None:
+def surface_misfits(
+    surface: Surface, bearing: Bearing, cage: Cage | None, *, is_lubricated: bool
+) -> Iterator[tuple[str, str]]:
+    """The same for a map of heights that is no file, and for summits that yield in a body of unknown hardness."""
+    if surface.height_map is not None and not os.path.isfile(surface.height_map.path):
+        yield "surface.height_map.path", "is not a file; give its path from the scene file's folder"
+    never_yields = surface.gap == "elastic" or surface.asperities == "greenwood_williamson"
+    if never_yields or surface.hardness is not None or not is_lubricated:
         return
     bodies = [bearing.ball_material, bearing.inner.material, bearing.outer.material]
     for body in (*bodies, *(() if cage is None else (cage.material,))):

@@ -33,7 +33,18 @@ from fembearing.cli.boundary import DEBUG, guarded
 from fembearing.cli.common_options import FORCE, QUIET, VERBOSE, with_common
 from fembearing.cli.report_options import UNITS
 
-COMMANDS: dict[str, tuple[Callable[..., None], str]] = {  # with an example of what follows the name
+LONG = {"validate", "torque", "compare", "contact", "film", "creep", "cost", "sweep", "warmup"}  # commands with steps
+WRITING = {"validate", "torque", "compare", "film", "creep", "cost", "init"}  # a new file or folder
+SHOWING = {"torque", "compare", "contact", "film", "creep", "list"}  # lengths, forces or torques; no report
+
+
+def _common_options(name: str) -> dict[str, Any]:
+    """The options of a command that mean the same in each."""
+    kinds = ((LONG, VERBOSE), (WRITING, FORCE), (SHOWING, UNITS))
+    return QUIET | {key: option for names, kind in kinds if name in names for key, option in kind.items()}
+
+
+_FUNCTIONS: dict[str, tuple[Callable[..., None], str]] = {  # with an example of what follows the name
     "validate": (validate.validate, 'bearing.toml --tolerance "1 %" --out report-of-my-bearing'),
     "torque": (torque.torque, "6308 --radial-load 3kN --speed 3000rpm --oil 'ISO VG 68' --temperature 60C"),
     "compare": (compare.compare, "data.csv bearing.toml --out comparison-of-my-bearing"),
@@ -49,9 +60,9 @@ COMMANDS: dict[str, tuple[Callable[..., None], str]] = {  # with an example of w
     "schema": (schema.schema, "grid"),
     "warmup": (warmup.warmup, ""),
 }
-LONG = {"validate", "torque", "compare", "contact", "film", "creep", "cost", "sweep", "warmup"}  # commands with steps
-WRITING = {"validate", "torque", "compare", "film", "creep", "cost", "init"}  # a new file or folder
-SHOWING = {"torque", "compare", "contact", "film", "creep", "list"}  # lengths, forces or torques; no report
+COMMANDS = {
+    name: (with_common(_common_options(name))(function), example) for name, (function, example) in _FUNCTIONS.items()
+}
 # Between two searches for garbage: imports make many objects, all of which stay. It saves a tenth of a second.
 OBJECTS = 100_000
 STATUSES = """Exit status: 0 done, all verdicts hold; 1 a check failed; 2 the input is at fault; 3 not solved to the
@@ -66,10 +77,7 @@ app = typer.Typer(
 )
 for _name, (_function, _example) in COMMANDS.items():
     _summary = " ".join(str(_function.__doc__).partition("\n\n")[0].split())
-    _kinds = ((LONG, VERBOSE), (WRITING, FORCE), (SHOWING, UNITS))
-    _options = QUIET | {key: each for names, kind in _kinds if _name in names for key, each in kind.items()}
-    _epilog = f"Example: fembearing {_name} {_example}".rstrip()
-    app.command(_name, short_help=_summary, epilog=_epilog)(with_common(_options)(_function))
+    app.command(_name, short_help=_summary, epilog=f"Example: fembearing {_name} {_example}".rstrip())(_function)
 
 
 def print_version(wanted: bool) -> None:

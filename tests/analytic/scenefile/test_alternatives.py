@@ -37,7 +37,7 @@ NOT_VALUES = {"data.csv"}  # in quotes, and no alternative
 
 def alternatives(text: str) -> Iterator[tuple[str, str]]:
     """(its line, the scene with it) of each alternative."""
-    lines, table = text.splitlines(), ""
+    lines, table, begin = text.splitlines(), "", 0
     for number, line in enumerate(lines):
         if header := re.match(r"#?\[(\w+)\]", line):
             table, begin = header[1], number
