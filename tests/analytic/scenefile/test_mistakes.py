@@ -101,7 +101,7 @@ MISTAKES = [  # text, and words of the message: key, value, what is accepted
     (PLAIN + f"[surface]\nheight_map = {MAP}".replace("npy", "pkl"), ("path = 'a.pkl'", ".npy, .csv")),
     (PLAIN + '[surface]\nheight_map = { path = "a.npy" }', ("surface.height_map.spacing is missing", '"2 um"')),
     (PLAIN + '[surface]\nheight_map = "a.npy"', ("surface.height_map = 'a.npy'", "not a table", "path =")),
-    (ROUGH + 'gap = "truncated"\n[cage]\nmaterial = "peek"\n' + OIL.partition("[lubricant]")[1] + 'name = "vg46"',
+    (ROUGH + 'gap = "truncated"\n[cage]\nmaterial = "peek"\n' + '[lubricant]\nname = "vg46"',
         ("surface.hardness is missing, and peek has none",)),
     (PLAIN + '[effects]\nspin = "yes"', ("effects.spin = 'yes'", "'auto', 'on' or 'off'")),
     (PLAIN + '[effects]\nfilm = "on"', ("effects.film = 'on'", "unknown key", "known: ")),
