@@ -15,6 +15,8 @@ import os
 import shutil
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager, suppress
+from contextvars import ContextVar
+from functools import partial
 from pathlib import Path
 from secrets import token_hex
 from typing import Literal
@@ -32,6 +34,8 @@ FULL = {errno.ENOSPC, errno.EDQUOT}
 BROKEN = {*FULL, errno.EFBIG, errno.EIO}  # the disk's fault: another name beside it would not help
 TAKEN = {errno.EEXIST, errno.ENOTEMPTY, errno.ENOTDIR, errno.EISDIR}
 HIDDEN, BYTES = ".fembearing-", 8  # how the name of a hidden folder begins, and of its random end
+LISTING = ".fembearing"  # in a folder of ours: the names of its files
+REPLACES = ContextVar("REPLACES", default=False)  # whether what is new takes the place of what is there
 
 
 def at_step(step: Step, path: Path) -> None:
@@ -42,28 +46,32 @@ def at_step(step: Step, path: Path) -> None:
 def new_folder(target: Path) -> Iterator[Path]:
     """A folder to fill that takes its name only when all went well; else nothing of it is left.
 
+    With REPLACES it takes the place of a folder that this function made, and in which nothing else lies.
     Raises InputError, before anything is filled in, if it exists or cannot be made; StorageError for a full disk.
     """
-    _require_new(target)
+    _require_new(target, _strange_in)
     remove_leftovers(target.parent)
     with _apart(target, make=Path.mkdir) as apart:
         yield apart
-        _take_name(target, apart.rename)
+        write(apart / LISTING, "".join(f"{path.name}\n" for path in sorted(apart.iterdir())))
+        is_there = REPLACES.get() and os.path.lexists(target)
+        _take_name(target, partial(_change_places, apart) if is_there else apart.rename)
 
 
 @contextmanager
 def new_file(target: Path) -> Iterator[Path]:
     """A file to write that takes its name only when all went well; else nothing of it is left.
 
+    With REPLACES it takes the place of a file.
     Raises InputError, before anything is written, if it exists or cannot be made; StorageError for a full disk.
     """
-    _require_new(target)
+    _require_new(target, _no_file)
     remove_leftovers(target.parent)
     with _apart(target) as apart:
         with being_written(apart, named=target):
             yield apart
-        _require_new(target)  # somebody may have made it meanwhile
-        _take_name(target, apart.rename)
+        _require_new(target, _no_file)  # somebody may have made it meanwhile
+        _take_name(target, apart.replace if REPLACES.get() else apart.rename)
 
 
 @contextmanager
@@ -229,9 +237,41 @@ def _unwritten(name: str, problem: Exception, besides: str = "") -> str:
     return f"{name!r} cannot be written: {reason}; {remedy}{besides}"
 
 
-def _require_new(target: Path) -> None:
-    if os.path.lexists(target):
-        raise InputError(f"{_place(target)} exists already: give a new name, or remove it first")
+def _require_new(target: Path, why_not: Callable[[Path], str | None]) -> None:
+    """why_not : the reason, if there is one, for which it must not be replaced"""
+    if not os.path.lexists(target):
+        return
+    if not REPLACES.get():
+        raise InputError(f"{_place(target)} exists already: give a new name, remove it first, or give --force")
+    reason = why_not(target)
+    if reason is not None:
+        raise InputError(f"{_place(target)} is not replaced: {reason}; give a new name, or remove it first")
+
+
+def _no_file(target: Path) -> str | None:
+    return None if target.is_file() else "it is no file"
+
+
+def _strange_in(target: Path) -> str | None:
+    """Why a folder may hold what is not of fembearing."""
+    try:
+        listed = (target / LISTING).read_text("utf-8").split("\n")
+        strange = sorted({path.name for path in target.iterdir()} - {*listed, LISTING})
+    except OSError:
+        return "it is no folder that fembearing made"
+    return f"{strange[0]!r} in it is not of fembearing" if strange else None
+
+
+def _change_places(new: Path, target: Path) -> None:
+    """Rename a folder to the target, after what has that name stepped aside; it is removed then, or comes back."""
+    aside = target.with_name(f"{target.name}.before-{token_hex(BYTES)}")
+    target.rename(aside)
+    try:
+        new.rename(target)
+    except OSError:
+        aside.rename(target)
+        raise
+    _remove(aside)
 
 
 def _place(target: Path) -> str:

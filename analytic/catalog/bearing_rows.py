@@ -16,6 +16,7 @@ from typing import Literal, cast
 
 from analytic.catalog.designation import Designation, plain_name, read_designation, read_maker
 from analytic.catalog.origins import INNER_CONFORMITY, OUTER_CONFORMITY, half_width, origins_of
+from analytic.catalog.other_kinds import other_kind
 from analytic.catalog.suffixes import Suffix, clearance_of
 from analytic.errors import InputError
 from analytic.noun import read_only
@@ -332,6 +333,8 @@ def _refusal(found: Designation, row: Row) -> str:
 def _unknown(designation: str) -> str:
     maker, body = read_maker(designation.strip().upper())
     plain = plain_name(body)
+    if kind := other_kind(plain):
+        return f"bearing {designation!r} {kind}"
     angles = [
         name for name in bearing_names() if plain[:4].isdigit() and plain[:1] == "7" and name.startswith(plain[:4])
     ]

@@ -32,6 +32,10 @@ _NAME = "|".join(sorted((*MAKERS, *_OTHERS), key=len, reverse=True))
 _MAKER_BEFORE = re.compile(rf"({_NAME})(?![A-Z])[\s\-:/]*")
 _MAKER_BEHIND = re.compile(rf"[\s\-:/(]*(?<![A-Z])({_NAME})\)?$")
 _MAKER_INSIDE = re.compile(rf"(?<![A-Z0-9])({_NAME})(?![A-Z0-9])")
+_KIND = re.compile(  # words for what the number says itself
+    r"(?<![A-Z0-9])(?:DGBB|ACBB|DEEP[ -]?GROOVE|ANGULAR[ -]?CONTACT|SINGLE[ -]?ROW|BALL|BEARINGS?|TYPE?|ROULEMENT|"
+    r"(?:RILLENKUGEL|SCHR(?:Ä|AE)GKUGEL|KUGEL)?LAGER)(?![A-Z0-9])[\s:\-]*"
+)
 _HYPHEN_FOR_SLASH = re.compile(r"^(6[023]|61[89])\s*[-_]\s*(22|28|32|[4-9])(?!\d)")
 _CUT_NUMBER = re.compile(r"\d[\s\-._]+\d")  # 623-2RS is not 6232 RS
 _FILLER = re.compile(r"[\s\-._]+")
@@ -85,7 +89,10 @@ def read_designation(text: str, names: Mapping[str, str]) -> Designation | None:
 
 
 def read_maker(text: str) -> tuple[str | None, str]:
-    """(maker, the rest) of a designation in capitals; the maker is a word anywhere, or letters at an end, or None."""
+    """(maker, number and suffixes) of a designation in capitals, without words for its kind.
+
+    The maker is a word anywhere, or letters at an end, or None.
+    """
     rest, named = text, set[str]()
     while match := _MAKER_BEFORE.match(rest):
         named.add(match[1])
@@ -98,7 +105,7 @@ def read_maker(text: str) -> tuple[str | None, str]:
         rest = f"{rest[: match.start()]} {rest[match.end() :]}"
     if len(named) > 1:
         raise InputError(f"bearing {text!r} names two makers, {' and '.join(sorted(named))}; give one")
-    return (named.pop() if named else None), rest
+    return (named.pop() if named else None), _KIND.sub("", rest).strip()
 
 
 def _readings(body: str, names: Mapping[str, str]) -> list[tuple[str, list[Suffix], list[str]]]:

@@ -35,6 +35,9 @@ class Effect:
     reason: str  # in words, with the bound or the limit
     share_is: ShareKind = "unknown"  # what the share is; see `FrictionTorque.shares`
 
+    def __str__(self) -> str:
+        return f"{self.name}: {self.decision}, {self.reason}"
+
 
 class Effects(Sequence[Effect]):
     """Every effect of a torque in the order of the table; shares by trial are measured when somebody reads them."""
@@ -49,6 +52,14 @@ class Effects(Sequence[Effect]):
     def decisions(self) -> dict[str, Literal["on", "off"]]:
         """Whether each effect counts, by its name."""
         return {name: effect.decision for name, effect in self._made.items()}
+
+    def __str__(self) -> str:
+        """One line for each effect: name, decision and reason. It measures no share."""
+        return "\n".join(map(str, self._made.values()))
+
+    def __repr__(self) -> str:
+        on = [name for name, decision in self.decisions.items() if decision == "on"]
+        return f"Effects({len(on)} of {len(self)} on: {', '.join(on)})"
 
     def __getitem__(self, index: Any) -> Any:
         return self._all[index]

@@ -20,7 +20,7 @@ from analytic.oil.variation import (
 from analytic.prediction.evaluation import parts_of, without_moving_cage
 from analytic.prediction.settled import free_start
 from analytic.result import FrictionTorque, require_numbers
-from analytic.scene import Array, Bearing, Scene, Surface
+from analytic.scene import Array, Scene, Surface
 
 # How far the oil may reach ahead of a contact, over the reach of the scene: a judgement. In a bath, whose oil is taken
 # to reach 0.9 of the ball's radius, these are 0.45 and 1 radii.
@@ -53,7 +53,7 @@ def with_model_uncertainty(scene: Scene, result: FrictionTorque) -> FrictionTorq
     if surface is not None and result.film.inner is not None:
         variations["film"] = [(same, Variation(film=factor)) for factor in FILM_FACTORS]
         if result.is_on("asperities"):
-            variations["gap"] = [(replace(same, surface=_other_gap(surface, scene.bearing)), NOMINAL)]
+            variations["gap"] = [(replace(same, surface=_other_gap(surface, scene)), NOMINAL)]
             factors = [np.exp(sign * COVERAGE * SURFACE_SPREAD) for sign in (-1, 1)]
             variations["surfaces"] = [(same, Variation(asperity_pressure=factor)) for factor in factors]
     if result.torque.rolling is not None and lubricant is not None:
@@ -88,11 +88,13 @@ def with_model_uncertainty(scene: Scene, result: FrictionTorque) -> FrictionTorq
     return require_numbers(replace(result, model_uncertainty=whole, model_parts=MappingProxyType(parts)))
 
 
-def _other_gap(surface: Surface, bearing: Bearing) -> Surface:
+def _other_gap(surface: Surface, scene: Scene) -> Surface:
     """The surface with the other law of the gap; its summits never yield where no hardness is known."""
     if surface.gap == "truncated":
         return replace(surface, gap="elastic")
-    bodies = (bearing.ball_material, bearing.inner.material, bearing.outer.material)
+    bearing, cage = scene.bearing, scene.cage
+    bodies = [bearing.ball_material, bearing.inner.material, bearing.outer.material]
+    bodies += [] if cage is None else [cage.material]
     if surface.hardness is None and any(body.hardness is None for body in bodies):
         return replace(surface, gap="truncated", asperities="greenwood_williamson")
     return replace(surface, gap="truncated")

@@ -3,12 +3,13 @@
 Every check is geometry of the unloaded bearing. A preload that elastic contacts can carry is accepted.
 """
 
+import os
 from collections.abc import Container, Iterator
 
 import numpy as np
 
 from analytic.loads.numbers import play_and_free_angle
-from analytic.scene import Arrangement, Bearing, Cage, ContactAngle, Groove
+from analytic.scene import Arrangement, Bearing, Cage, ContactAngle, Groove, Surface
 from analytic.words import angle_of
 
 # Interference on the diameter over the ball diameter: several times that at which a steel race yields (about 0.8 %), so
@@ -25,6 +26,9 @@ def bearing_misfits(bearing: Bearing, *, gap_key: str = BOTTOM, own: Container[s
     own : keys of [bearing] that the scene gives itself; the others come from the catalogue
     """
     ball = bearing.ball_diameter
+    if "ball_diameter" in own and (room := _room(bearing, own)) <= ball:
+        yield "bearing.ball_diameter", f"does not fit: rings and neighbouring balls leave {_mm(room)}"
+        return
     possible = True
     for name, ring in (("inner", bearing.inner), ("outer", bearing.outer)):
         if not ring.groove_radius > ball / 2:
@@ -107,6 +111,22 @@ def cage_misfits(bearing: Bearing, cage: Cage, *, pocket: str, pockets_may_overl
             yield "cage.wall_thickness", f"must be at most the web between pockets, {_mm(chord - diameter)}"
 
 
+def surface_misfits(
+    surface: Surface, bearing: Bearing, cage: Cage | None, *, is_lubricated: bool
+) -> Iterator[tuple[str, str]]:
+    """The same for a map of heights that is no file, and for summits that yield in a body of unknown hardness."""
+    if surface.height_map is not None and not os.path.isfile(surface.height_map.path):
+        yield "surface.height_map.path", "is not a file; give its path from the scene file's folder"
+    never_yields = surface.gap == "elastic" or surface.asperities == "greenwood_williamson"
+    if never_yields or surface.hardness is not None or not is_lubricated:
+        return
+    bodies = [bearing.ball_material, bearing.inner.material, bearing.outer.material]
+    for body in (*bodies, *(() if cage is None else (cage.material,))):
+        if body.hardness is None:
+            yield "surface.hardness", f"is missing, and {body.name} has none: give one, for bearing steel about 7.8 GPa"
+            return
+
+
 def warnings(bearing: Bearing, cage: Cage | None) -> Iterator[str]:
     """What is possible and yet probably a mistake."""
     expected = bearing.ball_material.density * np.pi / 6 * bearing.ball_diameter**3
@@ -125,6 +145,14 @@ def warnings(bearing: Bearing, cage: Cage | None) -> Iterator[str]:
 def pitch_chord(bearing: Bearing) -> float:
     """d_m sin(pi/Z): distance between the centres of neighbouring balls, m; 0 for one ball."""
     return bearing.pitch_diameter * float(np.sin(np.pi / bearing.ball_count))
+
+
+def _room(bearing: Bearing, own: Container[str]) -> float:
+    """What a ball may fill, m: between bore and outside diameter, and to the next ball if the count is not own."""
+    room = np.inf
+    if bearing.kind == "radial" and bearing.bore_diameter is not None and bearing.outside_diameter is not None:
+        room = (bearing.outside_diameter - bearing.bore_diameter) / 2
+    return min(room, pitch_chord(bearing)) if bearing.ball_count > 1 and "ball_count" not in own else room
 
 
 def _shoulder_angle(bearing: Bearing) -> float:

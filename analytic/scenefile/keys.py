@@ -22,7 +22,21 @@ from analytic.scenefile.text import plain, shown
 Value = float | int | str | bool
 CATALOG = "bearing.catalog"
 NOTHING = "leave it out"  # where a key is not known
-SAME_AS = {"shaft_fit": "shaft_interference", "housing_fit": "housing_interference"}  # another word for a key
+SAME_AS: dict[str, tuple[str, ...]] = {  # other words for keys and tables, as people write them
+    **dict.fromkeys(("designation", "catalogue", "bearing_type"), (CATALOG,)),
+    **dict.fromkeys(("oil", "lubricant_name", "grease"), ("lubricant.name",)),
+    **dict.fromkeys(("oils", "lubrication", "lube"), ("lubricant",)),
+    **dict.fromkeys(("speed", "rpm", "n", "rotational_speed", "shaft_speed"), ("operation.inner_speed",)),
+    **dict.fromkeys(("load", "loads", "force"), ("operation.radial_load", "operation.axial_load")),
+    **dict.fromkeys(("radial", "fr", "radial_force"), ("operation.radial_load",)),
+    **dict.fromkeys(("axial", "fa", "thrust", "thrust_load", "axial_force"), ("operation.axial_load",)),
+    **dict.fromkeys(("temperature", "oil_temperature", "temp"), ("lubricant.temperature",)),
+    **dict.fromkeys(("operating", "operating_point", "conditions"), ("operation",)),
+    **dict.fromkeys(("friction_coefficient", "mu"), ("friction.coefficient",)),
+    **dict.fromkeys(("roughness",), ("surface.Ra",)),
+    "shaft_fit": ("mounting.shaft_interference",),
+    "housing_fit": ("mounting.housing_interference",),
+}
 OF_CATALOG = ("bearing", "cage")  # tables that the catalog fills
 BESIDE = ("uncertainty.", "assumed.")  # tables with the keys of the others
 MOST_NAMES = 5  # in one message
@@ -123,7 +137,7 @@ def faults_of(
     root : of which the document is
     """
     unknown = [error for error in errors if error["type"] == "extra_forbidden"]
-    explained = {(*error["loc"][:-1], _meant(_place(document, error["loc"], root))) for error in unknown}
+    explained = {place for error in unknown for place in _explained(_place(document, error["loc"], root))}
     without_catalog = tuple(CATALOG.split(".")) in explained
 
     def follows(error: Mapping[str, Any]) -> bool:
@@ -134,18 +148,26 @@ def faults_of(
     return [_fault_of(_place(document, error["loc"], root), error) for error in (*unknown, *others)]
 
 
-def _meant(place: Place) -> str | None:
-    """The key that an unknown one is like."""
-    if SAME_AS.get(place.name) in place.table.model_fields:
-        return SAME_AS[place.name]
-    return next(iter(get_close_matches(place.name, list(place.table.model_fields), n=1)), None)
+def _explained(place: Place) -> Iterator[tuple[str, ...]]:
+    """The keys that are not missing but written in another way."""
+    yield from (tuple(path.split(".")) for path in SAME_AS.get(place.name.casefold(), ()))
+    yield from ((*place.path.split(".")[:-1], meant) for meant in _meant(place))
+
+
+def _meant(place: Place) -> list[str]:
+    """The keys of the same table for which an unknown one is another word, or the one that it is like."""
+    table = place.path.rpartition(".")[0]
+    same = [path.rpartition(".") for path in SAME_AS.get(place.name.casefold(), ())]
+    return [name for owner, _, name in same if owner == table] or get_close_matches(
+        place.name, list(place.table.model_fields), n=1
+    )
 
 
 def _fault_of(place: Place, error: Mapping[str, Any]) -> str:
     if error["type"] in ("missing", "too_short"):  # an empty table
         return f"{place.path} is missing; {accepted(place.field) or NOTHING}"
     if error["type"] == "extra_forbidden":
-        problem = f"is an unknown key; {_instead(place)}"
+        problem = f"is an unknown key; {_instead(place, error['input'])}"
     elif error["type"] in ("value_error", "literal_error"):
         problem = _problem(error, place.field)
     else:  # the tables allow only one other error: not a table
@@ -153,13 +175,17 @@ def _fault_of(place: Place, error: Mapping[str, Any]) -> str:
     return f"{place.path} = {shown(error['input'])} {problem}"
 
 
-def _instead(place: Place) -> str:
+def _instead(place: Place, given: object) -> str:
     """What to write for an unknown key: the key meant, the same key of another table, or the most similar ones."""
-    meant, names = _meant(place), list(place.table.model_fields)
+    names, same = list(place.table.model_fields), SAME_AS.get(place.name.casefold(), ())
+    if isinstance(given, dict):
+        same = tuple(dict.fromkeys(path.partition(".")[0] for path in same))
     elsewhere = [path for path in paths() if path.rpartition(".")[2] == place.name and not path.startswith(BESIDE)]
-    if meant is None and not elsewhere:
+    meant = same if "." not in place.path else _meant(place)
+    meant = meant or _meant(place) or same or elsewhere[:2]
+    if not meant:
         return f"known: {_some(get_close_matches(place.name, names, n=len(names), cutoff=0.0))}"
-    return f"did you mean {meant or ' or '.join(elsewhere[:2])}?"
+    return f"did you mean {' or '.join(meant)}?"
 
 
 def _some(names: Sequence[str]) -> str:
@@ -201,7 +227,8 @@ def accepted(field: FieldInfo | None) -> str | None:
 def _hint(path: str) -> str:
     known = list(paths())
     last = path.rpartition(".")[2]
-    near = [name for name in known if name.rpartition(".")[2] == last] or get_close_matches(path, known, n=2)
+    near = SAME_AS.get(last.casefold()) or [name for name in known if name.rpartition(".")[2] == last]
+    near = near or get_close_matches(path, known, n=2)
     near = near or [name for name in known if name.rpartition(".")[2].endswith(last)]
     return f"; did you mean {' or '.join(near[:4])}?" if near else "; give its whole path, as operation.axial_load"
 

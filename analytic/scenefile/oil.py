@@ -140,6 +140,11 @@ def _refuse_conflicts(given: Mapping[str, Any]) -> None:
             "lubricant.reference_temperature and the temperature in lubricant.viscosity say the same; "
             "leave one of them out"
         )
+    if viscosity is not None and viscosity.is_kinematic and own is None and not viscosity.is_pair and "name" in given:
+        raise InputError(
+            f"lubricant.viscosity = {viscosity.text} has no temperature beside lubricant.name: "
+            'write for example "46 cSt at 40 degC", or leave it out'
+        )
     if viscosity is not None and own is not None and "name" in given and given.get("temperature", own) != own:
         raise InputError(
             f"lubricant.viscosity = {viscosity.text} is not at lubricant.temperature, "

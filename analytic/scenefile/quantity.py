@@ -4,6 +4,8 @@ A quantity is a number and a unit; the unit is a product of names with one-digit
 scenes use; any other name is looked up in pint, whose units take a third of a second to build. Degrees and revolutions
 are angles, and a radian is not a pure number: `"100 Hz"` is not an angular speed. For a speed, `"1/min"` and the like
 are revolutions per minute.
+
+A key says how its unit is read, wherever people write it: "60 C" is 60 degC, "3 KN" is 3 kN, "2,5 kN" is 2.5 kN.
 """
 
 import re
@@ -25,11 +27,16 @@ RAISED = {"⁻¹": "^-1", "²": "^2", "³": "^3"}
 
 # Units without their spaces, as people write them; pint does not know them or means something else.
 SPELLINGS = {'"': "inch", "kp": "kgf"}
-SPEEDS = dict.fromkeys(("RPM", "Rpm", "r/min", "rev/min", "U/min", "1/min", "/min", "min-1", "min^-1"), "rpm")
+IN_CONTEXT = {  # names in small letters, for keys of each SI unit. "mN" and "MN" differ by their case alone.
+    "K": {"c": "degC", "°c": "degC", "degc": "degC", "f": "degF", "°f": "degF", "degf": "degF", "k": "K"},
+    "N": {"n": "N", "kn": "kN"},
+    "rad/s": dict.fromkeys(("rpm", "r/min", "rev/min", "u/min", "1/min", "/min", "min-1", "min^-1"), "rpm"),
+}
+TYPED = re.compile(r"\s*([+-]?[\d.,]+(?:[eE][+-]?\d+)?)\s*((?:(?:1? */|[^\d+-]).*?)?)\s*")
+AMBIGUOUS = re.compile(r"([+-]?[1-9]\d*),(\d{3})")  # 0,500 is no group of thousands
+DECIMAL_COMMA = re.compile(r"[+-]?\d*,\d+(?:[eE][+-]?\d+)?")
 # Units that are not what people mean by them: what is meant, and why it must be written so.
 MISTAKEN = {
-    "C": ("degC", "C is coulomb"),
-    "F": ("degF", "F is farad"),
     "Hz": ("rpm", "Hz may count turns or radians"),
     "1/s": ("rpm", "1/s may count turns or radians"),
     "s-1": ("rpm", "s-1 may count turns or radians"),
@@ -147,6 +154,27 @@ class Dimension:
             raise ValueError(f"is out of range; {self.accepted}")
         return value
 
+    def tidy(self, given: str) -> str:
+        """The quantity as files have it: "2,5KN" is "2.5 kN". What is none stays as it is.
+
+        Raises ValueError for a number that can be read in two ways.
+        """
+        found = TYPED.fullmatch(given) if len(given) <= LONGEST else None
+        if found is None:
+            return given
+        number, unit = found.groups()
+        if group := AMBIGUOUS.fullmatch(number):
+            whole, rest = group.groups()
+            decimal = f"{whole}.{rest}".rstrip("0").rstrip(".")
+            readings = " or ".join(f"{each} {unit}".rstrip() for each in (whole + rest, decimal))
+            raise ValueError(f"is ambiguous, a comma before three digits: write {readings}")
+        if DECIMAL_COMMA.fullmatch(number):
+            number = number.replace(",", ".")
+        return f"{number} {self._in_context(unit)}".rstrip()
+
+    def _in_context(self, written: str) -> str:
+        return IN_CONTEXT.get(self.unit, {}).get(written.replace(" ", "").replace("**", "^").lower(), written)
+
     def _in_si(self, given: object) -> float:
         if isinstance(given, bool) or not isinstance(given, str | int | float):
             raise ValueError(f"is not a quantity; {self.accepted}")
@@ -157,7 +185,7 @@ class Dimension:
                 return float(given)
             except OverflowError:
                 raise ValueError(f"is too large; {self.accepted}") from None
-        match = QUANTITY.fullmatch(_plain_powers(given)) if len(given) <= LONGEST else None
+        match = QUANTITY.fullmatch(_plain_powers(self.tidy(given))) if len(given) <= LONGEST else None
         if match is None:
             raise ValueError(f"is not a number and a unit{self._hint(given)}; {self.accepted}")
         try:
@@ -183,9 +211,8 @@ class Dimension:
 
     def _unit(self, written: str) -> Unit | None:
         """The unit that is written; None if a name in it is unknown."""
-        compact = written.replace(" ", "").replace("**", "^")
-        spellings = SPELLINGS | SPEEDS if self.unit == "rad/s" else SPELLINGS
-        return unit_of(spellings.get(compact, written))
+        meant = self._in_context(written)
+        return unit_of(SPELLINGS.get(meant.replace(" ", ""), meant))
 
     def _remedy(self, written: str) -> str:
         """What to write in place of a unit that is often mistaken for one of this dimension."""
@@ -196,7 +223,7 @@ class Dimension:
     def _hint(self, given: str) -> str:
         if re.fullmatch(rf"\s*{NUMBER}\s*", given[:LONGEST]):
             return " (no quotes around a pure number)" if not self.unit else " (the unit is missing)"
-        if re.match(r"\s*[+-]?\d+,\d", given[:LONGEST]):
+        if re.match(r"\s*[+-]?[\d.]+,\d", given[:LONGEST]):
             return " (write a decimal point)"
         return ""
 

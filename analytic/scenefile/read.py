@@ -288,8 +288,8 @@ def _scene(
             overlaps = table.cage.variant == AS_PRINTED
             misfits += fit.cage_misfits(bearing, cage, pocket=pocket, pockets_may_overlap=overlaps)
     surface = None if table.surface is None else surface_of(table.surface, folder)
-    if surface is not None and surface.height_map is not None and not os.path.isfile(surface.height_map.path):
-        misfits.append(("surface.height_map.path", "is not a file; give its path from the scene file's folder"))
+    if surface is not None:
+        misfits += fit.surface_misfits(surface, bearing, cage, is_lubricated=table.lubricant is not None)
     losses, notes = Losses(), ()
     if not misfits:
         try:

@@ -1,7 +1,6 @@
 """Values of keys that are given beside a scene: by options of a bearing of the catalogue, and by settings of any key.
 
-People type them, so a key says how its unit is read, which a scene file does not do: "60C" is 60 degC, "3KN" is 3 kN,
-"2,5 kN" is 2.5 kN, and a speed without a unit is in rpm. Numbers from Python are SI.
+People type them, so a speed without a unit is in rpm, which it is not in a scene file. Numbers from Python are SI.
 """
 
 import re
@@ -15,19 +14,12 @@ import numpy as np
 from analytic.errors import InputError
 from analytic.scenefile.choice import KEYS, Choice
 from analytic.scenefile.keys import scene_key
-from analytic.scenefile.quantity import Dimension
+from analytic.scenefile.quantity import NUMBER, Dimension
+from analytic.scenefile.table import Table
+from analytic.scenefile.tables import SceneTable
 from analytic.scenefile.text import plain, shown
 from analytic.units import has_unit
 
-TYPED = re.compile(r"\s*([+-]?[\d.,]+(?:[eE][+-]?\d+)?)\s*((?:(?:1? */|[^\d+-]).*?)?)\s*")
-AMBIGUOUS = re.compile(r"([+-]?[1-9]\d*),(\d{3})")  # 0,500 is no group of thousands
-DECIMAL_COMMA = re.compile(r"[+-]?\d*,\d+(?:[eE][+-]?\d+)?")
-# Units by their names in small letters, for keys of each SI unit. "mN" and "MN" differ by their case alone.
-SPELLINGS = {
-    "K": {"c": "degC", "°c": "degC", "degc": "degC", "f": "degF", "°f": "degF", "degf": "degF", "k": "K"},
-    "N": {"n": "N", "kn": "kN"},
-    "rad/s": {"rpm": "rpm", "": "rpm"},
-}
 SETTING = "give KEY=VALUE, for example --set lubricant.supply=grease"
 
 
@@ -58,13 +50,14 @@ def typed_settings(texts: list[str]) -> dict[str, str]:
     return settings
 
 
-def read_setting(path: str, given: Any) -> tuple[Any, list[str]]:
+def read_setting(path: str, given: Any, *, root: type[Table] = SceneTable) -> tuple[Any, list[str]]:
     """The value of a key as a scene file has it, and notes on how it was read.
 
+    root : whose key it is
     given : a text, as it is typed; or from Python a number in SI, a quantity, a switch, or a list
-    Raises InputError for an unknown key and an ambiguous number; the value itself is checked with the scene.
+    Raises InputError for an unknown key; the value itself is checked with the scene.
     """
-    key, value = scene_key(path), as_text(given)
+    key, value = scene_key(path, root=root), as_text(given)
     is_typed = isinstance(value, str)
     if is_typed and not key.takes_text:
         value = _toml_value(value)
@@ -96,23 +89,18 @@ def _in_context(path: str, dimension: Dimension, value: Any, *, notes: list[str]
         if dimension.unit != "rad/s":
             return value
         value = repr(value)
-    found = TYPED.fullmatch(value) if isinstance(value, str) else None
-    if found is None:
+    if not isinstance(value, str):
         return value
-    number, unit = found.groups()
-    if group := AMBIGUOUS.fullmatch(number):
-        whole, rest = group.groups()
-        decimal = f"{whole}.{rest}".rstrip("0").rstrip(".")
-        readings = " or ".join(f"{each} {unit}".rstrip() for each in (whole + rest, decimal))
-        raise InputError(f"{path} = {shown(value)} is ambiguous, a comma before three digits: write {readings}")
-    if DECIMAL_COMMA.fullmatch(number):
-        number = number.replace(",", ".")
-    if not dimension.unit and not unit:
-        return float(number) if re.fullmatch(r"[+-]?\d*\.?\d+(?:[eE][+-]?\d+)?", number) else value
-    meant = SPELLINGS.get(dimension.unit, {}).get(unit.lower(), unit)
-    if not unit and meant:
-        notes.append(f"{path} = {number} has no unit and is read as {number} {meant}")
-    return f"{number} {meant}".rstrip()
+    try:
+        text = dimension.tidy(value)
+    except ValueError:
+        return value
+    if dimension.unit not in ("", "rad/s") or not re.fullmatch(NUMBER, text, re.ASCII):
+        return text
+    if not dimension.unit:
+        return float(text)
+    notes.append(f"{path} = {text} has no unit and is read as {text} rpm")
+    return f"{text} rpm"
 
 
 def as_text(value: Any) -> Any:

@@ -88,10 +88,11 @@ Length = Annotated[float, Dimension(unit="m", low=1e-5, high=10, example='"7.94 
 Gap = Annotated[float, Dimension(unit="m", low=1e-9, high=10, example='"0.2 mm"')]
 Mass = Annotated[float, Dimension(unit="kg", low=1e-12, high=1e4, example='"2.04 g"')]
 Angle = Annotated[float, Dimension(unit="rad", low=0, high=1.5, example='"0.18 rad"')]
-Force = Annotated[float, Dimension(unit="N", low=1e-15, high=1e12, example='"1000 N"')]
-Thrust = Annotated[float, Dimension(unit="N", low=0, high=1e12, example='"1000 N"')]
-Side = Annotated[float, Dimension(unit="N", low=-1e12, high=1e12, example='"500 N"')]
-Moment = Annotated[float, Dimension(unit="N m", low=-1e12, high=1e12, example='"2 N m"')]
+HEAVIEST = 1e8  # N, and N m: beyond the static load rating of the largest ball bearings that are made
+Force = Annotated[float, Dimension(unit="N", low=1e-15, high=HEAVIEST, example='"1 kN"')]
+Thrust = Annotated[float, Dimension(unit="N", low=0, high=HEAVIEST, example='"1 kN"')]
+Side = Annotated[float, Dimension(unit="N", low=-HEAVIEST, high=HEAVIEST, example='"0.5 kN"')]
+Moment = Annotated[float, Dimension(unit="N m", low=-HEAVIEST, high=HEAVIEST, example='"2 N m"')]
 ClearanceEntry = Annotated[
     float | ClearanceGroup,
     QuantityOrWord(unit="m", low=-1, high=1, example='"10 um"', words=get_args(ClearanceGroup), meaning="a group"),

@@ -6,18 +6,24 @@ import textwrap
 from collections.abc import Iterator
 
 from analytic.catalog.bearing_rows import CatalogBearing, clearance_group, find_bearing
+from analytic.catalog.seals import seal_torque
 from analytic.errors import InputError
 from analytic.scene import Origin
 from analytic.scenefile.choice import USUAL, Choice
 
 SCHEMA_NAME = "fembearing-scene.schema.json"  # of the file beside the scene
 RADIAL_SHARE, AXIAL_SHARE = 0.05, 0.02  # of C0: a light load on a deep groove, and on an angular contact bearing
+# A cage of two steel sheets, over the ball diameter: clearance and thickness of the 6205 of [Paper], and the width of
+# the sheets that gives its mass of 6.58 g. Each sheet follows the pitch circle and half of every ball.
+POCKET, SHEET, SHEET_WIDTH = 0.025, 0.113, 0.36
+WEB = 0.8  # of the web between pockets: the thickest sheet
+STEEL, PEEK = 7850.0, 1300.0  # kg/m^3
 GROUPS = ("CN", "C3")  # whose spans are told beside the bearing's own group
 WIDTH = 118  # characters of a line
 COLUMN = 41  # where comments begin
 
 OPERATION = """\
-down = [1, 0, 0]                          # gravity points along the radial load, the shaft lies; [0, 0, 1]: it stands
+down = [1, 0, 0]                          # gravity is along the radial load; [0, 0, 1]: the shaft stands on its thrust
 #moment = "0 N m"                         # that tilts the rings
 """
 SUPPLIES = '"oil_bath", "oil_jet", "oil_spot" or "grease"'
@@ -35,17 +41,11 @@ hysteresis_loss = 0.007                   # assumed: 0.003 to 0.025 are in use, 
 #[mounting]                               # what seats and temperatures take from the clearance
 #shaft_interference = "5 um"              # on the diameter
 #housing_interference = "0 um"
-#inner_temperature = "65 degC"            # of inner ring and shaft
-#outer_temperature = "60 degC"
+#inner_temperature = "65 degC"            # of inner ring and shaft, together with the next line
+#outer_temperature = "60 degC"            # of outer ring and housing
 
-#[cage]                                   # without it the cage has no share
-#pocket_clearance = "0.2 mm"
-#wall_thickness = "1 mm"
-#mass = "10 g"
-#material = "steel"                       # or "peek"
-
-#[losses]                                 # torque that you know and that is added
-#seals = "5 N mm"                         # of both seals together, or "estimate" by SKF's formula
+"""
+MORE = """\
 #drag = "2 N mm"                          # of the oil that balls and cage move
 
 #[measured]                               # with which `fembearing compare` compares the torque
@@ -76,7 +76,7 @@ def scene_text(designation: str, choice: Choice = USUAL) -> str:
             head,
             f"[bearing]\ncatalog = {name}\n{warnings}{_play(bearing)}{_dimensions(bearing)}",
             f"[operation]\n{_operation(bearing, choice)}{OPERATION}",
-            f"[lubricant]\n{_oil(choice)}{REST}",
+            f"[lubricant]\n{_oil(choice)}{REST}{_cage(bearing)}\n{_seals(bearing)}{MORE}",
         )
     )
 
@@ -173,6 +173,36 @@ def _oil(choice: Choice) -> str:
         _line(f"name = {_quoted(choice.oil)}", "`fembearing list oils` shows all")
         + _line(f"temperature = {_quoted(choice.temperature)}", "where the oil enters the contacts")
         + _line(supply, SUPPLIES)
+    )
+
+
+def _cage(bearing: CatalogBearing) -> str:
+    """The table of a cage in comments, scaled to the balls."""
+    ball, count, pitch = bearing.ball_diameter, bearing.ball_count, bearing.pitch_diameter
+    web = pitch * math.sin(math.pi / count) - (1 + POCKET) * ball
+    sheet = min(SHEET * ball, WEB * web)
+    around = math.pi * pitch + count * (math.pi / 2 - 1) * ball
+    volume = 2 * sheet * SHEET_WIDTH * ball * around
+    steel, peek = (f"{float(f'{1e3 * density * volume:.2g}'):g} g" for density in (STEEL, PEEK))
+    return (
+        _line("#[cage]", "without it the cage has no share; numbers scaled from the sheet cage of a 6205")
+        + f'#pocket_clearance = "{1e3 * POCKET * ball:.2g} mm"\n'
+        + f'#wall_thickness = "{1e3 * sheet:.2g} mm"\n'
+        + _line(f'#mass = "{steel}"', f"of PEEK {peek}")
+        + _line('#material = "steel"', 'or "peek"')
+    )
+
+
+def _seals(bearing: CatalogBearing) -> str:
+    """The head of the table of losses in comments, with its first key."""
+    try:
+        seal_torque(bearing, counterface=bearing.bore)
+    except InputError:
+        estimate = ""
+    else:
+        estimate = ', or "estimate" by SKF\'s formula'
+    return _line("#[losses]", "torque that you know and that is added") + _line(
+        '#seals = "5 N mm"', f"of both seals together{estimate}"
     )
 
 

@@ -31,8 +31,21 @@ from fembearing.cli import (
     warmup,
 )
 from fembearing.cli.boundary import DEBUG, guarded
+from fembearing.cli.common_options import FORCE, QUIET, VERBOSE, with_common
+from fembearing.cli.report_options import UNITS
 
-COMMANDS: dict[str, tuple[Callable[..., None], str]] = {  # with an example of what follows the name
+LONG = {"validate", "torque", "compare", "contact", "film", "creep", "cost", "sweep", "warmup"}  # commands with steps
+WRITING = {"validate", "torque", "compare", "film", "creep", "cost", "init"}  # a new file or folder
+SHOWING = {"torque", "compare", "contact", "film", "creep", "list"}  # lengths, forces or torques; no report
+
+
+def _common_options(name: str) -> dict[str, Any]:
+    """The options of a command that mean the same in each."""
+    kinds = ((LONG, VERBOSE), (WRITING, FORCE), (SHOWING, UNITS))
+    return QUIET | {key: option for names, kind in kinds if name in names for key, option in kind.items()}
+
+
+_FUNCTIONS: dict[str, tuple[Callable[..., None], str]] = {  # with an example of what follows the name
     "validate": (validate.validate, 'bearing.toml --tolerance "1 %" --out report-of-my-bearing'),
     "torque": (torque.torque, "6308 --radial-load 3kN --speed 3000rpm --oil 'ISO VG 68' --temperature 60C"),
     "compare": (compare.compare, "data.csv bearing.toml --out comparison-of-my-bearing"),
@@ -48,6 +61,9 @@ COMMANDS: dict[str, tuple[Callable[..., None], str]] = {  # with an example of w
     "list": (listing.listing, "bearings 62"),
     "schema": (schema.schema, "grid"),
     "warmup": (warmup.warmup, ""),
+}
+COMMANDS = {
+    name: (with_common(_common_options(name))(function), example) for name, (function, example) in _FUNCTIONS.items()
 }
 # Between two searches for garbage: imports make many objects, all of which stay. It saves a tenth of a second.
 OBJECTS = 100_000

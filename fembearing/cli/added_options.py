@@ -4,10 +4,12 @@ import inspect
 from collections.abc import Callable, Mapping
 from contextvars import ContextVar
 from functools import wraps
+from types import MappingProxyType
 from typing import Any
 
 Command = Callable[..., None]
-GIVEN: ContextVar[dict[str, Any]] = ContextVar("given")  # what the added options of the running command say
+NOTHING: Mapping[str, Any] = MappingProxyType({})
+GIVEN: ContextVar[Mapping[str, Any]] = ContextVar("given", default=NOTHING)  # by the added options of the command
 
 
 def with_options(options: Mapping[str, Any]) -> Callable[[Command], Command]:
@@ -16,8 +18,11 @@ def with_options(options: Mapping[str, Any]) -> Callable[[Command], Command]:
     def adding(command: Command) -> Command:
         @wraps(command)
         def run(**arguments: Any) -> None:
-            GIVEN.set({name: arguments.pop(name) for name in options})
-            command(**arguments)
+            before = GIVEN.set({**GIVEN.get(), **{name: arguments.pop(name) for name in options}})
+            try:
+                command(**arguments)
+            finally:
+                GIVEN.reset(before)
 
         own = inspect.signature(command)
         kind = inspect.Parameter.KEYWORD_ONLY

@@ -91,7 +91,11 @@ def status_of(problem: BaseException) -> int:
         case FembearingError():
             return complain(problem, INPUT_AT_FAULT)
         case TyperException():
-            return complain(problem.format_message().replace(PYDANTICS, ""), INPUT_AT_FAULT)
+            words = problem.format_message().replace(PYDANTICS, "")
+            nothing_near = words.startswith("No such option") and "ossible" not in words and "ean" not in words
+            return complain(
+                f"{words}; the command with -h lists its options" if nothing_near else words, INPUT_AT_FAULT
+            )
         case Abort() | KeyboardInterrupt():
             return INTERRUPTED
         case _ if _lacks_memory(problem):

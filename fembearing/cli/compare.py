@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from fembearing.cli.options import AsJson, Folder, Samples, require_folder_name, scene_names_like
+from fembearing.cli.options import AsJson, Folder, Samples, require_folder_name, scene_names_like, with_details
 from fembearing.cli.status import STATUS, print_warnings
 
 Data = Annotated[
@@ -46,12 +46,13 @@ def compare(
     from analytic.writing import new_folder
     from fembearing.cli.console import out, print_json, shown_progress
     from fembearing.plain_types import plain
+    from fembearing.quantities import SYSTEMS
     from fembearing.report.measured_folder import ComparisonFile, write_comparison
     from fembearing.report.tables.measured import measured_table
     from fembearing.report.terminal.table import show
     from fembearing.verify.measured.comparison import compare_measured
 
-    given = load_scene(scene, measured=data)
+    given = with_details(load_scene(scene, measured=data))
     with shown_progress() as progress, nullcontext() if folder is None else new_folder(folder) as place:
         result = compare_measured(given, samples=samples, seed=seed, progress=progress)
         if place is not None:
@@ -59,7 +60,7 @@ def compare(
     if as_json:
         print_json(plain(ComparisonFile(**vars(result))))
     else:
-        show(out, measured_table(result))
+        show(out, measured_table(result, SYSTEMS[given.report.units]))
         print_warnings(result.warnings)
         if folder is not None:
             out.tell(f"report: {folder / 'compare.html'}")

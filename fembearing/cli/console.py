@@ -1,13 +1,15 @@
-"""Where the commands write: results on standard output, a bar of the progress on standard error."""
+"""Where the commands write: results on standard output, the progress on standard error."""
 
 import json
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
 from rich.console import Console
 
-from fembearing.progress import silent
+from fembearing.cli.status import TALK, say
+from fembearing.progress import Progress, silent
 
 
 class Stream(Console):
@@ -26,8 +28,16 @@ out, err = Stream(highlight=False), Stream(stderr=True)
 
 @contextmanager
 def shown_progress() -> Iterator[Callable[[float, str], None]]:
-    """A bar with the time left on standard error, if that is a terminal. It also shows which formula is compiled."""
-    if not err.is_terminal:
+    """A bar with the time left on standard error, if that is a terminal. It also shows which formula is compiled.
+
+    A verbose command says each step and its time instead, and a quiet one nothing.
+    """
+    if TALK.get() == "verbose":
+        begin = time.perf_counter()
+        yield _said_steps(begin)
+        say(f"{time.perf_counter() - begin:.1f} s in all")
+        return
+    if TALK.get() == "quiet" or not err.is_terminal:
         yield silent
         return
     from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
@@ -52,6 +62,18 @@ def shown_progress() -> Iterator[Callable[[float, str], None]]:
             yield update
         finally:
             compilation.show = without_bar
+
+
+def _said_steps(begin: float) -> Progress:
+    """Progress in lines, one for each step; begin : s, on the clock of `time.perf_counter`."""
+    last = [""]
+
+    def tell(share: float, step: str) -> None:
+        if step != last[0]:
+            last[0] = step
+            say(f"{time.perf_counter() - begin:.1f} s, {share:.0%} done: {step}")
+
+    return tell
 
 
 def print_json(content: dict[str, Any]) -> None:

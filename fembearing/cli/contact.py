@@ -20,6 +20,7 @@ from fembearing.cli.options import (
 from fembearing.cli.status import DONE, NOT_SOLVED, complain, print_warnings
 
 if TYPE_CHECKING:
+    from fembearing.quantities import Units
     from fembearing.verify.contact.discrepancy import ContactSolution
     from fembearing.verify.contact.load_series import LoadSeries
     from fembearing.verify.contact.subsurface import SubsurfaceComparison
@@ -42,14 +43,16 @@ def contact(
     loads = [read_load(text) for text in load or ()]
     from analytic.errors import InputError
     from fembearing.cli.console import shown_progress
+    from fembearing.quantities import SYSTEMS
     from fembearing.verify.contact.discrepancy import solve_contact
     from fembearing.verify.contact.load_series import solve_load_series
     from fembearing.verify.contact.subsurface import compare_subsurface
 
+    units = SYSTEMS[given.report.units]
     with shown_progress() as progress:
         settings: dict[str, Any] = {"pair": pair, "accuracy": limit, "geometry": geometry, "progress": progress}
         if len(loads) > 1:
-            show = partial(_show_series, solve_load_series(given, loads=loads, **settings))
+            show = partial(_show_series, solve_load_series(given, loads=loads, **settings), units)
         else:
             result, below = solve_contact(given, load=loads[0] if loads else None, **settings), None
             progress(0.8, f"{result.contact.pair}: stress under the contact")
@@ -57,12 +60,12 @@ def contact(
                 below = compare_subsurface(result)
             except InputError as problem:  # a contact cut off at a shoulder: everything else is known
                 result = replace(result, warnings=(*result.warnings, str(problem)))
-            show = partial(_show_contact, result, below, limit)
+            show = partial(_show_contact, result, below, limit, units)
     raise typer.Exit(_status(show(as_json=as_json), limit))
 
 
 def _show_contact(
-    result: "ContactSolution", below: "SubsurfaceComparison | None", accuracy: float, *, as_json: bool
+    result: "ContactSolution", below: "SubsurfaceComparison | None", accuracy: float, units: "Units", *, as_json: bool
 ) -> dict[str, float]:
     """The relative uncertainties of the quantities that are to be known to the accuracy, by their names."""
     from analytic.words import percent_of
@@ -78,16 +81,16 @@ def _show_contact(
         added = {"tolerance": result.tolerance, "accuracy": accuracy, "subsurface": plain(below)}
         print_json(plain(contact_record(result)) | added)
     else:
-        show(out, contact_table([(contact_record(result), result.verdicts)]))
+        show(out, contact_table([(contact_record(result), result.verdicts)], units))
         if below is not None:
-            show(out, subsurface_table(below))
+            show(out, subsurface_table(below, units))
         if result.judged:
             out.print(f"Hertz by the scene's tolerance of {percent_of(result.tolerance)}: {result.verdict}")
         print_warnings(result.warnings)
     return {name: result.estimates[name].total for name in (COMPARED if result.judged else SHOWN_OF_A_SHEET)}
 
 
-def _show_series(result: "LoadSeries", *, as_json: bool) -> dict[str, float]:
+def _show_series(result: "LoadSeries", units: "Units", *, as_json: bool) -> dict[str, float]:
     from analytic.words import percent_of
     from fembearing.cli.console import out, print_json
     from fembearing.plain_types import plain
@@ -98,7 +101,7 @@ def _show_series(result: "LoadSeries", *, as_json: bool) -> dict[str, float]:
     if as_json:
         print_json(plain(series_record(result)))
     else:
-        show(out, series_table(result))
+        show(out, series_table(result, units))
         verdict = result.verdict if result.judged else "shown, not judged"
         out.print(f"{verdict}: tolerance {percent_of(result.tolerance)}")
         print_warnings(result.warnings)

@@ -57,6 +57,7 @@ def creep(
     from analytic.words import percent_of
     from analytic.writing import new_folder
     from fembearing.cli.console import out, print_json, shown_progress
+    from fembearing.quantities import SYSTEMS
     from fembearing.report.creep_folder import creep_content, write_creep
     from fembearing.report.tables.creep import creep_table
     from fembearing.report.terminal.table import show
@@ -79,7 +80,7 @@ def creep(
     if as_json:
         print_json(creep_content(numbers))
     else:
-        show(out, creep_table(numbers))
+        show(out, creep_table(numbers, SYSTEMS[given.report.units]))
     print_warnings((*(() if as_json else numbers.warnings), *(() if trouble is None else (f"no pictures: {trouble}",))))
     if numbers.relative_uncertainty <= limit:
         raise typer.Exit(DONE)

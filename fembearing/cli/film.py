@@ -50,6 +50,7 @@ def film(
     from analytic.words import percent_of
     from analytic.writing import new_folder
     from fembearing.cli.console import out, print_json, shown_progress
+    from fembearing.quantities import SYSTEMS
     from fembearing.report.film_folder import film_content, write_film
     from fembearing.report.tables.film import film_table
     from fembearing.report.terminal.table import show
@@ -70,7 +71,7 @@ def film(
     if as_json:
         print_json(film_content(result.numbers))
     else:
-        show(out, film_table(result.numbers))
+        show(out, film_table(result.numbers, SYSTEMS[given.report.units]))
         print_warnings(result.numbers.warnings)
     name, uncertainty = result.numbers.worst
     if uncertainty <= limit:

@@ -6,7 +6,9 @@ from typing import Annotated, Any, Literal, get_args
 
 import typer
 
+from analytic.report_details import UnitSystem
 from fembearing.cli.options import AsJson
+from fembearing.cli.report_options import shown_system
 
 Topic = Literal["bearings", "oils", "materials", "scenes", "effects"]
 Row = dict[str, Any]  # SI
@@ -34,7 +36,7 @@ def listing(
 
         print_json({topic: rows})
     else:
-        _print(COLUMNS[topic], rows)
+        _print(_bearing_columns(shown_system()) if topic == "bearings" else COLUMNS[topic], rows)
 
 
 def _plain(name: str) -> str:
@@ -115,19 +117,6 @@ def _number(key: str, head: str, factor: float, form: str = "g") -> Column:
 
 
 COLUMNS: dict[Topic, Sequence[Column]] = {
-    "bearings": (
-        _text("designation"),
-        ("type", lambda row: row["kind"].split()[0]),
-        _number("bore", "d", 1e3),
-        _number("outside", "D", 1e3),
-        _number("width", "B", 1e3),
-        _text("ball_count", "Z"),
-        _number("ball_diameter", "Dw, mm", 1e3, ".5g"),
-        _number("nominal_angle", "deg", math.degrees(1), ".3g"),
-        _number("dynamic_load_rating", "C", 1e-3, ".4g"),
-        _number("static_load_rating", "C0, kN", 1e-3, ".4g"),
-        _text("grade"),
-    ),
     "oils": (
         _text("oil"),
         _text("kind"),
@@ -146,6 +135,28 @@ COLUMNS: dict[Topic, Sequence[Column]] = {
     "scenes": (_text("scene"), _text("title")),
     "effects": (_text("effect"), _text("meaning"), _text("needs")),
 }
+
+
+def _bearing_columns(system: UnitSystem) -> Sequence[Column]:
+    """The columns of bearings, in mm and kN or in inches and 1000 lbf."""
+    from fembearing.quantities import INCH, POUND
+
+    length, force, unit, heavy = (
+        (1e3, 1e-3, "mm", "kN") if system == "metric" else (1 / INCH, 1e-3 / POUND, "in", "klbf")
+    )
+    return (
+        _text("designation"),
+        ("type", lambda row: row["kind"].split()[0]),
+        _number("bore", "d", length, ".4g"),
+        _number("outside", "D", length, ".4g"),
+        _number("width", "B", length, ".4g"),
+        _text("ball_count", "Z"),
+        _number("ball_diameter", f"Dw, {unit}", length, ".5g"),
+        _number("nominal_angle", "deg", math.degrees(1), ".3g"),
+        _number("dynamic_load_rating", "C", force, ".4g"),
+        _number("static_load_rating", f"C0, {heavy}", force, ".4g"),
+        _text("grade"),
+    )
 
 
 def _print(columns: Sequence[Column], rows: Sequence[Row]) -> None:

@@ -2,11 +2,14 @@
 
 import sys
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
+
+from fembearing.cli.status import print_warnings
 
 if TYPE_CHECKING:
     from analytic.scene import Scene
@@ -116,9 +119,20 @@ def read_scene(
     from analytic.scenefile.read import load_scene, parse_scene, refuse_options
 
     if name != STANDARD_INPUT:
-        return load_scene(BUILTIN if name is None else name, settings=settings, **options)
+        return with_details(load_scene(BUILTIN if name is None else name, settings=settings, **options))
     refuse_options(options, "standard input")
-    return parse_scene(_standard_input(), origin="standard input", settings=settings)
+    return with_details(parse_scene(_standard_input(), origin="standard input", settings=settings))
+
+
+def with_details(scene: "Scene") -> "Scene":
+    """The scene with the details of the report that options give, or the user's settings where it says none."""
+    from analytic.report_details import ReportDetails
+    from fembearing.cli.config import own_details
+    from fembearing.cli.report_options import given_details
+
+    usual = vars(ReportDetails())
+    own = {name: value for name, value in own_details().items() if getattr(scene.report, name) == usual[name]}
+    return replace(scene, report=replace(scene.report, **{**own, **given_details()}))
 
 
 def _standard_input() -> str:
@@ -179,16 +193,17 @@ def _read_option(option: str, given: str, key: str) -> float:
     """The value of an option in SI. Raises InputError for a text that this key of a scene or a grid does not take."""
     from analytic.errors import InputError
     from analytic.scenefile.keys import scene_key
+    from analytic.scenefile.setting import read_setting
     from analytic.scenefile.tables import SceneTable
     from fembearing.sweep.grid import OF_AXES, GridTable
 
-    dimension = scene_key(key, root=GridTable if key in OF_AXES else SceneTable).dimension
+    root = GridTable if key in OF_AXES else SceneTable
+    value, notes = read_setting(key, given, root=root)
+    dimension = scene_key(key, root=root).dimension
     assert dimension is not None, key
     try:
-        number: object = float(given)  # on the command line a pure number is text too
-    except ValueError:
-        number = given
-    try:
-        return dimension.read(number)
+        number = dimension.read(value)
     except ValueError as problem:
         raise InputError(f"{option} {given!r} {problem}") from None
+    print_warnings(tuple(notes))
+    return number

@@ -12,8 +12,9 @@ OPTIONS: dict[str, Any] = {
     "checker": Annotated[str | None, typer.Option(help="Who checked it.")],
     "revision": Annotated[str | None, typer.Option(help="Of the document.")],
     "date": Annotated[str | None, typer.Option(help="Of the revision.")],
-    "units": Annotated[UnitSystem | None, typer.Option(help="In which the report is written.")],
+    "units": Annotated[UnitSystem | None, typer.Option(help="In which page and tables are written.")],
 }
+UNITS = {"units": OPTIONS["units"]}  # of commands that print no report
 with_report_options = with_options(OPTIONS)
 
 
@@ -30,3 +31,10 @@ def given_details() -> dict[str, str]:
         except ValueError as problem:
             raise InputError(f"--{name} {shown(text)} {problem}") from None
     return details
+
+
+def shown_system() -> UnitSystem:
+    """The units of a command that reads no scene: of the option, or of the user's settings."""
+    from fembearing.cli.config import own_details
+
+    return given(UNITS).get("units") or own_details().get("units", "metric")

@@ -7,7 +7,8 @@ required accuracy, or a physical verdict is not known; 70, 71 and 74 are those o
 import os
 import sys
 from contextlib import suppress
-from typing import TextIO
+from contextvars import ContextVar
+from typing import Literal, TextIO
 
 import typer
 
@@ -21,6 +22,7 @@ STANDING_STATUS = {  # of the word that says how far a torque can be trusted
 }
 DEFECT, NO_MEMORY, NO_STORAGE = 70, 71, 74
 INTERRUPTED, PIPE_CLOSED = 130, 141  # what a shell makes of the two signals
+TALK: ContextVar[Literal["quiet", "usual", "verbose"]] = ContextVar("TALK", default="usual")  # what else is said
 
 
 def discard(stream: TextIO) -> None:
@@ -46,5 +48,6 @@ def complain(problem: object, status: int) -> int:
 
 
 def print_warnings(warnings: tuple[str, ...]) -> None:
-    for warning in warnings:
+    """Say warnings, unless the command is to be quiet."""
+    for warning in () if TALK.get() == "quiet" else warnings:
         say(f"warning: {warning}")

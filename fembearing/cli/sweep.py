@@ -67,7 +67,7 @@ def _maps(result: "Sweep") -> list[Path]:
 
         with new_folder(folder) as apart:
             write_maps(result.to_dataset(*PLOTTED), apart)
-    return sorted(folder.iterdir())
+    return sorted(folder.glob("[!.]*"))
 
 
 def _print(result: "Sweep", maps: list[Path]) -> None:

@@ -107,12 +107,13 @@ def _named(name: str | None) -> Iterator[None]:
 
 def _print(results: "Mapping[str, SceneTorque]", *, details: bool) -> None:
     from fembearing.cli.console import out
+    from fembearing.quantities import SYSTEMS
     from fembearing.report.headline import side_by_side
     from fembearing.report.terminal.table import show
     from fembearing.report.terminal.torque import print_details, print_headline
 
     if len(results) > 1:
-        show(out, side_by_side(results))
+        show(out, side_by_side(results, SYSTEMS[next(iter(results.values())).scene.report.units]))
     for name, result in results.items():
         before = f"{name}: " if len(results) > 1 else ""
         if not before:

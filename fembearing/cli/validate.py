@@ -1,6 +1,5 @@
 """`fembearing validate`."""
 
-from dataclasses import replace
 from typing import Annotated
 
 import typer
@@ -15,7 +14,7 @@ from fembearing.cli.options import (
     read_tolerance,
     require_folder_name,
 )
-from fembearing.cli.report_options import given_details, with_report_options
+from fembearing.cli.report_options import with_report_options
 from fembearing.cli.status import STATUS, print_warnings
 
 
@@ -34,8 +33,7 @@ def validate(
 ) -> None:
     """Check the contacts of a scene: what Hertz gives, what finite elements give, and the difference."""
     require_folder_name(folder)
-    given, details = read_scene(scene), given_details()
-    given = replace(given, report=replace(given.report, **details))
+    given = read_scene(scene)
     limit = read_tolerance(tolerance, given)
     from fembearing.cli.console import out, print_json, shown_progress
     from fembearing.plain_types import plain

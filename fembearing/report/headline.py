@@ -15,7 +15,6 @@ from fembearing.report.tables.torque import PARTS, RESIDUE
 from fembearing.report.torque import TorqueRecord, torque_record
 from fembearing.verify.torque.scene_torque import SceneTorque
 
-ZERO_CELSIUS = 273.15  # K
 MOST_ROWS = 6  # points of a series in the headline
 FULL, BOUNDARY = 0.01, 0.9  # share of the load on asperities: below a full film, above boundary lubrication
 ABSENT = "not known"
@@ -36,7 +35,7 @@ def headline_title(scene: Scene, record: TorqueRecord, units: Units = METRIC) ->
             "dry" if scene.friction_coefficient is None else f"friction coefficient {scene.friction_coefficient:g}"
         )
     else:
-        words.append(f"{oil.name or 'oil'} at {oil.temperature - ZERO_CELSIUS:.4g} degC")
+        words.append(f"{oil.name or 'oil'} at {units.temperature.written(oil.temperature, '.4g')}")
         words.append(oil.supply.replace("_", " "))
     return ", ".join(words)
 
@@ -50,7 +49,7 @@ def headline_table(scene: Scene, record: TorqueRecord, units: Units = METRIC) ->
         else [computed[round(number)] for number in np.linspace(0, len(computed) - 1, MOST_ROWS)]
     )
     heads = [*point_heads(points, units), Head(f"torque, {units.torque.name}", fixed=True), Head("95 %", fixed=True)]
-    heads += [Head("power, W", fixed=True), Head("made of", "name")]
+    heads += [Head("power, W", fixed=True), Head("made of", "text")]
     rows = [
         [
             *point_cells(points, place, units),

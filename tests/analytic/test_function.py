@@ -309,3 +309,13 @@ def test_calls_keep_no_memory() -> None:
             kept.append(tracemalloc.get_traced_memory()[0])
     tracemalloc.stop()
     assert kept[1] - kept[0] < 10_000  # bytes, of 2500 calls: less than one number for each
+
+
+@pytest.mark.parametrize("designation", ["6206", "7208B"])
+def test_the_scene_of_a_designation_is_compiled(designation: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """No call goes the slow way, by `friction_torque`."""
+    scene = load_scene(designation)
+    function = torque_function(scene)
+    monkeypatch.setattr(TorqueFunction, "_slowly", lambda *_: pytest.fail("not compiled"))
+    load = {name: float(getattr(scene.operation, name)[0]) for name in ("axial_load", "radial_load", "inner_speed")}
+    assert function(**load) == pytest.approx(float(friction_torque(scene).torque.total[0]), rel=ONE_QUADRATURE)

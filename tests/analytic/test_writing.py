@@ -52,7 +52,9 @@ def test_a_process_killed_at_any_step_leaves_all_or_nothing_once_another_has_run
     assert stopped(where, what, target) == -signal.SIGKILL
     if where == "renamed":
         read = {path.name: path.read_text() for path in target.iterdir()} if what == "folder" else target.read_text()
-        assert read == ({"a.txt": "whole", "b.txt": "whole"} if what == "folder" else "whole")
+        assert read == (
+            {"a.txt": "whole", "b.txt": "whole", ".fembearing": "a.txt\nb.txt\n"} if what == "folder" else "whole"
+        )
     elif what == "replaced":
         assert target.read_text() == "before"
     else:
@@ -78,7 +80,7 @@ def test_what_a_living_process_makes_is_left_alone_and_so_is_what_is_not_ours(tm
     finally:
         running.communicate()
     assert running.returncode == 0
-    assert sorted(path.name for path in (tmp_path / "made").iterdir()) == ["a.txt", "b.txt"]
+    assert sorted(path.name for path in (tmp_path / "made").iterdir()) == [".fembearing", "a.txt", "b.txt"]
 
 
 @pytest.mark.parametrize(
@@ -131,7 +133,7 @@ def test_what_is_written_is_what_is_read(tmp_path: Path) -> None:
     assert (tmp_path / "made/b.txt").read_bytes() == "1 \u00b5m\n".encode()  # no system's own line ends
     hidden = steps[0][1]
     assert hidden.startswith(".fembearing-")
-    inside = [(step, name) for name in ("a.bin", "b.txt") for step in ("write", "written")]
+    inside = [(step, name) for name in ("a.bin", "b.txt", ".fembearing") for step in ("write", "written")]
     assert steps == [("make", hidden), *inside, ("rename", "made"), ("renamed", "made"), ("remove", hidden)]
 
 
@@ -145,3 +147,39 @@ def test_a_removed_folder_is_never_half_there(tmp_path: Path, monkeypatch: pytes
     writing.remove_whole(folder)
     assert seen == {"rename": True, "renamed": False, "remove": False}
     assert list(tmp_path.iterdir()) == []
+
+
+@POSIX
+@pytest.mark.parametrize("where", ["make", "write", "written", "rename", "renamed"])
+def test_a_folder_that_is_replaced_is_the_old_or_the_new_one_wherever_the_process_is_killed(
+    tmp_path: Path, where: str
+) -> None:
+    target = tmp_path / "made"
+    with writing.new_folder(target) as folder:
+        writing.write(folder / "old.txt", "old")
+    forced = STOPPED.replace("writing.at_step = at_step", "writing.at_step = at_step\nwriting.REPLACES.set(True)")
+    given = [sys.executable, "-c", forced, where, "folder", str(target)]
+    assert subprocess.run(given, check=False).returncode == -signal.SIGKILL
+    names = {path.name for path in target.iterdir()}
+    assert names == ({".fembearing", "a.txt", "b.txt"} if where == "renamed" else {".fembearing", "old.txt"})
+
+
+def test_a_folder_comes_back_if_the_new_one_cannot_take_its_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with writing.new_folder(tmp_path / "made") as folder:
+        writing.write(folder / "old.txt", "old")
+    rename = Path.rename
+
+    def fails_once(self: Path, target: Path) -> Path:
+        if self.parent.name.startswith(".fembearing-"):
+            raise OSError(errno.EIO, os.strerror(errno.EIO))
+        return rename(self, target)
+
+    before = writing.REPLACES.set(True)
+    monkeypatch.setattr(Path, "rename", fails_once)
+    with pytest.raises(StorageError), writing.new_folder(tmp_path / "made") as folder:
+        (folder / "new.txt").touch()
+    writing.REPLACES.reset(before)
+    assert [path.name for path in tmp_path.iterdir()] == ["made"]
+    assert (tmp_path / "made" / "old.txt").read_text() == "old"

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from analytic.scenefile.read import load_scene
+from analytic.writing import LISTING
 from fembearing import cli
 from fembearing.cli import contact as contact_command
 from fembearing.fem import solution
@@ -351,7 +352,7 @@ def test_cost_shows_error_and_time_of_each_method(command, monkeypatch: pytest.M
     chosen = [line.split()[1] for line in shown.out.splitlines() if line.startswith("> ")]
     assert chosen[:3] == ["exact", "thrust,", "over"]  # of two meshes none is known to be that good
     assert max(map(len, shown.out.splitlines())) <= 80
-    assert sorted(file.name for file in folder.iterdir()) == ["cost.csv", "cost.json", "cost.png"]
+    assert sorted(file.name for file in folder.iterdir()) == [LISTING, "cost.csv", "cost.json", "cost.png"]
     told = json.loads((folder / "cost.json").read_text())
     rows = list(csv.DictReader((folder / "cost.csv").read_text("utf-8").splitlines()))
     assert [(row["quantity"], row["name"]) for row in rows if row["name"]] == [

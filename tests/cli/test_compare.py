@@ -11,6 +11,7 @@ import pytest
 
 import analytic
 from analytic.scenefile.read import load_scene
+from analytic.writing import LISTING
 from fembearing.report.schema import comparison_schema
 from tests.analytic.scenefile.scene_texts import MINE
 from tests.conftest import Result
@@ -84,7 +85,7 @@ def test_a_folder_has_page_numbers_table_and_figure(command: Run, place: Path) -
     ended = command("compare", "far.csv", "bare.toml", "--out", "found", *QUICK)
     assert "report: found" in ended.out
     folder = place / "found"
-    names = {"compare.html", "compare.json", "compare.csv", "compare.png", "compare.svg"}
+    names = {"compare.html", "compare.json", "compare.csv", "compare.png", "compare.svg", LISTING}
     assert {file.name for file in folder.iterdir()} == names
     numbers = json.loads((folder / "compare.json").read_text("utf-8"))
     assert numbers["run"]["seeds"] == {"samples beside the measured torques": [1]}

@@ -199,7 +199,10 @@ def test_init_replaces_nothing(command, tmp_path: Path, monkeypatch: pytest.Monk
     (tmp_path / "mine.toml").write_text("mine")
     refused = command("init", "6206", "--out", "mine.toml")
     assert (refused.status, refused.out) == (2, "")
-    assert refused.err == "fembearing: --out 'mine.toml' exists already: give a new name, or remove it first\n"
+    assert (
+        refused.err
+        == "fembearing: --out 'mine.toml' exists already: give a new name, remove it first, or give --force\n"
+    )
     assert (tmp_path / "mine.toml").read_text() == "mine"
     assert command("init", "6206", "--out", "other name.toml").out.splitlines()[-1].endswith("torque 'other name.toml'")
     assert (tmp_path / "fembearing-scene.schema.json").read_text() == "{}"

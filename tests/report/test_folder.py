@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 
 from analytic.errors import InputError
 from analytic.scenefile.read import load_scene
-from analytic.writing import new_folder
+from analytic.writing import LISTING, new_folder
 from fembearing import cli
 from fembearing.cli.boundary import end
 from fembearing.plain_types import plain
@@ -52,7 +52,7 @@ def test_a_report_holds_page_numbers_pictures_and_meshes(solved: Validation, tmp
     drawn = ("pressure.png", "section.png", "view.html")
     made |= {f"{pair}-real-{part}" for pair in ("inner", "outer") for part in drawn}
     made |= {f"{pair}-creep.png" for pair in ("inner", "outer")}
-    assert names == made | {"report.html", "report.json", "cost.csv"}
+    assert names == made | {"report.html", "report.json", "cost.csv", LISTING}
     assert [path.name for path in tmp_path.iterdir()] == ["report"]  # nothing beside it
     content = json.loads((out / "report.json").read_text("utf-8"))
     expected = plain(report_of(solved).verdicts)

@@ -13,6 +13,7 @@ import xarray
 from analytic.errors import InputError
 from analytic.scene import Scene
 from analytic.scenefile.read import load_scene, parse_scene
+from analytic.writing import LISTING
 from fembearing import cli
 from fembearing.plain_types import plain
 from fembearing.provenance import provenance_of
@@ -46,7 +47,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Made:
 
 def test_each_point_has_series_plot_and_picture(made: Made) -> None:
     files = {f"{point}-cage{end}" for point in (1, 2) for end in (".nc", ".png", "-forces.png")}
-    assert {path.name for path in made.folder.iterdir()} == files | ALWAYS
+    assert {path.name for path in made.folder.iterdir()} == files | ALWAYS | {LISTING}
     assert [path.name for path in made.folder.parent.iterdir()] == ["made"]  # nothing beside it
     content = json.loads((made.folder / "torque.json").read_text("utf-8"))
     assert content["points"] == plain(made.result.friction.rows)
@@ -84,7 +85,7 @@ def test_without_a_moving_cage_there_are_numbers_and_the_reason(tmp_path: Path) 
     assert lacking is not None
     assert "the cage did not move" in lacking
     assert "the scene says off" in lacking
-    assert {path.name for path in (tmp_path / "made").iterdir()} == ALWAYS
+    assert {path.name for path in (tmp_path / "made").iterdir()} == ALWAYS | {LISTING}
     content = json.loads((tmp_path / "made" / "torque.json").read_text("utf-8"))
     assert content["cage_motion"] == {"points": [], "lacking": lacking}
     bare = parse_scene(MOVING.partition("[cage]")[0], origin="here")

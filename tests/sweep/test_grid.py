@@ -108,10 +108,10 @@ def test_pieces_are_short_where_balls_carry_unlike_loads(
     ("axes", "complaint"),
     [
         ("", "axes is missing; give for example operation.axial_load"),
-        ('load = ["1 N"]', "axes: load is no key of a scene file; did you mean cage.pocket_approach.load"),
+        ('load = ["1 N"]', "axes: load is no key of a scene file; did you mean operation.radial_load or "),
         ('operation.axial_lod = ["1 N"]', r"did you mean operation.axial_load or operation.radial_load\?"),
         ("bearing = 3", "bearing is a table of a scene file; give one of its keys"),
-        ('operation.axial_load = ["3 mm"]', r"axial_load\[0\] = '3 mm' is not in a unit like N; give 0 to"),
+        ('operation.axial_load = ["3 mm"]', r"axial_load\[0\] = '3 mm' is not in a unit like kN; give 0 to"),
         ('operation.axial_load = ["3 N", 4]', r"axial_load\[1\] = 4 has no unit"),
         ("operation.axial_load = []", "axial_load is empty; give at least one value"),
         ('operation.axial_load = "3 N"', "is no list; give"),

@@ -115,11 +115,12 @@ def pocket_table(contacts: Sequence[ContactRecord], units: Units = METRIC) -> Ta
     return table_of(f"Cage pocket: F = K_pb delta^1.5, at {load}", heads, rows, notes)
 
 
-def subsurface_table(below: SubsurfaceComparison) -> Table:
+def subsurface_table(below: SubsurfaceComparison, units: Units = METRIC) -> Table:
     """Where fatigue begins, in the body under the ball."""
     heads = [Head("quantity", "name"), *(Head(name, fixed=True) for name in ("Hertz", "FE", OFF, "+-"))]
     rows = []
-    for name, quantity in STRESSES.items():
+    for name, metric in STRESSES.items():
+        quantity = metric.in_units(units)
         unit, uncertain = quantity.shown, below.uncertainty[name]
         is_depth = name.endswith("depth")
         rows.append(
@@ -134,20 +135,21 @@ def subsurface_table(below: SubsurfaceComparison) -> Table:
     return table_of("Greatest stress under the centre, in the lower body", heads, rows)
 
 
-def series_table(series: LoadSeries) -> Table:
+def series_table(series: LoadSeries, units: Units = METRIC) -> Table:
     """Each load with approach and tangent stiffness; the law through all of them."""
-    contact, um = series.contact, MICRO.name
-    names = ("load, N", f"Hertz, {um}", f"FE, {um}", OFF, "+-", f"tangent FE, {TANGENT.name}", "+-", "Hertz")
+    contact, small, tangent = series.contact, units.small_length, units.tangent
+    names = (f"load, {units.force.name}", f"Hertz, {small.name}", f"FE, {small.name}", OFF, "+-")
+    names += (f"tangent FE, {tangent.name}", "+-", "Hertz")
     rows = [
         [
-            f"{point.load:.4g}",
-            digits(point.hertz_approach, MICRO.factor),
-            digits(point.approach.value, MICRO.factor),
+            f"{units.force.number(point.load):.4g}",
+            digits(point.hertz_approach, small.factor),
+            digits(point.approach.value, small.factor),
             _off(point.discrepancy, abs(point.discrepancy) > point.approach.total),
             f"{point.approach.total:.2%}",
-            digits(point.tangent, TANGENT.factor, 4),
+            digits(point.tangent, tangent.factor, 4),
             shown(point.tangent_uncertainty, ".2%"),
-            digits(point.hertz_tangent, TANGENT.factor, 4),
+            digits(point.hertz_tangent, tangent.factor, 4),
         ]
         for point in series.points
     ]

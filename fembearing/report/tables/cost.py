@@ -8,7 +8,10 @@ from fembearing.verify.cost.ladder import Ladder
 
 HEADS = (
     Head("method", "name"),
-    *(Head(name, fixed=True) for name in ("error", "bound", "seconds", "spread", "first", "GiB")),
+    *(
+        Head(name, fixed=True, wide=name == "spread")
+        for name in ("error", "bound", "seconds", "spread", "first", "GiB")
+    ),
     Head("unknowns", wide=True),
 )
 NOTE = (

@@ -7,6 +7,7 @@ from rich.markup import escape
 from rich.padding import Padding
 
 from analytic.verdicts import PhysicalCheck
+from fembearing.quantities import METRIC, SYSTEMS, Units
 from fembearing.report.headline import film_words, headline_table, makers_words
 from fembearing.report.phrases import clearances_of, friction_of, numerical_words
 from fembearing.report.tables.cage import cage_tables
@@ -23,8 +24,9 @@ from fembearing.verify.torque.scene_torque import SceneTorque
 def print_headline(out: Console, result: SceneTorque) -> None:
     """Print what was computed, the torque with its interval, the film, the makers' formulas, and the verdict."""
     record = torque_record(result)
-    show(out, headline_table(result.scene, record))
-    for line in (film_words(result), makers_words(record), f"{record.standing.word}: {record.standing.reason}"):
+    units = SYSTEMS[result.scene.report.units]
+    show(out, headline_table(result.scene, record, units))
+    for line in (film_words(result), makers_words(record, units), f"{record.standing.word}: {record.standing.reason}"):
         if line is not None:
             out.print(line, markup=False)
 
@@ -32,38 +34,40 @@ def print_headline(out: Console, result: SceneTorque) -> None:
 def print_details(out: Console, result: SceneTorque) -> None:
     """Print a friction torque: parts, contacts, cage and effects, and the verdicts, in the last line in a word each."""
     scene, verdicts, torque = result.scene, result.verdicts, torque_record(result)
-    places = shown_places(torque)
-    show(out, torque_table(torque, scene.bearing.name, places))
+    places, units = shown_places(torque), SYSTEMS[scene.report.units]
+    show(out, torque_table(torque, scene.bearing.name, places, units))
     if torque.clearances is not None:
-        out.print(f"{clearances_of(torque.clearances)}\n", markup=False)
-    tables = [*prediction_tables(torque, places), ball_table(torque, places)]
-    tables += cage_tables(cage_motion(result), torque, places)
-    for table in (*([] if torque.pair is None else [pair_table(torque.pair, places)]), *tables):
+        out.print(f"{clearances_of(torque.clearances, units)}\n", markup=False)
+    tables = [*prediction_tables(torque, places, units), ball_table(torque, places, units)]
+    tables += cage_tables(cage_motion(result), torque, places, units)
+    for table in (*([] if torque.pair is None else [pair_table(torque.pair, places, units)]), *tables):
         show(out, table)
     show(out, effects_table(torque.effects))
-    _print_inputs(out, result)
+    _print_inputs(out, result, units)
     names = ("loads", "contacts", "sliding", *(() if result.friction.cage is None else ("cage",)))
     methods = [f"{name} by {torque.provenance[name]}".replace("_", " ") for name in names]
     source = friction_of(coefficient=scene.friction_coefficient, is_lubricated=scene.has_friction)
     out.print(f"Methods: {'; '.join(methods)}. Friction: {source}.\n", markup=False)
-    print_verdicts(out, verdicts.physical, torque)
+    print_verdicts(out, verdicts.physical, torque, units)
     out.print(f"{verdicts.summary.words}, {torque.seconds:.2g} s")
 
 
-def print_verdicts(out: Console, physical: Sequence[PhysicalCheck], torque: TorqueRecord | None) -> None:
+def print_verdicts(
+    out: Console, physical: Sequence[PhysicalCheck], torque: TorqueRecord | None, units: Units = METRIC
+) -> None:
     """Print the physical limits; of a torque its notes, and whether it is solved within the tolerance."""
-    show(out, physical_table(physical))
+    show(out, physical_table(physical, units))
     if torque is not None and torque.verdicts.numerical is not None:
         for note in (*torque.notes, numerical_words(torque.verdicts.numerical)):
             out.print(note, markup=False)
 
 
-def _print_inputs(out: Console, result: SceneTorque) -> None:
+def _print_inputs(out: Console, result: SceneTorque, units: Units) -> None:
     """The inputs that are not given as known, with where they come from."""
     stated = [each for each in result.inputs if each.status != "given"]
     if not stated:
         return
-    show(out, inputs_table("Inputs that are printed, derived or assumed", stated))
+    show(out, inputs_table("Inputs that are printed, derived or assumed", stated, units))
     if sources := result.scene.assumed:
         out.print("Assumed by this scene:")
         for key, source in sources.items():

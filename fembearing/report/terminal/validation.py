@@ -19,27 +19,29 @@ from fembearing.report.terminal.torque import print_verdicts
 def print_validation(out: Console, document: Report) -> None:
     """Print the check of a scene: contacts, torque, and the verdicts, in the last line in a word each."""
     scene, torque, change = document.scene, document.torque, document.torque_change
-    pocket = pocket_table(document.contacts)
-    for table in (contacts_of(document), *map(film_table, document.films), *([] if pocket is None else [pocket])):
+    units = document.units
+    pocket = pocket_table(document.contacts, units)
+    films = [film_table(each, units) for each in document.films]
+    for table in (contacts_of(document, units), *films, *([] if pocket is None else [pocket])):
         show(out, table)
     if document.creep is not None:
-        show(out, creep_table(document.creep))
+        show(out, creep_table(document.creep, units))
     if torque is None or change is None:
         out.print("No friction coefficient, lubricant or surface is given, so there is no torque.\n")
     else:
         places = shown_places(torque)
-        show(out, torque_table(torque, scene.bearing.name, places))
+        show(out, torque_table(torque, scene.bearing.name, places, units))
         friction = friction_of(coefficient=scene.friction_coefficient, is_lubricated=scene.is_lubricated)
         out.print(f"Friction: {friction}.\n", markup=False)
-        for table in prediction_tables(torque, places):
+        for table in prediction_tables(torque, places, units):
             show(out, table)
-        show(out, change_table(torque.points, change, places))
+        show(out, change_table(torque.points, change, places, units))
     if document.measured is not None:
-        show(out, measured_table(document.measured))
+        show(out, measured_table(document.measured, units))
     if document.film_change is not None:
         out.print(f"{film_change_words(document.film_change)}\n")
     if document.creep_change is not None:
         out.print(f"{creep_change_words(document.creep_change)}\n")
-    print_verdicts(out, document.physical, torque)
+    print_verdicts(out, document.physical, torque, units)
     out.print(f"Tolerance {percent_of(document.tolerance)}, {document.cost.seconds:.1f} s.")
     out.print(document.verdict.words)

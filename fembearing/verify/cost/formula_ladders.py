@@ -84,7 +84,7 @@ def hertz_methods_of(contacts: Sequence[Contact]) -> UntimedLadder:
 
 
 def load_methods(scene: Scene) -> UntimedLadder:
-    """Load of the heaviest ball on each race at every operating point."""
+    """Load of the heaviest ball on each race at every operating point; by thrust alone where each point has thrust."""
     bearing, rule = scene.bearing, scene.contact_angle
     if rule.rule == "given":
         raise InputError('contact_angle.rule = "given" holds the angle, and thrust gives the loads in closed form')
@@ -106,24 +106,27 @@ def load_methods(scene: Scene) -> UntimedLadder:
     def beyond_thrust() -> float:
         return float(np.max(unequal() + _bound_without_inertia(scene, operation))) + SETTLED
 
+    of_thrusts = (
+        UntimedMethod(
+            name="free angle", run=unloaded, bound=lambda: _bound_at_free_angle(scene, axial) + beyond_thrust()
+        ),
+        UntimedMethod(
+            name="thrust, frozen stiffness",
+            run=lambda: of_thrust(thrust_equilibrium_frozen),
+            bound=lambda: _bound_of_frozen(scene, axial) + beyond_thrust(),
+        ),
+        UntimedMethod(name="thrust, solved", run=lambda: of_thrust(thrust_equilibrium), bound=beyond_thrust),
+        UntimedMethod(
+            name="thrust, at speed",
+            run=lambda: with_inertia(thrust_balls),
+            bound=lambda: float(np.max(unequal())) + SETTLED,
+        ),
+    )
     return UntimedLadder(
         quantity="load of the heaviest ball",
         reference=f"equilibrium of the ring, inertia included; worst of both races at {axial.size} operating points",
         methods=(
-            UntimedMethod(
-                name="free angle", run=unloaded, bound=lambda: _bound_at_free_angle(scene, axial) + beyond_thrust()
-            ),
-            UntimedMethod(
-                name="thrust, frozen stiffness",
-                run=lambda: of_thrust(thrust_equilibrium_frozen),
-                bound=lambda: _bound_of_frozen(scene, axial) + beyond_thrust(),
-            ),
-            UntimedMethod(name="thrust, solved", run=lambda: of_thrust(thrust_equilibrium), bound=beyond_thrust),
-            UntimedMethod(
-                name="thrust, at speed",
-                run=lambda: with_inertia(thrust_balls),
-                bound=lambda: float(np.max(unequal())) + SETTLED,
-            ),
+            *(of_thrusts if np.all(axial > 0) else ()),
             UntimedMethod(
                 name="equilibrium of the ring",
                 run=lambda: with_inertia(ring_balls),

@@ -108,3 +108,12 @@ def test_finite_geometry_far_beyond_its_fit_is_not_applied(bearing_6205: Bearing
         assert effect.reason.startswith("not applied: inner: ")
         np.testing.assert_allclose(found.torque.total, hertz.torque.total, rtol=1e-12)  # round-off
         assert np.all(found.numerical_uncertainty > hertz.numerical_uncertainty + 0.01)
+
+
+def test_the_effects_print_as_lines_in_words(bearing_6205: Bearing) -> None:
+    effects = friction_torque(dry(bearing_6205)).effects
+    lines = str(effects).splitlines()
+    assert len(lines) == len(effects)
+    assert lines[0].startswith(f"{effects[0].name}: {effects[0].decision}, ")
+    assert repr(effects).startswith("Effects(")
+    assert "object at" not in f"{effects}{effects!r}"

@@ -53,6 +53,12 @@ def test_columns_are_read_in_si_in_any_order_and_unit(tmp_path: Path) -> None:
     assert found.radial_load is None
 
 
+def test_a_head_reads_its_unit_by_its_quantity(tmp_path: Path) -> None:
+    found = read_measured(data(tmp_path, "temperature [C],radial_load [KN],torque [N mm]\n62.5,1.5,35.1\n"))
+    np.testing.assert_allclose(found.temperature, [335.65], rtol=1e-15)  # type: ignore[arg-type]
+    np.testing.assert_allclose(found.radial_load, [1500.0], rtol=1e-15)  # type: ignore[arg-type]
+
+
 @pytest.mark.parametrize(
     ("text", "words"),
     [
@@ -66,11 +72,10 @@ def test_columns_are_read_in_si_in_any_order_and_unit(tmp_path: Path) -> None:
         ("inner_speed [N],torque [N mm]\n60,5", ("inner_speed [N] is not in a unit like rpm",)),
         ("inner_speed [Hz],torque [N mm]\n60,5", ("Hz may count turns or radians", "inner_speed [rpm]")),
         ("inner_speed [rpm],torque [Nmm]\n60,5", ("torque [Nmm]", "write N mm")),
-        ("temperature [C],torque [N mm]\n60,5", ("temperature [C]", "C is coulomb: write degC")),
         (f"{HEAD},uncertainty [rpm]\n60,5,2", ("uncertainty [rpm]", "uncertainty [N mm] or [%]")),
         (f"{HEAD},torque [N m]\n60,5,5", ("2 columns torque", "keep one")),
         ("inner_speed [rpm]\n60", ("no column torque", "torque [N mm]")),
-        ("torque [N mm]\n5", ("does not say where", "inner_speed [rpm], axial_load [N]")),
+        ("torque [N mm]\n5", ("does not say where", "inner_speed [rpm], axial_load [kN]")),
         (HEAD, ("no row below it",)),
         ("# nothing\n\n", ("is empty", HEAD)),
         ("inner_speed [rpm];torque [N mm]\n60;5", ("semicolons", "separate by commas")),
@@ -83,7 +88,7 @@ def test_columns_are_read_in_si_in_any_order_and_unit(tmp_path: Path) -> None:
         (f"{HEAD}\n0,5", ("inner_speed = 0: nothing turns",)),
         (f"{HEAD}\n60,-5", ("torque = -5 N mm is below 0", "magnitude")),
         (f"{HEAD}\n60,0", ("torque = 0 N mm is out of range", "1e-09 to 1e+09 N mm")),
-        ("axial_load [N],torque [N mm]\n-3,5", ("axial_load = -3 N is out of range", "0 to 1e+12 N")),
+        ("axial_load [N],torque [N mm]\n-3,5", ("axial_load = -3 N is out of range", "0 to 100000 kN")),
         ("temperature [degC],torque [N mm]\n900,5", ("temperature = 900 degC is out of range", "326.85 degC")),
         (f"{HEAD},uncertainty [%]\n60,5,500", ("uncertainty = 500 % is out of range", "0 to 100 %")),
         (f"{HEAD},uncertainty [N m]\n60,5,5", ("uncertainty = 5000 N mm is larger than the torque, 5 N mm", "k = 1")),

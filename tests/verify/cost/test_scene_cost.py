@@ -3,6 +3,7 @@
 import json
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from analytic.errors import InputError
@@ -11,6 +12,7 @@ from analytic.scenefile.read import load_scene
 from fembearing.mesh.recipe import load_recipe
 from fembearing.plain_types import plain
 from fembearing.verify.cost import scene_cost as cost
+from fembearing.verify.cost.formula_ladders import load_methods
 from fembearing.verify.cost.scene_cost import measure_cost
 
 
@@ -55,3 +57,13 @@ def test_every_ladder_is_run_or_absent_with_a_reason(scene: Scene, monkeypatch: 
 def test_a_tolerance_must_be_positive(scene: Scene) -> None:
     with pytest.raises(InputError, match=r"tolerance.*0"):
         measure_cost(scene, tolerance=0.0)
+
+
+@pytest.mark.parametrize(("load", "methods"), [("radial_load", 1), ("axial_load", 5)])
+def test_thrust_alone_is_a_method_where_there_is_thrust(load: str, methods: int) -> None:
+    """No method is offered that has to fail; the same reference either way."""
+    loads = {"operation.radial_load": "0 N", f"operation.{load}": "330 N"}
+    found = load_methods(load_scene("6206", settings=loads)).methods
+    assert len(found) == methods
+    assert found[-1].may_refer
+    assert all(np.all(np.isfinite(method.run())) for method in found)

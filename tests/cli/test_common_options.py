@@ -1,0 +1,157 @@
+"""--quiet, --verbose, --force, --units and the user's settings, in every command that has them."""
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+from analytic.scenefile.template import scene_text
+from fembearing.cli import COMMANDS, LONG, SHOWING, WRITING, command_of
+from fembearing.cli.common_options import FORCE, QUIET, VERBOSE
+from fembearing.cli.config import FILE, config_file
+from fembearing.quantities import INCH, POUND
+
+
+@pytest.fixture
+def settings(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """Writes the user's settings."""
+
+    def write(text: str) -> Path:
+        file = tmp_path / "settings.toml"
+        file.write_text(text, "utf-8")
+        monkeypatch.setenv(FILE, str(file))
+        return file
+
+    return write
+
+
+def test_every_command_has_the_options_that_it_can_use() -> None:
+    for name in COMMANDS:
+        options = {parameter.name for parameter in command_of(name).params}
+        assert QUIET.keys() <= options, name
+        for names, kind in ((LONG, VERBOSE), (WRITING, FORCE)):
+            assert (kind.keys() <= options) == (name in names), name
+        takes_units = "units" in options
+        assert takes_units == (name in {*SHOWING, "validate", "report"}), name
+
+
+def test_quiet_leaves_errors_alone_on_standard_error(command) -> None:
+    usual = command("torque", "6206", "--speed", "700")
+    quiet = command("torque", "6206", "--speed", "700", "-q")
+    assert "is read as 700 rpm" in usual.err
+    assert (quiet.status, quiet.err, quiet.out) == (usual.status, "", usual.out)
+    assert command("torque", "62067", "--quiet").err.count("\n") == 1
+    assert command("torque", "6206", "--speed", "700").err == usual.err  # it counts for one command
+
+
+def test_verbose_tells_each_step_and_its_time(command) -> None:
+    told = command("torque", "6205-dry", "-v").err.splitlines()
+    assert re.fullmatch(r"fembearing: \d+\.\d s, 0% done: torque", told[0])
+    assert any(re.fullmatch(r"fembearing: \d+\.\d s in all", line) for line in told)
+    assert "exclude each other" in command("torque", "6205-dry", "-v", "-q").err
+
+
+def test_force_replaces_what_fembearing_wrote_and_nothing_else(
+    command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    run = ("torque", "6205-dry", "-o", "out")
+    assert command(*run).status == 0
+    first = sorted(path.name for path in Path("out").iterdir())
+    assert "give --force" in command(*run).err
+    Path("out", "torque.csv").unlink()
+    assert command(*run, "--force").status == 0
+    assert sorted(path.name for path in Path("out").iterdir()) == first
+    assert [path.name for path in tmp_path.iterdir()] == ["out"]
+    Path("out", "mine.txt").touch()
+    refused = command(*run, "--force")
+    assert (refused.status, refused.err.count("\n")) == (2, 1)
+    assert "'mine.txt' in it is not of fembearing" in refused.err
+    assert sorted(path.name for path in Path("out").iterdir()) == sorted([*first, "mine.txt"])
+    Path("other").mkdir()
+    assert "no folder that fembearing made" in command("torque", "6205-dry", "-o", "other", "--force").err
+    assert "it is no file" in command("init", "6206", "-o", "other", "--force").err
+
+
+def test_force_replaces_a_file(command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("a.toml").write_text("before", "utf-8")
+    assert command("init", "6206", "-o", "a.toml").status == 2
+    assert command("init", "6206", "-o", "a.toml", "--force").status == 0
+    assert Path("a.toml").read_text("utf-8") == scene_text("6206")
+    assert (
+        command("torque", "a.toml", "-o", "a.csv").status
+        == command("torque", "a.toml", "-o", "a.csv", "--force").status
+    )
+
+
+def test_a_command_that_fails_replaces_nothing(command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert command("torque", "6205-dry", "-o", "out").status == 0
+    before = Path("out", "torque.json").read_bytes()
+    failed = command("torque", "6206", "--radial-load", "90000 kN", "-o", "out", "--force")
+    assert failed.status == 2
+    assert Path("out", "torque.json").read_bytes() == before
+    assert [path.name for path in tmp_path.iterdir()] == ["out"]
+
+
+def test_units_change_what_is_shown_and_no_number_of_json(command) -> None:
+    metric, inch = (command("torque", "6206", "--units", system) for system in ("metric", "inch"))
+    assert "N mm" in metric.out
+    assert "lbf in" in inch.out
+    assert "140 degF" in inch.out  # 60 degC
+    (row,) = (line.split() for line in metric.out.splitlines() if re.match(r" *1 +1000 ", line))
+    (other,) = (line.split() for line in inch.out.splitlines() if re.match(r" *1 +1000 ", line))
+    assert float(other[2]) == pytest.approx(float(row[2]) * 1e-3 / (POUND * INCH), rel=1e-3)  # four digits are shown
+    found = [json.loads(command("torque", "6206", "--units", system, "--json").out) for system in ("metric", "inch")]
+    assert found[0] | {"seconds": None} == found[1] | {"seconds": None}
+
+
+def test_a_list_in_inches(command) -> None:
+    (line,) = (
+        line for line in command("list", "bearings", "6205", "--units", "inch").out.splitlines() if "6205 " in line
+    )
+    assert line.split()[2:5] == ["0.9843", "2.047", "0.5906"]  # 25, 52 and 15 mm
+
+
+def test_settings_count_where_neither_scene_nor_option_says_more(command, settings) -> None:
+    settings('units = "inch"\nauthor = "Ada"')
+    assert "lbf in" in command("torque", "6206").out
+    assert "lbf in" not in command("torque", "6206", "--units", "metric").out
+    assert "Dw, in" in command("list", "bearings", "6205").out
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ('unit = "inch"', ["unit is an unknown key", "author, checker, units"]),
+        ('units = "imperial"', ["units = 'imperial'", "metric", "inch"]),
+        ("author = 3", ["author = 3"]),
+        ("author = Ada", ["not TOML", 'in quotes: "Ada"']),
+    ],
+)
+def test_a_mistake_in_the_settings_is_one_line(command, settings, text: str, words: list[str]) -> None:
+    file = settings(text)
+    ended = command("torque", "6205-dry")
+    assert (ended.status, ended.out, ended.err.count("\n")) == (2, "", 1)
+    assert all(word in ended.err for word in [str(file), *words]), ended.err
+
+
+def test_settings_that_are_named_and_missing_are_an_error(command, tmp_path: Path, monkeypatch) -> None:
+    monkeypatch.setenv(FILE, str(tmp_path / "gone.toml"))
+    assert "gone.toml" in command("torque", "6205-dry").err
+
+
+@pytest.mark.parametrize(
+    ("platform", "folder"),
+    [("linux", ".config"), ("darwin", "Library/Application Support"), ("win32", "AppData/Roaming")],
+)
+def test_the_settings_lie_where_the_platform_keeps_them(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, platform: str, folder: str
+) -> None:
+    for name in (FILE, "XDG_CONFIG_HOME"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr("sys.platform", platform)
+    monkeypatch.setenv("HOME", str(tmp_path))
+    assert config_file() == tmp_path / folder / "fembearing" / "config.toml"
