@@ -334,6 +334,14 @@ class HeightMapTable(Table):
     spacing: Spacing
 
 
+class ThermalTable(Table):
+    """How the bearing gives its heat away: the oil's temperature is where this is the friction's power."""
+
+    HINT = 'give { resistance = "0.5 K/W", ambient = "20 degC" }'
+    resistance: Annotated[float, Dimension(unit="K/W", low=0, high=1e6, example='"0.5 K/W"')]  # oil to surroundings
+    ambient: Temperature  # of the surroundings
+
+
 class SurfaceTable(Table):
     HINT = "give a table [surface] with rms_roughness and autocorrelation, finish, Ra or height_map"
     rms_roughness: Roughness | None = None  # of each surface
@@ -418,6 +426,7 @@ class SceneTable(Table):
     arrangement: ArrangementTable | None = None
     cage: CageTable | None = None
     lubricant: LubricantTable | None = None
+    thermal: ThermalTable | None = None
     surface: SurfaceTable | None = None
     friction: FrictionTable | None = None
     losses: LossesTable = LossesTable()

@@ -36,7 +36,8 @@ def headline_title(scene: Scene, record: TorqueRecord, units: Units = METRIC) ->
             "dry" if scene.friction_coefficient is None else f"friction coefficient {scene.friction_coefficient:g}"
         )
     else:
-        words.append(f"{oil.name or 'oil'} at {oil.temperature - ZERO_CELSIUS:.4g} degC")
+        steady = " (steady)" if "temperature" in oil.origins else ""
+        words.append(f"{oil.name or 'oil'} at {oil.temperature - ZERO_CELSIUS:.4g} degC{steady}")
         words.append(oil.supply.replace("_", " "))
     return ", ".join(words)
 
