@@ -16,6 +16,7 @@ from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 from annotated_types import MinLen
+from numpy.typing import NDArray
 
 from analytic.brief import Brief
 from analytic.errors import InputError
@@ -29,6 +30,8 @@ from analytic.scenefile.cycle import Cycle, read_cycle
 from analytic.scenefile.read import load_by_temperature
 from analytic.torque import friction_torque
 from analytic.words import torque_of
+
+Places = NDArray[np.intp]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -84,6 +87,14 @@ class Steps(NamedTuple):
     def turned(self) -> Array:
         """Angle that the ring turns in each step, rad."""
         return np.abs(self.points["inner_speed"]) * self.duration
+
+
+class Group(NamedTuple):
+    """The steps of one temperature, equal ones computed once."""
+
+    places: Places  # (k,) numbers of the steps
+    which: Places  # (k,) numbers of their points in `totals`
+    totals: MovedTotals
 
 
 class Computed(NamedTuple):
@@ -182,9 +193,10 @@ def _mean_power(found: SceneByTemperature, steps: Steps, temperature: float) -> 
 
 def _computed(found: SceneByTemperature, steps: Steps, *, with_interval: bool) -> Computed:
     """The torques of all steps; equal steps are computed once."""
-    count = steps.duration.size
-    torque, warnings, groups = np.zeros(count), [], []
-    for places, scene in _scenes(found, steps):
+    torque, scenes = np.zeros(steps.duration.size), [*_scenes(found, steps)]
+    warnings: list[str] = []
+    groups: list[Group] = []
+    for places, scene in scenes:
         names = tuple(steps.points)
         given = np.array([steps.points[name][places] for name in names])
         different, which = np.unique(given, axis=1, return_inverse=True)
@@ -192,13 +204,14 @@ def _computed(found: SceneByTemperature, steps: Steps, *, with_interval: bool) -
         result = friction_torque(at_them)
         torque[places] = result.torque.total[which]
         warnings += result.warnings
-        if with_interval:
-            groups.append((places, which, moved_totals(at_them, result)))
-    totals = _joined(count, groups) if with_interval else None
+        totals = moved_totals(at_them, result) if with_interval else None
+        if totals is not None:
+            groups.append(Group(places, which, totals))
+    totals = _joined(torque.size, groups) if len(groups) == len(scenes) else None
     return Computed(torque, totals, tuple(dict.fromkeys(warnings)))
 
 
-def _scenes(found: SceneByTemperature, steps: Steps) -> Iterator[tuple[Array, Scene]]:
+def _scenes(found: SceneByTemperature, steps: Steps) -> Iterator[tuple[Places, Scene]]:
     """The turning steps of each temperature, and the scene there."""
     turning = np.flatnonzero(steps.turned)
     if steps.temperature is None:
@@ -208,16 +221,14 @@ def _scenes(found: SceneByTemperature, steps: Steps) -> Iterator[tuple[Array, Sc
         yield turning[steps.temperature[turning] == temperature], found.at(temperature)
 
 
-def _joined(count: int, groups: list[tuple[Array, Array, MovedTotals | None]]) -> MovedTotals | None:
+def _joined(count: int, groups: list[Group]) -> MovedTotals:
     """The totals of all steps; an input that a group does not have does not move it."""
-    known = [(places, which, totals) for places, which, totals in groups if totals is not None]
-    if len(known) < len(groups):
-        return None
-    base = np.zeros(count)
-    for places, which, totals in known:
+    base, moved = np.zeros(count), {}
+    for places, which, totals in groups:
         base[places] = totals.base[which]
-    moved = {key: np.array([base, base]) for _, _, totals in known for key in totals.moved}
-    for places, which, totals in known:
+        moved |= dict.fromkeys(totals.moved)
+    moved = {key: np.array([base, base]) for key in moved}
+    for places, which, totals in groups:
         for key, ends in totals.moved.items():
             moved[key][:, places] = ends[:, which]
     return MovedTotals(base, moved)

@@ -5,6 +5,7 @@ Every message is one line with the place, the value and what is accepted.
 
 import os
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -57,7 +58,7 @@ def read_measured(path: str | os.PathLike[str]) -> MeasuredTorque:
             row.values["uncertainty"] *= row.values["torque"]
     for row in rows:
         _require_fit(row, file)
-    values = {column.name: np.array([row.values[column.name] for row in rows]) for column in columns}
+    values: dict[str, Any] = {column.name: np.array([row.values[column.name] for row in rows]) for column in columns}
     return MeasuredTorque(file=file, **values)
 
 

@@ -11,8 +11,7 @@ MOST_ROWS = 24  # steps that are shown
 NOT_KNOWN = "not known"
 NOTES = (
     "95 %: to first order; each input errs alike in all steps, different inputs are independent. Mean torque: energy "
-    "over the angle turned. Mean power: energy over the whole duration. Inertia, and the time that the oil takes to warm, "
-    "are neglected."
+    "over the angle turned. Mean power: energy over the whole duration. Inertia and the time to warm are neglected."
 )
 
 

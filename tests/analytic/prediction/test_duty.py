@@ -129,7 +129,7 @@ def test_the_mean_power_warms_the_oil(tmp_path: Path) -> None:
         (HEAD + "5,60,0\n", ("row 1 has no load",)),
         ("# nothing\n", ("is empty", "duration [s],inner_speed [rpm]", "a line for each step")),
         ("time [s],inner_speed [rpm]\n5,6\n", ("column 'time [s]' is not known",)),
-        ("duration [s],temperature [degC]\n5,60\n", ("6205-dry", "no [lubricant]")),
+        ("duration [s],inner_speed [rpm],temperature [degC]\n5,600,60\n", ("6205-dry", "no [lubricant]")),
     ],
 )
 def test_a_mistake_gives_one_line(tmp_path: Path, text: str, words: tuple[str, ...]) -> None:

@@ -218,7 +218,7 @@ def test_a_misspelt_key_explains_the_keys_that_are_missing_without_it() -> None:
     [
         (OIL + 'rms_roughness = "0.1 um"', "did you mean surface.rms_roughness?"),
         (changed(BEARING, BEARING + '\naxial_load = "3 N"'), "did you mean operation.axial_load?"),
-        (PLAIN + "[weather]", " and 12 more, see docs/scenes.md"),
+        (PLAIN + "[weather]", " and 13 more, see docs/scenes.md"),
     ],
 )
 def test_an_unknown_key_is_answered_in_short(text: str, words: str) -> None:
