@@ -324,7 +324,11 @@ def _scene(
             pocket = "pocket_clearance" if table.cage.pocket_diameter is None else "pocket_diameter"
             overlaps = table.cage.variant == AS_PRINTED
             misfits += fit.cage_misfits(bearing, cage, pocket=pocket, pockets_may_overlap=overlaps)
-    surface = None if table.surface is None else surface_of(table.surface, folder)
+    surface = None
+    try:
+        surface = table.surface and surface_of(table.surface, folder)
+    except InputError as problem:
+        misfits.append(("surface.height_map.path", str(problem)))
     if surface is not None and surface.height_map is not None and not os.path.isfile(surface.height_map.path):
         misfits.append(("surface.height_map.path", "is not a file; give its path from the scene file's folder"))
     losses, notes = Losses(), ()

@@ -330,8 +330,10 @@ class AutocorrelationTable(Table):
 
 class HeightMapTable(Table):
     HINT = 'give { path = "race.npy", spacing = "2 um" }'
-    path: Text = Field(description="give the path of a .npy or .csv file of heights in m, from the scene file's folder")
-    spacing: Spacing
+    path: Text = Field(
+        description="give the path of a .npy, .csv (heights in m) or .x3p file, from the scene file's folder"
+    )
+    spacing: Spacing | None = None  # required but for a .x3p file, which has its own
 
 
 class ThermalTable(Table):
