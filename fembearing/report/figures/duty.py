@@ -44,4 +44,4 @@ def _stairs(panel: Axes, ends: Array, values: Array, mean: float, name: str) -> 
     panel.axhline(mean, color=RED, linewidth=0.8, linestyle="--", label=f"mean {name}")
     panel.set_ylim(0, None)
     panel.grid(alpha=0.3, color=GREY)
-    panel.legend(frameon=False, fontsize=LETTERS, loc="upper right")
+    panel.legend(frameon=False, fontsize=LETTERS, loc="best")
