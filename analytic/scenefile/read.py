@@ -26,6 +26,7 @@ from analytic.scene import (
     Material,
     Operation,
     Scene,
+    Surface,
 )
 from analytic.scenefile import fit
 from analytic.scenefile.bearing import bearing_faults, bearing_of, catalog_row, with_catalog
@@ -46,6 +47,7 @@ from analytic.scenefile.tables import (
     FrictionTable,
     OperationTable,
     SceneTable,
+    SurfaceTable,
 )
 from analytic.scenefile.text import parse_text, plain, shown
 
@@ -324,13 +326,8 @@ def _scene(
             pocket = "pocket_clearance" if table.cage.pocket_diameter is None else "pocket_diameter"
             overlaps = table.cage.variant == AS_PRINTED
             misfits += fit.cage_misfits(bearing, cage, pocket=pocket, pockets_may_overlap=overlaps)
-    surface = None
-    try:
-        surface = table.surface and surface_of(table.surface, folder)
-    except InputError as problem:
-        misfits.append(("surface.height_map.path", str(problem)))
-    if surface is not None and surface.height_map is not None and not os.path.isfile(surface.height_map.path):
-        misfits.append(("surface.height_map.path", "is not a file; give its path from the scene file's folder"))
+    surface, unread = _surface(table.surface, folder)
+    misfits += unread
     losses, notes = Losses(), ()
     if not misfits:
         try:
@@ -362,6 +359,19 @@ def _scene(
     sources, unmatched = given_assumptions(table.assumed, scene)
     scene = replace(scene, uncertainty=MappingProxyType(spreads), assumed=MappingProxyType(sources))
     return scene, [*misfits, *unplaced, *unfitting, *unmatched]
+
+
+def _surface(given: SurfaceTable | None, folder: Path) -> tuple[Surface | None, list[tuple[str, str]]]:
+    """The surface, and (key, problem) for a height map that cannot be read."""
+    if given is None:
+        return None, []
+    try:
+        surface = surface_of(given, folder)
+    except InputError as problem:
+        return None, [("surface.height_map.path", str(problem))]
+    if surface.height_map is None or os.path.isfile(surface.height_map.path):
+        return surface, []
+    return None, [("surface.height_map.path", "is not a file; give its path from the scene file's folder")]
 
 
 def _with_measured(scene: Scene, table: SceneTable, folder: Path, given: str | os.PathLike[str] | None) -> Scene:
