@@ -1,8 +1,11 @@
 from .contact.hertz import hertz_contact as hertz_contact
 from .errors import InputError as InputError
 from .function import torque_function as torque_function
+from .prediction.duty import DutyCycle as DutyCycle
+from .prediction.duty import duty_cycle as duty_cycle
 from .prediction.prediction import Prediction as Prediction
 from .prediction.prediction import predict as predict
+from .prediction.steady import steady_scene as steady_scene
 from .result import FrictionTorque as FrictionTorque
 from .scene import Cage as Cage
 from .scene import ContactAngle as ContactAngle

@@ -5,17 +5,27 @@ are independent, so the squares of these changes add up, those that raise the to
 lower it for the lower end. Products of two inputs are neglected; `analytic.prediction.prediction` samples them.
 """
 
+from collections.abc import Iterable, Mapping
+from typing import NamedTuple
+
 import numpy as np
 from scipy.special import ndtri
 
 from analytic.errors import FembearingError
-from analytic.prediction.evaluation import Problem, problem_of, torque_at
+from analytic.prediction.evaluation import problem_of, torque_at
 from analytic.prediction.rows import ENDS
 from analytic.prediction.spreads import uncertain_inputs
 from analytic.result import FrictionTorque
 from analytic.scene import Array, Scene
 
 SCORES = tuple(float(ndtri(end)) for end in ENDS)  # of a normal input at the ends of its 95 %
+
+
+class MovedTotals(NamedTuple):
+    """The total torque of a scene as one uncertain input at a time moves, N m."""
+
+    base: Array  # (n,) with all inputs as they are
+    moved: Mapping[str, Array]  # (2, n) by the key of the input, at both ends of its 95 %
 
 
 def first_order_ends(scene: Scene, nominal: FrictionTorque) -> Array | None:
@@ -33,27 +43,34 @@ def first_order_ends(scene: Scene, nominal: FrictionTorque) -> Array | None:
     InputError
         As `uncertain_inputs`.
     """
+    totals = moved_totals(scene, nominal)
+    return None if totals is None else nominal.torque.total * end_factors(totals.base, totals.moved.values())
+
+
+def moved_totals(scene: Scene, nominal: FrictionTorque) -> MovedTotals | None:
+    """The totals of a scene; arguments and errors of `first_order_ends`. None: an input at its end leaves no torque."""
     problem = problem_of(scene, nominal, uncertain_inputs(scene))
-    total, count = nominal.torque.total, len(problem.inputs)
+    scores = np.eye(len(problem.inputs))
     try:
-        base = torque_at(problem, np.zeros(count))[0]
-        changes = [_changes(problem, place, base) for place in range(count)]
+        base = torque_at(problem, np.zeros(len(problem.inputs)))[0]
+        moved = {
+            each.key: np.array([torque_at(problem, end * score)[0] for end in SCORES])
+            for each, score in zip(problem.inputs, scores, strict=True)
+        }
     except FembearingError:
         return None
-    lowered = np.sqrt(sum((np.minimum(each.min(axis=0), 0.0) ** 2 for each in changes), np.zeros_like(total)))
-    raised = np.sqrt(sum((np.maximum(each.max(axis=0), 0.0) ** 2 for each in changes), np.zeros_like(total)))
-    return total * np.exp([-lowered, raised])
+    return MovedTotals(base, moved)
 
 
-def _changes(problem: Problem, place: int, base: Array) -> Array:
-    """Of ln(total) as one input goes to each of its ends, (2, n); 0 where nothing resists.
+def end_factors(base: Array, moved: Iterable[Array]) -> Array:
+    """Both ends of the 95 % interval of any positive quantities over their values, (2, n).
 
-    base : (n,) total with all inputs as they are, N m
+    base : (n,) with all inputs as they are;  moved : (2, n) each, with one input at both ends of its 95 %
+    A quantity of 0, with which nothing resists, has the factor 1.
     """
-    scores = np.zeros(len(problem.inputs))
-    found = []
-    for score in SCORES:
-        scores[place] = score
-        moved = torque_at(problem, scores)[0]
-        found.append(np.log(np.divide(moved, base, out=np.ones_like(base), where=(base > 0) & (moved > 0))))
-    return np.array(found)
+    lowered, raised = np.zeros_like(base), np.zeros_like(base)
+    for ends in moved:
+        both = np.log(np.divide(ends, base, out=np.ones_like(ends), where=(base > 0) & (ends > 0)))
+        lowered += np.minimum(both.min(axis=0), 0.0) ** 2
+        raised += np.maximum(both.max(axis=0), 0.0) ** 2
+    return np.exp([-np.sqrt(lowered), np.sqrt(raised)])

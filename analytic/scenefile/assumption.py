@@ -26,6 +26,8 @@ def assumptions(
     assert scene.lubricant is not None, "the usual scene has oil"
     document["lubricant"].setdefault("supply", scene.lubricant.supply)
     given = {KEYS[option] for option, value in options.items() if value is not None} | {*settings}
+    if "temperature" in scene.lubricant.origins:  # friction settles it
+        given.add("lubricant.temperature")
     if find_bearing(found.designation).clearance_group is not None:
         given.add("bearing.clearance")
     document["bearing"] = {key: value for key, value in document["bearing"].items() if key == "clearance"}

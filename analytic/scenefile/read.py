@@ -4,7 +4,7 @@
 """
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
@@ -26,9 +26,11 @@ from analytic.scene import (
     Material,
     Operation,
     Scene,
+    Surface,
 )
 from analytic.scenefile import fit
 from analytic.scenefile.bearing import bearing_faults, bearing_of, catalog_row, with_catalog
+from analytic.scenefile.by_temperature import SceneByTemperature, thermal_faults
 from analytic.scenefile.choice import KEYS
 from analytic.scenefile.find import find_scene
 from analytic.scenefile.installation import arranged, in_operation, installation_faults
@@ -45,6 +47,7 @@ from analytic.scenefile.tables import (
     FrictionTable,
     OperationTable,
     SceneTable,
+    SurfaceTable,
 )
 from analytic.scenefile.text import parse_text, plain, shown
 
@@ -91,12 +94,25 @@ def load_scene(
         missing, without its unit, out of range or in conflict with other keys; measured torques likewise; options with
         a scene that is no bearing of the catalog.
     """
+    return load_by_temperature(scene, measured=measured, settings=settings, **options).fixed
+
+
+def load_by_temperature(
+    scene: str | os.PathLike[str],
+    *,
+    measured: str | os.PathLike[str] | None = None,
+    settings: Mapping[str, Any] = NOTHING_SET,
+    **options: Any,
+) -> SceneByTemperature:
+    """The scene at any temperature of its oil; arguments and errors of `load_scene`, which refuses [thermal]."""
     choice, notes = read_choice(options)
     found = find_scene(scene, choice=choice)
     if found.designation is None:
         refuse_options(options, os.fspath(scene))
-    read = parse_scene(found.text, origin=found.origin, folder=found.folder, measured=measured, settings=settings)
-    return replace(read, warnings=(*read.warnings, *notes))
+    read = parse_by_temperature(
+        found.text, origin=found.origin, folder=found.folder, measured=measured, settings=settings
+    )
+    return _warned(read, notes)
 
 
 def refuse_options(options: Mapping[str, Any], scene: str) -> None:
@@ -122,13 +138,28 @@ def parse_scene(
     origin : names the text in messages;  folder : that the paths in the text start from
     measured, settings and errors : those of load_scene
     """
+    return parse_by_temperature(text, origin=origin, folder=folder, measured=measured, settings=settings).fixed
+
+
+def parse_by_temperature(
+    text: str,
+    *,
+    origin: str,
+    folder: Path = Path(),
+    measured: str | os.PathLike[str] | None = None,
+    settings: Mapping[str, Any] = NOTHING_SET,
+) -> SceneByTemperature:
+    """The scene at any temperature of its oil; arguments and errors of `parse_scene`, which refuses [thermal]."""
     document, notes = parse_text(text, origin=origin), []
     for path, given in settings.items():
         value, told = read_setting(path, given)
         document = with_key(document, path, value)
         notes += told
-    scene = scene_of(document, origin=origin, folder=folder, measured=measured)
-    return replace(scene, warnings=(*scene.warnings, *notes))
+    return _warned(_by_temperature(document, origin=origin, folder=folder, measured=measured), notes)
+
+
+def _warned(read: SceneByTemperature, notes: Iterable[str]) -> SceneByTemperature:
+    return replace(read, scene=replace(read.scene, warnings=(*read.scene.warnings, *notes)))
 
 
 def scene_of(
@@ -142,6 +173,12 @@ def scene_of(
 
     The entries of the catalog are put into the document.
     """
+    return _by_temperature(document, origin=origin, folder=folder, measured=measured).fixed
+
+
+def _by_temperature(
+    document: dict[str, Any], *, origin: str, folder: Path, measured: str | os.PathLike[str] | None
+) -> SceneByTemperature:
     bearing, row = document.get("bearing"), None
     own = bearing if isinstance(bearing, dict) else {}
     try:
@@ -160,7 +197,8 @@ def scene_of(
             if not found:
                 scene, found = _scene(table, own, row, folder)
             if scene is not None and not found:
-                return _with_measured(scene, table, folder, measured)
+                read = _with_measured(scene, table, folder, measured)
+                return SceneByTemperature(scene=read, origin=origin, oil=table.lubricant, thermal=table.thermal)
             faults = [fault_at(document, key, problem) for key, problem in found]
     more = f"; and {len(faults) - MOST_FAULTS} more" if len(faults) > MOST_FAULTS else ""
     raise InputError(f"{origin}: " + "; ".join(faults[:MOST_FAULTS]) + more)
@@ -221,6 +259,7 @@ def _conflicts(
         yield "friction.coefficient", problem
     if table.surface is not None:
         yield from surface_conflicts(table.surface)
+    yield from thermal_faults(table)
     if table.lubricant is not None:
         try:
             lubricant_of(table.lubricant, ball_radius=table.bearing.ball_diameter / 2)
@@ -287,7 +326,8 @@ def _scene(
             pocket = "pocket_clearance" if table.cage.pocket_diameter is None else "pocket_diameter"
             overlaps = table.cage.variant == AS_PRINTED
             misfits += fit.cage_misfits(bearing, cage, pocket=pocket, pockets_may_overlap=overlaps)
-    surface = None if table.surface is None else surface_of(table.surface, folder)
+    surface, unread = _surface(table.surface, folder)
+    misfits += unread
     if surface is not None:
         misfits += fit.surface_misfits(surface, bearing, cage, is_lubricated=table.lubricant is not None)
     losses, notes = Losses(), ()
@@ -321,6 +361,19 @@ def _scene(
     sources, unmatched = given_assumptions(table.assumed, scene)
     scene = replace(scene, uncertainty=MappingProxyType(spreads), assumed=MappingProxyType(sources))
     return scene, [*misfits, *unplaced, *unfitting, *unmatched]
+
+
+def _surface(given: SurfaceTable | None, folder: Path) -> tuple[Surface | None, list[tuple[str, str]]]:
+    """The surface, and (key, problem) for a height map that cannot be read."""
+    if given is None:
+        return None, []
+    try:
+        surface = surface_of(given, folder)
+    except InputError as problem:
+        return None, [("surface.height_map.path", str(problem))]
+    if surface.height_map is None or os.path.isfile(surface.height_map.path):
+        return surface, []
+    return None, [("surface.height_map.path", "is not a file; give its path from the scene file's folder")]
 
 
 def _with_measured(scene: Scene, table: SceneTable, folder: Path, given: str | os.PathLike[str] | None) -> Scene:

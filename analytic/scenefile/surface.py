@@ -9,9 +9,10 @@ from analytic import catalog
 from analytic.noun import read_only
 from analytic.scene import Autocorrelation, HeightMapFile, Origin, Surface
 from analytic.scenefile.quantity import in_si
-from analytic.scenefile.tables import AutocorrelationTable, SurfaceTable
+from analytic.scenefile.tables import AutocorrelationTable, HeightMapTable, SurfaceTable
+from analytic.surface.profilometer import ENDING, x3p_shape_and_spacing
 
-HEIGHT_MAPS = (".npy", ".csv")
+HEIGHT_MAPS = (".npy", ".csv", ENDING)
 WAYS = ("rms_roughness", "Ra", "finish", "height_map")  # to say how rough a surface is
 RMS_OVER_RA = sqrt(pi / 2)  # Sq/Ra of gaussian heights: E|z| = sigma sqrt(2/pi)
 # Neither Ra nor a finish says how long the waves of a surface are. A judgement, no source seen: 10 to 40 um.
@@ -38,10 +39,19 @@ def surface_conflicts(given: SurfaceTable) -> Iterator[tuple[str, str]]:
         yield "", 'surface.asperities is the law of summits of gap = "truncated": leave it out, or give that gap'
     if given.height_map is not None and Path(given.height_map.path).suffix.lower() not in HEIGHT_MAPS:
         yield "surface.height_map.path", f"is not one of {', '.join(HEIGHT_MAPS)}"
+    elif given.height_map is not None:
+        has_own = Path(given.height_map.path).suffix.lower() == ENDING
+        if has_own and given.height_map.spacing is not None:
+            yield "surface.height_map.spacing", f"goes with .npy and .csv; a {ENDING} file has its own, so leave it out"
+        elif not has_own and given.height_map.spacing is None:
+            yield "surface.height_map.spacing", 'is missing; give that of the points, for example "2 um"'
 
 
 def surface_of(given: SurfaceTable, folder: Path) -> Surface:
-    """The surface that the table describes; folder : that the path of a height map starts from."""
+    """The surface that the table describes; folder : that the path of a height map starts from.
+
+    Raises InputError for a .x3p file that cannot be read: its spacing stands in it.
+    """
     origins: dict[str, Origin] = {}
     roughness, ball, correlation = given.rms_roughness, given.ball_rms_roughness, given.autocorrelation
     if given.Ra is not None:
@@ -76,6 +86,12 @@ def surface_of(given: SurfaceTable, folder: Path) -> Surface:
         rms_roughness=roughness,
         ball_rms_roughness=ball,
         autocorrelation=assumed if correlation is None else Autocorrelation(**correlation.model_dump()),
-        height_map=None if heights is None else HeightMapFile(path=str(folder / heights.path), spacing=heights.spacing),
+        height_map=None if heights is None else _height_map(heights, folder),
         origins=read_only(origins),
     )
+
+
+def _height_map(given: HeightMapTable, folder: Path) -> HeightMapFile:
+    path = folder / given.path
+    spacing = x3p_shape_and_spacing(path)[1] if given.spacing is None else given.spacing
+    return HeightMapFile(path=str(path), spacing=spacing)

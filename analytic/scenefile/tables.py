@@ -331,8 +331,18 @@ class AutocorrelationTable(Table):
 
 class HeightMapTable(Table):
     HINT = 'give { path = "race.npy", spacing = "2 um" }'
-    path: Text = Field(description="give the path of a .npy or .csv file of heights in m, from the scene file's folder")
-    spacing: Spacing
+    path: Text = Field(
+        description="give the path of a .npy, .csv (heights in m) or .x3p file, from the scene file's folder"
+    )
+    spacing: Spacing | None = None  # required but for a .x3p file, which has its own
+
+
+class ThermalTable(Table):
+    """How the bearing gives its heat away: the oil's temperature is where this is the friction's power."""
+
+    HINT = 'give { resistance = "0.5 K/W", ambient = "20 degC" }'
+    resistance: Annotated[float, Dimension(unit="K/W", low=0, high=1e6, example='"0.5 K/W"')]  # oil to surroundings
+    ambient: Temperature  # of the surroundings
 
 
 class SurfaceTable(Table):
@@ -419,6 +429,7 @@ class SceneTable(Table):
     arrangement: ArrangementTable | None = None
     cage: CageTable | None = None
     lubricant: LubricantTable | None = None
+    thermal: ThermalTable | None = None
     surface: SurfaceTable | None = None
     friction: FrictionTable | None = None
     losses: LossesTable = LossesTable()

@@ -7,6 +7,7 @@ mean plane, which is subtracted before anything is measured.
 import os
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import partial
 from itertools import chain
 from pathlib import Path
 from typing import BinaryIO
@@ -17,6 +18,7 @@ from analytic.errors import InputError, require_positive
 from analytic.reading import opened, require_regular
 from analytic.scene import Array
 from analytic.surface.moments import SpectralMoments, Summits
+from analytic.surface.profilometer import ENDING, SAME_SPACING, x3p_heights, x3p_shape_and_spacing
 from analytic.words import length_of
 
 FEWEST_POINTS, MOST_POINTS = 32, 4096  # in each direction: fewer are no statistics, more need too much memory
@@ -48,9 +50,9 @@ class Measurement:
 
 
 def read_height_map(path: str | os.PathLike[str], *, spacing: float) -> HeightMap:
-    """The map in a .npy file or in lines of comma-separated numbers (.csv), m, without its mean plane.
+    """The map in a .npy file, in lines of comma-separated numbers (.csv), m, or in a .x3p file, without its mean plane.
 
-    spacing : of neighbouring points in both directions, m, > 0
+    spacing : of neighbouring points in both directions, m, > 0; of a .x3p file the one that it has
     A .npy file is never unpickled, and nothing is read that does not fit into memory.
     Raises InputError for a file that cannot be read, has another format, or holds no matrix of finite real numbers, for
     fewer than 32 or more than 4096 points in a direction, and for heights that cannot be metres.
@@ -58,10 +60,10 @@ def read_height_map(path: str | os.PathLike[str], *, spacing: float) -> HeightMa
     require_positive(spacing=spacing)
     origin = os.fspath(path)
     origin = origin if origin.isprintable() and len(origin) <= 200 else repr(origin)[:200]
-    readers = {".npy": _read_binary, ".csv": _read_text}
+    readers = {".npy": _read_binary, ".csv": _read_text, ENDING: partial(_read_x3p, spacing=spacing)}
     kind = Path(path).suffix.lower()
     if kind not in readers:
-        raise InputError(f"{origin}: not a height map; give a .npy or .csv file of heights in m")
+        raise InputError(f"{origin}: not a height map; give a .npy or .csv file of heights in m, or a .x3p file")
     try:
         heights = readers[kind](path)
     except InputError as problem:
@@ -151,6 +153,16 @@ def _read_text(path: str | os.PathLike[str]) -> Array:
         heights = np.loadtxt(chain((first,), rows), delimiter=",", ndmin=2, dtype=np.float64)
     _require_matrix(heights.shape)
     return heights
+
+
+def _read_x3p(path: str | os.PathLike[str], *, spacing: float) -> Array:
+    shape, own = x3p_shape_and_spacing(path)
+    _require_matrix(shape)
+    if not abs(spacing - own) <= SAME_SPACING * own:
+        raise InputError(
+            f"has points every {length_of(own, '.6g')}, got spacing {length_of(spacing, '.6g')}; give its own"
+        )
+    return x3p_heights(path)
 
 
 def _rows(file: BinaryIO) -> Iterator[str]:

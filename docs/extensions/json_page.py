@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from dataclasses import fields, is_dataclass
 from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin, get_type_hints
 
+from analytic.prediction.duty import DutyCycle
 from docs.extensions.annotations import with_parts
 from docs.extensions.source import field_comments
 from docs.extensions.tables import code, table
@@ -22,6 +23,7 @@ uncertainties and discrepancies are relative. `null` stands where something is n
   it comes from, and the folder's `cage_motion`, the files of moving cages, as well.
 - `compare.json` and `compare --json`: [MeasuredComparison](#measuredcomparison) with `kind` and `format`; the file has
   `run` as well.
+- `duty.json` and `duty --json`: [DutyCycle](#dutycycle) with `kind` and `format`; the file has `run` as well.
 - `contact --json`: [ContactRecord](#contactrecord), with the stresses below the surface.
 """
 PLAIN = {float: "number", int: "whole number", str: "text", bool: "`true` or `false`", type(None): "`null`", Any: "any"}
@@ -29,7 +31,7 @@ PLAIN = {float: "number", int: "whole number", str: "text", bool: "`true` or `fa
 
 def json_page() -> str:
     """The page in Markdown."""
-    found = tables(Report, [])
+    found = tables(DutyCycle, tables(Report, []))
     names = [named.__name__ for named in found]
     headings = {
         each: each.__name__ if names.count(each.__name__) == 1 else f"{each.__name__} in {file_of(each)}"

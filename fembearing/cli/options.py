@@ -13,6 +13,7 @@ from fembearing.cli.status import print_warnings
 
 if TYPE_CHECKING:
     from analytic.scene import Scene
+    from analytic.scenefile.by_temperature import SceneByTemperature
 
 BUILTIN = "paper_6205"
 STANDARD_INPUT = "-"  # as the name of a scene
@@ -115,13 +116,30 @@ Bodies = Annotated[
 def read_scene(
     name: str | None, *, settings: Mapping[str, str] = NOTHING_SET, options: Mapping[str, str] = NOTHING_SET
 ) -> "Scene":
-    """The scene of that name, "-" that of standard input, None the built-in one; the others as for `load_scene`."""
-    from analytic.scenefile.read import load_scene, parse_scene, refuse_options
+    """The scene of that name, "-" that of standard input, None the built-in one; the others as for `load_scene`.
+
+    Friction settles the temperature of its oil where it has [thermal].
+    """
+    found = read_by_temperature(name, settings=settings, options=options)
+    if found.thermal is None:
+        return found.scene
+    from analytic.prediction.steady import at_steady_temperature  # with the production model: few scenes need it
+
+    return at_steady_temperature(found)
+
+
+def read_by_temperature(
+    name: str | None, *, settings: Mapping[str, str] = NOTHING_SET, options: Mapping[str, str] = NOTHING_SET
+) -> "SceneByTemperature":
+    """The same scene at any temperature of its oil."""
+    from analytic.scenefile.read import load_by_temperature, parse_by_temperature, refuse_options
 
     if name != STANDARD_INPUT:
-        return with_details(load_scene(BUILTIN if name is None else name, settings=settings, **options))
-    refuse_options(options, "standard input")
-    return with_details(parse_scene(_standard_input(), origin="standard input", settings=settings))
+        found = load_by_temperature(BUILTIN if name is None else name, settings=settings, **options)
+    else:
+        refuse_options(options, "standard input")
+        found = parse_by_temperature(_standard_input(), origin="standard input", settings=settings)
+    return replace(found, scene=with_details(found.scene))
 
 
 def with_details(scene: "Scene") -> "Scene":

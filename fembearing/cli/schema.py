@@ -15,6 +15,7 @@ class File(StrEnum):
     REPORT = "report"
     TORQUE = "torque"
     COMPARE = "compare"
+    DUTY = "duty"
 
 
 def schema(
@@ -22,7 +23,7 @@ def schema(
         File,
         typer.Argument(
             help="scene or grid, which people write; report: report.json; torque: torque --json; compare: "
-            "compare --json."
+            "compare --json; duty: duty --json."
         ),
     ],
 ) -> None:
@@ -40,6 +41,12 @@ def _schema_of(file: File) -> dict[str, Any]:
         from fembearing.sweep.schema import grid_schema
 
         return grid_schema()
-    from fembearing.report.schema import comparison_schema, report_schema, torque_schema
+    from fembearing.report.schema import comparison_schema, duty_schema, report_schema, torque_schema
 
-    return {File.REPORT: report_schema, File.TORQUE: torque_schema, File.COMPARE: comparison_schema}[file]()
+    results = {
+        File.REPORT: report_schema,
+        File.TORQUE: torque_schema,
+        File.COMPARE: comparison_schema,
+        File.DUTY: duty_schema,
+    }
+    return results[file]()

@@ -35,7 +35,8 @@ def headline_title(scene: Scene, record: TorqueRecord, units: Units = METRIC) ->
             "dry" if scene.friction_coefficient is None else f"friction coefficient {scene.friction_coefficient:g}"
         )
     else:
-        words.append(f"{oil.name or 'oil'} at {units.temperature.written(oil.temperature, '.4g')}")
+        steady = " (steady)" if "temperature" in oil.origins else ""
+        words.append(f"{oil.name or 'oil'} at {units.temperature.written(oil.temperature, '.4g')}{steady}")
         words.append(oil.supply.replace("_", " "))
     return ", ".join(words)
 

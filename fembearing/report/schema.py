@@ -6,6 +6,7 @@ from pydantic import TypeAdapter
 from pydantic.json_schema import GenerateJsonSchema
 from pydantic_core.core_schema import FloatSchema
 
+from fembearing.report.duty_folder import DutyFile
 from fembearing.report.measured_folder import ComparisonFile
 from fembearing.report.report import Report
 from fembearing.report.torque import TorqueFile
@@ -32,3 +33,8 @@ def torque_schema() -> dict[str, Any]:
 def comparison_schema() -> dict[str, Any]:
     """Of `compare --json`."""
     return TypeAdapter(ComparisonFile).json_schema()
+
+
+def duty_schema() -> dict[str, Any]:
+    """Of `duty --json`."""
+    return TypeAdapter(DutyFile).json_schema()

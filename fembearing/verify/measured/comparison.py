@@ -16,7 +16,8 @@ from analytic.errors import InputError
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.result import COORDINATES
 from analytic.rows import Count, NotNegative
-from analytic.scene import Array, MeasuredTorque, Operation, Scene
+from analytic.scene import MeasuredTorque, Operation, Scene
+from analytic.scenefile.columns import operating_points, require_loads
 from analytic.scenefile.measured import read_measured
 from fembearing.progress import Progress, part_of, silent
 from fembearing.verify.measured.conclusions import conclusions_of, notes_of
@@ -194,18 +195,8 @@ def _scenes(scene: Scene, measured: MeasuredTorque) -> Iterator[tuple[NDArray[np
 
 def _operation(scene: Scene, measured: MeasuredTorque) -> Operation:
     """The operating points of the rows; what the file lacks is that of the scene, if it has one value of it."""
-    points, rows = {}, measured.torque.size
-    for name, own in vars(scene.operation.as_series()).items():
-        column: Array | None = getattr(measured, name, None)
-        if column is None and np.ptp(own):
-            raise InputError(
-                f"{measured.file} has no column {name}, and the scene has {np.unique(own).size} values of it; "
-                f"{'give one' if name == 'moment' else 'add the column, or give one'} in operation.{name}"
-            )
-        points[name] = np.full(rows, own[0]) if column is None else column
-    idle = (points["axial_load"] == 0) & (points["radial_load"] == 0) & (points["moment"] == 0)
-    if np.any(idle) and (scene.arrangement is None or scene.arrangement.kind == "tandem"):
-        raise InputError(f"{measured.file}: row {int(np.argmax(idle)) + 1} has no load; give one, or leave the row out")
+    points = operating_points(scene, measured.file, vars(measured), measured.torque.size)
+    require_loads(scene, measured.file, points)
     return Operation(**points)
 
 

@@ -72,7 +72,7 @@ MISTAKES = [  # text, and words of the message: key, value, what is accepted
     (changed('name = "a series"', 'name = "a"\n"odd\\nkey" = 5'), ("'odd\\nkey' = 5", "unknown key")),
     (changed("tolerance", "tolerence"), (" tolerence = '2 %'", "did you mean tolerance?")),
     (PLAIN + '[weather]\nviscosity = "0.06 Pa s"',
-        ("weather", "unknown key", "known: bearing", " more, see docs/scenes.md")),
+        ("weather", "unknown key", "known: thermal", " more, see docs/scenes.md")),
     (OIL.replace('"2e-8 1/Pa"', "2e-8"), ("lubricant.pressure_viscosity = 2e-08", "no unit", '"2e-8 1/Pa"')),
     (OIL.replace('"2e-8 1/Pa"', '"2e-8 Pa"'), ("lubricant.pressure_viscosity = '2e-8 Pa'", "in a unit like 1/Pa")),
     (OIL.replace('"60 mPa s"', '"68 mm^2/s"'), ("lubricant.viscosity = '68 mm^2/s'", "Pa s", '"0.06 Pa s"')),
@@ -221,7 +221,7 @@ def test_a_misspelt_key_explains_the_keys_that_are_missing_without_it() -> None:
     [
         (OIL + 'rms_roughness = "0.1 um"', "did you mean surface.rms_roughness?"),
         (changed(BEARING, BEARING + '\naxial_load = "3 N"'), "did you mean operation.axial_load?"),
-        (PLAIN + "[weather]", " and 12 more, see docs/scenes.md"),
+        (PLAIN + "[weather]", " and 13 more, see docs/scenes.md"),
     ],
 )
 def test_an_unknown_key_is_answered_in_short(text: str, words: str) -> None:

@@ -1,0 +1,199 @@
+"""A CSV file with one row for each operating point: a column for each quantity, with its unit in brackets.
+
+    # rig 2, second run
+    inner_speed [rpm],axial_load [N],temperature [degC],torque [N mm],uncertainty [N mm]
+    500,1000,62.5,35.1,0.8
+
+Lines that begin with # are comments. Every message is one line with the place, the value and what is accepted.
+"""
+
+import csv
+import os
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from difflib import get_close_matches
+from typing import NamedTuple
+
+import numpy as np
+
+from analytic.errors import InputError
+from analytic.noun import nothing
+from analytic.scene import Array, Scene
+from analytic.scenefile.keys import scene_key
+from analytic.scenefile.quantity import NUMBER, Dimension
+from analytic.scenefile.text import plain, read_text, shown
+
+OPERATING = ("inner_speed", "axial_load", "radial_load", "temperature")  # columns that say where a row is
+LIKENESS = 0.5  # of a name to the one that is probably meant
+HEAD = re.compile(r"([^\[\]]*?)\s*(?:\[([^\[\]]*)\])?")
+PERCENT = ("%", "percent")
+
+
+def operating_column(name: str) -> Dimension:
+    """What a column of OPERATING takes, as the scene does."""
+    key = scene_key(f"{'lubricant' if name == 'temperature' else 'operation'}.{name}")
+    assert key.dimension is not None, name
+    return key.dimension
+
+
+class Column(NamedTuple):
+    """A column of the file."""
+
+    name: str
+    unit: str  # as it is written
+    dimension: Dimension
+    is_share: bool  # whether it is a share of another column
+
+
+class Row(NamedTuple):
+    """A row of the file."""
+
+    place: str  # in words
+    values: dict[str, float]  # by column, SI
+
+
+@dataclass(frozen=True, kw_only=True)
+class Columns:
+    """What the columns of one kind of file may be."""
+
+    known: Mapping[str, Dimension]  # by name
+    required: str  # a name
+    row: str  # what a row stands for, "measured torque"
+    where: str  # what the operating columns say, "where the torques were measured"
+    example: tuple[str, ...]  # names for the head of a file
+    shares: Mapping[str, Dimension] = field(default_factory=nothing)  # by name: columns that may be in per cent
+
+    @property
+    def remedy(self) -> str:
+        """The end of a message on a file that is none."""
+        return f"give the path of a CSV file of {self.row}s"
+
+    def head(self, name: str) -> str:
+        """The head of a column, as people write it."""
+        return f"{name} [{self.known[name].shown_unit}]"
+
+    def read(self, path: str | os.PathLike[str]) -> tuple[list[Column], list[Row]]:
+        """Columns and rows of a file.
+
+        Raises InputError, in one line that begins with the path, for a file that cannot be read, for a column that is
+        unknown, missing, there twice or without its unit, and for a row with a value too few, too many or out of range.
+        """
+        text = read_text(path, kind="CSV", remedy=self.remedy)
+        try:
+            heads, lines = self._lines(text)
+            columns = self._columns(heads)
+            if not lines:
+                raise ValueError(f"has a line of column heads and no row below it; give a line for each {self.row}")
+            rows = [
+                _row(f"row {row} (line {number})", columns, cells) for row, (number, cells) in enumerate(lines, start=1)
+            ]
+        except ValueError as problem:
+            raise InputError(f"{plain(os.fspath(path))}: {problem}") from None
+        return columns, rows
+
+    def _lines(self, text: str) -> tuple[list[str], list[tuple[int, list[str]]]]:
+        """The heads, and the cells of each line with its number. Raises ValueError."""
+        lines = [
+            (number, line)
+            for number, line in enumerate(text.splitlines(), start=1)
+            if line.strip() and not line.lstrip().startswith("#")
+        ]
+        if not lines:
+            example = ",".join(map(self.head, self.example))
+            raise ValueError(
+                f"is empty; give a line of column heads, as {example}, and a line for each {self.row.split()[-1]}"
+            )
+        try:
+            (_, heads), *others = [
+                (number, [cell.strip() for cell in next(csv.reader([line]))]) for number, line in lines
+            ]
+        except csv.Error as problem:
+            raise ValueError(f"is no CSV: {problem}; {self.remedy}") from None
+        if len(heads) == 1 and re.search("[;\t]", heads[0]):
+            raise ValueError("is separated by semicolons or tabs; separate by commas, and write decimal points")
+        return heads, others
+
+    def _columns(self, heads: Sequence[str]) -> list[Column]:
+        columns = [self._column(head) for head in heads]
+        names = [column.name for column in columns]
+        for name in self.known:
+            if names.count(name) > 1:
+                raise ValueError(f"has {names.count(name)} columns {name}; keep one of them")
+        if self.required not in names:
+            raise ValueError(
+                f"has no column {self.required}, only {', '.join(names)}; add one, for example "
+                f"{self.head(self.required)}"
+            )
+        if not {*OPERATING} & {*names}:
+            given = ", ".join(map(self.head, OPERATING))
+            raise ValueError(f"does not say {self.where}; add a column, one or more of {given}")
+        return columns
+
+    def _column(self, head: str) -> Column:
+        """The column under a head. Raises ValueError."""
+        match = HEAD.fullmatch(head)
+        name, unit = match.groups() if match else (head, None)
+        dimension = self.known.get(name)
+        if dimension is None:
+            near = get_close_matches(name.casefold(), self.known, n=1, cutoff=LIKENESS)
+            remedy = f"did you mean {self.head(near[0])}?" if near else f"known: {', '.join(self.known)}"
+            raise ValueError(f"column {shown(head)} is not known; {remedy}")
+        if not unit:
+            raise ValueError(f"column {name} has no unit; write it in brackets, for example {self.head(name)}")
+        is_share = name in self.shares and unit in PERCENT
+        if is_share:
+            dimension = self.shares[name]
+        try:
+            dimension.known_unit(unit)
+        except ValueError as problem:
+            percent = " or [%]" if name in self.shares else ""
+            raise ValueError(
+                f"column {name} [{unit}] {problem}; write for example {self.head(name)}{percent}"
+            ) from None
+        return Column(name, unit, dimension, is_share)
+
+
+def _row(place: str, columns: Sequence[Column], cells: Sequence[str]) -> Row:
+    """The numbers of a row. Raises ValueError."""
+    if len(cells) != len(columns):
+        remedy = "write decimal points, not commas" if len(cells) > len(columns) else "give one for each"
+        count = f"{len(cells)} value{'' if len(cells) == 1 else 's'}"
+        raise ValueError(f"{place} has {count}, and there are {len(columns)} columns; {remedy}")
+    return Row(place, {each.name: _value(each, cell, place) for each, cell in zip(columns, cells, strict=True)})
+
+
+def _value(column: Column, cell: str, place: str) -> float:
+    """A cell in SI. Raises ValueError."""
+    if not re.fullmatch(NUMBER, cell, re.ASCII):
+        what = "is empty" if not cell else f"= {shown(cell)} is no number"
+        raise ValueError(f"{place}: {column.name} {what}; give a number in {column.unit}, or leave the row out")
+    try:
+        return column.dimension.read(f"{cell} {column.unit}")
+    except ValueError as problem:
+        raise ValueError(f"{place}: {column.name} = {cell} {column.unit} {problem}") from None
+
+
+def operating_points(scene: Scene, file: str, columns: Mapping[str, Array | None], rows: int) -> dict[str, Array]:
+    """Loads and speed of each row, SI; what the file lacks is that of the scene.
+
+    file : as messages name it;  columns : by name, (rows,);  rows : number of them
+    Raises InputError for a quantity that the file lacks and of which the scene has several values.
+    """
+    points: dict[str, Array] = {}
+    for name, own in vars(scene.operation.as_series()).items():
+        column = columns.get(name)
+        if column is None and np.ptp(own):
+            raise InputError(
+                f"{file} has no column {name}, and the scene has {np.unique(own).size} values of it; "
+                f"{'give one' if name == 'moment' else 'add the column, or give one'} in operation.{name}"
+            )
+        points[name] = np.full(rows, own[0]) if column is None else column
+    return points
+
+
+def require_loads(scene: Scene, file: str, points: Mapping[str, Array]) -> None:
+    """Raise InputError for a row without any load, where nothing preloads the bearing; points : by name, (rows,)."""
+    idle = (points["axial_load"] == 0) & (points["radial_load"] == 0) & (points["moment"] == 0)
+    if np.any(idle) and (scene.arrangement is None or scene.arrangement.kind == "tandem"):
+        raise InputError(f"{file}: row {int(np.argmax(idle)) + 1} has no load; give one, or leave the row out")

@@ -1,0 +1,55 @@
+"""`fembearing duty`."""
+
+from typing import Annotated
+
+import typer
+
+from fembearing.cli.added_options import with_options
+from fembearing.cli.options import AsJson, Folder, read_by_temperature, require_folder_name, scene_names_like
+from fembearing.cli.scene_options import OPTIONS, SETTINGS, given_options, given_settings
+from fembearing.cli.status import print_warnings
+
+SceneName = Annotated[
+    str,
+    typer.Argument(
+        metavar="SCENE",
+        help="Scene file, TOML, or - for standard input; or a bearing of the catalog, as 6206.",
+        autocompletion=scene_names_like,
+    ),
+]
+CycleFile = Annotated[
+    str, typer.Argument(metavar="CYCLE", help="CSV file of the steps: duration and what changes, each with its unit.")
+]
+
+
+@with_options(OPTIONS | SETTINGS)
+def duty(scene: SceneName, cycle: CycleFile, folder: Folder = None, as_json: AsJson = False) -> None:
+    """Energy that friction takes in a duty cycle, with mean and worst torque, each with its 95 % interval.
+
+    Columns of the cycle: duration, and one or more of inner_speed, axial_load, radial_load and temperature. What they
+    lack is that of the scene. With [thermal] in the scene the oil is as warm as the mean power makes it.
+    """
+    require_folder_name(folder)
+    found = read_by_temperature(scene, settings=given_settings(), options=given_options())
+    from contextlib import nullcontext
+
+    from analytic.prediction.duty import cycle_of
+    from analytic.writing import new_folder
+    from fembearing.cli.console import out, print_json
+    from fembearing.plain_types import plain
+    from fembearing.report.duty_folder import duty_file, write_duty
+    from fembearing.report.tables.duty import cycle_table, steps_table
+    from fembearing.report.terminal.table import show
+
+    with nullcontext() if folder is None else new_folder(folder) as place:
+        result = cycle_of(found, cycle)
+        if place is not None:
+            write_duty(result, found.scene, place)
+    if as_json:
+        print_json(plain(duty_file(result)))
+    else:
+        show(out, steps_table(result))
+        show(out, cycle_table(result))
+        if folder is not None:
+            out.tell(f"folder: {folder}")
+    print_warnings(result.warnings)

@@ -1,0 +1,148 @@
+"""A duty cycle: sums of its steps, intervals of errors that all steps share, and what is refused."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import analytic
+from analytic.prediction.duty import DutyCycle, duty_cycle
+from analytic.prediction.first_order import first_order_ends
+from analytic.scene import Operation, Scene
+from analytic.scenefile.read import load_scene
+from tests.refusals import refused
+
+HEAD = "duration [s],inner_speed [rpm],axial_load [N]\n"
+STEPS = HEAD + "20,600,900\n5,-2400,300\n7,0,0\n20,600,900\n"
+SETTINGS = {"friction.spin_rule": "balanced"}
+OILED = {"axial_load": 900.0, "speed": 60.0, "oil": "ISO VG 46", "temperature": 335.0}
+
+
+def cycle_file(folder: Path, text: str = STEPS) -> Path:
+    file = folder / "cycle.csv"
+    file.write_text(text)
+    return file
+
+
+@pytest.fixture(scope="module")
+def oiled(tmp_path_factory: pytest.TempPathFactory) -> DutyCycle:
+    file = cycle_file(tmp_path_factory.mktemp("duty"))
+    return duty_cycle("6206", file, settings=SETTINGS, **OILED)
+
+
+@pytest.fixture(scope="module")
+def nominal() -> analytic.FrictionTorque:
+    """The torque at the two operating points of the cycle."""
+    scene = load_scene("6206", settings=SETTINGS, **OILED)
+    operation = Operation(axial_load=np.array([900.0, 300.0]), inner_speed=np.array([600.0, -2400.0]) * np.pi / 30)
+    return analytic.friction_torque(replace(scene, operation=operation))
+
+
+def test_energy_torque_and_power_are_those_of_the_steps(oiled: DutyCycle, nominal: analytic.FrictionTorque) -> None:
+    slow, fast = nominal.torque.total
+    angles = np.array([2 * 20 * 600, 5 * 2400]) * np.pi / 30
+    energy = float(angles @ (slow, fast))
+    assert oiled.energy.value == pytest.approx(energy, rel=1e-12)
+    assert oiled.mean_torque.value == pytest.approx(energy / angles.sum(), rel=1e-12)
+    assert oiled.mean_power.value == pytest.approx(energy / 52, rel=1e-12)  # with the pause of 7 s
+    assert oiled.duration == pytest.approx(52)
+    assert oiled.worst_torque.value == pytest.approx(max(slow, fast), rel=1e-12)
+    assert oiled.steps[oiled.worst_step].torque.value == oiled.worst_torque.value
+    assert [step.power > 0 for step in oiled.steps] == [True, True, False, True]
+    assert sum(step.energy for step in oiled.steps) == pytest.approx(energy, rel=1e-12)
+
+
+def test_the_interval_of_one_step_is_that_of_its_torque(tmp_path: Path) -> None:
+    """Second way: `first_order_ends`, which the command torque shows."""
+    scene = load_scene("6206", settings=SETTINGS, **OILED)
+    found = duty_cycle(
+        "6206", cycle_file(tmp_path, "duration [s],axial_load [N]\n13,900\n"), settings=SETTINGS, **OILED
+    )
+    ends = first_order_ends(scene, analytic.friction_torque(scene))
+    assert ends is not None
+    for estimate in (found.mean_torque, found.worst_torque, found.steps[0].torque):
+        assert (estimate.low, estimate.high) == pytest.approx(tuple(ends[:, 0]), rel=1e-12)
+    ratio = found.energy.value / found.mean_torque.value
+    assert found.energy.high == pytest.approx(ratio * ends[1, 0], rel=1e-12)
+
+
+def test_errors_that_all_steps_share_do_not_average_out(oiled: DutyCycle) -> None:
+    """The energy is as uncertain as the steps are: within the spans of their relative ends."""
+    ends = np.array([[s.torque.low, s.torque.high] for s in oiled.steps if s.power], float)
+    values = np.array([[step.torque.value] for step in oiled.steps if step.power])
+    assert oiled.energy.low is not None
+    assert oiled.energy.high is not None
+    low, high = (ends / values).T
+    assert low.min() <= oiled.energy.low / oiled.energy.value <= low.max()
+    assert high.min() <= oiled.energy.high / oiled.energy.value <= high.max()
+
+
+def test_a_friction_coefficient_alone_gives_its_own_interval(tmp_path: Path) -> None:
+    """Gross sliding goes with the coefficient, which is lognormal: 0.2 in the logarithm, in all steps at once."""
+    dry = load_scene("6205-dry")
+    quiet = dict.fromkeys(("bearing.inner.conformity", "bearing.outer.conformity", "operation.axial_load"), 0.0)
+    scene = replace(
+        dry,
+        uncertainty={**quiet, "bearing.contact_angle.free": 0.0, "friction.coefficient": 0.02},
+        effects={"hysteresis": "off", "cage": "off", "cage_dynamics": "off", "creep": "off"},
+        spin_rule="balanced",
+        sliding="along_axis",
+    )
+    found = duty_cycle(scene, cycle_file(tmp_path, HEAD + "3,600,700\n11,-2400,300\n"))
+    assert found.energy.low is not None
+    assert found.energy.high is not None
+    spread = np.log([found.energy.low / found.energy.value, found.energy.high / found.energy.value])
+    # 2 %: the numerical uncertainty of the torque, another input, widens it by 1 %
+    np.testing.assert_allclose(spread, 0.2 * 1.959964 * np.array([-1, 1]), rtol=0.02)
+
+
+def test_each_temperature_has_its_own_oil(tmp_path: Path) -> None:
+    file = cycle_file(tmp_path, "duration [min],temperature [degC]\n2,40\n3,70\n")
+    found = duty_cycle("6206", file, settings=SETTINGS, **OILED)
+    for step, warmth in zip(found.steps, (313.15, 343.15), strict=True):
+        scene = load_scene("6206", settings=SETTINGS, **{**OILED, "temperature": warmth})
+        assert step.torque.value == pytest.approx(analytic.friction_torque(scene).torque.total[0], rel=1e-12)
+        assert step.temperature == pytest.approx(warmth)
+    assert found.steps[0].duration == 120
+
+
+def test_the_mean_power_warms_the_oil(tmp_path: Path) -> None:
+    settings = {**SETTINGS, "thermal.resistance": 0.9, "thermal.ambient": 296.0}
+    found = duty_cycle("6206", cycle_file(tmp_path), settings=settings, **OILED)
+    assert found.steady is not None
+    assert found.steady.temperature > 296.5
+    # 1e-3 K: the search ends at 1e-4 K
+    assert found.steady.temperature == pytest.approx(296.0 + 0.9 * found.mean_power.value, abs=1e-3)
+    assert {step.temperature for step in found.steps} == {found.steady.temperature}
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("inner_speed [rpm]\n60\n", ("no column duration", "duration [s]")),
+        ("duration [s]\n60\n", ("does not say what runs in its steps",)),
+        ("duration,inner_speed [rpm]\n60,5\n", ("duration has no unit",)),
+        (HEAD + "0,60,500\n", ("row 1 (line 2): duration = 0 s is out of range",)),
+        (HEAD + "5,60\n", ("row 1 (line 2) has 2 values",)),
+        (HEAD + "5,0,500\n", ("nothing turns in any step",)),
+        (HEAD + "5,60,0\n", ("row 1 has no load",)),
+        ("# nothing\n", ("is empty", "duration [s],inner_speed [rpm]", "a line for each step")),
+        ("time [s],inner_speed [rpm]\n5,6\n", ("column 'time [s]' is not known",)),
+        ("duration [s],inner_speed [rpm],temperature [degC]\n5,600,60\n", ("6205-dry", "no [lubricant]")),
+    ],
+)
+def test_a_mistake_gives_one_line(tmp_path: Path, text: str, words: tuple[str, ...]) -> None:
+    file = cycle_file(tmp_path, text)
+    refused(lambda: duty_cycle("6205-dry", file), *words)
+
+
+def test_a_temperature_is_said_once(tmp_path: Path) -> None:
+    file = cycle_file(tmp_path, "duration [s],temperature [degC]\n5,60\n")
+    settings = {"thermal.resistance": 0.9, "thermal.ambient": 296.0}
+    refused(
+        lambda: duty_cycle("6206", file, settings=settings, **OILED), "cycle.csv", "column temperature", "[thermal]"
+    )
+    made = replace(load_scene("6206", **OILED), name="made")
+    assert isinstance(made, Scene)
+    refused(lambda: duty_cycle(made, file), "made", "give the file of a scene")

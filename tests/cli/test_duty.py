@@ -1,0 +1,80 @@
+"""`fembearing duty`: energy and torque of a cycle, and a steady temperature of the oil."""
+
+import csv
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+import jsonschema
+import pytest
+
+from fembearing.report.schema import duty_schema
+from tests.conftest import Result
+
+Run = Callable[..., Result]
+EXAMPLE = str(Path(__file__).resolve().parents[2] / "examples/duty_cycle.csv")
+QUICK = ("6206", EXAMPLE, "--set", "friction.spin_rule=balanced")
+
+
+def test_the_example_has_its_steps_and_its_energy(command: Run) -> None:
+    ended = command("duty", *QUICK)
+    assert ended.status == 0
+    assert max(map(len, ended.out.splitlines())) <= 80
+    assert "oil at 60 degC" in ended.out
+    assert "worst torque, step" in ended.out
+    energy = next(
+        line.split() for line in ended.out.splitlines() if line.split()[:1] + line.split()[-1:] == ["energy", "J"]
+    )
+    low, high = map(float, energy[2].split("-"))
+    assert low < float(energy[1]) < high
+
+
+def test_json_fits_its_schema_and_a_folder_has_everything(
+    command: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    ended = command("duty", *QUICK, "--json", "--out", "found")
+    found = json.loads(ended.out)
+    jsonschema.validate(found, duty_schema())
+    assert json.loads(command("schema", "duty").out) == json.loads(json.dumps(duty_schema()))
+    assert (found["kind"], found["format"]) == ("fembearing duty", 1)
+    folder = tmp_path / "found"
+    assert {file.name for file in folder.iterdir()} == {"duty.json", "duty.csv", "duty.png", "duty.svg"}
+    with (folder / "duty.csv").open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) == len(found["steps"]) == 4
+    for row, step in zip(rows, found["steps"], strict=True):
+        assert float(row["torque [N mm]"]) == pytest.approx(1e3 * step["torque"]["value"], rel=1e-12)
+        assert float(row["energy [J]"]) == pytest.approx(step["energy"], rel=1e-12)
+    assert float(rows[1]["duration [s]"]) == 30
+    assert (folder / "duty.png").read_bytes().startswith(b"\x89PNG")
+    assert json.loads((folder / "duty.json").read_text("utf-8"))["run"]["scene"]
+
+
+def test_a_steady_temperature_is_in_title_json_and_not_among_the_assumptions(command: Run) -> None:
+    heated = ("--set", "thermal.resistance=0.8 K/W", "--set", "thermal.ambient=22C", *QUICK[2:])
+    ended = command("torque", "6206", "--speed", "3000rpm", *heated)
+    title = ended.out.splitlines()[0] + ended.out.splitlines()[1]
+    assert "degC (steady)" in title
+    assert "lubricant.temperature" not in ended.out
+    record = json.loads(command("torque", "6206", "--speed", "3000rpm", "--json", *heated).out)
+    warm = next(each for each in record["inputs"] if each["key"] == "lubricant.temperature")
+    power = record["points"][0]["torque"]["total"] * record["points"][0]["inner_speed"]
+    assert warm["value"] == pytest.approx(295.15 + 0.8 * power, abs=1e-3)  # the search ends at 1e-4 K
+    assert "0.8 K/W" in warm["source"]
+    assert "(steady)" in command("duty", *QUICK, *heated[:4]).out
+
+
+@pytest.mark.parametrize(
+    ("words", "parts"),
+    [
+        (("6206", "gone.csv"), ("gone.csv", "No such file", "CSV file of duty steps")),
+        (("gone.toml", EXAMPLE), ("gone.toml",)),
+        ((*QUICK, "--out", "new.png"), ("--out 'new.png'", "writes a folder")),
+    ],
+)
+def test_a_mistake_gives_one_line(command: Run, words: tuple[str, ...], parts: tuple[str, ...]) -> None:
+    ended = command("duty", *words)
+    assert (ended.status, ended.out) == (2, "")
+    assert ended.err.count("\n") == 1
+    assert [part for part in parts if part not in ended.err] == [], ended.err
