@@ -21,6 +21,7 @@ from analytic.verdicts import PhysicalCheck
 from fembearing.provenance import Provenance
 from fembearing.quantities import CONTACT, SYSTEMS, Units
 from fembearing.report.contact import ContactRecord, contact_record
+from fembearing.report.findings import Finding, findings_of
 from fembearing.report.scene_view import SceneView
 from fembearing.report.torque import CageMotionPoint, TorqueRecord, cage_motion, torque_record
 from fembearing.verify.contact.comparison_error import WHY, Comparison
@@ -41,7 +42,7 @@ from fembearing.verify.validation import Validation
 if TYPE_CHECKING:
     from pydantic import TypeAdapter
 
-KIND, FORMAT = "fembearing validation", 5  # what the JSON is; the number rises when a key changes its name or meaning
+KIND, FORMAT = "fembearing validation", 6  # what the JSON is; the number rises when a key changes its name or meaning
 INSTANTS = 400  # of a cage's motion that are kept
 LARGEST = 1e200  # SI; a larger number is damage, and may be too large in the unit in which it is shown
 LARGEST_FILE = 256_000_000  # bytes: ten times a series of thousand points
@@ -180,8 +181,9 @@ class Report:
     __pydantic_config__: ClassVar[dict[str, Any]] = {"strict": True, "extra": "forbid", "allow_inf_nan": False}
 
     kind: Literal["fembearing validation"] = KIND
-    format: Literal[5] = FORMAT
+    format: Literal[6] = FORMAT
     verdict: Summary
+    findings: Annotated[tuple[Finding, ...], MinLen(1)]
     physical: Annotated[tuple[PhysicalCheck, ...], MinLen(1)]
     report: ReportDetails
     tolerance: Positive
@@ -268,22 +270,26 @@ class Report:
 
 def report_of(result: Validation, *, pictures: Sequence[PictureFile] = (), renderer: str | None = None) -> Report:
     """The report of a check;  renderer : what drew the pictures; VTK without it."""
-    torque, verdicts = result.torque, result.verdicts
+    verdicts, contacts = result.verdicts, tuple(contact_record(contact) for contact in result.contacts)
+    films, creep = tuple(film.numbers for film in result.films), result.creep and result.creep.numbers
+    torque = None if result.torque is None else torque_record(result.torque)
+    change = None if result.torque_change is None else change_record(result.torque_change)
     return Report(
         verdict=verdicts.summary,
+        findings=tuple(findings_of(contacts, films, creep, torque, change)),
         physical=verdicts.physical,
         report=result.scene.report,
         tolerance=result.tolerance,
         verdicts=tuple(row for contact in result.contacts if contact.judged for row in _verdicts(contact)),
         uncertainties=Uncertainties(**WHY),
-        contacts=tuple(contact_record(contact) for contact in result.contacts),
-        torque=None if torque is None else torque_record(torque),
-        torque_change=None if result.torque_change is None else change_record(result.torque_change),
-        cage_motion=None if torque is None else cage_motion(torque),
+        contacts=contacts,
+        torque=torque,
+        torque_change=change,
+        cage_motion=None if result.torque is None else cage_motion(result.torque),
         cage_records=tuple(record.drawn(most=INSTANTS) for record in result.cage_records),
-        films=tuple(film.numbers for film in result.films),
+        films=films,
         film_change=None if result.film_change is None else tuple(result.film_change.tolist()),
-        creep=None if result.creep is None else result.creep.numbers,
+        creep=creep,
         creep_change=result.creep_change,
         measured=result.measured_torques,
         sensitivity=result.sensitivity,

@@ -3,6 +3,7 @@
 from rich.console import Console
 
 from analytic.words import percent_of
+from fembearing.report.headline import headline_title, torque_words
 from fembearing.report.phrases import creep_change_words, film_change_words, friction_of
 from fembearing.report.report import Report
 from fembearing.report.tables.contacts import contacts_of, pocket_table
@@ -16,8 +17,23 @@ from fembearing.report.terminal.table import show
 from fembearing.report.terminal.torque import print_verdicts
 
 
-def print_validation(out: Console, document: Report) -> None:
-    """Print the check of a scene: contacts, torque, and the verdicts, in the last line in a word each."""
+NO_TORQUE = "No friction coefficient, lubricant or surface is given, so there is no torque."
+
+
+def print_headline(out: Console, document: Report) -> None:
+    """Print the torque with its interval, a line for each reference, and the verdict with its reason."""
+    scene, torque, verdict = document.scene, document.torque, document.verdict
+    lines = [f"{scene.name}. {NO_TORQUE}"]
+    if torque is not None:
+        standing = f"{torque.standing.word}: {torque.standing.reason}"
+        lines = [headline_title(scene, torque), torque_words(torque), standing]
+    lines += [] if document.measured is None else [document.measured.conclusions[0]]
+    for line in (*lines, *(finding.words for finding in document.findings), f"{verdict.overall}: {verdict.reason}"):
+        out.print(line, markup=False)
+
+
+def print_details(out: Console, document: Report) -> None:
+    """Print all tables of a check, and the verdicts, in the last line in a word each."""
     scene, torque, change = document.scene, document.torque, document.torque_change
     pocket = pocket_table(document.contacts)
     for table in (contacts_of(document), *map(film_table, document.films), *([] if pocket is None else [pocket])):
@@ -25,7 +41,7 @@ def print_validation(out: Console, document: Report) -> None:
     if document.creep is not None:
         show(out, creep_table(document.creep))
     if torque is None or change is None:
-        out.print("No friction coefficient, lubricant or surface is given, so there is no torque.\n")
+        out.print(f"{NO_TORQUE}\n")
     else:
         places = shown_places(torque)
         show(out, torque_table(torque, scene.bearing.name, places))

@@ -19,7 +19,7 @@ from fembearing.quantities import RPM
 from fembearing.report.figures.page_plots import PLOTS
 from fembearing.report.pictures.draw import Picture
 from fembearing.report.report import report_of
-from fembearing.report.terminal.validation import print_validation
+from fembearing.report.terminal.validation import print_details
 from fembearing.verify.contact.discrepancy import ContactSolution
 from fembearing.verify.hard_record import HardRecord
 from fembearing.verify.torque.change import change_of_torque
@@ -181,7 +181,7 @@ def test_a_lubricated_scene_is_not_told_as_one_without_a_coefficient(checked: Va
     assert "no torque" not in words
     assert "does not depend on speed" not in words
     out = StringIO()
-    print_validation(Console(file=out, width=80), report_of(with_scene(checked, oiled)))
+    print_details(Console(file=out, width=80), report_of(with_scene(checked, oiled)))
     assert "Friction: coefficient of each race by mixed lubrication" in " ".join(out.getvalue().split())
 
 

@@ -63,12 +63,13 @@ class Summary(NamedTuple):
     trust: str
     boxes: list[Box]
     overall: str
+    reason: str
     inputs: str
     torque: Table | None
     physical: Table
     contacts: Table
     contacts_at: str
-    change: str
+    findings: list[str]
     notes: list[str]
     every_note: list[str]  # in full, for the appendix
     facts: Facts
@@ -86,12 +87,13 @@ def summary_of(document: Report) -> Summary:
         trust="" if torque is None else _trust(torque),
         boxes=boxes,
         overall=document.verdict.overall,
+        reason=document.verdict.reason,
         inputs="" if torque is None else _status_of(torque.inputs),
         torque=None if torque is None else _torque(document, torque),
         physical=physical_table(document.physical, document.units)._replace(notes=[POINT]),
         contacts=_contacts(document),
         contacts_at=_contacts_at(document),
-        change=_change(document),
+        findings=[finding.words for finding in document.findings],
         notes=[_shortened(note) for note in notes[:MOST_NOTES]],
         every_note=notes,
         facts=[(name, _shortened(words)) for name, words in facts_of(document)],
@@ -231,22 +233,6 @@ def _contacts_at(document: Report) -> str:
     if change is None or change.finite_geometry is not None:
         return place
     return f"{place} {OTHER_LOADS}"
-
-
-def _change(document: Report) -> str:
-    """What contacts of finite elements change in the torque, in a sentence; empty without a torque."""
-    torque, change = document.torque, document.torque_change
-    if torque is None or change is None:
-        return ""
-    index = heaviest_point(torque.points)
-    relative = change.change.total[index]
-    if relative is None:
-        return ""
-    return (
-        "With contacts of finite elements the torque at "
-        f"{point_name(torque.points, index, document.units)} changes by {100 * relative:+.2f} \N{PLUS-MINUS SIGN} "
-        f"{100 * change.uncertainty:.2f} %."
-    )
 
 
 def _shortened(words: str) -> str:

@@ -1,0 +1,166 @@
+"""What each reference shows of a check, in a number with its solver error: the largest difference, and the verdict."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+from analytic.rows import NotNegative
+from analytic.words import PERCENT, percent_of
+from fembearing.quantities import CONTACT
+from fembearing.report.contact import ContactRecord
+from fembearing.report.tables.points import heaviest_point
+from fembearing.report.torque import TorqueRecord
+from fembearing.verify.contact.verdict import Verdict, worst
+from fembearing.verify.creep.scene_creep import CreepNumbers
+from fembearing.verify.film.scene_film import JUDGED, FilmNumbers
+
+if TYPE_CHECKING:  # which holds findings
+    from fembearing.report.report import ChangeRecord
+
+OFF = {  # what is compared with a reference
+    "contacts": "contacts: Hertz",
+    "film": "film: model",
+    "friction": "friction: production",
+}
+ADDED = {  # what changes a quantity
+    "ring": "ring on a rigid seat:",
+    "pocket": "sheet of the pocket:",
+    "torque": "contacts by finite elements:",
+}
+FILM_NAMES = {"central_film": "central film", "rolling_force": "rolling force"}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Finding:
+    """The largest difference that one reference shows, over contacts and quantities."""
+
+    # Hertz, film model and production friction less the reference, over the reference; what ring and sheet add to the
+    # contact alone, and contacts by finite elements to the torque, over it
+    reference: Literal["contacts", "film", "friction", "ring", "pocket", "torque"]
+    quantity: str
+    place: str  # in words; empty: all balls
+    difference: float  # relative
+    uncertainty: NotNegative  # numerical, of the reference, relative
+    verdict: Verdict | Literal["shown"]  # of all that is compared with this reference; shown: not judged
+
+    @property
+    def words(self) -> str:
+        """In a line."""
+        size, place = PERCENT.written(self.difference, "+.3g"), f" {self.place}" if self.place else ""
+        error = f"solver error {percent_of(self.uncertainty, 2)}"
+        if self.reference in ADDED:
+            return f"{ADDED[self.reference]} {size} of the {self.quantity}{place}; {error}"
+        verdict = "" if self.verdict == "shown" else f": {self.verdict}"
+        return f"{OFF[self.reference]} {size} off, {self.quantity}{place}; {error}{verdict}"
+
+
+def findings_of(
+    contacts: Sequence[ContactRecord],
+    films: Sequence[FilmNumbers],
+    creep: CreepNumbers | None,
+    torque: TorqueRecord | None,
+    change: "ChangeRecord | None",
+) -> Iterator[Finding]:
+    """One of each reference that the check has."""
+    yield _of_contacts([contact for contact in contacts if contact.judged])
+    if films:
+        yield _of_films(films)
+    if creep is not None:
+        quantity = creep.torque
+        yield Finding(
+            reference="friction",
+            quantity="torque by sliding",
+            place="",
+            difference=quantity.production / quantity.reference - 1,
+            uncertainty=creep.relative_uncertainty,
+            verdict="shown",
+        )
+    rings = [contact for contact in contacts if contact.ring is not None]
+    if rings:
+        yield max(map(_of_ring, rings), key=_size)
+    yield from (_of_sheet(contact) for contact in contacts if contact.geometry == "wall")
+    if torque is not None and change is not None:
+        yield from _of_torque(torque, change)
+
+
+def _size(finding: Finding) -> float:
+    return abs(finding.difference)
+
+
+def _of_contacts(contacts: Sequence[ContactRecord]) -> Finding:
+    verdict = worst(contact.verdict for contact in contacts if contact.verdict != "shown")
+    found = (
+        Finding(
+            reference="contacts",
+            quantity=quantity.name,
+            place=_on(contact.pair),
+            difference=contact.discrepancy[name],
+            uncertainty=contact.uncertainty[name],
+            verdict=verdict,
+        )
+        for contact in contacts
+        for name, quantity in CONTACT.items()
+    )
+    return max(found, key=_size)
+
+
+def _of_films(films: Sequence[FilmNumbers]) -> Finding:
+    """Of central film and rolling force, which the torque takes and the verdict is on."""
+    verdict = worst(film.verdict for film in films)
+    found = (
+        Finding(
+            reference="film",
+            quantity=FILM_NAMES[name],
+            place=_on(film.pair),
+            difference=film.quantities[name].discrepancy,
+            uncertainty=film.quantities[name].relative_uncertainty,
+            verdict=verdict,
+        )
+        for film in films
+        for name in JUDGED
+    )
+    return max(found, key=_size)
+
+
+def _of_ring(contact: ContactRecord) -> Finding:
+    ring = contact.ring
+    assert ring is not None
+    return Finding(
+        reference="ring",
+        quantity="approach",
+        place=_on(contact.pair),
+        difference=ring.share,
+        uncertainty=ring.uncertainty / contact.fe.approach,
+        verdict="shown",
+    )
+
+
+def _of_sheet(contact: ContactRecord) -> Finding:
+    return Finding(
+        reference="pocket",
+        quantity="stiffness K_pb",
+        place="",
+        difference=contact.fe.stiffness / contact.hertz.stiffness - 1,
+        uncertainty=contact.uncertainty.stiffness,
+        verdict="shown",
+    )
+
+
+def _of_torque(torque: TorqueRecord, change: "ChangeRecord") -> Iterator[Finding]:
+    """At the point of the heaviest ball."""
+    points = torque.points
+    index = heaviest_point(points)
+    relative = change.change.total[index]
+    if relative is not None:
+        yield Finding(
+            reference="torque",
+            quantity="torque",
+            place=f"at point {index + 1}" if len(points) > 1 else "",
+            difference=relative,
+            uncertainty=change.uncertainty,
+            verdict="shown",
+        )
+
+
+def _on(pair: str) -> str:
+    return "in the cage pocket" if pair == "pocket" else f"on the {pair} race"
