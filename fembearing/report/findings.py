@@ -10,6 +10,7 @@ from fembearing.quantities import CONTACT
 from fembearing.report.contact import ContactRecord
 from fembearing.report.tables.points import heaviest_point
 from fembearing.report.torque import TorqueRecord
+from fembearing.verify.contact.bearings import which_bearing
 from fembearing.verify.contact.verdict import Verdict, worst
 from fembearing.verify.creep.scene_creep import CreepNumbers
 from fembearing.verify.film.scene_film import JUDGED, FilmNumbers
@@ -57,7 +58,7 @@ class Finding:
 def findings_of(
     contacts: Sequence[ContactRecord],
     films: Sequence[FilmNumbers],
-    creep: CreepNumbers | None,
+    creep: Sequence[CreepNumbers],
     torque: TorqueRecord | None,
     change: "ChangeRecord | None",
 ) -> Iterator[Finding]:
@@ -65,16 +66,8 @@ def findings_of(
     yield _of_contacts([contact for contact in contacts if contact.judged])
     if films:
         yield _of_films(films)
-    if creep is not None:
-        quantity = creep.torque
-        yield Finding(
-            reference="friction",
-            quantity="torque by sliding",
-            place="",
-            difference=quantity.production / quantity.reference - 1,
-            uncertainty=creep.relative_uncertainty,
-            verdict="shown",
-        )
+    if creep:
+        yield max(map(_of_creep, creep), key=_size)
     rings = [contact for contact in contacts if contact.ring is not None]
     if rings:
         yield max(map(_of_ring, rings), key=_size)
@@ -93,7 +86,7 @@ def _of_contacts(contacts: Sequence[ContactRecord]) -> Finding:
         Finding(
             reference="contacts",
             quantity=quantity.name,
-            place=_on(contact.pair),
+            place=_on(contact.pair, contact.bearing),
             difference=contact.discrepancy[name],
             uncertainty=contact.uncertainty[name],
             verdict=verdict,
@@ -111,7 +104,7 @@ def _of_films(films: Sequence[FilmNumbers]) -> Finding:
         Finding(
             reference="film",
             quantity=FILM_NAMES[name],
-            place=_on(film.pair),
+            place=_on(film.pair, film.bearing),
             difference=film.quantities[name].discrepancy,
             uncertainty=film.quantities[name].relative_uncertainty,
             verdict=verdict,
@@ -122,13 +115,25 @@ def _of_films(films: Sequence[FilmNumbers]) -> Finding:
     return max(found, key=_size)
 
 
+def _of_creep(creep: CreepNumbers) -> Finding:
+    """Of all balls of a bearing."""
+    return Finding(
+        reference="friction",
+        quantity="torque by sliding",
+        place=which_bearing(creep.bearing).removeprefix(" "),
+        difference=creep.torque.production / creep.torque.reference - 1,
+        uncertainty=creep.relative_uncertainty,
+        verdict="shown",
+    )
+
+
 def _of_ring(contact: ContactRecord) -> Finding:
     ring = contact.ring
     assert ring is not None
     return Finding(
         reference="ring",
         quantity="approach",
-        place=_on(contact.pair),
+        place=_on(contact.pair, contact.bearing),
         difference=ring.share,
         uncertainty=ring.uncertainty / contact.fe.approach,
         verdict="shown",
@@ -162,5 +167,5 @@ def _of_torque(torque: TorqueRecord, change: "ChangeRecord") -> Iterator[Finding
         )
 
 
-def _on(pair: str) -> str:
-    return "in the cage pocket" if pair == "pocket" else f"on the {pair} race"
+def _on(pair: str, bearing: str | None) -> str:
+    return "in the cage pocket" if pair == "pocket" else f"on the {pair} race{which_bearing(bearing)}"

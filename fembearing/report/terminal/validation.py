@@ -12,10 +12,9 @@ from fembearing.report.tables.film import film_table
 from fembearing.report.tables.measured import measured_table
 from fembearing.report.tables.points import shown_places
 from fembearing.report.tables.prediction import prediction_tables
-from fembearing.report.tables.torque import change_table, torque_table
+from fembearing.report.tables.torque import change_table, pair_table, torque_table
 from fembearing.report.terminal.table import show
 from fembearing.report.terminal.torque import print_verdicts
-
 
 NO_TORQUE = "No friction coefficient, lubricant or surface is given, so there is no torque."
 
@@ -38,13 +37,15 @@ def print_details(out: Console, document: Report) -> None:
     pocket = pocket_table(document.contacts)
     for table in (contacts_of(document), *map(film_table, document.films), *([] if pocket is None else [pocket])):
         show(out, table)
-    if document.creep is not None:
-        show(out, creep_table(document.creep))
+    for creep in document.creep:
+        show(out, creep_table(creep))
     if torque is None or change is None:
         out.print(f"{NO_TORQUE}\n")
     else:
         places = shown_places(torque)
         show(out, torque_table(torque, scene.bearing.name, places))
+        if torque.pair is not None:
+            show(out, pair_table(torque.pair, places))
         friction = friction_of(coefficient=scene.friction_coefficient, is_lubricated=scene.is_lubricated)
         out.print(f"Friction: {friction}.\n", markup=False)
         for table in prediction_tables(torque, places):

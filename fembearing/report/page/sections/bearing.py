@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from analytic.scene import Groove
 from analytic.words import angle_of
 from fembearing.quantities import QUANTITIES, Units
-from fembearing.report.phrases import LOADS, clearances_of, friction_of, listed
+from fembearing.report.phrases import LOADS, PAIRS, clearances_of, friction_of, listed, pair_of
 from fembearing.report.report import Report
 from fembearing.report.scene_view import Cage, SceneView
 
@@ -16,6 +16,9 @@ def facts_of(document: Report) -> Facts:
     """Name and words of what defines the torque, for the summary."""
     scene = document.scene
     facts = list(_facts(scene, document.units))
+    if document.torque is not None and document.torque.pair is not None:
+        pair = document.torque.pair
+        facts.insert(1, ("pair", f"{PAIRS[pair.kind]}; {pair_of(pair, document.units)}"))
     return facts if document.torque is not None else [*facts, ("operation", _operation(scene, document.units))]
 
 

@@ -35,7 +35,7 @@ def next_section(document: Report) -> NextSection:
 def _of_contact(document: Report, contact: ContactRecord) -> Iterator[Step]:
     """The steps that the verdicts on one contact call for."""
     rows, names = document.verdicts_on(contact), quantities_of(contact)
-    place = place_of(contact.pair, contact.geometry)
+    place = place_of(contact.pair, contact.geometry, contact.bearing)
 
     def named(verdict: str) -> str:
         return ", ".join(names[name].name for name, row in rows.items() if row.verdict == verdict)

@@ -22,6 +22,7 @@ from fembearing.report.tables.table import Head, Table, table_of
 from fembearing.report.tables.torque import torque_table
 from fembearing.report.tables.verdicts import POINT, failures, physical_table
 from fembearing.report.torque import TorqueRecord
+from fembearing.verify.contact.bearings import which_bearing
 
 MOST_NAMED = 8  # assumed inputs that the summary names
 OTHER_LOADS = (
@@ -210,7 +211,7 @@ def _contacts(document: Report) -> Table:
 def _contact(document: Report, contact: ContactRecord) -> list[str]:
     verdicts, shown = document.verdicts_on(contact), document.units.pressure
     return [
-        "cage pocket" if contact.pair == "pocket" else f"{contact.pair} race",
+        "cage pocket" if contact.pair == "pocket" else f"{contact.pair} race{which_bearing(contact.bearing)}",
         digits(contact.load, document.units.force.factor, 4),
         "-" if contact.pair == "pocket" else angle_cell(contact.contact_angle),
         digits(contact.hertz.peak_pressure, shown.factor, 4),
@@ -228,6 +229,8 @@ def _contacts_at(document: Report) -> str:
     if document.torque is None:
         return "Races: the heaviest ball of all operating points."
     points = document.torque.points
+    if document.torque.pair is not None:
+        return "Races: the heaviest ball of each bearing, at any operating point. Ball loads follow from Hertz's contacts."
     place = f"Races: the heaviest ball, at {point_name(points, heaviest_point(points), document.units)}."
     change = document.torque_change
     if change is None or change.finite_geometry is not None:

@@ -1,0 +1,70 @@
+"""The headline of a check: the largest difference from each reference, and the verdict with its reason."""
+
+import json
+from dataclasses import replace
+from io import StringIO
+
+import pytest
+from rich.console import Console
+
+from fembearing.plain_types import plain
+from fembearing.report.findings import Finding
+from fembearing.report.report import Report, report_in
+from fembearing.report.terminal.validation import print_headline
+from tests.analytic.specimens import present
+from tests.report.test_measured import TWO
+
+LONGEST = 12  # lines of a headline on 80 columns
+
+
+def printed(document: Report) -> list[str]:
+    out = StringIO()
+    print_headline(Console(file=out, width=80), document)
+    return out.getvalue().splitlines()
+
+
+@pytest.fixture(scope="module")
+def found(document: Report) -> dict[str, Finding]:
+    return {finding.reference: finding for finding in document.findings}
+
+
+def test_the_largest_difference_of_all_judged_contacts_is_found(found: dict[str, Finding]) -> None:
+    """The sheet, 80 % off, is not judged; that verdict fails which is the worst of all."""
+    finding = found["contacts"]
+    assert (finding.quantity, finding.place) == ("semi-axis b", "on the inner race")
+    assert finding.difference == pytest.approx(0.1, abs=1e-12)  # 0.968/0.88 - 1, to round-off
+    assert finding.uncertainty == pytest.approx(0.018, abs=5e-5)  # printed as 1.80 %
+    assert finding.verdict == "fail"
+    assert finding.words == "contacts: Hertz +10 % off, semi-axis b on the inner race; solver error 1.8 %: fail"
+
+
+def test_the_sheet_and_the_torque_are_shown_and_not_judged(found: dict[str, Finding]) -> None:
+    """As in the table of the pocket and in that of the change, at the point with the heaviest ball."""
+    assert found["pocket"].words == "sheet of the pocket: -35 % of the stiffness K_pb; solver error 0.57 %"
+    assert found["torque"].words == "contacts by finite elements: -2.83 % of the torque at point 3; solver error 1.4 %"
+    assert {found[name].verdict for name in ("pocket", "torque", "friction")} == {"shown"}
+
+
+def test_the_headline_is_short_and_ends_with_the_reason(document: Report) -> None:
+    lines = printed(document)
+    assert len(lines) <= LONGEST
+    assert max(map(len, lines)) <= 80
+    torque = present(document.torque)
+    assert lines[0].startswith("6205, axial")
+    assert lines[1].startswith("torque 34-53 N mm at 3 points, 95 % not known")
+    assert f"{torque.standing.word}: " in " ".join(lines)
+    assert lines[-1].startswith("tolerance") or "fail: a contact by Hertz differs" in " ".join(lines)
+
+
+def test_what_measured_torques_miss_stands_before_the_references(document: Report) -> None:
+    lines = printed(replace(document, measured=TWO))
+    assert lines.index("Missed: one of them.") < next(n for n, line in enumerate(lines) if line.startswith("contacts:"))
+
+
+def test_without_friction_there_is_no_torque(document: Report) -> None:
+    lines = printed(replace(document, torque=None, torque_change=None))
+    assert "so there is no torque" in " ".join(lines)
+
+
+def test_findings_are_read_again(document: Report) -> None:
+    assert report_in(json.loads(json.dumps(plain(document)))).findings == document.findings
