@@ -23,10 +23,10 @@ OFF = {  # what is compared with a reference
     "film": "film: model",
     "friction": "friction: production",
 }
-ADDED = {  # what changes a quantity
-    "ring": "ring on a rigid seat:",
-    "pocket": "sheet of the pocket:",
-    "torque": "contacts by finite elements:",
+CHANGED = {  # by what is not compared
+    "ring": "ring on a rigid seat: {size} of the approach",
+    "pocket": "sheet of the pocket: {size} of the stiffness K_pb",
+    "torque": "finite elements change the torque by {size}",
 }
 FILM_NAMES = {"central_film": "central film", "rolling_force": "rolling force"}
 
@@ -47,12 +47,12 @@ class Finding:
     @property
     def words(self) -> str:
         """In a line."""
-        size, place = PERCENT.written(self.difference, "+.3g"), f" {self.place}" if self.place else ""
-        error = f"solver error {percent_of(self.uncertainty, 2)}"
-        if self.reference in ADDED:
-            return f"{ADDED[self.reference]} {size} of the {self.quantity}{place}; {error}"
+        size, place = PERCENT.written(self.difference, "+.3g"), f", {self.place}" if self.place else ""
+        after = f"{place}; solver error {percent_of(self.uncertainty, 2)}"
+        if self.reference in CHANGED:
+            return f"{CHANGED[self.reference].format(size=size)}{after}"
         verdict = "" if self.verdict == "shown" else f": {self.verdict}"
-        return f"{OFF[self.reference]} {size} off, {self.quantity}{place}; {error}{verdict}"
+        return f"{OFF[self.reference]} {size} off in {self.quantity}{after}{verdict}"
 
 
 def findings_of(
@@ -120,7 +120,7 @@ def _of_creep(creep: CreepNumbers) -> Finding:
     return Finding(
         reference="friction",
         quantity="torque by sliding",
-        place=which_bearing(creep.bearing).removeprefix(" "),
+        place=which_bearing(creep.bearing).removeprefix(" of the "),
         difference=creep.torque.production / creep.torque.reference - 1,
         uncertainty=creep.relative_uncertainty,
         verdict="shown",
@@ -143,7 +143,7 @@ def _of_ring(contact: ContactRecord) -> Finding:
 def _of_sheet(contact: ContactRecord) -> Finding:
     return Finding(
         reference="pocket",
-        quantity="stiffness K_pb",
+        quantity="stiffness",
         place="",
         difference=contact.fe.stiffness / contact.hertz.stiffness - 1,
         uncertainty=contact.uncertainty.stiffness,
@@ -160,7 +160,7 @@ def _of_torque(torque: TorqueRecord, change: "ChangeRecord") -> Iterator[Finding
         yield Finding(
             reference="torque",
             quantity="torque",
-            place=f"at point {index + 1}" if len(points) > 1 else "",
+            place=f"point {index + 1}" if len(points) > 1 else "",
             difference=relative,
             uncertainty=change.uncertainty,
             verdict="shown",
@@ -168,4 +168,4 @@ def _of_torque(torque: TorqueRecord, change: "ChangeRecord") -> Iterator[Finding
 
 
 def _on(pair: str, bearing: str | None) -> str:
-    return "in the cage pocket" if pair == "pocket" else f"on the {pair} race{which_bearing(bearing)}"
+    return "cage pocket" if pair == "pocket" else f"{pair} race{which_bearing(bearing)}"

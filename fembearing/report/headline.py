@@ -115,8 +115,7 @@ def torque_words(record: TorqueRecord, units: Units = METRIC) -> str:
     """Torque, interval, power and the largest parts in a line."""
     found, count, name = span_of(record, units), len(record.computed), units.torque.name
     series = "" if count == 1 else f" at {count} points"
-    interval = ABSENT if found.interval == ABSENT else f"{found.interval} {name}"
-    return f"torque {found.torque} {name}{series}, 95 % {interval}, {found.power} W: {found.split}"
+    return f"torque {found.torque} {name}{series}, 95 % {found.interval}, {found.power} W: {found.split}"
 
 
 def split_of(point: TorquePoint) -> str:

@@ -273,7 +273,7 @@ def _films(
 ) -> tuple[tuple[RaceFilm, ...], Array | None, tuple[str, ...]]:
     """The lubricated contacts of all races, what they change in the torque, and why something is missing."""
     films, change, reasons = [], None, []
-    races = [(each, race) for each in bearings for race in RACE_NAMES]
+    races: list[tuple[OneBearing, Race]] = [(each, race) for each in bearings for race in RACE_NAMES]
     for number, (each, race) in enumerate(races):
         part = part_of(progress, number / len(races), (number + 1) / len(races))
         try:
@@ -293,7 +293,7 @@ def _films(
 def _creep(
     bearings: Sequence[OneBearing], friction: FrictionTorque, progress: Progress
 ) -> tuple[tuple[SceneCreep, ...], float | None, tuple[str, ...]]:
-    """The numerical friction of the heaviest ball of each bearing, what it changes in the torque, and why it is missing.
+    """The numerical friction of the heaviest ball of each bearing, what it changes in the torque, why it is missing.
 
     The change is that by the heaviest of these balls.
     """

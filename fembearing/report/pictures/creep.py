@@ -41,7 +41,9 @@ class CreepPicture(NamedTuple):
     @property
     def listed(self) -> PictureFile:
         """The picture as the document lists it."""
-        return PictureFile(file=self.file, kind="creep", pair=self.race, geometry="real", caption=self.caption, bearing=self.bearing)
+        return PictureFile(
+            file=self.file, kind="creep", pair=self.race, geometry="real", caption=self.caption, bearing=self.bearing
+        )
 
 
 def creep_pictures(creep: SceneCreep, folder: Path) -> list[CreepPicture]:

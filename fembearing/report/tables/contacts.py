@@ -90,8 +90,7 @@ def pocket_table(contacts: Sequence[ContactRecord], units: Units = METRIC) -> Ta
     approach, stiffness, half_spaces = units.small_length, units.stiffness, pocket[0].hertz
     models = [("half spaces, Hertz", half_spaces, None)]
     models += [
-        (place_of(each.pair, each.geometry).rpartition(", ")[2], each.fe, each.uncertainty.stiffness)
-        for each in pocket
+        (place_of(each.pair, each.geometry).rpartition(", ")[2], each.fe, each.uncertainty.stiffness) for each in pocket
     ]
     heads = [Head("model", "name"), Head(f"K_pb, {stiffness.name}"), Head("+-"), Head("over Hertz's, less 1")]
     heads += [Head(f"approach, {approach.name}")]

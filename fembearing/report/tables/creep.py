@@ -23,10 +23,18 @@ def creep_table(creep: CreepNumbers, units: Units = METRIC) -> Table:
         )
         for name, race in creep.races.items()
     ]
-    whole = Group([_row("torque by sliding", units.torque, creep.torque)], f"All balls{which_bearing(creep.bearing)} about the bearing axis")
+    whole = Group(
+        [_row("torque by sliding", units.torque, creep.torque)],
+        f"All balls{which_bearing(creep.bearing)} about the bearing axis",
+    )
     heads = [Head("quantity", "name"), Head("formula"), Head("production"), Head("reference")]
     heads += [Head("prod./ref.-1", fixed=True), Head("+-")]
-    return Table(f"Stick and slip of the heaviest ball{which_bearing(creep.bearing)}", heads, [*races, whole], list(_notes(creep, units)))
+    return Table(
+        f"Stick and slip of the heaviest ball{which_bearing(creep.bearing)}",
+        heads,
+        [*races, whole],
+        list(_notes(creep, units)),
+    )
 
 
 def _shown(race: RaceNumbers, units: Units) -> Iterator[tuple[str, Unit, CreepQuantity]]:

@@ -42,7 +42,8 @@ def film_table(film: FilmNumbers, units: Units = METRIC) -> Table:
         for name, each in film.quantities.items()
         for words, unit in (shown[name],)
     ]
-    return table_of(f"Film on the {film.pair} race{which_bearing(film.bearing)}: {load}, inner ring at {speed}", heads, rows, _notes(film, units))
+    title = f"Film on the {film.pair} race{which_bearing(film.bearing)}: {load}, inner ring at {speed}"
+    return table_of(title, heads, rows, _notes(film, units))
 
 
 def _notes(film: FilmNumbers, units: Units) -> list[str]:

@@ -14,7 +14,6 @@ OfPair = Literal["first", "second"]
 NAMES: tuple[OfPair, OfPair] = ("first", "second")  # as in the torque of a pair
 
 
-
 def which_bearing(name: str | None) -> str:
     """What follows the name of a part of one bearing; empty where there is one."""
     return "" if name is None else f" of the {name} bearing"

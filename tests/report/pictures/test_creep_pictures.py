@@ -8,7 +8,6 @@ from matplotlib.image import imread
 from fembearing.report.pictures.creep import WIDTH, creep_pictures
 from fembearing.report.pictures.draw import RENDERER, rendered
 from fembearing.verify.validation import Validation
-from tests.analytic.specimens import present
 
 BLUE, CLOSE = np.array([65, 105, 225]) / 255, 0.12  # royal blue, but for lines between rectangles and smoothed edges
 LEGEND = 60  # pixels from the left, with a blue square of its own

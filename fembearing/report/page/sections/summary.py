@@ -230,7 +230,9 @@ def _contacts_at(document: Report) -> str:
         return "Races: the heaviest ball of all operating points."
     points = document.torque.points
     if document.torque.pair is not None:
-        return "Races: the heaviest ball of each bearing, at any operating point. Ball loads follow from Hertz's contacts."
+        return (
+            "Races: the heaviest ball of each bearing, at any operating point. Ball loads follow from Hertz's contacts."
+        )
     place = f"Races: the heaviest ball, at {point_name(points, heaviest_point(points), document.units)}."
     change = document.torque_change
     if change is None or change.finite_geometry is not None:
