@@ -2,21 +2,19 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
+
+import numpy as np
 
 from analytic.rows import NotNegative
 from analytic.words import PERCENT, percent_of
 from fembearing.quantities import CONTACT
 from fembearing.report.contact import ContactRecord
-from fembearing.report.tables.points import heaviest_point
-from fembearing.report.torque import TorqueRecord
 from fembearing.verify.contact.bearings import which_bearing
 from fembearing.verify.contact.verdict import Verdict, worst
 from fembearing.verify.creep.scene_creep import CreepNumbers
 from fembearing.verify.film.scene_film import JUDGED, FilmNumbers
-
-if TYPE_CHECKING:  # which holds findings
-    from fembearing.report.report import ChangeRecord
+from fembearing.verify.torque.change import TorqueChange
 
 OFF = {  # what is compared with a reference
     "contacts": "contacts: Hertz",
@@ -59,8 +57,7 @@ def findings_of(
     contacts: Sequence[ContactRecord],
     films: Sequence[FilmNumbers],
     creep: Sequence[CreepNumbers],
-    torque: TorqueRecord | None,
-    change: "ChangeRecord | None",
+    change: TorqueChange | None,
 ) -> Iterator[Finding]:
     """One of each reference that the check has."""
     yield _of_contacts([contact for contact in contacts if contact.judged])
@@ -72,8 +69,8 @@ def findings_of(
     if rings:
         yield max(map(_of_ring, rings), key=_size)
     yield from (_of_sheet(contact) for contact in contacts if contact.geometry == "wall")
-    if torque is not None and change is not None:
-        yield from _of_torque(torque, change)
+    if change is not None:
+        yield _of_torque(change)
 
 
 def _size(finding: Finding) -> float:
@@ -151,20 +148,19 @@ def _of_sheet(contact: ContactRecord) -> Finding:
     )
 
 
-def _of_torque(torque: TorqueRecord, change: "ChangeRecord") -> Iterator[Finding]:
-    """At the point of the heaviest ball."""
-    points = torque.points
-    index = heaviest_point(points)
-    relative = change.change.total[index]
-    if relative is not None:
-        yield Finding(
-            reference="torque",
-            quantity="torque",
-            place=f"point {index + 1}" if len(points) > 1 else "",
-            difference=relative,
-            uncertainty=change.uncertainty,
-            verdict="shown",
-        )
+def _of_torque(change: TorqueChange) -> Finding:
+    """At the point of the heaviest ball, whose contacts were solved."""
+    loads, relative = change.own.ball_load, change.relative("total")
+    assert relative is not None
+    point = int(np.argmax(loads))
+    return Finding(
+        reference="torque",
+        quantity="torque",
+        place=f"point {point + 1}" if loads.size > 1 else "",
+        difference=float(relative[point]),
+        uncertainty=change.uncertainty,
+        verdict="shown",
+    )
 
 
 def _on(pair: str, bearing: str | None) -> str:

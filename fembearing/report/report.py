@@ -281,20 +281,19 @@ def report_of(result: Validation, *, pictures: Sequence[PictureFile] = (), rende
     """The report of a check;  renderer : what drew the pictures; VTK without it."""
     verdicts, contacts = result.verdicts, tuple(contact_record(contact) for contact in result.contacts)
     films, creep = tuple(film.numbers for film in result.films), tuple(creep.numbers for creep in result.creep)
-    torque = None if result.torque is None else torque_record(result.torque)
-    change = None if result.torque_change is None else change_record(result.torque_change)
+    torque, change = result.torque, result.torque_change
     return Report(
         verdict=verdicts.summary,
-        findings=tuple(findings_of(contacts, films, creep, torque, change)),
+        findings=tuple(findings_of(contacts, films, creep, change)),
         physical=verdicts.physical,
         report=result.scene.report,
         tolerance=result.tolerance,
         verdicts=tuple(row for contact in result.contacts if contact.judged for row in _verdicts(contact)),
         uncertainties=Uncertainties(**WHY),
         contacts=contacts,
-        torque=torque,
-        torque_change=change,
-        cage_motion=None if result.torque is None else cage_motion(result.torque),
+        torque=None if torque is None else torque_record(torque),
+        torque_change=None if change is None else change_record(change),
+        cage_motion=None if torque is None else cage_motion(torque),
         cage_records=tuple(record.drawn(most=INSTANTS) for record in result.cage_records),
         films=films,
         film_change=None if result.film_change is None else tuple(result.film_change.tolist()),

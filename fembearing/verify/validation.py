@@ -120,8 +120,9 @@ class Validation(Brief):
     @property
     def warnings(self) -> tuple[str, ...]:
         """Those of the scene, of all contacts, of the torque and of the report, each once."""
+        own = self.scene.warnings
         contacts = (
-            f"{contact.bearing} bearing, {warning}" if contact.bearing else warning
+            f"{contact.bearing} bearing, {warning}" if contact.bearing and warning not in own else warning
             for contact in self.contacts
             for warning in contact.warnings
         )
