@@ -62,6 +62,7 @@ def _convergence(panel: Axes, contact: ContactRecord, name: str) -> None:
         *(unknowns, distance, mark),
         linestyle="--" if study.richardson is None else "-",
         color=colour,
+        markerfacecolor="white" if contact.bearing == "second" else colour,
         markersize=5,
         label=_short(contact),
     )
