@@ -222,6 +222,7 @@ def test_json_tells_each_verdict_with_its_numbers(told: dict[str, Any]) -> None:
                 "resolved": exceeds,
             },
             "verdict": verdict,
+            "bearing": None,
         }
 
 
