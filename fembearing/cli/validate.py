@@ -29,9 +29,15 @@ def validate(
     with_interval: WithInterval = False,
     no_film: Annotated[bool, typer.Option("--no-film", help="Leave out the lubricated contacts.")] = False,
     no_creep: Annotated[bool, typer.Option("--no-creep", help="Leave out the reference of friction.")] = False,
+    details: Annotated[
+        bool, typer.Option("--details", help="Tables of contacts, film, friction, torque and limits too.")
+    ] = False,
     as_json: AsJson = False,
 ) -> None:
-    """Check the contacts of a scene: what Hertz gives, what finite elements give, and the difference."""
+    """Check contacts, film and friction of a scene against numerical references, and the torque that follows.
+
+    A line for each reference has its largest difference; --details, --json and the report have all of them.
+    """
     require_folder_name(folder)
     given = read_scene(scene)
     limit = read_tolerance(tolerance, given)
@@ -39,7 +45,7 @@ def validate(
     from fembearing.plain_types import plain
     from fembearing.report.folder import validate as run
     from fembearing.report.report import report_of
-    from fembearing.report.terminal.validation import print_validation
+    from fembearing.report.terminal.validation import print_details, print_headline
 
     with shown_progress() as progress:
         result = run(
@@ -56,7 +62,10 @@ def validate(
     if as_json:
         print_json(plain(document))
     else:
-        print_validation(out, document)
+        print_headline(out, document)
+        if details:
+            out.print()
+            print_details(out, document)
         print_warnings(result.warnings)
         if folder is not None:
             out.tell(f"report: {folder / 'report.html'}")

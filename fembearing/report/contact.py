@@ -9,6 +9,7 @@ from analytic.rows import Count, NotNegative, Positive, T
 from analytic.scene import Pair
 from fembearing.grid_convergence import Estimate
 from fembearing.verify.contact.approach_curve import ApproachCurve
+from fembearing.verify.contact.bearings import OfPair
 from fembearing.verify.contact.discrepancy import ContactSolution
 from fembearing.verify.contact.mesh_refinement import Refinement
 from fembearing.verify.contact.pressure_profile import Profiles
@@ -123,6 +124,7 @@ class ContactRecord:
     shoulder: Shoulder | None
     cost: SolveCost
     warnings: tuple[str, ...]
+    bearing: OfPair | None = None  # of a pair; None: there is one, or both have this contact
 
     def __post_init__(self) -> None:
         """Raises ValueError for a convergence study on other meshes than those listed."""
@@ -179,6 +181,7 @@ def contact_record(solution: ContactSolution) -> ContactRecord:
         shoulder=_shoulder(solution),
         cost=SolveCost(seconds=solution.seconds, unknowns=finest.unknowns, peak_memory=solution.peak_memory),
         warnings=solution.warnings,
+        bearing=solution.bearing,
     )
 
 

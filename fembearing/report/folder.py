@@ -38,7 +38,7 @@ def validate(
     Parameters
     ----------
     scene : Scene
-        Of one bearing: a pair is refused.
+        Of one bearing or of a pair, of which both are checked.
     out : str or path, optional
         Folder for report.html, report.json, pictures and meshes (.vtu); it must not exist yet. None writes nothing.
     tolerance : float or str, optional
@@ -96,7 +96,7 @@ def write_report(result: Validation, folder: Path) -> Validation:
     def draw_plots() -> None:
         plots.update(plots_of(report_of(result), PLOTS))
 
-    slipping = [] if result.creep is None else creep_pictures(result.creep, folder)
+    slipping = [picture for creep in result.creep for picture in creep_pictures(creep, folder)]
     pictures, trouble = draw_pictures(
         result.contacts, folder, besides=[each.job for each in slipping], meanwhile=draw_plots
     )
@@ -118,9 +118,10 @@ def _film_picture(film: RaceFilm, folder: Path) -> "PictureFile":
     from fembearing.report.figures.style import png
     from fembearing.report.report import PictureFile
 
-    pair, file = film.numbers.pair, f"{film.numbers.pair}-film.png"
+    pair, bearing = film.numbers.pair, film.numbers.bearing
+    file = f"{f'{bearing}-' if bearing else ''}{pair}-film.png"
     write(folder / file, png(film_figure(film)))
-    return PictureFile(file=file, kind="film", pair=pair, geometry="real", caption=CAPTION)
+    return PictureFile(file=file, kind="film", pair=pair, geometry="real", caption=CAPTION, bearing=bearing)
 
 
 def write_cost(cost: Cost, folder: Path) -> None:

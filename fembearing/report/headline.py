@@ -1,6 +1,7 @@
 """The first lines of a torque: what was computed, the torque with its interval, and how far to trust it."""
 
 from collections.abc import Collection, Mapping
+from typing import NamedTuple
 
 import numpy as np
 
@@ -9,6 +10,7 @@ from analytic.scene import Scene
 from analytic.words import percent_of
 from fembearing.quantities import METRIC, QUANTITIES, Units
 from fembearing.report.phrases import between, present_loads, varying_loads
+from fembearing.report.scene_view import SceneView
 from fembearing.report.tables.points import point_cells, point_heads
 from fembearing.report.tables.table import Head, Table, table_of
 from fembearing.report.tables.torque import PARTS, RESIDUE
@@ -20,7 +22,7 @@ FULL, BOUNDARY = 0.01, 0.9  # share of the load on asperities: below a full film
 ABSENT = "not known"
 
 
-def headline_title(scene: Scene, record: TorqueRecord, units: Units = METRIC) -> str:
+def headline_title(scene: Scene | SceneView, record: TorqueRecord, units: Units = METRIC) -> str:
     """Bearing, loads, speed where it is one, oil, temperature and supply."""
     points, oil = record.points, scene.lubricant
     words = [f"{'' if record.pair is None else 'two '}{scene.bearing.name}"]
@@ -80,24 +82,40 @@ def side_by_side(results: Mapping[str, SceneTorque], units: Units = METRIC) -> T
     rows, notes = [], []
     for name, result in results.items():
         record = torque_record(result)
-        points = [record.points[place] for place in record.computed]
-        ends = [each for place in record.computed if (each := record.interval[place]) is not None]
-        highest = max(points, key=lambda point: point.torque.total)
-        rows.append(
-            [
-                name,
-                _span([units.torque.number(point.torque.total) for point in points], ".4g", "-"),
-                between((min(ends)[0], max(high for _, high in ends)), units.torque)
-                if len(ends) == len(points)
-                else ABSENT,
-                _span([point.torque.total * abs(point.inner_speed) for point in points], ".3g", "-"),
-                split_of(highest),
-                record.standing.word,
-            ]
-        )
-        series = "" if len(points) == 1 else f"{len(points)} points, made of: at the highest torque; "
+        rows.append([name, *span_of(record, units), record.standing.word])
+        count = len(record.computed)
+        series = "" if count == 1 else f"{count} points, made of: at the highest torque; "
         notes.append(f"{name}: {series}{record.standing.reason}")
     return table_of("Friction torque", heads, rows, notes)
+
+
+class Span(NamedTuple):
+    """A torque over its operating points, each from the least to the most."""
+
+    torque: str
+    interval: str
+    power: str  # W
+    split: str  # at the highest torque
+
+
+def span_of(record: TorqueRecord, units: Units = METRIC) -> Span:
+    """Torque, interval, power and the largest parts."""
+    points = [record.points[place] for place in record.computed]
+    ends = [each for place in record.computed if (each := record.interval[place]) is not None]
+    known = len(ends) == len(points)
+    return Span(
+        torque=_span([units.torque.number(point.torque.total) for point in points], ".4g", "-"),
+        interval=between((min(ends)[0], max(high for _, high in ends)), units.torque) if known else ABSENT,
+        power=_span([point.torque.total * abs(point.inner_speed) for point in points], ".3g", "-"),
+        split=split_of(max(points, key=lambda point: point.torque.total)),
+    )
+
+
+def torque_words(record: TorqueRecord, units: Units = METRIC) -> str:
+    """Torque, interval, power and the largest parts in a line."""
+    found, count, name = span_of(record, units), len(record.computed), units.torque.name
+    series = "" if count == 1 else f" at {count} points"
+    return f"torque {found.torque} {name}{series}, 95 % {found.interval}, {found.power} W: {found.split}"
 
 
 def split_of(point: TorquePoint) -> str:

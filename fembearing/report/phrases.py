@@ -9,6 +9,7 @@ import numpy as np
 
 from analytic.words import Unit, angle_of, percent_of
 from fembearing.quantities import CONTACT, METRIC, Quantity, Units
+from fembearing.verify.contact.bearings import which_bearing
 from fembearing.verify.cost.ladder import Ladder
 
 if TYPE_CHECKING:
@@ -62,27 +63,28 @@ def quantities_of(contact: "ContactRecord", units: Units = METRIC) -> dict[str, 
     return {name: quantity.in_units(units) for name, quantity in named.items()}
 
 
-def place_of(pair: str, geometry: str) -> str:
-    """Where the ball sits, for example "ball on inner race"."""
+def place_of(pair: str, geometry: str, bearing: str | None = None) -> str:
+    """Where the ball sits, for example "ball on inner race"; bearing : "first" or "second" of a pair"""
     if pair == "pocket":
         return "ball in cage pocket, " + ("sheet on its rim" if geometry == "wall" else "thick seat")
-    return f"ball on {pair} race" + (", idealised" if geometry == "hertzian" else "")
+    return f"ball on {pair} race{which_bearing(bearing)}" + (", idealised" if geometry == "hertzian" else "")
 
 
-def title_of(pair: str, geometry: str, contact_angle: float, load: str) -> str:
+def title_of(pair: str, geometry: str, contact_angle: float, load: str, bearing: str | None = None) -> str:
     """Place and load, for the head of a table or a picture."""
     angle = "" if pair == "pocket" else f" at {angle_of(contact_angle)}"
-    return f"{capital(place_of(pair, geometry))}{angle}: {load}"
+    return f"{capital(place_of(pair, geometry, bearing))}{angle}: {load}"
 
 
 def contact_title(contact: "ContactRecord", units: Units = METRIC) -> str:
     """Place and load of a contact, for the head of its table."""
-    return title_of(contact.pair, contact.geometry, contact.contact_angle, units.force.written(contact.load, ".4g"))
+    load = units.force.written(contact.load, ".4g")
+    return title_of(contact.pair, contact.geometry, contact.contact_angle, load, contact.bearing)
 
 
 def contact_place(contact: "ContactRecord") -> str:
     """The place of a contact, as it begins a sentence."""
-    return capital(place_of(contact.pair, contact.geometry))
+    return capital(place_of(contact.pair, contact.geometry, contact.bearing))
 
 
 def ring_line(ring: "RingStructure", units: Units = METRIC) -> str:

@@ -21,8 +21,10 @@ from analytic.verdicts import PhysicalCheck
 from fembearing.provenance import Provenance
 from fembearing.quantities import CONTACT, SYSTEMS, Units
 from fembearing.report.contact import ContactRecord, contact_record
+from fembearing.report.findings import Finding, findings_of
 from fembearing.report.scene_view import SceneView
 from fembearing.report.torque import CageMotionPoint, TorqueRecord, cage_motion, torque_record
+from fembearing.verify.contact.bearings import OfPair
 from fembearing.verify.contact.comparison_error import WHY, Comparison
 from fembearing.verify.contact.discrepancy import ContactSolution
 from fembearing.verify.contact.scene_contact import Shape
@@ -41,7 +43,7 @@ from fembearing.verify.validation import Validation
 if TYPE_CHECKING:
     from pydantic import TypeAdapter
 
-KIND, FORMAT = "fembearing validation", 5  # what the JSON is; the number rises when a key changes its name or meaning
+KIND, FORMAT = "fembearing validation", 6  # what the JSON is; the number rises when a key changes its name or meaning
 INSTANTS = 400  # of a cage's motion that are kept
 LARGEST = 1e200  # SI; a larger number is damage, and may be too large in the unit in which it is shown
 LARGEST_FILE = 256_000_000  # bytes: ten times a series of thousand points
@@ -78,6 +80,7 @@ class VerdictRow:
     exceeds_uncertainty: bool
     comparison: Comparison  # in the unit of the quantity
     verdict: Verdict
+    bearing: OfPair | None = None  # of a pair
 
     @property
     def relative_uncertainty(self) -> float:
@@ -166,6 +169,7 @@ class PictureFile:
     pair: Pair
     geometry: Shape
     caption: str
+    bearing: OfPair | None = None  # of a pair
 
     def __post_init__(self) -> None:
         """Raises ValueError for a name that may lead elsewhere."""
@@ -180,21 +184,22 @@ class Report:
     __pydantic_config__: ClassVar[dict[str, Any]] = {"strict": True, "extra": "forbid", "allow_inf_nan": False}
 
     kind: Literal["fembearing validation"] = KIND
-    format: Literal[5] = FORMAT
+    format: Literal[6] = FORMAT
     verdict: Summary
+    findings: Annotated[tuple[Finding, ...], MinLen(1)]
     physical: Annotated[tuple[PhysicalCheck, ...], MinLen(1)]
     report: ReportDetails
     tolerance: Positive
     verdicts: tuple[VerdictRow, ...]
     uncertainties: Uncertainties
-    contacts: Annotated[tuple[ContactRecord, ...], Len(2, 4)]
+    contacts: Annotated[tuple[ContactRecord, ...], Len(2, 6)]
     torque: TorqueRecord | None
     torque_change: ChangeRecord | None
     cage_motion: tuple[CageMotionPoint, ...] | None
     cage_records: tuple[DrawnMotion, ...]
     films: tuple[FilmNumbers, ...]
     film_change: Floats | None  # of the torque at each point, relative; None without films or torque
-    creep: CreepNumbers | None = None  # friction of the heaviest ball; None where nothing slides
+    creep: tuple[CreepNumbers, ...] = ()  # friction of the heaviest ball of each bearing; none where nothing slides
     creep_change: float | None = None  # of the torque at its operating point by the reference, relative
     measured: MeasuredComparison | None = None  # measured torques beside the computed ones; None: the scene has none
     sensitivity: Sensitivity | None
@@ -208,10 +213,10 @@ class Report:
     def __post_init__(self) -> None:
         """Raises ValueError for pictures without a contact, contacts without verdicts, a torque without its change."""
         for picture in self.pictures:
-            if self.contact_at(picture.pair, picture.geometry) is None:
+            if self.contact_of(picture) is None:
                 raise ValueError(f"has no contact for the picture {picture.file}")
         for contact in self.contacts:
-            rows = [row for row in self.verdicts if (row.pair, row.geometry) == (contact.pair, contact.geometry)]
+            rows = self._rows_on(contact)
             if contact.judged and sorted(row.quantity for row in rows) != sorted(CONTACT):
                 raise ValueError(f"has no verdict on every quantity of {contact.pair}, once")
         for name in self._names:
@@ -227,8 +232,8 @@ class Report:
                 raise ValueError(f"has a film_change of other than the {count} points of torque")
             if self.torque_change.lengths != {count}:
                 raise ValueError(f"has a torque_change of other than the {count} points of torque")
-            if self.torque.left_out or self.torque.pair is not None or self.torque.verdicts.numerical is None:
-                raise ValueError("has a torque of a pair, or with points left out")
+            if self.torque.left_out or self.torque.verdicts.numerical is None:
+                raise ValueError("has a torque with points left out")
 
     @property
     def _names(self) -> Iterator[str]:
@@ -241,9 +246,9 @@ class Report:
             yield from (each.key for each in self.torque.prediction.inputs)
             yield from self.torque.prediction.points[0].made_of
 
-    def contact_at(self, pair: Pair, geometry: Shape) -> ContactRecord | None:
-        """The contact of a picture or of a verdict; None where there is none."""
-        return next((each for each in self.contacts if (each.pair, each.geometry) == (pair, geometry)), None)
+    def contact_of(self, picture: PictureFile) -> ContactRecord | None:
+        """The contact that a picture shows; None where there is none."""
+        return next((each for each in self.contacts if _place_of(each) == _place_of(picture)), None)
 
     @cached_property
     def scene(self) -> SceneView:
@@ -262,28 +267,37 @@ class Report:
 
     def verdicts_on(self, contact: ContactRecord) -> dict[str, VerdictRow]:
         """The verdicts on one contact, by quantity."""
-        place = contact.pair, contact.geometry
-        return {row.quantity: row for row in self.verdicts if (row.pair, row.geometry) == place}
+        return {row.quantity: row for row in self._rows_on(contact)}
+
+    def _rows_on(self, contact: ContactRecord) -> list[VerdictRow]:
+        return [row for row in self.verdicts if _place_of(row) == _place_of(contact)]
+
+
+def _place_of(part: ContactRecord | VerdictRow | PictureFile) -> tuple[OfPair | None, Pair, Shape]:
+    return part.bearing, part.pair, part.geometry
 
 
 def report_of(result: Validation, *, pictures: Sequence[PictureFile] = (), renderer: str | None = None) -> Report:
     """The report of a check;  renderer : what drew the pictures; VTK without it."""
-    torque, verdicts = result.torque, result.verdicts
+    verdicts, contacts = result.verdicts, tuple(contact_record(contact) for contact in result.contacts)
+    films, creep = tuple(film.numbers for film in result.films), tuple(creep.numbers for creep in result.creep)
+    torque, change = result.torque, result.torque_change
     return Report(
         verdict=verdicts.summary,
+        findings=tuple(findings_of(contacts, films, creep, change)),
         physical=verdicts.physical,
         report=result.scene.report,
         tolerance=result.tolerance,
         verdicts=tuple(row for contact in result.contacts if contact.judged for row in _verdicts(contact)),
         uncertainties=Uncertainties(**WHY),
-        contacts=tuple(contact_record(contact) for contact in result.contacts),
+        contacts=contacts,
         torque=None if torque is None else torque_record(torque),
-        torque_change=None if result.torque_change is None else change_record(result.torque_change),
+        torque_change=None if change is None else change_record(change),
         cage_motion=None if torque is None else cage_motion(torque),
         cage_records=tuple(record.drawn(most=INSTANTS) for record in result.cage_records),
-        films=tuple(film.numbers for film in result.films),
+        films=films,
         film_change=None if result.film_change is None else tuple(result.film_change.tolist()),
-        creep=None if result.creep is None else result.creep.numbers,
+        creep=creep,
         creep_change=result.creep_change,
         measured=result.measured_torques,
         sensitivity=result.sensitivity,
@@ -312,6 +326,7 @@ def _verdicts(contact: ContactSolution) -> Iterator[VerdictRow]:
             exceeds_uncertainty=contact.exceeds_uncertainty[name],
             comparison=contact.comparisons[name],
             verdict=contact.verdicts[name],
+            bearing=contact.bearing,
         )
 
 

@@ -66,6 +66,7 @@ class Lubricant:
     pressure_viscosity: float
     eyring_stress: float
     traction: str
+    supply: str
     name: str
 
 

@@ -5,12 +5,13 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from analytic.brief import Brief
 from analytic.contact.geometry import RACES as RACE_NAMES
+from analytic.contact.geometry import Race
 from analytic.errors import FembearingError, InputError
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.result import FrictionTorque
@@ -20,9 +21,10 @@ from analytic.verdicts import pressure_check
 from fembearing.mesh.recipe import Geometry
 from fembearing.progress import Progress, part_of, silent
 from fembearing.provenance import Provenance, provenance_of
+from fembearing.verify.contact.bearings import OneBearing, bearings_of, which_bearing
 from fembearing.verify.contact.columns import COLUMNS, VERDICT
 from fembearing.verify.contact.discrepancy import ContactSolution, solve_contact, with_ring
-from fembearing.verify.contact.scene_contact import contact_of
+from fembearing.verify.contact.scene_contact import balls_of, contact_of
 from fembearing.verify.contact.verdict import Verdict, worst
 from fembearing.verify.cost.contact_ladder import contact_ladder_of
 from fembearing.verify.cost.formula_ladders import SEED
@@ -47,9 +49,21 @@ CREEP_TOLERANCE = 0.02  # the least that the check asks of numerical friction: h
 ENOUGH = 0.2  # uncertainty that a reference must reach, as a share of the tolerance that it is to judge
 
 
+class _Job(NamedTuple):
+    """A contact that is solved."""
+
+    of: OneBearing
+    pair: Pair
+    geometry: Geometry
+    seconds: float
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Validation(Brief):
-    """A scene that was checked. The first two contacts are the inner and the outer race; a pocket is seat and sheet."""
+    """A scene that was checked.
+
+    Contacts are the inner and the outer race, of a pair those of each bearing, and then the pocket, seat and sheet.
+    """
 
     scene: Scene  # with the tolerance of the check
     contacts: tuple[ContactSolution, ...]
@@ -64,8 +78,9 @@ class Validation(Brief):
     films: tuple[RaceFilm, ...] = ()  # lubricated contacts of the heaviest balls, inner and outer; none without oil
     film_change: Array | None = None  # (n,) of the torque by numerical films, relative; None without films or torque
     no_film: tuple[str, ...] = ()  # why there is no numerical film
-    creep: SceneCreep | None = None  # numerical friction of the heaviest ball; None where nothing slides
-    creep_change: float | None = None  # of the torque at its point by numerical friction, relative; None without it
+    creep: tuple[SceneCreep, ...] = ()  # numerical friction of the heaviest ball of each bearing; none: nothing slides
+    # Of the torque at the point of the heaviest ball by its numerical friction, relative; None without it
+    creep_change: float | None = None
     no_creep: tuple[str, ...] = ()  # why there is no numerical friction
     measured_torques: MeasuredComparison | None = None  # beside the computed ones; None: the scene has none
     sensitivity: Sensitivity | None = None  # None: not computed
@@ -92,7 +107,8 @@ class Validation(Brief):
         if self.torque is not None:
             return replace(self.torque.verdicts, comparison=self.comparison)
         races = (contact for contact in self.contacts if contact.contact.pair != "pocket")
-        physical = tuple(pressure_check(race.contact.pair, race.hertz.peak_pressure) for race in races)
+        checks = [(race.bearing, pressure_check(race.contact.pair, race.hertz.peak_pressure)) for race in races]
+        physical = tuple(replace(check, where=f"{check.where}{which_bearing(of)}") for of, check in checks)
         return Verdicts(numerical=None, physical=physical, comparison=self.comparison)
 
     @property
@@ -104,11 +120,16 @@ class Validation(Brief):
     @property
     def warnings(self) -> tuple[str, ...]:
         """Those of the scene, of all contacts, of the torque and of the report, each once."""
-        contacts = (warning for contact in self.contacts for warning in contact.warnings)
+        own = self.scene.warnings
+        contacts = (
+            f"{contact.bearing} bearing, {warning}" if contact.bearing and warning not in own else warning
+            for contact in self.contacts
+            for warning in contact.warnings
+        )
         torque = () if self.torque is None else self.torque.friction.warnings
         fitted = () if self.torque_change is None else self.torque_change.fitting_warnings
         films = (warning for film in self.films for warning in film.numbers.warnings)
-        creep = () if self.creep is None else self.creep.numbers.warnings
+        creep = (warning for creep in self.creep for warning in creep.numbers.warnings)
         missing = (*self.no_film, *self.no_creep, *self.trouble)
         return tuple(dict.fromkeys([*contacts, *torque, *fitted, *films, *creep, *missing]))
 
@@ -118,6 +139,7 @@ class Validation(Brief):
         words = {
             "pair": ("body that the ball presses", [contact.contact.pair for contact in self.contacts]),
             "geometry": ("shape of the meshes", [contact.geometry for contact in self.contacts]),
+            **({} if self.scene.arrangement is None else {"bearing": ("of the pair", self._bearings)}),
             VERDICT: ("on uncorrected Hertz", [contact.shown_verdict for contact in self.contacts]),
         }
         return dataset_of(
@@ -127,6 +149,10 @@ class Validation(Brief):
             },
             attributes={"scene": self.scene.name, "tolerance": self.tolerance, VERDICT: self.verdict},
         )
+
+    @property
+    def _bearings(self) -> list[str]:
+        return [contact.bearing or "both" for contact in self.contacts]
 
     def to_dataframe(self) -> Any:
         """A pandas.DataFrame of `to_dataset`: a row for each contact, SI."""
@@ -145,6 +171,8 @@ def check_scene(
 ) -> Validation:
     """Check each race contact of a scene, and where it has a cage the pocket, in a thick seat and in its sheet.
 
+    Of a pair the races of both bearings are checked, and the pocket once, as both have the same.
+
     tolerance : relative; the scene's unless given
     cost : measure every method of every ladder too
     samples : of the 95 % interval of the torque, or "enough"; None: no interval
@@ -154,9 +182,9 @@ def check_scene(
     Raises InputError for a scene that cannot be solved, ConvergenceError for a contact that does not settle.
     """
     start = time.perf_counter()
-    if tolerance is not None:
-        scene = with_tolerance(scene, tolerance)
-    jobs = RACES if scene.cage is None else RACES + POCKET
+    scene = scene if tolerance is None else with_tolerance(scene, tolerance)
+    if cost:
+        balls_of(scene)  # refuses a pair: each method is measured on one bearing
     torque = None
     if scene.has_friction or "on" in scene.effects.values():
         # Refuses what it cannot model before anything is solved.
@@ -164,28 +192,27 @@ def check_scene(
     measured_torques = None
     if scene.measured is not None:
         measured_torques = compare_measured(scene, progress=lambda _share, step: progress(0.0, step))
-    for pair, *_ in jobs:
-        contact_of(scene, pair=pair)  # and so do the contacts
+    bearings = bearings_of(scene)
+    jobs = _jobs(scene, bearings)  # refuses too
     moves = bool(np.any(scene.operation.inner_speed))
     films_too = film and scene.lubricant is not None and moves
     creep_too = creep and moves and torque is not None and torque.friction.sliding != "auto"
-    spent = FILM_SECONDS * films_too, CREEP_SECONDS * creep_too
-    shares = np.cumsum([0.0, *(seconds for *_, seconds in jobs), *spent])
+    spent = FILM_SECONDS * films_too * len(bearings), CREEP_SECONDS * creep_too * len(bearings)
+    shares = np.cumsum([0.0, *(job.seconds for job in jobs), *spent])
     shares = shares / (shares[-1] + COST_SECONDS * cost)
-    contacts = _contacts(scene, jobs, shares[: -len(spent)], progress)
-    inner, outer = contacts[:2]
+    contacts = _contacts(jobs, shares[: -len(spent)], progress)
     friction = None if torque is None else torque.friction
     films, change, no_film = (), None, ()
     if films_too:
-        films, change, no_film = _films(scene, friction, part_of(progress, shares[-3], shares[-2]))
-    slipping, creep_change, no_creep = None, None, ()
+        films, change, no_film = _films(scene, bearings, friction, part_of(progress, shares[-3], shares[-2]))
+    slipping, creep_change, no_creep = (), None, ()
     if creep_too and friction is not None:
-        slipping, creep_change, no_creep = _creep(scene, friction, part_of(progress, shares[-2], shares[-1]))
+        slipping, creep_change, no_creep = _creep(bearings, friction, part_of(progress, shares[-2], shares[-1]))
     return Validation(
         scene=scene,
         contacts=contacts,
         torque=torque,
-        torque_change=None if friction is None else change_of_torque(scene, friction, inner=inner, outer=outer),
+        torque_change=None if friction is None else change_of_torque(scene, friction, **_heaviest(contacts)),
         films=films,
         film_change=change,
         no_film=no_film,
@@ -206,39 +233,56 @@ def check_scene(
     )
 
 
-def _contacts(
-    scene: Scene, jobs: Sequence[tuple[Pair, Geometry, float]], shares: Array, progress: Progress
-) -> tuple[ContactSolution, ...]:
+def _jobs(scene: Scene, bearings: Sequence[OneBearing]) -> list[_Job]:
+    """Both races of each bearing, and the pocket, which is the same in both. Raises InputError as contact_of does."""
+    jobs = [_Job(each, *race) for each in bearings for race in RACES]
+    jobs += [] if scene.cage is None else [_Job(replace(bearings[0], name=None), *seat) for seat in POCKET]
+    for job in jobs:
+        contact_of(job.of.scene, pair=job.pair)
+    return jobs
+
+
+def _contacts(jobs: Sequence[_Job], shares: Array, progress: Progress) -> tuple[ContactSolution, ...]:
     """The contacts in the order of the jobs, races with their rings; shares : of the progress, one more than jobs"""
-    contacts, rings = [], []
+    contacts, rings = [], {}
     with ThreadPoolExecutor(1) as beside:  # each ring is computed while the next contact is solved
-        for (pair, geometry, _), (begin, end) in zip(jobs, pairwise(shares), strict=True):
-            contacts.append(
-                solve_contact(
-                    scene,
-                    pair=pair,
-                    geometry=geometry,
-                    tolerance=scene.tolerance,
-                    accuracy=ENOUGH * scene.tolerance,
-                    progress=part_of(progress, begin, end),
-                )
+        for number, (job, (begin, end)) in enumerate(zip(jobs, pairwise(shares), strict=True)):
+            tolerance = job.of.scene.tolerance
+            solved = solve_contact(
+                job.of.scene,
+                pair=job.pair,
+                geometry=job.geometry,
+                tolerance=tolerance,
+                accuracy=ENOUGH * tolerance,
+                progress=part_of(progress, begin, end),
             )
-            if len(contacts) <= len(RACES):
-                rings.append(beside.submit(_with_ring_if_known, contacts[-1]))
-    return *(ring.result() for ring in rings), *contacts[len(RACES) :]
+            contacts.append(replace(solved, bearing=job.of.name))
+            if job.pair != "pocket":
+                rings[number] = beside.submit(_with_ring_if_known, contacts[-1])
+    return tuple(rings[number].result() if number in rings else contact for number, contact in enumerate(contacts))
+
+
+def _heaviest(contacts: Sequence[ContactSolution]) -> dict[Race, ContactSolution]:
+    """Both races of the bearing with the heaviest ball."""
+    inner, outer = ([each for each in contacts if each.contact.pair == race] for race in RACE_NAMES)
+    both = max(zip(inner, outer, strict=True), key=lambda both: max(each.contact.load for each in both))
+    return dict(zip(RACE_NAMES, both, strict=True))
 
 
 def _films(
-    scene: Scene, friction: FrictionTorque | None, progress: Progress
+    scene: Scene, bearings: Sequence[OneBearing], friction: FrictionTorque | None, progress: Progress
 ) -> tuple[tuple[RaceFilm, ...], Array | None, tuple[str, ...]]:
-    """The lubricated contacts of both races, what they change in the torque, and why something is missing."""
+    """The lubricated contacts of all races, what they change in the torque, and why something is missing."""
     films, change, reasons = [], None, []
-    for number, race in enumerate(RACE_NAMES):
-        begin, end = number / len(RACE_NAMES), (number + 1) / len(RACE_NAMES)
+    races: list[tuple[OneBearing, Race]] = [(each, race) for each in bearings for race in RACE_NAMES]
+    for number, (each, race) in enumerate(races):
+        part = part_of(progress, number / len(races), (number + 1) / len(races))
         try:
-            films.append(film_of(scene, pair=race, progress=part_of(progress, begin, end)))
+            found = film_of(each.scene, pair=race, progress=part)
         except FembearingError as problem:  # the contacts and the torque are known all the same
-            reasons.append(f"no numerical film on the {race} race: {problem}")
+            reasons.append(f"no numerical film on the {race} race{which_bearing(each.name)}: {problem}")
+        else:
+            films.append(replace(found, numbers=replace(found.numbers, bearing=each.name)))
     if films and friction is not None:
         try:
             change = film_change(scene, friction, tuple(films))
@@ -248,16 +292,29 @@ def _films(
 
 
 def _creep(
-    scene: Scene, friction: FrictionTorque, progress: Progress
-) -> tuple[SceneCreep | None, float | None, tuple[str, ...]]:
-    """The numerical friction of the heaviest ball, what it changes in the torque, and why it is missing."""
-    try:
-        found = creep_of(scene, tolerance=max(scene.tolerance, CREEP_TOLERANCE), progress=progress)
-    except FembearingError as problem:  # the contacts and the torque are known all the same
-        return None, None, (f"no numerical friction: {problem}",)
-    torque = friction.torque
-    slides = sum(float(part[found.place]) for part in (torque.spin, torque.conformity) if part is not None)
-    return found, found.numbers.change * slides / float(torque.total[found.place]), ()
+    bearings: Sequence[OneBearing], friction: FrictionTorque, progress: Progress
+) -> tuple[tuple[SceneCreep, ...], float | None, tuple[str, ...]]:
+    """The numerical friction of the heaviest ball of each bearing, what it changes in the torque, why it is missing.
+
+    The change is that by the heaviest of these balls.
+    """
+    creeps, reasons, loads = [], [], []
+    for number, each in enumerate(bearings):
+        part = part_of(progress, number / len(bearings), (number + 1) / len(bearings))
+        try:
+            found = creep_of(each.scene, tolerance=max(each.scene.tolerance, CREEP_TOLERANCE), progress=part)
+        except FembearingError as problem:  # the contacts and the torque are known all the same
+            reasons.append(f"no numerical friction{which_bearing(each.name)}: {problem}")
+        else:
+            numbers = replace(found.numbers, bearing=each.name)
+            creeps.append(replace(found, numbers=numbers, place=int(each.points[found.place])))
+            loads.append(max(race.load for race in numbers.races.values()))
+    if not creeps:
+        return (), None, tuple(reasons)
+    heaviest, torque = creeps[int(np.argmax(loads))], friction.torque
+    slides = sum(float(part[heaviest.place]) for part in (torque.spin, torque.conformity) if part is not None)
+    change = heaviest.numbers.change * slides / float(torque.total[heaviest.place])
+    return tuple(creeps), change, tuple(reasons)
 
 
 def _seeds(

@@ -18,7 +18,7 @@ from fembearing.report.page.write import page_of
 from fembearing.report.report import Report, report_in
 from fembearing.report.tables.measured import measured_table
 from fembearing.report.terminal.table import show
-from fembearing.report.terminal.validation import print_validation
+from fembearing.report.terminal.validation import print_details
 from fembearing.verify.measured.comparison import MeasuredComparison
 from fembearing.verify.measured.rows import MeasuredRow
 
@@ -93,7 +93,7 @@ def test_report_json_is_read_again(with_measured: Report) -> None:
 
 def test_the_terminal_prints_the_table(with_measured: Report) -> None:
     out = Console(width=80, record=True, file=StringIO())
-    print_validation(out, with_measured)
+    print_details(out, with_measured)
     assert "Missed: one of them." in out.export_text()
 
 

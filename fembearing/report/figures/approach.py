@@ -41,7 +41,7 @@ def _curve(panel: Axes, contact: ContactRecord, units: Units) -> None:
         markersize=5,
         label="finite elements",
     )
-    panel.set_title(contact_place(contact).replace(", ", ",\n"))
+    panel.set_title(contact_place(contact).replace(", ", ",\n").replace(" of the", "\nof the"))
     panel.margins(0.1)
     panel.set(xlabel=f"approach, {units.small_length.name}", xlim=(0, None), ylim=(0, None))
 

@@ -62,6 +62,7 @@ def _convergence(panel: Axes, contact: ContactRecord, name: str) -> None:
         *(unknowns, distance, mark),
         linestyle="--" if study.richardson is None else "-",
         color=colour,
+        markerfacecolor="white" if contact.bearing == "second" else colour,
         markersize=5,
         label=_short(contact),
     )
@@ -69,7 +70,11 @@ def _convergence(panel: Axes, contact: ContactRecord, name: str) -> None:
 
 def _short(contact: ContactRecord) -> str:
     """The place of a contact for a narrow key."""
-    return place_of(contact.pair, contact.geometry).removeprefix("ball on ").removeprefix("ball in cage pocket, ")
+    return (
+        place_of(contact.pair, contact.geometry, contact.bearing)
+        .removeprefix("ball on ")
+        .removeprefix("ball in cage pocket, ")
+    )
 
 
 def _distances(contact: ContactRecord, name: str) -> tuple[np.ndarray, np.ndarray]:

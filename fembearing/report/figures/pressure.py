@@ -55,7 +55,7 @@ def _profile(panel: Axes, contact: ContactRecord, units: Units) -> None:
     panel.plot(position, pressure, color=BLACK, linewidth=1, label="Hertz")
     for y in _shoulders(contact):
         panel.axvline(y / hertz.semi_axis_transverse, color=RED, linewidth=1, linestyle=":")
-    place = contact_place(contact).replace(", ", ",\n")
+    place = contact_place(contact).replace(", ", ",\n").replace(" of the", "\nof the")
     panel.set_title(f"{place}\n{units.force.written(contact.load, '.4g')}")
     panel.set_ylim(0, min(panel.get_ylim()[1], HIGHEST * factor * hertz.peak_pressure))
 

@@ -42,7 +42,7 @@ def shown_pictures(document: Report, folder: Path, *, kinds: Collection[str]) ->
 
 def _shown(picture: PictureFile, document: Report, folder: Path) -> ShownPicture:
     """One picture with its contact's title and the file itself; where there is none, why."""
-    contact = document.contact_at(picture.pair, picture.geometry)
+    contact = document.contact_of(picture)
     assert contact is not None  # the document holds it
     shown = ShownPicture(title=contact_title(contact), caption=picture.caption)
     content = _content_of(folder / picture.file)

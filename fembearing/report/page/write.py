@@ -31,7 +31,7 @@ from fembearing.report.tables.measured import measured_table
 from fembearing.report.tables.points import shown_places
 from fembearing.report.tables.prediction import prediction_tables
 from fembearing.report.tables.table import Table
-from fembearing.report.tables.torque import ball_table, change_table, torque_table
+from fembearing.report.tables.torque import ball_table, change_table, pair_table, torque_table
 
 GENERATOR = "fembearing"
 MARK = f'<meta name="generator" content="{GENERATOR}">'  # by which a page of ours is known
@@ -71,7 +71,7 @@ def page_of(document: Report, folder: Path, *, plots: dict[str, list[ShownPlot]]
             "torque": _torque(document),
             "measured": document.measured and measured_table(document.measured, units),
             "film": [film_table(film, units) for film in document.films],
-            "creep": document.creep and creep_table(document.creep, units),
+            "creep": [creep_table(creep, units) for creep in document.creep],
             "ring": ring_tables(document),
             "cage": _cage(document),
         },
@@ -97,6 +97,7 @@ def _torque(document: Report) -> list[Table]:
     every, some = range(len(torque.points)), shown_places(torque)
     return [
         torque_table(torque, document.scene.bearing.name, every, units),
+        *([] if torque.pair is None else [pair_table(torque.pair, every, units)]),
         ball_table(torque, some, units),
         *prediction_tables(torque, every, units),
         change_table(torque.points, change, every, units),

@@ -19,6 +19,7 @@ from fembearing.quantities import MILLI, unit_for
 from fembearing.report.phrases import title_of
 from fembearing.report.pictures.framing import round_length
 from fembearing.report.report import PictureFile
+from fembearing.verify.contact.bearings import OfPair
 from fembearing.verify.creep.scene_creep import SceneCreep
 
 SEEN = Grid(28, 14)  # in a picture
@@ -35,11 +36,14 @@ class CreepPicture(NamedTuple):
     file: str
     caption: str
     job: dict[str, Any]  # of the renderer
+    bearing: OfPair | None
 
     @property
     def listed(self) -> PictureFile:
         """The picture as the document lists it."""
-        return PictureFile(file=self.file, kind="creep", pair=self.race, geometry="real", caption=self.caption)
+        return PictureFile(
+            file=self.file, kind="creep", pair=self.race, geometry="real", caption=self.caption, bearing=self.bearing
+        )
 
 
 def creep_pictures(creep: SceneCreep, folder: Path) -> list[CreepPicture]:
@@ -48,15 +52,16 @@ def creep_pictures(creep: SceneCreep, folder: Path) -> list[CreepPicture]:
     if creep.reference.grids[-1].strips < SEEN.strips:
         with suppress(ConvergenceError):
             turned = turn_ball(creep.ball, SEEN, turned)
-    coefficient = creep.numbers.friction_coefficient
+    coefficient, bearing = creep.numbers.friction_coefficient, creep.numbers.bearing
+    begin = f"{bearing}-" if bearing else ""
     law = "oil and surfaces" if coefficient is None else f"friction coefficient {coefficient:.3g}"
     pictures = []
     for race, contact in zip(RACES, turned.races, strict=True):
-        file = f"{race}-creep.png"
-        title = title_of(race, "real", abs(contact.angle), f"{contact.load:.4g} N, {law}")
+        file = f"{begin}{race}-creep.png"
+        title = title_of(race, "real", abs(contact.angle), f"{contact.load:.4g} N, {law}", bearing)
         job = {"kind": "creep", "file": str(folder / file), "title": title}
         job |= _job(contact, creep.ball.speed * contact.rolling_speed)
-        pictures.append(CreepPicture(race, file, _caption(contact), job))
+        pictures.append(CreepPicture(race, file, _caption(contact), job, bearing))
     return pictures
 
 

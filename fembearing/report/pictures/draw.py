@@ -49,8 +49,15 @@ class Picture:
     @property
     def listed(self) -> PictureFile:
         """The picture as the document lists it."""
-        pair, geometry = self.contact.contact.pair, self.contact.geometry
-        return PictureFile(file=self.file.name, kind=self.kind, pair=pair, geometry=geometry, caption=self.caption)
+        contact = self.contact
+        return PictureFile(
+            file=self.file.name,
+            kind=self.kind,
+            pair=contact.contact.pair,
+            geometry=contact.geometry,
+            caption=self.caption,
+            bearing=contact.bearing,
+        )
 
 
 def draw_pictures(
@@ -175,11 +182,11 @@ def _jobs(contact: ContactSolution, folder: Path) -> list[dict[str, Any]]:
 
 def _title(contact: ContactSolution) -> str:
     place = contact.contact.pair, contact.geometry, contact.contact.contact_angle
-    return title_of(*place, f"{contact.contact.load:.4g} N")
+    return title_of(*place, f"{contact.contact.load:.4g} N", contact.bearing)
 
 
 def _place(contact: ContactSolution) -> str:
-    return place_of(contact.contact.pair, contact.geometry)
+    return place_of(contact.contact.pair, contact.geometry, contact.bearing)
 
 
 def _lifted(contact: ContactSolution) -> float:
@@ -188,8 +195,7 @@ def _lifted(contact: ContactSolution) -> float:
 
 
 def _file(contact: ContactSolution, kind: Kind, folder: Path) -> Path:
-    name = f"{contact.contact.pair}-{contact.geometry}-{kind}"
-    return folder / f"{name}.{'html' if kind == 'view' else 'png'}"
+    return folder / f"{contact.stem}-{kind}.{'html' if kind == 'view' else 'png'}"
 
 
 def _frame(contact: ContactSolution) -> Frame:

@@ -84,13 +84,13 @@ def _notes(contact: ContactRecord, units: Units) -> list[str]:
 
 def pocket_table(contacts: Sequence[ContactRecord], units: Units = METRIC) -> Table | None:
     """The stiffness K_pb by each model of the pocket, Hertz first; None without a cage."""
-    if len(contacts) < 4:
+    pocket = [contact for contact in contacts if contact.pair == "pocket"]
+    if not pocket:
         return None
-    approach, stiffness, half_spaces = units.small_length, units.stiffness, contacts[2].hertz
+    approach, stiffness, half_spaces = units.small_length, units.stiffness, pocket[0].hertz
     models = [("half spaces, Hertz", half_spaces, None)]
     models += [
-        (place_of(each.pair, each.geometry).rpartition(", ")[2], each.fe, each.uncertainty.stiffness)
-        for each in contacts[2:]
+        (place_of(each.pair, each.geometry).rpartition(", ")[2], each.fe, each.uncertainty.stiffness) for each in pocket
     ]
     heads = [Head("model", "name"), Head(f"K_pb, {stiffness.name}"), Head("+-"), Head("over Hertz's, less 1")]
     heads += [Head(f"approach, {approach.name}")]
@@ -105,7 +105,7 @@ def pocket_table(contacts: Sequence[ContactRecord], units: Units = METRIC) -> Ta
         for model, values, uncertainty in models
     ]
     load = units.force.written(contacts[-1].load, ".4g")
-    series = sheet_in_series(*contacts[2:])
+    series = sheet_in_series(*pocket)
     notes = []
     if series is not None:
         sheet = units.tangent.written(series.stiffness, ".4g")

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from analytic.words import Unit, percent_of
 from fembearing.quantities import METRIC, Units
 from fembearing.report.tables.table import Group, Head, Table
+from fembearing.verify.contact.bearings import which_bearing
 from fembearing.verify.creep.scene_creep import CreepNumbers, CreepQuantity, RaceNumbers
 
 BODIES = {"half-space": "half spaces", "meshed": "ball and race of true shape by finite elements"}
@@ -17,15 +18,23 @@ def creep_table(creep: CreepNumbers, units: Units = METRIC) -> Table:
     races = [
         Group(
             [_row(words, unit, each) for words, unit, each in _shown(race, units)],
-            f"Friction on the {name} race: {units.force.written(race.load, '.4g')} at "
+            f"Friction on the {name} race{which_bearing(creep.bearing)}: {units.force.written(race.load, '.4g')} at "
             f"{units.angle.written(abs(race.contact_angle), '.2f')}, inner ring at {speed}",
         )
         for name, race in creep.races.items()
     ]
-    whole = Group([_row("torque by sliding", units.torque, creep.torque)], "All balls about the bearing axis")
+    whole = Group(
+        [_row("torque by sliding", units.torque, creep.torque)],
+        f"All balls{which_bearing(creep.bearing)} about the bearing axis",
+    )
     heads = [Head("quantity", "name"), Head("formula"), Head("production"), Head("reference")]
     heads += [Head("prod./ref.-1", fixed=True), Head("+-")]
-    return Table("Stick and slip of the heaviest ball", heads, [*races, whole], list(_notes(creep, units)))
+    return Table(
+        f"Stick and slip of the heaviest ball{which_bearing(creep.bearing)}",
+        heads,
+        [*races, whole],
+        list(_notes(creep, units)),
+    )
 
 
 def _shown(race: RaceNumbers, units: Units) -> Iterator[tuple[str, Unit, CreepQuantity]]:

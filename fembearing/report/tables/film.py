@@ -3,6 +3,7 @@
 from analytic.words import MILLINEWTON
 from fembearing.quantities import METRIC, Units
 from fembearing.report.tables.table import Head, Table, table_of
+from fembearing.verify.contact.bearings import which_bearing
 from fembearing.verify.film.scene_film import FilmNumbers
 
 BODIES = {"half-space": "elastic half spaces", "meshed": "ball and race of true shape, by finite elements"}
@@ -41,7 +42,8 @@ def film_table(film: FilmNumbers, units: Units = METRIC) -> Table:
         for name, each in film.quantities.items()
         for words, unit in (shown[name],)
     ]
-    return table_of(f"Film on the {film.pair} race: {load}, inner ring at {speed}", heads, rows, _notes(film, units))
+    title = f"Film on the {film.pair} race{which_bearing(film.bearing)}: {load}, inner ring at {speed}"
+    return table_of(title, heads, rows, _notes(film, units))
 
 
 def _notes(film: FilmNumbers, units: Units) -> list[str]:

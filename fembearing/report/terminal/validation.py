@@ -3,6 +3,7 @@
 from rich.console import Console
 
 from analytic.words import percent_of
+from fembearing.report.headline import headline_title, torque_words
 from fembearing.report.phrases import creep_change_words, film_change_words, friction_of
 from fembearing.report.report import Report
 from fembearing.report.tables.contacts import contacts_of, pocket_table
@@ -11,26 +12,42 @@ from fembearing.report.tables.film import film_table
 from fembearing.report.tables.measured import measured_table
 from fembearing.report.tables.points import shown_places
 from fembearing.report.tables.prediction import prediction_tables
-from fembearing.report.tables.torque import change_table, torque_table
+from fembearing.report.tables.torque import change_table, pair_table, torque_table
 from fembearing.report.terminal.table import show
 from fembearing.report.terminal.torque import print_verdicts
 
+NO_TORQUE = "No friction coefficient, lubricant or surface is given, so there is no torque."
 
-def print_validation(out: Console, document: Report) -> None:
-    """Print the check of a scene: contacts, torque, and the verdicts, in the last line in a word each."""
+
+def print_headline(out: Console, document: Report) -> None:
+    """Print the torque with its interval, a line for each reference, and the verdict with its reason."""
+    scene, torque, verdict = document.scene, document.torque, document.verdict
+    lines = [f"{scene.name}. {NO_TORQUE}"]
+    if torque is not None:
+        standing = f"{torque.standing.word}: {torque.standing.reason}"
+        lines = [headline_title(scene, torque, document.units), torque_words(torque, document.units), standing]
+    lines += [] if document.measured is None else [document.measured.conclusions[0]]
+    for line in (*lines, *(finding.words for finding in document.findings), f"{verdict.overall}: {verdict.reason}"):
+        out.print(line, markup=False)
+
+
+def print_details(out: Console, document: Report) -> None:
+    """Print all tables of a check, and the verdicts, in the last line in a word each."""
     scene, torque, change = document.scene, document.torque, document.torque_change
     units = document.units
     pocket = pocket_table(document.contacts, units)
     films = [film_table(each, units) for each in document.films]
     for table in (contacts_of(document, units), *films, *([] if pocket is None else [pocket])):
         show(out, table)
-    if document.creep is not None:
-        show(out, creep_table(document.creep, units))
+    for creep in document.creep:
+        show(out, creep_table(creep, units))
     if torque is None or change is None:
-        out.print("No friction coefficient, lubricant or surface is given, so there is no torque.\n")
+        out.print(f"{NO_TORQUE}\n")
     else:
         places = shown_places(torque)
         show(out, torque_table(torque, scene.bearing.name, places, units))
+        if torque.pair is not None:
+            show(out, pair_table(torque.pair, places, units))
         friction = friction_of(coefficient=scene.friction_coefficient, is_lubricated=scene.is_lubricated)
         out.print(f"Friction: {friction}.\n", markup=False)
         for table in prediction_tables(torque, places, units):

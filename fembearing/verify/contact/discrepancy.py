@@ -23,6 +23,7 @@ from fembearing.mesh.recipe import Recipe
 from fembearing.mesh.ring import known_ring
 from fembearing.progress import Progress, silent
 from fembearing.verify.contact.approach_curve import ApproachCurve, approach_over_load
+from fembearing.verify.contact.bearings import OfPair
 from fembearing.verify.contact.columns import COLUMNS, VERDICT, contact_dataset, contact_html, require_finite_results
 from fembearing.verify.contact.comparison_error import Comparison, comparison_of
 from fembearing.verify.contact.hertz import CorrectedHertz, corrected_hertz, hertz_quantities
@@ -68,6 +69,7 @@ class ContactSolution(Brief):
     pressure_profile: Profiles
     refinement: Refinement = "levels"  # how the error of the meshes was removed
     peak_memory: int | None  # of the process when the contact was solved, bytes
+    bearing: OfPair | None = None  # of a pair; None: there is one, or both have this contact
 
     def __post_init__(self) -> None:
         """Raises InputError for a number that is not finite."""
@@ -169,6 +171,11 @@ class ContactSolution(Brief):
         """Greatest line load of Hertz's ellipse, 3 Q/(4 b), N/m: the pressure summed along rolling, at its centre."""
         return 3 * self.contact.load / (4 * self.hertz.semi_axis_transverse)
 
+    @property
+    def stem(self) -> str:
+        """How the names of its files begin."""
+        return f"{f'{self.bearing}-' if self.bearing else ''}{self.contact.pair}-{self.geometry}"
+
     def write_meshes(self, folder: Path) -> dict[str, Path]:
         """Write both bodies of the finest mesh with pressure and stress, Pa, and displacement, m, as .vtu.
 
@@ -194,7 +201,7 @@ class ContactSolution(Brief):
             pressure[body.touching] = np.where(finest.force > 0, finest.pressure, 0.0)
             displacement = body_displacement(finest, side=side)
             stress = stress_at_nodes(body.mesh, displacement, material)
-            written[side] = folder / f"{self.contact.pair}-{self.geometry}-{side}.vtu"
+            written[side] = folder / f"{self.stem}-{side}.vtu"
             fields = {"pressure": pressure, "displacement": displacement.T, "stress": stress.T}
             write_body(written[side], body, **fields, von_mises=von_mises(stress))
         return written

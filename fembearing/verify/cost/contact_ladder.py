@@ -16,6 +16,7 @@ from fembearing.fem.twin import shared_axes
 from fembearing.mesh.footprint import footprint_of
 from fembearing.mesh.recipe import Recipe
 from fembearing.progress import Progress, silent
+from fembearing.verify.contact.bearings import which_bearing
 from fembearing.verify.contact.discrepancy import ContactSolution
 from fembearing.verify.contact.hertz import CorrectedHertz, corrected_hertz, hertz_quantities
 from fembearing.verify.contact.mesh_refinement import COMPARED, Estimates, Refinement, estimates_of
@@ -125,7 +126,12 @@ def contact_ladder_of(solution: ContactSolution) -> Ladder:
     meshes = [_mesh_method(mesh, seconds=(mesh.seconds,)) for mesh in solution.meshes]
     methods = [*_formulas(solution.contact), *meshes, *_extrapolated(solution.estimates, meshes, solution.refinement)]
     reference = _reference(solution.meshes, solution.estimates)
-    return ladder_of(_quantity(solution.contact), reference, methods, tolerance=solution.tolerance)
+    return ladder_of(
+        f"{_quantity(solution.contact)}{which_bearing(solution.bearing)}",
+        reference,
+        methods,
+        tolerance=solution.tolerance,
+    )
 
 
 def level_bound(contact: Contact, mesh: MeshSolution) -> float | None:

@@ -19,6 +19,7 @@ from analytic.scene import Bearing, Material, Operation, Scene
 from fembearing.creep.ball import RaceCreep, TurningBall
 from fembearing.creep.reference import CreepReference, RaceEstimates, creep_reference
 from fembearing.progress import Progress, silent
+from fembearing.verify.contact.bearings import OfPair
 from fembearing.verify.contact.elastic_bodies import Compliance
 from fembearing.verify.contact.scene_contact import balls_of, heaviest_place, traced_to_load
 from fembearing.verify.creep.meshed_bodies import with_meshed_bodies
@@ -94,6 +95,7 @@ class CreepNumbers:
     production_seconds: float
     warnings: tuple[str, ...]
     compliance: Compliance = "half-space"  # of the reference
+    bearing: OfPair | None = None  # of a pair
 
     @property
     def races(self) -> dict[Race, RaceNumbers]:

@@ -26,6 +26,7 @@ from fembearing.ehl.film import NumericalFilm, numerical_film
 from fembearing.ehl.oil import Oil
 from fembearing.grid_convergence import Estimate
 from fembearing.progress import Progress, silent
+from fembearing.verify.contact.bearings import OfPair
 from fembearing.verify.contact.elastic_bodies import Compliance, meshed_pair
 from fembearing.verify.contact.scene_contact import balls_of, contact_at, heaviest_place
 from fembearing.verify.film.closed_forms import ClosedForms
@@ -76,6 +77,7 @@ class FilmNumbers:
     seconds: float  # of the solution on its three grids
     warnings: tuple[str, ...]
     compliance: Compliance = "half-space"  # of the numerical solution
+    bearing: OfPair | None = None  # of a pair
 
     @property
     def quantities(self) -> dict[str, FilmQuantity]:

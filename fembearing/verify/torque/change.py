@@ -51,7 +51,7 @@ class TorqueChange(Brief):
     # From the contacts' numerical uncertainties: of each part's relative change, and of the corrected contact angle,
     # relative; parts that were left out have none.
     uncertainties: dict[str, float]
-    fitted: FittedChange | None  # None: the production's contacts have the fit already
+    fitted: FittedChange | None  # None: the production's contacts have the fit already, or there are two bearings
     verdict: Verdict  # the worst of both contacts: beyond "pass" the change stands on contacts that did not pass
 
     @property
@@ -62,7 +62,8 @@ class TorqueChange(Brief):
     @property
     def note(self) -> str:
         """Why the production differs from finite elements by construction."""
-        return FITTED if self.fitted is None else NOT_FITTED
+        of_pair = self.production.pair is not None and not self.production.is_on("finite_geometry")
+        return NOT_FITTED if of_pair or self.fitted is not None else FITTED
 
     @property
     def fitting_warnings(self) -> tuple[str, ...]:
@@ -114,6 +115,7 @@ def change_of_torque(
     production : friction_torque(scene)
     The ratios of finite elements to Hertz are known at one ball load, the largest. The change is given there alone.
     Where balls are loaded unequally, all balls take the ratios of the heaviest one; for the others these are too large.
+    So do those of both bearings of a pair.
     The correction for finite geometry depends on the load of each ball, so its change is given at each operating point.
     Raises InputError as friction_torque does.
     """
@@ -143,7 +145,9 @@ def change_of_torque(
         own=own,
         corrected=corrected,
         uncertainties=spread,
-        fitted=None if production.is_on("finite_geometry") else _fitted(races, production, own),
+        fitted=_fitted(races, production, own)
+        if production.pair is None and not production.is_on("finite_geometry")
+        else None,
         verdict=worst((inner.verdict, outer.verdict)),
     )
 

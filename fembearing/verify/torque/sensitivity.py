@@ -21,6 +21,7 @@ from analytic.rows import OperatingPoint, require_one_length
 from analytic.scene import Array, Scene
 from analytic.torque import friction_torque
 from fembearing.quantities import unit_for
+from fembearing.verify.contact.bearings import bearings_of
 from fembearing.verify.contact.hertz import hertz_quantities
 from fembearing.verify.contact.scene_contact import heaviest_contact
 
@@ -162,7 +163,10 @@ def _pressures(scene: Scene) -> Varied:
 
     def peaks(score: Array) -> Array:
         moved, _ = moved_scene(scene, inputs, score)
-        return np.array([hertz_quantities(heaviest_contact(moved, race)).peak_pressure for race in RACES])
+        bearings = [each.scene for each in bearings_of(moved)]
+        return np.array(
+            [max(hertz_quantities(heaviest_contact(each, race)).peak_pressure for each in bearings) for race in RACES]
+        )
 
     outputs = [
         Output(quantity="peak_pressure", pair=race, value=float(value), **dict.fromkeys(COORDINATES))

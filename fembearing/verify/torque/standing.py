@@ -1,6 +1,5 @@
 """How far a torque can be trusted, in one word and the reason for it."""
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
@@ -9,17 +8,10 @@ import numpy as np
 from analytic.scene import Array, Scene
 from analytic.words import percent_of
 from fembearing.verify.torque.catalogue_models import CatalogueBand
-from fembearing.verify.torque.verdicts import IS_OPEN, Verdicts
+from fembearing.verify.torque.verdicts import Verdicts
 
 Word = Literal["fail", "incomplete", "undecided", "check"]
 UNMEASURED = "no measured torque of such a bearing is known"
-PHYSICAL = {
-    "peak_pressure": "the peak pressure exceeds the static limit",
-    "shoulder": "a shoulder cuts the contact off",
-    "sliding": "the oil holds the balls back more than friction drives them",
-    "gyroscopic_hold": "friction does not hold the gyroscopic moment of a ball",
-    "cage_force": "the force of the cage exceeds the grip of the races",
-}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -46,7 +38,7 @@ def standing_of(
     total : N m, (n,);  shares : of the total, of the effects that are off, at most;  band : arrays (n,), N m
     """
     if verdicts.overall == "fail":
-        return Standing(word="fail", reason="; ".join(_failures(verdicts)))
+        return Standing(word="fail", reason=verdicts.reason)
     lacking = {name: share for name, share in shares.items() if share > scene.tolerance and not _chosen(scene, name)}
     if lacking:
         name = max(lacking, key=lacking.__getitem__)
@@ -56,14 +48,8 @@ def standing_of(
             else "is of unknown size"
         )
         return Standing(word="incomplete", reason=f"{name} is left out and {size}; see --details")
-    numerical = verdicts.numerical
-    if numerical is not None and numerical.verdict in IS_OPEN:
-        error = "is not known" if numerical.uncertainty is None else f"is {percent_of(numerical.uncertainty, 2)}"
-        return Standing(
-            word="undecided", reason=f"the solver error {error}, asked {percent_of(numerical.tolerance, 2)}"
-        )
     if verdicts.overall == "undecided":
-        return Standing(word="undecided", reason="a physical limit is not known; see --details")
+        return Standing(word="undecided", reason=verdicts.reason)
     if band is None:
         return Standing(word="check", reason=f"no maker's formula holds for this bearing; {UNMEASURED}")
     return Standing(word="check", reason=f"{_place(total, band)} the makers' formulas; {UNMEASURED}")
@@ -72,14 +58,6 @@ def standing_of(
 def _chosen(scene: Scene, effect: str) -> bool:
     """Whether the scene itself leaves the effect out: by its name, or by a rule that says how the balls turn."""
     return scene.effects.get(effect, "auto") != "auto" or (effect == "creep" and scene.spin_rule != "free")
-
-
-def _failures(verdicts: Verdicts) -> Iterator[str]:
-    if verdicts.comparison in ("fail", "outside validity"):
-        yield f"the comparison with finite elements: {verdicts.comparison}"
-    for check in verdicts.physical:
-        if check.verdict == "fail":
-            yield f"{PHYSICAL[check.name]} ({check.where})"
 
 
 def _place(total: Array, band: CatalogueBand) -> str:

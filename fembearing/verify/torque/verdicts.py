@@ -1,16 +1,30 @@
 """The verdicts on a result: comparison with finite elements, numerical accuracy, physical limits."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Annotated, Literal
 
 from annotated_types import MinLen
 
 from analytic.verdicts import NumericalCheck, PhysicalCheck
+from analytic.words import percent_of
 from fembearing.verify.contact.verdict import Verdict
 
 Physical = Literal["pass", "fail", "unknown"]
 Overall = Literal["pass", "fail", "undecided"]
 FAILS, IS_OPEN = ("fail", "outside validity"), ("undecided", "not reached", "unknown")
+COMPARISON = {
+    "fail": "a contact by Hertz differs from finite elements by more than the tolerance",
+    "outside validity": "a contact is outside the validity of Hertz",
+    "undecided": "finite elements leave a contact undecided",
+}
+PHYSICAL = {
+    "peak_pressure": "the peak pressure exceeds the static limit",
+    "shoulder": "a shoulder cuts the contact off",
+    "sliding": "the oil holds the balls back more than friction drives them",
+    "gyroscopic_hold": "friction does not hold the gyroscopic moment of a ball",
+    "cage_force": "the force of the cage exceeds the grip of the races",
+}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -36,6 +50,29 @@ class Verdicts:
         return "undecided" if any(verdict in IS_OPEN for verdict in each) else "pass"
 
     @property
+    def reason(self) -> str:
+        """Why the overall verdict is what it is, in words."""
+        return "; ".join(dict.fromkeys(self._reasons()))
+
+    def _reasons(self) -> Iterator[str]:
+        if self.overall == "pass":
+            solved = {"contacts": self.comparison, "solver error": self.numerical}
+            within = " and ".join(name for name, part in solved.items() if part is not None)
+            yield f"{within} within the tolerance, no physical limit exceeded"
+            return
+        which = FAILS if self.overall == "fail" else IS_OPEN
+        if self.comparison is not None and self.comparison in which:
+            yield COMPARISON[self.comparison]
+        numerical = self.numerical
+        if numerical is not None and numerical.verdict in which:
+            error = "is not known" if numerical.uncertainty is None else f"is {percent_of(numerical.uncertainty, 2)}"
+            yield f"the solver error {error}, asked {percent_of(numerical.tolerance, 2)}"
+        for check in self.physical:
+            if check.verdict in which:
+                limit = f"a physical limit is not known: {check.name.replace('_', ' ')}"
+                yield f"{PHYSICAL[check.name] if check.verdict == 'fail' else limit} ({check.where})"
+
+    @property
     def summary(self) -> "Summary":
         """One word for each kind of verdict, and one for all."""
         return Summary(
@@ -43,6 +80,7 @@ class Verdicts:
             numerical=None if self.numerical is None else self.numerical.verdict,
             physical=self.worst_physical,
             overall=self.overall,
+            reason=self.reason,
         )
 
 
@@ -54,6 +92,7 @@ class Summary:
     numerical: Literal["pass", "not reached"] | None  # None: there is no torque
     physical: Physical
     overall: Overall
+    reason: str  # of the overall verdict
 
     @property
     def words(self) -> str:

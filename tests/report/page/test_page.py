@@ -19,7 +19,7 @@ from fembearing.quantities import RPM
 from fembearing.report.figures.page_plots import PLOTS
 from fembearing.report.pictures.draw import Picture
 from fembearing.report.report import report_of
-from fembearing.report.terminal.validation import print_validation
+from fembearing.report.terminal.validation import print_details
 from fembearing.verify.contact.discrepancy import ContactSolution
 from fembearing.verify.hard_record import HardRecord
 from fembearing.verify.torque.change import change_of_torque
@@ -181,7 +181,7 @@ def test_a_lubricated_scene_is_not_told_as_one_without_a_coefficient(checked: Va
     assert "no torque" not in words
     assert "does not depend on speed" not in words
     out = StringIO()
-    print_validation(Console(file=out, width=80), report_of(with_scene(checked, oiled)))
+    print_details(Console(file=out, width=80), report_of(with_scene(checked, oiled)))
     assert "Friction: coefficient of each race by mixed lubrication" in " ".join(out.getvalue().split())
 
 
@@ -203,18 +203,18 @@ def test_names_from_a_scene_cannot_break_the_page(checked: Validation, tmp_path:
 def test_an_appendix_has_the_friction_of_the_heaviest_ball(checked: Validation, page: Page, tmp_path: Path) -> None:
     assert "Spin, conformity and creep" in appendices(page).values()
     words = " ".join(page.text.split())
-    creep = present(checked.creep).numbers
+    creep = checked.creep[0].numbers
     assert f"Friction on the inner race: {creep.inner.load:.4g} N" in words
     assert f"{1e3 * creep.torque.reference:.4g}" in words
     assert "at its operating point changes by" in words
-    without = page_of(replace(checked, creep=None, creep_change=None), tmp_path)
+    without = page_of(replace(checked, creep=(), creep_change=None), tmp_path)
     assert "Spin, conformity and creep" not in appendices(without).values()
 
 
 def test_without_cage_and_friction_there_is_neither_pocket_nor_torque(checked: Validation, tmp_path: Path) -> None:
     scene = replace(checked.scene, cage=None, friction_coefficient=None)
     bare = replace(checked, contacts=checked.contacts[:2], torque=None, torque_change=None, sensitivity=None)
-    bare = replace(bare, creep=None, creep_change=None)
+    bare = replace(bare, creep=(), creep_change=None)
     page = page_of(with_scene(bare, scene), tmp_path)
     assert tuple(appendices(page).values()) == ALWAYS
     assert not any("torque" in heading for heading in page.headings)

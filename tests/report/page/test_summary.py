@@ -198,8 +198,11 @@ def test_a_name_cannot_leave_the_style_sheet(document: Document, tmp_path: Path)
 def test_green_is_the_box_of_all_verdicts_only_where_all_hold(
     document: Document, tmp_path: Path, kind: str, word: str, overall: str
 ) -> None:
-    document["verdict"] = {"comparison": "pass", "numerical": "pass", "physical": "pass", "overall": "pass"}
-    assert 'class="overall pass"' in written(document, tmp_path)
+    words = {"comparison": "pass", "numerical": "pass", "physical": "pass", "overall": "pass"}
+    document["verdict"] = words | {"reason": "nothing speaks against it"}
+    text = written(document, tmp_path)
+    assert 'class="overall pass"' in text
+    assert "nothing speaks against it" in summary_of(text)
     document["verdict"] |= {kind: word, "overall": overall}
     text = written(document, tmp_path)
     assert f'class="overall {overall}"' in text

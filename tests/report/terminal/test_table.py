@@ -15,7 +15,7 @@ from fembearing.report.tables.prediction import interval_table, shares_table
 from fembearing.report.tables.table import Group, Head, Table, table_of
 from fembearing.report.tables.torque import ball_table, change_table, torque_table
 from fembearing.report.terminal.table import MANY, printed, show
-from fembearing.report.terminal.validation import print_validation
+from fembearing.report.terminal.validation import print_details
 from fembearing.verify.validation import Validation
 from tests.analytic.specimens import present
 from tests.report.figures.test_prediction import content, prediction_of
@@ -106,7 +106,7 @@ def test_text_and_page_have_the_same_cells(tables: dict[str, Table], label: str)
 def test_every_table_that_a_check_prints_stands_in_its_page(made: Validation, tmp_path: Path) -> None:
     """With the same rows in the same order; the page may have more columns."""
     out = StringIO()
-    print_validation(Console(file=out, width=ROOMY), report_of(made))
+    print_details(Console(file=out, width=ROOMY), report_of(made))
     page, text = Tables(written_page(made, tmp_path)), in_text(out.getvalue())
     assert len(text) == 4 + 3 + 1 + 2 + 1  # contacts, sliding, pocket, torque and its change, limits
     for title, (_, *rows) in text.items():

@@ -15,7 +15,7 @@ from fembearing.plain_types import plain
 from fembearing.report.report import report_of
 from fembearing.report.tables.contacts import subsurface_table
 from fembearing.report.terminal.table import show
-from fembearing.report.terminal.validation import print_validation
+from fembearing.report.terminal.validation import print_details
 from fembearing.verify.contact.ring import RingStructure
 from fembearing.verify.contact.subsurface import NAMES, comparison_below
 from fembearing.verify.torque.catalogue import BesideCatalogue
@@ -27,7 +27,7 @@ NARROW = 80  # columns, of a pipe
 
 def text_of(result: Validation) -> str:
     out = StringIO()
-    print_validation(Console(file=out, width=NARROW), report_of(result))
+    print_details(Console(file=out, width=NARROW), report_of(result))
     return out.getvalue()
 
 
@@ -222,6 +222,7 @@ def test_json_tells_each_verdict_with_its_numbers(told: dict[str, Any]) -> None:
                 "resolved": exceeds,
             },
             "verdict": verdict,
+            "bearing": None,
         }
 
 

@@ -31,7 +31,7 @@ PARTS = (
     Part("contacts", "Contacts"),
     Part("pictures", "Contact pressure"),
     Part("film", "Film and rolling", lambda document: bool(document.films)),
-    Part("creep", "Spin, conformity and creep", lambda document: document.creep is not None),
+    Part("creep", "Spin, conformity and creep", lambda document: bool(document.creep)),
     Part("meshes", "Meshes and convergence"),
     Part("ring", "Ring and balls", lambda document: bool(ring_tables(document))),
     Part("cage", "Cage", lambda document: document.scene.cage is not None),

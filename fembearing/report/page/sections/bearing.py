@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from analytic.scene import Groove
 from analytic.words import angle_of
 from fembearing.quantities import QUANTITIES, Units
-from fembearing.report.phrases import LOADS, clearances_of, friction_of, listed
+from fembearing.report.phrases import LOADS, PAIRS, clearances_of, friction_of, listed
 from fembearing.report.report import Report
 from fembearing.report.scene_view import Cage, SceneView
 
@@ -16,6 +16,10 @@ def facts_of(document: Report) -> Facts:
     """Name and words of what defines the torque, for the summary."""
     scene = document.scene
     facts = list(_facts(scene, document.units))
+    if document.torque is not None and document.torque.pair is not None:
+        pair = document.torque.pair
+        preload = f", preload {document.units.force.written(pair.preload, '.4g')}" if pair.preload else ""
+        facts.insert(1, ("arrangement", f"two such bearings, {PAIRS[pair.kind]}{preload}"))
     return facts if document.torque is not None else [*facts, ("operation", _operation(scene, document.units))]
 
 

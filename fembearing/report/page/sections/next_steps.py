@@ -35,7 +35,7 @@ def next_section(document: Report) -> NextSection:
 def _of_contact(document: Report, contact: ContactRecord) -> Iterator[Step]:
     """The steps that the verdicts on one contact call for."""
     rows, names = document.verdicts_on(contact), quantities_of(contact)
-    place = place_of(contact.pair, contact.geometry)
+    place = place_of(contact.pair, contact.geometry, contact.bearing)
 
     def named(verdict: str) -> str:
         return ", ".join(names[name].name for name, row in rows.items() if row.verdict == verdict)
@@ -57,6 +57,8 @@ def _of_contact(document: Report, contact: ContactRecord) -> Iterator[Step]:
             (open_beyond if beyond else open_to_meshes).append(names[name].name)
     if open_to_meshes:
         command = f'fembearing contact SCENE --pair {contact.pair} --tolerance "{100 * document.tolerance / 20:.2g} %"'
+        if contact.bearing is not None:
+            command = "leave out [arrangement], give the loads of this bearing, and solve this contact by itself"
         yield Step(f"{place}: undecided in {', '.join(open_to_meshes)}", command)
     if open_beyond:
         why = f"{place}: undecided in {', '.join(open_beyond)}, as the size of the meshed block leaves it open"

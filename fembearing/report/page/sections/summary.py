@@ -22,6 +22,7 @@ from fembearing.report.tables.table import Head, Table, table_of
 from fembearing.report.tables.torque import torque_table
 from fembearing.report.tables.verdicts import POINT, failures, physical_table
 from fembearing.report.torque import TorqueRecord
+from fembearing.verify.contact.bearings import which_bearing
 
 MOST_NAMED = 8  # assumed inputs that the summary names
 OTHER_LOADS = (
@@ -63,12 +64,13 @@ class Summary(NamedTuple):
     trust: str
     boxes: list[Box]
     overall: str
+    reason: str
     inputs: str
     torque: Table | None
     physical: Table
     contacts: Table
     contacts_at: str
-    change: str
+    findings: list[str]
     notes: list[str]
     every_note: list[str]  # in full, for the appendix
     facts: Facts
@@ -86,12 +88,13 @@ def summary_of(document: Report) -> Summary:
         trust="" if torque is None else _trust(torque),
         boxes=boxes,
         overall=document.verdict.overall,
+        reason=document.verdict.reason,
         inputs="" if torque is None else _status_of(torque.inputs),
         torque=None if torque is None else _torque(document, torque),
         physical=physical_table(document.physical, document.units)._replace(notes=[POINT]),
         contacts=_contacts(document),
         contacts_at=_contacts_at(document),
-        change=_change(document),
+        findings=[finding.words for finding in document.findings],
         notes=[_shortened(note) for note in notes[:MOST_NOTES]],
         every_note=notes,
         facts=[(name, _shortened(words)) for name, words in facts_of(document)],
@@ -208,7 +211,7 @@ def _contacts(document: Report) -> Table:
 def _contact(document: Report, contact: ContactRecord) -> list[str]:
     verdicts, shown = document.verdicts_on(contact), document.units.pressure
     return [
-        "cage pocket" if contact.pair == "pocket" else f"{contact.pair} race",
+        "cage pocket" if contact.pair == "pocket" else f"{contact.pair} race{which_bearing(contact.bearing)}",
         digits(contact.load, document.units.force.factor, 4),
         "-" if contact.pair == "pocket" else angle_cell(contact.contact_angle),
         digits(contact.hertz.peak_pressure, shown.factor, 4),
@@ -226,27 +229,15 @@ def _contacts_at(document: Report) -> str:
     if document.torque is None:
         return "Races: the heaviest ball of all operating points."
     points = document.torque.points
+    if document.torque.pair is not None:
+        return (
+            "Races: the heaviest ball of each bearing, at any operating point. Ball loads follow from Hertz's contacts."
+        )
     place = f"Races: the heaviest ball, at {point_name(points, heaviest_point(points), document.units)}."
     change = document.torque_change
     if change is None or change.finite_geometry is not None:
         return place
     return f"{place} {OTHER_LOADS}"
-
-
-def _change(document: Report) -> str:
-    """What contacts of finite elements change in the torque, in a sentence; empty without a torque."""
-    torque, change = document.torque, document.torque_change
-    if torque is None or change is None:
-        return ""
-    index = heaviest_point(torque.points)
-    relative = change.change.total[index]
-    if relative is None:
-        return ""
-    return (
-        "With contacts of finite elements the torque at "
-        f"{point_name(torque.points, index, document.units)} changes by {100 * relative:+.2f} \N{PLUS-MINUS SIGN} "
-        f"{100 * change.uncertainty:.2f} %."
-    )
 
 
 def _shortened(words: str) -> str:

@@ -1,0 +1,112 @@
+"""The headline of a check: the largest difference from each reference, and the verdict with its reason."""
+
+import json
+from dataclasses import replace
+from io import StringIO
+
+import pytest
+from rich.console import Console
+
+from analytic.verdicts import NumericalCheck, PhysicalCheck
+from fembearing.cli.status import STATUS
+from fembearing.plain_types import plain
+from fembearing.report.findings import Finding
+from fembearing.report.report import Report, report_in
+from fembearing.report.terminal.validation import print_headline
+from fembearing.verify.torque.verdicts import Verdicts
+from fembearing.verify.validation import Validation
+from tests.analytic.specimens import present
+from tests.report.test_measured import TWO
+
+LONGEST = 12  # lines of a headline on 80 columns
+
+
+def printed(document: Report) -> list[str]:
+    out = StringIO()
+    print_headline(Console(file=out, width=80), document)
+    return out.getvalue().splitlines()
+
+
+@pytest.fixture(scope="module")
+def found(document: Report) -> dict[str, Finding]:
+    return {finding.reference: finding for finding in document.findings}
+
+
+def test_the_largest_difference_of_all_judged_contacts_is_found(found: dict[str, Finding]) -> None:
+    """The sheet, 80 % off, is not judged; that verdict fails which is the worst of all."""
+    finding = found["contacts"]
+    assert (finding.quantity, finding.place) == ("semi-axis b", "inner race")
+    assert finding.difference == pytest.approx(0.1, abs=1e-12)  # 0.968/0.88 - 1, to round-off
+    assert finding.uncertainty == pytest.approx(0.018, abs=5e-5)  # printed as 1.80 %
+    assert finding.verdict == "fail"
+    assert finding.words == "contacts: Hertz +10 % off in semi-axis b, inner race; solver error 1.8 %: fail"
+
+
+def test_the_sheet_and_the_torque_are_shown_and_not_judged(found: dict[str, Finding]) -> None:
+    """As in the table of the pocket and in that of the change, at the point with the heaviest ball."""
+    assert found["pocket"].words == "sheet of the pocket: -35 % of the stiffness K_pb; solver error 0.57 %"
+    assert found["torque"].words == "finite elements change the torque by -2.83 %, point 3; solver error 1.4 %"
+    assert {found[name].verdict for name in ("pocket", "torque", "friction")} == {"shown"}
+
+
+def test_the_headline_is_short_and_ends_with_the_reason(document: Report) -> None:
+    lines = printed(document)
+    assert len(lines) <= LONGEST
+    assert max(map(len, lines)) <= 80
+    torque = present(document.torque)
+    assert lines[0].startswith("6205, friction coefficient 0.1")
+    assert lines[1].startswith("torque 34-53 N mm at 3 points, 95 % not known")
+    assert f"{torque.standing.word}: " in " ".join(lines)
+    end = "fail: a contact by Hertz differs from finite elements by more than the tolerance"
+    assert " ".join(lines).endswith(end)
+
+
+def test_what_measured_torques_miss_stands_before_the_references(document: Report) -> None:
+    lines = printed(replace(document, measured=TWO))
+    assert lines.index("Missed: one of them.") < next(n for n, line in enumerate(lines) if line.startswith("contacts:"))
+
+
+def test_without_friction_there_is_no_torque(document: Report) -> None:
+    lines = printed(replace(document, torque=None, torque_change=None))
+    assert "so there is no torque" in " ".join(lines)
+
+
+def test_findings_are_read_again(document: Report) -> None:
+    assert report_in(json.loads(json.dumps(plain(document)))).findings == document.findings
+
+
+def test_the_command_prints_tables_with_details_alone(
+    command, checked: Validation, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("fembearing.report.folder.validate", lambda *_, **__: checked)
+    short, whole = (command("validate", "6205-dry", *more) for more in ((), ("--details",)))
+    assert short.status == whole.status == STATUS[checked.verdict]
+    assert whole.out.startswith(short.out)
+    assert "Hertz/FE-1" in whole.out
+    assert "Hertz/FE-1" not in short.out
+
+
+def test_a_reason_names_what_is_open_or_fails() -> None:
+    """Contacts, the solver and limits, each by itself; nothing that was not compared is named."""
+    limit = PhysicalCheck(
+        name="peak_pressure", where="outer race", point=0, value=2.3e9, limit=4.2e9, unit="Pa", verdict="pass", note=""
+    )
+    solved = NumericalCheck(verdict="pass", uncertainty=0.013, tolerance=0.03, reason="")
+    loose = NumericalCheck(verdict="not reached", uncertainty=0.047, tolerance=0.03, reason="")
+    for given, reason in (
+        ({"comparison": "pass", "numerical": solved}, "contacts and solver error within the tolerance, no physical"),
+        ({"numerical": solved}, "solver error within the tolerance"),
+        ({"comparison": "undecided", "numerical": loose}, "a contact undecided; the solver error is 4.7 %, asked 3 %"),
+        ({"comparison": "outside validity", "numerical": loose}, "a contact is outside the validity of Hertz"),
+        (
+            {"numerical": solved, "physical": (replace(limit, verdict="unknown"),)},
+            "a physical limit is not known: peak pressure (outer race)",
+        ),
+        (
+            {"numerical": loose, "physical": (replace(limit, verdict="fail"),)},
+            "the peak pressure exceeds the static limit (outer race)",
+        ),
+    ):
+        verdicts = Verdicts(**{"physical": (limit,)} | given)  # pyright: ignore[reportArgumentType]
+        assert reason in verdicts.reason
+        assert ("solver" in verdicts.reason) == ("solver" in reason)
