@@ -29,7 +29,7 @@ from fembearing.cli import (
     validate,
     warmup,
 )
-from fembearing.cli.boundary import DEBUG, guarded
+from fembearing.cli.boundary import COMMAND, DEBUG, guarded
 
 COMMANDS: dict[str, tuple[Callable[..., None], str]] = {  # with an example of what follows the name
     "validate": (validate.validate, 'bearing.toml --tolerance "1 %" --out report-of-my-bearing'),
@@ -84,6 +84,8 @@ def about(
     DEBUG.set(debug)
     if context.invoked_subcommand is None:
         typer.echo(context.get_help())
+    else:
+        COMMAND.set(context.invoked_subcommand)
 
 
 def main() -> None:
