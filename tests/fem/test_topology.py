@@ -166,9 +166,7 @@ def failing(phase: int, words: str) -> type:
 
 
 @has_pardiso
-@pytest.mark.parametrize(
-    ("words", "error"), [("not enough memory", MemoryError), ("zero pivot", factor.LinAlgError)]
-)
+@pytest.mark.parametrize(("words", "error"), [("not enough memory", MemoryError), ("zero pivot", factor.LinAlgError)])
 def test_pardisos_errors_get_a_kind(words: str, error: type[Exception], monkeypatch: pytest.MonkeyPatch) -> None:
     upper = csr_matrix([[4.0, 1.0], [0.0, 3.0]])
     monkeypatch.setattr(factor, "PardisoSolver", failing(factor.NUMBERS, words))
