@@ -15,8 +15,9 @@ from collections.abc import Callable
 from contextvars import ContextVar
 from io import TextIOWrapper
 from pathlib import Path
+from typing import Any
 
-from typer.exceptions import Abort, TyperException
+from typer import Abort, BadParameter
 
 from fembearing.cli.status import (
     DEFECT,
@@ -32,6 +33,7 @@ from fembearing.cli.status import (
 
 DEBUG = ContextVar("DEBUG", default=False)  # whether a failure shows where in the code it is
 COMMAND = ContextVar("COMMAND", default="fembearing")  # name of the one that runs
+TyperException: Any = BadParameter.__mro__[-4]  # base of typer's errors; older versions take that of click
 ENDED = ("SIGTERM", "SIGHUP")  # signals by which a process is asked to end
 PYDANTICS = "Value error, "  # how typer's message about a word begins where pydantic reads it
 OURS = ("analytic", "fembearing")
