@@ -1,9 +1,19 @@
 """Errors that a user can act on; any other exception is a bug in fembearing."""
 
+from importlib.util import find_spec
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from analytic.units import UNITS, has_unit, why_no_unit
+
+# Modules that not every installation has: the package of each, and the extra of fembearing that has it.
+BROUGHT_BY = {
+    "skfem": ("scikit-fem", ""),
+    **{name: (name, "") for name in ("jinja2", "matplotlib", "meshio", "pyvista")},
+    **{name: (name, "sweep") for name in ("dask", "distributed", "netCDF4", "pandas", "xarray")},
+    "nicegui": ("nicegui", "app"),
+}
 
 
 class FembearingError(Exception):
@@ -20,6 +30,16 @@ class StorageError(FembearingError):
 
 class ResourceError(FembearingError):
     """Memory or processes that the system does not give."""
+
+
+class MissingPackageError(FembearingError, ImportError):
+    """A package that this installation left out."""
+
+    def __init__(self, purpose: str, module: str) -> None:
+        """purpose : what needs it; module : a key of `BROUGHT_BY`"""
+        package, extra = BROUGHT_BY[module]
+        installed = f'"fembearing[{extra}]"' if extra else "fembearing"
+        super().__init__(f"{purpose} needs {package}: pip install {installed}")
 
 
 class ConvergenceError(FembearingError):
@@ -48,6 +68,13 @@ class SingularError(ConvergenceError):
     def __init__(self, *, problem: str, remedy: str) -> None:
         self.iterations, self.residual, self.tolerance = 0, np.inf, 0.0
         FembearingError.__init__(self, f"{problem}. {remedy}")
+
+
+def require_packages(purpose: str, *modules: str) -> None:
+    """Raise MissingPackageError unless all these keys of `BROUGHT_BY` are installed; purpose : what needs them."""
+    for module in modules:
+        if find_spec(module) is None:
+            raise MissingPackageError(purpose, module)
 
 
 # Formulas call these often with few numbers: the ends are fast, and comparisons with NaN fail. One number is no array.

@@ -7,6 +7,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from analytic.errors import require_packages
+
 
 class Column(NamedTuple):
     """What the numbers of a column are."""
@@ -30,7 +32,9 @@ def dataset_of(
     """An xarray.Dataset with `units` and `long_name` of each variable as attributes.
 
     It lacks the variables that hold nothing, because their part was left out or is not modelled.
+    Raises MissingPackageError without xarray.
     """
+    require_packages("a dataset", "xarray")
     import xarray  # on demand: it takes a second
 
     def variable(given: Labelled) -> tuple[tuple[str, ...], ArrayLike, dict[str, str]]:

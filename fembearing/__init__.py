@@ -22,4 +22,11 @@ def __getattr__(name: str) -> object:
         from importlib.metadata import version  # slow to import
 
         return version("fembearing")
-    return _named(name)
+    try:
+        return _named(name)
+    except ModuleNotFoundError as problem:
+        from analytic.errors import BROUGHT_BY, MissingPackageError
+
+        if problem.name not in BROUGHT_BY:
+            raise
+        raise MissingPackageError(f"fembearing.{name}", problem.name) from problem

@@ -26,7 +26,7 @@ LONGER = {  # functions that may have more
     **dict.fromkeys(("film", "creep", "torque"), "a command: its options, each by its name"),
     "model_of": "what a model is made of, each with its default",
 }
-HEAVY = {"vtk", "vtkmodules", "pyvista", "skfem", "pint", "pydantic", "pypardiso", "numba", "xarray", "netCDF4"}
+HEAVY = {"vtk", "vtkmodules", "pyvista", "skfem", "pint", "pydantic", "pymklpardiso", "numba", "xarray", "netCDF4"}
 REGISTRY = re.compile(
     r"\b(?:(?:pypi|pythonhosted|npmjs|yarnpkg|anaconda|crates|rubygems)\.(?:org|com|io)|proxy\.golang)"
 )

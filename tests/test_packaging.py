@@ -10,10 +10,17 @@ import pytest
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
+from analytic.errors import BROUGHT_BY
+
 ROOT = Path(__file__).resolve().parents[1]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
 EXTRAS = PROJECT["optional-dependencies"]
-DECLARED = [Requirement(line) for lines in (PROJECT["dependencies"], *EXTRAS.values()) for line in lines]
+DECLARED = [
+    requirement
+    for lines in (PROJECT["dependencies"], *EXTRAS.values())
+    for requirement in map(Requirement, lines)
+    if requirement.name != "fembearing"
+]
 PINNED = {
     canonicalize_name(pin.name): pin
     for line in (ROOT / "constraints.txt").read_text("utf-8").splitlines()
@@ -82,3 +89,32 @@ def test_the_readme_marks_its_commands(purpose: str) -> None:
     assert command, "the gate runs this command; it must be one line"
     assert command[1].startswith("python3 -m venv ")
     assert " install -c constraints.txt " in command[1]
+
+
+def extra(name: str) -> set[str]:
+    """Names of the packages of an extra, with those of the extras in it."""
+    found = set()
+    for requirement in map(Requirement, EXTRAS[name]):
+        inner = requirement.extras if requirement.name == "fembearing" else ()
+        found |= set().union(*map(extra, inner)) if inner else {requirement.name}
+    return found
+
+
+def test_all_is_what_a_user_can_have_and_the_tests_have_it_too() -> None:
+    assert extra("all") == set().union(*(extra(name) for name in EXTRAS if name not in ("dev", "docs", "peers")))
+    assert extra("all") < extra("dev")
+    assert extra("sweep") < extra("docs")  # its examples sweep
+
+
+def test_the_torque_alone_needs_a_part_of_the_dependencies() -> None:
+    lines = (ROOT / "requirements-torque.txt").read_text("utf-8").splitlines()
+    torque = {line for line in lines if not line.startswith("#")}
+    assert torque < set(PROJECT["dependencies"])
+    packages = {package for package, installed_by in BROUGHT_BY.values() if not installed_by}
+    left_out = {Requirement(line).name for line in set(PROJECT["dependencies"]) - torque}
+    assert left_out == packages | {"py-mkl-pardiso"}  # which SciPy can replace
+
+
+def test_an_error_names_the_extra_that_has_the_package() -> None:
+    for package, name in BROUGHT_BY.values():
+        assert not name or package in extra(name) | {"dask"}  # distributed needs the same version of it

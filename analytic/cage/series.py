@@ -7,7 +7,7 @@ import numpy as np
 
 from analytic.brief import Brief
 from analytic.cage.motion import CageMotion
-from analytic.errors import require_positive
+from analytic.errors import require_packages, require_positive
 from analytic.scene import Array
 
 AXES = ("x", "y", "z")  # of the fixed frame; z is the bearing's axis
@@ -29,7 +29,8 @@ class CageSeries(Brief):
     max_force: Array  # (n,) largest normal force of one contact since the previous instant, N
 
     def to_dataset(self) -> Any:
-        """An xarray.Dataset with units and meanings as attributes."""
+        """An xarray.Dataset with units and meanings as attributes. Raises MissingPackageError without xarray."""
+        require_packages("a dataset", "xarray")
         import xarray  # takes a second to import
 
         described: dict[str, tuple[tuple[str, ...], str, str]] = {

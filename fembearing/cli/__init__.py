@@ -31,7 +31,7 @@ from fembearing.cli import (
     validate,
     warmup,
 )
-from fembearing.cli.boundary import DEBUG, guarded
+from fembearing.cli.boundary import COMMAND, DEBUG, guarded
 from fembearing.cli.common_options import FORCE, QUIET, VERBOSE, with_common
 from fembearing.cli.report_options import UNITS
 
@@ -104,6 +104,8 @@ def about(
     DEBUG.set(debug)
     if context.invoked_subcommand is None:
         typer.echo(context.get_help())
+    else:
+        COMMAND.set(context.invoked_subcommand)
 
 
 def main() -> None:

@@ -15,8 +15,9 @@ from collections.abc import Callable
 from contextvars import ContextVar
 from io import TextIOWrapper
 from pathlib import Path
+from typing import Any
 
-from typer.exceptions import Abort, TyperException
+from typer import Abort, BadParameter
 
 from fembearing.cli.status import (
     DEFECT,
@@ -31,6 +32,8 @@ from fembearing.cli.status import (
 )
 
 DEBUG = ContextVar("DEBUG", default=False)  # whether a failure shows where in the code it is
+COMMAND = ContextVar("COMMAND", default="fembearing")  # name of the one that runs
+TyperException: Any = BadParameter.__mro__[-4]  # base of typer's errors; older versions take that of click
 ENDED = ("SIGTERM", "SIGHUP")  # signals by which a process is asked to end
 PYDANTICS = "Value error, "  # how typer's message about a word begins where pydantic reads it
 OURS = ("analytic", "fembearing")
@@ -79,7 +82,14 @@ def _failed(problem: BaseException) -> int:
 
 def status_of(problem: BaseException) -> int:
     """The exit status of a problem, which is said in one line."""
-    from analytic.errors import ConvergenceError, FembearingError, ResourceError, StorageError  # with NumPy
+    from analytic.errors import (  # with NumPy
+        BROUGHT_BY,
+        ConvergenceError,
+        FembearingError,
+        MissingPackageError,
+        ResourceError,
+        StorageError,
+    )
 
     match problem:
         case ConvergenceError():
@@ -90,6 +100,8 @@ def status_of(problem: BaseException) -> int:
             return complain(problem, NO_MEMORY)
         case FembearingError():
             return complain(problem, INPUT_AT_FAULT)
+        case ModuleNotFoundError() if problem.name in BROUGHT_BY:
+            return complain(MissingPackageError(COMMAND.get(), problem.name), INPUT_AT_FAULT)
         case TyperException():
             words = problem.format_message().replace(PYDANTICS, "")
             nothing_near = words.startswith("No such option") and "ossible" not in words and "ean" not in words

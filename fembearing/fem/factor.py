@@ -5,15 +5,9 @@ PARDISO eliminates K from [K B; B.T 0] without ever computing K^-1 B: the Schur 
 A matrix that PARDISO gives up is left to SuperLU, with a warning.
 """
 
-import ctypes
 import os
-import sys
 import warnings
-import weakref
-from collections.abc import Iterator
-from contextlib import contextmanager
-from pathlib import Path
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,16 +15,13 @@ from scipy.linalg import LinAlgError
 from scipy.sparse import csr_matrix, hstack, triu, vstack
 from scipy.sparse.linalg import splu
 
-# MKL's own packages install it here. Without this hint pypardiso searches the whole environment for half a second.
-for library in Path(sys.prefix, "lib").glob("libmkl_rt.so*"):
-    os.environ.setdefault("PYPARDISO_MKL_RT", str(library))
-try:
-    from pypardiso import PyPardisoSolver
+try:  # the package's public class factors before it can be told which columns are the border
+    from pymklpardiso._mkl_pardiso import PardisoSolver
 except ImportError:  # other processors than x86-64 have no MKL
-    PyPardisoSolver = None
+    PardisoSolver = None
 
 Array = NDArray[np.float64]
-OUT_OF_MEMORY = (-2, -8, -9)  # status codes of PARDISO: too little memory, too many entries to count, disk full
+OUT_OF_MEMORY = ("not enough memory", "32-bit integer overflow", "not enough out-of-core memory")  # in its errors
 RELEASE, ANALYSIS, NUMBERS, FORWARD, BACKWARD = 0, 11, 22, 331, 333  # phases of PARDISO
 PERMANENT, FACTORS = 16, 17  # its counts of memory, kB
 GIVEN_UP = "PARDISO gave up a matrix ({}): SciPy's SuperLU solved it instead, which takes many times as long"
@@ -59,7 +50,7 @@ class Factor(Protocol):
 
 def new_factor(upper: csr_matrix, border: csr_matrix) -> Factor:
     """A factor for matrices and borders with the stored entries of these."""
-    if PyPardisoSolver is None:
+    if PardisoSolver is None:
         return SuperLUFactor()
     try:
         return FactorWithSubstitute(PardisoFactor(upper, border), substitute=SuperLUFactor())
@@ -112,16 +103,16 @@ class PardisoFactor:
     def __init__(self, upper: csr_matrix, border: csr_matrix) -> None:
         self._size, self._columns = border.shape
         self._stored = border.nnz
-        self._matrix, self._source = _bordered(upper, border)
-        assert PyPardisoSolver is not None  # `new_factor` has checked it
-        self._solver = PyPardisoSolver(mtype=2)  # symmetric positive definite, upper triangle
-        has_border = int(self._columns > 0)
-        for number, value in ((1, 1), (2, 2), (10, 8), (36, has_border)):  # own settings, METIS, pivot 1e-8, complement
-            self._solver.set_iparm(number, value)
-        self._solver.perm = np.repeat(np.array([0, 1], dtype=np.int32), [self._size, self._columns])
-        weakref.finalize(self, self._solver.free_memory, everything=True).atexit = False  # the process frees it then
+        matrix, self._source = _bordered(upper, border)
+        self._rows, self._entries = matrix.shape[0], matrix.nnz
+        assert PardisoSolver is not None  # `new_factor` has checked it
+        self._solver = PardisoSolver(mtype=2)  # symmetric positive definite, upper triangle
+        for number, value in ((2, 2), (10, 8), (36, int(self._columns > 0))):  # METIS, pivot 1e-8, complement
+            self._solver.set_iparm(number - 1, value)
+        self._solver.set_pattern(matrix.indptr, matrix.indices, self._rows)
+        self._solver.set_perm(np.repeat([0, 1], [self._size, self._columns]))
         self._values: Array = np.array([])  # of the upper triangle that is factored
-        self._call(ANALYSIS, np.zeros(self._matrix.shape[0]))
+        self._call(ANALYSIS, np.zeros(self._rows))
 
     def complement(self, upper: csr_matrix, border: csr_matrix) -> Array:
         """As `Factor`."""
@@ -141,71 +132,35 @@ class PardisoFactor:
     def forget_numbers(self) -> None:
         """As `Factor`."""
         self._values = np.array([])
-        self._call(RELEASE, np.zeros(self._matrix.shape[0]))
+        self._call(RELEASE, np.zeros(self._rows))
 
     @property
     def memory(self) -> int:
         """As `Factor`."""
         counts = (PERMANENT, FACTORS) if self._values.size else (PERMANENT,)
-        arrays = (self._source, self._matrix.data, self._matrix.indices, self._values)
-        return sum(1024 * int(self._solver.get_iparm(each)) for each in counts) + sum(each.nbytes for each in arrays)
+        own = 8 * (2 * self._entries + self._rows) + self._source.nbytes + self._values.nbytes  # numbers of 64 bits
+        return sum(1024 * self._solver.get_iparm_value(each - 1) for each in counts) + own
 
     def _factored(self, upper: csr_matrix, stored: Array) -> Array:
         """The Schur complement of K, and its factor for `solution`; `stored` are the entries of the border."""
         self._values = np.array([])
-        self._matrix.data[:] = np.concatenate([[0.0], upper.data, stored])[self._source]
+        self._solver.set_values(np.concatenate([[0.0], upper.data, stored])[self._source])
         count = self._columns
-        found = self._call(NUMBERS, np.zeros(max(self._matrix.shape[0], count**2)))[: count**2]
+        room = np.zeros((self._rows, max(1, -(-(count**2) // self._rows))), order="F")  # for all of the complement
+        found = self._call(NUMBERS, room).ravel(order="F")[: count**2]
         self._values = upper.data
         return found.reshape(count, count)
 
     def _call(self, phase: int, right: Array) -> Array:
-        """One phase of PARDISO; the answer has the size of `right`."""
-        with _one_thread(self._solver.libmkl):
-            found, status = _pardiso(self._solver, phase, self._matrix, right)
-        if status in OUT_OF_MEMORY:
-            raise MemoryError(f"PARDISO status {status}")
-        if status != 0:
-            raise LinAlgError(f"PARDISO status {status}")
+        """One phase of PARDISO; the answer has the shape of `right`."""
+        found = np.zeros_like(right)
+        try:
+            self._solver.run_phase_into(phase, right, found)
+        except RuntimeError as problem:
+            if any(reason in str(problem) for reason in OUT_OF_MEMORY):
+                raise MemoryError(str(problem)) from problem
+            raise LinAlgError(str(problem)) from problem
         return found
-
-
-def _pardiso(solver: Any, phase: int, matrix: csr_matrix, right: Array) -> tuple[Array, int]:
-    """The answer of MKL's function `pardiso` to one phase, and its status, 0 for success.
-
-    pypardiso has no call for a phase alone or for a Schur complement; its solver holds the library and the state.
-    """
-
-    def whole(number: int) -> object:
-        return ctypes.byref(ctypes.c_int32(number))
-
-    def whole_numbers(array: NDArray[np.int32]) -> object:
-        return array.ctypes.data_as(ctypes.POINTER(ctypes.c_int32))
-
-    def numbers(array: Array) -> object:
-        return array.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
-
-    found, status = np.zeros_like(right), ctypes.c_int32(0)
-    starts, columns = ((part + 1).astype(np.int32) for part in (matrix.indptr, matrix.indices))  # counted from 1
-    solver.libmkl.pardiso(
-        solver.pt.ctypes.data_as(ctypes.POINTER(ctypes.c_int64)),
-        whole(1),  # matrices with a factor
-        whole(1),  # number of this one
-        whole(solver.mtype),
-        whole(phase),
-        whole(matrix.shape[0]),
-        numbers(matrix.data),
-        whole_numbers(starts),
-        whole_numbers(columns),
-        whole_numbers(solver.perm),
-        whole(1),  # columns of `right`
-        whole_numbers(solver.iparm),
-        whole(0),  # prints nothing
-        numbers(right),
-        numbers(found),
-        ctypes.byref(status),
-    )
-    return found, status.value
 
 
 def _bordered(upper: csr_matrix, border: csr_matrix) -> tuple[csr_matrix, NDArray[np.int32]]:
@@ -225,21 +180,17 @@ def _bordered(upper: csr_matrix, border: csr_matrix) -> tuple[csr_matrix, NDArra
 
 
 def solver_threads() -> int:
-    """Number of factors to work on at a time: the threads that MKL would use, as MKL_NUM_THREADS or the cores set it.
+    """Number of factors to work on at a time: MKL_NUM_THREADS, OMP_NUM_THREADS, or the cores of this process.
 
-    It is 1 without MKL.
+    It is 1 without PARDISO.
     """
-    return 1 if PyPardisoSolver is None else int(PyPardisoSolver().libmkl.MKL_Get_Max_Threads())
-
-
-@contextmanager
-def _one_thread(mkl: ctypes.CDLL) -> Iterator[None]:
-    """Let MKL use one thread for what this thread asks of it."""
-    before = mkl.MKL_Set_Num_Threads_Local(1)
-    try:
-        yield
-    finally:
-        mkl.MKL_Set_Num_Threads_Local(before)
+    if PardisoSolver is None:
+        return 1
+    for name in ("MKL_NUM_THREADS", "OMP_NUM_THREADS"):
+        given = os.environ.get(name, "").partition(",")[0].strip()  # of nested threads the outer ones
+        if given.isdecimal() and int(given) > 0:
+            return int(given)
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 class SuperLUFactor:

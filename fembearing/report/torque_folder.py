@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from analytic.errors import MissingPackageError, require_packages
 from analytic.scene import Scene
 from analytic.writing import being_written, new_file, new_folder, require_utf8, write
 from fembearing.progress import Progress, part_of, silent
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
     from analytic.prediction.prediction import Prediction
 
 COMPUTED, RECORDED = 0.4, 0.8  # of the whole job, when the torque is there, and when the series are
+WITHOUT_FIGURE = (".csv", ".json")  # endings of files
 
 
 def torque_with_files(
@@ -41,7 +43,7 @@ def torque_with_files(
     progress : called with the share done, 0 to 1, and a word on the step at hand
     Gives the torque, and a sentence on what a folder lacks and why: None where it lacks nothing.
     Raises InputError for a scene that has no torque or a name that cannot be written, MotionError where a cage's motion
-    comes apart.
+    comes apart; MissingPackageError where a figure lacks matplotlib.
     """
 
     def computed(most: float) -> SceneTorque:
@@ -51,8 +53,10 @@ def torque_with_files(
 
     if out is None:
         return computed(1.0), None
-    if out.suffix:
-        content = content_of(out)
+    content = content_of(out) if out.suffix else None
+    if out.suffix.casefold() not in WITHOUT_FIGURE:
+        require_packages(f"--out {str(out)!r}", "matplotlib")
+    if content is not None:
         with new_file(out) as file:
             result = computed(RECORDED)
             file.write_bytes(content(result))
@@ -114,25 +118,41 @@ def _write_motions(
     pictures = [folder / f"{record.point}-cage.png" for record in records]
     jobs = [cage_job(record, file) for record, file in zip(records, pictures, strict=True)]
     trouble = rendered(jobs, RENDERER if renderer is None else renderer)
+    unpictured = None if trouble is None else f"there is no picture of the cage: {trouble}"
+    unwritten = _write_series(records, folder)
     written = []
     for record, picture in zip(records, pictures, strict=True):
-        series, plot = folder / f"{record.point}-cage.nc", folder / f"{record.point}-cage-forces.png"
-        dataset = record.to_dataset()
-        packed = {name: {"zlib": True, "complevel": 1} for name in dataset.data_vars}  # most forces are 0
-        with being_written(series):
-            dataset.to_netcdf(series, engine="netcdf4", encoding=packed)
+        plot = folder / f"{record.point}-cage-forces.png"
         motion = record.drawn()
         write(plot, png(orbit_figure(motion, METRIC, captioned=True)))
         written.append(
             {
                 "point": record.point,
                 "state": record.statistics.state,
-                "series": series.name,
+                "series": None if unwritten else _series_of(record, folder).name,
                 "plot": {"file": plot.name, "caption": cage_caption(motion)},
                 "picture": None if trouble else {"file": picture.name, "caption": picture_caption(record)},
             }
         )
-    return written, None if trouble is None else f"there is no picture of the cage: {trouble}"
+    return written, "; ".join(filter(None, (unwritten, unpictured))) or None
+
+
+def _series_of(record: CageRecord, folder: Path) -> Path:
+    return folder / f"{record.point}-cage.nc"
+
+
+def _write_series(records: list[CageRecord], folder: Path) -> str | None:
+    """Write the series of each motion; gives why there is none where a package is missing."""
+    try:
+        require_packages("it", "xarray", "netCDF4")
+    except MissingPackageError as problem:
+        return f"there is no series of the cage's motion: {problem}"
+    for record in records:
+        dataset = record.to_dataset()
+        packed = {name: {"zlib": True, "complevel": 1} for name in dataset.data_vars}  # most forces are 0
+        with being_written(_series_of(record, folder)):
+            dataset.to_netcdf(_series_of(record, folder), engine="netcdf4", encoding=packed)
+    return None
 
 
 def _why_at_rest(result: SceneTorque) -> str | None:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.brief import Brief
-from analytic.errors import InputError
+from analytic.errors import InputError, require_packages
 from analytic.scene import Scene
 from fembearing.progress import Progress, silent
 from fembearing.sweep.cluster import LostWorkerError, each_done
@@ -113,12 +113,15 @@ def run_sweep(
 
     Raises
     ------
+    MissingPackageError
+        The extra `sweep` is not installed.
     InputError
         A mistake in the grid, or a folder that holds something else. Where a point cannot be computed, `failure` in the
         dataset gives the reason, and the others continue.
     RuntimeError
         A defect of fembearing at some points, when all others are computed and the dataset is written.
     """
+    require_packages("sweep", "dask", "distributed", "xarray", "netCDF4")
     begun = time.perf_counter()
     if workers is not None and workers < 1:
         raise InputError(f"--workers {workers}: give a whole number from 1, or leave it out for one a core")

@@ -70,7 +70,7 @@ def test_version_and_help_load_nothing_slow(option: str) -> None:
 def test_the_torque_of_a_dry_scene_loads_only_what_it_computes_with() -> None:
     loaded = loaded_by("torque", "6205-dry", whole=True)
     assert "numpy" in loaded
-    slow = {"pint", "xarray", "matplotlib", "skfem", "meshio", "pyvista", "pypardiso", "jinja2", "pandas", "netCDF4"}
+    slow = {"pint", "xarray", "matplotlib", "skfem", "meshio", "pyvista", "pymklpardiso", "jinja2", "pandas", "netCDF4"}
     slow |= {f"scipy.{part}" for part in ("stats", "optimize", "interpolate", "sparse", "integrate")}
     assert not slow & loaded
 

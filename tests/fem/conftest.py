@@ -17,4 +17,4 @@ def nothing_kept(monkeypatch: pytest.MonkeyPatch) -> None:
 def solver(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch, nothing_kept: None) -> None:  # noqa: ARG001
     """The factorisation is that of the installed PARDISO, if any, or that of SciPy."""
     if request.param == "scipy":
-        monkeypatch.setattr(factor, "PyPardisoSolver", None)
+        monkeypatch.setattr(factor, "PardisoSolver", None)

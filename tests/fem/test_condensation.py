@@ -39,7 +39,7 @@ def pushed(pair: PairMesh, side: str) -> tuple[BodyMesh, Array]:
     return (pair.upper, -pair.normal) if side == "upper" else (pair.lower, pair.normal)
 
 
-@pytest.mark.skipif(factor.PyPardisoSolver is None, reason="PARDISO is not available for this processor")
+@pytest.mark.skipif(factor.PardisoSolver is None, reason="PARDISO is not available for this processor")
 @pytest.mark.usefixtures("nothing_kept")
 @pytest.mark.parametrize(("recipe", "side"), CASES)
 def test_both_solvers_give_the_same(
@@ -47,7 +47,7 @@ def test_both_solvers_give_the_same(
 ) -> None:
     body, force = pushed(pairs[recipe], side)
     by_pardiso = condense(body, material=STEEL, force=force, semi_axes=SEMI_AXES)
-    monkeypatch.setattr(factor, "PyPardisoSolver", None)
+    monkeypatch.setattr(factor, "PardisoSolver", None)
     monkeypatch.setattr(topology, "_kept", OrderedDict())
     by_superlu = condense(body, material=STEEL, force=force, semi_axes=SEMI_AXES)
     size = np.abs(by_superlu.compliance).max()
