@@ -1,3 +1,4 @@
+from .report.drawing import draw_bearing as draw_bearing
 from .report.folder import validate as validate
 from .sweep.run import Sweep as Sweep
 from .sweep.run import run_sweep as run_sweep

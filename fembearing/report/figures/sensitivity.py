@@ -15,7 +15,7 @@ from fembearing.verify.torque.sensitivity import Input, Output, Sensitivity
 NAMES = {"total_torque": "total torque", "peak_pressure": CONTACT["peak_pressure"].name}
 LEAST = 1e-6  # relative: inputs that move nothing by as much are named in the caption alone
 MOST = 12  # inputs that are drawn
-ROW, HEADS = 0.19, 0.85  # inches: of an input, and of all that stands above and below
+ROW, HEADS = 0.30, 0.85  # inches: of an input, and of all that stands above and below
 HEIGHT = 0.36  # of a bar; two on one side stand one above the other
 APART = 2  # points: by which the values of such two stand farther apart than the bars
 NOT_COMPUTED = "No sensitivity was computed."
