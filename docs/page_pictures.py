@@ -35,7 +35,6 @@ def main(pages: list[str]) -> None:
             list(run_in(Path(folder), DOCS / page))
             for made, name in PICTURES[page].items():
                 (DOCS / "pictures" / name).write_bytes((Path(folder) / made).read_bytes())
-                print(f"{page}: {name}")
 
 
 if __name__ == "__main__":

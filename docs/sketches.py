@@ -39,7 +39,9 @@ def geometry() -> Figure:
         tip = profile[24 if side > 0 else 98]
         panel.annotate("", xy=tuple(tip), xytext=tuple(centre), arrowprops=ARROW | {"color": RED})
         place = 0.55 * tip + 0.45 * centre
-        panel.text(place[0] - 0.08, place[1] + 0.10 * side, rf"$r_{{g,{name}}}$", color=RED, fontsize=LETTERS, ha="right")
+        panel.text(
+            place[0] - 0.08, place[1] + 0.10 * side, rf"$r_{{g,{name}}}$", color=RED, fontsize=LETTERS, ha="right"
+        )
         panel.plot(*centre, "o", color=RED, markersize=4)
     panel.add_patch(Circle((0, 0), radius, facecolor=BALL, edgecolor=INK, linewidth=1.2, alpha=0.75))
     panel.plot([0, 0], [-1.95, 1.95], color=GREY, linewidth=0.8, linestyle=(0, (9, 2, 1.5, 2)))
@@ -48,12 +50,12 @@ def geometry() -> Figure:
     panel.add_patch(Arc((0, 0), 2.9, 2.9, theta1=90 - np.degrees(angle), theta2=90, color=BLUE))
     panel.text(0.36, 1.52, r"$\alpha_0$", color=BLUE, fontsize=LETTERS)
     panel.annotate("", xy=(-radius, 0), xytext=(radius, 0), arrowprops=BOTH)
-    panel.text(0.45, -0.05, "$D$", fontsize=LETTERS, va="top")
+    panel.text(-0.72, -0.05, "$D$", fontsize=LETTERS, va="top")
     aside = 0.42 * np.array([np.cos(angle), -np.sin(angle)])
     for end in (inner, outer):
         panel.plot(*np.array([end, end + 1.1 * aside]).T, color=RED, linewidth=0.6)
     panel.annotate("", xy=tuple(inner + aside), xytext=tuple(outer + aside), arrowprops=BOTH | {"color": RED})
-    panel.text(*(aside + (0.06, 0.08)), "$A_0$", color=RED, fontsize=LETTERS)
+    panel.text(aside[0] + 0.07, aside[1] - 0.16, "$A_0$", color=RED, fontsize=LETTERS)
     words = [
         (1.7, 1.2, "outer ring, bottom radius $R_{b,o}$"),
         (1.7, -1.3, "inner ring, bottom radius $R_{b,i}$"),
@@ -72,7 +74,7 @@ def inlet() -> Figure:
     """A rolling contact in oil: inlet, film, outlet, and the pressure over it."""
     figure = Figure(figsize=(6.4, 4.2), layout="constrained")
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=(1.0, 1.25))
-    x = np.linspace(-2.6, 2.2, 481)
+    x = np.linspace(-2.6, 2.2, 289)
     hertz = np.sqrt(np.maximum(1 - x**2, 0.0))
     early = 0.16 * np.exp(-((np.minimum(x + 0.85, 0.0) / 0.42) ** 2)) * (x < -0.85)
     pressure = np.where(x < -0.985, early, np.where(x > 0.97, 0.0, np.maximum(hertz, 0.16 * (x < 0))))
@@ -82,12 +84,23 @@ def inlet() -> Figure:
     above.plot(x, pressure, color=BLUE, linewidth=1.5)
     above.text(0.02, 1.05, "$p_0$", fontsize=LETTERS, ha="center")
     above.annotate(
-        "pressure builds up ahead:\nresistance to rolling", xy=(-1.15, 0.10), xytext=(-2.55, 0.78),
-        arrowprops=ARROW, fontsize=LETTERS - 1,
+        "pressure builds up ahead:\nresistance to rolling",
+        xy=(-1.15, 0.10),
+        xytext=(-2.55, 0.78),
+        arrowprops=ARROW,
+        fontsize=LETTERS - 1,
     )
     above.text(1.25, 0.45, "dashed: Hertz, dry\nblue: with oil", fontsize=LETTERS - 1)
-    gap = 0.16 + 0.9 * np.where(np.abs(x) > 1, np.abs(x) * np.sqrt(np.maximum(x**2 - 1, 0))
-                                - np.log(np.abs(x) + np.sqrt(np.maximum(x**2 - 1, 0))), 0) / 2
+    gap = (
+        0.16
+        + 0.9
+        * np.where(
+            np.abs(x) > 1,
+            np.abs(x) * np.sqrt(np.maximum(x**2 - 1, 0)) - np.log(np.abs(x) + np.sqrt(np.maximum(x**2 - 1, 0))),
+            0,
+        )
+        / 2
+    )
     gap = gap - 0.055 * np.exp(-(((x - 0.86) / 0.10) ** 2))
     below.fill_between(x, gap, 2.0, color=BALL)
     below.fill_between(x, -0.6, 0, color=STEEL)
@@ -131,8 +144,12 @@ def slip() -> Figure:
             length = 0.42 * speed
             colour = RED if speed > 0 else BLUE
             if abs(length) > 0.02:
-                panel.annotate("", xy=(long * y, short * x + length), xytext=(long * y, short * x),
-                               arrowprops=ARROW | {"color": colour})
+                panel.annotate(
+                    "",
+                    xy=(long * y, short * x + length),
+                    xytext=(long * y, short * x),
+                    arrowprops=ARROW | {"color": colour},
+                )
     for line, name in zip(lines, ("1", "2"), strict=True):
         height = 1.18 * np.sqrt(1 - line**2)
         panel.plot([long * line] * 2, [-height, height], color=GREEN, linewidth=1.6)
@@ -145,8 +162,15 @@ def slip() -> Figure:
     panel.text(-3.05, 0.35, "rolling, $x$", rotation=90, ha="right", va="center", fontsize=LETTERS - 1)
     panel.annotate("", xy=(-2.05, -1.22), xytext=(-2.95, -1.22), arrowprops=ARROW)
     panel.text(-2.5, -1.27, "across, $y$", ha="center", va="top", fontsize=LETTERS - 1)
-    panel.text(0, -1.78, "red and blue: the ball slides forward and back; green: it rolls without sliding.\n"
-               "Spin moves both lines to one side.", ha="center", va="top", fontsize=LETTERS - 1)
+    panel.text(
+        0,
+        -1.78,
+        "red and blue: the ball slides forward and back; green: it rolls without sliding.\n"
+        "Spin moves both lines to one side.",
+        ha="center",
+        va="top",
+        fontsize=LETTERS - 1,
+    )
     _bare(panel, (-3.4, 3.2), (-2.25, 1.45))
     return figure
 
@@ -187,23 +211,32 @@ def pocket() -> Figure:
         middle = -side * (wide - deep)  # centre of the shell, which is deeper than a half-sphere
         start = np.arcsin(min(1.0, (deep - wide) / wide))
         angle = np.linspace(-np.pi / 2 - start, np.pi / 2 + start, 121)
-        shape = [np.column_stack([middle + side * each * np.cos(angle), each * np.sin(angle)]) for each in (wide, wide + wall)]
+        shape = [
+            np.column_stack([middle + side * each * np.cos(angle), each * np.sin(angle)])
+            for each in (wide, wide + wall)
+        ]
         outline = np.concatenate([shape[0], shape[1][::-1]])
         outline[:, 0] = side * np.maximum(side * outline[:, 0], 0.0)
         panel.fill(*outline.T, facecolor="#d7b899", edgecolor=INK, linewidth=1)
         panel.plot(middle, 0, "+", color="#7a4a1e", markersize=8)
     lean = np.radians(25)
-    place = (deep - radius) * np.array([np.cos(lean), np.sin(lean)]) * 0.86
+    shell = np.array([deep - wide, 0.0])  # the centre of the half-shell that it touches
+    place = shell + (wide - radius) * np.array([np.cos(lean), np.sin(lean)])
     panel.add_patch(Circle(tuple(place), radius, facecolor=BALL, edgecolor=INK, linewidth=1.2))
     panel.plot(*place, "o", color=INK, markersize=3)
-    away = place - np.array([deep - wide, 0.0])
-    away = away / np.linalg.norm(away)
+    away = (place - shell) / np.linalg.norm(place - shell)
     touch = place + radius * away
-    panel.annotate("", xy=tuple(touch), xytext=tuple(touch + 0.75 * away), arrowprops=ARROW | {"color": RED, "linewidth": 1.8})
+    panel.annotate(
+        "", xy=tuple(touch), xytext=tuple(touch + 0.75 * away), arrowprops=ARROW | {"color": RED, "linewidth": 1.8}
+    )
     panel.text(*(touch + 0.85 * away), "$N$", color=RED, fontsize=LETTERS + 1, ha="left", va="center")
     along = np.array([-away[1], away[0]])
-    panel.annotate("", xy=tuple(touch + 0.5 * along), xytext=tuple(touch), arrowprops=ARROW | {"color": ORANGE, "linewidth": 1.8})
-    panel.text(*(touch + 0.55 * along + (0.05, 0.04)), r"$\mu_c N$", color="#9a6700", fontsize=LETTERS, va="bottom")
+    panel.annotate(
+        "", xy=tuple(touch + 0.5 * along), xytext=tuple(touch), arrowprops=ARROW | {"color": ORANGE, "linewidth": 1.8}
+    )
+    panel.text(
+        *(touch + 0.55 * along + np.array([0.05, 0.04])), r"$\mu_c N$", color="#9a6700", fontsize=LETTERS, va="bottom"
+    )
     panel.plot([0, 0], [-1.75, 1.75], color=GREY, linewidth=0.9, linestyle=(0, (9, 2, 1.5, 2)))
     panel.text(0.04, -1.72, "plane where the halves join", fontsize=LETTERS - 2, va="top", ha="center")
     panel.annotate("", xy=(-deep, -1.55), xytext=(0, -1.55), arrowprops=BOTH)
@@ -213,9 +246,16 @@ def pocket() -> Figure:
     for y in (-wide, wide):
         panel.plot([-2.0, 0], [y, y], color=INK, linewidth=0.5)
     panel.text(-2.0, 0, "$D_p$", ha="right", va="center", fontsize=LETTERS)
-    panel.annotate("", xy=tuple(place - (0, radius)), xytext=tuple(place + (0, radius)), arrowprops=BOTH)
+    ends = [(place[0], place[1] + side * radius) for side in (-1, 1)]
+    panel.annotate("", xy=ends[0], xytext=ends[1], arrowprops=BOTH)
     panel.text(place[0] + 0.05, place[1] - 0.45, "$D$", fontsize=LETTERS)
-    panel.text(2.5, -0.9, "$\\nabla = (D_p - D)/2$\ncrosses: centres of\nthe half-shells $s = \\pm 1$", fontsize=LETTERS - 1, va="center")
+    panel.text(
+        2.5,
+        -0.9,
+        "$\\nabla = (D_p - D)/2$\ncrosses: centres of\nthe half-shells $s = \\pm 1$",
+        fontsize=LETTERS - 1,
+        va="center",
+    )
     panel.annotate("", xy=(2.1, -1.75), xytext=(1.3, -1.75), arrowprops=ARROW)
     panel.text(2.15, -1.75, "$x$, the pocket's axis", fontsize=LETTERS - 1, va="center")
     _bare(panel, (-2.6, 4.6), (-1.95, 1.85))

@@ -28,8 +28,8 @@ def draw_bearing(scene: Scene, *, out: Path | str | None = None) -> "Figure":
     Returns
     -------
     matplotlib.figure.Figure
-        A section through a ball, the view along the axis, and a table of dimensions, in the scene's system of units. Each
-        view has its own scale. A dimension that the scene lacks is drawn at a guess, dashed.
+        A section through a ball, the view along the axis, and a table of dimensions, in the scene's system of units.
+        Each view has its own scale. A dimension that the scene lacks is drawn at a guess, dashed.
 
     Raises
     ------
@@ -52,6 +52,8 @@ def draw_bearing(scene: Scene, *, out: Path | str | None = None) -> "Figure":
         given.value if given.rule == "given" else given.free,
         pocket=None if scene.cage is None else scene.cage.pocket_diameter,
     )
+    if scene.bearing.name == "unnamed":
+        shown = shown._replace(name=scene.name)
     if scene.arrangement is not None:
         shown = shown._replace(arrangement=scene.arrangement.kind, distance=scene.arrangement.distance)
     figure = drawing_of(shown, SYSTEMS[scene.report.units])

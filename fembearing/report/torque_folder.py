@@ -67,8 +67,8 @@ def torque_with_files(
 def write_torque(
     result: SceneTorque, folder: Path, *, renderer: Sequence[str] | None = None, progress: Progress = silent
 ) -> str | None:
-    """Write torque.json, torque.csv, torque.png and torque.svg, with an interval interval.png, and of each operating point whose
-    cage moved NUMBER-cage.nc, -cage.png and -cage-forces.png.
+    """Write torque.json, torque.csv, torque.png and torque.svg, with an interval interval.png, and of each operating
+    point whose cage moved NUMBER-cage.nc, -cage.png and -cage-forces.png.
 
     renderer : the command that draws; VTK's without it
     Gives what the folder lacks, as `torque_with_files`.

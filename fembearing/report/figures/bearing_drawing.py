@@ -1,5 +1,6 @@
 """A bearing drawn to scale: a section through a ball, the view along the axis, and its dimensions with their origin."""
 
+import re
 import textwrap
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
@@ -9,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Polygon
 
-from analytic.scene import Array, ArrangementKind
+from analytic.scene import ArrangementKind, Array
 from fembearing.quantities import METRIC, Units
 from fembearing.report.figures.bearing_section import (
     DrawnBearing,
@@ -24,17 +25,18 @@ from fembearing.report.report import Report
 from fembearing.report.scene_view import GivenAngle
 
 STEEL, BALL, LINE, CENTRE = "#e3e8ed", "#cfe0ef", "#1b1f23", (0, (9, 2, 1.5, 2))
-HIGH, ROW, HEADS = 3.2, 0.152, 0.62  # inches: of the views, of a row of the table, and of what stands around both
+HIGH, ROW, FOOT, HEAD = 3.2, 0.152, 0.38, 0.36  # inches: of the views, of a row of the table, of the ends
 SOURCE = 66  # letters of a source: `fembearing torque SCENE --details` has them whole
 NOT_DRAWABLE = "There is no drawing: the dimensions of the bearing do not fit one thing."
 SMALL = 7  # points, letters of the table
-ANGLES = {"solved": "unloaded contact angle", "given": "contact angle, loaded, given"}
+ANGLES = {"solved": "unloaded contact angle", "given": "contact angle, loaded, given", "thrust": "contact angle"}
 
 
 class Shown(NamedTuple):
     """How a scene's bearing is drawn."""
 
     bearing: DrawnBearing
+    name: str
     angle: float  # of the line of contact, rad
     angle_name: str
     angle_origin: str
@@ -51,9 +53,7 @@ class Label(NamedTuple):
     colour: str = LINE
 
 
-def shown_bearing(
-    bearing: DrawnBearing, rule: str, angle: float | None, *, pocket: float | None = None
-) -> Shown:
+def shown_bearing(bearing: DrawnBearing, rule: str, angle: float | None, *, pocket: float | None = None) -> Shown:
     """How a bearing is drawn.
 
     rule : of its contact angle;  angle : the one that the scene gives, rad: loaded for "given", else unloaded
@@ -61,10 +61,12 @@ def shown_bearing(
     own = unloaded_angle(bearing) if angle is None else angle
     origin = "given; the scene" if angle is not None else "derived; from clearance and grooves"
     if bearing.kind == "thrust":
-        own, rule, origin = np.pi / 2, "solved", "derived; of every thrust bearing"
+        own, rule, origin = np.pi / 2, "thrust", "derived; of every thrust bearing"
     elif angle is None and "clearance" in bearing.origins and "contact angle" in bearing.origins["clearance"].source:
         origin = "given; nominal, sets the clearance"
-    return Shown(bearing=bearing, angle=own, angle_name=ANGLES[rule], angle_origin=origin, pocket=pocket)
+    return Shown(
+        bearing=bearing, name=bearing.name, angle=own, angle_name=ANGLES[rule], angle_origin=origin, pocket=pocket
+    )
 
 
 def bearing_plot(document: Report) -> tuple[Figure | None, str]:
@@ -86,24 +88,24 @@ def drawing_of(shown: Shown, units: Units = METRIC, *, table: bool = True) -> Fi
     if not is_drawable(shown.bearing):
         return None
     rows = list(dimensions_of(shown, units)) if table else []
-    high = HIGH + HEADS + ROW * (len(rows) + 1)
+    high = HIGH + HEAD + FOOT + ROW * (len(rows) + 1)
     figure = Figure(figsize=(WIDTH, high))
-    bottom = (ROW * (len(rows) + 1) + 0.3) / high
+    bottom = (ROW * (len(rows) + 1) + FOOT) / high
     left, right = (
-        figure.add_axes((start, bottom, width, HIGH / high)) for start, width in ((0.005, 0.60), (0.625, 0.37))
+        figure.add_axes((start, bottom, width, HIGH / high)) for start, width in ((0.005, 0.62), (0.64, 0.355))
     )
     section = section_of(shown.bearing, angle=None if shown.angle_name == ANGLES["given"] else shown.angle)
     _draw_section(left, shown, section, units)
     _draw_side(right, shown, section, units)
     bearing = shown.bearing
     pair = "" if shown.arrangement is None else f"two, arranged {shown.arrangement}; "
-    title = f"{bearing.name}: {pair}{bearing.ball_count} balls of {_length(bearing.ball_diameter, units)}"
+    title = f"{shown.name}: {pair}{bearing.ball_count} balls of {_length(bearing.ball_diameter, units)}"
     _write(figure, 0.5, 1 - 0.17 / high, title, fontsize=TITLE + 1, ha="center", va="center", weight="bold")
     if table:
         _table(figure, rows, high)
     dashed = any(not line.known for ring in (section.inner, section.outer) for line in ring.lines)
     words = "Each view to its own scale. Seals, chamfers and the cage's body are not drawn."
-    words += " Dashed red: the scene has no such dimension, and a guess is drawn." if dashed else ""
+    words += "\nDashed: the scene has no such dimension, and a guess is drawn." if dashed else ""
     _write(figure, 0.01, 0.07 / high, words, fontsize=SMALL, color="0.3", va="bottom")
     return figure
 
@@ -113,7 +115,7 @@ def dimensions_of(shown: Shown, units: Units) -> Iterator[tuple[str, str, str]]:
     bearing = shown.bearing
     for name, key in (("bore", "bore_diameter"), ("outside diameter", "outside_diameter"), ("width", "width")):
         value = getattr(bearing, key)
-        yield name, "not given" if value is None else _length(value, units), _origin(bearing, key)
+        yield name, *(("not given", "-") if value is None else (_length(value, units), _origin(bearing, key)))
     yield "balls", f"{bearing.ball_count}, {bearing.ball_material.name}", _origin(bearing, "ball_count")
     yield "ball diameter", _length(bearing.ball_diameter, units), _origin(bearing, "ball_diameter")
     pitch = bearing.inner.bottom_radius + bearing.outer.bottom_radius
@@ -170,16 +172,17 @@ def _draw_section(panel: Axes, shown: Shown, section: Section, units: Units) -> 
             _pocket(panel, section, shown.pocket, offset)
     points = np.concatenate([section.inner.outline, section.outer.outline])
     low, high = points.min(axis=0), points.max(axis=0)
-    low, high = low + [copies[0][0], 0], high + [copies[-1][0], 0]
+    low[0], high[0] = low[0] + copies[0][0], high[0] + copies[-1][0]
     span = max(float(high[1] - low[1]), 0.72 * float(high[0] - low[0]))
+    reach = 0.58 * float(high[1] - low[1] if bearing.kind == "radial" else high[0] - low[0])
     for offset, flip in copies:
-        _contact_line(panel, section, shown, offset, flip, 0.16 * span + size)
+        _contact_line(panel, section, shown, (offset, flip), reach)
     diameters = [(bearing.inner.bottom_radius + bearing.outer.bottom_radius, section.ball[1], "pitch circle")]
     if bearing.bore_diameter is not None:
         diameters.append((bearing.bore_diameter, bearing.bore_diameter / 2, "bore"))
     if bearing.outside_diameter is not None:
         diameters.insert(0, (bearing.outside_diameter, bearing.outside_diameter / 2, "outside"))
-    floor = low[1] - 0.62 * span
+    floor = low[1] - (0.62 if len(copies) == 1 else 0.85) * span
     for number, (value, y, name) in enumerate(diameters):
         x = low[0] - (0.62 - 0.20 * number) * span
         _diameter(panel, (x, y), floor, float(low[0]), f"{name} \u2300 {_length(value, units)}")
@@ -191,7 +194,7 @@ def _draw_section(panel: Axes, shown: Shown, section: Section, units: Units) -> 
     labels = _labels(shown, section, units, last)
     middle, step = (high[1] + low[1]) / 2, 0.205 * span
     _leaders(panel, labels, x=float(high[0]) + 0.24 * span, middle=float(middle) - 0.16 * span, step=step)
-    panel.set_xlim(low[0] - 0.78 * span, high[0] + 1.62 * span)
+    panel.set_xlim(low[0] - 0.78 * span, high[0] + (1.68 if len(copies) == 1 else 1.8) * span)
     panel.set_ylim(floor, high[1] + 0.42 * span)
     panel.set_aspect("equal", adjustable="box", anchor="C")
     panel.set_axis_off()
@@ -238,10 +241,9 @@ def _pocket(panel: Axes, section: Section, diameter: float, offset: float) -> No
         panel.plot(x, section.ball[1] + diameter / 2 * np.sin(angle), color="#009E73", linewidth=1, linestyle=":")
 
 
-def _contact_line(
-    panel: Axes, section: Section, shown: Shown, offset: float, flip: int, reach: float
-) -> None:
+def _contact_line(panel: Axes, section: Section, shown: Shown, copy: tuple[float, int], reach: float) -> None:
     """The line of contact through the ball, in the slope of its angle."""
+    offset, flip = copy
     across = np.array([np.sin(shown.angle), np.cos(shown.angle)]) * [flip, 1]
     middle = np.array([offset, section.ball[1]])
     ends = np.array([middle - reach * across, middle + reach * across])
@@ -252,8 +254,17 @@ def _diameter(panel: Axes, head: tuple[float, float], floor: float, edge: float,
     """A diameter as half a dimension line, which goes on beyond the axis."""
     panel.plot([head[0], edge], [head[1], head[1]], color=LINE, linewidth=0.5)
     panel.annotate(
-        "", xy=head, xytext=(head[0], floor), arrowprops={"arrowstyle": "-|>", "linewidth": 0.6, "color": LINE,
-        "shrinkA": 0, "shrinkB": 0, "mutation_scale": 7},
+        "",
+        xy=head,
+        xytext=(head[0], floor),
+        arrowprops={
+            "arrowstyle": "-|>",
+            "linewidth": 0.6,
+            "color": LINE,
+            "shrinkA": 0,
+            "shrinkB": 0,
+            "mutation_scale": 7,
+        },
     )
     _write(panel, head[0], floor, f" {words}", rotation=90, ha="right", va="bottom", fontsize=LETTERS)
 
@@ -264,9 +275,17 @@ def _across(panel: Axes, ends: Sequence[float], edge: float, span: float, words:
     for x in ends:
         panel.plot([x, x], [edge + 0.02 * span, height + 0.03 * span], color=LINE, linewidth=0.5)
     panel.annotate(
-        "", xy=(ends[0], height), xytext=(ends[1], height),
-        arrowprops={"arrowstyle": "<|-|>", "linewidth": 0.6, "color": LINE, "shrinkA": 0, "shrinkB": 0,
-        "mutation_scale": 7},
+        "",
+        xy=(ends[0], height),
+        xytext=(ends[1], height),
+        arrowprops={
+            "arrowstyle": "<|-|>",
+            "linewidth": 0.6,
+            "color": LINE,
+            "shrinkA": 0,
+            "shrinkB": 0,
+            "mutation_scale": 7,
+        },
     )
     _write(panel, sum(ends) / 2, height + 0.03 * span, words, ha="center", va="bottom", fontsize=LETTERS)
 
@@ -282,7 +301,8 @@ def _labels(shown: Shown, section: Section, units: Units, copy: tuple[float, int
         """Near the right end of a groove."""
         points = _moved(ring.groove.points, offset, flip)
         ordered = points[np.argsort(points @ ([1.0, 0.0] if bearing.kind == "radial" else [0.0, 1.0]))]
-        return tuple(ordered[round(0.93 * (len(ordered) - 1))])
+        low = bearing.kind == "thrust" and ring is section.inner
+        return tuple(ordered[round((0.06 if low else 0.95) * (len(ordered) - 1))])
 
     around = np.radians(-8)
     beside = (offset + radius * np.cos(around), section.ball[1] + radius * np.sin(around))
@@ -294,14 +314,12 @@ def _labels(shown: Shown, section: Section, units: Units, copy: tuple[float, int
                 f"{groove.groove_radius / bearing.ball_diameter:.4g} of the ball diameter",
                 right_of(ring),
             )
-            for name, groove, ring in (
-                ("outer", bearing.outer, section.outer), ("inner", bearing.inner, section.inner)
-            )
+            for name, groove, ring in (("outer", bearing.outer, section.outer), ("inner", bearing.inner, section.inner))
         ),
         Label(f"ball \u2300 {_length(bearing.ball_diameter, units)}\n{bearing.ball_material.name}", beside),
     ]
     if bearing.kind == "radial":
-        down = (offset + 0.62 * radius, section.ball[1] - 0.79 * radius)
+        down = (offset + 0.28 * radius, section.ball[1] - 0.96 * radius)
         words = f"radial clearance {_length(_clearance(bearing), units)}\non the diameter, too small to see"
         if _clearance(bearing) > 0.02 * bearing.ball_diameter:
             words = words.partition(",")[0]
@@ -319,8 +337,9 @@ def _leaders(panel: Axes, labels: Sequence[Label], *, x: float, middle: float, s
         y = middle + ((len(ordered) - 1) / 2 - number) * 1.25 * step
         panel.plot([label.place[0], x - 0.25 * step, x], [label.place[1], y, y], color=label.colour, linewidth=0.5)
         panel.plot(*label.place, "o", color=label.colour, markersize=2)
-        _write(panel, x + 0.1 * step, y, label.words, va="center", fontsize=LETTERS, color=label.colour,
-               linespacing=1.05)
+        _write(
+            panel, x + 0.1 * step, y, label.words, va="center", fontsize=LETTERS, color=label.colour, linespacing=1.05
+        )
 
 
 def _draw_side(panel: Axes, shown: Shown, section: Section, units: Units) -> None:
@@ -342,7 +361,8 @@ def _draw_side(panel: Axes, shown: Shown, section: Section, units: Units) -> Non
     panel.set_xlim(-1.04 * most, 1.04 * most)
     panel.set_ylim(-1.36 * most, 1.04 * most)
     panel.set_aspect("equal", adjustable="box", anchor="N")
-    words = f"{bearing.ball_count} balls of \u2300 {_length(2 * radius, units)}\non a circle of \u2300 {_length(2 * pitch, units)}"
+    words = f"{bearing.ball_count} balls of \u2300 {_length(2 * radius, units)}\n"
+    words += f"on a circle of \u2300 {_length(2 * pitch, units)}"
     _write(panel, 0, -1.08 * most, words, ha="center", va="top", fontsize=LETTERS)
     panel.set_axis_off()
 
@@ -360,12 +380,12 @@ def _circles(bearing: DrawnBearing, section: Section) -> list[tuple[float, bool]
 def _table(figure: Figure, rows: Sequence[tuple[str, str, str]], high: float) -> None:
     """Dimensions with their origin, below the views."""
     places = (0.012, 0.21, 0.47)
-    top = (ROW * (len(rows) + 1) + 0.26) / high
+    top = (ROW * (len(rows) + 1) + FOOT - 0.04) / high
     for x, words in zip(places, ("dimension", "value", "origin"), strict=True):
         _write(figure, x, top, words, fontsize=SMALL, weight="bold", va="top")
     for number, row in enumerate(rows, start=1):
         for x, words in zip(places, row, strict=True):
-            colour = RED if words.startswith(("-", "not given")) else LINE
+            colour = RED if words.startswith("not given") or re.match(r"-\d", words) else LINE
             _write(figure, x, top - number * ROW / high, words, fontsize=SMALL, va="top", color=colour)
 
 

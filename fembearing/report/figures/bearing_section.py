@@ -120,7 +120,7 @@ def section_of(bearing: DrawnBearing, *, angle: float | None = None) -> Section:
     ball = np.array([0.0, middle])
     across = np.array([np.sin(slope), np.cos(slope)])
     centres = ball + (inner.groove_radius - radius) * across, ball - (outer.groove_radius - radius) * across
-    half = (UNKNOWN_WIDTH * bearing.ball_diameter if bearing.width is None else bearing.width) / 2
+    half = _unknown_half_width(bearing) if bearing.width is None else bearing.width / 2
     near, far = inner.half_widths
     seats = [None if each is None else each / 2 for each in (bearing.bore_diameter, bearing.outside_diameter)]
     rings = [
@@ -134,10 +134,16 @@ def section_of(bearing: DrawnBearing, *, angle: float | None = None) -> Section:
     return Section(ball=(0.0, float(middle)), angle=slope, inner=known[0], outer=known[1])
 
 
+def _unknown_half_width(bearing: DrawnBearing) -> float:
+    """Of a ring whose width is not known, wider than its groove, m."""
+    known = [each for ring in (bearing.inner, bearing.outer) for each in ring.half_widths if each is not None]
+    return max([UNKNOWN_WIDTH / 2 * bearing.ball_diameter, *(1.2 * each for each in known)])
+
+
 def _thrust_section(bearing: DrawnBearing) -> Section:
     """Both washers, the turning one at the left; their near shoulder is the outer one."""
     middle, radius = bearing.inner.bottom_radius, bearing.ball_diameter / 2
-    guess = UNKNOWN_WIDTH * radius
+    guess = _unknown_half_width(bearing)
     bore, outside = bearing.bore_diameter, bearing.outside_diameter
     ends = (-guess if bore is None else bore / 2 - middle, guess if outside is None else outside / 2 - middle)
     rings = []

@@ -68,7 +68,7 @@ def cage_job(record: CageRecord, file: Path) -> dict[str, Any]:
     view, cage = view_of(record), record.cage
     length = np.linalg.norm(view.force, axis=1, keepdims=True)
     away = np.divide(view.force, length, out=np.zeros_like(view.force), where=length > 0)
-    title, words = _title(record), _lines(record, view)
+    title, words = _title(record), _lines(view)
     shown = round_length(LONGEST_SCALE / view.scale)
     force = round_length(LONGEST * cage.ball_radius / view.arrow)
     return {
@@ -115,7 +115,7 @@ def _title(record: CageRecord) -> list[str]:
     return textwrap.wrap(f'{words}started "{statistics.start}"', TITLE_LONG)
 
 
-def _lines(record: CageRecord, view: CageView) -> list[str]:
+def _lines(view: CageView) -> list[str]:
     """The lines of text below the title."""
     sentences = [
         f"at {MILLISECOND.written(view.time, '.4g')}; red: force of each ball on the cage, the largest "
