@@ -41,7 +41,7 @@ def sensitivity_plot(document: Report) -> tuple[Figure | None, str]:
         panel.set_title(_title(output, outputs, units))
         panel.set_yticks(range(len(moving)), [f"{each.name}, {_shown(each, each.value, units)}" for each in moving])
         panel.set_ylim(len(moving) - 0.4, -0.6)
-        panel.margins(x=0.6)  # for the labels
+        panel.margins(x=0.85)  # for the labels
         panel.grid(alpha=0.3, axis="x")
         panel.set_xlabel(f"change of the {quantity}, %")
     return lettered(figure), _caption(sensitivity, quantity, still=still, less=less)

@@ -14,7 +14,7 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import LogNorm, Normalize
 from matplotlib.figure import Figure
 from matplotlib.patheffects import withStroke
-from matplotlib.ticker import LogLocator, NullFormatter
+from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter
 
 from analytic.scene import Array
 from analytic.writing import write
@@ -88,6 +88,7 @@ def _draw_map(variable: Any, across: list[str], others: list[str], unit: Unit) -
     figure = Figure(figsize=(2.2 + 4.6 * columns, 0.8 + 3.6 * rows), layout="constrained")
     panels = figure.subplots(rows, columns, squeeze=False, sharex=True, sharey=True)
     norm = _norm(unit.number(variable.values))
+    levels = _levels(norm)
     colours = colormaps["viridis"].with_extremes(bad="lightgrey")
     for panel, chosen in zip(panels.ravel(), shown, strict=False):
         part = variable.sel(chosen).transpose(vertical, horizontal)
@@ -101,8 +102,8 @@ def _draw_map(variable: Any, across: list[str], others: list[str], unit: Unit) -
         else:
             ends = [_edges(part[dimension]) for dimension in (horizontal, vertical)]
             panel.pcolormesh(*ends, np.ma.masked_invalid(values), norm=norm, cmap=colours)
-        if min(values.shape) > 2 and whole and np.ptp(values) > 0:
-            lines = panel.contour(x, y, values, levels=6, colors="white", linewidths=0.7, locator=_levels(norm))
+        if min(values.shape) > 2 and whole and levels and np.ptp(values) > 0:
+            lines = panel.contour(x, y, values, levels=levels, colors="white", linewidths=0.7)
             for text in panel.clabel(lines, fontsize=8, fmt="%g"):
                 text.set_path_effects([withStroke(linewidth=1.5, foreground="black")])  # on the lightest colours too
         for axis, dimension in ((panel.xaxis, horizontal), (panel.yaxis, vertical)):
@@ -211,8 +212,11 @@ def _norm(values: Array) -> Normalize:
     return LogNorm(low, high) if low > 0 and high > WIDE * low else Normalize(low, high)
 
 
-def _levels(norm: Normalize) -> LogLocator | None:
-    return LogLocator(subs=(1.0, 2.0, 5.0)) if isinstance(norm, LogNorm) else None
+def _levels(norm: Normalize) -> list[float]:
+    """Round values between both ends, the same in every panel."""
+    locator = LogLocator(subs=(1.0, 2.0, 5.0)) if isinstance(norm, LogNorm) else MaxNLocator(8)
+    low, high = float(norm.vmin or 0.0), float(norm.vmax or 0.0)
+    return [float(tick) for tick in locator.tick_values(low, high) if low < tick < high]
 
 
 def _plain_numbers(axis: Axis) -> None:

@@ -26,6 +26,7 @@ from fembearing.report.figures.torque import (
     total_of,
 )
 from fembearing.report.phrases import LOADS, between, loads_of
+from fembearing.report.tables.torque import RESIDUE
 from fembearing.report.torque import torque_record
 from fembearing.verify.torque.scene_torque import SceneTorque
 
@@ -112,7 +113,8 @@ def _one_point(point: TorquePoint, name: str, beside: Beside) -> Figure:
         apart = np.maximum([[values[-1] - ends[0]], [ends[1] - values[-1]]], 0.0)
         panel.errorbar(values[-1:], place[-1:], xerr=apart, fmt="none", ecolor=BLACK, capsize=4, linewidth=1.3)
     for number, value in enumerate(values):
-        words = f"{value:.4g}" if value >= SMALL * values[-1] or value == 0 else f"{value:.1g}"
+        shown = value if value > RESIDUE * values[-1] else 0.0
+        words = f"{shown:.4g}" if shown >= SMALL * values[-1] or shown == 0 else f"{shown:.1g}"
         right = max(value, ends[1]) if known and number == len(values) - 1 else value
         panel.annotate(words, (right, number), xytext=(4, 0), textcoords="offset points", va="center", fontsize=9)
     for number, (_, low, high) in enumerate(makers, start=len(rows)):
