@@ -7,6 +7,8 @@ import sys
 import tempfile
 from pathlib import Path
 
+from PIL import Image
+
 DOCS = Path(__file__).resolve().parent
 sys.path.insert(0, str(DOCS.parent))  # tests.executed_pages
 
@@ -27,6 +29,15 @@ PICTURES: dict[str, dict[str, str]] = {  # of a page: what its commands write, a
 }
 
 
+def _copy(made: Path, kept: Path) -> None:
+    """A PNG with 256 colours, which are enough on a page and a third of the size; any other file as it is."""
+    if made.suffix != ".png":
+        kept.write_bytes(made.read_bytes())
+        return
+    with Image.open(made) as picture:
+        picture.convert("RGB").quantize(256).save(kept, optimize=True)
+
+
 def main(pages: list[str]) -> None:
     from tests.executed_pages import run_in
 
@@ -34,7 +45,7 @@ def main(pages: list[str]) -> None:
         with tempfile.TemporaryDirectory() as folder:
             list(run_in(Path(folder), DOCS / page))
             for made, name in PICTURES[page].items():
-                (DOCS / "pictures" / name).write_bytes((Path(folder) / made).read_bytes())
+                _copy(Path(folder) / made, DOCS / "pictures" / name)
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 import re
 import textwrap
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -88,9 +88,10 @@ def drawing_of(shown: Shown, units: Units = METRIC, *, table: bool = True) -> Fi
     if not is_drawable(shown.bearing):
         return None
     rows = list(dimensions_of(shown, units)) if table else []
-    high = HIGH + HEAD + FOOT + ROW * (len(rows) + 1)
+    below = FOOT + (ROW * (len(rows) + 1) if table else 0.0)
+    high = HIGH + HEAD + below
     figure = Figure(figsize=(WIDTH, high))
-    bottom = (ROW * (len(rows) + 1) + FOOT) / high
+    bottom = below / high
     left, right = (
         figure.add_axes((start, bottom, width, HIGH / high)) for start, width in ((0.005, 0.62), (0.64, 0.355))
     )
@@ -115,7 +116,8 @@ def dimensions_of(shown: Shown, units: Units) -> Iterator[tuple[str, str, str]]:
     bearing = shown.bearing
     for name, key in (("bore", "bore_diameter"), ("outside diameter", "outside_diameter"), ("width", "width")):
         value = getattr(bearing, key)
-        yield name, *(("not given", "-") if value is None else (_length(value, units), _origin(bearing, key)))
+        words, origin = ("not given", "-") if value is None else (_length(value, units), _origin(bearing, key))
+        yield name, words, origin
     yield "balls", f"{bearing.ball_count}, {bearing.ball_material.name}", _origin(bearing, "ball_count")
     yield "ball diameter", _length(bearing.ball_diameter, units), _origin(bearing, "ball_diameter")
     pitch = bearing.inner.bottom_radius + bearing.outer.bottom_radius
@@ -389,6 +391,6 @@ def _table(figure: Figure, rows: Sequence[tuple[str, str, str]], high: float) ->
             _write(figure, x, top - number * ROW / high, words, fontsize=SMALL, va="top", color=colour)
 
 
-def _write(where: Axes | Figure, x: float, y: float, words: str, **look: object) -> None:
+def _write(where: Axes | Figure, x: float, y: float, words: str, **look: Any) -> None:
     """Words as they stand: names come from a person, and a dollar sign begins no formula."""
     where.text(x, y, words, parse_math=False, **look)

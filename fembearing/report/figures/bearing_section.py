@@ -121,13 +121,13 @@ def section_of(bearing: DrawnBearing, *, angle: float | None = None) -> Section:
     across = np.array([np.sin(slope), np.cos(slope)])
     centres = ball + (inner.groove_radius - radius) * across, ball - (outer.groove_radius - radius) * across
     half = _unknown_half_width(bearing) if bearing.width is None else bearing.width / 2
-    near, far = inner.half_widths
+    near, far = outer.half_widths  # thrust loads the outer ring's at larger x, the inner ring's at smaller x
     seats = [None if each is None else each / 2 for each in (bearing.bore_diameter, bearing.outside_diameter)]
     rings = [
         _ring(groove, centre=centre, side=side, widths=widths, ends=(-half, half), seat=seat, ball=2 * radius)
         for groove, centre, side, widths, seat in (
-            (inner, centres[0], 1, (near, far), seats[0]),
-            (outer, centres[1], -1, outer.half_widths[::-1], seats[1]),
+            (inner, centres[0], 1, inner.half_widths, seats[0]),
+            (outer, centres[1], -1, (far, near), seats[1]),
         )
     ]
     known = [_with_faces(ring, known=bearing.width is not None) for ring in rings]
@@ -150,15 +150,13 @@ def _thrust_section(bearing: DrawnBearing) -> Section:
     for groove, side in ((bearing.inner, 1), (bearing.outer, -1)):
         centre = np.array([0.0, side * (groove.groove_radius - radius)])
         height = None if bearing.width is None else -side * bearing.width / 2
-        widths = groove.half_widths[::-1]
-        drawn = _ring(groove, centre=centre, side=side, widths=widths, ends=ends, seat=height, ball=2 * radius)
-        turned = {
-            name: tuple(_turned(each, middle) for each in part) if isinstance(part, tuple) else _turned(part, middle)
-            for name, part in vars(drawn).items()
-        }
-        low, high = turned["faces"]
-        faces = Line(points=low.points, known=bore is not None), Line(points=high.points, known=outside is not None)
-        rings.append(RingSection(**(turned | {"faces": faces})))
+        near, far = groove.half_widths
+        drawn = _ring(groove, centre=centre, side=side, widths=(far, near), ends=ends, seat=height, ball=2 * radius)
+        lands = _turned(drawn.lands[0], middle), _turned(drawn.lands[1], middle)
+        low, high = (_turned(face, middle).points for face in drawn.faces)
+        faces = Line(points=low, known=bore is not None), Line(points=high, known=outside is not None)
+        groove_line, seat = _turned(drawn.groove, middle), _turned(drawn.seat, middle)
+        rings.append(RingSection(groove=groove_line, lands=lands, faces=faces, seat=seat))
     return Section(ball=(0.0, middle), angle=np.pi / 2, inner=rings[0], outer=rings[1])
 
 

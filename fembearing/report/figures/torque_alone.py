@@ -131,7 +131,11 @@ def _one_point(point: TorquePoint, name: str, beside: Beside) -> Figure:
     panel.set_axisbelow(True)
     loads = loads_of(point, [load for load in LOADS if getattr(point, load)] or ["axial_load"])
     title = f"{name}, {loads}, {RPM.written(point.inner_speed, '.4g')}"
-    words = f"95 % interval {between(ends / NM, TORQUE.shown)} {TORQUE.shown.name}" if known else _uncertainty(point)
+    words = (
+        f"95 % interval {between((ends / NM).tolist(), TORQUE.shown)} {TORQUE.shown.name}"
+        if known
+        else _uncertainty(point)
+    )
     figure.suptitle(f"{title}\n{words}", fontsize=10, wrap=True)
     return figure
 

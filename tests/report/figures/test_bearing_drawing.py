@@ -10,12 +10,15 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle
+from matplotlib.transforms import Bbox
 
 from analytic.errors import InputError
 from analytic.scene import Arrangement, Scene
 from analytic.scenefile.read import load_scene
 from fembearing.report.drawing import draw_bearing
 from fembearing.report.figures.bearing_section import is_drawable, section_of
+from fembearing.report.figures.style import BLUE
+from tests.report.figures.figure_reader import points_of
 
 ROOT = Path(__file__).resolve().parents[3]
 RIG = str(ROOT / "examples/thrust_rig_3mm.toml")
@@ -62,7 +65,7 @@ def test_seats_faces_and_shoulders_are_those_of_the_scene() -> None:
     assert all(line.known for ring in (section.inner, section.outer) for line in ring.lines)
 
 
-def words_of(figure: Figure) -> list[tuple[str, object]]:
+def words_of(figure: Figure) -> list[tuple[str, Bbox]]:
     """Every text with the box that it takes, pixels."""
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
@@ -102,13 +105,10 @@ def test_the_view_along_the_axis_has_every_ball_on_the_pitch_circle() -> None:
 
 def test_a_pair_back_to_back_has_its_lines_of_contact_apart_at_the_shaft() -> None:
     section = draw_bearing(scene_of("7208B, a pair")).axes[0]
-    left, right = (
-        line
-        for line in section.get_lines()
-        if line.get_color() == "#0072B2" and len(line.get_xdata()) == 2 and line.get_linewidth() == 1
-    )
-    assert left.get_xdata()[0] < left.get_xdata()[1]  # from the shaft to the housing
-    assert right.get_xdata()[0] > right.get_xdata()[1]
+    lines = [line for line in section.get_lines() if (line.get_color(), line.get_linestyle()) == (BLUE, "--")]
+    left, right = (points_of(line)[:, 0] for line in lines)
+    assert left[0] < left[1]  # from the shaft to the housing
+    assert right[0] > right[1]
     assert len(balls(section)) == 2
 
 
