@@ -120,7 +120,7 @@ def _lines(view: CageView) -> list[str]:
     sentences = [
         f"at {MILLISECOND.written(view.time, '.4g')}; red: force of each ball on the cage, the largest "
         f"{view.largest:.3g} N",
-        f"brown: the cage, displaced {view.exaggeration:g} times as far as computed, and so its centre (brown dot)",
+        f"brown: the cage, displaced {view.exaggeration:g} times as far as computed; brown dot: its centre",
         "black dot: the bearing's axis; grey: the bottoms of the grooves",
     ]
     return [line for sentence in sentences for line in textwrap.wrap(sentence, LONG)]
