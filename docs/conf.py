@@ -36,7 +36,8 @@ exclude_patterns = ["_templates", "extensions", "**/*.py.md5"]
 source_suffix = {".md": "markdown", ".rst": "restructuredtext"}
 nitpicky = False  # annotations name types of NumPy and the standard library, whose inventories would have to be fetched
 
-myst_enable_extensions = ["colon_fence", "deflist", "dollarmath"]
+myst_enable_extensions = ["colon_fence", "deflist", "dollarmath", "substitution"]
+myst_substitutions = {"version": version}
 myst_heading_anchors = 4
 suppress_warnings = ["config.cache"]  # the gallery's settings hold functions
 

@@ -1,5 +1,6 @@
 from .formats.choice import Exported as Exported
 from .formats.choice import export as export
+from .report.drawing import draw_bearing as draw_bearing
 from .report.folder import validate as validate
 from .sweep.run import Sweep as Sweep
 from .sweep.run import run_sweep as run_sweep

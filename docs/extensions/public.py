@@ -7,6 +7,8 @@ from collections.abc import Callable, Iterator
 from functools import cache
 from typing import Any
 
+from matplotlib.figure import Figure
+
 import analytic
 import fembearing
 import fembearing.verify.torque.scene_torque as scene_torque
@@ -31,8 +33,8 @@ def classes_in(annotation: object) -> Iterator[type]:
 
 @cache
 def hints(of: Callable[..., Any]) -> dict[str, Any]:
-    late = {"Prediction": Prediction} if of is scene_torque.SceneTorque else None  # imported for its type alone
-    return typing.get_type_hints(of, localns=late)
+    late = {scene_torque.SceneTorque: {"Prediction": Prediction}, fembearing.draw_bearing: {"Figure": Figure}}
+    return typing.get_type_hints(of, localns=late.get(of))  # imported for a type alone
 
 
 def exported() -> Iterator[Callable[..., Any]]:

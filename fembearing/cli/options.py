@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 BUILTIN = "paper_6205"
 STANDARD_INPUT = "-"  # as the name of a scene
 NOTHING_SET: Mapping[str, str] = MappingProxyType({})
-OF_FILES = (".csv", ".html", ".json", ".nc", ".pdf", ".png", ".toml", ".vtu")  # endings
+OF_FILES = (".csv", ".html", ".json", ".nc", ".pdf", ".png", ".svg", ".toml", ".vtu")  # endings
 PairName = Literal["inner", "outer", "pocket"]
 GeometryName = Literal["real", "hertzian", "wall", "ring"]
 
@@ -76,7 +76,7 @@ Target = Annotated[
         "--out",
         "-o",
         help="New folder for torque.json, torque.csv, torque.png and series in time; or one file: .csv, .json, .png, "
-        ".pdf, .html.",
+        ".svg, .pdf, .html.",
     ),
 ]
 WithInterval = Annotated[

@@ -1,10 +1,12 @@
 """The scene of a report, as far as the page tells of it: report.json holds it whole, whatever version wrote it."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any, ClassVar, Literal
 
+from analytic.noun import nothing
 from analytic.rows import Positive
-from analytic.scene import Autocorrelation, Groove, HeightMapFile, Material
+from analytic.scene import Autocorrelation, Groove, HeightMapFile, Material, Origin
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -18,6 +20,10 @@ class Bearing:
     ball_material: Material
     inner: Groove
     outer: Groove
+    bore_diameter: Positive | None = None
+    outside_diameter: Positive | None = None
+    width: Positive | None = None
+    origins: Mapping[str, Origin] = field(default_factory=nothing)
 
 
 @dataclass(frozen=True, kw_only=True)

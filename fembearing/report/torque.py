@@ -74,6 +74,9 @@ class TorqueRecord:
         for side in (band.low, band.high):
             if side is not None and len(side) != count:
                 raise ValueError(f"has {len(side)} values of catalogue_band at {count} points")
+        for series in (self.interval, *band.values.values()):
+            if len(series) != count:
+                raise ValueError(f"has {len(series)} intervals, or values of a maker, at {count} points")
         for check in self.verdicts.physical:
             if check.point >= count:
                 raise ValueError(f"has a verdict on point {check.point}, and {count} points")

@@ -46,6 +46,14 @@ def figure_file(result: SceneTorque) -> bytes:
 
 
 def vector_file(result: SceneTorque) -> bytes:
+    """The figure as SVG."""
+    from fembearing.report.figures.style import svg
+    from fembearing.report.figures.torque_alone import figure_of_torque
+
+    return svg(figure_of_torque(result))
+
+
+def printed_file(result: SceneTorque) -> bytes:
     """The figure as PDF."""
     from fembearing.report.figures.style import pdf
     from fembearing.report.figures.torque_alone import figure_of_torque
@@ -57,13 +65,14 @@ def page_file(result: SceneTorque) -> bytes:
     """The page."""
     from fembearing.report.page.torque_alone import torque_page
 
-    return torque_page(result, figure_file(result)).encode()
+    return torque_page(result, vector_file(result)).encode()
 
 
 CONTENTS: Mapping[str, Content] = {
     ".csv": table_file,
     ".json": numbers_file,
     ".png": figure_file,
-    ".pdf": vector_file,
+    ".svg": vector_file,
+    ".pdf": printed_file,
     ".html": page_file,
 }

@@ -16,7 +16,7 @@ from analytic.scene import Scene
 from analytic.writing import being_written, new_file, new_folder, require_utf8, write
 from fembearing.progress import Progress, part_of, silent
 from fembearing.quantities import METRIC
-from fembearing.report.torque_file import content_of, figure_file, numbers_file, table_file
+from fembearing.report.torque_file import content_of, figure_file, numbers_file, table_file, vector_file
 from fembearing.verify.torque.cage_record import CageRecord, record_cage
 from fembearing.verify.torque.scene_torque import Samples, SceneTorque, torque_of_scene
 
@@ -71,8 +71,8 @@ def torque_with_files(
 def write_torque(
     result: SceneTorque, folder: Path, *, renderer: Sequence[str] | None = None, progress: Progress = silent
 ) -> str | None:
-    """Write torque.json, torque.csv and torque.png, with an interval interval.png, and of each operating point whose
-    cage moved NUMBER-cage.nc, -cage.png and -cage-forces.png.
+    """Write torque.json, torque.csv, torque.png and torque.svg, with an interval interval.png, and of each operating
+    point whose cage moved NUMBER-cage.nc, -cage.png and -cage-forces.png.
 
     renderer : the command that draws; VTK's without it
     Gives what the folder lacks, as `torque_with_files`.
@@ -93,6 +93,7 @@ def write_torque(
         _write_prediction(result.prediction, folder)
     write(folder / "torque.csv", table_file(result))
     write(folder / "torque.png", figure_file(result))
+    write(folder / "torque.svg", vector_file(result))
     motion = {"points": written, "lacking": lacking}
     write(folder / "torque.json", numbers_file(result, cage_motion=motion))
     return lacking

@@ -15,7 +15,11 @@ from fembearing.quantities import QUANTITIES
 from fembearing.sweep.grid import Axis, Grid
 from fembearing.sweep.parts import column_notes
 
-QUANTITY = {"bearing.catalog": "bearing", "ball_load": "load"}  # of an axis, where its key does not end in its name
+QUANTITY = {
+    "bearing.catalog": "bearing",
+    "lubricant.name": "oil",
+    "ball_load": "load",
+}  # of an axis, where its key does not end in its name
 MOST_WARNINGS = 50
 
 

@@ -229,3 +229,15 @@ def test_a_mistake_gets_one_line(
     assert (result.status, result.out, result.err.count("\n")) == (2, "", 1)
     assert all(word in result.err for word in words), result.err
     assert list(tmp_path.iterdir()) == []
+
+
+def test_draw_writes_the_bearing_to_scale(command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    told = command("draw", "6305/C3", "--set", "bearing.ball_count=7")
+    assert told.status == 0
+    (file,) = tmp_path.iterdir()
+    assert told.out == f"file: {file.name}\n"
+    assert file.read_bytes().startswith(b"<?xml")
+    refused = command("draw", "6305/C3", "--out", "mine.docx")
+    assert refused.status == 2
+    assert "give a file that ends with .svg, .png, .pdf" in refused.err

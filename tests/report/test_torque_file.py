@@ -105,7 +105,14 @@ def test_dataset_and_data_frame_hold_the_same_numbers(result: SceneTorque) -> No
 
 
 def test_every_ending_gives_its_kind_of_file(result: SceneTorque, tmp_path: Path) -> None:
-    beginnings = {".csv": b"point,", ".json": b"{", ".png": b"\x89PNG", ".pdf": b"%PDF-", ".html": b"<!DOCTYPE html>"}
+    beginnings = {
+        ".csv": b"point,",
+        ".json": b"{",
+        ".png": b"\x89PNG",
+        ".svg": b"<?xml",
+        ".pdf": b"%PDF-",
+        ".html": b"<!DOCTYPE html>",
+    }
     assert CONTENTS.keys() == beginnings.keys()
     for ending, content in CONTENTS.items():
         assert content(result).startswith(beginnings[ending])
@@ -145,7 +152,10 @@ def test_the_figure_is_as_wide_for_any_series(load: str, speed: str, tall: bool)
 @pytest.mark.parametrize(
     ("name", "said"),
     [
-        ("my.docx", "ends with '.docx': give a file that ends with .csv, .json, .png, .pdf, .html, or a name without"),
+        (
+            "my.docx",
+            "ends with '.docx': give a file that ends with .csv, .json, .png, .svg, .pdf, .html, or a name without",
+        ),
         ("there.csv", "there.csv' exists already: give a new name, or remove it first"),
         ("nowhere/my.csv", "cannot be made in"),
     ],

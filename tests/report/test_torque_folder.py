@@ -23,7 +23,7 @@ from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene
 from tests.analytic.specimens import present
 from tests.report.pictures.test_cage_pictures import MOVING
 
-ALWAYS = {"torque.json", "torque.csv", "torque.png"}
+ALWAYS = {"torque.json", "torque.csv", "torque.png", "torque.svg"}
 TWO = MOVING.replace('inner_speed = "500 rpm"', 'inner_speed = ["500 rpm", "200 rpm"]')
 DIES = (sys.executable, "-c", "import os, signal; os.kill(os.getpid(), signal.SIGABRT)")  # as VTK without GL does
 

@@ -97,14 +97,7 @@ def _orbit(panel: Axes, motion: DrawnMotion, units: Units) -> None:
         panel.plot(*(small.factor * np.array(getattr(orbit, part))).T, color=colour, label=label, **look)
     panel.plot(*(small.factor * np.array(room.edge)).T, "--", color=LIMIT, lw=1, label="edge of its room")
     panel.plot(*(small.factor * np.array(orbit.measured[-1])), "o", color=MEASURED, mec="black", ms=6, label="end")
-    pull = np.array(motion.gravity[:2])
-    if pull.any():
-        middle = small.factor * np.array(room.middle)
-        head = middle + 0.35 * small.factor * room.size * pull / np.linalg.norm(pull)
-        panel.annotate("", xy=tuple(head), xytext=tuple(middle), arrowprops={"arrowstyle": "->"})
-        panel.annotate(
-            "gravity", xy=tuple(head), xytext=(0, -12), textcoords="offset points", ha="center", fontsize=LETTERS
-        )
+    _gravity(panel, np.array(motion.gravity[:2]))
     panel.set(xlabel=f"x, {small.name}", ylabel=f"y, {small.name}")
     panel.set_title("Orbit of the cage's centre")
     panel.set_aspect("equal", adjustable="datalim")
@@ -112,6 +105,17 @@ def _orbit(panel: Axes, motion: DrawnMotion, units: Units) -> None:
     panel.margins(0.12)
     panel.grid(alpha=0.3)
     _key(panel, columns=2)
+
+
+def _gravity(panel: Axes, pull: np.ndarray) -> None:
+    """An arrow for gravity in the corner, off the orbit."""
+    if not pull.any():
+        return
+    along = 0.06 * pull / np.linalg.norm(pull)
+    corner = np.array([0.09, 0.91])  # of the panel
+    look = {"xycoords": "axes fraction", "textcoords": "axes fraction", "annotation_clip": False}
+    panel.annotate("", xy=tuple(corner + along), xytext=tuple(corner - along), arrowprops={"arrowstyle": "->"}, **look)
+    panel.text(0.15, 0.93, "gravity", transform=panel.transAxes, va="center", fontsize=LETTERS)
 
 
 def _forces(panel: Axes, motion: DrawnMotion, units: Units) -> None:

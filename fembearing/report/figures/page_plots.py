@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 
 from analytic.words import percent_of
 from fembearing.report.figures.approach import approach_plot
+from fembearing.report.figures.bearing_drawing import bearing_plot
 from fembearing.report.figures.cage import cage_plot
 from fembearing.report.figures.convergence import convergence_plot
 from fembearing.report.figures.cost import cost_figures
@@ -18,13 +19,13 @@ from fembearing.report.figures.prediction import prediction_plot
 from fembearing.report.figures.pressure import pressure_plot
 from fembearing.report.figures.ring import ring_plot
 from fembearing.report.figures.sensitivity import sensitivity_plot
-from fembearing.report.figures.style import png
+from fembearing.report.figures.style import svg
 from fembearing.report.figures.torque import torque_plot
 from fembearing.report.report import Report
 
 PIXELS = 96  # of a page, per inch
-Section = Literal[  # of an appendix
-    "torque", "measured", "contacts", "pictures", "meshes", "ring", "cage", "sensitivity", "cost"
+Section = Literal[  # of an appendix, or the summary's drawing of the bearing
+    "bearing", "torque", "measured", "contacts", "pictures", "meshes", "ring", "cage", "sensitivity", "cost"
 ]
 
 
@@ -62,12 +63,12 @@ def _shown(heading: str, caption: str, figure: Figure | None) -> ShownPlot:
     if figure is None:
         return ShownPlot(heading, caption)
     width = round(PIXELS * figure.get_figwidth())
-    return ShownPlot(heading, caption, embedded(png(figure)), width)
+    return ShownPlot(heading, caption, embedded(svg(figure), "svg+xml"), width)
 
 
-def embedded(content: bytes) -> str:
-    """A PNG as an address that holds it."""
-    return f"data:image/png;base64,{base64.b64encode(content).decode()}"
+def embedded(content: bytes, kind: Literal["png", "svg+xml"] = "png") -> str:
+    """A picture as an address that holds it."""
+    return f"data:image/{kind};base64,{base64.b64encode(content).decode()}"
 
 
 def _cost(document: Report) -> tuple[list[Figure], str]:
@@ -83,6 +84,7 @@ def _cost(document: Report) -> tuple[list[Figure], str]:
 
 
 PLOTS: tuple[Plot, ...] = (
+    Plot(section="bearing", heading="The bearing to scale", draw=bearing_plot),
     Plot(section="contacts", heading="Stiffness: load over approach", draw=approach_plot),
     Plot(section="torque", heading="Torque by effect", draw=torque_plot),
     Plot(section="torque", heading="Friction, film and asperities", draw=friction_plot),

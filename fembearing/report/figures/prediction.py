@@ -21,7 +21,8 @@ def prediction_plot(document: Report) -> tuple[Figure | None, str]:
         return None, ""
     return interval_figure(prediction, document.units), (
         "Above: the 95 % interval of the total, and what it would be if only its numerical uncertainty, only the "
-        "inputs or only the formulas were uncertain; the line is the torque as computed. The parts do not add up. "
+        "inputs or only the formulas were uncertain; the line is the torque as computed. Each speed has its own "
+        "scale. The parts do not add up. "
         "Below: the share of the variance of the total that each input makes, alone (dark) and with its products with "
         "others (light), with two standard errors. "
         f"{prediction.samples} samples, seed {prediction.seed}. {explained_words(prediction)}"
@@ -37,11 +38,12 @@ def interval_figure(prediction: PredictionRows, units: Units) -> Figure:
     parts = list(points[0].made_of)
     figure = Figure(figsize=(WIDTH, HEADS + ROW * (len(parts) + 1 + len(drawn))), layout="constrained")
     ratios = (len(parts) + 2, len(drawn) + 1)
-    panels = figure.subplots(2, len(points), squeeze=False, sharex="row", sharey="row", height_ratios=ratios)
+    panels = figure.subplots(2, len(points), squeeze=False, sharey="row", height_ratios=ratios)
     for column, point in zip(panels.T, points, strict=True):
         _ends(column[0], point, parts, units)
         _indices(column[1], point, drawn)
         loads = loads_of(point, present_loads(prediction.points), units)
+        column[1].sharex(panels[1, 0])
         column[0].set_title(f"{units.speed.written(point.inner_speed, '.4g')}, {loads}")
     names = [MADE_OF.get(name, name) for name in ("total", *parts)]
     inputs = [input_name(prediction.inputs[place].key) for place in drawn]

@@ -15,7 +15,7 @@ from fembearing.verify.torque.sensitivity import Input, Output, Sensitivity
 NAMES = {"total_torque": "total torque", "peak_pressure": CONTACT["peak_pressure"].name}
 LEAST = 1e-6  # relative: inputs that move nothing by as much are named in the caption alone
 MOST = 12  # inputs that are drawn
-ROW, HEADS = 0.19, 0.85  # inches: of an input, and of all that stands above and below
+ROW, HEADS = 0.30, 0.85  # inches: of an input, and of all that stands above and below
 HEIGHT = 0.36  # of a bar; two on one side stand one above the other
 APART = 2  # points: by which the values of such two stand farther apart than the bars
 NOT_COMPUTED = "No sensitivity was computed."
@@ -41,7 +41,7 @@ def sensitivity_plot(document: Report) -> tuple[Figure | None, str]:
         panel.set_title(_title(output, outputs, units))
         panel.set_yticks(range(len(moving)), [f"{each.name}, {_shown(each, each.value, units)}" for each in moving])
         panel.set_ylim(len(moving) - 0.4, -0.6)
-        panel.margins(x=0.6)  # for the labels
+        panel.margins(x=0.85)  # for the labels
         panel.grid(alpha=0.3, axis="x")
         panel.set_xlabel(f"change of the {quantity}, %")
     return lettered(figure), _caption(sensitivity, quantity, still=still, less=less)

@@ -25,6 +25,7 @@ class SeriesAxis:
     units: Units
     values: Array  # (n,) where each point is drawn
     points: Sequence[TorquePoint]  # in the same order
+    order: Sequence[int]  # their places among the points as they were given
     joined: bool  # neighbours may be joined by a line: one quantity grows along the axis, and nothing else changes
 
     @property
@@ -94,7 +95,11 @@ def axis_of(points: Sequence[TorquePoint], units: Units) -> SeriesAxis:
                 units=units,
                 values=values[order] * quantity.shown.factor,
                 points=[points[i] for i in order],
+                order=order.tolist(),
                 joined=True,
             )
     place = np.arange(float(len(points)))
-    return SeriesAxis(label="operating point", over="", units=units, values=place, points=points, joined=False)
+    every = [*range(len(points))]
+    return SeriesAxis(
+        label="operating point", over="", units=units, values=place, points=points, order=every, joined=False
+    )

@@ -1,5 +1,6 @@
 """A sweep as pictures: a map in colour over two axes, lines over one; further axes side by side."""
 
+import json
 from collections.abc import Iterator
 from itertools import product
 from pathlib import Path
@@ -13,11 +14,11 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import LogNorm, Normalize
 from matplotlib.figure import Figure
 from matplotlib.patheffects import withStroke
-from matplotlib.ticker import LogLocator, NullFormatter
+from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter
 
 from analytic.scene import Array
 from analytic.writing import write
-from fembearing.quantities import Unit, unit_for
+from fembearing.quantities import METRIC, QUANTITIES, Unit, unit_for
 from fembearing.report.figures.style import png
 
 PLOTTED = ("torque_total", "peak_pressure_inner", "peak_pressure", "discrepancy_peak_pressure")
@@ -53,8 +54,30 @@ def map_figure(dataset: Any, name: str) -> Figure:
     figure = draw(variable, across, others, unit)
     if not np.all(np.isfinite(variable)):
         title += " (grey: failed)" if len(across) == 2 else " (gaps: failed)"
-    figure.suptitle(title, fontsize=11, wrap=True)
+    figure.suptitle("\n".join([title, *_fixed_words(dataset)]), fontsize=10, wrap=True)
     return figure
+
+
+def _fixed_words(dataset: Any) -> list[str]:
+    """Bearing, oil, temperature, loads and speed of all points, as far as no axis changes them: one line, or none."""
+    scene = json.loads(dataset.attrs.get("first_scene", "{}"))
+    varied = {str(dataset[axis].attrs.get("key", axis)) for axis in dataset.sizes}
+    bearing, oil, operation = (scene.get(table) or {} for table in ("bearing", "lubricant", "operation"))
+    words = [] if "bearing.catalog" in varied else [bearing.get("name")]
+    if oil and "lubricant.name" not in varied:
+        words.append(oil.get("name") or "oil")
+    for value, key, unit in (
+        (oil.get("temperature"), "lubricant.temperature", METRIC.temperature),
+        *((operation.get(name), f"operation.{name}", QUANTITIES[name].shown) for name in ("axial_load", "radial_load")),
+        (operation.get("inner_speed"), "operation.inner_speed", METRIC.speed),
+    ):
+        values = value if isinstance(value, list) else [value]
+        if key in varied or len(values) != 1 or not values[0]:
+            continue
+        name = "" if key == "lubricant.temperature" else f"{key.partition('.')[2].partition('_')[0]} "
+        words.append(f"{name}{unit.written(values[0], '.4g')}")
+    known = [word for word in words if word]
+    return [", ".join(known)] if known else []
 
 
 def _draw_map(variable: Any, across: list[str], others: list[str], unit: Unit) -> Figure:
@@ -65,20 +88,27 @@ def _draw_map(variable: Any, across: list[str], others: list[str], unit: Unit) -
     figure = Figure(figsize=(2.2 + 4.6 * columns, 0.8 + 3.6 * rows), layout="constrained")
     panels = figure.subplots(rows, columns, squeeze=False, sharex=True, sharey=True)
     norm = _norm(unit.number(variable.values))
+    levels = _levels(norm)
     colours = colormaps["viridis"].with_extremes(bad="lightgrey")
     for panel, chosen in zip(panels.ravel(), shown, strict=False):
         part = variable.sel(chosen).transpose(vertical, horizontal)
         x, y = (_shown_axis(part[dimension]) for dimension in (horizontal, vertical))
         values = unit.number(part.values)
-        edges = [_edges(part[dimension]) for dimension in (horizontal, vertical)]
-        panel.pcolormesh(*edges, np.ma.masked_invalid(values), norm=norm, cmap=colours)
-        if min(values.shape) > 2 and np.all(np.isfinite(values)) and np.ptp(values) > 0:
-            lines = panel.contour(x, y, values, levels=6, colors="white", linewidths=0.7, locator=_levels(norm))
+        whole = bool(np.all(np.isfinite(values)))
+        if whole:  # colours between the computed points, which are dots
+            ends = [x, y]
+            panel.pcolormesh(x, y, values, norm=norm, cmap=colours, shading="gouraud", rasterized=True)
+            panel.plot(*(each.ravel() for each in np.meshgrid(x, y)), ".", color="white", markersize=2, clip_on=False)
+        else:
+            ends = [_edges(part[dimension]) for dimension in (horizontal, vertical)]
+            panel.pcolormesh(*ends, np.ma.masked_invalid(values), norm=norm, cmap=colours)
+        if min(values.shape) > 2 and whole and levels and np.ptp(values) > 0:
+            lines = panel.contour(x, y, values, levels=levels, colors="white", linewidths=0.7)
             for text in panel.clabel(lines, fontsize=8, fmt="%g"):
                 text.set_path_effects([withStroke(linewidth=1.5, foreground="black")])  # on the lightest colours too
         for axis, dimension in ((panel.xaxis, horizontal), (panel.yaxis, vertical)):
             _set_axis(panel, axis, variable[dimension])
-        panel.set(**{f"{axis}lim": (ends[0], ends[-1]) for axis, ends in zip("xy", edges, strict=True)})
+        panel.set(**{f"{axis}lim": (each[0], each[-1]) for axis, each in zip("xy", ends, strict=True)})
         panel.set_title(", ".join(_place(variable[d], value) for d, value in chosen.items()), fontsize=9)
     for panel in panels.ravel()[len(shown) :]:
         panel.set_axis_off()
@@ -182,8 +212,11 @@ def _norm(values: Array) -> Normalize:
     return LogNorm(low, high) if low > 0 and high > WIDE * low else Normalize(low, high)
 
 
-def _levels(norm: Normalize) -> LogLocator | None:
-    return LogLocator(subs=(1.0, 2.0, 5.0)) if isinstance(norm, LogNorm) else None
+def _levels(norm: Normalize) -> list[float]:
+    """Round values between both ends, the same in every panel."""
+    locator = LogLocator(subs=(1.0, 2.0, 5.0)) if isinstance(norm, LogNorm) else MaxNLocator(8)
+    low, high = float(norm.vmin or 0.0), float(norm.vmax or 0.0)
+    return [float(tick) for tick in locator.tick_values(low, high) if low < tick < high]
 
 
 def _plain_numbers(axis: Axis) -> None:

@@ -1,13 +1,19 @@
-"""The friction torque over the operating points, split by effect, with the paper's values."""
+"""The friction torque over the operating points, split by effect, with its 95 % interval and the makers' formulas."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from analytic.scene import Array
 from fembearing.quantities import QUANTITIES
 from fembearing.report.figures.series_axis import SeriesAxis, axis_of
-from fembearing.report.figures.style import BLACK, BLUE, GREEN, GREY, LETTERS, ORANGE, PURPLE, SKY, WIDTH, lettered
+from fembearing.report.figures.style import BLACK, BLUE, GREEN, GREY, LETTERS, ORANGE, PURPLE, RED, SKY, WIDTH, lettered
 from fembearing.report.report import Report
+from fembearing.report.torque import TorqueRecord
 
 PARTS = {  # from the bottom, with words for the legend
     "spin": ("spin", BLUE),
@@ -17,22 +23,61 @@ PARTS = {  # from the bottom, with words for the legend
     "cage": ("cage", PURPLE),
     "declared": ("declared: seals, drag", GREY),
 }
+MAKERS: Mapping[str, tuple[str, str]] = {"SKF": ("-", "s"), "Palmgren": (":", "v"), "ISO 15312": ("-.", "D")}
+OF_MAKERS = RED  # line and mark of each, in one colour
 BAR = 0.6  # width
-HIGH = 3.1  # inches
+HIGH = 3.4  # inches
 NO_TORQUE = "No torque: the scene gives neither a friction coefficient nor both lubricant and surface."
+INTERVAL, UNCERTAINTY = "95 % interval", "its uncertainty"
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Beside:
+    """What stands beside the torque of each operating point, in the order of the points; N m, NaN: not known."""
+
+    interval: Array  # (2, n) both ends
+    makers: Mapping[str, Array]  # (2, n) least and greatest of the formulas of each maker
+
+    @property
+    def has_interval(self) -> bool:
+        """Whether any point has one."""
+        return bool(np.isfinite(self.interval).any())
+
+    def along(self, axis: SeriesAxis) -> "Beside":
+        """The same in the order and in the unit of an axis."""
+        factor = axis.units.torque.factor
+        makers = {name: factor * values[:, axis.order] for name, values in self.makers.items()}
+        return Beside(interval=factor * self.interval[:, axis.order], makers=makers)
+
+
+def beside_of(record: TorqueRecord) -> Beside:
+    """What a record has beside the torque, at the points that have one."""
+    places = range(len(record.points)) if not record.left_out else record.computed
+    ends = [record.interval[place] or (np.nan, np.nan) for place in places]
+    makers: dict[str, list[Array]] = {}
+    for name, series in record.catalogue_band.values.items():  # a maker may have two constants: "Palmgren, z = 0.0004"
+        values = np.array([np.nan if series[place] is None else series[place] for place in places], dtype=float)
+        if np.isfinite(values).any():
+            makers.setdefault(name.partition(",")[0], []).append(values)
+    return Beside(
+        interval=np.array(ends, dtype=float).T,
+        makers={name: np.array([np.min(series, axis=0), np.max(series, axis=0)]) for name, series in makers.items()},
+    )
 
 
 def torque_plot(document: Report) -> tuple[Figure | None, str]:
-    """Parts stacked up to the total, with the uncertainty of the total."""
+    """Parts stacked up to the total, with its interval and the makers' formulas."""
     if document.torque is None:
         return None, NO_TORQUE
     if len(document.torque.points) == 1:
         return None, ""  # a table says it
     axis = axis_of(document.torque.points, document.units)
+    beside = beside_of(document.torque).along(axis)
     figure = Figure(figsize=(WIDTH, HIGH), layout="constrained")
     panel = figure.subplots()
     draw_parts(panel, axis)
-    known = _total(panel, axis)
+    known = draw_total(panel, axis, beside)
+    draw_makers(panel, axis, beside)
     axis.apply(panel)
     panel.set_ylabel(QUANTITIES["torque"].in_units(document.units).heading)
     panel.set_title(axis.fixed)
@@ -40,10 +85,10 @@ def torque_plot(document: Report) -> tuple[Figure | None, str]:
     panel.grid(alpha=0.3)
     handles, words = panel.get_legend_handles_labels()
     figure.legend(handles, words, loc="outside right upper", frameon=False, fontsize=LETTERS)
-    caption = "The parts of the torque, stacked: their upper edge is the total. "
-    caption += f"{'Dashed' if axis.joined else 'Bars'}: its uncertainty, {known}."
-    if document.cage_records:
-        caption += " The cage is in it with its motion."
+    caption = f"The parts of the torque, stacked: their upper edge is the total. {known}"
+    caption += " The cage is in it with its motion." if document.cage_records else ""
+    if beside.makers:
+        caption += f" Red: {', '.join(beside.makers)}, the makers' formulas for a bearing of this size."
     return lettered(figure), caption
 
 
@@ -62,24 +107,53 @@ def draw_parts(panel: Axes, axis: SeriesAxis) -> None:
         below = above
 
 
-def _total(panel: Axes, axis: SeriesAxis) -> str:
-    """Draw the total with its uncertainty; gives what that uncertainty covers."""
+def total_of(axis: SeriesAxis, beside: Beside) -> tuple[Array, Array]:
+    """(n,) the total as it is shown, and (2, n) the ends of its interval, else of its uncertainty as far as known."""
     total = axis.of("torque", "total")
     assert total is not None  # the total is always there
     total = axis.units.torque.factor * total
-    numerical, model = axis.of("uncertainty", "numerical"), axis.of("uncertainty", "model")
-    half = sum((part for part in (numerical, model) if part is not None), start=np.zeros(total.size))
-    low, high = total * (1 - half), total * (1 + half)
+    if beside.has_interval:
+        return total, beside.interval
+    parts = [part for name in ("numerical", "model") if (part := axis.of("uncertainty", name)) is not None]
+    half = np.sum(parts, axis=0) * np.ones_like(total)
+    return total, np.array([total * (1 - half), total * (1 + half)])
+
+
+def draw_total(panel: Axes, axis: SeriesAxis, beside: Beside) -> str:
+    """Draw the total with its interval; a sentence on what is drawn.
+
+    beside : along the axis
+    """
+    total, ends = total_of(axis, beside)
+    words = INTERVAL if beside.has_interval else UNCERTAINTY
     if axis.joined:
-        for edge, label in ((low, "its uncertainty"), (high, "_")):
+        for number, edge in enumerate(ends):
+            label = "_" if number else words
             panel.plot(axis.values, edge, "--", color=BLACK, linewidth=0.8, label=label)
         panel.plot(axis.values, total, "-" + axis.mark, color=BLACK, markersize=4, label="total")
     else:
-        panel.errorbar(
-            axis.values, total, (total - low, high - total), fmt="o", color=BLACK, capsize=4, label="total, uncertainty"
-        )
-    words = [
-        "numerical" if numerical is not None else "",
-        "of the model's formulas at 95 %" if model is not None else "",
-    ]
-    return " and ".join(word for word in words if word) or "not known"
+        apart = np.maximum([total - ends[0], ends[1] - total], 0.0)  # skewed ends may cross
+        look: dict[str, Any] = {"fmt": "o", "color": BLACK, "capsize": 4, "markersize": 4}
+        panel.errorbar(axis.values, total, apart, label=f"total, {words.removeprefix('its ')}", **look)
+    drawn = "Dashed" if axis.joined else "Bars"
+    if beside.has_interval:
+        return f"{drawn}: its 95 % interval, by solver, inputs and formulas."
+    known = {"numerical": "numerical", "model": "of the model's formulas at 95 %"}
+    named = [known[name] for name in known if axis.of("uncertainty", name) is not None]
+    return f"{drawn}: its uncertainty, {' and '.join(named) or 'not known'}."
+
+
+def draw_makers(panel: Axes, axis: SeriesAxis, beside: Beside) -> None:
+    """Draw what the formulas of each maker give; beside : along the axis."""
+    for name, (low, high) in beside.makers.items():
+        line, mark = MAKERS.get(name, ("--", "x"))
+        if axis.joined:
+            panel.plot(axis.values, high, line, color=OF_MAKERS, linewidth=1.1, label=name)
+            if np.nanmax(high - low) > 0:
+                panel.plot(axis.values, low, line, color=OF_MAKERS, linewidth=1.1, label="_")
+                panel.fill_between(axis.values, low, high, color=OF_MAKERS, alpha=0.12, linewidth=0)
+        else:
+            place = axis.values + BAR / 2 + 0.08
+            panel.vlines(place, low, high, color=OF_MAKERS, linewidth=1)
+            panel.plot(place, high, mark, color=OF_MAKERS, markersize=4, label=name)
+            panel.plot(place, low, mark, color=OF_MAKERS, markersize=4, label="_")

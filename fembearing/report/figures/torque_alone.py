@@ -1,6 +1,7 @@
 """The friction torque by effect in a narrow figure of its own, whose letters stay legible on a telephone.
 
 Over speed or load where that alone varies; else a bar for each operating point, and for one point a bar for each part.
+Each has the 95 % interval and the makers' formulas.
 """
 
 import numpy as np
@@ -8,12 +9,25 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from analytic.result import TorquePoint
-from analytic.scene import Array
 from fembearing.quantities import METRIC, QUANTITIES, RPM
 from fembearing.report.figures.series_axis import SeriesAxis, axis_of
 from fembearing.report.figures.style import BLACK
-from fembearing.report.figures.torque import PARTS, draw_parts
-from fembearing.report.phrases import LOADS, loads_of
+from fembearing.report.figures.torque import (
+    INTERVAL,
+    MAKERS,
+    OF_MAKERS,
+    PARTS,
+    UNCERTAINTY,
+    Beside,
+    beside_of,
+    draw_makers,
+    draw_parts,
+    draw_total,
+    total_of,
+)
+from fembearing.report.phrases import LOADS, between, loads_of
+from fembearing.report.tables.torque import RESIDUE
+from fembearing.report.torque import torque_record
 from fembearing.verify.torque.scene_torque import SceneTorque
 
 TORQUE = QUANTITIES["torque"]
@@ -31,22 +45,20 @@ def figure_of_torque(result: SceneTorque) -> Figure:
     points = result.friction.rows
     bearings = "" if result.friction.pair is None else "two "
     name = f"{bearings}{result.scene.bearing.name}"
+    beside = beside_of(torque_record(result))
     if len(points) == 1:
-        return _one_point(points[0], name)
+        return _one_point(points[0], name, beside)
     axis = axis_of(points, METRIC)
-    return _over(axis, name) if axis.joined else _bars(axis, name)
+    return (_over if axis.joined else _bars)(axis, name, beside.along(axis))
 
 
-def _over(axis: SeriesAxis, name: str) -> Figure:
+def _over(axis: SeriesAxis, name: str, beside: Beside) -> Figure:
     """Parts stacked over speed or load."""
-    figure = Figure(figsize=(WIDTH, 4.4), layout="constrained")
+    figure = Figure(figsize=(WIDTH, 4.6), layout="constrained")
     panel = figure.subplots()
     draw_parts(panel, axis)
-    total, half = _total(axis)
-    panel.plot(axis.values, total, "-" + axis.mark, color=BLACK, markersize=4, label="total")
-    for index, sign in enumerate((-1, 1)):
-        label = "_" if index else "its uncertainty"
-        panel.plot(axis.values, total * (1 + sign * half), "--", color=BLACK, linewidth=0.8, label=label)
+    draw_total(panel, axis, beside)
+    draw_makers(panel, axis, beside)
     axis.apply(panel)
     panel.set_ylabel(TORQUE.heading)
     panel.set_ylim(0, None)
@@ -55,10 +67,10 @@ def _over(axis: SeriesAxis, name: str) -> Figure:
     return figure
 
 
-def _bars(axis: SeriesAxis, name: str) -> Figure:
+def _bars(axis: SeriesAxis, name: str, beside: Beside) -> Figure:
     """A bar of parts for each operating point, the first one on top."""
     count = len(axis.points)
-    figure = Figure(figsize=(WIDTH, 1.8 + BAR * min(count, MOST_NAMES)), layout="constrained")
+    figure = Figure(figsize=(WIDTH, 2.1 + BAR * min(count, MOST_NAMES)), layout="constrained")
     panel = figure.subplots()
     place, before = np.arange(count), np.zeros(count)
     for part, (words, colour) in PARTS.items():
@@ -66,9 +78,15 @@ def _bars(axis: SeriesAxis, name: str) -> Figure:
         if values is not None:
             panel.barh(place, NM * values, 0.7, left=before, color=colour, alpha=0.75, label=words)
             before = before + NM * values
-    total, half = _total(axis)
+    total, ends = total_of(axis, beside)
+    apart = np.maximum([total - ends[0], ends[1] - total], 0.0)  # skewed ends may cross
+    words = INTERVAL if beside.has_interval else UNCERTAINTY.removeprefix("its ")
     look = {"fmt": "o", "color": BLACK, "capsize": 3, "markersize": 4}
-    panel.errorbar(total, place, xerr=total * half, label="total, uncertainty", **look)
+    panel.errorbar(total, place, xerr=apart, label=f"total, {words}", **look)
+    for maker, (low, high) in beside.makers.items():
+        panel.hlines(place + 0.4, low, high, color=OF_MAKERS, linewidth=1)
+        for values, label in ((high, maker), (low, "_")):
+            panel.plot(values, place + 0.4, MAKERS[maker][1], color=OF_MAKERS, markersize=3, label=label)
     step = -(-count // MOST_NAMES)
     panel.set_yticks(place[::step], axis.names[::step], fontsize=9)
     panel.set_ylim(count - 0.4, -0.6)
@@ -79,27 +97,46 @@ def _bars(axis: SeriesAxis, name: str) -> Figure:
     return figure
 
 
-def _one_point(point: TorquePoint, name: str) -> Figure:
-    """A bar for each part and one for the total, each with its number."""
+def _one_point(point: TorquePoint, name: str, beside: Beside) -> Figure:
+    """A bar for each part, one for the total with its interval, and one for each maker, each with its number."""
     parts = [(words, colour, getattr(point.torque, part)) for part, (words, colour) in PARTS.items()]
-    rows = [row for row in parts if row[2] is not None] + [("total", DARK, point.torque.total)]
-    figure = Figure(figsize=(WIDTH, 1.5 + BAR * len(rows)), layout="constrained")
+    rows = [(words, colour, NM * value) for words, colour, value in parts if value is not None]
+    rows.append(("total", DARK, NM * point.torque.total))
+    makers = [(maker, *(NM * values[:, 0])) for maker, values in beside.makers.items() if np.isfinite(values).all()]
+    figure = Figure(figsize=(WIDTH, 1.5 + BAR * (len(rows) + len(makers))), layout="constrained")
     panel = figure.subplots()
-    place = np.arange(len(rows))
-    values = NM * np.array([row[2] for row in rows])
+    place, values = np.arange(len(rows)), np.array([row[2] for row in rows])
     panel.barh(place, values, 0.7, color=[row[1] for row in rows])
+    ends = NM * beside.interval[:, 0]
+    known = bool(np.isfinite(ends).all())
+    if known:
+        apart = np.maximum([[values[-1] - ends[0]], [ends[1] - values[-1]]], 0.0)
+        panel.errorbar(values[-1:], place[-1:], xerr=apart, fmt="none", ecolor=BLACK, capsize=4, linewidth=1.3)
     for number, value in enumerate(values):
-        words = f"{value:.4g}" if value >= SMALL * values[-1] or value == 0 else f"{value:.1g}"
-        panel.annotate(words, (value, number), xytext=(4, 0), textcoords="offset points", va="center", fontsize=9)
-    panel.set_yticks(place, [row[0] for row in rows])
+        shown = value if value > RESIDUE * values[-1] else 0.0
+        words = f"{shown:.4g}" if shown >= SMALL * values[-1] or shown == 0 else f"{shown:.1g}"
+        right = max(value, ends[1]) if known and number == len(values) - 1 else value
+        panel.annotate(words, (right, number), xytext=(4, 0), textcoords="offset points", va="center", fontsize=9)
+    for number, (_, low, high) in enumerate(makers, start=len(rows)):
+        panel.plot([low, high], [number, number], "-|", color=OF_MAKERS, linewidth=3, markersize=8)
+        words = between((low, high), TORQUE.shown._replace(factor=1.0)) if high > low else f"{low:.4g}"
+        panel.annotate(words, (high, number), xytext=(6, 0), textcoords="offset points", va="center", fontsize=9)
+    names = [*(row[0] for row in rows), *(f"{maker}, formula" for maker, *_ in makers)]
+    panel.set_yticks(np.arange(len(names)), names)
     panel.invert_yaxis()
-    panel.set_xlim(0, ROOM * values.max() or 1.0)
+    longest = max([*values, *(ends[1:] if known else ()), *(high for _, _, high in makers)])
+    panel.set_xlim(0, ROOM * longest or 1.0)
     panel.set_xlabel(TORQUE.heading)
     panel.grid(alpha=0.3, axis="x")
     panel.set_axisbelow(True)
     loads = loads_of(point, [load for load in LOADS if getattr(point, load)] or ["axial_load"])
     title = f"{name}, {loads}, {RPM.written(point.inner_speed, '.4g')}"
-    figure.suptitle(f"{title}\n{_uncertainty(point)}", fontsize=10, wrap=True)
+    words = (
+        f"95 % interval {between((ends / NM).tolist(), TORQUE.shown)} {TORQUE.shown.name}"
+        if known
+        else _uncertainty(point)
+    )
+    figure.suptitle(f"{title}\n{words}", fontsize=10, wrap=True)
     return figure
 
 
@@ -108,14 +145,6 @@ def _uncertainty(point: TorquePoint) -> str:
     numerical, model = point.uncertainty.numerical, point.uncertainty.model
     words = "numerical uncertainty unknown" if numerical is None else f"$\\pm$ {100 * numerical:.2g} % numerical"
     return words if model is None else f"{words}, $\\pm$ {100 * model:.2g} % by the formulas"
-
-
-def _total(axis: SeriesAxis) -> tuple[Array, Array]:
-    """(n,) each: the total as it is shown, and its uncertainty, relative, as far as it is known."""
-    total = axis.of("torque", "total")
-    assert total is not None  # the total is always there
-    parts = [axis.of("uncertainty", name) for name in ("numerical", "model")]
-    return NM * total, np.sum([part for part in parts if part is not None], axis=0) * np.ones_like(total)
 
 
 def _finish(figure: Figure, panel: Axes, title: str) -> None:

@@ -13,7 +13,7 @@ from fembearing.verify.torque.scene_torque import SceneTorque
 
 
 def torque_page(result: SceneTorque, figure: bytes) -> str:
-    """The page;  figure : PNG."""
+    """The page;  figure : SVG."""
     friction, verdicts = result.friction, result.verdicts
     assert verdicts.numerical is not None
     torque = torque_record(result)
@@ -24,7 +24,7 @@ def torque_page(result: SceneTorque, figure: bytes) -> str:
         name=result.scene.name,
         bearing=result.scene.bearing.name,
         tables=[*tables, *prediction_tables(torque, torque.computed)],
-        figure=embedded(figure),
+        figure=embedded(figure, "svg+xml"),
         notes=result.notes,
         verdict=verdicts.overall,
         numerical=numerical_words(verdicts.numerical),

@@ -1,5 +1,6 @@
 """What the off-screen picture of a cage shows: the instant, how far its movement is exaggerated, and the text."""
 
+import textwrap
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -10,7 +11,8 @@ from fembearing.quantities import MILLI, MILLISECOND, RPM
 from fembearing.report.pictures.framing import round_length
 from fembearing.verify.torque.cage_record import CageRecord
 
-SIDE, HEAD, FOOT = 900, 130, 90  # pixels of the cage, and of the words above and below
+SIDE, LINE, FOOT = 900, 28, 90  # pixels of the cage, of a line of the words above, and of those below
+TITLE_LONG, LONG = 66, 80  # letters of the first line and of the others that fit the width
 AROUND = 2.3  # ball radii beyond the pitch circle that are in the picture, so that an arrow fits
 LONGEST = 1.8  # ball radii: the longest arrow
 WIDEST = 0.3  # ball radii: how far the ball is drawn from its pocket at most
@@ -66,13 +68,14 @@ def cage_job(record: CageRecord, file: Path) -> dict[str, Any]:
     view, cage = view_of(record), record.cage
     length = np.linalg.norm(view.force, axis=1, keepdims=True)
     away = np.divide(view.force, length, out=np.zeros_like(view.force), where=length > 0)
+    title, words = _title(record), _lines(view)
     shown = round_length(LONGEST_SCALE / view.scale)
     force = round_length(LONGEST * cage.ball_radius / view.arrow)
     return {
         "kind": "cage",
         "file": str(file),
         "width": SIDE,
-        "height": HEAD + SIDE + FOOT,
+        "height": LINE * (len(title) + len(words)) + SIDE + FOOT,
         "scale": view.scale,
         "axes": AXES.tolist(),
         "ball_radius": cage.ball_radius,
@@ -87,7 +90,8 @@ def cage_job(record: CageRecord, file: Path) -> dict[str, Any]:
         "force_scale": {"length": force * view.arrow, "label": f"{force:g} N, ball on cage", "left": 30},
         "length_scale": {"length": shown, "label": f"{MILLI.written(shown, 'g')}, balls and grooves", "left": 370},
         "pull": _pull(record),
-        "lines": _lines(record, view),
+        "title": title,
+        "lines": words,
     }
 
 
@@ -104,17 +108,22 @@ def picture_caption(record: CageRecord) -> str:
     )
 
 
-def _lines(record: CageRecord, view: CageView) -> list[str]:
-    """The lines of text over the picture."""
+def _title(record: CageRecord) -> list[str]:
+    """The first lines over the picture."""
     statistics, speed = record.statistics, RPM.written(record.cage.ring_speed, ".5g")
-    return [
-        f'{record.scene.bearing.name} at {speed}, {_sense(record)}: regime "{statistics.state}", '
-        f'started "{statistics.start}"',
+    words = f'{record.scene.bearing.name} at {speed}, {_sense(record)}: regime "{statistics.state}", '
+    return textwrap.wrap(f'{words}started "{statistics.start}"', TITLE_LONG)
+
+
+def _lines(view: CageView) -> list[str]:
+    """The lines of text below the title."""
+    sentences = [
         f"at {MILLISECOND.written(view.time, '.4g')}; red: force of each ball on the cage, the largest "
         f"{view.largest:.3g} N",
-        f"brown: the cage, displaced {view.exaggeration:g} times as far as computed, and so its centre (brown dot)",
+        f"brown: the cage, displaced {view.exaggeration:g} times as far as computed; brown dot: its centre",
         "black dot: the bearing's axis; grey: the bottoms of the grooves",
     ]
+    return [line for sentence in sentences for line in textwrap.wrap(sentence, LONG)]
 
 
 def _sense(record: CageRecord) -> str:

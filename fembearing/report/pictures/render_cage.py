@@ -55,8 +55,8 @@ def cage_front(job: dict[str, Any]) -> pv.Plotter:
         down = arrow_along(-MM * pull["length"] * up, radius)
         plotter.add_mesh(down.translate(on_paper(width - 40, 130)), color=INK, lighting=False)
     plotter.add_text(pull["label"], position=(width - pull["room"], 14), font_size=10, color=INK)
-    for line, text in enumerate(job["lines"]):
-        size = 12 if line == 0 else 10
+    for line, text in enumerate([*job["title"], *job["lines"]]):
+        size = 12 if line < len(job["title"]) else 10
         plotter.add_text(text, position=(12, height - 34 - 28 * line), font_size=size, color=INK)
     plotter.background_color = pv.Color("white")
     plotter.camera.parallel_projection = True

@@ -1,11 +1,11 @@
 """How a plot becomes part of the page."""
 
 import base64
-from io import BytesIO
+import re
 from types import SimpleNamespace
 from typing import cast
 
-import matplotlib.image
+import pytest
 from matplotlib.figure import Figure
 
 from fembearing.report.figures.page_plots import PIXELS, Plot, plots_of
@@ -29,6 +29,7 @@ def test_a_figure_comes_as_a_picture_of_its_width_and_none_as_its_reason_alone()
     for plot, inches in zip((drawn, *shown["cost"]), (2.5, 2.5, 3.25), strict=True):
         assert plot.width == PIXELS * inches
         kind, content = (plot.source or "").split(",")
-        assert kind == "data:image/png;base64"
-        picture = matplotlib.image.imread(BytesIO(base64.b64decode(content)), format="png")
-        assert picture.shape[1] / picture.shape[0] > 3  # wide, as both figures are
+        assert kind == "data:image/svg+xml;base64"
+        size = re.search(r'viewBox="0 0 ([\d.]+) ([\d.]+)"', base64.b64decode(content).decode())
+        assert size is not None
+        assert float(size[1]) == pytest.approx(72 * inches)  # points

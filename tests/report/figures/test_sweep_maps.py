@@ -1,5 +1,6 @@
 """Maps of a sweep's dataset: lines for one axis, colours for two, panels for more."""
 
+import json
 from typing import Any
 
 import numpy as np
@@ -33,7 +34,7 @@ def test_values_out_of_order_make_the_same_map() -> None:
         (mesh,) = (part for part in panel.collections if type(part).__name__ == "QuadMesh")
         shown = np.asarray(mesh.get_array()).reshape(4, 3)
         np.testing.assert_array_equal(shown, 1e3 * mixed["torque_total"].sortby(["load", "speed"]))
-        assert panel.get_ylim() == (0.0, 1100.0)  # half a step beyond 100 and 900
+        assert panel.get_ylim() == (100.0, 900.0)
 
 
 def test_an_axis_is_logarithmic_where_it_is_wide_and_its_steps_grow() -> None:
@@ -45,6 +46,27 @@ def test_an_axis_is_logarithmic_where_it_is_wide_and_its_steps_grow() -> None:
 def test_two_values_of_an_axis_are_two_lines() -> None:
     (panel,) = map_figure(made(roughness=[0.1, 0.3], load=[1.0, 2.0, 3.0]), "torque_total").axes
     assert [line.get_label() for line in panel.lines] == ["roughness 0.1", "roughness 0.3"]
+
+
+def test_the_title_names_what_no_axis_changes() -> None:
+    """SI: 333.15 K are 60 degrees Celsius, 157.08 rad/s are 1500 rpm."""
+    scene = {
+        "bearing": {"name": "6205"},
+        "lubricant": {"name": "ISO VG 68", "temperature": 333.15},
+        "operation": {"axial_load": [300.0, 500.0], "radial_load": [750.0], "inner_speed": [157.07963]},
+    }
+    dataset = made(load=[100.0, 300.0, 500.0], viscosity=[0.1, 0.2, 0.3]).assign_attrs(first_scene=json.dumps(scene))
+    assert map_figure(dataset, "torque_total").get_suptitle().splitlines()[1] == (
+        "6205, ISO VG 68, 60 degC, radial 750 N, inner 1500 rpm"
+    )
+    dataset["viscosity"].attrs["key"] = "lubricant.temperature"
+    assert "degC" not in map_figure(dataset, "torque_total").get_suptitle()
+
+
+def test_a_map_with_failures_keeps_its_cells() -> None:
+    dataset = made(load=[100.0, 300.0, 500.0, 900.0], speed=[50.0, 90.0, 500.0])
+    dataset["torque_total"][1, 1] = np.nan
+    assert map_figure(dataset, "torque_total").axes[0].get_ylim() == (0.0, 1100.0)  # half a step beyond 100 and 900
 
 
 def test_further_axes_stand_side_by_side_and_failures_are_named() -> None:

@@ -1,5 +1,6 @@
 """Torque and friction over the operating points, by the numbers that are drawn of a document made by hand."""
 
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -8,11 +9,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
-from fembearing.quantities import INCH_POUND
+from fembearing.quantities import INCH_POUND, METRIC, Units
 from fembearing.report.figures.friction import friction_plot
 from fembearing.report.figures.torque import torque_plot
 from tests.analytic.specimens import present
-from tests.report.figures.figure_reader import area_of, as_document, labels_of, line_of, points_of
+from tests.report.figures import figure_reader
+from tests.report.figures.figure_reader import area_of, labels_of, line_of, points_of
 
 RPM = np.pi / 30
 PARTS = ("spin", "conformity", "hysteresis", "rolling", "cage", "declared")
@@ -28,6 +30,16 @@ TORQUES = {  # N mm, at those speeds; the cage was left out
 TOTALS = np.array([40.3, 25.8, 33.2])
 GAP = 0.14e-6  # m
 Document = dict[str, Any]  # keys of a document, which a test may change
+
+
+def as_document(content: Document, units: Units = METRIC, makers: dict[str, Any] | None = None) -> Any:
+    """The document with what stands beside the torque: no interval, and the makers' values, if the test gives none."""
+    document = figure_reader.as_document(content, units)
+    if document.torque is not None:
+        document.torque.left_out = []
+        document.torque.interval = getattr(document.torque, "interval", [None] * len(document.torque.points))
+        document.torque.catalogue_band = SimpleNamespace(values=makers or {})
+    return document
 
 
 def point(number: int, *, speed: float, load: float = 1000.0, radial: float = 0.0) -> dict[str, Any]:
@@ -105,6 +117,29 @@ def test_the_band_holds_both_uncertainties(document: Document) -> None:
         each["uncertainty"] = {"numerical": None, "model": None}
     found = torque_plot(as_document(document))
     assert "its uncertainty, not known" in found[1]
+
+
+def test_the_interval_takes_the_place_of_the_uncertainty_and_makers_stand_beside(document: Document) -> None:
+    """In the order of the speeds; a maker with two constants is one band, where one of them holds."""
+    document["torque"]["interval"] = [[0.031, 0.058], [0.017, 0.039], None]
+    makers = {
+        "SKF": [0.044, 0.029, 0.037],
+        "Palmgren, z = 0.0004": [0.033, 0.024, 0.028],
+        "Palmgren, z = 0.0006": [0.047, 0.031, 0.039],
+        "ISO 15312": [None, None, None],
+    }
+    figure, caption = torque_plot(as_document(document, makers=makers))
+    panel = present(figure).axes[0]
+    low, high = (line for line in panel.get_lines() if line.get_linestyle() == "--")
+    np.testing.assert_allclose(points_of(low)[:, 1], [17, np.nan, 31], rtol=1e-12)
+    np.testing.assert_allclose(points_of(high)[:, 1], [39, np.nan, 58], rtol=1e-12)
+    np.testing.assert_allclose(points_of(line_of(panel, "SKF"))[:, 1], [29, 37, 44], rtol=1e-12)
+    edges = [line for line in panel.get_lines() if line.get_linestyle() == ":"]
+    np.testing.assert_allclose([points_of(edge)[:, 1] for edge in edges], [[31, 39, 47], [24, 28, 33]], rtol=1e-12)
+    legend = [text.get_text() for text in present(figure).legends[0].get_texts()]
+    assert legend[-4:] == ["95 % interval", "total", "SKF", "Palmgren"]
+    assert "Red: SKF, Palmgren" in caption
+    assert "its 95 % interval" in caption
 
 
 def test_a_series_of_loads_is_drawn_over_the_load_and_a_mixed_one_point_by_point(document: Document) -> None:

@@ -5,7 +5,9 @@ import pytest
 from matplotlib.patches import Rectangle
 
 from analytic.scenefile.read import parse_scene
+from fembearing.report.figures.torque import beside_of
 from fembearing.report.figures.torque_alone import figure_of_torque
+from fembearing.report.torque import torque_record
 from fembearing.verify.torque.scene_torque import torque_of_scene
 from tests.analytic.scenefile.scene_texts import OILED, SPEEDS, changed
 
@@ -15,13 +17,15 @@ def test_one_point_has_a_bar_for_each_part_with_its_number() -> None:
     (panel,) = figure_of_torque(result).axes
     names = [label.get_text() for label in panel.get_yticklabels()]
     parts = [part for part in vars(result.friction.torque).values() if part is not None]
-    assert names[-1] == "total"
-    assert len(names) < len(parts) + 1
+    total = names.index("total")
+    assert total < len(parts)
+    makers = beside_of(torque_record(result)).makers
+    assert names[total + 1 :] == [f"{maker}, formula" for maker in makers]
     widths = [patch.get_width() for patch in panel.patches]  # pyright: ignore[reportAttributeAccessIssue]
     assert widths[-1] == pytest.approx(1e3 * result.friction.torque.total[0], rel=1e-12)  # N mm
     assert np.sum(widths[:-1]) == pytest.approx(widths[-1], rel=1e-9)  # round-off of the sum
     numbers = [each.get_text() for each in panel.texts]
-    assert numbers[-1] == f"{widths[-1]:.4g}"
+    assert numbers[total] == f"{widths[-1]:.4g}"
 
 
 def test_points_at_several_speeds_are_a_line_over_speed() -> None:

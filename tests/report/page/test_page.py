@@ -2,6 +2,7 @@
 
 import base64
 import re
+from collections import Counter
 from dataclasses import replace
 from html.parser import HTMLParser
 from io import StringIO
@@ -124,13 +125,14 @@ def test_the_contents_name_every_appendix_and_lead_to_it(page: Page) -> None:
 
 def test_every_picture_is_inside(page: Page) -> None:
     assert (
-        len(page.sources) == 2 * 4 + 8
-    )  # two of each contact; every plot but those of a cage that moved and of an interval
+        len(page.sources) == 2 * 4 + 9
+    )  # two of each contact; the drawing; every plot but those of a cage that moved and of an interval
     assert "No cage moved" in page.text
+    kinds = Counter(source.partition(",")[0] for source in page.sources)
+    assert kinds == {"data:image/png;base64": 2 * 4, "data:image/svg+xml;base64": 9}
     for source in page.sources:
-        head, _, content = source.partition(",")
-        assert head == "data:image/png;base64"
-        assert base64.b64decode(content, validate=True).startswith(b"\x89PNG")
+        content = base64.b64decode(source.partition(",")[2], validate=True)
+        assert content.startswith(b"\x89PNG" if "png" in source[:20] else b"<?xml")
     assert "http" not in page.text
 
 

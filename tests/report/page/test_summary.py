@@ -46,7 +46,8 @@ def with_points(document: Document, count: int) -> Document:
     ]
     torque["points"][count // 3]["torque"]["total"] = 0.0912
     torque["points"][count // 2]["torque"]["total"] = 0.0123
-    torque["catalogue_band"] |= {"low": None, "high": None}
+    torque["catalogue_band"] |= {"low": None, "high": None, "values": {}}
+    torque["interval"] = [None] * count
     for check in [*torque["verdicts"]["physical"], *document["physical"]]:
         check["point"] = min(check["point"], count - 1)
     for lists in (change["contact_angle"], change["torque"], change["change"], change["finite_geometry"] or {}):

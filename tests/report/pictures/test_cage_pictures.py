@@ -343,7 +343,7 @@ def test_a_bar_of_the_cage_begins_and_ends_in_the_middle_of_a_pockets_wall() -> 
 def test_words_tell_instant_regime_and_what_is_not_to_scale(known: CageRecord) -> None:
     job, caption = cage_job(known, Path("nowhere.png")), picture_caption(known)
     time = f"{1e3 * known.series.time[-7]:.4g} ms"
-    said = " ".join(job["lines"])
+    said = " ".join([*job["title"], *job["lines"]])
     for word in ('regime "rest"', "500 rpm, counterclockwise", time, "the largest 3 N", "10 times as far as computed"):
         assert word in said
     assert max(map(len, job["lines"])) < 88  # characters that the width holds
@@ -352,5 +352,5 @@ def test_words_tell_instant_regime_and_what_is_not_to_scale(known: CageRecord) -
     assert job["pull"]["label"] == "gravity"
     backwards = replace(known, cage=replace(known.cage, ring_speed=-52.4, gravity=(0.0, 0.0, -9.8)))
     job = cage_job(backwards, Path("nowhere.png"))
-    assert ", clockwise" in job["lines"][0]
+    assert ", clockwise" in job["title"][0]
     assert (job["pull"]["label"], job["pull"]["length"]) == ("gravity away from you", 0)

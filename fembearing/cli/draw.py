@@ -1,0 +1,33 @@
+"""`fembearing draw`."""
+
+import re
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from fembearing.cli.added_options import with_options
+from fembearing.cli.options import SceneName, read_scene
+from fembearing.cli.scene_options import SETTINGS, given_settings
+from fembearing.cli.status import print_warnings
+
+
+@with_options(SETTINGS)
+def draw(
+    scene: SceneName = None,
+    file: Annotated[
+        Path | None,
+        typer.Option(
+            "--out", "-o", help="New file, .svg, .png or .pdf; the bearing's name as .svg in this folder without it."
+        ),
+    ] = None,
+) -> None:
+    """Draw the bearing of a scene to scale, with dimensions and their origin: a wrong digit is seen."""
+    given = read_scene(scene, settings=given_settings())
+    from fembearing.cli.console import out
+    from fembearing.report.drawing import draw_bearing
+
+    target = Path(re.sub(r"[^\w.+-]+", "-", given.bearing.name.strip()) + ".svg") if file is None else file
+    draw_bearing(given, out=target)
+    print_warnings(given.warnings)
+    out.tell(f"file: {target}")
