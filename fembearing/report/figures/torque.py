@@ -6,7 +6,19 @@ from matplotlib.figure import Figure
 
 from fembearing.quantities import QUANTITIES
 from fembearing.report.figures.series_axis import SeriesAxis, axis_of
-from fembearing.report.figures.style import BLACK, BLUE, GREEN, GREY, LETTERS, ORANGE, PURPLE, SKY, WIDTH, lettered
+from fembearing.report.figures.style import (
+    BLACK,
+    BLUE,
+    GREEN,
+    GREY,
+    LETTERS,
+    ORANGE,
+    PURPLE,
+    SKY,
+    WIDTH,
+    YELLOW,
+    lettered,
+)
 from fembearing.report.report import Report
 
 PARTS = {  # from the bottom, with words for the legend
@@ -15,6 +27,7 @@ PARTS = {  # from the bottom, with words for the legend
     "hysteresis": ("hysteresis", GREEN),
     "rolling": ("rolling against the oil", ORANGE),
     "cage": ("cage", PURPLE),
+    "oil": ("oil outside the contacts", YELLOW),
     "declared": ("declared: seals, drag", GREY),
 }
 BAR = 0.6  # width
