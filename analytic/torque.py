@@ -51,7 +51,8 @@ DIRECTIONS = ((1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, -1.0, 0.
 # `python validation/model_version.py` prints both.
 MODEL_VERSION = 5
 NO_CAGE: Mapping[str, Decision] = dict.fromkeys(("cage", "cage_dynamics", "ball_dynamics"), "off")
-PARTS = ("spin", "conformity", "hysteresis", "rolling", "cage")
+LOSSES = ("oil", "declared")
+PARTS = ("spin", "conformity", "hysteresis", "rolling", "cage", *LOSSES)
 
 
 class Unsure(NamedTuple):
@@ -151,8 +152,8 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
     if drive is not None and ledger.is_on("cage"):
         cage = cage_friction(scene, drive, moves=ledger.is_on("cage_dynamics"), frees=frees)
     computed = race if cage is None else race + cage.torque
-    oil, declared = scene_losses(ledger, computed, speed, variation.oil_losses)
-    total = sum((part for part in (oil, declared) if part is not None), start=computed)
+    parts |= scene_losses(ledger, computed, speed, variation.oil_losses)
+    total = sum((parts[name] for name in LOSSES if name in parts), start=computed)
     if cage is not None:
         parts["cage"] = cage.torque
         load_warnings = load_warnings + list(cage.warnings)
@@ -167,9 +168,7 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
         moment=np.asarray(operation.moment),
         contact_angle=np.abs(heaviest["angle"].mean(axis=1)),
         ball_load=heaviest["load"].max(axis=1),
-        torque=TorqueParts(
-            total=total, race=race, oil=oil, declared=declared, **{name: parts.get(name) for name in PARTS}
-        ),
+        torque=TorqueParts(total=total, race=race, **{name: parts.get(name) for name in PARTS}),
         numerical_uncertainty=unsure.share + limits.uncertainty + by_cage,
         friction_coefficient=FrictionCoefficients(
             **_on_races(heaviest, "friction_coefficient", races.slides),

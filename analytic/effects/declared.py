@@ -24,8 +24,8 @@ from analytic.oil.viscosity import oil_numbers
 from analytic.scene import Array, Losses, Scene, ShearedPockets
 
 
-def scene_losses(ledger: Ledger, computed: Array, speed: Array, factor: float) -> tuple[Array | None, Array | None]:
-    """(n,) N m, of the oil outside the contacts, and of seals and drag together; settles all. None: nothing declared.
+def scene_losses(ledger: Ledger, computed: Array, speed: Array, factor: float) -> dict[str, Array]:
+    """The parts that are there, (n,) N m: "oil" outside the contacts, "declared" of seals and drag; settles all effects.
 
     computed : (n,) N m, the torque of all that is computed;  speed : (n,) rad/s;  factor : on the losses of the oil
     Raises InputError for a loss below 0, and as `stirred_oil`.
@@ -35,8 +35,10 @@ def scene_losses(ledger: Ledger, computed: Array, speed: Array, factor: float) -
     require_non_negative(**{f"losses.{name}": value for name, value in given.items() if value is not None})
     declared, stirred = losses.total, stirred_oil(scene, losses)
     parts = {} if stirred is None else _parts(scene, stirred, speed, factor)
-    oil = np.sum([*parts.values()], axis=0) if parts else None
-    total = computed + (0.0 if oil is None else oil) + (declared or 0.0)
+    found = {"oil": np.sum([*parts.values()], axis=0)} if parts else {}
+    if declared is not None:
+        found["declared"] = np.full_like(computed, declared)
+    total = sum(found.values(), start=computed)
     for name, value in given.items():
         share = None if value is None else share_in(np.full_like(total, value), total)
         lacks = ENTRIES[name].lacks(scene)
@@ -46,7 +48,7 @@ def scene_losses(ledger: Ledger, computed: Array, speed: Array, factor: float) -
         lacks = ENTRIES[name].lacks(scene)
         share = share_in(parts[name], total) if lacks is None else _estimate(scene, name, speed, total)
         ledger.settle(name, on=lacks is None, share=share, reason=lacks or ENTRIES[name].given)
-    return oil, None if declared is None else np.full_like(computed, declared)
+    return found
 
 
 def _parts(scene: Scene, stirred: StirredOil, speed: Array, factor: float) -> dict[str, Array]:

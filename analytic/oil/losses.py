@@ -110,8 +110,8 @@ class StirredOil:
 
         Notes
         -----
-        C_d = 24/Re + 6/(1 + sqrt(Re)) + 0.4 with Re = rho v D/eta holds for a single smooth sphere up to Re = 2e5. It is
-        up to 30 % above the standard curve at Re = 300 to 3000, and within 10 % of it elsewhere.
+        C_d = 24/Re + 6/(1 + sqrt(Re)) + 0.4 with Re = rho v D/eta holds for a single smooth sphere up to Re = 2e5.
+        It is up to 30 % above the standard curve at Re = 300 to 3000, and within 10 % of it elsewhere.
         """
         density, velocity = self.density * self.share, self.ball_rate * np.abs(speed)
         if density == 0:

@@ -27,8 +27,8 @@ GREASE_SPREAD = 0.15
 # middle of its clearance, rolls against 1.4 times the force; its slip and the heat of its oil are not computed.
 UNLOADED_SPREAD = 0.25
 # Factors on the losses by oil outside the contacts, the ends of their range. Oil that flows through is driven by the
-# cage or by the inner race, which is twice as fast, and leaves with the speed of one of them. For shear and drag it is a
-# judgement: gaps are partly filled and not concentric, and a ball runs in the wake of the next one.
+# cage or by the inner race, which is twice as fast, and leaves with the speed of one of them. For shear and drag it is
+# a judgement: gaps are partly filled and not concentric, and a ball runs in the wake of the next one.
 OIL_LOSS_FACTORS = (0.5, 2.0)
 
 

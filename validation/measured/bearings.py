@@ -6,7 +6,7 @@ import numpy as np
 
 from analytic.catalog.bearing_rows import find_bearing
 from analytic.oil.variation import OIL_LOSS_FACTORS, Variation
-from analytic.scene import Array
+from analytic.scene import Array, Scene
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
 from validation.measured.anchor import Anchor, published_columns, published_rows
@@ -138,11 +138,16 @@ def film_6016() -> Iterator[Anchor]:
     )
 
 
+def heat_scene(speeds: Array, viscosity: float, losses: str = "") -> Scene:
+    """speeds : rpm;  viscosity : Pa s;  losses : a table of a scene file"""
+    text = HEAT_35MM.format(speeds=[f"{rpm:g} rpm" for rpm in speeds], viscosity=viscosity)
+    return parse_scene(text + losses, origin="")
+
+
 def heat_35mm() -> Anchor:
     """Friction power of the races against the heat of the oil."""
     rows = published_columns("heat_35mm.csv")
-    speeds = [f"{rpm:g} rpm" for rpm in rows["speed_rpm"]]
-    found = [friction_torque(parse_scene(HEAT_35MM.format(speeds=speeds, viscosity=oil), origin="")) for oil in HOT_OIL]
+    found = [friction_torque(heat_scene(rows["speed_rpm"], oil)) for oil in HOT_OIL]
     thin, thick = (each.torque.total * each.inner_speed for each in found)
     inputs = UNIFORM * (thick - thin) / 2
     numerical = found[1].numerical_uncertainty / 2 * thick  # stated is 95 %
@@ -178,11 +183,9 @@ def heat_35mm_with_oil() -> Anchor:
 
 def heat_with_oil(speeds: Array) -> tuple[Array, Array]:
     """Heat with the least and with the most loss, W; speeds : rpm"""
-    texts = [f"{rpm:g} rpm" for rpm in speeds]
     ends = []
     for viscosity, losses, factor in zip(HOT_OIL, (LEAST_OIL, MOST_OIL), OIL_LOSS_FACTORS, strict=True):
-        scene = parse_scene(HEAT_35MM.format(speeds=texts, viscosity=viscosity) + losses, origin="")
-        found = friction_torque(scene, variation=Variation(oil_losses=factor))
+        found = friction_torque(heat_scene(speeds, viscosity, losses), variation=Variation(oil_losses=factor))
         ends.append(found.torque.total * found.inner_speed)
     return ends[0], ends[1]
 
