@@ -25,7 +25,7 @@ from analytic.scene import Array, Losses, Scene, ShearedPockets
 
 
 def scene_losses(ledger: Ledger, computed: Array, speed: Array, factor: float) -> dict[str, Array]:
-    """The parts that are there, (n,) N m: "oil" outside the contacts, "declared" of seals and drag; settles all effects.
+    """Parts that there are, (n,) N m: "oil" outside the contacts, "declared" of seals and drag; settles all of them.
 
     computed : (n,) N m, the torque of all that is computed;  speed : (n,) rad/s;  factor : on the losses of the oil
     Raises InputError for a loss below 0, and as `stirred_oil`.
