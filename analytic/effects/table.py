@@ -39,11 +39,11 @@ PER_LAG = 3.0
 MOST_CUT, PER_CUT_SHARE = 0.1, 4.0
 RULED = ("single_coefficient", "along_axis", "over_ellipse")  # methods of sliding with closed kinematics
 STATIC_LIMIT = 4.2e9  # Pa, peak pressure that leaves a dent of 1e-4 ball diameters (ISO 76, ball bearings)
-# What losses of the oil without their input are estimated by, judgements: share of oil between the rings, by supply;
-# clearance and thickness of a cage in its pockets over the ball diameter; rise of the temperature of oil that a jet
-# sends through, K; and its specific heat, J/(kg K).
+# What losses of the oil without their input are estimated by: share of oil between the rings, by supply, a judgement;
+# clearance and thickness of a cage in its pockets over the ball diameter, those of the cage of [Paper]; rise of the
+# temperature of oil that a jet sends through, K, a judgement; and its specific heat, J/(kg K).
 USUAL_SHARE: dict[str, float] = {"oil_bath": 0.05, "oil_jet": 0.02}
-USUAL_POCKETS = (0.02, 0.25)
+USUAL_POCKETS = (0.025, 0.11)
 JET_RISE, OIL_HEAT = 20.0, 2000.0
 
 

@@ -116,6 +116,6 @@ def test_rolling_does_not_jump_where_a_ball_is_barely_pressed(scene: Scene) -> N
     found = np.array([rolling(mass) for mass in masses])
     free = float(present(friction_torque(scene).torque.rolling)[0])
     np.testing.assert_allclose(found[0], free, rtol=1e-4)  # the force moves the other balls and the ring a little
-    # A force against a race only adds there: the sum over both gaps is least in the middle. But it relieves the inner race
-    # of loaded balls, by less than 1e-3.
+    # A force against a race only adds there: the sum over both gaps is least in the middle. But it relieves the inner
+    # race of loaded balls, by less than 1e-3.
     assert np.all(np.diff(found) > -1e-3 * free)
