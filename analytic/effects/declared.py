@@ -46,8 +46,12 @@ def scene_losses(ledger: Ledger, computed: Array, speed: Array, factor: float) -
         ledger.settle(name, on=lacks is None, share=share, reason=lacks or given_by)
     for name in OIL_LOSSES:
         lacks = ENTRIES[name].lacks(scene)
-        share = share_in(parts[name], total) if lacks is None else _estimate(scene, name, speed, total)
-        ledger.settle(name, on=lacks is None, share=share, reason=lacks or ENTRIES[name].given)
+        if lacks is None:
+            ledger.settle(name, on=True, share=share_in(parts[name], total), reason=ENTRIES[name].given)
+            continue
+        share = _estimate(scene, name, speed, total)
+        usual = "" if share is None else "; the share is an estimate by usual values"
+        ledger.settle(name, on=False, share=share, reason=lacks + usual)
     return found
 
 
