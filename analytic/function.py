@@ -14,6 +14,8 @@ from analytic.effects.table import ENTRIES
 from analytic.errors import FembearingError, InputError, real_numbers
 from analytic.free_ball.rotation import Creep
 from analytic.numerics.records import Records
+from analytic.oil.losses import StirredOil, stirred_oil
+from analytic.oil.viscosity import roelands_viscosity
 from analytic.scene import OIL_TEMPERATURES, Array, Operation, Scene
 from analytic.sliding.judge import AS_PRINTED, METHODS, SINGLE_COEFFICIENT
 from analytic.solve.freely import METHODS as FREE_METHODS
@@ -46,6 +48,7 @@ class TorqueFunction(Brief):
     work: Workspace | None  # the balls of the last call
     points: Array  # (1, 5) of one call: N, N, N m, rad/s, K
     out: Records  # (1,) `records.POINT` of one call
+    stirred: StirredOil | None  # outside the contacts; None: the scene declares no loss of it
 
     def _facts(self) -> Iterator[str]:
         yield from (self.scene.name, "two bearings" if self.model is None else self.scene.sliding)
@@ -98,7 +101,8 @@ class TorqueFunction(Brief):
             kernel = solve if self.model.creep is None else solve_free
             kernel(self.model.numbers, self.model.tables, self.points, self.work, NO_BALLS, self.out, has_ring)
             if self.out["status"][0] == SETTLED:
-                return float(self.out["total"][0])
+                total = float(self.out["total"][0])
+                return total if self.stirred is None else total + float(self._stirring(point[3], point[4]))
         return self._slowly(point)
 
     def series(
@@ -146,7 +150,10 @@ class TorqueFunction(Brief):
         torques = np.full(len(points), np.nan)
         if self.model is not None and len(points):
             torques = solved(self.model, points, keeps_balls=False).points["total"].copy()
-            torques[[not self._takes(point) for point in points]] = np.nan
+            taken = np.array([self._takes(point) for point in points])
+            torques[~taken] = np.nan
+            if self.stirred is not None:
+                torques[taken] += self._stirring(points[taken, 3], points[taken, 4])
         for index in np.flatnonzero(np.isnan(torques)):
             torques[index] = self._slowly(points[index])
         return torques.reshape(given[0].shape)
@@ -213,6 +220,15 @@ class TorqueFunction(Brief):
             ends = [self.copy()(**{**point, name: end}) for end in (low, high)]
             slopes[name] = (ends[1] - ends[0]) / (high - low)
         return slopes
+
+    def _stirring(self, speed: ArrayLike, temperature: ArrayLike) -> Array:
+        """Torque of the oil outside the contacts, N m; speed : rad/s;  temperature : of the oil, K"""
+        assert self.stirred is not None
+        oil = self.scene.lubricant
+        assert oil is not None
+        names = ("viscosity", "pressure_viscosity", "reference_temperature", "viscosity_temperature")
+        numbers = {name: getattr(oil, name) for name in names}
+        return self.stirred.torque(speed, roelands_viscosity(pressure=0.0, temperature=temperature, **numbers))
 
     @cached_property
     def _temperature(self) -> float:
@@ -311,6 +327,7 @@ def torque_function(
         work=None if model is None else workspace(model),
         points=np.zeros((1, 5)),
         out=np.zeros(1, POINT),
+        stirred=None if model is None else stirred_oil(settled, settled.losses),
     )
 
 

@@ -71,6 +71,8 @@ UNCERTAIN: dict[str, Varied] = {
     "friction.hysteresis_loss": PURE,
     "losses.seals": Varied(unit="N m", example='"1 N mm", or "20 %"'),
     "losses.drag": Varied(unit="N m", example='"1 N mm", or "20 %"'),
+    "losses.oil_flow": Varied(unit="m^3/s", example='"0.05 l/min", or "5 %"'),
+    "losses.oil_share": PURE,
     "cage.friction_coefficient": PURE,
     "model.film": PURE,
     "model.gap": PURE,
@@ -80,6 +82,7 @@ UNCERTAIN: dict[str, Varied] = {
     "model.elastic_rolling": Varied(unit="", example="0.5", floor=None),
     "model.grease_film": PURE,
     "model.unloaded_balls": PURE,
+    "model.oil_losses": PURE,
 }
 
 
@@ -163,6 +166,8 @@ def uncertain_value(scene: Scene, key: str) -> float | None:
         return (scene.loss_factor or None) if scene.elastic_rolling == "hysteresis" and has_elastic else None
     if key == "model.elastic_rolling":
         return 0.0 if has_elastic and scene.loss_factor else None
+    if key == "model.oil_losses":
+        return 1.0 if scene.losses.has_oil else None
     if key == "model.unloaded_balls":
         is_on = scene.effects.get("unloaded_balls") != "off" and not scene.operation.is_thrust
         return 1.0 if is_on and scene.lubricant is not None and scene.lubricant.supply == "oil_bath" else None

@@ -11,7 +11,7 @@ from analytic.brief import Brief, points_of, span
 from analytic.cage.torque import CagePart, CagePoint
 from analytic.effects.ledger import Effect, Effects, ShareKind
 from analytic.effects.limits import LimitNumbers
-from analytic.effects.table import CHOSEN, DECLARED, TRIED
+from analytic.effects.table import CHOSEN, DECLARED, OIL_LOSSES, TRIED
 from analytic.errors import InputError
 from analytic.labelled import Column, Labelled, dataset_of, frame_of, html_table
 from analytic.loads.pair import PairEquilibrium
@@ -40,6 +40,7 @@ COLUMNS: dict[str, Column] = {
     "torque_hysteresis": Column("N m", "part of the friction torque by elastic hysteresis"),
     "torque_rolling": Column("N m", "part of the friction torque by hydrodynamic rolling"),
     "torque_cage": Column("N m", "part of the friction torque by the cage"),
+    "torque_oil": Column("N m", "part of the friction torque by oil that flows through, is sheared and stirred"),
     "torque_declared": Column("N m", "part of the friction torque that the scene declares for seals and drag"),
     "uncertainty_numerical": Column("1", "numerical uncertainty of the friction torque, relative"),
     "uncertainty_model": Column("1", "uncertainty of the friction torque by the model's formulas, relative, 95 %"),
@@ -75,6 +76,7 @@ class TorqueParts(Brief, Generic[T]):
     hysteresis: T | None
     rolling: T | None = None
     cage: T | None = None  # sliding on balls and land, and drag
+    oil: T | None = None  # outside the contacts: it flows through, is sheared at the cage, and holds the balls back
     declared: T | None = None  # seals and drag, as the scene gives them
 
 
@@ -388,7 +390,8 @@ class FrictionTorque(Brief):
             return "unknown"
         if not np.isfinite(effect.share):
             return "unbounded"
-        if getattr(self.torque, effect.name, None) is not None or effect.name in DECLARED:
+        is_counted = effect.name in DECLARED or (effect.name in OIL_LOSSES and effect.decision == "on")
+        if is_counted or getattr(self.torque, effect.name, None) is not None:
             return "part"
         by_trial = effect.decision == "on" or "the scene says off" in effect.reason
         return "trial" if by_trial and effect.name in TRIED else "bound"

@@ -319,18 +319,48 @@ class Surface(Noun):
 
 
 @dataclass(frozen=True, kw_only=True)
+class ShearedLand(Noun):
+    """The gap between a shoulder and the cage that it guides, full of oil."""
+
+    ring: Literal["inner", "outer"]  # to which the shoulder belongs
+    diameter: float  # of the shoulder, m
+    clearance: float  # on the diameter, m
+    width: float  # of all lands of the cage together, m
+
+
+@dataclass(frozen=True, kw_only=True)
+class ShearedPockets(Noun):
+    """The gaps between the balls and their pockets, which are bores along the radius, full of oil."""
+
+    clearance: float  # on the diameter, m
+    thickness: float  # of the cage there, m
+
+
+@dataclass(frozen=True, kw_only=True)
 class Losses(Noun):
-    """Torques about the bearing axis that the scene declares, as no formula here gives them; None: not declared."""
+    """Torques about the bearing axis that the scene declares, and what losses of the oil follow from.
+
+    None: not declared. `analytic.oil.losses` has the formulas.
+    """
 
     seals: float | None = None  # N m, >= 0
     drag: float | None = None  # of the oil that balls and cage move, N m, >= 0
     seals_are_estimated: bool = False  # by SKF's formula, not declared
+    oil_flow: float | None = None  # through the bearing, m^3/s, >= 0
+    oil_share: float | None = None  # of the space between the rings that is oil, not air, 0 to 1
+    land: ShearedLand | None = None
+    pockets: ShearedPockets | None = None
 
     @property
     def total(self) -> float | None:
         """Of seals and drag together, N m; None: nothing is declared."""
         known = [value for value in (self.seals, self.drag) if value is not None]
         return sum(known) if known else None
+
+    @property
+    def has_oil(self) -> bool:
+        """Whether losses of the oil follow from what is declared."""
+        return any(getattr(self, name) is not None for name in ("oil_flow", "oil_share", "land", "pockets"))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -21,7 +21,7 @@ from analytic.cage.torque import CagePart, cage_friction
 from analytic.contact.factors import ContactCorrection
 from analytic.contact.geometry import RACES
 from analytic.effects.cage import decide_cage
-from analytic.effects.declared import declared_losses
+from analytic.effects.declared import scene_losses
 from analytic.effects.ledger import Ledger, share_in
 from analytic.effects.limits import check_limits
 from analytic.effects.table import ruled
@@ -51,7 +51,8 @@ DIRECTIONS = ((1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, -1.0, 0.
 # `python validation/model_version.py` prints both.
 MODEL_VERSION = 5
 NO_CAGE: Mapping[str, Decision] = dict.fromkeys(("cage", "cage_dynamics", "ball_dynamics"), "off")
-PARTS = ("spin", "conformity", "hysteresis", "rolling", "cage")
+LOSSES = ("oil", "declared")
+PARTS = ("spin", "conformity", "hysteresis", "rolling", "cage", *LOSSES)
 
 
 class Unsure(NamedTuple):
@@ -104,7 +105,8 @@ def friction_torque(
     The balls are loaded (`analytic.loads`), and each loses power to each race. Per unit speed and summed::
 
         race = spin + conformity + hysteresis (equations 9 to 12 of [Paper]) + hydrodynamic rolling, where there is oil
-        total = race + cage (`analytic.cage`) + declared losses of seals and drag
+        total = race + cage (`analytic.cage`) + oil outside the contacts (`analytic.oil.losses`) + declared losses of
+            seals and drag
 
     Sliding is by mixed lubrication where the scene has an oil and a surface. A friction coefficient takes the place of
     the surface: then sliding friction does not depend on speed, and at standstill it is that of the first motion.
@@ -150,8 +152,8 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
     if drive is not None and ledger.is_on("cage"):
         cage = cage_friction(scene, drive, moves=ledger.is_on("cage_dynamics"), frees=frees)
     computed = race if cage is None else race + cage.torque
-    declared = declared_losses(ledger, computed)
-    total = computed if declared is None else computed + declared
+    parts |= scene_losses(ledger, computed, speed, variation.oil_losses)
+    total = sum((parts[name] for name in LOSSES if name in parts), start=computed)
     if cage is not None:
         parts["cage"] = cage.torque
         load_warnings = load_warnings + list(cage.warnings)
@@ -166,7 +168,7 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
         moment=np.asarray(operation.moment),
         contact_angle=np.abs(heaviest["angle"].mean(axis=1)),
         ball_load=heaviest["load"].max(axis=1),
-        torque=TorqueParts(total=total, race=race, declared=declared, **{name: parts.get(name) for name in PARTS}),
+        torque=TorqueParts(total=total, race=race, **{name: parts.get(name) for name in PARTS}),
         numerical_uncertainty=unsure.share + limits.uncertainty + by_cage,
         friction_coefficient=FrictionCoefficients(
             **_on_races(heaviest, "friction_coefficient", races.slides),

@@ -30,6 +30,8 @@ UNITS: dict[str, str] = {
     "pocket_stiffness": "N/m^1.5",
     "sheet_stiffness": "N/m",
     "surface_tension": "N/m",
+    "oil_flow": "m^3/s",
+    "oil_share": "1",
     "Cage.drag": "N m s",
     **dict.fromkeys(("MeasuredTorque.torque", "MeasuredTorque.uncertainty"), "N m"),
     **dict.fromkeys(("start", "material", "ball_material"), ""),  # words

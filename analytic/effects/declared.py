@@ -1,27 +1,86 @@
-"""Losses that no formula here gives: the scene declares them, and the total counts them."""
+"""Losses that the scene declares: torques of seals and drag, and oil outside the contacts, by its own formulas.
+
+Nothing is decided here: a loss counts if its input is declared. A loss of the oil without its input has an estimate by
+usual values, which says whether it could matter.
+"""
+
+from dataclasses import replace
 
 import numpy as np
 
 from analytic.effects.ledger import Ledger, share_in
-from analytic.effects.table import DECLARED, ENTRIES
+from analytic.effects.table import (
+    DECLARED,
+    ENTRIES,
+    JET_RISE,
+    OIL_HEAT,
+    OIL_LOSSES,
+    USUAL_POCKETS,
+    USUAL_SHARE,
+)
 from analytic.errors import require_non_negative
-from analytic.scene import Array
+from analytic.oil.losses import StirredOil, stirred_oil
+from analytic.oil.viscosity import oil_numbers
+from analytic.scene import Array, Losses, Scene, ShearedPockets
 
 
-def declared_losses(ledger: Ledger, computed: Array) -> Array | None:
-    """(n,) N m, of seals and drag together; settles both. None: nothing is declared.
+def scene_losses(ledger: Ledger, computed: Array, speed: Array, factor: float) -> dict[str, Array]:
+    """Parts that there are, (n,) N m: "oil" outside the contacts, "declared" of seals and drag; settles all of them.
 
-    computed : (n,) N m, the torque of all that is computed
-    Raises InputError for a loss below 0.
+    computed : (n,) N m, the torque of all that is computed;  speed : (n,) rad/s;  factor : on the losses of the oil
+    Raises InputError for a loss below 0, and as `stirred_oil`.
     """
-    given = {name: getattr(ledger.scene.losses, name) for name in DECLARED}
-    known = {f"losses.{name}": value for name, value in given.items() if value is not None}
-    require_non_negative(**known)
-    declared = ledger.scene.losses.total
-    total = computed + (declared or 0.0)
+    scene, losses = ledger.scene, ledger.scene.losses
+    given = {name: getattr(losses, name) for name in DECLARED}
+    require_non_negative(**{f"losses.{name}": value for name, value in given.items() if value is not None})
+    declared, stirred = losses.total, stirred_oil(scene, losses)
+    parts = {} if stirred is None else _parts(scene, stirred, speed, factor)
+    found = {"oil": np.sum([*parts.values()], axis=0)} if parts else {}
+    if declared is not None:
+        found["declared"] = np.full_like(computed, declared)
+    total = sum(found.values(), start=computed)
     for name, value in given.items():
         share = None if value is None else share_in(np.full_like(total, value), total)
-        lacks = ENTRIES[name].lacks(ledger.scene)
-        given_by = "estimated" if name == "seals" and ledger.scene.losses.seals_are_estimated else ENTRIES[name].given
+        lacks = ENTRIES[name].lacks(scene)
+        given_by = "estimated" if name == "seals" and losses.seals_are_estimated else ENTRIES[name].given
         ledger.settle(name, on=lacks is None, share=share, reason=lacks or given_by)
-    return None if declared is None else np.full_like(computed, declared)
+    for name in OIL_LOSSES:
+        lacks = ENTRIES[name].lacks(scene)
+        if lacks is None:
+            ledger.settle(name, on=True, share=share_in(parts[name], total), reason=ENTRIES[name].given)
+            continue
+        share = _estimate(scene, name, speed, total)
+        usual = "" if share is None else "; the share is an estimate by usual values"
+        ledger.settle(name, on=False, share=share, reason=lacks + usual)
+    return found
+
+
+def _parts(scene: Scene, stirred: StirredOil, speed: Array, factor: float) -> dict[str, Array]:
+    """(n,) N m of each of OIL_LOSSES."""
+    assert scene.lubricant is not None
+    viscosity = oil_numbers(scene.lubricant).viscosity
+    return {
+        "through_flow": factor * stirred.through_flow(speed),
+        "cage_shear": factor * stirred.cage_shear(speed, viscosity),
+        "ball_drag": factor * stirred.ball_drag(speed, viscosity),
+    }
+
+
+def _estimate(scene: Scene, name: str, speed: Array, total: Array) -> Array | None:
+    """(n,) share of a loss of the oil that lacks its input, by usual values; None: not known, or counted elsewhere."""
+    oil, ball, losses = scene.lubricant, scene.bearing.ball_diameter, scene.losses
+    if oil is None or oil.supply not in USUAL_SHARE:
+        return None
+    if name == "cage_shear" and scene.cage is not None:
+        return None
+    if name == "ball_drag" and losses.drag is not None:
+        return None
+    pockets = ShearedPockets(clearance=USUAL_POCKETS[0] * ball, thickness=USUAL_POCKETS[1] * ball)
+    usual = stirred_oil(replace(scene, cage=None), Losses(oil_share=USUAL_SHARE[oil.supply], pockets=pockets))
+    assert usual is not None
+    if name != "through_flow":
+        return share_in(_parts(scene, usual, speed, 1.0)[name], total)
+    if oil.supply != "oil_jet":
+        return None
+    accelerated = (2 * usual.ball_rate * speed) ** 2 / (OIL_HEAT * JET_RISE)
+    return np.divide(accelerated, 1 - accelerated, out=np.full(total.shape, np.inf), where=accelerated < 1)

@@ -39,6 +39,12 @@ PER_LAG = 3.0
 MOST_CUT, PER_CUT_SHARE = 0.1, 4.0
 RULED = ("single_coefficient", "along_axis", "over_ellipse")  # methods of sliding with closed kinematics
 STATIC_LIMIT = 4.2e9  # Pa, peak pressure that leaves a dent of 1e-4 ball diameters (ISO 76, ball bearings)
+# What losses of the oil without their input are estimated by: share of oil between the rings, by supply, a judgement;
+# clearance and thickness of a cage in its pockets over the ball diameter, those of the cage of [Paper]; rise of the
+# temperature of oil that a jet sends through, K, a judgement; and its specific heat, J/(kg K).
+USUAL_SHARE: dict[str, float] = {"oil_bath": 0.05, "oil_jet": 0.02}
+USUAL_POCKETS = (0.025, 0.11)
+JET_RISE, OIL_HEAT = 20.0, 2000.0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -55,7 +61,7 @@ class Entry:
 
     name: str
     meaning: str
-    kind: Literal["computed", "cage", "declared", "limit"]
+    kind: Literal["computed", "cage", "declared", "oil", "limit"]
     needs: Need | None = None
     # On its share of the torque where no trial shows it, or the limit that is checked; None: always tried or computed.
     bound: str | None = None
@@ -118,6 +124,18 @@ def _seals(scene: Scene) -> str | None:
     if seals is None:
         return "not declared"
     return f"not declared: {seals}" if scene.bearing.seals_rub else f"no drag: {seals}"
+
+
+def _not_given(name: str) -> Callable[[Scene], str | None]:
+    return lambda scene: f"losses.{name} is not given" if getattr(scene.losses, name) is None else None
+
+
+def _no_gaps(scene: Scene) -> str | None:
+    if scene.losses.land is not None or scene.losses.pockets is not None:
+        return None
+    if scene.cage is not None:
+        return "losses.land is not given, and [cage] has the friction in the pockets"
+    return "losses.land and losses.pockets are not given"
 
 
 def _held_angle(scene: Scene) -> str | None:
@@ -297,6 +315,33 @@ TABLE = (
         given="declared by the scene",
     ),
     Entry(
+        name="through_flow",
+        kind="oil",
+        meaning="torque that brings oil, which flows through, to the speed of the cage",
+        needs=Need(keys="`oil_flow` in `[losses]`", lacks=_not_given("oil_flow")),
+        bound="without it, of an oil jet: x/(1 - x), x the square of the inner race's speed over the heat of a rise "
+        f"by {JET_RISE:g} K",
+        given="by the flow that the scene declares",
+    ),
+    Entry(
+        name="cage_shear",
+        kind="oil",
+        meaning="torque of the oil that is sheared in the gaps of the cage",
+        needs=Need(keys="`land` or `pockets` in `[losses]`", lacks=_no_gaps),
+        bound="without them, in an oil bath or jet and without `[cage]`: pockets of "
+        f"{USUAL_POCKETS[0]:g} ball diameters clearance and {USUAL_POCKETS[1]:g} thickness",
+        given="by the gaps that the scene declares",
+    ),
+    Entry(
+        name="ball_drag",
+        kind="oil",
+        meaning="torque of balls that move through oil and air",
+        needs=Need(keys="`oil_share` in `[losses]`", lacks=_not_given("oil_share")),
+        bound="without it and without `drag`: a share of "
+        + ", ".join(f"{share:g} with `{supply}`" for supply, share in USUAL_SHARE.items()),
+        given="by the share of oil that the scene declares",
+    ),
+    Entry(
         name="plasticity",
         kind="limit",
         meaning="plastic contact; not modelled",
@@ -321,5 +366,6 @@ def _names(*kinds: str) -> tuple[str, ...]:
 COMPUTED = _names("computed")
 TRIED = tuple(name for name in COMPUTED if name != "creep")  # a trial shows their shares
 DECLARED = _names("declared")
+OIL_LOSSES = _names("oil")
 LIMITS = _names("limit")
 CHOSEN = _names("computed", "cage")  # a scene may say on or off

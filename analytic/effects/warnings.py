@@ -10,11 +10,16 @@ from analytic.effects.washers import HELD
 from analytic.numerics.records import Records
 from analytic.oil.grease import MEASURED_SIZES
 from analytic.oil.lubrication import SHORTEST
+from analytic.scene import Scene, Supply
 from analytic.solve.solution import Solution
 from analytic.surface.roughness import GapRoughness
-from analytic.words import MICROMETRE, MILLIMETRE
+from analytic.words import MICROMETRE, MILLIMETRE, RPM
 
 LIGHT = 0.01  # of the heaviest ball's load: a film of a lighter ball hardly changes the torque
+# Speed n d_m, mm/min, beyond which bearings need more than usual design; rules of thumb [BearingWorks], [Anderson1973]
+USUAL_SPEEDS: dict[Supply, float] = {"grease": 0.5e6, "oil_bath": 1e6, "oil_spot": 1e6, "oil_jet": 2e6}
+HYBRID_JET = 3e6  # with an oil jet and ceramic balls
+LIGHTEST_STEEL = 6000.0  # kg/m^3: a lighter ball is a ceramic one
 
 
 def torque_warnings(
@@ -54,6 +59,8 @@ def torque_warnings(
         )
     if scene.lubricant is None and not ledger.rules_out("rolling"):
         warnings.append("rolling needs [lubricant]: the total is too low by the hydrodynamic resistance to it")
+    if (speed := too_fast(scene)) is not None:
+        warnings.append(speed)
     warnings += _greased(ledger)
     if roughness is not None:
         warnings += roughness.warnings
@@ -76,6 +83,22 @@ def _decisions(ledger: Ledger) -> Iterator[str]:
         if effect.decision == "off" and effect.share is not None and effect.share > ledger.scene.tolerance:
             beyond = ", more than the tolerance" if effect.share <= 1 else ""
             yield f"{effect.name} is left out and {size_of(effect.share)}{beyond}: {effect.reason}"
+
+
+def too_fast(scene: Scene) -> str | None:
+    """That n d_m is beyond usual practice, in words; None: it is not."""
+    oil, bearing = scene.lubricant, scene.bearing
+    supply = "oil_bath" if oil is None else oil.supply
+    is_hybrid = bearing.ball_material.density < LIGHTEST_STEEL
+    limit = HYBRID_JET if is_hybrid and supply == "oil_jet" else USUAL_SPEEDS[supply]
+    fastest = float(np.max(np.abs(scene.operation.inner_speed), initial=0.0))
+    found = MILLIMETRE.number(RPM.number(fastest) * bearing.pitch_diameter)
+    if found <= limit:
+        return None
+    return (
+        f"n d_m = {found:.3g} mm/min is more than {limit:.2g} mm/min, the usual limit with {supply.replace('_', ' ')}: "
+        "nothing here judges whether cage and lubrication last there"
+    )
 
 
 def _greased(ledger: Ledger) -> Iterator[str]:

@@ -153,6 +153,13 @@ def gap_force(shear: float, radius: float, ellipticity: float, gap: float, ahead
 
 
 @compiled
+def gap_of_force(shear: float, radius: float, ellipticity: float, force: float, ahead: float) -> float:
+    """h of `gap_force`, m, for a force f > 0, N; the other arguments as there. A gap may be narrower than its least."""
+    lengths = force * (3 + 2 * ellipticity) * np.sqrt(ellipticity) / (12 * np.pi * shear * radius)
+    return ahead * ahead / (GAP_CONSTANT * radius * np.expm1(2 * lengths))
+
+
+@compiled
 def film_correction(regime: Regime) -> float:
     """C of the film, which fades outside the range."""
     share = covered(regime)

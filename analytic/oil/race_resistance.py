@@ -10,7 +10,7 @@ from analytic.contact.hertz import contact_modulus, unit_hertz
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.loads.numbers import play_and_free_angle
 from analytic.numerics.compilation import compiled
-from analytic.oil.ehl_fit import OilSupply, gap_force
+from analytic.oil.ehl_fit import OilSupply, gap_force, gap_of_force
 from analytic.oil.inlets import oil_supply
 from analytic.oil.lubrication import Lubrication, lubricated_contact, lubrication_of
 from analytic.oil.mixed import MixedNumbers
@@ -110,6 +110,25 @@ def torque_off_race(
     shear = oil.viscosity * abs(ring_speed) * entrainment
     force = gap_force(shear, radius, contact.curvature_transverse * radius, gap, supply.ahead)
     return resistance.unloaded * 2.0 * force * entrainment
+
+
+@compiled
+def gap_off_race(
+    resistance: RaceResistance,
+    oil: OilNumbers,
+    race: int,
+    contact: ContactNumbers,
+    entrainment: float,
+    torque: float,
+    ring_speed: float,
+) -> float:
+    """The gap with the torque of `torque_off_race`, m; infinite without torque. The arguments are the same."""
+    supply, radius = (resistance.inner if race == 0 else resistance.outer).supply, 1 / contact.curvature_rolling
+    shear = oil.viscosity * abs(ring_speed) * entrainment
+    if torque == 0.0 or shear == 0.0:
+        return np.inf
+    force = torque / (resistance.unloaded * 2.0 * entrainment)
+    return gap_of_force(shear, radius, contact.curvature_transverse * radius, force, supply.ahead)
 
 
 def resistance_of(

@@ -26,6 +26,10 @@ GREASE_SPREAD = 0.15
 # Standard deviation of ln(rolling of balls without load), a judgement. A ball of a 6205 that lies on a race, not in the
 # middle of its clearance, rolls against 1.4 times the force; its slip and the heat of its oil are not computed.
 UNLOADED_SPREAD = 0.25
+# Factors on the losses by oil outside the contacts, the ends of their range. Oil that flows through is driven by the
+# cage or by the inner race, which is twice as fast, and leaves with the speed of one of them. For shear and drag it is
+# a judgement: gaps are partly filled and not concentric, and a ball runs in the wake of the next one.
+OIL_LOSS_FACTORS = (0.5, 2.0)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -44,6 +48,7 @@ class Variation:
     elastic_rolling: float = 0.0
     grease_film: float = 1.0  # factor on the films that are measured with grease
     unloaded_balls: float = 1.0  # factor on the rolling of balls without load
+    oil_losses: float = 1.0  # factor on the losses by oil outside the contacts
 
     def __post_init__(self) -> None:
         require_positive(**{name: value for name, value in vars(self).items() if name != "elastic_rolling"})

@@ -12,6 +12,7 @@ from analytic.oil.variation import (
     GREASE_SPREAD,
     HEATING_SPREAD,
     NOMINAL,
+    OIL_LOSS_FACTORS,
     ROLLING_SPREAD,
     SURFACE_SPREAD,
     UNLOADED_SPREAD,
@@ -41,6 +42,7 @@ def with_model_uncertainty(scene: Scene, result: FrictionTorque) -> FrictionTorq
         heating: the factors for heating of the inlets by the powers 0.61 and 1.65
         grease_film: the films measured with grease by 0.74 and 1.35, with the rolling that belongs to them
         unloaded_balls: their rolling by the factors 0.61 and 1.65
+        oil_losses: the losses by oil outside the contacts by the factors 0.5 and 2
         elastic_rolling: the other law of elastic rolling, `hysteresis` or `houpert`, and as far to the other side, up
             to the law of dry contacts
     The largest change counts. The parts are independent, so the root of the sum of their squares is the whole.
@@ -73,6 +75,8 @@ def with_model_uncertainty(scene: Scene, result: FrictionTorque) -> FrictionTorq
     if result.is_on("unloaded_balls"):
         factors = [np.exp(sign * COVERAGE * UNLOADED_SPREAD) for sign in (-1, 1)]
         variations["unloaded_balls"] = [(same, Variation(unloaded_balls=factor)) for factor in factors]
+    if scene.losses.has_oil:
+        variations["oil_losses"] = [(same, Variation(oil_losses=factor)) for factor in OIL_LOSS_FACTORS]
     if result.is_on("hysteresis") and scene.loss_factor:
         variations["elastic_rolling"] = [(same, Variation(elastic_rolling=step)) for step in (-1.0, 1.0)]
     if not variations:

@@ -7,7 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.numerics.records import Record, Records
+from analytic.oil.losses import stirred_oil
 from analytic.oil.variation import NOMINAL, Variation
+from analytic.oil.viscosity import oil_numbers
 from analytic.result import TorqueParts
 from analytic.scene import Array, Scene
 from analytic.sliding.judge import METHODS as SLIDING_METHODS
@@ -57,10 +59,15 @@ def settled_parts(scene: Scene, variation: Variation, start: FreeStart | None = 
     found = settle(scene, variation, start)
     if found is None or found.points["status"].any():
         return None
-    parts, declared = found.points, scene.losses.total
+    parts, declared, stirred = found.points, scene.losses.total, stirred_oil(scene, scene.losses)
+    oil = None
+    if stirred is not None and scene.lubricant is not None:
+        speed = scene.operation.as_series().inner_speed
+        oil = variation.oil_losses * stirred.torque(speed, oil_numbers(scene.lubricant).viscosity)
     return TorqueParts(
-        total=parts["total"],
+        total=parts["total"] if oil is None else parts["total"] + oil,
         race=parts["spin"] + parts["conformity"] + parts["hysteresis"] + parts["rolling"],
+        oil=oil,
         declared=None if declared is None else np.full_like(parts["total"], declared),
         **{name: parts[name] if found.counted[name] else None for name in PARTS},
     )

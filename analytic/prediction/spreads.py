@@ -13,6 +13,7 @@ from analytic.oil.variation import (
     ELASTIC_SPREAD,
     GREASE_SPREAD,
     HEATING_SPREAD,
+    OIL_LOSS_FACTORS,
     ROLLING_SPREAD,
     SURFACE_SPREAD,
     UNLOADED_SPREAD,
@@ -62,6 +63,8 @@ DEFAULTS: dict[str, Default] = {
     "friction.hysteresis_loss": Default(LOSS_SPREAD, True, "judgement: sources have 0.003 to 0.025"),
     "losses.seals": Default(0.30, True, "judgement: seals differ and run in"),
     "losses.drag": Default(0.30, True, "judgement"),
+    "losses.oil_flow": Default(0.05, True, "judgement: how well a flow is known on a test rig"),
+    "losses.oil_share": Default(0.50, True, "judgement: it is hardly ever measured"),
     "cage.friction_coefficient": Default(0.30, True, "judgement: as for the boundary friction of other surfaces"),
     "model.film": Default(FORMULA_UNCERTAINTY, True, "measured films about the formula [Wittek]"),
     "model.gap": Default(0.5, True, "judgement: two laws of the gap differ by up to 2.5 times in the load share"),
@@ -70,6 +73,9 @@ DEFAULTS: dict[str, Default] = {
     "model.heating": Default(HEATING_SPREAD, True, "judgement: laws of heating and of thinning by shear"),
     "model.grease_film": Default(GREASE_SPREAD, True, "judgement: laws of films measured with grease [Shetty2024]"),
     "model.unloaded_balls": Default(UNLOADED_SPREAD, True, "judgement: where a ball lies in its clearance"),
+    "model.oil_losses": Default(
+        np.log(OIL_LOSS_FACTORS[1]) / 3**0.5, True, "evenly within a factor of 2, as cage and inner race bound the flow"
+    ),
     "model.elastic_rolling": Default(ELASTIC_SPREAD, False, "the distance of two laws, hysteresis and [Houpert2002]"),
 }
 NUMERICAL = "numerical"

@@ -50,6 +50,7 @@ def varied_scene(scene: Scene, values: Mapping[str, float]) -> tuple[Scene, Vari
         elastic_rolling=model.get("elastic_rolling", 0.0),
         grease_film=model.get("grease_film", 1.0),
         unloaded_balls=model.get("unloaded_balls", 1.0),
+        oil_losses=model.get("oil_losses", 1.0),
     )
     return replace(scene, **changed), variation
 

@@ -27,7 +27,7 @@ from analytic.scenefile.table import Table, Text, given_paths, table_of_paths
 SHARE = Dimension(unit="", low=0, high=LARGEST_SHARE, example='"10 %"')
 # Standard deviation, by the unit. That it is at most 300 % of the value is checked too.
 MOST = {"": 3.0, "m": 0.01, "rad": 1.0, "N": 1e6, "N m": 1e4, "N/m": 0.1, "K": 100.0, "Pa": 1e10, "1/Pa": 1e-7}
-MOST |= {"Pa*s": 10.0}
+MOST |= {"Pa*s": 10.0, "m^3/s": 1.0}
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -109,6 +109,7 @@ COLDEST, HOTTEST = OIL_TEMPERATURES
 Temperature = Annotated[float, Dimension(unit="K", low=COLDEST, high=HOTTEST, example='"40 degC"')]
 Friction = Annotated[float, Dimension(unit="", low=0, high=5, example="0.1")]
 Loss = Annotated[float, Dimension(unit="N m", low=0, high=1e6, example='"5 N mm"')]
+Flow = Annotated[float, Dimension(unit="m^3/s", low=0, high=1, example='"0.8 l/min"')]
 SealLoss = Annotated[
     float | Literal["estimate"],
     QuantityOrWord(unit="N m", low=0, high=1e6, example='"5 N mm"', words=("estimate",), meaning="SKF's formula"),
@@ -370,10 +371,28 @@ class FrictionTable(Table):
     microslip: Microslip = Scene.microslip  # "as_printed": equations 2 to 7 with the misprints of the paper
 
 
+class ShearedLandTable(Table):
+    HINT = 'give { ring = "inner", diameter = "31 mm", clearance = "0.3 mm", width = "4 mm" }'
+    ring: Literal["inner", "outer"] = Field(description='give "inner" or "outer"')
+    diameter: Length  # of the shoulder
+    clearance: Gap  # on the diameter
+    width: Length  # of all lands together
+
+
+class ShearedPocketsTable(Table):
+    HINT = 'give { clearance = "0.2 mm", thickness = "2 mm" }'
+    clearance: Gap  # on the diameter
+    thickness: Length  # of the cage at its pockets
+
+
 class LossesTable(Table):
-    HINT = 'give a table [losses] of seals = "5 N mm", drag'
+    HINT = 'give a table [losses] of seals = "5 N mm", drag, oil_flow, oil_share, land, pockets'
     seals: SealLoss | None = None  # of both seals together
     drag: Loss | None = None  # of the oil that balls and cage move
+    oil_flow: Flow | None = None  # through each bearing
+    oil_share: Annotated[float, Dimension(unit="", low=0, high=1, example='"2 %"')] | None = None  # the rest is air
+    land: ShearedLandTable | None = None
+    pockets: ShearedPocketsTable | None = None
 
 
 class EffectsTable(Table):

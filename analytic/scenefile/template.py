@@ -47,6 +47,10 @@ hysteresis_loss = 0.007                   # assumed: 0.003 to 0.025 are in use, 
 """
 MORE = """\
 #drag = "2 N mm"                          # of the oil that balls and cage move
+#oil_share = "2 %"                        # in place of drag: oil between the rings that the balls move through
+#oil_flow = "0.8 l/min"                   # that flows through and leaves with the speed of the cage
+#land = { ring = "inner", diameter = "31 mm", clearance = "0.3 mm", width = "4 mm" } # sheared oil, on the diameter
+#pockets = { clearance = "0.2 mm", thickness = "2 mm" } # likewise; not with [cage]
 
 #[measured]                               # with which `fembearing compare` compares the torque
 #file = "data.csv"                        # columns as inner_speed [rpm], torque [N mm], uncertainty [N mm]

@@ -29,7 +29,7 @@ from analytic.loads.turning import TurningRule
 from analytic.numerics.compilation import compiled
 from analytic.numerics.records import Record, Records
 from analytic.oil.grease import axial_share_of
-from analytic.oil.race_resistance import ResistedContact, resisted_contact, torque_off_race
+from analytic.oil.race_resistance import ResistedContact, gap_off_race, resisted_contact, torque_off_race
 from analytic.oil.traction import PointLaw, mean_force
 from analytic.oil.viscosity import OilNumbers, oil_at
 from analytic.scene import STANDARD_GRAVITY, Array
@@ -397,25 +397,42 @@ def add_ball(
         note_limits(model, race, found, j, out)
         out.hysteresis += alike * resisted.hysteresis_torque
         out.rolling += alike * resisted.rolling_torque
-        if model.counted.unloaded_balls and model.resistance.rolls and ball.load[race] == 0.0:
-            out.rolling += alike * torque_of_unloaded(model, load.speed, race, ball, resisted.contact)
         if resisted.contact.entrainment > 0.0:
             out.rolling_force[race] += alike * resisted.rolling_torque / (2 * resisted.contact.entrainment)
         if slides:
             out.most_friction[race] += alike * friction_held(resisted, load.speed)
             share = creep_share(resisted.contact, resisted.law, abs(load.speed), abs(motion.spin_difference))
             out.creep = max(out.creep, share)
+    if model.counted.unloaded_balls and model.resistance.rolls and min(ball.load[0], ball.load[1]) == 0.0:
+        resisted = contacts[0].resisted, contacts[1].resisted
+        out.rolling += alike * more_in_clearance(model, load.speed, ball, resisted)
 
 
 @compiled
-def torque_of_unloaded(model: ModelNumbers, speed: float, race: int, ball: Record, contact: ContactNumbers) -> float:
-    """Torque by rolling of a ball without load on a race, N m; the cage pushes it, and it turns as if loaded."""
+def more_in_clearance(
+    model: ModelNumbers, speed: float, ball: Record, resisted: tuple[ResistedContact, ResistedContact]
+) -> float:
+    """Torque by rolling of a ball with clearance, N m, beyond that of its load; the cage pushes it.
+
+    A ball without load lies in the middle of its clearance and turns as if loaded. One that its own force presses
+    lightly on a race floats on its oil, at most up to the middle: that race resists as at this gap at least, and the
+    other one at the rest of the clearance.
+    """
     angles = in_groove(ball.angle[0]), in_groove(ball.angle[1])
     motion = ruled_motion(model.ring.bearing, 1.0, angles[0], angles[1])
-    entrainment = motion.inner_entrainment if race == 0 else motion.outer_entrainment
+    entrainment = motion.inner_entrainment, motion.outer_entrainment
     arms = (ball.inner_arm[0], ball.inner_arm[1]), (ball.outer_arm[0], ball.outer_arm[1])
-    gap = gap_to_race(model.ring.grooves, arms[0], arms[1], (ball.load[0], ball.load[1]), race)
-    return torque_off_race(model.resistance, model.warm, race, contact, entrainment, gap, speed)
+    loads = ball.load[0], ball.load[1]
+    near = 1 if loads[1] > 0.0 else 0  # race that is pressed, if one is
+    far = 1 - near
+    to_far = gap_to_race(model.ring.grooves, arms[0], arms[1], loads, far)
+    clearance = to_far if loads[near] > 0.0 else 2 * to_far
+    law, oil, own = model.resistance, model.warm, resisted[near].rolling_torque
+    gap = gap_off_race(law, oil, near, resisted[near].contact, entrainment[near], own, speed)
+    gap = min(gap, clearance / 2)
+    floating = torque_off_race(law, oil, near, resisted[near].contact, entrainment[near], gap, speed)
+    other = torque_off_race(law, oil, far, resisted[far].contact, entrainment[far], clearance - gap, speed)
+    return max(floating - own, 0.0) + other
 
 
 @compiled

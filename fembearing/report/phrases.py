@@ -32,6 +32,7 @@ VARIED = {  # the parts of the model's uncertainty
     "elastic_rolling": "law of elastic rolling",
     "grease_film": "films with grease",
     "unloaded_balls": "balls without load",
+    "oil_losses": "losses of the oil",
 }
 PAIRS = {"O": "back to back (O)", "X": "face to face (X)", "tandem": "in tandem"}
 CLEARANCES = ("unmounted", "mounted", "operating")

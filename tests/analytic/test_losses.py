@@ -1,4 +1,4 @@
-"""Torques that the scene declares: added, listed, and no part of what the races lose."""
+"""Losses that the scene declares: added, listed, and no part of what the races lose."""
 
 from dataclasses import replace
 
@@ -6,8 +6,16 @@ import numpy as np
 import pytest
 
 from analytic import catalog
+from analytic.effects.warnings import too_fast
 from analytic.errors import InputError
-from analytic.scene import Losses, Operation, Scene
+from analytic.function import torque_function
+from analytic.oil.losses import stirred_oil
+from analytic.oil.variation import NOMINAL
+from analytic.oil.viscosity import inlet_viscosity
+from analytic.prediction.formulas import with_model_uncertainty
+from analytic.prediction.settled import settled_parts
+from analytic.prediction.spreads import uncertain_inputs
+from analytic.scene import Arrangement, Losses, Operation, Scene
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.torque import friction_torque
 from tests.analytic.specimens import present
@@ -60,3 +68,125 @@ def test_a_scene_file_declares_losses() -> None:
 def test_a_negative_loss_is_refused(scene: Scene) -> None:
     with pytest.raises(InputError, match=r"losses\.drag must be at least 0"):
         friction_torque(replace(scene, losses=Losses(drag=-1e-3)))
+
+
+OILED = """
+name = "oiled"
+tolerance = "5 %"
+[bearing]
+catalog = "7206 B"
+contact_angle = { nominal = "40 deg" }
+[operation]
+axial_load = ["320 N", "510 N"]
+inner_speed = ["7000 rpm", "9000 rpm"]
+[lubricant]
+name = "ISO VG 32"
+temperature = "63 degC"
+supply = "oil_jet"
+[friction]
+coefficient = 0.06
+spin_rule = "balanced"
+[losses]
+drag = "1.3 N mm"
+"""
+FLOW = 'oil_flow = "0.4 l/min"\n'
+LAND = 'land = { ring = "outer", diameter = "51 mm", clearance = "0.3 mm", width = "4 mm" }\n'
+OIL_EFFECTS = ("through_flow", "cage_shear", "ball_drag")
+
+
+def test_losses_of_the_oil_are_a_part_of_their_own() -> None:
+    bare = friction_torque(parse_scene(OILED, origin="here"))
+    scene = parse_scene(OILED + FLOW + LAND, origin="here")
+    found, stirred = friction_torque(scene), present(stirred_oil(scene, scene.losses))
+    assert bare.torque.oil is None
+    oil, speed, viscosity = present(found.torque.oil), found.inner_speed, inlet_viscosity(present(scene.lubricant))
+    parts = {
+        "through_flow": stirred.through_flow(speed),
+        "cage_shear": stirred.cage_shear(speed, viscosity.viscosity),
+    }
+    np.testing.assert_allclose(oil, sum(parts.values()), rtol=1e-14)
+    np.testing.assert_allclose(found.torque.total, bare.torque.total + oil, rtol=1e-14)
+    np.testing.assert_array_equal(found.torque.race, bare.torque.race)
+    shares = {each.name: each for each in found.shares}
+    for name, part in parts.items():
+        assert (shares[name].decision, shares[name].share_is) == ("on", "part")
+        assert shares[name].share == pytest.approx(np.max(part / found.torque.total), rel=1e-13)
+    assert shares["ball_drag"].decision == "off"
+    assert shares["ball_drag"].share is None  # losses.drag has it
+
+
+def test_what_lacks_its_input_has_an_estimate_that_counts_where_it_exceeds_the_tolerance() -> None:
+    scene = replace(parse_scene(OILED, origin="here"), losses=Losses())
+    found = friction_torque(scene)
+    shares = {each.name: each for each in found.shares}
+    assert [shares[name].decision for name in OIL_EFFECTS] == ["off"] * 3
+    assert [shares[name].share_is for name in OIL_EFFECTS] == ["bound"] * 3
+    usual = replace(scene, losses=Losses(oil_share=0.02))  # as docs/effects.md has it
+    drag = present(friction_torque(usual).torque.oil)
+    assert shares["ball_drag"].share == pytest.approx(np.max(drag / found.torque.total), rel=1e-13)
+    # the jet's oil: its heat by 20 K is the whole power, with that of its acceleration at the inner race
+    race = 2 * present(stirred_oil(usual, usual.losses)).ball_rate * found.inner_speed.max()
+    flow = found.torque.total[1] * found.inner_speed[1] / (2000 * 20 - race**2)  # kg/s
+    accelerated = flow * race**2 / found.inner_speed[1] / found.torque.total[1]
+    assert shares["through_flow"].share == pytest.approx(accelerated, rel=1e-12)
+    warned = [words for words in found.warnings if "ball_drag is left out" in words]
+    assert bool(warned) == (present(shares["ball_drag"].share) > scene.tolerance)
+    for supply in ("oil_spot", "grease"):
+        oil = replace(present(scene.lubricant), supply=supply)
+        shares = {each.name: each for each in friction_torque(replace(scene, lubricant=oil)).shares}
+        assert [shares[name].share for name in OIL_EFFECTS] == [None] * 3
+
+
+def test_every_way_to_a_torque_has_the_losses_of_the_oil() -> None:
+    """The function of the torque, the kernel of the interval, and a pair."""
+    scene = parse_scene(OILED + FLOW + LAND, origin="here")
+    found, function = friction_torque(scene), torque_function(scene)
+    loads = {"axial_load": scene.operation.axial_load, "inner_speed": scene.operation.inner_speed}
+    np.testing.assert_allclose(function.series(**loads), found.torque.total, rtol=1e-9)  # rounding of another order
+    one = {name: float(values[1]) for name, values in loads.items()}
+    np.testing.assert_allclose(function(**one), found.torque.total[1], rtol=1e-9)
+    oil = present(scene.lubricant)
+    warm = replace(scene, lubricant=replace(oil, temperature=oil.temperature + 21.0))
+    np.testing.assert_allclose(
+        function(**one, temperature=oil.temperature + 21.0), friction_torque(warm).torque.total[1], rtol=1e-9
+    )
+    parts = present(settled_parts(found.settled(scene), NOMINAL))
+    np.testing.assert_allclose(parts.total, found.torque.total, rtol=1e-9)
+    np.testing.assert_allclose(present(parts.oil), present(found.torque.oil), rtol=1e-14)
+    pair = replace(scene, arrangement=Arrangement(kind="tandem", distance=0.02))
+    halved = replace(scene, operation=replace(scene.operation, axial_load=scene.operation.axial_load / 2))
+    np.testing.assert_allclose(
+        friction_torque(pair).torque.total, 2 * friction_torque(halved).torque.total, rtol=1e-6
+    )  # of the balance of the pair
+    np.testing.assert_allclose(present(friction_torque(pair).torque.oil), 2 * present(found.torque.oil), rtol=1e-14)
+
+
+def test_the_range_of_the_through_flow_is_in_the_uncertainty_of_the_model() -> None:
+    """From the speed of the cage to that of the inner race: half and twice of the torque."""
+    scene = parse_scene(OILED + FLOW, origin="here")
+    found = with_model_uncertainty(scene, friction_torque(scene))
+    oil, total = present(found.torque.oil), found.torque.total
+    np.testing.assert_allclose(present(found.model_parts)["oil_losses"], oil / total, rtol=1e-12)
+    names = {each.key: each for each in uncertain_inputs(scene)}
+    assert {"losses.oil_flow", "model.oil_losses"} <= set(names)
+    assert names["model.oil_losses"].deviation == pytest.approx(np.log(2) / 3**0.5, rel=1e-14)
+
+
+def test_a_speed_beyond_usual_practice_is_said() -> None:
+    """n d_m of a 7206 B, 46 mm: 3.7e5 mm/min at 8000 rpm and 2.3e6 at 50 000 rpm."""
+    for speed, supply, is_said in (
+        ("8000 rpm", "oil_bath", False),
+        ("8000 rpm", "grease", False),
+        ("14000 rpm", "oil_bath", False),
+        ("14000 rpm", "grease", True),
+        ("50000 rpm", "oil_bath", True),
+        ("50000 rpm", "oil_jet", True),
+    ):
+        text = OILED.replace('["7000 rpm", "9000 rpm"]', f'"{speed}"').replace('["320 N", "510 N"]', '"400 N"')
+        scene = parse_scene(text.replace("oil_jet", supply), origin="here")
+        said = too_fast(scene)
+        assert (said is not None) == is_said, (speed, supply)
+        if is_said:
+            assert said in friction_torque(scene).warnings
+    hybrid = replace(scene.bearing, ball_material=replace(scene.bearing.ball_material, density=3200.0))
+    assert too_fast(replace(scene, bearing=hybrid)) is None  # 3e6 mm/min with an oil jet

@@ -55,7 +55,7 @@ DESIGN = {
     "radial_load": None,
     "moment": None,
     "contact_angle": None,
-    "torque": ["total", "race", "spin", "conformity", "hysteresis", "rolling", "cage", "declared"],
+    "torque": ["total", "race", "spin", "conformity", "hysteresis", "rolling", "cage", "oil", "declared"],
     "friction_coefficient": ["inner", "outer", "pocket"],
     "film": ["inner", "outer"],
     "asperity_share": ["inner", "outer"],

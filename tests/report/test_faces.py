@@ -27,7 +27,7 @@ from tests.drawn_scenes import drawn_scene
 from tests.report.page.page_writer import document_of, written_page
 
 SCENES, BATCHES = 200, 4
-PARTS = ("spin", "conformity", "hysteresis", "rolling", "cage", "declared")
+PARTS = ("spin", "conformity", "hysteresis", "rolling", "cage", "oil", "declared")
 RACES = ("inner", "outer")
 CONTACT = {"load": 1.0, "peak_pressure": 1e-9, "semi_axis_rolling": 1e3, "semi_axis_transverse": 1e3}  # as shown
 TO_RPM = 30 / np.pi

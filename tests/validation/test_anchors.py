@@ -5,11 +5,20 @@ import pytest
 
 from analytic.catalog.bearing_rows import find_bearing
 from analytic.errors import InputError
+from analytic.torque import friction_torque
 from fembearing.verify.torque.catalogue_models import CatalogueCase
 from validation.catalogue.torque import scene_at
 from validation.intervals.makers import MAKERS, makers_torques
 from validation.measured.anchor import Anchor, first_what_is_missed, published_columns, published_rows
-from validation.measured.bearings import cage_speeds, film_6016, heat_35mm, rolling_cage
+from validation.measured.bearings import (
+    HOT_OIL,
+    cage_speeds,
+    film_6016,
+    heat_35mm,
+    heat_scene,
+    heat_with_oil,
+    rolling_cage,
+)
 from validation.measured.fag import fag_torque
 
 NU, N = 27e-6, 1000 * np.pi / 30  # m2/s, rad/s: nu n = 27 000 mm2/s 1/min, whose power 2/3 is 900
@@ -57,6 +66,19 @@ def test_the_heat_is_torque_times_speed() -> None:
     # Friction of the races alone, whose torque rises with speed: below the heat, above a quarter of it
     assert np.all((0.25 * rows["heat_W"] < power) & (power < rows["heat_W"]))
     assert np.all(np.diff(power / rows["speed_rpm"]) > 0)
+
+
+def test_the_losses_of_the_oil_grow_faster_than_those_of_the_races() -> None:
+    """From the stated flow alone, 760 cm3/min: at least mdot v^2 more than the races have in the thin oil."""
+    rows = published_columns("heat_35mm.csv")
+    low, high = heat_with_oil(rows["speed_rpm"])
+    speed = rows["speed_rpm"] * np.pi / 30
+    centre = speed * (46.5e-3 - 7.14e-3 * np.cos(np.deg2rad(24))) / 4
+    flow = 760e-6 / 60 * 900 * centre**2  # the ester has 940 kg/m^3 at 15 degC and less when warm
+    races = [friction_torque(heat_scene(rows["speed_rpm"], each)).torque.total * speed for each in HOT_OIL]
+    assert np.all(low > races[0] + flow)
+    assert np.all(high > races[1] + 4 * flow)
+    assert np.all((low < rows["heat_W"]) & (rows["heat_W"] < high))
 
 
 def test_cage_speeds_are_shares_of_pure_rolling() -> None:

@@ -11,7 +11,20 @@ from matplotlib.figure import Figure
 from analytic.scene import Array
 from fembearing.quantities import QUANTITIES
 from fembearing.report.figures.series_axis import SeriesAxis, axis_of
-from fembearing.report.figures.style import BLACK, BLUE, GREEN, GREY, LETTERS, ORANGE, PURPLE, RED, SKY, WIDTH, lettered
+from fembearing.report.figures.style import (
+    BLACK,
+    BLUE,
+    GREEN,
+    GREY,
+    LETTERS,
+    ORANGE,
+    PURPLE,
+    RED,
+    SKY,
+    WIDTH,
+    YELLOW,
+    lettered,
+)
 from fembearing.report.report import Report
 from fembearing.report.torque import TorqueRecord
 
@@ -21,6 +34,7 @@ PARTS = {  # from the bottom, with words for the legend
     "hysteresis": ("hysteresis", GREEN),
     "rolling": ("rolling against the oil", ORANGE),
     "cage": ("cage", PURPLE),
+    "oil": ("oil outside the contacts", YELLOW),
     "declared": ("declared: seals, drag", GREY),
 }
 MAKERS: Mapping[str, tuple[str, str]] = {"SKF": ("-", "s"), "Palmgren": (":", "v"), "ISO 15312": ("-.", "D")}

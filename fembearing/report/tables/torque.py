@@ -32,6 +32,7 @@ PARTS = {  # with their names in a terminal
     "hysteresis": "hyst.",
     "rolling": "roll.",
     "cage": "cage",
+    "oil": "oil",
     "declared": "decl.",
 }
 

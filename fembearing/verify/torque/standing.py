@@ -1,10 +1,11 @@
 """How far a torque can be trusted, in one word and the reason for it."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 
+from analytic.effects.warnings import too_fast
 from analytic.scene import Array, Scene
 from analytic.words import percent_of
 from fembearing.verify.torque.catalogue_models import CatalogueBand
@@ -33,10 +34,18 @@ class Standing:
 def standing_of(
     scene: Scene, *, total: Array, shares: dict[str, float], verdicts: Verdicts, band: CatalogueBand | None
 ) -> Standing:
-    """Of a torque.
+    """Of a torque; a speed beyond usual practice is named with any word.
 
     total : N m, (n,);  shares : of the total, of the effects that are off, at most;  band : arrays (n,), N m
     """
+    standing = _standing(scene, total=total, shares=shares, verdicts=verdicts, band=band)
+    speed = too_fast(scene)
+    return standing if speed is None else replace(standing, reason=f"{speed}; {standing.reason}")
+
+
+def _standing(
+    scene: Scene, *, total: Array, shares: dict[str, float], verdicts: Verdicts, band: CatalogueBand | None
+) -> Standing:
     if verdicts.overall == "fail":
         return Standing(word="fail", reason=verdicts.reason)
     lacking = {name: share for name, share in shares.items() if share > scene.tolerance and not _chosen(scene, name)}

@@ -8,7 +8,7 @@ import pytest
 from analytic.effects.table import PER_CENTRIFUGAL, PER_DISTRIBUTION
 from analytic.effects.trial import possible, trial_of, unequal_loads
 from analytic.oil.variation import NOMINAL
-from analytic.scene import Array, Bearing, ContactAngle, Operation, Scene
+from analytic.scene import Array, Bearing, ContactAngle, Decision, Operation, Scene
 from analytic.torque import friction_torque
 from tests.analytic.specimens import EVERYTHING, drawn, idling, without
 
@@ -80,12 +80,15 @@ def test_balls_that_the_load_leaves_free_roll_on_the_outer_race_by_centrifugal_f
     aside = Operation(
         axial_load=np.array([0.0, 0.0]), inner_speed=np.array([30.0, 4.1]), radial_load=np.array([50.0, 140.0])
     )
-    scene = replace(idling(bearing_6205), operation=aside, effects=EVERYTHING)
+    bath = replace(idling(bearing_6205), operation=aside, effects=EVERYTHING)
+    assert np.all(changes(bath, "centrifugal") < 1e-3)  # they roll in oil without a load too, against the same force
+    alone: dict[str, Decision] = {"unloaded_balls": "off"}
+    scene = replace(bath, effects={**EVERYTHING, **alone})
     measured = changes(scene, "centrifugal")
-    assert np.all(measured > 0.01)  # a 1e-4th of the load
+    assert np.all(measured > 0.01)  # by a 1e-4th of the load
     assert np.all(measured <= bounds(scene)["centrifugal"])
     many = Operation(**{name: np.repeat(values, 5) for name, values in vars(aside).items() if np.ndim(values)})
-    assert friction_torque(replace(scene, operation=many, effects={}, tolerance=0.015)).is_on("centrifugal")
+    assert friction_torque(replace(scene, operation=many, effects=alone, tolerance=0.015)).is_on("centrifugal")
 
 
 def test_a_moment_loads_balls_unequally_by_no_more_than_its_bound(bearing_6205: Bearing) -> None:

@@ -229,7 +229,8 @@ def test_an_input_takes_the_value_that_it_is_given(key: str) -> None:
         scene = analytic.load_scene("6205-dry")
     if key.startswith(("losses", "operation")):
         loads = {"axial_load": 300.0, "radial_load": -200.0, "moment": 0.7, "inner_speed": 20.0}
-        scene = replace(scene, losses=Losses(seals=3e-3, drag=2e-3), operation=analytic.operation(**loads))
+        losses = Losses(seals=3e-3, drag=2e-3, oil_flow=4e-6, oil_share=0.03)
+        scene = replace(scene, losses=losses, operation=analytic.operation(**loads))
     if key.startswith("surface.hardness") and scene.surface is not None:
         scene = replace(scene, surface=replace(scene.surface, hardness=7e9))
     if key == "lubricant.surface_tension":

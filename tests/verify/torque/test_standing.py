@@ -59,3 +59,13 @@ def test_each_cause_has_its_word_and_names_itself(scene: Scene) -> None:
 def test_an_effect_that_the_scene_switches_off_is_not_missing(scene: Scene) -> None:
     off = replace(scene, effects={"cage": "off"}, spin_rule="balanced")
     assert found(off, shares={"cage": 0.31, "creep": 0.56}).word == "check"
+
+
+def test_a_speed_beyond_usual_practice_is_named_with_every_word(scene: Scene) -> None:
+    """n d_m of a 6205, 39 mm, is 5.5e6 mm/min at 14 700 rad/s."""
+    fast = replace(scene, operation=replace(scene.operation, inner_speed=0 * scene.operation.inner_speed + 14.7e3))
+    for changed, word in (({}, "check"), ({"shares": {"cage": 0.31}}, "incomplete")):
+        standing, usual = found(fast, **changed), found(scene, **changed)
+        assert standing.word == usual.word == word
+        assert standing.reason.startswith("n d_m = 5.4")
+        assert standing.reason.endswith(usual.reason)
