@@ -29,11 +29,13 @@ from fembearing.cli import (
     validate,
     warmup,
 )
+from fembearing.cli.app import app as page
 from fembearing.cli.boundary import DEBUG, guarded
 
 COMMANDS: dict[str, tuple[Callable[..., None], str]] = {  # with an example of what follows the name
     "validate": (validate.validate, 'bearing.toml --tolerance "1 %" --out report-of-my-bearing'),
     "torque": (torque.torque, "6308 --radial-load 3kN --speed 3000rpm --oil 'ISO VG 68' --temperature 60C"),
+    "app": (page, "--port 8081"),
     "compare": (compare.compare, "data.csv bearing.toml --out comparison-of-my-bearing"),
     "contact": (contact.contact, '--pair inner --load "620 N" --tolerance "0.1 %"'),
     "film": (film.film, 'bearing.toml --pair inner --load "372 N" --speed "500 rpm" --tolerance "1 %"'),
