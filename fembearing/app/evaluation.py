@@ -22,7 +22,8 @@ from fembearing.report.torque_file import numbers_file, page_file, table_file
 from fembearing.verify.contact.scene_contact import contact_of
 from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene
 
-SPEEDS = np.linspace(0.1, 2.0, 20)  # of the curve, over the speed of the scene
+SPEEDS = np.array([0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1.0, 1.2, 1.4, 1.6, 1.8, 2.0])  # of the curve, over the scene's own
+SLICES = 4  # of the curve: between two of them the headline of a change comes first
 RACES = "inner", "outer"
 
 
@@ -100,19 +101,24 @@ def evaluated(text: str) -> Evaluation:
     return Evaluation(text=text, result=result, record=record, point=point, contacts=contacts, no_contact=reason)
 
 
-def over_speed(found: Evaluation) -> TorqueRecord | None:
-    """The torque over the speed, with intervals; of a series the series itself; None for a bearing at rest.
+def curve_scenes(found: Evaluation) -> list[Scene]:
+    """The scene in slices of its curve over the speed, each from its slow to its fast end; none for a bearing at rest.
 
-    Raises InputError where no speed has a torque.
+    Of a series the series itself.
     """
-    if found.is_series:
-        return found.record
     scene = found.result.scene
-    points = {name: np.repeat(values, SPEEDS.size) for name, values in vars(scene.operation.as_series()).items()}
+    points = vars(scene.operation.as_series())
+    if found.is_series:
+        return [scene]
     if not np.any(points["inner_speed"]):
-        return None
-    points["inner_speed"] = points["inner_speed"] * SPEEDS
-    return torque_record(torque_of_scene(_at(scene, points), keep_going=True))
+        return []
+    slices = (points | {"inner_speed": points["inner_speed"] * SPEEDS[first::SLICES]} for first in range(SLICES))
+    return [_at(scene, each) for each in slices]
+
+
+def series_record(scene: Scene) -> TorqueRecord:
+    """The torque at the points of a scene that have one, with intervals. Raises InputError where none has."""
+    return torque_record(torque_of_scene(scene, keep_going=True))
 
 
 def _at(scene: Scene, points: dict[str, Array]) -> Scene:

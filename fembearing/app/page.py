@@ -11,6 +11,7 @@ from nicegui import background_tasks, ui
 
 from analytic.catalog.bearing_rows import bearing_names
 from analytic.errors import FembearingError, InputError
+from fembearing.app.check_panel import CheckPanel
 from fembearing.app.scene_edit import (
     CATALOG,
     FIELDS,
@@ -22,7 +23,6 @@ from fembearing.app.scene_edit import (
     with_dimensions,
     with_typed,
 )
-from fembearing.app.check_panel import CheckPanel
 
 FIRST = "6206"  # the bearing of a new page
 SCENE = "scene"  # the box with the text, among the fields
@@ -30,6 +30,7 @@ DEBOUNCE = 400  # ms without a key stroke, after which a field counts
 FEW = 8  # words that are shown as a list to choose from; more are searched
 ENDS = {"operation.inner_speed": (0.0, 10_000.0), "lubricant.temperature": (-20.0, 140.0)}  # of sliders, rpm and degC
 HEAVY, UNRATED = 0.5, 10_000.0  # end of the sliders of loads: share of C0, and N where C0 is not known
+PAUSE = 0.3  # s without a change, after which the curve is computed
 STEPS = 200  # of a slider
 NUMBERS = ("torque", "unit", "interval", "power")  # lines that are pale while the scene has no torque
 computer = ThreadPoolExecutor(1, "computer")  # of all pages: a computation takes all cores
@@ -106,23 +107,23 @@ class Page:
                         self._slider(key, field)
 
     def _input(self, key: str, label: str, example: str, *, words: tuple[str, ...]) -> None:
-        """A field of text; words : that it offers while one types"""
-        listed = ""
+        """A field of text;  words : that it offers while one types"""
+        name = key.replace(".", "-")
         if words:
-            listed = f"list={key.replace('.', '-')}"
             options = "".join(f'<option value="{escape(word)}">' for word in words)
-            ui.html(f'<datalist id="{key.replace(".", "-")}">{options}</datalist>', sanitize=False)
+            ui.html(options, sanitize=False, tag="datalist").props(f"id={name}")
         made = ui.input(
             label,
             value=shown_value(self.values.get(key, "")),
             placeholder=example,
             on_change=lambda event: self.type(key, event.value or ""),
         )
-        self.fields[key] = made.props(f"dense outlined stack-label debounce={DEBOUNCE} autocomplete=off {listed}")
+        made.props(f"dense outlined stack-label debounce={DEBOUNCE} autocomplete=off {f'list={name}' if words else ''}")
+        self.fields[key] = made
 
     def _choice(self, key: str, field: Field) -> None:
         made = ui.select(
-            ["", *field.words],
+            {"": field.example, **{word: word.replace("_", " ") for word in field.words}},
             label=field.label,
             value=shown_value(self.values.get(key, "")),
             on_change=lambda event: self.type(key, event.value or ""),
@@ -213,7 +214,7 @@ class Page:
         for key, field in self.fields.items():
             value = self.text if key == SCENE else shown_value(self.values.get(key, ""))
             if isinstance(field, ui.select) and value not in field.options:
-                field.set_options([*field.options, value])
+                field.set_options({**field.options, value: value})
             field.value = value
         background_tasks.create(self.refresh())
 
@@ -242,20 +243,45 @@ class Page:
             self.is_busy = False
 
     async def _evaluate(self) -> None:
-        from fembearing.app.evaluation import evaluated, over_speed
+        from fembearing.app.evaluation import evaluated
 
         try:
             found = await computed(evaluated, self.text)
-            if self.is_open and not self.is_new:
+            if self.is_current:
                 self._show(found)
-                curve = await computed(over_speed, found)
-                if self.is_open and not self.is_new:
-                    self._show_curve(found, curve)
+                await self._follow_speed(found)
         except FembearingError as problem:
             self.complain(str(problem), field_in(str(problem)))
         except Exception as problem:  # the other tabs go on
             words = f"{type(problem).__name__}: {problem}"
             self.complain(f"a defect of fembearing, not of your input: {words}; please report it", SCENE)
+
+    @property
+    def is_current(self) -> bool:
+        """Whether what is computed is still asked for."""
+        return self.is_open and not self.is_new
+
+    async def _follow_speed(self, found: Any) -> None:
+        """Compute the curve in slices, until it is complete or something has changed."""
+        from fembearing.app.charts import curve_options
+        from fembearing.app.evaluation import curve_scenes, series_record
+
+        await asyncio.sleep(PAUSE)
+        records, words = [], ""
+        scenes = curve_scenes(found)
+        for number, scene in enumerate(scenes, start=1):
+            if not self.is_current:
+                return
+            try:
+                records.append(await computed(series_record, scene))
+            except FembearingError as problem:  # other speeds have a torque
+                words = str(problem)
+            if records and self.is_current:
+                self._draw("curve", curve_options(records, marked=None if found.is_series else found.row.inner_speed))
+                self.lines["curve"].text = words if number == len(scenes) else "computing more speeds"
+        if not records:
+            self._draw("curve", None)
+            self.lines["curve"].text = words or "The bearing is at rest."
 
     def _show(self, found: Any) -> None:
         """Show a torque with its parts, its balls and its contacts."""
@@ -273,13 +299,6 @@ class Page:
             self._draw(race, None if contact is None else ellipse_options(contact, row))
         self._follow(found)
         self.check.follow(self.text)
-
-    def _show_curve(self, found: Any, record: Any) -> None:
-        from fembearing.app.charts import curve_options
-
-        marked = None if found.is_series else found.row.inner_speed
-        self._draw("curve", None if record is None else curve_options(record, marked=marked))
-        self.lines["curve"].text = "The bearing is at rest." if record is None else ""
 
     def _draw(self, name: str, options: dict[str, Any] | None) -> None:
         chart = self.charts[name]

@@ -27,7 +27,7 @@ class Field:
     """An input of the page."""
 
     label: str
-    example: str
+    example: str  # of what it takes; of words to choose from: what no choice means
     unit: Unit | None = None  # of its slider; None: it has none
     words: tuple[str, ...] = ()  # to choose from; empty: any text
 
@@ -38,8 +38,8 @@ FIELDS: Mapping[str, Field] = {
     "operation.inner_speed": Field(label="Speed of the inner ring", example="1500 rpm", unit=RPM),
     "lubricant.name": Field(label="Oil or grease", example="ISO VG 68", words=catalog.oil_names()),
     "lubricant.temperature": Field(label="Oil temperature", example="60 degC", unit=METRIC.temperature),
-    "lubricant.supply": Field(label="Supply", example="oil_bath", words=get_args(Supply)),
-    "surface.finish": Field(label="Finish", example="ground and honed", words=tuple(catalog.rows("finishes"))),
+    "lubricant.supply": Field(label="Supply", example="oil bath, or grease of a grease", words=get_args(Supply)),
+    "surface.finish": Field(label="Finish", example="as the scene has it", words=tuple(catalog.rows("finishes"))),
 }
 
 
@@ -82,7 +82,9 @@ def with_value(text: str, key: str, value: Any) -> str:
     with suppress(InputError):
         if parse_text(changed, origin=ORIGIN) == wanted:
             return changed
-    raise InputError(f"{key} does not stand in a line of its own below [{key.partition('.')[0]}]: change it in the scene")
+    raise InputError(
+        f"{key} does not stand in a line of its own below [{key.partition('.')[0]}]: change it in the scene"
+    )
 
 
 def _without(document: dict[str, Any], key: str) -> dict[str, Any]:

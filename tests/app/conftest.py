@@ -1,33 +1,53 @@
-"""Pages without a browser: the users that NiceGUI simulates, and a torque that takes no time."""
+"""Pages without a browser, opened by the users that NiceGUI simulates."""
 
 import asyncio
-import warnings
-from collections.abc import Callable, Coroutine
+from collections.abc import Awaitable, Callable, Coroutine
 from typing import Any
 
 import pytest
+from nicegui.testing import User, user_simulation
+
+from fembearing.app.page import Page
+
+LONGEST = 1200  # tenths of a second: the machine may do much else, or compile formulas
+Opening = Callable[[], Awaitable[tuple[Any, Page]]]  # a new tab: its user and its page
+Story = Callable[[Opening], Coroutine[Any, Any, None]]
 
 
 @pytest.fixture
-def on_page() -> Callable[[Callable[[Any], Coroutine[Any, Any, None]]], None]:
-    """Runs a coroutine with a way to open pages: `user = await open_page()`."""
-    from fembearing.app.page import Page
+def run_story() -> Callable[[Story], None]:
+    """Runs a coroutine that opens pages."""
 
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of the modules that it loads
-        from nicegui.testing import User, user_simulation
+    def run(story: Story) -> None:
+        pages: list[Page] = []
 
-    def run(story: Callable[[Any], Coroutine[Any, Any, None]]) -> None:
         async def whole() -> None:
-            async with user_simulation(Page) as first:
+            async with user_simulation(lambda: pages.append(Page())) as first:
 
-                async def open_page() -> Any:
+                async def opened() -> tuple[Any, Page]:
                     user = User(first.http_client)
                     await user.open("/")
-                    return user
+                    return user, pages[-1]
 
-                await story(open_page)
+                await story(opened)
+                for page in pages:
+                    page.close()
 
         asyncio.run(whole())
 
     return run
+
+
+@pytest.fixture
+def settled() -> Callable[[Page], Awaitable[None]]:
+    """Waits until a page computes nothing."""
+
+    async def wait(page: Page) -> None:
+        await asyncio.sleep(0.05)  # in which the computation begins
+        for _ in range(LONGEST):
+            if not page.is_busy:
+                return
+            await asyncio.sleep(0.1)
+        raise AssertionError("it computes without an end")
+
+    return wait

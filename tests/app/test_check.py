@@ -11,8 +11,7 @@ from fembearing.app.check import CHECKS, Check
 LONGEST = 120.0  # s, for machines that do much else
 
 
-def until(check: Check, is_so: "bool | None" = None) -> None:
-    """Look until the check has ended."""
+def until_it_ends(check: Check) -> None:
     begin = time.monotonic()
     while not check.has_ended:
         assert time.monotonic() - begin < LONGEST
@@ -23,7 +22,7 @@ def until(check: Check, is_so: "bool | None" = None) -> None:
 def test_a_refused_scene_has_its_reason() -> None:
     check = Check(text=scene_text("6206").replace("1000 rpm", "1000 kg"))
     check.start()
-    until(check)
+    until_it_ends(check)
     assert check.problem.startswith("scene: operation.inner_speed = '1000 kg'")
     check.close()
 
@@ -49,7 +48,7 @@ def test_a_process_that_dies_is_told() -> None:
     check = Check(text=scene_text("6206"))
     check.start()
     check._process.kill()
-    until(check)
+    until_it_ends(check)
     assert "ended with status -9; start it again" in check.problem
     check.close()
 

@@ -8,7 +8,6 @@ from typing import Any
 import pytest
 
 
-
 def free_port() -> int:
     with socket.socket() as tried:
         tried.bind(("127.0.0.1", 0))
@@ -49,9 +48,7 @@ def test_a_port_that_is_none_gets_one_line(command, served: list[Any]) -> None:
     assert (told.status, told.out, told.err.count("\n"), served) == (2, "", 1, [])
 
 
-def test_without_a_browser_it_says_so_and_serves(
-    command, served: list[Any], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_without_a_browser_it_says_so_and_serves(command, served: list[Any], monkeypatch: pytest.MonkeyPatch) -> None:
     def none() -> None:
         raise webbrowser.Error
 
