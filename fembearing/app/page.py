@@ -119,7 +119,7 @@ class Page:
             on_change=lambda event: self.type(key, event.value or ""),
         )
         made.props(f"dense outlined stack-label debounce={DEBOUNCE} autocomplete=off {f'list={name}' if words else ''}")
-        self.fields[key] = made
+        self.fields[key] = made.without_auto_validation()
 
     def _choice(self, key: str, field: Field) -> None:
         made = ui.select(
@@ -128,7 +128,7 @@ class Page:
             value=shown_value(self.values.get(key, "")),
             on_change=lambda event: self.type(key, event.value or ""),
         )
-        self.fields[key] = made.props("dense outlined options-dense stack-label")
+        self.fields[key] = made.props("dense outlined options-dense stack-label").without_auto_validation()
 
     def _slider(self, key: str, field: Field) -> None:
         low, high = ENDS.get(key, (0.0, UNRATED))
@@ -141,7 +141,7 @@ class Page:
             with ui.element("summary"):
                 line("span", "Scene (TOML), to copy, paste and edit")
             box = ui.textarea("Scene", value=self.text, on_change=lambda event: self.paste(event.value or ""))
-            self.fields[SCENE] = box.props(f"outlined stack-label rows=22 debounce={DEBOUNCE} spellcheck=false")
+            self.fields[SCENE] = box.without_auto_validation().props(f"outlined stack-label rows=22 debounce={DEBOUNCE} spellcheck=false")
             own = ui.button("Dimensions of my own", on_click=lambda: self.paste(with_dimensions(self.text)))
             own.props("outline no-caps")
             line("p", "Makes the derived dimensions of the bearing keys of the scene, to edit.").classes("soft")

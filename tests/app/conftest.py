@@ -20,6 +20,7 @@ def run_story() -> Callable[[Story], None]:
 
     def run(story: Story) -> None:
         pages: list[Page] = []
+        faults: list[Exception] = []  # raised at the end: an exception that leaves the simulation keeps its loop alive
 
         async def whole() -> None:
             async with user_simulation(lambda: pages.append(Page())) as first:
@@ -29,11 +30,16 @@ def run_story() -> Callable[[Story], None]:
                     await user.open("/")
                     return user, pages[-1]
 
-                await story(opened)
+                try:
+                    await story(opened)
+                except Exception as fault:
+                    faults.append(fault)
                 for page in pages:
                     page.close()
 
         asyncio.run(whole())
+        if faults:
+            raise faults[0]
 
     return run
 
