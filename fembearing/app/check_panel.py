@@ -2,15 +2,15 @@
 
 import asyncio
 from html import escape
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, Protocol
 
 from nicegui import ui
 
 from analytic.errors import FembearingError
 from fembearing.app.check import Check
+from fembearing.app.computing import computed
 
 if TYPE_CHECKING:
-    from fembearing.app.page import Page
     from fembearing.report.report import PictureFile
 
 LOOK = 0.2  # s between two looks at a check
@@ -22,10 +22,18 @@ KINDS = ("pressure", "film", "view")  # pictures of the report that the page sho
 turn = asyncio.Semaphore(1)  # of all tabs: a check takes all cores and much memory
 
 
+class Shown(Protocol):
+    """The page that a panel is a part of."""
+
+    text: str  # of its scene
+    evaluation: Any  # that it shows; None: none yet
+    is_open: bool  # whether its tab is
+
+
 class CheckPanel:
     """One check at a time, its report, and the download."""
 
-    def __init__(self, page: "Page") -> None:
+    def __init__(self, page: Shown) -> None:
         self.page = page
         self.check: Check | None = None
         with ui.element("div").classes("panel"):
@@ -76,7 +84,6 @@ class CheckPanel:
     async def download(self) -> None:
         """Give scene, tables, numbers and report of the torque that is shown in one file."""
         from fembearing.app.evaluation import zip_of
-        from fembearing.app.page import computed
 
         found, check = self.page.evaluation, self.check
         if found is None:

@@ -1,8 +1,6 @@
 """The page of one browser tab: headline, inputs, charts, check and download."""
 
 import asyncio
-from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from html import escape
 from importlib.resources import files
 from typing import Any
@@ -12,6 +10,7 @@ from nicegui import background_tasks, ui
 from analytic.catalog.bearing_rows import bearing_names
 from analytic.errors import FembearingError, InputError
 from fembearing.app.check_panel import CheckPanel
+from fembearing.app.computing import computed
 from fembearing.app.scene_edit import (
     CATALOG,
     FIELDS,
@@ -33,12 +32,7 @@ HEAVY, UNRATED = 0.5, 10_000.0  # end of the sliders of loads: share of C0, and 
 PAUSE = 0.3  # s without a change, after which the curve is computed
 STEPS = 200  # of a slider
 NUMBERS = ("torque", "unit", "interval", "power")  # lines that are pale while the scene has no torque
-computer = ThreadPoolExecutor(1, "computer")  # of all pages: a computation takes all cores
-
-
-async def computed(function: Callable[..., Any], *given: Any) -> Any:
-    """What a function gives that computes, while the server goes on."""
-    return await asyncio.get_running_loop().run_in_executor(computer, function, *given)
+PRIMARY = "#1f6fb2"  # white letters on it have a contrast of 5.2
 
 
 def line(tag: str, text: str = "") -> ui.label:
@@ -62,6 +56,7 @@ class Page:
         self.sliders: dict[str, ui.slider] = {}
         self.lines: dict[str, ui.label] = {}
         self.charts: dict[str, ui.echart] = {}
+        ui.colors(primary=PRIMARY)
         ui.add_css(files("fembearing.app").joinpath("style.css").read_text("utf-8"))
         self._headline()
         with ui.element("main").classes("two"):
@@ -118,7 +113,8 @@ class Page:
             placeholder=example,
             on_change=lambda event: self.type(key, event.value or ""),
         )
-        made.props(f"dense outlined stack-label debounce={DEBOUNCE} autocomplete=off {f'list={name}' if words else ''}")
+        listed = f"list={name}" if words else ""
+        made.props(f"dense outlined stack-label debounce={DEBOUNCE} autocomplete=off {listed}")
         self.fields[key] = made.without_auto_validation()
 
     def _choice(self, key: str, field: Field) -> None:
@@ -141,7 +137,9 @@ class Page:
             with ui.element("summary"):
                 line("span", "Scene (TOML), to copy, paste and edit")
             box = ui.textarea("Scene", value=self.text, on_change=lambda event: self.paste(event.value or ""))
-            self.fields[SCENE] = box.without_auto_validation().props(f"outlined stack-label rows=22 debounce={DEBOUNCE} spellcheck=false")
+            self.fields[SCENE] = box.without_auto_validation().props(
+                f"outlined stack-label rows=22 debounce={DEBOUNCE} spellcheck=false"
+            )
             own = ui.button("Dimensions of my own", on_click=lambda: self.paste(with_dimensions(self.text)))
             own.props("outline no-caps")
             line("p", "Makes the derived dimensions of the bearing keys of the scene, to edit.").classes("soft")
@@ -149,7 +147,7 @@ class Page:
     def _charts(self) -> None:
         with ui.element("div").classes("panel"):
             line("h2", "What the torque is made of")
-            self._chart("parts", "Parts of the friction torque", 110)
+            self._chart("parts", "Parts of the friction torque", 104)
             self.lines |= {name: line("div").classes("soft") for name in ("split", "film", "makers")}
         with ui.element("div").classes("panel"):
             line("h2", "Torque over the speed")
@@ -214,7 +212,7 @@ class Page:
         for key, field in self.fields.items():
             value = self.text if key == SCENE else shown_value(self.values.get(key, ""))
             if isinstance(field, ui.select) and value not in field.options:
-                field.set_options({**field.options, value: value})
+                field.set_options({**dict(field.options), value: value})
             field.value = value
         background_tasks.create(self.refresh())
 

@@ -6,7 +6,8 @@ from nicegui import app, ui
 from starlette.middleware.trustedhost import TrustedHostMiddleware
 
 from fembearing.app.check import CHECKS
-from fembearing.app.page import Page, computer
+from fembearing.app.computing import computer
+from fembearing.app.page import Page
 
 HOST = "127.0.0.1"
 NAMES = [HOST, "localhost"]  # by which a browser may ask: a page of a stranger that is led here has another

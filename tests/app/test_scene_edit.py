@@ -48,7 +48,7 @@ def test_the_scene_is_that_of_the_options_of_the_command_line() -> None:
             text, _ = with_typed(text, key, typed)
     options = {"radial_load": "2,5 kN", "axial_load": "320N", "speed": "730", "oil": "ISO VG 46"}
     shown = parse_scene(text, origin="here")
-    told = load_scene("6206", **options, temperature="81C", supply="grease")
+    told = load_scene("6206", settings={}, **options, temperature="81C", supply="grease")
     for name, values in vars(told.operation).items():
         assert getattr(shown.operation, name).tolist() == values.tolist()
     # The note that a speed without a unit is read as rpm stands beside the field.
