@@ -41,8 +41,8 @@ class CheckPanel:
             ui.label(ABOUT).classes("soft")
             with ui.element("div").classes("row"):
                 self.starts = ui.button("Check this scene", on_click=self.run).props("unelevated no-caps")
-                self.cancels = ui.button("Cancel", on_click=self.cancel).props("outline no-caps")
-                self.saves = ui.button("Download all", on_click=self.download).props("outline no-caps")
+                self.cancels = ui.button("Cancel", on_click=self.cancel, color=None).props("outline no-caps")
+                self.saves = ui.button("Download all", on_click=self.download, color=None).props("outline no-caps")
             self.bar = ui.linear_progress(value=0, show_value=False).props('aria-label="Progress of the check"')
             self.said = ui.label("").props('role="status"')
             self.report = ui.element("div").classes("stack")

@@ -140,7 +140,7 @@ class Page:
             self.fields[SCENE] = box.without_auto_validation().props(
                 f"outlined stack-label rows=22 debounce={DEBOUNCE} spellcheck=false"
             )
-            own = ui.button("Dimensions of my own", on_click=lambda: self.paste(with_dimensions(self.text)))
+            own = ui.button("Dimensions of my own", on_click=self.own_dimensions, color=None)
             own.props("outline no-caps")
             line("p", "Makes the derived dimensions of the bearing keys of the scene, to edit.").classes("soft")
 
@@ -152,7 +152,8 @@ class Page:
         with ui.element("div").classes("panel"):
             line("h2", "Torque over the speed")
             self._chart("curve", "Friction torque over the speed, with its interval and the makers' formulas", 320)
-            self.lines["curve"] = line("div").classes("soft")
+            self.charts["curve"].set_visibility(False)
+            self.lines["curve"] = line("div", "computing").classes("soft")
         with ui.element("div").classes("pair stack"):
             with ui.element("div").classes("panel"):
                 line("h2", "Loads of the balls")
@@ -199,6 +200,10 @@ class Page:
         if text != self.text:
             self.text = text
             self._take("")
+
+    def own_dimensions(self) -> None:
+        """Make the derived dimensions keys of the scene."""
+        self.paste(with_dimensions(self.text))
 
     def _take(self, note: str) -> None:
         """Show the text in its box and its values in the fields, and compute."""
