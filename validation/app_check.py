@@ -31,7 +31,8 @@ PATIENCE = 300.0  # s: the first torque on a machine compiles formulas
 TORQUE = "document.querySelector('.big span')?.textContent ?? ''"
 NAMELESS = """[...document.querySelectorAll("input, textarea, [role=slider], button, [role=img], iframe")]
   .filter((each) => !each.closest("[hidden]") && each.type !== "hidden" && !each.getAttribute("aria-label")
-    && !each.labels?.length && !each.title && !each.textContent.trim() && !each.closest("label")).map((each) => each.outerHTML.slice(0, 100))"""
+    && !each.labels?.length && !each.title && !each.textContent.trim() && !each.closest("label"))
+  .map((each) => each.outerHTML.slice(0, 100))"""
 STRANGE = """performance.getEntriesByType("resource").map((entry) => entry.name)
   .filter((name) => !name.startsWith(location.origin) && !name.startsWith("data:") && !name.startsWith("blob:"))"""
 
