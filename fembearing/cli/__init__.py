@@ -32,6 +32,7 @@ from fembearing.cli import (
     validate,
     warmup,
 )
+from fembearing.cli.app import app as page
 from fembearing.cli.boundary import COMMAND, DEBUG, guarded
 from fembearing.cli.common_options import FORCE, QUIET, VERBOSE, with_common
 from fembearing.cli.report_options import UNITS
@@ -50,6 +51,7 @@ def _common_options(name: str) -> dict[str, Any]:
 _FUNCTIONS: dict[str, tuple[Callable[..., None], str]] = {  # with an example of what follows the name
     "validate": (validate.validate, 'bearing.toml --tolerance "1 %" --out report-of-my-bearing'),
     "torque": (torque.torque, "6308 --radial-load 3kN --speed 3000rpm --oil 'ISO VG 68' --temperature 60C"),
+    "app": (page, "--port 8081"),
     "compare": (compare.compare, "data.csv bearing.toml --out comparison-of-my-bearing"),
     "duty": (duty.duty, "6308 cycle.csv --oil 'ISO VG 68' --out losses-of-my-cycle"),
     "contact": (contact.contact, '--pair inner --load "620 N" --tolerance "0.1 %"'),

@@ -74,6 +74,7 @@ class Lubricant:
     traction: str
     supply: str
     name: str
+    origins: Mapping[str, Origin] = field(default_factory=nothing)
 
 
 @dataclass(frozen=True, kw_only=True)

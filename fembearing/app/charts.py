@@ -1,0 +1,165 @@
+"""The charts of the page, as options of Apache ECharts, which draws them in the browser."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from analytic.result import LoadedContact, TorquePoint
+from analytic.rows import Two
+from analytic.scene import Contact
+from fembearing.quantities import METRIC, QUANTITIES
+from fembearing.report.figures.series_axis import axis_of
+from fembearing.report.figures.style import BLUE, GREY, RED
+from fembearing.report.figures.torque import PARTS
+from fembearing.report.tables.torque import RESIDUE
+from fembearing.report.torque import TorqueRecord
+
+Options = dict[str, Any]
+NEUTRAL = "#8a8f98"  # seen on a light and on a dark page
+TEXT = {"textBorderWidth": 0}  # ECharts draws a light border around letters
+OUTLINE = 81  # points of half an ellipse
+BESIDE = 1.15  # of the distance to a shoulder that is shown
+AROUND = 1.4  # of half an ellipse that is shown
+LINE = {"type": "line", "symbol": "none", "animation": False}
+INSIDE = {"top": 12, "left": 12, "right": 20, "bottom": 40, "containLabel": True}
+LEGEND = {"bottom": 0, "left": "center", "itemWidth": 16, "itemHeight": 10, "itemGap": 12}
+FAINT = {"splitLine": {"lineStyle": {"color": NEUTRAL, "opacity": 0.25}}}
+AXIS = {"type": "value", "nameLocation": "middle", "axisLine": {"lineStyle": {"color": NEUTRAL}}, **FAINT}
+BANDS = {"makers' formulas": NEUTRAL, "95 %": BLUE}
+
+
+def part_options(point: TorquePoint) -> Options:
+    """A bar of the parts of the torque at one operating point."""
+    unit, total = METRIC.torque, point.torque.total
+    series = []
+    for part, (words, colour) in PARTS.items():
+        value = getattr(point.torque, part)
+        if value is not None and value > RESIDUE * total:
+            name = f"{words} {100 * value / total:.0f} %"
+            bar = {"name": name, "data": [_short(unit.number(value))], "itemStyle": {"color": _css(colour)}}
+            series.append({"type": "bar", "stack": "torque", "barWidth": 28, "animation": False, **bar})
+    return {
+        "grid": {"top": 6, "left": 2, "right": 2, "height": 36},
+        "legend": {**LEGEND, "bottom": None, "top": 50},
+        "tooltip": {"trigger": "item", "confine": True},
+        "xAxis": {"type": "value", "min": 0, "max": _short(unit.number(total)) or 1.0, "show": False},
+        "yAxis": {"type": "category", "data": [unit.name], "show": False},
+        "series": series,
+    }
+
+
+def curve_options(records: Sequence[TorqueRecord], *, marked: float | None) -> Options:
+    """The torque with its interval and the makers' formulas over the axis of all points of the records.
+
+    marked : speed of the scene, rad/s; None: not drawn
+    """
+    rows = [row for record in records for row in _rows(record)]
+    axis, unit = axis_of([point for point, *_ in rows], METRIC), METRIC.torque
+    beside = {id(point): bands for point, *bands in rows}
+    bands = [beside[id(point)] for point in axis.points]
+    x = axis.values.tolist() if axis.joined else list(range(1, len(bands) + 1))
+    series: list[Options] = []
+    for name, ends in zip(BANDS, zip(*bands, strict=True), strict=True):
+        if all(each is not None for each in ends):
+            series += _band(name, x, ends)
+    total = [unit.number(point.torque.total) for point in axis.points]
+    look = {"lineStyle": {"width": 2.5, "color": BLUE}, "itemStyle": {"color": BLUE}, "symbol": "circle"}
+    line = {**LINE, **look, "symbolSize": 5, "name": "torque", "data": _pairs(x, total)}
+    if marked is not None:
+        at = {"xAxis": METRIC.speed.number(abs(marked)), "label": {"show": False}}
+        line["markLine"] = {"symbol": "none", "silent": True, "lineStyle": {"color": NEUTRAL}, "data": [at]}
+    return {
+        "grid": {**INSIDE, "top": 36, "bottom": 58},
+        "legend": {**LEGEND, "data": [*(each["name"] for each in series if "areaStyle" in each), "torque"]},
+        "tooltip": {"trigger": "item", "confine": True},
+        "xAxis": {**AXIS, "name": axis.label, "nameGap": 28, "scale": True},
+        "yAxis": {**AXIS, "name": QUANTITIES["torque"].heading, "nameLocation": "end", "min": 0}
+        | {"nameTextStyle": {"align": "left"}},
+        "series": [*series, line],
+    }
+
+
+def ring_options(point: TorquePoint) -> Options | None:
+    """The loads of the balls around the ring; the radial load points down. None for a pair of bearings."""
+    if point.ring is None:
+        return None
+    unit, balls = METRIC.force, point.ring.balls
+    azimuth = np.degrees(balls.azimuth).tolist()
+    series = []
+    for race, colour, kind in (("inner", BLUE, "solid"), ("outer", RED, "dashed")):
+        load = [_short(unit.number(each)) for each in getattr(balls, f"{race}_load")]
+        look = {"lineStyle": {"color": colour, "type": kind, "width": 2}, "itemStyle": {"color": colour}}
+        points = [*_pairs(load, azimuth), [load[0], azimuth[0] + 360]]
+        polar = {"coordinateSystem": "polar", "symbol": "circle", "symbolSize": 7}
+        series.append({**LINE, **polar, **look, "name": f"{race} race", "data": points})
+    around = {"type": "value", "min": 0, "max": 360, "interval": 90, "startAngle": 270, "clockwise": False}
+    axis = {"axisLine": {"lineStyle": {"color": NEUTRAL}}, **FAINT}
+    return {
+        "legend": LEGEND,
+        "tooltip": {"trigger": "item", "confine": True},
+        "polar": {"radius": "66%", "center": ["50%", "46%"]},
+        "angleAxis": {**axis, **around, "axisLabel": {"formatter": "{value}°"}},
+        "radiusAxis": {**axis, "min": 0, "splitNumber": 3, "axisLabel": {"formatter": f"{{value}} {unit.name}"}},
+        "series": series,
+    }
+
+
+def ellipse_options(contact: Contact, ellipse: LoadedContact[float]) -> Options:
+    """The contact ellipse across its groove, with the shoulders."""
+    unit = METRIC.length
+    half, across = unit.number(ellipse.semi_axis_rolling), unit.number(ellipse.semi_axis_transverse)
+    sides = [-unit.number(contact.far_shoulder), unit.number(contact.shoulder)]
+    edges = [side if np.isfinite(side) else np.sign(side) * 2 * across for side in sides]
+    turn = np.sin(np.linspace(-np.pi / 2, np.pi / 2, OUTLINE))  # dense where the outline is steep
+    rise = half * np.sqrt(1 - turn**2)
+    colour = BLUE if contact.pair == "inner" else RED
+    outline = {**LINE, "silent": True, "lineStyle": {"color": colour}, "areaStyle": {"color": colour, "opacity": 0.25}}
+    series = [{**outline, "data": _pairs((across * turn).tolist(), (sign * rise).tolist())} for sign in (1, -1)]
+    shoulders = [{"xAxis": round(side, 4)} for side in sides if np.isfinite(side)]
+    label = {"formatter": "shoulder", "color": NEUTRAL, **TEXT}
+    look = {"lineStyle": {"color": NEUTRAL, "type": "solid", "width": 2}, "label": label}
+    series[0]["markLine"] = {"symbol": "none", "silent": True, "data": shoulders, **look}
+    ends = {"axisLabel": {"showMinLabel": False, "showMaxLabel": False}}
+    most = AROUND * half
+    return {
+        "grid": {**INSIDE, "top": 24, "left": 28, "bottom": 30},
+        "xAxis": {**AXIS, **ends, "name": f"across the groove, {unit.name}", "nameGap": 24}
+        | {"min": _short(BESIDE * edges[0]), "max": _short(BESIDE * edges[1])},
+        "yAxis": {**AXIS, **ends, "name": f"rolling, {unit.name}", "nameGap": 38, "splitNumber": 2}
+        | {"min": -_short(most), "max": _short(most)},
+        "series": series,
+    }
+
+
+def _rows(record: TorqueRecord) -> list[tuple[TorquePoint, Two | None, Two | None]]:
+    """Each point that has a torque, with the ends of the makers' band and of the interval, N m; None: not known."""
+    band = record.catalogue_band
+    makers: Sequence[Two | None] = [None] * len(record.points)
+    if band.low is not None and band.high is not None:
+        makers = [*zip(band.low, band.high, strict=True)]
+    whole = [*zip(record.points, makers, record.interval, strict=True)]
+    return [whole[place] for place in record.computed]
+
+
+def _band(name: str, x: Sequence[float], ends: Sequence[Two]) -> list[Options]:
+    """The area between two lines: the upper one is stacked on the lower one, which is not seen."""
+    unit, colour = METRIC.torque, BANDS[name]
+    stacked = {**LINE, "stack": name, "stackStrategy": "all", "lineStyle": {"opacity": 0}, "silent": True}
+    area = {"areaStyle": {"color": colour, "opacity": 0.22}, "itemStyle": {"color": colour}}
+    ground = _pairs(x, [unit.number(low) for low, _ in ends])
+    height = _pairs(x, [unit.number(high - low) for low, high in ends])
+    return [{**stacked, "name": f"{name}, from", "data": ground}, {**stacked, **area, "name": name, "data": height}]
+
+
+def _pairs(x: Sequence[float], y: Sequence[float]) -> list[list[float]]:
+    return [[_short(first), _short(second)] for first, second in zip(x, y, strict=True)]
+
+
+def _short(number: float) -> float:
+    return float(f"{number:.6g}")
+
+
+def _css(colour: str) -> str:
+    """A colour of the figures as browsers know it: the shades of grey have names of their own there."""
+    return NEUTRAL if colour == GREY else colour

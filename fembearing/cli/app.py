@@ -1,0 +1,62 @@
+"""`fembearing app`."""
+
+import socket
+import webbrowser
+from typing import Annotated
+
+import typer
+
+from fembearing.cli.status import say
+
+EXTRA = {"nicegui", "fastapi", "starlette"}  # packages of the extra `app`: the first brings the others
+
+
+def app(
+    port: Annotated[int, typer.Option(min=1, max=65535, help="Port of the page.")] = 8080,
+    no_browser: Annotated[bool, typer.Option("--no-browser", help="Do not open the page in a browser.")] = False,
+) -> None:
+    """Open a page in the browser, on which the torque follows bearing, loads, speed and oil. Ctrl-C ends it.
+
+    The page is served to this machine alone, at 127.0.0.1.
+    """
+    from analytic.errors import InputError
+    from fembearing.cli.console import out
+
+    _require_free(port)
+    try:
+        from fembearing.app.server import HOST, serve
+    except ModuleNotFoundError as problem:
+        if (problem.name or "").partition(".")[0] not in EXTRA:
+            raise
+        raise InputError(
+            f"`fembearing app` needs {problem.name}, which is not installed: pip install 'fembearing[app]'"
+        ) from problem
+    address = f"http://{HOST}:{port}"
+    shows = not no_browser and _has_browser()
+    if not (shows or no_browser):
+        say(f"no browser is found: open {address} in one, or give --no-browser")
+    out.tell(f"page: {address} (Ctrl-C ends it)")
+    serve(port, shows=shows)
+
+
+def _require_free(port: int) -> None:
+    """Raises InputError for a port that another program has, or that the system does not give."""
+    from analytic.errors import InputError
+
+    with socket.socket() as tried:
+        tried.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)  # of a server that ended a moment ago
+        try:
+            tried.bind(("127.0.0.1", port))
+        except OSError as problem:
+            other = 8081 if port != 8081 else 8082
+            raise InputError(
+                f"--port {port} cannot be used ({problem.strerror}): give another, as --port {other}"
+            ) from problem
+
+
+def _has_browser() -> bool:
+    try:
+        webbrowser.get()
+    except webbrowser.Error:
+        return False
+    return True

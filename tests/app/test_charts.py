@@ -1,0 +1,89 @@
+"""The charts hold the numbers of the torque: sums, ends and places."""
+
+import json
+from functools import cache
+
+import numpy as np
+import pytest
+
+from analytic.scenefile.template import scene_text
+from fembearing.app.charts import curve_options, ellipse_options, part_options, ring_options
+from fembearing.app.evaluation import Evaluation, curve_scenes, evaluated, series_record
+from fembearing.app.scene_edit import with_value
+
+DIGITS = 2e-5  # charts have at least 5 digits
+
+
+@cache
+def found(speed: str = "730 rpm") -> Evaluation:
+    text = with_value(scene_text("6206"), "operation.radial_load", "2 kN")
+    return evaluated(with_value(text, "operation.inner_speed", json.loads(speed) if "[" in speed else speed))
+
+
+def series(options: dict, name: str) -> np.ndarray:
+    return np.array(next(each["data"] for each in options["series"] if each["name"] == name))
+
+
+def test_the_parts_add_up_to_the_torque() -> None:
+    options = part_options(found().row)
+    total = sum(each["data"][0] for each in options["series"])
+    assert total == pytest.approx(1e3 * found().row.torque.total, rel=DIGITS)
+    assert {each["stack"] for each in options["series"]} == {"torque"}
+    json.dumps(options, allow_nan=False)
+
+
+def test_the_curve_goes_through_the_torque_at_the_speed_of_the_scene() -> None:
+    records = [series_record(scene) for scene in curve_scenes(found())]
+    options = curve_options(records, marked=found().row.inner_speed)
+    torque = series(options, "torque")
+    marked = next(each["markLine"]["data"][0]["xAxis"] for each in options["series"] if each["name"] == "torque")
+    at = np.argmin(abs(torque[:, 0] - marked))
+    assert torque[at] == pytest.approx([730.0, 1e3 * found().row.torque.total], rel=1e-3)  # tolerance of the scene: 5 %
+    low, width = series(options, "95 %, from")[at, 1], series(options, "95 %")[at, 1]
+    ends = found().record.interval[0]
+    assert ends is not None
+    # The formulas that vary are those of the whole series, in place of those of one point.
+    assert [low, low + width] == pytest.approx([1e3 * end for end in ends], rel=0.02)
+    assert np.all(np.diff(torque[:, 0]) > 0)
+    json.dumps(options, allow_nan=False)
+
+
+def test_a_series_is_its_own_curve() -> None:
+    many = found('["900 rpm", "300 rpm", "500 rpm"]')
+    (scene,) = curve_scenes(many)
+    torque = series(curve_options([series_record(scene)], marked=None), "torque")
+    assert torque[:, 0].tolist() == [300.0, 500.0, 900.0]
+    by_speed = [many.record.points[place].torque.total for place in (1, 2, 0)]
+    assert torque[:, 1] == pytest.approx(1e3 * np.array(by_speed), rel=DIGITS)
+    assert many.row.torque.total == max(by_speed)
+    assert " to " in many.lines["torque"]
+
+
+def test_a_bearing_at_rest_has_no_curve() -> None:
+    assert curve_scenes(found("0 rpm")) == []
+
+
+def test_the_ring_is_closed_and_has_every_ball() -> None:
+    options, ring = ring_options(found().row), found().row.ring
+    assert options is not None
+    assert ring is not None
+    inner = series(options, "inner race")
+    assert len(inner) == len(ring.balls.azimuth) + 1
+    assert inner[0, 0] == inner[-1, 0]
+    assert inner[-1, 1] - inner[0, 1] == pytest.approx(360.0)
+    assert inner[:-1, 0] == pytest.approx(np.array(ring.balls.inner_load), rel=DIGITS)
+    # Its load balances the bearing's: the sum over the balls along x, at a contact angle of about 0.
+    along = np.array(ring.balls.inner_load) @ np.cos(ring.balls.azimuth)
+    assert along == pytest.approx(2000.0, rel=0.01)  # contact angle, and forces of inertia at 730 rpm
+
+
+def test_the_ellipse_has_both_semi_axes_and_lies_between_the_shoulders() -> None:
+    for race in ("inner", "outer"):
+        contact, row = found().contacts[race], getattr(found().row.contact, race)
+        options = ellipse_options(contact, row)
+        upper, lower = (np.array(each["data"]) for each in options["series"])
+        # Its area by the trapezoidal rule, which is 0.03 % too small with 81 points.
+        area = np.trapezoid(upper[:, 1], upper[:, 0]) - np.trapezoid(lower[:, 1], lower[:, 0])
+        assert area == pytest.approx(1e6 * np.pi * row.semi_axis_rolling * row.semi_axis_transverse, rel=1e-3)
+        near, far = sorted(each["xAxis"] for each in options["series"][0]["markLine"]["data"])
+        assert near < upper[0, 0] < upper[-1, 0] < far

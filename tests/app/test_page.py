@@ -1,0 +1,228 @@
+"""The page without a browser: what a user changes, and what is shown then."""
+
+import asyncio
+import zipfile
+from io import BytesIO, StringIO
+from typing import Any
+
+import pytest
+from nicegui import background_tasks
+from rich.console import Console
+
+from analytic.errors import InputError
+from analytic.scenefile.read import load_scene, parse_scene
+from analytic.scenefile.template import scene_text
+from fembearing.app import page as page_file
+from fembearing.app.check import CHECKS, Check
+from fembearing.app.evaluation import Evaluation, evaluated
+from fembearing.app.page import Page
+from fembearing.app.scene_edit import CATALOG, with_value
+from fembearing.report.terminal.torque import print_headline
+from fembearing.verify.torque.scene_torque import torque_of_scene
+
+LOAD, SPEED = "operation.radial_load", "operation.inner_speed"
+
+
+@pytest.fixture
+def no_curve(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The curve takes seconds, and these tests look at the headline."""
+
+    async def none(_page: Page, _found: Evaluation) -> None: ...
+
+    monkeypatch.setattr(Page, "_follow_speed", none)
+
+
+def words(page: Page) -> str:
+    """What the headline says, without how it is broken into lines."""
+    return " ".join(label.text for label in page.lines.values())
+
+
+def test_the_headline_is_that_of_the_command(run_story, settled) -> None:
+    async def story(opened) -> None:
+        _, page = await opened()
+        await settled(page)
+        page.fields[LOAD].value = "2 kN"
+        page.fields[SPEED].value = "1500"
+        await settled(page)
+        out = StringIO()
+        result = torque_of_scene(load_scene("6206", radial_load="2 kN", speed="1500 rpm"))
+        print_headline(Console(file=out, width=500), result)
+        title, _, _, row, *rest = [line.strip() for line in out.getvalue().splitlines() if line.strip()]
+        shown = words(page)
+        assert title in shown
+        torque, ends, power, *_ = row.split()[2:]
+        assert page.lines["torque"].text == torque
+        assert page.lines["interval"].text == f"95 %: {ends}"
+        assert page.lines["power"].text == f"power {power} W"
+        for line in rest:
+            verdict, mark, reason = line.partition(": ")
+            assert line in shown or (mark and f"{verdict} {reason}" in shown)
+        assert "is read as 1500 rpm" in page.lines["problem"].text
+        curve = next(each for each in page.charts["curve"].options["series"] if each["name"] == "torque")
+        assert len(curve["data"]) == 12
+
+    run_story(story)
+
+
+@pytest.mark.usefixtures("no_curve")
+def test_a_refused_input_has_the_words_of_the_command_beside_its_field(run_story, settled) -> None:
+    async def story(opened) -> None:
+        _, page = await opened()
+        await settled(page)
+        before = page.lines["torque"].text
+        page.fields[LOAD].value = "5 kg"
+        await settled(page)
+        with pytest.raises(InputError) as told:
+            load_scene("6206", radial_load="5 kg")
+        words_of_the_command = str(told.value).removeprefix("scene of 6206: ")
+        assert page.fields[LOAD].error == f"scene: {words_of_the_command}"
+        assert [key for key, field in page.fields.items() if field.error] == [LOAD]
+        assert page.lines["torque"].text == before
+        assert "old" in page.lines["torque"].classes
+        page.fields[CATALOG].value = "6299"
+        assert "6299" in page.fields[CATALOG].error
+        assert page.fields[LOAD].error is None
+        page.fields[LOAD].value = "700 N"
+        await settled(page)
+        assert not any(field.error for field in page.fields.values())
+        assert "old" not in page.lines["torque"].classes
+        assert page.lines["torque"].text != before
+
+    run_story(story)
+
+
+@pytest.mark.usefixtures("no_curve")
+def test_a_slider_sets_its_field_and_follows_it(run_story, settled) -> None:
+    async def story(opened) -> None:
+        _, page = await opened()
+        page.fields[LOAD].value = "2 kN"
+        await settled(page)
+        assert page.sliders[LOAD].value == 2000.0
+        page.slide(LOAD, 640.0)
+        await settled(page)
+        assert page.fields[LOAD].value == "640 N"
+        assert page.evaluation.row.radial_load == 640.0
+        page.slide("lubricant.temperature", 35.0)
+        await settled(page)
+        assert page.evaluation.result.scene.lubricant.temperature == pytest.approx(308.15)
+        assert page.sliders["lubricant.temperature"].value == 35.0
+
+    run_story(story)
+
+
+@pytest.mark.usefixtures("no_curve")
+def test_a_pasted_scene_fills_the_fields(run_story, settled) -> None:
+    async def story(opened) -> None:
+        _, page = await opened()
+        await settled(page)
+        page.fields["scene"].value = with_value(scene_text("7208B"), SPEED, "2200 rpm")
+        await settled(page)
+        assert (page.fields[CATALOG].value, page.fields[SPEED].value) == ("7208B", "2200 rpm")
+        assert page.lines["title"].text.startswith("7208 BEP, axial ")
+        page.fields["scene"].value = "[bearing"
+        assert page.fields["scene"].error.startswith("scene: not TOML")
+
+    run_story(story)
+
+
+@pytest.mark.usefixtures("no_curve")
+def test_two_tabs_do_not_mix(run_story, settled) -> None:
+    async def story(opened) -> None:
+        (_, first), (_, second) = await opened(), await opened()
+        first.fields[CATALOG].value = "6308"
+        second.fields[SPEED].value = "730 rpm"
+        await settled(first)
+        await settled(second)
+        assert (first.fields[CATALOG].value, first.fields[SPEED].value) == ("6308", "1000 rpm")
+        assert (second.fields[CATALOG].value, second.fields[SPEED].value) == ("6206", "730 rpm")
+        for page in (first, second):
+            torque = torque_of_scene(parse_scene(page.text, origin="here")).friction.torque.total[0]
+            assert page.lines["torque"].text == f"{1e3 * torque:.4g}"
+
+    run_story(story)
+
+
+def test_a_closed_tab_ends_its_check_and_its_curve(run_story) -> None:
+    async def story(opened) -> None:
+        user, page = await opened()
+        checking = asyncio.create_task(page.check.run())
+        await asyncio.sleep(0.3)
+        check = page.check.check
+        assert check is not None
+        assert check.token in CHECKS
+        user.client.delete()
+        await asyncio.wait_for(checking, 20)
+        assert check.token not in CHECKS
+        assert not check.folder.parent.exists()
+        for _ in range(1200):
+            if not page.is_busy:
+                break
+            await asyncio.sleep(0.1)
+        assert not page.is_busy
+
+    run_story(story)
+
+
+def test_many_changes_leave_nothing(run_story, settled, monkeypatch: pytest.MonkeyPatch) -> None:
+    """200 of them; their torque is that of the first, because the page is what is tested."""
+    found: list[Evaluation] = [evaluated(scene_text("6206"))]
+    monkeypatch.setattr("fembearing.app.evaluation.evaluated", lambda _text: found[0])
+    monkeypatch.setattr("fembearing.app.evaluation.curve_scenes", lambda _found: [])
+    monkeypatch.setattr(page_file, "PAUSE", 0.0)
+
+    async def story(opened) -> None:
+        user, page = await opened()
+        await settled(page)
+        tasks = len(background_tasks.running_tasks)
+        sizes = []
+        for number in range(200):
+            page.fields[LOAD].value = f"{600 + number} N"
+            await settled(page)
+            sizes.append((len(user.client.elements), len(page.text), len(page.fields["scene"].value)))
+        assert len(set(sizes)) == 1
+        assert len(background_tasks.running_tasks) <= tasks
+        assert page.fields[LOAD].value == "799 N"
+
+    run_story(story)
+
+
+@pytest.mark.usefixtures("no_curve")
+def test_the_download_has_the_scene_and_its_torque(run_story, settled) -> None:
+    async def story(opened) -> None:
+        user, page = await opened()
+        page.fields[SPEED].value = "730 rpm"
+        await settled(page)
+        await page.check.download()
+        response = await user.download.next()
+        archive = zipfile.ZipFile(BytesIO(response.content))
+        assert archive.namelist() == ["scene.toml", "torque.csv", "torque.json", "torque.html"]
+        assert archive.read("scene.toml").decode() == page.text
+        head, row = archive.read("torque.csv").decode().splitlines()
+        torque = float(row.split(",")[head.split(",").index("torque_total [N mm]")])
+        assert f"{torque:.4g}" == page.lines["torque"].text
+
+    run_story(story)
+
+
+def test_checks_of_two_tabs_take_turns(run_story, monkeypatch: pytest.MonkeyPatch) -> None:
+    running: list[Check] = []
+    most: list[int] = []
+
+    def start(check: Check) -> None:
+        running.append(check)
+        most.append(len(running))
+
+    def look(check: Check) -> None:
+        check.problem = "ended"
+        running.remove(check)
+
+    monkeypatch.setattr(Check, "start", start)
+    monkeypatch.setattr(Check, "look", look)
+
+    async def story(opened) -> None:
+        pages: list[Any] = [(await opened())[1] for _ in range(2)]
+        await asyncio.gather(*(page.check.run() for page in pages))
+        assert most == [1, 1]
+        assert [page.check.said.text for page in pages] == ["ended", "ended"]
+
+    run_story(story)

@@ -1,0 +1,125 @@
+"""Fields that change the text of a scene: what is read afterwards, and that all else of the text stays."""
+
+import re
+
+import pytest
+
+from analytic.errors import InputError
+from analytic.scenefile.read import load_scene, parse_scene
+from analytic.scenefile.template import scene_text
+from fembearing.app.scene_edit import (
+    FIELDS,
+    field_in,
+    of_bearing,
+    values_in,
+    with_dimensions,
+    with_typed,
+    with_value,
+)
+
+USUAL = scene_text("6206")
+TYPED = {  # by the fields, what a scene has after it
+    "operation.radial_load": ("2,5 kN", "2.5 kN"),
+    "operation.axial_load": ("320N", "320 N"),
+    "operation.inner_speed": ("730", "730 rpm"),
+    "lubricant.name": ("ISO VG 46", "ISO VG 46"),
+    "lubricant.temperature": ("81C", "81 degC"),
+    "lubricant.supply": ("grease", "grease"),
+    "surface.finish": ("superfinished", "superfinished"),
+}
+
+
+@pytest.mark.parametrize("key", FIELDS)
+def test_a_field_changes_its_key_and_no_other(key: str) -> None:
+    typed, value = TYPED[key]
+    changed, _ = with_typed(USUAL, key, typed)
+    assert values_in(changed) == values_in(USUAL) | {key: value}
+    before, after = USUAL.split("\n"), changed.split("\n")
+    (line,) = [new for old, new in zip(before, after, strict=True) if old != new]
+    assert line.partition("=")[0].strip() == key.partition(".")[2]
+    assert ("#" in line) == any(f"{key.partition('.')[2]} =" in old and "#" in old[1:] for old in before)
+
+
+def test_the_scene_is_that_of_the_options_of_the_command_line() -> None:
+    text = USUAL
+    for key, (typed, _) in TYPED.items():
+        if key != "surface.finish":
+            text, _ = with_typed(text, key, typed)
+    options = {"radial_load": "2,5 kN", "axial_load": "320N", "speed": "730", "oil": "ISO VG 46"}
+    shown = parse_scene(text, origin="here")
+    told = load_scene("6206", settings={}, **options, temperature="81C", supply="grease")
+    for name, values in vars(told.operation).items():
+        assert getattr(shown.operation, name).tolist() == values.tolist()
+    # The note that a speed without a unit is read as rpm is a warning of the scene there, and stands beside the field.
+    others = vars(told).keys() - {"operation", "warnings"}
+    assert {name: getattr(shown, name) for name in others} == {name: getattr(told, name) for name in others}
+
+
+def test_an_empty_field_leaves_its_key_out_and_a_later_one_takes_its_line() -> None:
+    first, _ = with_typed(USUAL, "lubricant.supply", "oil_spot")
+    without, _ = with_typed(first, "lubricant.supply", " ")
+    assert "lubricant.supply" not in values_in(without)
+    again, _ = with_typed(without, "lubricant.supply", "oil_spot")
+    assert again == first
+    assert with_typed(without, "lubricant.supply", "")[0] == without
+
+
+def test_a_key_whose_table_is_missing_gets_it() -> None:
+    changed = with_value('name = "dry"\n[friction]\ncoefficient = 0.1', "surface.finish", "ground")
+    assert values_in(changed) == {"surface.finish": "ground"}
+    assert changed.startswith('name = "dry"\n[friction]\ncoefficient = 0.1\n')
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        'operation = { inner_speed = "500 rpm" }',
+        'operation.inner_speed = "500 rpm"',
+        '[operation]\ninner_speed = [\n "500 rpm",\n "700 rpm",\n]',
+    ],
+)
+def test_a_key_that_stands_in_another_way_is_not_changed(text: str) -> None:
+    with pytest.raises(InputError, match=r"operation\.inner_speed .*change it in the scene"):
+        with_typed(text, "operation.inner_speed", "730 rpm")
+
+
+def test_a_mark_of_a_comment_in_a_text_is_none() -> None:
+    changed = with_value('[lubricant]\nname = "oil # 3"  # of the drum', "lubricant.name", "oil # 4")
+    assert re.sub(" +", " ", changed) == '[lubricant]\nname = "oil # 4" # of the drum'
+
+
+def test_another_bearing_keeps_what_was_changed() -> None:
+    changed, _ = with_typed(USUAL, "operation.inner_speed", "730 rpm")
+    moved = of_bearing("6308", changed)
+    assert values_in(moved) == values_in(scene_text("6308")) | {"operation.inner_speed": "730 rpm"}
+    assert values_in(of_bearing("6206", moved)) == values_in(changed)
+
+
+def test_an_unknown_bearing_is_refused_in_the_words_of_the_catalogue() -> None:
+    with pytest.raises(InputError, match="6299") as shown:
+        of_bearing("6299", USUAL)
+    with pytest.raises(InputError) as told:
+        scene_text("6299")
+    assert str(shown.value) == str(told.value)
+
+
+@pytest.mark.parametrize("designation", ["6206", "7208B"])
+def test_dimensions_to_edit_are_those_of_the_bearing(designation: str) -> None:
+    text = scene_text(designation)
+    own = with_dimensions(text)
+    assert "\nball_diameter = " in own
+    given, derived = (parse_scene(each, origin="here").bearing for each in (own, text))
+    # The text has 7 digits.
+    assert given.ball_diameter == pytest.approx(derived.ball_diameter, rel=1e-6)
+    assert given.inner.groove_radius == pytest.approx(derived.inner.groove_radius, rel=1e-4)  # conformity has %g
+    assert given.ball_count == derived.ball_count
+    changed = parse_scene(with_value(own, "bearing.ball_count", derived.ball_count - 1), origin="here").bearing
+    assert changed.ball_count == derived.ball_count - 1
+
+
+def test_a_refused_value_is_put_beside_its_field() -> None:
+    wrong, _ = with_typed(USUAL, "operation.radial_load", "5 kg")
+    with pytest.raises(InputError) as refused:
+        parse_scene(wrong, origin="scene")
+    assert field_in(str(refused.value)) == "operation.radial_load"
+    assert field_in("the bearing is blue") is None
