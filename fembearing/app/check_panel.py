@@ -126,7 +126,7 @@ def _show_report(check: Check) -> None:
             if picture.kind in KINDS:
                 ui.html(_figure(picture, f"{address}/{picture.file}"), sanitize=False)
     tables = [contacts_of(report, report.units), *(film_table(film, report.units) for film in report.films)]
-    tables += [] if report.creep is None else [creep_table(report.creep, report.units)]
+    tables += [creep_table(each, report.units) for each in report.creep]
     for table in tables:
         ui.label(table.label).tag = "h3"
         ui.html(filled("table.html", grid=table), sanitize=False)

@@ -37,8 +37,31 @@ from fembearing.cli.boundary import COMMAND, DEBUG, guarded
 from fembearing.cli.common_options import FORCE, QUIET, VERBOSE, with_common
 from fembearing.cli.report_options import UNITS
 
-LONG = {"validate", "torque", "compare", "contact", "film", "creep", "cost", "sweep", "warmup"}  # commands with steps
-WRITING = {"validate", "torque", "compare", "film", "creep", "cost", "init"}  # a new file or folder
+LONG = {
+    "validate",
+    "torque",
+    "compare",
+    "contact",
+    "film",
+    "creep",
+    "cost",
+    "duty",
+    "export",
+    "sweep",
+    "warmup",
+}  # commands with steps
+WRITING = {
+    "validate",
+    "torque",
+    "compare",
+    "film",
+    "creep",
+    "cost",
+    "draw",
+    "duty",
+    "export",
+    "init",
+}  # files or folders
 SHOWING = {"torque", "compare", "contact", "film", "creep", "list"}  # lengths, forces or torques; no report
 
 
