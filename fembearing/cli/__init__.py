@@ -37,32 +37,10 @@ from fembearing.cli.boundary import COMMAND, DEBUG, guarded
 from fembearing.cli.common_options import FORCE, QUIET, VERBOSE, with_common
 from fembearing.cli.report_options import UNITS
 
-LONG = {
-    "validate",
-    "torque",
-    "compare",
-    "contact",
-    "film",
-    "creep",
-    "cost",
-    "duty",
-    "export",
-    "sweep",
-    "warmup",
-}  # commands with steps
-WRITING = {
-    "validate",
-    "torque",
-    "compare",
-    "film",
-    "creep",
-    "cost",
-    "draw",
-    "duty",
-    "export",
-    "init",
-}  # files or folders
-SHOWING = {"torque", "compare", "contact", "film", "creep", "list"}  # lengths, forces or torques; no report
+# Commands with steps; with a new file or folder; with lengths, forces or torques and no report
+LONG = {"validate", "torque", "compare", "contact", "film", "creep", "cost", "duty", "export", "sweep", "warmup"}
+WRITING = {"validate", "torque", "compare", "film", "creep", "cost", "draw", "duty", "export", "init"}
+SHOWING = {"torque", "compare", "contact", "film", "creep", "list"}
 
 
 def _common_options(name: str) -> dict[str, Any]:
