@@ -3,7 +3,6 @@
 Every check is geometry of the unloaded bearing. A preload that elastic contacts can carry is accepted.
 """
 
-import os
 from collections.abc import Container, Iterator
 
 import numpy as np
@@ -112,13 +111,12 @@ def cage_misfits(bearing: Bearing, cage: Cage, *, pocket: str, pockets_may_overl
 
 
 def surface_misfits(
-    surface: Surface, bearing: Bearing, cage: Cage | None, *, is_lubricated: bool
+    surface: Surface | None, bearing: Bearing, cage: Cage | None, *, is_lubricated: bool
 ) -> Iterator[tuple[str, str]]:
-    """The same for a map of heights that is no file, and for summits that yield in a body of unknown hardness."""
-    if surface.height_map is not None and not os.path.isfile(surface.height_map.path):
-        yield "surface.height_map.path", "is not a file; give its path from the scene file's folder"
-    never_yields = surface.gap == "elastic" or surface.asperities == "greenwood_williamson"
-    if never_yields or surface.hardness is not None or not is_lubricated:
+    """The same for summits that yield in a body of unknown hardness."""
+    if surface is None or surface.hardness is not None or not is_lubricated:
+        return
+    if surface.gap == "elastic" or surface.asperities == "greenwood_williamson":  # these never yield
         return
     bodies = [bearing.ball_material, bearing.inner.material, bearing.outer.material]
     for body in (*bodies, *(() if cage is None else (cage.material,))):

@@ -327,9 +327,7 @@ def _scene(
             overlaps = table.cage.variant == AS_PRINTED
             misfits += fit.cage_misfits(bearing, cage, pocket=pocket, pockets_may_overlap=overlaps)
     surface, unread = _surface(table.surface, folder)
-    misfits += unread
-    if surface is not None:
-        misfits += fit.surface_misfits(surface, bearing, cage, is_lubricated=table.lubricant is not None)
+    misfits += [*unread, *fit.surface_misfits(surface, bearing, cage, is_lubricated=table.lubricant is not None)]
     losses, notes = Losses(), ()
     if not misfits:
         try:

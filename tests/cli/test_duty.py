@@ -39,7 +39,12 @@ def test_json_fits_its_schema_and_a_folder_has_everything(
     assert json.loads(command("schema", "duty").out) == json.loads(json.dumps(duty_schema()))
     assert (found["kind"], found["format"]) == ("fembearing duty", 1)
     folder = tmp_path / "found"
-    assert {file.name for file in folder.iterdir()} == {"duty.json", "duty.csv", "duty.png", "duty.svg"}
+    assert {file.name for file in folder.iterdir() if file.name[0] != "."} == {
+        "duty.json",
+        "duty.csv",
+        "duty.png",
+        "duty.svg",
+    }
     with (folder / "duty.csv").open(encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     assert len(rows) == len(found["steps"]) == 4

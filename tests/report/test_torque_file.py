@@ -156,7 +156,7 @@ def test_the_figure_is_as_wide_for_any_series(load: str, speed: str, tall: bool)
             "my.docx",
             "ends with '.docx': give a file that ends with .csv, .json, .png, .svg, .pdf, .html, or a name without",
         ),
-        ("there.csv", "there.csv' exists already: give a new name, or remove it first"),
+        ("there.csv", "there.csv' exists already: give a new name, remove it first, or give --force"),
         ("nowhere/my.csv", "cannot be made in"),
     ],
 )
