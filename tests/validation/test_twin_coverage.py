@@ -26,7 +26,7 @@ def test_the_recorded_intervals_hold() -> None:
     assert {row["race"] for row in rows} == {material.name for material in program.MATERIALS}
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_a_contact_is_compared_as_recorded() -> None:
     recorded = next(row for row in program.read(program.HERE / "twin_coverage.csv") if row["seed"] == "50061")
     found = program.compared(50061)
