@@ -15,6 +15,8 @@ sys.path.insert(0, str(DOCS.parent))  # tests.executed_pages
 PICTURES: dict[str, dict[str, str]] = {  # of a page: what its commands write, and its name in docs/pictures
     "how-to/bearing.md": {"drawing-of-my-6305.svg": "drawing-6305.svg", "unknown.svg": "torque-unknown.svg"},
     "how-to/cage.md": {"motion-of-my-cage/1-cage-forces.png": "cage-forces.png"},
+    "how-to/compare-with-measurements.md": {"comparison/compare.png": "compare-3mm.png"},
+    "how-to/export.md": {"export-6206.png": "export-6206.png"},
     "how-to/loads.md": {"loads.svg": "torque-loads.svg"},
     "how-to/netcdf.md": {"small-map/maps/torque_total.png": "map-friction.png"},
     "how-to/oil.md": {"data_sheet.svg": "torque-data-sheet.svg"},

@@ -166,6 +166,7 @@ def run_in(folder: Path, page: Path) -> list[Output]:
 
 
 def main() -> None:
+    os.environ.setdefault("OMP_NUM_THREADS", "1")  # as in the tests: last digits depend on the number of threads
     for name in sys.argv[1:]:
         page = Path(name).resolve()
         with tempfile.TemporaryDirectory() as folder:
