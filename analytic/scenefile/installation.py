@@ -21,7 +21,7 @@ def installation_faults(table: SceneTable) -> Iterator[tuple[str, str]]:
     if table.arrangement is not None and angle.rule == "given":
         yield (
             "bearing.contact_angle.rule",
-            'holds an angle that the loads of a pair change: use "solved", or leave out [arrangement]',
+            'fixes the contact angle, which the loads of a pair change: use "solved", or leave out [arrangement]',
         )
 
 
@@ -102,7 +102,7 @@ def _mounting_faults(given: MountingTable, angle: ContactAngleTable) -> Iterator
     elif angle.rule == "given":
         yield (
             "bearing.contact_angle.rule",
-            'holds an angle that [mounting] would change: use "solved", or leave out [mounting]',
+            'fixes the contact angle, which [mounting] changes: use "solved", or leave out [mounting]',
         )
     known = [key for key in ("inner_temperature", "outer_temperature") if getattr(given, key) is not None]
     if len(known) == 1:
