@@ -129,7 +129,7 @@ def test_what_lacks_its_input_has_an_estimate_that_counts_where_it_exceeds_the_t
     flow = found.torque.total[1] * found.inner_speed[1] / (2000 * 20 - race**2)  # kg/s
     accelerated = flow * race**2 / found.inner_speed[1] / found.torque.total[1]
     assert shares["through_flow"].share == pytest.approx(accelerated, rel=1e-12)
-    warned = [words for words in found.warnings if "ball_drag is left out" in words]
+    warned = [words for words in found.warnings if "ball_drag is neglected" in words]
     assert bool(warned) == (present(shares["ball_drag"].share) > scene.tolerance)
     for supply in ("oil_spot", "grease"):
         oil = replace(present(scene.lubricant), supply=supply)

@@ -105,7 +105,7 @@ def test_film_and_share_carry_the_load_together(scene: Scene, temperature: float
         force = 0.11 * boundary * contact.load + 4.7e6 * (1 - rough.area_fraction) * (1 - molecular) * area
         mu = getattr(found.friction_coefficient, race)
         np.testing.assert_allclose(mu, force / contact.load, rtol=1e-6)
-    assert not any("comes from the scene" in warning for warning in found.warnings)
+    assert not any("is from the scene" in warning for warning in found.warnings)
 
 
 def test_asperities_alone_are_a_given_coefficient(scene: Scene) -> None:

@@ -96,7 +96,10 @@ def test_a_reason_names_what_is_open_or_fails() -> None:
     for given, reason in (
         ({"comparison": "pass", "numerical": solved}, "contacts and solver error within the tolerance, no physical"),
         ({"numerical": solved}, "solver error within the tolerance"),
-        ({"comparison": "undecided", "numerical": loose}, "a contact undecided; the solver error is 4.7 %, asked 3 %"),
+        (
+            {"comparison": "undecided", "numerical": loose},
+            "a contact undecided; the solver error is 4.7 %, tolerance 3 %",
+        ),
         ({"comparison": "outside validity", "numerical": loose}, "a contact is outside the validity of Hertz"),
         (
             {"numerical": solved, "physical": (replace(limit, verdict="unknown"),)},

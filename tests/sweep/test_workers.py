@@ -218,7 +218,7 @@ def test_a_sweep_stopped_or_killed_in_the_middle_continues(
             assert output == ""
         if stop is signal.SIGINT:
             assert process.returncode == 130
-            words = f"fembearing: stopped; what is done is kept in {out}: the same command goes on"
+            words = f"fembearing: stopped; finished points are in {out}; the same command continues"
             assert complaint.split() == words.split()  # and no progress where there is no terminal
         wait_until(lambda: not lives(process.pid))  # its workers end with it
         assert all(file.stat().st_mtime_ns == moment for file, moment in before.items())

@@ -142,10 +142,10 @@ def test_a_given_angle_holds_loads_but_not_how_balls_turn(scene: Scene) -> None:
 @pytest.mark.parametrize(
     ("sliding", "other", "reason"),
     [
-        ("marched_creep", {"spin_rule": "outer_control"}, r'friction\.spin_rule = "outer_control" says how'),
+        ("marched_creep", {"spin_rule": "outer_control"}, r'friction\.spin_rule = "outer_control" prescribes'),
         ("free_ball", {"microslip": "as_printed"}, r'friction\.microslip = "as_printed" has no creep'),
-        ("closed_creep", {"effects": {"spin": "off"}}, r'effects\.spin = "off" leaves out'),
-        ("marched_creep", {"effects": {"creep": "off"}}, r'effects\.creep = "off" leaves'),
+        ("closed_creep", {"effects": {"spin": "off"}}, r'effects\.spin = "off" neglects'),
+        ("marched_creep", {"effects": {"creep": "off"}}, r'effects\.creep = "off" neglects'),
     ],
 )
 def test_a_method_for_free_balls_needs_free_balls(

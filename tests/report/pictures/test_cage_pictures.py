@@ -188,10 +188,13 @@ def test_a_thinned_exceedance_keeps_the_rarest() -> None:
 def test_a_cage_at_rest_by_its_closed_form_has_a_reason_in_place_of_a_figure() -> None:
     assert cage_plot(as_document({"cage_records": [], "torque": {}})) == (
         None,
-        "No cage moved: the torque has the closed form of a cage that rests on its balls, or none. Where the scene "
-        "gives a cage and its start, and the tolerance can see the motion, it is computed.",
+        "No motion of the cage: the torque has the closed form of a cage at rest on its balls, or no cage. The motion "
+        "is computed for a scene with a cage and its start, if it exceeds the tolerance.",
     )
-    assert cage_plot(as_document({"cage_records": [], "torque": None}))[1] == "No cage moved: the scene has no torque."
+    assert (
+        cage_plot(as_document({"cage_records": [], "torque": None}))[1]
+        == "No motion of the cage: the scene has no torque."
+    )
 
 
 def box_of(part: Artist | None) -> BboxBase:

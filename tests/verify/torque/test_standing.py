@@ -6,6 +6,7 @@ from types import MappingProxyType
 import numpy as np
 import pytest
 
+from analytic.effects.ledger import Effect
 from analytic.scene import Scene
 from analytic.scenefile.read import load_scene
 from analytic.verdicts import NumericalCheck, PhysicalCheck
@@ -33,7 +34,10 @@ def scene() -> Scene:
 def found(scene: Scene, **changed: object) -> Standing:
     given = {"numerical": SOLVED, "physical": (GOOD,), "band": BAND, "shares": {"drag": 0.02}, "total": TOTAL} | changed
     verdicts = Verdicts(numerical=given["numerical"], physical=given["physical"])  # pyright: ignore[reportArgumentType]
-    return standing_of(scene, total=given["total"], shares=given["shares"], verdicts=verdicts, band=given["band"])  # pyright: ignore[reportArgumentType]
+    effects = [
+        Effect(name=name, decision="off", share=share, reason=f"no {name}") for name, share in given["shares"].items()
+    ]
+    return standing_of(scene, total=given["total"], effects=effects, verdicts=verdicts, band=given["band"])  # pyright: ignore[reportArgumentType]
 
 
 def test_each_cause_has_its_word_and_names_itself(scene: Scene) -> None:
@@ -45,10 +49,11 @@ def test_each_cause_has_its_word_and_names_itself(scene: Scene) -> None:
         ({"total": np.array([0.015, 0.031])}, "check", "below the makers' formulas"),
         ({"total": np.array([0.021, 0.047])}, "check", "in part above the makers' formulas"),
         ({"band": None}, "check", "no maker's formula"),
-        ({"numerical": loose}, "undecided", "solver error is 8.3 %, asked 5 %"),
+        ({"numerical": loose}, "undecided", "solver error is 8.3 %, tolerance 5 %"),
         ({"physical": (replace(GOOD, verdict="unknown"),)}, "undecided", "limit is not known"),
-        ({"shares": lacking, "numerical": loose}, "incomplete", "cage is left out and could be 31 %"),
-        ({"shares": {"cage": np.inf}}, "incomplete", "cage is left out and is of unknown size"),
+        ({"shares": lacking, "numerical": loose}, "incomplete", "neglected, up to 31 % of the torque, tolerance 5 %:"),
+        ({"shares": lacking}, "incomplete", 'no cage; effects.cage = "off" accepts this; also neglected: weight'),
+        ({"shares": {"cage": np.inf}}, "incomplete", "its balls) is neglected, size unbounded"),
         ({"physical": (beyond,), "shares": lacking}, "fail", "peak pressure exceeds the static limit (inner race)"),
     ):
         standing = found(scene, **changed)
