@@ -107,6 +107,6 @@ def _mounting_faults(given: MountingTable, angle: ContactAngleTable) -> Iterator
     known = [key for key in ("inner_temperature", "outer_temperature") if getattr(given, key) is not None]
     if len(known) == 1:
         (other,) = {"inner_temperature", "outer_temperature"} - set(known)
-        yield f"mounting.{other}", f"is missing: {known[0]} alone does not say how much warmer one ring is"
+        yield f"mounting.{other}", f"is missing: {known[0]} alone does not give the temperature difference of the rings"
     elif not known and given.ball_temperature is not None:
         yield "mounting.ball_temperature", "goes with inner_temperature and outer_temperature: give these too"

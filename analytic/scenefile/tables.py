@@ -441,7 +441,7 @@ class ReportTable(Table):
 
 class SceneTable(Table):
     name: Text
-    calibration: Text | None = Field(default=None, description="say which inputs were fitted to which numbers")
+    calibration: Text | None = Field(default=None, description="give the inputs that were fitted, and to which numbers")
     tolerance: Annotated[float, Dimension(unit="", low=1e-6, high=1, example='"5 %"')]
     bearing: BearingTable
     operation: OperationTable

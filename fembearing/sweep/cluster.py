@@ -123,8 +123,8 @@ def _workers_here(workers: int | None, tasks: int) -> Iterator[Any]:
                 yield client
         except NoWorkerError as problem:
             raise ResourceError(
-                "the processes that compute ended and none starts again; free some memory: what is done is kept, and "
-                "the same command continues"
+                "the processes that compute ended and none starts again; free some memory: finished points are kept, "
+                "and the same command continues"
             ) from problem
         finally:
             cluster.sync(_end, cluster)

@@ -274,7 +274,7 @@ def test_a_cluster_elsewhere_computes_the_same_and_survives_a_worker(
         going = each_done(call, [(operator.neg, 7), (time.sleep, 60)], scheduler=address)
         assert next(going) == ((operator.neg, 7), -7)
         elsewhere.close()
-        with pytest.raises(InputError, match="the cluster went away; what is done is kept"):
+        with pytest.raises(InputError, match="the cluster went away; finished points are kept"):
             next(going)
     assert isinstance(done.pop(DEADLY), LostWorkerError)
     assert sorted(done.values()) == [-3, -2, -1, 0]

@@ -61,7 +61,7 @@ MISTAKES = [  # text, and words of the message: key, value, what is accepted
     (changed('"paper_6205"', "6206-2RS"), ("not TOML", "line 4", 'in quotes: "6206-2RS"')),
     (changed('"solved"', "solved"), ("not TOML", "line 5", 'in quotes: "solved"')),
     (OIL + "compressible = True", ("not TOML", "line 14", "write true in small letters")),
-    (changed('"700 N"', '"700 N"\naxial_load = "800 N"'), ("not TOML", "line 8", "axial_load is given twice: leave one")),
+    (changed('"700 N"', '"700 N"\naxial_load = "800 N"'), ("not TOML", "line 8", "axial_load is given twice: leave")),
     (PLAIN + '[operation]\naxial_load = "800 N"', ("not TOML", "line 9", "[operation] is given twice", "one table")),
     (changed('"2 %"', "2"), ("tolerance = 2 ", "0.0001 to 100 %", '"5 %"')),
     (changed('"2 %"', "nan"), ("tolerance = nan", "finite")),

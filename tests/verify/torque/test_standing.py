@@ -8,9 +8,12 @@ import pytest
 
 from analytic.effects.ledger import Effect
 from analytic.scene import Scene
-from analytic.scenefile.read import load_scene
+from analytic.scenefile.choice import Choice
+from analytic.scenefile.read import load_scene, parse_scene
+from analytic.scenefile.template import scene_text
 from analytic.verdicts import NumericalCheck, PhysicalCheck
 from fembearing.verify.torque.catalogue_models import CatalogueBand
+from fembearing.verify.torque.scene_torque import torque_of_scene
 from fembearing.verify.torque.standing import Standing, standing_of
 from fembearing.verify.torque.verdicts import Verdicts
 
@@ -59,6 +62,18 @@ def test_each_cause_has_its_word_and_names_itself(scene: Scene) -> None:
         standing = found(scene, **changed)
         assert standing.word == word
         assert reason in standing.reason
+
+
+def test_a_missing_input_is_named_with_size_and_limit_and_may_be_accepted() -> None:
+    """A 6206 in an oil bath: the oil around the balls takes some 5 % of the torque at 3.5 kN and 3700 rpm."""
+    choice = Choice(radial_load="3.5 kN", speed="3700 rpm")
+    scene = replace(parse_scene(scene_text("6206", choice), origin="here"), tolerance=0.03)
+    standing = torque_of_scene(scene).standing
+    assert standing.word == "incomplete"
+    assert standing.reason.startswith("ball_drag (torque of balls that move through oil and air) is neglected, up to ")
+    assert ' of the torque, tolerance 3 %: losses.oil_share is not given: give for example "2 %"' in standing.reason
+    accepted = torque_of_scene(replace(scene, effects={**scene.effects, "ball_drag": "off"}))
+    assert accepted.standing.word == "check"
 
 
 def test_an_effect_that_the_scene_switches_off_is_not_missing(scene: Scene) -> None:
