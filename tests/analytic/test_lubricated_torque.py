@@ -217,7 +217,7 @@ def test_rolling_is_left_out_where_the_scene_says_so(scene: Scene) -> None:
     found = friction_torque(replace(scene, effects=PLAIN | {"rolling": "off"}))
     assert found.torque.rolling is None
     np.testing.assert_allclose(found.torque.total, with_it.total - present(with_it.rolling), rtol=1e-12)  # round-off
-    assert {effect.name: effect.reason for effect in found.effects}["rolling"].startswith("the scene says off")
+    assert {effect.name: effect.reason for effect in found.effects}["rolling"].startswith("off in the scene")
 
 
 def test_a_factor_on_the_film_reaches_film_and_torque(scene: Scene) -> None:

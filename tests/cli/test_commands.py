@@ -64,7 +64,7 @@ def test_the_answer_without_a_name_is_whole(validated: dict[str, Any]) -> None:
     torque = validated["torque"]
     missing = [each["name"] for each in torque["effects"] if "not given" in each["reason"] or "add a" in each["reason"]]
     assert missing == []
-    assert not any("add a" in warning or "is left out" in warning for warning in torque["warnings"])
+    assert not any("add a" in warning or "is neglected" in warning for warning in torque["warnings"])
     assumed = {each["key"]: each["source"] for each in torque["inputs"] if each["status"] == "assumed"}
     assert assumed["cage.start"]
     assert "ISO VG 68" in assumed["lubricant.viscosity"]

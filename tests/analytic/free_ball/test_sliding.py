@@ -56,7 +56,7 @@ def test_creep_has_its_share_and_the_methods_are_ordered(scene: Scene) -> None:
     assert auto.torque.total[0] == marched.torque.total[0]
     ruled = friction_torque(replace(scene, spin_rule="balanced"))
     assert not ruled.is_on("creep")
-    assert any("creep is left out" in warning and "spin_rule" in warning for warning in ruled.warnings)
+    assert any("creep is neglected" in warning and "spin_rule" in warning for warning in ruled.warnings)
 
 
 def test_little_friction_creeps_little(scene: Scene) -> None:

@@ -309,7 +309,7 @@ def test_a_scene_without_a_band_says_why() -> None:
         ({"lubricant": None}, "no lubricant"),
         ({"bearing": replace(scene.bearing, static_load_rating=None)}, "static_load_rating is not given"),
         ({"bearing": replace(scene.bearing, bore_diameter=None)}, "bore_diameter is not given"),
-        ({"bearing": replace(scene.bearing, outside_diameter=53e-3)}, "25 mm and outside diameter 53 mm are of no"),
+        ({"bearing": replace(scene.bearing, outside_diameter=53e-3)}, "25 mm and outside diameter 53 mm fit no"),
         ({"operation": replace(scene.operation, moment=3.0)}, "moment"),
         ({"operation": replace(scene.operation, axial_load=np.array([-3.0]))}, "-3 N is below 0"),
     ):
@@ -334,5 +334,5 @@ def test_a_band_that_is_no_number_is_shown_nowhere() -> None:
     result = torque_of_scene(parse_scene(scene_text("6206"), origin="here"))
     band = result.catalogue.band
     assert band is not None
-    with pytest.raises(InputError, match="upper end of the catalogue band comes out as nan N m"):
+    with pytest.raises(InputError, match="upper end of the catalogue band is nan N m"):
         replace(result, catalogue=replace(result.catalogue, band=replace(band, high=band.high * np.nan)))
