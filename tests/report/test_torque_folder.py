@@ -57,7 +57,7 @@ def test_each_point_has_series_plot_and_picture(made: Made) -> None:
         assert (told["point"], told["state"]) == (point, "rest")
         assert told["series"] == f"{point}-cage.nc"
         assert "The cage rests" in told["plot"]["caption"]
-        assert "10 times as far" in told["picture"]["caption"]
+        assert "10 times as large" in told["picture"]["caption"]
         for kind, end in (("plot", "-forces.png"), ("picture", ".png")):
             assert told[kind]["file"] == f"{point}-cage{end}"
             assert (made.folder / told[kind]["file"]).read_bytes().startswith(b"\x89PNG")

@@ -246,7 +246,7 @@ def test_hard_cases_and_a_missing_renderer_are_shown(checked: Validation, tmp_pa
     page = Page(written_page(replace(checked, hard=hard), tmp_path, trouble="VTK ended with signal 6"))
     told = "last run 2025-03-04, fembearing 0.7, model version 5: 211 right, 34 correctly refused, 2 wrong"
     assert told in page.text
-    assert "maps by matplotlib: VTK ended with signal 6" in page.text
+    assert "Maps by matplotlib: VTK ended with signal 6" in page.text
 
 
 def test_a_cage_that_moved_has_its_table(checked: Validation, tmp_path: Path) -> None:
