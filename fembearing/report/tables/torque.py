@@ -172,7 +172,7 @@ def change_table(
         ]
         for place in places
     ]
-    return table_of("What finite-element contacts change", heads, rows, _change_notes(change, units))
+    return table_of("Changes by finite-element contacts", heads, rows, _change_notes(change, units))
 
 
 def _change_notes(change: "ChangeRecord", units: Units) -> list[str]:

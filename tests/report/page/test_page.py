@@ -45,8 +45,8 @@ ALWAYS = (  # of the appendices; no sections of a scene without torque or cage
     "Contacts",
     "Contact pressure",
     "Meshes and convergence",
-    "What accuracy costs",
-    "Warnings, and what to run next",
+    "Cost of accuracy",
+    "Warnings and next steps",
     "Provenance",
 )
 
