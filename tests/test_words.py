@@ -32,12 +32,12 @@ HELP_BANNED = r"without it\.?$|, as [0-9a-z]|^(Of|In|For|From) "  # defaults are
 def shown_strings(source: str) -> Iterator[tuple[int, str]]:
     """Strings of a file in which a sentence may stand: no docstrings, joined where they are formatted."""
     tree = ast.parse(source)
-    bodies = (node.body for node in ast.walk(tree) if hasattr(node, "body") and isinstance(node.body, list))
-    docstrings = {id(body[0].value) for body in bodies if body and isinstance(body[0], ast.Expr)}
+    docstrings = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
     inside = {id(part) for node in ast.walk(tree) if isinstance(node, ast.JoinedStr) for part in node.values}
     for node in ast.walk(tree):
         if isinstance(node, ast.JoinedStr):
-            yield node.lineno, "".join(part.value if isinstance(part, ast.Constant) else "x" for part in node.values)
+            parts = (str(part.value) if isinstance(part, ast.Constant) else "x" for part in node.values)
+            yield node.lineno, "".join(parts)
         elif isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in docstrings | inside:
             yield node.lineno, node.value
 

@@ -146,7 +146,7 @@ def _doubts(autocorrelation: Autocorrelation) -> Iterator[str]:
     if autocorrelation.kind == "exponential":
         yield (
             f"slope and curvature of the summits depend on surface.autocorrelation.spacing {length_of(spacing)}, by "
-            "finite differences: an exponential autocorrelation has no limit of them"
+            "finite differences: an exponential autocorrelation does not define them"
         )
     elif spacing > WIDEST * length * (1 + 1e-12):
         yield (

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 import pytest
@@ -34,13 +35,14 @@ def scene() -> Scene:
     return replace(load_scene("6205-dry"), tolerance=0.05, effects={})
 
 
-def found(scene: Scene, **changed: object) -> Standing:
-    given = {"numerical": SOLVED, "physical": (GOOD,), "band": BAND, "shares": {"drag": 0.02}, "total": TOTAL} | changed
-    verdicts = Verdicts(numerical=given["numerical"], physical=given["physical"])  # pyright: ignore[reportArgumentType]
+def found(scene: Scene, **changed: Any) -> Standing:
+    given: dict[str, Any] = {"numerical": SOLVED, "physical": (GOOD,), "band": BAND, "total": TOTAL}
+    given |= {"shares": {"drag": 0.02}} | changed
+    verdicts = Verdicts(numerical=given["numerical"], physical=given["physical"])
     effects = [
         Effect(name=name, decision="off", share=share, reason=f"no {name}") for name, share in given["shares"].items()
     ]
-    return standing_of(scene, total=given["total"], effects=effects, verdicts=verdicts, band=given["band"])  # pyright: ignore[reportArgumentType]
+    return standing_of(scene, total=given["total"], effects=effects, verdicts=verdicts, band=given["band"])
 
 
 def test_each_cause_has_its_word_and_names_itself(scene: Scene) -> None:
