@@ -57,7 +57,7 @@ class ConvergenceError(FembearingError):
     ) -> None:
         self.iterations, self.residual, self.tolerance = iterations, residual, tolerance
         super().__init__(
-            f"{problem} did not settle in {iterations} iterations: residual {residual:.1e} {unit}, "
+            f"{problem} did not converge in {iterations} iterations: residual {residual:.1e} {unit}, "
             f"tolerance {tolerance:.1e} {unit}. {remedy}"
         )
 

@@ -147,6 +147,6 @@ def _relieved(found: PairEquilibrium) -> Iterator[str]:
         if relieved.any():
             yield (
                 f"the loads relieve the {name} bearing of the pair at {np.count_nonzero(relieved)} of {count} "
-                "operating points: its rings leave the balls room, which may skid, and its torque is that of "
-                "centrifugal force alone and of what the scene declares; raise the preload"
+                "operating points: its balls have clearance and may skid; its torque has the parts by centrifugal "
+                "force and the declared losses only; raise the preload"
             )

@@ -275,7 +275,7 @@ def _free_creep(
     scene, contrary = ledger.scene, ruled(ledger.scene)
     wanted = {"closed_creep": "closed", "marched_creep": "marched"}.get(scene.sliding)
     if wanted is not None and ledger.rules_out("creep"):
-        contrary = contrary or 'effects.creep = "off" leaves the creep out: use "auto"'
+        contrary = contrary or 'effects.creep = "off" neglects the creep: use "auto"'
     asked = scene.sliding in FREE_METHODS.values()
     if slides and contrary is not None and asked:
         raise InputError(f'friction.sliding = "{scene.sliding}" is refused: {contrary}')

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from analytic.brief import Brief, points_of, span
 from analytic.cage.torque import CagePart, CagePoint
-from analytic.effects.ledger import Effect, Effects, ShareKind
+from analytic.effects.ledger import SWITCHED_OFF, Effect, Effects, ShareKind
 from analytic.effects.limits import LimitNumbers
 from analytic.effects.table import CHOSEN, DECLARED, OIL_LOSSES, TRIED
 from analytic.errors import InputError
@@ -393,7 +393,7 @@ class FrictionTorque(Brief):
         is_counted = effect.name in DECLARED or (effect.name in OIL_LOSSES and effect.decision == "on")
         if is_counted or getattr(self.torque, effect.name, None) is not None:
             return "part"
-        by_trial = effect.decision == "on" or "the scene says off" in effect.reason
+        by_trial = effect.decision == "on" or effect.reason.startswith(SWITCHED_OFF)
         return "trial" if by_trial and effect.name in TRIED else "bound"
 
     def row(self, point: int) -> TorquePoint:
@@ -447,8 +447,8 @@ def require_numbers(result: FrictionTorque) -> FrictionTorque:
             point = int(np.flatnonzero(~good)[0])
             given = ", ".join(f"{key} {getattr(result, key)[point]:g} {each.unit}" for key, each in COORDINATES.items())
             raise InputError(
-                f"{name.replace('_', ' ')} comes out as {values[point]:g} at operating point {point + 1} ({given}): "
-                "the numbers of the scene lie beyond what can be computed; give usual ones"
+                f"{name.replace('_', ' ')} is {values[point]:g} at operating point {point + 1} ({given}): the numbers "
+                "of the scene are outside the computable range; give usual ones"
             )
     return result
 

@@ -216,7 +216,7 @@ class Arrangement(Noun):
             why = "both bearings carry the same direction, and nothing presses back"
             raise InputError(f'arrangement.{said[0]} does not go with kind = "tandem": {why}; leave it out')
         if len(said) > 1:
-            raise InputError("arrangement.offset and preload both say how the pair is clamped; leave one of them out")
+            raise InputError("arrangement.offset and preload both give the clamping of the pair; leave one of them out")
         if self.kind != "tandem" and not said:
             raise InputError('arrangement needs one of preload and offset, for example preload = "100 N"')
 

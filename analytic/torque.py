@@ -216,7 +216,7 @@ def _beyond_the_fit(races: RaceTorque, total: Array) -> Unsure:
     change = np.abs(races.by_rule(every, farthest=True) - races.by_rule(every))
     if np.isfinite(change).all():
         return Unsure(share_in(change, total), ())
-    reason = "contacts outside the fit for finite geometry may be such that there is no answer"
+    reason = "contacts outside the fit for finite geometry may have no solution"
     return Unsure(np.where(np.isfinite(change), share_in(np.nan_to_num(change), total), np.inf), (reason,))
 
 
@@ -236,7 +236,7 @@ def _in_any_direction(races: RaceTorque, total: Array) -> Unsure:
     if known.all():
         return Unsure(unsure, ())
     return Unsure(
-        unsure, ("the balls' weight counts, its direction is not given, and with one there may be no answer",)
+        unsure, ("the direction of the balls' weight is not given, and some directions may have no solution",)
     )
 
 
@@ -246,13 +246,13 @@ def _require_friction(scene: Scene) -> None:
         require_non_negative(**{"friction.coefficient": scene.friction_coefficient})
         if scene.surface is not None:
             raise InputError(
-                f"friction.coefficient = {scene.friction_coefficient:g} and [surface] both say what resists sliding: "
-                "leave out the coefficient to have it computed from [lubricant] and [surface], or leave out [surface]"
+                f"friction.coefficient = {scene.friction_coefficient:g} and [surface] both determine the friction: "
+                "leave out the coefficient (computed from [lubricant] and [surface]), or leave out [surface]"
             )
     elif scene.lubricant is None and scene.surface is None:
         raise InputError(
             "friction.coefficient is missing: add [friction] coefficient = 0.1 (usual are 0.05 to 0.12), or the tables "
-            "[lubricant] and [surface] that it is computed from"
+            "[lubricant] and [surface]"
         )
     elif scene.lubricant is None or scene.surface is None:
         given, missing = ("surface", "lubricant") if scene.lubricant is None else ("lubricant", "surface")

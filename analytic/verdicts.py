@@ -21,30 +21,29 @@ from analytic.scene import Array
 
 MOST_FRICTION = 1.0  # of what friction can hold at most: beyond, the surfaces slide
 YIELDS = (
-    "Beyond the static limit of ISO 76 for steel a ball leaves a dent of more than 1e-4 of its diameter, and elastic "
-    "contact no longer describes the race."
+    "Above the static limit of ISO 76 for steel the dent exceeds 1e-4 of the ball diameter, and the contact is not "
+    "elastic."
 )
 CUT = (
-    "Share of the load of a contact, by Hertz, that lies beyond the shoulder of the race; what is left of the contact "
-    "carries it at a higher pressure."
+    "Share of a contact's load by Hertz beyond the shoulder of the race; the rest of the contact carries it at a "
+    "higher pressure."
 )
 UNKNOWN_SHOULDER = (
-    f"The shoulder is not known: the share is that of a low one, of {USUAL_SHOULDERS[0]:g} ball diameters; give "
-    "shoulder_height."
+    f"Shoulder not known: share for a low one, {USUAL_SHOULDERS[0]:g} ball diameters high; give shoulder_height."
 )
 SKIDS = (
-    "Force of the oil that holds the balls back, over the friction of the race that turns them, in contacts that slide "
-    "as fast as they roll; beyond the limit the balls skid."
+    "Rolling force of the oil over the friction of the driving race, for contacts that slide as fast as they roll; "
+    "above the limit the balls skid."
 )
 LETS_GO = (
-    "Gyroscopic moment of a ball over what the friction of both races holds, in contacts that slide as fast as they "
-    "roll; beyond the limit the ball turns across its grooves."
+    "Gyroscopic moment of a ball over the largest friction moment of both races, for contacts that slide as fast as "
+    "they roll; above the limit the ball turns across its grooves."
 )
 GRIP = (
-    "Share of the grip of the races that the force of the cage uses, of a whirl by its weakest ball; beyond it balls "
-    "slide, and the forces of given balls do not hold."
+    "Share of the grip of the races that the cage force uses (of a whirl: by the weakest ball); above the limit balls "
+    "slide, and the forces for given balls do not hold."
 )
-UNKNOWN_GRIP = 'The friction of the races is not computed, so their grip is not known: leave effects.spin on "auto".'
+UNKNOWN_GRIP = 'Friction of the races not computed, grip not known: set effects.spin to "auto".'
 
 
 @dataclass(frozen=True, kw_only=True)

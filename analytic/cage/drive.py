@@ -37,7 +37,7 @@ LOST_TO_RACES = 0.3
 # longer along the orbit, may rest. The whole of it is therefore uncertain.
 SQUEEZE_SPREAD = 1.0
 ANGLE_TOLERANCE = 1e-12  # of beta: Newton's last step reaches it at once
-SQUEEZE = Sought("the angle of squeezed balls did not settle", "rad", "check the pocket's stiffness")
+SQUEEZE = Sought("the angle of squeezed balls did not converge", "rad", "check the pocket's stiffness")
 LEAST_LOAD = 1e-300  # N: keeps a race without load from a division by 0
 
 GRAVITY = {

@@ -594,8 +594,8 @@ class CageMotion:
         totals, time = self._go(steps), steps * self.step
         if totals["unsettled"]:
             raise SingularError(
-                problem=f"the speeds of balls between races and cage did not settle {totals['unsettled']:.0f} times in "
-                f"{time:.3g} s",
+                problem=f"the speeds of balls between races and cage did not converge {totals['unsettled']:.0f} times "
+                f"in {time:.3g} s",
                 remedy="Raise cage.steps_per_contact, or the friction of the races",
             )
         if self.raceways is not None:

@@ -558,7 +558,7 @@ class Raceways:
         done = roll_without_cage(self.constants, self.table, ball, path, step)
         if done < steps:
             raise SingularError(
-                problem=f"the speeds of a ball on its races did not settle at step {done} of {steps} without a cage",
+                problem=f"the speeds of a ball on its races did not converge at step {done} of {steps} without a cage",
                 remedy="Check the friction coefficients of the races, the loads and the speed for a slipped unit",
             )
         return path

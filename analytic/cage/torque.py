@@ -233,13 +233,13 @@ def _sliding_balls(drive: CageDrive, point: int, used: float) -> str:
     where = f"at {speed_of(drive.inner_speed[point])}"
     if np.isnan(used):
         return (
-            f"how much of the grip of the races the moving cage uses {where}: their friction is not computed; leave "
-            'effects.spin and effects.conformity on "auto"'
+            f"grip of the races {where} not known: friction of the races not computed; set effects.spin and "
+            'effects.conformity to "auto"'
         )
     return (
-        f"the cage uses {percent_of(used)} of the grip of the races {where}, above {percent_of(LARGEST_GRIP)}: balls "
-        "slide, so given balls do not show the forces, and the torque of the races rises; raise the load, or lower "
-        "the speed or the mass of the cage"
+        f"the cage uses {percent_of(used)} of the grip of the races {where}, limit {percent_of(LARGEST_GRIP)}: balls "
+        "slide, forces for given balls do not hold, and the torque of the races rises; raise the load, or lower the "
+        "speed or the mass of the cage"
     )
 
 
@@ -345,7 +345,7 @@ def _bistable(motions: list[CageStatistics | None], inner_speed: Array) -> tuple
             return (
                 f"the cage has more than one steady motion: at {speed_of(inner_speed[point])} cage.start = "
                 f'"{motion.start}" leads to {motion.state}, {torque_of(motion.torque)}, and "{other.start}" to '
-                f"{other.state}, {torque_of(other.torque)}; the start that the scene gives decides",
+                f"{other.state}, {torque_of(other.torque)}; the start in the scene decides",
             )
     return ()
 
@@ -357,9 +357,9 @@ def _squeezed(drive: CageDrive, at: NDArray[np.bool_]) -> tuple[str, ...]:
     worst = int(np.argmax(np.where(at, np.abs(drive.grip.ball_lead), -1.0)))
     return (
         f"at {speed_of(drive.inner_speed[worst])} balls lead on one side of the bearing and lag on the other by "
-        f"{length_of(abs(drive.grip.ball_lead[worst]))}, and the cage leaves {length_of(drive.room)} free: they press "
-        f"on it all round, and the torque is that of a rigid cage, +- {percent_of(SQUEEZE_SPREAD)}; wider pockets "
-        "free them",
+        f"{length_of(abs(drive.grip.ball_lead[worst]))}, free clearance of the pockets {length_of(drive.room)}: the "
+        f"balls squeeze the cage, and the torque is that of a rigid cage, +- {percent_of(SQUEEZE_SPREAD)}; wider "
+        "pockets avoid this",
     )
 
 

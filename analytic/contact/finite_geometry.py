@@ -125,8 +125,8 @@ def race_geometry(bearing: Bearing, race: Race, *, contact_angle: ArrayLike, bal
         found,
         covered=np.zeros_like(found.covered),
         warnings=(
-            f"shoulder not known: the correction is that of a height of {typical:g} ball diameters, and its "
-            f"uncertainty that of {least:g} to {most:g}",
+            f"shoulder not known: correction for a height of {typical:g} ball diameters, with the uncertainty of "
+            f"{least:g} to {most:g}",
             *found.warnings,
         ),
     )
@@ -210,7 +210,7 @@ def _outside(shape: ContactShape, applied: Array) -> Iterator[str]:
 
     def done(least: float) -> str:
         if least == 1:
-            return "the correction is held at the border"
+            return "the correction is that at the border"
         return "the correction is not applied" if least == 0 else f"{percent_of(least, 2)} of the correction is applied"
 
     loaded = values["size"] > 0
@@ -224,7 +224,7 @@ def _outside(shape: ContactShape, applied: Array) -> Iterator[str]:
     near = np.minimum(values["shoulder"], values["far_shoulder"]) < OFF_SHOULDER * values["size"]
     if near.any():
         yield (
-            f"the contact comes nearer to the shoulder than {OFF_SHOULDER:g} semi-axes, and the fit does not: "
+            f"the contact is nearer to the shoulder than {OFF_SHOULDER:g} semi-axes, outside the range of the fit: "
             f"{done(applied[near].min())}"
         )
 

@@ -46,17 +46,17 @@ def _decide_ball_dynamics(scene: Scene, drive: CageDrive | None, ledger: Ledger,
     automatic = scene.effects.get("ball_dynamics", "auto") == "auto"
     lacks = None
     if automatic and not np.any(needs):
-        still = f"grip number {number:.3g} at most, balls hold their motion below {LARGEST_GRIP:g}"
+        still = f"grip number {number:.3g} at most, balls roll below {LARGEST_GRIP:g}"
         lacks = still if ledger.is_on("cage_dynamics") else entry.idle
     elif drive.friction_coefficient is None:
-        lacks = 'the friction of the races is not computed: leave effects.spin and effects.conformity on "auto"'
+        lacks = 'friction of the races not computed: set effects.spin and effects.conformity to "auto"'
     elif automatic and drive.cage.start is not None:
         lacks = _too_long(drive.cage, int(np.count_nonzero(needs)), LONGEST_FREE_MOTION, "ball_dynamics")
         lacks = None if lacks is None else f"grip number {number:.3g} at most, and {lacks}"
     demanded = f"grip number {number:.3g}, balls slide above {LARGEST_GRIP:g}"
     if np.any(drive.is_squeezed):
         lead = float(np.max(np.abs(drive.grip.ball_lead)))
-        demanded = f"balls lead by up to {length_of(lead)}, pockets leave {length_of(drive.room)}"
+        demanded = f"ball lead up to {length_of(lead)}, free clearance of the pockets {length_of(drive.room)}"
     on = ledger.decide("ball_dynamics", bound=np.where(needs, np.inf, 0.0), lacks=lacks, demanded=demanded)
     return (needs if automatic else turns) & on
 
@@ -74,17 +74,14 @@ def _decide_motion(scene: Scene, drive: CageDrive, ledger: Ledger, *, race: Arra
     )
     largest = float(np.max(number, initial=0.0))
     if automatic and largest < LEAST_WHIRL:
-        reason = (
-            f"the cage cannot whirl: whirl number {largest:.3g} at most, below {LEAST_WHIRL:g}; it rests, by the "
-            "closed form"
-        )
+        reason = f"no whirl: whirl number {largest:.3g} at most, limit {LEAST_WHIRL:g}; closed form of a cage at rest"
         ledger.settle("cage_dynamics", on=False, share=np.zeros_like(race), reason=reason)
         return
     lacks = None
     if drive.cage.start is None:
         lacks = (
-            f"cage.start is not given, and with a whirl number of {LEAST_WHIRL:g} or more, here up to {largest:.3g}, a "
-            'cage rests or whirls by how it started: give "rest", "ramp", "sudden" or "whirl"'
+            f"cage.start is not given: from a whirl number of {LEAST_WHIRL:g} on, here up to {largest:.3g}, the start "
+            'decides between rest and whirl; give "rest", "ramp", "sudden" or "whirl"'
         )
     elif automatic:
         lacks = _too_long(drive.cage, int(np.count_nonzero(drive.inner_speed)), LONGEST_MOTION, "cage_dynamics")
@@ -104,8 +101,8 @@ def _too_tight(drive: CageDrive) -> str:
     """Why no motion on given balls is computed where they lead too far."""
     lead = float(np.max(np.abs(drive.grip.ball_lead)))
     return (
-        f"balls lead by up to {length_of(lead)}, and the pockets leave {length_of(drive.room)} free: balls and cage "
-        "press on each other all round; a motion on given balls needs wider pockets, less radial load or less moment"
+        f"ball lead up to {length_of(lead)}, free clearance of the pockets {length_of(drive.room)}: the balls squeeze "
+        "the cage; a motion on given balls needs wider pockets, less radial load or less moment"
     )
 
 
@@ -116,7 +113,7 @@ def _too_long(cage: Cage, points: int, most: float, effect: str) -> str | None:
     if simulated <= longest:
         return None
     return (
-        f"{points} points take {simulated:.3g} s of motion, and beyond {longest:.3g} s at {cage.steps_per_contact} "
-        "steps a contact it is not computed unasked: give fewer points, seeds or steps, a shorter duration, or "
+        f"skipped: {points} points need {simulated:.3g} s of motion, limit {longest:.3g} s at "
+        f"{cage.steps_per_contact} steps per contact; give fewer points, seeds or steps, a shorter duration, or "
         f'effects.{effect} = "on"'
     )

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from analytic.effects.ledger import Ledger, share_in
+from analytic.effects.ledger import SWITCHED_OFF, Ledger, share_in
 from analytic.effects.table import (
     DECLARED,
     ENTRIES,
@@ -18,7 +18,7 @@ from analytic.effects.table import (
     USUAL_POCKETS,
     USUAL_SHARE,
 )
-from analytic.errors import require_non_negative
+from analytic.errors import InputError, require_non_negative
 from analytic.oil.losses import StirredOil, stirred_oil
 from analytic.oil.viscosity import oil_numbers
 from analytic.scene import Array, Losses, Scene, ShearedPockets
@@ -28,7 +28,7 @@ def scene_losses(ledger: Ledger, computed: Array, speed: Array, factor: float) -
     """Parts that there are, (n,) N m: "oil" outside the contacts, "declared" of seals and drag; settles all of them.
 
     computed : (n,) N m, the torque of all that is computed;  speed : (n,) rad/s;  factor : on the losses of the oil
-    Raises InputError for a loss below 0, and as `stirred_oil`.
+    Raises InputError for a loss below 0, for an input of a loss of the oil that is off, and as `stirred_oil`.
     """
     scene, losses = ledger.scene, ledger.scene.losses
     given = {name: getattr(losses, name) for name in DECLARED}
@@ -45,13 +45,15 @@ def scene_losses(ledger: Ledger, computed: Array, speed: Array, factor: float) -
         given_by = "estimated" if name == "seals" and losses.seals_are_estimated else ENTRIES[name].given
         ledger.settle(name, on=lacks is None, share=share, reason=lacks or given_by)
     for name in OIL_LOSSES:
-        lacks = ENTRIES[name].lacks(scene)
+        lacks, is_off = ENTRIES[name].lacks(scene), ledger.rules_out(name)
+        if lacks is None and is_off:
+            raise InputError(f'effects.{name} = "off" contradicts its input in [losses]: leave one of them out')
         if lacks is None:
             ledger.settle(name, on=True, share=share_in(parts[name], total), reason=ENTRIES[name].given)
             continue
         share = _estimate(scene, name, speed, total)
-        usual = "" if share is None else "; the share is an estimate by usual values"
-        ledger.settle(name, on=False, share=share, reason=lacks + usual)
+        usual = "" if share is None else "; size estimated from usual values"
+        ledger.settle(name, on=False, share=share, reason=f"{SWITCHED_OFF if is_off else lacks}{usual}")
     return found
 
 

@@ -14,12 +14,13 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from analytic.effects.table import CHOSEN, ENTRIES, LIMITS, TRIED
+from analytic.effects.table import CHOSEN, ENTRIES, LIMITS, OIL_LOSSES, TRIED
 from analytic.errors import InputError
 from analytic.scene import Array, Scene
 from analytic.words import percent_of
 
 SHARE_OF_TOLERANCE = 0.5
+SWITCHED_OFF = "off in the scene"  # how the reason of an effect begins that the scene switches off
 ShareKind = Literal["part", "trial", "bound", "unbounded", "unknown"]
 
 
@@ -86,8 +87,8 @@ class Effects(Sequence[Effect]):
 def size_of(share: float) -> str:
     """How large an effect can be whose bound is this share of the torque, in words."""
     if np.isinf(share):
-        return "could be of any size"
-    return "could exceed the torque" if share > 1 else f"could be {percent_of(share, 2)} of the torque"
+        return "size unbounded"
+    return "larger than the torque" if share > 1 else f"up to {percent_of(share, 2)} of the torque"
 
 
 class Ledger:
@@ -95,10 +96,10 @@ class Ledger:
 
     def __init__(self, scene: Scene, points: int) -> None:
         """points : operating points of the scene. Raises InputError for effects that nobody can choose."""
-        unknown = set(scene.effects) - {*CHOSEN, *LIMITS}
+        known = (*CHOSEN, *OIL_LOSSES, *LIMITS)
+        unknown = set(scene.effects) - {*known}
         if unknown:
-            known = ", ".join((*CHOSEN, *LIMITS))
-            raise InputError(f"effects.{min(unknown)} is not an effect to choose; known: {known}")
+            raise InputError(f"effects.{min(unknown)} is not an effect to choose; known: {', '.join(known)}")
         for name in LIMITS:
             if scene.effects.get(name) == "on":
                 raise InputError(f'effects.{name} = "on" is refused: not modelled; give "auto" or "off"')
@@ -121,24 +122,25 @@ class Ledger:
         if missing is not None:
             return self._settle(name, on=False, share=bound, reason=missing)
         if wanted == "off":
-            unknown = "; how much it would add is not computed" if bound is None else ""
-            return self._settle(name, on=False, share=bound, reason=f"the scene says off{unknown}")
+            unknown = "; size not computed" if bound is None else ""
+            return self._settle(name, on=False, share=bound, reason=f"{SWITCHED_OFF}{unknown}")
         if lacks is not None:
             return self._settle(name, on=False, share=bound, reason=lacks)
         if wanted == "on":
-            return self._settle(name, on=True, share=bound, reason="the scene says on")
+            return self._settle(name, on=True, share=bound, reason="on in the scene")
         if demanded is not None:
             return self._settle(name, on=True, share=bound, reason=demanded)
         if bound is None:
-            return self._settle(name, on=True, share=None, reason="always computed: no cheaper bound is known")
-        worst, limit = _largest(bound), percent_of(self.budget)
+            return self._settle(name, on=True, share=None, reason="always computed: no cheap bound")
+        worst = _largest(bound)
         if self.leaves_out(bound):
-            reason = f"at most {percent_of(worst, 2)} of the torque, within the {limit} that may be left out"
+            reason = f"{size_of(worst)}, within the budget of {percent_of(self.budget)}" if worst else "no effect here"
             return self._settle(name, on=False, share=bound, reason=reason)
-        reason, before = size_of(worst), _largest(self.left_out)
+        reason = size_of(worst)
         if worst <= 1:
-            reason += f", more than the {limit} that may be left out"
-            reason += f", {percent_of(before, 2)} of it already" if before > 0 else ""
+            point = int(np.argmax(self._with(bound)))
+            remaining = (self.budget - self.left_out[point]) / (1 + self.left_out[point])
+            reason = f"{size_of(bound[point])}, exceeds the remaining budget of {percent_of(remaining)}"
         return self._settle(name, on=True, share=bound, reason=reason)
 
     def leaves_out(self, bound: Array) -> bool:

@@ -96,20 +96,20 @@ def check_limits(scene: Scene, found: Solution, ledger: Ledger) -> Limits:
     unknown = []
     if np.any(share > MOST_CUT) and not knows_shoulder.all():
         unknown.append(
-            f"shoulder not known: a low one, of {USUAL_SHOULDERS[0]:g} ball diameters, would cut off "
-            f"{percent_of(share.max(), 2)} of a contact's load, more than {percent_of(MOST_CUT)}; give "
-            "shoulder_height of both rings"
+            f"shoulder not known: a low one, {USUAL_SHOULDERS[0]:g} ball diameters high, cuts off "
+            f"{percent_of(share.max(), 2)} of a contact's load, limit {percent_of(MOST_CUT)}; give shoulder_height of "
+            "both rings"
         )
     elif np.any(share > MOST_CUT):
         unknown.append(
-            f"a shoulder cuts off {percent_of(share.max(), 2)} of a contact's load by Hertz, more than "
-            f"{percent_of(MOST_CUT)}: its pressure and its place are no longer Hertz's; raise shoulder_half_width or "
+            f"a shoulder cuts off {percent_of(share.max(), 2)} of a contact's load by Hertz, limit "
+            f"{percent_of(MOST_CUT)}: Hertz does not hold for pressure and position; raise shoulder_half_width or "
             "lower the load"
         )
     if np.any(plastic):
         unknown.append(
-            f"a peak pressure above the static limit, {pressure_of(STATIC_LIMIT)}: the contact is plastic, and no "
-            "formula here is; lower the load"
+            f"the peak pressure exceeds the static limit, {pressure_of(STATIC_LIMIT)}: plastic contact, elastic "
+            "formulas; lower the load"
         )
     return Limits(
         warnings=warnings,
@@ -138,8 +138,8 @@ def _shoulder(bearing: Bearing, found: Solution, ledger: Ledger) -> Iterator[str
             nearest = f"semi-axis {length_of(axis)} of {length_of(space)} to the {name} race's shoulder"
         if axis > space:
             yield (
-                f"the contact ellipse passes the {name} race's shoulder: semi-axis {length_of(axis)}, distance "
-                f"{length_of(space)}; the true contact is cut off there and its pressure higher"
+                f"the contact ellipse exceeds the shoulder of the {name} race: semi-axis {length_of(axis)}, distance "
+                f"{length_of(space)}; the real contact is cut off there, with a higher pressure"
             )
     if unknown:
         rings = " and ".join(f"bearing.{name}.shoulder_height" for name in unknown)
@@ -159,6 +159,6 @@ def _plasticity(found: Solution, ledger: Ledger) -> Iterator[str]:
     for name, peak in zip(RACES, peaks, strict=True):
         if peak > STATIC_LIMIT:
             yield (
-                f"peak pressure on the {name} race, {pressure_of(peak)}, is above the static limit, "
+                f"the peak pressure on the {name} race, {pressure_of(peak)}, exceeds the static limit, "
                 f"{pressure_of(STATIC_LIMIT)}: the contact is no longer elastic"
             )

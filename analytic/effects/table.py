@@ -88,13 +88,13 @@ def _ring_diameters(scene: Scene) -> str | None:
 def ruled(scene: Scene) -> str | None:
     """Why closed kinematics turn the balls, in words; None: they turn freely where that counts."""
     if scene.spin_rule != "free":
-        return f'friction.spin_rule = "{scene.spin_rule}" says how the balls turn: use "free"'
+        return f'friction.spin_rule = "{scene.spin_rule}" prescribes the rotation of the balls: use "free"'
     if scene.microslip != "derived":
         return f'friction.microslip = "{scene.microslip}" has no creep: use "derived"'
     if scene.sliding in RULED:
         return f'friction.sliding = "{scene.sliding}" has no creep: use "auto"'
     off = [name for name in ("spin", "conformity") if scene.effects.get(name) == "off"]
-    return f'effects.{off[0]} = "off" leaves out a part of the slip: use "auto"' if off else None
+    return f'effects.{off[0]} = "off" neglects a part of the slip: use "auto"' if off else None
 
 
 def _no_creep(scene: Scene) -> str | None:
@@ -126,29 +126,30 @@ def _seals(scene: Scene) -> str | None:
     return f"not declared: {seals}" if scene.bearing.seals_rub else f"no drag: {seals}"
 
 
-def _not_given(name: str) -> Callable[[Scene], str | None]:
-    return lambda scene: f"losses.{name} is not given" if getattr(scene.losses, name) is None else None
+def _not_given(name: str, example: str) -> Callable[[Scene], str | None]:
+    lacks = f'losses.{name} is not given: give for example "{example}"'
+    return lambda scene: lacks if getattr(scene.losses, name) is None else None
 
 
 def _no_gaps(scene: Scene) -> str | None:
     if scene.losses.land is not None or scene.losses.pockets is not None:
         return None
     if scene.cage is not None:
-        return "losses.land is not given, and [cage] has the friction in the pockets"
-    return "losses.land and losses.pockets are not given"
+        return "losses.land is not given; [cage] includes the friction in the pockets"
+    return "losses.land or losses.pockets are not given"
 
 
 def _held_angle(scene: Scene) -> str | None:
     if scene.bearing.kind == "thrust":
-        return "not modelled in a thrust bearing, whose balls stay in the middle of their grooves; see its uncertainty"
+        return "not modelled in a thrust bearing: balls in the middle of their grooves; bound in the uncertainty"
     if scene.contact_angle.rule == "given":
-        return 'contact_angle.rule = "given" holds the angle that it would change: use "solved"'
+        return 'contact_angle.rule = "given" fixes the contact angle: use "solved"'
     return None
 
 
 def _no_bath(scene: Scene) -> str | None:
     if scene.lubricant is not None and scene.lubricant.supply != "oil_bath":
-        return f'lubricant.supply = "{scene.lubricant.supply}" leaves no oil around balls without load'
+        return f'no oil around unloaded balls with lubricant.supply = "{scene.lubricant.supply}"'
     return _lubricant(scene) or _held_angle(scene)
 
 
@@ -215,14 +216,14 @@ TABLE = (
         name="finite_geometry",
         kind="computed",
         meaning="the true shapes of ball and groove, which are no half spaces",
-        given="the factors on the contacts come with the call",
+        given="factors on the contacts given in the call",
     ),
     Entry(
         name="asperities",
         kind="computed",
         meaning="load on asperities beside the oil film",
         needs=LUBRICATED_SURFACE,
-        idle='neither spin nor conformity is computed, so nothing slides: give effects.conformity = "auto"',
+        idle='no sliding without spin and conformity: give effects.conformity = "auto"',
     ),
     Entry(
         name="inlet_heating",
@@ -242,7 +243,7 @@ TABLE = (
         name="spin",
         kind="computed",
         meaning="spin of the balls about the contact normals",
-        given="balls that turn freely spin",
+        given="always computed for free balls",
     ),
     Entry(
         name="conformity", kind="computed", meaning="sliding because the contact is curved in the transverse direction"
@@ -287,7 +288,7 @@ TABLE = (
         meaning="motion of a cage that does not rest on its balls",
         needs=Need(keys="`[cage]` with `start`", lacks=_cage_of_rings),
         bound=f"the friction of a cage that whirls, against all its balls; 0 below a whirl number of {LEAST_WHIRL:g}",
-        idle='the cage is left out: give effects.cage = "auto"',
+        idle='the cage is neglected: give effects.cage = "auto"',
     ),
     Entry(
         name="ball_dynamics",
@@ -296,7 +297,7 @@ TABLE = (
         needs=Need(keys="`[cage]` with `start`", lacks=_moving_cage),
         bound=f"computed where the grip number of the cage exceeds {LARGEST_GRIP:g}, or balls lead farther than the "
         "pockets leave free",
-        idle="the cage does not move, and hardly touches its balls",
+        idle="cage at rest, small forces on the balls",
     ),
     Entry(
         name="seals",
@@ -318,10 +319,10 @@ TABLE = (
         name="through_flow",
         kind="oil",
         meaning="torque that brings oil, which flows through, to the speed of the cage",
-        needs=Need(keys="`oil_flow` in `[losses]`", lacks=_not_given("oil_flow")),
+        needs=Need(keys="`oil_flow` in `[losses]`", lacks=_not_given("oil_flow", "0.8 l/min")),
         bound="without it, of an oil jet: x/(1 - x), x the square of the inner race's speed over the heat of a rise "
         f"by {JET_RISE:g} K",
-        given="by the flow that the scene declares",
+        given="from losses.oil_flow",
     ),
     Entry(
         name="cage_shear",
@@ -330,16 +331,16 @@ TABLE = (
         needs=Need(keys="`land` or `pockets` in `[losses]`", lacks=_no_gaps),
         bound="without them, in an oil bath or jet and without `[cage]`: pockets of "
         f"{USUAL_POCKETS[0]:g} ball diameters clearance and {USUAL_POCKETS[1]:g} thickness",
-        given="by the gaps that the scene declares",
+        given="from losses.land or losses.pockets",
     ),
     Entry(
         name="ball_drag",
         kind="oil",
         meaning="torque of balls that move through oil and air",
-        needs=Need(keys="`oil_share` in `[losses]`", lacks=_not_given("oil_share")),
+        needs=Need(keys="`oil_share` in `[losses]`", lacks=_not_given("oil_share", "2 %")),
         bound="without it and without `drag`: a share of "
         + ", ".join(f"{share:g} with `{supply}`" for supply, share in USUAL_SHARE.items()),
-        given="by the share of oil that the scene declares",
+        given="from losses.oil_share",
     ),
     Entry(
         name="plasticity",

@@ -39,9 +39,9 @@ from analytic.words import percent_of
 # it was 1.7 at most by other methods of sliding and 4.3 of free balls, both of the balls' weight, where a trial was let
 # count once (validation/adversary/run.py, seed 1).
 OF_METHODS, OF_FREE_BALLS = 2.5, 6.0
-FEW = f"up to {FAR} points compute every effect"
-ON_A_RING = "a ring of all balls is solved for the weight"
-WITH_LOADS = "left out with load_distribution, whose share counts both"
+FEW = f"always computed for up to {FAR} points"
+ON_A_RING = "computed together with the weight"
+WITH_LOADS = "neglected with load_distribution, whose share includes it"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -225,8 +225,8 @@ def _acts(scene: Scene, name: str) -> bool:
 def _idle(name: str) -> str:
     """Why an effect with its input has nothing to act on, in words."""
     if name == "load_distribution":
-        return "thrust alone loads all balls alike"
-    return "the bearing stands still" if name in ("centrifugal", "gyroscopic") else ENTRIES[name].idle
+        return "pure thrust: equal ball loads"
+    return "no rotation" if name in ("centrifugal", "gyroscopic") else ENTRIES[name].idle
 
 
 def _has_effect(scene: Scene, name: str, counted: Mapping[str, bool]) -> bool:

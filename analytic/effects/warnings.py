@@ -13,7 +13,7 @@ from analytic.oil.lubrication import SHORTEST
 from analytic.scene import Scene, Supply
 from analytic.solve.solution import Solution
 from analytic.surface.roughness import GapRoughness
-from analytic.words import MICROMETRE, MILLIMETRE, RPM
+from analytic.words import MICROMETRE, MILLIMETRE, RPM, percent_of
 
 LIGHT = 0.01  # of the heaviest ball's load: a film of a lighter ball hardly changes the torque
 # Speed n d_m, mm/min, beyond which bearings need more than usual design; rules of thumb [BearingWorks], [Anderson1973]
@@ -34,31 +34,30 @@ def torque_warnings(
     warnings = [*scene.warnings]
     if scene.clearances is not None and scene.clearances.operating < 0:
         warnings.append(
-            f"no clearance is left in operation: of {MICROMETRE.written(scene.clearances.unmounted, '.3g')} "
-            f"unmounted, {MICROMETRE.written(scene.clearances.mounted, '.3g')} mounted, an interference of "
-            f"{MICROMETRE.written(-scene.clearances.operating, '.3g')} on the diameter remains, which presses every "
-            f"ball with {scene.clearances.ball_load:.3g} N before any other load"
+            f"no clearance in operation: {MICROMETRE.written(scene.clearances.unmounted, '.3g')} unmounted, "
+            f"{MICROMETRE.written(scene.clearances.mounted, '.3g')} mounted, an interference of "
+            f"{MICROMETRE.written(-scene.clearances.operating, '.3g')} on the diameter in operation; it preloads every "
+            f"ball with {scene.clearances.ball_load:.3g} N"
         )
     if scene.friction_coefficient is not None:
         warnings.append(
-            f"the friction coefficient {scene.friction_coefficient:g} comes from the scene, not from a lubrication "
-            "model"
+            f"the friction coefficient {scene.friction_coefficient:g} is from the scene, not from a lubrication model"
         )
     if scene.microslip == "as_printed":
         warnings.append(
-            'friction.microslip = "as_printed" is no model: equations 2 to 7 as the paper prints them have M_z and M_r '
-            "exchanged without spin and from a spin-to-roll ratio of 1/2 on, equation 2 lacks its factor 0.322, and "
-            'both moments jump there; "derived" has them right'
+            'friction.microslip = "as_printed" is no model: equations 2 to 7 as printed exchange M_z and M_r without '
+            "spin and from a spin-to-roll ratio of 1/2 on, equation 2 lacks its factor 0.322, and both moments jump "
+            'there; "derived" is correct'
         )
     if scene.cage is None:
-        warnings.append("the total is without a cage: add a table [cage]")
+        warnings.append("the total is without the cage: add a table [cage]")
     if scene.bearing.seals_rub and scene.losses.seals is None:
         warnings.append(
-            f"the total is without the drag of the seals, {scene.bearing.seals}: declare losses.seals, or give "
-            'losses.seals = "estimate"'
+            f"the total is without the drag of the seals ({scene.bearing.seals}): give losses.seals, for example "
+            '"5 N mm" or "estimate"'
         )
     if scene.lubricant is None and not ledger.rules_out("rolling"):
-        warnings.append("rolling needs [lubricant]: the total is too low by the hydrodynamic resistance to it")
+        warnings.append("the total is without the hydrodynamic rolling resistance: add a table [lubricant]")
     if (speed := too_fast(scene)) is not None:
         warnings.append(speed)
     warnings += _greased(ledger)
@@ -69,20 +68,20 @@ def torque_warnings(
             warnings += _film(found.balls, race)
         if ledger.is_on("rolling") and found.points["rolling_extrapolated"][:, race].any():
             warnings.append(
-                f"rolling on the {name} race is extrapolated: its law is for slow rolling of contacts that are longer "
-                f"across it than along, with oil {SHORTEST:g} semi-axes ahead or more"
+                f"rolling on the {name} race is extrapolated: the law holds for slow rolling, contacts longer across "
+                f"rolling than along, and oil {SHORTEST:g} semi-axes ahead or more"
             )
     return [*warnings, *limits, *_decisions(ledger)]
 
 
 def _decisions(ledger: Ledger) -> Iterator[str]:
-    """Effects that are left out for another reason than their size, and could be larger than the tolerance."""
+    """Effects that are neglected for another reason than their size, and could exceed the tolerance."""
     for effect in ledger.made.values():
         if ledger.scene.bearing.kind == "thrust" and effect.name in HELD:
             continue
         if effect.decision == "off" and effect.share is not None and effect.share > ledger.scene.tolerance:
-            beyond = ", more than the tolerance" if effect.share <= 1 else ""
-            yield f"{effect.name} is left out and {size_of(effect.share)}{beyond}: {effect.reason}"
+            limit = f"tolerance {percent_of(ledger.scene.tolerance)}"
+            yield f"{effect.name} is neglected, {size_of(effect.share)}, {limit}: {effect.reason}"
 
 
 def too_fast(scene: Scene) -> str | None:
@@ -96,8 +95,8 @@ def too_fast(scene: Scene) -> str | None:
     if found <= limit:
         return None
     return (
-        f"n d_m = {found:.3g} mm/min is more than {limit:.2g} mm/min, the usual limit with {supply.replace('_', ' ')}: "
-        "nothing here judges whether cage and lubrication last there"
+        f"n d_m = {found:.3g} mm/min exceeds {limit:.2g} mm/min, the usual limit with {supply.replace('_', ' ')}: life "
+        "of cage and lubrication not checked"
     )
 
 
@@ -109,9 +108,8 @@ def _greased(ledger: Ledger) -> Iterator[str]:
     (low, high), mean = MEASURED_SIZES, bearing.pitch_diameter
     if not low <= mean <= high:
         yield (
-            f"films with grease are extrapolated: they were measured in bearings of {MILLIMETRE.written(low, 'g')} to "
-            f"{MILLIMETRE.written(high, 'g')} pitch diameter, 6204 to 6209, and this one has "
-            f"{MILLIMETRE.written(mean, '.3g')}"
+            f"films with grease are extrapolated: measured in bearings of {MILLIMETRE.written(low, 'g')} to "
+            f"{MILLIMETRE.written(high, 'g')} pitch diameter (6204 to 6209), here {MILLIMETRE.written(mean, '.3g')}"
         )
 
 
@@ -120,6 +118,6 @@ def _film(balls: Records, race: int) -> Iterator[str]:
     load = balls["load"][..., race]
     carries = load > LIGHT * np.max(load, axis=-1, keepdims=True, initial=0.0)
     if np.any((balls["film_extrapolated"][..., race] != 0) & carries):
-        yield f"the film on the {RACES[race]} race is extrapolated: its ellipse is not of a shape that was fitted"
+        yield f"the film on the {RACES[race]} race is extrapolated: contact ellipse outside the fitted shapes"
     if np.any((balls["film_capped"][..., race] != 0) & carries):
-        yield f"the film on the {RACES[race]} race is limited to the space between the bodies: the formula gave more"
+        yield f"the film on the {RACES[race]} race is limited to the space between the bodies, less than the formula"

@@ -186,8 +186,8 @@ def _left_groove(bearing: Bearing, load: Array, weight: float, speed: float, bey
             "their grooves: lower the load"
         )
     return InputError(
-        f"the speed, {speed_of(speed)}, drives a ball {angle_of(beyond.angle)} out of its groove, past 90 deg: no "
-        "contact bears it, lower the speed"
+        f"the speed, {speed_of(speed)}, moves a ball {angle_of(beyond.angle)} out of its groove, past 90 deg, without "
+        "contact: lower the speed"
     )
 
 

@@ -169,8 +169,8 @@ def stirred_oil(scene: Scene, losses: Losses) -> StirredOil | None:
 def _require_once(scene: Scene, losses: Losses) -> None:
     if losses.drag is not None and losses.oil_share is not None:
         raise InputError(
-            f"losses.drag = {losses.drag:g} N m and losses.oil_share = {losses.oil_share:g} both say what the stirred "
-            "oil takes; leave one of them out"
+            f"losses.drag = {losses.drag:g} N m and losses.oil_share = {losses.oil_share:g} both give the drag of the "
+            "oil; leave one of them out"
         )
     if scene.cage is not None and losses.pockets is not None:
         raise InputError("losses.pockets and [cage] both give the friction in the pockets; leave one of them out")

@@ -174,8 +174,8 @@ def _steps(found: SceneByTemperature, cycle: Cycle) -> Steps:
     """Raises InputError for what neither cycle nor scene gives, for steps without a load, and where nothing turns."""
     if found.thermal is not None and cycle.temperature is not None:
         raise InputError(
-            f"{cycle.file}: the column temperature and [thermal] of the scene both say how warm the oil is: leave one "
-            "of them out"
+            f"{cycle.file}: the column temperature and [thermal] of the scene both determine the oil temperature: "
+            "leave one of them out"
         )
     points = operating_points(found.scene, cycle.file, vars(cycle), cycle.duration.size)
     steps = Steps(cycle.duration, points, cycle.temperature)

@@ -50,7 +50,7 @@ INTERVAL = {
 NOT_VARIED = (
     "laws and formulas other than those of film, gap, surfaces, rolling and elastic rolling: traction, spin, creep, "
     "starvation and viscosity over temperature",
-    "the number of balls, seats and their temperatures, the supply of oil, and what the scene switches off or lacks",
+    "the number of balls, seats and their temperatures, the supply of oil, and neglected or missing effects",
     "the motion of a cage",
 )
 
@@ -261,7 +261,7 @@ def _problem(scene: Scene, nominal: FrictionTorque, samples: int | None) -> Prob
     """What is evaluated. Raises InputError for what has no interval, or too few samples for one."""
     problem = problem_of(scene, nominal, uncertain_inputs(scene))
     if not problem.inputs:
-        raise InputError("no input of the scene is uncertain, so that there is no interval: see [uncertainty]")
+        raise InputError("no input of the scene is uncertain, so there is no interval: see [uncertainty]")
     if samples is not None:
         require_samples(samples, problem.inputs)
     return problem

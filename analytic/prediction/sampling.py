@@ -87,8 +87,8 @@ def sampled(problem: Problem, *, count: int, seed: Sequence[int], workers: int |
     words = tuple(f"{reason} ({times} times)" for reason, times in reasons.most_common(SHOWN_REASONS))
     if np.count_nonzero(~good) > LARGEST_FAILURE * count:
         raise InputError(
-            f"{np.count_nonzero(~good)} of {count} samples have no torque, more than {100 * LARGEST_FAILURE:g} %, so "
-            f"that an interval of the others would be wrong: give smaller spreads in [uncertainty]; {'; '.join(words)}"
+            f"{np.count_nonzero(~good)} of {count} samples have no torque, limit {100 * LARGEST_FAILURE:g} %; an "
+            f"interval of the others is biased: give smaller spreads in [uncertainty]; {'; '.join(words)}"
         )
     return Samples(scores=scores[good], torque=torque[good], count=count, reasons=words, seconds=seconds)
 
@@ -111,8 +111,8 @@ def _on_processes(
             yield place, evaluated(problem, pieces[place]) if begun[place].cancel() else begun[place].result()
     except BrokenProcessPool as fault:
         raise ResourceError(
-            "a process that computes samples ended: the system ends one that takes too much memory, and a script of "
-            'your own has to begin with if __name__ == "__main__":; workers=1 computes without processes'
+            "a process for the samples ended: too little memory, or a script without "
+            'if __name__ == "__main__":; workers=1 computes without processes'
         ) from fault
     finally:
         pool.shutdown(cancel_futures=True)

@@ -81,8 +81,8 @@ def at_steady_temperature(found: SceneByTemperature) -> Scene:
     points = found.scene.operation.as_series().inner_speed.size
     if points > 1:
         raise InputError(
-            f"{found.origin}: [thermal] with {points} operating points: each has an oil of its own; give one point, or "
-            "the points as a cycle to fembearing duty"
+            f"{found.origin}: [thermal] with {points} operating points, each with its own oil temperature; give one "
+            "point, or the points as a cycle to fembearing duty"
         )
 
     def power(temperature: float) -> float:
@@ -155,7 +155,7 @@ def steady_temperature(
         raise SingularError(
             problem=f"the oil has no steady temperature: at {found - ZERO_CELSIUS:.4g} degC the power of friction "
             f"jumps by {balance / thermal.resistance:.3g} W",
-            remedy="Give a smaller tolerance, so that no effect is left out on one side.",
+            remedy="Give a smaller tolerance, so that no effect is neglected on one side.",
         )
     return SteadyTemperature(
         temperature=found, power=watts(found), ambient=thermal.ambient, resistance=thermal.resistance
@@ -167,7 +167,7 @@ def _none(power: float, temperature: float, thermal: ThermalTable, problem: Inpu
     balanced = thermal.ambient + thermal.resistance * power
     return SingularError(
         problem=f"the oil has no steady temperature within its data: at {temperature - ZERO_CELSIUS:.4g} degC "
-        f"friction of {power:.4g} W with thermal.resistance = {thermal.resistance:g} K/W still warms it, towards "
+        f"friction of {power:.4g} W with thermal.resistance = {thermal.resistance:g} K/W warms it towards "
         f"{balanced - ZERO_CELSIUS:.4g} degC, and above: {problem}",
         remedy="Cool the bearing better: give a lower thermal.resistance.",
     )

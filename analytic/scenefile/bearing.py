@@ -103,10 +103,10 @@ def _gaps_and_doubles(
     angle = given.contact_angle
     angles = [name for name in ("nominal", "free") if getattr(angle, name) is not None]
     if given.clearance is not None and angles:
-        problem = f"and contact_angle.{angles[0]} both say how far the rings are apart; leave one of them out"
+        problem = f"and contact_angle.{angles[0]} both determine the clearance; leave one of them out"
         yield "bearing.clearance", problem
     if len(angles) == 2:
-        yield "bearing.contact_angle.nominal", "and free both say the unloaded angle; leave one of them out"
+        yield "bearing.contact_angle.nominal", "and free both give the unloaded angle; leave one of them out"
     if not bottoms and given.clearance is None and not angles and angle.value is None:
         yield (
             "bearing.clearance",

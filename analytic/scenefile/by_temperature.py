@@ -29,7 +29,7 @@ class SceneByTemperature:
         """The scene at the temperature of its file. Raises InputError where friction settles the temperature."""
         if self.thermal is not None:
             raise InputError(
-                f"{self.origin}: the scene has [thermal], so that friction settles the oil's temperature: read it by "
+                f"{self.origin}: the scene has [thermal], so friction determines the oil temperature: read it by "
                 "analytic.steady_scene, or leave the table out and give lubricant.temperature"
             )
         return self.scene

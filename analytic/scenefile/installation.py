@@ -21,7 +21,7 @@ def installation_faults(table: SceneTable) -> Iterator[tuple[str, str]]:
     if table.arrangement is not None and angle.rule == "given":
         yield (
             "bearing.contact_angle.rule",
-            'holds an angle that the loads of a pair change: use "solved", or leave out [arrangement]',
+            'fixes the contact angle, which the loads of a pair change: use "solved", or leave out [arrangement]',
         )
 
 
@@ -102,11 +102,11 @@ def _mounting_faults(given: MountingTable, angle: ContactAngleTable) -> Iterator
     elif angle.rule == "given":
         yield (
             "bearing.contact_angle.rule",
-            'holds an angle that [mounting] would change: use "solved", or leave out [mounting]',
+            'fixes the contact angle, which [mounting] changes: use "solved", or leave out [mounting]',
         )
     known = [key for key in ("inner_temperature", "outer_temperature") if getattr(given, key) is not None]
     if len(known) == 1:
         (other,) = {"inner_temperature", "outer_temperature"} - set(known)
-        yield f"mounting.{other}", f"is missing: {known[0]} alone does not say how much warmer one ring is"
+        yield f"mounting.{other}", f"is missing: {known[0]} alone does not give the temperature difference of the rings"
     elif not known and given.ball_temperature is not None:
         yield "mounting.ball_temperature", "goes with inner_temperature and outer_temperature: give these too"

@@ -36,5 +36,5 @@ def losses_of(given: LossesTable, bearing: Bearing, row: CatalogBearing | None) 
         return losses, ()
     return losses, (
         f"the drag of the seals, {1e3 * drag:.3g} N mm, is SKF's formula for {' and '.join(kinds)} seals on the inner "
-        f"shoulder of {1e3 * counterface:.4g} mm: an estimate that a measured torque should replace",
+        f"shoulder of {1e3 * counterface:.4g} mm: an estimate, to be replaced by a measured torque",
     )

@@ -45,7 +45,7 @@ def typed_settings(texts: list[str]) -> dict[str, str]:
         if not (mark and key and value):
             raise InputError(f"--set {shown(text)} is no setting; {SETTING}")
         if key in settings:
-            raise InputError(f"--set {plain(key)} stands twice: leave one of them out")
+            raise InputError(f"--set {plain(key)} is given twice: leave one of them out")
         settings[key] = value
     return settings
 

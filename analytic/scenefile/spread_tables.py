@@ -69,7 +69,7 @@ UncertaintyTable = table_of_paths(
     {key: _field(varied) for key, varied in UNCERTAIN.items()},
     hint='give a table [uncertainty] of lubricant.viscosity = "6 %" and others',
 )
-Source = Annotated[Text, Field(description="say in words where the value comes from")]
+Source = Annotated[Text, Field(description="give the source of the value in words")]
 AssumedTable = table_of_paths(
     "assumed",
     dict.fromkeys(ASSUMABLE, (Source | None, None)),

@@ -211,9 +211,9 @@ class LandTable(Table):
 
 
 class PocketApproachTable(Table):
-    """What a test or finite elements found: it replaces Hertz's stiffness. With a sheet, of the contact alone."""
+    """Approach by a test or finite elements, in place of Hertz's. With sheet_stiffness, of the contact alone."""
 
-    HINT = 'give what a test or finite elements found, { load = "28 N", approach = "0.883 um" }'
+    HINT = 'give the approach by a test or finite elements, { load = "28 N", approach = "0.883 um" }'
     load: Force
     approach: Gap
 
@@ -279,7 +279,7 @@ ReachValue = Annotated[float | GivenLength, Extent(unit="", low=0.05, high=1, ex
 
 
 class ReachTable(Table):
-    """How far the oil reaches from the centre of a contact along rolling."""
+    """Reach of the oil from the centre of a contact along rolling."""
 
     HINT = "give { ahead = 0.9 }, of the ball's radius, or a length"
     ahead: ReachValue = Reach.ahead
@@ -287,7 +287,7 @@ class ReachTable(Table):
 
 
 class LubricantTable(Table):
-    """What is left out follows from the name, the viscosities or the base oil: see `analytic.scenefile.oil`."""
+    """Missing values follow from the name, the viscosities or the base oil: see `analytic.scenefile.oil`."""
 
     HINT = 'give a table [lubricant] with name = "ISO VG 46", or with viscosity, pressure_viscosity and eyring_stress'
 
@@ -339,7 +339,7 @@ class HeightMapTable(Table):
 
 
 class ThermalTable(Table):
-    """How the bearing gives its heat away: the oil's temperature is where this is the friction's power."""
+    """Heat flow from the bearing to its surroundings; in the steady state it equals the power of friction."""
 
     HINT = 'give { resistance = "0.5 K/W", ambient = "20 degC" }'
     resistance: Annotated[float, Dimension(unit="K/W", low=0, high=1e6, example='"0.5 K/W"')]  # oil to surroundings
@@ -414,10 +414,13 @@ class EffectsTable(Table):
     cage: Decision = "auto"
     cage_dynamics: Decision = "auto"
     ball_dynamics: Decision = "auto"
+    through_flow: Decision = "auto"
+    cage_shear: Decision = "auto"
+    ball_drag: Decision = "auto"
 
 
 class MeasuredTable(Table):
-    """Measured torques, with which the computed ones are compared."""
+    """Measured torques, to compare with the computed ones."""
 
     HINT = 'give a table [measured] of file = "data.csv"'
 
@@ -425,7 +428,7 @@ class MeasuredTable(Table):
 
 
 class ReportTable(Table):
-    """What is printed in the report beside the numbers."""
+    """Names, dates and units in the report."""
 
     HINT = 'give a table [report] of author = "N. N.", date ...'
 
@@ -438,9 +441,7 @@ class ReportTable(Table):
 
 class SceneTable(Table):
     name: Text
-    calibration: Text | None = Field(
-        default=None, description="say which inputs were chosen until which numbers came out"
-    )
+    calibration: Text | None = Field(default=None, description="give the inputs that were fitted, and to which numbers")
     tolerance: Annotated[float, Dimension(unit="", low=1e-6, high=1, example='"5 %"')]
     bearing: BearingTable
     operation: OperationTable

@@ -23,39 +23,39 @@ WIDTH = 118  # characters of a line
 COLUMN = 41  # where comments begin
 
 OPERATION = """\
-down = [1, 0, 0]                          # gravity is along the radial load; [0, 0, 1]: the shaft stands on its thrust
-#moment = "0 N m"                         # that tilts the rings
+down = [1, 0, 0]                          # gravity along the radial load; [0, 0, 1]: along the thrust, vertical shaft
+#moment = "0 N m"                         # tilting moment on the rings
 """
 SUPPLIES = '"oil_bath", "oil_jet", "oil_spot" or "grease"'
 REST = """\
 
 [surface]
-finish = "ground and honed"               # or Ra = "0.05 um", of each of the two surfaces
+finish = "ground and honed"               # or Ra = "0.05 um" of each surface
 
 [friction]
-hysteresis_loss = 0.007                   # assumed: 0.003 to 0.025 are in use, none measured
-#elastic_rolling = "houpert"              # law of slow rolling, in place of hysteresis
+hysteresis_loss = 0.007                   # assumed; usual 0.003 to 0.025, not measured
+#elastic_rolling = "houpert"              # Houpert's law of slow rolling in place of hysteresis
 
-# Tables to add: take away the # in front of each line.
+# Optional tables: remove the # of each line.
 
-#[mounting]                               # what seats and temperatures take from the clearance
+#[mounting]                               # seats and temperatures, which change the clearance
 #shaft_interference = "5 um"              # on the diameter
 #housing_interference = "0 um"
-#inner_temperature = "65 degC"            # of inner ring and shaft, together with the next line
-#outer_temperature = "60 degC"            # of outer ring and housing
+#inner_temperature = "65 degC"            # inner ring and shaft; give outer_temperature too
+#outer_temperature = "60 degC"            # outer ring and housing
 
 """
 MORE = """\
-#drag = "2 N mm"                          # of the oil that balls and cage move
-#oil_share = "2 %"                        # in place of drag: oil between the rings that the balls move through
-#oil_flow = "0.8 l/min"                   # that flows through and leaves with the speed of the cage
-#land = { ring = "inner", diameter = "31 mm", clearance = "0.3 mm", width = "4 mm" } # sheared oil, on the diameter
-#pockets = { clearance = "0.2 mm", thickness = "2 mm" } # likewise; not with [cage]
+#drag = "2 N mm"                          # oil drag on balls and cage
+#oil_share = "2 %"                        # in place of drag: volume share of oil between the rings
+#oil_flow = "0.8 l/min"                   # oil flow through the bearing; leaves at the speed of the cage
+#land = { ring = "inner", diameter = "31 mm", clearance = "0.3 mm", width = "4 mm" } # oil shear, on the diameter
+#pockets = { clearance = "0.2 mm", thickness = "2 mm" } # oil shear, on the diameter; not with [cage]
 
-#[measured]                               # with which `fembearing compare` compares the torque
-#file = "data.csv"                        # columns as inner_speed [rpm], torque [N mm], uncertainty [N mm]
+#[measured]                               # measured torques for `fembearing compare`
+#file = "data.csv"                        # columns: inner_speed [rpm], torque [N mm], uncertainty [N mm]
 
-#[effects]                                # "auto" decides by the tolerance; or "on", "off"
+#[effects]                                # "auto": by the tolerance; or "on", "off"
 #creep = "auto"
 #rolling = "auto"
 """
@@ -72,7 +72,7 @@ def scene_text(designation: str, choice: Choice = USUAL) -> str:
         f"#:schema {SCHEMA_NAME}\n"
         f"{_prose(_headline(bearing))}"
         f"name = {name}\n"
-        'tolerance = "5 %"                         # of the torque, and the limit for the verdicts on Hertz\n'
+        'tolerance = "5 %"                         # required accuracy of the torque, limit for Hertz\n'
     )
     warnings = "".join(_prose(f"Note: {warning}") for warning in bearing.warnings)
     return "\n".join(
@@ -113,8 +113,7 @@ def _span(bearing: CatalogBearing, group: str) -> str:
 def _dimensions(bearing: CatalogBearing) -> str:
     """The dimensions inside, each as a comment that may become a key."""
     intro = (
-        f"The dimensions inside, grade {bearing.grade}: take away the # in front of a key to give your own. "
-        "+-: standard deviation."
+        f"Internal dimensions, grade {bearing.grade}: remove the # of a key to give your own. +-: standard deviation."
     )
     text, told = _prose(intro), ""
     for key, value, unit in _inside(bearing):
@@ -155,18 +154,18 @@ def _standing(origin: Origin, unit: str) -> str:
 def _operation(bearing: CatalogBearing, choice: Choice) -> str:
     """Loads and speed."""
     radial, axial = ("0 N" if load is None else load for load in (choice.radial_load, choice.axial_load))
-    words = "along x, across the shaft"
+    words = "along x, normal to the shaft"
     if choice.radial_load is None and choice.axial_load is None:
         share = RADIAL_SHARE if bearing.nominal_angle is None else AXIAL_SHARE
         load = f"{float(f'{share * bearing.static_load_rating:.2g}'):g} N"
         radial, axial = (load, axial) if bearing.nominal_angle is None else (radial, load)
-        words = f"{'0' if radial == '0 N' else f'{share:g} C0, a light load'}; along x, across the shaft"
+        words = f"{'0' if radial == '0 N' else f'{share:g} C0, a light load'}; along x, normal to the shaft"
     return (
         _line(f"radial_load = {_quoted(radial)}", words)
         + _line(f"axial_load = {_quoted(axial)}", "along the shaft, at least 0")
         + _line(
             f"inner_speed = {_quoted(choice.speed)}",
-            'of the inner ring; ["500 rpm", "1000 rpm"] makes a series',
+            'inner ring; a series: ["500 rpm", "1000 rpm"]',
         )
     )
 
@@ -174,8 +173,8 @@ def _operation(bearing: CatalogBearing, choice: Choice) -> str:
 def _oil(choice: Choice) -> str:
     supply = '#supply = "grease"' if choice.supply is None else f"supply = {_quoted(choice.supply)}"
     return (
-        _line(f"name = {_quoted(choice.oil)}", "`fembearing list oils` shows all")
-        + _line(f"temperature = {_quoted(choice.temperature)}", "where the oil enters the contacts")
+        _line(f"name = {_quoted(choice.oil)}", "names: `fembearing list oils`")
+        + _line(f"temperature = {_quoted(choice.temperature)}", "at the inlets of the contacts")
         + _line(supply, SUPPLIES)
     )
 
@@ -189,7 +188,7 @@ def _cage(bearing: CatalogBearing) -> str:
     volume = 2 * sheet * SHEET_WIDTH * ball * around
     steel, peek = (f"{float(f'{1e3 * density * volume:.2g}'):g} g" for density in (STEEL, PEEK))
     return (
-        _line("#[cage]", "without it the cage has no share; numbers scaled from the sheet cage of a 6205")
+        _line("#[cage]", "for the friction of the cage; values scaled from the sheet cage of a 6205")
         + f'#pocket_clearance = "{1e3 * POCKET * ball:.2g} mm"\n'
         + f'#wall_thickness = "{1e3 * sheet:.2g} mm"\n'
         + _line(f'#mass = "{steel}"', f"of PEEK {peek}")
@@ -205,9 +204,7 @@ def _seals(bearing: CatalogBearing) -> str:
         estimate = ""
     else:
         estimate = ', or "estimate" by SKF\'s formula'
-    return _line("#[losses]", "torque that you know and that is added") + _line(
-        '#seals = "5 N mm"', f"of both seals together{estimate}"
-    )
+    return _line("#[losses]", "known losses, added to the torque") + _line('#seals = "5 N mm"', f"both seals{estimate}")
 
 
 def _quoted(value: object) -> str:

@@ -58,9 +58,9 @@ def _remedy(text: str, reason: str) -> str:
         return ""
     line = text.split("\n")[int(place[1]) - 1].strip()[:LONGEST_LINE]
     if reason.startswith("Cannot declare"):
-        return f"; {plain(line)} stands twice: put its keys into one table"
+        return f"; {plain(line)} is given twice: put its keys into one table"
     if reason.startswith("Cannot overwrite"):
-        return f"; {plain(line.partition('=')[0].strip())} stands twice: leave one of them out"
+        return f"; {plain(line.partition('=')[0].strip())} is given twice: leave one of them out"
     if reason.startswith("Illegal character '\\n'"):
         return "; close the quotes"
     if CURLED.search(line):

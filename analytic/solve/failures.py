@@ -84,10 +84,10 @@ def undistributed(unequal: float, lacks: str | None) -> InputError:
 
     unequal : how much they do over what thrust does, at most;  lacks : the input that is missing
     """
-    much = f"are up to {percent_of(unequal)} of what thrust does" if np.isfinite(unequal) else "act without thrust"
+    much = f"are up to {percent_of(unequal)} of the thrust" if np.isfinite(unequal) else "act without thrust"
     return InputError(
         f"operation.radial_load and operation.moment {much}, and "
-        + (lacks or "are the whole load: leave effects.load_distribution on auto")
+        + (lacks or "are the whole load: set effects.load_distribution to auto")
     )
 
 
@@ -96,7 +96,7 @@ def _thrown(status: int, ratio: float, load: float, speed: float) -> InputError:
     washers = status == THROWN_WASHERS
     most = 1 / PRESSED if washers else MOST_CENTRIFUGAL
     effect = (
-        "drives it out of the middle of its grooves, which is not modelled in a thrust bearing"
+        "moves it out of the middle of its grooves, which is not modelled in a thrust bearing"
         if washers
         else "it skids"
     )

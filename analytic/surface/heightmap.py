@@ -246,5 +246,5 @@ def _doubts(height_map: HeightMap, slopes: list[float], length: float) -> Iterat
     if max(slopes) > MOST_UNEQUAL * min(slopes):
         yield (
             f"mean squared slopes of the map are {slopes[1]:.3g} along its rows and {slopes[0]:.3g} along its columns: "
-            "the surface has a lay, and its summits are taken as round all the same"
+            "the surface has a lay, but the model takes round summits"
         )

@@ -128,8 +128,8 @@ def gap_roughness(surface: Surface) -> GapRoughness:
         key = "rms_roughness" if surface.height_map is None else "height_map"
         raise InputError(
             f"surface.{key} = {length_of(race.rms_roughness)} (Sq) gives ball and race together an rms slope of "
-            f"{slope:.3g}, and asperities are shallow in the model: give a slope up to {STEEPEST:g}, by at most "
-            f"{length_of(race.rms_roughness * STEEPEST / slope)} or by a longer autocorrelation.length"
+            f"{slope:.3g}, limit {STEEPEST:g} for the shallow asperities of the model: give at most "
+            f"{length_of(race.rms_roughness * STEEPEST / slope)} or a longer autocorrelation.length"
         )
     summits = mccool_summits(ball + race)
     return GapRoughness(ball=ball, race=race, summits=summits, height_map=height_map, warnings=warnings)
@@ -145,12 +145,11 @@ def _doubts(autocorrelation: Autocorrelation) -> Iterator[str]:
     length, spacing = autocorrelation.length, autocorrelation.spacing
     if autocorrelation.kind == "exponential":
         yield (
-            f"surface.autocorrelation.spacing {length_of(spacing)} sets the summits' slope and curvature, by finite "
-            "differences there, and they change with it: an exponential autocorrelation has none of its own"
+            f"slope and curvature of the summits depend on surface.autocorrelation.spacing {length_of(spacing)}, by "
+            "finite differences: an exponential autocorrelation does not define them"
         )
     elif spacing > WIDEST * length * (1 + 1e-12):
         yield (
             f"surface.autocorrelation.spacing {length_of(spacing)} is more than a tenth of the length "
-            f"{length_of(length)} and is ignored: a gaussian autocorrelation has its slope and curvature in closed "
-            "form"
+            f"{length_of(length)} and is ignored: slope and curvature of a gaussian autocorrelation have closed forms"
         )

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 LOOK = 0.2  # s between two looks at a check
 ABOUT = (
     "Finite elements on the true shapes of every contact, and numerical solutions of film and friction: a minute or "
-    "more, beside the page."
+    "more, in the background."
 )
 KINDS = ("pressure", "film", "view")  # pictures of the report that the page shows
 turn = asyncio.Semaphore(1)  # of all tabs: a check takes all cores and much memory
@@ -52,7 +52,7 @@ class CheckPanel:
         """Say whether the report is that of this scene, which has a torque."""
         self.saves.enable()
         if self.check is not None and self.check.is_done:
-            self.said.text = "checked" if self.check.text == text else "This report is that of an earlier scene."
+            self.said.text = "checked" if self.check.text == text else "Report of an earlier scene."
 
     async def run(self) -> None:
         """Check the scene of the page, after the checks of other tabs."""

@@ -65,13 +65,13 @@ class Evaluation:
             "verdict": record.standing.word,
             "reason": record.standing.reason,
             "split": f"{where}{split_of(row)}",
-            "film": film_words(self.result) or "film: not computed, without oil and surface",
+            "film": film_words(self.result) or "film: not computed without oil and surface",
             "makers": makers_words(record),
             "warnings": "\n".join(record.warnings),
-            "ring": "From the direction of the radial load, which points down."
+            "ring": "Azimuth from the radial load, which points down."
             if row.ring
-            else "`fembearing torque --details` has the balls of a pair.",
-            "contact": self.no_contact or "Both axes have scales of their own.",
+            else "Balls of a pair: `fembearing torque --details`.",
+            "contact": self.no_contact or "Different scales of both axes.",
         }
         for race in RACES:
             contact = getattr(row.contact, race)

@@ -142,11 +142,11 @@ class Page:
             )
             own = ui.button("Dimensions of my own", on_click=self.own_dimensions, color=None)
             own.props("outline no-caps")
-            line("p", "Makes the derived dimensions of the bearing keys of the scene, to edit.").classes("soft")
+            line("p", "Writes the derived dimensions of the bearing into the scene, to edit.").classes("soft")
 
     def _charts(self) -> None:
         with ui.element("div").classes("panel"):
-            line("h2", "What the torque is made of")
+            line("h2", "Parts of the torque")
             self._chart("parts", "Parts of the friction torque", 104)
             self.lines |= {name: line("div").classes("soft") for name in ("split", "film", "makers")}
         with ui.element("div").classes("panel"):

@@ -74,9 +74,9 @@ COMMANDS = {
 }
 # Between two searches for garbage: imports make many objects, all of which stay. It saves a tenth of a second.
 OBJECTS = 100_000
-STATUSES = """Exit status: 0 done, all verdicts hold; 1 a check failed; 2 the input is at fault; 3 not solved to the
-accuracy, or a verdict is not known; 70 a defect of fembearing; 71 not enough memory; 74 a file or stream cannot be
-written or read; 130, 141, 143 ended by Ctrl-C, a closed pipe, a signal."""
+STATUSES = """Exit status: 0 done, no check failed; 1 a check failed; 2 input error; 3 required accuracy not reached, or
+a verdict not known; 70 defect of fembearing; 71 out of memory; 74 file or stream not readable or writable; 130, 141,
+143 ended by Ctrl-C, a closed pipe, a signal."""
 app = typer.Typer(
     invoke_without_command=True,
     context_settings={"help_option_names": ["-h", "--help"]},
@@ -101,9 +101,9 @@ def print_version(wanted: bool) -> None:
 def about(
     context: typer.Context,
     _version: Annotated[
-        bool, typer.Option("--version", is_eager=True, callback=print_version, help="Show the version and end.")
+        bool, typer.Option("--version", is_eager=True, callback=print_version, help="Print the version and exit.")
     ] = False,
-    debug: Annotated[bool, typer.Option("--debug", help="Show where in the code a failure is.")] = False,
+    debug: Annotated[bool, typer.Option("--debug", help="Print a traceback on failure.")] = False,
 ) -> None:
     """Friction and contact of a ball bearing: closed forms, checked by finite elements."""
     DEBUG.set(debug)

@@ -13,11 +13,11 @@ EXTRA = {"nicegui", "fastapi", "starlette"}  # packages of the extra `app`: the 
 
 def app(
     port: Annotated[int, typer.Option(min=1, max=65535, help="Port of the page.")] = 8080,
-    no_browser: Annotated[bool, typer.Option("--no-browser", help="Do not open the page in a browser.")] = False,
+    no_browser: Annotated[bool, typer.Option("--no-browser", help="Start the server without a browser.")] = False,
 ) -> None:
-    """Open a page in the browser, on which the torque follows bearing, loads, speed and oil. Ctrl-C ends it.
+    """Open an interactive page in the browser: torque for bearing, loads, speed and oil. Ctrl-C ends it.
 
-    The page is served to this machine alone, at 127.0.0.1.
+    The server listens at 127.0.0.1 only.
     """
     from analytic.errors import InputError
     from fembearing.cli.console import out
@@ -34,7 +34,7 @@ def app(
     address = f"http://{HOST}:{port}"
     shows = not no_browser and _has_browser()
     if not (shows or no_browser):
-        say(f"no browser is found: open {address} in one, or give --no-browser")
+        say(f"no browser found: open {address} in one, or give --no-browser")
     out.tell(f"page: {address} (Ctrl-C ends it)")
     serve(port, shows=shows)
 

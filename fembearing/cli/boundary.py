@@ -43,7 +43,7 @@ REPORT = "fembearing --debug shows where it is; please report that, as docs/comm
 def guarded(run: Callable[[], int | None]) -> int:
     """The exit status of a command. Whatever fails in it, standard error gets one line for it."""
     if not _streams_are_open():
-        return complain("standard output is closed; give the result somewhere to go", NO_STORAGE)
+        return complain("standard output is closed; redirect it to a file or a pipe", NO_STORAGE)
     if not sys.warnoptions:
         warnings.simplefilter("ignore")  # of libraries, about what nobody but us can mend; ours are lines of the result
     for name in ENDED:
@@ -112,8 +112,8 @@ def status_of(problem: BaseException) -> int:
             return INTERRUPTED
         case _ if _lacks_memory(problem):
             return complain(
-                f"the memory does not suffice ({_words(problem)}): free some, raise its limit (ulimit -v), or give "
-                "fewer points at a time",
+                f"out of memory ({_words(problem)}): free some, raise its limit (ulimit -v), or give fewer points at a "
+                "time",
                 NO_MEMORY,
             )
         case TimeoutError() | ConnectionError() if problem.filename is None:  # no file, but another process
@@ -165,8 +165,8 @@ def _of_the_system(problem: OSError) -> str:
     try:
         Path.cwd()
     except OSError:
-        return "the folder that the command runs in is gone; run it in one that exists"
-    return f"cannot write the result: {reason}; check where it goes"
+        return "the working folder no longer exists; run the command in another one"
+    return f"cannot write the result: {reason}; check the place of the output"
 
 
 def _words(problem: BaseException) -> str:

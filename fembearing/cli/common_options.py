@@ -15,17 +15,15 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 QUIET: dict[str, Any] = {
-    "quiet": Annotated[
-        bool, typer.Option("--quiet", "-q", help="Nothing but errors on standard error: no warnings, no progress.")
-    ]
+    "quiet": Annotated[bool, typer.Option("--quiet", "-q", help="Print no warnings and no progress, errors only.")]
 }
 VERBOSE: dict[str, Any] = {
-    "verbose": Annotated[bool, typer.Option("--verbose", "-v", help="Each step with its time on standard error.")]
+    "verbose": Annotated[bool, typer.Option("--verbose", "-v", help="Print each step with its time on standard error.")]
 }
 FORCE: dict[str, Any] = {
     "force": Annotated[
         bool,
-        typer.Option("--force", help="Replace the file, or the folder if fembearing wrote all that is in it."),
+        typer.Option("--force", help="Replace an existing file, or a folder with files of fembearing only."),
     ]
 }
 Value = TypeVar("Value")

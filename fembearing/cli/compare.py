@@ -11,18 +11,18 @@ Data = Annotated[
     str | None,
     typer.Argument(
         metavar="DATA",
-        help="CSV file of measured torques, each column with its unit; without it [measured] of the scene names it.",
+        help="CSV file of measured torques, each column with its unit (default: from [measured] of the scene).",
     ),
 ]
 SceneName = Annotated[
     str | None,
     typer.Argument(
         metavar="SCENE",
-        help="Scene file, TOML; or a bearing of the catalog, as 6206. It may stand alone.",
+        help="Scene file (TOML) or bearing of the catalog, for example 6206; sufficient alone with [measured].",
         autocompletion=scene_names_like,
     ),
 ]
-Seed = Annotated[int, typer.Option(help="Number that fixes the samples of the intervals.")]
+Seed = Annotated[int, typer.Option(help="Seed of the samples of the intervals.")]
 
 
 def compare(
@@ -36,7 +36,7 @@ def compare(
     """Compare the computed torque with measured torques: error, uncertainty and verdict of each.
 
     Give the CSV file and the scene, or the scene alone if its table [measured] names the file. Exit status 0: every
-    measured torque lies in its 95 % interval; 1: one is missed; 3: one is undecided; 2: the input is at fault.
+    measured torque lies in its 95 % interval; 1: at least one lies outside; 2: input error; 3: at least one undecided.
     """
     require_folder_name(folder)
     data, scene = _data_and_scene(data, scene)

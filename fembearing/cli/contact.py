@@ -28,15 +28,15 @@ if TYPE_CHECKING:
 
 def contact(
     scene: SceneName = None,
-    pair: Annotated[PairName, typer.Option(help="Which contact.")] = "inner",
+    pair: Annotated[PairName, typer.Option(help="Contact of the ball.")] = "inner",
     load: Loads = None,
     geometry: Geometry = "real",
     accuracy: Accuracy = None,
     as_json: AsJson = False,
 ) -> None:
-    """Solve one contact and compare Hertz with it; repeat --load for a series of loads with its stiffness law.
+    """Solve one contact by finite elements and compare Hertz with it. Several --load give the stiffness law.
 
-    Exit status 0: solved to the required accuracy, whatever Hertz's verdict; 3: not; 2: the input is at fault.
+    Exit status 0: required accuracy reached, for any verdict on Hertz; 2: input error; 3: accuracy not reached.
     """
     given = read_scene(scene)
     limit = read_tolerance(accuracy, given)
@@ -85,7 +85,7 @@ def _show_contact(
         if below is not None:
             show(out, subsurface_table(below, units))
         if result.judged:
-            out.print(f"Hertz by the scene's tolerance of {percent_of(result.tolerance)}: {result.verdict}")
+            out.print(f"Hertz, tolerance of the scene {percent_of(result.tolerance)}: {result.verdict}")
         print_warnings(result.warnings)
     return {name: result.estimates[name].total for name in (COMPARED if result.judged else SHOWN_OF_A_SHEET)}
 
@@ -102,7 +102,7 @@ def _show_series(result: "LoadSeries", units: "Units", *, as_json: bool) -> dict
         print_json(plain(series_record(result)))
     else:
         show(out, series_table(result, units))
-        verdict = result.verdict if result.judged else "shown, not judged"
+        verdict = result.verdict if result.judged else "no verdict"
         out.print(f"{verdict}: tolerance {percent_of(result.tolerance)}")
         print_warnings(result.warnings)
     return {f"approach at {part.load:g} N": part.approach.total for part in result.points}
@@ -116,7 +116,7 @@ def _status(uncertainties: dict[str, float], accuracy: float) -> int:
     from analytic.words import percent_of
 
     return complain(
-        f"not solved to {percent_of(accuracy, 2)}: {name.replace('_', ' ')} is left uncertain by "
-        f"{percent_of(uncertainties[name], 2)}; ask for a larger --tolerance",
+        f"not solved to {percent_of(accuracy, 2)}: the {name.replace('_', ' ')} has an uncertainty of "
+        f"{percent_of(uncertainties[name], 2)}; give a larger --tolerance",
         NOT_SOLVED,
     )

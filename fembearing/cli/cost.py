@@ -12,7 +12,7 @@ def cost(
     folder: Folder = None,
     as_json: AsJson = False,
 ) -> None:
-    """Measure error and time of every method to compute the same quantity, cheap to exact, on this machine."""
+    """Measure error and time of all methods for the same quantity on this machine, from cheap to exact."""
     require_folder_name(folder)
     given = read_scene(scene)
     limit = read_tolerance(tolerance, given)

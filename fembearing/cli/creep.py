@@ -21,11 +21,11 @@ from fembearing.cli.status import DONE, NOT_SOLVED, complain, print_warnings
 
 Tolerance = Annotated[
     str | None,
-    typer.Option(help='Accuracy required of the torque by sliding, for example "1 %" (default: from the scene).'),
+    typer.Option(help='Required accuracy of the torque by sliding, for example "1 %" (default: from the scene).'),
 ]
 Load = Annotated[
     str | None,
-    typer.Option(help='Of the heaviest ball, for example "620 N": scales all loads (default: from the scene).'),
+    typer.Option(help='Load of the heaviest ball, for example "620 N"; scales all loads (default: from the scene).'),
 ]
 Friction = Annotated[
     str | None, typer.Option(help="Friction coefficient of both races, for example 0.1 (default: from the scene).")
@@ -42,9 +42,10 @@ def creep(
     folder: Folder = None,
     as_json: AsJson = False,
 ) -> None:
-    """Solve stick and slip of a ball on both races and compare the formulas of spin, conformity and creep with it.
+    """Solve stick and slip of a ball on both races and compare the formulas for spin, conformity and creep.
 
-    Exit status 0: solved to the required accuracy, whatever the formulas say; 3: not; 2: the input is at fault.
+    Exit status 0: required accuracy reached, for any difference of the formulas; 2: input error; 3: accuracy not
+    reached.
     """
     require_folder_name(folder)
     given = read_scene(scene)
@@ -87,7 +88,7 @@ def creep(
     raise typer.Exit(
         complain(
             f"not solved to {percent_of(limit, 2)}: the torque by sliding has an uncertainty of "
-            f"{percent_of(numbers.relative_uncertainty, 2)}; ask for a larger --tolerance",
+            f"{percent_of(numbers.relative_uncertainty, 2)}; give a larger --tolerance",
             NOT_SOLVED,
         )
     )

@@ -17,12 +17,10 @@ def draw(
     scene: SceneName = None,
     file: Annotated[
         Path | None,
-        typer.Option(
-            "--out", "-o", help="New file, .svg, .png or .pdf; the bearing's name as .svg in this folder without it."
-        ),
+        typer.Option("--out", "-o", help="New file: .svg, .png or .pdf (default: BEARING.svg in this folder)."),
     ] = None,
 ) -> None:
-    """Draw the bearing of a scene to scale, with dimensions and their origin: a wrong digit is seen."""
+    """Draw the bearing of a scene to scale, with dimensions and their origins, to find input errors."""
     given = read_scene(scene, settings=given_settings())
     from fembearing.cli.console import out
     from fembearing.report.drawing import draw_bearing

@@ -13,21 +13,22 @@ SceneName = Annotated[
     str,
     typer.Argument(
         metavar="SCENE",
-        help="Scene file, TOML, or - for standard input; or a bearing of the catalog, as 6206.",
+        help="Scene file (TOML), - for standard input, or a bearing of the catalog, for example 6206.",
         autocompletion=scene_names_like,
     ),
 ]
 CycleFile = Annotated[
-    str, typer.Argument(metavar="CYCLE", help="CSV file of the steps: duration and what changes, each with its unit.")
+    str,
+    typer.Argument(metavar="CYCLE", help="CSV file of the steps: duration and operating columns, each with its unit."),
 ]
 
 
 @with_options(OPTIONS | SETTINGS)
 def duty(scene: SceneName, cycle: CycleFile, folder: Folder = None, as_json: AsJson = False) -> None:
-    """Energy that friction takes in a duty cycle, with mean and worst torque, each with its 95 % interval.
+    """Friction energy of a duty cycle, with mean and worst torque, each with its 95 % interval.
 
-    Columns of the cycle: duration, and one or more of inner_speed, axial_load, radial_load and temperature. What they
-    lack is that of the scene. With [thermal] in the scene the oil is as warm as the mean power makes it.
+    Columns of the cycle: duration, and one or more of inner_speed, axial_load, radial_load and temperature. The scene
+    gives the values without a column. With [thermal] in the scene, the mean power determines the oil temperature.
     """
     require_folder_name(folder)
     found = read_by_temperature(scene, settings=given_settings(), options=given_options())

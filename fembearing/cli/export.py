@@ -12,14 +12,21 @@ from fembearing.cli.scene_options import OPTIONS, SETTINGS, given_options, given
 from fembearing.cli.status import print_warnings
 
 RANGES: dict[str, Any] = {  # options that are a range here, in place of those of one torque
-    "axial_load": Annotated[str | None, typer.Option(help='For example "500 N", or a range "100 N to 1 kN in 5 log".')],
-    "radial_load": Annotated[str | None, typer.Option(help='For example "2 kN", or a range "1 kN to 5 kN in 5".')],
+    "axial_load": Annotated[
+        str | None, typer.Option(help='Axial load, for example "500 N", or a range "100 N to 1 kN in 5 log".')
+    ],
+    "radial_load": Annotated[
+        str | None, typer.Option(help='Radial load, for example "2 kN", or a range "1 kN to 5 kN in 5".')
+    ],
     "speed": Annotated[
         str | None,
-        typer.Option(help='For example "0 rpm to 6000 rpm in 15"; from 0 to twice the speed of the scene without it.'),
+        typer.Option(
+            help='Speed of the inner ring, for example "0 rpm to 6000 rpm in 15" (default: 0 to twice the speed of the '
+            "scene)."
+        ),
     ],
     "temperature": Annotated[
-        str | None, typer.Option(help='Of the oil, for example "70 degC", or a range "40 degC to 100 degC in 4".')
+        str | None, typer.Option(help='Oil temperature, for example "70 degC", or a range "40 degC to 100 degC in 4".')
     ],
 }
 
@@ -27,18 +34,18 @@ RANGES: dict[str, Any] = {  # options that are a range here, in place of those o
 @with_options(OPTIONS | RANGES | SETTINGS)
 def export(
     to: Annotated[
-        Literal["csv", "netcdf", "modelica", "simscape", "ross", "fmu"], typer.Option("--to", help="The format.")
+        Literal["csv", "netcdf", "modelica", "simscape", "ross", "fmu"], typer.Option("--to", help="Output format.")
     ],
     scene: SceneName = None,
     file: Annotated[
         Path | None,
-        typer.Option("--out", "-o", help="The new file; named after the scene and the format without it."),
+        typer.Option("--out", "-o", help="New file (default: named after bearing and format)."),
     ] = None,
 ) -> None:
     """Write the torque over speed, load and temperature for another program, or the stiffness for rotor dynamics.
 
-    csv and netcdf are maps with their 95 % interval, modelica and simscape friction over speed, fmu a unit of FMI 2.0
-    that needs a C compiler, and ross the stiffness over speed. Loads and temperature are one value or a range.
+    csv, netcdf: maps with 95 % interval. modelica, simscape: friction over speed. fmu: a unit of FMI 2.0 (needs a C
+    compiler). ross: stiffness over speed. Loads and temperature are one value or a range.
     """
     from analytic.scenefile.find import find_scene
     from fembearing.cli.console import out, shown_progress

@@ -20,10 +20,12 @@ from fembearing.cli.status import DONE, NOT_SOLVED, complain, print_warnings
 
 Tolerance = Annotated[
     str | None,
-    typer.Option(help='Accuracy required of film and rolling force, for example "1 %" (default: from the scene).'),
+    typer.Option(help='Required accuracy of film and rolling force, for example "1 %" (default: from the scene).'),
 ]
-Speed = Annotated[str | None, typer.Option(help='Of the inner ring, for example "500 rpm" (default: from the scene).')]
-RaceName = Annotated[Literal["inner", "outer"], typer.Option("--pair", help="Which race.")]
+Speed = Annotated[
+    str | None, typer.Option(help='Speed of the inner ring, for example "500 rpm" (default: from the scene).')
+]
+RaceName = Annotated[Literal["inner", "outer"], typer.Option("--pair", help="Race of the contact.")]
 
 
 def film(
@@ -36,9 +38,10 @@ def film(
     folder: Folder = None,
     as_json: AsJson = False,
 ) -> None:
-    """Solve the lubricated contact of a ball on a race and compare the formulas of film and rolling with it.
+    """Solve the lubricated contact of a ball on a race and compare the formulas for film and rolling.
 
-    Exit status 0: solved to the required accuracy, whatever the formulas say; 3: not; 2: the input is at fault.
+    Exit status 0: required accuracy reached, for any difference of the formulas; 2: input error; 3: accuracy not
+    reached.
     """
     require_folder_name(folder)
     given = read_scene(scene)
@@ -79,7 +82,7 @@ def film(
     raise typer.Exit(
         complain(
             f"not solved to {percent_of(limit, 2)}: the {name.replace('_', ' ')} has an uncertainty of "
-            f"{percent_of(uncertainty, 2)}; ask for a larger --tolerance",
+            f"{percent_of(uncertainty, 2)}; give a larger --tolerance",
             NOT_SOLVED,
         )
     )

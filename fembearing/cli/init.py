@@ -21,15 +21,15 @@ def init(
         str,
         typer.Argument(
             metavar="DESIGNATION",
-            help="Bearing of the catalogue, as 6206, 7208B or 6305-2RS/C3.",
+            help="Bearing of the catalog, for example 6206, 7208B or 6305-2RS/C3.",
             autocompletion=bearing_names_like,
         ),
     ],
     file: Annotated[
-        Path | None, typer.Option("--out", "-o", help="The scene file; DESIGNATION.toml in this folder without it.")
+        Path | None, typer.Option("--out", "-o", help="New scene file (default: DESIGNATION.toml in this folder).")
     ] = None,
 ) -> None:
-    """Write the scene of a bearing of the catalogue, ready to run and to edit. No file is replaced."""
+    """Write a scene file for a bearing of the catalog, ready to run and to edit."""
     from analytic.scenefile.read import parse_scene
     from analytic.scenefile.schema import scene_schema
     from analytic.scenefile.setting import read_choice
@@ -48,5 +48,5 @@ def init(
         with new_file(schema) as apart:
             apart.write_text(json.dumps(scene_schema(), indent=1, ensure_ascii=False), "utf-8")
     print_warnings(notes)
-    out.tell(f"written: {path}; an editor completes its keys by {schema}")
+    out.tell(f"written: {path}; schema for editors: {schema}")
     out.tell(f"next: fembearing torque {shlex.quote(str(path))}")

@@ -21,10 +21,10 @@ NARROW = 6  # columns; so many and more stand close together, to fit a screen of
 
 def listing(
     topic: Annotated[Topic, typer.Argument(metavar="TOPIC", help=f"One of {', '.join(get_args(Topic))}.")],
-    beginning: Annotated[str, typer.Argument(metavar="FILTER", help="Only names that begin so, as 62.")] = "",
+    beginning: Annotated[str, typer.Argument(metavar="FILTER", help="Beginning of the names, for example 62.")] = "",
     as_json: AsJson = False,
 ) -> None:
-    """List what a scene may name: bearings of the catalogue, oils, materials, built-in scenes, effects."""
+    """List the names for scenes: bearings of the catalog, oils, materials, built-in scenes, effects."""
     wanted = _plain(beginning)
     rows = [row for row in ROWS[topic]() if _plain(next(iter(row.values()))).startswith(wanted)]
     if not rows:

@@ -23,15 +23,15 @@ if TYPE_CHECKING:
 
 
 def mesh(
-    folder: Annotated[Path, typer.Option("--out", "-o", help="Folder for the .vtu files; made if it is missing.")],
+    folder: Annotated[Path, typer.Option("--out", "-o", help="Folder for the .vtu files, created if missing.")],
     scene: SceneName = None,
-    pair: Annotated[PairName, typer.Option(help="Which contact.")] = "inner",
+    pair: Annotated[PairName, typer.Option(help="Contact of the ball.")] = "inner",
     geometry: Geometry = "real",
-    level: Annotated[int | None, typer.Option(help="Level of the recipe; its finest without it.")] = None,
+    level: Annotated[int | None, typer.Option(help="Level of the mesh recipe (default: the finest).")] = None,
     load: Load = None,
     as_json: AsJson = False,
 ) -> None:
-    """Write the two meshes of a contact and report their worst cells."""
+    """Write both meshes of a contact and print their worst cells."""
     from analytic.errors import InputError
     from fembearing.cli.console import print_json
 
@@ -39,7 +39,7 @@ def mesh(
     given = read_scene(scene)
     force = None if load is None else read_load(load)
     if str(folder) in ("", ".") or (folder.exists() and not folder.is_dir()):
-        raise InputError(f"--out {str(folder)!r}: give a folder for the meshes; it is made if it is missing")
+        raise InputError(f"--out {str(folder)!r}: give a folder for the meshes")
     from fembearing.fem.guess import expected_semi_axes
     from fembearing.mesh.pair import pair_mesh
     from fembearing.mesh.ring import ring_piece

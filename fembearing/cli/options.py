@@ -44,8 +44,8 @@ SceneName = Annotated[
     str | None,
     typer.Argument(
         metavar="SCENE",
-        help="Scene file, TOML, or - for standard input; or a bearing of the catalog, as 6206; the built-in "
-        "paper_6205 without it.",
+        help="Scene file (TOML), - for standard input, or a bearing of the catalog, for example 6206 (default: the "
+        "built-in paper_6205).",
         autocompletion=scene_names_like,
     ),
 ]
@@ -53,53 +53,54 @@ SceneNames = Annotated[
     list[str] | None,
     typer.Argument(
         metavar="SCENE",
-        help="Scene file, TOML, or - for standard input; or a bearing of the catalog, as 6206; the built-in "
-        "paper_6205 without it. Several are compared.",
+        help="Scene file (TOML), - for standard input, or a bearing of the catalog, for example 6206 (default: the "
+        "built-in paper_6205). Several are compared.",
         autocompletion=scene_names_like,
     ),
 ]
-Tolerance = Annotated[str | None, typer.Option(help='Required accuracy, for example "1 %"; the scene\'s without it.')]
+Tolerance = Annotated[str | None, typer.Option(help='Required accuracy, for example "1 %" (default: from the scene).')]
 Accuracy = Annotated[
     str | None,
     typer.Option(
         "--tolerance",
-        help='Accuracy required of the finite elements, for example "0.1 %"; the scene\'s tolerance without it. '
-        "The verdict on Hertz always takes the scene's.",
+        help='Required accuracy of the finite elements, for example "0.1 %" (default: from the scene). The limit for '
+        "Hertz is always the tolerance of the scene.",
     ),
 ]
 Folder = Annotated[
-    Path | None, typer.Option("--out", "-o", help="New folder for page or pictures, tables, series in time and JSON.")
+    Path | None, typer.Option("--out", "-o", help="New folder for page or pictures, tables, time series and JSON.")
 ]
 Target = Annotated[
     Path | None,
     typer.Option(
         "--out",
         "-o",
-        help="New folder for torque.json, torque.csv, torque.png and series in time; or one file: .csv, .json, .png, "
+        help="New folder for torque.json, torque.csv, torque.png and time series; or one file: .csv, .json, .png, "
         ".svg, .pdf, .html.",
     ),
 ]
 WithInterval = Annotated[
     bool,
-    typer.Option("--interval", help="The 95 % interval of the torque too: from 512 torques and more, on all cores."),
+    typer.Option("--interval", help="Compute the 95 % interval of the torque from 512 or more samples, on all cores."),
 ]
 Samples = Annotated[
     int | None,
-    typer.Option(help="Torques that the interval is computed from; without it 512, or more until its ends are known."),
+    typer.Option(help="Number of samples of the interval (default: 512, or more until its ends converge)."),
 ]
-AsJson = Annotated[bool, typer.Option("--json", help="Machine-readable result on standard output, nothing else there.")]
-Load = Annotated[str | None, typer.Option(help='Load of the ball, for example "620 N"; from the scene without it.')]
+AsJson = Annotated[bool, typer.Option("--json", help="Print the result as JSON only.")]
+Load = Annotated[str | None, typer.Option(help='Load of the ball, for example "620 N" (default: from the scene).')]
 Loads = Annotated[
     list[str] | None,
     typer.Option(
-        "--load", help='Load of the ball, for example "620 N"; from the scene without it. Several: the stiffness law.'
+        "--load",
+        help='Load of the ball, for example "620 N" (default: from the scene). Several give the stiffness law.',
     ),
 ]
 Geometry = Annotated[
     GeometryName,
     typer.Option(
-        help="True shapes; the idealisation whose exact answer is Hertz; the sheet of a pocket on its support; or true "
-        "shapes and, apart from the contact, the ring on a rigid seat."
+        help="Meshed shape. real: true shapes; hertzian: half spaces, with Hertz as exact solution; wall: sheet of a "
+        "pocket on its rim; ring: true shapes, and the ring on a rigid seat as a separate part."
     ),
 ]
 
@@ -107,8 +108,8 @@ Bodies = Annotated[
     Literal["half-space", "meshed"],
     typer.Option(
         "--compliance",
-        help="Elastic bodies of the numerical solution: two half spaces, or ball and race of true shape by finite "
-        "elements.",
+        help="Elastic bodies of the numerical solution. half-space: two half spaces; meshed: ball and race of true "
+        "shape by finite elements.",
     ),
 ]
 
@@ -173,8 +174,8 @@ def require_folder_name(folder: Path | None) -> None:
         from analytic.errors import InputError
 
         raise InputError(
-            f"--out {str(folder)!r} ends with {folder.suffix!r} as a file, and this command writes a folder; give a "
-            "name without it"
+            f"--out {str(folder)!r} ends with {folder.suffix!r}, and this command writes a folder; give a name without "
+            "it"
         )
 
 

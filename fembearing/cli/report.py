@@ -12,16 +12,16 @@ from fembearing.cli.status import say
 
 @with_report_options
 def report(
-    numbers: Annotated[Path, typer.Argument(metavar="REPORT.JSON", help="The numbers of a report.")],
+    numbers: Annotated[Path, typer.Argument(metavar="REPORT.JSON", help="Numbers of a report.")],
     page: Annotated[
         Path | None,
         typer.Option(
-            "--out", "-o", help="The page; without it report.html next to the numbers. Only such a page is replaced."
+            "--out", "-o", help="Page (default: report.html beside REPORT.JSON). Only pages of fembearing are replaced."
         ),
     ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Make the page of a report again from its numbers and the pictures in the same folder."""
+    """Rebuild the page of a report from its numbers and the pictures in the same folder."""
     from fembearing.cli.console import out, print_json
     from fembearing.plain_types import plain
     from fembearing.report.page.rebuild import rebuild_page
@@ -32,4 +32,4 @@ def report(
     else:
         out.tell(f"page: {result.page}")
     for name in result.missing:
-        say(f"the picture {name} does not lie beside {numbers}; the page says so")
+        say(f"picture {name} is missing beside {numbers}; the page notes it")

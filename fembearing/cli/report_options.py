@@ -8,11 +8,13 @@ from analytic.report_details import UnitSystem
 from fembearing.cli.added_options import given, with_options
 
 OPTIONS: dict[str, Any] = {
-    "author": Annotated[str | None, typer.Option(help="Who made the report; the scene says so without it.")],
-    "checker": Annotated[str | None, typer.Option(help="Who checked it.")],
-    "revision": Annotated[str | None, typer.Option(help="Of the document.")],
-    "date": Annotated[str | None, typer.Option(help="Of the revision.")],
-    "units": Annotated[UnitSystem | None, typer.Option(help="In which page and tables are written.")],
+    "author": Annotated[str | None, typer.Option(help="Author of the report (default: from the scene).")],
+    "checker": Annotated[str | None, typer.Option(help="Checker of the report (default: from the scene).")],
+    "revision": Annotated[str | None, typer.Option(help="Revision of the report (default: from the scene).")],
+    "date": Annotated[str | None, typer.Option(help="Date of the revision (default: from the scene).")],
+    "units": Annotated[
+        UnitSystem | None, typer.Option(help="Units of page and tables (default: from the scene, or metric).")
+    ],
 }
 UNITS = {"units": OPTIONS["units"]}  # of commands that print no report
 with_report_options = with_options(OPTIONS)

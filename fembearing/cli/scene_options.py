@@ -8,16 +8,20 @@ from analytic.scenefile.choice import USUAL
 from fembearing.cli.added_options import given
 
 OPTIONS: dict[str, Any] = {  # by the fields of a choice
-    "axial_load": Annotated[str | None, typer.Option(help='For example "500 N".')],
+    "axial_load": Annotated[str | None, typer.Option(help='Axial load, for example "500 N".')],
     "radial_load": Annotated[
-        str | None, typer.Option(help='For example "5 kN"; a light load that suits the bearing without both.')
+        str | None,
+        typer.Option(help='Radial load, for example "5 kN" (default without any load: a light load for the bearing).'),
     ],
-    "speed": Annotated[str | None, typer.Option(help=f"Of the inner ring; {USUAL.speed} without it.")],
+    "speed": Annotated[str | None, typer.Option(help=f"Speed of the inner ring (default: {USUAL.speed}).")],
     "oil": Annotated[
-        str | None, typer.Option(help=f"Name of the oil, of `fembearing list oils`; {USUAL.oil} without it.")
+        str | None, typer.Option(help=f"Name of the oil, see `fembearing list oils` (default: {USUAL.oil}).")
     ],
-    "temperature": Annotated[str | None, typer.Option(help=f"Of the oil; {USUAL.temperature} without it.")],
-    "supply": Annotated[str | None, typer.Option(help="oil_bath, oil_jet, oil_spot or grease; by the oil without it.")],
+    "temperature": Annotated[str | None, typer.Option(help=f"Oil temperature (default: {USUAL.temperature}).")],
+    "supply": Annotated[
+        str | None,
+        typer.Option(help="Oil supply: oil_bath, oil_jet, oil_spot or grease (default: by the oil)."),
+    ],
 }
 SETTINGS: dict[str, Any] = {
     "settings": Annotated[
@@ -25,7 +29,7 @@ SETTINGS: dict[str, Any] = {
         typer.Option(
             "--set",
             metavar="KEY=VALUE",
-            help="A key of the scene with another value, as lubricant.supply=grease. Several: one option for each.",
+            help="Key of the scene with a new value, for example lubricant.supply=grease; one option for each key.",
         ),
     ]
 }

@@ -22,12 +22,12 @@ def schema(
     file: Annotated[
         File,
         typer.Argument(
-            help="scene or grid, which people write; report: report.json; torque: torque --json; compare: "
-            "compare --json; duty: duty --json."
+            help="scene, grid: input files; report: report.json; torque: torque --json; compare: compare --json; "
+            "duty: duty --json."
         ),
     ],
 ) -> None:
-    """Print the JSON Schema of a file: scene and grid, by which editors complete keys, or a JSON result."""
+    """Print the JSON Schema of a scene or grid, for the completion of keys in editors, or of a JSON result."""
     typer.echo(json.dumps(_schema_of(file), indent=1, ensure_ascii=False))
 
 

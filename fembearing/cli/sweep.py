@@ -15,15 +15,15 @@ MAPS = "maps"
 
 
 def sweep(
-    grid: Annotated[Path, typer.Argument(metavar="GRID", help="Grid file, TOML: a scene, and axes.")],
+    grid: Annotated[Path, typer.Argument(metavar="GRID", help="Grid file (TOML): a scene and axes.")],
     folder: Annotated[
-        Path, typer.Option("--out", "-o", help="Folder of this sweep; made, or continued if it is there.")
+        Path, typer.Option("--out", "-o", help="Folder of the sweep: new, or of a stopped sweep to continue.")
     ],
-    workers: Annotated[int | None, typer.Option(help="Processes of this machine; one a core without it.")] = None,
-    scheduler: Annotated[str | None, typer.Option(help="Address of a Dask cluster that computes instead.")] = None,
+    workers: Annotated[int | None, typer.Option(help="Processes on this machine (default: one per core).")] = None,
+    scheduler: Annotated[str | None, typer.Option(help="Address of a Dask cluster (default: this machine).")] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Compute a scene at every point of a product of axes; a stopped sweep continues when it is started again.
+    """Compute a scene at every point of a grid of axes. The same command continues a stopped sweep.
 
     GRID holds scene = "bearing.toml", what = "torque" or "contact", and a table of axes, with lines as
     operation.axial_load = { from = "100 N", to = "2 kN", count = 20, spacing = "log" } or conformity = [0.51, 0.52].
@@ -41,8 +41,8 @@ def sweep(
             progress(1.0, "maps")
             maps = _maps(result)
     except KeyboardInterrupt:
-        kept = f"what is done is kept in {folder}: the same command goes on"
-        complain(f"stopped; {kept if folder.exists() else 'nothing is done yet'}", INTERRUPTED)
+        kept = f"finished points are in {folder}; the same command continues"
+        complain(f"stopped; {kept if folder.exists() else 'no point is finished'}", INTERRUPTED)
         raise
     if as_json:
         print_json(plain(result) | {"maps": plain(maps)})
@@ -80,6 +80,6 @@ def _print(result: "Sweep", maps: list[Path]) -> None:
     for reason in result.reasons:
         out.tell(f"failed: {reason}")
     if result.lost:
-        out.tell(f"{result.lost} of them will be tried again when the sweep is started again")
+        out.tell(f"{result.lost} of them are retried by the next run")
     for file in (result.file, *maps):
         out.tell(f"written: {file}")

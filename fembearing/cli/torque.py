@@ -38,17 +38,17 @@ def torque(
     with_interval: WithInterval = False,
     samples: Samples = None,
     keep_going: Annotated[
-        bool, typer.Option("--keep-going", help="Leave out operating points that have no torque, and say why.")
+        bool, typer.Option("--keep-going", help="Skip operating points without a torque, with the reason.")
     ] = False,
     details: Annotated[
-        bool, typer.Option("--details", help="Contacts, cage, effects, inputs, methods and limits too.")
+        bool, typer.Option("--details", help="Print contacts, cage, effects, inputs, methods and limits.")
     ] = False,
     as_json: AsJson = False,
 ) -> None:
-    """Friction torque of a scene with its 95 % interval, and how far to trust it. Several scenes are compared.
+    """Friction torque of a scene with its 95 % interval and a verdict. Several scenes are compared.
 
-    A bearing of the catalog needs no file: loads, speed, oil, temperature and supply are options, and what they leave
-    out is assumed and printed. Any other scene takes --set.
+    A bearing of the catalog needs no file: loads, speed, oil, temperature and supply are options. Missing options are
+    assumed and printed. Scene files take --set in place of these options.
     """
     names = scenes or [BUILTIN]
     _require_fitting(names, target)
@@ -87,7 +87,7 @@ def _require_fitting(names: list[str], target: Path | None) -> None:
 
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
-        raise InputError(f"the scene {twice!r} stands twice: leave one of them out")
+        raise InputError(f"the scene {twice!r} is given twice: leave one of them out")
     if target is not None and len(names) > 1:
         raise InputError(
             f"--out {str(target)!r} takes one scene, and there are {len(names)}: leave out --out, or give one"
@@ -119,7 +119,7 @@ def _print(results: "Mapping[str, SceneTorque]", *, details: bool) -> None:
         if not before:
             print_headline(out, result)
         if name != STANDARD_INPUT and (assumed := _assumed(name, result.scene)):
-            out.tell(f"{before}assumed: {', '.join(assumed)}; --set KEY=VALUE gives another value")
+            out.tell(f"{before}assumed: {', '.join(assumed)}; change with --set KEY=VALUE")
         if details:
             out.print()
             print_details(out, result)

@@ -24,19 +24,19 @@ def validate(
     tolerance: Tolerance = None,
     folder: Folder = None,
     with_cost: Annotated[
-        bool, typer.Option("--cost", help="Measure every method to compute each quantity too.")
+        bool, typer.Option("--cost", help="Measure error and time of all methods, as `fembearing cost`.")
     ] = False,
     with_interval: WithInterval = False,
-    no_film: Annotated[bool, typer.Option("--no-film", help="Leave out the lubricated contacts.")] = False,
-    no_creep: Annotated[bool, typer.Option("--no-creep", help="Leave out the reference of friction.")] = False,
+    no_film: Annotated[bool, typer.Option("--no-film", help="Skip the numerical film.")] = False,
+    no_creep: Annotated[bool, typer.Option("--no-creep", help="Skip the numerical friction.")] = False,
     details: Annotated[
-        bool, typer.Option("--details", help="Tables of contacts, film, friction, torque and limits too.")
+        bool, typer.Option("--details", help="Print tables of contacts, film, friction, torque and limits.")
     ] = False,
     as_json: AsJson = False,
 ) -> None:
-    """Check contacts, film and friction of a scene against numerical references, and the torque that follows.
+    """Check contacts, film, friction and torque of a scene against numerical references.
 
-    A line for each reference has its largest difference; --details, --json and the report have all of them.
+    One line per reference gives the largest difference; --details, --json and the report give all differences.
     """
     require_folder_name(folder)
     given = read_scene(scene)

@@ -8,7 +8,7 @@ SCENES = ("6205-dry", "paper_6205", "6206")  # dry, oiled with a cage, and as `f
 
 
 def warmup() -> None:
-    """Compile the formulas of ordinary scenes, so that later commands need not."""
+    """Compile the formulas in advance, for a quick start of later commands."""
     from analytic.numerics.compilation import kept_in
     from analytic.scenefile.read import load_scene
     from fembearing.cli.console import out, shown_progress

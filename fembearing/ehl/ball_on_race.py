@@ -44,7 +44,7 @@ def lubricated_contact(
     if contact.pair == "pocket":
         raise InputError("a ball slides in its pocket: the numerical film is that of a ball that rolls on a race")
     if oil is None:
-        raise InputError("the contact is dry: give it a lubricant, or there is no film to compute")
+        raise InputError("the contact is dry, without a film: give it a lubricant")
     shape = BallOnRace(
         ball_radius=contact.ball_radius, race_radius=contact.rolling_radius, groove_radius=contact.groove_radius
     )

@@ -67,8 +67,8 @@ def headline_table(scene: Scene, record: TorqueRecord, units: Units = METRIC) ->
     if len(places) < len(computed):
         notes.append(f"{len(places)} of {len(computed)} operating points; --json and --out have all.")
     if all(record.interval[place] is None for place in places):
-        notes.append("No interval: more than 50 points, or an input at its end has no torque; try --interval.")
-    notes += [f"{len(record.left_out)} points have no torque and are left out."] if record.left_out else []
+        notes.append("No interval: more than 50 points, or no torque at the bound of an input; try --interval.")
+    notes += [f"{len(record.left_out)} points without a torque are skipped."] if record.left_out else []
     return table_of(headline_title(scene, record, units), heads, rows, notes)
 
 

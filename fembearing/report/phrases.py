@@ -31,7 +31,7 @@ VARIED = {  # the parts of the model's uncertainty
     "heating": "heating of the inlets",
     "elastic_rolling": "law of elastic rolling",
     "grease_film": "films with grease",
-    "unloaded_balls": "balls without load",
+    "unloaded_balls": "unloaded balls",
     "oil_losses": "losses of the oil",
 }
 PAIRS = {"O": "back to back (O)", "X": "face to face (X)", "tandem": "in tandem"}
@@ -53,7 +53,7 @@ CHECKS = {  # the physical verdicts
 LONGEST_LIST = 12  # values in a cell of a table
 LOADS = ("axial_load", "radial_load", "moment")
 MEASURED_RANGE = "35 % too low to 10 % too high"  # of validation/measured/measured.csv, which a test compares
-MEASURED = f"In the one rig with measured torques, three balls in oil, the torque is {MEASURED_RANGE}."
+MEASURED = f"Against the only measured torques, of three balls in oil, the torque is {MEASURED_RANGE}."
 LEAST_EXPLAINED = 0.5  # share of the variance below which the shares of the inputs say nothing
 AXES = "a along rolling (x), b transverse (y), load along z"
 
@@ -157,7 +157,7 @@ def listed(values: float | Sequence[float], factor: float = 1.0) -> str:
 def friction_of(*, coefficient: float | None, is_lubricated: bool) -> str:
     """Where the friction of ball on race comes from."""
     if coefficient is not None:
-        return f"coefficient {coefficient:g} at each race, given by the scene and by no lubrication model"
+        return f"coefficient {coefficient:g} at each race, from the scene, without a lubrication model"
     if is_lubricated:
         return "coefficient of each race by mixed lubrication, from the scene's lubricant and surface"
     return "neither a coefficient nor both lubricant and surface in the scene: no torque"
@@ -193,11 +193,11 @@ def uncertainty_of(model: float | None, parts: Mapping[str, float]) -> str:
     parts : of it, by the formula that is varied
     """
     if model is None:
-        return f"Model uncertainty: not known, as no oil is computed. {MEASURED}"
+        return f"Model uncertainty: not known without oil. {MEASURED}"
     named = ", ".join(f"{VARIED[name]} {100 * part:.2g} %" for name, part in parts.items() if part > 0)
     return (
-        f"Model uncertainty, 95 %: up to {100 * model:.2g} % of the total, by {named}. Oil data, traction and inputs "
-        f"come on top. {MEASURED}"
+        f"Model uncertainty, 95 %: up to {100 * model:.2g} % of the total, by {named}. Not included: oil data, "
+        f"traction and inputs. {MEASURED}"
     )
 
 
@@ -267,19 +267,19 @@ def input_name(key: str) -> str:
 
 def explained_words(prediction: "PredictionRows") -> str:
     """How far to trust the shares of the inputs, in a sentence."""
-    known = f"The regression that the shares are read from predicts {100 * prediction.explained:.0f} % or more of the "
+    known = f"The regression for the shares explains {100 * prediction.explained:.0f} % or more of the variance"
     if prediction.explained < LEAST_EXPLAINED:
-        return f"{known}variance: which inputs matter is not known; more samples or smaller spreads may tell."
-    return f"{known}variance; the rest is attributed to no input, and is not in the standard errors."
+        return f"{known}: the ranking of the inputs is not known; use more samples or smaller spreads."
+    return f"{known}; the rest is attributed to no input and not included in the standard errors."
 
 
 def interval_words(prediction: "PredictionRows") -> str:
-    """How the interval was computed and what it does not know, in sentences."""
+    """How the interval was computed and what it does not include, in sentences."""
     return (
         f"95 % interval by {prediction.samples} Latin hypercube samples, seed {prediction.seed}, in "
         f"{prediction.seconds:.0f} s; the standard error of an end is at most {100 * prediction.largest_error:.2g} %. "
-        f"{prediction.failures} Spreads are mostly judgement; --json and the report name the source of each. Not in "
-        f"it: {'; '.join(prediction.not_varied)}."
+        f"{prediction.failures} Spreads are mostly judgement; --json and the report give their sources. Not included: "
+        f"{'; '.join(prediction.not_varied)}."
     ).replace("  ", " ")
 
 
@@ -313,7 +313,7 @@ def shoulder_lines(contact: "ContactRecord", units: Units = METRIC) -> list[str]
     else:
         where, edge = f"Cut off at both shoulders, y = {ends[0]} and y = {ends[1]}", f"the shoulder at y = {nearer}"
     half = (
-        f": half of the contact is meshed, semi-axes are about the load's centroid, at y = "
+        f": half of the contact is meshed; semi-axes about the centroid of the load, at y = "
         f"{units.length.written(centroid.fe, '.3g')} (+-{centroid.uncertainty:.1%} of that)"
     )
     return [
@@ -321,7 +321,7 @@ def shoulder_lines(contact: "ContactRecord", units: Units = METRIC) -> list[str]
         f"Edge load: the strip of {units.length.written(shoulder.strip_width, '.3g')} beside {edge} carries "
         f"{shoulder.strip_share.fe:.2%} of the load (+-{shoulder.strip_share.uncertainty:.1%} of that), "
         f"{units.line_load.written(line.fe, '.4g')} or {line.fe / shoulder.hertz_line_load:.3g} times Hertz's "
-        "greatest line load. The pressure shown is that at y = 0, not at the edge, where it has no bound.",
+        "greatest line load. The pressure shown is that at y = 0; the pressure at the edge is unbounded.",
     ]
 
 
@@ -329,8 +329,8 @@ def film_change_words(change: Sequence[float]) -> str:
     """What numerical films change in the torque;  change : at each operating point, relative."""
     ends = " to ".join(dict.fromkeys(f"{end:+.1%}" for end in (min(change), max(change))))
     return (
-        f"With the numerical film and rolling force of the heaviest ball in all contacts the torque changes by {ends}: "
-        "an estimate, as lighter balls have other ratios."
+        f"With the numerical film and rolling force of the heaviest ball in all contacts the torque changes by {ends}. "
+        "This is an estimate: lighter balls have other ratios."
     )
 
 

@@ -123,8 +123,8 @@ def _workers_here(workers: int | None, tasks: int) -> Iterator[Any]:
                 yield client
         except NoWorkerError as problem:
             raise ResourceError(
-                "the processes that compute ended and none starts again; free some memory: what is done is kept, and "
-                "the same command goes on"
+                "the processes that compute ended and none starts again; free some memory: finished points are kept, "
+                "and the same command continues"
             ) from problem
         finally:
             cluster.sync(_end, cluster)
@@ -158,7 +158,7 @@ def _workers_at(address: str) -> Iterator[Any]:
             yield client
         except (CancelledError, OSError) as problem:
             raise InputError(
-                f"{place}: the cluster went away; what is done is kept: the same command goes on"
+                f"{place}: the cluster went away; finished points are kept: the same command continues"
             ) from problem
         except (ImportError, RuntimeError) as problem:  # raised by the scheduler, which reads the tasks too
             raise InputError(

@@ -129,12 +129,26 @@ def test_what_lacks_its_input_has_an_estimate_that_counts_where_it_exceeds_the_t
     flow = found.torque.total[1] * found.inner_speed[1] / (2000 * 20 - race**2)  # kg/s
     accelerated = flow * race**2 / found.inner_speed[1] / found.torque.total[1]
     assert shares["through_flow"].share == pytest.approx(accelerated, rel=1e-12)
-    warned = [words for words in found.warnings if "ball_drag is left out" in words]
+    warned = [words for words in found.warnings if "ball_drag is neglected" in words]
     assert bool(warned) == (present(shares["ball_drag"].share) > scene.tolerance)
     for supply in ("oil_spot", "grease"):
         oil = replace(present(scene.lubricant), supply=supply)
         shares = {each.name: each for each in friction_torque(replace(scene, lubricant=oil)).shares}
         assert [shares[name].share for name in OIL_EFFECTS] == [None] * 3
+
+
+def test_a_loss_of_the_oil_without_its_input_can_be_off() -> None:
+    scene = replace(parse_scene(OILED + '[effects]\nball_drag = "off"\n', origin="here"), losses=Losses())
+    found, auto = friction_torque(scene), friction_torque(replace(scene, effects={}))
+    off, estimated = ({each.name: each for each in each.shares}["ball_drag"] for each in (found, auto))
+    assert (off.decision, off.share) == (estimated.decision, estimated.share) == ("off", present(off.share))
+    assert off.reason.startswith("off in the scene")
+    assert estimated.reason.startswith("losses.oil_share is not given: give")
+    np.testing.assert_array_equal(found.torque.total, auto.torque.total)
+    with pytest.raises(InputError, match='ball_drag = "off" contradicts its input'):
+        friction_torque(replace(scene, losses=Losses(oil_share=0.03)))
+    with pytest.raises(InputError, match=r'ball_drag = "on" is refused: losses\.oil_share is not given'):
+        friction_torque(replace(scene, effects={"ball_drag": "on"}))
 
 
 def test_every_way_to_a_torque_has_the_losses_of_the_oil() -> None:

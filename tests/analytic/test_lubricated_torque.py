@@ -105,7 +105,7 @@ def test_film_and_share_carry_the_load_together(scene: Scene, temperature: float
         force = 0.11 * boundary * contact.load + 4.7e6 * (1 - rough.area_fraction) * (1 - molecular) * area
         mu = getattr(found.friction_coefficient, race)
         np.testing.assert_allclose(mu, force / contact.load, rtol=1e-6)
-    assert not any("comes from the scene" in warning for warning in found.warnings)
+    assert not any("is from the scene" in warning for warning in found.warnings)
 
 
 def test_asperities_alone_are_a_given_coefficient(scene: Scene) -> None:
@@ -217,7 +217,7 @@ def test_rolling_is_left_out_where_the_scene_says_so(scene: Scene) -> None:
     found = friction_torque(replace(scene, effects=PLAIN | {"rolling": "off"}))
     assert found.torque.rolling is None
     np.testing.assert_allclose(found.torque.total, with_it.total - present(with_it.rolling), rtol=1e-12)  # round-off
-    assert {effect.name: effect.reason for effect in found.effects}["rolling"].startswith("the scene says off")
+    assert {effect.name: effect.reason for effect in found.effects}["rolling"].startswith("off in the scene")
 
 
 def test_a_factor_on_the_film_reaches_film_and_torque(scene: Scene) -> None:

@@ -56,7 +56,7 @@ def test_without_a_browser_it_says_so_and_serves(command, served: list[Any], mon
     port = free_port()
     told = command("app", "--port", str(port))
     assert told.status == 0
-    assert told.err == f"fembearing: no browser is found: open http://127.0.0.1:{port} in one, or give --no-browser\n"
+    assert told.err == f"fembearing: no browser found: open http://127.0.0.1:{port} in one, or give --no-browser\n"
     assert served == [(port, False)]
 
 

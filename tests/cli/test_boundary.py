@@ -59,7 +59,11 @@ def unloaded(reason: str) -> OSError:
         (StorageError("'a.csv' cannot be written"), 74, ["'a.csv'"]),
         (OSError(errno.EIO, "Input/output error", "/disk/a"), 74, ["'/disk/a'", "Input/output error", "check"]),
         (PermissionError(errno.EACCES, "Permission denied", "a"), 74, ["'a'", "permissions"]),
-        (OSError(errno.ENOSPC, "No space left on device"), 74, ["cannot write the result", "check where it goes"]),
+        (
+            OSError(errno.ENOSPC, "No space left on device"),
+            74,
+            ["cannot write the result", "check the place of the output"],
+        ),
         (KeyboardInterrupt(), 130, []),
         (CancelledError(), 70, ["a defect of fembearing", "CancelledError"]),  # of asyncio: no Exception
         (TimeoutError("timed out after 5 s"), 74, ["another process", "timed out after 5 s"]),

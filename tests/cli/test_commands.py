@@ -64,7 +64,7 @@ def test_the_answer_without_a_name_is_whole(validated: dict[str, Any]) -> None:
     torque = validated["torque"]
     missing = {each["name"] for each in torque["effects"] if "not given" in each["reason"] or "add a" in each["reason"]}
     assert missing == {"through_flow", "cage_shear", "ball_drag"}
-    assert not any("add a" in warning or "is left out" in warning for warning in torque["warnings"])
+    assert not any("add a" in warning or "is neglected" in warning for warning in torque["warnings"])
     assumed = {each["key"]: each["source"] for each in torque["inputs"] if each["status"] == "assumed"}
     assert assumed["cage.start"]
     assert "ISO VG 68" in assumed["lubricant.viscosity"]
@@ -194,7 +194,9 @@ def test_the_far_boundary_has_an_uncertainty_of_its_own(validated: dict[str, Any
             )  # round-off
 
 
-@pytest.mark.parametrize(("there", "words"), [(True, "is kept in "), (False, "stopped; nothing is done yet")])
+@pytest.mark.parametrize(
+    ("there", "words"), [(True, "finished points are in "), (False, "stopped; no point is finished")]
+)
 def test_a_sweep_that_is_stopped_says_what_is_kept(
     command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, there: bool, words: str
 ) -> None:
@@ -213,7 +215,7 @@ def test_an_uncertainty_just_beyond_the_accuracy_is_not_solved(capsys: pytest.Ca
     uncertainties = {"peak_pressure": 0.0013, "approach": 0.0002}
     assert contact_command._status(uncertainties, 0.0014) == 0
     assert contact_command._status(uncertainties, 0.0012) == 3
-    assert "not solved to 0.12 %: peak pressure is left uncertain by 0.13 %" in capsys.readouterr().err
+    assert "not solved to 0.12 %: the peak pressure has an uncertainty of 0.13 %" in capsys.readouterr().err
 
 
 @pytest.mark.usefixtures("coarse")
@@ -245,7 +247,7 @@ def test_meshes_that_do_not_converge_are_undecided(command, monkeypatch: pytest.
     result = command("contact", "--geometry", "hertzian", "--load", "77 N", "--json")
     found = json.loads(result.out)
     assert found["verdict"] == "undecided"
-    assert "do not settle in peak pressure" in " ".join(found["warnings"])
+    assert "do not converge in peak pressure" in " ".join(found["warnings"])
     assert result.status == 3
 
 

@@ -93,7 +93,7 @@ TABLE: dict[str, tuple[tuple[str, Change, tuple[str, ...]], ...]] = {
     ),
     "combination": (
         ("torque s.toml --speed 500", None, ("speed = '500'", '--set "operation.inner_speed=500"')),
-        ("torque s.toml s.toml", None, ("'s.toml' stands twice",)),
+        ("torque s.toml s.toml", None, ("'s.toml' is given twice",)),
         ("torque 6206 --samples 64", None, ("--samples 64 goes with --interval",)),
         (
             "torque s.toml",
@@ -123,7 +123,7 @@ TABLE: dict[str, tuple[tuple[str, Change, tuple[str, ...]], ...]] = {
     "TOML": (
         ("torque s.toml", (RADIAL, "560 N"), ("not TOML", 'in quotes: "560 N"')),
         ("torque s.toml", (RADIAL, '"560 N'), ("not TOML", "close the quotes")),
-        ("torque s.toml", ("[surface]", "[lubricant]"), ("not TOML", "[lubricant] stands twice")),
+        ("torque s.toml", ("[surface]", "[lubricant]"), ("not TOML", "[lubricant] is given twice")),
         ("sweep g.toml --out new", GRID.replace("[axes]", "[axis]"), ("axis = ", "did you mean axes?")),
         (
             "sweep g.toml --out new",

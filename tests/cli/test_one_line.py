@@ -49,7 +49,7 @@ def test_what_is_assumed_is_told_and_a_setting_takes_its_place(command) -> None:
     assert "operation.inner_speed" not in told
     assert "hysteresis" not in told
     assert "surface.finish = ground and honed" in told
-    assert "Inputs that are printed, derived or assumed" in ended.out
+    assert "Printed, derived and assumed inputs" in ended.out
     assert "assumed: " not in command("torque", "6205-dry").out
 
 
@@ -79,7 +79,7 @@ def test_scenes_side_by_side(command, tmp_path: Path, monkeypatch: pytest.Monkey
         assert alone["standing"]["word"] in rows[name]
     assert "6308: assumed: " in ended.out
     assert "a.toml: assumed: " not in ended.out
-    assert "fembearing: warning: a.toml: the total is without a cage" in ended.err
+    assert "fembearing: warning: a.toml: the total is without the cage" in ended.err
 
 
 def test_options_count_for_every_bearing(command) -> None:
@@ -136,9 +136,9 @@ def test_without_a_command_there_is_help(command) -> None:
         (["a.toml", "--set", "lubricant.suply=grease"], ["lubricant.suply", "did you mean lubricant.supply"]),
         (["a.toml", "--set", "lubricant.supply"], ["--set 'lubricant.supply'", "KEY=VALUE"]),
         (["a.toml", "--set", "tolerance=much"], ["a.toml: tolerance = 'much'", '"5 %"']),
-        (["a.toml", "--set", "tolerance=1%", "--set", "tolerance=2%"], ["tolerance stands twice"]),
+        (["a.toml", "--set", "tolerance=1%", "--set", "tolerance=2%"], ["tolerance is given twice"]),
         (["a.toml", "6308", "-o", "new"], ["--out 'new'", "there are 2"]),
-        (["6308", "6308"], ["'6308' stands twice"]),
+        (["6308", "6308"], ["'6308' is given twice"]),
         (["6308", "a.toml", "--set", "operation.radial_load=90000 kN"], ["6308: the radial load", "lower the load"]),
     ],
 )

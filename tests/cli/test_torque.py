@@ -80,11 +80,11 @@ def test_the_tables_hold_the_numbers_of_the_result() -> None:
         assert any(row[:2] == [effect.name, effect.decision] for row in rows)
     words = " ".join(said.split())
     for word in (
-        "A share with <= is an estimate from above",
+        "<=: upper bound of the change by neglecting the effect",
         "Methods: loads by thrust, all balls alike; contacts by Hertz",
         "Model uncertainty, 95 %: up to",
         "law of the gap between surfaces",
-        "neither truth nor a check",
+        "an order of magnitude, not a reference",
         "within the tolerance 2 %",
         "Film ratio lambda, the film over the rms roughness",
         "pass: numerical pass, physical pass",
@@ -130,10 +130,12 @@ def test_an_effect_that_the_scene_turns_off_is_marked_as_deliberate() -> None:
     assert centrifugal.share == pytest.approx(change, rel=0.02)
     assert change > 1
     assert present(found.verdicts.numerical).verdict == "pass"
-    assert f"centrifugal off {100 * present(centrifugal.share):.0f} % the scene says off" in said
-    assert said.count("The uncertainty of the torque does not count effects that the scene switches off.") == 1
-    assert "load_distribution on no known limit could be of any size" in said
-    assert "centrifugal is left out and could exceed the torque: the scene says off" in found.friction.warnings
+    assert f"centrifugal off {100 * present(centrifugal.share):.0f} % off in the scene" in said
+    assert said.count("The uncertainty of the torque excludes effects that are off in the scene.") == 1
+    assert "load_distribution on no known limit size unbounded" in said
+    assert (
+        "centrifugal is neglected, larger than the torque, tolerance 2 %: off in the scene" in found.friction.warnings
+    )
 
 
 def test_a_long_series_is_shown_in_part() -> None:

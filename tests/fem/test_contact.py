@@ -121,7 +121,7 @@ def test_sets_that_would_cycle_end_in_the_answer(nodes: int, seed: int, monkeypa
     np.testing.assert_allclose(force, expected, atol=1e-8 * 2.3)  # round-off times conditions up to 1e6
     np.testing.assert_allclose(approach, depth, rtol=1e-8)
     monkeypatch.setattr(contact, "PATIENCE", contact.ROUNDS)
-    with pytest.raises(ConvergenceError, match="did not settle in 400 iterations"):
+    with pytest.raises(ConvergenceError, match="did not converge in 400 iterations"):
         press(**case, drift=np.zeros(nodes), load=2.3, start=start)
 
 

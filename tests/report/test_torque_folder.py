@@ -57,7 +57,7 @@ def test_each_point_has_series_plot_and_picture(made: Made) -> None:
         assert (told["point"], told["state"]) == (point, "rest")
         assert told["series"] == f"{point}-cage.nc"
         assert "The cage rests" in told["plot"]["caption"]
-        assert "10 times as far" in told["picture"]["caption"]
+        assert "10 times as large" in told["picture"]["caption"]
         for kind, end in (("plot", "-forces.png"), ("picture", ".png")):
             assert told[kind]["file"] == f"{point}-cage{end}"
             assert (made.folder / told[kind]["file"]).read_bytes().startswith(b"\x89PNG")
@@ -84,7 +84,7 @@ def test_without_a_moving_cage_there_are_numbers_and_the_reason(tmp_path: Path) 
     _, lacking = torque_with_files(load_scene("6205-dry"), out=tmp_path / "made")
     assert lacking is not None
     assert "the cage did not move" in lacking
-    assert "the scene says off" in lacking
+    assert "off in the scene" in lacking
     assert {path.name for path in (tmp_path / "made").iterdir()} == ALWAYS | {LISTING}
     content = json.loads((tmp_path / "made" / "torque.json").read_text("utf-8"))
     assert content["cage_motion"] == {"points": [], "lacking": lacking}

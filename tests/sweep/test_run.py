@@ -184,7 +184,7 @@ def test_a_full_disk_is_one_line_and_nothing_is_lost(
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (space, limits[1]))
     try:
-        with pytest.raises(StorageError, match=r"cannot be written: .*; .*: what is done is kept") as found:
+        with pytest.raises(StorageError, match=r"cannot be written: .*; .*: finished points are kept") as found:
             run_sweep(path, out=out)
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, limits)

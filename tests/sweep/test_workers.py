@@ -218,7 +218,7 @@ def test_a_sweep_stopped_or_killed_in_the_middle_continues(
             assert output == ""
         if stop is signal.SIGINT:
             assert process.returncode == 130
-            words = f"fembearing: stopped; what is done is kept in {out}: the same command goes on"
+            words = f"fembearing: stopped; finished points are in {out}; the same command continues"
             assert complaint.split() == words.split()  # and no progress where there is no terminal
         wait_until(lambda: not lives(process.pid))  # its workers end with it
         assert all(file.stat().st_mtime_ns == moment for file, moment in before.items())
@@ -274,7 +274,7 @@ def test_a_cluster_elsewhere_computes_the_same_and_survives_a_worker(
         going = each_done(call, [(operator.neg, 7), (time.sleep, 60)], scheduler=address)
         assert next(going) == ((operator.neg, 7), -7)
         elsewhere.close()
-        with pytest.raises(InputError, match="the cluster went away; what is done is kept"):
+        with pytest.raises(InputError, match="the cluster went away; finished points are kept"):
             next(going)
     assert isinstance(done.pop(DEADLY), LostWorkerError)
     assert sorted(done.values()) == [-3, -2, -1, 0]

@@ -13,9 +13,9 @@ from fembearing.report.phrases import contact_place
 from fembearing.report.report import Report
 
 CAPTION = (
-    "Above: load of the ball over its approach, by Hertz, by Hertz corrected for finite geometry as far as its fit "
-    "reaches, and by finite elements at the load that was solved. Below: approach over Hertz's, less one, with the "
-    "95 % intervals of the fit and of the finite elements: a contact that gives way less than Hertz says is stiffer."
+    "Above: load of the ball over its approach by Hertz, by Hertz corrected for finite geometry in the range of the "
+    "fit, and by finite elements at the solved load. Below: approach over Hertz's, less one, with the 95 % intervals "
+    "of the fit and of the finite elements; negative: stiffer than Hertz."
 )
 
 

@@ -27,7 +27,7 @@ from fembearing.report.scene_view import GivenAngle
 STEEL, BALL, LINE, CENTRE = "#e3e8ed", "#cfe0ef", "#1b1f23", (0, (9, 2, 1.5, 2))
 HIGH, ROW, FOOT, HEAD = 3.2, 0.152, 0.38, 0.36  # inches: of the views, of a row of the table, of the ends
 SOURCE = 66  # letters of a source: `fembearing torque SCENE --details` has them whole
-NOT_DRAWABLE = "There is no drawing: the dimensions of the bearing do not fit one thing."
+NOT_DRAWABLE = "No drawing: the dimensions of the bearing contradict each other."
 SMALL = 7  # points, letters of the table
 ANGLES = {"solved": "unloaded contact angle", "given": "contact angle, loaded, given", "thrust": "contact angle"}
 
@@ -106,7 +106,7 @@ def drawing_of(shown: Shown, units: Units = METRIC, *, table: bool = True) -> Fi
         _table(figure, rows, high)
     dashed = any(not line.known for ring in (section.inner, section.outer) for line in ring.lines)
     words = "Each view to its own scale. Seals, chamfers and the cage's body are not drawn."
-    words += "\nDashed: the scene has no such dimension, and a guess is drawn." if dashed else ""
+    words += "\nDashed: guess, as the scene has no such dimension." if dashed else ""
     _write(figure, 0.01, 0.07 / high, words, fontsize=SMALL, color="0.3", va="bottom")
     return figure
 
@@ -160,7 +160,7 @@ def _origin(bearing: DrawnBearing, key: str) -> str:
     """How a dimension came about, and its source."""
     origin = bearing.origins.get(key)
     if origin is None:
-        return "no origin is noted"
+        return "origin not known"
     return textwrap.shorten(f"{origin.status}; {origin.source}", SOURCE, placeholder=" ...")
 
 

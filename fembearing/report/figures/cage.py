@@ -18,13 +18,13 @@ LEAST_SHOWN = 1e-3  # of the median of blocks: a force below is nothing
 BELOW = 4.0  # letters, from a panel to its key: the ticks and the name of the axis are between
 WIDE = 20.0  # from the least force to the greatest: beyond, a logarithmic scale
 WHAT_TO_SEE = {
-    "rest": "The cage rests: after the start-up its centre keeps its place, moved sideways by the friction of the "
-    "turning balls, and forces come to its weight.",
-    "whirl": "The cage whirls: its centre runs round at the edge of its room, rolling on its balls; forces are nearly "
-    "steady, and hold it on its circle.",
-    "irregular": "The cage moves irregularly, from impact to impact. The largest force grows with the duration: "
-    "trust the median of blocks with its interval, not the largest seen.",
-    "mixed": "Seeds came to different regimes: this is one of them, and others look different.",
+    "rest": "The cage rests: after the start-up its centre stays at one place, displaced sideways by the friction of "
+    "the turning balls; the forces carry its weight.",
+    "whirl": "The cage whirls: its centre orbits at the edge of its clearance, and the cage rolls on its balls; nearly "
+    "steady forces hold it on its circle.",
+    "irregular": "The cage moves irregularly, from impact to impact. The largest force grows with the duration: use "
+    "the median of blocks with its interval.",
+    "mixed": "The seeds reach different regimes; this is one of them.",
 }
 
 
@@ -43,10 +43,10 @@ def cage_plot(document: Report) -> tuple[list[Figure] | None, str]:
 def _why_at_rest(document: Report) -> str:
     """Why there is no motion to draw."""
     if document.torque is None:
-        return "No cage moved: the scene has no torque."
+        return "No motion of the cage: the scene has no torque."
     return (
-        "No cage moved: the torque has the closed form of a cage that rests on its balls, or none. Where the scene "
-        "gives a cage and its start, and the tolerance can see the motion, it is computed."
+        "No motion of the cage: the torque has the closed form of a cage at rest on its balls, or no cage. The motion "
+        "is computed for a scene with a cage and its start, if it exceeds the tolerance."
     )
 
 
@@ -62,11 +62,11 @@ def _blocks(motion: DrawnMotion) -> str:
 def _drawn(start_up: str, blocks: str) -> str:
     """What each panel shows."""
     return (
-        f"Orbit: grey the start-up of {start_up}, which no statistics count, blue after it; dashed the edge of the "
-        "room, where the balls stop a level cage. Forces: the largest of one ball on its pocket since the instant "
-        "before, and the sum over all balls; grey the start-up. How often a force is exceeded: of instants of this "
-        f"motion and of {blocks} of all seeds; band: 95 % interval of their median. The motion is run anew: after an "
-        "irregular start-up it need not be one of those of the statistics."
+        f"Orbit: start-up of {start_up} (grey, not in the statistics), then blue; dashed: edge of the clearance, where "
+        "the balls stop a level cage. Forces: the largest of one ball on its pocket since the instant before, and the "
+        "sum over all balls; grey: start-up. Share of exceedance: instants of this motion, and "
+        f"{blocks} of all seeds; band: 95 % interval of their median. This motion is a new run: after an irregular "
+        "start-up it may differ from those in the statistics."
     )
 
 
@@ -95,7 +95,7 @@ def _orbit(panel: Axes, motion: DrawnMotion, units: Units) -> None:
     look: dict[str, Any] = {"lw": 0.6} if orbit.joined else {"linestyle": "none", "marker": ".", "ms": 2.5}
     for part, colour, label in (("start_up", STARTING, "start-up"), ("measured", MEASURED, "measured")):
         panel.plot(*(small.factor * np.array(getattr(orbit, part))).T, color=colour, label=label, **look)
-    panel.plot(*(small.factor * np.array(room.edge)).T, "--", color=LIMIT, lw=1, label="edge of its room")
+    panel.plot(*(small.factor * np.array(room.edge)).T, "--", color=LIMIT, lw=1, label="edge of its clearance")
     panel.plot(*(small.factor * np.array(orbit.measured[-1])), "o", color=MEASURED, mec="black", ms=6, label="end")
     _gravity(panel, np.array(motion.gravity[:2]))
     panel.set(xlabel=f"x, {small.name}", ylabel=f"y, {small.name}")
@@ -153,7 +153,7 @@ def _excess(panel: Axes, motion: DrawnMotion, units: Units) -> None:
     panel.axvspan(*(factor * np.array(motion.max_force_interval)), color=BLOCKS, alpha=0.2, lw=0)
     panel.axvline(median, color=BLOCKS, ls="--", lw=1, label="median of blocks, 95 %")
     panel.set(xlabel=f"largest force of one ball, {units.force.name}", ylabel="exceeded in, %")
-    panel.set_title("How often exceeded")
+    panel.set_title("Share of exceedance")
     panel.set(yscale="log", ylim=(None, 150))
     panel.yaxis.set_major_formatter("{x:g}")
     least, most = panel.get_xlim()

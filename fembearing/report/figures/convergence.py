@@ -19,10 +19,10 @@ HIGH = 3.5  # inches
 SHORT = 100.0  # from the least unknowns to the most: beyond, ticks at 3, 30, 300 run into their neighbours
 DIMENSIONS = 3  # cells of size h are as h^-3 unknowns
 CAPTION = (
-    "Distance of each quantity from the value that its meshes are extrapolated to, against the number of unknowns; the "
-    "dash-dotted slope is the formal order in the size of cells. The extrapolation takes the last two meshes to have "
-    "that order, so that the test is whether the coarser ones lie on the slope too, and the observed order, of the "
-    "last three. Dashed: not extrapolated, and the distance is that from the finest mesh, which is not drawn."
+    "Distance of each quantity from its extrapolated value over the number of unknowns; dash-dotted: slope of the "
+    "formal order in the cell size. The extrapolation assumes this order for the last two meshes, so the test is the "
+    "distance of the coarser meshes from the slope, and the observed order of the last three. Dashed: not "
+    "extrapolated; distance from the finest mesh, which is not drawn."
 )
 
 

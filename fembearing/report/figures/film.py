@@ -16,9 +16,9 @@ HEIGHT = 5.6  # inches
 LEVELS = 24
 THICKEST = 1.4  # central films: where the scale of the film ends
 CAPTION = (
-    "Above: pressure and film over the contact; the oil flows from left to right; dashed: Hertz's ellipse. The film is "
-    "flat in the middle and thin in a horseshoe at the outlet and the sides. Below: both along the line of rolling. "
-    "The pressure differs from Hertz's semi-ellipse in the inlet, which gives the rolling force, and in a spike at the "
+    "Above: pressure and film over the contact; oil flow from left to right; dashed: Hertz's ellipse. The film is flat "
+    "in the middle and thin in a horseshoe at the outlet and the sides. Below: both along the line of rolling. The "
+    "pressure differs from Hertz's semi-ellipse in the inlet (the source of the rolling force) and in a spike at the "
     "outlet, where the film is thinnest."
 )
 

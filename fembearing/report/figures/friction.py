@@ -13,7 +13,7 @@ from fembearing.report.report import Report
 LOOKS = {"inner": (BLUE, "o", "-"), "outer": (RED, "s", "--"), "pocket": (GREEN, "^", ":")}  # lines may lie on another
 HIGH = 2.6  # inches
 PARTED = 3.0  # film over roughness, from which hardly a summit touches: a rule of thumb
-NOTHING_SLIDES = "Nothing that slides was computed: there is no friction coefficient."
+NOTHING_SLIDES = "No friction coefficient: no sliding was computed."
 
 
 def friction_plot(document: Report) -> tuple[Figure | None, str]:
@@ -35,16 +35,14 @@ def friction_plot(document: Report) -> tuple[Figure | None, str]:
     if films:
         shown.append((films, "film over roughness", "Film"))
         caption += (
-            " Film: central thickness over the rms roughness of both surfaces together; above some "
-            f"{PARTED:g} hardly a summit touches."
+            " Film: central thickness over the rms roughness of both surfaces together; few asperities touch above "
+            f"{PARTED:g}."
         )
     if shares:
         shown.append((shares, "load on asperities, %", "Asperities"))
-        caption += " Asperities: the share of the load that summits carry; boundary friction acts on it."
+        caption += " Asperities: share of the load on asperities, with boundary friction."
     if not films and not shares:
-        caption += (
-            " No film is computed: the scene gives the coefficient of the races, so that it is one at all speeds."
-        )
+        caption += " No film: the scene gives a constant coefficient of the races."
     figure = Figure(figsize=(WIDTH, HIGH), layout="constrained")
     panels = figure.subplots(1, len(shown), squeeze=False)[0]
     for panel, (curves, label, title) in zip(panels, shown, strict=True):

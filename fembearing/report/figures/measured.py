@@ -62,11 +62,11 @@ def caption_of(comparison: MeasuredComparison) -> str:
     missed = len(comparison.rows) - comparison.inside
     found = f"{missed} of {len(comparison.rows)} points miss" if missed else "no point misses"
     return (
-        "Above: the measured torques with bars of 1.96 u_D, and the computed torque with its 95 % interval by solver, "
-        "inputs and formulas. Diamonds: the distance exceeds what band and bar explain together, the root of the sum "
-        f"of their squares; {found}. Below: E, the computed less the measured torque over the measured one, with bars "
-        "of 1.96 u_val, by solver, inputs and measurement. Where a bar does not reach 0 the formulas err, if inputs "
-        "and measurement are as good as stated."
+        "Above: measured torques with bars of 1.96 u_D, and computed torque with its 95 % interval from solver, inputs "
+        "and formulas. Diamonds: the distance exceeds band and bar together (root of the sum of squares); "
+        f"{found}. Below: E, computed less measured over measured torque, with bars of 1.96 u_val from solver, inputs "
+        "and measurement. A bar that does not reach 0 means an error of the formulas, if the stated uncertainties of "
+        "inputs and measurement are right."
     )
 
 

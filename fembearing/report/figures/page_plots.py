@@ -73,13 +73,12 @@ def embedded(content: bytes, kind: Literal["png", "svg+xml"] = "png") -> str:
 
 def _cost(document: Report) -> tuple[list[Figure], str]:
     """The figures of what accuracy costs, and its caption."""
-    ran = " and its memory" if document.cost.measured else ", for the methods that this check ran"
+    ran = " and its memory" if document.cost.measured else ", for the methods of this check"
     return cost_figures(document.cost.ladders, tolerance=document.tolerance), (
-        f"Error of each method against its time{ran}. Formulas take less than some milliseconds, ever finer meshes "
-        "seconds. A bar reaches to the bound on the error; the reference is hollow. Methods whose error and bound "
-        "are below the dotted line are within the tolerance, "
-        f"{percent_of(document.tolerance)}; the cheapest of them is enough, and has a ring. A line "
-        "joins what one method gives on finer meshes or more points."
+        f"Error of each method over its time{ran}. Formulas take milliseconds or less, fine meshes seconds. Bar: bound "
+        "on the error; hollow: reference. Methods with error and bound below the dotted line are within the "
+        f"tolerance, {percent_of(document.tolerance)}; ring: the cheapest of them. A line joins the results of one "
+        "method on finer meshes or more points."
     )
 
 

@@ -20,11 +20,10 @@ def prediction_plot(document: Report) -> tuple[Figure | None, str]:
     if prediction is None:
         return None, ""
     return interval_figure(prediction, document.units), (
-        "Above: the 95 % interval of the total, and what it would be if only its numerical uncertainty, only the "
-        "inputs or only the formulas were uncertain; the line is the torque as computed. Each speed has its own "
-        "scale. The parts do not add up. "
-        "Below: the share of the variance of the total that each input makes, alone (dark) and with its products with "
-        "others (light), with two standard errors. "
+        "Above: the 95 % interval of the total, and the intervals from the numerical uncertainty, the inputs and the "
+        "formulas alone; line: computed torque. Each speed has its own scale. The parts do not add up. "
+        "Below: share of each input in the variance of the total, alone (dark) and with interactions (light), with two "
+        "standard errors. "
         f"{prediction.samples} samples, seed {prediction.seed}. {explained_words(prediction)}"
     )
 

@@ -20,12 +20,12 @@ EDGE = 0.9  # of the distance to the edge: differences up to there set the scale
 HIGHEST = 1.5  # of Hertz's peak: at a shoulder the pressure has no bound
 CAPTION = (
     "Above: pressure at the nodes of the finest mesh on both axes through the contact's centre, and Hertz's "
-    "semi-ellipse; positions in Hertz's semi-axes, a along rolling and b transverse. Below: the nodes less Hertz; "
-    "lines: the semi-ellipse of the finite elements' own a, b and peak pressure less Hertz's. Single nodes scatter "
-    "about it, most in the cell of the edge; the peak pressure is a fit to many."
+    "semi-ellipse; positions in Hertz's semi-axes, a along rolling and b transverse. Below: nodes less Hertz; lines: "
+    "semi-ellipse with a, b and peak pressure of the finite elements, less Hertz's. Single nodes scatter about it, "
+    "most in the cell of the edge; the peak pressure is a fit to many nodes."
 )
 CUT = (
-    " Dotted: the shoulder that cuts a contact off; the pressure beside it has no bound, and nodes there may be off "
+    " Dotted: shoulder that cuts off a contact; the pressure beside it is unbounded, and nodes there may be off "
     "the scale."
 )
 

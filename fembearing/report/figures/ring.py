@@ -27,7 +27,7 @@ def ring_plot(document: Report) -> tuple[Figure | None, str]:
     ends = [points[0], *points[1:][-1:]]
     shown = [(point, point.ring.balls) for point in ends if point.ring is not None]
     if not shown:
-        return None, "The scene has a pair of bearings: ring and balls are those of each bearing, from Python."
+        return None, "Pair of bearings: ring and balls of each bearing are available from Python."
     figure = Figure(figsize=(WIDTH, HIGH), layout="constrained")
     grid = figure.add_gridspec(1, 2 * len(shown))
     for column, (point, balls) in enumerate(shown):
@@ -42,8 +42,8 @@ def ring_plot(document: Report) -> tuple[Figure | None, str]:
     handles, labels = figure.axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=2, frameon=False, fontsize=LETTERS)
     caption = (
-        f"Load of every ball, {units.force.name}, and at the right its contact angle, around the bearing. 0 degrees is "
-        "the direction of the radial load, x. A ball at the centre carries no load."
+        f"Load of every ball, {units.force.name}, and right: its contact angle, around the bearing. 0 degrees: "
+        "direction of the radial load, x. A ball at the centre is unloaded."
     )
     return lettered(figure), caption
 

@@ -86,17 +86,17 @@ def _caption(sensitivity: Sensitivity, quantity: str, *, still: list[str], less:
     """What is varied, what moves nothing, and what was refused."""
     refused = [f"{each.name}, {reason}" for each in sensitivity.inputs for reason in each.refused]
     caption = (
-        f"One input at a time goes from the scene's value, beside its name, to the low end of its 95 % range (blue) "
-        f"and the high end (orange), and the {quantity} is computed again by the production model, "
+        f"Change of the {quantity} if one input goes from the scene's value (beside its name) to the low (blue) or "
+        "high (orange) end of its 95 % range, by the production model, "
         + (
-            "with the cage at rest, so that it is not the total where a cage moves. "
+            "with the cage at rest: not the total with a moving cage. "
             if quantity == NAMES["total_torque"]
             else "by Hertz. "
         )
-        + "Spreads are those of an interval; report.json has their sources. Inputs were not moved together."
+        + "Spreads as in the 95 % interval; report.json has their sources. One input at a time, no interactions."
     )
     if less:
-        caption += f" Less than those drawn: {', '.join(less)}."
+        caption += f" Smaller changes: {', '.join(less)}."
     if still:
-        caption += f" By less than 1e-4 %: {', '.join(still)}."
-    return caption + (f" Refused at an end: {'; '.join(refused)}." if refused else "")
+        caption += f" Changes below 1e-4 %: {', '.join(still)}."
+    return caption + (f" No result at an end: {'; '.join(refused)}." if refused else "")

@@ -41,7 +41,7 @@ MAKERS: Mapping[str, tuple[str, str]] = {"SKF": ("-", "s"), "Palmgren": (":", "v
 OF_MAKERS = RED  # line and mark of each, in one colour
 BAR = 0.6  # width
 HIGH = 3.4  # inches
-NO_TORQUE = "No torque: the scene gives neither a friction coefficient nor both lubricant and surface."
+NO_TORQUE = "No torque: the scene has neither a friction coefficient nor both lubricant and surface."
 INTERVAL, UNCERTAINTY = "95 % interval", "its uncertainty"
 
 
@@ -99,8 +99,8 @@ def torque_plot(document: Report) -> tuple[Figure | None, str]:
     panel.grid(alpha=0.3)
     handles, words = panel.get_legend_handles_labels()
     figure.legend(handles, words, loc="outside right upper", frameon=False, fontsize=LETTERS)
-    caption = f"The parts of the torque, stacked: their upper edge is the total. {known}"
-    caption += " The cage is in it with its motion." if document.cage_records else ""
+    caption = f"Stacked parts of the torque; upper edge: total. {known}"
+    caption += " The part of the cage includes its motion." if document.cage_records else ""
     if beside.makers:
         caption += f" Red: {', '.join(beside.makers)}, the makers' formulas for a bearing of this size."
     return lettered(figure), caption
@@ -151,7 +151,7 @@ def draw_total(panel: Axes, axis: SeriesAxis, beside: Beside) -> str:
         panel.errorbar(axis.values, total, apart, label=f"total, {words.removeprefix('its ')}", **look)
     drawn = "Dashed" if axis.joined else "Bars"
     if beside.has_interval:
-        return f"{drawn}: its 95 % interval, by solver, inputs and formulas."
+        return f"{drawn}: its 95 % interval from solver, inputs and formulas."
     known = {"numerical": "numerical", "model": "of the model's formulas at 95 %"}
     named = [known[name] for name in known if axis.of("uncertainty", name) is not None]
     return f"{drawn}: its uncertainty, {' and '.join(named) or 'not known'}."

@@ -47,7 +47,7 @@ def _shown(picture: PictureFile, document: Report, folder: Path) -> ShownPicture
     shown = ShownPicture(title=contact_title(contact), caption=picture.caption)
     content = _content_of(folder / picture.file)
     if content is None:
-        return shown._replace(missing=f"The picture {picture.file} does not lie beside report.json.")
+        return shown._replace(missing=f"The picture {picture.file} is missing beside report.json.")
     if picture.kind == "view":
         view = remade(content)
         if view is None:

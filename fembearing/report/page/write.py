@@ -85,7 +85,7 @@ def _inputs(document: Report) -> list[Table]:
     torque = document.torque
     if torque is None:
         return []
-    named = [inputs_table("Where the inputs come from", torque.inputs, document.units)] if torque.inputs else []
+    named = [inputs_table("Sources of the inputs", torque.inputs, document.units)] if torque.inputs else []
     return [*named, *([effects_table(torque.effects)] if torque.effects else [])]
 
 

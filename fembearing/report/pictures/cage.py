@@ -100,11 +100,11 @@ def picture_caption(record: CageRecord) -> str:
     view = view_of(record)
     return (
         f"The cage (brown) around its balls at {MILLISECOND.written(view.time, '.4g')}, the instant after the "
-        f"start-up at which one ball presses hardest: {view.largest:.3g} N. Seen along the bearing's axis, which leans "
-        f"by {np.degrees(LEAN):.0f} degrees; the inner ring turns {_sense(record)}. Red: the force of each ball on the "
-        "cage, from where it touches. Balls are to scale; the distance of each pocket from its ball, and of the cage's "
-        f"centre (brown dot) from the bearing's axis (black dot), is drawn {view.exaggeration:g} times as far, and "
-        f"pockets are wider by as much. Regime of all seeds: {record.statistics.state}."
+        f"start-up with the largest force of one ball: {view.largest:.3g} N. View along the bearing's axis, which "
+        f"leans by {np.degrees(LEAN):.0f} degrees; the inner ring turns {_sense(record)}. Red: force of each ball on "
+        "the cage, at its contact. Balls are to scale; the distances of each pocket from its ball and of the cage's "
+        f"centre (brown dot) from the bearing's axis (black dot) are drawn {view.exaggeration:g} times as large, with "
+        f"wider pockets accordingly. Regime of all seeds: {record.statistics.state}."
     )
 
 

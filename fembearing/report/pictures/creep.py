@@ -113,8 +113,8 @@ def _caption(contact: RaceCreep) -> str:
     _, stretch = _stretch(contact)
     drawn = "drawn to scale" if stretch == 1 else f"drawn {stretch} times as long along rolling as across"
     return (
-        f"Friction of the heaviest ball by the reference, {drawn}. Above: pressure, and as arrows the traction on the "
-        "ball. Below: slip speed; blue rectangles stick, the others slip. The surfaces enter the contact at the upper "
-        "edge: traction builds up from there until it reaches the limit of friction. "
+        f"Friction of the heaviest ball by the reference, {drawn}. Above: pressure; arrows: traction on the ball. "
+        "Below: slip speed; blue rectangles stick, the others slip. The surfaces enter the contact at the upper edge, "
+        "and traction grows from there up to the limit of friction. "
         f"{contact.friction.slip_share:.0%} of the area slips."
     )

@@ -220,9 +220,9 @@ def _pressure_caption(contact: ContactSolution, *, mesh: bool) -> str:
     across = contact.discrepancy["semi_axis_transverse"]
     return (
         f"Contact pressure by finite elements, seen along the load and drawn to scale, {_place(contact)}. "
-        f"{'Grey lines are the mesh, the' if mesh else 'The'} red line is Hertz's ellipse: transverse it reaches "
-        f"{abs(across):.1%} {'beyond' if across > 0 else 'less far than'} the computed semi-axis, drawn in black. The "
-        f"painted edge is only as sharp as one cell. {_shoulder_caption(contact)}{AXES}."
+        f"{'Grey: mesh. Red' if mesh else 'Red'}: Hertz's ellipse, transverse semi-axis {abs(across):.1%} "
+        f"{'larger' if across > 0 else 'smaller'} than the computed one (black). The painted edge is as sharp as one "
+        f"cell. {_shoulder_caption(contact)}{AXES}."
     )
 
 
@@ -238,9 +238,9 @@ def _section_caption(contact: ContactSolution) -> str:
     """What the section shows, and what is not to scale in it."""
     body = "pocket" if contact.contact.pair == "pocket" else "race"
     return (
-        f"The meshed bodies cut along the plane x = 0, {_place(contact)}. Left: the ball is drawn "
-        f"{MILLI.written(_lifted(contact), '.2g')} off its {body}. Right: the {body} alone where it is "
-        "loaded; cells follow the contact's ellipse and shrink towards its edge."
+        f"The meshed bodies cut along the plane x = 0, {_place(contact)}. Left: the ball, drawn "
+        f"{MILLI.written(_lifted(contact), '.2g')} off its {body}. Right: the loaded part of the {body}; the cells "
+        "follow the contact's ellipse and shrink towards its edge."
     )
 
 
@@ -248,8 +248,8 @@ def _view_caption(contact: ContactSolution) -> str:
     """How to turn the view, and what it shows."""
     body = "pocket" if contact.contact.pair == "pocket" else "race"
     return (
-        f"A view to turn, {_place(contact)}: drag it, or click it and use arrow keys and wheel. Both "
-        f"loaded surfaces to scale, not deformed: from above the {body} is solid and the ball clear, from below the "
-        "other way round. Every corner of a cell, middle of its side and middle of its face is a node with its own "
-        "pressure; colours and lines are those of the still picture above."
+        f"Rotatable view, {_place(contact)}: drag it, or click it and use arrow keys and wheel. Both loaded surfaces "
+        f"to scale, not deformed: from above the {body} is solid and the ball clear, from below the reverse. Nodes "
+        "with a pressure: corners of the cells, middles of their sides and faces. Colours and lines as in the still "
+        "picture above."
     )

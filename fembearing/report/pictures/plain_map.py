@@ -55,7 +55,7 @@ def draw_map(contact: ContactSolution, *, title: str, frame: Frame, shown: Press
         figure.text(380 / frame.width, 1 - 52 / frame.height, "orange: shoulder", fontsize=10, color="darkorange")
     figure.text(12 / frame.width, 1 - 28 / frame.height, title, fontsize=12)
     figure.text(12 / frame.width, 1 - 52 / frame.height, "red: Hertz's ellipse", fontsize=10, color="red")
-    figure.text(170 / frame.width, 1 - 52 / frame.height, "black: the computed one", fontsize=10)
+    figure.text(170 / frame.width, 1 - 52 / frame.height, "black: finite elements", fontsize=10)
     bar = figure.add_axes((1 - 440 / frame.width, 56 / frame.height, 420 / frame.width, 20 / frame.height))
     colours = figure.colorbar(scale, cax=bar, orientation="horizontal", ticks=shown.ticks, format="%g")
     colours.set_label(f"contact pressure, {shown.unit}")

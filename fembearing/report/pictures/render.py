@@ -79,7 +79,7 @@ def pressure_map(job: dict[str, Any]) -> pv.Plotter:
     plotter.add_text(f"{length:g} mm, {direction}", position=(30, 38), font_size=10, color=mesh.INK)
     plotter.add_text(job["title"], position=(12, height - 34), font_size=12, color=mesh.INK)
     plotter.add_text("red: Hertz's ellipse", position=(12, height - 62), font_size=10, color=mesh.HERTZ)
-    plotter.add_text("black: the computed one", position=(190, height - 62), font_size=10, color=mesh.INK)
+    plotter.add_text("black: finite elements", position=(190, height - 62), font_size=10, color=mesh.INK)
     look(plotter, at=middle, eye=eye, up=up, half_height=height / 2 / scale)
     return plotter
 

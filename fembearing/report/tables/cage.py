@@ -10,15 +10,15 @@ from fembearing.report.torque import CageMotionPoint, TorqueRecord
 
 Moved = Mapping[int, CageMotionPoint]  # by the number of the operating point
 MOTION = (
-    "The cage is driven by its balls, by time stepping. Torque: power of sliding and drag over the speed of the ring, "
-    "in the total. All forces: mean of their sum. Largest: of one ball on its pocket, the median over blocks. 95 %: "
-    "interval of the mean over seeds."
+    "Motion of the cage under the forces of its balls, by time stepping. Torque: power of sliding and drag over the "
+    "speed of the ring, included in the total. All forces: mean of their sum. Largest: force of one ball on its "
+    "pocket, median over blocks. 95 %: interval of the mean over seeds."
 )
 REGIME = (
     "Whirl: mean speed of the cage's centre about the axis. Wobble: root mean square change of its distance. "
-    "Grip used: of what the races carry along the orbit, by the mean force. Grip number: the same of a whirl, by "
-    f"the weakest ball; balls slide above {LARGEST_GRIP:g}. Races: what they lose more because the cage drags the "
-    "balls, where balls and cage move together; it is part of the cage's torque."
+    "Grip used: mean force over the friction of the races along the orbit. Grip number: the same of a whirl, by the "
+    f"weakest ball; balls slide above {LARGEST_GRIP:g}. Races: additional friction of the races by the drag of the "
+    "cage, where balls and cage move together; part of the cage's torque."
 )
 
 
@@ -91,6 +91,6 @@ def _named(number: int, point: CageMotionPoint, units: Units) -> list[str]:
 def _other(point: CageMotionPoint, units: Units) -> str:
     other = point.other
     if other is None:
-        return "the cage cannot whirl: one steady motion"
+        return "no whirl: one steady motion"
     decides = "" if other.state == point.state else ": the start decides"
     return f"{other.state} from {other.start}, {units.torque.written(other.torque, '.3g')}{decides}"

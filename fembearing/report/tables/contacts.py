@@ -41,7 +41,8 @@ def contact_table(contacts: Sequence[tuple[ContactRecord, Mapping[str, str]]], u
         for contact, verdicts in contacts
     ]
     words = (
-        "order: observed on the meshes; twin: corrected by half spaces on the same cells; outside: of Hertz's validity"
+        "order: observed on the meshes; twin: corrected by half spaces on the same cells; outside: outside the "
+        "validity of Hertz"
     )
     return Table("Contacts", heads, groups, [f"{AXES}. {UNCERTAIN}; {words}."])
 
@@ -74,7 +75,7 @@ def _notes(contact: ContactRecord, units: Units) -> list[str]:
             for name, quantity in quantities_of(contact, units).items()
         )
         notes.append(
-            f"Hertz corrected for finite geometry (its interpolation error, over FE - 1): {values}; stated 95 % "
+            f"Hertz corrected for finite geometry (interpolation error, over FE - 1): {values}; stated 95 % "
             f"uncertainty at most {max(corrected.uncertainty.values):.2%}."
         )
     notes += shoulder_lines(contact, units)
@@ -109,9 +110,7 @@ def pocket_table(contacts: Sequence[ContactRecord], units: Units = METRIC) -> Ta
     notes = []
     if series is not None:
         sheet = units.tangent.written(series.stiffness, ".4g")
-        notes.append(
-            f"In series with the seat the sheet has {sheet} +- {series.uncertainty:.2%}: cage.sheet_stiffness."
-        )
+        notes.append(f"Sheet in series with the seat: {sheet} +- {series.uncertainty:.2%}, for cage.sheet_stiffness.")
     return table_of(f"Cage pocket: F = K_pb delta^1.5, at {load}", heads, rows, notes)
 
 

@@ -15,9 +15,8 @@ HEADS = (
     Head("unknowns", wide=True),
 )
 NOTE = (
-    ">: the cheapest method that is known to be within the tolerance. FE: finite elements. Bound: on the error, known "
-    "before the reference is. Seconds: median of the repeats; first: the call before them; GiB: resident memory at "
-    "most while it ran."
+    ">: the cheapest method known to be within the tolerance. FE: finite elements. Bound: on the error, known without "
+    "the reference. Seconds: median of the repeats; first: the call before them; GiB: largest resident memory."
 )
 
 

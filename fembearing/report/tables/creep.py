@@ -71,8 +71,8 @@ def _row(words: str, unit: Unit, each: CreepQuantity) -> list[str]:
 
 def _notes(creep: CreepNumbers, units: Units) -> Iterator[str]:
     yield (
-        "+-: numerical uncertainty of the reference, 95 %, a share of it or, where it may be 0, in the unit of the "
-        "row; *: the difference exceeds it. Moments and power resist; forces act on the ball."
+        "+-: numerical uncertainty of the reference, 95 %, relative or, for values near 0, in the unit of the row; "
+        "*: the difference exceeds it. Moments and power resist; forces act on the ball."
     )
     yield (
         "Formula: a long ellipse that slides everywhere, closed kinematics; production: marched creep, a free ball; "
@@ -80,14 +80,14 @@ def _notes(creep: CreepNumbers, units: Units) -> Iterator[str]:
         "contacts."
     )
     if not creep.spins:
-        yield "The ball does not spin: nothing slips but by the conformity of the groove, and by elastic creep."
+        yield "The ball does not spin: slip is by the conformity of the groove and by elastic creep only."
     if creep.solved_balls < creep.different_balls:
         yield (
-            f"{creep.solved_balls} of {creep.different_balls} balls that differ are solved; the others change as the "
-            "last of them."
+            f"{creep.solved_balls} of {creep.different_balls} different balls are solved; the others take the change "
+            "of the last one."
         )
     if creep.point.radial_load or creep.point.moment:
-        yield "The ring stays where production places it."
+        yield "The position of the ring is that of production."
     total = units.torque.written(creep.torque.reference - creep.torque.production, "+.3g")
     yield (
         f"The reference changes the torque by sliding by {creep.change:+.1%}, {total}, +- "

@@ -10,8 +10,9 @@ JOULE, WATT_HOUR, WATT = Unit("J", 1.0), Unit("Wh", 1 / 3600), Unit("W", 1.0)
 MOST_ROWS = 24  # steps that are shown
 NOT_KNOWN = "not known"
 NOTES = (
-    "95 %: to first order; each input errs alike in all steps, different inputs are independent. Mean torque: energy "
-    "over the angle turned. Mean power: energy over the whole duration. Inertia and the time to warm are neglected."
+    "95 %: to first order; the error of an input is the same in all steps, different inputs are independent. Mean "
+    "torque: energy over the angle turned. Mean power: energy over the whole duration. Inertia and warm-up time are "
+    "neglected."
 )
 
 
@@ -59,9 +60,9 @@ def cycle_table(cycle: DutyCycle, units: Units = METRIC) -> Table:
         _row(f"worst torque, step {cycle.worst_step + 1}", cycle.worst_torque, units.torque),
         _row("mean power", cycle.mean_power, WATT),
     ]
-    notes = [] if cycle.steady is None else [f"The oil's temperature is {cycle.steady.words}."]
+    notes = [] if cycle.steady is None else [f"Oil temperature: {cycle.steady.words}."]
     if cycle.energy.low is None:
-        notes.append("No interval: an input at its end leaves no torque.")
+        notes.append("No interval: no torque at the bound of an input.")
     heads = [Head("of the cycle", "name"), Head("value"), Head("95 %", fixed=True), Head("unit", "name")]
     return table_of(f"{cycle.scene}, {cycle.duration:.5g} s", heads, rows, [*notes, NOTES])
 

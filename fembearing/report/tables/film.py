@@ -50,7 +50,7 @@ def _notes(film: FilmNumbers, units: Units) -> list[str]:
     """What the columns are, what was solved, and how far to trust it."""
     reach, check = film.reach, film.dissipated_force / film.rolling_force.numerical - 1
     return [
-        "formula: [Nijenbanning1994], [Hamrock1977], [Biboulet2010]; model: what the torque takes; +-: numerical "
+        "formula: [Nijenbanning1994], [Hamrock1977], [Biboulet2010]; model: as in the torque; +-: numerical "
         "uncertainty, 95 %; *: the difference exceeds it; order: observed on three grids. Pressure centre: its "
         "distance ahead of the contact's centre.",
         f"M = {film.loading:.4g}, L = {film.thickening:.3g}, lambda = {film.ellipticity:.3g}; entrainment "

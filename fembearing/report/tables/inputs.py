@@ -10,12 +10,12 @@ from fembearing.report.tables.table import Head, Table, table_of
 
 EFFECTS = (Head("effect", "name"), Head("", "name"), Head("share", fixed=True), Head("reason", "text"))
 SHARES = (
-    "Share: of the total, the largest of all operating points. A share with <= is an estimate from above of what "
-    "leaving the effect out changes. The uncertainty of the torque does not count effects that the scene switches off."
+    "Share: of the total, the largest of all operating points; <=: upper bound of the change by neglecting the effect. "
+    "The uncertainty of the torque excludes effects that are off in the scene."
 )
 ORIGINS = (
-    "Given: the scene says so. Printed: a catalogue or a paper prints it. Derived: computed from what is printed. "
-    "Assumed: nobody prints it. +-: one standard deviation."
+    "Given: in the scene. Printed: in a catalogue or a paper. Derived: computed from printed values. Assumed: no "
+    "printed source. +-: one standard deviation."
 )
 INPUTS = (Head("input", "name"), Head("value", "name"), Head("status", "name"), Head("source", "text", wide=True))
 

@@ -10,9 +10,9 @@ from fembearing.verify.measured.rows import MeasuredRow
 
 MOST_VARYING = 2  # operating columns beside which a terminal has room for the uncertainty of the measured torque
 COLUMNS = (
-    "95 %: interval in which the measured torque should lie, by solver, inputs, formulas and measurement; too low, too "
-    "high: the model. E: computed less measured, over measured. u: u_val over measured, u_val^2 = u_num^2 + u_input^2 "
-    "+ u_D^2 [ASME2009]; it and +- are standard uncertainties."
+    "95 %: interval of the measured torque from the uncertainties of solver, inputs, formulas and measurement; too "
+    "low, too high: the model. E: computed less measured, over measured. u: u_val over measured, u_val^2 = u_num^2 + "
+    "u_input^2 + u_D^2 [ASME2009]; u and +- are standard uncertainties."
 )
 
 

@@ -66,5 +66,5 @@ def shares_table(prediction: PredictionRows, units: Units = METRIC) -> Table:
         ]
         for place in prediction.ranked[:MOST_INPUTS]
     ]
-    note = f"In all: with its products with others. +-: standard errors. {explained_words(prediction)}"
+    note = f"In all: with interactions. +-: standard errors. {explained_words(prediction)}"
     return table_of("Share of each input in the variance of the total, %", heads, rows, [note])

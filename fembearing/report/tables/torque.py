@@ -172,14 +172,14 @@ def change_table(
         ]
         for place in places
     ]
-    return table_of("What finite-element contacts change", heads, rows, _change_notes(change, units))
+    return table_of("Changes by finite-element contacts", heads, rows, _change_notes(change, units))
 
 
 def _change_notes(change: "ChangeRecord", units: Units) -> list[str]:
     """What the columns are, how uncertain the changes are, and how far the contacts under them hold."""
     words = [
         f"Torque in {units.torque.name}; the change has a numerical uncertainty of {100 * change.uncertainty:.2f} %. "
-        f"A dash: no contact was solved at that ball load. {change.note}"
+        f"-: no contact solved at that ball load. {change.note}"
     ]
     if change.finite_geometry is not None:
         off = max((each for each in change.finite_geometry.uncertainty if each is not None), default=0.0)

@@ -15,7 +15,7 @@ HEADS = (
     Head("limit"),
     Head("verdict", "verdict"),
 )
-POINT = "#: the operating point where it is worst. What the scene does not have is not checked."
+POINT = "#: the worst operating point. Parts that are missing in the scene are not checked."
 
 
 def physical_table(checks: Sequence[PhysicalCheck], units: Units = METRIC) -> Table:

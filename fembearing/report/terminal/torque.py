@@ -67,9 +67,9 @@ def _print_inputs(out: Console, result: SceneTorque, units: Units) -> None:
     stated = [each for each in result.inputs if each.status != "given"]
     if not stated:
         return
-    show(out, inputs_table("Inputs that are printed, derived or assumed", stated, units))
+    show(out, inputs_table("Printed, derived and assumed inputs", stated, units))
     if sources := result.scene.assumed:
-        out.print("Assumed by this scene:")
+        out.print("Assumed in this scene:")
         for key, source in sources.items():
             out.print(Padding(f"{key}: {escape(source)}", (0, 0, 0, 2)))
         out.print()

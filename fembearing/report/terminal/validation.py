@@ -16,7 +16,7 @@ from fembearing.report.tables.torque import change_table, pair_table, torque_tab
 from fembearing.report.terminal.table import show
 from fembearing.report.terminal.torque import print_verdicts
 
-NO_TORQUE = "No friction coefficient, lubricant or surface is given, so there is no torque."
+NO_TORQUE = "No torque: no friction coefficient, lubricant or surface is given."
 
 
 def print_headline(out: Console, document: Report) -> None:

@@ -34,8 +34,8 @@ def require_finite_results(values: Mapping[str, float | None], *, of: str) -> No
     for meaning, value in values.items():
         if value is not None and not math.isfinite(value):
             raise InputError(
-                f"the {meaning} comes out as {value:g}, {of}: the numbers of the scene lie beyond what can be "
-                "computed; give usual ones"
+                f"the {meaning} is {value:g}, {of}: the numbers of the scene are outside the computable range; give "
+                "usual ones"
             )
 
 

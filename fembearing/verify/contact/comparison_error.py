@@ -12,8 +12,8 @@ from analytic.rows import NotNegative
 from fembearing.grid_convergence import Estimate
 
 WHY = {  # the reason for each uncertainty
-    "numerical": "0, as the closed form is solved to round-off",
-    "input": "0, as both models take the same dimensions, load and materials, whose errors do not set them apart",
+    "numerical": "0 (closed form, solved to round-off)",
+    "input": "0 (dimensions, load and materials are the same in both models)",
     "reference": "that of the finite elements, from their meshes and their far boundary",
 }
 

@@ -40,8 +40,8 @@ def sheet_warning(contact: Contact) -> str:
     """Why a sheet is shown and not judged."""
     assert contact.wall is not None  # otherwise it would not have been meshed
     return (
-        f"{contact.pair}: the sheet of {MILLIMETRE.written(contact.wall.thickness, '.3g')} bends on its rim, which "
-        "Hertz's half space does not know: compare with the stiffness, do not judge by it"
+        f"{contact.pair}: the sheet of {MILLIMETRE.written(contact.wall.thickness, '.3g')} bends on its rim; Hertz "
+        "ignores this, so there is no verdict"
     )
 
 
@@ -59,8 +59,8 @@ def annular_warning(mesh: MeshSolution, *, hertz: float) -> str:
     radius = MILLIMETRE.written(float(np.hypot(mesh.x[most], mesh.y[most])), ".3g")
     return (
         f"{mesh.contact.pair}: under {mesh.contact.load:g} N the sheet yields at the centre, where "
-        f"{pressure_of(peak)} are {percent_of(peak / hertz, 2)} of Hertz's; the largest pressure is "
-        f"{pressure_of(float(pressure[most]))}, {radius} from there: no quantity describes a ring"
+        f"{pressure_of(peak)} are {percent_of(peak / hertz, 2)} of Hertz's; the largest pressure, "
+        f"{pressure_of(float(pressure[most]))}, is {radius} from there: a ring, outside these quantities"
     )
 
 
@@ -70,21 +70,21 @@ def shoulder_warning(contact: Contact, reference: Reference) -> str:
     finest = reference.meshes[-1]
     if finest.shoulder is None:
         across = f"the contact reaches {MILLIMETRE.written(finest.quantities.semi_axis_transverse, '.3f')} across"
-        return f"{contact.pair}: {across}, the shoulder stands at {near}: outside Hertz; {remedy}"
+        return f"{contact.pair}: {across}, the shoulder is at {near}: outside Hertz; {remedy}"
     below, above = finest.pair.footprint.shoulders
     if math.isinf(max(below, above)):
         across = MILLIMETRE.written(finest.semi_axes[1], ".3f")
-        cut = f"an ellipse of {across} across is cut off, its shoulder stands at {near}"
+        cut = f"an ellipse of {across} across is cut off by the shoulder at {near}"
     else:
         cut = (
-            f"the contact is cut off on both sides, its shoulders stand at y = {MILLIMETRE.written(-below, '.3f')} and "
+            f"the contact is cut off on both sides by the shoulders at y = {MILLIMETRE.written(-below, '.3f')} and "
             f"{MILLIMETRE.written(above, '.3f')}"
         )
     share = reference.shoulder["strip_share"]
     return (
         f"{contact.pair}: {cut}: outside Hertz. The tenth of {near} beside the nearer one carries {share.value:.2%} of "
-        "the load. A sharp shoulder, as it is meshed, bears a pressure without bound, a real one is rounded: it may "
-        f"exceed the one at the centre, and no number here says by how much; {remedy}"
+        "the load. The meshed shoulder is sharp, with an unbounded pressure; a real one is rounded. Its pressure may "
+        f"exceed the one at the centre and is not computed; {remedy}"
     )
 
 
@@ -98,10 +98,7 @@ def series_shoulder_warning(contact: Contact, *, load: float) -> str:
 
 def two_loads_warning(contact: Contact) -> str:
     """Why the law of two loads has no uncertainty."""
-    return (
-        f"{contact.pair}: two loads fit any power law, which is assumed: K, n and tangents are without an uncertainty; "
-        "give a third load"
-    )
+    return f"{contact.pair}: two loads fit any power law: K, n and tangents have no uncertainty; give a third load"
 
 
 def _missed(solved: Sequence[Solved], *, accuracy: float, quantities: Sequence[str]) -> str | None:
@@ -113,8 +110,8 @@ def _missed(solved: Sequence[Solved], *, accuracy: float, quantities: Sequence[s
     if part.total <= accuracy:
         return None
     return (
-        f"{mesh.contact.pair}: an uncertainty of {percent_of(accuracy, 2)} was asked for; that of {_words(name)} at "
-        f"{mesh.contact.load:g} N is {percent_of(part.total, 2)} on level {mesh.level}, "
+        f"{mesh.contact.pair}: required accuracy {percent_of(accuracy, 2)} not reached: uncertainty of {_words(name)} "
+        f"at {mesh.contact.load:g} N {percent_of(part.total, 2)} on level {mesh.level}, "
         f"{percent_of(part.domain, 2)} from the block"
     )
 
@@ -132,7 +129,7 @@ def _unsettled(solved: Sequence[Solved], *, thin: bool) -> str | None:
     names = ", ".join(dict.fromkeys(name for _, name in loose))
     loads = ", ".join(f"{load:g}" for load in dict.fromkeys(contact.load for contact, _ in loose))
     place = f"{loose[0][0].pair}, sheet" if thin else loose[0][0].pair
-    return f"{place}: the meshes do not settle in {names} at {loads} N"
+    return f"{place}: the meshes do not converge in {names} at {loads} N"
 
 
 def _plastic(solved: Sequence[Solved]) -> str | None:
@@ -144,8 +141,8 @@ def _plastic(solved: Sequence[Solved]) -> str | None:
     what = "peak pressure" if least.shoulder is None else "the pressure at y = 0,"
     return (
         f"{least.contact.pair}: {what} {pressure_of(least.quantities.peak_pressure)} at {least.contact.load:g} N is "
-        f"above the static limit, {pressure_of(STATIC_LIMIT)}, of bearing steel: both sides are elastic, the contact "
-        "is not; lower the load"
+        f"above the static limit, {pressure_of(STATIC_LIMIT)}, of bearing steel: both models are elastic, the real "
+        "contact is not; lower the load"
     )
 
 

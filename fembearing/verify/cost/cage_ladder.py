@@ -34,7 +34,7 @@ def cage_methods(scene: Scene) -> UntimedLadder:
     operation = Operation(**{name: values[[fastest]] for name, values in vars(series).items()})
     turning = float(operation.inner_speed[0])
     if turning == 0:
-        raise InputError("the bearing stands still, and its cage takes nothing")
+        raise InputError("the bearing stands still, without friction of the cage")
     resting = replace(scene, operation=operation, effects={**scene.effects, "cage": "on", "cage_dynamics": "off"})
     balls = loaded_balls_of(resting)
     drive = cage_drive(resting, balls, scene.friction_coefficient, operation.inner_speed)
@@ -70,7 +70,7 @@ def cage_methods(scene: Scene) -> UntimedLadder:
         quantity="cage torque",
         reference=(
             f'motion in the finest steps, from "{start}", {SEEDS} seeds of {duration:.3g} s at '
-            f"{speed_of(turning)}; what the scene asks takes {longer:.3g} times as long"
+            f"{speed_of(turning)}; the motion of the scene takes {longer:.3g} times as long"
         ),
         methods=(
             # No closed form bounds what this one leaves out: only the motion shows it.

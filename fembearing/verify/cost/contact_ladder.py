@@ -216,8 +216,8 @@ def _reference(meshes: Sequence[MeshSolution], estimates: Estimates | None) -> s
         return "none: no mesh was solved"
     words = "worst of semi-axes, peak pressure and approach"
     if estimates is None:
-        return f"finite elements, level {meshes[-1].level}; {words}; too few meshes to say how far off it is"
-    return f"all meshes, extrapolated; {words}; uncertain by {100 * _off(estimates):.2g} %; seconds without sizing"
+        return f"finite elements, level {meshes[-1].level}; {words}; too few meshes for an uncertainty"
+    return f"all meshes, extrapolated; {words}; uncertainty {100 * _off(estimates):.2g} %; seconds without sizing"
 
 
 def _off(estimates: Estimates) -> float:

@@ -17,8 +17,8 @@ from fembearing.verify.cost.ladder import Ladder, TimedMethod, UntimedMethod, la
 from fembearing.verify.film.scene_film import problem_of
 
 FILM, FORCE = "central film, inner", "rolling force, inner"
-MODEL = "as the torque takes it"
-REFERENCE = "three grids, extrapolated; a grid's seconds are with those of the grids before it"
+MODEL = "as in the torque"
+REFERENCE = "three grids, extrapolated; the seconds of a grid include those of the coarser grids"
 REFINEMENTS = USUAL / RATIO, USUAL, USUAL * RATIO
 Form = tuple[str, Callable[[], float], float]  # name, value, bound
 
@@ -44,7 +44,7 @@ def measured_films(scene: Scene, *, tolerance: float, progress: Progress) -> tup
         ("formula", lambda: float(closed.resistance().force), float(np.expm1(spread))),
         (MODEL, lambda: closed.model_force()[0], float(np.expm1(of_fit))),
     )
-    reference = "none: a grid did not settle" if failed else REFERENCE
+    reference = "none: a grid did not converge" if failed else REFERENCE
 
     limits = {} if failed else estimates_of([each for each, _ in grids], REFINEMENTS)
 

@@ -87,7 +87,7 @@ def load_methods(scene: Scene) -> UntimedLadder:
     """Load of the heaviest ball on each race at every operating point; by thrust alone where each point has thrust."""
     bearing, rule = scene.bearing, scene.contact_angle
     if rule.rule == "given":
-        raise InputError('contact_angle.rule = "given" holds the angle, and thrust gives the loads in closed form')
+        raise InputError('contact_angle.rule = "given" fixes the angle, and thrust gives the loads in closed form')
     operation = scene.operation.as_series()
     axial = operation.axial_load
 
@@ -245,7 +245,7 @@ def roughness_methods(scene: Scene) -> UntimedLadder:
         sizes = []  # none can be generated: the spacing is too coarse, or there are too many points
     return UntimedLadder(
         quantity="roughness",
-        reference="closed forms, exact for the declared autocorrelation; worst of Sq, slope and curvature, rms",
+        reference="closed forms, exact for the given autocorrelation; worst of Sq, slope and curvature, rms",
         methods=(
             UntimedMethod(
                 name="closed-form moments",

@@ -102,7 +102,7 @@ def produced(scene: Scene) -> Production:
 def models_of(scene: Scene) -> tuple[Model, Model]:
     """Of the formula and of marched creep. Raises InputError where slip is left out."""
     if off := [name for name in ("spin", "conformity") if scene.effects.get(name) == "off"]:
-        raise InputError(f'effects.{off[0]} = "off" leaves out a part of the slip, which no contact does: use "auto"')
+        raise InputError(f'effects.{off[0]} = "off" neglects a part of the slip: use "auto"')
     can = possible(scene)
     inertia = can["gyroscopic"] and (can["centrifugal"] or scene.bearing.kind == "thrust")
     counted = can | {"weight": False, "finite_geometry": False, "spin": True, "conformity": True}

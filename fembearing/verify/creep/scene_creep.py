@@ -260,7 +260,7 @@ def _scaled_to(scene: Scene, load: float) -> Scene:
             operation = scene.operation
             larger = {name: ratio * getattr(operation, name) for name in ("axial_load", "radial_load", "moment")}
             scene = replace(scene, operation=replace(operation, **larger))
-        raise InputError("no factor on the loads of the operating point gives it; give a larger load, or less speed")
+        raise InputError("no factor on the loads of the operating point reaches it; give a larger load, or less speed")
 
 
 def _balls_to_solve(production: Production) -> tuple[ProducedBall, ...]:

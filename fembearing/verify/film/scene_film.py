@@ -227,7 +227,7 @@ def problem_of(
     """
     lubricant = scene.lubricant
     if lubricant is None:
-        raise InputError("the scene is dry: add a table [lubricant], or there is no film to compute")
+        raise InputError("the scene is dry, without a film: add a table [lubricant]")
     contact, speed, rate = _heaviest(scene, pair)
     if load is not None:
         contact = replace(contact, load=load)

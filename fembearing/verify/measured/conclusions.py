@@ -30,8 +30,8 @@ def conclusions_of(
             yield f"The model is {side} at {_listed(places[verdict])}, by {off}."
     if places["undecided"]:
         yield (
-            f"Undecided: at {_listed(places['undecided'])} the measured torque is outside an interval that lacks the "
-            "error of the solver, which is not known."
+            f"Undecided: at {_listed(places['undecided'])} the measured torque is outside its interval, which does not "
+            "include the solver error (not known)."
         )
     if not missed and not places["undecided"]:
         all_rows = f"All {len(rows)} measured torques are inside their 95 % intervals."
@@ -44,10 +44,10 @@ def conclusions_of(
     if scatter is not None and len(rows) >= FEW and any(row.resolved for row in rows):
         leading = ", ".join(f"{key} {100 * share:.0f} %" for key, share in shares.items())
         yield (
-            "The mean of E exceeds its standard deviation: one cause common to all rows can explain most of it. Shares "
-            f"in the variance of the computed torque: {leading}."
+            "The mean of E exceeds its standard deviation: a common cause can explain most of it. Shares in the "
+            f"variance of the computed torque: {leading}."
             if abs(mean_error) > scatter
-            else "E varies from row to row by more than its mean: no constant factor explains it."
+            else "The standard deviation of E exceeds its mean: no constant factor explains it."
         )
 
 
@@ -55,19 +55,19 @@ def _meaning(rows: Sequence[MeasuredRow], *, missed: bool) -> str:
     """What can be concluded."""
     if missed:
         return (
-            "A 95 % interval misses one torque of 20 by chance. Where it misses more, an input, the measurement or a "
-            "formula errs by more than is stated."
+            "A 95 % interval misses one torque of 20 by chance. More misses mean that the error of an input, of the "
+            "measurement or of a formula exceeds its stated uncertainty."
         )
     resolved = [place for place, row in enumerate(rows) if row.resolved]
     if resolved:
         return (
-            f"The formulas err at {_listed(resolved)}, as |E| exceeds 2 u_val, but not by more than is stated; so far "
-            "as the uncertainties of inputs and measurement are right."
+            f"The formulas err at {_listed(resolved)}, |E| > 2 u_val, within their stated uncertainty; this holds if "
+            "the uncertainties of inputs and measurement are right."
         )
     finest = max(COVERAGE * row.validation / row.measured for row in rows)
     return (
-        "Solver, inputs and measurement explain every difference, |E| < 2 u_val: these data show no error of the "
-        f"formulas, and would not show one below {percent_of(finest, 2)} at every row."
+        "Uncertainties of solver, inputs and measurement explain every difference, |E| < 2 u_val: these data show no "
+        f"error of the formulas. They do not resolve an error below {percent_of(finest, 2)} at every row."
     )
 
 
@@ -75,12 +75,12 @@ def notes_of(measured: MeasuredTorque, rows: Sequence[MeasuredRow]) -> Iterator[
     """What was taken from the scene, and what is not known."""
     taken = [name.replace("_", " ") for name in OPERATING if getattr(measured, name) is None and getattr(rows[0], name)]
     if taken:
-        yield f"From the scene, as {measured.file} has no column for it: {', '.join(taken)}."
+        yield f"From the scene, without a column in {measured.file}: {', '.join(taken)}."
     if measured.uncertainty is None:
         yield f"{measured.file} has no column uncertainty: measured torques count as exact."
     unknown = [place for place, row in enumerate(rows) if row.numerical is None]
     if unknown:
-        yield f"The error of the solver is not known at {_listed(unknown)}, and not in u_val."
+        yield f"The solver error is not known at {_listed(unknown)}, and not in u_val."
 
 
 def _listed(places: Sequence[int]) -> str:

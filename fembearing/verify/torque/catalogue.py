@@ -22,15 +22,15 @@ def beside_catalogue(scene: Scene) -> BesideCatalogue:
     """The catalogue band of a scene."""
     if scene.arrangement is not None:
         return BesideCatalogue(
-            band=None, note="no catalogue band: the catalogues' models are of one bearing, not of a pair"
+            band=None, note="no catalogue band: the models of catalogues hold for one bearing, not for a pair"
         )
     try:
         band = scene_band(scene)
     except InputError as problem:
         return BesideCatalogue(band=None, note=f"no catalogue band: {problem}")
     note = (
-        f"catalogue band: {_models(band)} of an open bearing of series {bearing_series(scene.bearing)}, fits with "
-        "constants of their own; it shows an order of magnitude, and is neither truth nor a check"
+        f"catalogue band: {_models(band)} for an open bearing of series {bearing_series(scene.bearing)}; empirical "
+        "fits, an order of magnitude, not a reference"
     )
     return BesideCatalogue(band=band, note=note)
 

@@ -111,14 +111,14 @@ def case_of(scene: Scene) -> CatalogueCase:
     assert rating is not None
     series = bearing_series(bearing)
     if np.any(operation.moment):
-        raise InputError("operation.moment is not 0, and no model knows moments")
+        raise InputError("operation.moment is not 0: no model for moments")
     axial, radial = np.asarray(operation.axial_load), np.abs(operation.radial_load)
     if np.any(axial < 0):
         raise InputError(f"operation.axial_load = {axial.min():g} N is below 0")
     if np.any(axial > rating):  # their angle of the loaded contact would pass 25 deg, and turn back beyond 90 deg
         raise InputError(
-            f"operation.axial_load = {axial.max():g} N is above the static load rating of {rating:g} N, up to which "
-            "the models are"
+            f"operation.axial_load = {axial.max():g} N exceeds the static load rating of {rating:g} N, the limit of "
+            "the models"
         )
     return CatalogueCase(
         series=series,
@@ -146,18 +146,18 @@ def bearing_series(bearing: Bearing) -> str:
         sizes = f"bore {1e3 * bearing.bore_diameter:g} mm and outside diameter {1e3 * bearing.outside_diameter:g} mm"
         series = series_of_size(bearing.bore_diameter, bearing.outside_diameter, bearing.width)
         if series is None:
-            raise InputError(f"{sizes} are of no series of deep groove bearings, for which the constants are")
+            raise InputError(f"{sizes} fit no series of deep groove bearings with constants")
         play = max(bearing.diametral_clearance, 0.0) / (2 * bearing.groove_centre_distance)
         angle = np.arccos(max(1 - play, 0.0))
         if angle > STEEPEST:
             raise InputError(
-                f"an unloaded contact angle of {np.degrees(angle):.3g} deg is that of an angular contact bearing, and "
-                'the constants are by series: name the bearing by its designation, for example catalog = "7208 B"'
+                f"an unloaded contact angle of {np.degrees(angle):.3g} deg means an angular contact bearing, with "
+                'constants by series: give its designation, for example catalog = "7208 B"'
             )
     if series not in SKF_DEEP_GROOVE and series not in ANGULAR_SERIES:
         raise InputError(
-            f"{bearing.name} is a spindle bearing, of series {series}: the constants are for deep groove bearings, and "
-            "for angular contact bearings 72 B and 73 B"
+            f"{bearing.name} is a spindle bearing of series {series}: constants exist for deep groove bearings and for "
+            "angular contact bearings 72 B and 73 B"
         )
     return series
 

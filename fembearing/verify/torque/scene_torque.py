@@ -58,8 +58,8 @@ class SceneTorque(Brief):
         for name, values in self._beside():
             if not np.isfinite(values).all():
                 raise InputError(
-                    f"the {BESIDE[name].meaning} comes out as {values[~np.isfinite(values)][0]:g} N m: the numbers of "
-                    "the scene lie beyond what can be computed; give usual ones"
+                    f"the {BESIDE[name].meaning} is {values[~np.isfinite(values)][0]:g} N m: the numbers of the scene "
+                    "are outside the computable range; give usual ones"
                 )
 
     def _facts(self) -> Iterator[str]:
@@ -84,11 +84,8 @@ class SceneTorque(Brief):
     @cached_property
     def standing(self) -> Standing:
         """How far it can be trusted, in one word."""
-        off = {
-            each.name: each.share for each in self.friction.shares if each.decision == "off" and each.share is not None
-        }
-        total = self.friction.torque.total
-        return standing_of(self.scene, total=total, shares=off, verdicts=self.verdicts, band=self.catalogue.band)
+        total, effects = self.friction.torque.total, self.friction.shares
+        return standing_of(self.scene, total=total, effects=effects, verdicts=self.verdicts, band=self.catalogue.band)
 
     @property
     def places(self) -> Places:
@@ -115,8 +112,8 @@ class SceneTorque(Brief):
         if other is not None and self.other_candidate is not None:
             first, second = total, self.other_candidate.torque.total
             yield (
-                f"The ratings of {given.name} fit {_balls(other)} nearly as well as {_balls(given)}: with them the "
-                f"torque is {_span(second * 1e3, '.4g')} N mm, not {_span(first * 1e3, '.4g')} N mm "
+                f"The ratings of {given.name} fit {_balls(other)} nearly as well as {_balls(given)}: the torque is "
+                f"then {_span(second * 1e3, '.4g')} N mm, not {_span(first * 1e3, '.4g')} N mm "
                 f"({_span(100 * (second / first - 1), '+.2g')} %)."
             )
 

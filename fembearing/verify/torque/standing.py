@@ -1,10 +1,14 @@
 """How far a torque can be trusted, in one word and the reason for it."""
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from operator import itemgetter
 from typing import Literal
 
 import numpy as np
 
+from analytic.effects.ledger import Effect, size_of
+from analytic.effects.table import ENTRIES
 from analytic.effects.warnings import too_fast
 from analytic.scene import Array, Scene
 from analytic.words import percent_of
@@ -20,7 +24,7 @@ class Standing:
     """The first that applies of
 
     - fail: a comparison or a physical limit fails
-    - incomplete: an effect that `auto` cannot decide is left out and could exceed the tolerance
+    - incomplete: an effect that `auto` cannot decide is neglected and could exceed the tolerance
     - undecided: the solver error exceeds the tolerance, or a limit is not known
     - check: none of these; the reason says where the torque lies by the makers' formulas
 
@@ -32,31 +36,26 @@ class Standing:
 
 
 def standing_of(
-    scene: Scene, *, total: Array, shares: dict[str, float], verdicts: Verdicts, band: CatalogueBand | None
+    scene: Scene, *, total: Array, effects: Iterable[Effect], verdicts: Verdicts, band: CatalogueBand | None
 ) -> Standing:
     """Of a torque; a speed beyond usual practice is named with any word.
 
-    total : N m, (n,);  shares : of the total, of the effects that are off, at most;  band : arrays (n,), N m
+    total : N m, (n,);  band : arrays (n,), N m
     """
-    standing = _standing(scene, total=total, shares=shares, verdicts=verdicts, band=band)
+    standing = _standing(scene, total=total, effects=effects, verdicts=verdicts, band=band)
     speed = too_fast(scene)
     return standing if speed is None else replace(standing, reason=f"{speed}; {standing.reason}")
 
 
 def _standing(
-    scene: Scene, *, total: Array, shares: dict[str, float], verdicts: Verdicts, band: CatalogueBand | None
+    scene: Scene, *, total: Array, effects: Iterable[Effect], verdicts: Verdicts, band: CatalogueBand | None
 ) -> Standing:
     if verdicts.overall == "fail":
         return Standing(word="fail", reason=verdicts.reason)
-    lacking = {name: share for name, share in shares.items() if share > scene.tolerance and not _chosen(scene, name)}
+    off = [(each.share, each) for each in effects if each.decision == "off" and each.share is not None]
+    lacking = [(share, each) for share, each in off if share > scene.tolerance and not _chosen(scene, each.name)]
     if lacking:
-        name = max(lacking, key=lacking.__getitem__)
-        size = (
-            f"could be {percent_of(lacking[name], 2)} of the torque"
-            if np.isfinite(lacking[name])
-            else "is of unknown size"
-        )
-        return Standing(word="incomplete", reason=f"{name} is left out and {size}; see --details")
+        return Standing(word="incomplete", reason=_lack(lacking, scene.tolerance))
     if verdicts.overall == "undecided":
         return Standing(word="undecided", reason=verdicts.reason)
     if band is None:
@@ -64,8 +63,19 @@ def _standing(
     return Standing(word="check", reason=f"{_place(total, band)} the makers' formulas; {UNMEASURED}")
 
 
+def _lack(lacking: Sequence[tuple[float, Effect]], tolerance: float) -> str:
+    """The largest of the effects that are off and exceed the tolerance, with its share and what it lacks, in words."""
+    share, effect = max(lacking, key=itemgetter(0))
+    others = [each.name for _, each in lacking if each is not effect]
+    return (
+        f"{effect.name} ({ENTRIES[effect.name].meaning}) is neglected, {size_of(share)}, tolerance "
+        f'{percent_of(tolerance)}: {effect.reason}; effects.{effect.name} = "off" accepts this'
+        + (f"; also neglected: {', '.join(others)}" if others else "")
+    )
+
+
 def _chosen(scene: Scene, effect: str) -> bool:
-    """Whether the scene itself leaves the effect out: by its name, or by a rule that says how the balls turn."""
+    """Whether the scene itself switches the effect off: by its name, or by a rule for the rotation of the balls."""
     return scene.effects.get(effect, "auto") != "auto" or (effect == "creep" and scene.spin_rule != "free")
 
 

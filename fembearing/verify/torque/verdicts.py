@@ -14,15 +14,15 @@ Physical = Literal["pass", "fail", "unknown"]
 Overall = Literal["pass", "fail", "undecided"]
 FAILS, IS_OPEN = ("fail", "outside validity"), ("undecided", "not reached", "unknown")
 COMPARISON = {
-    "fail": "a contact by Hertz differs from finite elements by more than the tolerance",
+    "fail": "Hertz differs from finite elements by more than the tolerance",
     "outside validity": "a contact is outside the validity of Hertz",
-    "undecided": "finite elements leave a contact undecided",
+    "undecided": "a contact is undecided by finite elements",
 }
 PHYSICAL = {
     "peak_pressure": "the peak pressure exceeds the static limit",
     "shoulder": "a shoulder cuts the contact off",
-    "sliding": "the oil holds the balls back more than friction drives them",
-    "gyroscopic_hold": "friction does not hold the gyroscopic moment of a ball",
+    "sliding": "the rolling force of the oil exceeds the driving friction",
+    "gyroscopic_hold": "the gyroscopic moment of a ball exceeds the friction moment",
     "cage_force": "the force of the cage exceeds the grip of the races",
 }
 
@@ -66,7 +66,7 @@ class Verdicts:
         numerical = self.numerical
         if numerical is not None and numerical.verdict in which:
             error = "is not known" if numerical.uncertainty is None else f"is {percent_of(numerical.uncertainty, 2)}"
-            yield f"the solver error {error}, asked {percent_of(numerical.tolerance, 2)}"
+            yield f"the solver error {error}, tolerance {percent_of(numerical.tolerance, 2)}"
         for check in self.physical:
             if check.verdict in which:
                 limit = f"a physical limit is not known: {check.name.replace('_', ' ')}"

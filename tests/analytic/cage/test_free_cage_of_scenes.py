@@ -69,5 +69,5 @@ def test_a_force_that_still_builds_up_is_uncertain_up_to_the_closed_form() -> No
     assert cage.torque[0] < 0.5 * end.torque[0]
     np.testing.assert_allclose(cage.torque + cage.unsure, end.torque, rtol=1e-12)  # round-off
     assert moved.numerical_uncertainty[0] * moved.torque.total[0] >= cage.unsure[0]
-    assert not any("press on it all round" in warning for warning in moved.warnings)
-    assert any("press on it all round" in warning for warning in squeezed.warnings)
+    assert not any("squeeze the cage" in warning for warning in moved.warnings)
+    assert any("squeeze the cage" in warning for warning in squeezed.warnings)

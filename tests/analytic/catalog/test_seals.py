@@ -61,7 +61,7 @@ def said_of_seals(scene: Scene) -> list[str]:
 
 
 def test_seals_whose_drag_is_not_declared_are_warned_of() -> None:
-    words = "the total is without the drag of the seals, 2RS1: rubber seal that rubs, on both sides: declare"
+    words = "the total is without the drag of the seals (2RS1: rubber seal that rubs, on both sides): give losses.seals"
     (warning,) = said_of_seals(sealed("6205-2RS1"))
     assert warning.startswith(words)
     assert not said_of_seals(sealed("6205-2RS1", losses={"seals": "3 N mm"}))

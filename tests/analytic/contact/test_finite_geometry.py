@@ -214,7 +214,7 @@ def test_the_nearer_shoulder_decides_whether_the_contact_is_covered() -> None:
         assert bool(found.warnings) != covered
     cut = finite_geometry_factors(replace(SHAPE, shoulder=0.8, far_shoulder=0.19))
     assert cut.factors.approach == 1
-    assert "comes nearer to the shoulder" in cut.warnings[0]
+    assert "is nearer to the shoulder" in cut.warnings[0]
 
 
 def test_a_contact_without_load_is_hertz_wherever_it_is() -> None:

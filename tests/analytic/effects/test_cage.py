@@ -29,7 +29,7 @@ def test_without_a_start_the_closed_form_is_used() -> None:
     assert_rests(result, "cage.start is not given")
     # (w_b r)^2/(g nabla) at 500 rpm, with w_b r = w R_i R_o/d_m by hand: 52.36 x 15.599 x 23.411/39.01 mm/s
     assert_rests(result, f"{0.49016**2 / (9.80665 * 0.1e-3):.3g}")
-    assert any("cage_dynamics is left out and could be" in warning for warning in result.warnings)
+    assert any("cage_dynamics is neglected, up to" in warning for warning in result.warnings)
 
 
 def test_a_cage_that_cannot_whirl_has_the_closed_form() -> None:
@@ -41,16 +41,16 @@ def test_a_cage_that_cannot_whirl_has_the_closed_form() -> None:
 def test_a_motion_within_the_tolerance_is_left_out() -> None:
     assert_rests(
         friction_torque(with_cage(replace(CAGED, tolerance=0.9), start="sudden")),
-        "within the 45 % that may be left out",
+        "within the budget of 45 %",
     )
     off = replace(with_cage(CAGED, start="sudden"), effects={**CAGED.effects, "cage_dynamics": "off"})
-    assert_rests(friction_torque(off), "the scene says off")
+    assert_rests(friction_torque(off), "off in the scene")
 
 
 def test_auto_does_not_move_a_long_series() -> None:
     many = Operation(axial_load=np.full(3000, 1000.0), inner_speed=np.linspace(100, 500, 3000) * RPM)
     result = friction_torque(with_cage(replace(CAGED, operation=many), start="rest"))
-    assert_rests(result, "3000 points take 540 s of motion")  # twice 0.03 s for two seeds and another start
+    assert_rests(result, "3000 points need 540 s of motion")  # twice 0.03 s for two seeds and another start
     assert any('effects.cage_dynamics = "on"' in warning for warning in result.warnings)
 
 
@@ -58,7 +58,7 @@ def test_with_more_steps_auto_allows_less_motion() -> None:
     """A second of motion in 25 times the steps is as much work as 25 s."""
     many = Operation(axial_load=np.full(150, 1000.0), inner_speed=np.linspace(100, 500, 150) * RPM)
     given = with_cage(replace(CAGED, operation=many), start="rest", steps_per_contact=1000)
-    assert_rests(friction_torque(given), "27 s of motion, and beyond 20 s at 1000 steps")
+    assert_rests(friction_torque(given), "27 s of motion, limit 20 s at 1000 steps")
 
 
 def test_without_cage_or_with_the_cage_left_out_nothing_is_added() -> None:

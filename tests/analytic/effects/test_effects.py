@@ -163,7 +163,13 @@ def test_auto_spends_its_half_of_the_tolerance_on_all_effects_together(scene: Sc
     assert not ledger.decide("spin", bound=np.array([0.015, 0.005]))
     compound = [1.03 * 1.001 * 1.015 - 1, 1.001 * 1.04 * 1.005 - 1]  # one effect changes what the next acts on
     np.testing.assert_allclose(ledger.left_out, compound, rtol=1e-12)  # round-off
-    assert "4.1 % of it already" in ledger.made["finite_geometry"].reason
+    assert ledger.decide("hysteresis", bound=np.array([np.inf, 0.0]))
+    # At the first point 1.05/(1.03 x 1.001) - 1 is left.
+    words = "up to 3 % of the torque, exceeds the remaining budget of 1.84 %"
+    assert ledger.made["finite_geometry"].reason == words
+    assert ledger.made["hysteresis"].reason == "size unbounded"
+    assert not ledger.decide("conformity", bound=np.zeros(2))
+    assert ledger.made["conformity"].reason == "no effect here"
 
 
 def test_thrust_and_radial_load_in_one_series_do_not_skid(scene: Scene) -> None:
@@ -192,7 +198,7 @@ WITHOUT = {"lubricant": None, "surface": None, "friction_coefficient": 0.07}
         ({"effects": {"starvation": "on"}, **WITHOUT}, r"starvation.*no lubricant"),
         ({"effects": {"shoulder": "on"}}, 'shoulder = "on" is refused: not modelled; give "auto" or "off"'),
         ({"effects": {"spinning": "on"}}, "effects.spinning is not an effect to choose; known: .*spin, "),
-        ({"effects": STILL | {"asperities": "on"}}, "asperities.*neither spin nor conformity is computed"),
+        ({"effects": STILL | {"asperities": "on"}}, "asperities.*no sliding without spin and conformity"),
         (
             {"effects": STILL | {"inlet_heating": "on", "rolling": "off"}},
             "inlet_heating.*nothing slides or rolls in oil",
@@ -232,14 +238,14 @@ def test_a_held_angle_takes_no_ring(scene: Scene, name: str) -> None:
 
 def test_a_radial_load_at_a_held_angle_is_refused_where_it_matters(scene: Scene) -> None:
     held = replace(loaded_aside(scene, 50.0), contact_angle=ContactAngle(rule="given", value=0.3), tolerance=0.05)
-    refused(held, r'radial_load and .* are up to 34\.4 % of what thrust does.*use "solved"')  # 50 tan(0.3)/45
+    refused(held, r'radial_load and .* are up to 34\.4 % of the thrust.*use "solved"')  # 50 tan(0.3)/45
     friction_torque(loaded_aside(held, 0.5))
     pure = replace(
         held,
         operation=replace(held.operation, axial_load=0 * held.operation.axial_load),
         effects={"load_distribution": "off"},
     )
-    refused(replace(pure, contact_angle=ContactAngle(rule="solved")), "leave effects.load_distribution on auto")
+    refused(replace(pure, contact_angle=ContactAngle(rule="solved")), "set effects.load_distribution to auto")
 
 
 def test_balls_that_skid_are_refused_with_their_speed(scene: Scene) -> None:

@@ -86,7 +86,7 @@ def test_a_motion_of_a_cage_that_is_left_out_is_refused(bearing_6205: Bearing) -
     scene = scene_of(bearing_6205, np.random.default_rng(5))
     assert scene.cage is not None
     words: dict[str, Any] = {"cage": "off", "cage_dynamics": "on"}
-    with pytest.raises(InputError, match='cage_dynamics = "on" is refused: the cage is left out'):
+    with pytest.raises(InputError, match='cage_dynamics = "on" is refused: the cage is neglected'):
         friction_torque(replace(scene, effects=words))
 
 

@@ -61,7 +61,7 @@ def test_each_limit_is_warned_of_when_it_is_passed(scene: Scene) -> None:
 
     # cube roots from 1000 N: p0 reaches 4.2 GPa at 1000 (4.2/2.1831)^3 = 7121 N, b the distance of 2.561 mm at 11885 N
     assert [warned(load, "static limit") for load in (7100.0, 7140.0)] == [False, True]
-    assert [warned(load, "inner race's shoulder") for load in (11840.0, 11930.0)] == [False, True]
+    assert [warned(load, "shoulder of the inner race") for load in (11840.0, 11930.0)] == [False, True]
 
 
 def test_a_plastic_contact_has_no_known_uncertainty(scene: Scene) -> None:
@@ -120,7 +120,7 @@ def test_an_unknown_shoulder_is_said_and_undecided_where_a_low_one_would_cut(sce
     torn = friction_torque(shouldered(heavy, None))  # b = 1.49 mm
     np.testing.assert_array_equal(np.isinf(torn.numerical_uncertainty), [False, True])
     (why,) = torn.unknown
-    assert why.startswith("shoulder not known: a low one, of 0.1 ball diameters, would cut off 1")
+    assert why.startswith("shoulder not known: a low one, 0.1 ball diameters high, cuts off 1")
     assert torn.row(1).uncertainty.numerical is None
 
 
@@ -132,7 +132,7 @@ def test_the_far_shoulder_cuts_too(scene: Scene) -> None:
     t = 4.13e-3 * np.sin(0.18) / 1.1222e-3
     grown = found.numerical_uncertainty[1] - friction_torque(scene).numerical_uncertainty[1]
     np.testing.assert_allclose(grown, PER_CUT_SHARE * (2 - 3 * t + t**3) / 4, rtol=2e-3)  # b has five digits
-    assert any("passes the inner race's shoulder" in warning for warning in found.warnings)
+    assert any("exceeds the shoulder of the inner race" in warning for warning in found.warnings)
 
 
 def test_the_torque_with_unknown_shoulders_is_more_uncertain(scene: Scene) -> None:

@@ -56,7 +56,7 @@ def test_creep_has_its_share_and_the_methods_are_ordered(scene: Scene) -> None:
     assert auto.torque.total[0] == marched.torque.total[0]
     ruled = friction_torque(replace(scene, spin_rule="balanced"))
     assert not ruled.is_on("creep")
-    assert any("creep is left out" in warning and "spin_rule" in warning for warning in ruled.warnings)
+    assert any("creep is neglected" in warning and "spin_rule" in warning for warning in ruled.warnings)
 
 
 def test_little_friction_creeps_little(scene: Scene) -> None:
@@ -142,10 +142,10 @@ def test_a_given_angle_holds_loads_but_not_how_balls_turn(scene: Scene) -> None:
 @pytest.mark.parametrize(
     ("sliding", "other", "reason"),
     [
-        ("marched_creep", {"spin_rule": "outer_control"}, r'friction\.spin_rule = "outer_control" says how'),
+        ("marched_creep", {"spin_rule": "outer_control"}, r'friction\.spin_rule = "outer_control" prescribes'),
         ("free_ball", {"microslip": "as_printed"}, r'friction\.microslip = "as_printed" has no creep'),
-        ("closed_creep", {"effects": {"spin": "off"}}, r'effects\.spin = "off" leaves out'),
-        ("marched_creep", {"effects": {"creep": "off"}}, r'effects\.creep = "off" leaves'),
+        ("closed_creep", {"effects": {"spin": "off"}}, r'effects\.spin = "off" neglects'),
+        ("marched_creep", {"effects": {"creep": "off"}}, r'effects\.creep = "off" neglects'),
     ],
 )
 def test_a_method_for_free_balls_needs_free_balls(

@@ -179,7 +179,7 @@ def test_a_load_that_no_groove_bears_is_named() -> None:
     [
         ({"kind": "tandem", "preload": 5.0}, "arrangement.preload does not go with kind = .tandem."),
         ({"kind": "O"}, "needs one of preload and offset"),
-        ({"kind": "X", "preload": 5.0, "offset": 1e-6}, "offset and preload both say"),
+        ({"kind": "X", "preload": 5.0, "offset": 1e-6}, "offset and preload both give"),
     ],
 )
 def test_an_arrangement_has_one_preload(given: dict[str, Any], words: str) -> None:

@@ -52,7 +52,7 @@ def test_values_of_zero_end_the_search_and_ends_without_a_change_of_sign_are_rea
 
 
 def test_a_value_that_is_not_a_number_is_reported() -> None:
-    with pytest.raises(ConvergenceError, match=r"the test did not settle in 200 iterations.*Give a number"):
+    with pytest.raises(ConvergenceError, match=r"the test did not converge in 200 iterations.*Give a number"):
         bracketed_root(
             lambda x: (x * np.nan, x),
             start=np.array([0.2]),

@@ -206,7 +206,7 @@ def test_samples_without_a_torque_are_counted_and_too_many_are_refused(monkeypat
     assert found.failed == 1  # 0.8 % of 128, evenly spread
     assert found.reasons == ("the seal is stuck (1 times)",)
     failing(seals[1])
-    with pytest.raises(InputError, match=r"20 of 128 samples have no torque, more than 1 %.*the seal is stuck"):
+    with pytest.raises(InputError, match=r"20 of 128 samples have no torque, limit 1 %.*the seal is stuck"):
         predict(dry(**SPREADS), samples=128, workers=1)
 
 

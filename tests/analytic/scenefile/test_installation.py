@@ -87,7 +87,7 @@ def test_an_arrangement_is_read() -> None:
     ("more", "bearing", "words"),
     [
         (SEATS, 'contact_angle = { free = "12 deg" }', r"bearing\.contact_angle\.free = '12 deg' leaves the clearance"),
-        (SEATS, 'contact_angle = { rule = "given", value = "12 deg" }', r"holds an angle that \[mounting\] would"),
+        (SEATS, 'contact_angle = { rule = "given", value = "12 deg" }', r"fixes the contact angle, which \[mounting\]"),
         (SEATS + 'inner_temperature = "75 degC"\n', "", r"mounting\.outer_temperature is missing"),
         (SEATS + 'ball_temperature = "75 degC"\n', "", r"mounting\.ball_temperature = '75 degC' goes with"),
         (SEATS + 'shaft_bore = "30 mm"\n', "", r"mounting\.shaft_bore = '30 mm' must be below bearing.bore_diameter"),
@@ -100,7 +100,7 @@ def test_an_arrangement_is_read() -> None:
         ('[arrangement]\nkind = "O"\n', "", r"arrangement = .* needs one of preload and offset"),
         ('[arrangement]\nkind = "tandem"\npreload = "9 N"\n', "", r"arrangement\.preload = '9 N' does not go"),
         ('[arrangement]\nkind = "O"\npreload = "9 N"\noffset = "3 um"\n', "",
-            r"arrangement\.offset = '3 um' and preload both say how the pair is clamped; leave one of them out"),
+            r"arrangement\.offset = '3 um' and preload both give the clamping of the pair; leave one of them out"),
         ('[arrangement]\nkind = "DB"\npreload = "9 N"\n', "", r"arrangement\.kind = 'DB' is .*; give \"O\" \(.*, DB\)"),
         ('[arrangement]\nkind = "DT"\npreload = "9 N"\n', "", r"arrangement\.kind = 'DT' is .* \"tandem\" \(DT\)"),
         ('[arrangement]\nkind = "O"\npreload = "9 N"\ndistance = "9 mm"\n', "",
@@ -109,7 +109,7 @@ def test_an_arrangement_is_read() -> None:
         ('[arrangement]\nkind = "X"\noffset = "0.5 mm"\n', 'inner = { shoulder_half_width = "2 mm" }',
             r"arrangement\.offset = '0.5 mm' must be at most .* um: there the balls reach a shoulder"),
         ('[arrangement]\nkind = "O"\npreload = "9 N"\n', 'contact_angle = { rule = "given", value = "12 deg" }',
-            r"bearing\.contact_angle\.rule = 'given' holds an angle that the loads of a pair change"),
+            r"bearing\.contact_angle\.rule = 'given' fixes the contact angle, which the loads of a pair change"),
     ],
 )  # fmt: skip
 def test_a_mistake_is_one_line(more: str, bearing: str, words: str) -> None:

@@ -193,4 +193,4 @@ def test_a_setting_needs_key_and_value(text: str) -> None:
 
 
 def test_a_setting_stands_once() -> None:
-    refused(lambda: typed_settings(["tolerance=1%", "tolerance=2%"]), "tolerance stands twice")
+    refused(lambda: typed_settings(["tolerance=1%", "tolerance=2%"]), "tolerance is given twice")

@@ -142,6 +142,6 @@ def test_the_high_speed_scene() -> None:
     shares = sum(effect.share or 0.0 for effect in still.effects if effect.name in ("centrifugal", "gyroscopic"))
     # By trial, in which the balls turn by rule.
     np.testing.assert_allclose(result.torque.total, still.torque.total, rtol=shares)
-    assert any("centrifugal is left out and could be" in warning for warning in still.warnings)
+    assert any("centrifugal is neglected, up to" in warning for warning in still.warnings)
     band = scene_band(scene)
     assert np.all((result.torque.race > band.low / 2) & (result.torque.race < band.high))

@@ -47,7 +47,7 @@ CASES: list[tuple[dict[str, Any], dict[str, float], str]] = [
     ({}, {"axial_load": 0.0, "inner_speed": 0.0}, r"operation\.axial_load = 0 N: without thrust .*; give a load"),
     ({}, {"axial_load": 0.0}, r"operation\.axial_load = 0 N: without thrust nothing presses the balls; give a load"),
     ({"effects": {"load_distribution": "off"}}, {"axial_load": 0.0, "radial_load": 70.0},
-        "act without thrust, and are the whole load: leave effects.load_distribution on auto"),
+        "act without thrust, and are the whole load: set effects.load_distribution to auto"),
     ({"contact_angle": GIVEN}, {"radial_load": 660.0}, r"25\.5 % of .* use \"solved\""),  # 660 tan(0.31)/830
     ({"contact_angle": GIVEN}, {"axial_load": 0.0, "radial_load": 70.0}, 'use "solved"'),
     ({}, {"axial_load": 2e-3, "inner_speed": 2300.0},
@@ -56,7 +56,7 @@ CASES: list[tuple[dict[str, Any], dict[str, float], str]] = [
     ({}, {"moment": 1900.0}, r"axial_load = 830 N, operation\.moment = 1\.9e\+06 N mm: .* shoulder: lower the load"),
     ({"spin_rule": "free", "sliding": "free_ball", "friction_coefficient": 1e-9, "hysteresis_loss": 0.0},
      {"inner_speed": 1900.0},
-        r"the rotation of ball 0 under .* did not settle .* Raise the load or lower the speed"),
+        r"the rotation of ball 0 under .* did not converge .* Raise the load or lower the speed"),
 ]  # fmt: skip
 
 
@@ -79,7 +79,7 @@ def test_a_point_without_a_torque_is_told_in_one_line(
 
 def test_a_thrust_bearing_names_its_speed() -> None:
     loads = thrust(900.0, 5.0, 700.0, speed=[30.0, 300.0, 41.0])
-    with pytest.raises(InputError, match=r"= 2864\.\d+ rpm: .* under 5 N of thrust, above 0\.1, and drives it out"):
+    with pytest.raises(InputError, match=r"= 2864\.\d+ rpm: .* under 5 N of thrust, above 0\.1, and moves it out"):
         friction_torque(replace(scene_of(loads, friction_coefficient=0.1)))
 
 
@@ -100,4 +100,4 @@ def test_every_status_has_its_words(scene: Scene, status: int, monkeypatch: pyte
     assert "\n" not in str(caught.value)
     assert len(str(caught.value)) > 40
     if status in NEVER_SOLVED:
-        assert "did not settle" in str(caught.value)
+        assert "did not converge" in str(caught.value)

@@ -173,8 +173,8 @@ def test_dependence_on_the_spacing_gives_warnings() -> None:
         for kind, spacing in ((FRACTAL, 2.1e-6), (FRACTAL, 3e-6), (SMOOTH, 3e-6))
     )
     for found, words in (
-        (near, "2.1 um .*sets"),
-        (wide, "3 um .*sets"),
+        (near, "depend on .*2.1 um"),
+        (wide, "depend on .*3 um"),
         (coarse, "a tenth of the length 21 um .*ignored"),
     ):
         (warning,) = found.warnings

@@ -188,4 +188,4 @@ def test_a_cut_contact_is_drawn_on_both_sides_up_to_its_shoulder(cut_contact: Co
     np.testing.assert_allclose(np.asarray(shoulder.get_xdata(), dtype=float), 0.8e-3 / semi_axis, rtol=1e-12)
     assert above.get_ylim()[1] < 1.51e-9 * cut_contact.hertz.peak_pressure
     assert below.get_ylim()[1] < 30  # %: not that of the shoulder's node, some 200 %
-    assert "Dotted: the shoulder" in caption
+    assert "Dotted: shoulder" in caption

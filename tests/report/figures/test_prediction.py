@@ -98,8 +98,8 @@ def test_the_terminal_shows_ends_parts_inputs_and_failures() -> None:
         "95 % interval by 300 Latin hypercube samples, seed 77, in 12 s",
         "the standard error of an end is at most 1.8 %",  # 7e-4 of 1.9 x 0.021
         "2 of 300 samples have no torque and are left out: a ball fell out (2 times).",
-        "Not in it: the moon.",
-        "predicts 97 % or more of the variance; the rest is attributed to no input",
+        "Not included: the moon.",
+        "explains 97 % or more of the variance; the rest is attributed to no input",
         "film formula 18.9-23.1 and 30.6-37.4",
     ):
         assert word in words, word
@@ -110,7 +110,7 @@ def test_shares_of_a_regression_that_predicts_nothing_are_said_to_be_unknown() -
     failed = content()
     failed["points"][1]["explained"] = -1600.7
     words = " ".join(printed(prediction_of(failed)).split())
-    assert "predicts 0 % or more of the variance: which inputs matter is not known" in words
+    assert "explains 0 % or more of the variance: the ranking of the inputs is not known" in words
 
 
 def test_the_figure_has_the_ends_of_every_part_and_the_indices_of_the_inputs_that_matter() -> None:

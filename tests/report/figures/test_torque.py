@@ -72,8 +72,8 @@ def document() -> Document:
 
 
 def test_a_cage_that_moved_is_said_to_be_in_the_total(document: Document) -> None:
-    assert "with its motion" not in torque_plot(as_document(document))[1]
-    assert "The cage is in it with its motion." in torque_plot(as_document(document | {"cage_records": [{}]}))[1]
+    assert "its motion" not in torque_plot(as_document(document))[1]
+    assert "The part of the cage includes its motion." in torque_plot(as_document(document | {"cage_records": [{}]}))[1]
 
 
 def panel_of(found: tuple[Figure | None, str]) -> Axes:
@@ -223,12 +223,12 @@ def test_a_given_coefficient_has_no_film(document: Document) -> None:
         each["friction_coefficient"] = {"inner": 0.1, "outer": 0.1, "pocket": 0.07}
     figure, caption = friction_plot(as_document(document))
     assert [text.get_text() for text in present(figure).legends[0].get_texts()] == ["inner", "outer", "pocket"]
-    assert "No film is computed" in caption
+    assert "No film: the scene gives a constant coefficient" in caption
     for each in document["torque"]["points"]:
         each["friction_coefficient"] = dict.fromkeys(("inner", "outer", "pocket"))
     assert friction_plot(as_document(document)) == (
         None,
-        "Nothing that slides was computed: there is no friction coefficient.",
+        "No friction coefficient: no sliding was computed.",
     )
 
 

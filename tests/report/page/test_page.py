@@ -45,8 +45,8 @@ ALWAYS = (  # of the appendices; no sections of a scene without torque or cage
     "Contacts",
     "Contact pressure",
     "Meshes and convergence",
-    "What accuracy costs",
-    "Warnings, and what to run next",
+    "Cost of accuracy",
+    "Warnings and next steps",
     "Provenance",
 )
 
@@ -127,7 +127,7 @@ def test_every_picture_is_inside(page: Page) -> None:
     assert (
         len(page.sources) == 2 * 4 + 9
     )  # two of each contact; the drawing; every plot but those of a cage that moved and of an interval
-    assert "No cage moved" in page.text
+    assert "No motion of the cage" in page.text
     kinds = Counter(source.partition(",")[0] for source in page.sources)
     assert kinds == {"data:image/png;base64": 2 * 4, "data:image/svg+xml;base64": 9}
     for source in page.sources:
@@ -162,10 +162,10 @@ def test_it_says_what_is_assumed_and_what_is_not_validated(page: Page) -> None:
     words = " ".join(page.text.split())
     for said in (
         "Not validated by measurement",
-        "coefficient 0.1 at each race, given by the scene",
+        "coefficient 0.1 at each race, from the scene",
         "typical values, no single source seen",  # of the steel
         "bends on its rim",
-        "does not count effects that the scene switches off",
+        "excludes effects that are off in the scene",
     ):
         assert said in words
 
@@ -190,8 +190,8 @@ def test_a_lubricated_scene_is_not_told_as_one_without_a_coefficient(checked: Va
 def test_the_page_says_the_rules_of_its_intervals(page: Page) -> None:
     """In the constants of the code, which may change."""
     words = " ".join(page.text.split())
-    assert f"what order {UNSTEADY:g} leaves of the last change, plus {LEAST:.2%}".replace("%", " %") in words
-    assert f"three times the last change, plus {LEAST:.2%}. All of them {FINEST:.3%} more".replace("%", " %") in words
+    assert f"the remainder of the last change with order {UNSTEADY:g}, plus {LEAST:.2%}".replace("%", " %") in words
+    assert f"three times the last change, plus {LEAST:.2%}. All have {FINEST:.3%} more".replace("%", " %") in words
     assert (HALF, CAUTIOUS) == (1 / 2, 3)  # "half the extrapolation's step", "three times"
 
 
@@ -221,15 +221,15 @@ def test_without_cage_and_friction_there_is_neither_pocket_nor_torque(checked: V
     assert tuple(appendices(page).values()) == ALWAYS
     assert not any("torque" in heading for heading in page.headings)
     assert "none in the scene: no pocket contact" in page.text
-    assert "so there is no torque" in " ".join(page.text.split())
+    assert "No torque: no friction coefficient" in " ".join(page.text.split())
     assert "K_pb" not in page.text
 
 
 def test_a_calibration_is_named_or_said_to_be_absent(checked: Validation, page: Page, tmp_path: Path) -> None:
-    assert "the scene names no input that was chosen until a number came out" in page.text
+    assert "no calibrated inputs" in page.text
     other = page_of(with_scene(checked, replace(checked.scene, calibration="viscosity to the race torque")), tmp_path)
     assert "viscosity to the race torque" in other.text
-    assert "the scene names no input" not in other.text
+    assert "no calibrated inputs" not in other.text
 
 
 def test_a_clearance_is_that_of_a_radial_bearing_alone(checked: Validation, page: Page, tmp_path: Path) -> None:
@@ -244,9 +244,9 @@ def test_a_clearance_is_that_of_a_radial_bearing_alone(checked: Validation, page
 def test_hard_cases_and_a_missing_renderer_are_shown(checked: Validation, tmp_path: Path) -> None:
     hard = HardRecord(date="2025-03-04", fembearing="0.7", model_version=5, right=211, refused=34, wrong=2)
     page = Page(written_page(replace(checked, hard=hard), tmp_path, trouble="VTK ended with signal 6"))
-    told = "last run 2025-03-04, fembearing 0.7, model version 5: 211 right, 34 refused as they should be, 2 wrong"
+    told = "last run 2025-03-04, fembearing 0.7, model version 5: 211 right, 34 correctly refused, 2 wrong"
     assert told in page.text
-    assert "maps by matplotlib: VTK ended with signal 6" in page.text
+    assert "Maps by matplotlib: VTK ended with signal 6" in page.text
 
 
 def test_a_cage_that_moved_has_its_table(checked: Validation, tmp_path: Path) -> None:

@@ -72,7 +72,7 @@ def test_the_page_of_a_file_is_that_of_its_result(made: Validation, tmp_path: Pa
     assert rebuild_page(numbers, out=out).page == out
     told = out.read_text("utf-8")
     assert "+10.00%" in told
-    assert "No pictures were drawn with these numbers" in told
+    assert "No pictures for these numbers" in told
     assert told == page_of(report_in(document), tmp_path)
 
 
@@ -86,7 +86,7 @@ def test_a_picture_that_is_not_there_leaves_a_word(
     assert found.missing == (second.name,)
     text = found.page.read_text("utf-8")
     assert text.count("data:image/png") == 1
-    assert f"The picture {second.name} does not lie beside report.json." in text
+    assert f"The picture {second.name} is missing beside report.json." in text
     (tmp_path / second.name).write_text("no picture")
     text = rebuild_page(tmp_path / "report.json").page.read_text("utf-8")
     assert f"The file {second.name} beside report.json is no picture." in text
@@ -313,4 +313,4 @@ def test_the_command_says_where_the_page_is(
     assert (stop.value.code or 0) == 0
     assert content["page"] == str(tmp_path / "report.html")
     assert len(content["missing"]) == told.err.count("\n") == 2
-    assert "inner-real-pressure.png does not lie beside" in told.err
+    assert "inner-real-pressure.png is missing beside" in told.err

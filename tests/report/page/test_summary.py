@@ -110,11 +110,11 @@ def test_one_sentence_says_how_far_to_trust_the_torque(document: Document, tmp_p
     points = document["torque"]["points"]
     for number, point in enumerate(points):
         point["uncertainty"] |= {"numerical": 0.011 + 0.01 * number, "model": 0.32 - 0.05 * number, "model_parts": {}}
-    assert "formulas and numerics leave 33 % open" in " ".join(written(document, tmp_path).split())
+    assert "Uncertainty of formulas and solver, 95 %: 33 %;" in " ".join(written(document, tmp_path).split())
     points[1]["uncertainty"]["numerical"] = None
-    assert "How far to trust it is not known" in written(document, tmp_path)
+    assert "Uncertainty not known" in written(document, tmp_path)
     document["torque"]["prediction"] = predicted(points, low=0.8, high=1.57)
-    assert "within 57 % of the number shown" in " ".join(written(document, tmp_path).split())
+    assert "within 57 % of the torque" in " ".join(written(document, tmp_path).split())
 
 
 def predicted(points: list[dict[str, Any]], *, low: float, high: float) -> dict[str, Any]:
@@ -247,7 +247,7 @@ def test_every_table_says_what_its_rows_and_columns_are(document: Document, tmp_
 
 def test_the_page_says_why_the_ball_loads_of_contacts_and_torque_differ(document: Document, tmp_path: Path) -> None:
     """Where the torque's contacts have the fit for finite geometry; those that are compared are Hertz's as they are."""
-    why = "the torque's contacts have the fit for finite geometry"
+    why = "The torque includes the fit for finite geometry"
     assert document["torque_change"]["finite_geometry"] is not None  # beside the torque, and not in its contacts
     assert why not in unescape(written(document, tmp_path))
     document["torque_change"]["finite_geometry"] = None
@@ -256,7 +256,7 @@ def test_the_page_says_why_the_ball_loads_of_contacts_and_torque_differ(document
 
 def test_a_page_in_inches_says_that_its_notes_are_metric(document: Document, tmp_path: Path) -> None:
     document["torque"]["notes"] = ["The combined roughness is 0.1 um."]
-    said = "Notes and warnings name metric units"
+    said = "Notes and warnings are in metric units"
     assert said not in summary_of(written(document, tmp_path))
     document["report"]["units"] = "inch"
     assert said in summary_of(written(document, tmp_path))

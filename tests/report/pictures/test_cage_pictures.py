@@ -83,7 +83,7 @@ def test_the_orbit_is_x_to_the_right_and_y_up_inside_the_room(record: CageRecord
     x, y = drawn[-1]
     assert -101 < y < -98  # hangs in a room of 100 um
     assert 8 < x < 12  # friction of 0.1 holds it to the side, towards which balls turning against the orbit push
-    room = points_of(line_of(orbit, "edge of its room"))
+    room = points_of(line_of(orbit, "edge of its clearance"))
     np.testing.assert_allclose(np.linalg.norm(room, axis=1), 100, rtol=1e-9)
     assert points_of(line_of(orbit, "start-up")).shape[0] == np.sum(~after)
     assert (orbit.get_xlabel(), orbit.get_ylabel()) == ("x, um", "y, um")
@@ -188,10 +188,13 @@ def test_a_thinned_exceedance_keeps_the_rarest() -> None:
 def test_a_cage_at_rest_by_its_closed_form_has_a_reason_in_place_of_a_figure() -> None:
     assert cage_plot(as_document({"cage_records": [], "torque": {}})) == (
         None,
-        "No cage moved: the torque has the closed form of a cage that rests on its balls, or none. Where the scene "
-        "gives a cage and its start, and the tolerance can see the motion, it is computed.",
+        "No motion of the cage: the torque has the closed form of a cage at rest on its balls, or no cage. The motion "
+        "is computed for a scene with a cage and its start, if it exceeds the tolerance.",
     )
-    assert cage_plot(as_document({"cage_records": [], "torque": None}))[1] == "No cage moved: the scene has no torque."
+    assert (
+        cage_plot(as_document({"cage_records": [], "torque": None}))[1]
+        == "No motion of the cage: the scene has no torque."
+    )
 
 
 def box_of(part: Artist | None) -> BboxBase:
@@ -347,7 +350,7 @@ def test_words_tell_instant_regime_and_what_is_not_to_scale(known: CageRecord) -
     for word in ('regime "rest"', "500 rpm, counterclockwise", time, "the largest 3 N", "10 times as far as computed"):
         assert word in said
     assert max(map(len, job["lines"])) < 88  # characters that the width holds
-    for word in (time, "3 N", "10 times as far", "Regime of all seeds: rest"):
+    for word in (time, "3 N", "10 times as large", "Regime of all seeds: rest"):
         assert word in caption
     assert job["pull"]["label"] == "gravity"
     backwards = replace(known, cage=replace(known.cage, ring_speed=-52.4, gravity=(0.0, 0.0, -9.8)))

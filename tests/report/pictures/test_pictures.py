@@ -254,7 +254,7 @@ def test_every_way_to_fail_is_named(
     assert words in present(trouble)
     assert [picture.file.name for picture in found] == ["inner-real-pressure.png"]
     assert found[0].file.is_file()
-    assert "Grey lines" not in found[0].caption  # a map has no mesh
+    assert "Grey: mesh" not in found[0].caption  # a map has no mesh
 
 
 def test_captions_say_what_to_see(checked: Validation, drawn: dict[str, Picture]) -> None:
@@ -262,8 +262,8 @@ def test_captions_say_what_to_see(checked: Validation, drawn: dict[str, Picture]
     contact: ContactSolution = checked.contacts[0]
     share = contact.hertz.semi_axis_transverse / contact.reference.semi_axis_transverse - 1
     assert share > 0
-    assert f"{share:.1%} beyond" in drawn["inner-real-pressure"].caption
-    assert "Grey lines are the mesh" in drawn["inner-real-pressure"].caption
+    assert f"transverse semi-axis {share:.1%} larger" in drawn["inner-real-pressure"].caption
+    assert "Grey: mesh" in drawn["inner-real-pressure"].caption
     assert "1.4 mm off its race" in drawn["inner-real-section"].caption
 
 

@@ -155,7 +155,7 @@ def test_the_page_holds_each_view_and_prints_without(
     assert "ball on inner race: drag it" in " ".join(content.split())
     assert ".view { display: none; }" in content.partition("@media print {")[2].partition("</style>")[0]
     assert content.count('<figure class="view">') == len(PAIRS)
-    assert "no view to turn" not in content
+    assert "no rotatable view" not in content
 
 
 def test_of_a_strangers_view_only_the_numbers_are_taken(
@@ -204,7 +204,7 @@ def test_without_vtk_the_page_says_that_there_is_no_view(checked: Validation, tm
     assert {picture.kind for picture in found} == {"pressure"}
     assert not list(tmp_path.glob("*.html"))
     content = written_page(checked, tmp_path, pictures=found, trouble=trouble)
-    assert "There is no view to turn; the numbers are the same" in content
+    assert "There is no rotatable view; the numbers are the same" in content
     assert "<iframe" not in content
 
 

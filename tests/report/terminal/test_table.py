@@ -77,7 +77,7 @@ def tables(document: Report) -> dict[str, Table]:
     [
         "Friction torque of 6205",
         "Heaviest ball",
-        "What finite-element contacts change",
+        "Changes by finite-element contacts",
         "Contacts",
         "Cage pocket: F = K_pb delta^1.5, at 28.5 N",
         "Methods",

@@ -35,19 +35,19 @@ RING = RingStructure(approach=-0.2125e-6, share=-0.0407, mesh=6e-9, domain=1.5e-
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        (lambda: replace(POINT, hertz_approach=math.inf), "the approach by Hertz comes out as inf, under 372 N"),
-        (lambda: replace(POINT, tangent=math.nan), "the tangent comes out as nan, under 372 N"),
+        (lambda: replace(POINT, hertz_approach=math.inf), "the approach by Hertz is inf, under 372 N"),
+        (lambda: replace(POINT, tangent=math.nan), "the tangent is nan, under 372 N"),
         (
             lambda: replace(POINT, approach=replace(APPROACH, mesh=math.inf)),
-            "uncertainty of the approach comes out as inf",
+            "uncertainty of the approach is inf",
         ),
         (
             lambda: replace(BELOW, fe=BELOW.fe | {"max_von_mises": math.nan}),
-            "the max von mises comes out as nan, finite elements, below the lower surface",
+            "the max von mises is nan, finite elements, below the lower surface",
         ),
         (
             lambda: replace(RING, uncertainty=math.nan),
-            "the uncertainty comes out as nan, ring: the numbers of the scene",
+            "the uncertainty is nan, ring: the numbers of the scene",
         ),
     ],
 )

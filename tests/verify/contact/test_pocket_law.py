@@ -84,7 +84,7 @@ def test_a_sheet_that_yields_under_the_centre_is_warned_of() -> None:
     assert annular_warning(mesh, hertz=1.3e8) == ""
     message = annular_warning(mesh, hertz=1.5e8)
     assert "pocket: under 28 N the sheet yields at the centre, where 0.07 GPa are 47 % of Hertz's" in message
-    assert "the largest pressure is 0.13 GPa, 0.5 mm from there" in message
+    assert "the largest pressure, 0.13 GPa, is 0.5 mm from there" in message
     assert "\n" not in message
 
 

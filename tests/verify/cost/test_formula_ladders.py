@@ -204,7 +204,7 @@ def of_a_map(scene: Scene) -> Scene:
         ),
         (turning_methods, without_friction, "neither friction.coefficient nor both"),
         (turning_methods, lambda scene: replace(scene, effects={"spin": "off"}), "do not turn freely"),
-        (load_methods, of_given_angle, "holds the angle"),
+        (load_methods, of_given_angle, "fixes the angle"),
         (roughness_methods, lambda scene: scene, r"no \[surface\]"),
         (roughness_methods, smooth, "smooth surface"),
         (roughness_methods, of_a_map, "measured"),

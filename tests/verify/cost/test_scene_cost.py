@@ -40,7 +40,7 @@ def test_every_ladder_is_run_or_absent_with_a_reason(scene: Scene, monkeypatch: 
         "contact, inner",
     ]
     hertz, load, friction, turning, sliding, roughness, cage, film, force, contact = found.ladders
-    assert "holds the angle" in (load.absent or "")
+    assert "fixes the angle" in (load.absent or "")
     assert "no [surface]" in (roughness.absent or "")
     assert "[lubricant]" in (film.absent or "")
     assert "[lubricant]" in (force.absent or "")

@@ -36,8 +36,8 @@ PARTS = (
     Part("ring", "Ring and balls", lambda document: bool(ring_tables(document))),
     Part("cage", "Cage", lambda document: document.scene.cage is not None),
     Part("sensitivity", "Sensitivity to inputs", lambda document: document.sensitivity is not None),
-    Part("cost", "What accuracy costs"),
-    Part("next", "Warnings, and what to run next"),
+    Part("cost", "Cost of accuracy"),
+    Part("next", "Warnings and next steps"),
     Part("provenance", "Provenance"),
 )
 

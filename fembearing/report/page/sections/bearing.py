@@ -41,7 +41,7 @@ def details_of(document: Report) -> Facts:
     if torque is not None and torque.clearances is not None:
         details.append(("seats", clearances_of(torque.clearances, units)))
     details.append(("spin of balls", f"rule: {scene.spin_rule.replace('_', ' ')}"))
-    chosen = scene.calibration or "the scene names no input that was chosen until a number came out"
+    chosen = scene.calibration or "no calibrated inputs"
     return [*details, ("calibration", chosen)]
 
 

@@ -42,7 +42,7 @@ def _of_contact(document: Report, contact: ContactRecord) -> Iterator[Step]:
 
     if failed := named("fail"):
         remedy = (
-            "the scene's tolerance is beyond Hertz here, and the correction's fit does not reach it: take the "
+            "Hertz does not reach the tolerance, and the contact is outside the fit for its correction: use the "
             "finite-element values, or a wider tolerance"
         )
         if contact.corrected:
@@ -58,11 +58,11 @@ def _of_contact(document: Report, contact: ContactRecord) -> Iterator[Step]:
     if open_to_meshes:
         command = f'fembearing contact SCENE --pair {contact.pair} --tolerance "{100 * document.tolerance / 20:.2g} %"'
         if contact.bearing is not None:
-            command = "leave out [arrangement], give the loads of this bearing, and solve this contact by itself"
+            command = "leave out [arrangement], give the loads of this bearing, and solve this contact alone"
         yield Step(f"{place}: undecided in {', '.join(open_to_meshes)}", command)
     if open_beyond:
-        why = f"{place}: undecided in {', '.join(open_beyond)}, as the size of the meshed block leaves it open"
-        yield Step(why, "no finer mesh decides it: ask for a tolerance farther from the discrepancy")
+        why = f"{place}: undecided in {', '.join(open_beyond)}, by the uncertainty from the size of the meshed block"
+        yield Step(why, "a finer mesh does not help: give a tolerance farther from the discrepancy")
     if named("outside validity"):
-        remedy = "a smaller load or a wider groove; else take the finite-element values"
+        remedy = "give a smaller load or a wider groove, or use the finite-element values"
         yield Step(f"{place}: outside the validity of Hertz, see the warnings", remedy)

@@ -26,8 +26,8 @@ from fembearing.verify.contact.bearings import which_bearing
 
 MOST_NAMED = 8  # assumed inputs that the summary names
 OTHER_LOADS = (
-    "Ball load and angle follow from Hertz's contacts. Those of the torque, in the table of balls, differ a little, as "
-    "the torque's contacts have the fit for finite geometry."
+    "Ball load and angle are for Hertz's contacts. The torque includes the fit for finite geometry, so the table of "
+    "balls differs slightly."
 )
 MOST_NOTES, LONGEST = 5, 320  # notes of the summary, and letters of one and of a fact: the appendices have all
 
@@ -137,18 +137,12 @@ def _trust(torque: TorqueRecord) -> str:
     if torque.prediction is not None:
         points = torque.prediction.points
         off = max(abs(end - p.nominal) / p.nominal for p in points if p.nominal for end in (p.total.low, p.total.high))
-        return (
-            f"How far to trust it: with a chance of 95 % the torque is within {percent(off)} of the number shown, as "
-            "far as inputs, formulas and numerics are known."
-        )
+        return f"95 % interval from the stated uncertainties: within {percent(off)} of the torque."
     known = [point.uncertainty for point in torque.points]
     if any(each.numerical is None or each.model is None for each in known):
-        return "How far to trust it is not known; the option --interval computes it."
+        return "Uncertainty not known; --interval computes it."
     worst = max((each.numerical or 0.0) + (each.model or 0.0) for each in known)
-    return (
-        f"How far to trust it: formulas and numerics leave {percent(worst)} open, at 95 %; the option --interval adds "
-        "the inputs."
-    )
+    return f"Uncertainty of formulas and solver, 95 %: {percent(worst)}; --interval includes the inputs."
 
 
 def _boxes(document: Report) -> list[Box]:
@@ -230,9 +224,7 @@ def _contacts_at(document: Report) -> str:
         return "Races: the heaviest ball of all operating points."
     points = document.torque.points
     if document.torque.pair is not None:
-        return (
-            "Races: the heaviest ball of each bearing, at any operating point. Ball loads follow from Hertz's contacts."
-        )
+        return "Races: the heaviest ball of each bearing, at any operating point. Ball loads are for Hertz's contacts."
     place = f"Races: the heaviest ball, at {point_name(points, heaviest_point(points), document.units)}."
     change = document.torque_change
     if change is None or change.finite_geometry is not None:

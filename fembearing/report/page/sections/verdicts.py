@@ -22,6 +22,6 @@ def _resolved(document: Report, contact: ContactRecord) -> Iterator[str]:
         words = f"{quantity.name} {row.discrepancy:+.2%} +- {row.relative_uncertainty:.2%}"
         parts[row.comparison.resolved].append(words)
     if parts[True]:
-        yield f"|E| > u_val: the difference is resolved, and is Hertz's error: {', '.join(parts[True])}."
+        yield f"|E| > u_val, difference resolved, error of Hertz: {', '.join(parts[True])}."
     if parts[False]:
-        yield f"|E| <= u_val: the difference is not resolved, Hertz's error is somewhere in {', '.join(parts[False])}."
+        yield f"|E| <= u_val, difference not resolved, error of Hertz within {', '.join(parts[False])}."
