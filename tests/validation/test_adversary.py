@@ -44,6 +44,7 @@ BROKEN_ONCE = {
     "balls of unequal loads lag behind unequally": 71134,
     "the weight in an unknown direction by another method of sliding": 61326,
     "the weight lifts balls off, and changes of spin and rolling cancel": 90273,
+    "friction across the grooves wedges light balls, and their weight moves loads by far more than itself": 98332,
 }
 
 
