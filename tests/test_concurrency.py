@@ -61,10 +61,10 @@ def test_threads_that_share_a_function_have_the_numbers_of_one(rule: Any, slidin
 def test_threads_that_load_and_compute_scenes_do_not_mix() -> None:
     """Names, units and oils are read by libraries that keep tables of their own."""
     scenes: list[tuple[str, dict[str, Any]]] = [
-        ("6205-dry", {"axial_load": "730 N", "speed": "410 rpm"}),
+        ("6206", {"axial_load": "730 N", "speed": "410 rpm"}),
         ("6308", {"axial_load": "2.1 kN"}),
         ("7208B", {"axial_load": "640 N"}),
-        ("paper_6205", {"axial_load": "350 N", "speed": "90 rpm"}),
+        ("61804", {"axial_load": "150 N", "speed": "90 rpm"}),
     ]
 
     def torque(given: tuple[str, dict[str, Any]]) -> float:
