@@ -195,17 +195,16 @@ def growth_by_wedging(bearing: Bearing, by_rule: Solution, found: Solution) -> f
     Friction across both grooves, f times the load, leans the lines of contact apart by 2 f. The way between the centres
     of the grooves then is longer by X = l (al_i - al_o)^2/2 with 1/l = 1/(r_gi - r) + 1/(r_go - r), and the ring sees
     the approach delta - X. With f as the load to the power p, a load changes by 1/(1 - 3 p X/delta) of what delta alone
-    lets it. Infinite where one approach belongs to several loads. Source: derived here.
+    lets it. Infinite where one approach belongs to several loads. The centrifugal force leans the lines too, by a part
+    that falls with the load: it does not soften the ball, and is taken off as by rule. Source: derived here.
     """
     inner, outer = (groove.groove_radius - bearing.ball_radius for groove in (bearing.inner, bearing.outer))
     length = inner * outer / (inner + outer)
-    longer = [
-        length / 2 * (each.balls["angle"][..., 0] - each.balls["angle"][..., 1]) ** 2 for each in (by_rule, found)
-    ]
+    apart, straight = (each.balls["angle"][..., 0] - each.balls["angle"][..., 1] for each in (found, by_rule))
     load = found.balls["load"].min(axis=2)
-    lean = np.sum(load * np.abs(longer[1] - longer[0]), axis=1)
+    longer = np.sum(load * length / 2 * (apart - straight) ** 2, axis=1)
     approach = np.sum(load * found.balls["approach"].sum(axis=2), axis=1)
-    left = 1 - 3 * WEDGING_POWER * float(ratio(lean, over=approach).max())
+    left = 1 - 3 * WEDGING_POWER * float(ratio(longer, over=approach).max())
     return 1 / left if left > 0 else np.inf
 
 
