@@ -145,7 +145,7 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
     ledger = Ledger(scene, speed.size)
     races = race_torque(ledger, operation, correction=correction, variation=variation)
     parts, race = dict(races.parts), races.total
-    load_warnings = list(races.warnings)
+    load_warnings = [*races.warnings, *_two_states(races)]
     coefficient = races.coefficient if races.slides else scene.friction_coefficient
     drive = None if scene.cage is None else cage_drive(scene, races.balls, coefficient, speed)
     frees = decide_cage(scene, drive, ledger, race=race)
@@ -193,9 +193,7 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
         clearances=scene.clearances,
         gap_roughness=None if races.gap_roughness is None else races.gap_roughness.rms_roughness,
         warnings=tuple(
-            torque_warnings(ledger, races.found, roughness=races.gap_roughness, limits=limits.warnings)
-            + load_warnings
-            + list(_two_states(races))
+            torque_warnings(ledger, races.found, roughness=races.gap_roughness, limits=limits.warnings) + load_warnings
         ),
         unknown=limits.unknown + unsure.unknown + (() if cage is None else cage.unknown),
         provenance=_provenance(ledger, races, correction=correction, cage=cage),
