@@ -109,7 +109,8 @@ def test_commands_that_compile_at_once_have_the_numbers_of_one(tmp_path: Path) -
         return found
 
     together = torques("6205-dry", "paper_6205")
-    assert [*torques("6205-dry"), *torques("paper_6205")] == together
+    # Formulas that are compiled anew may add in another order: torques of free balls differ by 2e-12 of themselves.
+    np.testing.assert_allclose([*torques("6205-dry"), *torques("paper_6205")], together, rtol=1e-10)
 
 
 @pytest.mark.slow  # starts commands
