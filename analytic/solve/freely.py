@@ -11,8 +11,8 @@ from analytic.solve.records import SETTLED
 from analytic.solve.solution import FAR, Solution, solved, tried_points
 
 METHODS: dict[Creep, SlidingMethod] = {"none": "free_ball", "closed": "closed_creep", "marched": "marched_creep"}
-# Speeds over that of a point at which a bearing comes there, from below and from above
-RUNS = ((0.5, 0.71, 1.0), (2.0, 1.41, 1.0))
+# Speeds over that of a point at which a bearing comes there: from below and from above, in few steps and in many
+RUNS = tuple(np.geomspace(first, 1.0, steps) for steps in (3, 8) for first in (0.5, 2.0))
 SAME_STATE = 1e-3  # relative, of the torque: one that differs by less prints alike
 BETWEEN = 1.25  # times the largest error at far points: what lies between them
 
@@ -50,7 +50,7 @@ def other_states(model: Model, points: Array, found: Solution) -> Array:
     outward = np.mean(outward_force(bearing.ball_mass, bearing.pitch_diameter, orbit), axis=1)
     pressed_out = model.numbers.counted.centrifugal & (outward >= balls["load"][..., 0].mean(axis=1))
     race = found.race_torque
-    for i in map(int, np.flatnonzero(pressed_out)):
+    for i in map(int, np.flatnonzero(pressed_out & (race > 0))):
         same = model.with_numbers(cold=False, passes=int(found.points["passes"][i])).at(np.array([i]))
         for run in RUNS:
             work, end = workspace(same), found
