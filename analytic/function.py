@@ -1,9 +1,10 @@
 """The friction torque as a function for loops over time steps."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import product
+from threading import Lock
 from typing import Any, Literal
 
 import numpy as np
@@ -39,7 +40,8 @@ STEP, FREE_STEP = 1e-4, 1e-2
 class TorqueFunction(Brief):
     """The torque of a scene at any load, speed and oil temperature; `torque_function` makes it.
 
-    The balls of one call are the start of the next. So an instance serves one thread: `copy` makes another one.
+    The balls of one call are the start of the next. Calls from several threads wait for each other: `copy` makes an
+    instance for each thread.
     """
 
     scene: Scene  # with every effect settled
@@ -49,9 +51,16 @@ class TorqueFunction(Brief):
     points: Array  # (1, 5) of one call: N, N, N m, rad/s, K
     out: Records  # (1,) `records.POINT` of one call
     stirred: StirredOil | None  # outside the contacts; None: the scene declares no loss of it
+    lock: Lock = field(init=False, repr=False, default_factory=Lock)  # one call at a time writes balls and point
 
     def _facts(self) -> Iterator[str]:
         yield from (self.scene.name, "two bearings" if self.model is None else self.scene.sliding)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in vars(self).items() if name != "lock"}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        vars(self).update(state, lock=Lock())
 
     def copy(self) -> "TorqueFunction":
         """Another instance, for another thread; it begins by rule, and shares all that does not change."""
@@ -93,17 +102,19 @@ class TorqueFunction(Brief):
         ConvergenceError
             Likewise.
         """
-        warm, point = self._temperature if temperature is None else temperature, self.points[0]
-        for place, given in enumerate((axial_load, radial_load, moment, inner_speed, warm)):
-            point[place] = given if isinstance(given, float) else _one_number(GIVEN[place], given)
-        if self.model is not None and self.work is not None and self._takes(point):
-            has_ring = True if point[1] or point[2] or self._weighs else None
-            kernel = solve if self.model.creep is None else solve_free
-            kernel(self.model.numbers, self.model.tables, self.points, self.work, NO_BALLS, self.out, has_ring)
-            if self.out["status"][0] == SETTLED:
-                total = float(self.out["total"][0])
-                return total if self.stirred is None else total + float(self._stirring(point[3], point[4]))
-        return self._slowly(point)
+        warm = self._temperature if temperature is None else temperature
+        with self.lock:
+            point = self.points[0]
+            for place, given in enumerate((axial_load, radial_load, moment, inner_speed, warm)):
+                point[place] = given if isinstance(given, float) else _one_number(GIVEN[place], given)
+            if self.model is not None and self.work is not None and self._takes(point):
+                has_ring = True if point[1] or point[2] or self._weighs else None
+                kernel = solve if self.model.creep is None else solve_free
+                kernel(self.model.numbers, self.model.tables, self.points, self.work, NO_BALLS, self.out, has_ring)
+                if self.out["status"][0] == SETTLED:
+                    total = float(self.out["total"][0])
+                    return total if self.stirred is None else total + float(self._stirring(point[3], point[4]))
+            return self._slowly(point)
 
     def series(
         self,
@@ -149,7 +160,7 @@ class TorqueFunction(Brief):
         points = np.stack([each.ravel() for each in given], axis=-1)
         torques = np.full(len(points), np.nan)
         if self.model is not None and len(points):
-            torques = solved(self.model, points, keeps_balls=False).points["total"].copy()
+            torques = solved(self.model.with_numbers(), points, keeps_balls=False).points["total"].copy()
             taken = np.array([self._takes(point) for point in points])
             torques[~taken] = np.nan
             if self.stirred is not None:

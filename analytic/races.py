@@ -15,6 +15,7 @@ from analytic.effects.trial import (
     Trial,
     at_all_points,
     decide_effects,
+    growth_by_wedging,
     left_out_at_all,
     possible,
     slip_by_gyroscopic_moment,
@@ -22,7 +23,7 @@ from analytic.effects.trial import (
     trial_of,
     unequal_loads,
 )
-from analytic.errors import InputError, require_finite, require_positive
+from analytic.errors import ConvergenceError, InputError, require_finite, require_positive
 from analytic.free_ball.rotation import Creep
 from analytic.loads.balls import LoadedBalls
 from analytic.loads.finite_geometry import corrections_of
@@ -34,7 +35,7 @@ from analytic.scene import Array, Decision, Microslip, Operation, Scene, Sliding
 from analytic.scene import Sliding as Method
 from analytic.sliding.judge import ALONG_AXIS, AS_PRINTED, FINE, METHODS, OVER_ELLIPSE
 from analytic.solve.failures import require_settled, undistributed
-from analytic.solve.freely import BETWEEN, error_of_sliding, part_by_sliding, slide_freely
+from analytic.solve.freely import BETWEEN, error_of_sliding, other_states, part_by_sliding, slide_freely
 from analytic.solve.freely import METHODS as FREE_METHODS
 from analytic.solve.model import weights_of
 from analytic.solve.sample import BY_SLIP, slide_by_sample
@@ -46,6 +47,8 @@ from analytic.words import NEWTON, NEWTON_MILLIMETRE
 # by 6.8 shares of the weight at 0.1 rad, by 5.3 at 0.28 and by 4.8 at 0.25 (validation/adversary/run.py).
 FLAT_ANGLE = 0.5
 TINIEST = 1e-300
+WEDGED = "friction across the grooves wedges balls, whose loads change by more than closed kinematics show"
+NOT_UNIQUE = "not applied: friction across the grooves wedges balls, whose loads are not unique; raise the load"
 LOADING = ("load_distribution", "weight", "centrifugal", "gyroscopic", "finite_geometry")
 
 
@@ -63,6 +66,8 @@ class RaceTorque:
     warnings: tuple[str, ...]  # of the contacts' finite geometry
     beyond_fit: bool  # a contact lies outside the fit for finite geometry
     any_direction: NDArray[np.bool_]  # (n,) whether the balls' weight counts and nobody knows its direction
+    other: Array  # (n,) race torque in another steady state of the balls, N m; NaN: none is known
+    is_wedged: bool  # friction across the grooves lets balls have several loads, and their torque is that of equal ones
 
     @cached_property
     def balls(self) -> LoadedBalls:
@@ -99,6 +104,13 @@ class RaceTorque:
     def are_alike(self) -> bool:
         """Whether one ball stands for all."""
         return self.found.balls.shape[1] == 1
+
+    @cached_property
+    def growth(self) -> float:
+        """Factor on what unequal loads and weights do to balls by rule: above 1 where friction wedges free balls."""
+        if self.method not in FREE_METHODS.values():
+            return 1.0
+        return growth_by_wedging(self.scene.bearing, self.trial.solved(self.counted), self.found.at(self.trial.tried))
 
     @cached_property
     def heaviest(self) -> Records:
@@ -166,8 +178,7 @@ def race_torque(
     method: Method = "auto"
     computed = len(trial.points)
     if creep is not None:
-        model = trial.model.counting(counted).turning_freely(scene.bearing, creep)
-        found, error = slide_freely(scene, model.with_numbers(allowed=float(allowed.min())), trial.points)
+        found, error = _slide_freely(ledger, trial, counted, creep)
         method = FREE_METHODS[creep]
     else:
         found, error, method, computed = _slide_by_rule(scene, trial, counted, allowed, slides=slides)
@@ -183,6 +194,8 @@ def race_torque(
         warnings=warnings,
         beyond_fit=beyond,
         any_direction=any_direction,
+        other=np.full(len(trial.points), np.nan) if creep is None else _other_states(trial, counted, creep, found),
+        is_wedged=any(effect.reason == NOT_UNIQUE for effect in ledger.made.values()),
     )
 
 
@@ -312,6 +325,49 @@ def _rule_suffices(ledger: Ledger, trial: Trial, counted: Mapping[str, bool], tr
     if counted["gyroscopic"]:
         bound = bound + slip_by_gyroscopic_moment(ledger, tried)
     return ledger.leaves_out(bound)
+
+
+def _slide_freely(ledger: Ledger, trial: Trial, counted: dict[str, bool], creep: Creep) -> tuple[Solution, Array]:
+    """The balls at every operating point, and the error of their torque by sliding, (n,), relative to it.
+
+    What makes balls unequal was left out by a trial with balls by rule. It counts after all where friction wedges the
+    balls and what it may change grows beyond the tolerance. Where the balls do not settle with it, it stays out and
+    the uncertainty is infinite. Raises ConvergenceError where the balls do not settle either way.
+    """
+    scene, points = ledger.scene, trial.points
+
+    def slid() -> tuple[Solution, Array]:
+        model = trial.model.counting(counted).turning_freely(scene.bearing, creep)
+        allowed = float((scene.tolerance - ledger.left_out).min())
+        return slide_freely(scene, model.with_numbers(allowed=allowed), points)
+
+    found, error = slid()
+    may, unequal = possible(scene), ("load_distribution", "weight")
+    out = [name for name in unequal if may[name] and scene.effects.get(name, "auto") == "auto"]
+    if not out or any(counted[name] for name in unequal):
+        return found, error
+    growth = growth_by_wedging(scene.bearing, trial.solved(counted), found.at(trial.tried))
+    share = max(ledger.made[name].share or 0.0 for name in out)
+    if ledger.leaves_out(np.full_like(ledger.left_out, (growth - 1) * share if share else 0.0)):
+        return found, error
+    for name in out:
+        counted[name] = True
+        ledger.settle(name, on=True, share=growth * share, reason=WEDGED)
+    try:
+        return slid()
+    except ConvergenceError:
+        for name in out:
+            counted[name] = False
+            ledger.not_applied(name, NOT_UNIQUE)
+        return found, error
+
+
+def _other_states(trial: Trial, counted: Mapping[str, bool], creep: Creep, found: Solution) -> Array:
+    """(n,) race torque in another steady state, N m; NaN: none is known. Of a longer series the tried points tell."""
+    other, tried = np.full(len(trial.points), np.nan), trial.tried
+    model = trial.model.counting(counted).turning_freely(trial.scene.bearing, creep)
+    other[tried] = other_states(model.at(tried), trial.points[tried], found.at(tried))
+    return other
 
 
 def _slide_by_rule(

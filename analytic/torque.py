@@ -34,7 +34,7 @@ from analytic.numerics.records import Records
 from analytic.oil.inlets import starvation_source
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.pair import pair_in_series, pair_torque
-from analytic.races import RaceTorque, race_torque
+from analytic.races import WEDGED, RaceTorque, race_torque
 from analytic.result import (
     FrictionCoefficients,
     FrictionTorque,
@@ -45,6 +45,7 @@ from analytic.result import (
 )
 from analytic.scene import Array, Decision, Scene
 from analytic.units import Quantity
+from analytic.words import speed_of, torque_of
 
 DIRECTIONS = ((1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, -1.0))
 # Rises whenever a formula changes a torque; CHANGELOG.md then has the old and the new torque of each shipped scene.
@@ -144,7 +145,7 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
     ledger = Ledger(scene, speed.size)
     races = race_torque(ledger, operation, correction=correction, variation=variation)
     parts, race = dict(races.parts), races.total
-    load_warnings = list(races.warnings)
+    load_warnings = [*races.warnings, *_two_states(races)]
     coefficient = races.coefficient if races.slides else scene.friction_coefficient
     drive = None if scene.cage is None else cage_drive(scene, races.balls, coefficient, speed)
     frees = decide_cage(scene, drive, ledger, race=race)
@@ -205,6 +206,10 @@ def _unsure(ledger: Ledger, races: RaceTorque, total: Array) -> Unsure:
     beyond, weight = _beyond_the_fit(races, total), _in_any_direction(races, total)
     held = held_in_the_middle(races.scene, races.found, parts=races.parts, total=total)
     share = _uncertainty(ledger, races, total=total) + beyond.share + weight.share + held
+    if races.is_wedged:
+        return Unsure(np.full_like(share, np.inf), (WEDGED,))
+    apart = np.nan_to_num(np.abs(races.other - races.total))
+    share = share + share_in(apart if races.trial.is_of_all else np.full_like(apart, apart.max()), total)
     return Unsure(share, _unknown_sliding(races) + beyond.unknown + weight.unknown)
 
 
@@ -227,9 +232,9 @@ def _in_any_direction(races: RaceTorque, total: Array) -> Unsure:
         return Unsure(unsure, ())
     without = races.with_weight(at, None)
     changes = np.max([np.abs(races.with_weight(at, down) - without) for down in DIRECTIONS], axis=0)
-    known = np.isfinite(changes)
-    change = of_methods(races.scene) * share_in(np.nan_to_num(changes), np.nan_to_num(without))
-    unsure[at] = np.where(known, change, np.inf)
+    share = share_in(np.nan_to_num(changes), np.nan_to_num(without))
+    known = np.isfinite(changes) & np.isfinite(races.growth)
+    unsure[at] = np.multiply(of_methods(races.scene) * races.growth, share, out=np.full(at.size, np.inf), where=known)
     if races.slides and ruled(races.scene) is None:
         unsure[at] += slip_by_weight(races.scene.bearing, races.found)[at]
     unsure *= share_in(races.total, total)
@@ -267,6 +272,20 @@ def _uncertainty(ledger: Ledger, races: RaceTorque, *, total: Array) -> Array:
     unknown = np.isinf(races.error)
     error = share_in(np.where(unknown, 0.0, races.error) * races.found.sliding_torque, total)
     return ledger.left_out * share_in(races.total, total) + np.where(unknown, np.inf, error)
+
+
+def _two_states(races: RaceTorque) -> tuple[str, ...]:
+    """A warning for the operating point at which two steady states of the balls differ most."""
+    apart = np.nan_to_num(np.abs(races.other / races.total - 1))
+    worst = int(apart.argmax())
+    if not apart[worst]:
+        return ()
+    computed, other = (torque_of(each[worst]) for each in (races.total, races.other))
+    speed = speed_of(float(races.trial.points[worst, 3]))
+    return (
+        f"balls that the inner race hardly drives have two steady states at {speed}: the races resist {computed} or "
+        f"{other}, by how the bearing came to this speed; the first is computed, and the uncertainty covers both",
+    )
 
 
 def _unknown_sliding(races: RaceTorque) -> tuple[str, ...]:

@@ -37,6 +37,8 @@ LOST_TO_RACES = 0.3
 # longer along the orbit, may rest. The whole of it is therefore uncertain.
 SQUEEZE_SPREAD = 1.0
 ANGLE_TOLERANCE = 1e-12  # of beta: Newton's last step reaches it at once
+# Of a right angle: where the first root is looked for. Roots nearer to each other than a step, 7 %, are missed.
+SEARCHED = np.geomspace(1e-12, 1.0, 400)
 SQUEEZE = Sought("the angle of squeezed balls did not converge", "rad", "check the pocket's stiffness")
 LEAST_LOAD = 1e-300  # N: keeps a race without load from a division by 0
 
@@ -123,6 +125,8 @@ def squeeze_force(
     the orbit act N sin(psi + beta) and mu_c N cos(psi + beta), and the races let a ball creep at this force times
     u/(2 G a b C11). In the steady motion creep takes from the lead what the pockets do not leave. This holds at any
     speed, as creep and conflict are both in proportion to it. The angle takes some radians of the orbit to grow.
+    With friction and stiff pockets there can be three angles. The angle grows from 0 at the rate -surplus/(2 nabla), so
+    the first one is that of balls that were not squeezed before, and the force is that of the first.
     Valid for a rigid cage and small creep, N below half of `carried_force`, which limits N.
     """
     require_positive(
@@ -150,9 +154,18 @@ def squeeze_force(
             slope = softness * (2 / 3) * cosine / np.cbrt(sine) + bending * cosine + lead * (sine - mu * cosine)
         return free + softness * np.cbrt(sine) ** 2 + bending * sine - lead * (cosine + mu * sine), slope
 
-    end = np.where(lead > free, np.pi / 2, 0.0)
+    angles = np.multiply.outer(SEARCHED, np.where(lead > free, np.pi / 2, 0.0))
+    passed = surplus(angles)[0] >= 0
+    passed[-1] = True  # beyond a friction of 1 the last angle is the end
+    first = passed.argmax(axis=0)[None]
+    low, high = (np.take_along_axis(angles, np.maximum(first - k, 0), 0)[0] for k in (1, 0))
     beta = bracketed_root(
-        surplus, start=end / 4, low=np.zeros_like(end), high=end, relative=ANGLE_TOLERANCE, sought=SQUEEZE
+        surplus,
+        start=(low + high) / 2,
+        low=np.where(first[0] > 0, low, 0.0),
+        high=high,
+        relative=ANGLE_TOLERANCE,
+        sought=SQUEEZE,
     )
     return creep * lead * np.sin(beta)
 

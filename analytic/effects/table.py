@@ -30,6 +30,9 @@ PER_GYROSCOPIC_SLIP = 3.0
 # Change of the torque over the weight's share of the ball load, of free balls that friction does not hold against it:
 # 0.16 at most of one that hardly slides, and 6 times the share of sliding besides (validation/adversary/run.py).
 PER_WEIGHT_SLIP, PER_WEIGHT_SLIDING = 0.5, 8.0
+# Power of the load with which friction across the grooves over the load grows, at most: 0.2 in marched creep with mixed
+# friction (0.022 of the load at 0.16 N, 0.035 at 1.7 N); that of a viscous oil would be near 1 at light load.
+WEDGING_POWER = 1.0
 # Change of the torque over the oil's force against rolling, in friction: a ball that lags behind rolls more slowly.
 # 1.45 at most (validation/adversary/run.py).
 PER_LAG = 3.0
@@ -210,7 +213,9 @@ TABLE = (
         needs=DOWN,
         bound=f"without its direction: {PER_CENTRIFUGAL:g} times the weight over the load of the lightest ball; where "
         "that is too much, the spread over six directions is in the uncertainty. Free balls that slip under it: "
-        f"{PER_WEIGHT_SLIP:g} times the weight over their mean load, and {PER_WEIGHT_SLIDING:g} times that of sliding",
+        f"{PER_WEIGHT_SLIP:g} times the weight over their mean load, and {PER_WEIGHT_SLIDING:g} times that of sliding. "
+        f"Both, and that of a radial load, grow by 1/(1 - {3 * WEDGING_POWER:g} X/delta) where friction across the "
+        "grooves needs the part X of the approach delta",
     ),
     Entry(
         name="finite_geometry",

@@ -24,6 +24,7 @@ from analytic.effects.table import (
     PER_WEIGHT_SLIDING,
     PER_WEIGHT_SLIP,
     TRIED,
+    WEDGING_POWER,
     ruled,
 )
 from analytic.loads.inertia import ratio
@@ -185,6 +186,26 @@ def slip_by_weight(bearing: Bearing, found: Solution) -> Array:
     lag = np.minimum(found.sliding_number.max(axis=0), 1.0)
     lags = PER_DISTRIBUTION * lag * np.minimum(ratio(weight, over=load.min(axis=2).mean(axis=1)), 1.0)
     return change * slips * ratio(weight, over=load.max(axis=2).mean(axis=1)) + lags
+
+
+def growth_by_wedging(bearing: Bearing, by_rule: Solution, found: Solution) -> float:
+    """Factor on what unequal loads and weights do to balls by rule, for free balls that friction wedges in; from 1 on.
+
+    by_rule, found : the balls at the same points, by rule and free
+    Friction across both grooves, f times the load, leans the lines of contact apart by 2 f. The way between the centres
+    of the grooves then is longer by X = l (al_i - al_o)^2/2 with 1/l = 1/(r_gi - r) + 1/(r_go - r), and the ring sees
+    the approach delta - X. With f as the load to the power p, a load changes by 1/(1 - 3 p X/delta) of what delta alone
+    lets it. Infinite where one approach belongs to several loads. The centrifugal force leans the lines too, by a part
+    that falls with the load: it does not soften the ball, and is taken off as by rule. Source: derived here.
+    """
+    inner, outer = (groove.groove_radius - bearing.ball_radius for groove in (bearing.inner, bearing.outer))
+    length = inner * outer / (inner + outer)
+    apart, straight = (each.balls["angle"][..., 0] - each.balls["angle"][..., 1] for each in (found, by_rule))
+    load = found.balls["load"].min(axis=2)
+    longer = np.sum(load * length / 2 * (apart - straight) ** 2, axis=1)
+    approach = np.sum(load * found.balls["approach"].sum(axis=2), axis=1)
+    left = 1 - 3 * WEDGING_POWER * float(ratio(longer, over=approach).max())
+    return 1 / left if left > 0 else np.inf
 
 
 def _change(parts: Array, base: Array) -> Array:

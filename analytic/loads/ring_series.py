@@ -161,8 +161,14 @@ def unsettled_ring(
 ) -> ConvergenceError | InputError:
     """The error of a ring that has not settled; speed : rad/s;  balls : (Z,);  end : of ROUND"""
     if end["end"] == BEYOND_GROOVE:
-        weight = bearing.ball_mass * STANDARD_GRAVITY * len(balls) if np.any(balls["weight"]) else 0.0
-        return _left_groove(bearing, ring["load"], weight, speed, beyond_groove(grooves, as_record(ring), balls))
+        weight = bearing.ball_mass * STANDARD_GRAVITY if np.any(balls["weight"]) else 0.0
+        beyond, outward = beyond_groove(grooves, as_record(ring), balls), float(balls["turning"]["centrifugal"].max())
+        if not beyond.is_by_load and weight > outward:
+            return InputError(
+                f"the weight of a ball, {weight:.3g} N, drives it {angle_of(beyond.angle)} along its groove, past "
+                f'90 deg, under {np.max(np.abs(ring["load"])):.3g} N: raise the load, or give effects.weight = "off"'
+            )
+        return _left_groove(bearing, ring["load"], weight * len(balls), speed, beyond)
     problem, iterations, remedy = LOOSE[int(end["end"])]
     return ConvergenceError(
         iterations=iterations,

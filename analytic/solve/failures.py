@@ -6,6 +6,7 @@ from analytic.contact.geometry import RACES, shoulder_distances
 from analytic.errors import ConvergenceError, FembearingError, InputError
 from analytic.free_ball.kernel import MOST_STEPS
 from analytic.free_ball.turning import ENOUGH
+from analytic.loads.inertia import outward_force
 from analytic.loads.ring_series import unsettled_ring
 from analytic.loads.thrust import unsettled
 from analytic.numerics.records import Records
@@ -67,7 +68,8 @@ def _failure(scene: Scene, model: Model, point: Array, found: Solution, work: Wo
             remedy='Raise the load or lower the speed, or give friction.spin_rule = "outer_control".',
         )
     if status == BEYOND_SHOULDER:
-        return _beyond_shoulder(bearing, dict(zip(OF_POINT, map(float, point[0]), strict=True)), found.balls[0])
+        weight = float(np.hypot(*work.balls["weight"].T).max())
+        return _beyond_shoulder(bearing, dict(zip(OF_POINT, map(float, point[0]), strict=True)), found.balls[0], weight)
     if status in STATUS_OF_ROUND:
         rounds = {"end": STATUS_OF_ROUND.index(status), **{n: end[n] for n in ("steps", "left", "tolerance")}}
         return unsettled_ring(bearing, model.numbers.ring.grooves, speed, work.ring, work.balls, rounds)
@@ -106,10 +108,11 @@ def _thrown(status: int, ratio: float, load: float, speed: float) -> InputError:
     )
 
 
-def _beyond_shoulder(bearing: Bearing, point: dict[str, float], balls: Records) -> InputError:
+def _beyond_shoulder(bearing: Bearing, point: dict[str, float], balls: Records, weight: float) -> InputError:
     """The error of a contact that has left its race.
 
     point : the fields of `Operation` at the operating point;  balls : (m,) `records.BALL` there
+    weight : of a ball across its orbit, N; 0 where it does not count
     """
     distance = balls["shoulder_distance"]
     race = int(np.argmax((distance <= 0.0).any(axis=0)))
@@ -117,6 +120,12 @@ def _beyond_shoulder(bearing: Bearing, point: dict[str, float], balls: Records) 
     angles, name = np.abs(balls["angle"][ball]), RACES[race]
     # The ball's inertia separates its two angles: without it both would be near their mean.
     separated = np.min(shoulder_distances(bearing, name, contact_angle=angles.mean())) > 0
+    orbit = balls["motion"]["cage_speed"][ball] * point["inner_speed"]
+    if separated and weight > outward_force(bearing.ball_mass, bearing.pitch_diameter, orbit):
+        return InputError(
+            f"{_loads(point)}: the weight of a ball, {weight:.3g} N, moves its contact to {angle_of(angles[race])}, "
+            f'beyond the {name} race\'s shoulder: raise the load, or give effects.weight = "off"'
+        )
     speed = f"the speed of {speed_of(point['inner_speed'])}, whose centrifugal force moves it there"
     return InputError(
         f"{_loads(point)}: the contact moves to {angle_of(angles[race])}, beyond the {name} race's shoulder: lower "

@@ -3,13 +3,17 @@
 import numpy as np
 
 from analytic.free_ball.rotation import Creep
+from analytic.loads.inertia import outward_force
 from analytic.scene import Array, Scene, SlidingMethod
 from analytic.solve.failures import require_settled
-from analytic.solve.model import Model
+from analytic.solve.model import Model, workspace
 from analytic.solve.records import SETTLED
 from analytic.solve.solution import FAR, Solution, solved, tried_points
 
 METHODS: dict[Creep, SlidingMethod] = {"none": "free_ball", "closed": "closed_creep", "marched": "marched_creep"}
+# Speeds over that of a point at which a bearing comes there: from below and from above, in few steps and in many
+RUNS = tuple(np.geomspace(first, 1.0, steps) for steps in (3, 8) for first in (0.5, 2.0))
+SAME_STATE = 1e-3  # relative, of the torque: one that differs by less prints alike
 BETWEEN = 1.25  # times the largest error at far points: what lies between them
 
 
@@ -31,6 +35,33 @@ def slide_freely(scene: Scene, model: Model, points: Array) -> tuple[Solution, A
     # Of the whole torque where sliding is a part of it: the quadrature is as fine as its largest part asks for.
     error, whole = error_of_sliding(at_far), (error_of_sliding(at_far) * part_by_sliding(at_far)).max()
     return found, BETWEEN * np.minimum(error.max(), whole / np.maximum(part_by_sliding(found), 1e-300))
+
+
+def other_states(model: Model, points: Array, found: Solution) -> Array:
+    """(n,) race torque of the points in another steady state, the farthest that is found, N m; NaN: none is.
+
+    points : (n, 5);  found : at these
+    Where centrifugal force presses balls harder than the rings do, hardly anything drives some of them round their
+    orbit, and several speeds are steady. So the bearing comes to each such point from half the speed and from twice
+    it, and each step begins where the balls were.
+    """
+    bearing, balls, other = model.numbers.ring.bearing, found.balls, np.full(len(points), np.nan)
+    orbit = balls["motion"]["cage_speed"] * points[:, 3:4]
+    outward = np.mean(outward_force(bearing.ball_mass, bearing.pitch_diameter, orbit), axis=1)
+    pressed_out = model.numbers.counted.centrifugal & (outward >= balls["load"][..., 0].mean(axis=1))
+    race = found.race_torque
+    for i in map(int, np.flatnonzero(pressed_out & (race > 0))):
+        same = model.with_numbers(cold=False, passes=int(found.points["passes"][i])).at(np.array([i]))
+        for run in RUNS:
+            work, end = workspace(same), found
+            for share in run:
+                point = points[[i]].copy()
+                point[0, 3] *= share
+                end = solved(same.with_numbers(nearly=share != 1.0), point, work=work)
+            change = abs(end.race_torque[0] / race[i] - 1)
+            if change > max(SAME_STATE, np.nan_to_num(abs(other[i] / race[i] - 1))):
+                other[i] = end.race_torque[0]
+    return other
 
 
 def settled_at_far_points(scene: Scene, model: Model, points: Array) -> Solution:

@@ -50,6 +50,10 @@ class Solution:
         force, most = self.points["rolling_force"].T, self.points["most_friction"].T
         return np.divide(force, most, out=np.where(force > 0, np.inf, 0.0), where=most > 0)
 
+    def at(self, points: NDArray[np.intp]) -> "Solution":
+        """The same at some of the operating points."""
+        return Solution(points=self.points[points], balls=self.balls[points])
+
     def loaded_balls(self, bearing: Bearing) -> LoadedBalls:
         """The balls as arrays by name."""
         balls = self.balls

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from scipy.integrate import solve_ivp
-from scipy.optimize import linprog
+from scipy.optimize import brentq, linprog
 
 from analytic.cage.drive import (
     SQUEEZE_SPREAD,
@@ -188,22 +188,23 @@ class Squeeze:
         used = np.minimum(np.abs(pull) / grip, share[-1])
         return np.sign(pull) * np.interp(used, share, k) * self.creep * grip * np.pi / 4
 
-    def marched(self, turns: float) -> Array:
-        """(n, 9) N: normal forces over the last turn."""
+    def marched(self, turns: float, *, angle: float = 0.0, accuracy: float = 1e-6) -> Array:
+        """(n, 9) N: normal forces over the last turn; angle : beta, at which balls that just touch begin, rad"""
         start = 2 * np.pi * np.arange(9) / 9
         drag = 1e5  # N per m and radian: the cage settles within 1e-2 rad of the orbit
 
-        def rates(angle: float, state: Array) -> Array:
-            _, on_cage, pull = self.pressed(state, start + angle)
-            balls = self.lead * np.cos(start + angle) - self.crept(pull, start + angle)
+        def rates(turned: float, state: Array) -> Array:
+            _, on_cage, pull = self.pressed(state, start + turned)
+            balls = self.lead * np.cos(start + turned) - self.crept(pull, start + turned)
             return np.concatenate([balls, on_cage.sum(axis=0) / drag, [pull.sum() / drag]])
 
-        begin = np.concatenate([self.room * np.sin(start), [-self.room / 2, 0.0, 0.0]])
+        cage = self.room / 2 * np.array([-np.cos(angle), np.sin(angle), 0.0])
+        begin = np.concatenate([self.room * np.sin(start + angle), cage])
         end = 2 * np.pi * turns
         angles = np.linspace(end - 2 * np.pi, end, 60)
-        run = solve_ivp(rates, (0.0, end), begin, method="LSODA", t_eval=angles, rtol=1e-6, atol=1e-11)
+        run = solve_ivp(rates, (0.0, end), begin, method="LSODA", t_eval=angles, rtol=accuracy, atol=1e-5 * accuracy)
         assert run.success
-        return np.stack([self.pressed(state, start + angle)[0] for angle, state in zip(angles, run.y.T, strict=True)])
+        return np.stack([self.pressed(state, start + turned)[0] for turned, state in zip(angles, run.y.T, strict=True)])
 
 
 @pytest.mark.parametrize("friction", [0.0, 0.13])
@@ -234,6 +235,37 @@ def test_a_squeeze_begins_where_the_room_ends() -> None:
     rigid = squeeze_force(ball_lead=95e-6, pocket_friction=0.0, **(given | {"pocket_stiffness": 1e16}))
     np.testing.assert_allclose(rigid, 2 * 31e3 * np.sqrt(95e-6**2 - 80e-6**2) / 23.3e-3, rtol=1e-3)  # compliance left
     assert more < rigid
+
+
+def test_of_three_angles_balls_that_were_not_squeezed_take_the_first() -> None:
+    """In stiff pockets with friction; balls that were squeezed before keep the third, below the room too."""
+    room, friction, stiffness, creep = 100e-6, 0.13, 6e11, 4.0e-7
+
+    def force(lead: float) -> Array:
+        return squeeze_force(
+            ball_lead=lead,
+            room=room,
+            pocket_friction=friction,
+            pocket_stiffness=stiffness,
+            creep_stiffness=29.1e3,
+            outer_radius=2 * 29.1e3 * creep,
+        )
+
+    def third(lead: float) -> float:
+        def surplus(beta: float) -> float:
+            depth = (lead * np.sin(beta) / creep / stiffness) ** (2 / 3)
+            return room + 2 * depth - lead * (np.cos(beta) + friction * np.sin(beta))
+
+        return lead / creep * np.sin(brentq(surplus, 0.1, 1.0))
+
+    for lead in (1.000004 * room, 0.998 * room):
+        squeeze = Squeeze(lead=lead, room=room, creep=creep, stiffness=stiffness, friction=friction)
+        kept = squeeze.marched(6.0, angle=1.1 * float(np.arcsin(third(lead) * creep / lead)))
+        np.testing.assert_allclose(kept, third(lead), rtol=0.01)  # six turns leave 0.7 % of a start that is 10 % beyond
+        free = squeeze.marched(3.0, accuracy=1e-8).mean()
+        np.testing.assert_allclose(free, force(lead), rtol=0.05, atol=1e-3)  # N of the drag on the cage
+        assert force(lead) < 1e-4 * third(lead)
+    np.testing.assert_allclose(force(1.001 * room), third(1.001 * room), rtol=1e-9)  # one angle, found twice
 
 
 @pytest.mark.parametrize(

@@ -130,3 +130,25 @@ def test_the_method_of_sliding_is_judged_by_what_counts() -> None:
     for tolerance in (0.03, 0.01, 0.003):
         found = friction_torque(replace(scene, tolerance=tolerance))
         assert np.all(found.numerical_uncertainty <= tolerance)
+
+
+@pytest.mark.parametrize(
+    ("axial", "free", "told"),
+    [
+        (
+            0.03,
+            0.63,
+            r"0\.03 N: the weight of a ball, 0\.0199 N, moves its contact to 65\.\d* deg .* outer race's shoulder",
+        ),
+        (
+            0.003,
+            0.8,
+            r"the weight of a ball, 0\.02 N, drives it 91\.\d* deg .* past 90 deg, under 0\.003 N: raise the load",
+        ),
+    ],
+)
+def test_a_ball_that_its_weight_moves_too_far_is_told_by_its_weight(axial: float, free: float, told: str) -> None:
+    """At 10 rpm the weight is a thousand times the centrifugal force, which the words blamed once."""
+    scene = replace(under(f'axial_load = "{axial} N"'), down=(0.561, -0.824, 0.073), spin_rule="balanced")
+    with pytest.raises(InputError, match=told):
+        friction_torque(replace(scene, contact_angle=replace(scene.contact_angle, free=free)))

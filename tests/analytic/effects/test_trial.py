@@ -7,10 +7,11 @@ import pytest
 from numpy.typing import NDArray
 
 from analytic.effects.table import TRIED
-from analytic.effects.trial import FEW
+from analytic.effects.trial import FEW, growth_by_wedging
 from analytic.result import FrictionTorque
 from analytic.scene import Bearing, Operation, Scene
-from analytic.solve.freely import FAR
+from analytic.solve.records import BALL, POINT
+from analytic.solve.solution import FAR, Solution
 from analytic.torque import friction_torque
 from tests.analytic.specimens import FINISH, OIL, drawn, idling, present, without
 from tests.drawn_scenes import drawn_scene
@@ -194,3 +195,38 @@ def test_one_point_changes_no_other(rich: Scene, unlike: tuple[float, float]) ->
     others = np.arange(40) != 19
     np.testing.assert_allclose(mixed.torque.total[others], alike.torque.total[others], rtol=SAME)
     assert abs(mixed.torque.total[19] / alike.torque.total[19] - 1) > 0.1
+
+
+@pytest.mark.parametrize(("power", "lean"), [(1.0, 0.02), (1.0, 0.04), (1.0, 0.09)])
+def test_friction_across_the_grooves_softens_a_ball_as_in_the_triangle_of_centres(
+    bearing_6205: Bearing, power: float, lean: float
+) -> None:
+    """By the change of the distance of the groove centres with the load, for a lean as the load to a power.
+
+    A ball, both centres of curvature and two springs: the centres are apart as the third side of a triangle.
+    """
+    inner, outer = (
+        groove.groove_radius - bearing_6205.ball_radius for groove in (bearing_6205.inner, bearing_6205.outer)
+    )
+    softness, load = (4.1e-7, 3.7e-7), 2.3  # m/N^(2/3), N
+
+    def approaches(force: float) -> tuple[float, float]:
+        return softness[0] * force ** (2 / 3), softness[1] * force ** (2 / 3)
+
+    def distance(force: float, lean: float) -> float:
+        arms = inner + approaches(force)[0], outer + approaches(force)[1]
+        angle = 2 * lean * (force / load) ** power
+        return float(np.sqrt(arms[0] ** 2 + arms[1] ** 2 + 2 * arms[0] * arms[1] * np.cos(angle)))
+
+    step = 1e-3 * load
+    soft, bare = (distance(load + step, each) - distance(load - step, each) for each in (lean, 0.0))
+    expected = bare / soft if soft > 0 else np.inf
+    balls, straight = (np.zeros((1, 1), BALL) for _ in range(2))
+    for each, angles in ((straight, (0.31, 0.31)), (balls, (0.31 + lean, 0.31 - lean))):
+        each["load"], each["approach"], each["angle"] = load, approaches(load), angles
+    found = growth_by_wedging(
+        bearing_6205, *(Solution(points=np.zeros(1, POINT), balls=each) for each in (straight, balls))
+    )
+    np.testing.assert_allclose(found, expected, rtol=0.02)  # the arms are longer than l by the approach, 1 % of them
+    assert (found == np.inf) == (lean == 0.09)
+    assert found > 1.05
