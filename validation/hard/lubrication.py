@@ -238,5 +238,5 @@ LUBRICATION_CASES: tuple[HardCase, ...] = (  # name, problem, answer, evaluation
         lambda: share_of_smooth_races(), 0.0),
     HardCase("oiled torque: ellipse outside the film's fit",
         "the number of warnings on the film's formula at conformity 0.505, R_x/R_y of 0.01", "2: one for each race",
-        lambda: float(warned(oiled(conformity=0.505), "its ellipse is not of a shape that was fitted")), 2.0),
+        lambda: float(warned(oiled(conformity=0.505), "contact ellipse outside the fitted shapes")), 2.0),
 )  # fmt: skip
