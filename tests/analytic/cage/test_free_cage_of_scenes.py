@@ -52,7 +52,7 @@ def test_a_long_motion_of_balls_is_not_computed_unasked() -> None:
     found = friction_torque(replace(scene, effects={"cage_dynamics": "on"}))
     assert not found.is_on("ball_dynamics")
     reason = next(effect.reason for effect in found.effects if effect.name == "ball_dynamics")
-    assert "1 points take 4.21 s of motion" in reason
+    assert "1 points need 4.21 s of motion" in reason
 
 
 @pytest.mark.slow
