@@ -53,7 +53,7 @@ def test_a_process_that_dies_is_told() -> None:
     check.close()
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_a_check_writes_the_report() -> None:
     check, shares = Check(text=scene_text("6206")), [0.0]
     check.start()

@@ -26,7 +26,7 @@ from tests.analytic.specimens import present
 from tests.drawn_scenes import drawn_scene
 from tests.report.page.page_writer import document_of, written_page
 
-SCENES, BATCHES = 80, 4
+SCENES, BATCHES = 40, 4
 PARTS = ("spin", "conformity", "hysteresis", "rolling", "cage", "oil", "declared")
 RACES = ("inner", "outer")
 CONTACT = {"load": 1.0, "peak_pressure": 1e-9, "semi_axis_rolling": 1e3, "semi_axis_transverse": 1e3}  # as shown
