@@ -261,7 +261,7 @@ class Page:
 
     @property
     def is_current(self) -> bool:
-        """Whether what is computed is still asked for."""
+        """Whether the scene is unchanged since the computation began, and the page still open."""
         return self.is_open and not self.is_new
 
     async def _follow_speed(self, found: Any) -> None:

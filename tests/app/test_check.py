@@ -1,4 +1,4 @@
-"""A check in a process of its own: it is told what it does, ends where it is told to, and leaves nothing."""
+"""A check in another process: it reports its progress, ends on request, and leaves no file and no process."""
 
 import os
 import time

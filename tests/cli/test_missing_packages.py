@@ -12,22 +12,10 @@ import pytest
 
 from analytic.errors import BROUGHT_BY
 from fembearing import cli
-from tests.analytic.scenefile.scene_texts import MINE, changed
+from tests.analytic.scenefile.scene_texts import MOVING
 
 EXTRAS = [module for module, (_, extra) in BROUGHT_BY.items() if extra]  # lacking in a plain installation
 ALL_BUT_TORQUE = [*BROUGHT_BY, "pymklpardiso"]  # lacking where requirements-torque.txt is installed alone
-MOVING = (
-    changed("90 rpm", "500 rpm", MINE)
-    + """\
-[cage]
-pocket_clearance = "0.2 mm"
-start = "rest"
-duration = "0.01 s"
-seeds = 2
-[effects]
-cage_dynamics = "on"
-"""
-)
 SCENE = """\
 name = "small"
 tolerance = "5 %"

@@ -92,3 +92,17 @@ def changed(old: str, new: str, text: str = PLAIN) -> str:
     """The text with the first `old` replaced by `new`."""
     assert old in text, "nothing to replace: the test would test nothing"
     return text.replace(old, new, 1)
+
+
+MOVING = (  # with a cage that moves
+    changed("90 rpm", "500 rpm", MINE)
+    + """\
+[cage]
+pocket_clearance = "0.2 mm"
+start = "rest"
+duration = "0.01 s"
+seeds = 2
+[effects]
+cage_dynamics = "on"
+"""
+)

@@ -22,23 +22,11 @@ from fembearing.report.pictures.draw import RENDERER, rendered
 from fembearing.report.pictures.render_cage import cage_parts
 from fembearing.report.report import Report
 from fembearing.verify.torque.cage_record import CageRecord, DrawnMotion, exceedance, record_cage
-from tests.analytic.scenefile.scene_texts import MINE, changed
+from tests.analytic.scenefile.scene_texts import MOVING
 from tests.analytic.specimens import present
 from tests.report.figures.figure_reader import as_document, line_of, points_of
 from tests.report.pictures.picture_reader import Pixels, half_sizes, is_red, longest_run, pixels_of
 
-MOVING = (
-    changed("90 rpm", "500 rpm", MINE)
-    + """\
-[cage]
-pocket_clearance = "0.2 mm"
-start = "rest"
-duration = "0.01 s"
-seeds = 2
-[effects]
-cage_dynamics = "on"
-"""
-)
 FORCES = {1: (0.0, 3.0, 0.0), 6: (-1.5, 0.0, 0.0)}  # N, of two balls at the instant that is drawn
 FOOT = 100  # pixels with the scales
 
