@@ -202,8 +202,8 @@ def uncertainty_of(model: float | None, parts: Mapping[str, float]) -> str:
 
 
 def limit_of(value: float, unit: str, units: Units = METRIC) -> str:
-    """A number of a physical verdict, SI, as it is shown: shares in per cent."""
-    return units.pressure.written(value, ".3g") if unit == "Pa" else percent_of(value)
+    """A number of a physical verdict, SI, as it is shown: shares in per cent, those below 1e-6 as 0."""
+    return units.pressure.written(value, ".3g") if unit == "Pa" else percent_of(0.0 if abs(value) < 1e-6 else value)
 
 
 def worst_of(check: "PhysicalCheck", units: Units = METRIC) -> str:

@@ -251,4 +251,4 @@ def test_each_mesh_is_shown_with_its_error_and_its_price(tables: Tables) -> None
 
 def test_the_whole_is_as_bad_as_its_worst_quantity(made: Validation, tables: Tables) -> None:
     assert made.verdict == "fail"
-    assert "Verdict fail" in " ".join(tables.text.split())
+    assert "References and limits fail" in " ".join(tables.text.split())

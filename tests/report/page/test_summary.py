@@ -105,16 +105,20 @@ def test_every_total_of_the_page_is_that_of_the_numbers(document: Document, tmp_
     assert "Smallest</span> <strong>12.30 N mm</strong> <span>point 11: 630 N axial, 171 rpm" in headline
 
 
-def test_one_sentence_says_how_far_to_trust_the_torque(document: Document, tmp_path: Path) -> None:
-    """By formulas and numerics at the worst point; by the interval where there is one; and that nothing is known."""
+def test_the_interval_and_the_standing_of_the_torque_come_before_the_check(document: Document, tmp_path: Path) -> None:
+    """To first order, by samples where there are any, or not known; the torque is named before anything passes."""
+    count = len(document["torque"]["points"])
+    document["torque"]["interval"] = [[0.0107, 0.0943]] * count
+    document["torque"]["standing"] = {"word": "check", "reason": "far below all makers"}
+    text = " ".join(unescape(summary_of(written(document, tmp_path))).split())
+    assert "95 % interval 10.7-94.3 N mm; " in text
+    assert text.index("<strong>check</strong> far below all makers") < text.index("References and limits")
+    document["torque"]["interval"] = [None] * count
+    assert "95 % interval not known; " in summary_of(written(document, tmp_path))
     points = document["torque"]["points"]
-    for number, point in enumerate(points):
-        point["uncertainty"] |= {"numerical": 0.011 + 0.01 * number, "model": 0.32 - 0.05 * number, "model_parts": {}}
-    assert "Uncertainty of formulas and solver, 95 %: 33 %;" in " ".join(written(document, tmp_path).split())
-    points[1]["uncertainty"]["numerical"] = None
-    assert "Uncertainty not known" in written(document, tmp_path)
     document["torque"]["prediction"] = predicted(points, low=0.8, high=1.57)
-    assert "within 57 % of the torque" in " ".join(written(document, tmp_path).split())
+    largest = max(point["torque"]["total"] for point in points)
+    assert f"-{1.57e3 * largest:.3g} N mm; " in summary_of(written(document, tmp_path))
 
 
 def predicted(points: list[dict[str, Any]], *, low: float, high: float) -> dict[str, Any]:

@@ -23,6 +23,7 @@ from fembearing.report.tables.torque import torque_table
 from fembearing.report.tables.verdicts import POINT, failures, physical_table
 from fembearing.report.torque import TorqueRecord
 from fembearing.verify.contact.bearings import which_bearing
+from fembearing.verify.torque.standing import Standing
 
 MOST_NAMED = 8  # assumed inputs that the summary names
 OTHER_LOADS = (
@@ -61,7 +62,7 @@ class Summary(NamedTuple):
     """What the first two pages show."""
 
     figures: list[Figure]
-    trust: str
+    standing: Standing | None  # how far to trust the torque; None: there is none
     boxes: list[Box]
     overall: str
     reason: str
@@ -85,7 +86,7 @@ def summary_of(document: Report) -> Summary:
     boxes = _boxes(document)
     return Summary(
         figures=[] if torque is None else _figures(torque, document.units),
-        trust="" if torque is None else _trust(torque),
+        standing=None if torque is None else torque.standing,
         boxes=boxes,
         overall=document.verdict.overall,
         reason=document.verdict.reason,
@@ -124,25 +125,12 @@ def _figures(torque: TorqueRecord, units: Units) -> list[Figure]:
 
 def _figure(name: str, torque: TorqueRecord, index: int, units: Units) -> Figure:
     point = torque.points[index]
-    spread = f"numerical uncertainty {percent(point.uncertainty.numerical)}"
-    if torque.prediction is not None:
-        interval = between(torque.prediction.points[index].total.ends, units.torque)
-        spread += f"; 95 % interval {interval} {units.torque.name}"
+    ends = torque.interval[index] if torque.prediction is None else torque.prediction.points[index].total.ends
+    power = point.torque.total * abs(point.inner_speed)
+    spread = "not known" if ends is None else f"{between(ends, units.torque)} {units.torque.name}"
+    spread = f"95 % interval {spread}; {power:.3g} W"
     value = f"{digits(point.torque.total, units.torque.factor, 4)} {units.torque.name}"
     return Figure(name, value, spread, point_name(torque.points, index, units))
-
-
-def _trust(torque: TorqueRecord) -> str:
-    """How far to trust the torque: one sentence with one number, at the worst operating point."""
-    if torque.prediction is not None:
-        points = torque.prediction.points
-        off = max(abs(end - p.nominal) / p.nominal for p in points if p.nominal for end in (p.total.low, p.total.high))
-        return f"95 % interval from the stated uncertainties: within {percent(off)} of the torque."
-    known = [point.uncertainty for point in torque.points]
-    if any(each.numerical is None or each.model is None for each in known):
-        return "Uncertainty not known; --interval computes it."
-    worst = max((each.numerical or 0.0) + (each.model or 0.0) for each in known)
-    return f"Uncertainty of formulas and solver, 95 %: {percent(worst)}; --interval includes the inputs."
 
 
 def _boxes(document: Report) -> list[Box]:
