@@ -20,7 +20,7 @@ def test_the_example_has_its_steps_and_its_energy(command: Run) -> None:
     ended = command("duty", *QUICK)
     assert ended.status == 0
     assert max(map(len, ended.out.splitlines())) <= 80
-    assert "oil at 60 degC" in ended.out
+    assert "oil at 60 degC" in " ".join(ended.out.split())  # the width depends on the path of the file
     assert "worst torque, step" in ended.out
     energy = next(
         line.split() for line in ended.out.splitlines() if line.split()[:1] + line.split()[-1:] == ["energy", "J"]
