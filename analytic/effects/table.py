@@ -1,7 +1,7 @@
 """Every effect of the friction torque: what it is, what it needs, and what bounds its share where no trial shows it.
 
 The order is that of the decisions: what costs most to compute comes first, so that leaving it out comes first too.
-The factors of the bounds stand here alone, and docs/effects.md lists the entries.
+The factors of the bounds stand here alone; docs/effects.md lists the entries and refers to these bounds.
 """
 
 from collections.abc import Callable

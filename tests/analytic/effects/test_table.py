@@ -16,8 +16,8 @@ def item(entry: Entry) -> str:
     parts = [f"`{entry.name}`: {entry.meaning}"]
     if entry.needs is not None:
         parts.append(f"needs {entry.needs.keys}")
-    if entry.bound is not None:
-        parts.append(f"{'limit' if entry.kind == 'limit' else 'bound'}: {entry.bound}")
+    if entry.kind == "limit":
+        parts.append(f"limit: {entry.bound}")
     lines = wrap("; ".join(parts), WIDTH - 2, break_long_words=False, break_on_hyphens=False)
     return "- " + "\n  ".join(lines) + "\n"
 
