@@ -36,7 +36,7 @@ class CheckPanel:
     def __init__(self, page: Shown) -> None:
         self.page = page
         self.check: Check | None = None
-        with ui.element("div").classes("panel"):
+        with ui.element("section").classes("panel check").props('aria-label="Check"'):
             ui.label("Check").tag = "h2"
             ui.label(ABOUT).classes("soft")
             with ui.element("div").classes("row"):

@@ -126,6 +126,54 @@ def test_a_pasted_scene_fills_the_fields(run_story, settled) -> None:
 
 
 @pytest.mark.usefixtures("no_curve")
+def test_the_cage_and_the_seats_change_the_torque(run_story, settled) -> None:
+    async def story(opened) -> None:
+        _, page = await opened()
+        await settled(page)
+        first = page.evaluation.row.torque
+        page.inputs.cage.value = True
+        await settled(page)
+        assert page.fields["cage.mass"].value == "11 g"
+        assert page.inputs.pockets.visible
+        caged = page.evaluation.row.torque
+        assert caged.cage > 0
+        assert caged.total == pytest.approx(first.total + caged.cage, rel=0.02)  # it brakes the balls too
+        page.inputs.cage.value = False
+        page.fields["mounting.shaft_interference"].value = "30 um"  # more than the clearance: every ball is preloaded
+        await settled(page)
+        assert page.evaluation.row.torque.total > first.total
+        page.fields["mounting.shaft_interference"].value = ""
+        await settled(page)
+        assert page.evaluation.row.torque == first
+
+    run_story(story)
+
+
+@pytest.mark.usefixtures("no_curve")
+def test_the_drawing_is_that_of_the_open_panel(run_story, settled, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Drawn by its scene; matplotlib has tests of its own."""
+    drawn: list[Evaluation] = []
+    monkeypatch.setattr("fembearing.app.evaluation.drawing_of", lambda found: drawn.append(found) or "<svg></svg>")
+
+    async def story(opened) -> None:
+        _, page = await opened()
+        await settled(page)
+        assert drawn == []
+        page.drawing.is_open = True
+        page.fields["bearing.ball_diameter"].value = "9.4 mm"
+        await settled(page)
+        (found,) = drawn
+        assert found.result.scene.bearing.ball_diameter == pytest.approx(9.4e-3)
+        assert page.drawing.picture.content == "<svg></svg>"
+        page.fields["bearing.ball_diameter"].value = "94 mm"
+        await settled(page)
+        assert "bearing" in page.lines["problem"].text
+        assert any(field.error for field in page.fields.values())
+
+    run_story(story)
+
+
+@pytest.mark.usefixtures("no_curve")
 def test_two_tabs_do_not_mix(run_story, settled) -> None:
     async def story(opened) -> None:
         (_, first), (_, second) = await opened(), await opened()

@@ -171,12 +171,28 @@ def _span(values: Array, form: str) -> str:
 def torque_of_scene(
     scene: Scene, *, samples: Samples = None, keep_going: bool = False, progress: Progress = silent
 ) -> SceneTorque:
-    """The torque of a scene.
+    """The torque of a scene as `fembearing torque` computes it, with interval, verdict and the makers' formulas.
 
-    samples : of its 95 % interval, or "enough"; None: an estimate to first order, for at most 50 operating points
-    keep_going : leave out the operating points that have no torque, and say why
-    progress : called with the share of the samples done
-    Raises InputError as friction_torque, and with samples as predict; with keep_going where no point has a torque.
+    Parameters
+    ----------
+    scene : Scene
+        As in `friction_torque`.
+    samples : int or "enough", optional
+        Of the 95 % interval, as in `predict`; None: an estimate to first order, for at most 50 operating points.
+    keep_going : bool
+        Skip operating points without a torque, with the reason.
+    progress : callable
+        Called with the share of the samples done, 0 to 1 (dimensionless), and a text.
+
+    Returns
+    -------
+    SceneTorque
+        Torque and interval, N m, at the operating points.
+
+    Raises
+    ------
+    InputError
+        As `friction_torque`, and with samples as `predict`; with keep_going where no point has a torque.
     """
     left_out: tuple[LeftOut, ...] = ()
     if keep_going:
