@@ -4,7 +4,7 @@ Starts the page and opens it in a headless Chromium or Chrome from PATH, as wide
 dark. Checks:
 
 - a torque comes, it follows a field, and a refused input has its reason beside its field;
-- nothing is wider than the window, every input has a name, the console shows no fault, nothing is fetched from elsewhere;
+- nothing is wider than the window, every input has a name, the console shows no fault, nothing comes from elsewhere;
 - with the keys alone: a bearing is chosen, a slider moved, the scene checked, and the ZIP file saved with its report;
 - two tabs do not mix, and a closed tab ends its check;
 - time of a change, and memory of the server over 200 changes.
@@ -42,7 +42,7 @@ REPORT = "[...document.querySelectorAll('a')].find((each) => each.textContent ==
 SCENE = "document.querySelector('textarea')?.value ?? ''"
 UNFOLD = "document.querySelectorAll('details').forEach((each) => { each.open = true; })"
 SHOWN = """[...document.querySelectorAll('.pictures img')].every((each) => each.complete && each.naturalWidth)
-  && document.querySelectorAll('.pictures iframe').length > 0 && document.querySelectorAll('.check tbody tr').length > 3"""
+  && document.querySelector('.pictures iframe') && document.querySelectorAll('.check tbody tr').length > 3"""
 NAMELESS = """[...document.querySelectorAll("input, textarea, [role=slider], button, [role=img], iframe")]
   .filter((each) => !each.closest("[hidden]") && each.type !== "hidden" && !each.getAttribute("aria-label")
     && !each.labels?.length && !each.title && !each.textContent.trim() && !each.closest("label"))

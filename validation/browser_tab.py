@@ -31,7 +31,8 @@ FLAGS = (  # no window, no sandbox (the pages are ours), no question at the firs
     "--remote-debugging-port=0",
 )
 FOCUS = """(() => { const it = document.activeElement, role = it.getAttribute("role") ?? it.tagName.toLowerCase();
-  return role + ": " + (it.getAttribute("aria-label") || it.labels?.[0]?.textContent || it.title || it.textContent).trim();
+  const name = it.getAttribute("aria-label") || it.labels?.[0]?.textContent || it.title || it.textContent;
+  return role + ": " + name.trim();
 })()"""
 BARRIERS = """axe.run(document, { iframes: false, resultTypes: ["violations"] }).then((found) => found.violations
   .filter((each) => ["serious", "critical"].includes(each.impact))
@@ -135,11 +136,11 @@ class Browser:
     def _port(self) -> str:
         """Of the developer tools."""
         begin, file = time.monotonic(), self.profile / "DevToolsActivePort"
-        while time.monotonic() - begin < PATIENCE:
-            if file.exists() and (lines := file.read_text().split()):
-                return lines[0]
+        while not (file.exists() and (lines := file.read_text().split())):
+            if time.monotonic() - begin > PATIENCE:
+                leave("the browser did not start", 1)
             time.sleep(LOOK)
-        leave("the browser did not start", 1)
+        return lines[0]
 
 
 @contextmanager
