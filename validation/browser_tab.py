@@ -25,8 +25,9 @@ KEYS = {  # name -> (code of the key, text that it types)
     "ArrowRight": (39, ""),
     "ArrowLeft": (37, ""),
 }
-FLAGS = (  # no window, no sandbox (the pages are ours), no question at the first start, WebGL without a graphics card
-    *("--headless", "--no-sandbox", "--no-first-run", "--disable-dev-shm-usage", "--enable-unsafe-swiftshader"),
+FLAGS = (  # no window, no sandbox (the pages are ours), no question at the first start; WebGL without a graphics card
+    *("--headless", "--no-sandbox", "--no-first-run", "--hide-scrollbars", "--disable-dev-shm-usage"),
+    "--enable-unsafe-swiftshader",
     *("--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-extensions"),
     "--remote-debugging-port=0",
 )

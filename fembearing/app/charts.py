@@ -22,7 +22,7 @@ TEXT = {"textBorderWidth": 0}  # ECharts draws a light border around letters
 OUTLINE = 81  # points of half an ellipse
 BESIDE = 1.15  # of the distance to a shoulder that is shown
 AROUND = 1.4  # of half an ellipse that is shown
-LINE = {"type": "line", "symbol": "none", "animation": False}
+LINE = {"type": "line", "symbol": "none"}
 INSIDE = {"top": 12, "left": 12, "right": 20, "bottom": 40, "containLabel": True}
 LEGEND = {"bottom": 0, "left": "center", "itemWidth": 16, "itemHeight": 10, "itemGap": 12}
 FAINT = {"splitLine": {"lineStyle": {"color": NEUTRAL, "opacity": 0.25}}}
@@ -35,10 +35,11 @@ def part_options(point: TorquePoint, units: Units) -> Options:
     unit, total = units.torque, point.torque.total
     series = [
         {"name": words, "data": [_short(unit.number(value))], "itemStyle": {"color": _css(colour)}}
-        | {"type": "bar", "stack": "torque", "barWidth": 28, "animation": False}
+        | {"type": "bar", "stack": "torque", "barWidth": 28}
         for words, colour, value in _parts(point)
     ]
     return {
+        "animation": False,
         "grid": {"top": 2, "left": 2, "right": 2, "height": 32},
         "tooltip": {"trigger": "item", "confine": True},
         "xAxis": {"type": "value", "min": 0, "max": _short(unit.number(total)) or 1.0, "show": False},
@@ -88,6 +89,7 @@ def curve_options(records: Sequence[TorqueRecord], units: Units, *, marked: floa
     shades = [{"name": each["name"], "icon": "rect"} for each in series if "areaStyle" in each]
     heading = QUANTITIES["torque"].in_units(units).heading
     return {
+        "animation": False,
         "grid": {**INSIDE, "top": 36, "bottom": 58},
         "legend": {**LEGEND, "data": [*shades, "torque"]},
         "tooltip": {"trigger": "item", "confine": True, ":formatter": f"p => `${{p.value[1]}} {unit.name}`"},
@@ -118,12 +120,13 @@ def ring_options(point: TorquePoint, units: Units) -> Options | None:
     axis = {"axisLine": {"lineStyle": {"color": NEUTRAL}}, **FAINT}
     words = f"p => {{ const [q, a] = p.value; return `${{p.seriesName}}, ${{{azimuth}}}°: ${{q}} {unit.name}`; }}"
     return {
+        "animation": False,
         "legend": LEGEND,
         "tooltip": {"trigger": "item", "confine": True, ":formatter": words},
         "polar": {"radius": "66%", "center": ["50%", "46%"]},
         "angleAxis": {**axis, **around, "axisLabel": {":formatter": f"a => `${{{azimuth}}}°`"}},
         "radiusAxis": {**axis, "min": 0, "splitNumber": 3}
-        | {"axisLabel": {"formatter": f"{{value}} {unit.name}", "showMinLabel": False}},
+        | {"axisLabel": {"formatter": f"{{value}} {unit.name}", "showMinLabel": False, "showMaxLabel": False}},
         "series": series,
     }
 
@@ -146,6 +149,7 @@ def ellipse_options(contact: Contact, ellipse: LoadedContact[float], units: Unit
     ends = {"axisLabel": {"showMinLabel": False, "showMaxLabel": False}}
     most = AROUND * half
     return {
+        "animation": False,
         "grid": {**INSIDE, "top": 24, "left": 28, "bottom": 30},
         "xAxis": {**AXIS, **ends, "name": f"across the groove, {unit.name}", "nameGap": 24}
         | {"min": _short(BESIDE * edges[0]), "max": _short(BESIDE * edges[1])},

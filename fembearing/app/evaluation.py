@@ -56,9 +56,7 @@ class Evaluation:
     def lines(self) -> dict[str, str]:
         """The lines that `fembearing torque` prints first, and captions, by their places on the page."""
         head, row = torque_headline(self.result), self.row
-        where = ""
-        if self.is_series:
-            where = f"At {point_name(self.record.points, self.point, self.units)}, the highest torque: "
+        where = f"At {point_name(self.record.points, self.point, self.units)}, the highest torque: "
         lines = {
             "title": head.title,
             "torque": head.torque,
@@ -67,7 +65,7 @@ class Evaluation:
             "power": f"power {head.power} W",
             "verdict": head.verdict,
             "reason": head.reason,
-            "split": f"{where}{head.split}",
+            "split": f"{where}{head.split}" if self.is_series else "",
             "film": head.film or "film: not computed without oil and surface",
             "makers": head.makers,
             "warnings": "\n".join(self.record.warnings),

@@ -1,12 +1,13 @@
 """The inputs of the page: fields and sliders by the keys of the scene, and its text."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from html import escape
 from typing import Any, Protocol
 
 from nicegui import ui
 
 from analytic.catalog.bearing_rows import bearing_names
+from analytic.words import Unit
 from fembearing.app.scene_edit import (
     CAGE,
     CATALOG,
@@ -67,13 +68,34 @@ def folded(words: str) -> ui.element:
     return panel
 
 
+class Slider(ui.element):
+    """The browser's own slider, which has its name, its value and the focus in one element."""
+
+    def __init__(self, label: str, moved: Callable[[float], None]) -> None:
+        super().__init__("input")
+        self.value = 0.0
+        self.props(f'type=range aria-label="{label}, slider"')
+        self.on("input", self._take, throttle=0.1, js_handler="(event) => emit(event.target.value)")
+        self._moved = moved
+
+    def put(self, value: float, unit: Unit, *, low: float, high: float) -> None:
+        """Show a value between two ends."""
+        self.value = value
+        step = (high - low) / STEPS
+        words = f"{value:.5g} {unit.name}"
+        self.props(f'min={low:g} max={high:g} step={step:g} value={value:g} aria-valuetext="{words}" title="{words}"')
+
+    def _take(self, event: Any) -> None:
+        self._moved(float(event.args))
+
+
 class Inputs:
     """Fields, sliders and the text of a scene."""
 
     def __init__(self, page: Changed) -> None:
         self.page = page
         self.fields: dict[str, Any] = {}
-        self.sliders: dict[str, ui.slider] = {}
+        self.sliders: dict[str, Slider] = {}
         self.folds: dict[str, ui.element] = {}  # panel by the key of a field in it
         with ui.element("div").classes("panel stack"):
             line("h2", "Bearing and operation")
@@ -128,8 +150,7 @@ class Inputs:
                 continue
             low, high = ENDS.get(key, (0.0, UNRATED if rating is None else float(f"{HEAVY * rating:.1g}")))
             low, high = min(low, unit.number(number)), max(high, unit.number(number))
-            slider.props(f"min={low:g} max={high:g} step={(high - low) / STEPS:g}")
-            slider.value = float(f"{unit.number(number):.5g}")
+            slider.put(float(f"{unit.number(number):.5g}"), unit, low=low, high=high)
 
     def _fold(self, words: str, fields: Mapping[str, Field]) -> ui.element:
         panel = folded(words)
@@ -145,7 +166,7 @@ class Inputs:
                 key, field.label, field.example, words=field.words
             )
             if field.unit is not None:
-                self._slider(key, field)
+                self.sliders[key] = Slider(field.label, lambda number: self.page.slide(key, number))
 
     def _input(self, key: str, label: str, example: str, *, words: tuple[str, ...]) -> None:
         """A field of text;  words : that it offers while one types"""
@@ -171,12 +192,6 @@ class Inputs:
             on_change=lambda event: self.page.type(key, event.value or ""),
         )
         self.fields[key] = made.props("dense outlined options-dense stack-label").without_auto_validation()
-
-    def _slider(self, key: str, field: Field) -> None:
-        low, high = ENDS.get(key, (0.0, UNRATED))
-        slider = ui.slider(min=low, max=high, step=(high - low) / STEPS, value=low)
-        slider.on("update:model-value", lambda event: self.page.slide(key, event.args), throttle=0.1)
-        self.sliders[key] = slider.props(f'dense aria-label="{field.label}"')
 
     def _scene(self) -> None:
         page = self.page

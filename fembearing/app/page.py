@@ -65,13 +65,16 @@ class Page:
 
     def _headline(self) -> None:
         with ui.element("header").classes("panel head"):
-            self.lines["title"] = line("h1", "fembearing")
             with ui.element("div").classes("big").props('role="status" aria-live="polite"'):
                 self.lines["torque"] = line("span", "...")
                 self.lines["unit"] = line("small")
+            with ui.element("div"):
+                self.lines["title"] = line("h1", "fembearing")
+                with ui.element("div").classes("facts"):
+                    self.lines |= {name: line("span") for name in ("interval", "power")}
+        with ui.element("div").classes("panel"):
             with ui.element("div").classes("facts"):
-                self.lines |= {name: line("span") for name in ("interval", "power", "split")}
-            with ui.element("div").classes("facts"):
+                line("span", "Verdict")
                 self.lines["verdict"] = line("span", "computing").classes("verdict")
                 self.lines["reason"] = line("span", "the first torque on a machine takes a minute or two")
             self.lines["problem"] = line("div").classes("problem").props('role="alert"')
@@ -81,6 +84,7 @@ class Page:
             line("h2", "Parts of the torque")
             self._chart("parts", "Parts of the friction torque", 36)
             self.legend = ui.html("", sanitize=False)
+            self.lines["split"] = line("div").classes("soft")
             self.lines |= {name: line("div").classes("soft") for name in ("film", "makers")}
         with ui.element("div").classes("panel"):
             line("h2", "Torque over the speed")

@@ -26,6 +26,7 @@ def serve(port: int, *, shows: bool) -> None:
         title="fembearing",
         favicon="\N{GEAR}",
         dark=None,
+        language="en-US",
         reload=False,
         tailwind=False,
         show_welcome_message=False,
