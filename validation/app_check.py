@@ -1,7 +1,7 @@
 """Check of `fembearing app` in a real browser: python validation/app_check.py [--short] [--axe FILE] [--shots FOLDER]
 
 Starts the page and opens it in a headless Chromium or Chrome from PATH, as wide as a desktop and a telephone, light and
-dark. Checks:
+dark. It reads /proc, as Linux has it. Checks:
 
 - a torque comes, it follows a field, and a refused input has its reason beside its field;
 - nothing is wider than the window, every input has a name, the console shows no fault, nothing comes from elsewhere;
@@ -24,7 +24,7 @@ import time
 import urllib.request
 import zipfile
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
@@ -80,9 +80,15 @@ class Server(NamedTuple):
         return next(float(line.split()[1]) for line in lines if line.startswith("VmRSS")) / 1e3
 
     @property
-    def children(self) -> set[int]:
-        """Processes that it has started, and that still run."""
-        return {int(each) for each in Path(f"/proc/{self.number}/task/{self.number}/children").read_text().split()}
+    def checks(self) -> set[int]:
+        """Processes of checks that it has started, and that still run."""
+        children = Path(f"/proc/{self.number}/task/{self.number}/children").read_text().split()
+        found = set()
+        for each in children:
+            with suppress(OSError):  # it has just ended
+                if b"spawn_main" in Path(f"/proc/{each}/cmdline").read_bytes():
+                    found.add(int(each))
+        return found
 
 
 @dataclass(frozen=True)
@@ -121,15 +127,16 @@ def main() -> None:
     out, faults = Console(highlight=False, markup=False, soft_wrap=True), []
     with started(program) as browser, served() as server:
         check = Check(browser, server, axe, options.shots, options.short)
+        parts = () if options.short else (measured, two_tabs)  # the memory before drawings and reports
+        for is_right, words in (each for part in (*parts, keys_alone) for each in part(check)):
+            out.print(f"{'' if is_right else 'FAILED: '}{words}")
+            faults += [] if is_right else [words]
         looks = [(width, mode) for width in WIDTHS for mode in ("light", "dark")]
         for width, mode in (looks[0], looks[-1]) if options.short else looks:
             found = list(look(check, width, mode))
             faults += [f"{width} pixels, {mode}: {fault}" for fault in found]
             out.print(f"{width} pixels, {mode}: {len(found)} faults")
-        for part in (keys_alone, *(() if options.short else (two_tabs, measured))):
-            for is_right, words in part(check):
-                out.print(f"{'' if is_right else 'FAILED: '}{words}")
-                faults += [] if is_right else [words]
+        out.print(f"at the end the server has {server.memory:.0f} MB")
     for fault in faults:
         out.print(fault)
     out.print("all checks pass" if not faults else f"{len(faults)} faults")
@@ -238,7 +245,6 @@ def keys_alone(check: Check) -> Iterator[tuple[bool, str]]:
 def two_tabs(check: Check) -> Iterator[tuple[bool, str]]:
     """Two tabs with scenes of their own, one of which is closed during its check."""
     address, here = check.server.address, {"width": WIDTHS[0], "mode": "light"}
-    before = check.server.children
     with check.browser.tab(address, **here) as first:
         with check.browser.tab(address, **here) as second:
             for tab in (first, second):
@@ -256,14 +262,14 @@ def two_tabs(check: Check) -> Iterator[tuple[bool, str]]:
                 "each.textContent.includes('Check this scene')).click()"
             )
             begin = time.monotonic()
-            while not (started_for := check.server.children - before) and time.monotonic() - begin < ENDS:
+            while not (running := check.server.checks) and time.monotonic() - begin < ENDS:
                 time.sleep(LOOK)
             second.wait(lambda text: bool(text) and "waits" not in text, STATUS, most=ENDS)
         begin = time.monotonic()
-        while check.server.children - before and time.monotonic() - begin < ENDS:
+        while check.server.checks and time.monotonic() - begin < ENDS:
             time.sleep(LOOK)
-        seconds, left = time.monotonic() - begin, check.server.children - before
-        yield bool(started_for) and not left, f"a closed tab ends its check after {seconds:.1f} s"
+        seconds, left = time.monotonic() - begin, check.server.checks
+        yield bool(running) and not left, f"a closed tab ends its check after {seconds:.1f} s"
         first.type("Bearing", "6011")
         yield first.wait(lambda text: "6011" in text, TITLE, most=30), "the other tab continues"
 

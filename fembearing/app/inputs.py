@@ -23,7 +23,7 @@ from fembearing.app.scene_edit import (
 )
 
 SCENE = "scene"  # the box with the text, among the fields
-DEBOUNCE = 300  # ms without a key stroke, after which a field counts
+DEBOUNCE = 200  # ms without a key stroke, after which a field counts
 FEW = 8  # words that are shown as a list to choose from; more are searched
 ENDS = {"operation.inner_speed": (0.0, 10_000.0), "lubricant.temperature": (-20.0, 140.0)}  # of sliders, rpm and degC
 HEAVY, UNRATED = 0.5, 10_000.0  # end of the sliders of loads: share of C0, and N where C0 is not known

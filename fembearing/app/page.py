@@ -184,12 +184,15 @@ class Page:
             self.is_busy = False
 
     async def _evaluate(self) -> None:
-        from fembearing.app.evaluation import evaluated
+        from fembearing.app.evaluation import at_once, completed
 
         try:
-            found = await computed(evaluated, self.text)
+            found = await computed(at_once, self.text)
             if self.is_current:
                 self._show(found)
+                found = await computed(completed, found)
+            if self.is_current:
+                self._show_interval(found)
                 await self.drawing.follow()
                 await self._follow_speed(found)
         except FembearingError as problem:
@@ -232,7 +235,9 @@ class Page:
 
         self.evaluation, lines = found, found.lines
         for name, text in lines.items():
-            self.lines[name].text = text
+            if name != "interval":
+                self.lines[name].text = text
+        self.lines["interval"].classes(add="old")  # of the scene before
         self.lines["verdict"].classes(replace=f"verdict {lines['verdict']}")
         self.warned.set_visibility(bool(lines["warnings"]))
         self._draw("parts", part_options(found.row, found.units))
@@ -244,6 +249,12 @@ class Page:
         rating = found.result.scene.bearing.static_load_rating
         self.inputs.slide_to({key: found.number(key) for key in self.sliders}, rating)
         self.check.follow(self.text)
+
+    def _show_interval(self, found: Any) -> None:
+        """Show the interval of the torque that is shown."""
+        self.evaluation = found
+        self.lines["interval"].text = found.lines["interval"]
+        self.lines["interval"].classes(remove="old")
 
     def _draw(self, name: str, options: dict[str, Any] | None) -> None:
         chart = self.charts[name]

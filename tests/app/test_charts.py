@@ -9,7 +9,7 @@ import pytest
 
 from analytic.scenefile.template import scene_text
 from fembearing.app.charts import curve_options, ellipse_options, part_legend, part_options, ring_options
-from fembearing.app.evaluation import Evaluation, curve_scenes, evaluated, series_record
+from fembearing.app.evaluation import Evaluation, at_once, completed, curve_scenes, series_record
 from fembearing.app.scene_edit import with_value
 from fembearing.quantities import METRIC, SYSTEMS
 
@@ -19,7 +19,7 @@ DIGITS = 2e-5  # charts have at least 5 digits
 @cache
 def found(speed: str = "730 rpm") -> Evaluation:
     text = with_value(scene_text("6206"), "operation.radial_load", "2 kN")
-    return evaluated(with_value(text, "operation.inner_speed", json.loads(speed) if "[" in speed else speed))
+    return completed(at_once(with_value(text, "operation.inner_speed", json.loads(speed) if "[" in speed else speed)))
 
 
 def series(options: dict, name: str) -> np.ndarray:
@@ -42,7 +42,7 @@ def test_the_legend_has_every_part_and_its_share() -> None:
 
 
 def test_a_scene_in_inches_has_charts_in_inches() -> None:
-    inch = evaluated(f'{scene_text("6206")}\n[report]\nunits = "inch"\n')
+    inch = at_once(f'{scene_text("6206")}\n[report]\nunits = "inch"\n')
     (load, unit), torque = inch.lines["inner"].split(": ")[1].split(", ")[0].split(" "), inch.row.torque.total
     assert unit == "lbf"
     assert float(load) == pytest.approx(inch.row.contact.inner.load / 4.4482216, rel=1e-3)  # 4 digits

@@ -14,7 +14,7 @@ from analytic.scenefile.read import load_scene, parse_scene
 from analytic.scenefile.template import scene_text
 from fembearing.app import page as page_file
 from fembearing.app.check import CHECKS, Check
-from fembearing.app.evaluation import Evaluation, evaluated
+from fembearing.app.evaluation import Evaluation, at_once, completed
 from fembearing.app.page import Page
 from fembearing.app.scene_edit import CATALOG, with_value
 from fembearing.report.terminal.torque import print_headline
@@ -87,6 +87,31 @@ def test_a_refused_input_has_the_words_of_the_command_beside_its_field(run_story
         assert not any(field.error for field in page.fields.values())
         assert "old" not in page.lines["torque"].classes
         assert page.lines["torque"].text != before
+
+    run_story(story)
+
+
+@pytest.mark.usefixtures("no_curve")
+def test_the_torque_comes_before_its_interval(run_story, settled, monkeypatch: pytest.MonkeyPatch) -> None:
+    shown: list[tuple[str, str, bool]] = []
+
+    async def story(opened) -> None:
+        _, page = await opened()
+        await settled(page)
+        first = page.lines["torque"].text
+
+        def looked(found: Evaluation) -> Evaluation:
+            lines = page.lines
+            shown.append((lines["torque"].text, lines["interval"].text, "old" in lines["interval"].classes))
+            return completed(found)
+
+        before = page.lines["interval"].text
+        monkeypatch.setattr("fembearing.app.evaluation.completed", looked)
+        page.fields[LOAD].value = "2 kN"
+        await settled(page)
+        assert shown == [(page.lines["torque"].text, before, True)]
+        assert page.lines["torque"].text != first
+        assert "old" not in page.lines["interval"].classes
 
     run_story(story)
 
@@ -213,8 +238,9 @@ def test_a_closed_tab_ends_its_check_and_its_curve(run_story) -> None:
 
 def test_many_changes_leave_nothing(run_story, settled, monkeypatch: pytest.MonkeyPatch) -> None:
     """200 of them; their torque is that of the first, because the page is what is tested."""
-    found: list[Evaluation] = [evaluated(scene_text("6206"))]
-    monkeypatch.setattr("fembearing.app.evaluation.evaluated", lambda _text: found[0])
+    found: list[Evaluation] = [completed(at_once(scene_text("6206")))]
+    monkeypatch.setattr("fembearing.app.evaluation.at_once", lambda _text: found[0])
+    monkeypatch.setattr("fembearing.app.evaluation.completed", lambda found: found)
     monkeypatch.setattr("fembearing.app.evaluation.curve_scenes", lambda _found: [])
     monkeypatch.setattr(page_file, "PAUSE", 0.0)
 
