@@ -17,11 +17,6 @@ class Shown(Protocol):
     inputs: Inputs
     evaluation: Any  # that it shows; None: none yet
 
-    @property
-    def is_current(self) -> bool:
-        """Whether the scene is unchanged since the computation began, and the page still open."""
-        ...
-
 
 class DrawingPanel:
     """The drawing, made while the panel is open, with fields beside it."""

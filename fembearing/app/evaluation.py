@@ -23,7 +23,7 @@ from fembearing.verify.contact.scene_contact import contact_of
 from fembearing.verify.torque.scene_torque import with_interval
 
 SPEEDS = np.array([0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1.0, 1.2, 1.4, 1.6, 1.8, 2.0])  # of the curve, over the scene's own
-SLICES = 4  # of the curve: between two of them the headline of a change comes first
+SLICES = 6  # of the curve: between two of them it ends where the scene has changed
 RACES = "inner", "outer"
 
 

@@ -35,7 +35,7 @@ class Changed(Protocol):
     """What takes the changes of a user."""
 
     text: str  # of the scene
-    values: Mapping[str, Any]  # by keys, as the text has them
+    values: dict[str, Any]  # by keys, as the text has them
 
     def type(self, key: str, typed: str) -> None:
         """Take what a user types into a field."""

@@ -1,6 +1,8 @@
 """The page of one browser tab: headline, inputs, charts, check and download."""
 
 import asyncio
+from collections.abc import Iterator
+from contextlib import contextmanager
 from importlib.resources import files
 from typing import Any
 
@@ -8,7 +10,7 @@ from nicegui import background_tasks, ui
 
 from analytic.errors import FembearingError, InputError
 from fembearing.app.check_panel import CheckPanel
-from fembearing.app.computing import computed
+from fembearing.app.computing import computed, computed_first
 from fembearing.app.drawing_panel import DrawingPanel
 from fembearing.app.inputs import SCENE, Inputs, line
 from fembearing.app.scene_edit import (
@@ -37,7 +39,8 @@ class Page:
         self.values = values_in(self.text)
         self.evaluation: Any = None  # of the last text that had a torque
         self.is_new = False  # whether the text has changed since the computation began
-        self.is_busy = False
+        self.is_evaluating = False
+        self.followers = 0  # tasks that compute interval, drawing and curve; all but one are about to end
         self.is_open = True
         self.lines: dict[str, ui.label] = {}
         self.charts: dict[str, ui.echart] = {}
@@ -170,41 +173,63 @@ class Page:
 
     # What is computed.
 
+    @property
+    def is_busy(self) -> bool:
+        """Whether anything is computed for the tab."""
+        return self.is_evaluating or self.followers > 0
+
     async def refresh(self) -> None:
         """Compute and show the scene; changes meanwhile are taken together, and the last one counts."""
         self.is_new = True
-        if self.is_busy:
+        if self.is_evaluating:
             return
-        self.is_busy = True
+        self.is_evaluating = True
         try:
             while self.is_new and self.is_open:
                 self.is_new = False
-                await self._evaluate()
+                with self._problems_shown():
+                    await self._evaluate()
         finally:
-            self.is_busy = False
+            self.is_evaluating = False
 
     async def _evaluate(self) -> None:
-        from fembearing.app.evaluation import at_once, completed
+        from fembearing.app.evaluation import at_once
 
+        found = await computed_first(at_once, self.text)
+        if not self.is_new and self.is_open:
+            self._show(found)
+            self.followers += 1
+            background_tasks.create(self._follow(found))
+
+    @contextmanager
+    def _problems_shown(self) -> Iterator[None]:
+        """Show an error in place of raising it: the page and the other tabs go on."""
         try:
-            found = await computed(at_once, self.text)
-            if self.is_current:
-                self._show(found)
-                found = await computed(completed, found)
-            if self.is_current:
-                self._show_interval(found)
-                await self.drawing.follow()
-                await self._follow_speed(found)
+            yield
         except FembearingError as problem:
             self.complain(str(problem), field_in(str(problem)))
-        except Exception as problem:  # the other tabs go on
+        except Exception as problem:
             words = f"{type(problem).__name__}: {problem}"
             self.complain(f"a defect of fembearing, not of your input: {words}; please report it", SCENE)
 
-    @property
-    def is_current(self) -> bool:
-        """Whether the scene is unchanged since the computation began, and the page still open."""
-        return self.is_open and not self.is_new
+    def _is_shown(self, found: Any) -> bool:
+        """Whether this torque is that of the scene, and the page still open."""
+        return self.is_open and not self.is_new and found.text == self.text
+
+    async def _follow(self, found: Any) -> None:
+        """Compute and show what takes longer: interval, drawing and curve, as long as the scene does not change."""
+        from fembearing.app.evaluation import completed
+
+        try:
+            with self._problems_shown():
+                if self._is_shown(found):
+                    found = await computed(completed, found)
+                if self._is_shown(found):
+                    self._show_interval(found)
+                    await self.drawing.follow()
+                    await self._follow_speed(found)
+        finally:
+            self.followers -= 1
 
     async def _follow_speed(self, found: Any) -> None:
         """Compute the curve in slices, until it is complete or something has changed."""
@@ -215,17 +240,17 @@ class Page:
         records, words = [], ""
         scenes = curve_scenes(found)
         for number, scene in enumerate(scenes, start=1):
-            if not self.is_current:
+            if not self._is_shown(found):
                 return
             try:
                 records.append(await computed(series_record, scene))
             except FembearingError as problem:  # other speeds have a torque
                 words = str(problem)
-            if records and self.is_current:
+            if records and self._is_shown(found):
                 marked = None if found.is_series else found.row.inner_speed
                 self._draw("curve", curve_options(records, found.units, marked=marked))
                 self.lines["curve"].text = words if number == len(scenes) else "computing more speeds"
-        if not records:
+        if not records and self._is_shown(found):
             self._draw("curve", None)
             self.lines["curve"].text = words or "The bearing is at rest."
 
