@@ -16,6 +16,7 @@ from websockets.sync.client import ClientConnection, connect
 from validation.report_check import HEIGHT, leave
 
 PATIENCE = 300.0  # s: the first torque on a machine compiles formulas
+SETTLED = 0.5  # s in which a page takes another size
 LOOK = 0.02  # s between two looks at a value
 KEYS = {  # name -> (code of the key, text that it types)
     "Tab": (9, ""),
@@ -43,8 +44,8 @@ BARRIERS = """axe.run(document, { iframes: false, resultTypes: ["violations"] })
 class Tab:
     """A tab of the browser."""
 
-    def __init__(self, link: ClientConnection) -> None:
-        self.link, self.number = link, 0
+    def __init__(self, link: ClientConnection, width: int) -> None:
+        self.link, self.width, self.number = link, width, 0
         self.complaints: list[str] = []  # of the console
 
     def ask(self, method: str, **parameters: Any) -> dict[str, Any]:
@@ -106,8 +107,16 @@ class Tab:
     def shoot(self, target: Path) -> None:
         """Write a picture of the whole page."""
         target.parent.mkdir(parents=True, exist_ok=True)
-        taken = self.ask("Page.captureScreenshot", captureBeyondViewport=True)["data"]
-        target.write_bytes(base64.b64decode(taken))
+        whole = self.value("document.documentElement.scrollHeight")
+        self.view(height=whole)
+        time.sleep(SETTLED)
+        target.write_bytes(base64.b64decode(self.ask("Page.captureScreenshot")["data"]))
+        self.view(height=HEIGHT)
+
+    def view(self, *, height: int) -> None:
+        """Make the window as high, pixels; charts follow its size only where it stays while a picture is taken."""
+        size = {"width": self.width, "height": height}
+        self.ask("Emulation.setDeviceMetricsOverride", **size, deviceScaleFactor=1, mobile=False)
 
 
 class Browser:
@@ -123,10 +132,10 @@ class Browser:
         with urllib.request.urlopen(new, timeout=PATIENCE) as told:
             link = json.load(told)["webSocketDebuggerUrl"]
         with connect(link, max_size=None) as socket_of_tab:
-            tab = Tab(socket_of_tab)
+            tab = Tab(socket_of_tab, width)
             for part in ("Runtime.enable", "Log.enable", "Page.enable"):
                 tab.ask(part)
-            tab.ask("Emulation.setDeviceMetricsOverride", width=width, height=HEIGHT, deviceScaleFactor=1, mobile=False)
+            tab.view(height=HEIGHT)
             tab.ask("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": mode}])
             folder = str(self.profile / "downloads")
             tab.ask("Browser.setDownloadBehavior", behavior="allow", downloadPath=folder)

@@ -39,7 +39,7 @@ class CheckPanel:
         with ui.element("section").classes("panel check").props('aria-label="Check"'):
             ui.label("Check").tag = "h2"
             ui.label(ABOUT).classes("soft")
-            with ui.element("div").classes("row"):
+            with ui.element("div").classes("actions"):
                 self.starts = ui.button("Check this scene", on_click=self.run).props("unelevated no-caps")
                 self.cancels = ui.button("Cancel", on_click=self.cancel, color=None).props("outline no-caps")
                 self.saves = ui.button("Download all", on_click=self.download, color=None).props("outline no-caps")

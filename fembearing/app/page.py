@@ -40,7 +40,8 @@ class Page:
         self.evaluation: Any = None  # of the last text that had a torque
         self.is_new = False  # whether the text has changed since the computation began
         self.is_evaluating = False
-        self.followers = 0  # tasks that compute interval, drawing and curve; all but one are about to end
+        self.followers = 0  # tasks that compute interval, drawing and curve, or wait for it
+        self.following = asyncio.Lock()  # one of them at a time, so that no outdated work waits for the thread
         self.is_open = True
         self.lines: dict[str, ui.label] = {}
         self.charts: dict[str, ui.echart] = {}
@@ -218,18 +219,22 @@ class Page:
 
     async def _follow(self, found: Any) -> None:
         """Compute and show what takes longer: interval, drawing and curve, as long as the scene does not change."""
-        from fembearing.app.evaluation import completed
-
         try:
-            with self._problems_shown():
-                if self._is_shown(found):
-                    found = await computed(completed, found)
-                if self._is_shown(found):
-                    self._show_interval(found)
-                    await self.drawing.follow()
-                    await self._follow_speed(found)
+            async with self.following:
+                with self._problems_shown():
+                    await self._follow_now(found)
         finally:
             self.followers -= 1
+
+    async def _follow_now(self, found: Any) -> None:
+        from fembearing.app.evaluation import completed
+
+        if self._is_shown(found):
+            found = await computed(completed, found)
+        if self._is_shown(found):
+            self._show_interval(found)
+            await self.drawing.follow()
+            await self._follow_speed(found)
 
     async def _follow_speed(self, found: Any) -> None:
         """Compute the curve in slices, until it is complete or something has changed."""
