@@ -1,7 +1,9 @@
 """The page without a browser: what a user changes, and what is shown then."""
 
 import asyncio
+import threading
 import zipfile
+from dataclasses import replace
 from io import BytesIO, StringIO
 from typing import Any
 
@@ -112,6 +114,35 @@ def test_the_torque_comes_before_its_interval(run_story, settled, monkeypatch: p
         assert shown == [(page.lines["torque"].text, before, True)]
         assert page.lines["torque"].text != first
         assert "old" not in page.lines["interval"].classes
+
+    run_story(story)
+
+
+@pytest.mark.usefixtures("no_curve")
+def test_outdated_intervals_are_not_computed(run_story, settled, monkeypatch: pytest.MonkeyPatch) -> None:
+    found, intervals, released = at_once(scene_text("6206")), [], threading.Event()
+
+    def slow(one: Evaluation) -> Evaluation:
+        intervals.append(one.text)
+        assert released.wait(60)
+        return one
+
+    monkeypatch.setattr("fembearing.app.evaluation.at_once", lambda text: replace(found, text=text))
+    monkeypatch.setattr("fembearing.app.evaluation.completed", slow)
+
+    async def story(opened) -> None:
+        _, page = await opened()
+        released.set()
+        await settled(page)
+        released.clear()
+        for number in range(10):
+            page.fields[LOAD].value = f"{700 + number} N"
+            while page.is_evaluating or page.is_new:
+                await asyncio.sleep(0.01)
+        released.set()
+        await settled(page)
+        assert intervals[-1] == page.text
+        assert len(intervals) <= 3  # of 11 scenes: the first one, the one at work during the changes, the last one
 
     run_story(story)
 
