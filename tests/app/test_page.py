@@ -137,7 +137,7 @@ def test_outdated_intervals_are_not_computed(run_story, settled, monkeypatch: py
         released.clear()
         for number in range(10):
             page.fields[LOAD].value = f"{700 + number} N"
-            while page.is_evaluating or page.is_new:
+            while page.evaluation.text != page.text:  # until it is shown
                 await asyncio.sleep(0.01)
         released.set()
         await settled(page)
