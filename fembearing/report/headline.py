@@ -23,6 +23,7 @@ MOST_PARTS = 3  # of a torque
 LINE, APART = 80, 2  # characters of a terminal's line, and between two columns
 SMALLEST = 0.005  # share of the torque: 0 % as it is printed
 UNLOADED = 1e-4  # share of the load on asperities that is none
+THINNEST = 1e-3  # film ratio that is none
 ABSENT = "not known"
 
 
@@ -158,7 +159,8 @@ def film_words(result: SceneTorque) -> str | None:
     films, roughness, shares = result.friction.film, result.friction.gap_roughness, result.friction.asperity_share
     if roughness is None or films.inner is None or films.outer is None or shares.inner is None or shares.outer is None:
         return None
-    ratios = [f"{_span(film / roughness)} {race}" for race, film in vars(films).items()]
+    thick = {race: film / roughness for race, film in vars(films).items()}
+    ratios = [f"{_span(np.where(each > THINNEST, each, 0.0))} {race}" for race, each in thick.items()]
     carried = np.concatenate([shares.inner, shares.outer])
     names = [
         "full film" if each < FULL else "boundary" if each > BOUNDARY else "mixed"

@@ -36,6 +36,7 @@ VARIED = {  # the parts of the model's uncertainty
 }
 PAIRS = {"O": "back to back (O)", "X": "face to face (X)", "tandem": "in tandem"}
 MILLION = 1e6
+NOTHING = 1e-8  # share of the torque that is printed as 0: 1e-6 %
 CLEARANCES = ("unmounted", "mounted", "operating")
 MADE_OF = {  # the parts of the 95 % interval
     "total": "all together",
@@ -196,7 +197,8 @@ def share_of(kind: str, share: float | None) -> str:
     """
     if share is None:
         return "no known limit" if kind == "unbounded" else "not known"
-    return f"{'<= ' if kind == 'bound' else ''}{100 * share:{'.0f' if share > 1 else '.3g'}} %"
+    seen = share if kind == "bound" or share > NOTHING else 0.0
+    return f"{'<= ' if kind == 'bound' else ''}{100 * seen:{'.0f' if share > 1 else '.3g'}} %"
 
 
 def uncertainty_of(model: float | None, parts: Mapping[str, float]) -> str:
