@@ -87,7 +87,7 @@ class Effects(Sequence[Effect]):
 def size_of(share: float) -> str:
     """How large an effect can be whose bound is this share of the torque, in words."""
     if np.isinf(share):
-        return "size unbounded"
+        return "no bound known"
     return "larger than the torque" if share > 1 else f"up to {percent_of(share, 2)} of the torque"
 
 

@@ -323,7 +323,7 @@ TABLE = (
     Entry(
         name="through_flow",
         kind="oil",
-        meaning="torque that brings oil, which flows through, to the speed of the cage",
+        meaning="torque that accelerates the oil flowing through the bearing to the speed of the cage",
         needs=Need(keys="`oil_flow` in `[losses]`", lacks=_not_given("oil_flow", "0.8 l/min")),
         bound="with an oil jet x/(1 - x), x the square of the inner race's speed over the heat of a rise "
         f"by {JET_RISE:g} K",

@@ -46,6 +46,10 @@ GREASES = (
     *("mobilux", "mobilgrease", "alvania", "multemp", "krytox", "arcanol", "asonic", "barrierta", "kluberquiet"),
     *("kluberplex", "kluberspeed", "turmogrease", "beacon", "petamo"),
 )
+# Oils of one grade of SAE J300 and J306, with the class of ISO 3448 that has about their viscosity at 40 degC.
+SAE = {"10": 32, "10w": 32, "20": 68, "30": 100, "40": 150, "50": 220, "90": 220, "140": 460}
+ONE_GRADE = re.compile(r"sae(\d+w?)")  # without spaces and hyphens
+TWO_GRADES = re.compile(r"(?:sae)?\d+w\d+")
 SHORTEST = 5  # letters and digits of a part of a name of the catalog
 BY_SHEET = 'viscosity = ["... cSt at 40 degC", "... cSt at 100 degC"] and base_oil = "mineral", "PAO" or another'
 
@@ -57,8 +61,15 @@ def instead_of_brand(given: str) -> str | None:
     if listed:
         return f"is listed by another name: give {' or '.join(map(repr, listed))}"
     name = re.sub(r"[\W_]", "", given.casefold()).replace("ü", "u").replace("klue", "klu")
+    if (one := ONE_GRADE.fullmatch(name)) and one[1] in SAE:
+        near = f"ISO VG {SAE[one[1]]}"
+        return f'is a grade of SAE near {near}: give "{near}", or, from its data sheet, {BY_SHEET}'
+    if TWO_GRADES.fullmatch(name):
+        return f"is a multigrade of SAE, which no class of ISO VG replaces: give, from its data sheet, {BY_SHEET}"
     if any(brand in name for brand in GREASES):
         return f'is a brand of grease: give, from its data sheet, {BY_SHEET} of its base oil, and supply = "grease"'
+    if name.endswith("grease"):
+        return f'is not an oil: give, from its data sheet, {BY_SHEET} of its base oil, and supply = "grease"'
     if not any(brand in name for brand in OILS):
         return None
     grade = _class_of(name)

@@ -23,8 +23,11 @@ Value = float | int | str | bool
 CATALOG = "bearing.catalog"
 NOTHING = "leave it out"  # where a key is not known
 SAME_AS: dict[str, tuple[str, ...]] = {  # other words for keys and tables, as people write them
-    **dict.fromkeys(("designation", "catalogue", "bearing_type"), (CATALOG,)),
-    **dict.fromkeys(("oil", "lubricant_name", "grease"), ("lubricant.name",)),
+    **dict.fromkeys(("designation", "catalogue", "bearing_type", "type"), (CATALOG,)),
+    **dict.fromkeys(("oil", "lubricant_name", "grease", "vg", "iso_vg"), ("lubricant.name",)),
+    **dict.fromkeys(("balls", "number_of_balls", "ball_number", "z"), ("bearing.ball_count",)),
+    **dict.fromkeys(("ball_radius", "ball_size", "dw"), ("bearing.ball_diameter",)),
+    **dict.fromkeys(("pcd", "pitch", "pitch_circle", "pitch_radius", "dpw"), ("bearing.pitch_diameter",)),
     **dict.fromkeys(("oils", "lubrication", "lube"), ("lubricant",)),
     **dict.fromkeys(("speed", "rpm", "n", "rotational_speed", "shaft_speed"), ("operation.inner_speed",)),
     **dict.fromkeys(("load", "loads", "force"), ("operation.radial_load", "operation.axial_load")),
@@ -33,7 +36,8 @@ SAME_AS: dict[str, tuple[str, ...]] = {  # other words for keys and tables, as p
     **dict.fromkeys(("temperature", "oil_temperature", "temp"), ("lubricant.temperature",)),
     **dict.fromkeys(("operating", "operating_point", "conditions"), ("operation",)),
     **dict.fromkeys(("friction_coefficient", "mu"), ("friction.coefficient",)),
-    **dict.fromkeys(("roughness",), ("surface.Ra",)),
+    "roughness": ("surface.Ra",),
+    **dict.fromkeys(("rq", "sq", "rms"), ("surface.rms_roughness",)),
     "shaft_fit": ("mounting.shaft_interference",),
     "housing_fit": ("mounting.housing_interference",),
 }
@@ -227,7 +231,9 @@ def accepted(field: FieldInfo | None) -> str | None:
 def _hint(path: str) -> str:
     known = list(paths())
     last = path.rpartition(".")[2]
-    near = SAME_AS.get(last.casefold()) or [name for name in known if name.rpartition(".")[2] == last]
+    near = SAME_AS.get(last.casefold()) or [
+        name for name in known if name.rpartition(".")[2] == last and not name.startswith(BESIDE)
+    ]
     near = near or get_close_matches(path, known, n=2)
     near = near or [name for name in known if name.rpartition(".")[2].endswith(last)]
     return f"; did you mean {' or '.join(near[:4])}?" if near else "; give its whole path, as operation.axial_load"

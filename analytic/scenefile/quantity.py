@@ -32,7 +32,7 @@ IN_CONTEXT = {  # names in small letters, for keys of each SI unit. "mN" and "MN
     "N": {"n": "N", "kn": "kN"},
     "rad/s": dict.fromkeys(("rpm", "r/min", "rev/min", "u/min", "1/min", "/min", "min-1", "min^-1"), "rpm"),
 }
-TYPED = re.compile(r"\s*([+-]?[\d.,]+(?:[eE][+-]?\d+)?)\s*((?:(?:1? */|[^\d+-]).*?)?)\s*")
+TYPED = re.compile(r"\s*([+-]?[\d.,]+(?:[eE][+-]?\d+)?)\s*((?:(?:1? */|[^\d\s+_-]).*?)?)\s*")
 AMBIGUOUS = re.compile(r"([+-]?[1-9]\d*),(\d{3})")  # 0,500 is no group of thousands
 DECIMAL_COMMA = re.compile(r"[+-]?\d*,\d+(?:[eE][+-]?\d+)?")
 # Units that are not what people mean by them: what is meant, and why it must be written so.
@@ -226,6 +226,8 @@ class Dimension:
             return " (no quotes around a pure number)" if not self.unit else " (the unit is missing)"
         if re.match(r"\s*[+-]?[\d.]+,\d", given[:LONGEST]):
             return " (write a decimal point)"
+        if grouped := re.match(r"\s*([+-]?\d{1,3}(?:[ _']\d{3})+)(?!\d)", given[:LONGEST]):
+            return f" (write {re.sub(r'[^0-9+-]', '', grouped[1])} without spaces)"
         return ""
 
 

@@ -13,6 +13,8 @@ from analytic.reading import content_of
 # A value without quotes that has a letter or a sign of a unit in it: a quantity or a word.
 BARE_VALUE = re.compile(r"""[=\[,]\s*([^\s"'=,\[\]{}#][^"'=,\[\]{}#]*)""")
 IN_WORDS = re.compile(r"[^\W\d_]|[°%]")
+COMMENT = re.compile(r"""^((?:[^#"']|"[^"]*"|'[^']*')*)#.*""")  # the line before it, and the comment
+NO_KEY = re.compile(r"([A-Za-z_][\w-]*(?:[ \t]+[\w-]+)*)[ \t]*([:=]?)")  # words that may be meant as a key
 CURLED = re.compile("[\N{LEFT DOUBLE QUOTATION MARK}\N{RIGHT DOUBLE QUOTATION MARK}\N{DOUBLE LOW-9 QUOTATION MARK}]")
 MOST_BITS = 2000  # of a whole number in a message
 LONGEST_LINE = 200  # that is searched for a slip
@@ -65,6 +67,11 @@ def _remedy(text: str, reason: str) -> str:
         return "; close the quotes"
     if CURLED.search(line):
         return '; write straight quotes, "'
+    line = COMMENT.sub(r"\1", line)
+    if reason.startswith("Expected ']'") and line.startswith("["):
+        return f"; close the bracket: {plain(line.strip())}]"
+    if reason.startswith("Expected '=' after a key") and (key := NO_KEY.match(line)):
+        return f"; write {plain('_'.join(key[1].split()))} = and the value: letters, digits and _ make a key, = follows"
     value = next((found.strip() for found in BARE_VALUE.findall(line) if IN_WORDS.search(found)), None)
     if value is None:
         return ""

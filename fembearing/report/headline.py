@@ -1,6 +1,6 @@
 """The first lines of a torque: what was computed, the torque with its interval, and how far to trust it."""
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -10,16 +10,21 @@ from analytic.result import COORDINATES, TorquePoint
 from analytic.scene import Scene
 from analytic.words import percent_of
 from fembearing.quantities import METRIC, QUANTITIES, SYSTEMS, Units
-from fembearing.report.phrases import between, present_loads, varying_loads
+from fembearing.report.phrases import between, present_loads, rounded, speed_words, varying_loads
 from fembearing.report.scene_view import SceneView
 from fembearing.report.tables.points import point_cells, point_heads
-from fembearing.report.tables.table import Head, Table, table_of
+from fembearing.report.tables.table import Head, Row, Table, table_of
 from fembearing.report.tables.torque import PARTS, RESIDUE
 from fembearing.report.torque import TorqueRecord, torque_record
 from fembearing.verify.torque.scene_torque import SceneTorque
 
 MOST_ROWS = 6  # points of a series in the headline
 FULL, BOUNDARY = 0.01, 0.9  # share of the load on asperities: below a full film, above boundary lubrication
+MOST_PARTS = 3  # of a torque
+LINE, APART = 80, 2  # characters of a terminal's line, and between two columns
+SMALLEST = 0.005  # share of the torque: 0 % as it is printed
+UNLOADED = 1e-4  # share of the load on asperities that is none
+THINNEST = 1e-3  # film ratio that is none
 ABSENT = "not known"
 
 
@@ -77,7 +82,7 @@ def headline_title(scene: Scene | SceneView, record: TorqueRecord, units: Units 
         load = QUANTITIES[name].in_units(units).shown.written(getattr(points[0], name), ".5g")
         words.append(f"{COORDINATES[name].meaning.removesuffix(' load')} {load}")
     speeds = {point.inner_speed for point in points}
-    words += [units.speed.written(speeds.pop(), ".5g")] if len(speeds) == 1 else []
+    words += [speed_words(speeds.pop(), units)] if len(speeds) == 1 else []
     if oil is None:
         words.append(
             "dry" if scene.friction_coefficient is None else f"friction coefficient {scene.friction_coefficient:g}"
@@ -102,9 +107,9 @@ def headline_table(scene: Scene, record: TorqueRecord, units: Units = METRIC) ->
     rows = [
         [
             *point_cells(points, place, units),
-            f"{units.torque.number(points[place].torque.total):.4g}",
+            rounded(units.torque.number(points[place].torque.total), 4),
             ABSENT if (ends := record.interval[place]) is None else between(ends, units.torque),
-            f"{points[place].torque.total * abs(points[place].inner_speed):.3g}",
+            rounded(points[place].torque.total * abs(points[place].inner_speed), 3),
             split_of(points[place]),
         ]
         for place in places
@@ -115,7 +120,7 @@ def headline_table(scene: Scene, record: TorqueRecord, units: Units = METRIC) ->
     if all(record.interval[place] is None for place in places):
         notes.append("No interval: more than 50 points, or no torque at the bound of an input; try --interval.")
     notes += [f"{len(record.left_out)} points without a torque are skipped."] if record.left_out else []
-    return table_of(headline_title(scene, record, units), heads, rows, notes)
+    return table_of(headline_title(scene, record, units), heads, _in_a_line(heads, rows, len(heads) - 1), notes)
 
 
 def side_by_side(results: Mapping[str, SceneTorque], units: Units = METRIC) -> Table:
@@ -132,7 +137,25 @@ def side_by_side(results: Mapping[str, SceneTorque], units: Units = METRIC) -> T
         count = len(record.computed)
         series = "" if count == 1 else f"{count} points, made of: at the highest torque; "
         notes.append(f"{name}: {series}{record.standing.reason}")
-    return table_of("Friction torque", heads, rows, notes)
+    return table_of("Friction torque", heads, _in_a_line(heads, rows, len(heads) - 2), notes)
+
+
+def _in_a_line(heads: Sequence[Head], rows: Sequence[Row], place: int) -> Sequence[Row]:
+    """The rows with all parts of the torque, or with the largest two or one, as many as a line has room for.
+
+    place : of the parts in a row
+    """
+    fitting = rows
+    for most in range(MOST_PARTS, 0, -1):
+        fitting = [[*row[:place], ", ".join(row[place].split(", ")[:most]), *row[place + 1 :]] for row in rows]
+        widths = [
+            max(len(head.short or head.text), *(len(row[column]) for row in fitting))
+            for column, head in enumerate(heads)
+            if not head.wide
+        ]
+        if sum(widths) + APART * (len(widths) - 1) <= LINE:
+            break
+    return fitting
 
 
 class Span(NamedTuple):
@@ -150,9 +173,9 @@ def span_of(record: TorqueRecord, units: Units = METRIC) -> Span:
     ends = [each for place in record.computed if (each := record.interval[place]) is not None]
     known = len(ends) == len(points)
     return Span(
-        torque=_span([units.torque.number(point.torque.total) for point in points], ".4g", "-"),
+        torque=_span([units.torque.number(point.torque.total) for point in points], 4, "-"),
         interval=between((min(ends)[0], max(high for _, high in ends)), units.torque) if known else ABSENT,
-        power=_span([point.torque.total * abs(point.inner_speed) for point in points], ".3g", "-"),
+        power=_span([point.torque.total * abs(point.inner_speed) for point in points], 3, "-"),
         split=split_of(max(points, key=lambda point: point.torque.total)),
     )
 
@@ -172,8 +195,9 @@ def split_of(point: TorquePoint) -> str:
         for name, short in PARTS.items()
         if (value := getattr(point.torque, name)) is not None and value > RESIDUE * total
     }
-    largest = sorted(parts, key=parts.__getitem__, reverse=True)
-    return ", ".join(f"{name} {100 * parts[name] / total:.0f} %" for name in largest[:3])
+    largest = sorted(parts, key=parts.__getitem__, reverse=True)[:MOST_PARTS]
+    shares = [(name, parts[name] / total) for name in largest]
+    return ", ".join(f"{name} {100 * share:.0f} %" for name, share in shares if share > SMALLEST)
 
 
 def film_words(result: SceneTorque) -> str | None:
@@ -181,14 +205,17 @@ def film_words(result: SceneTorque) -> str | None:
     films, roughness, shares = result.friction.film, result.friction.gap_roughness, result.friction.asperity_share
     if roughness is None or films.inner is None or films.outer is None or shares.inner is None or shares.outer is None:
         return None
-    ratios = [f"{_span(film / roughness)} {race}" for race, film in vars(films).items()]
+    thick = {race: film / roughness for race, film in vars(films).items()}
+    ratios = [f"{_span(np.where(each > THINNEST, each, 0.0))} {race}" for race, each in thick.items()]
     carried = np.concatenate([shares.inner, shares.outer])
     names = [
         "full film" if each < FULL else "boundary" if each > BOUNDARY else "mixed"
         for each in (carried.min(), carried.max())
     ]
     regime = " to ".join(dict.fromkeys(names))
-    return f"film: lambda {', '.join(ratios)}; asperities carry up to {percent_of(float(carried.max()), 2)}: {regime}"
+    most = float(carried.max())
+    load = "no load" if most < UNLOADED else f"up to {percent_of(most, 2)}"
+    return f"film: lambda {', '.join(ratios)}; asperities carry {load}: {regime}"
 
 
 def makers_words(record: TorqueRecord, units: Units = METRIC) -> str:
@@ -204,6 +231,6 @@ def makers_words(record: TorqueRecord, units: Units = METRIC) -> str:
     return f"makers: {', '.join(numbers)} {units.torque.name}"
 
 
-def _span(values: Collection[float] | np.ndarray, form: str = ".2g", joined: str = " to ") -> str:
-    low, high = f"{min(values):{form}}", f"{max(values):{form}}"
+def _span(values: Collection[float] | np.ndarray, count: int = 2, joined: str = " to ") -> str:
+    low, high = rounded(min(values), count), rounded(max(values), count)
     return low if low == high else f"{low}{joined}{high}"

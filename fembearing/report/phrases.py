@@ -35,6 +35,8 @@ VARIED = {  # the parts of the model's uncertainty
     "oil_losses": "losses of the oil",
 }
 PAIRS = {"O": "back to back (O)", "X": "face to face (X)", "tandem": "in tandem"}
+MILLION = 1e6
+NOTHING = 1e-8  # share of the torque that is printed as 0: 1e-6 %
 CLEARANCES = ("unmounted", "mounted", "operating")
 MADE_OF = {  # the parts of the 95 % interval
     "total": "all together",
@@ -123,6 +125,17 @@ def digits(value: float | None, factor: float = 1.0, count: int = 5, *, absent: 
     return absent if value is None else f"{value * factor:#.{count}g}".removesuffix(".")
 
 
+def rounded(value: float, count: int) -> str:
+    """A number to its significant digits, up to a million without a power of ten."""
+    text = f"{value:.{count}g}"
+    return f"{float(text):.0f}" if "e+" in text and abs(value) < MILLION else text
+
+
+def speed_words(speed: float, units: Units) -> str:
+    """A speed, rad/s, in words."""
+    return f"{rounded(units.speed.number(speed), 5)} {units.speed.name}"
+
+
 def shown(value: float | None, form: str, factor: float = 1.0, unit: str = "", *, absent: str = "-") -> str:
     """A value in the unit of a table, `factor` times the SI value."""
     return absent if value is None else f"{value * factor:{form}}{unit}"
@@ -130,7 +143,7 @@ def shown(value: float | None, form: str, factor: float = 1.0, unit: str = "", *
 
 def between(ends: Sequence[float] | None, unit: Unit) -> str:
     """Both ends of an interval, SI, in the unit of a table."""
-    return "-" if ends is None else "-".join(f"{unit.number(end):.3g}" for end in ends)
+    return "-" if ends is None else "-".join(rounded(unit.number(end), 3) for end in ends)
 
 
 def percent(value: float | None) -> str:
@@ -184,7 +197,8 @@ def share_of(kind: str, share: float | None) -> str:
     """
     if share is None:
         return "no known limit" if kind == "unbounded" else "not known"
-    return f"{'<= ' if kind == 'bound' else ''}{100 * share:{'.0f' if share > 1 else '.3g'}} %"
+    seen = share if kind == "bound" or share > NOTHING else 0.0
+    return f"{'<= ' if kind == 'bound' else ''}{100 * seen:{'.0f' if share > 1 else '.3g'}} %"
 
 
 def uncertainty_of(model: float | None, parts: Mapping[str, float]) -> str:

@@ -132,7 +132,7 @@ def test_an_effect_that_the_scene_turns_off_is_marked_as_deliberate() -> None:
     assert present(found.verdicts.numerical).verdict == "pass"
     assert f"centrifugal off {100 * present(centrifugal.share):.0f} % off in the scene" in said
     assert said.count("The uncertainty of the torque excludes effects that are off in the scene.") == 1
-    assert "load_distribution on no known limit size unbounded" in said
+    assert "load_distribution on no known limit no bound known" in said
     assert (
         "centrifugal is neglected, larger than the torque, tolerance 2 %: off in the scene" in found.friction.warnings
     )

@@ -8,7 +8,8 @@ import pytest
 from rich.console import Console
 
 from analytic.scenefile.read import load_scene
-from fembearing.report.headline import makers_words, torque_headline
+from fembearing.report.headline import makers_words, side_by_side, torque_headline
+from fembearing.report.terminal.table import show
 from fembearing.report.terminal.torque import print_headline
 from fembearing.report.torque import Band, torque_record
 from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene, with_interval
@@ -70,6 +71,33 @@ def test_a_maker_with_two_constants_is_one_maker(result: SceneTorque) -> None:
     record = torque_record(result)
     two = replace(record, catalogue_band=band, points=2 * record.points, interval=2 * record.interval)
     assert makers_words(two) == "makers: SKF 31-37, Palmgren 11-23 N mm"
+
+
+def test_numbers_of_the_headline_have_no_power_of_ten_and_no_part_of_0_per_cent(result: SceneTorque) -> None:
+    fast = torque_of_scene(load_scene("6206", radial_load="60 kN", speed="100000 rpm", oil="ISO VG 46"))
+    title, *_, row = lines_of(fast)[:4]
+    assert "radial 60000 N, 100000 rpm" in title
+    assert "e+" not in row
+    for lines in (lines_of(result), lines_of(fast)):
+        assert " 0 %" not in lines[3]
+        assert "e-" not in " ".join(lines)
+
+
+def test_a_point_is_one_row_however_wide_its_numbers_are(result: SceneTorque) -> None:
+    wide = np.array([[0.000123], [0.00234]])  # N m: in lbf in 0.00109 to 0.0207
+    inch = replace(result.scene, report=replace(result.scene.report, units="inch"))
+    series = replace(result, scene=inch, interval=wide)
+    lines = lines_of(series)
+    assert lines[4] == ""  # title, heads, rule and one row
+    assert "roll. " in lines[3]
+
+
+def test_scenes_side_by_side_have_one_row_each(result: SceneTorque) -> None:
+    names = ("spindle-6206.toml", "b.toml")
+    table = side_by_side(dict.fromkeys(names, result))
+    out = StringIO()
+    show(Console(file=out, width=80), table)
+    assert [line.split()[0] for line in out.getvalue().splitlines()[3:5]] == list(names)
 
 
 def test_without_an_interval_it_says_so(result: SceneTorque) -> None:

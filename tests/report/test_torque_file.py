@@ -3,6 +3,7 @@
 import csv
 import json
 import re
+from dataclasses import replace
 from io import BytesIO, StringIO
 from pathlib import Path
 from typing import Any
@@ -12,7 +13,7 @@ import pytest
 from matplotlib.image import imread
 
 from analytic.errors import InputError
-from analytic.scenefile.read import parse_scene
+from analytic.scenefile.read import load_scene, parse_scene
 from fembearing import cli
 from fembearing.plain_types import plain
 from fembearing.report import torque_folder
@@ -131,6 +132,18 @@ def test_the_page_needs_nothing_else_and_shows_markup_as_text() -> None:
     assert set(re.findall(r'(?:src|href)="(.{10})', page)) == {"data:image"}
     for total in torque_of_scene(named).friction.torque.total:
         assert f'<td class="number">{total * 1e3:#.4g}</td>' in page
+
+
+def test_the_page_has_the_verdict_the_interval_and_the_units_of_the_headline() -> None:
+    result = torque_of_scene(load_scene("6206", radial_load="2 kN", speed="12000 rpm"))
+    inch = replace(result.scene, report=replace(result.scene.report, units="inch"))
+    page = CONTENTS[".html"](replace(result, scene=inch)).decode()
+    assert result.standing.word == "incomplete"  # the drag of the balls is neglected
+    assert '<p class="overall incomplete">' in page
+    low, high = (float(end) / (4.4482216152605 * 0.0254) for (end,) in present(result.interval))
+    assert f"{low:.3g}-{high:.3g}" in page
+    assert "torque, lbf in" in page
+    assert "N mm" not in page.partition("<h2>Warnings")[0]
 
 
 @pytest.mark.parametrize(

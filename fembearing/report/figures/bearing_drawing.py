@@ -123,7 +123,7 @@ def dimensions_of(shown: Shown, units: Units) -> Iterator[tuple[str, str, str]]:
     pitch = bearing.inner.bottom_radius + bearing.outer.bottom_radius
     yield "pitch diameter", _length(pitch, units), _origin(bearing, "pitch_diameter")
     gap = pitch * np.sin(np.pi / bearing.ball_count) - bearing.ball_diameter
-    yield "gap between balls", _length(gap, units), "derived; negative: the balls overlap"
+    yield "gap between balls", _length(gap, units), "derived; below 0 the balls would overlap"
     for name in ("inner", "outer"):
         groove = getattr(bearing, name)
         ratio = groove.groove_radius / bearing.ball_diameter

@@ -48,7 +48,7 @@ def cost_figures(ladders: Sequence[Ladder], *, tolerance: float, most: int = SID
         panel.xaxis.set_minor_formatter(NullFormatter())
         panel.grid(alpha=0.3)
     for panel, ladder in zip(panels, shown, strict=False):
-        panel.set_title(capital(ladder.quantity))
+        panel.set_title(capital(ladder.quantity).replace(" of the ", "\nof the "))
         _draw(panel, ladder, "seconds", BLUE)
         _number(panel, ladder)
     if with_memory:

@@ -6,7 +6,7 @@ from matplotlib.figure import Figure
 from analytic.prediction.rows import PredictedPoint, PredictionRows
 from fembearing.quantities import Units
 from fembearing.report.figures.style import BLACK, BLUE, ORANGE, SKY, WIDTH, lettered
-from fembearing.report.phrases import MADE_OF, explained_words, input_name, loads_of, present_loads
+from fembearing.report.phrases import MADE_OF, explained_words, input_name, loads_of, present_loads, speed_words
 from fembearing.report.report import Report
 
 MOST = 8  # inputs that are drawn
@@ -43,7 +43,7 @@ def interval_figure(prediction: PredictionRows, units: Units) -> Figure:
         _indices(column[1], point, drawn)
         loads = loads_of(point, present_loads(prediction.points), units)
         column[1].sharex(panels[1, 0])
-        column[0].set_title(f"{units.speed.written(point.inner_speed, '.4g')}, {loads}")
+        column[0].set_title(f"{speed_words(point.inner_speed, units)}, {loads}")
     names = [MADE_OF.get(name, name) for name in ("total", *parts)]
     inputs = [input_name(prediction.inputs[place].key) for place in drawn]
     for panel, rows in zip(panels[:, 0], (names, inputs), strict=True):

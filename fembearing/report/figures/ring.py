@@ -10,7 +10,7 @@ from analytic.loads.ring_state import Balls
 from fembearing.quantities import Units
 from fembearing.report.figures.style import BLUE, LETTERS, RED, WIDTH, lettered
 from fembearing.report.figures.torque import NO_TORQUE
-from fembearing.report.phrases import loads_of, present_loads
+from fembearing.report.phrases import loads_of, present_loads, speed_words
 from fembearing.report.report import Report
 
 LOOKS = {"inner": (BLUE, "o", "-"), "outer": (RED, "s", "--")}  # the lines may lie on each other
@@ -38,7 +38,7 @@ def ring_plot(document: Report) -> tuple[Figure | None, str]:
         angles = figure.add_subplot(grid[len(shown) + column])
         _angles(angles, balls)
         for panel in (polar, angles):
-            panel.set_title(f"{units.speed.written(point.inner_speed, '.4g')},\n{words}")
+            panel.set_title(f"{speed_words(point.inner_speed, units)},\n{words}")
     handles, labels = figure.axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=2, frameon=False, fontsize=LETTERS)
     caption = (

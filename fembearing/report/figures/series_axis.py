@@ -10,7 +10,7 @@ from analytic.result import TorquePoint
 from analytic.scene import Array
 from fembearing.quantities import QUANTITIES, Units
 from fembearing.report.figures.style import DECADE, MANY, plain_ticks
-from fembearing.report.phrases import LOADS, loads_of, present_loads, varying_loads
+from fembearing.report.phrases import LOADS, loads_of, present_loads, speed_words, varying_loads
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -51,7 +51,7 @@ class SeriesAxis:
         return [
             ", ".join(
                 [
-                    *([self.units.speed.written(point.inner_speed, ".4g")] if speeds else []),
+                    *([speed_words(point.inner_speed, self.units)] if speeds else []),
                     *([loads_of(point, loads, self.units)] if loads else []),
                 ]
             )
@@ -64,7 +64,7 @@ class SeriesAxis:
         loads = [name for name in present_loads(self.points) if name not in varying_loads(self.points)]
         speeds = {point.inner_speed for point in self.points}
         words = [loads_of(self.points[0], loads, self.units)] if loads else []
-        return ", ".join([*words, *(self.units.speed.written(each, ".4g") for each in speeds if len(speeds) == 1)])
+        return ", ".join([*words, *(speed_words(each, self.units) for each in speeds if len(speeds) == 1)])
 
     def apply(self, panel: "Axes") -> None:
         """Set label, ticks and scale of the horizontal axis of a panel."""

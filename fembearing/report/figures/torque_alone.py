@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from analytic.result import TorquePoint
-from fembearing.quantities import METRIC, QUANTITIES, RPM
+from fembearing.quantities import QUANTITIES, SYSTEMS, Units
 from fembearing.report.figures.series_axis import SeriesAxis, axis_of
 from fembearing.report.figures.style import BLACK
 from fembearing.report.figures.torque import (
@@ -25,17 +25,15 @@ from fembearing.report.figures.torque import (
     draw_total,
     total_of,
 )
-from fembearing.report.phrases import LOADS, between, loads_of
+from fembearing.report.phrases import LOADS, between, loads_of, speed_words
 from fembearing.report.tables.torque import RESIDUE
 from fembearing.report.torque import torque_record
 from fembearing.verify.torque.scene_torque import SceneTorque
 
-TORQUE = QUANTITIES["torque"]
-NM = TORQUE.shown.factor
 WIDTH = 4.6  # inches: letters of 10 points are 12 pixels high where the figure is 390 pixels wide
 BAR = 0.32  # inches of height for a bar with its name
 MOST_NAMES = 24  # of bars
-ROOM = 1.25  # of the longest bar: for the number beside it
+ROOM = 1.5  # of the longest bar: for the number beside it
 SMALL = 1e-3  # of the total: a smaller part has one digit
 DARK = "0.25"
 
@@ -45,10 +43,10 @@ def figure_of_torque(result: SceneTorque) -> Figure:
     points = result.friction.rows
     bearings = "" if result.friction.pair is None else "two "
     name = f"{bearings}{result.scene.bearing.name}"
-    beside = beside_of(torque_record(result))
+    beside, units = beside_of(torque_record(result)), SYSTEMS[result.scene.report.units]
     if len(points) == 1:
-        return _one_point(points[0], name, beside)
-    axis = axis_of(points, METRIC)
+        return _one_point(points[0], name, beside, units)
+    axis = axis_of(points, units)
     return (_over if axis.joined else _bars)(axis, name, beside.along(axis))
 
 
@@ -60,7 +58,7 @@ def _over(axis: SeriesAxis, name: str, beside: Beside) -> Figure:
     draw_total(panel, axis, beside)
     draw_makers(panel, axis, beside)
     axis.apply(panel)
-    panel.set_ylabel(TORQUE.heading)
+    panel.set_ylabel(_torque_heading(axis.units))
     panel.set_ylim(0, None)
     panel.grid(alpha=0.3)
     _finish(figure, panel, f"{name}, {axis.fixed}")
@@ -69,15 +67,15 @@ def _over(axis: SeriesAxis, name: str, beside: Beside) -> Figure:
 
 def _bars(axis: SeriesAxis, name: str, beside: Beside) -> Figure:
     """A bar of parts for each operating point, the first one on top."""
-    count = len(axis.points)
+    count, factor = len(axis.points), axis.units.torque.factor
     figure = Figure(figsize=(WIDTH, 2.1 + BAR * min(count, MOST_NAMES)), layout="constrained")
     panel = figure.subplots()
     place, before = np.arange(count), np.zeros(count)
     for part, (words, colour) in PARTS.items():
         values = axis.of("torque", part)
         if values is not None:
-            panel.barh(place, NM * values, 0.7, left=before, color=colour, alpha=0.75, label=words)
-            before = before + NM * values
+            panel.barh(place, factor * values, 0.7, left=before, color=colour, alpha=0.75, label=words)
+            before = before + factor * values
     total, ends = total_of(axis, beside)
     apart = np.maximum([total - ends[0], ends[1] - total], 0.0)  # skewed ends may cross
     words = INTERVAL if beside.has_interval else UNCERTAINTY.removeprefix("its ")
@@ -91,23 +89,24 @@ def _bars(axis: SeriesAxis, name: str, beside: Beside) -> Figure:
     panel.set_yticks(place[::step], axis.names[::step], fontsize=9)
     panel.set_ylim(count - 0.4, -0.6)
     panel.set_xlim(0, None)
-    panel.set_xlabel(TORQUE.heading)
+    panel.set_xlabel(_torque_heading(axis.units))
     panel.grid(alpha=0.3, axis="x")
     _finish(figure, panel, ", ".join([name, *([axis.fixed] if axis.fixed else [])]))
     return figure
 
 
-def _one_point(point: TorquePoint, name: str, beside: Beside) -> Figure:
+def _one_point(point: TorquePoint, name: str, beside: Beside, units: Units) -> Figure:
     """A bar for each part, one for the total with its interval, and one for each maker, each with its number."""
+    torque, factor = units.torque, units.torque.factor
     parts = [(words, colour, getattr(point.torque, part)) for part, (words, colour) in PARTS.items()]
-    rows = [(words, colour, NM * value) for words, colour, value in parts if value is not None]
-    rows.append(("total", DARK, NM * point.torque.total))
-    makers = [(maker, *(NM * values[:, 0])) for maker, values in beside.makers.items() if np.isfinite(values).all()]
+    rows = [(words, colour, factor * value) for words, colour, value in parts if value is not None]
+    rows.append(("total", DARK, factor * point.torque.total))
+    makers = [(maker, *(factor * values[:, 0])) for maker, values in beside.makers.items() if np.isfinite(values).all()]
     figure = Figure(figsize=(WIDTH, 1.5 + BAR * (len(rows) + len(makers))), layout="constrained")
     panel = figure.subplots()
     place, values = np.arange(len(rows)), np.array([row[2] for row in rows])
     panel.barh(place, values, 0.7, color=[row[1] for row in rows])
-    ends = NM * beside.interval[:, 0]
+    ends = factor * beside.interval[:, 0]
     known = bool(np.isfinite(ends).all())
     if known:
         apart = np.maximum([[values[-1] - ends[0]], [ends[1] - values[-1]]], 0.0)
@@ -119,25 +118,25 @@ def _one_point(point: TorquePoint, name: str, beside: Beside) -> Figure:
         panel.annotate(words, (right, number), xytext=(4, 0), textcoords="offset points", va="center", fontsize=9)
     for number, (_, low, high) in enumerate(makers, start=len(rows)):
         panel.plot([low, high], [number, number], "-|", color=OF_MAKERS, linewidth=3, markersize=8)
-        words = between((low, high), TORQUE.shown._replace(factor=1.0)) if high > low else f"{low:.4g}"
+        words = between((low, high), torque._replace(factor=1.0)) if high > low else f"{low:.4g}"
         panel.annotate(words, (high, number), xytext=(6, 0), textcoords="offset points", va="center", fontsize=9)
     names = [*(row[0] for row in rows), *(f"{maker}, formula" for maker, *_ in makers)]
     panel.set_yticks(np.arange(len(names)), names)
     panel.invert_yaxis()
     longest = max([*values, *(ends[1:] if known else ()), *(high for _, _, high in makers)])
     panel.set_xlim(0, ROOM * longest or 1.0)
-    panel.set_xlabel(TORQUE.heading)
+    panel.set_xlabel(_torque_heading(units))
     panel.grid(alpha=0.3, axis="x")
     panel.set_axisbelow(True)
-    loads = loads_of(point, [load for load in LOADS if getattr(point, load)] or ["axial_load"])
-    title = f"{name}, {loads}, {RPM.written(point.inner_speed, '.4g')}"
-    words = (
-        f"95 % interval {between((ends / NM).tolist(), TORQUE.shown)} {TORQUE.shown.name}"
-        if known
-        else _uncertainty(point)
-    )
+    loads = loads_of(point, [load for load in LOADS if getattr(point, load)] or ["axial_load"], units)
+    title = f"{name}, {loads}, {speed_words(point.inner_speed, units)}"
+    words = f"95 % interval {between((ends / factor).tolist(), torque)} {torque.name}" if known else _uncertainty(point)
     figure.suptitle(f"{title}\n{words}", fontsize=10, wrap=True)
     return figure
+
+
+def _torque_heading(units: Units) -> str:
+    return QUANTITIES["torque"].in_units(units).heading
 
 
 def _uncertainty(point: TorquePoint) -> str:

@@ -1,7 +1,9 @@
-"""A torque as one small HTML page: table, figure, effects, and what to know of them. It needs no other file."""
+"""A torque as one small HTML page: headline, figure, tables, verdicts and effects. It needs no other file."""
 
 from fembearing.provenance import provenance_of
+from fembearing.quantities import SYSTEMS
 from fembearing.report.figures.page_plots import embedded
+from fembearing.report.headline import film_words, headline_table, makers_words
 from fembearing.report.page.template import filled
 from fembearing.report.phrases import numerical_words
 from fembearing.report.tables.inputs import effects_table
@@ -16,19 +18,22 @@ def torque_page(result: SceneTorque, figure: bytes) -> str:
     """The page;  figure : SVG."""
     friction, verdicts = result.friction, result.verdicts
     assert verdicts.numerical is not None
-    torque = torque_record(result)
-    tables = [torque_table(torque, result.scene.bearing.name, range(len(torque.points)))]
-    tables += [] if torque.pair is None else [pair_table(torque.pair, torque.computed)]
+    torque, units = torque_record(result), SYSTEMS[result.scene.report.units]
+    tables = [torque_table(torque, result.scene.bearing.name, range(len(torque.points)), units)]
+    tables += [] if torque.pair is None else [pair_table(torque.pair, torque.computed, units)]
     return filled(
         "torque_alone.html",
         name=result.scene.name,
         bearing=result.scene.bearing.name,
-        tables=[*tables, *prediction_tables(torque, torque.computed)],
+        headline=headline_table(result.scene, torque, units),
+        said=[line for line in (film_words(result), makers_words(torque, units)) if line is not None],
+        standing=torque.standing,
+        tables=[*tables, *prediction_tables(torque, torque.computed, units)],
         figure=embedded(figure, "svg+xml"),
         notes=result.notes,
         verdict=verdicts.overall,
         numerical=numerical_words(verdicts.numerical),
-        physical=physical_table(verdicts.physical),
+        physical=physical_table(verdicts.physical, units),
         warnings=friction.warnings,
         effects=effects_table(friction.shares),
         versions=friction.provenance,

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 from analytic.words import Unit, percent_of
 from fembearing.quantities import METRIC, Units
+from fembearing.report.phrases import speed_words
 from fembearing.report.tables.table import Group, Head, Table
 from fembearing.verify.contact.bearings import which_bearing
 from fembearing.verify.creep.scene_creep import CreepNumbers, CreepQuantity, RaceNumbers
@@ -14,7 +15,7 @@ ONE, WATT = Unit("", 1.0), Unit("W", 1.0)
 
 def creep_table(creep: CreepNumbers, units: Units = METRIC) -> Table:
     """A group for each race of the heaviest ball, and one for the torque by sliding of all balls."""
-    speed = units.speed.written(creep.point.inner_speed, ".4g")
+    speed = speed_words(creep.point.inner_speed, units)
     races = [
         Group(
             [_row(words, unit, each) for words, unit, each in _shown(race, units)],

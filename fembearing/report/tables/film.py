@@ -2,6 +2,7 @@
 
 from analytic.words import MILLINEWTON
 from fembearing.quantities import METRIC, Units
+from fembearing.report.phrases import speed_words
 from fembearing.report.tables.table import Head, Table, table_of
 from fembearing.verify.contact.bearings import which_bearing
 from fembearing.verify.film.scene_film import FilmNumbers
@@ -19,7 +20,7 @@ def film_table(film: FilmNumbers, units: Units = METRIC) -> Table:
         "rolling_force": ("rolling force", force),
         "pressure_centre": ("pressure centre", small),
     }
-    speed = units.speed.written(film.inner_speed, ".4g")
+    speed = speed_words(film.inner_speed, units)
     load = units.force.written(film.load, ".4g")
     heads = [
         Head("quantity", "name"),

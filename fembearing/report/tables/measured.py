@@ -2,7 +2,7 @@
 
 from analytic.scenefile.measured import OPERATING
 from fembearing.quantities import METRIC, Units
-from fembearing.report.phrases import between, digits
+from fembearing.report.phrases import between, digits, speed_words
 from fembearing.report.tables.points import fixed_loads, point_cells, point_heads
 from fembearing.report.tables.table import Head, Row, Table, table_of
 from fembearing.verify.measured.comparison import MeasuredComparison
@@ -47,7 +47,7 @@ def measured_table(comparison: MeasuredComparison, units: Units = METRIC) -> Tab
 
     fixed = fixed_loads(rows, units)
     if "inner_speed" not in varying:
-        fixed.append(f"inner speed {units.speed.written(rows[0].inner_speed, '.4g')}")
+        fixed.append(f"inner speed {speed_words(rows[0].inner_speed, units)}")
     if rows[0].temperature is not None and not heated:
         fixed.append(f"oil at {units.temperature.written(rows[0].temperature, '.4g')}")
     words = [f"Measured and computed torque, {torque.name}", *fixed]

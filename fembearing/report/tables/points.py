@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from analytic.result import COORDINATES, TorquePoint
 from analytic.rows import OperatingPoint
 from fembearing.quantities import QUANTITIES, Units
-from fembearing.report.phrases import LOADS, loads_of, present_loads, varying_loads
+from fembearing.report.phrases import LOADS, loads_of, present_loads, rounded, speed_words, varying_loads
 from fembearing.report.tables.table import Head
 from fembearing.report.torque import TorqueRecord
 
@@ -30,7 +30,7 @@ def point_cells(points: Sequence[OperatingPoint], index: int, units: Units) -> l
     point = points[index]
     shown = {name: QUANTITIES[name].in_units(units).shown for name in present_loads(points)}
     loads = [f"{unit.number(getattr(point, name)):.5g}" for name, unit in shown.items()]
-    return [str(index + 1), f"{units.speed.number(point.inner_speed):.5g}", *loads]
+    return [str(index + 1), rounded(units.speed.number(point.inner_speed), 5), *loads]
 
 
 def fixed_loads(points: Sequence[OperatingPoint], units: Units) -> list[str]:
@@ -48,7 +48,7 @@ def point_name(points: Sequence[OperatingPoint], index: int, units: Units) -> st
     point = points[index]
     number = f"point {index + 1}: " if len(points) > 1 else ""
     named = [name for name in present_loads(points) if getattr(point, name)] or LOADS[:1]
-    return f"{number}{loads_of(point, named, units)}, {units.speed.written(point.inner_speed, '.5g')}"
+    return f"{number}{loads_of(point, named, units)}, {speed_words(point.inner_speed, units)}"
 
 
 def heaviest_point(points: Sequence[TorquePoint]) -> int:

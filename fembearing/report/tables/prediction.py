@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from analytic.prediction.rows import PredictionRows
 from fembearing.quantities import METRIC, Units
-from fembearing.report.phrases import MADE_OF, between, digits, explained_words, input_name, interval_words
+from fembearing.report.phrases import MADE_OF, between, digits, explained_words, input_name, interval_words, speed_words
 from fembearing.report.tables.table import Head, Table, table_of
 from fembearing.report.torque import TorqueRecord
 
@@ -52,7 +52,7 @@ def interval_table(prediction: PredictionRows, places: Sequence[int], units: Uni
 def shares_table(prediction: PredictionRows, units: Units = METRIC) -> Table:
     """The inputs that make the interval, at its slowest and its fastest point."""
     ends = prediction.ends
-    speeds = [units.speed.written(point.inner_speed, ".4g") for point in ends]
+    speeds = [speed_words(point.inner_speed, units) for point in ends]
     heads = [Head("input", "name"), *(Head(f"{words}, {speed}") for speed in speeds for words in ("alone", "in all"))]
     shares = [
         (getattr(point.indices, kind), getattr(point.indices, f"{kind}_error"))

@@ -78,7 +78,7 @@ def _torque_notes(torque: TorqueRecord, places: Sequence[int], units: Units) -> 
     some = f"{len(places)} of {count} operating points, with the least and the largest total; the JSON has all."
     return [
         *([some] if len(places) < count else []),
-        f"In {units.torque.name} about the bearing axis; +-: numerical uncertainty.",
+        f"In {units.torque.name} about the bearing axis; +-: solver error.",
         uncertainty_of(model, largest),
         f"{capital(torque.catalogue_band.note)}.",
     ]

@@ -167,7 +167,7 @@ def test_auto_spends_its_half_of_the_tolerance_on_all_effects_together(scene: Sc
     # At the first point 1.05/(1.03 x 1.001) - 1 is left.
     words = "up to 3 % of the torque, exceeds the remaining budget of 1.84 %"
     assert ledger.made["finite_geometry"].reason == words
-    assert ledger.made["hysteresis"].reason == "size unbounded"
+    assert ledger.made["hysteresis"].reason == "no bound known"
     assert not ledger.decide("conformity", bound=np.zeros(2))
     assert ledger.made["conformity"].reason == "no effect here"
 

@@ -58,7 +58,7 @@ def test_each_cause_has_its_word_and_names_itself(scene: Scene) -> None:
         ({"physical": (replace(GOOD, verdict="unknown"),)}, "undecided", "limit is not known"),
         ({"shares": lacking, "numerical": loose}, "incomplete", "neglected, up to 31 % of the torque, tolerance 5 %:"),
         ({"shares": lacking}, "incomplete", 'no cage; effects.cage = "off" accepts this; also neglected: weight'),
-        ({"shares": {"cage": np.inf}}, "incomplete", "its balls) is neglected, size unbounded"),
+        ({"shares": {"cage": np.inf}}, "incomplete", "its balls) is neglected, no bound known"),
         ({"physical": (beyond,), "shares": lacking}, "fail", "peak pressure exceeds the static limit (inner race)"),
     ):
         standing = found(scene, **changed)

@@ -149,7 +149,7 @@ def _boxes(document: Report) -> list[Box]:
 def _numerical(check: NumericalCheck) -> str:
     if check.uncertainty is None:
         return f"The uncertainty of the torque is not known: {_shortened(check.reason)}."
-    return f"Uncertainty of the torque at most {percent(check.uncertainty)}, tolerance {percent(check.tolerance)}."
+    return f"Solver error of the torque at most {percent(check.uncertainty)}, tolerance {percent(check.tolerance)}."
 
 
 def _counted(verdicts: Counter[str]) -> str:
