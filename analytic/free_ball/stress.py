@@ -9,7 +9,8 @@ from typing import NamedTuple
 import numpy as np
 
 from analytic.numerics.compilation import compiled
-from analytic.oil.traction import PointLaw, log_thickening
+from analytic.oil.law_table import flow_of, rate_of
+from analytic.oil.traction import PointLaw, log_thickening, thickened
 
 FAST = frozenset(("contract", "reassoc", "arcp", "nsz"))  # sums over the nodes may round in any order
 SOLID = 1e250  # fluidity from which oil does not flow: it shears at its limit
@@ -25,11 +26,15 @@ class Shear(NamedTuple):
     eyring: float  # Pa
     fluidity: float  # 1/m
     most: float  # m, slip from which the oil shears at its limit; 0: at any
+    own: float = 0.0  # of a `PointLaw`
 
 
 @compiled
 def flow_at(law: PointLaw, pressure: float) -> tuple[float, float]:
     """Fluidity and `most` of a point under the pressure p, Pa; the law's speeds are per unit ring speed."""
+    if law.own != 0.0 and law.eyring > 0.0:
+        fluidity = min(thickened(law, pressure).fluidity, SOLID)
+        return fluidity, rate_of(law.own, 0.0, law.eyring, law.limit * pressure) / fluidity
     if law.eyring == 0.0 or not law.fluidity <= SOLID:
         return 0.0, 0.0
     fluidity = law.fluidity * np.exp(log_thickening(law.growth, law.exponent, law.share * pressure))
@@ -44,6 +49,9 @@ def yielding(slip, shear):
     if slip >= shear.most:
         return shear.steady + shear.limit, 0.0
     rate = shear.fluidity * slip
+    if shear.own != 0.0:
+        flow, steepness = flow_of(shear.own, rate)
+        return shear.steady + shear.eyring * flow, shear.eyring * shear.fluidity * steepness
     return shear.steady + shear.eyring * np.arcsinh(rate), shear.eyring * shear.fluidity / np.sqrt(1.0 + rate * rate)
 
 
@@ -70,6 +78,10 @@ def sheared(reach, compliance, shear):
         return reach / compliance, 1.0 / compliance
     # sinh(y) + softness y = asked rises and is convex; the start lies on its right, and Halley's method goes down.
     asked, softness = shear.fluidity * rest, compliance * shear.eyring * shear.fluidity
+    if shear.own != 0.0:
+        flow, steepness = flow_of(shear.own, rate_of(shear.own, 1.0, softness, asked))
+        slope = shear.eyring * shear.fluidity * steepness / (1.0 + softness * steepness)
+        return shear.steady + shear.eyring * flow, slope
     y = asked / (1.0 + softness)
     if y > NEARLY_LINEAR:
         y = min(y, np.arcsinh(asked))

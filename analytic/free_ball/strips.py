@@ -196,7 +196,8 @@ def marched_strip(state, j):
 @compiled
 def shear_at(contact, pressure, fluidity, most):
     """The law at a node."""
-    return Shear(contact.boundary * pressure + contact.plain, contact.limit * pressure, contact.eyring, fluidity, most)
+    steady = contact.boundary * pressure + contact.plain
+    return Shear(steady, contact.limit * pressure, contact.eyring, fluidity, most, contact.own)
 
 
 @compiled
@@ -214,6 +215,7 @@ def hold_flows(contact: Record, quadrature: Record, flows: Array) -> None:
         contact.share,
         contact.growth,
         contact.exponent,
+        contact.own,
     )
     strips, nodes = quadrature.across[1], quadrature.along[1]
     last_strip, last_node = quadrature.strips - 1, quadrature.nodes - 1

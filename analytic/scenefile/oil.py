@@ -9,6 +9,7 @@ from analytic.errors import InputError
 from analytic.noun import read_only
 from analytic.oil.viscosity_temperature import ViscosityLine, eyring_stress_of, viscosity_line
 from analytic.scene import Lubricant, Reach
+from analytic.scenefile.installed_law import BUILT_IN, installed_law
 from analytic.scenefile.known_oil import (
     COLD,
     DENSITY_LIMIT,
@@ -90,6 +91,8 @@ def lubricant_of(table: LubricantTable, *, ball_radius: float) -> Lubricant:
     choices: dict[str, Any] = {"traction": "eyring_sinh", "supply": "grease" if oil.is_grease else "oil_bath"}
     others = "starvation_degree", "cavitation_pressure", "compressible", "film_formula", "rolling_formula"
     choices |= {key: given[key] for key in (*choices, *others) if key in given}
+    if choices["traction"] not in BUILT_IN:
+        choices["traction"] = installed_law(choices["traction"])
     return Lubricant(
         **{key: each.value for key, each in properties.items()},
         viscosity_temperature=_slope(given, line, oil, reference),
