@@ -244,7 +244,7 @@ class Reach(Noun):
 
 @dataclass(frozen=True, kw_only=True)
 class OwnTraction(Noun):
-    """A user's law of traction; `analytic.oil.own_traction.own_traction` makes one from a function.
+    """A user's law of traction; `analytic.oil.own_law.own_traction` makes one from a function.
 
     Two laws are equal where their numbers are, and their names.
     """

@@ -21,6 +21,7 @@ PICTURES: dict[str, dict[str, str]] = {  # of a page: what its commands write, a
     "how-to/netcdf.md": {"small-map/maps/torque_total.png": "map-friction.png"},
     "how-to/oil.md": {"data_sheet.svg": "torque-data-sheet.svg"},
     "how-to/roughness.md": {"profile.svg": "torque-profile.svg"},
+    "how-to/traction-law.md": {"traction-law.png": "traction-law.png"},
     "tutorials/map.md": {"map-of-my-bearing/maps/torque_total.png": "map-6206.png"},
     "tutorials/report.md": {
         "drawing-of-6206.svg": "drawing-6206.svg",

@@ -278,9 +278,11 @@ def oil_shear_stress(
     pressure : p, of the oil, Pa, >= 0;  speed : |v|, m/s, >= 0;  film_thickness : h, m; at 0 and below there is no film
     `eyring_constant`: tau_E at any speed, and in the limit of no sliding too.
     `eyring_sinh`: the smaller of tau_E asinh(eta(p, T) |v|/(h tau_E)), with Roelands' viscosity at the temperature of
-    the inlet, and zeta p; without a film zeta p. A user's law (`analytic.oil.own_traction`) has f in place of asinh. Measurements support each expression where the other one is much
+    the inlet, and zeta p; without a film zeta p. Measurements support each expression where the other one is much
     larger. The smaller one keeps both, never falls with |v| and has only a kink. A smooth transition would assume a
     lower stress between them.
+    A user's law (`analytic.oil.own_law`): the same with f in place of asinh; without a film the smaller of zeta p and
+    the most that the law gives.
     Shear heating within the film is left out; it lowers tau where sliding is fast.
     """
     require_non_negative(pressure=pressure, speed=speed)

@@ -5,7 +5,7 @@ from importlib.metadata import EntryPoint, entry_points
 from typing import get_args
 
 from analytic.errors import InputError
-from analytic.oil.own_traction import in_words, own_traction
+from analytic.oil.own_law import in_words, own_traction
 from analytic.scene import OwnTraction, Traction
 
 GROUP = "fembearing.traction"

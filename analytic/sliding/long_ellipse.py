@@ -208,7 +208,8 @@ def line_slips(
 def _line_slips_of_each(rows: Array, rule: int) -> Array:
     fields = np.empty((12, rows.shape[1]))
     for i in range(rows.shape[1]):
-        contacts, laws = (contact_at(rows, 0, i), contact_at(rows, 9, i)), (law_at(rows, 18, i), law_at(rows, 18 + LAW, i))
+        contacts = contact_at(rows, 0, i), contact_at(rows, 9, i)
+        laws = law_at(rows, 18, i), law_at(rows, 18 + LAW, i)
         inner, outer = line_slips(contacts, laws, rows[18 + 2 * LAW, i], rows[19 + 2 * LAW, i], rule)
         for k in range(6):
             fields[k, i], fields[6 + k, i] = inner[k], outer[k]

@@ -66,7 +66,6 @@ class SlidingLaw:
         yields = self.eyring / (self.eyring + stiffness * np.cosh(y) / self.fluidity)
         return stress + np.where(slides, oil, 0.0), np.where(flows, yields, slope)
 
-
     def _resist_by_own(self, reach: Array, stiffness: Array) -> tuple[Array, Array]:
         """`resist` by a user's law: it flows as if it had no limit where that needs less than the limit."""
         stress, slope = np.minimum(reach, self.steady), (reach <= self.steady).astype(float)

@@ -1,7 +1,8 @@
 """The folder of a sweep: its grid, and every finished piece, each written whole or not at all.
 
 The file name of a piece is a hash of everything that determines it: the version of the program, the scene, the files
-and the laws of traction that it names, the axes, and the points of the piece. A file of that name is therefore always the result of the piece.
+and the laws of traction that it names, the axes, and the points of the piece. A file of that name is therefore always
+the result of the piece.
 One process works on a folder at a time.
 """
 

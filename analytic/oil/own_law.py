@@ -61,8 +61,8 @@ def law_table(name: str, function: Callable[[float], float]) -> Array:
     slope = _value(name, function, FIRST) / FIRST
     if not abs(slope - 1) <= SLOPE_ERROR:
         raise InputError(
-            f"law of traction {name}: f(x)/x = {slope:.6g} at x = {FIRST:g}; give a law with the slope 1 at rest, where "
-            "oil has its Newtonian viscosity"
+            f"law of traction {name}: f(x)/x = {slope:.6g} at x = {FIRST:g}; give a law with the slope 1 at rest, "
+            "where oil has its Newtonian viscosity"
         )
     known: dict[float, float] = {}  # ln f by ln x
 
@@ -121,8 +121,8 @@ def _require_rising(name: str, known: dict[float, float]) -> None:
     if falls.size:
         (slow, fast), (more, less) = np.exp(places[falls[0] :][:2]), np.exp(logs[falls[0] :][:2])
         raise InputError(
-            f"law of traction {name}: f falls from {more:.6g} at x = {slow:.4g} to {less:.6g} at x = {fast:.4g}; give a "
-            "law that never falls"
+            f"law of traction {name}: f falls from {more:.6g} at x = {slow:.4g} to {less:.6g} at x = {fast:.4g}; give "
+            "a law that never falls"
         )
 
 
