@@ -18,7 +18,7 @@ FIRST, LAST = 1e-6, 1e30  # rates x of the table; those of contacts in oil are b
 ACCURACY = 1e-5  # relative, of the table against the function: a thousandth of the scatter of traction tests
 SLOPE_ERROR = 1e-3  # of f(x)/x at FIRST
 ROUND_OFF = 1e-12  # relative, by which values of a function that never falls may fall
-WIDEST = 0.5  # piece of ln x
+WIDEST, NARROWEST = 0.5, 1e-6  # pieces of ln x; a kink needs some 1e-5, where it misses ACCURACY/2 at most
 MOST_ROWS = 4000  # a kink takes some 50, a smooth law some 200
 
 
@@ -80,13 +80,13 @@ def law_table(name: str, function: Callable[[float], float]) -> Array:
         _require_rising(name, known)
         if not misses.any():
             return _with_ends(cubic, places[-1], known[float(places[-1])])
-        places = np.union1d(places, between.reshape(-1, 3)[misses.reshape(-1, 3).any(axis=1), 1])
-        if len(places) > MOST_ROWS:
-            rate = float(np.exp(between[misses][0]))
+        halved = misses.reshape(-1, 3).any(axis=1)
+        if len(places) > MOST_ROWS or np.diff(places)[halved].min() < NARROWEST:
             raise InputError(
-                f"law of traction {name}: no table of {MOST_ROWS} numbers follows it to {ACCURACY:g}, first at x = "
-                f"{rate:.4g}; give a law without jumps"
+                f"law of traction {name}: no table of {MOST_ROWS} numbers follows it to {ACCURACY:g}, first near x = "
+                f"{float(np.exp(between[misses][0])):.4g}; give a law without jumps"
             )
+        places = np.union1d(places, between.reshape(-1, 3)[halved, 1])
 
 
 def _value(name: str, function: Callable[[float], float], rate: float) -> float:

@@ -55,7 +55,8 @@ def test_slopes_are_derivatives(oil: PointLaw) -> None:
         (PointLaw(boundary=0.07), 0.3, 0.07 * PRESSURE),
         (OIL._replace(fluidity=np.inf), 0.3, 0.066 * PRESSURE),  # no film: the oil shears at its limit
         (OIL, 0.0, 0.011 * PRESSURE),  # standing oil does not resist
-        (OWN, 0.3, 0.066 * PRESSURE),
+        (OWN._replace(fluidity=3.1), 0.3, 0.066 * PRESSURE),
+        (OWN._replace(fluidity=np.inf), 0.3, 0.066 * PRESSURE),
         (OWN, 0.0, 0.011 * PRESSURE),
         (PointLaw(boundary=0.02, plain=3e6), 0.3, 0.02 * PRESSURE + 3e6),
     ],

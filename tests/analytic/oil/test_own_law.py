@@ -135,7 +135,7 @@ MISTAKES: dict[str, tuple[Law, tuple[str, ...]]] = {
     "steep": (lambda x: 1.7 * x, ("f(x)/x = 1.7", "slope 1")),
     "power": (lambda x: x**0.5, ("f(x)/x = 1000", "slope 1")),
     "negative": (lambda x: x if x < 1 else -x, ("= -", "positive")),
-    "jumps": (lambda x: x if x < 21 else x + 5, ("without jumps", "x = 21")),
+    "jumps": (lambda x: x if x < 21 else x + 5, ("without jumps", "near x = 21")),
 }
 
 
