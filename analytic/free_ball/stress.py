@@ -26,7 +26,6 @@ class Shear(NamedTuple):
     eyring: float  # Pa
     fluidity: float  # 1/m
     most: float  # m, slip from which the oil shears at its limit; 0: at any
-    own: float = 0.0  # of a `PointLaw`
 
 
 @compiled
@@ -49,10 +48,16 @@ def yielding(slip, shear):
     if slip >= shear.most:
         return shear.steady + shear.limit, 0.0
     rate = shear.fluidity * slip
-    if shear.own != 0.0:
-        flow, steepness = flow_of(shear.own, rate)
-        return shear.steady + shear.eyring * flow, shear.eyring * shear.fluidity * steepness
     return shear.steady + shear.eyring * np.arcsinh(rate), shear.eyring * shear.fluidity / np.sqrt(1.0 + rate * rate)
+
+
+@compiled
+def yielding_by_own(slip, shear, own):
+    """`yielding` by a user's law; own : of a `PointLaw`"""
+    if slip >= shear.most:
+        return shear.steady + shear.limit, 0.0
+    flow, steepness = flow_of(own, shear.fluidity * slip)
+    return shear.steady + shear.eyring * flow, shear.eyring * shear.fluidity * steepness
 
 
 @compiled(fastmath=FAST)
@@ -78,10 +83,6 @@ def sheared(reach, compliance, shear):
         return reach / compliance, 1.0 / compliance
     # sinh(y) + softness y = asked rises and is convex; the start lies on its right, and Halley's method goes down.
     asked, softness = shear.fluidity * rest, compliance * shear.eyring * shear.fluidity
-    if shear.own != 0.0:
-        flow, steepness = flow_of(shear.own, rate_of(shear.own, 1.0, softness, asked))
-        slope = shear.eyring * shear.fluidity * steepness / (1.0 + softness * steepness)
-        return shear.steady + shear.eyring * flow, slope
     y = asked / (1.0 + softness)
     if y > NEARLY_LINEAR:
         y = min(y, np.arcsinh(asked))
@@ -96,3 +97,18 @@ def sheared(reach, compliance, shear):
         if abs(step) <= LAST_STEP * min(y, 1.0):
             break
     return shear.steady + shear.eyring * y, shear.eyring * shear.fluidity / (cosh + softness)
+
+
+@compiled
+def sheared_by_own(reach, compliance, shear, own):
+    """`sheared` by a user's law; own : of a `PointLaw`"""
+    whole = shear.steady + shear.limit
+    if reach - compliance * whole >= shear.most:
+        return whole, 0.0
+    rest = reach - compliance * shear.steady
+    if rest <= 0.0 or shear.most == 0.0:
+        return reach / compliance, 1.0 / compliance
+    softness = compliance * shear.eyring * shear.fluidity
+    flow, steepness = flow_of(own, rate_of(own, 1.0, softness, shear.fluidity * rest))
+    slope = shear.eyring * shear.fluidity * steepness / (1.0 + softness * steepness)
+    return shear.steady + shear.eyring * flow, slope

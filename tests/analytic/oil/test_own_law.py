@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from analytic.free_ball.stress import Shear, flow_at, sheared, yielding
+from analytic.free_ball.stress import Shear, flow_at, sheared_by_own, yielding_by_own
 from analytic.numerics.memory import address_of, rows_at
 from analytic.oil.law_table import flow_of, kept_table, law_address, rate_of
 from analytic.oil.own_law import ACCURACY, own_traction
@@ -101,10 +101,10 @@ def test_a_creeping_point_by_a_search(name: str) -> None:
         fluidity = 10 ** random.uniform(2, 12)
         point = PointLaw(boundary=0.01, limit=0.05, eyring=eyring, fluidity=fluidity, share=0.9, own=law)
         flow, most = flow_at(point, pressure)
-        shear = Shear(0.01 * pressure, 0.05 * pressure, eyring, flow, most, law)
+        shear = Shear(0.01 * pressure, 0.05 * pressure, eyring, flow, most)
         compliance, whole = 10 ** random.uniform(-18, -12), stress_and_slope(point, pressure, 1e3)[0]
         reach = compliance * whole * 10 ** random.uniform(-2, 1)
-        stress, slope = sheared(reach, compliance, shear)
+        stress, slope = sheared_by_own(reach, compliance, shear, law)
 
         given = point, pressure, compliance, reach
 
@@ -120,7 +120,7 @@ def test_a_creeping_point_by_a_search(name: str) -> None:
         expected, steepness = stress_and_slope(point, pressure, slip)
         flows, yields = flows + (steepness > 0), yields + (steepness == 0)
         assert stress == pytest.approx(expected, rel=1e-8)  # the search ends in the slip
-        assert yielding(slip, shear)[0] == pytest.approx(expected, rel=1e-9)
+        assert yielding_by_own(slip, shear, law)[0] == pytest.approx(expected, rel=1e-9)
         assert slope == pytest.approx(steepness / (1 + compliance * steepness), rel=1e-6, abs=1e-9 / compliance)
     assert min(sticks, flows, yields) > (5 if name != "exponential" else 0)
 
