@@ -46,7 +46,33 @@ def _rows_at(address: float, rows: int, columns: int) -> Array:
     return np.ctypeslib.as_array(numbers).reshape(rows, columns)
 
 
+class _Apart(Compiled):
+    """A note to LLVM in the function that calls it."""
+
+    def __call__(self) -> None:
+        """Python needs no such note."""
+
+    @cached_property
+    def inside(self) -> Any:
+        from numba.core import types
+        from numba.core.extending import intrinsic
+
+        def noted(typing: Any) -> Any:  # noqa: ARG001 - numba's signature
+            def code(context: Any, builder: Any, signature: Any, given: Any) -> Any:  # noqa: ARG001 - numba's signature
+                builder.function.attributes.add("noinline")
+                return context.get_dummy_value()
+
+            return types.none(), code
+
+        return intrinsic(noted)
+
+
+def _stay_apart() -> None:
+    """Called in a function that is seldom needed: callers jump to it, and keep the code that they have without it."""
+
+
 rows_at: Any = _FromMemory(_rows_at, {})  # pyright: ignore[reportArgumentType]
+stay_apart: Any = _Apart(_stay_apart, {})  # pyright: ignore[reportArgumentType]
 
 
 @compiled

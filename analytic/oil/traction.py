@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike
 from analytic.contact.rolling_contact import ContactNumbers, EllipticContact, contact_at
 from analytic.errors import InputError, require_non_negative, require_positive
 from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.memory import stay_apart
 from analytic.oil.law_table import FASTEST, flow_of
 from analytic.oil.law_table import flows_of as flows_of  # for the reference of friction
 from analytic.oil.mixed import MixedContact
@@ -67,14 +68,20 @@ def thickened(law: PointLaw, pressure: float) -> PointLaw:
 
 @compiled
 def stress_and_slope(law: PointLaw, pressure: float, speed: float) -> tuple[float, float]:
-    """Stress of a `PointLaw`, Pa, and its slope over the speed, Pa s/m; pressure : p, Pa;  speed : v, m/s; numbers."""
+    """Stress of a `PointLaw`, Pa, and its slope over the speed, Pa s/m; pressure : p, Pa;  speed : v, m/s; numbers.
+
+    Loops choose between both functions themselves: what LLVM makes of Eyring's law then stays as quick as it was.
+    """
+    return eyring_stress(law, pressure, speed) if law.own == 0.0 else own_stress(law, pressure, speed)
+
+
+@compiled
+def eyring_stress(law: PointLaw, pressure: float, speed: float) -> tuple[float, float]:
+    """`stress_and_slope` of a law without a table."""
     steady = law.boundary * pressure + law.plain
     if law.eyring == 0.0:
         return steady, 0.0
     limit = law.limit * pressure
-    if law.own != 0.0:
-        oil, slope = own_stress(law, pressure, speed)
-        return steady + oil, slope
     if law.fluidity == np.inf:
         return steady + limit, 0.0
     fluidity = thickened(law, pressure).fluidity
@@ -87,15 +94,14 @@ def stress_and_slope(law: PointLaw, pressure: float, speed: float) -> tuple[floa
 
 @compiled
 def own_stress(law: PointLaw, pressure: float, speed: float) -> tuple[float, float]:
-    """Stress of the oil by a user's law, and its slope; arguments of `stress_and_slope`.
-
-    Oil without a film shears at the limit, or at the most that the law gives.
-    """
-    limit, fluidity = law.limit * pressure, min(thickened(law, pressure).fluidity, FASTEST)
+    """`stress_and_slope` of a user's law. Oil without a film shears at the limit, or at the most that the law gives."""
+    stay_apart()
+    steady, limit = law.boundary * pressure + law.plain, law.limit * pressure
+    fluidity = min(thickened(law, pressure).fluidity, FASTEST)
     rate = min(fluidity * max(speed, 0.0), FASTEST) if law.fluidity < np.inf else FASTEST
     flow, slope = flow_of(law.own, rate)
     oil = law.eyring * flow
-    return (oil, law.eyring * fluidity * slope) if oil < limit else (limit, 0.0)
+    return (steady + oil, law.eyring * fluidity * slope) if oil < limit else (steady + limit, 0.0)
 
 
 @compiled
