@@ -22,7 +22,7 @@ class _FromMemory(Compiled):
 
     @cached_property
     def inside(self) -> Any:
-        from numba import carray, njit
+        import numba
         from numba.core import cgutils, types
         from numba.core.extending import intrinsic
 
@@ -32,12 +32,14 @@ class _FromMemory(Compiled):
 
             return types.voidptr(types.int64), code
 
+        typed: Any = numba  # it has no types
         pointer: Any = intrinsic(to_pointer)
+        carray = typed.carray
 
         def rows_at(address, rows, columns):
             return carray(pointer(np.int64(address)), (rows, columns), np.float64)
 
-        return njit(no_cpython_wrapper=True, no_cfunc_wrapper=True)(rows_at)
+        return typed.njit(no_cpython_wrapper=True, no_cfunc_wrapper=True)(rows_at)
 
 
 def _rows_at(address: float, rows: int, columns: int) -> Array:
@@ -49,8 +51,8 @@ def _rows_at(address: float, rows: int, columns: int) -> Array:
 class _Apart(Compiled):
     """A note to LLVM in the function that calls it."""
 
-    def __call__(self) -> None:
-        """Python needs no such note."""
+    def __call__(self, *given: Any) -> Any:
+        return self.function(*given)
 
     @cached_property
     def inside(self) -> Any:
@@ -68,7 +70,7 @@ class _Apart(Compiled):
 
 
 def _stay_apart() -> None:
-    """Called in a function that is seldom needed: callers jump to it, and keep the code that they have without it."""
+    """Callers jump to the function that calls this; without it they take its code, and slow down their own."""
 
 
 rows_at: Any = _FromMemory(_rows_at, {})  # pyright: ignore[reportArgumentType]

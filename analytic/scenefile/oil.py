@@ -9,7 +9,6 @@ from analytic.errors import InputError
 from analytic.noun import read_only
 from analytic.oil.viscosity_temperature import ViscosityLine, eyring_stress_of, viscosity_line
 from analytic.scene import Lubricant, Reach
-from analytic.scenefile.installed_law import BUILT_IN, installed_law
 from analytic.scenefile.known_oil import (
     COLD,
     DENSITY_LIMIT,
@@ -22,6 +21,7 @@ from analytic.scenefile.known_oil import (
     base_oil,
     named_oil,
 )
+from analytic.scenefile.law_packages import BUILT_IN, installed_law
 from analytic.scenefile.tables import GivenLength, LubricantTable, ReachTable
 from analytic.scenefile.viscosity import GivenViscosity, ViscosityPoint
 from analytic.words import length_of

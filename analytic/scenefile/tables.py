@@ -38,7 +38,7 @@ from analytic.scene import (
     Surface,
     Traction,
 )
-from analytic.scenefile.installed_law import BUILT_IN, GROUP, installed_laws
+from analytic.scenefile.law_packages import BUILT_IN, GROUP, installed_laws
 from analytic.scenefile.material import material_entry
 from analytic.scenefile.quantity import Dimension, QuantityOrWord
 from analytic.scenefile.spread_tables import AssumedTable, UncertaintyTable

@@ -23,7 +23,7 @@ import numpy as np
 from analytic.errors import InputError
 from analytic.reading import content_of, opened
 from analytic.scene import OwnTraction
-from analytic.scenefile.installed_law import BUILT_IN, installed_law
+from analytic.scenefile.law_packages import BUILT_IN, installed_law
 from analytic.writing import remove_leftovers, replaced_file, require_utf8
 from fembearing.sweep.grid import Grid
 from fembearing.sweep.parts import Part, Piece

@@ -15,7 +15,7 @@ import xarray
 from analytic import catalog
 from analytic.errors import InputError, StorageError
 from analytic.prediction.prediction import predict
-from analytic.scenefile.installed_law import installed_law
+from analytic.scenefile.law_packages import installed_law
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
 from fembearing.sweep import parts

@@ -1,8 +1,9 @@
 """Laws of traction that installed packages offer, by entry points of the group "fembearing.traction"."""
 
+from collections.abc import Callable
 from functools import cache
 from importlib.metadata import EntryPoint, entry_points
-from typing import get_args
+from typing import cast, get_args
 
 from analytic.errors import InputError
 from analytic.oil.own_law import in_words, own_traction
@@ -45,10 +46,10 @@ def installed_law(name: str) -> OwnTraction:
             f"law of traction {name}: {entry.value} of {_owner(entry)} is {type(function).__name__}; give a function "
             "f(x)"
         )
-    owner = entry.dist
+    owner, law = entry.dist, cast(Callable[[float], float], function)
     return own_traction(
         name,
-        function,
+        law,
         distribution="" if owner is None else owner.name,
         version="" if owner is None else owner.version,
     )

@@ -8,7 +8,7 @@ import pytest
 
 import analytic
 from analytic.scene import OwnTraction
-from analytic.scenefile.installed_law import installed_law
+from analytic.scenefile.law_packages import installed_law
 from tests.analytic.scenefile.scene_texts import OIL, changed, refusal, scene
 from tests.analytic.specimens import present
 from tests.traction_packages import install, install_example
