@@ -87,9 +87,10 @@ def _rates(asked: Array, softness: Array, own: float) -> Array:
     for _ in range(MOST_BISECTIONS):
         rates = np.exp(at)
         flow, steepness = flows_of(own, rates)
-        left = rates + softness * flow - asked
+        with np.errstate(over="ignore", invalid="ignore"):  # of solid oil: infinity is too high, and bisected
+            left = rates + softness * flow - asked
+            step = left / (rates * (1 + softness * steepness))
         low, high = np.where(left <= 0, at, low), np.where(left > 0, at, high)
-        step = left / (rates * (1 + softness * steepness))
         then = np.where((at - step > low) & (at - step < high), at - step, (low + high) / 2)
         if np.all(np.abs(then - at) <= 1e-14 * np.maximum(np.abs(at), 1.0)):  # a few roundings
             break
