@@ -26,6 +26,8 @@ def torque(folder: Path, *options: str) -> subprocess.CompletedProcess[str]:
 
 def test_the_example_computes_with_its_law_and_names_it(tmp_path: Path) -> None:
     install_example(tmp_path)
+    done = torque(tmp_path, "--details")
+    assert "Law of traction: carreau-squalane of carreau-law 0.1.0, SHA-256" in " ".join(done.stdout.split())
     for name, options in (("own", ()), ("eyring", ("--set", "lubricant.traction=eyring_sinh"))):
         done = torque(tmp_path, "--out", f"{name}.json", *options)
         assert done.returncode == 0, done.stderr
