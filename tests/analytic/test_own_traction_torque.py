@@ -1,6 +1,7 @@
 """Torques by a user's law of traction: Eyring's as a user's, and any law against an integral of its definition."""
 
 import math
+import pickle
 from dataclasses import replace
 from typing import Any
 
@@ -15,7 +16,7 @@ from analytic.oil.traction import PointLaw
 from analytic.scene import Bearing, ContactAngle, Operation, OwnTraction, Scene
 from analytic.sliding.ellipse import Slider, quadrature_of, slip_sums
 from analytic.torque import friction_torque
-from tests.analytic.specimens import FINISH, OIL
+from tests.analytic.specimens import FINISH, OIL, present
 
 EYRING = own_traction("eyring", math.asinh)
 CARREAU = own_traction("carreau", lambda x: x * (1 + x * x) ** ((0.46 - 1) / 2))
@@ -81,6 +82,9 @@ def test_a_function_of_time_steps_has_the_law(scene: Scene) -> None:
         expected = friction_torque(given).torque.total[0]
         assert functions[name](**point) == pytest.approx(expected, rel=1e-6)  # of free balls from other starts
     assert functions["eyring"](**point) != pytest.approx(functions["carreau"](**point), rel=1e-4)
+    sent = pickle.loads(pickle.dumps(functions["carreau"]))  # as to another process, where the table lies elsewhere
+    present(sent.model).numbers["warm"]["own"] = 0.0
+    assert sent(**point) == pytest.approx(functions["carreau"](**point), rel=1e-6)
 
 
 @pytest.mark.parametrize("law", [CARREAU, own_traction("newton", lambda x: x)], ids=lambda law: law.name)

@@ -53,11 +53,12 @@ def ball_slip(
         n = [float(number[at]) for number in numbers]
         pair = ContactNumbers(*n[:9]), ContactNumbers(*n[9:18])
         resist = PointLaw(*n[18:second]), PointLaw(*n[second:end])
+        speed, difference = n[end:]
         if method == "single_coefficient":
-            slips, sums = line_slips(pair, resist, *n[end:], RULES[spin_rule]), 0
+            slips, sums = line_slips(pair, resist, speed, difference, RULES[spin_rule]), 0
         else:
             *slips, sums = slips_over_contacts(
-                pair, resist, *n[end:], RULES[spin_rule], quadrature_of(nodes), method == "over_ellipse"
+                pair, resist, speed, difference, RULES[spin_rule], quadrature_of(nodes), method == "over_ellipse"
             )
         if printed_radius is not None:
             slips = [as_printed_slip(one, slip, printed_radius) for one, slip in zip(pair, slips, strict=True)]
