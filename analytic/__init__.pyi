@@ -17,6 +17,8 @@ from .scenefile.by_name import material as material
 from .scenefile.by_name import operation as operation
 from .scenefile.by_name import surfaces as surfaces
 from .scenefile.read import load_scene as load_scene
+from .scenefile.read import parse_scene as parse_scene
+from .scenefile.template import scene_text as scene_text
 from .torque import friction_torque as friction_torque
 from .verdicts import physical_checks as physical_checks
 

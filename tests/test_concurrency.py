@@ -96,7 +96,7 @@ def ended(process: subprocess.Popen[str]) -> tuple[int, str, str]:
     return process.returncode, out, said
 
 
-@pytest.mark.slow  # both compile all formulas of a torque, a minute or more
+@pytest.mark.nightly  # both compile all formulas of a torque; the gate has two small programs that compile at once
 def test_commands_that_compile_at_once_have_the_numbers_of_one(tmp_path: Path) -> None:
     def torques(*scenes: str) -> list[float]:
         running = [started("torque", scene, "--json", folder=tmp_path, cache=tmp_path / "cache") for scene in scenes]

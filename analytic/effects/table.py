@@ -1,7 +1,7 @@
 """Every effect of the friction torque: what it is, what it needs, and what bounds its share where no trial shows it.
 
 The order is that of the decisions: what costs most to compute comes first, so that leaving it out comes first too.
-The factors of the bounds stand here alone, and docs/effects.md shows this table.
+The factors of the bounds stand here alone; docs/effects.md lists the entries and refers to these bounds.
 """
 
 from collections.abc import Callable
@@ -188,34 +188,34 @@ TABLE = (
         kind="computed",
         meaning="unequal ball loads by a radial load or a moment",
         needs=SOLVED_ANGLE,
-        bound=f"where a given angle forbids it: {PER_DISTRIBUTION:g} (Fr tan al + 2 M/d_m)/Fa",
+        bound=f"at a given angle {PER_DISTRIBUTION:g} (Fr tan al + 2 M/d_m)/Fa",
     ),
     Entry(
         name="centrifugal",
         kind="computed",
         meaning="centrifugal force on the balls",
         needs=SOLVED_ANGLE,
-        bound=f"where a given angle forbids it: {PER_CENTRIFUGAL:g} times the force over the load of the lightest ball",
+        bound=f"at a given angle {PER_CENTRIFUGAL:g} times the force over the load of the lightest ball",
     ),
     Entry(
         name="gyroscopic",
         kind="computed",
         meaning="gyroscopic moment on the balls",
         needs=TURNING_BALL,
-        bound="where a given angle forbids it: the friction that holds the moment, over the load of the lightest ball; "
-        f"on the slip across the grooves of balls by rule: {PER_GYROSCOPIC_SLIP:g} times the moment over what friction "
-        "holds",
+        bound="at a given angle the friction that holds the moment, over the load of the lightest ball; for the slip "
+        f"across the grooves of balls by rule {PER_GYROSCOPIC_SLIP:g} times the moment over what friction holds",
     ),
     Entry(
         name="weight",
         kind="computed",
         meaning="weight of the balls",
         needs=DOWN,
-        bound=f"without its direction: {PER_CENTRIFUGAL:g} times the weight over the load of the lightest ball; where "
-        "that is too much, the spread over six directions is in the uncertainty. Free balls that slip under it: "
+        bound=f"without its direction {PER_CENTRIFUGAL:g} times the weight over the load of the lightest ball, or the "
+        "spread over six directions where that is too much; for free balls that slip under it "
         f"{PER_WEIGHT_SLIP:g} times the weight over their mean load, and {PER_WEIGHT_SLIDING:g} times that of sliding. "
-        f"Both, and that of a radial load, grow by 1/(1 - {3 * WEDGING_POWER:g} X/delta) where friction across the "
-        "grooves needs the part X of the approach delta",
+        "Both, and that of a radial load, grow by "
+        f"1/(1 - {3 * WEDGING_POWER:g} X/delta) where friction across the grooves needs the part X of the approach "
+        "delta",
     ),
     Entry(
         name="finite_geometry",
@@ -325,7 +325,7 @@ TABLE = (
         kind="oil",
         meaning="torque that brings oil, which flows through, to the speed of the cage",
         needs=Need(keys="`oil_flow` in `[losses]`", lacks=_not_given("oil_flow", "0.8 l/min")),
-        bound="without it, of an oil jet: x/(1 - x), x the square of the inner race's speed over the heat of a rise "
+        bound="with an oil jet x/(1 - x), x the square of the inner race's speed over the heat of a rise "
         f"by {JET_RISE:g} K",
         given="from losses.oil_flow",
     ),
@@ -334,7 +334,7 @@ TABLE = (
         kind="oil",
         meaning="torque of the oil that is sheared in the gaps of the cage",
         needs=Need(keys="`land` or `pockets` in `[losses]`", lacks=_no_gaps),
-        bound="without them, in an oil bath or jet and without `[cage]`: pockets of "
+        bound="with an oil bath or jet and without `[cage]` pockets of "
         f"{USUAL_POCKETS[0]:g} ball diameters clearance and {USUAL_POCKETS[1]:g} thickness",
         given="from losses.land or losses.pockets",
     ),
@@ -343,7 +343,7 @@ TABLE = (
         kind="oil",
         meaning="torque of balls that move through oil and air",
         needs=Need(keys="`oil_share` in `[losses]`", lacks=_not_given("oil_share", "2 %")),
-        bound="without it and without `drag`: a share of "
+        bound="without `drag` a share of "
         + ", ".join(f"{share:g} with `{supply}`" for supply, share in USUAL_SHARE.items()),
         given="from losses.oil_share",
     ),
@@ -357,7 +357,7 @@ TABLE = (
         name="shoulder",
         kind="limit",
         meaning="a contact ellipse cut off by a shoulder of its race; not modelled",
-        bound="a semi-axis that exceeds the distance to the nearer shoulder; where shoulders are not known, to one of "
+        bound="a semi-axis that exceeds the distance to the nearer shoulder; an unknown one has a height of "
         f"{USUAL_SHOULDERS[0]:g} ball diameters",
         idle="no ball is loaded",
     ),

@@ -9,7 +9,7 @@ function that fails gives NaN or a status, and a division by zero gives infinity
 Numba keeps them in the folder FEMBEARING_CACHE, else in the platform's folder for caches. Numba notices a change of a
 function's own file, but none of a function that it calls or of a constant that it takes. A digest of the files of this
 package is therefore part of the folder's name. It leaves out the folders in ABOVE, which no compiled function imports.
-The folder can be deleted at any time.
+Where the package lies does not matter. The folder can be deleted at any time.
 """
 
 import gc
@@ -40,6 +40,7 @@ UNUSED = 30 * 24 * 3600.0  # s after which the folder of another version is dele
 ABOVE = frozenset(
     {"bearings", "effects", "materials", "prediction", "scenefile", "scenes"}
 )  # formulas import none of it
+SOURCE = "formulas.py"  # name of an empty file, which stands for the files of all functions
 SEAL = "sha256"  # name of the file with the digest of a function's other files
 COMPILING = "compiling formulas, once on this machine"
 said: set[str] = set()  # lines on standard error: each once a process
@@ -148,6 +149,8 @@ def kept_in() -> Path | None:
                     rmtree(other, ignore_errors=True)
         folder.mkdir(parents=True, exist_ok=True)
         tempfile.TemporaryFile(dir=folder).close()  # it also marks the folder as used
+        (folder / SOURCE).touch()
+        os.utime(folder / SOURCE, (0, 0))
     except OSError as problem:
         _say_why(problem)
         return None
@@ -161,7 +164,11 @@ def _kept(function: FunctionType, options: dict[str, Any], folder: Path) -> Any:
     settings: Any = config  # it has no types
     before, own = settings.CACHE_DIR, folder / f"{function.__module__}.{function.__qualname__}"
     settings.CACHE_DIR = str(own)  # numba takes it from here only
-    made: Any = numba.njit(cache=True, **options)(function)
+    # Numba looks for the path and time of a function's file. With these of one file every checkout and environment of
+    # this version has the same functions.
+    code = function.__code__.replace(co_filename=str(folder / SOURCE))
+    copy = FunctionType(code, function.__globals__, argdefs=function.__defaults__)
+    made: Any = numba.njit(cache=True, **options)(update_wrapper(copy, function))
     settings.CACHE_DIR = before
     if own in Path(made.stats.cache_path).parents:
         _guard(made)

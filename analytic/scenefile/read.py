@@ -135,8 +135,28 @@ def parse_scene(
 ) -> Scene:
     """The scene that TOML text describes.
 
-    origin : names the text in messages;  folder : that the paths in the text start from
-    measured, settings and errors : those of load_scene
+    Parameters
+    ----------
+    text : str
+        Of a scene file.
+    origin : str
+        Names the text in messages.
+    folder : Path
+        That the paths in the text start from; the working folder by default.
+    measured : str or path, optional
+        As in `load_scene`.
+    settings : mapping of str to value, optional
+        As in `load_scene`.
+
+    Returns
+    -------
+    Scene
+        In SI.
+
+    Raises
+    ------
+    InputError
+        As `load_scene`.
     """
     return parse_by_temperature(text, origin=origin, folder=folder, measured=measured, settings=settings).fixed
 

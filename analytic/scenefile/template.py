@@ -62,9 +62,24 @@ MORE = """\
 
 
 def scene_text(designation: str, choice: Choice = USUAL) -> str:
-    """The scene of a bearing, in TOML with comments; it runs as it is.
+    """The scene of a bearing of the catalog, in TOML with comments, as `fembearing init` writes it.
 
-    Raises InputError for a designation that the catalogue does not have. The values of the choice are not checked.
+    Parameters
+    ----------
+    designation : str
+        As in the catalog, "6206", or with suffixes, "6305-2RS/C3".
+    choice : Choice
+        Loads, speed, oil, temperature and supply, in place of the usual ones. They are not checked here.
+
+    Returns
+    -------
+    str
+        A whole scene for `parse_scene`; optional keys are comments.
+
+    Raises
+    ------
+    InputError
+        A designation that the catalog does not have.
     """
     bearing = find_bearing(designation)
     name = _quoted(designation)

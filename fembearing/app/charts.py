@@ -1,6 +1,7 @@
 """The charts of the page, as options of Apache ECharts, which draws them in the browser."""
 
 from collections.abc import Sequence
+from html import escape
 from typing import Any
 
 import numpy as np
@@ -8,7 +9,7 @@ import numpy as np
 from analytic.result import LoadedContact, TorquePoint
 from analytic.rows import Two
 from analytic.scene import Contact
-from fembearing.quantities import METRIC, QUANTITIES
+from fembearing.quantities import QUANTITIES, Units
 from fembearing.report.figures.series_axis import axis_of
 from fembearing.report.figures.style import BLUE, GREY, RED
 from fembearing.report.figures.torque import PARTS
@@ -21,7 +22,7 @@ TEXT = {"textBorderWidth": 0}  # ECharts draws a light border around letters
 OUTLINE = 81  # points of half an ellipse
 BESIDE = 1.15  # of the distance to a shoulder that is shown
 AROUND = 1.4  # of half an ellipse that is shown
-LINE = {"type": "line", "symbol": "none", "animation": False}
+LINE = {"type": "line", "symbol": "none"}
 INSIDE = {"top": 12, "left": 12, "right": 20, "bottom": 40, "containLabel": True}
 LEGEND = {"bottom": 0, "left": "center", "itemWidth": 16, "itemHeight": 10, "itemGap": 12}
 FAINT = {"splitLine": {"lineStyle": {"color": NEUTRAL, "opacity": 0.25}}}
@@ -29,19 +30,17 @@ AXIS = {"type": "value", "nameLocation": "middle", "axisLine": {"lineStyle": {"c
 BANDS = {"makers' formulas": NEUTRAL, "95 %": BLUE}
 
 
-def part_options(point: TorquePoint) -> Options:
+def part_options(point: TorquePoint, units: Units) -> Options:
     """A bar of the parts of the torque at one operating point."""
-    unit, total = METRIC.torque, point.torque.total
-    series = []
-    for part, (words, colour) in PARTS.items():
-        value = getattr(point.torque, part)
-        if value is not None and value > RESIDUE * total:
-            name = f"{words} {100 * value / total:.0f} %"
-            bar = {"name": name, "data": [_short(unit.number(value))], "itemStyle": {"color": _css(colour)}}
-            series.append({"type": "bar", "stack": "torque", "barWidth": 28, "animation": False, **bar})
+    unit, total = units.torque, point.torque.total
+    series = [
+        {"name": words, "data": [_short(unit.number(value))], "itemStyle": {"color": _css(colour)}}
+        | {"type": "bar", "stack": "torque", "barWidth": 28}
+        for words, colour, value in _parts(point)
+    ]
     return {
-        "grid": {"top": 6, "left": 2, "right": 2, "height": 36},
-        "legend": {**LEGEND, "bottom": None, "top": 50},
+        "animation": False,
+        "grid": {"top": 2, "left": 2, "right": 2, "height": 32},
         "tooltip": {"trigger": "item", "confine": True},
         "xAxis": {"type": "value", "min": 0, "max": _short(unit.number(total)) or 1.0, "show": False},
         "yAxis": {"type": "category", "data": [unit.name], "show": False},
@@ -49,65 +48,92 @@ def part_options(point: TorquePoint) -> Options:
     }
 
 
-def curve_options(records: Sequence[TorqueRecord], *, marked: float | None) -> Options:
+def part_legend(point: TorquePoint, units: Units) -> str:
+    """The parts with their colours, shares and values, as HTML."""
+    unit, total = units.torque, point.torque.total
+    entries = [
+        f'<li><i style="background: {_css(colour)}"></i>{escape(words)} <b>{100 * value / total:.0f} %</b>, '
+        f"{unit.written(value, '.3g')}</li>"
+        for words, colour, value in _parts(point)
+    ]
+    return f'<ul class="legend">{"".join(entries)}</ul>'
+
+
+def _parts(point: TorquePoint) -> list[tuple[str, str, float]]:
+    """Words, colour and value (N m) of each part that is seen."""
+    values = [(words, colour, getattr(point.torque, part)) for part, (words, colour) in PARTS.items()]
+    least = RESIDUE * point.torque.total
+    return [(words, colour, value) for words, colour, value in values if value is not None and value > least]
+
+
+def curve_options(records: Sequence[TorqueRecord], units: Units, *, marked: float | None) -> Options:
     """The torque with its interval and the makers' formulas over the axis of all points of the records.
 
     marked : speed of the scene, rad/s; None: not drawn
     """
     rows = [row for record in records for row in _rows(record)]
-    axis, unit = axis_of([point for point, *_ in rows], METRIC), METRIC.torque
+    axis, unit = axis_of([point for point, *_ in rows], units), units.torque
     beside = {id(point): bands for point, *bands in rows}
     bands = [beside[id(point)] for point in axis.points]
     x = axis.values.tolist() if axis.joined else list(range(1, len(bands) + 1))
     series: list[Options] = []
     for name, ends in zip(BANDS, zip(*bands, strict=True), strict=True):
         if all(each is not None for each in ends):
-            series += _band(name, x, ends)
+            series += _band(name, x, ends, units)
     total = [unit.number(point.torque.total) for point in axis.points]
     look = {"lineStyle": {"width": 2.5, "color": BLUE}, "itemStyle": {"color": BLUE}, "symbol": "circle"}
     line = {**LINE, **look, "symbolSize": 5, "name": "torque", "data": _pairs(x, total)}
     if marked is not None:
-        at = {"xAxis": METRIC.speed.number(abs(marked)), "label": {"show": False}}
+        at = {"xAxis": units.speed.number(abs(marked)), "label": {"show": False}}
         line["markLine"] = {"symbol": "none", "silent": True, "lineStyle": {"color": NEUTRAL}, "data": [at]}
+    shades = [{"name": each["name"], "icon": "rect"} for each in series if "areaStyle" in each]
+    heading = QUANTITIES["torque"].in_units(units).heading
     return {
+        "animation": False,
         "grid": {**INSIDE, "top": 36, "bottom": 58},
-        "legend": {**LEGEND, "data": [*(each["name"] for each in series if "areaStyle" in each), "torque"]},
-        "tooltip": {"trigger": "item", "confine": True},
+        "legend": {**LEGEND, "data": [*shades, "torque"]},
+        "tooltip": {"trigger": "item", "confine": True, ":formatter": f"p => `${{p.value[1]}} {unit.name}`"},
         "xAxis": {**AXIS, "name": axis.label, "nameGap": 28, "scale": True},
-        "yAxis": {**AXIS, "name": QUANTITIES["torque"].heading, "nameLocation": "end", "min": 0}
-        | {"nameTextStyle": {"align": "left"}},
+        "yAxis": {**AXIS, "name": heading, "nameLocation": "end", "min": 0} | {"nameTextStyle": {"align": "left"}},
         "series": [*series, line],
     }
 
 
-def ring_options(point: TorquePoint) -> Options | None:
-    """The loads of the balls around the ring; the radial load points down. None for a pair of bearings."""
+def ring_options(point: TorquePoint, units: Units) -> Options | None:
+    """The loads of the balls around the ring; the radial load points down. None for a pair of bearings.
+
+    Angles of the chart begin at its top, where its scale does not cross the loaded balls.
+    """
     if point.ring is None:
         return None
-    unit, balls = METRIC.force, point.ring.balls
-    azimuth = np.degrees(balls.azimuth).tolist()
+    unit, balls = units.force, point.ring.balls
+    turned = (np.degrees(balls.azimuth) + 180.0).tolist()
     series = []
     for race, colour, kind in (("inner", BLUE, "solid"), ("outer", RED, "dashed")):
         load = [_short(unit.number(each)) for each in getattr(balls, f"{race}_load")]
         look = {"lineStyle": {"color": colour, "type": kind, "width": 2}, "itemStyle": {"color": colour}}
-        points = [*_pairs(load, azimuth), [load[0], azimuth[0] + 360]]
+        points = [*_pairs(load, turned), [load[0], turned[0] + 360]]
         polar = {"coordinateSystem": "polar", "symbol": "circle", "symbolSize": 7}
         series.append({**LINE, **polar, **look, "name": f"{race} race", "data": points})
-    around = {"type": "value", "min": 0, "max": 360, "interval": 90, "startAngle": 270, "clockwise": False}
+    azimuth = "(a + 180) % 360"
+    around = {"type": "value", "min": 0, "max": 360, "interval": 90, "startAngle": 90, "clockwise": False}
     axis = {"axisLine": {"lineStyle": {"color": NEUTRAL}}, **FAINT}
+    words = f"p => {{ const [q, a] = p.value; return `${{p.seriesName}}, ${{{azimuth}}}°: ${{q}} {unit.name}`; }}"
     return {
+        "animation": False,
         "legend": LEGEND,
-        "tooltip": {"trigger": "item", "confine": True},
+        "tooltip": {"trigger": "item", "confine": True, ":formatter": words},
         "polar": {"radius": "66%", "center": ["50%", "46%"]},
-        "angleAxis": {**axis, **around, "axisLabel": {"formatter": "{value}°"}},
-        "radiusAxis": {**axis, "min": 0, "splitNumber": 3, "axisLabel": {"formatter": f"{{value}} {unit.name}"}},
+        "angleAxis": {**axis, **around, "axisLabel": {":formatter": f"a => `${{{azimuth}}}°`"}},
+        "radiusAxis": {**axis, "min": 0, "splitNumber": 3}
+        | {"axisLabel": {"formatter": f"{{value}} {unit.name}", "showMinLabel": False, "showMaxLabel": False}},
         "series": series,
     }
 
 
-def ellipse_options(contact: Contact, ellipse: LoadedContact[float]) -> Options:
+def ellipse_options(contact: Contact, ellipse: LoadedContact[float], units: Units) -> Options:
     """The contact ellipse across its groove, with the shoulders."""
-    unit = METRIC.length
+    unit = units.length
     half, across = unit.number(ellipse.semi_axis_rolling), unit.number(ellipse.semi_axis_transverse)
     sides = [-unit.number(contact.far_shoulder), unit.number(contact.shoulder)]
     edges = [side if np.isfinite(side) else np.sign(side) * 2 * across for side in sides]
@@ -123,6 +149,7 @@ def ellipse_options(contact: Contact, ellipse: LoadedContact[float]) -> Options:
     ends = {"axisLabel": {"showMinLabel": False, "showMaxLabel": False}}
     most = AROUND * half
     return {
+        "animation": False,
         "grid": {**INSIDE, "top": 24, "left": 28, "bottom": 30},
         "xAxis": {**AXIS, **ends, "name": f"across the groove, {unit.name}", "nameGap": 24}
         | {"min": _short(BESIDE * edges[0]), "max": _short(BESIDE * edges[1])},
@@ -142,9 +169,9 @@ def _rows(record: TorqueRecord) -> list[tuple[TorquePoint, Two | None, Two | Non
     return [whole[place] for place in record.computed]
 
 
-def _band(name: str, x: Sequence[float], ends: Sequence[Two]) -> list[Options]:
+def _band(name: str, x: Sequence[float], ends: Sequence[Two], units: Units) -> list[Options]:
     """The area between two lines: the upper one is stacked on the lower one, which is not seen."""
-    unit, colour = METRIC.torque, BANDS[name]
+    unit, colour = units.torque, BANDS[name]
     stacked = {**LINE, "stack": name, "stackStrategy": "all", "lineStyle": {"opacity": 0}, "silent": True}
     area = {"areaStyle": {"color": colour, "opacity": 0.22}, "itemStyle": {"color": colour}}
     ground = _pairs(x, [unit.number(low) for low, _ in ends])

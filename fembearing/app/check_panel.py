@@ -36,10 +36,10 @@ class CheckPanel:
     def __init__(self, page: Shown) -> None:
         self.page = page
         self.check: Check | None = None
-        with ui.element("div").classes("panel"):
+        with ui.element("section").classes("panel check").props('aria-label="Check"'):
             ui.label("Check").tag = "h2"
             ui.label(ABOUT).classes("soft")
-            with ui.element("div").classes("row"):
+            with ui.element("div").classes("actions"):
                 self.starts = ui.button("Check this scene", on_click=self.run).props("unelevated no-caps")
                 self.cancels = ui.button("Cancel", on_click=self.cancel, color=None).props("outline no-caps")
                 self.saves = ui.button("Download all", on_click=self.download, color=None).props("outline no-caps")

@@ -1,29 +1,29 @@
 """What the page shows of a scene: the torque as `fembearing torque` gives it, over the speed too, and its files."""
 
+import base64
 import zipfile
 from dataclasses import dataclass, replace
+from html import escape
 from io import BytesIO
 from pathlib import Path
 
 import numpy as np
 
+from analytic import parse_scene
 from analytic.errors import FembearingError
 from analytic.result import TorquePoint
 from analytic.scene import Array, Contact, Scene
-from analytic.scenefile.read import parse_scene
 from analytic.words import pressure_of
+from fembearing import SceneTorque, draw_bearing, torque_content, torque_headline, torque_of_scene
 from fembearing.app.scene_edit import ORIGIN
-from fembearing.quantities import METRIC
-from fembearing.report.headline import ABSENT, film_words, headline_title, makers_words, split_of
-from fembearing.report.phrases import between
+from fembearing.quantities import SYSTEMS, Units
 from fembearing.report.tables.points import point_name
 from fembearing.report.torque import TorqueRecord, torque_record
-from fembearing.report.torque_file import numbers_file, page_file, table_file
 from fembearing.verify.contact.scene_contact import contact_of
-from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene
+from fembearing.verify.torque.scene_torque import with_interval
 
 SPEEDS = np.array([0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1.0, 1.2, 1.4, 1.6, 1.8, 2.0])  # of the curve, over the scene's own
-SLICES = 4  # of the curve: between two of them the headline of a change comes first
+SLICES = 6  # of the curve: between two of them it ends where the scene has changed
 RACES = "inner", "outer"
 
 
@@ -49,25 +49,27 @@ class Evaluation:
         return len(self.record.points) > 1
 
     @property
+    def units(self) -> Units:
+        """The system of units of the scene."""
+        return SYSTEMS[self.result.scene.report.units]
+
+    @property
     def lines(self) -> dict[str, str]:
         """The lines that `fembearing torque` prints first, and captions, by their places on the page."""
-        record, row, unit = self.record, self.row, METRIC.torque
-        totals = [point.torque.total for point in record.points]
-        ends = [each for each in record.interval if each is not None]
-        known = len(ends) == len(totals)
-        where = f"At {point_name(record.points, self.point, METRIC)}, the highest torque: " if self.is_series else ""
+        head, row = torque_headline(self.result), self.row
+        where = f"At {point_name(self.record.points, self.point, self.units)}, the highest torque: "
         lines = {
-            "title": headline_title(self.result.scene, record),
-            "torque": " to ".join(dict.fromkeys(f"{unit.number(end):.4g}" for end in (min(totals), max(totals)))),
-            "unit": unit.name,
-            "interval": f"95 %: {between((min(ends)[0], max(high for _, high in ends)), unit) if known else ABSENT}",
-            "power": f"power {row.torque.total * abs(row.inner_speed):.3g} W",
-            "verdict": record.standing.word,
-            "reason": record.standing.reason,
-            "split": f"{where}{split_of(row)}",
-            "film": film_words(self.result) or "film: not computed without oil and surface",
-            "makers": makers_words(record),
-            "warnings": "\n".join(record.warnings),
+            "title": head.title,
+            "torque": head.torque,
+            "unit": head.unit,
+            "interval": f"95 %: {head.interval}",
+            "power": f"power {head.power} W",
+            "verdict": head.verdict,
+            "reason": head.reason,
+            "split": f"{where}{head.split}" if self.is_series else "",
+            "film": head.film or "film: not computed without oil and surface",
+            "makers": head.makers,
+            "warnings": "\n".join(self.record.warnings),
             "ring": "Azimuth from the radial load, which points down."
             if row.ring
             else "Balls of a pair: `fembearing torque --details`.",
@@ -75,7 +77,8 @@ class Evaluation:
         }
         for race in RACES:
             contact = getattr(row.contact, race)
-            lines[race] = f"{race} race: {contact.load:.4g} N, {pressure_of(contact.peak_pressure)}"
+            load = self.units.force.written(contact.load, ".4g")
+            lines[race] = f"{race} race: {load}, {pressure_of(contact.peak_pressure)}"
         return lines
 
     def number(self, key: str) -> float | None:
@@ -87,10 +90,10 @@ class Evaluation:
         return None if oil is None else getattr(oil, name)
 
 
-def evaluated(text: str) -> Evaluation:
-    """The torque of the scene that a text describes. Raises InputError as the command does."""
+def at_once(text: str) -> Evaluation:
+    """The torque of the scene that a text describes, without its interval. Raises InputError as the command does."""
     scene = parse_scene(text, origin=ORIGIN)
-    result = torque_of_scene(scene)
+    result = torque_of_scene(scene, estimate=False)
     point, contacts, reason = int(np.argmax(result.friction.torque.total)), {}, ""
     here = {name: values[[point]] for name, values in vars(scene.operation.as_series()).items()}
     try:
@@ -99,6 +102,12 @@ def evaluated(text: str) -> Evaluation:
         reason = str(problem)
     record = torque_record(result)
     return Evaluation(text=text, result=result, record=record, point=point, contacts=contacts, no_contact=reason)
+
+
+def completed(found: Evaluation) -> Evaluation:
+    """The same with its interval, which takes three times as long as all else."""
+    result = with_interval(found.result)
+    return replace(found, result=result, record=torque_record(result))
 
 
 def curve_scenes(found: Evaluation) -> list[Scene]:
@@ -121,6 +130,16 @@ def series_record(scene: Scene) -> TorqueRecord:
     return torque_record(torque_of_scene(scene, keep_going=True))
 
 
+def drawing_of(found: Evaluation) -> str:
+    """The bearing to scale, as HTML. Raises InputError for dimensions that contradict each other."""
+    from fembearing.report.figures.style import svg  # with matplotlib
+
+    scene = found.result.scene
+    content = base64.b64encode(svg(draw_bearing(scene))).decode()
+    words = escape(f"{scene.bearing.name}: section through a ball and view along the axis, to scale, with dimensions")
+    return f'<img src="data:image/svg+xml;base64,{content}" alt="{words}">'
+
+
 def _at(scene: Scene, points: dict[str, Array]) -> Scene:
     """The scene at other operating points."""
     return replace(scene, operation=replace(scene.operation, **points))
@@ -131,9 +150,8 @@ def zip_of(found: Evaluation, report: Path | None) -> bytes:
     content = BytesIO()
     with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
         archive.writestr("scene.toml", found.text)
-        archive.writestr("torque.csv", table_file(found.result))
-        archive.writestr("torque.json", numbers_file(found.result))
-        archive.writestr("torque.html", page_file(found.result))
+        for ending in (".csv", ".json", ".html"):
+            archive.writestr(f"torque{ending}", torque_content(found.result, ending=ending))
         for file in sorted(report.iterdir()) if report is not None else ():
             archive.write(file, f"report/{file.name}")
     return content.getvalue()

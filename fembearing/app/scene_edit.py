@@ -7,18 +7,22 @@ from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any, get_args
 
-from analytic import catalog
+from analytic import catalog, scene_text
 from analytic.errors import InputError
 from analytic.scene import Supply
 from analytic.scenefile.keys import with_key
 from analytic.scenefile.setting import read_setting
-from analytic.scenefile.template import COLUMN, scene_text
+from analytic.scenefile.template import COLUMN
 from analytic.scenefile.text import parse_text
 from analytic.words import NEWTON, RPM, Unit
 from fembearing.quantities import METRIC
 
 ORIGIN = "scene"  # names the text in messages
 CATALOG = "bearing.catalog"
+KEPT = ("operation.", "lubricant.", "surface.", "mounting.")  # beginnings of keys that another bearing takes over
+CAGE, MOUNTING = "cage", "mounting"  # tables that a scene of the catalogue has as comments
+HEAD = re.compile(r"\s*(#?)\[\[?\s*([\w.]+)\s*\]")  # of a table, or of one that is a comment
+KEY = re.compile(r"#[a-z_.]+\s*=")  # that is a comment
 VALUE = r"""("(?:[^"\\]|\\.)*"|\[[^\]]*\]|[^#]*?)\s*(#.*)?"""  # of a line, and its comment
 
 
@@ -32,7 +36,7 @@ class Field:
     words: tuple[str, ...] = ()  # to choose from; empty: any text
 
 
-FIELDS: Mapping[str, Field] = {
+OPERATION: Mapping[str, Field] = {
     "operation.radial_load": Field(label="Radial load", example="2 kN", unit=NEWTON),
     "operation.axial_load": Field(label="Axial load", example="500 N", unit=NEWTON),
     "operation.inner_speed": Field(label="Speed of the inner ring", example="1500 rpm", unit=RPM),
@@ -41,6 +45,33 @@ FIELDS: Mapping[str, Field] = {
     "lubricant.supply": Field(label="Supply", example="oil bath, or grease of a grease", words=get_args(Supply)),
     "surface.finish": Field(label="Finish", example="as the scene has it", words=tuple(catalog.rows("finishes"))),
 }
+DIMENSIONS: Mapping[str, Field] = {
+    "bearing.ball_count": Field(label="Number of balls", example="9"),
+    "bearing.ball_diameter": Field(label="Ball diameter", example="9.525 mm"),
+    "bearing.pitch_diameter": Field(label="Pitch diameter", example="46 mm"),
+    "bearing.inner.conformity": Field(label="Conformity of the inner groove", example="0.52"),
+    "bearing.outer.conformity": Field(label="Conformity of the outer groove", example="0.53"),
+    "bearing.inner.shoulder_half_width": Field(label="Half width of the inner groove", example="3.9 mm"),
+    "bearing.outer.shoulder_half_width": Field(label="Half width of the outer groove", example="4.0 mm"),
+}
+SEATS: Mapping[str, Field] = {
+    "bearing.clearance": Field(label="Clearance, unmounted", example="CN, C3 or 12 um"),
+    "mounting.shaft_interference": Field(
+        label="Interference of the shaft seat", example="none, as 5 um; negative: loose"
+    ),
+    "mounting.housing_interference": Field(label="Interference of the housing seat", example="none, as -5 um"),
+    "mounting.inner_temperature": Field(label="Temperature of inner ring and shaft", example="as mounted, or 65 degC"),
+    "mounting.outer_temperature": Field(
+        label="Temperature of outer ring and housing", example="as mounted, or 60 degC"
+    ),
+}
+POCKETS: Mapping[str, Field] = {
+    "cage.pocket_clearance": Field(label="Pocket clearance", example="0.24 mm"),
+    "cage.wall_thickness": Field(label="Wall thickness", example="1.1 mm"),
+    "cage.mass": Field(label="Mass", example="11 g"),
+    "cage.material": Field(label="Material", example="steel, peek, brass", words=("steel", "peek", "brass")),
+}
+FIELDS: Mapping[str, Field] = {**OPERATION, **DIMENSIONS, **SEATS, **POCKETS}
 
 
 def values_in(text: str) -> dict[str, Any]:
@@ -48,11 +79,28 @@ def values_in(text: str) -> dict[str, Any]:
     document = parse_text(text, origin=ORIGIN)
     found = {}
     for key in (CATALOG, *FIELDS):
-        table, _, name = key.partition(".")
-        inside = document.get(table)
-        if isinstance(inside, dict) and name in inside:
-            found[key] = inside[name]
+        value: Any = document
+        for part in key.split("."):
+            value = value.get(part) if isinstance(value, dict) else None
+        if value is not None:
+            found[key] = value
     return found
+
+
+def has_table(text: str, table: str) -> bool:
+    """Whether the scene has this table. Raises InputError for what is no TOML."""
+    return table in parse_text(text, origin=ORIGIN)
+
+
+def commented_value(text: str, key: str) -> str:
+    """The value that a comment of the text has for a key, as `#ball_diameter = "9.525 mm"`; empty: none."""
+    table, _, name = key.partition(".")
+    lines = text.split("\n")
+    for number in _lines_of(lines, table):
+        found = re.fullmatch(rf"\s*#{re.escape(name)}\s*=\s*{VALUE}", lines[number])
+        if found:
+            return found[1].strip('"')
+    return ""
 
 
 def shown_value(value: object) -> str:
@@ -87,53 +135,104 @@ def with_value(text: str, key: str, value: Any) -> str:
     )
 
 
-def _without(document: dict[str, Any], key: str) -> dict[str, Any]:
-    table, _, name = key.partition(".")
-    inside = document.get(table, {})
-    if not isinstance(inside, dict) or name not in inside:
+def _without(document: dict[str, Any], path: str) -> dict[str, Any]:
+    """The document without a key, and without what has no other: a dotted key, or the table of the seats."""
+    name, _, rest = path.partition(".")
+    others = {each: value for each, value in document.items() if each != name}
+    if not rest:
+        return others
+    inside = document.get(name)
+    if not isinstance(inside, dict):
         return document
-    return document | {table: {each: value for each, value in inside.items() if each != name}}
+    left = _without(inside, rest)
+    return document | {name: left} if left or (path in FIELDS and name != MOUNTING) else others
 
 
 def _with_line(text: str, key: str, value: str | None) -> str:
     """The text with the line of a key changed, put in, or made a comment; a comment with this key gives its place."""
     table, _, name = key.partition(".")
     lines = text.split("\n")
-    heads = [number for number, line in enumerate(lines) if re.match(r"\s*\[", line)]
-    begin = next((each for each in heads if re.match(rf"\s*\[\s*{table}\s*\]", lines[each])), None)
+    begin = _head_of(lines, table)
     if begin is None:
         return text if value is None else f"{text.rstrip()}\n\n[{table}]\n{name} = {value}\n"
-    end = next((each for each in heads if each > begin), len(lines))
     places = {
         mark: number
-        for number in reversed(range(begin + 1, end))
+        for number in reversed(_lines_of(lines, table))
         for mark in ("", "#")
-        if re.match(rf"\s*{mark}\s*{name}\s*=", lines[number])
+        if re.match(rf"\s*{mark}\s*{re.escape(name)}\s*=", lines[number])
     }
     place = places.get("", places.get("#"))
     if value is None:
         if "" in places:
             lines[places[""]] = f"#{lines[places['']].lstrip()}"
-    elif place is None:
+            if table == MOUNTING and not any(_is_set(lines[each]) for each in _lines_of(lines, table)):
+                lines[begin] = f"#{lines[begin]}"
+        return "\n".join(lines)
+    lines[begin] = lines[begin].lstrip("#")
+    if place is None:
         lines.insert(begin + 1, f"{name} = {value}")
     else:
-        found = re.fullmatch(rf"\s*#?\s*{name}\s*=\s*{VALUE}", lines[place])
+        found = re.fullmatch(rf"\s*#?\s*{re.escape(name)}\s*=\s*{VALUE}", lines[place])
         comment = found[2] if found and found[2] else ""
         lines[place] = f"{f'{name} = {value}':<{COLUMN}} {comment}".rstrip()
+    return "\n".join(lines)
+
+
+def _head_of(lines: list[str], table: str) -> int | None:
+    """The line of the head of a table, else of the comment that has it; None: neither."""
+    heads = [(number, found) for number, line in enumerate(lines) if (found := HEAD.match(line)) and found[2] == table]
+    return next((number for number, found in heads if not found[1]), heads[0][0] if heads else None)
+
+
+def _lines_of(lines: list[str], table: str) -> range:
+    """The lines below the head of a table, to the next head."""
+    begin = _head_of(lines, table)
+    if begin is None:
+        return range(0)
+    after = range(begin + 1, len(lines))
+    return range(begin + 1, next((each for each in after if HEAD.match(lines[each])), len(lines)))
+
+
+def _is_set(line: str) -> bool:
+    return bool(line.strip()) and not line.lstrip().startswith("#")
+
+
+def with_cage(text: str, *, has_cage: bool) -> str:
+    """The text with the table of a cage, or with this table as comments.
+
+    A text without both gets the usual cage of its bearing, or the head alone where the bearing has no designation.
+    """
+    if has_table(text, CAGE) == has_cage:
+        return text
+    lines = text.split("\n")
+    head = _head_of(lines, CAGE)
+    if head is None:
+        usual = scene_text(str(values_in(text)[CATALOG])).split("\n") if CATALOG in values_in(text) else [f"#[{CAGE}]"]
+        begin = _head_of(usual, CAGE)
+        assert begin is not None, "a scene of the catalogue has it"
+        return with_cage("\n".join([text.rstrip(), "", *usual[begin : _lines_of(usual, CAGE).stop]]), has_cage=True)
+    for number in (head, *_lines_of(lines, CAGE)):
+        line = lines[number]
+        if has_cage and (number == head or KEY.match(line)):
+            lines[number] = line.removeprefix("#")
+        elif not has_cage and _is_set(line):
+            lines[number] = f"#{line}"
     return "\n".join(lines)
 
 
 def of_bearing(designation: str, before: str) -> str:
     """The usual scene of a bearing, with what the scene before has otherwise than the usual one of its own bearing.
 
+    Its dimensions and its clearance are its own; where the scene before has a cage, it has the usual one.
     Raises InputError for a designation that the catalogue does not have.
     """
     text, given, usual = scene_text(designation), {}, {}
     with suppress(InputError):
         given = values_in(before)
+        text = with_cage(text, has_cage=has_table(before, CAGE))
         usual = values_in(scene_text(str(given.get(CATALOG))))
     for key in FIELDS:
-        if key in given and given[key] != usual.get(key):
+        if key.startswith(KEPT) and key in given and given[key] != usual.get(key):
             text = with_value(text, key, given[key])
     return text
 

@@ -5,8 +5,8 @@ from fastapi.responses import FileResponse
 from nicegui import app, ui
 from starlette.middleware.trustedhost import TrustedHostMiddleware
 
+from fembearing.app import computing
 from fembearing.app.check import CHECKS
-from fembearing.app.computing import computer
 from fembearing.app.page import Page
 
 HOST = "127.0.0.1"
@@ -26,6 +26,7 @@ def serve(port: int, *, shows: bool) -> None:
         title="fembearing",
         favicon="\N{GEAR}",
         dark=None,
+        language="en-US",
         reload=False,
         tailwind=False,
         show_welcome_message=False,
@@ -47,4 +48,4 @@ def close() -> None:
     """End every check, and no longer compute."""
     for check in [*CHECKS.values()]:
         check.close()
-    computer.shutdown(wait=False, cancel_futures=True)
+    computing.close()

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicSpline, RegularGridInterpolator
+from scipy.interpolate import CubicSpline, PchipInterpolator
 from scipy.linalg import lu_factor, lu_solve
 from scipy.sparse.linalg import LinearOperator, gmres
 
@@ -236,8 +236,8 @@ class Discretised:
         y = np.concatenate([-old.y[1::-1], old.y, old.y_faces[-1:]])
         square = start.pressure * np.abs(start.pressure)  # Hertz's is a parabola, without the steep edge
         padded = np.pad(np.column_stack([square[:, 1::-1], square]), ((1, 1), (0, 1)))
-        points = np.stack(np.broadcast_arrays(self.grid.x[:, None], self.grid.y[None, :]), axis=-1)
-        found = RegularGridInterpolator((x, y), padded, method="pchip")(points)
+        across = PchipInterpolator(y, padded, axis=1)(self.grid.y)
+        found = PchipInterpolator(x, across, axis=0)(self.grid.x)
         return Start(self.grid, np.sign(found) * np.sqrt(np.abs(found)), start.approach)
 
     def _fluid(self, pressure: Array, film: Array, speed: float) -> Fluid:

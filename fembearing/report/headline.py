@@ -1,6 +1,7 @@
 """The first lines of a torque: what was computed, the torque with its interval, and how far to trust it."""
 
 from collections.abc import Collection, Mapping
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -8,7 +9,7 @@ import numpy as np
 from analytic.result import COORDINATES, TorquePoint
 from analytic.scene import Scene
 from analytic.words import percent_of
-from fembearing.quantities import METRIC, QUANTITIES, Units
+from fembearing.quantities import METRIC, QUANTITIES, SYSTEMS, Units
 from fembearing.report.phrases import between, present_loads, varying_loads
 from fembearing.report.scene_view import SceneView
 from fembearing.report.tables.points import point_cells, point_heads
@@ -20,6 +21,51 @@ from fembearing.verify.torque.scene_torque import SceneTorque
 MOST_ROWS = 6  # points of a series in the headline
 FULL, BOUNDARY = 0.01, 0.9  # share of the load on asperities: below a full film, above boundary lubrication
 ABSENT = "not known"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Headline:
+    """The first lines of `fembearing torque` in words, in the units of the scene; a series from least to greatest."""
+
+    title: str  # bearing, loads, speed and oil
+    torque: str
+    unit: str  # of the torque
+    interval: str  # of 95 %, in the same unit; or that it is not known
+    power: str  # W
+    split: str  # largest parts of the torque, in per cent
+    film: str  # lambda on both races, and the regime; empty without oil and surface
+    makers: str  # torques by the formulas of the makers
+    verdict: str  # in one word
+    reason: str  # of the verdict
+
+
+def torque_headline(result: SceneTorque) -> Headline:
+    """The first lines of `fembearing torque`, in words.
+
+    Parameters
+    ----------
+    result : SceneTorque
+        Of `torque_of_scene`.
+
+    Returns
+    -------
+    Headline
+        In the system of units of the scene.
+    """
+    record, units = torque_record(result), SYSTEMS[result.scene.report.units]
+    found = span_of(record, units)
+    return Headline(
+        title=headline_title(result.scene, record, units),
+        torque=found.torque,
+        unit=units.torque.name,
+        interval=found.interval,
+        power=found.power,
+        split=found.split,
+        film=film_words(result) or "",
+        makers=makers_words(record, units),
+        verdict=record.standing.word,
+        reason=record.standing.reason,
+    )
 
 
 def headline_title(scene: Scene | SceneView, record: TorqueRecord, units: Units = METRIC) -> str:

@@ -26,6 +26,29 @@ def content_of(target: Path) -> Content:
     return content
 
 
+def torque_content(result: SceneTorque, *, ending: str) -> bytes:
+    """A torque as the content of a file, as `fembearing torque --out` writes it.
+
+    Parameters
+    ----------
+    result : SceneTorque
+        Of `torque_of_scene`.
+    ending : str
+        ".csv", ".json", ".html", ".svg", ".png" or ".pdf".
+
+    Returns
+    -------
+    bytes
+        Table, numbers, page or figure.
+
+    Raises
+    ------
+    InputError
+        An unknown ending, with the known ones.
+    """
+    return content_of(Path(f"torque{ending}"))(result)
+
+
 def table_file(result: SceneTorque) -> bytes:
     """CSV."""
     return csv_of(result).encode()

@@ -1,7 +1,9 @@
 """The page without a browser: what a user changes, and what is shown then."""
 
 import asyncio
+import threading
 import zipfile
+from dataclasses import replace
 from io import BytesIO, StringIO
 from typing import Any
 
@@ -14,7 +16,7 @@ from analytic.scenefile.read import load_scene, parse_scene
 from analytic.scenefile.template import scene_text
 from fembearing.app import page as page_file
 from fembearing.app.check import CHECKS, Check
-from fembearing.app.evaluation import Evaluation, evaluated
+from fembearing.app.evaluation import Evaluation, at_once, completed
 from fembearing.app.page import Page
 from fembearing.app.scene_edit import CATALOG, with_value
 from fembearing.report.terminal.torque import print_headline
@@ -92,6 +94,60 @@ def test_a_refused_input_has_the_words_of_the_command_beside_its_field(run_story
 
 
 @pytest.mark.usefixtures("no_curve")
+def test_the_torque_comes_before_its_interval(run_story, settled, monkeypatch: pytest.MonkeyPatch) -> None:
+    shown: list[tuple[str, str, bool]] = []
+
+    async def story(opened) -> None:
+        _, page = await opened()
+        await settled(page)
+        first = page.lines["torque"].text
+
+        def looked(found: Evaluation) -> Evaluation:
+            lines = page.lines
+            shown.append((lines["torque"].text, lines["interval"].text, "old" in lines["interval"].classes))
+            return completed(found)
+
+        before = page.lines["interval"].text
+        monkeypatch.setattr("fembearing.app.evaluation.completed", looked)
+        page.fields[LOAD].value = "2 kN"
+        await settled(page)
+        assert shown == [(page.lines["torque"].text, before, True)]
+        assert page.lines["torque"].text != first
+        assert "old" not in page.lines["interval"].classes
+
+    run_story(story)
+
+
+@pytest.mark.usefixtures("no_curve")
+def test_outdated_intervals_are_not_computed(run_story, settled, monkeypatch: pytest.MonkeyPatch) -> None:
+    found, intervals, released = at_once(scene_text("6206")), [], threading.Event()
+
+    def slow(one: Evaluation) -> Evaluation:
+        intervals.append(one.text)
+        assert released.wait(60)
+        return one
+
+    monkeypatch.setattr("fembearing.app.evaluation.at_once", lambda text: replace(found, text=text))
+    monkeypatch.setattr("fembearing.app.evaluation.completed", slow)
+
+    async def story(opened) -> None:
+        _, page = await opened()
+        released.set()
+        await settled(page)
+        released.clear()
+        for number in range(10):
+            page.fields[LOAD].value = f"{700 + number} N"
+            while page.evaluation.text != page.text:  # until it is shown
+                await asyncio.sleep(0.01)
+        released.set()
+        await settled(page)
+        assert intervals[-1] == page.text
+        assert len(intervals) <= 3  # of 11 scenes: the first one, the one at work during the changes, the last one
+
+    run_story(story)
+
+
+@pytest.mark.usefixtures("no_curve")
 def test_a_slider_sets_its_field_and_follows_it(run_story, settled) -> None:
     async def story(opened) -> None:
         _, page = await opened()
@@ -121,6 +177,54 @@ def test_a_pasted_scene_fills_the_fields(run_story, settled) -> None:
         assert page.lines["title"].text.startswith("7208 BEP, axial ")
         page.fields["scene"].value = "[bearing"
         assert page.fields["scene"].error.startswith("scene: not TOML")
+
+    run_story(story)
+
+
+@pytest.mark.usefixtures("no_curve")
+def test_the_cage_and_the_seats_change_the_torque(run_story, settled) -> None:
+    async def story(opened) -> None:
+        _, page = await opened()
+        await settled(page)
+        first = page.evaluation.row.torque
+        page.inputs.cage.value = True
+        await settled(page)
+        assert page.fields["cage.mass"].value == "11 g"
+        assert page.inputs.pockets.visible
+        caged = page.evaluation.row.torque
+        assert caged.cage > 0
+        assert caged.total == pytest.approx(first.total + caged.cage, rel=0.02)  # it brakes the balls too
+        page.inputs.cage.value = False
+        page.fields["mounting.shaft_interference"].value = "30 um"  # more than the clearance: every ball is preloaded
+        await settled(page)
+        assert page.evaluation.row.torque.total > first.total
+        page.fields["mounting.shaft_interference"].value = ""
+        await settled(page)
+        assert page.evaluation.row.torque.total == pytest.approx(first.total, rel=1e-9)  # round-off of the equilibrium
+
+    run_story(story)
+
+
+@pytest.mark.usefixtures("no_curve")
+def test_the_drawing_is_that_of_the_open_panel(run_story, settled, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Drawn by its scene; matplotlib has tests of its own."""
+    drawn: list[Evaluation] = []
+    monkeypatch.setattr("fembearing.app.evaluation.drawing_of", lambda found: drawn.append(found) or "<svg></svg>")
+
+    async def story(opened) -> None:
+        _, page = await opened()
+        await settled(page)
+        assert drawn == []
+        page.drawing.is_open = True
+        page.fields["bearing.ball_diameter"].value = "9.4 mm"
+        await settled(page)
+        (found,) = drawn
+        assert found.result.scene.bearing.ball_diameter == pytest.approx(9.4e-3)
+        assert page.drawing.picture.content == "<svg></svg>"
+        page.fields["bearing.ball_diameter"].value = "94 mm"
+        await settled(page)
+        assert "bearing" in page.lines["problem"].text
+        assert any(field.error for field in page.fields.values())
 
     run_story(story)
 
@@ -165,8 +269,9 @@ def test_a_closed_tab_ends_its_check_and_its_curve(run_story) -> None:
 
 def test_many_changes_leave_nothing(run_story, settled, monkeypatch: pytest.MonkeyPatch) -> None:
     """200 of them; their torque is that of the first, because the page is what is tested."""
-    found: list[Evaluation] = [evaluated(scene_text("6206"))]
-    monkeypatch.setattr("fembearing.app.evaluation.evaluated", lambda _text: found[0])
+    found: list[Evaluation] = [completed(at_once(scene_text("6206")))]
+    monkeypatch.setattr("fembearing.app.evaluation.at_once", lambda _text: found[0])
+    monkeypatch.setattr("fembearing.app.evaluation.completed", lambda found: found)
     monkeypatch.setattr("fembearing.app.evaluation.curve_scenes", lambda _found: [])
     monkeypatch.setattr(page_file, "PAUSE", 0.0)
 

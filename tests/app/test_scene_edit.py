@@ -8,10 +8,15 @@ from analytic.errors import InputError
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.scenefile.template import scene_text
 from fembearing.app.scene_edit import (
+    DIMENSIONS,
     FIELDS,
+    OPERATION,
+    commented_value,
     field_in,
+    has_table,
     of_bearing,
     values_in,
+    with_cage,
     with_dimensions,
     with_typed,
     with_value,
@@ -26,25 +31,43 @@ TYPED = {  # by the fields, what a scene has after it
     "lubricant.temperature": ("81C", "81 degC"),
     "lubricant.supply": ("grease", "grease"),
     "surface.finish": ("superfinished", "superfinished"),
+    "bearing.ball_count": ("8", 8),
+    "bearing.ball_diameter": ("9,5 mm", "9.5 mm"),
+    "bearing.pitch_diameter": ("46.5mm", "46.5 mm"),
+    "bearing.inner.conformity": ("0.515", 0.515),
+    "bearing.outer.conformity": ("0.525", 0.525),
+    "bearing.inner.shoulder_half_width": ("3.5 mm", "3.5 mm"),
+    "bearing.outer.shoulder_half_width": ("3.6 mm", "3.6 mm"),
+    "bearing.clearance": ("C3", "C3"),
+    "mounting.shaft_interference": ("7um", "7 um"),
+    "mounting.housing_interference": ("-5 um", "-5 um"),
+    "mounting.inner_temperature": ("75C", "75 degC"),
+    "mounting.outer_temperature": ("66 degC", "66 degC"),
+    "cage.pocket_clearance": ("0.3 mm", "0.3 mm"),
+    "cage.wall_thickness": ("1.3mm", "1.3 mm"),
+    "cage.mass": ("13 g", "13 g"),
+    "cage.material": ("peek", "peek"),
 }
 
 
 @pytest.mark.parametrize("key", FIELDS)
 def test_a_field_changes_its_key_and_no_other(key: str) -> None:
     typed, value = TYPED[key]
-    changed, _ = with_typed(USUAL, key, typed)
-    assert values_in(changed) == values_in(USUAL) | {key: value}
-    before, after = USUAL.split("\n"), changed.split("\n")
-    (line,) = [new for old, new in zip(before, after, strict=True) if old != new]
+    usual = with_cage(USUAL, has_cage=key.startswith("cage."))
+    changed, _ = with_typed(usual, key, typed)
+    assert values_in(changed) == values_in(usual) | {key: value}
+    before, after = usual.split("\n"), changed.split("\n")
+    *head, line = [new for old, new in zip(before, after, strict=True) if old != new]
+    assert [each.split()[0] for each in head] == (["[mounting]"] if key.startswith("mounting.") else [])
     assert line.partition("=")[0].strip() == key.partition(".")[2]
     assert ("#" in line) == any(f"{key.partition('.')[2]} =" in old and "#" in old[1:] for old in before)
 
 
 def test_the_scene_is_that_of_the_options_of_the_command_line() -> None:
     text = USUAL
-    for key, (typed, _) in TYPED.items():
+    for key in OPERATION:
         if key != "surface.finish":
-            text, _ = with_typed(text, key, typed)
+            text, _ = with_typed(text, key, TYPED[key][0])
     options = {"radial_load": "2,5 kN", "axial_load": "320N", "speed": "730", "oil": "ISO VG 46"}
     shown = parse_scene(text, origin="here")
     told = load_scene("6206", settings={}, **options, temperature="81C", supply="grease")
@@ -93,6 +116,52 @@ def test_another_bearing_keeps_what_was_changed() -> None:
     moved = of_bearing("6308", changed)
     assert values_in(moved) == values_in(scene_text("6308")) | {"operation.inner_speed": "730 rpm"}
     assert values_in(of_bearing("6206", moved)) == values_in(changed)
+
+
+def test_another_bearing_has_its_own_dimensions_and_the_cage_of_its_balls() -> None:
+    changed, _ = with_typed(with_cage(USUAL, has_cage=True), "bearing.ball_diameter", "9.4 mm")
+    changed, _ = with_typed(changed, "mounting.shaft_interference", "7 um")
+    usual = values_in(with_cage(scene_text("6308"), has_cage=True))
+    assert values_in(of_bearing("6308", changed)) == usual | {"mounting.shaft_interference": "7 um"}
+
+
+def test_a_cage_is_put_in_and_taken_away() -> None:
+    with_one = with_cage(USUAL, has_cage=True)
+    cage = parse_scene(with_one, origin="here").cage
+    assert cage is not None
+    assert cage.mass == 0.011
+    assert with_cage(with_one, has_cage=True) == with_one
+    assert with_cage(with_one, has_cage=False) == USUAL
+    # A text without the comments gets them from the usual scene of its bearing.
+    bare = '[bearing]\ncatalog = "6206"\n'
+    assert values_in(with_cage(bare, has_cage=True)) == values_in(bare) | {
+        key: value for key, value in values_in(with_one).items() if key.startswith("cage.")
+    }
+    assert has_table(with_cage("[bearing]\nball_count = 7\n", has_cage=True), "cage")
+
+
+def test_the_last_key_of_the_seats_takes_their_table_away() -> None:
+    first, _ = with_typed(USUAL, "mounting.inner_temperature", "75 degC")
+    second, _ = with_typed(first, "mounting.outer_temperature", "66 degC")
+    assert parse_scene(second, origin="here").bearing != parse_scene(USUAL, origin="here").bearing
+    without, _ = with_typed(second, "mounting.inner_temperature", "")
+    assert has_table(without, "mounting")
+    without, _ = with_typed(without, "mounting.outer_temperature", "")
+    assert not has_table(without, "mounting")
+    assert with_typed(without, "mounting.inner_temperature", "75 degC")[0].count("[mounting]") == 1
+
+
+def test_a_dimension_that_is_left_out_is_the_derived_one() -> None:
+    derived = parse_scene(USUAL, origin="here").bearing
+    for key in DIMENSIONS:
+        changed, _ = with_typed(USUAL, key, TYPED[key][0])
+        assert parse_scene(changed, origin="here").bearing != derived
+        without, _ = with_typed(changed, key, "")
+        assert parse_scene(without, origin="here").bearing == derived
+        given, _ = with_typed(USUAL, key, commented_value(USUAL, key))
+        assert key in values_in(given)
+    assert commented_value(USUAL, "bearing.ball_diameter") == "9.525 mm"
+    assert commented_value(USUAL, "bearing.ball_radius") == ""
 
 
 def test_an_unknown_bearing_is_refused_in_the_words_of_the_catalogue() -> None:

@@ -8,10 +8,10 @@ import pytest
 from rich.console import Console
 
 from analytic.scenefile.read import load_scene
-from fembearing.report.headline import makers_words
+from fembearing.report.headline import makers_words, torque_headline
 from fembearing.report.terminal.torque import print_headline
 from fembearing.report.torque import Band, torque_record
-from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene
+from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene, with_interval
 from tests.analytic.specimens import present
 
 
@@ -35,6 +35,21 @@ def test_it_has_torque_interval_power_and_verdict(result: SceneTorque) -> None:
     assert lines[-1].startswith(f"{result.standing.word}: ")
     assert max(map(len, lines)) <= 80
     assert len(lines) <= 12
+
+
+def test_the_headline_in_words_is_the_printed_one(result: SceneTorque) -> None:
+    printed, words = " ".join(" ".join(lines_of(result)).split()), torque_headline(result)
+    for said in (words.title, words.torque, words.interval, words.power, words.split, words.film, words.makers):
+        assert said in printed
+    assert printed.endswith(f"{words.verdict}: {words.reason}")
+    assert f"torque, {words.unit}" in printed
+
+
+def test_the_interval_may_come_later(result: SceneTorque) -> None:
+    without = torque_of_scene(result.scene, estimate=False)
+    assert without.interval is None
+    assert without.standing == result.standing
+    np.testing.assert_allclose(present(with_interval(without).interval), present(result.interval), rtol=1e-6)  # solver
 
 
 def test_the_lubrication_follows_from_the_share_of_the_asperities(result: SceneTorque) -> None:

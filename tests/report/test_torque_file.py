@@ -17,7 +17,7 @@ from fembearing import cli
 from fembearing.plain_types import plain
 from fembearing.report import torque_folder
 from fembearing.report.torque import torque_file
-from fembearing.report.torque_file import CONTENTS
+from fembearing.report.torque_file import CONTENTS, torque_content
 from fembearing.report.torque_folder import torque_with_files
 from fembearing.report.torque_table import csv_of, shown_columns
 from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene
@@ -197,3 +197,10 @@ def test_nothing_is_left_of_a_file_that_fails_or_comes_too_late(
         torque_with_files(result.scene, out=target)
     assert [path.name for path in tmp_path.iterdir()] == ["my.csv"]
     assert target.read_text() == "somebody's"
+
+
+def test_a_content_is_that_of_its_ending(result: SceneTorque) -> None:
+    assert torque_content(result, ending=".csv").decode() == csv_of(result)
+    assert json.loads(torque_content(result, ending=".json"))["kind"] == torque_file(result).kind
+    with pytest.raises(InputError, match=r"'\.doc'.*\.csv"):
+        torque_content(result, ending=".doc")

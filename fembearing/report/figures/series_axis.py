@@ -2,15 +2,18 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib.axes import Axes
 
 from analytic.result import TorquePoint
 from analytic.scene import Array
 from fembearing.quantities import QUANTITIES, Units
 from fembearing.report.figures.style import DECADE, MANY, plain_ticks
 from fembearing.report.phrases import LOADS, loads_of, present_loads, varying_loads
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 MOST_TICKS = 8
 STEEP = 35  # degrees: names of operating points below each other's ends
@@ -63,7 +66,7 @@ class SeriesAxis:
         words = [loads_of(self.points[0], loads, self.units)] if loads else []
         return ", ".join([*words, *(self.units.speed.written(each, ".4g") for each in speeds if len(speeds) == 1)])
 
-    def apply(self, panel: Axes) -> None:
+    def apply(self, panel: "Axes") -> None:
         """Set label, ticks and scale of the horizontal axis of a panel."""
         panel.set_xlabel(self.label)
         if not self.joined:

@@ -2,16 +2,17 @@
 
 from collections.abc import Callable, Sequence
 from io import BytesIO
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from matplotlib import rc_context
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
-from matplotlib.ticker import NullFormatter, ScalarFormatter
 
 from fembearing.quantities import Units
-from fembearing.report.contact import ContactRecord
+
+if TYPE_CHECKING:  # charts in a browser take the colours alone
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from fembearing.report.contact import ContactRecord
 
 BLUE, ORANGE, GREEN, RED = "#0072B2", "#E69F00", "#009E73", "#D55E00"  # the palette of M. Okabe and K. Ito
 PURPLE, SKY, YELLOW = "#CC79A7", "#56B4E9", "#F0E442"
@@ -28,34 +29,36 @@ TITLE, LETTERS = 9, 8  # points
 SIDE_BY_SIDE = 4  # panels at most
 UPPER, LOWER = 1.6, 1.2  # inches: heights of the two panels of a contact
 HEADS = 0.7  # inches: titles of a row of contacts, and names of its axes
-DrawContact = Callable[[Axes, ContactRecord, Units], None]
+DrawContact = Callable[["Axes", "ContactRecord", Units], None]
 DOTS = 192  # per inch: twice those of a screen
 MANY = 25  # points on a line: more have no marks
 
 
-def png(figure: Figure) -> bytes:
+def png(figure: "Figure") -> bytes:
     """The figure as a file."""
     return _saved(figure, dpi=DOTS, format="png")
 
 
-def pdf(figure: Figure) -> bytes:
+def pdf(figure: "Figure") -> bytes:
     """The figure as a file of lines and letters."""
     return _saved(figure, format="pdf")
 
 
-def svg(figure: Figure) -> bytes:
+def svg(figure: "Figure") -> bytes:
     """The figure as a picture of lines and letters, the same in every run."""
+    from matplotlib import rc_context
+
     with rc_context({"svg.hashsalt": "fembearing"}):
         return _saved(figure, format="svg", metadata={"Date": None})
 
 
-def _saved(figure: Figure, **how: Any) -> bytes:
+def _saved(figure: "Figure", **how: Any) -> bytes:
     content = BytesIO()
     figure.savefig(content, **how)
     return content.getvalue()
 
 
-def lettered(figure: Figure) -> Figure:
+def lettered(figure: "Figure") -> "Figure":
     """The same figure, with titles, axes and ticks in the letters that all figures have."""
     for panel in figure.axes:
         panel.title.set_fontsize(TITLE)
@@ -71,13 +74,15 @@ def look_of(pair: str, geometry: str) -> tuple[str, str]:
 
 
 def contact_columns(
-    contacts: Sequence[ContactRecord], *rows: DrawContact, units: Units, labels: tuple[str, str], shared: bool = False
-) -> Figure:
+    contacts: "Sequence[ContactRecord]", *rows: DrawContact, units: Units, labels: tuple[str, str], shared: bool = False
+) -> "Figure":
     """Two panels for each contact, one above the other, contacts side by side, with one legend for all.
 
     rows : what draws the upper and the lower panel;  labels : of the vertical axis of both
     shared : both panels of a contact have one horizontal axis
     """
+    from matplotlib.figure import Figure
+
     storeys = -(-len(contacts) // SIDE_BY_SIDE)
     columns = -(-len(contacts) // storeys)
     figure = Figure(figsize=(WIDTH, 0.3 + storeys * (HEADS + UPPER + LOWER)), layout="constrained")
@@ -96,7 +101,7 @@ def contact_columns(
     return lettered(figure)
 
 
-def scaled(panel: Axes, values: np.ndarray, *, axis: str = "y") -> None:
+def scaled(panel: "Axes", values: np.ndarray, *, axis: str = "y") -> None:
     """Logarithmic where values cross a decade and all are above 0; plain numbers at the ticks."""
     known = values[np.isfinite(values)]
     if known.size == 0 or known.min() <= 0 or known.max() < DECADE * known.min():
@@ -106,8 +111,10 @@ def scaled(panel: Axes, values: np.ndarray, *, axis: str = "y") -> None:
         (panel.yaxis if axis == "y" else panel.xaxis).set_major_formatter("{x:g}")
 
 
-def plain_ticks(panel: Axes, ticks: np.ndarray) -> None:
+def plain_ticks(panel: "Axes", ticks: np.ndarray) -> None:
     """Ticks of a logarithmic x-axis at the values themselves."""
+    from matplotlib.ticker import NullFormatter, ScalarFormatter
+
     panel.set_xticks(ticks)
     panel.xaxis.set_major_formatter(ScalarFormatter())
     panel.xaxis.set_minor_formatter(NullFormatter())

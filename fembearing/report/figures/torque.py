@@ -2,11 +2,9 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from analytic.scene import Array
 from fembearing.quantities import QUANTITIES
@@ -25,8 +23,13 @@ from fembearing.report.figures.style import (
     YELLOW,
     lettered,
 )
-from fembearing.report.report import Report
 from fembearing.report.torque import TorqueRecord
+
+if TYPE_CHECKING:  # charts in a browser take the parts alone
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from fembearing.report.report import Report
 
 PARTS = {  # from the bottom, with words for the legend
     "spin": ("spin", BLUE),
@@ -79,7 +82,7 @@ def beside_of(record: TorqueRecord) -> Beside:
     )
 
 
-def torque_plot(document: Report) -> tuple[Figure | None, str]:
+def torque_plot(document: "Report") -> "tuple[Figure | None, str]":
     """Parts stacked up to the total, with its interval and the makers' formulas."""
     if document.torque is None:
         return None, NO_TORQUE
@@ -87,6 +90,8 @@ def torque_plot(document: Report) -> tuple[Figure | None, str]:
         return None, ""  # a table says it
     axis = axis_of(document.torque.points, document.units)
     beside = beside_of(document.torque).along(axis)
+    from matplotlib.figure import Figure
+
     figure = Figure(figsize=(WIDTH, HIGH), layout="constrained")
     panel = figure.subplots()
     draw_parts(panel, axis)
@@ -106,7 +111,7 @@ def torque_plot(document: Report) -> tuple[Figure | None, str]:
     return lettered(figure), caption
 
 
-def draw_parts(panel: Axes, axis: SeriesAxis) -> None:
+def draw_parts(panel: "Axes", axis: SeriesAxis) -> None:
     """Draw the parts, stacked."""
     below = np.zeros(axis.values.size)
     for name, (words, colour) in PARTS.items():
@@ -133,7 +138,7 @@ def total_of(axis: SeriesAxis, beside: Beside) -> tuple[Array, Array]:
     return total, np.array([total * (1 - half), total * (1 + half)])
 
 
-def draw_total(panel: Axes, axis: SeriesAxis, beside: Beside) -> str:
+def draw_total(panel: "Axes", axis: SeriesAxis, beside: Beside) -> str:
     """Draw the total with its interval; a sentence on what is drawn.
 
     beside : along the axis
@@ -157,7 +162,7 @@ def draw_total(panel: Axes, axis: SeriesAxis, beside: Beside) -> str:
     return f"{drawn}: its uncertainty, {' and '.join(named) or 'not known'}."
 
 
-def draw_makers(panel: Axes, axis: SeriesAxis, beside: Beside) -> None:
+def draw_makers(panel: "Axes", axis: SeriesAxis, beside: Beside) -> None:
     """Draw what the formulas of each maker give; beside : along the axis."""
     for name, (low, high) in beside.makers.items():
         line, mark = MAKERS.get(name, ("--", "x"))

@@ -20,14 +20,15 @@ NO_TORQUE = "No torque: no friction coefficient, lubricant or surface is given."
 
 
 def print_headline(out: Console, document: Report) -> None:
-    """Print the torque with its interval, a line for each reference, and the verdict with its reason."""
+    """Print the torque with its interval, a line for each reference, and last how far to trust the torque."""
     scene, torque, verdict = document.scene, document.torque, document.verdict
-    lines = [f"{scene.name}. {NO_TORQUE}"]
+    first, last = [f"{scene.name}. {NO_TORQUE}"], []
     if torque is not None:
-        standing = f"{torque.standing.word}: {torque.standing.reason}"
-        lines = [headline_title(scene, torque, document.units), torque_words(torque, document.units), standing]
-    lines += [] if document.measured is None else [document.measured.conclusions[0]]
-    for line in (*lines, *(finding.words for finding in document.findings), f"{verdict.overall}: {verdict.reason}"):
+        first = [headline_title(scene, torque, document.units), torque_words(torque, document.units)]
+        last = [f"{torque.standing.word}: {torque.standing.reason}"]
+    first += [] if document.measured is None else [document.measured.conclusions[0]]
+    references = f"references {verdict.overall}: {verdict.reason}"
+    for line in (*first, *(finding.words for finding in document.findings), references, *last):
         out.print(line, markup=False)
 
 

@@ -169,14 +169,37 @@ def _span(values: Array, form: str) -> str:
 
 
 def torque_of_scene(
-    scene: Scene, *, samples: Samples = None, keep_going: bool = False, progress: Progress = silent
+    scene: Scene,
+    *,
+    samples: Samples = None,
+    estimate: bool = True,
+    keep_going: bool = False,
+    progress: Progress = silent,
 ) -> SceneTorque:
-    """The torque of a scene.
+    """The torque of a scene as `fembearing torque` computes it, with interval, verdict and the makers' formulas.
 
-    samples : of its 95 % interval, or "enough"; None: an estimate to first order, for at most 50 operating points
-    keep_going : leave out the operating points that have no torque, and say why
-    progress : called with the share of the samples done
-    Raises InputError as friction_torque, and with samples as predict; with keep_going where no point has a torque.
+    Parameters
+    ----------
+    scene : Scene
+        As in `friction_torque`.
+    samples : int or "enough", optional
+        Of the 95 % interval, as in `predict`; None: an estimate to first order, for at most 50 operating points.
+    estimate : bool
+        Whether to estimate the interval without samples. It takes most of the time; `with_interval` does it later.
+    keep_going : bool
+        Skip operating points without a torque, with the reason.
+    progress : callable
+        Called with the share of the samples done, 0 to 1 (dimensionless), and a text.
+
+    Returns
+    -------
+    SceneTorque
+        Torque and interval, N m, at the operating points.
+
+    Raises
+    ------
+    InputError
+        As `friction_torque`, and with samples as `predict`; with keep_going where no point has a torque.
     """
     left_out: tuple[LeftOut, ...] = ()
     if keep_going:
@@ -189,10 +212,7 @@ def torque_of_scene(
     other, friction = _with_other_balls(scene, friction)
     prediction, interval = None, None
     if samples is None:
-        if friction.inner_speed.size <= MOST_ESTIMATED:
-            from analytic.prediction.first_order import first_order_ends
-
-            interval = first_order_ends(scene, friction)
+        interval = _estimated(scene, friction) if estimate else None
     else:
         from analytic.prediction.prediction import predict
 
@@ -207,6 +227,20 @@ def torque_of_scene(
         prediction=prediction,
         left_out=left_out,
     )
+
+
+def with_interval(result: SceneTorque) -> SceneTorque:
+    """The same torque with its 95 % interval to first order, as `torque_of_scene` has it without samples."""
+    return replace(result, interval=_estimated(result.scene, result.friction))
+
+
+def _estimated(scene: Scene, friction: FrictionTorque) -> Array | None:
+    """Both ends of the interval to first order; None for too many operating points, or where it is not known."""
+    if friction.inner_speed.size > MOST_ESTIMATED:
+        return None
+    from analytic.prediction.first_order import first_order_ends
+
+    return first_order_ends(scene, friction)
 
 
 def _with_other_balls(scene: Scene, friction: FrictionTorque) -> tuple[FrictionTorque | None, FrictionTorque]:

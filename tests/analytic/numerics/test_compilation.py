@@ -146,9 +146,16 @@ def kept_files(cache: Path) -> list[Path]:
 def test_a_function_is_compiled_once(program: Path, tmp_path: Path) -> None:
     assert run(program, tmp_path / "cache") == (21.25, SAID)
     before = {path: path.stat().st_mtime_ns for path in kept_files(tmp_path / "cache")}
-    assert {path.suffix for path in before} == {".nbi", ".nbc", ""}
+    assert {path.suffix for path in before} == {".nbi", ".nbc", "", ".py"}
     assert run(program, tmp_path / "cache") == (21.25, "")
     assert {path: path.stat().st_mtime_ns for path in kept_files(tmp_path / "cache")} == before
+
+
+def test_another_checkout_of_the_version_has_the_same_functions(program: Path, tmp_path: Path) -> None:
+    assert run(program, tmp_path / "cache") == (21.25, SAID)
+    elsewhere = program.rename(tmp_path / "elsewhere")
+    (elsewhere / "analytic/outer.py").touch()
+    assert run(elsewhere, tmp_path / "cache") == (21.25, "")
 
 
 @pytest.mark.parametrize(("old", "new", "expected"), [("FACTOR * x", "FACTOR - x", -3.75), ("3.0", "5.0", 35.25)])
