@@ -1,6 +1,7 @@
 from .contact.hertz import hertz_contact as hertz_contact
 from .errors import InputError as InputError
 from .function import torque_function as torque_function
+from .oil.own_law import own_traction as own_traction
 from .prediction.duty import DutyCycle as DutyCycle
 from .prediction.duty import duty_cycle as duty_cycle
 from .prediction.prediction import Prediction as Prediction

@@ -5,7 +5,7 @@ Axes of a contact from its centre: z along the load, x along rolling, y along th
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import InitVar, dataclass, field
 from typing import Literal
 
 import numpy as np
@@ -243,6 +243,35 @@ class Reach(Noun):
 
 
 @dataclass(frozen=True, kw_only=True)
+class OwnTraction(Noun):
+    """A user's law of traction; `analytic.oil.own_law.own_traction` makes one from a function.
+
+    Two laws are equal where their numbers are, and their names.
+    """
+
+    name: str
+    sha256: str  # of the table that is computed with
+    distribution: str = ""  # the package that has it; empty: it was given in Python
+    version: str = ""  # of the package
+    rows: InitVar[Array]  # (n, 7) the table, for `table`
+
+    def __post_init__(self, rows: Array) -> None:
+        super().__post_init__()
+        vars(self)["_table"] = rows  # no field: results have the digest in its place
+
+    @property
+    def table(self) -> Array:
+        """Numbers of the law, as `analytic.oil.law_table` has them: logarithms of rate and stress, dimensionless."""
+        return vars(self)["_table"]
+
+    @property
+    def origin(self) -> str:
+        """Name, package and digest in words."""
+        package = f" of {self.distribution} {self.version}" if self.distribution else ""
+        return f"{self.name}{package}, SHA-256 {self.sha256[:12]}"
+
+
+@dataclass(frozen=True, kw_only=True)
 class Lubricant(Noun):
     """The oil at the inlets of the contacts."""
 
@@ -255,7 +284,7 @@ class Lubricant(Noun):
     density: float  # kg/m^3
     eyring_stress: float  # tau_E, Pa
     limiting_shear: float  # zeta, ratio of the largest shear stress to the pressure
-    traction: Traction  # law of the shear stress, see `analytic.oil.traction`
+    traction: Traction | OwnTraction  # law of the shear stress, see `analytic.oil.traction`
     supply: Supply = "oil_bath"  # how oil returns to the track
     surface_tension: float = 0.022  # of the oil that bleeds from a grease, N/m
     starvation_degree: float | None = None  # m, see `analytic.oil.starvation`, >= 1; None: by the supply

@@ -43,7 +43,7 @@ from analytic.result import (
     TorqueParts,
     require_numbers,
 )
-from analytic.scene import Array, Decision, Scene
+from analytic.scene import Array, Decision, OwnTraction, Scene
 from analytic.units import Quantity
 from analytic.words import speed_of, torque_of
 
@@ -336,6 +336,7 @@ def _provenance(
             "loads": "thrust, all balls alike" if races.are_alike else "equilibrium of the ring",
             "contacts": contacts if correction is None else "Hertz with given factors",
             "friction": "given coefficient" if scene.surface is None else "mixed lubrication",
+            "traction": _law_in_words(scene),
             "inlets": _inlet_words(ledger, races),
             "sliding": _sliding_words(races),
             "cage": "left out" if cage is None else cage.provenance,
@@ -343,6 +344,13 @@ def _provenance(
             **_versions(),
         }
     )
+
+
+def _law_in_words(scene: Scene) -> str:
+    if scene.lubricant is None or scene.surface is None:
+        return "given coefficient"
+    law = scene.lubricant.traction
+    return law.origin if isinstance(law, OwnTraction) else law
 
 
 @cache

@@ -6,7 +6,7 @@ along rolling, at y = b sin(angle), where the pressure is smooth.
 
 import numpy as np
 
-from analytic.free_ball.stress import FAST, yielding
+from analytic.free_ball.stress import FAST, yielding, yielding_by_own
 from analytic.free_ball.strips import (
     LATERAL,
     SLIDE,
@@ -131,7 +131,8 @@ def _add_law_powers(contact, ball, velocity, quadrature, flows, rows):
             pressure = peak * cosines[j] * quadrature.along[1, k]
             across = rows[1, 1] * velocity[1] + spin * half * quadrature.along[0, k]
             size = np.sqrt(slide * slide + across * across)
-            stress, _ = yielding(size, shear_at(contact, pressure, flows[j, 0, k], flows[j, 1, k]))
+            shear = shear_at(contact, pressure, flows[j, 0, k], flows[j, 1, k])
+            stress, _ = yielding(size, shear) if contact.own == 0.0 else yielding_by_own(size, shear, contact.own)
             area = width * half * quadrature.along[1, k] * quadrature.along[2, k]
             contact.law_power += area * stress * size
             contact.unit_power += area * pressure * size

@@ -26,6 +26,7 @@ CONTACT_STATE = np.dtype(
         ("share", "f8"),
         ("growth", "f8"),
         ("exponent", "f8"),
+        ("own", "f8"),
         # What the contact does
         ("along", "f8"),  # force on the ball along the orbit, N
         ("across", "f8"),  # and across the groove, N

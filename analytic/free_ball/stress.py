@@ -9,7 +9,8 @@ from typing import NamedTuple
 import numpy as np
 
 from analytic.numerics.compilation import compiled
-from analytic.oil.traction import PointLaw, log_thickening
+from analytic.oil.law_table import flow_of, rate_of
+from analytic.oil.traction import PointLaw, log_thickening, thickened
 
 FAST = frozenset(("contract", "reassoc", "arcp", "nsz"))  # sums over the nodes may round in any order
 SOLID = 1e250  # fluidity from which oil does not flow: it shears at its limit
@@ -30,6 +31,9 @@ class Shear(NamedTuple):
 @compiled
 def flow_at(law: PointLaw, pressure: float) -> tuple[float, float]:
     """Fluidity and `most` of a point under the pressure p, Pa; the law's speeds are per unit ring speed."""
+    if law.own != 0.0 and law.eyring > 0.0:
+        fluidity = min(thickened(law, pressure).fluidity, SOLID)
+        return fluidity, rate_of(law.own, 0.0, law.eyring, law.limit * pressure) / fluidity
     if law.eyring == 0.0 or not law.fluidity <= SOLID:
         return 0.0, 0.0
     fluidity = law.fluidity * np.exp(log_thickening(law.growth, law.exponent, law.share * pressure))
@@ -45,6 +49,15 @@ def yielding(slip, shear):
         return shear.steady + shear.limit, 0.0
     rate = shear.fluidity * slip
     return shear.steady + shear.eyring * np.arcsinh(rate), shear.eyring * shear.fluidity / np.sqrt(1.0 + rate * rate)
+
+
+@compiled
+def yielding_by_own(slip, shear, own):
+    """`yielding` by a user's law; own : of a `PointLaw`"""
+    if slip >= shear.most:
+        return shear.steady + shear.limit, 0.0
+    flow, steepness = flow_of(own, shear.fluidity * slip)
+    return shear.steady + shear.eyring * flow, shear.eyring * shear.fluidity * steepness
 
 
 @compiled(fastmath=FAST)
@@ -84,3 +97,18 @@ def sheared(reach, compliance, shear):
         if abs(step) <= LAST_STEP * min(y, 1.0):
             break
     return shear.steady + shear.eyring * y, shear.eyring * shear.fluidity / (cosh + softness)
+
+
+@compiled
+def sheared_by_own(reach, compliance, shear, own):
+    """`sheared` by a user's law; own : of a `PointLaw`"""
+    whole = shear.steady + shear.limit
+    if reach - compliance * whole >= shear.most:
+        return whole, 0.0
+    rest = reach - compliance * shear.steady
+    if rest <= 0.0 or shear.most == 0.0:
+        return reach / compliance, 1.0 / compliance
+    softness = compliance * shear.eyring * shear.fluidity
+    flow, steepness = flow_of(own, rate_of(own, 1.0, softness, shear.fluidity * rest))
+    slope = shear.eyring * shear.fluidity * steepness / (1.0 + softness * steepness)
+    return shear.steady + shear.eyring * flow, slope

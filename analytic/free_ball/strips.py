@@ -5,7 +5,7 @@ Rates are per unit ring speed w, so slip is a length. Contacts and nodes are rec
 
 import numpy as np
 
-from analytic.free_ball.stress import FAST, Shear, flow_at, sheared, yielding
+from analytic.free_ball.stress import FAST, Shear, flow_at, sheared, sheared_by_own, yielding, yielding_by_own
 from analytic.numerics.compilation import compiled
 from analytic.numerics.records import Record
 from analytic.oil.traction import PointLaw
@@ -40,7 +40,8 @@ def strip_closed(contact, slip, strip, quadrature, flows):
         pressure, area, x = middle * cosines[k], weights[k] * half * cosines[k], flow * half * sines[k]
         across = lateral + spin * x
         size = max(np.sqrt(slide * slide + across * across), NO_SLIP)
-        stress, slope = yielding(size, shear_at(contact, pressure, flows[0, k], flows[1, k]))
+        shear = shear_at(contact, pressure, flows[0, k], flows[1, k])
+        stress, slope = yielding(size, shear) if contact.own == 0.0 else yielding_by_own(size, shear, contact.own)
         if stress == 0.0:
             continue
         creep = size * pressure / (stress * length) if length > 0.0 else 1e100
@@ -125,10 +126,13 @@ def march_strips(contact, spin, flow, quadrature, flows, state):
             square_x, square_y = reach_x * reach_x + NO_SQUARE, reach_y * reach_y
             state[REACH + j] = np.sqrt(square_x + square_y)
             state[STIFFER + j] = np.sqrt((square_x + square_y) / (square_x + square_y * stiffer))
-        for j in range(quadrature.strips):
-            shear = shear_at(contact, peak * across[j] * cosines[k], flows[j, 0, k], flows[j, 1, k])
-            even = state[PER_STEP + j] * to_here * state[STIFFER + j]
-            state[STRESS + j], state[SLOPE + j] = sheared(state[REACH + j], even, shear)
+        if contact.own == 0.0:
+            for j in range(quadrature.strips):
+                shear = shear_at(contact, peak * across[j] * cosines[k], flows[j, 0, k], flows[j, 1, k])
+                even = state[PER_STEP + j] * to_here * state[STIFFER + j]
+                state[STRESS + j], state[SLOPE + j] = sheared(state[REACH + j], even, shear)
+        else:
+            _shear_by_own(contact, (peak * cosines[k], to_here), across, flows[:, :, k], state)
         for j in range(quadrature.strips):
             soft, half, stress = state[PER_STEP + j], state[HALF + j], state[STRESS + j]
             reach, sizes = (state[REACH_X + j], state[REACH_Y + j]), (state[REACH + j], state[STIFFER + j])
@@ -143,6 +147,18 @@ def march_strips(contact, spin, flow, quadrature, flows, state):
             _respond(state, BY_SLIDE + j, (1.0, 0.0), pulls, slopes, (area, x))
             _respond(state, BY_LATERAL + j, (0.0, 1.0), pulls, slopes, (area, x))
             _respond(state, BY_SPIN + j, (0.0, halfway * half), pulls, slopes, (area, x))
+
+
+@compiled
+def _shear_by_own(contact, node, across, flows, state):
+    """Write stress and slope of all strips at a node by a user's law.
+
+    node : pressure there on the middle strip, and how far its stress pulls the slip;  flows : (strips, 2) of the node
+    """
+    for j in range(flows.shape[0]):
+        shear = shear_at(contact, node[0] * across[j], flows[j, 0], flows[j, 1])
+        even = state[PER_STEP + j] * node[1] * state[STIFFER + j]
+        state[STRESS + j], state[SLOPE + j] = sheared_by_own(state[REACH + j], even, shear, contact.own)
 
 
 @compiled(fastmath=FAST)
@@ -214,6 +230,7 @@ def hold_flows(contact: Record, quadrature: Record, flows: Array) -> None:
         contact.share,
         contact.growth,
         contact.exponent,
+        contact.own,
     )
     strips, nodes = quadrature.across[1], quadrature.along[1]
     last_strip, last_node = quadrature.strips - 1, quadrature.nodes - 1

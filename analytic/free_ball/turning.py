@@ -167,6 +167,7 @@ def hold_law(contact: Record, law: PointLaw, speed: float) -> None:
     contact.boundary, contact.plain, contact.limit, contact.eyring = law.boundary, law.plain, law.limit, law.eyring
     contact.fluidity = np.inf if law.fluidity == np.inf else law.fluidity * abs(speed)
     contact.share, contact.growth, contact.exponent = law.share, law.growth, law.exponent
+    contact.own = law.own
 
 
 def free_numbers(bearing: Bearing, *, creep: Creep, inertia: tuple[bool, bool]) -> FreeNumbers:

@@ -18,9 +18,12 @@ from numpy.typing import ArrayLike
 from analytic.contact.rolling_contact import ContactNumbers, EllipticContact, contact_at
 from analytic.errors import InputError, require_non_negative, require_positive
 from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.memory import stay_apart
+from analytic.oil.law_table import FASTEST, flow_of
+from analytic.oil.law_table import flows_of as flows_of  # for the reference of friction
 from analytic.oil.mixed import MixedContact
 from analytic.oil.viscosity import OilNumbers, oil_numbers, pressure_growth
-from analytic.scene import Array, Lubricant
+from analytic.scene import Array, Lubricant, OwnTraction
 
 MOST_THICKENING = 600.0  # in the logarithm: such an oil is solid
 
@@ -28,7 +31,7 @@ MOST_THICKENING = 600.0  # in the logarithm: such an oil is solid
 class PointLaw(NamedTuple):
     """A law of traction in numbers: at the pressure p and the slip speed v the stress is
 
-        boundary p + plain + min(eyring asinh(fluidity v eta/eta_0), limit p)
+        boundary p + plain + min(eyring f(fluidity v eta/eta_0), limit p), f = asinh or a user's law
         ln(eta/eta_0) = growth [(1 + 5.1e-9 share p)^exponent - 1], at most MOST_THICKENING
 
     The fields are numbers in compiled code; elsewhere they broadcast.
@@ -42,6 +45,10 @@ class PointLaw(NamedTuple):
     share: Any = 0.0  # of the pressure, in the oil
     growth: Any = 0.0
     exponent: Any = 0.0
+    own: Any = 0.0  # address of the table of a user's law, see `analytic.oil.law_table`; 0: Eyring's law
+
+
+LAW = len(PointLaw._fields)  # rows of a law
 
 
 @compiled
@@ -56,12 +63,21 @@ def thickened(law: PointLaw, pressure: float) -> PointLaw:
     if law.growth == 0.0:
         return law
     fluidity = law.fluidity * np.exp(log_thickening(law.growth, law.exponent, law.share * pressure))
-    return PointLaw(law.boundary, law.plain, law.limit, law.eyring, fluidity, law.share, 0.0, law.exponent)
+    return PointLaw(law.boundary, law.plain, law.limit, law.eyring, fluidity, law.share, 0.0, law.exponent, law.own)
 
 
 @compiled
 def stress_and_slope(law: PointLaw, pressure: float, speed: float) -> tuple[float, float]:
-    """Stress of a `PointLaw`, Pa, and its slope over the speed, Pa s/m; pressure : p, Pa;  speed : v, m/s; numbers."""
+    """Stress of a `PointLaw`, Pa, and its slope over the speed, Pa s/m; pressure : p, Pa;  speed : v, m/s; numbers.
+
+    Loops choose between both functions themselves: what LLVM makes of Eyring's law then stays as quick as it was.
+    """
+    return eyring_stress(law, pressure, speed) if law.own == 0.0 else own_stress(law, pressure, speed)
+
+
+@compiled
+def eyring_stress(law: PointLaw, pressure: float, speed: float) -> tuple[float, float]:
+    """`stress_and_slope` of a law without a table."""
     steady = law.boundary * pressure + law.plain
     if law.eyring == 0.0:
         return steady, 0.0
@@ -77,8 +93,20 @@ def stress_and_slope(law: PointLaw, pressure: float, speed: float) -> tuple[floa
 
 
 @compiled
+def own_stress(law: PointLaw, pressure: float, speed: float) -> tuple[float, float]:
+    """`stress_and_slope` of a user's law. Oil without a film shears at the limit, or at the most that the law gives."""
+    stay_apart()
+    steady, limit = law.boundary * pressure + law.plain, law.limit * pressure
+    fluidity = min(thickened(law, pressure).fluidity, FASTEST)
+    rate = min(fluidity * max(speed, 0.0), FASTEST) if law.fluidity < np.inf else FASTEST
+    flow, slope = flow_of(law.own, rate)
+    oil = law.eyring * flow
+    return (steady + oil, law.eyring * fluidity * slope) if oil < limit else (steady + limit, 0.0)
+
+
+@compiled
 def law_at(rows: Array, first: int, index: int) -> PointLaw:
-    """The law whose fields are eight rows from the first on, of the element at the index."""
+    """The law whose fields are LAW rows from the first on, of the element at the index."""
     return PointLaw(
         rows[first, index],
         rows[first + 1, index],
@@ -88,6 +116,7 @@ def law_at(rows: Array, first: int, index: int) -> PointLaw:
         rows[first + 5, index],
         rows[first + 6, index],
         rows[first + 7, index],
+        rows[first + 8, index],
     )
 
 
@@ -97,7 +126,7 @@ def mean_force(law: PointLaw, contact: ContactNumbers, speed: float) -> float:
     area = np.pi * contact.semi_axis_rolling * contact.semi_axis_transverse
     if area == 0.0:
         return law.boundary * contact.load
-    oil = PointLaw(0.0, law.plain, law.limit, law.eyring, law.fluidity, law.share, law.growth, law.exponent)
+    oil = PointLaw(0.0, law.plain, law.limit, law.eyring, law.fluidity, law.share, law.growth, law.exponent, law.own)
     return law.boundary * contact.load + area * stress_and_slope(oil, contact.load / area, speed)[0]
 
 
@@ -108,17 +137,17 @@ def law_of_oil(oil: OilNumbers, boundary: float, share: float, area: float, thic
     thickness : of the oil, m; at 0 and below it shears at its limit
     """
     if oil.constant_stress:
-        return PointLaw(boundary, oil.eyring_stress * area, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+        return PointLaw(boundary, oil.eyring_stress * area, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     fluidity = oil.viscosity / oil.eyring_stress / thickness if thickness > 0.0 else np.inf
     limit, eyring = oil.limiting_shear * share * area, oil.eyring_stress * area
-    return PointLaw(boundary, 0.0, limit, eyring, fluidity, share, oil.growth, oil.exponent)
+    return PointLaw(boundary, 0.0, limit, eyring, fluidity, share, oil.growth, oil.exponent, oil.own)
 
 
 @compiled
 def _stresses(rows: Array) -> Array:
     stress = np.empty(rows.shape[1])
     for i in range(rows.shape[1]):
-        stress[i] = stress_and_slope(law_at(rows, 0, i), rows[8, i], rows[9, i])[0]
+        stress[i] = stress_and_slope(law_at(rows, 0, i), rows[LAW, i], rows[LAW + 1, i])[0]
     return stress
 
 
@@ -126,16 +155,16 @@ def _stresses(rows: Array) -> Array:
 def _forces(rows: Array) -> Array:
     force = np.empty(rows.shape[1])
     for i in range(rows.shape[1]):
-        force[i] = mean_force(law_at(rows, 0, i), contact_at(rows, 8, i), rows[17, i])
+        force[i] = mean_force(law_at(rows, 0, i), contact_at(rows, LAW, i), rows[LAW + 9, i])
     return force
 
 
 @compiled
 def _laws(oil: OilNumbers, rows: Array) -> Array:
-    laws = np.empty((8, rows.shape[1]))
+    laws = np.empty((LAW, rows.shape[1]))
     for i in range(rows.shape[1]):
         law = law_of_oil(oil, rows[0, i], rows[1, i], rows[2, i], rows[3, i])
-        for k in range(8):
+        for k in range(LAW):
             laws[k, i] = law[k]
     return laws
 
@@ -258,6 +287,8 @@ def oil_shear_stress(
     the inlet, and zeta p; without a film zeta p. Measurements support each expression where the other one is much
     larger. The smaller one keeps both, never falls with |v| and has only a kink. A smooth transition would assume a
     lower stress between them.
+    A user's law (`analytic.oil.own_law`): the same with f in place of asinh; without a film the smaller of zeta p and
+    the most that the law gives.
     Shear heating within the film is left out; it lowers tau where sliding is fast.
     """
     require_non_negative(pressure=pressure, speed=speed)
@@ -274,11 +305,13 @@ def _oiled(
     """`law_of_oil` of arguments that broadcast; the thickening is the same everywhere."""
     require_positive(eyring_stress=lubricant.eyring_stress)
     require_non_negative(limiting_shear=lubricant.limiting_shear)
-    if lubricant.traction not in ("eyring_sinh", "eyring_constant"):
-        raise InputError(f'traction must be "eyring_sinh" or "eyring_constant", got {lubricant.traction!r}')
+    if not isinstance(lubricant.traction, OwnTraction) and lubricant.traction not in ("eyring_sinh", "eyring_constant"):
+        raise InputError(
+            f'traction must be "eyring_sinh", "eyring_constant" or an OwnTraction, got {lubricant.traction!r}'
+        )
     oil = oil_numbers(lubricant)
     rows, shape = rows_of(boundary, share, area, thickness)
     fields = _laws(oil, rows)[:6].reshape(6, *shape)
     if oil.constant_stress:
         return PointLaw(*fields)
-    return PointLaw(*fields, growth=oil.growth, exponent=oil.exponent)
+    return PointLaw(*fields, growth=oil.growth, exponent=oil.exponent, own=oil.own)

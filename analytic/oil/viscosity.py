@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 
 from analytic.errors import InputError, require_non_negative, require_positive
 from analytic.numerics.compilation import compiled, rows_of
+from analytic.oil.law_table import law_address
 from analytic.scene import Array, Lubricant
 
 LOG_POLE_VISCOSITY = -9.67  # ln of the viscosity in Pa s to which every oil tends
@@ -46,6 +47,7 @@ class OilNumbers(NamedTuple):
     limiting_shear: float  # zeta
     constant_stress: bool  # it shears at tau_E, whatever the speed
     compressible: bool
+    own: float  # address of the table of a user's law of traction, see `analytic.oil.law_table`; 0: none
 
 
 @compiled
@@ -85,6 +87,7 @@ def oil_at(oil: OilNumbers, temperature: float) -> OilNumbers:
         oil.limiting_shear,
         oil.constant_stress,
         oil.compressible,
+        oil.own,
     )
 
 
@@ -164,6 +167,7 @@ def oil_numbers(lubricant: Lubricant) -> OilNumbers:
         limiting_shear=float(lubricant.limiting_shear),
         constant_stress=lubricant.traction == "eyring_constant",
         compressible=bool(lubricant.compressible),
+        own=law_address(lubricant.traction),
     )
     return oil_at(reference, float(lubricant.temperature))
 

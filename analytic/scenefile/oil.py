@@ -21,6 +21,7 @@ from analytic.scenefile.known_oil import (
     base_oil,
     named_oil,
 )
+from analytic.scenefile.law_packages import BUILT_IN, installed_law
 from analytic.scenefile.tables import GivenLength, LubricantTable, ReachTable
 from analytic.scenefile.viscosity import GivenViscosity, ViscosityPoint
 from analytic.words import length_of
@@ -90,6 +91,8 @@ def lubricant_of(table: LubricantTable, *, ball_radius: float) -> Lubricant:
     choices: dict[str, Any] = {"traction": "eyring_sinh", "supply": "grease" if oil.is_grease else "oil_bath"}
     others = "starvation_degree", "cavitation_pressure", "compressible", "film_formula", "rolling_formula"
     choices |= {key: given[key] for key in (*choices, *others) if key in given}
+    if choices["traction"] not in BUILT_IN:
+        choices["traction"] = installed_law(choices["traction"])
     return Lubricant(
         **{key: each.value for key, each in properties.items()},
         viscosity_temperature=_slope(given, line, oil, reference),

@@ -38,6 +38,7 @@ from analytic.scene import (
     Surface,
     Traction,
 )
+from analytic.scenefile.law_packages import BUILT_IN, GROUP, installed_laws
 from analytic.scenefile.material import material_entry
 from analytic.scenefile.quantity import Dimension, QuantityOrWord
 from analytic.scenefile.spread_tables import AssumedTable, UncertaintyTable
@@ -79,6 +80,14 @@ def _row_of(table: Literal["base_oils", "finishes"], *, thing: str) -> BeforeVal
         return given
 
     return BeforeValidator(read)
+
+
+def _law(given: object) -> object:
+    """Accepts the name of a law of traction, built in or installed; the package is not imported yet."""
+    if not isinstance(given, str) or (given not in BUILT_IN and given not in installed_laws()):
+        known = ", ".join((*BUILT_IN, *installed_laws()))
+        raise ValueError(f"is not a law of traction; give one of {known}, or install a package that has it as {GROUP}")
+    return given
 
 
 Count = Annotated[
@@ -298,7 +307,9 @@ class LubricantTable(Table):
     viscosity: Annotated[GivenViscosity, OIL_VISCOSITY] | None = None
     pressure_viscosity: Annotated[float, Dimension(unit="1/Pa", low=0, high=1e-7, example='"2e-8 1/Pa"')] | None = None
     eyring_stress: Annotated[float, Dimension(unit="Pa", low=1e3, high=1e9, example='"5 MPa"')] | None = None
-    traction: Traction = "eyring_sinh"
+    traction: Annotated[Traction | str, BeforeValidator(_law)] = Field(
+        "eyring_sinh", description='give "eyring_sinh", "eyring_constant" or the name of an installed law'
+    )
     # Over the pressure; 0.05 to 0.08 for lubricants (no source seen).
     limiting_shear: Annotated[float, Dimension(unit="", low=0, high=1, example="0.065")] | None = None
     reference_temperature: Temperature | None = None  # of a viscosity without a temperature

@@ -29,7 +29,9 @@ MOST_STEPS = 100  # of the share of spin; 3 to 6 are usual
 def at_ring_speed(law: PointLaw, ring_speed: float) -> PointLaw:
     """The law over slip per unit ring speed; ring_speed : |w|, rad/s. At standstill it is that of slow sliding."""
     fluidity = law.fluidity if law.fluidity == np.inf else law.fluidity * ring_speed
-    return PointLaw(law.boundary, law.plain, law.limit, law.eyring, fluidity, law.share, law.growth, law.exponent)
+    return PointLaw(
+        law.boundary, law.plain, law.limit, law.eyring, fluidity, law.share, law.growth, law.exponent, law.own
+    )
 
 
 @compiled

@@ -21,7 +21,7 @@ from analytic.contact.rolling_contact import ContactNumbers
 from analytic.errors import ConvergenceError
 from analytic.numerics.compilation import compiled
 from analytic.numerics.records import Record
-from analytic.oil.traction import PointLaw, stress_and_slope
+from analytic.oil.traction import PointLaw, eyring_stress, own_stress
 from analytic.scene import Array
 
 BALANCED = 1e-14  # net force that counts as none, over all friction: round-off of the sum over a thousand nodes
@@ -103,7 +103,7 @@ def slip_sums(slider: Slider, law: PointLaw, creep: float, spin: float, quadratu
     if slider.peak == 0.0:
         return NO_SUMS
     edges = _edges(slider, creep, spin)
-    arm, turns = slider.rolling / slider.transverse, sideways and spin > 0.0
+    arm, turns, own = slider.rolling / slider.transverse, sideways and spin > 0.0, law.own != 0.0
     turn_at_rim = spin * arm if turns else 0.0  # |v_y| at x = a
     force = moment = rolling = power = unit = friction = by_creep = mixed = by_spin = far_power = middle_power = 0.0
     least = 1e-200 * (slider.roll + spin if slider.roll + spin > 0.0 else 1.0)
@@ -131,7 +131,7 @@ def slip_sums(slider: Slider, law: PointLaw, creep: float, spin: float, quadratu
                 turn, lever = turn_at_rim * half * x, arm * half * x
                 speed = np.sqrt(slide * slide + turn * turn)
                 pressure = slider.peak * half * np.sqrt(max((1.0 - x) * (1.0 + x), 0.0))
-                stress, slope = stress_and_slope(law, pressure, speed)
+                stress, slope = own_stress(law, pressure, speed) if own else eyring_stress(law, pressure, speed)
                 area = strip * weight
                 unit += area * pressure * speed
                 power += area * stress * speed
@@ -170,7 +170,8 @@ def _jump_at(slider: Slider, law: PointLaw, line: float, quadrature: Record) -> 
     for k in range(quadrature.along):
         x = quadrature.reaches[k]
         pressure = slider.peak * half * np.sqrt((1.0 - x) * (1.0 + x))
-        jump += quadrature.lengths[k] * stress_and_slope(law, pressure, 0.0)[0]
+        stress = eyring_stress(law, pressure, 0.0)[0] if law.own == 0.0 else own_stress(law, pressure, 0.0)[0]
+        jump += quadrature.lengths[k] * stress
     return jump * 4.0 * slider.rolling * slider.transverse * half
 
 

@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike
 from analytic.contact.rolling_contact import ContactNumbers, Pair, contact_at
 from analytic.errors import ConvergenceError, InputError, require_finite, require_non_negative, require_positive
 from analytic.numerics.compilation import compiled, rows_of
-from analytic.oil.traction import PointLaw, law_at, stress_and_slope, thickened
+from analytic.oil.traction import LAW, PointLaw, eyring_stress, law_at, own_stress, thickened
 from analytic.scene import Array, SpinRule
 
 LARGEST = float(np.finfo(np.float64).max)
@@ -120,7 +120,10 @@ def line_slip(contact: ContactNumbers, law: PointLaw, ring_speed: float, spin_ra
     per_force, curved = b * spin_moment(eps, d), b**2 / contact.deformed_radius * rolling_moment(eps, d)
     speed = ring_speed * (per_force * abs(spin_rate) + curved * roll)
     area, pressure = np.pi * contact.semi_axis_rolling * b, mean_pressure(contact)
-    stress, steepness = stress_and_slope(law, pressure, speed)
+    if law.own == 0.0:
+        stress, steepness = eyring_stress(law, pressure, speed)
+    else:
+        stress, steepness = own_stress(law, pressure, speed)
     force = law.boundary * contact.load + area * (stress - law.boundary * pressure)
     slope = area * steepness * ring_speed * per_force**2
     if spin_rate != 0.0:
@@ -208,8 +211,9 @@ def line_slips(
 def _line_slips_of_each(rows: Array, rule: int) -> Array:
     fields = np.empty((12, rows.shape[1]))
     for i in range(rows.shape[1]):
-        contacts, laws = (contact_at(rows, 0, i), contact_at(rows, 9, i)), (law_at(rows, 18, i), law_at(rows, 26, i))
-        inner, outer = line_slips(contacts, laws, rows[34, i], rows[35, i], rule)
+        contacts = contact_at(rows, 0, i), contact_at(rows, 9, i)
+        laws = law_at(rows, 18, i), law_at(rows, 18 + LAW, i)
+        inner, outer = line_slips(contacts, laws, rows[18 + 2 * LAW, i], rows[19 + 2 * LAW, i], rule)
         for k in range(6):
             fields[k, i], fields[6 + k, i] = inner[k], outer[k]
     return fields

@@ -27,6 +27,7 @@ from analytic.loads.ring_rounds import SETTLED as ROUNDS_SETTLED
 from analytic.loads.thrust_ball import first_contacts, in_groove, settle_ruled_thrust, thrust_point
 from analytic.loads.turning import TurningRule
 from analytic.numerics.compilation import compiled
+from analytic.numerics.memory import address_of
 from analytic.numerics.records import Record, Records
 from analytic.oil.grease import axial_share_of
 from analytic.oil.race_resistance import ResistedContact, gap_off_race, resisted_contact, torque_off_race
@@ -149,6 +150,7 @@ def begin(model: ModelNumbers, tables: Tables, points: Array, i: int, work: Work
     reset(of_point)
     if model.has_oil and points[i, 4] != model.warm.temperature:
         put_oil(model.warm, oil_at(model.oil, points[i, 4]))
+    put_law(model.warm, tables.law)
     share = axial_share_of(points[i, 0], points[i, 1], points[i, 2], model.ring.bearing.pitch_diameter)
     put_axial_share(model.resistance.inner.supply, share)
     put_axial_share(model.resistance.outer.supply, share)
@@ -177,6 +179,12 @@ def put_oil(oil: Record, found: OilNumbers) -> None:
     """Write what of an oil changes with the temperature."""
     oil.temperature, oil.viscosity, oil.growth = found.temperature, found.viscosity, found.growth
     oil.pressure_viscosity, oil.viscosity_temperature = found.pressure_viscosity, found.viscosity_temperature
+
+
+@compiled
+def put_law(oil: Record, law: Array) -> None:
+    """Write where a user's law is: in another place once a model has been copied or sent to another process."""
+    oil.own = address_of(law)
 
 
 @compiled

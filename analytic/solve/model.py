@@ -21,10 +21,11 @@ from analytic.loads.ring_rounds import RingNumbers
 from analytic.loads.ring_series import factors_of, ring_numbers, weight_of_ball
 from analytic.loads.state import ring_state
 from analytic.numerics.records import Record, Records, copied, record_in, record_of
+from analytic.oil.law_table import kept_table
 from analytic.oil.race_resistance import NO_OIL, RaceResistance, gap_law_of, resistance_of
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.oil.viscosity import OilNumbers, oil_numbers
-from analytic.scene import Array, Bearing, Cage, Scene
+from analytic.scene import Array, Bearing, Cage, Lubricant, OwnTraction, Scene
 from analytic.sliding.judge import NODES, SINGLE_COEFFICIENT
 from analytic.sliding.long_ellipse import RULES
 from analytic.surface.gap import GapLaw, gap_forms
@@ -86,6 +87,7 @@ class Tables(NamedTuple):
     cubics: Array  # splines of the gap laws
     nodes: Records  # of contacts that balls by rule slide on, `judge.NODES`
     quadratures: Records  # of contacts of free balls; none of balls by rule
+    law: Array  # table of a user's law of traction; (0, 0): none
     factors: Array  # (n or 1, 2, 4, Z or 1) given on Hertz's contacts; (0, 2, 4, 1): none
 
 
@@ -277,6 +279,7 @@ def model_of(
             cubics=cubics,
             nodes=NODES,
             quadratures=NO_QUADRATURES if creep is None else quadratures_of(creep),
+            law=_law_of(scene.lubricant),
             factors=np.ones((0, 2, 4, 1)) if correction is None else factors_of(correction),
         ),
         balls=balls,
@@ -284,6 +287,11 @@ def model_of(
         creep=creep,
         temperature=0.0 if scene.lubricant is None else float(scene.lubricant.temperature),
     )
+
+
+def _law_of(lubricant: Lubricant | None) -> Array:
+    law = None if lubricant is None else lubricant.traction
+    return kept_table(law) if isinstance(law, OwnTraction) else np.zeros((0, 0))
 
 
 def _counted_of(counted: Mapping[str, bool]) -> Counted:

@@ -96,7 +96,7 @@ def words_of(field: FieldInfo) -> str:
     kind = field.rebuild_annotation()
     parts = list(with_parts(kind))
     if words := words_in(kind):
-        return " or ".join(map(code, words))
+        return " or ".join([*map(code, words), *(["another name"] if str in parts else [])])
     if any(get_origin(part) is tuple for part in parts):
         return "three numbers"
     if any(isinstance(note, Viscosity) for part in parts for note in getattr(part, "__metadata__", ())):

@@ -11,7 +11,7 @@ import numpy as np
 from scipy.linalg import lu_factor, lu_solve
 
 from analytic.errors import ConvergenceError
-from analytic.oil.traction import PointLaw, thickened
+from analytic.oil.traction import PointLaw, flows_of, thickened
 from analytic.scene import Array
 
 MOST_STEPS = 60  # 5 to 20 are usual
@@ -19,19 +19,22 @@ SETTLED = 1e-10  # of the largest traction
 LEAST_SHARE = 1 / 64  # of a step
 SOLID = 1e250  # s/m: oil of this fluidity shears at its limit
 LARGEST_SINH = 700.0  # argument that still has a double
+LEAST_RATE = 1e-290  # of shear by a user's law
+MOST_BISECTIONS = 200  # 5 to 15 are usual, with Newton's steps
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SlidingLaw:
-    """Resistance to slip on each rectangle: a steady stress, and oil that flows by Eyring's law up to a limit.
+    """Resistance to slip on each rectangle: a steady stress, and oil that flows by its law up to a limit.
 
-    Stress `steady` + min(`eyring` asinh(`fluidity` s), `limit`), opposite to the slip s.
+    Stress `steady` + min(`eyring` f(`fluidity` s), `limit`), opposite to the slip s; f = asinh, or a user's law.
     """
 
     steady: Array  # (n,) Pa
     limit: Array  # (n,) Pa
     eyring: float  # Pa; 0: there is no oil that flows
     fluidity: Array  # (n,) over 1 of the slip
+    own: float = 0.0  # of `PointLaw`
 
     def resist(self, reach: Array, stiffness: Array) -> tuple[Array, Array]:
         """Stress T with T + stiffness s = reach where the slip s has the stress T, and dT/d reach.
@@ -51,6 +54,8 @@ class SlidingLaw:
         stress, slope = np.minimum(reach, self.steady), (reach <= self.steady).astype(float)
         if self.eyring == 0.0:
             return stress, slope
+        if self.own != 0.0:
+            return self._resist_by_own(reach, stiffness)
         most = np.minimum(self.limit / self.eyring, LARGEST_SINH)
         slides = reach > self.steady
         rest = np.where(slides, reach - self.steady, 0.0)
@@ -60,6 +65,37 @@ class SlidingLaw:
         oil = np.where(limited, self.limit, self.eyring * y)
         yields = self.eyring / (self.eyring + stiffness * np.cosh(y) / self.fluidity)
         return stress + np.where(slides, oil, 0.0), np.where(flows, yields, slope)
+
+    def _resist_by_own(self, reach: Array, stiffness: Array) -> tuple[Array, Array]:
+        """`resist` by a user's law: it flows as if it had no limit where that needs less than the limit."""
+        stress, slope = np.minimum(reach, self.steady), (reach <= self.steady).astype(float)
+        slides = reach > self.steady
+        asked = np.where(slides, reach - self.steady, 0.0) * self.fluidity / stiffness
+        softness = self.eyring * self.fluidity / stiffness
+        flow, steepness = flows_of(self.own, _rates(asked, softness, self.own))
+        oil = np.minimum(self.eyring * flow, self.limit)
+        yields = softness * steepness / (1 + softness * steepness)
+        flows = slides & (self.eyring * flow < self.limit)
+        return stress + np.where(slides, oil, 0.0), np.where(flows, yields, slope)
+
+
+def _rates(asked: Array, softness: Array, own: float) -> Array:
+    """The root of x + softness f(x) = asked by bisection of ln x, and by Newton's method once that stays inside."""
+    high = np.log(np.maximum(asked, LEAST_RATE))
+    low = np.full_like(high, np.log(LEAST_RATE))
+    at = high
+    for _ in range(MOST_BISECTIONS):
+        rates = np.exp(at)
+        flow, steepness = flows_of(own, rates)
+        with np.errstate(over="ignore", invalid="ignore"):  # of solid oil: infinity is too high, and bisected
+            left = rates + softness * flow - asked
+            step = left / (rates * (1 + softness * steepness))
+        low, high = np.where(left <= 0, at, low), np.where(left > 0, at, high)
+        then = np.where((at - step > low) & (at - step < high), at - step, (low + high) / 2)
+        if np.all(np.abs(then - at) <= 1e-14 * np.maximum(np.abs(at), 1.0)):  # a few roundings
+            break
+        at = then
+    return np.where(asked > 0, np.exp(at), 0.0)
 
 
 def _flowing(asked: Array, softness: Array, most: Array) -> Array:
@@ -82,7 +118,7 @@ def sliding_law(law: PointLaw, *, pressure: Array, speed: float) -> SlidingLaw:
     steady, limit = law.boundary * flat + law.plain * (flat > 0), law.limit * flat
     fluidity = speed * np.array([min(thickened(law, each).fluidity, SOLID) for each in flat.tolist()])
     eyring = float(law.eyring) if speed > 0.0 and law.fluidity > 0.0 else 0.0  # standing oil does not resist
-    return SlidingLaw(steady=steady, limit=limit, eyring=eyring, fluidity=fluidity)
+    return SlidingLaw(steady=steady, limit=limit, eyring=eyring, fluidity=fluidity, own=float(law.own))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -63,6 +63,16 @@ class Operation:
 
 
 @dataclass(frozen=True, kw_only=True)
+class OwnLaw:
+    """A user's law of traction."""
+
+    name: str
+    sha256: str
+    distribution: str
+    version: str
+
+
+@dataclass(frozen=True, kw_only=True)
 class Lubricant:
     """The oil."""
 
@@ -71,7 +81,7 @@ class Lubricant:
     temperature: float
     pressure_viscosity: float
     eyring_stress: float
-    traction: str
+    traction: str | OwnLaw
     supply: str
     name: str
     origins: Mapping[str, Origin] = field(default_factory=nothing)

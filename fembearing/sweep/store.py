@@ -1,7 +1,8 @@
 """The folder of a sweep: its grid, and every finished piece, each written whole or not at all.
 
 The file name of a piece is a hash of everything that determines it: the version of the program, the scene, the files
-that it names, the axes, and the points of the piece. A file of that name is therefore always the result of the piece.
+and the laws of traction that it names, the axes, and the points of the piece. A file of that name is therefore always
+the result of the piece.
 One process works on a folder at a time.
 """
 
@@ -21,6 +22,8 @@ import numpy as np
 
 from analytic.errors import InputError
 from analytic.reading import content_of, opened
+from analytic.scene import OwnTraction
+from analytic.scenefile.law_packages import BUILT_IN, installed_law
 from analytic.writing import remove_leftovers, replaced_file, require_utf8
 from fembearing.sweep.grid import Grid
 from fembearing.sweep.parts import Part, Piece
@@ -35,7 +38,7 @@ WARNINGS = "warnings"  # beside the columns of a part
 MOST_WARNINGS = 20  # kept for a piece
 PARTS, LOCK = "parts", ".lock"
 KEPT = ": finished points are kept, and the same sweep continues"
-HEIGHT_MAP = "surface.height_map.path"
+HEIGHT_MAP, TRACTION = "surface.height_map.path", "lubricant.traction"
 LARGEST = 400_000_000  # bytes of a height map, and of a file in the folder
 DIGITS = 32  # of a hash in a file name
 
@@ -150,6 +153,8 @@ def _hashes(grid: Grid) -> dict[str, str]:
     }
     hashed = {name: json.dumps(part, sort_keys=True, default=str).encode() for name, part in parts.items()}
     hashed["a height map"] = b"".join(_height_maps(grid))
+    if laws := [law.sha256 for law in _own_laws(grid)]:
+        hashed["a law of traction"] = json.dumps(laws).encode()
     return {"the version of fembearing": version("fembearing")} | {
         name: hashlib.sha256(part).hexdigest()[:DIGITS] for name, part in hashed.items()
     }
@@ -157,14 +162,26 @@ def _hashes(grid: Grid) -> dict[str, str]:
 
 def _height_maps(grid: Grid) -> Iterator[bytes]:
     """Content of every height map that the scene or an axis names."""
-    node: Any = grid.document
-    for key in HEIGHT_MAP.split("."):
-        node = node.get(key) if isinstance(node, dict) else None
-    named = [node, *(value for axis in grid.axes if axis.key == HEIGHT_MAP for value in axis.values)]
-    for name in named:
-        if isinstance(name, str):
+    for name in _given(grid, HEIGHT_MAP):
+        with suppress(InputError):  # reading the scene raises it
+            yield content_of(Path(grid.folder) / name, most=LARGEST, remedy="")
+
+
+def _own_laws(grid: Grid) -> Iterator[OwnTraction]:
+    """Every law of traction of a user's package that the scene or an axis names: the name alone is no law."""
+    for name in _given(grid, TRACTION):
+        if name not in BUILT_IN:
             with suppress(InputError):  # reading the scene raises it
-                yield content_of(Path(grid.folder) / name, most=LARGEST, remedy="")
+                yield installed_law(name)
+
+
+def _given(grid: Grid, key: str) -> Iterator[str]:
+    """The texts that the scene and the axes give for a key."""
+    node: Any = grid.document
+    for part in key.split("."):
+        node = node.get(part) if isinstance(node, dict) else None
+    values = [node, *(value for axis in grid.axes if axis.key == key for value in axis.values)]
+    yield from (value for value in values if isinstance(value, str))
 
 
 def _is_free(folder: Path) -> bool:

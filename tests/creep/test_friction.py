@@ -6,6 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.optimize import brentq
 
+from analytic.oil.law_table import law_address
+from analytic.oil.own_law import own_traction
 from analytic.oil.traction import PointLaw, stress_and_slope
 from analytic.scene import Array
 from fembearing.creep.friction import settle, sliding_law
@@ -14,15 +16,19 @@ OIL = PointLaw(boundary=0.011, limit=0.055, eyring=5e6, fluidity=3.1e-3, share=0
 PRESSURE, SPEED = np.array([1.3e9, 0.4e9, 2e7]), 0.83
 
 
-@given(reach=st.floats(1e3, 3e9), stiffness=st.floats(1e8, 1e14))
-def test_a_point_resists_by_the_law_at_the_slip_that_is_left(reach: float, stiffness: float) -> None:
+CARREAU = own_traction("carreau", lambda x: x * (1 + x * x) ** ((0.46 - 1) / 2))
+OWN = OIL._replace(own=law_address(CARREAU))
+
+
+@given(reach=st.floats(1e3, 3e9), stiffness=st.floats(1e8, 1e14), oil=st.sampled_from([OIL, OWN]))
+def test_a_point_resists_by_the_law_at_the_slip_that_is_left(reach: float, stiffness: float, oil: PointLaw) -> None:
     """T + rho s = reach with the scalar law of `analytic.oil.traction`, whose slip is a speed."""
-    law = sliding_law(OIL, pressure=PRESSURE, speed=SPEED)
+    law = sliding_law(oil, pressure=PRESSURE, speed=SPEED)
     stress, slope = law.resist(np.full(3, reach), np.full(3, stiffness))
     for pressure, found in zip(PRESSURE, stress, strict=True):
 
         def left(slip: float, pressure: float = pressure) -> float:
-            return stress_and_slope(OIL, pressure, slip * SPEED)[0] + stiffness * slip - reach
+            return stress_and_slope(oil, pressure, slip * SPEED)[0] + stiffness * slip - reach
 
         if left(0.0) >= 0:
             expected = reach
@@ -33,8 +39,9 @@ def test_a_point_resists_by_the_law_at_the_slip_that_is_left(reach: float, stiff
     assert np.all((slope >= 0) & (slope <= 1))
 
 
-def test_slopes_are_derivatives() -> None:
-    law = sliding_law(OIL, pressure=PRESSURE, speed=SPEED)
+@pytest.mark.parametrize("oil", [OIL, OWN])
+def test_slopes_are_derivatives(oil: PointLaw) -> None:
+    law = sliding_law(oil, pressure=PRESSURE, speed=SPEED)
     stiffness, reach, step = np.array([3e11, 4e10, 7e9]), np.array([5e7, 1.5e7, 6e5]), 1e-6
     slope = law.resist(reach, stiffness)[1]
     above, below = (law.resist(reach * (1 + sign * step), stiffness)[0] for sign in (1, -1))
@@ -48,6 +55,9 @@ def test_slopes_are_derivatives() -> None:
         (PointLaw(boundary=0.07), 0.3, 0.07 * PRESSURE),
         (OIL._replace(fluidity=np.inf), 0.3, 0.066 * PRESSURE),  # no film: the oil shears at its limit
         (OIL, 0.0, 0.011 * PRESSURE),  # standing oil does not resist
+        (OWN._replace(fluidity=3.1), 0.3, 0.066 * PRESSURE),
+        (OWN._replace(fluidity=np.inf), 0.3, 0.066 * PRESSURE),
+        (OWN, 0.0, 0.011 * PRESSURE),
         (PointLaw(boundary=0.02, plain=3e6), 0.3, 0.02 * PRESSURE + 3e6),
     ],
 )

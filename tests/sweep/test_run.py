@@ -15,6 +15,7 @@ import xarray
 from analytic import catalog
 from analytic.errors import InputError, StorageError
 from analytic.prediction.prediction import predict
+from analytic.scenefile.law_packages import installed_law
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
 from fembearing.sweep import parts
@@ -23,6 +24,7 @@ from fembearing.sweep.run import run_sweep
 from fembearing.sweep.store import opened_store
 from tests.analytic.scenefile.scene_texts import OILED, SPEEDS, changed
 from tests.sweep.swept import SCENE
+from tests.traction_packages import install
 
 AXES = """
 friction.coefficient = [0.05, 0.11]
@@ -403,3 +405,30 @@ def test_a_point_without_its_interval_keeps_its_torque_and_counts_as_failed(grid
 def test_wrong_samples_give_one_line(grid_file: Write, head: str, complaint: str) -> None:
     with pytest.raises(InputError, match=complaint):
         load_grid(grid_file("friction.coefficient = [0.05]\n", head=head))
+
+
+@pytest.mark.usefixtures("in_process")
+def test_a_changed_law_of_traction_is_another_sweep(
+    grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A package may change its law under the same name and version."""
+    packages = tmp_path / "packages"
+    install(packages, "own-laws", "1.0", {"mine": "own_laws_of_sweep:law"})
+    (packages / "own_laws_of_sweep.py").write_text("from math import asinh as law, tanh as other\n", "utf-8")
+    monkeypatch.syspath_prepend(str(packages))
+    installed_law.cache_clear()
+    (tmp_path / "oiled.toml").write_text(changed(SPEEDS, '"300 rpm"', OILED), "utf-8")
+    axes = 'lubricant.traction = ["eyring_sinh", "mine"]'
+    path = grid_file(axes, head='scene = "oiled.toml"', scene="")
+    found = run_sweep(path, out=tmp_path / "out").to_dataset()["torque_total"]
+    np.testing.assert_allclose(found.values[1], found.values[0], rtol=1e-5)  # of the table
+    assert found.values[1] != found.values[0]
+    import own_laws_of_sweep  # pyright: ignore[reportMissingImports]
+
+    monkeypatch.setattr(own_laws_of_sweep, "law", own_laws_of_sweep.other)
+    installed_law.cache_clear()
+    with pytest.raises(InputError, match="a law of traction changed since"):
+        run_sweep(path, out=tmp_path / "out")
+    other = run_sweep(path, out=tmp_path / "other").to_dataset()["torque_total"]
+    assert abs(other.values[1] / found.values[1] - 1) > 1e-3
+    installed_law.cache_clear()

@@ -6,6 +6,7 @@ from rich.console import Console
 from rich.markup import escape
 from rich.padding import Padding
 
+from analytic.scene import OwnTraction
 from analytic.verdicts import PhysicalCheck
 from fembearing.quantities import METRIC, SYSTEMS, Units
 from fembearing.report.headline import film_words, headline_table, makers_words
@@ -47,7 +48,9 @@ def print_details(out: Console, result: SceneTorque) -> None:
     names = ("loads", "contacts", "sliding", *(() if result.friction.cage is None else ("cage",)))
     methods = [f"{name} by {torque.provenance[name]}".replace("_", " ") for name in names]
     source = friction_of(coefficient=scene.friction_coefficient, is_lubricated=scene.has_friction)
-    out.print(f"Methods: {'; '.join(methods)}. Friction: {source}.\n", markup=False)
+    law = None if scene.lubricant is None else scene.lubricant.traction
+    own = f" Law of traction: {law.origin}." if isinstance(law, OwnTraction) else ""
+    out.print(f"Methods: {'; '.join(methods)}. Friction: {source}.{own}\n", markup=False)
     print_verdicts(out, verdicts.physical, torque, units)
     out.print(f"{verdicts.summary.words}, {torque.seconds:.2g} s")
 

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.contact.rolling_contact import ContactNumbers, Pair, RollingContact
-from analytic.oil.traction import PointLaw
+from analytic.oil.traction import LAW, PointLaw
 from analytic.scene import Array, SlidingMethod, SpinRule
 from analytic.sliding.as_printed import as_printed_slip
 from analytic.sliding.ball import slips_over_contacts
@@ -46,16 +46,19 @@ def ball_slip(
     printed_radius : of the ball, m: the moments are those that are printed
     """
     given = (*contacts[0].fields, *contacts[1].fields, *laws[0], *laws[1], ring_speed, spin_difference)
+    second, end = 18 + LAW, 18 + 2 * LAW
     numbers = np.broadcast_arrays(*given)
     fields = np.empty((13, *numbers[0].shape))
     for at in np.ndindex(numbers[0].shape):
         n = [float(number[at]) for number in numbers]
-        pair, resist = (ContactNumbers(*n[:9]), ContactNumbers(*n[9:18])), (PointLaw(*n[18:26]), PointLaw(*n[26:34]))
+        pair = ContactNumbers(*n[:9]), ContactNumbers(*n[9:18])
+        resist = PointLaw(*n[18:second]), PointLaw(*n[second:end])
+        speed, difference = n[end:]
         if method == "single_coefficient":
-            slips, sums = line_slips(pair, resist, n[34], n[35], RULES[spin_rule]), 0
+            slips, sums = line_slips(pair, resist, speed, difference, RULES[spin_rule]), 0
         else:
             *slips, sums = slips_over_contacts(
-                pair, resist, n[34], n[35], RULES[spin_rule], quadrature_of(nodes), method == "over_ellipse"
+                pair, resist, speed, difference, RULES[spin_rule], quadrature_of(nodes), method == "over_ellipse"
             )
         if printed_radius is not None:
             slips = [as_printed_slip(one, slip, printed_radius) for one, slip in zip(pair, slips, strict=True)]

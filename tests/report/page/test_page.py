@@ -1,6 +1,7 @@
 """The page: everything a reader needs, in its order, in one file."""
 
 import base64
+import math
 import re
 from collections import Counter
 from dataclasses import replace
@@ -11,6 +12,7 @@ from pathlib import Path
 import pytest
 from rich.console import Console
 
+from analytic.oil.own_law import own_traction
 from analytic.scene import Scene
 from analytic.scenefile.read import load_scene, parse_scene
 from fembearing.grid_convergence import CAUTIOUS, FINEST, HALF, LEAST, UNSTEADY
@@ -187,6 +189,15 @@ def test_a_lubricated_scene_is_not_told_as_one_without_a_coefficient(checked: Va
     out = StringIO()
     print_details(Console(file=out, width=80), report_of(with_scene(checked, oiled)))
     assert "Friction: coefficient of each race by mixed lubrication" in " ".join(out.getvalue().split())
+
+
+def test_the_page_names_a_users_law_of_traction(checked: Validation, tmp_path: Path) -> None:
+    oiled = load_scene(Path("validation/scenes/6205_physical.toml"))
+    law = own_traction("mine", math.asinh, distribution="own-laws", version="1.2")
+    own = replace(oiled, lubricant=replace(present(oiled.lubricant), traction=law))
+    text = page_of(with_scene(checked, own), tmp_path).text
+    assert f"own law of traction mine of own-laws 1.2, SHA-256 {law.sha256[:12]}" in " ".join(text.split())
+    assert "own law" not in page_of(with_scene(checked, oiled), tmp_path).text
 
 
 def test_the_page_says_the_rules_of_its_intervals(page: Page) -> None:

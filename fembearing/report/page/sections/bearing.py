@@ -7,7 +7,7 @@ from analytic.words import angle_of
 from fembearing.quantities import QUANTITIES, Units
 from fembearing.report.phrases import LOADS, PAIRS, clearances_of, friction_of, listed
 from fembearing.report.report import Report
-from fembearing.report.scene_view import Cage, SceneView
+from fembearing.report.scene_view import Cage, OwnLaw, SceneView
 
 Facts = list[tuple[str, str]]
 
@@ -71,12 +71,20 @@ def _facts(scene: SceneView, units: Units) -> Iterator[tuple[str, str]]:
             f"{named}at {units.temperature.written(oil.temperature, '.4g')}; {oil.viscosity:.3g} Pa s at "
             f"{units.temperature.written(oil.reference_temperature, '.4g')}, pressure-viscosity "
             f"{units.per_pressure.written(oil.pressure_viscosity, '.3g')}, Eyring stress "
-            f"{units.stress.written(oil.eyring_stress, '.3g')}",
+            f"{units.stress.written(oil.eyring_stress, '.3g')}{_own_law(oil.traction)}",
         )
     if scene.surface is not None:
         yield "surfaces", _surface(scene, units)
     yield "cage", "none in the scene: no pocket contact" if scene.cage is None else _cage(scene.cage, units)
     yield "friction", friction_of(coefficient=scene.friction_coefficient, is_lubricated=scene.is_lubricated)
+
+
+def _own_law(law: str | OwnLaw) -> str:
+    """Name, package and digest of a user's law of traction."""
+    if isinstance(law, str):
+        return ""
+    package = f" of {law.distribution} {law.version}" if law.distribution else ""
+    return f", own law of traction {law.name}{package}, SHA-256 {law.sha256[:12]}"
 
 
 def _operation(scene: SceneView, units: Units) -> str:

@@ -1,0 +1,50 @@
+"""The example of an own law of traction, as a user installs and runs it."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+from tests.traction_packages import EXAMPLE, install_example
+
+ROOT = Path(__file__).resolve().parents[1]
+
+
+def torque(folder: Path, *options: str) -> subprocess.CompletedProcess[str]:
+    """`fembearing torque` of the example's scene, in a process that finds the packages of a folder."""
+    paths = os.pathsep.join(filter(None, (str(folder), str(ROOT), os.environ.get("PYTHONPATH"))))
+    return subprocess.run(
+        [sys.executable, "-m", "fembearing", "torque", str(EXAMPLE / "squalane.toml"), *options],
+        env=os.environ | {"PYTHONPATH": paths},
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+def test_the_example_computes_with_its_law_and_names_it(tmp_path: Path) -> None:
+    install_example(tmp_path)
+    done = torque(tmp_path, "--details")
+    assert "Law of traction: carreau-squalane of carreau-law 0.1.0, SHA-256" in " ".join(done.stdout.split())
+    for name, options in (("own", ()), ("eyring", ("--set", "lubricant.traction=eyring_sinh"))):
+        done = torque(tmp_path, "--out", f"{name}.json", *options)
+        assert done.returncode == 0, done.stderr
+    found, eyring = (json.loads((tmp_path / f"{name}.json").read_text("utf-8")) for name in ("own", "eyring"))
+    law = found["run"]["scene_content"]["lubricant"]["traction"]
+    assert law.keys() == {"name", "sha256", "distribution", "version"}
+    assert (law["name"], law["distribution"], law["version"]) == ("carreau-squalane", "carreau-law", "0.1.0")
+    words = f"carreau-squalane of carreau-law 0.1.0, SHA-256 {law['sha256'][:12]}"
+    assert found["provenance"]["traction"] == words
+    assert found["run"]["scene_sha256"] != eyring["run"]["scene_sha256"]
+    totals = [one["points"][0]["torque"]["total"] for one in (found, eyring)]
+    assert abs(totals[0] / totals[1] - 1) > 1e-3
+
+
+def test_without_the_package_its_law_is_refused_in_one_line(tmp_path: Path) -> None:
+    done = torque(tmp_path)
+    assert done.returncode == 2
+    assert done.stdout == ""
+    assert "lubricant.traction = 'carreau-squalane' is not a law of traction" in done.stderr
+    assert len(done.stderr.strip().splitlines()) == 1
