@@ -71,6 +71,8 @@ def _as_kind(document: dict[str, Any], kind: str, draw: Draw) -> None:
         bearing["inner"]["shoulder_half_width"] = bearing["outer"]["shoulder_half_width"] = f"{0.35 * ball:.9g} m"
     elif kind == "pair":
         document["arrangement"] = {"kind": arrangement, "distance": f"{apart * ball:.9g} m"}
+        if "down" in operation:
+            operation["down"][2] = 0.0  # weights along the axis of a pair are in the uncertainty, not in the reference
         if arrangement != "tandem":
             document["arrangement"]["preload"] = f"{preload:.9g} N"
     elif kind == "given":

@@ -44,6 +44,7 @@ from validation.adversary.drawn import INPUTS, scene_text
 
 TOLERANCES = (0.05, 0.01, 0.001)
 ROUND_OFF = 1e-9  # relative: smaller differences are those of converged iterations
+CHOSEN_LAWS = "free_ball", "closed_creep"  # of the slip of free balls: a choice of the scene, as that of a film formula
 MATTERS = 0.1  # of the tolerance: an error that is worth its statement
 PIECE = 50  # scenes, or climbs, between two lines in print
 STEP = 0.15  # of the range of an input, in a climb; every second change is ten times smaller
@@ -98,10 +99,10 @@ def compared(place: tuple[float, ...], scene: Scene, exact: FrictionTorque) -> I
 
 
 def everything_on(scene: Scene) -> FrictionTorque:
-    """Every effect that the scene has inputs for and does not switch off, by the most accurate methods."""
+    """Every effect that the scene has inputs for and does not switch off, by the most accurate methods of its law."""
     off = {name: "off" for name, decision in scene.effects.items() if decision == "off"}
     wanted = {name: "on" for name in (*COMPUTED, "cage") if ENTRIES[name].lacks(scene) is None} | off
-    free = "free_ball" if "creep" in off else "marched_creep"
+    free = scene.sliding if scene.sliding in CHOSEN_LAWS else "free_ball" if "creep" in off else "marched_creep"
     dearest = replace(scene, tolerance=1e-6, sliding="over_ellipse" if ruled(scene) else free)
     try:
         return friction_torque(replace(dearest, effects=wanted))
