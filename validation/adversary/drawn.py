@@ -93,7 +93,7 @@ def _as_kind(document: dict[str, Any], kind: str, draw: Draw) -> None:
 def _series(document: dict[str, Any], draw: Draw) -> None:
     """Make one operating point a few unlike ones, or a long series under thrust."""
     operation = document["operation"]
-    points = draw.one_of(*6 * ("1",), "2", "2", "3", "long")
+    points = draw.one_of(*10 * ("1",), "2", "2", "2", "3", "3", "long")
     heaviest = 1e8 * size(document, "bearing.ball_diameter") ** 2  # N, as of the first point
     factors = np.array([[draw.power(0.01, 100) for _ in range(4)] for _ in range(2)])
     if points == "1":

@@ -20,6 +20,7 @@ os.environ.setdefault("OMP_NUM_THREADS", "1")  # before numpy loads its threads
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import re
+import signal
 import sys
 import time
 from collections import Counter
@@ -46,7 +47,8 @@ TOLERANCES = (0.05, 0.01, 0.001)
 ROUND_OFF = 1e-9  # relative: smaller differences are those of converged iterations
 CHOSEN_LAWS = "free_ball", "closed_creep"  # of the slip of free balls: a choice of the scene, as that of a film formula
 MATTERS = 0.1  # of the tolerance: an error that is worth its statement
-PIECE = 50  # scenes, or climbs, between two lines in print
+LONGEST = 15.0  # s of processor time for a scene: those with two steady states take minutes
+PIECE = 25  # scenes, or climbs, between two lines in print
 STEP = 0.15  # of the range of an input, in a climb; every second change is ten times smaller
 
 
@@ -70,15 +72,23 @@ class Trial:
 
 
 def trials_at(place: tuple[float, ...]) -> list[Trial] | None:
-    """One scene at every tolerance and point; None where it is refused, nothing where an iteration does not converge."""
+    """One scene at every tolerance and point; None: refused, nothing: an iteration does not converge, or takes long."""
+    signal.signal(signal.SIGVTALRM, _give_up)
+    signal.setitimer(signal.ITIMER_VIRTUAL, LONGEST)
     try:
         scene = parse_scene(scene_text(place, tolerance=TOLERANCES[0]), origin="drawn")
         exact = everything_on(parse_scene(scene_text(place, tolerance=TOLERANCES[0], directed=True), origin="drawn"))
         return [trial for each in TOLERANCES for trial in compared(place, replace(scene, tolerance=each), exact)]
     except InputError:
         return None
-    except FembearingError:
+    except (FembearingError, TimeoutError):
         return []
+    finally:
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0.0)
+
+
+def _give_up(*_: object) -> None:
+    raise TimeoutError(f"longer than {LONGEST:g} s")
 
 
 def compared(place: tuple[float, ...], scene: Scene, exact: FrictionTorque) -> Iterable[Trial]:
@@ -136,14 +146,17 @@ def main(
     out, started = Console(width=110, soft_wrap=False), time.perf_counter()
     places = [tuple(np.random.default_rng(seed + index).random(INPUTS).tolist()) for index in range(scenes)]
     with ProcessPoolExecutor(jobs) as pool:
-        drawn = list(reported("random scene", pool.map(trials_at, places, chunksize=4), seed, out))
+        drawn = list(reported("random scene", pool.map(trials_at, places, chunksize=1), seed, out))
         random = [trial for each in drawn for trial in each or []]
         starts = worst_places(random)[:climbs]
         climbing = pool.map(climbed, starts, range(seed, seed + len(starts)), repeat(steps))
         searched = [trial for each in reported("climb", climbing, seed, out) for trial in each or []]
     show(random, searched, out)
     refused, stuck = (sum(each == nothing for each in drawn) for nothing in (None, []))
-    out.print(f"Of the random scenes {refused} more were refused, and {stuck} ended without convergence.")
+    out.print(
+        f"Of the random scenes {refused} more were refused, and {stuck} ended without convergence or after "
+        f"{LONGEST:g} s."
+    )
     out.print(f"{time.perf_counter() - started:.0f} s, {jobs} processes, seed {seed}.")
     sys.exit(int(any(trial.ratio > 1 for trial in random + searched)))
 
