@@ -21,6 +21,7 @@ from analytic.effects.table import (
     PER_CENTRIFUGAL,
     PER_DISTRIBUTION,
     PER_GYROSCOPIC_SLIP,
+    PER_LAG,
     PER_WEIGHT_SLIDING,
     PER_WEIGHT_SLIP,
     TRIED,
@@ -153,6 +154,9 @@ def decide_effects(ledger: Ledger, trial: Trial, base: Solution, *, has_factors:
                 if "weight" in names:
                     bound = bound + at_all_points(ledger, slip_by_weight(scene.bearing, trial.solved(counted)))
                 lag = min(float(trial.solved(counted).sliding_number.max()), 1.0)
+                if name == "conformity" and not counted["spin"]:  # without both nothing slides, and no ball can lag
+                    slowed = PER_LAG * trial.solved(counted).sliding_number.max(axis=0)
+                    bound = bound + at_all_points(ledger, slowed)
                 if name == "load_distribution" and lag > 0:  # balls that lag where their loads are small
                     unequal = unequal_loads(scene, trial.operation, trial.under_thrust)
                     bound = bound + PER_DISTRIBUTION * unequal * lag

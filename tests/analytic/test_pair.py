@@ -174,3 +174,13 @@ def test_weights_along_the_axis_of_a_pair_load_one_bearing_and_relieve_the_other
 def test_a_pair_whose_inner_rings_press_on_no_ball_is_refused(scene: Scene) -> None:
     with pytest.raises(InputError, match=r"neither inner ring .* raise the preload"):
         friction_torque(paired(scene, 1e-3, speed=900.0, kind="tandem"))
+
+
+def test_a_tandem_of_few_loaded_balls_has_an_axial_stiffness(scene: Scene) -> None:
+    """Nothing holds its shaft across the radial load; along the axis less holds it than under thrust alone."""
+    tandem = {"speed": 0.001, "kind": "tandem"}
+    few, all_balls = (
+        pair_of(friction_torque(paired(scene, 7.0, radial=radial, **tandem))).equilibrium.stiffness[0]
+        for radial in (140.0, 0.0)
+    )
+    assert 0 < few < all_balls

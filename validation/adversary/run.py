@@ -83,6 +83,9 @@ def trials_at(place: tuple[float, ...]) -> list[Trial] | None:
         return None
     except (FembearingError, TimeoutError):
         return []
+    except Exception as fault:  # noqa: BLE001: the run goes on, and the fault counts as a wrong statement
+        return [Trial(place=place, tolerance=t, error=np.nan, stated=0.0, reference=0.0, unknown=(repr(fault),))
+                for t in TOLERANCES]  # fmt: skip
     finally:
         signal.setitimer(signal.ITIMER_VIRTUAL, 0.0)
 
@@ -171,7 +174,7 @@ def reported(name: str, found: Iterable[list[Trial] | None], seed: int, out: Con
             if trial.ratio > 1:
                 broken += 1
                 out.print(f"\n# {name} with seed {seed + number - 1}: error {100 * trial.error:.4g} %, "
-                          f"stated {100 * trial.stated:.4g} %", highlight=False)  # fmt: skip
+                          f"stated {100 * trial.stated:.4g} % {' '.join(trial.unknown)}", highlight=False)  # fmt: skip
                 out.print(scene_text(trial.place, tolerance=trial.tolerance), highlight=False, markup=False)
         if number % PIECE == 0:
             out.print(f"{name} {number}: {broken} violations, {unknown} unknown, {time.perf_counter() - begun:.0f} s")
