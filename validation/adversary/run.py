@@ -5,10 +5,11 @@
 Draws scenes over the valid range of scene files: bearings of several shapes, loads from 0.1 N up, creep to 20 000 rpm,
 oils up to 1 Pa s, smooth and rough surfaces, given coefficients, balls that turn freely or by a rule, gravity with and
 without a direction (radial.py); thrust bearings, pairs, seats, given contact angles, height maps, series of unlike
-points, cages that rest on their balls, losses of the oil (drawn.py). Computes each at a tolerance of 5, 1 and 0.1 %
-with every choice on `auto`, and once with every effect on and the most accurate methods. The error of `auto` against that is
-compared with its stated numerical uncertainty, at every operating point. Then climbs from the worst scenes towards
-violations: one or more inputs change at random, and a change stays if the ratio of error to stated uncertainty grows.
+points, cages that rest on their balls, losses of the oil (drawn.py).
+Computes each at a tolerance of 5, 1 and 0.1 % with every choice on `auto`, and once with every effect on and the most
+accurate methods. The error of `auto` against that is compared with its stated numerical uncertainty, at every operating
+point. Then climbs from the worst scenes towards violations: one or more inputs change at random, and a change stays if
+the ratio of error to stated uncertainty grows.
 Prints each violation as TOML when it is found, then how often the statement holds, how wide it is where the error
 matters, how often and why the uncertainty is unknown. Exit status: 0 no violation, 1 a violation. Every draw has its
 seed, so a run can be repeated.

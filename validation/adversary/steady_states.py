@@ -2,9 +2,9 @@
 
     python validation/adversary/steady_states.py [--scenes 100] [--seed 1000]
 
-Draws the scenes of validation/adversary/radial.py with free balls under 0.1 to 5 N of thrust, at speeds where centrifugal
-force is 1 to 100 times a ball's share of the thrust; most with a radial load, or the direction of gravity. Prints how
-many have two states, by how much their torques differ, and each scene that has.
+Draws the scenes of validation/adversary/radial.py with free balls under 0.1 to 5 N of thrust, at speeds where
+centrifugal force is 1 to 100 times a ball's share of the thrust; most with a radial load, or the direction of gravity.
+Prints how many have two states, by how much their torques differ, and each scene that has.
 """
 
 import re
