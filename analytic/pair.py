@@ -13,6 +13,7 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import NDArray
 
+from analytic.brief import points_of
 from analytic.contact.factors import ContactCorrection
 from analytic.effects.ledger import share_in
 from analytic.errors import InputError
@@ -43,7 +44,8 @@ def pair_in_series(scene: Scene, arrangement: Arrangement, correction: ContactCo
     """The loads of both bearings, and the scene of one bearing that has them one after another.
 
     correction : factors on Hertz's contacts, one for all points
-    Raises InputError as pair_equilibrium, and for factors that differ from point to point.
+    Raises InputError as pair_equilibrium, for factors that differ from point to point, and where neither inner ring
+    presses on its balls.
     """
     operation = scene.operation.as_series()
     if correction is not None and any(
@@ -69,6 +71,11 @@ def pair_in_series(scene: Scene, arrangement: Arrangement, correction: ContactCo
             correction=correction,
         ),
     )
+    if not found.is_pressed.any():
+        raise InputError(
+            f"neither inner ring of the pair presses on its balls at {points_of(vars(operation))}: their centrifugal "
+            "force holds them in the outer races; raise the preload or the axial load, or lower the speed"
+        )
     first, second = (np.flatnonzero(pressed) for pressed in found.is_pressed)
     points = first, second
 
@@ -83,7 +90,14 @@ def pair_in_series(scene: Scene, arrangement: Arrangement, correction: ContactCo
         radial_load=loads(found.radial_load),
         moment=way * loads(found.moment),
     )
-    return PairSeries(scene=replace(scene, arrangement=None, operation=series), equilibrium=found, points=points)
+    one = replace(scene, arrangement=None, operation=series, down=None if _is_weight_mirrored(scene) else scene.down)
+    return PairSeries(scene=one, equilibrium=found, points=points)
+
+
+def _is_weight_mirrored(scene: Scene) -> bool:
+    """Whether the balls' weight loads one bearing of the pair and relieves the other, which one series cannot show."""
+    assert scene.arrangement is not None
+    return scene.arrangement.kind != "tandem" and scene.down is not None and scene.down[2] != 0
 
 
 def pair_torque(scene: Scene, both: PairSeries, each: FrictionTorque) -> FrictionTorque:
@@ -136,9 +150,17 @@ def pair_torque(scene: Scene, both: PairSeries, each: FrictionTorque) -> Frictio
             points=both.points,
             total=by_bearing,
         ),
-        warnings=(*each.warnings, *_relieved(found)),
+        warnings=(*each.warnings, *_mirrored(scene), *_relieved(found)),
         provenance=MappingProxyType({**each.provenance, "arrangement": scene.arrangement.kind}),
     )
+
+
+def _mirrored(scene: Scene) -> Iterator[str]:
+    if _is_weight_mirrored(scene) and scene.effects.get("weight") != "off":
+        yield (
+            "operation.down is partly along the axis: there the balls' weight loads one bearing of the pair and "
+            "relieves the other; it is left out, and the uncertainty covers a weight in any direction"
+        )
 
 
 def _relieved(found: PairEquilibrium) -> Iterator[str]:

@@ -240,9 +240,8 @@ def _in_any_direction(races: RaceTorque, total: Array) -> Unsure:
     unsure *= share_in(races.total, total)
     if known.all():
         return Unsure(unsure, ())
-    return Unsure(
-        unsure, ("the direction of the balls' weight is not given, and some directions may have no solution",)
-    )
+    why = WEDGED if np.isfinite(changes).all() else "some directions have no solution"
+    return Unsure(unsure, (f"the direction of the balls' weight is not given, and {why}; give operation.down",))
 
 
 def _require_friction(scene: Scene) -> None:

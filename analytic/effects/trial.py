@@ -21,6 +21,7 @@ from analytic.effects.table import (
     PER_CENTRIFUGAL,
     PER_DISTRIBUTION,
     PER_GYROSCOPIC_SLIP,
+    PER_LAG,
     PER_WEIGHT_SLIDING,
     PER_WEIGHT_SLIP,
     TRIED,
@@ -30,7 +31,7 @@ from analytic.effects.table import (
 from analytic.loads.inertia import ratio
 from analytic.oil.variation import Variation
 from analytic.scene import STANDARD_GRAVITY, Array, Bearing, Operation, Scene
-from analytic.sliding.judge import SINGLE_COEFFICIENT
+from analytic.sliding.judge import OVER_ELLIPSE, SINGLE_COEFFICIENT
 from analytic.solve.freely import BETWEEN, part_by_sliding
 from analytic.solve.model import Model, model_of
 from analytic.solve.solution import FAR, Solution, points_of, solved, tried_points
@@ -72,12 +73,19 @@ class Trial:
         return _change(self._changed(counted, names).race_torque[None], self.solved(counted).race_torque[None])
 
     def share_by_parts(self, counted: Mapping[str, bool], *names: str) -> Array:
-        """(k,) the same with the changes of all parts added by size: they may cancel in a trial, not in the torque."""
-        other, base = self._changed(counted, names), self.solved(counted)
+        """(k,) the same with the changes of all parts added by size: they may cancel in a trial, not in the torque.
+
+        That of conformity is integrated over the ellipse: one coefficient has none of it where spin decides the sign
+        of the slip everywhere, since friction on both halves of the ellipse then cancels.
+        """
+        method = OVER_ELLIPSE if "conformity" in names else SINGLE_COEFFICIENT
+        other, base = self._changed(counted, names, method), self.solved(counted, method)
         return _change(other.race_parts, base.race_parts)
 
-    def _changed(self, counted: Mapping[str, bool], names: tuple[str, ...]) -> Solution:
-        return self.solved({**counted, **{name: not counted[name] for name in names}})
+    def _changed(
+        self, counted: Mapping[str, bool], names: tuple[str, ...], method: int = SINGLE_COEFFICIENT
+    ) -> Solution:
+        return self.solved({**counted, **{name: not counted[name] for name in names}}, method)
 
     def measure(self, counted: Mapping[str, bool]) -> Callable[[str], float]:
         """What gives the largest share of an effect that counts."""
@@ -146,6 +154,9 @@ def decide_effects(ledger: Ledger, trial: Trial, base: Solution, *, has_factors:
                 if "weight" in names:
                     bound = bound + at_all_points(ledger, slip_by_weight(scene.bearing, trial.solved(counted)))
                 lag = min(float(trial.solved(counted).sliding_number.max()), 1.0)
+                if name == "conformity" and not counted["spin"]:  # without both nothing slides, and no ball can lag
+                    slowed = PER_LAG * trial.solved(counted).sliding_number.max(axis=0)
+                    bound = bound + at_all_points(ledger, slowed)
                 if name == "load_distribution" and lag > 0:  # balls that lag where their loads are small
                     unequal = unequal_loads(scene, trial.operation, trial.under_thrust)
                     bound = bound + PER_DISTRIBUTION * unequal * lag

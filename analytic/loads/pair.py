@@ -31,6 +31,7 @@ from analytic.scene import Arrangement, Array, Bearing, ContactAngle, Operation
 # Load of a ball on the inner race over that on the outer one, below which it hangs in the outer race by its centrifugal
 # force and skids.
 HANGING = 2e-3
+ROUND_OFF = 1e-14  # of a stiffness, over the largest
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -220,9 +221,14 @@ def _displacement(bearing: Bearing, contact_angle: ContactAngle, preload: float,
 
 
 def _axial_stiffness(state: RingsAtRest, *, alone: bool) -> Array:
-    """(n,) N/m; alone : whether the balls hold the shaft along its axis alone"""
+    """(n,) N/m; alone : whether the balls hold the shaft along its axis alone
+
+    A few loaded balls may leave the shaft free across the load: a stiffness of round-off holds it there.
+    """
     if alone:
         return state.tangent[:, 0, 0]
     along = np.zeros((len(state.place), 5, 1))
     along[:, 0] = 1.0
-    return 1 / np.linalg.solve(state.tangent, along)[:, 0, 0]
+    stiffest = np.abs(state.tangent).max(axis=(1, 2))
+    held = state.tangent + (ROUND_OFF * stiffest)[:, None, None] * np.eye(5)
+    return 1 / np.linalg.solve(held, along)[:, 0, 0]

@@ -8,6 +8,7 @@ import pytest
 
 from analytic.contact.factors import ContactCorrection, ContactFactors
 from analytic.errors import InputError
+from analytic.pair import pair_in_series
 from analytic.result import FrictionTorque, PairPart
 from analytic.scene import Arrangement, Losses, Operation, Scene
 from analytic.scenefile.read import parse_scene
@@ -155,3 +156,34 @@ def test_factors_of_each_point_are_refused(scene: Scene) -> None:
     softer = ContactCorrection(inner=ContactFactors(approach=1.1), outer=ContactFactors(approach=1.1))
     changed = friction_torque(given, correction=softer).torque.total / friction_torque(given).torque.total
     assert np.all(np.abs(changed - 1) > 1e-4)
+
+
+def test_weights_along_the_axis_of_a_pair_load_one_bearing_and_relieve_the_other(scene: Scene) -> None:
+    """Turned upside down, a pair without axial load is its own mirror image: the torque is that of both ways."""
+    light = paired(replace(scene, effects={"creep": "off"}), 0.0, preload=0.6)
+    up, down = (friction_torque(replace(light, down=(0.0, 0.0, way))) for way in (1.0, -1.0))
+    np.testing.assert_allclose(up.torque.total, down.torque.total, rtol=1e-9)  # round-off
+    first, second = (
+        alone(replace(scene, effects={"creep": "off"}, down=(0.0, 0.0, way)), 0.6).torque.total for way in (1.0, -1.0)
+    )
+    apart = abs((first + second) / up.torque.total - 1)
+    assert abs(first / second - 1) > 0.01  # the weights matter
+    assert apart < up.numerical_uncertainty
+    assert any("operation.down" in warning for warning in up.warnings)
+
+
+def test_a_pair_whose_inner_rings_press_on_no_ball_is_refused(scene: Scene) -> None:
+    with pytest.raises(InputError, match=r"neither inner ring .* raise the preload"):
+        friction_torque(paired(scene, 1e-3, speed=900.0, kind="tandem"))
+
+
+def test_a_tandem_on_one_ball_of_each_row_has_an_axial_stiffness(scene: Scene) -> None:
+    """Nothing holds its shaft across the radial load; more balls, of which none is loaded, hold it no better."""
+
+    def stiffness(balls: int) -> float:
+        bearing = replace(scene.bearing, ball_count=balls)
+        pair = paired(replace(scene, bearing=bearing), 7.0, speed=0.001, radial=30.0, kind="tandem")
+        assert pair.arrangement is not None
+        return float(pair_in_series(pair, pair.arrangement, None).equilibrium.stiffness[0])
+
+    np.testing.assert_allclose(stiffness(5), stiffness(13), rtol=1e-6)  # of the stiffness across, 1e-14 of the largest

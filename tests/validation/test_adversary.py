@@ -7,19 +7,23 @@ from typing import Any
 import numpy as np
 import pytest
 
+from analytic.errors import InputError
 from analytic.function import torque_function
 from analytic.result import FrictionTorque
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.torque import friction_torque
 from analytic.words import torque_of
 from validation.adversary import run as adversary
+from validation.adversary.drawn import INPUTS, scene_text
+from validation.adversary.radial import RADIAL_INPUTS
 from validation.adversary.steady_states import drawn_scene
 
 FOUND = Path(adversary.__file__).parent
 
 
 def place(seed: int) -> tuple[float, ...]:
-    return tuple(np.random.default_rng(seed).random(adversary.INPUTS).tolist())
+    """Of a radial bearing at one operating point, without additions."""
+    return tuple(np.random.default_rng(seed).random(RADIAL_INPUTS).tolist())
 
 
 def test_a_statement_that_is_too_narrow_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -36,6 +40,28 @@ def test_a_statement_that_is_too_narrow_is_seen(monkeypatch: pytest.MonkeyPatch)
 
     monkeypatch.setattr(adversary, "friction_torque", boasting)
     assert any(trial.ratio > 1 for trial in adversary.trials_at(here) or [])
+
+
+def test_the_draw_has_every_kind_of_scene() -> None:
+    """Sixty places: few are refused, and each kind of bearing, surface and series is among them."""
+    seen: set[str] = set()
+    refused = 0
+    for seed in range(60):
+        text = scene_text(tuple(np.random.default_rng(seed).random(INPUTS).tolist()), tolerance=0.01)
+        try:
+            scene = parse_scene(text, origin=f"seed {seed}")
+        except InputError:  # dimensions that do not fit
+            refused += 1
+            continue
+        seen |= {scene.bearing.kind, scene.contact_angle.rule, f"{scene.operation.as_series().inner_speed.size} points"}
+        seen |= {name for name in ("arrangement", "clearances", "cage", "surface") if getattr(scene, name) is not None}
+        seen |= {"height map"} if scene.surface is not None and scene.surface.height_map is not None else set()
+        seen |= {name for name, value in vars(scene.losses).items() if value is not None}
+    assert refused < 6  # a tenth: more would be a key that no scene takes
+    assert seen >= {
+        "thrust", "radial", "given", "solved", "1 points", "2 points", "3 points", "12 points", "arrangement",
+        "clearances", "cage", "height map", "seals", "drag", "oil_flow", "oil_share", "land", "pockets",
+    }  # fmt: skip
 
 
 BROKEN_ONCE = {

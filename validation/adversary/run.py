@@ -4,12 +4,15 @@
 
 Draws scenes over the valid range of scene files: bearings of several shapes, loads from 0.1 N up, creep to 20 000 rpm,
 oils up to 1 Pa s, smooth and rough surfaces, given coefficients, balls that turn freely or by a rule, gravity with and
-without a direction. Computes each at a tolerance of 5, 1 and 0.1 % with
-every choice on `auto`, and once with every effect on and the most accurate methods. The error of `auto` against that is
-compared with its stated numerical uncertainty. Then climbs from the worst scenes towards violations: one or more inputs
-change at random, and a change stays if the ratio of error to stated uncertainty grows.
-Prints how often the statement holds, how wide it is where the error matters, how often the uncertainty is unknown, and
-the worst scenes as TOML. Exit status: 0 no violation, 1 a violation. Every draw has its seed, so a run can be repeated.
+without a direction (radial.py); thrust bearings, pairs, seats, given contact angles, height maps, series of unlike
+points, cages that rest on their balls, losses of the oil (drawn.py).
+Computes each at a tolerance of 5, 1 and 0.1 % with every choice on `auto`, and once with every effect on and the most
+accurate methods. The error of `auto` against that is compared with its stated numerical uncertainty, at every operating
+point. Then climbs from the worst scenes towards violations: one or more inputs change at random, and a change stays if
+the ratio of error to stated uncertainty grows.
+Prints each violation as TOML when it is found, then how often the statement holds, how wide it is where the error
+matters, how often and why the uncertainty is unknown. Exit status: 0 no violation, 1 a violation. Every draw has its
+seed, so a run can be repeated.
 """
 
 import os
@@ -17,8 +20,11 @@ import os
 os.environ.setdefault("OMP_NUM_THREADS", "1")  # before numpy loads its threads
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
+import re
+import signal
 import sys
 import time
+from collections import Counter
 from collections.abc import Iterable
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, replace
@@ -28,7 +34,6 @@ from typing import Annotated
 import numpy as np
 import typer
 from rich.console import Console
-from rich.progress import Progress
 from rich.table import Table
 
 from analytic import friction_torque
@@ -37,22 +42,28 @@ from analytic.errors import FembearingError, InputError
 from analytic.result import FrictionTorque
 from analytic.scene import Scene
 from analytic.scenefile.read import parse_scene
+from validation.adversary.drawn import INPUTS, scene_text
+from validation.adversary.radial import RADIAL_INPUTS, radial_scene
 
 TOLERANCES = (0.05, 0.01, 0.001)
 ROUND_OFF = 1e-9  # relative: smaller differences are those of converged iterations
+CHOSEN_LAWS = "free_ball", "closed_creep"  # of the slip of free balls: a choice of the scene, as that of a film formula
 MATTERS = 0.1  # of the tolerance: an error that is worth its statement
-SHOWN = 3  # worst scenes in print
+LONGEST = 15.0  # s of processor time for a scene: those with two steady states take minutes
+PIECE = 25  # scenes, or climbs, between two lines in print
 STEP = 0.15  # of the range of an input, in a climb; every second change is ten times smaller
 
 
 @dataclass(frozen=True, kw_only=True)
 class Trial:
-    """One scene at one tolerance."""
+    """One operating point of a scene at one tolerance."""
 
     place: tuple[float, ...]  # of the scene: each input within its range, 0 to 1
     tolerance: float
     error: float  # of the total against everything on, relative, beyond what that itself states
     stated: float  # numerical uncertainty of the total, relative; infinite: unknown
+    reference: float  # uncertainty of everything on, relative
+    unknown: tuple[str, ...]  # why the uncertainty of a point of the scene is unknown
 
     @property
     def ratio(self) -> float:
@@ -62,136 +73,56 @@ class Trial:
         return 0.0 if self.error <= ROUND_OFF or np.isinf(self.stated) else self.error / max(self.stated, ROUND_OFF)
 
 
-class Draw:
-    """Reads the inputs of a scene off a place, one number after the other."""
-
-    def __init__(self, place: Iterable[float]) -> None:
-        self.numbers = iter(place)
-
-    def between(self, low: float, high: float) -> float:
-        return low + (high - low) * next(self.numbers)
-
-    def power(self, low: float, high: float) -> float:
-        """Even in the logarithm."""
-        return float(np.exp(self.between(np.log(low), np.log(high))))
-
-    def one_of(self, *choices: str) -> str:
-        return choices[min(int(next(self.numbers) * len(choices)), len(choices) - 1)]
-
-    def chance(self, share: float) -> bool:
-        return next(self.numbers) < share
-
-
-INPUTS = 45  # numbers that a place has; `scene_text` takes no more
-
-
-def scene_text(place: Iterable[float], *, tolerance: float, directed: bool = False) -> str:
-    """The scene at a place, as a scene file; directed : with the direction of gravity, whether it gives it or not."""
-    draw = Draw(place)
-    ball = draw.power(3e-3, 30e-3)
-    inner, outer = (draw.between(0.505, 0.56) * ball for _ in range(2))
-    pitch, clearance = ball * draw.between(3.2, 6.5), ball * draw.power(1e-4, 3e-2)
-    bottom = pitch / 2 - ball / 2 - clearance / 4
-    shoulder = draw.between(0.38, 0.46) * ball
-    balls = int(draw.between(0.5, 0.9) * np.pi * pitch / ball)
-    material = draw.one_of("steel", "steel", "silicon_nitride")
-    lines = [
-        'name = "drawn"',
-        f"tolerance = {tolerance:g}",
-        "[bearing]",
-        'name = "drawn"',
-        f"ball_count = {max(balls, 5)}",
-        f'ball_diameter = "{ball:.9g} m"',
-        f'ball_mass = "{np.pi / 6 * ball**3 * (7800 if material == "steel" else 3200):.9g} kg"',
-        f'ball_material = "{material}"',
-        f'bore_diameter = "{2 * bottom - ball:.9g} m"',
-        f'outside_diameter = "{2 * (bottom + ball + clearance / 2) + ball:.9g} m"',
-        f'contact_angle = {{ rule = "solved", free = "{draw.between(0.05, 0.7):.9g} rad" }}',
-    ]
-    for ring, radius, groove in (("inner", bottom, inner), ("outer", bottom + ball + clearance / 2, outer)):
-        lines += [
-            f"[bearing.{ring}]",
-            f'bottom_radius = "{radius:.9g} m"',
-            f'groove_radius = "{groove:.9g} m"',
-            f'shoulder_half_width = "{shoulder:.9g} m"',
-            'material = "steel"',
-        ]
-    heaviest = 1e8 * ball**2  # N of thrust: about 2.5 GPa in usual grooves, 4 GPa in open ones
-    axial = draw.power(0.1, max(heaviest, 1.0))
-    lines += ["[operation]", f'axial_load = "{axial:.9g} N"', f'inner_speed = "{draw.power(1e-3, 2e3):.9g} rad/s"']
-    radial, moment = draw.power(1e-4, 2.0) * axial, draw.power(1e-4, 0.5) * axial * pitch
-    lines += [f'radial_load = "{radial:.9g} N"'] if draw.chance(0.35) else []
-    lines += [f'moment = "{moment:.9g} N m"'] if draw.chance(0.2) else []
-    down = [f"{draw.between(-1, 1):.6g}" for _ in range(3)]
-    lines += [f"down = [{', '.join(down)}]"] if draw.chance(0.5) or directed else []
-    oiled = draw.chance(0.8)
-    oil = [
-        "[lubricant]",
-        f'viscosity = "{draw.power(2e-3, 1.0):.9g} Pa s"',
-        f'pressure_viscosity = "{draw.between(0.8e-8, 3e-8):.9g} 1/Pa"',
-        f'eyring_stress = "{draw.power(1e6, 15e6):.9g} Pa"',
-        f"limiting_shear = {draw.between(0.03, 0.1):.6g}",
-        f'traction = "{draw.one_of("eyring_sinh", "eyring_sinh", "eyring_constant")}"',
-        f'supply = "{draw.one_of("oil_bath", "oil_spot", "grease")}"',
-        f"compressible = {'true' if draw.chance(0.2) else 'false'}",
-    ]
-    degree = 1 + draw.power(1e-3, 1e2)
-    oil += [f"starvation_degree = {degree:.9g}"] if draw.chance(0.15) else []
-    length = draw.power(10e-6, 200e-6)
-    surface = [
-        "[surface]",
-        f'rms_roughness = "{draw.power(5e-9, 1e-6):.9g} m"',
-        f'autocorrelation = {{ kind = "{draw.one_of(*4 * ("gaussian",), "exponential")}", length = "{length:.9g} m", '
-        f'spacing = "{length / 20:.9g} m" }}',
-        'hardness = "7.8 GPa"',
-        f"boundary_friction = {draw.between(0.05, 0.2):.6g}",
-        draw.one_of('gap = "elastic"', 'gap = "truncated"', 'gap = "truncated"\nasperities = "greenwood_williamson"'),
-    ]
-    friction = ["[friction]", f"hysteresis_loss = {draw.power(1e-3, 2e-2):.6g}"]
-    friction += [f'spin_rule = "{draw.one_of(*4 * ("free",), "balanced", "inner_control", "outer_control")}"']
-    coefficient = draw.power(0.003, 0.2)
-    if oiled:
-        return "\n".join(lines + oil + surface + friction) + "\n"
-    return "\n".join([*lines, *(oil if draw.chance(0.5) else []), *friction, f"coefficient = {coefficient:.6g}"]) + "\n"
-
-
 def trials_at(place: tuple[float, ...]) -> list[Trial] | None:
-    """One scene at every tolerance; None where it is refused.
-
-    Nothing where an iteration does not converge, or where the reference itself states more than a tenth.
-    """
+    """One scene at every tolerance and point; None: refused, nothing: an iteration does not converge, or takes long."""
+    signal.signal(signal.SIGVTALRM, _give_up)
+    signal.setitimer(signal.ITIMER_VIRTUAL, LONGEST)
     try:
         scene = parse_scene(scene_text(place, tolerance=TOLERANCES[0]), origin="drawn")
         exact = everything_on(parse_scene(scene_text(place, tolerance=TOLERANCES[0], directed=True), origin="drawn"))
-        whole, unsure = float(exact.torque.total[0]), float(exact.numerical_uncertainty[0])
-        if unsure > MATTERS:  # no reference
-            return []
-        trials = []
-        for tolerance in TOLERANCES:
-            auto = friction_torque(replace(scene, tolerance=tolerance))
-            trials.append(
-                Trial(
-                    place=place,
-                    tolerance=tolerance,
-                    error=max(abs(float(auto.torque.total[0]) / whole - 1) - unsure, 0.0),
-                    stated=float(auto.numerical_uncertainty[0]),
-                )
-            )
+        return [trial for each in TOLERANCES for trial in compared(place, replace(scene, tolerance=each), exact)]
     except InputError:
         return None
-    except FembearingError:
+    except (FembearingError, TimeoutError):
         return []
-    return trials
+    except Exception as fault:  # the run goes on, and the fault counts as a wrong statement
+        return [Trial(place=place, tolerance=t, error=np.nan, stated=0.0, reference=0.0, unknown=(repr(fault),))
+                for t in TOLERANCES]  # fmt: skip
+    finally:
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0.0)
+
+
+def _give_up(*_: object) -> None:
+    raise TimeoutError(f"longer than {LONGEST:g} s")
+
+
+def compared(place: tuple[float, ...], scene: Scene, exact: FrictionTorque) -> Iterable[Trial]:
+    """The torque of a scene beside that with everything on, at each point."""
+    auto, unsure = friction_torque(scene), exact.numerical_uncertainty
+    whole = exact.torque.total
+    change = np.abs(auto.torque.total - whole)
+    error = np.divide(change, whole, out=np.where(change > 0, np.inf, 0.0), where=whole > 0)
+    for point, stated in enumerate(auto.numerical_uncertainty):
+        yield Trial(
+            place=place,
+            tolerance=scene.tolerance,
+            error=max(float(error[point] - unsure[point]), 0.0) if np.isfinite(unsure[point]) else 0.0,
+            stated=float(stated),
+            reference=float(unsure[point]),
+            unknown=auto.unknown,
+        )
 
 
 def everything_on(scene: Scene) -> FrictionTorque:
-    """Every effect that the scene has inputs for, by the most accurate methods."""
-    wanted = {name: "on" for name in COMPUTED if ENTRIES[name].lacks(scene) is None}
-    dearest = replace(scene, tolerance=1e-6, sliding="over_ellipse" if ruled(scene) else "marched_creep")
+    """Every effect that the scene has inputs for and does not switch off, by the most accurate methods of its law."""
+    off = {name: "off" for name, decision in scene.effects.items() if decision == "off"}
+    wanted = {name: "on" for name in (*COMPUTED, "cage") if ENTRIES[name].lacks(scene) is None} | off
+    free = scene.sliding if scene.sliding in CHOSEN_LAWS else "free_ball" if "creep" in off else "marched_creep"
+    dearest = replace(scene, tolerance=1e-6, sliding="over_ellipse" if ruled(scene) else free)
     try:
         return friction_torque(replace(dearest, effects=wanted))
     except InputError:  # an effect that cannot act in this scene: auto then computes all that can
-        return friction_torque(dearest)
+        return friction_torque(replace(dearest, effects=off))
 
 
 def climbed(trial: Trial, seed: int, steps: int) -> list[Trial]:
@@ -201,13 +132,11 @@ def climbed(trial: Trial, seed: int, steps: int) -> list[Trial]:
     for step in range(steps):
         change = np.where(rng.random(INPUTS) < 3 / INPUTS, rng.normal(size=INPUTS), 0.0)
         moved = np.clip(np.array(best.place) + change * STEP * (0.1 if step % 2 else 1.0), 0.0, 1.0 - 1e-9)
-        at_tolerances = trials_at(tuple(moved.tolist()))
-        if not at_tolerances:
+        found = trials_at(tuple(moved.tolist()))
+        if not found:
             continue
-        seen += at_tolerances
-        here = at_tolerances[TOLERANCES.index(best.tolerance)]
-        if here.ratio > best.ratio:
-            best = here
+        seen += found
+        best = max([best, *(each for each in found if each.tolerance == best.tolerance)], key=lambda each: each.ratio)
     return seen
 
 
@@ -221,24 +150,37 @@ def main(
     """Look for scenes whose stated uncertainty does not hold."""
     out, started = Console(width=110, soft_wrap=False), time.perf_counter()
     places = [tuple(np.random.default_rng(seed + index).random(INPUTS).tolist()) for index in range(scenes)]
-    with ProcessPoolExecutor(jobs) as pool, Progress(console=Console(stderr=True)) as bar:
-        task = bar.add_task("random scenes", total=scenes)
-        drawn: list[Trial] = []
-        refused = stuck = 0
-        for trials in pool.map(trials_at, places, chunksize=4):
-            bar.advance(task)
-            refused, stuck = refused + (trials is None), stuck + (trials == [])
-            drawn += trials or []
-        starts = worst_places(drawn)[:climbs]
-        task = bar.add_task("climbs", total=len(starts))
-        searched: list[Trial] = []
-        for trials in pool.map(climbed, starts, range(seed, seed + len(starts)), repeat(steps)):
-            bar.advance(task)
-            searched += trials
-    show(drawn, searched, out)
-    out.print(f"Of the random scenes {refused} more were refused, and {stuck} ended without convergence.")
+    everything_on(parse_scene(radial_scene(np.full(RADIAL_INPUTS, 0.5), tolerance=0.01), origin="drawn"))  # compiles
+    with ProcessPoolExecutor(jobs) as pool:
+        drawn = list(reported("random scene", pool.map(trials_at, places, chunksize=1), seed, out))
+        random = [trial for each in drawn for trial in each or []]
+        starts = worst_places(random)[:climbs]
+        climbing = pool.map(climbed, starts, range(seed, seed + len(starts)), repeat(steps))
+        searched = [trial for each in reported("climb", climbing, seed, out) for trial in each or []]
+    show(random, searched, out)
+    refused, stuck = (sum(each == nothing for each in drawn) for nothing in (None, []))
+    out.print(
+        f"Of the random scenes {refused} more were refused, and {stuck} ended without convergence or after "
+        f"{LONGEST:g} s."
+    )
     out.print(f"{time.perf_counter() - started:.0f} s, {jobs} processes, seed {seed}.")
-    sys.exit(int(any(trial.ratio > 1 for trial in drawn + searched)))
+    sys.exit(int(any(trial.ratio > 1 for trial in random + searched)))
+
+
+def reported(name: str, found: Iterable[list[Trial] | None], seed: int, out: Console) -> Iterable[list[Trial] | None]:
+    """The same trials; each violation in print as it comes, and a line for each piece."""
+    begun, broken, unknown = time.perf_counter(), 0, 0
+    for number, trials in enumerate(found, 1):
+        yield trials
+        unknown += any(np.isinf(trial.stated) for trial in trials or [])
+        for trial in worst_places(trials or []):
+            if trial.ratio > 1:
+                broken += 1
+                out.print(f"\n# {name} with seed {seed + number - 1}: error {100 * trial.error:.4g} %, "
+                          f"stated {100 * trial.stated:.4g} % {' '.join(trial.unknown)}", highlight=False)  # fmt: skip
+                out.print(scene_text(trial.place, tolerance=trial.tolerance), highlight=False, markup=False)
+        if number % PIECE == 0:
+            out.print(f"{name} {number}: {broken} violations, {unknown} unknown, {time.perf_counter() - begun:.0f} s")
 
 
 def worst_places(trials: list[Trial]) -> list[Trial]:
@@ -250,7 +192,7 @@ def worst_places(trials: list[Trial]) -> list[Trial]:
 
 
 def show(drawn: list[Trial], searched: list[Trial], out: Console) -> None:
-    table = Table("tolerance", "search", "scenes", "held", "largest ratio", "unknown", "stated/error", "of scenes")
+    table = Table("tolerance", "search", "scenes", "points", "held", "largest ratio", "unknown", "stated/error", "of")
     for tolerance in TOLERANCES:
         for name, trials in (("random", drawn), ("directed", searched)):
             here = [trial for trial in trials if trial.tolerance == tolerance]
@@ -261,6 +203,7 @@ def show(drawn: list[Trial], searched: list[Trial], out: Console) -> None:
             table.add_row(
                 f"{100 * tolerance:g} %",
                 name,
+                str(len({trial.place for trial in here})),
                 str(len(here)),
                 str(sum(trial.ratio <= 1 for trial in here)),
                 f"{max(trial.ratio for trial in here):.3g}",
@@ -270,13 +213,21 @@ def show(drawn: list[Trial], searched: list[Trial], out: Console) -> None:
             )
     out.print(table)
     out.print(
-        "ratio: error over stated uncertainty. stated/error: median over the scenes whose error exceeds a tenth of the "
+        "ratio: error over stated uncertainty. stated/error: median over the points whose error exceeds a tenth of the "
         "tolerance."
     )
-    for trial in worst_places(drawn + searched)[:SHOWN]:
-        if trial.ratio > 1:
-            out.print(f"\n# error {100 * trial.error:.4g} %, stated {100 * trial.stated:.4g} %", highlight=False)
-            out.print(scene_text(trial.place, tolerance=trial.tolerance), highlight=False, markup=False)
+    vague = np.mean([trial.reference > MATTERS for trial in drawn + searched])
+    out.print(f"The reference itself is more uncertain than {100 * MATTERS:g} % at {100 * vague:.2g} % of the points.")
+    causes = Counter(
+        cause for trial in worst_places([each for each in drawn if each.unknown]) for cause in words(trial)
+    )
+    for cause, count in causes.most_common():
+        out.print(f"unknown in {count} random scenes: {cause}")
+
+
+def words(trial: Trial) -> list[str]:
+    """Why the uncertainty is unknown, without numbers."""
+    return [re.sub(r"[0-9.]+( %| [GM]Pa)?", "#", cause)[:90] for cause in trial.unknown]
 
 
 if __name__ == "__main__":

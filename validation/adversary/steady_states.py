@@ -2,9 +2,9 @@
 
     python validation/adversary/steady_states.py [--scenes 100] [--seed 1000]
 
-Draws the scenes of validation/adversary/run.py with free balls under 0.1 to 5 N of thrust, at speeds where centrifugal
-force is 1 to 100 times a ball's share of the thrust; most with a radial load, or the direction of gravity. Prints how
-many have two states, by how much their torques differ, and each scene that has.
+Draws the scenes of validation/adversary/radial.py with free balls under 0.1 to 5 N of thrust, at speeds where
+centrifugal force is 1 to 100 times a ball's share of the thrust; most with a radial load, or the direction of gravity.
+Prints how many have two states, by how much their torques differ, and each scene that has.
 """
 
 import re
@@ -16,7 +16,7 @@ import typer
 from analytic import friction_torque
 from analytic.errors import FembearingError
 from analytic.scenefile.read import parse_scene
-from validation.adversary.run import INPUTS, scene_text
+from validation.adversary.radial import RADIAL_INPUTS, radial_scene
 
 REPLACED = ("axial_load", "radial_load", "moment", "inner_speed", "down", "spin_rule")
 
@@ -24,7 +24,7 @@ REPLACED = ("axial_load", "radial_load", "moment", "inner_speed", "down", "spin_
 def drawn_scene(seed: int) -> str:
     """A scene file."""
     rng = np.random.default_rng(seed)
-    text = scene_text(rng.random(INPUTS), tolerance=0.01)
+    text = radial_scene(rng.random(RADIAL_INPUTS), tolerance=0.01)
     mass, count, diameter, bottom = (
         float(re.findall(rf'{key} = "?([0-9.e+-]+)', text)[0])
         for key in ("ball_mass", "ball_count", "ball_diameter", "bottom_radius")

@@ -1,4 +1,4 @@
-"""Friction of balls by half spaces: python validation/creep/run.py [--seeds 40] [--production]
+"""Friction of balls by half spaces: python validation/creep/run.py [--seeds 60] [--production]
 
 Without an option, random balls are turned on five grids. The interval that three grids state is compared with the value
 two levels finer. With --production, the torque by sliding of six bearings is compared with that of free balls with
@@ -46,7 +46,7 @@ out = Console(highlight=False, soft_wrap=True, markup=False)
 
 
 def main(
-    seeds: Annotated[int, typer.Option(help="Random balls of the coverage.")] = 40,
+    seeds: Annotated[int, typer.Option(help="Random balls of the coverage.")] = 60,
     production: Annotated[bool, typer.Option(help="Compare with production instead.")] = False,
 ) -> None:
     """Continue one of both comparisons, and print it."""

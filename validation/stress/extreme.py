@@ -6,7 +6,6 @@ had. The reader refuses some of these scenes, because their values do not fit to
 followed is left alone: that computing is what the user orders.
 """
 
-import json
 import tomllib
 from collections.abc import Iterator
 from functools import cache
@@ -23,7 +22,8 @@ from analytic.scenefile.keys import SceneKey, paths, scene_key, with_key
 from analytic.scenefile.read import parse_scene
 from analytic.scenefile.template import scene_text as template
 from fembearing.plain_types import plain
-from validation.adversary.run import INPUTS, scene_text
+from validation.adversary.drawn import toml
+from validation.adversary.radial import RADIAL_INPUTS, radial_scene
 from validation.stress.watched import Input, SilentError
 
 SCENES = Path(__file__).resolve().parents[1] / "scenes"
@@ -91,7 +91,7 @@ def extreme_scene(rng: np.random.Generator) -> str:
 def base(rng: np.random.Generator) -> dict[str, Any]:
     kind = rng.integers(3)
     if kind == 0:
-        return tomllib.loads(scene_text(tuple(rng.random(INPUTS)), tolerance=TOLERANCE))
+        return tomllib.loads(radial_scene(rng.random(RADIAL_INPUTS), tolerance=TOLERANCE))
     if kind == 1:
         names = bearing_names()
         return tomllib.loads(template(names[rng.integers(len(names))], Choice()))
@@ -147,15 +147,3 @@ def at(document: dict[str, Any], path: str) -> Any:
     for part in path.split(".") if path else ():
         node = node.get(part) if isinstance(node, dict) else None
     return node
-
-
-def toml(document: dict[str, Any], before: str = "") -> str:
-    """A document of texts, numbers and lists as TOML, a line for each value."""
-    lines = []
-    for name, value in document.items():
-        path = before + (name if name.isidentifier() else json.dumps(name))
-        if isinstance(value, dict) and value:
-            lines.append(toml(value, f"{path}."))
-        else:
-            lines.append(f"{path} = {'{}' if value == {} else json.dumps(value, ensure_ascii=False)}")
-    return "\n".join(lines)
