@@ -1,9 +1,10 @@
 """Does anything get through? python validation/stress/run.py [--short] [PARTS]
 
-    scenes    extreme but valid scenes: their torque in this process, and through every face of the command
+    scenes    extreme but valid scenes: their torque in this process, and through every command of a scene
     damaged   damaged scenes, grids, height maps, meshes, reports and pictures, in this process and through commands
-    kills     torque, validate, sweep and report killed at named steps of their writing, and started again
+    kills     every command that writes, killed at named steps of its writing, and started again
     limits    memory, file size, full disk, permissions, home, locale, streams, files that are none
+    page      extreme and damaged scenes in the page of `fembearing app`
     growth    memory of a process after many calls
     mutation  one operator of the source changed at a time: do the tests of its folder see it?
 
@@ -39,10 +40,11 @@ from validation.stress.commands import ROOT, run
 from validation.stress.damage import Files, solved_contacts
 from validation.stress.extreme import scene_input
 from validation.stress.faces import damaged_through_commands, scenes_through_faces
-from validation.stress.growth import MOST, growth_of
+from validation.stress.growth import FUNCTIONS, growth_of
 from validation.stress.kills import kills
 from validation.stress.limits import ended
 from validation.stress.mutation import drawn, outcomes
+from validation.stress.tab import page_input
 from validation.stress.watched import Tried, tried
 
 Each = TypeVar("Each")
@@ -54,16 +56,16 @@ ENOUGH = 40  # inputs for a share that means something
 class Budget:
     """How much each part does."""
 
-    inputs: int  # in one process, of each of scenes and damaged
+    inputs: int  # in one process, of each of scenes, damaged and page
     commands: int  # runs of a command, likewise
     kills: int
     every: int  # of the combinations of situation and command, one of so many
-    calls: tuple[int, int]  # of friction_torque and solve_contact
+    calls: tuple[int, int, int]  # of friction_torque, solve_contact and each other function
     mutants: int
 
 
-LONG = Budget(inputs=20_000, commands=500, kills=200, every=1, calls=(10_000, 300), mutants=330)
-SHORT = Budget(inputs=40, commands=2, kills=4, every=60, calls=(100, 6), mutants=0)
+LONG = Budget(inputs=20_000, commands=500, kills=200, every=1, calls=(10_000, 300, 300), mutants=330)
+SHORT = Budget(inputs=40, commands=2, kills=4, every=60, calls=(100, 6, 0), mutants=0)
 
 
 @dataclass
@@ -98,6 +100,7 @@ def main(argv: list[str] | None = None) -> int:
         parser.add_argument(
             f"--{name}", type=int, help=f"in place of {getattr(LONG, name)}, {getattr(SHORT, name)} short"
         )
+    parser.add_argument("--functions", nargs="*", choices=[*FUNCTIONS], help="of growth; all without it")
     parser.add_argument("--minutes", type=float, default=np.inf, help="a row ends then, with as many tries as it has")
     parser.add_argument("--before", default="", help="what the tests of a mutant are started by, as 'nice -n 15'")
     parser.add_argument("--out", type=Path, help="folder for stress.md and mutation.csv; nothing is written without it")
@@ -194,6 +197,11 @@ def damaged(place: Place) -> Iterator[Row]:
         yield gathered("damaged, commands", found, place)
 
 
+def paged(place: Place) -> Iterator[Row]:
+    if place.budget.inputs:
+        yield gathered("page, one process", tried(page_input, place.seeds, jobs=place.options.jobs), place)
+
+
 def gathered(part: str, results: Generator[Tried], place: Place) -> Row:
     row = Row(part)
     for each in place.within_minutes(results):
@@ -226,9 +234,13 @@ def limited(place: Place) -> Iterator[Row]:
 
 
 def growing(place: Place) -> Iterator[Row]:
-    for function, calls in zip(MOST, place.budget.calls, strict=True):
+    chosen = place.options.functions or FUNCTIONS
+    for number, function in enumerate(FUNCTIONS):
+        calls = place.budget.calls[min(number, 2)]
+        if calls == 0 or function not in chosen:
+            continue
         done, gained = growth_of(function, calls, seconds=60 * place.options.minutes)
-        fault = [] if gained < MOST[function] else [f"grows by {gained / 1e6:.1f} MB"]
+        fault = [] if gained < FUNCTIONS[function].most else [f"grows by {gained / 1e6:.1f} MB"]
         yield Row(f"growth, {function}", Counter(calls=done), fault, largest=max(gained, 0.0))
 
 
@@ -254,6 +266,7 @@ PARTS = {
     "scenes": scenes,
     "damaged": damaged,
     "kills": killed,
+    "page": paged,
     "limits": limited,
     "growth": growing,
     "mutation": mutated,
