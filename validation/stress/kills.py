@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 import xarray
 
+from analytic.writing import HIDDEN
 from validation.stress.commands import Run, fault_of, run
 from validation.stress.damage import CYCLE, FEW, MEASURED
 from validation.stress.extreme import leaves
@@ -146,7 +147,7 @@ class Stage:
         found = content_of(place)
         files = {name.partition("::")[0] for name in found}
         if not hidden_too:
-            files = {name for name in files if not any(part.startswith(".") for part in Path(name).parts)}
+            files = {name for name in files if not any(part.startswith(HIDDEN) for part in Path(name).parts)}
         if files - self.files:
             return f"left over: {', '.join(sorted(files - self.files))}"
         if self.files - files:
