@@ -100,7 +100,7 @@ def _on_processes(
 
     This one takes pieces from the end that no other has begun, also while the others start.
     """
-    if width == 1:
+    if width == 1 or multiprocessing.current_process().daemon:  # which may start no other, as in a Pool
         yield from enumerate(evaluated(problem, piece) for piece in pieces)
         return
     context = multiprocessing.get_context("spawn")

@@ -149,7 +149,7 @@ class Columns:
         except ValueError as problem:
             percent = " or [%]" if name in self.shares else ""
             raise ValueError(
-                f"column {name} [{unit}] {problem}; write for example {self.head(name)}{percent}"
+                f"column {name} [{plain(unit)}] {problem}; write for example {self.head(name)}{percent}"
             ) from None
         return Column(name, unit, dimension, is_share)
 
@@ -171,7 +171,7 @@ def _value(column: Column, cell: str, place: str) -> float:
     try:
         return column.dimension.read(f"{cell} {column.unit}")
     except ValueError as problem:
-        raise ValueError(f"{place}: {column.name} = {cell} {column.unit} {problem}") from None
+        raise ValueError(f"{place}: {column.name} = {plain(cell)} {column.unit} {problem}") from None
 
 
 def operating_points(scene: Scene, file: str, columns: Mapping[str, Array | None], rows: int) -> dict[str, Array]:

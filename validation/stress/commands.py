@@ -33,6 +33,8 @@ CHATTER += (
     "fembearing: the picture ",
     "dashboard",
 )
+SOLVED_WITHIN = 120.0  # s of the processor: a film or creep on the grids that its convergence asks for
+RANGE = ("--speed", "0 rpm to 3000 rpm in 3", "--axial-load", "200 N to 900 N in 2")
 DEAF = 600.0  # s of the clock, on a busy machine
 NOT_A_NUMBER = re.compile(r"(?<![\w.-])[-+]?(nan|inf)(?![\w.-])", re.IGNORECASE)
 FOLDER = {"torque.json", "torque.csv", "torque.png"}
@@ -123,13 +125,14 @@ def fault_of(done: Run, *, base: float = 0.0, allowed: Sequence[int] = DOCUMENTE
     return ""
 
 
-def face_fault(face: str, done: Run, target: Path) -> str:
+def face_fault(face: str, done: Run, folder: Path) -> str:
     """What is wrong with what the command shows or writes, where it has a result."""
+    target = folder / FACES[face].target
     has_result = done.status in (0, 1) or (done.status == 3 and done.out != "")
     if not has_result:
         return f"{target.name} is left of a failure" if os.path.lexists(target) else ""
     try:
-        return FACES[face](done, target)
+        return FACES[face].fault(done, target)
     except (OSError, ValueError) as problem:
         return f"{face}: {problem}"
 
@@ -155,24 +158,39 @@ def _folder(_: Run, target: Path) -> str:
     return _strange(json.loads(text, parse_constant=_refuse)) or _strange_cell(target / "torque.csv")
 
 
+def _files(_: Run, target: Path) -> str:
+    """Of numbers and tables in a folder."""
+    faults = [_strange(json.loads(path.read_text("utf-8"), parse_constant=_refuse)) for path in target.glob("*.json")]
+    return next(filter(None, [*faults, *map(_strange_cell, target.glob("*.csv"))]), "")
+
+
 def _page(_: Run, target: Path) -> str:
     found = re.search(r">\s*[-+]?(nan|inf)\s*<", target.read_text("utf-8"))
     return f"the page shows {found.group()}" if found else ""
 
 
-FACES: dict[str, Callable[[Run, Path], str]] = {
-    "text": _text,
-    "json": _json,
-    "csv": _csv,
-    "folder": _folder,
-    "page": _page,
-}
-OPTIONS = {
-    "text": (),
-    "json": ("--json",),
-    "csv": ("--out", "torque.csv"),
-    "folder": ("--out", "torque"),
-    "page": ("--out", "torque.html"),
+@dataclass(frozen=True)
+class Face:
+    """A command of a scene, and how its result is looked at."""
+
+    command: tuple[str, ...]
+    fault: Callable[[Run, Path], str]  # of what it prints, or writes to the target
+    target: str = "out"
+    slowest: float = SLOWEST  # s of the processor
+
+
+FACES = {
+    "text": Face(("torque", "scene.toml"), _text),
+    "json": Face(("torque", "scene.toml", "--json"), _json),
+    "csv": Face(("torque", "scene.toml", "--out", "torque.csv"), _csv, "torque.csv"),
+    "folder": Face(("torque", "scene.toml", "--out", "torque"), _folder, "torque"),
+    "page": Face(("torque", "scene.toml", "--out", "torque.html"), _page, "torque.html"),
+    "film": Face(("film", "scene.toml", "--tolerance", "0.9", "--json"), _json, slowest=SOLVED_WITHIN),
+    "creep": Face(("creep", "scene.toml", "--tolerance", "0.9", "--json"), _json, slowest=SOLVED_WITHIN),
+    "compare": Face(("compare", "measured.csv", "scene.toml", "--samples", "64", "--out", "out"), _files),
+    "duty": Face(("duty", "scene.toml", "cycle.csv", "--out", "out"), _files),
+    "export": Face(("export", "scene.toml", "--to", "csv", *RANGE, "--out", "out.csv"), _csv, "out.csv"),
+    "draw": Face(("draw", "scene.toml", "--out", "out.svg"), _page, "out.svg"),
 }
 
 

@@ -1,7 +1,8 @@
 """Files of every kind that a user names, damaged at random, and what reads them.
 
 A file is changed at a few places: values of scenes and grids become absurd, lines vanish or double, bytes are cut,
-inserted or replaced. Of a report its numbers and its pictures are damaged.
+inserted or replaced. Tables of torques and cycles get other cells, rows and units. Of a report its numbers and its
+pictures are damaged.
 """
 
 import io
@@ -20,28 +21,35 @@ from unittest.mock import patch
 import meshio
 import numpy as np
 
-from analytic import catalog, friction_torque, load_scene
+from analytic import catalog, duty_cycle, friction_torque, load_scene
 from analytic.surface.heightmap import measure, read_height_map
 from fembearing.mesh.meshfile import read_body
 from fembearing.mesh.recipe import Recipe, load_recipe
 from fembearing.plain_types import plain
+from fembearing.report.duty_folder import duty_file
 from fembearing.report.page.pictures import shown_pictures
 from fembearing.report.page.write import page_of
 from fembearing.report.report import read_report
 from fembearing.sweep.grid import load_grid
 from fembearing.verify.contact import scene_contact
+from fembearing.verify.measured.comparison import compare_measured
 from fembearing.verify.validation import Validation, check_scene
 from validation.stress.extreme import require_finite_numbers
 from validation.stress.watched import Input
 
 ROOT = Path(__file__).resolve().parents[2]
 MOST_CHANGES = 4  # in one file
+FEW = 64  # samples of the interval of a comparison
 JUNK = (
     *("nan", "inf", "-inf", "-0.0", "1e400", "1e-400", "0", "-1", "9" * 5000, "true", "[]", "{}", '""', "1_0", "0x10"),
     *('"1 m"', '"1e309 N"', '"-5 N"', '"1 N m N"', '"1 m^9"', '"1 m**9999999"', '"5 degC"', '"7 %"', '"\\u0000"'),
     *("\"__import__('os').system('false') m\"", '"{0.__class__}"', '"../../../etc/passwd"', '"/dev/zero"', '"1 dB"'),
     *('"on"', '"off"', '"auto"', '"solved"', '"given"', '"1 µm"', '"1 Ω"', '"' + "a" * 300 + '"', "2024-01-01"),
     *("[" * 200, "a." * 40 + "b", '{ from = "1 N", to = "1e300 N", count = 1000000 }'),
+)
+HEADS = (
+    *("duration [s]", "duration [h]", "inner_speed [rad/s]", "axial_load [kN]", "radial_load [lbf]", "torque [N m]"),
+    *("temperature [degC]", "uncertainty [%]", "inner_speed", "axial_load [rpm]", "torque []", "[N]", "=1+1 [N]"),
 )
 JSON_JUNK: tuple[Any, ...] = (
     *(None, True, 0, -1, 1e308, -1e308, 1e-308, 10**400, "", "a" * 300, "\0", "../../etc/passwd", "<script>1</script>"),
@@ -61,6 +69,18 @@ operation.inner_speed = ["100 rpm", "300 rpm"]
 bearing.inner.conformity = [0.51, 0.53]
 friction.spin_rule = ["balanced", "free"]
 """
+
+CYCLE = """
+duration [s],inner_speed [rpm],axial_load [N]
+4,900,250
+30,2600,410
+7,0,300
+""".lstrip()
+MEASURED = """
+inner_speed [rpm],axial_load [N],torque [N mm],uncertainty [%]
+310,270,33,3
+700,420,52,4
+""".lstrip()
 
 
 class Files:
@@ -85,6 +105,8 @@ class Files:
             ("height map", changed_map, lambda path: measure(read_height_map(path, spacing=2e-6))),
             ("mesh", changed_mesh, lambda path: read_body(path, name="ball")),
             ("grid", changed_grid, lambda path: load_grid(path).first_scene()),
+            ("cycle", lambda rng: ("cycle.csv", changed_table(CYCLE, rng)), read_duty),
+            ("measured torques", lambda rng: ("measured.csv", changed_table(MEASURED, rng)), read_torques),
             ("report", self.changed_report, read_page),
             (
                 "picture",
@@ -135,6 +157,16 @@ def read_scene(path: Path) -> None:
         first = {name: np.atleast_1d(value)[:1] for name, value in vars(scene.operation).items() if name != "down"}
         result = friction_torque(replace(scene, operation=replace(scene.operation, **first)))
         require_finite_numbers(plain(result.rows))
+
+
+def read_duty(path: Path) -> None:
+    """Read a duty cycle, and compute its energy."""
+    require_finite_numbers(plain(duty_file(duty_cycle(load_scene("6205-dry"), path))))
+
+
+def read_torques(path: Path) -> None:
+    """Read measured torques, and compare the torque of a scene with them."""
+    require_finite_numbers(plain(compare_measured(load_scene("6205-dry"), path, samples=FEW)))
 
 
 def read_page(path: Path) -> None:
@@ -195,6 +227,29 @@ def changed_toml(text: str, rng: np.random.Generator) -> bytes:
                 return changed_bytes(text.encode(), rng)
         text = "\n".join(lines) or "a = 1"
     return text.encode("utf-8", "surrogatepass")
+
+
+def changed_table(text: str, rng: np.random.Generator) -> bytes:
+    """A table of commas with other cells and rows."""
+    rows = [line.split(",") for line in text.splitlines()]
+    for _ in range(changes(rng)):
+        at = int(rng.integers(len(rows)))
+        cell = int(rng.integers(len(rows[at])))
+        match rng.integers(6):
+            case 0:
+                rows[at][cell] = str(rng.choice(JUNK))
+            case 1:
+                rows[at][cell] = f"{10 ** rng.uniform(-12, 12):.3g}"
+            case 2:
+                rows.insert(at, rows[rng.integers(len(rows))])
+            case 3:
+                del rows[at][cell:]
+            case 4:
+                rows[0][cell % len(rows[0])] = str(rng.choice(HEADS)) if rows[0] else ""
+            case _:
+                return changed_bytes("\n".join(map(",".join, rows)).encode("utf-8", "surrogatepass"), rng)
+        rows = [row or [""] for row in rows]
+    return "\n".join(map(",".join, rows)).encode("utf-8", "surrogatepass")
 
 
 def changed_map(rng: np.random.Generator) -> tuple[str, bytes]:

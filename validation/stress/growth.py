@@ -1,31 +1,42 @@
 """Memory that a process gains by calling the same functions many times.
 
-The scene has oil and rough surfaces, and no two calls have the same load: what is kept for
-each new load counts.
+The scene has oil and rough surfaces, and no two calls have the same load: what is kept for each new load counts.
 """
 
 import ctypes
 import gc
 import multiprocessing
+import tempfile
 import time
 from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 import fembearing
-from analytic import friction_torque, load_scene
+from analytic import duty_cycle, friction_torque, load_scene
 from analytic.scene import Scene
+from analytic.scenefile.choice import Choice
+from analytic.scenefile.template import scene_text as template
+from fembearing.report.creep_folder import write_creep
+from fembearing.report.duty_folder import write_duty
+from fembearing.report.film_folder import write_film
+from fembearing.report.measured_folder import write_comparison
+from fembearing.verify.creep.scene_creep import creep_of
+from fembearing.verify.film.scene_film import film_of
+from validation.stress.damage import CYCLE, MEASURED
+from validation.stress.tab import Tab
 
 STATM = Path("/proc/self/statm")  # Linux
 PAGE = 4096  # bytes
 WARM = 0.1  # share of the calls before the memory is first measured: they fill caches
 LEAST_WARM = 3  # calls: the second contact still fills caches, by some 50 MB
 SPEED = np.array([27.0])  # rad/s
-MOST = {"friction_torque": 5e6, "solve_contact": 50e6}  # bytes
+LOOSE = 0.9  # required accuracy: coarse meshes and grids
+Call = Callable[[int], object]
 
 
 def growth_of(function: str, calls: int, *, seconds: float = np.inf) -> tuple[int, float]:
@@ -35,7 +46,7 @@ def growth_of(function: str, calls: int, *, seconds: float = np.inf) -> tuple[in
 
 
 def _measure(function: str, calls: int, seconds: float) -> tuple[int, float]:
-    call = {"friction_torque": _torque, "solve_contact": _contact}[function](calls)
+    call = FUNCTIONS[function].calls(calls)
     begun, done = time.monotonic(), 0
 
     def call_until(share: float) -> float:
@@ -61,19 +72,83 @@ def loads(least: float, most: float, calls: int) -> NDArray[np.float64]:
     return np.random.default_rng(calls).permutation(np.geomspace(least, most, calls))
 
 
-def _torque(calls: int) -> Callable[[int], object]:
-    scene, drawn = oiled(), loads(50.0, 2000.0, calls)
+def _loaded(scene: Scene, load: NDArray[np.float64]) -> Scene:
+    return replace(scene, operation=replace(scene.operation, axial_load=load, inner_speed=SPEED))
 
-    def call(number: int) -> object:
-        operation = replace(scene.operation, axial_load=drawn[number : number + 1], inner_speed=SPEED)
-        return friction_torque(replace(scene, operation=operation))
+
+def _of_scene(run: Callable[[Scene, Path], object]) -> Callable[[int], Call]:
+    """Calls of a function of a scene and a folder, which is removed after each."""
+
+    def made(calls: int) -> Call:
+        scene, drawn = oiled(), loads(50.0, 2000.0, calls)
+
+        def call(number: int) -> None:
+            with tempfile.TemporaryDirectory() as folder:
+                run(_loaded(scene, drawn[number : number + 1]), Path(folder))
+
+        return call
+
+    return made
+
+
+def _contact(calls: int) -> Call:
+    scene, drawn = oiled(), loads(50.0, 500.0, calls)
+    return lambda number: fembearing.solve_contact(scene, pair="inner", load=float(drawn[number]), tolerance=LOOSE)
+
+
+def _film(scene: Scene, folder: Path) -> None:
+    write_film(film_of(scene, pair="outer", tolerance=LOOSE), folder)
+
+
+def _creep(scene: Scene, folder: Path) -> None:
+    write_creep(creep_of(scene, tolerance=LOOSE), folder)
+
+
+def _compare(scene: Scene, folder: Path) -> None:
+    (folder / "measured.csv").write_text(MEASURED, "utf-8")
+    write_comparison(fembearing.compare_measured(scene, folder / "measured.csv", samples=64), scene, folder)
+
+
+def _duty(scene: Scene, folder: Path) -> None:
+    (folder / "cycle.csv").write_text(CYCLE, "utf-8")
+    write_duty(duty_cycle(scene, folder / "cycle.csv"), scene, folder)
+
+
+def _export(scene: Scene, folder: Path) -> None:
+    over = {"speed": "0 rpm to 3000 rpm in 3", "axial_load": "200 N to 900 N in 2"}
+    fembearing.export(scene, to="csv", out=folder / "torque.csv", over=over)
+
+
+def _page(calls: int) -> Call:
+    """Each opens a page of its own."""
+    tab, drawn = Tab(), loads(50.0, 2000.0, calls)
+
+    def call(number: int) -> None:
+        tab.open()
+        tab.shows(template("6206", Choice(radial_load=f"{drawn[number]} N")))
 
     return call
 
 
-def _contact(calls: int) -> Callable[[int], object]:
-    scene, drawn = oiled(), loads(50.0, 500.0, calls)
-    return lambda number: fembearing.solve_contact(scene, pair="inner", load=float(drawn[number]), tolerance=0.9)
+@dataclass(frozen=True)
+class Function:
+    """What is called, and what it may gain."""
+
+    calls: Callable[[int], Call]  # the call of each number, of so many
+    most: float  # bytes
+
+
+FUNCTIONS = {
+    "friction_torque": Function(_of_scene(lambda scene, _: friction_torque(scene)), 5e6),
+    "solve_contact": Function(_contact, 50e6),
+    "film": Function(_of_scene(_film), 50e6),
+    "creep": Function(_of_scene(_creep), 50e6),
+    "compare": Function(_of_scene(_compare), 20e6),
+    "duty": Function(_of_scene(_duty), 20e6),
+    "export": Function(_of_scene(_export), 20e6),
+    "draw": Function(_of_scene(lambda scene, folder: fembearing.draw_bearing(scene, out=folder / "a.svg")), 20e6),
+    "page": Function(_page, 50e6),
+}
 
 
 def resident() -> float:

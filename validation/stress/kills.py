@@ -17,7 +17,9 @@ from typing import Any
 import numpy as np
 import xarray
 
+from analytic.writing import HIDDEN
 from validation.stress.commands import Run, fault_of, run
+from validation.stress.damage import CYCLE, FEW, MEASURED
 from validation.stress.extreme import leaves
 
 VICTIM = Path(__file__).with_name("victim.py")
@@ -44,13 +46,22 @@ operation.inner_speed = ["250 rpm", "700 rpm"]
 bearing.inner.conformity = [0.513, 0.517, 0.522]
 operation.axial_load = { from = "120 N", to = "900 N", count = 7, spacing = "log" }
 """
+OILED = ("paper_6205", "--tolerance", "0.9", "--out", "out")
 COMMANDS = {  # each with what it writes
     "torque": (("torque", "scene.toml", "--out", "out"), "out"),
     "torque, one file": (("torque", "scene.toml", "--out", "out.csv"), "out.csv"),
     "validate": (("validate", "6205-dry", "--tolerance", "0.9", "--out", "out"), "out"),
     "sweep": (("sweep", "grid.toml", "--out", "out", "--workers", "1"), "out"),
+    "duty": (("duty", "scene.toml", "cycle.csv", "--out", "out"), "out"),
+    "compare": (("compare", "measured.csv", "scene.toml", "--samples", str(FEW), "--out", "out"), "out"),
+    "export": (("export", "scene.toml", "--to", "csv", "--out", "out.csv"), "out.csv"),
+    "export, netCDF": (("export", "scene.toml", "--to", "netcdf", "--out", "out.nc"), "out.nc"),
+    "draw": (("draw", "scene.toml", "--out", "out.svg"), "out.svg"),
+    "film": (("film", *OILED), "out"),
+    "creep": (("creep", *OILED), "out"),
     "report": (("report", "report/report.json", "--out", "out.html"), "out.html"),
 }
+FILES = {"scene.toml": SCENE, "grid.toml": GRID, "cycle.csv": CYCLE, "measured.csv": MEASURED}
 GROWS = ("sweep",)  # whose folder is there while it works, and is continued
 Content = dict[str, Any]  # of all files, by path and by place in them
 
@@ -72,12 +83,12 @@ def kills(count: int, seed: int, report: Path, solved: Path) -> Generator[Killed
     """
     rng = np.random.default_rng(seed)
     with tempfile.TemporaryDirectory() as folder:
-        stages = {name: Stage(Path(folder), name, solved, report) for name in COMMANDS}
-        ahead = {name: [int(step) for step in rng.permutation(len(stage.steps))] for name, stage in stages.items()}
+        stages: dict[str, Stage] = {}
+        ahead: dict[str, list[int]] = {}
         for number in range(count):
             name = list(COMMANDS)[number % len(COMMANDS)]
-            stage = stages[name]
-            ahead[name] = ahead[name] or [int(step) for step in rng.permutation(len(stage.steps))]
+            stage = stages[name] = stages.get(name) or Stage(Path(folder), name, solved, report)
+            ahead[name] = ahead.get(name) or [int(step) for step in rng.permutation(len(stage.steps))]
             step = ahead[name].pop()
             what = "kill" if rng.random() < 0.9 else str(rng.choice(["term", "full"]))
             yield Killed(name, what, stage.steps[step], stage.disturbed(step, what))
@@ -136,7 +147,7 @@ class Stage:
         found = content_of(place)
         files = {name.partition("::")[0] for name in found}
         if not hidden_too:
-            files = {name for name in files if not any(part.startswith(".") for part in Path(name).parts)}
+            files = {name for name in files if not any(part.startswith(HIDDEN) for part in Path(name).parts)}
         if files - self.files:
             return f"left over: {', '.join(sorted(files - self.files))}"
         if self.files - files:
@@ -147,8 +158,8 @@ class Stage:
     def _place(self, name: str) -> Path:
         place = self.folder / name
         place.mkdir()
-        (place / "scene.toml").write_text(SCENE, "utf-8")
-        (place / "grid.toml").write_text(GRID, "utf-8")
+        for file, text in FILES.items():
+            (place / file).write_text(text, "utf-8")
         if self.name == "report":
             shutil.copytree(self.report, place / "report")
         return place

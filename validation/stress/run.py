@@ -1,9 +1,10 @@
 """Does anything get through? python validation/stress/run.py [--short] [PARTS]
 
-    scenes    extreme but valid scenes: their torque in this process, and through every face of the command
+    scenes    extreme but valid scenes: their torque in this process, and through every command of a scene
     damaged   damaged scenes, grids, height maps, meshes, reports and pictures, in this process and through commands
-    kills     torque, validate, sweep and report killed at named steps of their writing, and started again
+    kills     every command that writes, killed at named steps of its writing, and started again
     limits    memory, file size, full disk, permissions, home, locale, streams, files that are none
+    page      extreme and damaged scenes in the page of `fembearing app`
     growth    memory of a process after many calls
     mutation  one operator of the source changed at a time: do the tests of its folder see it?
 
@@ -25,7 +26,7 @@ import sys
 import tempfile
 import time
 from collections import Counter
-from collections.abc import Generator, Iterator
+from collections.abc import Callable, Generator, Iterator
 from contextlib import closing
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -39,11 +40,12 @@ from validation.stress.commands import ROOT, run
 from validation.stress.damage import Files, solved_contacts
 from validation.stress.extreme import scene_input
 from validation.stress.faces import damaged_through_commands, scenes_through_faces
-from validation.stress.growth import MOST, growth_of
+from validation.stress.growth import FUNCTIONS, growth_of
 from validation.stress.kills import kills
 from validation.stress.limits import ended
 from validation.stress.mutation import drawn, outcomes
-from validation.stress.watched import Tried, tried
+from validation.stress.tab import page_input
+from validation.stress.watched import Input, Tried, tried
 
 Each = TypeVar("Each")
 MOST_REFUSED = 0.8  # share of the inputs; with more, the draw tests little but the first check of a reader
@@ -55,15 +57,16 @@ class Budget:
     """How much each part does."""
 
     inputs: int  # in one process, of each of scenes and damaged
+    pages: int  # scenes pasted into the page
     commands: int  # runs of a command, likewise
     kills: int
     every: int  # of the combinations of situation and command, one of so many
-    calls: tuple[int, int]  # of friction_torque and solve_contact
+    calls: tuple[int, int, int]  # of friction_torque, solve_contact and each other function
     mutants: int
 
 
-LONG = Budget(inputs=20_000, commands=500, kills=200, every=1, calls=(10_000, 300), mutants=330)
-SHORT = Budget(inputs=40, commands=2, kills=4, every=60, calls=(100, 6), mutants=0)
+LONG = Budget(inputs=20_000, pages=20_000, commands=500, kills=200, every=1, calls=(10_000, 300, 300), mutants=330)
+SHORT = Budget(inputs=40, pages=8, commands=2, kills=4, every=60, calls=(100, 6, 0), mutants=0)
 
 
 @dataclass
@@ -85,6 +88,7 @@ class Row:
         return self.part, *tries, *worst, str(len(self.faults))
 
 
+COUNTS = ("inputs", "pages", "commands", "kills", "mutants")  # of a budget, which options change
 HEAD = ("part", "first seed", "tries", "outcomes", "slowest, s", "largest, MB", "faults")
 
 
@@ -94,17 +98,18 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--short", action="store_true", help="a part of everything, in two minutes")
     parser.add_argument("--seed", type=int, default=0, help="of the first input; each has its own")
     parser.add_argument("--jobs", type=int, default=1, help="processes for inputs and mutants")
-    for name in ("inputs", "commands", "kills", "mutants"):
+    for name in COUNTS:
         parser.add_argument(
             f"--{name}", type=int, help=f"in place of {getattr(LONG, name)}, {getattr(SHORT, name)} short"
         )
+    parser.add_argument("--functions", nargs="*", choices=[*FUNCTIONS], help="of growth; all without it")
     parser.add_argument("--minutes", type=float, default=np.inf, help="a row ends then, with as many tries as it has")
     parser.add_argument("--before", default="", help="what the tests of a mutant are started by, as 'nice -n 15'")
     parser.add_argument("--out", type=Path, help="folder for stress.md and mutation.csv; nothing is written without it")
     parser.add_argument("--keep", type=Path, default=Path("stress-faults"), help="folder for inputs with a fault")
     options = parser.parse_args(argv)
     size = SHORT if options.short else LONG
-    given = {name: getattr(options, name) for name in ("inputs", "commands", "kills", "mutants")}
+    given = {name: getattr(options, name) for name in COUNTS}
     budget = Budget(**vars(size) | {name: value for name, value in given.items() if value is not None})
     parts = options.parts or [part for part in PARTS if part != "mutation" or budget.mutants]
     for package in ("analytic", "fembearing"):  # the commands keep no byte code, and would make it at each start
@@ -145,13 +150,13 @@ class Place:
                 if time.monotonic() - begun > 60 * self.options.minutes:
                     return
 
-    @property
-    def seeds(self) -> range:
-        return range(self.options.seed, self.options.seed + self.budget.inputs)
+    def seeds(self, count: int) -> range:
+        """Those of so many inputs."""
+        return range(self.options.seed, self.options.seed + count)
 
-    @property
-    def seeds_of_commands(self) -> range:
-        return range(self.options.seed, self.options.seed + self.budget.commands)
+    def tries(self, make: Callable[[int], Input], count: int) -> Generator[Tried]:
+        """So many inputs, each in the processes of --jobs."""
+        return tried(make, self.seeds(count), jobs=self.options.jobs)
 
     @property
     def solved(self) -> Path:
@@ -179,19 +184,24 @@ class Place:
 
 def scenes(place: Place) -> Iterator[Row]:
     if place.budget.inputs:
-        yield gathered("scenes, one process", tried(scene_input, place.seeds, jobs=place.options.jobs), place)
+        yield gathered("scenes, one process", place.tries(scene_input, place.budget.inputs), place)
     if place.budget.commands:
-        found = scenes_through_faces(place.seeds_of_commands, place.folder, place.base)
+        found = scenes_through_faces(place.seeds(place.budget.commands), place.folder, place.base)
         yield gathered("scenes, every face", found, place)
 
 
 def damaged(place: Place) -> Iterator[Row]:
     files = Files(place.folder, place.report)
     if place.budget.inputs:
-        yield gathered("damaged, one process", tried(files.input, place.seeds, jobs=place.options.jobs), place)
+        yield gathered("damaged, one process", place.tries(files.input, place.budget.inputs), place)
     if place.budget.commands:
-        found = damaged_through_commands(place.seeds_of_commands, files, place.base)
+        found = damaged_through_commands(place.seeds(place.budget.commands), files, place.base)
         yield gathered("damaged, commands", found, place)
+
+
+def paged(place: Place) -> Iterator[Row]:
+    if place.budget.pages:
+        yield gathered("page, one process", place.tries(page_input, place.budget.pages), place)
 
 
 def gathered(part: str, results: Generator[Tried], place: Place) -> Row:
@@ -226,9 +236,13 @@ def limited(place: Place) -> Iterator[Row]:
 
 
 def growing(place: Place) -> Iterator[Row]:
-    for function, calls in zip(MOST, place.budget.calls, strict=True):
+    chosen = place.options.functions or FUNCTIONS
+    for number, function in enumerate(FUNCTIONS):
+        calls = place.budget.calls[min(number, 2)]
+        if calls == 0 or function not in chosen:
+            continue
         done, gained = growth_of(function, calls, seconds=60 * place.options.minutes)
-        fault = [] if gained < MOST[function] else [f"grows by {gained / 1e6:.1f} MB"]
+        fault = [] if gained < FUNCTIONS[function].most else [f"grows by {gained / 1e6:.1f} MB"]
         yield Row(f"growth, {function}", Counter(calls=done), fault, largest=max(gained, 0.0))
 
 
@@ -254,6 +268,7 @@ PARTS = {
     "scenes": scenes,
     "damaged": damaged,
     "kills": killed,
+    "page": paged,
     "limits": limited,
     "growth": growing,
     "mutation": mutated,

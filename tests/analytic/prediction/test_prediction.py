@@ -1,5 +1,6 @@
 """The interval of real scenes: closed forms where the torque is linear, workers, spreads and messages."""
 
+import multiprocessing
 import re
 from collections.abc import Mapping
 from dataclasses import replace
@@ -96,6 +97,13 @@ def test_alone_the_parts_of_the_interval_are_those_of_their_inputs(predicted: Pr
     np.testing.assert_allclose([low, high], ends, rtol=1e-12)  # rounding: it does not depend on the samples
     assert "model" not in predicted.made_of  # no oil: no formula varies
     assert predicted.made_of["input"][0, 0] < low < nominal < high < predicted.made_of["input"][1, 0]
+
+
+def test_a_process_that_may_start_no_other_computes_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    # As a worker of multiprocessing.Pool, which is a daemon.
+    monkeypatch.setitem(multiprocessing.current_process()._config, "daemon", True)  # type: ignore[attr-defined]
+    found = predict(dry(**SPREADS), samples=60, seed=9, workers=2)
+    assert found.samples == 60
 
 
 @pytest.mark.slow

@@ -69,6 +69,8 @@ def test_a_head_reads_its_unit_by_its_quantity(tmp_path: Path) -> None:
         ("inner_speed,torque [N mm]\n60,5", ("inner_speed has no unit", "inner_speed [rpm]")),
         ("inner_speed [],torque [N mm]\n60,5", ("inner_speed has no unit",)),
         ("inner_speed [rmp],torque [N mm]\n60,5", ("inner_speed [rmp]", "unknown unit 'rmp'", "inner_speed [rpm]")),
+        ("inner_speed [rp\x10],torque [N mm]\n60,5", (r"inner_speed ['rp\x10'] has the unknown unit 'rp\x10'",)),
+        (f"{HEAD}\n60,{'9' * 2000}", ("torque = '999", "...999", "give 1e-09 to 1e+09 N mm")),
         ("inner_speed [N],torque [N mm]\n60,5", ("inner_speed [N] is not in a unit like rpm",)),
         ("inner_speed [Hz],torque [N mm]\n60,5", ("Hz may count turns or radians", "inner_speed [rpm]")),
         ("inner_speed [rpm],torque [Nmm]\n60,5", ("torque [Nmm]", "write N mm")),
@@ -97,6 +99,9 @@ def test_a_head_reads_its_unit_by_its_quantity(tmp_path: Path) -> None:
 def test_a_mistake_names_place_value_and_remedy_in_one_line(tmp_path: Path, text: str, words: tuple[str, ...]) -> None:
     file = data(tmp_path, text)
     refused(lambda: read_measured(file), f"{file}: ", *words)
+    with pytest.raises(InputError) as found:
+        read_measured(file)
+    assert len(str(found.value)) < 200 + len(str(file))  # readable, whatever stands in a cell
 
 
 def test_a_file_that_cannot_be_read_is_named(tmp_path: Path) -> None:
