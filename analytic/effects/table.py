@@ -165,7 +165,11 @@ DOWN = Need(
     keys='`contact_angle.rule = "solved"` and `down`',
     lacks=lambda scene: (
         SOLVED_ANGLE.lacks(scene)
-        or ("operation.down is not given: the direction of gravity along x, y and z" if scene.down is None else None)
+        or (
+            "operation.down is needed: the direction of gravity along x, y and z, of a pair O or X across its axis"
+            if scene.down is None
+            else None
+        )
     ),
 )
 FREE = Need(keys='`spin_rule = "free"`, `sliding = "auto"` or with creep', lacks=_no_creep)

@@ -170,6 +170,8 @@ def test_weights_along_the_axis_of_a_pair_load_one_bearing_and_relieve_the_other
     assert abs(first / second - 1) > 0.01  # the weights matter
     assert apart < up.numerical_uncertainty
     assert any("operation.down" in warning for warning in up.warnings)
+    with pytest.raises(InputError, match=r"of a pair O or X across its axis"):  # a direction is given
+        friction_torque(replace(light, effects={"creep": "off", "weight": "on"}, down=(0.0, 0.0, 1.0)))
 
 
 def test_a_pair_whose_inner_rings_press_on_no_ball_is_refused(scene: Scene) -> None:
