@@ -41,6 +41,7 @@ LEAST_SHARE = 1 / 128  # of a step
 MOST_CHANGE, TINY = 0.5, 1e-300  # of the slip of a contact by a step
 LEAST_GAIN = 0.1  # of what the ball lacks, by a whole step
 DIFFERENCE = 1e-6  # of the ball's radius, or of a hundredth of the groove's length, for derivatives of the equations
+OF_APPROACH = 1e-3  # most of the approach of a contact for these: its load goes as the power 1.5 of it
 ROLLS = 0.35  # y/b where a long contact that rolls freely between rigid surfaces does not slip
 
 
@@ -289,8 +290,8 @@ class _Search(NamedTuple):
 
     def step(self, state: Array, met: _Met) -> Array:
         """Of Newton's method; the derivatives of the equations are differences, those of the contacts are in them."""
-        size = len(state) - 4
-        scale = np.concatenate([np.full(4, self.ball.held.bearing.ball_radius), np.full(size, self._length())])
+        size, length = len(state) - 4, self._length(met)
+        scale = np.concatenate([np.full(4, self.ball.held.bearing.ball_radius), np.full(size, length)])
         columns = [
             self.lacks(state + move, met) - self.lacks(state - move, met) for move in np.diag(DIFFERENCE * scale)
         ]
@@ -314,8 +315,12 @@ class _Search(NamedTuple):
             shares.append(MOST_CHANGE * np.sum(np.abs(slip)) / max(float(np.sum(np.abs(change))), TINY))
         return min(shares)
 
-    def _length(self) -> float:
-        return 0.01 * self.ball.held.lengths[0]
+    def _length(self, met: _Met) -> float:
+        """Of the ball's place, m: the share `DIFFERENCE` of it is far below the approach of a light contact too."""
+        approach = min(
+            contact.unit.approach * load ** (2 / 3) for contact, load in zip(self.contacts, met.loads, strict=True)
+        )
+        return min(0.01 * self.ball.held.lengths[0], OF_APPROACH / DIFFERENCE * approach)
 
     def settled(self, state: Array, accuracy: float) -> tuple[Array, _Met, int]:
         """State, contacts and steps; accuracy : of what the ball lacks, over all friction.
