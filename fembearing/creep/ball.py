@@ -253,6 +253,9 @@ class _Search(NamedTuple):
     def lie(self, state: Array) -> Lie:
         return self.ball.held.lie(state[4:], (self.contacts[0].unit, self.contacts[1].unit))
 
+    def moved(self, state: Array, step: Array) -> Array:
+        return np.concatenate([state[:4] + step[:4], self.ball.held.moved(state[4:], step[4:])])
+
     def slips(self, state: Array, lie: Lie) -> tuple[RigidSlip, RigidSlip]:
         inner, outer = (
             rigid_slip(contact.motion, angle, lie.orbit, state[:4])
@@ -304,10 +307,11 @@ class _Search(NamedTuple):
 
     def longest(self, state: Array, step: Array) -> float:
         """Share of a step that changes the slip of a contact by `MOST_CHANGE` of itself: beyond, friction is level."""
-        lie, there = self.lie(state), self.lie(state + step)
+        lie, moved = self.lie(state), self.moved(state, step)
+        there = self.lie(moved)
         shares = []
         for contact, load, now, then in zip(
-            self.contacts, lie.loads, self.slips(state, lie), self.slips(state + step, there), strict=True
+            self.contacts, lie.loads, self.slips(state, lie), self.slips(moved, there), strict=True
         ):
             b = contact.unit.semi_axis_transverse * load ** (1 / 3)
             sizes = np.array([1, b**2, 1, b**2, b])
@@ -336,14 +340,15 @@ class _Search(NamedTuple):
             step = self.step(state, met)
             share = min(1.0, 4 * share, self.longest(state, step))
             while share >= LEAST_SHARE:
+                trial = self.moved(state, share * step)
                 try:
-                    there = self.met(state + share * step, met, follows)
+                    there = self.met(trial, met, follows)
                 except ConvergenceError:  # too far
                     share /= 2
                     continue
-                left = float(np.linalg.norm(self.lacks(state + share * step, there)))
+                left = float(np.linalg.norm(self.lacks(trial, there)))
                 if left <= (1 - LEAST_GAIN * share) * lacks:
-                    state, met, lacks = state + share * step, there, left
+                    state, met, lacks = trial, there, left
                     break
                 share /= 2
             else:
