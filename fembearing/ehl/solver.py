@@ -43,15 +43,15 @@ MOST_CELLS = 10_000  # of a grid: matrices are full, with up to 32 bytes for eac
 
 
 class NoFilmError(ConvergenceError):
-    """A regime in which Newton's method does not settle on a grid."""
+    """A regime in which Newton's method does not converge on a grid."""
 
     def __init__(self, contact: LubricatedContact, *, reached: float) -> None:
-        """reached : the least factor on the speed of the contact at which it settles; inf: none"""
+        """reached : the least factor on the speed of the contact at which it converges; inf: none"""
         self.iterations, self.residual, self.tolerance = STEPS, reached, 1.0
-        settles = f"only at {reached:.3g} times the speed" if np.isfinite(reached) else "at no higher speed either"
+        where = f"below {reached:.3g} times its speed" if np.isfinite(reached) else "at its speed or above"
         remedy = "less speed or more load" if contact.loading < EASY else "more speed or less load"
         FembearingError.__init__(
-            self, f"the numerical film of {regime_words(contact)} does not settle, {settles}: give {remedy}"
+            self, f"the numerical film of {regime_words(contact)} does not converge {where}: give {remedy}"
         )
 
 

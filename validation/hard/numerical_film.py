@@ -31,7 +31,7 @@ LIGHT = 60.0  # N of thrust: a small contact, quick to solve
 RIGID = 35.35  # H M^2 of a rigid point contact with an endless inlet, by two other codes: 35.2 to 35.5
 
 # Tolerances, relative, with their reasons
-ALIKE = (1e-9, "the scaled equations are equal but for round-off, which Newton's method does not enlarge")
+ALIKE = (1e-9, "scaled equations are equal but for round-off, which Newton's method does not enlarge")
 TWO_CODES = (0.025, "the end of the inlet leaves 1 %, bodies that are not quite rigid 0.5 %, and the cells 1 %")
 HERTZIAN = (0.01, "at M 1000 the film is 3 % of the contact's deflection, which the edge takes")
 TWO_WAYS = (0.01, "the cells of one grid: 0.2 % was seen")
@@ -101,7 +101,7 @@ def nearly_dry() -> float:
 
 
 def close(conformity: float) -> float:
-    """Rolling force by dissipation over that by pressure, of 20 N on a groove of this conformity, constant viscosity."""
+    """Rolling force by dissipation over that by pressure: 20 N at this conformity, in oil of constant viscosity."""
     ball = bearing().ball_radius
     contact = LubricatedContact(
         load=20.0,

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from analytic.oil.traction import PointLaw
-from analytic.scene import Bearing, Lubricant, Operation, Reach, Scene
+from analytic.scene import Lubricant, Operation, Reach, Scene
 from analytic.scenefile.read import load_scene
 from fembearing.creep.ball import Grid, TurnedBall, TurningBall, turn_ball
 from fembearing.creep.friction import sliding_law
@@ -105,7 +105,7 @@ NUMERICAL_FRICTION_CASES: tuple[HardCase, ...] = (  # name, problem, answer, eva
     HardCase("numerical friction: 1e-6 N", "the exponent of the torque over the load, from 1e-6 to 2e-6 N at 0.18 rad",
         "4/3: spin at a given angle, and creep grows with the contact as slip does",
         lambda: exponent(lambda load: thrust_ball(load, angle=0.18).torque, 1e-6, 2e-6), 4 / 3, tolerance=SMALL),
-    HardCase("numerical friction: 1e-4 N on a free ring", "the same from 1e-4 to 1e-3 N of thrust, which finds its angle",
+    HardCase("numerical friction: 1e-4 N on a free ring", "the same from 1e-4 to 1e-3 N, whose angle is free",
         "4/3, where friction moves a ball a hundred times as far round its grooves as the approach",
         lambda: exponent(lambda load: by_reference(load=load, speed=1e-6), 1e-4, 1e-3), 4 / 3, tolerance=SMALL),
     HardCase("numerical friction: 1e-12 N", "1e-12 N of thrust: the approach is below the digits of the ball's place",
@@ -124,8 +124,8 @@ NUMERICAL_FRICTION_CASES: tuple[HardCase, ...] = (  # name, problem, answer, eva
         "-1: all of it slides", lambda: sliding(Creepages(along=30.0)).force_along / (FRICTION * LOAD), -1.0,
         tolerance=ALL_SLIDES),
     HardCase("numerical friction: slides in a spin", "spin moment at a spin of 30 per b over mu Q b",
-        "-3/8 E(1 - a^2/b^2), by 40 digits", lambda: sliding(Creepages(spin=30 / B)).spin_moment / (FRICTION * LOAD * B),
-        SPUN, tolerance=STRIPS),
+        "-3/8 E(1 - a^2/b^2), by 40 digits",
+        lambda: sliding(Creepages(spin=30 / B)).spin_moment / (FRICTION * LOAD * B), SPUN, tolerance=STRIPS),
     HardCase("numerical friction: skidding", "2 N of thrust at 8000 rad/s", "a refusal with the remedy",
         lambda: by_reference(load=2.0, speed=8000.0), refusal="Raise the load or lower the speed"),
     HardCase("numerical friction: oil pressed solid",
