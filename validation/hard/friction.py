@@ -123,7 +123,9 @@ def beyond_the_shoulder(half_width: float) -> float:
     scene = replace(scene_6205(), operation=operation, effects=AS_HERTZ, contact_angle=ZERO, spin_rule="balanced")
     scene = replace(scene, bearing=bearing)
     checks = torque_of_scene(scene, estimate=False).verdicts.physical
-    return next(check.value for check in checks if (check.name, check.where) == ("shoulder", "inner race"))
+    (share,) = [check.value for check in checks if (check.name, check.where) == ("shoulder", "inner race")]
+    assert share is not None
+    return share
 
 
 def hardly_loaded() -> float:
@@ -231,7 +233,7 @@ FRICTION_CASES: tuple[HardCase, ...] = (  # name, problem, answer, evaluation, e
         tolerance=(1e-7, "1e-12 m changes the ball's load by 1e-8")),
     HardCase("torque: ellipse up to the shoulder", "the load beyond a shoulder 1e-12 of a semi-axis past the ellipse",
         "0: nothing is cut off", lambda: beyond_the_shoulder(ELLIPSE_END * (1 + 1e-12)), 0.0),
-    HardCase("torque: ellipse past the shoulder", "the load beyond a shoulder at 0.6 mm, of an ellipse that ends at 3.7 mm",
+    HardCase("torque: ellipse past the shoulder", "the load beyond a shoulder at 0.6 mm under an ellipse to 3.7 mm",
         "1/2 - (3 u - u^3)/4 with u the distance over the semi-axis, by 40 digits",
         lambda: beyond_the_shoulder(0.6e-3), 0.37851465908862662285, tolerance=RING),
     HardCase("torque: 1e-6 N at 500 rpm", "1e-6 N of thrust on a bearing in oil that turns", "a refusal: it skids",

@@ -49,14 +49,15 @@ def rolling(
 ) -> LubricatedContact:
     """Paraboloids of given M, L and lambda; without thickening the load is given, N. ahead : of the oil, in a."""
     pressure_viscosity, viscosity, radius = 2e-8 if thickening else 0.0, 0.059, 9.5e-3
-    relative = (thickening / (pressure_viscosity * 2 * modulus)) ** 4 if thickening else 0.0
+    scale = 2 * modulus * radius**2
     if load is None:
-        load = loading * relative**0.75 * 2 * modulus * radius**2
+        relative = (thickening / (pressure_viscosity * 2 * modulus)) ** 4
+        pressed = loading * relative**0.75 * scale
     else:
-        relative = (load / (2 * modulus * radius**2) / loading) ** (4 / 3)
-    a, b = hertz_ellipse((1 / radius, ellipticity / radius), load=load, modulus=modulus)
+        relative, pressed = (load / scale / loading) ** (4 / 3), load
+    a, b = hertz_ellipse((1 / radius, ellipticity / radius), load=pressed, modulus=modulus)
     return LubricatedContact(
-        load=load,
+        load=pressed,
         modulus=modulus,
         shape=Paraboloid(rolling_radius=radius, transverse_radius=radius / ellipticity),
         speed=relative * modulus * radius / viscosity,
