@@ -37,6 +37,7 @@ SLOW = {  # fine meshes of the true groove and fine grids
     "numerical film: reversed",
     "numerical film: clearance 1e-12 m",
     "numerical friction: conformity 0.5005",
+    "numerical friction: 1e-4 N on a free ring",
 }
 
 
