@@ -53,10 +53,10 @@ from analytic.words import speed_of, torque_of
 
 DIRECTIONS = ((1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, -1.0))
 # Directions of the weight of free balls. Thrust is alike all round: only the tilt against the axis counts.
-TILTS = np.array([(np.sin(tilt), 0.0, np.cos(tilt)) for tilt in np.linspace(0, np.pi, 13)])
+TILTS = np.array([(np.sin(tilt), 0.0, np.cos(tilt)) for tilt in np.linspace(0, np.pi, 25)])
 ALL_ROUND = np.array([each for each in product((1.0, 0.0, -1.0), repeat=3) if any(each)])
 ALL_ROUND /= np.linalg.norm(ALL_ROUND, axis=1, keepdims=True)
-STEP_OF_TILTS, STEP_ALL_ROUND = 0.27, 0.96  # rad, a little more than neighbours are apart
+STEP_OF_TILTS, STEP_ALL_ROUND = 0.14, 0.96  # rad, a little more than neighbours are apart
 ASIDE = np.array([0.036, -0.048, 0.08])  # rad: turns these directions by 0.03 to 0.1, out of their symmetry
 MOST_GROWTH = 2.0  # of changes of balls by rule where friction wedges free ones: beyond, these are computed instead
 NO_SOLUTION = (
@@ -273,7 +273,7 @@ def _change_of_free_balls(races: RaceTorque, at: NDArray[np.intp], by_rule: Arra
     """(k,) change of the torque by the weight of free balls, over the smaller one; infinite: a direction has none.
 
     by_rule : (k,) that of balls by rule; in a longer series, far points tell how much more free balls change
-    What lies between two directions is at most half of their difference beyond the farthest.
+    What lies between two directions is at most their difference beyond the farthest.
     """
     far = tried_points(races.trial.points[at], float(races.trial.model.numbers.arm))
     directions, apart = (TILTS, STEP_OF_TILTS) if races.scene.operation.is_thrust else (ALL_ROUND, STEP_ALL_ROUND)
@@ -286,7 +286,7 @@ def _change_of_free_balls(races: RaceTorque, at: NDArray[np.intp], by_rule: Arra
         known[left] = settles = torque > 0
         row[left[settles]] = np.log(torque[settles] / without[left[settles]])
     first, second = np.nonzero(np.triu(directions @ directions.T > np.cos(apart), 1))
-    between = np.abs(change[first] - change[second]).max(axis=0) / 2
+    between = np.abs(change[first] - change[second]).max(axis=0)
     share = np.where(known, np.expm1(np.abs(change).max(axis=0) + between), np.inf)
     if far.size == at.size:
         return share
