@@ -130,7 +130,9 @@ hysteresis_loss = 0.007
     [
         ('axial_load = "0.3 N"', (0, 20, 37, 85, 130, 180)),  # from 18 to 40 deg the torque falls to a third
         ('axial_load = "0.5 N"\nradial_load = "0.05 N"', (8, 22, 70, 115, 160)),
-        (f"axial_load = {[f'{load} N' for load in np.linspace(0.3, 1.1, 9)]}", (25,)),  # a longer series
+        pytest.param(  # a longer series: seconds
+            f"axial_load = {[f'{load} N' for load in np.linspace(0.3, 1.1, 9)]}", (25,), marks=pytest.mark.nightly
+        ),
     ],
 )
 def test_weight_in_an_unknown_direction_of_balls_that_friction_wedges(loads: str, tilts: tuple[float, ...]) -> None:
