@@ -17,6 +17,7 @@ from fembearing.plain_types import plain
 from fembearing.report.page import write as page
 from fembearing.report.page.write import page_of
 from fembearing.report.report import Report, report_in, report_of
+from fembearing.verify import validation
 from fembearing.verify.contact import scene_contact
 from fembearing.verify.contact.bearings import bearings_of
 from fembearing.verify.torque.change import change_of_torque
@@ -121,9 +122,10 @@ def test_numbers_and_page_name_the_bearing(document: Report, tmp_path: Path, mon
 
 
 def test_without_friction_each_bearing_has_its_physical_limits(
-    scene: Scene, shallow: "Callable[[str], Recipe]", monkeypatch: pytest.MonkeyPatch
+    scene: Scene, pair: Validation, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(scene_contact, "load_recipe", shallow)
+    known = iter(pair.contacts)  # which are the same without friction
+    monkeypatch.setattr(validation, "solve_contact", lambda *_, **__: next(known))
     found = check_scene(replace(scene, friction_coefficient=None), tolerance=0.9)
     assert [check.where for check in found.verdicts.physical] == [
         f"{race} race of the {bearing} bearing" for bearing, race in RACES

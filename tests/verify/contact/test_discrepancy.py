@@ -99,7 +99,7 @@ def test_an_ellipse_over_the_shoulder_is_not_judged(cut_contact: ContactSolution
         assert shoulder[name]["uncertainty"] > abs(values[-1] / values[-2] - 1), name
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_the_answer_does_not_jump_where_the_contact_reaches_its_shoulder(
     contacts: dict[str, Contact], shallow: Callable[[str], Recipe]
 ) -> None:
@@ -128,9 +128,11 @@ def test_the_hertzian_idealisation_has_no_shoulder(contacts: dict[str, Contact])
 
 
 @pytest.mark.slow
-def test_meshes_are_refined_as_long_as_a_finer_one_could_decide(contacts: dict[str, Contact]) -> None:
+def test_meshes_are_refined_as_long_as_a_finer_one_could_decide(
+    contacts: dict[str, Contact], shallow: Callable[[str], Recipe]
+) -> None:
     """Two levels reach the accuracy, but the limit lies within their interval."""
-    contact, recipe = contacts["inner"], load_recipe("race")
+    contact, recipe = contacts["inner"], shallow("race")
     two = compare_contact(contact, recipe=recipe, tolerance=0.9)
     part = two.estimates["stiffness"]  # Hertz's error is largest in it
     off = abs(two.hertz.stiffness / part.value - 1)
