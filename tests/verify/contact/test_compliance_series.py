@@ -10,6 +10,7 @@ from analytic.scene import Contact
 from fembearing.fem.compliance import pair_compliance
 from fembearing.fem.pixel_contact import press_pair
 from fembearing.fem.twin import shared_axes
+from fembearing.grid_convergence import CAUTIOUS, LEAST
 from fembearing.mesh.race import WIDEST_BLOCK
 from fembearing.mesh.recipe import Recipe, load_recipe
 from fembearing.progress import silent
@@ -70,7 +71,7 @@ def test_the_far_boundary_grows_with_the_block_of_each_load(contacts: dict[str, 
     contact = replace(
         contacts["inner"], rolling_radius=10.0e-3, contact_angle=0.0, shoulder=3.9e-3, far_shoulder=3.9e-3
     )
-    over_load = pair_series(contact, recipe=RECIPE, loads=(20.0, 560.0))
+    over_load = pair_series(contact, recipe=RECIPE, loads=(200.0, 560.0))
     growths = []
     for load in over_load.sampled[:: len(over_load.sampled) - 1]:
         _, estimates = over_load.under(load)
@@ -105,10 +106,15 @@ def test_samples_are_never_farther_apart_than_that_and_hold_both_ends() -> None:
 def test_loads_near_the_shoulder_are_solved_on_meshes(
     contacts: dict[str, Contact], shallow: Callable[[str], Recipe]
 ) -> None:
-    """All quantities of the others are there; the law goes through all."""
+    """All quantities of the others are there; the law goes through all. A load over the shoulder is not judged."""
     contact = replace(contacts["inner"], shoulder=0.9e-3, far_shoulder=0.9e-3, contact_angle=0.0)
-    loads = [70.0, 200.0, 340.0]
+    loads = [70.0, 200.0, 400.0]  # ellipses of 0.53, 0.76 and 0.96 mm
     assert [ends_before_shoulder(replace(contact, load=load)) for load in loads] == [True, True, False]
     found = compare_series(contact, recipe=shallow("race"), loads=loads, tolerance=0.9)
     assert [len(point.others) for point in found.points] == [4, 4, 0]
     assert found.law is not None
+    assert [point.verdict for point in found.points] == ["pass", "pass", "outside validity"]
+    assert "from 400 N on the contact reaches its shoulder" in " ".join(found.warnings)
+    over = found.points[2].approach
+    assert over.richardson is None  # there no order is assumed
+    assert over.mesh >= CAUTIOUS * abs(1 - over.values[0] / over.values[1]) + LEAST

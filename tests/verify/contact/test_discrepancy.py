@@ -128,11 +128,9 @@ def test_the_hertzian_idealisation_has_no_shoulder(contacts: dict[str, Contact])
 
 
 @pytest.mark.slow
-def test_meshes_are_refined_as_long_as_a_finer_one_could_decide(
-    contacts: dict[str, Contact], shallow: Callable[[str], Recipe]
-) -> None:
+def test_meshes_are_refined_as_long_as_a_finer_one_could_decide(contacts: dict[str, Contact]) -> None:
     """Two levels reach the accuracy, but the limit lies within their interval."""
-    contact, recipe = contacts["inner"], shallow("race")
+    contact, recipe = contacts["inner"], load_recipe("race")
     two = compare_contact(contact, recipe=recipe, tolerance=0.9)
     part = two.estimates["stiffness"]  # Hertz's error is largest in it
     off = abs(two.hertz.stiffness / part.value - 1)

@@ -157,7 +157,7 @@ def test_one_load_has_no_law_and_repeated_loads_count_once(
     assert [point.load for point in again.points] == [140.0, 650.0, 140.0, 650.0]
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_a_load_over_the_shoulder_is_as_uncertain_as_a_single_one_and_not_judged(
     cut_contact: ContactSolution, shallow: Callable[[str], Recipe]
 ) -> None:
