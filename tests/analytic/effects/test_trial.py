@@ -137,7 +137,12 @@ def assert_auto_meets_everything_on(scene: Scene) -> None:
     assert np.all(error <= found.numerical_uncertainty + whole.numerical_uncertainty)
 
 
-@pytest.mark.parametrize("seed", range(100, 112))
+LONG = 105, 111  # with all inputs, as 104 and 110, and slower
+
+
+@pytest.mark.parametrize(
+    "seed", [pytest.param(seed, marks=pytest.mark.nightly if seed in LONG else ()) for seed in range(100, 112)]
+)
 def test_auto_meets_everything_on_in_scenes_of_all_kinds(seed: int) -> None:
     scene = replace(drawn_scene(seed), tolerance=0.05, spin_rule="balanced")
     assert_auto_meets_everything_on(spread(scene, seed, 10 + seed % 9))
