@@ -2,7 +2,7 @@
 
 import pytest
 
-from fembearing.verify.cost import cage_ladder, contact_ladder
+from fembearing.verify.cost import cage_ladder, contact_ladder, ladder
 from tests.conftest import quickly_timed
 
 
@@ -11,5 +11,6 @@ def timed_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """The fewest timings of formulas and meshes."""
     monkeypatch.setattr(contact_ladder, "MESH_REPEATS", 1)
     quickly_timed(monkeypatch)
+    monkeypatch.setattr(ladder, "FORMULA_REPEATS", 1)
     monkeypatch.setattr(cage_ladder, "SEEDS", 2)
     monkeypatch.setattr(cage_ladder, "DURATION", 6e-3)  # just longer than the cage takes to cross its pockets
