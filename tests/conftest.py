@@ -21,7 +21,13 @@ if TYPE_CHECKING:
 # Before NumPy loads: workers already use all cores, and last digits of a page depend on the number of threads.
 os.environ.setdefault("OMP_NUM_THREADS", "1")
 
-SHARE_CHECKED = ("tests/report/", "tests/verify/test_validation.py")
+SHARE_CHECKED = (  # and `cut_contact`
+    "tests/report/",
+    "tests/verify/test_validation.py",
+    "tests/fem/test_shoulder.py",
+    "tests/verify/contact/test_discrepancy.py",
+    "tests/verify/contact/test_twin_refinement.py",
+)
 PROFILE = "gate" if os.environ.get("CI") else "explore"
 
 # No deadline: the first call of a compiled kernel takes seconds, later ones microseconds.
@@ -36,7 +42,7 @@ def pytest_report_header() -> str:
 
 @pytest.hookimpl(optionalhook=True)  # of pytest-xdist
 def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
-    """Tests that share a solve run on one worker: those of a file, and all that share `checked`."""
+    """Tests that share a solve run on one worker: those of a file, and all that share `checked` or `cut_contact`."""
     if config.getvalue("dist") != "load":  # the user chose another distribution
         return None
     from xdist.scheduler import LoadScopeScheduling
@@ -88,6 +94,14 @@ def shallow() -> "Callable[[str], Recipe]":
     return shallow_recipe
 
 
+def quickly_timed(patch: pytest.MonkeyPatch) -> None:
+    """The fewest timings of formulas, for tests that do not depend on their spread."""
+    from fembearing.verify.cost import ladder
+
+    patch.setattr(ladder, "FORMULA_REPEATS", 3)
+    patch.setattr(ladder, "SAMPLE", 0.0)
+
+
 class Checked(NamedTuple):
     validation: "Validation"
     shares: list[float]  # that its progress told
@@ -103,6 +117,7 @@ def checked_with_progress(shallow: "Callable[[str], Recipe]") -> Checked:
     shares: list[float] = []
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(scene_contact, "load_recipe", shallow)
+        quickly_timed(patch)
         scene = load_scene("6205-dry")
         return Checked(check_scene(scene, tolerance=0.9, progress=lambda share, _: shares.append(float(share))), shares)
 
