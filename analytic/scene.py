@@ -163,8 +163,8 @@ class Bearing(Noun):
         """By its series, as 62 or 618; without one by an unloaded contact angle of at most 20 degrees."""
         if self.kind == "thrust" or self.series is not None:
             return self.series is not None and self.series.isdigit()
-        play = max(self.diametral_clearance, 0.0) / (2 * self.groove_centre_distance)
-        return bool(1 - play >= np.cos(np.deg2rad(STEEPEST_DEEP_GROOVE)))
+        lift = 2 * self.groove_centre_distance * (1 - np.cos(np.deg2rad(STEEPEST_DEEP_GROOVE)))
+        return bool(max(self.diametral_clearance, 0.0) <= lift)
 
     @property
     def diametral_clearance(self) -> float:
