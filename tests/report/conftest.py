@@ -20,16 +20,34 @@ from fembearing.verify.contact.hertz import CorrectedHertz
 from fembearing.verify.cost.contact_ladder import contact_ladder_of
 from fembearing.verify.torque.change import FittedChange, TorqueChange
 from fembearing.verify.validation import Validation
+from tests.report.pictures.odd_contacts import OddPicture, odd_pictures
 
 pytest.register_assert_rewrite("tests.report.pictures.picture_reader")  # its assertions show their values
 
 
 @pytest.fixture(scope="session")
-def pictures(checked: Validation, tmp_path_factory: pytest.TempPathFactory) -> list[Picture]:
+def odd(
+    checked: Validation, cut_contact: ContactSolution, tmp_path_factory: pytest.TempPathFactory
+) -> dict[str, OddPicture]:
+    """Pictures that are drawn with `pictures`: VTK takes seconds to start."""
+    return odd_pictures(checked, cut_contact, tmp_path_factory.mktemp("odd"))
+
+
+@pytest.fixture(scope="session")
+def pictures(
+    checked: Validation, odd: dict[str, OddPicture], tmp_path_factory: pytest.TempPathFactory
+) -> list[Picture]:
     """The pictures of its contacts, drawn by VTK."""
-    drawn, trouble = draw_pictures(checked.contacts, tmp_path_factory.mktemp("vtk"))
+    others = [each.job for each in odd.values()]
+    drawn, trouble = draw_pictures(checked.contacts, tmp_path_factory.mktemp("vtk"), besides=others)
     assert trouble is None
     return drawn
+
+
+@pytest.fixture(scope="session")
+def odd_by_vtk(odd: dict[str, OddPicture], pictures: list[Picture]) -> dict[str, Picture]:
+    assert pictures
+    return {name: each.picture for name, each in odd.items()}
 
 
 class Given(NamedTuple):

@@ -22,7 +22,7 @@ from fembearing.cli.boundary import end
 from fembearing.plain_types import plain
 from fembearing.provenance import provenance_of
 from fembearing.report import folder as module
-from fembearing.report.figures import style
+from fembearing.report.figures import page_plots, style
 from fembearing.report.folder import validate, write_cost
 from fembearing.report.page import write as page
 from fembearing.report.pictures import draw as pictures
@@ -39,7 +39,7 @@ def solved(checked: Validation, monkeypatch: pytest.MonkeyPatch) -> Validation:
     """The races of the built-in scene, already solved; a page without plots, which take seconds."""
     short = replace(checked, contacts=checked.contacts[:2])
     monkeypatch.setattr(module, "check_scene", lambda *_, **__: short)
-    monkeypatch.setattr(page, "PLOTS", ())
+    monkeypatch.setattr(page_plots, "PLOTS", ())
     return short
 
 

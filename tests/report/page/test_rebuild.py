@@ -289,14 +289,14 @@ def test_no_damage_is_answered_by_a_traceback(document: dict[str, Any], tmp_path
     """One thing at a time is taken out or made another: a page, or one line."""
     chance = random.Random(20251)
     refused = []
-    for place in chance.sample(list(places(document)), 60):
+    for place in chance.sample(list(places(document)), 30):
         damaged = copy.deepcopy(document)
         put(damaged, place, chance.choice([None, "text", -1.5, [], {}, True, 10**400, {"new": "key"}]))
         try:
             rebuild_page(write(tmp_path, damaged))
         except InputError as refusal:
             refused.append(str(refusal))
-    assert len(refused) > 20  # much of it is read by the page
+    assert len(refused) > 10  # much of it is read by the page
     assert not any("\n" in told for told in refused)
 
 
