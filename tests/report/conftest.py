@@ -1,6 +1,7 @@
 """The pictures of the checked scene, and a result made by hand: each number in it is known and unlike all others."""
 
 from dataclasses import replace
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -13,6 +14,7 @@ from analytic.scene import Operation
 from fembearing.fem.measure import Quantities
 from fembearing.grid_convergence import Estimate
 from fembearing.provenance import provenance_of
+from fembearing.report.pictures.creep import CreepPicture, creep_pictures
 from fembearing.report.pictures.draw import Picture, draw_pictures
 from fembearing.report.report import Report, report_of
 from fembearing.verify.contact.discrepancy import ContactSolution
@@ -34,11 +36,21 @@ def odd(
 
 
 @pytest.fixture(scope="session")
+def slipping(checked: Validation, tmp_path_factory: pytest.TempPathFactory) -> dict[Path, CreepPicture]:
+    """Pictures of friction by their files, drawn with `pictures` too."""
+    folder = tmp_path_factory.mktemp("creep")
+    return {folder / each.file: each for each in creep_pictures(checked.creep[0], folder)}
+
+
+@pytest.fixture(scope="session")
 def pictures(
-    checked: Validation, odd: dict[str, OddPicture], tmp_path_factory: pytest.TempPathFactory
+    checked: Validation,
+    odd: dict[str, OddPicture],
+    slipping: dict[Path, CreepPicture],
+    tmp_path_factory: pytest.TempPathFactory,
 ) -> list[Picture]:
     """The pictures of its contacts, drawn by VTK."""
-    others = [each.job for each in odd.values()]
+    others = [each.job for each in (*odd.values(), *slipping.values())]
     drawn, trouble = draw_pictures(checked.contacts, tmp_path_factory.mktemp("vtk"), besides=others)
     assert trouble is None
     return drawn

@@ -14,6 +14,7 @@ from rich.console import Console
 from fembearing.plain_types import plain
 from fembearing.quantities import INCH_POUND, METRIC
 from fembearing.report.figures.measured import axis_of, measured_figure, measured_plot
+from fembearing.report.figures.page_plots import PLOTS
 from fembearing.report.page import write as page_module
 from fembearing.report.page.write import page_of
 from fembearing.report.report import Report, report_in

@@ -143,15 +143,19 @@ def test_the_command_says_where_the_folder_is_and_what_it_lacks(
             json.loads(captured.out)  # nothing else on it
 
 
-@pytest.mark.parametrize(("name", "drawing"), [("made", {"matplotlib"}), ("made.json", set())])
-def test_a_torque_without_a_moving_cage_loads_nothing_that_packs_or_renders(
-    tmp_path: Path, name: str, drawing: set[str]
-) -> None:
+def test_a_torque_without_a_moving_cage_loads_nothing_that_packs_or_renders(tmp_path: Path) -> None:
+    """A file of numbers draws nothing either."""
     show = (
-        "import sys; from fembearing import cli; sys.argv[1:1] = 'torque 6205-dry --json --out'.split()\n"
-        "try: cli.main()\nfinally: print(*{name.partition('.')[0] for name in sys.modules}, file=sys.stderr)"
+        "import sys; from fembearing import cli\n"
+        "for out in sys.argv[1:]:\n"
+        "    sys.argv = ['fembearing', *'torque 6205-dry --json --out'.split(), out]\n"
+        "    try: cli.main()\n"
+        "    except SystemExit as stop: assert not stop.code\n"
+        "    print(*{name.partition('.')[0] for name in sys.modules}, file=sys.stderr)"
     )
-    run = [sys.executable, "-c", show, str(tmp_path / name)]
-    loaded = set(subprocess.run(run, capture_output=True, check=True, text=True).stderr.split())
-    assert "fembearing" in loaded
-    assert {"matplotlib", "vtk", "vtkmodules", "pyvista", "xarray", "netCDF4"} & loaded == drawing
+    run = [sys.executable, "-c", show, str(tmp_path / "made.json"), str(tmp_path / "made")]
+    said = subprocess.run(run, capture_output=True, check=True, text=True).stderr.splitlines()
+    file, folder = (set(line.split()) for line in said if " fembearing " in f" {line} ")
+    packing = {"vtk", "vtkmodules", "pyvista", "xarray", "netCDF4"}
+    assert {"matplotlib", *packing} & file == set()
+    assert {"matplotlib", *packing} & folder == {"matplotlib"}
