@@ -18,7 +18,17 @@ MADE = {ROOT / "docs/reference" / f"{name}.md" for name in ("api", "json", "keys
 WRITTEN = sorted(page for page in (ROOT / "docs").rglob("*.md") if page not in MADE and "gallery" not in page.parts)
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *WRITTEN]
 EXECUTED = [page for page in PAGES if BLOCK.search(page.read_text("utf-8"))]
-LONG = {"contact.md", "contacts.md", "friction.md", "map.md", "netcdf.md", "report.md"}  # 5 s of a processor and more
+# 5 s of a processor and more, for commands that other tests run
+LONG = {
+    "cage.md",
+    "compare-with-measurements.md",
+    "contact.md",
+    "contacts.md",
+    "friction.md",
+    "map.md",
+    "netcdf.md",
+    "report.md",
+}
 TEXTS = [
     *(page for page in PAGES if page.name != "references.md"),
     *(p for top in ("analytic", "fembearing", "tests", "validation") for p in sorted((ROOT / top).rglob("*.*"))),
