@@ -18,7 +18,7 @@ from fembearing.mesh.recipe import Recipe
 from fembearing.provenance import provenance_of
 from fembearing.sweep import run as sweep_run
 from fembearing.verify import validation
-from fembearing.verify.contact import discrepancy, scene_contact
+from fembearing.verify.contact import scene_contact
 from fembearing.verify.cost import contact_ladder, ladder
 from fembearing.verify.cost import scene_cost as cost
 from tests.analytic.scenefile.scene_texts import MINE
@@ -72,19 +72,6 @@ def test_json_is_alone_on_standard_output(command) -> None:
     assert 0.3 < found["subsurface"]["fe"]["max_shear"] / found["fe"]["peak_pressure"] < 0.33
     assert result.status == 0
     assert result.err == ""  # no progress where there is no terminal
-
-
-def test_half_a_contact_says_that_no_stress_below_it_is_computed(
-    command, cut_contact: discrepancy.ContactSolution, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(discrepancy, "solve_contact", lambda *_, **__: cut_contact)
-    told, printed = (command("contact", *form) for form in (["--json"], []))
-    found = json.loads(told.out)
-    assert found["subsurface"] is None
-    said = [line for line in found["warnings"] if "no stress below the contact" in line]
-    assert len(said) == 1
-    assert printed.err.count(said[0]) == 1
-    assert "Greatest stress" not in printed.out
 
 
 def test_the_idealisation_meets_hertz_within_its_own_uncertainty(command) -> None:

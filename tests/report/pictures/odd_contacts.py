@@ -38,15 +38,16 @@ def odd_pictures(checked: Validation, cut: ContactSolution, folder: Path) -> dic
             kind=kind,
             contact=contact,
             frame=draw._frame(contact) if kind == "pressure" else None,
-            caption=draw._pressure_caption(contact, mesh=True),
+            caption=draw._pressure_caption(contact, mesh=True) if kind == "pressure" else "",
         )
         made[name] = OddPicture(picture, job)
     return made
 
 
 def on_level(contact: ContactSolution, number: int) -> ContactSolution:
-    """With one of its meshes as the finest."""
-    return replace(contact, meshes=contact.meshes[: number + 1])
+    """With one of its meshes in place of the finer ones: their number belongs to other numbers of the contact."""
+    kept = contact.meshes[: number + 1]
+    return replace(contact, meshes=(*kept, *kept[-1:] * (len(contact.meshes) - len(kept))))
 
 
 def with_ellipses(
