@@ -112,7 +112,7 @@ def test_the_torque_comes_before_its_interval(run_story, settled, monkeypatch: p
             return completed(found)
 
         before = page.lines["interval"].text
-        monkeypatch.setattr("fembearing.app.evaluation.completed", looked)
+        monkeypatch.setattr(evaluation, "completed", looked)
         page.fields[LOAD].value = "2 kN"
         await settled(page)
         assert shown == [(page.lines["torque"].text, before, True)]
@@ -131,8 +131,8 @@ def test_outdated_intervals_are_not_computed(run_story, settled, monkeypatch: py
         assert released.wait(60)
         return one
 
-    monkeypatch.setattr("fembearing.app.evaluation.at_once", lambda text: replace(found, text=text))
-    monkeypatch.setattr("fembearing.app.evaluation.completed", slow)
+    monkeypatch.setattr(evaluation, "at_once", lambda text: replace(found, text=text))
+    monkeypatch.setattr(evaluation, "completed", slow)
 
     async def story(opened) -> None:
         _, page = await opened()
@@ -213,7 +213,7 @@ def test_the_cage_and_the_seats_change_the_torque(run_story, settled) -> None:
 def test_the_drawing_is_that_of_the_open_panel(run_story, settled, monkeypatch: pytest.MonkeyPatch) -> None:
     """Drawn by its scene; matplotlib has tests of its own."""
     drawn: list[Evaluation] = []
-    monkeypatch.setattr("fembearing.app.evaluation.drawing_of", lambda found: drawn.append(found) or "<svg></svg>")
+    monkeypatch.setattr(evaluation, "drawing_of", lambda found: drawn.append(found) or "<svg></svg>")
 
     async def story(opened) -> None:
         _, page = await opened()
@@ -274,9 +274,9 @@ def test_a_closed_tab_ends_its_check_and_its_curve(run_story) -> None:
 def test_many_changes_leave_nothing(run_story, settled, monkeypatch: pytest.MonkeyPatch) -> None:
     """50 of them; their torque is that of the first, because the page is what is tested."""
     found: list[Evaluation] = [completed(at_once(scene_text("6206")))]
-    monkeypatch.setattr("fembearing.app.evaluation.at_once", lambda _text: found[0])
-    monkeypatch.setattr("fembearing.app.evaluation.completed", lambda found: found)
-    monkeypatch.setattr("fembearing.app.evaluation.curve_scenes", lambda _found: [])
+    monkeypatch.setattr(evaluation, "at_once", lambda _text: found[0])
+    monkeypatch.setattr(evaluation, "completed", lambda found: found)
+    monkeypatch.setattr(evaluation, "curve_scenes", lambda _found: [])
     monkeypatch.setattr(page_file, "PAUSE", 0.0)
 
     async def story(opened) -> None:
