@@ -49,6 +49,7 @@ FLAT_ANGLE = 0.5
 TINIEST = 1e-300
 WEDGED = "friction across the grooves wedges balls, whose loads change by more than closed kinematics show"
 NOT_UNIQUE = "not applied: friction across the grooves wedges balls, whose loads are not unique; raise the load"
+CREEP_OF: Mapping[Method, Creep] = {method: creep for creep, method in FREE_METHODS.items()}
 LOADING = ("load_distribution", "weight", "centrifugal", "gyroscopic", "finite_geometry")
 
 
@@ -91,6 +92,11 @@ class RaceTorque:
         return self.found.race_torque
 
     @property
+    def is_free(self) -> bool:
+        """Whether the balls turn freely."""
+        return self.method in CREEP_OF
+
+    @property
     def coefficient(self) -> Array | None:
         """(2, n, m) friction coefficient of each contact; None: nothing slides."""
         return np.moveaxis(self.found.balls["friction_coefficient"], -1, 0) if self.slides else None
@@ -108,7 +114,7 @@ class RaceTorque:
     @cached_property
     def growth(self) -> float:
         """Factor on what unequal loads and weights do to balls by rule: above 1 where friction wedges free balls."""
-        if self.method not in FREE_METHODS.values():
+        if not self.is_free:
             return 1.0
         return growth_by_wedging(self.scene.bearing, self.trial.solved(self.counted), self.found.at(self.trial.tried))
 
@@ -156,6 +162,16 @@ class RaceTorque:
     def with_weight(self, at: NDArray[np.intp], down: tuple[float, float, float] | None) -> Array:
         """(k,) race torque at some points with the balls' weight in a direction; None: without weight."""
         return self.by_rule(at, weights_of(self.scene.bearing, down))
+
+    def freely_with_weight(self, at: NDArray[np.intp], down: tuple[float, float, float] | None) -> Array:
+        """(k,) the same of free balls; NaN where they do not settle. Raises KeyError where the balls turn by rule.
+
+        They have the second quadrature, whose error is common to all directions.
+        """
+        weights, bearing = weights_of(self.scene.bearing, down), self.scene.bearing
+        counted = {**self.counted, "load_distribution": True, "weight": bool(weights.any())}
+        model = self.trial.model.weighing(weights).counting(counted).turning_freely(bearing, CREEP_OF[self.method])
+        return solved(model.with_numbers(passes=2).at(at), self.trial.points[at]).race_torque
 
 
 def race_torque(

@@ -10,13 +10,15 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
 from importlib.metadata import PackageNotFoundError, version
+from itertools import product
 from time import perf_counter
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from analytic.cage.drive import cage_drive
+from analytic.cage.drive import CageDrive, cage_drive
 from analytic.cage.torque import CagePart, cage_friction
 from analytic.contact.factors import ContactCorrection
 from analytic.contact.geometry import RACES
@@ -44,13 +46,25 @@ from analytic.result import (
     require_numbers,
 )
 from analytic.scene import Array, Decision, OwnTraction, Scene
+from analytic.solve.freely import BETWEEN
+from analytic.solve.solution import tried_points
 from analytic.units import Quantity
 from analytic.words import speed_of, torque_of
 
 DIRECTIONS = ((1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, -1.0))
+# Directions of the weight of free balls. Thrust is alike all round: only the tilt against the axis counts.
+TILTS = np.array([(np.sin(tilt), 0.0, np.cos(tilt)) for tilt in np.linspace(0, np.pi, 25)])
+ALL_ROUND = np.array([each for each in product((1.0, 0.0, -1.0), repeat=3) if any(each)])
+ALL_ROUND /= np.linalg.norm(ALL_ROUND, axis=1, keepdims=True)
+STEP_OF_TILTS, STEP_ALL_ROUND = 0.14, 0.96  # rad, a little more than neighbours are apart
+ASIDE = np.array([0.036, -0.048, 0.08])  # rad: turns these directions by 0.03 to 0.1, out of their symmetry
+MOST_GROWTH = 2.0  # of changes of balls by rule where friction wedges free ones: beyond, these are computed instead
+NO_SOLUTION = (
+    "the direction of the balls' weight is not given, and some directions have no solution; give operation.down"
+)
 # Rises whenever a formula changes a torque; CHANGELOG.md then has the old and the new torque of each shipped scene.
 # `python validation/model_version.py` prints both.
-MODEL_VERSION = 6
+MODEL_VERSION = 7
 NO_CAGE: Mapping[str, Decision] = dict.fromkeys(("cage", "cage_dynamics", "ball_dynamics"), "off")
 LOSSES = ("oil", "declared")
 PARTS = ("spin", "conformity", "hysteresis", "rolling", "cage", *LOSSES)
@@ -160,7 +174,7 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
         load_warnings = load_warnings + list(cage.warnings)
     limits = check_limits(scene, races.found, ledger)
     unsure = _unsure(ledger, races, total)
-    by_cage = 0.0 if cage is None else share_in(cage.half_interval + cage.unsure, total)
+    by_cage = 0.0 if cage is None or drive is None else share_in(_unsure_of_cage(cage, drive, races), total)
     heaviest = races.heaviest
     return FrictionTorque(
         inner_speed=speed,
@@ -213,6 +227,13 @@ def _unsure(ledger: Ledger, races: RaceTorque, total: Array) -> Unsure:
     return Unsure(share, _unknown_sliding(races) + beyond.unknown + weight.unknown)
 
 
+def _unsure_of_cage(cage: CagePart, drive: CageDrive, races: RaceTorque) -> Array:
+    """(n,) half width of what the cage's motion and the axis of balls by rule may change in its torque, N m."""
+    known = races.is_free or ruled(races.scene) is not None
+    by_axis = 0.0 if known else drive.spread_by_axis * cage.torque
+    return cage.half_interval + cage.unsure + by_axis
+
+
 def _beyond_the_fit(races: RaceTorque, total: Array) -> Unsure:
     """What contacts outside the fit for finite geometry may change: the torque at their far end."""
     if not races.beyond_fit:
@@ -226,22 +247,65 @@ def _beyond_the_fit(races: RaceTorque, total: Array) -> Unsure:
 
 
 def _in_any_direction(races: RaceTorque, total: Array) -> Unsure:
-    """What the balls' weight may change, whose direction the scene does not give: the largest change over six."""
+    """What the balls' weight may change, whose direction the scene does not give: the largest change over several.
+
+    Balls by rule show it, with factors for free balls and for the slip under their weight. Where friction wedges free
+    balls, or those by rule have no solution, the free balls themselves do.
+    """
     unsure, at = np.zeros_like(total), np.flatnonzero(races.any_direction)
     if not at.size:
         return Unsure(unsure, ())
     without = races.with_weight(at, None)
     changes = np.max([np.abs(races.with_weight(at, down) - without) for down in DIRECTIONS], axis=0)
-    share = share_in(np.nan_to_num(changes), np.nan_to_num(without))
-    known = np.isfinite(changes) & np.isfinite(races.growth)
-    unsure[at] = np.multiply(of_methods(races.scene) * races.growth, share, out=np.full(at.size, np.inf), where=known)
-    if races.slides and ruled(races.scene) is None:
-        unsure[at] += slip_by_weight(races.scene.bearing, races.found)[at]
-    unsure *= share_in(races.total, total)
-    if known.all():
-        return Unsure(unsure, ())
-    why = WEDGED if np.isfinite(changes).all() else "some directions have no solution"
-    return Unsure(unsure, (f"the direction of the balls' weight is not given, and {why}; give operation.down",))
+    share = np.where(np.isfinite(changes), share_in(np.nan_to_num(changes), np.nan_to_num(without)), np.inf)
+    if races.is_free and (races.growth > MOST_GROWTH or not np.isfinite(share).all()):
+        unsure[at] = _change_of_free_balls(races, at, share)
+    else:
+        unsure[at] = of_methods(races.scene) * races.growth * share
+        if races.slides and ruled(races.scene) is None:
+            unsure[at] += slip_by_weight(races.scene.bearing, races.found)[at]
+    known = np.isfinite(unsure)
+    unsure = np.where(known, np.where(known, unsure, 0.0) * share_in(races.total, total), np.inf)
+    return Unsure(unsure, () if known.all() else (NO_SOLUTION,))
+
+
+def _change_of_free_balls(races: RaceTorque, at: NDArray[np.intp], by_rule: Array) -> Array:
+    """(k,) change of the torque by the weight of free balls, over the smaller one; infinite: a direction has none.
+
+    by_rule : (k,) that of balls by rule; in a longer series, far points tell how much more free balls change
+    What lies between two directions is at most their difference beyond the farthest.
+    """
+    far = tried_points(races.trial.points[at], float(races.trial.model.numbers.arm))
+    directions, apart = (TILTS, STEP_OF_TILTS) if races.scene.operation.is_thrust else (ALL_ROUND, STEP_ALL_ROUND)
+    without = races.freely_with_weight(at[far], None)
+    change, known = np.zeros((len(directions), far.size)), without > 0
+    for row, down in zip(change, directions, strict=True):
+        if not (left := np.flatnonzero(known)).size:
+            break
+        torque = _with_weight_along(races, at[far[left]], down)
+        known[left] = settles = torque > 0
+        row[left[settles]] = np.log(torque[settles] / without[left[settles]])
+    first, second = np.nonzero(np.triu(directions @ directions.T > np.cos(apart), 1))
+    between = np.abs(change[first] - change[second]).max(axis=0)
+    share = np.where(known, np.expm1(np.abs(change).max(axis=0) + between), np.inf)
+    if far.size == at.size:
+        return share
+    more = np.divide(share, by_rule[far], out=np.full_like(share, np.inf), where=by_rule[far] > 0).max()
+    return BETWEEN * more * by_rule if np.isfinite(more) else np.full_like(by_rule, np.inf)
+
+
+def _with_weight_along(races: RaceTorque, at: NDArray[np.intp], down: Array) -> Array:
+    """(k,) race torque of free balls with the weight in a direction, or a little aside if they do not settle; or NaN.
+
+    Some directions do not settle among others that do: 1 to 8 of 60 in 6 of 18 scenes (validation/adversary/README.md).
+    """
+    x, y, z = map(float, down)
+    torque = races.freely_with_weight(at, (x, y, z))
+    if (open_ := np.isnan(torque)).any():
+        turned = down + np.cross(ASIDE, down)
+        x, y, z = map(float, turned / np.linalg.norm(turned))
+        torque[open_] = races.freely_with_weight(at[open_], (x, y, z))
+    return torque
 
 
 def _require_friction(scene: Scene) -> None:

@@ -256,6 +256,18 @@ class CageDrive:
         return float(np.linalg.norm(GRAVITY[self.cage.gravity]))
 
     @property
+    def spread_by_axis(self) -> Array:
+        """(n,) change of w_b by the axis of balls that turn by rule though friction would turn them, relative.
+
+        By rule balls have no spin on the outer race: the part w_c sin(al) of w_b is along the normal of the contact.
+        Friction leaves a part between this and that without spin on the inner race, (w - w_c) sin(al) the other way;
+        the part that rolls stays. The cage's torque is in proportion to w_b.
+        """
+        by_rule, by_inner = (rate * np.sin(self.contact_angle) for rate in (self.orbit_rate, 1 - self.orbit_rate))
+        rolling = np.sqrt(np.maximum(self.ball_rate**2 - by_rule**2, 0.0))
+        return np.maximum(1 - rolling / self.ball_rate, np.hypot(rolling, by_inner) / self.ball_rate - 1)
+
+    @property
     def whirling_force(self) -> Array:
         """Sum of the normal forces of all balls if the cage whirls, N."""
         speed, clearance = self.ball_speed, self.shape.half_clearance

@@ -215,11 +215,11 @@ TABLE = (
         meaning="weight of the balls",
         needs=DOWN,
         bound=f"without its direction {PER_CENTRIFUGAL:g} times the weight over the load of the lightest ball, or the "
-        "spread over six directions where that is too much; for free balls that slip under it "
+        "spread over several directions where that is too much; for free balls that slip under it "
         f"{PER_WEIGHT_SLIP:g} times the weight over their mean load, and {PER_WEIGHT_SLIDING:g} times that of sliding. "
         "Both, and that of a radial load, grow by "
         f"1/(1 - {3 * WEDGING_POWER:g} X/delta) where friction across the grooves needs the part X of the approach "
-        "delta",
+        "delta; beyond a growth of 2 the free balls themselves show what a weight in an unknown direction changes",
     ),
     Entry(
         name="finite_geometry",

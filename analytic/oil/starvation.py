@@ -2,7 +2,8 @@
 
 One length tells how far the oil reaches: that of the meniscus ahead of the centre of the contact. The degree m is this
 length over the semi-axis along rolling. At 1 the meniscus stands at the edge of the contact, and nothing is left of
-film and rolling. An inlet is flooded where the oil reaches as far as the supply of the scene lets it.
+film and rolling. An inlet is flooded where the oil reaches as far as the supply of the scene lets it, and no meniscus
+lies farther ahead: a supply that ends within the contact leaves nothing at any degree.
     rolling   g = ln(1 + (m a - a)/s)/ln(1 + (X - a)/s), with the length X of a flooded inlet and s of `ehl_fit`
     film      f = min(1, [(m - 1)/(m* - 1)]^0.29), m* = 1 + 3.06 [(R_x/a)^2 h/R_x]^0.58
 Films measured with grease (`analytic.oil.grease`) give f; rolling then loses as much as the film.
@@ -31,6 +32,7 @@ class StarvedNumbers(NamedTuple):
 
 
 FLOODED = StarvedNumbers(np.inf, 1.0, 1.0)
+DRY = StarvedNumbers(1.0, 0.0, 0.0)
 THINNING = 0.29  # power of f
 
 
@@ -55,8 +57,12 @@ def starved_by_degree(
     film : h, m, flooded, in the centre;  ahead : X of a flooded inlet, m;  inlet_length : s, m
     """
     a = contact.semi_axis_rolling
-    if a == 0.0 or film == 0.0 or ahead <= degree * a:
+    if a == 0.0 or film == 0.0:
         return StarvedNumbers(degree, 1.0, 1.0)
+    if ahead <= a:
+        return DRY
+    if ahead <= degree * a:
+        return StarvedNumbers(degree, film_factor(contact, ahead / a, film), 1.0)
     left = inlet_lengths(degree * a, a, inlet_length) / inlet_lengths(ahead, a, inlet_length)
     return StarvedNumbers(degree, film_factor(contact, degree, film), left)
 
@@ -75,8 +81,10 @@ def starved_by_factor(
 ) -> StarvedNumbers:
     """The degree that leaves this much of rolling, and what it leaves of the film; the rest as for a degree."""
     a = contact.semi_axis_rolling
-    if a == 0.0 or film == 0.0 or ahead <= a:
+    if a == 0.0 or film == 0.0:
         return FLOODED
+    if ahead <= a:
+        return DRY
     excess = inlet_length * np.expm1(factor * inlet_lengths(ahead, a, inlet_length)) / a
     return StarvedNumbers(1 + excess, film_factor(contact, 1 + excess, film), factor)
 

@@ -41,6 +41,7 @@ LEAST_SHARE = 1 / 128  # of a step
 MOST_CHANGE, TINY = 0.5, 1e-300  # of the slip of a contact by a step
 LEAST_GAIN = 0.1  # of what the ball lacks, by a whole step
 DIFFERENCE = 1e-6  # of the ball's radius, or of a hundredth of the groove's length, for derivatives of the equations
+OF_APPROACH = 1e-3  # most of the approach of a contact for these: its load goes as the power 1.5 of it
 ROLLS = 0.35  # y/b where a long contact that rolls freely between rigid surfaces does not slip
 
 
@@ -252,6 +253,9 @@ class _Search(NamedTuple):
     def lie(self, state: Array) -> Lie:
         return self.ball.held.lie(state[4:], (self.contacts[0].unit, self.contacts[1].unit))
 
+    def moved(self, state: Array, step: Array) -> Array:
+        return np.concatenate([state[:4] + step[:4], self.ball.held.moved(state[4:], step[4:])])
+
     def slips(self, state: Array, lie: Lie) -> tuple[RigidSlip, RigidSlip]:
         inner, outer = (
             rigid_slip(contact.motion, angle, lie.orbit, state[:4])
@@ -289,8 +293,8 @@ class _Search(NamedTuple):
 
     def step(self, state: Array, met: _Met) -> Array:
         """Of Newton's method; the derivatives of the equations are differences, those of the contacts are in them."""
-        size = len(state) - 4
-        scale = np.concatenate([np.full(4, self.ball.held.bearing.ball_radius), np.full(size, self._length())])
+        size, length = len(state) - 4, self._length(met)
+        scale = np.concatenate([np.full(4, self.ball.held.bearing.ball_radius), np.full(size, length)])
         columns = [
             self.lacks(state + move, met) - self.lacks(state - move, met) for move in np.diag(DIFFERENCE * scale)
         ]
@@ -303,10 +307,11 @@ class _Search(NamedTuple):
 
     def longest(self, state: Array, step: Array) -> float:
         """Share of a step that changes the slip of a contact by `MOST_CHANGE` of itself: beyond, friction is level."""
-        lie, there = self.lie(state), self.lie(state + step)
+        lie, moved = self.lie(state), self.moved(state, step)
+        there = self.lie(moved)
         shares = []
         for contact, load, now, then in zip(
-            self.contacts, lie.loads, self.slips(state, lie), self.slips(state + step, there), strict=True
+            self.contacts, lie.loads, self.slips(state, lie), self.slips(moved, there), strict=True
         ):
             b = contact.unit.semi_axis_transverse * load ** (1 / 3)
             sizes = np.array([1, b**2, 1, b**2, b])
@@ -314,8 +319,12 @@ class _Search(NamedTuple):
             shares.append(MOST_CHANGE * np.sum(np.abs(slip)) / max(float(np.sum(np.abs(change))), TINY))
         return min(shares)
 
-    def _length(self) -> float:
-        return 0.01 * self.ball.held.lengths[0]
+    def _length(self, met: _Met) -> float:
+        """Of the ball's place, m: the share `DIFFERENCE` of it is far below the approach of a light contact too."""
+        approach = min(
+            contact.unit.approach * load ** (2 / 3) for contact, load in zip(self.contacts, met.loads, strict=True)
+        )
+        return min(0.01 * self.ball.held.lengths[0], OF_APPROACH / DIFFERENCE * approach)
 
     def settled(self, state: Array, accuracy: float) -> tuple[Array, _Met, int]:
         """State, contacts and steps; accuracy : of what the ball lacks, over all friction.
@@ -331,14 +340,15 @@ class _Search(NamedTuple):
             step = self.step(state, met)
             share = min(1.0, 4 * share, self.longest(state, step))
             while share >= LEAST_SHARE:
+                trial = self.moved(state, share * step)
                 try:
-                    there = self.met(state + share * step, met, follows)
+                    there = self.met(trial, met, follows)
                 except ConvergenceError:  # too far
                     share /= 2
                     continue
-                left = float(np.linalg.norm(self.lacks(state + share * step, there)))
+                left = float(np.linalg.norm(self.lacks(trial, there)))
                 if left <= (1 - LEAST_GAIN * share) * lacks:
-                    state, met, lacks = state + share * step, there, left
+                    state, met, lacks = trial, there, left
                     break
                 share /= 2
             else:

@@ -129,6 +129,36 @@ class HeldBall:
         ring = [] if self.axial is not None else [ball[1] + reach[0] * np.sin(lie.angles[0])]
         return np.array([*ball, *ring])
 
+    def moved(self, place: Array, step: Array) -> Array:
+        """Its coordinates after a step of a search.
+
+        Under thrust the ball and the ring move round the grooves' centres of curvature: along a straight line the
+        arms would grow by the square of the step, which exceeds the approach of a light contact.
+
+        Parameters
+        ----------
+        place, step : ndarray
+            Of `coordinates` and their change, m.
+
+        Returns
+        -------
+        ndarray
+            New coordinates, m, equal to place + step to first order.
+        """
+        straight = place + step
+        if self.radial is None or self.axial is not None:
+            return straight
+        outer, inner = np.array(place[:2]), np.array([self.radial - place[0], place[2] - place[1]])
+        size, inner_size = float(np.hypot(*outer)), float(np.hypot(*inner))
+        longer = size + float(outer @ step[:2]) / size
+        turned = np.arctan2(outer[1], outer[0]) + float(outer[0] * step[1] - outer[1] * step[0]) / size**2
+        ball = longer * np.cos(turned), longer * np.sin(turned)
+        reach = inner_size + float(inner @ [-step[0], step[2] - step[1]]) / inner_size
+        square = (reach - (self.radial - ball[0])) * (reach + (self.radial - ball[0]))
+        if square <= 0:  # too far for this
+            return straight
+        return np.array([*ball, ball[1] + np.copysign(np.sqrt(square), inner[1])])
+
     def lie(self, place: Array, units: tuple[UnitContact, UnitContact]) -> Lie:
         """How the ball lies at its coordinates.
 

@@ -113,6 +113,12 @@ class LubricatedContact:
             strict=True,
         ):
             reach = getattr(self.reach, name)
+            if name == "side" and reach < LEAST_REACH * size:
+                raise InputError(
+                    f"the contact extends {length_of(size)} to either side, and the oil ends at {length_of(reach)}, "
+                    f"between a race's shoulders; the numerical film needs {length_of(LEAST_REACH * size)}: lower the "
+                    "load or raise shoulder_half_width"
+                )
             if reach < LEAST_REACH * size:
                 raise InputError(
                     f"the oil's reach {name} of {length_of(reach)} is shorter than the contact: give at least "

@@ -8,6 +8,9 @@ import numpy as np
 
 from analytic.scene import Array
 
+LEVEL = 1e-9  # of their size, by which cells between two places differ that count as equal
+FEWEST = 4  # cells along a direction
+
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Grid:
@@ -54,15 +57,27 @@ def graded_faces(places: Sequence[float], sizes: Sequence[float], *, refinement:
     The number of cells is that of the sizes, rounded. All sizes of grids of different refinement have one ratio.
     """
     x, size = np.asarray(places, dtype=float), np.asarray(sizes, dtype=float)
-    step, slope = np.diff(x), np.diff(size) / np.diff(x)
-    level = np.abs(slope) * step < 1e-9 * size[:-1]  # cells of one size
-    safe = np.where(level, 1.0, slope)
-    counts = np.where(level, step / size[:-1], np.log(size[1:] / size[:-1]) / safe)  # of cells between places
-    before = np.concatenate([[0.0], np.cumsum(counts)])
-    number = np.linspace(0.0, before[-1], max(round(refinement * before[-1]), 4) + 1)
+    step, (before, slope) = np.diff(x), _counted(places, sizes)
+    level, safe = slope == 0.0, np.where(slope == 0.0, 1.0, slope)
+    number = np.linspace(0.0, before[-1], cell_count(places, sizes, refinement=refinement) + 1)
     piece = np.clip(np.searchsorted(before, number, side="right") - 1, 0, step.size - 1)
     along = number - before[piece]
-    growing = size[piece] * np.expm1(safe[piece] * along) / safe[piece]
+    growing = size[piece] * np.expm1(slope[piece] * along) / safe[piece]
     faces = x[piece] + np.where(level[piece], size[piece] * along, growing)
     faces[[0, -1]] = x[[0, -1]]  # without round-off
     return faces
+
+
+def cell_count(places: Sequence[float], sizes: Sequence[float], *, refinement: float) -> int:
+    """Number of the cells between the limits that `graded_faces` gives for the same arguments; at least 4."""
+    return max(round(refinement * float(_counted(places, sizes)[0][-1])), FEWEST)
+
+
+def _counted(places: Sequence[float], sizes: Sequence[float]) -> tuple[Array, Array]:
+    """Cells before each place at refinement 1, and the slope of their size behind each but the last, 0: one size."""
+    x, size = np.asarray(places, dtype=float), np.asarray(sizes, dtype=float)
+    step, slope = np.diff(x), np.diff(size) / np.diff(x)
+    slope = np.where(np.abs(slope) * step < LEVEL * size[:-1], 0.0, slope)
+    safe = np.where(slope == 0.0, 1.0, slope)
+    counts = np.where(slope == 0.0, step / size[:-1], np.log(size[1:] / size[:-1]) / safe)
+    return np.concatenate([[0.0], np.cumsum(counts)]), slope

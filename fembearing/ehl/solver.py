@@ -16,11 +16,11 @@ from scipy.interpolate import CubicSpline, PchipInterpolator
 from scipy.linalg import lu_factor, lu_solve
 from scipy.sparse.linalg import LinearOperator, gmres
 
-from analytic.errors import ConvergenceError
+from analytic.errors import ConvergenceError, FembearingError, InputError
 from analytic.scene import Array
 from fembearing.ehl.contact import LubricatedContact
 from fembearing.ehl.elastic import half_space_integrals
-from fembearing.ehl.grid import Grid, graded_faces
+from fembearing.ehl.grid import Grid, cell_count, graded_faces
 from fembearing.ehl.reynolds import Balance, Fluid, balance
 
 # Cells at refinement 1, in units of the contact's half lengths; smaller at the inlet and outlet where the film is thin
@@ -39,6 +39,20 @@ EASIER, LEAST_EASIER = (
 )  # factor on the speed between two steps towards the contact, and the least that is tried
 INNER = 1e-3  # residual of the linear system where an older factorisation solves it
 MOST_INNER = 25  # steps for that, after which a new factorisation is cheaper
+MOST_CELLS = 10_000  # of a grid: matrices are full, with up to 32 bytes for each pair of cells, 3 GB
+
+
+class NoFilmError(ConvergenceError):
+    """A regime in which Newton's method does not converge on a grid."""
+
+    def __init__(self, contact: LubricatedContact, *, reached: float) -> None:
+        """reached : the least factor on the speed of the contact at which it converges; inf: none"""
+        self.iterations, self.residual, self.tolerance = STEPS, reached, 1.0
+        where = f"below {reached:.3g} times its speed" if np.isfinite(reached) else "at its speed or above"
+        remedy = "less speed or more load" if contact.loading < EASY else "more speed or less load"
+        FembearingError.__init__(
+            self, f"the numerical film of {regime_words(contact)} does not converge {where}: give {remedy}"
+        )
 
 
 class Start(NamedTuple):
@@ -110,17 +124,23 @@ def solve_on_grids(contact: LubricatedContact, refinements: tuple[float, ...]) -
         path = place.path([(speed, place.carried(start)) for speed, start in path], last=LAST)
         speed, start = path[-1]
         if speed > 1.0:
-            raise ConvergenceError(
-                iterations=STEPS,
-                residual=speed,
-                tolerance=1.0,
-                unit="times its speed",
-                problem=(
-                    f"film of M {contact.loading:.3g}, L {contact.thickening:.3g}, lambda {contact.ellipticity:.3g}"
-                ),
-                remedy="The numerical film does not cover this regime.",
-            )
+            raise NoFilmError(contact, reached=speed)
         yield place.solution(start)
+
+
+def regime_words(contact: LubricatedContact) -> str:
+    """Moes's numbers in words."""
+    return f"M {contact.loading:.3g}, L {contact.thickening:.3g}, lambda {contact.ellipticity:.3g}"
+
+
+def require_few_cells(contact: LubricatedContact, refinement: float) -> None:
+    """Raise InputError where a film is so thin that a grid of this refinement has more than `MOST_CELLS`."""
+    count = Discretised(contact=contact, refinement=refinement).cell_count
+    if count > MOST_CELLS:
+        raise InputError(
+            f"the film of {regime_words(contact)} is too thin against its contact for the numerical solution, which "
+            f"would take {count:.3g} cells, above {MOST_CELLS:g}: give more speed or less load"
+        )
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -154,7 +174,19 @@ class Discretised:
     @cached_property
     def grid(self) -> Grid:
         """In semi-axes a."""
-        contact, n = self.contact, self.refinement
+        (x, y), (long, wide), n = self._places, self.half_lengths, self.refinement
+        return Grid(x_faces=graded_faces(*x, refinement=n) * long, y_faces=graded_faces(*y, refinement=n) * wide)
+
+    @property
+    def cell_count(self) -> int:
+        """Of the grid, without making it."""
+        columns, rows = (cell_count(*each, refinement=self.refinement) for each in self._places)
+        return columns * rows
+
+    @property
+    def _places(self) -> tuple[tuple[list[float], list[float]], tuple[list[float], list[float]]]:
+        """Places along x and y, each with the sizes of cells there, in half lengths."""
+        contact = self.contact
         a, _ = contact.semi_axes
         long, wide = self.half_lengths
         thin = self.likely_film * self.film_scale
@@ -167,9 +199,8 @@ class Discretised:
             behind = min(behind, CUT)
         places = [-1.25, -0.75, -0.4, 0.5, 0.75, 1.08]
         sizes = [fine, fine, middle, middle, fine, fine]
-        x = _within(places, sizes, -ahead, behind)
         y = _within([0.0, 0.6, 0.9, 1.1], [ACROSS, ACROSS, EDGE, EDGE], 0.0, side)
-        return Grid(x_faces=graded_faces(*x, refinement=n) * long, y_faces=graded_faces(*y, refinement=n) * wide)
+        return _within(places, sizes, -ahead, behind), y
 
     @cached_property
     def elastic(self) -> Array:

@@ -29,6 +29,12 @@ def scene_of(name: str, **changed: object) -> Scene:
     return replace(scene, **changed)  # pyright: ignore[reportArgumentType]
 
 
+@pytest.fixture(scope="module")
+def balanced() -> TorqueFunction:
+    """Of balls without a memory of earlier calls; a bad number gives NaN."""
+    return torque_function(scene_of("6205_physical", spin_rule="balanced"), invalid="nan")
+
+
 def by_series(function: TorqueFunction, *, temperature: float | None = None, **operation: float) -> float:
     points = {name: np.array([value]) for name, value in operation.items()}
     scene = replace(function.scene, operation=Operation(**points))
@@ -258,29 +264,24 @@ def test_numbers_are_refused_as_a_series_refuses_them(name: str) -> None:
 
 
 @pytest.mark.parametrize("temperature", [np.nan, -np.inf, 0.0, 199.9, 600.1, np.inf])
-def test_an_oil_that_no_scene_may_have_is_refused(temperature: float) -> None:
-    scene = scene_of("6205_physical", spin_rule="balanced")
+def test_an_oil_that_no_scene_may_have_is_refused(balanced: TorqueFunction, temperature: float) -> None:
     with pytest.raises(InputError, match="temperature must be 200 to 600 K"):
-        torque_function(scene)(axial_load=310.0, inner_speed=40.0, temperature=temperature)
-    table = torque_function(scene, invalid="nan").series(
-        axial_load=310.0, inner_speed=40.0, temperature=[200.1, temperature, 599.9]
-    )
+        torque_function(balanced.scene)(axial_load=310.0, inner_speed=40.0, temperature=temperature)
+    table = balanced.series(axial_load=310.0, inner_speed=40.0, temperature=[200.1, temperature, 599.9])
     np.testing.assert_array_equal(np.isnan(table), [False, True, False])
 
 
 @pytest.mark.parametrize("wrong", ["300 N", "300", b"300", [300.0], np.array([300.0, 200.0]), 3 + 4j, 10**400])
 @pytest.mark.parametrize("name", ["axial_load", "inner_speed", "radial_load", "moment", "temperature"])
-def test_what_is_no_number_is_refused_in_one_line(name: str, wrong: Any) -> None:
-    function = torque_function(scene_of("6205_physical", spin_rule="balanced"), invalid="nan")
+def test_what_is_no_number_is_refused_in_one_line(balanced: TorqueFunction, name: str, wrong: Any) -> None:
     with pytest.raises(InputError, match=name) as problem:
-        function(**{"axial_load": 310.0, "inner_speed": 40.0, name: wrong})
+        balanced(**{"axial_load": 310.0, "inner_speed": 40.0, name: wrong})
     assert len(str(problem.value).splitlines()) == 1
 
 
-def test_numbers_of_every_kind_are_taken() -> None:
-    function = torque_function(scene_of("6205_physical", spin_rule="balanced"))
+def test_numbers_of_every_kind_are_taken(balanced: TorqueFunction) -> None:
     given = {"axial_load": 310, "inner_speed": np.array(40.0), "radial_load": np.float32(17.0)}
-    assert function(**given) == function(axial_load=310.0, inner_speed=40.0, radial_load=17.0)
+    assert balanced(**given) == balanced(axial_load=310.0, inner_speed=40.0, radial_load=17.0)
 
 
 def test_a_series_refuses_texts_and_shapes_that_do_not_fit() -> None:
@@ -299,16 +300,15 @@ def test_nonsense_is_refused() -> None:
         torque_function(moving)
 
 
-def test_calls_keep_no_memory() -> None:
-    function = torque_function(scene_of("6205_physical", spin_rule="balanced"))
+def test_calls_keep_no_memory(balanced: TorqueFunction) -> None:
     tracemalloc.start()
     kept = []
-    for step in range(5000):  # Python itself keeps up to 2000 used tuples of each length
-        function(axial_load=300.0 + step % 700, radial_load=20.0, inner_speed=40.0)
-        if step % 2500 == 2499:
+    for step in range(3000):  # Python itself keeps up to 2000 used tuples of each length
+        balanced(axial_load=300.0 + step % 700, radial_load=20.0, inner_speed=40.0)
+        if step in (2199, 2999):
             kept.append(tracemalloc.get_traced_memory()[0])
     tracemalloc.stop()
-    assert kept[1] - kept[0] < 10_000  # bytes, of 2500 calls: less than one number for each
+    assert kept[1] - kept[0] < 10_000  # bytes, of 800 calls: less than one number for each
 
 
 @pytest.mark.parametrize("designation", ["6206", "7208B"])

@@ -21,6 +21,7 @@ from fembearing.app.check import CHECKS, Check
 from fembearing.app.evaluation import Evaluation, at_once, completed
 from fembearing.app.page import Page
 from fembearing.app.scene_edit import CATALOG, with_value
+from fembearing.app.server import add_report
 from fembearing.report.terminal.torque import print_headline
 from fembearing.verify.torque.scene_torque import torque_of_scene
 
@@ -248,6 +249,78 @@ def test_two_tabs_do_not_mix(run_story, settled) -> None:
             assert page.lines["torque"].text == f"{1e3 * torque:.4g}"
 
     run_story(story)
+
+
+# Bearing, radial load and speed of ten users: no two have a number in common.
+USERS = {
+    "6004": ("310 N", "730 rpm"),
+    "6205": ("420 N", "910 rpm"),
+    "6206": ("530 N", "1130 rpm"),
+    "6308": ("2.1 kN", "640 rpm"),
+    "16008": ("870 N", "550 rpm"),
+    "6210": ("1.3 kN", "860 rpm"),
+    "61905": ("240 N", "1270 rpm"),
+    "6404": ("960 N", "1390 rpm"),
+    "6001": ("110 N", "1610 rpm"),
+    "6312": ("3.4 kN", "470 rpm"),
+}
+
+
+@pytest.mark.slow  # ten pages, each with two torques and an interval
+@pytest.mark.usefixtures("no_curve")
+def test_ten_users_at_once_have_their_own_numbers(run_story, settled) -> None:
+    """All change bearing, load and speed in turns, without waiting for anything, and take their files."""
+
+    async def story(opened) -> None:
+        users: list[tuple[Any, Page]] = [await opened() for _ in USERS]
+        for key in (LOAD, CATALOG, SPEED):
+            for (_, page), (name, (load, speed)) in zip(users, USERS.items(), strict=True):
+                page.fields[key].value = {CATALOG: name, LOAD: load, SPEED: speed}[key]
+                await asyncio.sleep(0)  # others come between
+        for _, page in users:
+            await settled(page)
+        shown, intervals = set(), {page.lines["interval"].text for _, page in users}
+        for (user, page), (name, (load, speed)) in zip(users, USERS.items(), strict=True):
+            scene = load_scene(name, radial_load=load, speed=speed)
+            torque = f"{1e3 * torque_of_scene(scene, estimate=False).friction.torque.total[0]:.4g}"
+            shown.add(torque)
+            assert (page.lines["torque"].text, page.text) == (torque, page.fields["scene"].value)
+            assert page.lines["title"].text.startswith(f"{scene.bearing.name}, ")
+            assert [page.fields[key].value for key in (CATALOG, LOAD, SPEED)] == [name, load, speed]
+            assert page.evaluation.row.radial_load == vars(scene.operation.as_series())["radial_load"][0]
+            assert user.client is not None  # downloads of the simulation go to the user that was looked at last
+            await page.check.download()
+            archive = zipfile.ZipFile(BytesIO((await user.download.next(timeout=60)).content))
+            assert archive.read("scene.toml").decode() == page.text
+        assert len(shown) == len(intervals) == len(USERS)
+
+    run_story(story)
+
+
+def test_ten_users_have_the_files_of_their_own_checks(run_story, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Over HTTP, at once; nobody guesses the address of another, and a closed check has no files."""
+    checks = [Check(text=name) for name in USERS]
+    for check in checks:
+        monkeypatch.setitem(CHECKS, check.token, check)
+        check.folder.mkdir()
+        (check.folder / "report.html").write_text(f"report of {check.text}", "utf-8")
+
+    async def story(opened) -> None:
+        add_report()
+        users = [(await opened())[0] for _ in checks]
+        files = (
+            user.http_client.get(f"/check/{check.token}/report.html") for user, check in zip(users, checks, strict=True)
+        )
+        found = [response.text for response in await asyncio.gather(*files)]
+        assert found == [f"report of {name}" for name in USERS]
+        checks[3].close()
+        closed = await users[3].http_client.get(f"/check/{checks[3].token}/report.html")
+        other = await users[3].http_client.get(f"/check/{checks[4].token}/../{checks[5].token}/other.html")
+        assert (closed.status_code, other.status_code) == (404, 404)
+
+    run_story(story)
+    for check in checks:
+        check.close()
 
 
 def test_a_closed_tab_ends_its_check_and_its_curve(run_story) -> None:

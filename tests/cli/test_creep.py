@@ -89,7 +89,7 @@ def test_a_mistake_gives_one_line(
 
 
 def test_a_ball_that_the_search_does_not_hold_is_not_solved(command: Run) -> None:
-    ended = command("creep", "6205-dry", "--friction", "4.9")
+    ended = command("creep", "6205-dry", "--load", "1e-9 N", "--speed", "1e-7 rpm")
     assert (ended.status, ended.out) == (3, "")
     assert "rotation of the ball did not converge" in ended.err
     assert len(ended.err.splitlines()) == 1

@@ -193,3 +193,24 @@ def test_a_symmetric_radial_ball_does_not_spin_and_slips_by_conformity_only() ->
         assert abs(race.spin_torque) < 1e-6 * race.torque  # settled
         assert abs(race.transverse_force) < 1e-4 * law.boundary * race.load
     assert turned.torque > 0
+
+
+@pytest.mark.parametrize("size", [1e-9, 1e-7])
+def test_a_step_round_the_grooves_keeps_the_lengths_that_it_does_not_change(size: float) -> None:
+    """To first order it is the step; across both arms, the approaches, 1e-11 m here, stay."""
+    held = thrust_ball(0.1, 1e-6).held
+    lie = held.at_rest()
+    units = held.unit("inner", lie.angles[0]), held.unit("outer", lie.angles[1])
+    place = held.coordinates(lie, units)
+    step = size * np.array([-np.sin(lie.angles[1]), np.cos(lie.angles[1]), 0.0])
+    moved = held.moved(place, step)
+    np.testing.assert_allclose(moved - place, step, atol=size**2 / 2e-5)  # its square over the arms and the sine
+    there = held.lie(moved, units)
+    # Digits of an arm of 0.2 mm over the approach, which 0.1 um straight on would change by more than itself.
+    np.testing.assert_allclose(there.loads, held.lie(place, units).loads, rtol=1e-6)
+
+
+def test_a_ball_under_hardly_any_thrust_settles() -> None:
+    """Torque by spin goes as the power 4/3 of the load; the angle changes by its power 2/3, 1e-4 here."""
+    light, lighter = (turn_ball(thrust_ball(0.1, load, speed=1e-6), GRID) for load in (2e-4, 1e-4))
+    np.testing.assert_allclose(light.torque / lighter.torque, 2 ** (4 / 3), rtol=2e-3)

@@ -43,14 +43,13 @@ def solved(kind: type[BallOnRace], race: str, load: float, speed: float, viscosi
     return numerical_film(contact)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     ("race", "load", "speed", "viscosity", "force", "uncertainty", "film"),
     [
-        ("inner", 30.0, 500.0, 0.0125, 10.8e-3, 0.012, 0.89),
-        ("inner", 372.0, 3000.0, 0.0125, 78.2e-3, 0.007, 0.81),
-        ("outer", 372.0, 500.0, 0.059, 60.5e-3, 0.007, 0.81),
-        ("inner", 1000.0, 500.0, 0.059, 84.5e-3, 0.018, 0.79),
+        pytest.param("inner", 30.0, 500.0, 0.0125, 10.8e-3, 0.012, 0.89, marks=pytest.mark.slow),
+        pytest.param("inner", 372.0, 3000.0, 0.0125, 78.2e-3, 0.007, 0.81, marks=pytest.mark.nightly),
+        pytest.param("outer", 372.0, 500.0, 0.059, 60.5e-3, 0.007, 0.81, marks=pytest.mark.nightly),
+        pytest.param("inner", 1000.0, 500.0, 0.059, 84.5e-3, 0.018, 0.79, marks=pytest.mark.slow),
     ],
 )
 def test_film_and_force_are_those_of_another_code(
@@ -70,7 +69,7 @@ def test_film_and_force_are_those_of_another_code(
     assert found.central_film.value / float(formula.thickness) == pytest.approx(film, rel=0.02)
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_circles_across_open_the_gap_at_the_sides_and_cost_some_per_cent_of_the_force() -> None:
     """At 2.8 mm from its centre the true gap is 1.6 times that of the parabola."""
     with_circles = solved(BallOnRace, "inner", 372.0, 500.0, 0.059)

@@ -11,9 +11,10 @@ from analytic.oil.viscosity import roelands_viscosity
 from analytic.scene import Contact
 from fembearing.ehl.ball_on_race import lubricated_contact
 from fembearing.ehl.contact import LubricatedContact, Reach
-from fembearing.ehl.grid import graded_faces
+from fembearing.ehl.grid import cell_count, graded_faces
 from fembearing.ehl.oil import Oil
 from fembearing.ehl.shape import BallOnRace, Paraboloid
+from fembearing.ehl.solver import require_few_cells
 from tests.contacts import STEEL
 from tests.ehl.contacts import moes
 
@@ -44,6 +45,7 @@ def changed(**changes: object) -> LubricatedContact:
         ({"shape": Paraboloid(rolling_radius=9.5e-3, transverse_radius=4.1e-3)}, r"longer in rolling than across"),
         ({"load": 3e4}, r"exceeds 5 GPa"),
         ({"reach": Reach(ahead=2e-6, behind=4e-4, side=6e-4)}, r"reach ahead of 2 um is shorter than the contact"),
+        ({"reach": Reach(ahead=4e-4, behind=4e-4, side=2e-6)}, r"the oil ends at 2 um, .* raise shoulder_half_width"),
     ],
 )
 def test_what_has_no_film_is_refused_in_one_line(changes: dict[str, object], message: str) -> None:
@@ -151,3 +153,25 @@ def test_faces_have_the_sizes_that_are_asked_for_and_one_family() -> None:
         # The number of cells is rounded, by half a cell in 55, and a cell spans a range of sizes.
         np.testing.assert_allclose(np.diff(faces), wanted, rtol=0.03)
     assert fine.size - 1 == pytest.approx(2 * (coarse.size - 1), abs=1)
+
+
+@pytest.mark.parametrize("refinement", [0.31, 1.7])
+@pytest.mark.parametrize("sizes", [[0.3, 0.02, 0.02, 0.6], [0.5, 0.5, 0.5, 0.5]])
+def test_cells_are_counted_without_a_grid(sizes: list[float], refinement: float) -> None:
+    places = [-4.0, -1.1, 0.7, 9.0]
+    faces = graded_faces(places, sizes, refinement=refinement)
+    assert cell_count(places, sizes, refinement=refinement) == len(faces) - 1
+
+
+def test_cells_of_very_different_sizes_do_not_overflow() -> None:
+    """Cells of one size behind ten thousand small ones."""
+    faces = graded_faces([0.0, 1.0, 2.0, 30.0], [1e-4, 1e-4, 1e-3, 9.0], refinement=0.9)
+    assert np.all(np.diff(faces) > 0)
+    assert faces[-1] == 30.0
+
+
+def test_a_film_too_thin_for_the_memory_is_refused_before_it_is_tried() -> None:
+    contact = changed(speed=1e-12)
+    with pytest.raises(InputError, match=r"too thin .* above 10000: give more speed or less load"):
+        require_few_cells(contact, 1.0)
+    require_few_cells(changed(), 1.0)

@@ -103,8 +103,14 @@ def test_light_circular_contact_has_the_films_of_two_other_codes() -> None:
     assert film_number(incompressible) == pytest.approx(4.62, rel=0.02)
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(("ahead", "force"), [(3.0, 16.5), (8.49, 21.3), (26.9, 25.6)])
+@pytest.mark.parametrize(
+    ("ahead", "force"),
+    [
+        pytest.param(3.0, 16.5, marks=pytest.mark.nightly),
+        pytest.param(8.49, 21.3, marks=pytest.mark.slow),
+        pytest.param(26.9, 25.6, marks=pytest.mark.nightly),
+    ],
+)
 def test_circular_contact_has_the_film_and_force_of_two_other_codes(ahead: float, force: float) -> None:
     """2 % is asked of a check value; the other codes differ by 0.5 % among themselves."""
     found = usual(200.0, ahead)

@@ -89,7 +89,10 @@ def test_a_thick_seat_deviates_from_hertz_in_proportion_to_the_contact() -> None
     departures = []
     for load in (28.0, 2.0):
         contact = pocket(load)
-        departures.append(solve(contact, "race", level=3).quantities.approach / hertz_quantities(contact).approach - 1)
+        hertz = hertz_quantities(contact)
+        axes = hertz.semi_axis_rolling, hertz.semi_axis_transverse  # within 1 % of its own, which changes no approach
+        found = solve_on_mesh(contact, recipe=load_recipe("race"), level=3, semi_axes=axes)
+        departures.append(found.quantities.approach / hertz.approach - 1)
     assert departures[0] < -0.01
     # Tolerance: a mesh error of 1e-3 in 7e-3
     np.testing.assert_allclose(departures[1] / departures[0], (2 / 28) ** (1 / 3), rtol=0.1)

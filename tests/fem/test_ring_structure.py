@@ -127,7 +127,7 @@ def test_the_layer_has_its_known_limits(poisson_ratio: float) -> None:
     ("thickness", "tolerance", "poisson_ratio"),
     [
         pytest.param(1.5e-3, 0.004, 0.3, marks=pytest.mark.slow),
-        pytest.param(6e-3, 0.012, 0.3, marks=pytest.mark.slow),
+        pytest.param(6e-3, 0.012, 0.3, marks=pytest.mark.nightly),
         (3e-3, 0.002, 0.1),
     ],
 )

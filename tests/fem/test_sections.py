@@ -19,7 +19,7 @@ from fembearing.mesh.recipe import load_recipe
 from tests.fem.assembly import stiffness, symmetric
 
 Array = NDArray[np.float64]
-CASES = [("inner", "race"), ("outer", "race"), ("inner", "hertzian")]
+CASES = [("outer", "race"), ("inner", "hertzian")]
 SEMI_AXES = {"inner": (0.100e-3, 0.936e-3), "outer": (0.135e-3, 0.771e-3)}  # m, about those of 372 N
 CERAMIC = Material(name="silicon nitride", youngs_modulus=310e9, poisson_ratio=0.26, density=3200.0, source="test")
 LEVEL = 2

@@ -56,8 +56,9 @@ def test_a_load_of_a_series_is_that_load_on_the_same_mesh(
         assert part.contact == alone.contact
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize("pair", ["inner", "outer"])
+@pytest.mark.parametrize(
+    "pair", [pytest.param("inner", marks=pytest.mark.nightly), pytest.param("outer", marks=pytest.mark.slow)]
+)
 def test_a_load_of_a_series_is_nearly_that_on_a_mesh_of_its_own(
     contacts: dict[str, Contact], shallow: Callable[[str], Recipe], pair: str
 ) -> None:
@@ -146,7 +147,7 @@ def test_a_load_that_reaches_over_the_shoulder_needs_a_mesh_that_ends_there(cont
         solve_series(replace(contacts["inner"], shoulder=2.0e-3), recipe=REAL, level=1, loads=[3100.0, 5000.0])
 
 
-@pytest.mark.parametrize("name", [pytest.param("race", marks=pytest.mark.slow), "hertzian"])
+@pytest.mark.parametrize("name", [pytest.param("race", marks=pytest.mark.nightly), "hertzian"])
 def test_each_load_is_cut_off_where_its_own_ellipse_reaches_the_shoulder(
     contacts: dict[str, Contact], shallow: Callable[[str], Recipe], name: str
 ) -> None:

@@ -36,7 +36,7 @@ def surface(body: BodyMesh) -> Array:
     return body.mesh.doflocs[:, body.surface]
 
 
-@pytest.mark.parametrize("level", [1, 2, *(pytest.param(fine, marks=pytest.mark.slow) for fine in (3, 4))])
+@pytest.mark.parametrize("level", [1, 2, pytest.param(4, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("recipe", RECIPES)
 @pytest.mark.parametrize("pair", PAIRS)
 def test_no_cell_is_inside_out(contacts: dict[str, Contact], pair: str, recipe: str, level: int) -> None:

@@ -110,6 +110,60 @@ def test_a_scene_that_a_climb_found_keeps_its_statement(file: Path) -> None:
         assert np.all(error <= found.numerical_uncertainty)
 
 
+DRY = """
+name = "dry"
+tolerance = "1 %"
+[bearing]
+catalog = "paper_6205"
+contact_angle = { rule = "solved" }
+[operation]
+inner_speed = "10 rpm"
+LOADS
+[friction]
+coefficient = 0.1
+hysteresis_loss = 0.007
+"""
+
+
+@pytest.mark.parametrize(
+    ("loads", "tilts"),
+    [
+        ('axial_load = "0.3 N"', (0, 20, 37, 85, 130, 180)),  # from 18 to 40 deg the torque falls to a third
+        ('axial_load = "0.5 N"\nradial_load = "0.05 N"', (8, 22, 70, 115, 160)),
+        pytest.param(  # a longer series: seconds
+            f"axial_load = {[f'{load} N' for load in np.linspace(0.3, 1.1, 9)]}", (25,), marks=pytest.mark.nightly
+        ),
+    ],
+)
+def test_weight_in_an_unknown_direction_of_balls_that_friction_wedges(loads: str, tilts: tuple[float, ...]) -> None:
+    """Everything on in many directions: the weight of a ball, 0.02 N, is up to two thirds of its load."""
+    scene = parse_scene(DRY.replace("LOADS", loads), origin="scene")
+    found = friction_torque(scene)
+    assert found.unknown == ()
+    for azimuth, tilt in enumerate(np.radians(tilts)):  # in rad too: any will do
+        down = (np.sin(tilt) * np.cos(azimuth), np.sin(tilt) * np.sin(azimuth), np.cos(tilt))
+        best = adversary.everything_on(replace(scene, down=down))
+        error = np.abs(found.torque.total / best.torque.total - 1) - best.numerical_uncertainty
+        assert np.all(error <= found.numerical_uncertainty), down
+
+
+def test_an_unknown_uncertainty_is_counted_by_its_cause() -> None:
+    """Four scenes: one known, one that lacks the direction of gravity, one that it would not help, one at a limit."""
+    weight = (
+        "the direction of the balls' weight is not given, and some directions have no solution; give operation.down"
+    )
+    shoulder = "a shoulder cuts off 30 % of a contact's load by Hertz"
+    known = adversary.Trial(place=(0.1,), tolerance=0.01, error=0.0, stated=0.01, reference=0.002, unknown=())
+    lacks = replace(known, place=(0.2,), stated=np.inf, unknown=(weight,))
+    helpless = replace(lacks, place=(0.3,), reference=np.inf)
+    limit = replace(known, place=(0.4,), stated=np.inf, unknown=(shoulder,))
+    assert [each.lacks_input for each in (known, lacks, helpless, limit)] == [False, True, False, False]
+    lines = list(adversary.unknown_shares([known, replace(known, tolerance=0.001), lacks, helpless, limit]))
+    assert lines[0] == "unknown in 3 of 4 random scenes, 75 %"
+    assert lines[1].endswith("in 2 of 4 random scenes, 50 %")
+    assert sorted(line[:13] for line in lines[2:]) == ["unknown in 1:", "unknown in 2:"]
+
+
 def test_a_bearing_that_slows_down_in_small_steps_is_within_the_uncertainty() -> None:
     """By the function for time steps, whose balls begin where they were; friction_torque comes in other steps."""
     scene = parse_scene(drawn_scene(1175), origin="drawn")

@@ -15,6 +15,7 @@ def test_the_stored_curve_agrees_with_the_independent_code() -> None:
     assert elastic_gap.against_published()
 
 
+@pytest.mark.nightly
 def test_a_stored_curve_comes_from_the_command() -> None:
     """Two of its surfaces: within four standard deviations of two, at each pressure."""
     stored = next(c for c in catalog.entry("corrections", "elastic_gap")["curve"] if c["points"] == 200)

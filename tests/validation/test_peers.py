@@ -11,7 +11,7 @@ def peers_json(folder: Path) -> dict[str, Any]:
     return json.loads((folder / "peers.json").read_text("utf-8"))
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_boundary_elements_hertz_and_ours_agree_on_the_ellipse_of_the_6205(run_script, tmp_path: Path) -> None:
     pytest.importorskip("tamaas", reason="its wheels are for Linux on x86-64 only")
     chosen = ("--workflows", "same mesh", "--cases", "ellipse", "--peers", "tamaas", "ours")

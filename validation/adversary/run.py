@@ -49,6 +49,7 @@ TOLERANCES = (0.05, 0.01, 0.001)
 ROUND_OFF = 1e-9  # relative: smaller differences are those of converged iterations
 CHOSEN_LAWS = "free_ball", "closed_creep"  # of the slip of free balls: a choice of the scene, as that of a film formula
 MATTERS = 0.1  # of the tolerance: an error that is worth its statement
+NOT_GIVEN = "is not given"  # in a cause of an unknown uncertainty: an input is missing that the scene could have
 LONGEST = 15.0  # s of processor time for a scene: those with two steady states take minutes
 PIECE = 25  # scenes, or climbs, between two lines in print
 STEP = 0.15  # of the range of an input, in a climb; every second change is ten times smaller
@@ -64,6 +65,12 @@ class Trial:
     stated: float  # numerical uncertainty of the total, relative; infinite: unknown
     reference: float  # uncertainty of everything on, relative
     unknown: tuple[str, ...]  # why the uncertainty of a point of the scene is unknown
+
+    @property
+    def lacks_input(self) -> bool:
+        """Whether the uncertainty is unknown for an input that the scene lacks: with it, everything on is known."""
+        missing = bool(self.unknown) and all(NOT_GIVEN in cause for cause in self.unknown)
+        return np.isinf(self.stated) and np.isfinite(self.reference) and missing
 
     @property
     def ratio(self) -> float:
@@ -218,11 +225,23 @@ def show(drawn: list[Trial], searched: list[Trial], out: Console) -> None:
     )
     vague = np.mean([trial.reference > MATTERS for trial in drawn + searched])
     out.print(f"The reference itself is more uncertain than {100 * MATTERS:g} % at {100 * vague:.2g} % of the points.")
-    causes = Counter(
-        cause for trial in worst_places([each for each in drawn if each.unknown]) for cause in words(trial)
-    )
+    for line in unknown_shares(drawn):
+        out.print(line)
+
+
+def unknown_shares(trials: list[Trial]) -> Iterable[str]:
+    """How many of the scenes have an unknown uncertainty at some tolerance and point: all, and by cause."""
+    scenes = len({trial.place for trial in trials})
+    found: dict[tuple[float, ...], list[Trial]] = {}
+    for trial in trials:
+        if np.isinf(trial.stated):
+            found.setdefault(trial.place, []).append(trial)
+    known_with_input = sum(all(trial.lacks_input for trial in each) for each in found.values())
+    for name, count in (("", len(found)), (", those that lack an input left out,", len(found) - known_with_input)):
+        yield f"unknown{name} in {count} of {scenes} random scenes, {100 * count / max(scenes, 1):.2g} %"
+    causes = Counter(cause for each in found.values() for cause in {word for trial in each for word in words(trial)})
     for cause, count in causes.most_common():
-        out.print(f"unknown in {count} random scenes: {cause}")
+        yield f"unknown in {count}: {cause}"
 
 
 def words(trial: Trial) -> list[str]:

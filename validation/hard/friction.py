@@ -4,15 +4,36 @@ import math
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
+
 from analytic.contact.rolling_contact import RollingContact
 from analytic.loads.ring import ring_equilibrium
-from analytic.scene import ContactAngle
+from analytic.result import FrictionTorque
+from analytic.scene import Bearing, ContactAngle, Operation
+from analytic.scenefile.read import load_scene
 from analytic.sliding.long_ellipse import MicroslipTorque, microslip_moments, microslip_torque
+from analytic.torque import friction_torque
+from fembearing.verify.torque.scene_torque import torque_of_scene
 from validation.hard.case import HardCase
-from validation.hard.specimens import exponent, parsed, torque_6205, with_clearance
+from validation.hard.specimens import (
+    AS_HERTZ,
+    ceramic,
+    exponent,
+    nearly_incompressible,
+    of_materials,
+    parsed,
+    peek,
+    scene_6205,
+    torque_6205,
+    with_clearance,
+    with_conformity,
+)
 
 VANISHING = (1e-6, "the next term, the square of a change of angle below 1e-4, and less")
+RING = (1e-10, "the ring settles to 1e-12 of its loads, of which torques are powers")
 FREE, ZERO = ContactAngle(rule="solved", free=0.18), ContactAngle(rule="solved", free=0.0)
+SOLVED = ContactAngle(rule="solved")
+ELLIPSE_END = 3.671169832276226692825e-3  # m, of the heaviest contact at conformity 0.5005, by 40 digits
 
 
 def spin(spin_to_roll: float) -> float:
@@ -76,6 +97,41 @@ def spin_without_angle() -> float:
     parts = torque_6205(radial_load=640.0, contact_angle=ZERO, bearing=with_clearance(0.0)).torque
     assert parts.spin is not None
     return float(parts.spin[0] / parts.total[0])
+
+
+def rolled(of: Bearing) -> FrictionTorque:
+    """A bearing whose clearance is taken away under 640 N aside: its balls roll at contact angle 0."""
+    tight = with_clearance(0.0, of=of)
+    return torque_6205(
+        radial_load=640.0, contact_angle=ZERO, bearing=tight, friction_coefficient=0.1, spin_rule="balanced"
+    )
+
+
+def conformity_torque(of: Bearing) -> float:
+    """Its torque by conformity, N m; NaN if any comes from spin."""
+    parts = rolled(of).torque
+    assert parts.conformity is not None
+    assert parts.spin is not None
+    return float(parts.conformity[0]) if parts.spin[0] == 0.0 else math.nan
+
+
+def beyond_the_shoulder(half_width: float) -> float:
+    """Share of the heaviest contact's load beyond an inner shoulder at this distance, m, at conformity 0.5005."""
+    narrow = with_clearance(0.0, of=with_conformity(0.5005))
+    bearing = replace(narrow, inner=replace(narrow.inner, shoulder_half_width=half_width))
+    operation = Operation(axial_load=np.array([0.0]), inner_speed=np.array([31.0]), radial_load=np.array([640.0]))
+    scene = replace(scene_6205(), operation=operation, effects=AS_HERTZ, contact_angle=ZERO, spin_rule="balanced")
+    scene = replace(scene, bearing=bearing)
+    checks = torque_of_scene(scene, estimate=False).verdicts.physical
+    (share,) = [check.value for check in checks if (check.name, check.where) == ("shoulder", "inner race")]
+    assert share is not None
+    return share
+
+
+def hardly_loaded() -> float:
+    """Torque of the shipped scene in oil at 500 rpm under 1e-6 N, N m."""
+    settings = {"operation.axial_load": "1e-6 N", "operation.inner_speed": "500 rpm"}
+    return float(friction_torque(load_scene("paper_6205", settings=settings)).torque.total[0])
 
 
 FRICTION_CASES: tuple[HardCase, ...] = (  # name, problem, answer, evaluation, expected number
@@ -159,6 +215,30 @@ FRICTION_CASES: tuple[HardCase, ...] = (  # name, problem, answer, evaluation, e
         refusal="must lie between 0 and pi/2 rad, got 0.0"),
     HardCase("torque: over the shoulder", "1e9 N of thrust", "a refusal: the contact leaves the groove",
         lambda: torque("total", 1e9), refusal="beyond the inner race's shoulder"),
+    HardCase("torque: conformity 0.5005", "the conformity's torque of rolling balls that nearly fill their grooves",
+        "that of lines of pure rolling where each race exerts no force, by 40 digits",
+        lambda: conformity_torque(with_conformity(0.5005)), 0.084818372744513000993, tolerance=RING),
+    HardCase("torque: Poisson ratio 0.49", "the same at Poisson ratio 0.49", "the same, by 40 digits",
+        lambda: conformity_torque(of_materials(*[nearly_incompressible()] * 2)), 0.003842120914884810033,
+        tolerance=RING),
+    HardCase("torque: ceramic on PEEK", "the same for Si3N4 on PEEK", "the same, by 40 digits",
+        lambda: conformity_torque(of_materials(ceramic(), peek())), 0.039224515630194559507,
+        tolerance=RING),
+    HardCase("torque: groove as wide as the ball", "the same at conformity 0.5", "a refusal: the contact is a line",
+        lambda: conformity_torque(with_conformity(0.5)), refusal="at conformity 0.5 the contact is a line"),
+    HardCase("torque: clearance 1e-12 m", "the torque under thrust at a clearance of 1e-12 m over that without",
+        "1: no clearance is no exception",
+        lambda: torque("total", 700.0, contact_angle=SOLVED, bearing=with_clearance(1e-12)) / torque("total", 700.0,
+            contact_angle=SOLVED, bearing=with_clearance(0.0)), 1.0,
+        tolerance=(1e-7, "1e-12 m changes the ball's load by 1e-8")),
+    HardCase("torque: ellipse up to the shoulder", "the load beyond a shoulder 1e-12 of a semi-axis past the ellipse",
+        "0: nothing is cut off", lambda: beyond_the_shoulder(ELLIPSE_END * (1 + 1e-12)), 0.0),
+    HardCase("torque: ellipse past the shoulder", "the load beyond a shoulder at 0.6 mm under an ellipse to 3.7 mm",
+        "1/2 - (3 u - u^3)/4 with u the distance over the semi-axis, by 40 digits",
+        lambda: beyond_the_shoulder(0.6e-3), 0.37851465908862662285, tolerance=RING),
+    HardCase("torque: 1e-6 N at 500 rpm", "1e-6 N of thrust on a bearing in oil that turns", "a refusal: it skids",
+        hardly_loaded,
+        refusal="raise the load or lower the speed"),
     HardCase("scene: a load in mm", 'axial_load = "700 mm"', "a refusal that names the key and its unit",
         lambda: parsed(load="700 mm"), refusal="operation.axial_load"),
     HardCase("scene: a speed of infinity", 'inner_speed = "inf rpm"', "a refusal that names the key",

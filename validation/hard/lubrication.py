@@ -12,7 +12,7 @@ from analytic.oil.mixed import MixedContact, mixed_contact
 from analytic.oil.traction import mixed_traction, oil_shear_stress
 from analytic.oil.viscosity import roelands_viscosity
 from analytic.result import FrictionTorque
-from analytic.scene import Lubricant, Surface
+from analytic.scene import Lubricant, Reach, Surface
 from analytic.surface.truncated_gap import TruncatedGap
 from validation.hard.case import HardCase
 from validation.hard.roughness import CORRELATION, HARDNESS, rough
@@ -113,13 +113,24 @@ def shear(speed: float, *, oil: Lubricant = OIL, pressure: float = 0.9e9, film_t
     return float(oil_shear_stress(oil, pressure=pressure, speed=speed, film_thickness=film_thickness))
 
 
-def oiled(*, speed: float = 31.0, rms_roughness: float = 0.3e-6, conformity: float | None = None) -> FrictionTorque:
-    """The 6205 under 700 N of thrust in oil, its inner ring at speed, rad/s."""
+def oiled(
+    *,
+    speed: float = 31.0,
+    rms_roughness: float = 0.3e-6,
+    conformity: float | None = None,
+    ahead: float = 0.9,
+    degree: float | None = None,
+) -> FrictionTorque:
+    """The 6205 under 700 N of thrust in oil, its inner ring at speed, rad/s.
+
+    ahead : reach of the oil, in radii of the ball;  degree : of starvation
+    """
     if conformity is None:
         close = bearing()
     else:
         radius = conformity * bearing().ball_diameter
         close = replace(bearing(), **{race: replace(getattr(bearing(), race), groove_radius=radius) for race in RACES})
+    oil = replace(OIL, reach=Reach(ahead=ahead), starvation_degree=degree)
     surface = Surface(
         rms_roughness=rms_roughness,
         autocorrelation=CORRELATION,
@@ -128,7 +139,7 @@ def oiled(*, speed: float = 31.0, rms_roughness: float = 0.3e-6, conformity: flo
         gap="truncated",
     )
     return torque_6205(
-        axial_load=700.0, speed=speed, bearing=close, friction_coefficient=None, lubricant=OIL, surface=surface
+        axial_load=700.0, speed=speed, bearing=close, friction_coefficient=None, lubricant=oil, surface=surface
     )
 
 
@@ -137,9 +148,9 @@ def warned(torque: FrictionTorque, words: str) -> int:
     return sum(words in warning for warning in torque.warnings)
 
 
-def coefficient_at_standstill() -> float:
-    """Friction coefficient of the inner race."""
-    coefficient = oiled(speed=0.0).friction_coefficient.inner
+def coefficient(**changed: float) -> float:
+    """Friction coefficient of the inner race; arguments of `oiled`."""
+    coefficient = oiled(**changed).friction_coefficient.inner
     assert coefficient is not None
     return float(coefficient[0])
 
@@ -228,7 +239,7 @@ LUBRICATION_CASES: tuple[HardCase, ...] = (  # name, problem, answer, evaluation
         0.063e9),
     HardCase("oiled torque: standstill",
         "the friction coefficient of the inner race at 0 rpm over that of the boundary", "1: there is no film",
-        lambda: coefficient_at_standstill() / BOUNDARY_FRICTION, 1.0),
+        lambda: coefficient(speed=0.0) / BOUNDARY_FRICTION, 1.0),
     HardCase("oiled torque: slow running", "the torque at 1e-20 rad/s over that at standstill",
         "1: the film of 4e-12 nm carries load, but shears like a boundary film",
         lambda: float(oiled(speed=1e-20).torque.total[0] / oiled(speed=0.0).torque.total[0]), 1.0, tolerance=SLOW),
@@ -236,6 +247,13 @@ LUBRICATION_CASES: tuple[HardCase, ...] = (  # name, problem, answer, evaluation
         lambda: float(oiled(speed=-31.0).torque.total[0] / oiled(speed=31.0).torque.total[0]), 1.0),
     HardCase("oiled torque: smooth races", "the larger asperity share of both races for Sq = 0", "0 exactly",
         lambda: share_of_smooth_races(), 0.0),
+    HardCase("oiled torque: inlet shorter than the contact",
+        "the friction coefficient of the inner race over that of the boundary, with oil that ends within the ellipse",
+        "1: nothing is left of the film, as at a starvation degree of 1",
+        lambda: coefficient(ahead=0.01, degree=5.0) / BOUNDARY_FRICTION, 1.0),
+    HardCase("oiled torque: inlet that ends at the contact",
+        "the same with oil up to the edge of the ellipse, at a starvation degree of 1", "1",
+        lambda: coefficient(degree=1.0) / BOUNDARY_FRICTION, 1.0),
     HardCase("oiled torque: ellipse outside the film's fit",
         "the number of warnings on the film's formula at conformity 0.505, R_x/R_y of 0.01", "2: one for each race",
         lambda: float(warned(oiled(conformity=0.505), "contact ellipse outside the fitted shapes")), 2.0),

@@ -47,10 +47,24 @@ def bearing() -> Bearing:
     return scene_6205().bearing
 
 
-def with_clearance(clearance: float) -> Bearing:
-    """The 6205 with its outer ring opened to a diametral clearance, m; negative is preload."""
-    touching = bearing().inner.bottom_radius + bearing().ball_diameter
-    return replace(bearing(), outer=replace(bearing().outer, bottom_radius=touching + clearance / 2))
+def with_clearance(clearance: float, *, of: Bearing | None = None) -> Bearing:
+    """A bearing, the 6205, with its outer ring opened to a diametral clearance, m; negative is preload."""
+    given = bearing() if of is None else of
+    touching = given.inner.bottom_radius + given.ball_diameter
+    return replace(given, outer=replace(given.outer, bottom_radius=touching + clearance / 2))
+
+
+def with_conformity(conformity: float) -> Bearing:
+    """The 6205 with both grooves of this conformity, r_g/D."""
+    radius, races = conformity * bearing().ball_diameter, (bearing().inner, bearing().outer)
+    inside, outside = (replace(race, groove_radius=radius) for race in races)
+    return replace(bearing(), inner=inside, outer=outside)
+
+
+def of_materials(ball: Material, race: Material) -> Bearing:
+    """The 6205 of other materials, its balls as heavy as before."""
+    inside, outside = (replace(each, material=race) for each in (bearing().inner, bearing().outer))
+    return replace(bearing(), ball_material=ball, inner=inside, outer=outside)
 
 
 def inner(*, load: float = BALL_LOAD, material: Material | None = None, conformity: float | None = None) -> Contact:
@@ -65,6 +79,10 @@ def inner(*, load: float = BALL_LOAD, material: Material | None = None, conformi
 
 def incompressible() -> Material:
     return replace(bearing().ball_material, poisson_ratio=0.4999)
+
+
+def nearly_incompressible() -> Material:
+    return replace(bearing().ball_material, poisson_ratio=0.49)
 
 
 def peek() -> Material:

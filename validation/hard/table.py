@@ -11,8 +11,18 @@ from validation.hard.free_balls import FREE_BALL_CASES
 from validation.hard.friction import FRICTION_CASES
 from validation.hard.lubrication import LUBRICATION_CASES
 from validation.hard.meshes import MESH_CASES
+from validation.hard.numerical_film import NUMERICAL_FILM_CASES
+from validation.hard.numerical_friction import NUMERICAL_FRICTION_CASES
 from validation.hard.roughness import ROUGHNESS_CASES
 
 HARD_CASES: tuple[HardCase, ...] = (
-    CONTACT_CASES + MESH_CASES + FRICTION_CASES + FREE_BALL_CASES + LUBRICATION_CASES + ROUGHNESS_CASES + CAGE_CASES
+    CONTACT_CASES
+    + MESH_CASES
+    + FRICTION_CASES
+    + FREE_BALL_CASES
+    + NUMERICAL_FRICTION_CASES
+    + LUBRICATION_CASES
+    + NUMERICAL_FILM_CASES
+    + ROUGHNESS_CASES
+    + CAGE_CASES
 )

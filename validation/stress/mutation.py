@@ -4,7 +4,8 @@ A mutant is the source with one node of its syntax tree replaced: + and - swappe
 one, a comparison turned round, `<` and `<=` swapped beside a whole number, `and` and `or` swapped, `not` or a minus
 taken away, min and max swapped, or a coefficient increased by a tenth. Messages and assertions are left alone, and so
 are coefficients in modules that draw. Each mutant runs in a copy of the tree with the tests that mirror its module's
-folder, until one fails; tests that hang have seen it too. Its formulas are compiled into a folder of its own.
+folder, until one fails; tests that hang have seen it too. Compiled formulas are kept by the content of their sources:
+mutants that change none of these share them.
 """
 
 import ast
@@ -157,8 +158,8 @@ def of_text(node: ast.BinOp) -> bool:
 class Tree:
     """A copy of the tree, in which one mutant at a time is tested."""
 
-    def __init__(self, folder: Path, before: Sequence[str]) -> None:
-        self.root, self.before = folder, before
+    def __init__(self, folder: Path, cache: Path, before: Sequence[str]) -> None:
+        self.root, self.cache, self.before = folder, cache, before
         shutil.copytree(ROOT, self.root, ignore=LEFT_OUT, symlinks=True)
 
     def test(self, mutant: Mutant) -> Outcome:
@@ -174,15 +175,14 @@ class Tree:
         """Run tests until one fails: outcome, seconds, and the test."""
         limits = ("timeout", "--kill-after=10", DEAF, "bash", "-c", LIMITED, "limited")
         pytest = (sys.executable, "-B", "-m", "pytest", "-q", "-x", "-rfE", "-p", "no:cacheprovider", *tests)
-        with tempfile.TemporaryDirectory() as cache:
-            # Byte code is neither written nor read: that of a mutant could be as old and as long as another's.
-            own = {"PYTHONPATH": str(self.root), "CI": "true", "OMP_NUM_THREADS": "1", FOLDER: cache}
-            start = time.monotonic()
-            done = subprocess.run(
-                [*self.before, *limits, *pytest], cwd=self.root, env=os.environ | own, stdin=subprocess.DEVNULL,
-                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", check=False,
-            )  # fmt: skip
-            seconds = time.monotonic() - start
+        # Byte code is neither written nor read: that of a mutant could be as old and as long as another's.
+        own = {"PYTHONPATH": str(self.root), "CI": "true", "OMP_NUM_THREADS": "1", FOLDER: str(self.cache)}
+        start = time.monotonic()
+        done = subprocess.run(
+            [*self.before, *limits, *pytest], cwd=self.root, env=os.environ | own, stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", check=False,
+        )  # fmt: skip
+        seconds = time.monotonic() - start
         if done.returncode == 0 or done.returncode in TIMED_OUT:
             return "timeout" if done.returncode else "survived", seconds, ""
         lines = done.stdout.strip().splitlines() or [""]
@@ -211,7 +211,7 @@ def outcomes(chosen: Sequence[Mutant], *, jobs: int, before: Sequence[str] = ())
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(jobs) as pool:
         trees: SimpleQueue[Tree] = SimpleQueue()
         for number in range(jobs):
-            trees.put(Tree(Path(folder) / str(number), before))
+            trees.put(Tree(Path(folder) / str(number), Path(folder) / "formulas", before))
 
         def test(mutant: Mutant) -> Outcome:
             tree = trees.get()

@@ -66,7 +66,7 @@ class Budget:
 
 
 LONG = Budget(inputs=20_000, pages=20_000, commands=500, kills=200, every=1, calls=(10_000, 300, 300), mutants=330)
-SHORT = Budget(inputs=20, pages=8, commands=2, kills=4, every=60, calls=(100, 6, 0), mutants=0)
+SHORT = Budget(inputs=20, pages=8, commands=2, kills=3, every=60, calls=(100, 6, 0), mutants=0)
 
 
 @dataclass

@@ -10,7 +10,7 @@ from analytic.oil.film import FILM_FACTORS
 from analytic.oil.variation import COVERAGE, FIT_SHARE, ROLLING_SPREAD
 from analytic.scene import Scene
 from fembearing.ehl.film import RATIO, USUAL, estimates_of
-from fembearing.ehl.solver import solve_on_grids
+from fembearing.ehl.solver import require_few_cells, solve_on_grids
 from fembearing.grid_convergence import Estimate
 from fembearing.progress import Progress
 from fembearing.verify.cost.ladder import Ladder, TimedMethod, UntimedMethod, ladder_of, timed
@@ -32,6 +32,7 @@ def measured_films(scene: Scene, *, tolerance: float, progress: Progress) -> tup
     grids, failed = [], None
     begun = time.perf_counter()
     try:
+        require_few_cells(closed.problem, REFINEMENTS[-1])
         for number, solution in enumerate(solve_on_grids(closed.problem, REFINEMENTS)):
             grids.append((solution, time.perf_counter() - begun))
             progress((number + 1) / len(REFINEMENTS), f"film, grid {number + 1}")

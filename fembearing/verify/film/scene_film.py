@@ -22,8 +22,9 @@ from analytic.result import FrictionTorque
 from analytic.scene import Array, Contact, Scene
 from fembearing.ehl.ball_on_race import lubricated_contact
 from fembearing.ehl.contact import LubricatedContact, Reach
-from fembearing.ehl.film import NumericalFilm, numerical_film
+from fembearing.ehl.film import RATIO, NumericalFilm, numerical_film
 from fembearing.ehl.oil import Oil
+from fembearing.ehl.solver import require_few_cells
 from fembearing.grid_convergence import Estimate
 from fembearing.progress import Progress, silent
 from fembearing.verify.contact.bearings import OfPair
@@ -194,18 +195,25 @@ def _verdict(
 
 
 def _accurate(problem: LubricatedContact, *, tolerance: float, progress: Callable[[float], None]) -> NumericalFilm:
-    """The solution on the coarsest grids that reach the tolerance, or on the finest."""
-    *coarser, finest = REFINEMENTS
-    for number, refinement in enumerate(coarser):
+    """The solution on the coarsest grids that reach the tolerance, or on the finest that the memory holds."""
+    best: NumericalFilm | None = None
+    for number, refinement in enumerate(REFINEMENTS):
         progress(number / len(REFINEMENTS))
         try:
-            solution = numerical_film(problem, refinement=refinement)
+            require_few_cells(problem, refinement * RATIO)
+            best = numerical_film(problem, refinement=refinement)
+        except InputError:  # too many cells, on each finer grid too
+            if best is None:
+                raise
+            return best
         except ConvergenceError:  # a finer grid may settle; the finest one says why it does not
+            if refinement == REFINEMENTS[-1]:
+                raise
             continue
-        if all(getattr(solution, name).total <= tolerance for name in JUDGED):
-            return solution
-    progress(len(coarser) / len(REFINEMENTS))
-    return numerical_film(problem, refinement=finest)
+        if all(getattr(best, name).total <= tolerance for name in JUDGED):
+            break
+    assert best is not None
+    return best
 
 
 def _heaviest(scene: Scene, race: Race) -> tuple[Contact, float, float]:

@@ -45,14 +45,14 @@ def test_balls_that_hold_their_motion_stay_given() -> None:
     assert np.isnan(present(found.cage).race_excess[0])
 
 
-@pytest.mark.slow
-def test_a_long_motion_of_balls_is_not_computed_unasked() -> None:
-    """301 beginnings of 7 ms, started up as long, are 4.2 s of motion, and 4 s are the most."""
-    scene = running(1.0, 500.0, duration=0.007, seeds=300)
+def test_a_long_motion_of_balls_is_not_computed_unasked(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Four beginnings of 7 ms, started up as long, are 0.056 s of motion, beyond a limit of 0.05 s in place of 4 s."""
+    monkeypatch.setattr("analytic.effects.cage.LONGEST_FREE_MOTION", 0.05)
+    scene = running(1.0, 500.0, duration=0.007, seeds=3)
     found = friction_torque(replace(scene, effects={"cage_dynamics": "on"}))
     assert not found.is_on("ball_dynamics")
     reason = next(effect.reason for effect in found.effects if effect.name == "ball_dynamics")
-    assert "1 points need 4.21 s of motion" in reason
+    assert "1 points need 0.056 s of motion, limit 0.05 s" in reason
 
 
 @pytest.mark.slow

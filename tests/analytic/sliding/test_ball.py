@@ -161,7 +161,8 @@ def test_the_torque_is_the_power_lost_at_every_point(method: SlidingMethod, trac
     """Against a midpoint sum over polar cells, with its own c of no net force."""
     case = running(rpm=230.0, sq=0.4e-6, traction=traction)
     found = case.friction(method)
-    r, angle = np.sqrt((np.arange(800) + 0.5) / 800)[:, None], 2 * np.pi * (np.arange(1440) + 0.5) / 1440  # equal areas
+    # Equal areas of the half x > 0: the other half has the same speeds
+    r, angle = np.sqrt((np.arange(400) + 0.5) / 400)[:, None], np.pi * ((np.arange(360) + 0.5) / 360 - 0.5)
     total = 0.0
     rates = (found.inner.spin_rate, found.outer.spin_rate)
     for race, law, spin in zip(case.contacts, case.traction, rates, strict=True):
@@ -180,9 +181,10 @@ def test_the_torque_is_the_power_lost_at_every_point(method: SlidingMethod, trac
             along = np.divide(slide - c, speed, out=np.zeros_like(speed), where=speed > 0)  # noqa: B023
             return float(np.sum(tau * along))
 
-        tau, speed = stress(brentq(force, slide.min(), slide.max(), xtol=1e-16))  # pyright: ignore[reportArgumentType]
+        # 1e-7 of the range moves the power by as little
+        tau, speed = stress(brentq(force, slide.min(), slide.max(), xtol=1e-7 * np.ptp(slide)))  # pyright: ignore[reportArgumentType]
         total += np.pi * a * b * float(np.mean(tau * speed))
-    np.testing.assert_allclose(found.torque, total, rtol=2e-4)  # a thousand cells across, kinks where slide turns
+    np.testing.assert_allclose(found.torque, total, rtol=2e-4)  # hundreds of cells across, kinks where slide turns
 
 
 @pytest.mark.parametrize("method", METHODS)

@@ -44,18 +44,18 @@ def warm_model(scene: Scene) -> Model:
     return model_of(scene, COUNTED, creep="marched", passes=QUADRATURE, cold=False)
 
 
-@pytest.mark.parametrize(("count", "radial"), [(40, False), (15, True)])
+@pytest.mark.parametrize(("count", "radial"), [(20, False), (8, True)])
 def test_a_series_agrees_with_its_points(bearing_6205: Bearing, count: int, radial: bool) -> None:
     operation = drawn(count, radial=radial)
     series = friction_torque(scene_of(bearing_6205, **operation))
     assert np.all(series.numerical_uncertainty <= 0.01)
-    for i in range(count):
+    for i in range(0, count, 3):  # the others are starts of these
         alone = friction_torque(scene_of(bearing_6205, **{name: of[i : i + 1] for name, of in operation.items()}))
         error = abs(series.torque.total[i] / alone.torque.total[0] - 1)
         assert error <= series.numerical_uncertainty[i] + alone.numerical_uncertainty[0]
 
 
-@pytest.mark.parametrize(("count", "radial"), [(40, False), (15, True)])
+@pytest.mark.parametrize(("count", "radial"), [(20, False), (8, True)])
 def test_a_series_in_reverse_order_has_the_same_torques(bearing_6205: Bearing, count: int, radial: bool) -> None:
     """Same nodes, other starts: passes end where they change the torque by 3e-7, and rounds at forces of 1e-6."""
     scene = scene_of(bearing_6205, **drawn(count, radial=radial))

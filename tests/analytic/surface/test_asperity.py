@@ -51,8 +51,15 @@ def reference(h: float, radius: float) -> tuple[float, float]:
         return float(pressure), float(area)
 
 
-@pytest.mark.parametrize("ratio", [1e-4, 0.02, 0.26, 3.1, 40.0, 1e5])
-@pytest.mark.parametrize("t", [-7.0, -5.9, -2.3, 0.0, 1.7, 6.1, 24.0])
+# Each ratio at three separations, and each separation at two or three ratios
+@pytest.mark.parametrize(
+    ("ratio", "t"),
+    [
+        *((ratio, t) for ratio in (1e-4, 0.26, 40.0) for t in (-7.0, 0.0, 6.1)),
+        *((ratio, t) for ratio in (0.02, 3.1) for t in (-5.9, 1.7, 24.0)),
+        *((1e5, t) for t in (-2.3, 1.7, 24.0)),
+    ],
+)
 def test_the_integrals_in_40_digits(ratio: float, t: float) -> None:
     """From plastic to elastic, from flattened to a separation of 24 standard deviations with a pressure of 1e-130."""
     summits, h = with_yield_at(ratio), 1.3e-6 + t * 0.8e-6

@@ -13,15 +13,16 @@ from fembearing.verify.hard_record import RECORD, last_run
 from tests.validation.hard.cage_exact import CAGE
 from tests.validation.hard.contact_exact import CONTACT
 from tests.validation.hard.lubrication_exact import LUBRICATION
+from tests.validation.hard.torque_exact import TORQUE
 from validation.hard.case import HardCase, outcome_of
 from validation.hard.table import HARD_CASES
 
 TABLE = {case.name: case for case in HARD_CASES}
-EXACT = CONTACT | LUBRICATION | CAGE
+EXACT = CONTACT | LUBRICATION | CAGE | TORQUE
 NUMBERS = {case.name: case.expected for case in HARD_CASES if case.expected not in (None, -1, 0, 1)}
 
 
-SLOW = {  # fine meshes of the true groove
+SLOW = {  # fine meshes of the true groove and fine grids
     f"contact: {name}"
     for name in (
         "true groove at 1e-6 N",
@@ -30,7 +31,14 @@ SLOW = {  # fine meshes of the true groove
         "steel on ceramic",
         "steel on bronze",
     )
-} | {"contact: steel on PEEK"}
+} | {
+    "contact: steel on PEEK",
+    "numerical film: 1e-6 N",
+    "numerical film: reversed",
+    "numerical film: clearance 1e-12 m",
+    "numerical friction: conformity 0.5005",
+    "numerical friction: 1e-4 N on a free ring",
+}
 
 
 @pytest.mark.parametrize(
@@ -54,7 +62,7 @@ def test_the_table_is_sound() -> None:
     refused = [case for case in HARD_CASES if case.refusal]
     assert 0 < 3 * len(refused) <= len(HARD_CASES)  # a table of refusals would show nothing
     assert NUMBERS.keys() == EXACT.keys()
-    assert len(EXACT) == len(CONTACT) + len(LUBRICATION) + len(CAGE)
+    assert len(EXACT) == len(CONTACT) + len(LUBRICATION) + len(CAGE) + len(TORQUE)
 
 
 def number(evaluate: object, expected: float = 2.5) -> HardCase:

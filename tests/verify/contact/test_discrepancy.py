@@ -99,7 +99,7 @@ def test_an_ellipse_over_the_shoulder_is_not_judged(cut_contact: ContactSolution
         assert shoulder[name]["uncertainty"] > abs(values[-1] / values[-2] - 1), name
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_the_answer_does_not_jump_where_the_contact_reaches_its_shoulder(
     contacts: dict[str, Contact], shallow: Callable[[str], Recipe]
 ) -> None:

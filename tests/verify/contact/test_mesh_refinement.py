@@ -62,7 +62,7 @@ def test_both_sides_are_meshed_where_they_differ(
         assert has_sides(mesh, recipe=replace(load_recipe("race"), geometry=geometry)) == (needed and matters)
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_the_sides_of_a_steep_contact_are_those_of_a_finer_mesh(contacts: dict[str, Contact]) -> None:
     """An outer ring counterbored, at 40 degrees: half of it on the third level, within the stated share."""
     far = 4.21e-3 * np.sin(0.7)  # the bottom of the groove

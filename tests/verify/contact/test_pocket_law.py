@@ -54,7 +54,7 @@ def test_one_load_or_no_bending_has_no_law_and_two_loads_no_uncertainty() -> Non
     assert law.sheet_uncertainty is None
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_the_sheet_bends_as_a_shell_and_the_law_holds_between_its_loads() -> None:
     """k against Reissner's shallow spherical cap, 1/k = sqrt(3 (1 - nu^2)) R/(4 E t^2) [Timoshenko1959]."""
     sheet = 0.45e-3

@@ -77,8 +77,7 @@ def test_every_poisson_ratio_has_its_interval(ideal: ContactSolution, side: Side
         assert (document["discrepancy"][name] is None) == on_surface
 
 
-@SIDES
-@pytest.mark.parametrize("ratio", [0.0, 0.4999])
+@pytest.mark.parametrize(("side", "ratio"), [("upper", 0.0), ("lower", 0.4999)])
 def test_the_interval_of_the_third_level_holds_and_is_narrow(ideal: ContactSolution, side: Side, ratio: float) -> None:
     assert ideal.meshes[-1].level == 3
     other = 0.29  # of the other body

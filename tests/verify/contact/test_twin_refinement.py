@@ -1,7 +1,6 @@
 """The estimate from levels with a twin: its order, its uncertainty, and where plain levels take its place."""
 
 from collections.abc import Callable
-from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
@@ -11,7 +10,7 @@ from analytic.scene import Contact
 from fembearing.mesh.recipe import Recipe, load_recipe
 from fembearing.progress import silent
 from fembearing.report.contact import contact_record
-from fembearing.verify.contact.discrepancy import compare_contact
+from fembearing.verify.contact.discrepancy import ContactSolution, compare_contact
 from fembearing.verify.contact.mesh_refinement import COMPARED, FORMAL_ORDERS
 from fembearing.verify.contact.reference import solve_reference
 from fembearing.verify.contact.twin_refinement import ORDER, ORDERS, SHAPED, estimates_with_twin
@@ -61,17 +60,13 @@ def test_what_twins_leave_is_extrapolated(levels: tuple[int, ...]) -> None:
 
 
 def test_the_result_says_whether_meshes_had_a_twin(
-    contacts: dict[str, Contact], shallow: Callable[[str], Recipe]
+    contacts: dict[str, Contact], shallow: Callable[[str], Recipe], cut_contact: ContactSolution
 ) -> None:
     """The idealisation would be its own twin, and a contact that its shoulder cuts off has none."""
-    contact = contacts["inner"]
-    cases = (
-        (contact, "race", "twin"),
-        (replace(contact, shoulder=0.8e-3), "race", "levels"),
-        (contact, "hertzian", "levels"),
+    race, half_spaces = (
+        compare_contact(contacts["inner"], recipe=shallow(recipe), tolerance=0.9) for recipe in ("race", "hertzian")
     )
-    for each, recipe, refinement in cases:
-        solution = compare_contact(each, recipe=shallow(recipe), tolerance=0.9)
+    for solution, refinement in ((race, "twin"), (cut_contact, "levels"), (half_spaces, "levels")):
         assert solution.refinement == contact_record(solution).refinement == refinement
         assert ("twin" in solution.method) == (refinement == "twin")
         table = contact_record(solution)

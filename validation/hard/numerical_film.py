@@ -1,0 +1,172 @@
+"""Hard cases of the numerical film: its limits of load and speed, extreme materials and grooves, and oil that ends."""
+
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from analytic.scene import Material, Operation, Reach, Scene
+from analytic.scenefile.read import load_scene
+from fembearing.ehl.contact import LubricatedContact
+from fembearing.ehl.contact import Reach as OilReach
+from fembearing.ehl.film import numerical_film
+from fembearing.ehl.oil import Oil
+from fembearing.ehl.shape import BallOnRace, Paraboloid
+from fembearing.ehl.solver import Solution, solve_on_grids
+from fembearing.fem.half_space import contact_modulus, hertz_ellipse
+from fembearing.verify.film.scene_film import film_of
+from validation.hard.case import HardCase
+from validation.hard.specimens import (
+    bearing,
+    ceramic,
+    inner,
+    nearly_incompressible,
+    peek,
+    with_clearance,
+    with_conformity,
+)
+
+LIGHT = 60.0  # N of thrust: a small contact, quick to solve
+RIGID = 35.35  # H M^2 of a rigid point contact with an endless inlet, by two other codes: 35.2 to 35.5
+
+# Tolerances, relative, with their reasons
+ALIKE = (1e-9, "scaled equations are equal but for round-off, which Newton's method does not enlarge")
+TWO_CODES = (0.025, "the end of the inlet leaves 1 %, bodies that are not quite rigid 0.5 %, and the cells 1 %")
+HERTZIAN = (0.01, "at M 1000 the film is 3 % of the contact's deflection, which the edge takes")
+TWO_WAYS = (0.01, "the cells of one grid: 0.2 % was seen")
+
+
+def rolling(
+    loading: float,
+    thickening: float,
+    *,
+    modulus: float,
+    ellipticity: float = 1.0,
+    ahead: float = 8.49,
+    load: float | None = None,
+    **oil: Any,
+) -> LubricatedContact:
+    """Paraboloids of given M, L and lambda; without thickening the load is given, N. ahead : of the oil, in a."""
+    pressure_viscosity, viscosity, radius = 2e-8 if thickening else 0.0, 0.059, 9.5e-3
+    scale = 2 * modulus * radius**2
+    if load is None:
+        relative = (thickening / (pressure_viscosity * 2 * modulus)) ** 4
+        pressed = loading * relative**0.75 * scale
+    else:
+        relative, pressed = (load / scale / loading) ** (4 / 3), load
+    a, b = hertz_ellipse((1 / radius, ellipticity / radius), load=pressed, modulus=modulus)
+    return LubricatedContact(
+        load=pressed,
+        modulus=modulus,
+        shape=Paraboloid(rolling_radius=radius, transverse_radius=radius / ellipticity),
+        speed=relative * modulus * radius / viscosity,
+        oil=Oil(viscosity=viscosity, pressure_viscosity=pressure_viscosity, **oil),
+        reach=OilReach(ahead=ahead * a, behind=ahead * a, side=max(ahead * a / ellipticity**0.5, 1.5 * b)),
+    )
+
+
+def solved(contact: LubricatedContact, *refinements: float) -> Solution:
+    """On the last one of these grids."""
+    *_, found = solve_on_grids(contact, refinements)
+    return found
+
+
+def modulus_of(ball: Material, race: Material) -> float:
+    return contact_modulus(replace(inner(), ball_material=ball, race_material=race))
+
+
+@cache
+def film_number(modulus: float) -> float:
+    """Moes's H at M 23, L 5 and lambda 0.47, of an incompressible oil by Barus's law, whose only numbers these are."""
+    contact = rolling(23.0, 5.0, ellipticity=0.47, modulus=modulus, law="barus", compressible=False)
+    return solved(contact, 0.5).central_film / contact.film_scale
+
+
+def alike(ball: Material, race: Material) -> float:
+    """Moes's H over that of steel."""
+    steel = bearing().ball_material
+    return film_number(modulus_of(ball, race)) / film_number(modulus_of(steel, steel))
+
+
+def rigid() -> float:
+    """H M^2 of a ball on a plane under 1e-6 N, at M of 0.5, over that of two other codes."""
+    contact = rolling(0.5, 0.0, modulus=1.14e11, load=1e-6, ahead=8000.0, compressible=False)
+    return numerical_film(contact, refinement=0.6).central_film.value / contact.film_scale * 0.5**2 / RIGID
+
+
+def nearly_dry() -> float:
+    """Largest pressure over Hertz's."""
+    contact = rolling(1000.0, 5.0, modulus=1.14e11, ahead=6.0)
+    return float(solved(contact, 0.55, 0.8).pressure.max()) / contact.peak_pressure
+
+
+def close(conformity: float) -> float:
+    """Rolling force by dissipation over that by pressure: 20 N at this conformity, in oil of constant viscosity."""
+    ball = bearing().ball_radius
+    contact = LubricatedContact(
+        load=20.0,
+        modulus=1.13e11,
+        shape=BallOnRace(ball_radius=ball, race_radius=15.9e-3, groove_radius=2 * conformity * ball),
+        speed=0.37,
+        oil=Oil(viscosity=0.061, pressure_viscosity=0.0),
+        reach=OilReach(ahead=0.9 * ball, behind=0.9 * ball, side=0.75 * ball),
+    )
+    found = solved(contact, 0.6, 0.9)
+    return found.dissipated_force / found.rolling_force
+
+
+def oiled(*, load: float = LIGHT, speed: float = 31.0, **changed: Any) -> Scene:
+    """The 6205 in oil under thrust, N, at an inner speed, rad/s; `changed` replaces other fields."""
+    operation = Operation(axial_load=np.array([load]), inner_speed=np.array([speed]))
+    return replace(load_scene("paper_6205"), operation=operation, cage=None, **changed)
+
+
+def filmed(**changed: Any) -> float:
+    """Central film on the inner race, m; arguments of `oiled`."""
+    return film_of(oiled(**changed), pair="inner", tolerance=0.2).numbers.central_film.numerical
+
+
+def reaching(ahead: float) -> float:
+    """Central film, m, where the oil reaches so many radii of the ball ahead."""
+    lubricant = oiled().lubricant
+    assert lubricant is not None
+    return filmed(lubricant=replace(lubricant, reach=Reach(ahead=ahead)))
+
+
+NUMERICAL_FILM_CASES: tuple[HardCase, ...] = (  # name, problem, answer, evaluation, expected number
+    HardCase("numerical film: 1e-6 N", "H M^2 of a rigid ball under 1e-6 N, over 35.35",
+        "1: the film of a full separation, by two other codes", rigid, 1.0, tolerance=TWO_CODES),
+    HardCase("numerical film: nearly dry", "the largest pressure at M of 1000 over Hertz's",
+        "1: under a vanishing film the pressure is that of the dry contact", nearly_dry, 1.0, tolerance=HERTZIAN),
+    HardCase("numerical film: Poisson ratio 0.49", "Moes's H at Poisson ratio 0.49 over that at 0.3",
+        "1: the film has no other numbers than M, L and lambda",
+        lambda: alike(*[nearly_incompressible()] * 2), 1.0, tolerance=ALIKE),
+    HardCase("numerical film: ceramic on PEEK", "Moes's H of Si3N4 on PEEK over that of steel on steel",
+        "1: as before, although the bodies are 30 times as soft", lambda: alike(ceramic(), peek()), 1.0,
+        tolerance=ALIKE),
+    HardCase("numerical film: conformity 0.5005",
+        "the rolling force by dissipation over that by pressure, in oil of constant viscosity",
+        "1: both are the same power, on an ellipse 70 times as long as wide", lambda: close(0.5005), 1.0,
+        tolerance=TWO_WAYS),
+    HardCase("numerical film: reversed", "the film at -296 rpm over that at 296 rpm", "1, by symmetry",
+        lambda: filmed(speed=-31.0) / filmed(), 1.0),
+    HardCase("numerical film: clearance 1e-12 m", "the film at a clearance of 1e-12 m over that without",
+        "1: no clearance is no exception",
+        lambda: filmed(bearing=with_clearance(1e-12)) / filmed(bearing=with_clearance(0.0)), 1.0,
+        tolerance=(1e-5, "1e-12 m changes the ball's load by 1e-8, and Newton's last step is 1e-6")),
+    HardCase("numerical film: groove as wide as the ball", "a film in a groove of conformity 0.5",
+        "a refusal: the contact is a line", lambda: filmed(bearing=with_conformity(0.5)),
+        refusal="at conformity 0.5 the contact is a line"),
+    HardCase("numerical film: over the shoulder", "1000 N at conformity 0.5005: the ellipse ends beyond the shoulders",
+        "a refusal that names contact and shoulders", lambda: filmed(load=1000.0, bearing=with_conformity(0.5005)),
+        refusal="lower the load or raise shoulder_half_width"),
+    HardCase("numerical film: at standstill", "a film at 0 rpm", "a refusal: there is none",
+        lambda: filmed(speed=0.0), refusal="at standstill there is no film"),
+    HardCase("numerical film: inlet shorter than the contact", "oil that ends 40 um ahead, within the ellipse",
+        "a refusal with the least reach", lambda: reaching(0.01), refusal="is shorter than the contact: give at least"),
+    HardCase("numerical film: dry", "a film at 1e-9 rad/s: it would take more memory than there is",
+        "a refusal with the cells that it takes", lambda: filmed(speed=1e-9), refusal="above 10000: give more speed"),
+    HardCase("numerical film: floating", "2 N at 8000 rad/s, where bodies hardly deform",
+        "a refusal with the remedy", lambda: filmed(load=2.0, speed=8000.0), refusal="give less speed or more load"),
+)  # fmt: skip
