@@ -21,12 +21,13 @@ if TYPE_CHECKING:
 # Before NumPy loads: workers already use all cores, and last digits of a page depend on the number of threads.
 os.environ.setdefault("OMP_NUM_THREADS", "1")
 
-SHARE_CHECKED = (  # and `cut_contact`
+SHARE_CHECKED = (  # files and folders of tests that use `checked` or `cut_contact`, which take six seconds each
     "tests/report/",
-    "tests/verify/test_validation.py",
     "tests/fem/test_shoulder.py",
+    "tests/test_brief.py",
     "tests/verify/contact/test_discrepancy.py",
     "tests/verify/contact/test_twin_refinement.py",
+    "tests/verify/test_validation.py",
 )
 PROFILE = "gate" if os.environ.get("CI") else "explore"
 
@@ -42,7 +43,7 @@ def pytest_report_header() -> str:
 
 @pytest.hookimpl(optionalhook=True)  # of pytest-xdist
 def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
-    """Tests that share a solve run on one worker: those of a file, and all that share `checked` or `cut_contact`."""
+    """Tests that share a solve run on one worker: those of a file, and those of SHARE_CHECKED."""
     if config.getvalue("dist") != "load":  # the user chose another distribution
         return None
     from xdist.scheduler import LoadScopeScheduling

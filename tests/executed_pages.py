@@ -5,6 +5,7 @@ In a page a comment before a block says what the block is for:
     <!-- file: my.toml -->    the block is this file
     <!-- run -->              the block is run: `fembearing` commands, or Python
     <!-- run, status 1 -->    the same, and its commands end with this status
+    <!-- run, long -->        the same; it takes ten seconds or more, and the gate does not go past it
     <!-- output -->           the block is what the last command before it printed; a line "..." stands for any lines
 
     python -m tests.executed_pages PAGE ...
@@ -28,7 +29,7 @@ from typing import Any
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 BLOCK = re.compile(
-    r"<!-- (?P<mark>run(?:, status (?P<status>\d+))?|output|file: (?P<file>[\w.-]+)) -->\n"
+    r"<!-- (?P<mark>run(?P<long>, long)?(?:, status (?P<status>\d+))?|output|file: (?P<file>[\w.-]+)) -->\n"
     r"```(?P<kind>\w+)\n(?P<text>.*?)```\n",
     re.DOTALL,
 )
@@ -46,10 +47,15 @@ class Output:
     printed: str
 
 
-def outputs(page: str) -> Iterator[Output]:
-    """Run a page in the working folder; gives each output with what was printed."""
+def outputs(page: str, *, whole: bool = True) -> Iterator[Output]:
+    """Run a page in the working folder; gives each output with what was printed.
+
+    whole : else only what comes before its first long block
+    """
     printed, names = "", {"__name__": "__main__"}
     for block in BLOCK.finditer(page):
+        if block["long"] and not whole:
+            return
         text = block["text"]
         if block["file"]:
             Path(block["file"]).write_text(text, "utf-8")
@@ -148,8 +154,11 @@ def renewed(output: Output) -> str:
     return text
 
 
-def run_in(folder: Path, page: Path) -> list[Output]:
-    """Run a page in a folder that has the data and scenes of the examples, as on a terminal of 80 columns."""
+def run_in(folder: Path, page: Path, *, whole: bool = True) -> list[Output]:
+    """Run a page in a folder that has the data and scenes of the examples, as on a terminal of 80 columns.
+
+    whole : else only what comes before its first long block
+    """
     (folder / "examples").mkdir()
     for file in (*EXAMPLES.glob("*.csv"), *EXAMPLES.glob("*.toml")):
         shutil.copy(file, folder / "examples")
@@ -157,7 +166,7 @@ def run_in(folder: Path, page: Path) -> list[Output]:
     os.chdir(folder)
     os.environ["COLUMNS"] = "80"
     try:
-        return list(outputs(page.read_text("utf-8")))
+        return list(outputs(page.read_text("utf-8"), whole=whole))
     finally:
         os.chdir(before)
         os.environ.pop("COLUMNS")

@@ -27,7 +27,7 @@ GRID = """
 [axes]
 friction.coefficient = [0.03, 0.05, 0.07, 0.11]
 "operation.inner_speed" = ["100 rpm", "450 rpm", "700 rpm"]
-"operation.axial_load" = { from = "100 N", to = "900 N", count = 40, spacing = "log" }
+"operation.axial_load" = { from = "100 N", to = "900 N", count = 12, spacing = "log" }
 """
 
 
@@ -115,15 +115,19 @@ def test_commands_that_compile_at_once_have_the_numbers_of_one(tmp_path: Path) -
 
 @pytest.mark.slow  # starts commands
 @pytest.mark.skipif(sys.platform == "win32", reason="folders are locked on POSIX systems")
-def test_of_two_sweeps_in_one_folder_one_is_refused_and_the_other_is_whole(tmp_path: Path) -> None:
+def test_of_two_sweeps_in_one_folder_one_is_refused_and_the_other_is_whole(
+    command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     (tmp_path / "grid.toml").write_text(f"{SCENE}\n{GRID}", "utf-8")
-    both = [started("sweep", "grid.toml", "--out", "out", folder=tmp_path) for _ in range(2)]
+    sweep = ("sweep", "grid.toml", "--out", "out", "--workers", "1")  # each worker takes a second to start
+    both = [started(*sweep, folder=tmp_path) for _ in range(2)]
     ends = sorted(map(ended, both))
     assert ends[0][0] == 0, ends[0]
-    assert ends[0][1].startswith("480 points: 480 computed")
+    assert ends[0][1].startswith("144 points: 144 computed")
     assert ends[1][0] == 2, ends[1]
     assert "another sweep is at work there" in ends[1][2]
     assert ends[1][2].count("\n") == 1
-    status, out, said = ended(started("sweep", "grid.toml", "--out", "out", folder=tmp_path))
+    monkeypatch.chdir(tmp_path)
+    status, out, said = command(*sweep)
     assert (status, said) == (0, "")
-    assert out.startswith("480 points: 0 computed, 480 from before, 0 failed")
+    assert out.startswith("144 points: 0 computed, 144 from before, 0 failed")

@@ -18,7 +18,17 @@ MADE = {ROOT / "docs/reference" / f"{name}.md" for name in ("api", "json", "keys
 WRITTEN = sorted(page for page in (ROOT / "docs").rglob("*.md") if page not in MADE and "gallery" not in page.parts)
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *WRITTEN]
 EXECUTED = [page for page in PAGES if BLOCK.search(page.read_text("utf-8"))]
-LONG = {"contact.md", "contacts.md", "map.md", "netcdf.md", "report.md"}  # 15 s and more
+# 5 s of a processor and more, for commands that other tests run
+LONG = {
+    "cage.md",
+    "compare-with-measurements.md",
+    "contact.md",
+    "contacts.md",
+    "friction.md",
+    "map.md",
+    "netcdf.md",
+    "report.md",
+}
 TEXTS = [
     *(page for page in PAGES if page.name != "references.md"),
     *(p for top in ("analytic", "fembearing", "tests", "validation") for p in sorted((ROOT / top).rglob("*.*"))),
@@ -96,16 +106,30 @@ def test_every_number_of_readme_is_run_or_stands_on_a_page() -> None:
     assert f"[{len(bearing_names())} bearings]" in prose
 
 
-@pytest.mark.parametrize(
-    "page",
-    [
-        pytest.param(page, marks=pytest.mark.nightly if page.name in LONG else pytest.mark.slow, id=page.stem)
-        for page in EXECUTED
-    ],
-)
+def has_long_block(page: Path) -> bool:
+    return any(block["long"] for block in BLOCK.finditer(page.read_text("utf-8")))
+
+
+@pytest.mark.parametrize("page", [pytest.param(page, id=page.stem) for page in EXECUTED if page.name not in LONG])
+@pytest.mark.slow
 def test_a_page_prints_what_it_says(page: Path, tmp_path: Path) -> None:
-    found = {output.place[0]: differences(output) for output in run_in(tmp_path, page)}
-    assert {place: lines for place, lines in found.items() if lines} == {}, "python -m tests.executed_pages PAGE"
+    """Up to its first long block."""
+    found = run_in(tmp_path, page, whole=False)
+    assert found or "<!-- output -->" not in page.read_text("utf-8").partition(", long -->")[0]
+    assert wrong(found) == {}, "python -m tests.executed_pages PAGE"
+
+
+@pytest.mark.parametrize(
+    "page", [pytest.param(page, id=page.stem) for page in EXECUTED if page.name in LONG or has_long_block(page)]
+)
+@pytest.mark.nightly
+def test_a_long_page_prints_what_it_says(page: Path, tmp_path: Path) -> None:
+    assert wrong(run_in(tmp_path, page)) == {}, "python -m tests.executed_pages PAGE"
+
+
+def wrong(found: list[Output]) -> dict[int, list[str]]:
+    """The lines that were not printed, by the places of their outputs."""
+    return {output.place[0]: lines for output in found if (lines := differences(output))}
 
 
 def test_an_output_is_compared_line_by_line_and_number_by_number() -> None:

@@ -2,16 +2,40 @@
 
 import asyncio
 from collections.abc import Awaitable, Callable, Coroutine
+from functools import cache
 from typing import Any
 
 import pytest
 from nicegui.testing import User, user_simulation
 
-from fembearing.app.page import Page
+from fembearing.app import evaluation
+from fembearing.app.evaluation import Evaluation, at_once, completed
+from fembearing.app.page import FIRST, Page
+from fembearing.app.scene_edit import of_bearing
 
 LONGEST = 1200  # tenths of a second: the machine may do much else, or compile formulas
 Opening = Callable[[], Awaitable[tuple[Any, Page]]]  # a new tab: its user and its page
 Story = Callable[[Opening], Coroutine[Any, Any, None]]
+
+
+@cache
+def first_torque(text: str) -> Evaluation:
+    return at_once(text)
+
+
+@cache
+def first_interval(text: str) -> Evaluation:
+    return completed(first_torque(text))
+
+
+@pytest.fixture(autouse=True)
+def opened_before(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The torque of a page as it opens is computed once for all tests: each opens one or two."""
+    opening = of_bearing(FIRST, "")
+    monkeypatch.setattr(evaluation, "at_once", lambda text: (first_torque if text == opening else at_once)(text))
+    monkeypatch.setattr(
+        evaluation, "completed", lambda found: first_interval(opening) if found.text == opening else completed(found)
+    )
 
 
 @pytest.fixture

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from analytic.scenefile.template import scene_text
+from fembearing.app import evaluation
 from fembearing.app.charts import curve_options, ellipse_options, part_legend, part_options, ring_options
 from fembearing.app.evaluation import Evaluation, at_once, completed, curve_scenes, series_record
 from fembearing.app.scene_edit import with_value
@@ -51,7 +52,9 @@ def test_a_scene_in_inches_has_charts_in_inches() -> None:
     assert inch.lines["unit"] == "lbf in"
 
 
-def test_the_curve_goes_through_the_torque_at_the_speed_of_the_scene() -> None:
+def test_the_curve_goes_through_the_torque_at_the_speed_of_the_scene(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(evaluation, "SPEEDS", np.array([0.1, 0.7, 1.0, 1.4, 2.0]))  # fewer: each takes 0.25 s
+    monkeypatch.setattr(evaluation, "SLICES", 2)
     records = [series_record(scene) for scene in curve_scenes(found())]
     options = curve_options(records, METRIC, marked=found().row.inner_speed)
     torque = series(options, "torque")

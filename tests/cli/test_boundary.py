@@ -144,8 +144,9 @@ def test_a_working_folder_that_is_gone(tmp_path: Path) -> None:
 
 
 @POSIX
-@pytest.mark.parametrize("locale", [{"LC_ALL": "C"}, {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}])
-def test_a_locale_without_letters_loses_letters_and_nothing_else(tmp_path: Path, locale: dict[str, str]) -> None:
+def test_a_locale_without_letters_loses_letters_and_nothing_else(tmp_path: Path) -> None:
+    """ASCII on every stream, which Python would avoid in the locale C."""
+    locale = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
     scene = (tmp_path / "\u00e9.toml").write_text('name = "\u00b5"\nbad = 1\n', "utf-8") and "\u00e9.toml"
     for rest, status in (("list effects", 0), ("torque 6205-dry", 0), (f"torque {scene}", 2)):
         done = in_shell(f"{RUN} {rest}", cwd=tmp_path, **locale)
@@ -156,7 +157,7 @@ def test_a_locale_without_letters_loses_letters_and_nothing_else(tmp_path: Path,
 @POSIX
 @pytest.mark.parametrize(
     "rest",
-    ["torque 6205-dry --out t", "torque 6205-dry --out t.png", "mesh --level 1 --out m", "init 6206 --out s.toml"],
+    ["torque 6205-dry --out t", "mesh --level 1 --out m", "init 6206 --out s.toml"],  # two folders and a file
 )
 def test_a_limit_of_file_sizes_leaves_nothing(tmp_path: Path, rest: str) -> None:
     done = in_shell(f"ulimit -f 1; {RUN} {rest}", cwd=tmp_path, FEMBEARING_CACHE=os.environ.get("FEMBEARING_CACHE", ""))

@@ -9,7 +9,6 @@ import sys
 import tomllib
 from importlib.metadata import version
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -42,57 +41,43 @@ def test_h_is_help_everywhere(command) -> None:
 SLOW = {"numpy", "scipy", "pydantic", "pint", "rich", "llvmlite", "numba", "skfem", "pyvista", "matplotlib"}
 
 
-def loaded_by(*arguments: str, whole: bool = False) -> set[str]:
-    """Packages that a process of the command has imported at its end; whole : and the modules in them.
-
-    What the command compiles is there: it has run before.
-    """
+def loaded_by(*lines: str, folder: Path, whole: bool = False) -> set[str]:
+    """Packages that a process has imported at the end of these commands; whole : and the modules in them."""
     show = (
-        "import sys; from fembearing import cli; sys.argv = ['fembearing', *sys.argv[1:]]\n"
-        "try: cli.main()\n"
-        "finally: print(*sys.modules, file=sys.stderr)"
+        "import sys; from fembearing import cli\n"
+        "for line in sys.argv[1:]:\n"
+        "    sys.argv = ['fembearing', *line.split()]\n"
+        "    try: cli.main()\n"
+        "    except SystemExit as stop: assert not stop.code, line\n"
+        "print(*sys.modules, file=sys.stderr)"
     )
-    runs = [
-        subprocess.run([sys.executable, "-c", show, *arguments], capture_output=True, text=True, check=True)
-        for _ in range(2 if whole else 1)
-    ]
-    modules = runs[-1].stderr.splitlines()[-1].split()
+    run = [sys.executable, "-c", show, *lines]
+    done = subprocess.run(run, cwd=folder, capture_output=True, text=True, check=True)
+    modules = done.stderr.splitlines()[-1].split()
     return {name for name in modules if whole} | {name.partition(".")[0] for name in modules}
 
 
-@pytest.mark.parametrize("option", ["--version", "--help"])
-def test_version_and_help_load_nothing_slow(option: str) -> None:
-    loaded = loaded_by(option)
+def test_version_and_help_load_nothing_slow(tmp_path: Path) -> None:
+    loaded = loaded_by("--version", "--help", folder=tmp_path)
     assert "typer" in loaded
     assert not SLOW & loaded
+    loaded = loaded_by(*(f"{name} --help" for name in COMMANDS), folder=tmp_path)
+    assert not {"numba", "numpy", "rich"} & loaded  # half of the time of the help
 
 
-def test_the_torque_of_a_dry_scene_loads_only_what_it_computes_with() -> None:
-    loaded = loaded_by("torque", "6205-dry", whole=True)
+def test_the_torque_of_a_dry_scene_loads_only_what_it_computes_with(command, tmp_path: Path) -> None:
+    assert command("torque", "6205-dry").status == 0  # what it compiles is then kept
+    loaded = loaded_by("torque 6205-dry", folder=tmp_path, whole=True)
     assert "numpy" in loaded
     slow = {"pint", "xarray", "matplotlib", "skfem", "meshio", "pyvista", "pymklpardiso", "jinja2", "pandas", "netCDF4"}
     slow |= {f"scipy.{part}" for part in ("stats", "optimize", "interpolate", "sparse", "integrate")}
     assert not slow & loaded
 
 
-NOT_COMPUTING = (
-    "--help",
-    "--version",
-    "list effects",
-    "list bearings 62",
-    "init 6206",
-    *(f"{name} --help" for name in COMMANDS),
-)
-
-
-@pytest.mark.parametrize("line", NOT_COMPUTING)
-def test_a_command_that_computes_nothing_does_not_import_numba(line: str, tmp_path: Path, monkeypatch: Any) -> None:
-    monkeypatch.chdir(tmp_path)
-    loaded = loaded_by(*line.split())
+def test_a_command_that_computes_nothing_does_not_import_numba(tmp_path: Path) -> None:
+    loaded = loaded_by("list effects", "list bearings 62", "init 6206", folder=tmp_path)
     assert "typer" in loaded
     assert "numba" not in loaded
-    if "--help" in line:
-        assert not {"numpy", "rich"} & loaded  # half of the time of the help
 
 
 def test_warmup_compiles_what_a_scene_needs(command) -> None:
@@ -106,25 +91,30 @@ def test_a_shell_completes_commands_topics_and_scenes(tmp_path: Path) -> None:
     (tmp_path / "62-mine.toml").touch()
     (tmp_path / "62.txt").touch()
 
-    def completed(words: str) -> list[str]:
-        line = {"_FEMBEARING_COMPLETE": "complete_bash", "COMP_WORDS": words, "COMP_CWORD": str(words.count(" "))}
-        run = "import sys; sys.argv = ['fembearing']; from fembearing.cli import main; main()"
-        path = os.pathsep.join([str(Path(cli.__file__).parents[2]), os.environ.get("PYTHONPATH", "")])
-        environment = {**os.environ, **line, "PYTHONPATH": path}
-        done = subprocess.run(
-            [sys.executable, "-c", run], env=environment, cwd=tmp_path, capture_output=True, text=True, check=False
-        )
-        assert done.returncode == 0, done.stderr
-        return done.stdout.split()
-
-    assert completed("fembearing to") == ["torque"]
-    assert completed("fembearing list ma") == ["materials"]
-    assert completed("fembearing contact --pair ou") == ["outer"]
-    found = completed("fembearing torque 62")
-    assert {"62-mine.toml", "6206"} <= set(found)
-    assert "62.txt" not in found
-    assert completed("fembearing init 7208BEP") == []
-    assert "7208A5" in completed("fembearing init 7208")
+    asked = ("to", "list ma", "contact --pair ou", "torque 62", "init 7208BEP", "init 7208")
+    run = (
+        "import os, sys; from fembearing.cli import main\n"
+        "for words in sys.argv[1:]:\n"
+        "    sys.argv = ['fembearing']\n"
+        "    os.environ |= {'COMP_WORDS': f'fembearing {words}', 'COMP_CWORD': str(words.count(' ') + 1)}\n"
+        "    try: main()\n"
+        "    except SystemExit as stop: assert not stop.code, words\n"
+        "    print(flush=True), print('--', flush=True)"
+    )
+    path = os.pathsep.join([str(Path(cli.__file__).parents[2]), os.environ.get("PYTHONPATH", "")])
+    environment = {**os.environ, "_FEMBEARING_COMPLETE": "complete_bash", "PYTHONPATH": path}
+    done = subprocess.run(
+        [sys.executable, "-c", run, *asked], env=environment, cwd=tmp_path, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    command, topic, pair, scene, other, bearing = (part.split() for part in done.stdout.split("--\n")[:-1])
+    assert command == ["torque"]
+    assert topic == ["materials"]
+    assert pair == ["outer"]
+    assert {"62-mine.toml", "6206"} <= set(scene)
+    assert "62.txt" not in scene
+    assert other == []
+    assert "7208A5" in bearing
 
 
 def test_names_for_completion(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

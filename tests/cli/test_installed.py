@@ -24,6 +24,7 @@ axial_load = ["300 N", "2500 N"]
 inner_speed = "1000 rpm"
 [friction]
 coefficient = 0.1
+spin_rule = "balanced"  # free balls of a pair take seconds
 [effects]
 weight = "off"
 creep = "off"

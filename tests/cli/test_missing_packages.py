@@ -1,4 +1,7 @@
-"""What smaller installations do: the packages that they lack are blocked in a process of its own."""
+"""What smaller installations do: the packages that they lack are blocked in a process of its own.
+
+A process costs a second or two before its first command: each installation has one for all that is asked of it.
+"""
 
 import csv
 import json
@@ -7,6 +10,7 @@ import subprocess
 import sys
 from collections.abc import Collection
 from pathlib import Path
+from typing import NamedTuple
 
 import pytest
 
@@ -30,87 +34,171 @@ coefficient = 0.05
 GRID = 'scene = "6205-dry"\n[axes]\noperation.axial_load = ["200 N", "600 N"]\n'
 
 
-def without(modules: Collection[str], code: str, *arguments: str, cwd: Path) -> subprocess.CompletedProcess[str]:
-    """Run Python where none of the modules can be imported."""
+RUNS = """
+import contextlib, io, json, os, traceback
+from pathlib import Path
+from fembearing.cli import main
+
+def command(line):
+    sys.argv = ["fembearing", *line.split()]
+    try:
+        main()
+    except SystemExit as stop:
+        return stop.code or 0
+
+def answer(number, line):
+    out, err, status = io.StringIO(), io.StringIO(), 0
+    Path(f"{number}").mkdir()
+    os.chdir(f"{number}")
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        try:
+            status = exec(line, {}) or 0 if "import" in line else command(line)
+        except Exception:
+            traceback.print_exc()
+            status = 1
+    left = sorted(path.name for path in Path().rglob("*"))
+    os.chdir("..")
+    return status, out.getvalue(), err.getvalue(), left
+
+given = json.loads(sys.stdin.read())
+print(json.dumps([answer(number, line) for number, line in enumerate(given)]))
+"""
+
+
+class Answer(NamedTuple):
+    status: int
+    out: str
+    err: str
+    left: list[str]  # names of the files that were written
+
+
+def answers_without(modules: Collection[str], lines: list[str], *, cwd: Path) -> list[Answer]:
+    """Run commands of ours, or Python that imports, where none of the modules can be imported.
+
+    Each runs in a new folder, named by its number, inside `cwd`.
+    """
     block = f"import sys; sys.modules.update(dict.fromkeys({list(modules)}))\n"
-    environment = os.environ | {"PYTHONPATH": str(Path(cli.__file__).parents[2])}
-    return subprocess.run(
-        [sys.executable, "-c", block + code, *arguments],
+    done = subprocess.run(
+        [sys.executable, "-c", block + RUNS],
         cwd=cwd,
-        env=environment,
+        env=os.environ | {"PYTHONPATH": str(Path(cli.__file__).parents[2])},
+        input=json.dumps(lines),
         capture_output=True,
         text=True,
         check=False,
     )
-
-
-def command_without(modules: Collection[str], *arguments: str, cwd: Path) -> subprocess.CompletedProcess[str]:
-    """Run a command of ours there."""
-    code = "sys.argv[0] = 'fembearing'; from fembearing.cli import main; main()"
-    return without(modules, code, *arguments, cwd=cwd)
-
-
-@pytest.mark.parametrize("lacking", [EXTRAS, ALL_BUT_TORQUE], ids=["plain", "torque"])
-def test_a_torque_needs_no_extra_and_no_finite_elements(lacking: list[str], tmp_path: Path) -> None:
-    (tmp_path / "s.toml").write_text(SCENE, "utf-8")
-    told = command_without(lacking, "torque", "s.toml", "--json", "--interval", "--samples", "64", cwd=tmp_path)
-    assert told.returncode in (0, 1, 3), told.stderr
-    (interval,), (point,) = (json.loads(told.stdout)[key] for key in ("interval", "points"))
-    assert interval[0] < (total := point["torque"]["total"]) < interval[1]
-    done = command_without(lacking, "torque", "s.toml", "--out", "t.csv", cwd=tmp_path)
-    assert done.returncode == told.returncode, done.stderr
-    (row,) = csv.DictReader((tmp_path / "t.csv").read_text("utf-8").splitlines())
-    assert float(row["torque_total [N mm]"]) == pytest.approx(total * 1e3, rel=1e-14)  # 15 digits are written
-    code = "import analytic; print(analytic.friction_torque(analytic.load_scene('s.toml')).torque.total[0])"
-    assert float(without(lacking, code, cwd=tmp_path).stdout) == total
-
-
-def test_a_plain_installation_checks_contacts(tmp_path: Path) -> None:
-    (tmp_path / "s.toml").write_text(SCENE, "utf-8")
-    done = command_without(EXTRAS, "validate", "s.toml", "--no-film", "--no-creep", "--json", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
-    assert json.loads(done.stdout)["verdict"]["overall"] == "pass"
+    return [Answer(*each) for each in json.loads(done.stdout)]
 
 
-@pytest.mark.parametrize(
-    ("lacking", "line", "words"),
-    [
-        (EXTRAS, "sweep grid.toml --out new", 'sweep needs dask: pip install "fembearing[sweep]"'),
-        (["netCDF4"], "sweep grid.toml --out new", 'sweep needs netCDF4: pip install "fembearing[sweep]"'),
-        (ALL_BUT_TORQUE, "validate 6205-dry --out new", "validate needs scikit-fem: pip install fembearing"),
-        (ALL_BUT_TORQUE, "contact 6205-dry --pair inner", "contact needs scikit-fem: pip install fembearing"),
-        (ALL_BUT_TORQUE, "mesh 6205-dry --out new", "mesh needs scikit-fem: pip install fembearing"),
-        (ALL_BUT_TORQUE, "torque 6205-dry --out new", "--out 'new' needs matplotlib: pip install fembearing"),
-        (ALL_BUT_TORQUE, "torque 6205-dry --out new.html", "--out 'new.html' needs matplotlib: pip install fembearing"),
+REFUSED = {  # what lacks a package, with what it says
+    "plain": [("sweep ../grid.toml --out new", 'sweep needs dask: pip install "fembearing[sweep]"')],
+    "netCDF4": [("sweep ../grid.toml --out new", 'sweep needs netCDF4: pip install "fembearing[sweep]"')],
+    "torque": [
+        ("validate 6205-dry --out new", "validate needs scikit-fem: pip install fembearing"),
+        ("contact 6205-dry --pair inner", "contact needs scikit-fem: pip install fembearing"),
+        ("mesh 6205-dry --out new", "mesh needs scikit-fem: pip install fembearing"),
+        ("torque 6205-dry --out new", "--out 'new' needs matplotlib: pip install fembearing"),
+        ("torque 6205-dry --out new.html", "--out 'new.html' needs matplotlib: pip install fembearing"),
     ],
-)
-def test_what_lacks_a_package_says_in_one_line_how_to_install_it(
-    lacking: list[str], line: str, words: str, tmp_path: Path
-) -> None:
-    (tmp_path / "grid.toml").write_text(GRID, "utf-8")
-    done = command_without(lacking, *line.split(), cwd=tmp_path)
-    assert (done.returncode, done.stdout, done.stderr) == (2, "", f"fembearing: {words}\n")
-    assert [path.name for path in tmp_path.iterdir()] == ["grid.toml"]  # nothing is left
+}
+PYTHON_SAYS = {
+    "plain": [
+        (
+            "import analytic; analytic.friction_torque(analytic.load_scene('6205-dry')).to_dataset()",
+            'a dataset needs xarray: pip install "fembearing[sweep]"',
+        ),
+        (
+            "import fembearing; fembearing.run_sweep('g.toml', out='o')",
+            'sweep needs dask: pip install "fembearing[sweep]"',
+        ),
+    ],
+    "netCDF4": [],
+    "torque": [
+        ("import fembearing; fembearing.validate", "fembearing.validate needs scikit-fem: pip install fembearing")
+    ],
+}
+TORQUES = [
+    "torque ../s.toml --json --interval --samples 64",
+    "torque ../s.toml --out t.csv",
+    "import analytic; print(analytic.friction_torque(analytic.load_scene('../s.toml')).torque.total[0])",
+]
+CHECK = "validate ../s.toml --no-film --no-creep --tolerance 90% --json"  # on the coarsest meshes
+CAGE = "torque ../moving.toml --out new"
 
 
-def test_python_says_it_too(tmp_path: Path) -> None:
-    code = "import analytic, fembearing\n{}"
-    datasets = "analytic.friction_torque(analytic.load_scene('6205-dry')).to_dataset()"
-    for lacking, call, words in (
-        (EXTRAS, datasets, 'a dataset needs xarray: pip install "fembearing[sweep]"'),
-        (EXTRAS, "fembearing.run_sweep('g.toml', out='o')", 'sweep needs dask: pip install "fembearing[sweep]"'),
-        (ALL_BUT_TORQUE, "fembearing.validate", "fembearing.validate needs scikit-fem: pip install fembearing"),
-    ):
-        done = without(lacking, code.format(call), cwd=tmp_path)
-        assert done.stderr.splitlines()[-1] == f"analytic.errors.MissingPackageError: {words}"
+class Installation(NamedTuple):
+    name: str
+    folder: Path
+    answers: dict[str, Answer]  # by what was asked
+
+    def folder_of(self, line: str) -> Path:
+        return self.folder / str(list(self.answers).index(line))
 
 
-def test_a_folder_without_netcdf_says_that_the_series_of_the_cage_is_missing(tmp_path: Path) -> None:
-    (tmp_path / "s.toml").write_text(MOVING, "utf-8")
-    done = command_without(EXTRAS, "torque", "s.toml", "--out", "new", cwd=tmp_path)
+def asked(name: str, lacking: Collection[str], others: list[str], folder: Path) -> Installation:
+    for file, text in (("s.toml", SCENE), ("moving.toml", MOVING), ("grid.toml", GRID)):
+        (folder / file).write_text(text, "utf-8")
+    lines = [*(line for line, _ in (*REFUSED[name], *PYTHON_SAYS[name])), *others]
+    return Installation(name, folder, dict(zip(lines, answers_without(lacking, lines, cwd=folder), strict=True)))
+
+
+@pytest.fixture(scope="module")
+def plain(tmp_path_factory: pytest.TempPathFactory) -> Installation:
+    return asked("plain", EXTRAS, [*TORQUES, CHECK, CAGE], tmp_path_factory.mktemp("plain"))
+
+
+@pytest.fixture(scope="module")
+def torque(tmp_path_factory: pytest.TempPathFactory) -> Installation:
+    return asked("torque", ALL_BUT_TORQUE, TORQUES, tmp_path_factory.mktemp("torque"))
+
+
+@pytest.fixture(scope="module")
+def no_netcdf(tmp_path_factory: pytest.TempPathFactory) -> Installation:
+    return asked("netCDF4", ["netCDF4"], [], tmp_path_factory.mktemp("netcdf"))
+
+
+@pytest.fixture(params=["plain", "torque", "no_netcdf"])
+def installation(request: pytest.FixtureRequest) -> Installation:
+    return request.getfixturevalue(request.param)
+
+
+@pytest.mark.parametrize("installation", ["plain", "torque"], indirect=True)
+def test_a_torque_needs_no_extra_and_no_finite_elements(installation: Installation) -> None:
+    told, done, python = (installation.answers[line] for line in TORQUES)
+    assert told.status in (0, 1, 3), told.err
+    (interval,), (point,) = (json.loads(told.out)[key] for key in ("interval", "points"))
+    assert interval[0] < (total := point["torque"]["total"]) < interval[1]
+    assert done.status == told.status, done.err
+    table = installation.folder_of(TORQUES[1]) / "t.csv"
+    (row,) = csv.DictReader(table.read_text("utf-8").splitlines())
+    assert float(row["torque_total [N mm]"]) == pytest.approx(total * 1e3, rel=1e-14)  # 15 digits are written
+    assert float(python.out) == total
+
+
+def test_a_plain_installation_checks_contacts(plain: Installation) -> None:
+    done = plain.answers[CHECK]
+    assert done.status == 0, done.err
+    assert json.loads(done.out)["verdict"]["overall"] == "pass"
+
+
+def test_what_lacks_a_package_says_in_one_line_how_to_install_it(installation: Installation) -> None:
+    for line, words in REFUSED[installation.name]:
+        assert installation.answers[line] == (2, "", f"fembearing: {words}\n", [])  # nothing is left
+
+
+def test_python_says_it_too(plain: Installation, torque: Installation) -> None:
+    for installation in (plain, torque):
+        for code, words in PYTHON_SAYS[installation.name]:
+            said = installation.answers[code].err.splitlines()[-1]
+            assert said == f"analytic.errors.MissingPackageError: {words}"
+
+
+def test_a_folder_without_netcdf_says_that_the_series_of_the_cage_is_missing(plain: Installation) -> None:
+    done, folder = plain.answers[CAGE], plain.folder_of(CAGE) / "new"
     lacking = 'there is no series of the cage\'s motion: it needs xarray: pip install "fembearing[sweep]"'
-    assert lacking in done.stderr
-    assert {"1-cage.png", "1-cage-forces.png", "torque.json"} < {path.name for path in (tmp_path / "new").iterdir()}
-    motion = json.loads((tmp_path / "new/torque.json").read_text("utf-8"))["cage_motion"]
+    assert lacking in done.err
+    assert {"1-cage.png", "1-cage-forces.png", "torque.json"} < {path.name for path in folder.iterdir()}
+    motion = json.loads((folder / "torque.json").read_text("utf-8"))["cage_motion"]
     assert motion["points"][0]["series"] is None
     assert motion["lacking"] == lacking

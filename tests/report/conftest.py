@@ -1,6 +1,7 @@
 """The pictures of the checked scene, and a result made by hand: each number in it is known and unlike all others."""
 
 from dataclasses import replace
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -13,6 +14,7 @@ from analytic.scene import Operation
 from fembearing.fem.measure import Quantities
 from fembearing.grid_convergence import Estimate
 from fembearing.provenance import provenance_of
+from fembearing.report.pictures.creep import CreepPicture, creep_pictures
 from fembearing.report.pictures.draw import Picture, draw_pictures
 from fembearing.report.report import Report, report_of
 from fembearing.verify.contact.discrepancy import ContactSolution
@@ -20,16 +22,44 @@ from fembearing.verify.contact.hertz import CorrectedHertz
 from fembearing.verify.cost.contact_ladder import contact_ladder_of
 from fembearing.verify.torque.change import FittedChange, TorqueChange
 from fembearing.verify.validation import Validation
+from tests.report.pictures.odd_contacts import OddPicture, odd_pictures
 
 pytest.register_assert_rewrite("tests.report.pictures.picture_reader")  # its assertions show their values
 
 
 @pytest.fixture(scope="session")
-def pictures(checked: Validation, tmp_path_factory: pytest.TempPathFactory) -> list[Picture]:
+def odd(
+    checked: Validation, cut_contact: ContactSolution, tmp_path_factory: pytest.TempPathFactory
+) -> dict[str, OddPicture]:
+    """Pictures that are drawn with `pictures`: VTK takes seconds to start."""
+    return odd_pictures(checked, cut_contact, tmp_path_factory.mktemp("odd"))
+
+
+@pytest.fixture(scope="session")
+def slipping(checked: Validation, tmp_path_factory: pytest.TempPathFactory) -> dict[Path, CreepPicture]:
+    """Pictures of friction by their files, drawn with `pictures` too."""
+    folder = tmp_path_factory.mktemp("creep")
+    return {folder / each.file: each for each in creep_pictures(checked.creep[0], folder)}
+
+
+@pytest.fixture(scope="session")
+def pictures(
+    checked: Validation,
+    odd: dict[str, OddPicture],
+    slipping: dict[Path, CreepPicture],
+    tmp_path_factory: pytest.TempPathFactory,
+) -> list[Picture]:
     """The pictures of its contacts, drawn by VTK."""
-    drawn, trouble = draw_pictures(checked.contacts, tmp_path_factory.mktemp("vtk"))
+    others = [each.job for each in (*odd.values(), *slipping.values())]
+    drawn, trouble = draw_pictures(checked.contacts, tmp_path_factory.mktemp("vtk"), besides=others)
     assert trouble is None
     return drawn
+
+
+@pytest.fixture(scope="session")
+def odd_by_vtk(odd: dict[str, OddPicture], pictures: list[Picture]) -> dict[str, Picture]:
+    assert pictures
+    return {name: each.picture for name, each in odd.items()}
 
 
 class Given(NamedTuple):

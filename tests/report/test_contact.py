@@ -1,11 +1,14 @@
-"""The sheet of a pocket as a spring in series with its seat."""
+"""The sheet of a pocket as a spring in series with its seat; half a contact, as its command shows it."""
 
+import json
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
 from fembearing.report.contact import sheet_in_series
+from fembearing.verify.contact import discrepancy
+from fembearing.verify.contact.discrepancy import ContactSolution
 from tests.analytic.specimens import present
 
 
@@ -24,3 +27,16 @@ def test_the_sheet_is_softer_by_what_it_adds_to_the_approach() -> None:
     off = present(sheet_in_series(pocket(seat * 1.001, 0.0), pocket((seat + 28.0 / exact) * 0.998, 0.0)))
     assert abs(off.stiffness / exact - 1) == pytest.approx(found.uncertainty, rel=0.01)  # to first order
     assert sheet_in_series(pocket(seat, 1e-3), pocket(seat * 1.001, 2e-3)) is None
+
+
+def test_half_a_contact_says_that_no_stress_below_it_is_computed(
+    command, cut_contact: ContactSolution, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(discrepancy, "solve_contact", lambda *_, **__: cut_contact)
+    told, printed = (command("contact", *form) for form in (["--json"], []))
+    found = json.loads(told.out)
+    assert found["subsurface"] is None
+    said = [line for line in found["warnings"] if "no stress below the contact" in line]
+    assert len(said) == 1
+    assert printed.err.count(said[0]) == 1
+    assert "Greatest stress" not in printed.out

@@ -41,6 +41,6 @@ def test_a_series_has_all_quantities_where_the_compliance_gives_them(
 
 def test_what_is_written_is_read_again(contacts: dict[str, Contact], shallow: Callable[[str], Recipe]) -> None:
     for loads in ([310.0], [310.0, 120.0]):
-        record = series_record(compare_series(contacts["outer"], recipe=shallow("race"), loads=loads, tolerance=0.05))
+        record = series_record(compare_series(contacts["outer"], recipe=shallow("race"), loads=loads, tolerance=0.9))
         text = json.dumps(plain(record), allow_nan=False)
         assert TypeAdapter(SeriesRecord).validate_json(text) == record

@@ -14,6 +14,8 @@ from rich.console import Console
 from fembearing.plain_types import plain
 from fembearing.quantities import INCH_POUND, METRIC
 from fembearing.report.figures.measured import axis_of, measured_figure, measured_plot
+from fembearing.report.figures.page_plots import PLOTS
+from fembearing.report.page import write as page_module
 from fembearing.report.page.write import page_of
 from fembearing.report.report import Report, report_in
 from fembearing.report.tables.measured import measured_table
@@ -76,8 +78,9 @@ def with_measured(document: Report) -> Report:
 
 
 def test_the_section_stands_in_the_page_and_the_summary_says_what_is_missed(
-    with_measured: Report, document: Report, tmp_path: Path
+    with_measured: Report, document: Report, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setattr(page_module, "PLOTS", [plot for plot in PLOTS if plot.section == "measured"])
     page = page_of(with_measured, tmp_path)
     assert "Measured torques</h2>" in page
     assert "Missed: one of them." in page.partition("Appendix A")[0]

@@ -92,11 +92,11 @@ def test_without_a_moving_cage_there_are_numbers_and_the_reason(tmp_path: Path) 
     assert torque_with_files(bare, out=tmp_path / "bare")[1] is None  # a scene without a cage lacks nothing
 
 
-@pytest.mark.parametrize(("renderer", "word"), [(DIES, "signal 6"), (("/nowhere/python",), "could not be started")])
-def test_where_vtk_cannot_draw_all_else_is_there(tmp_path: Path, renderer: tuple[str, ...], word: str) -> None:
-    lacking = present(write_torque(torque_of_scene(parse_scene(MOVING, origin="here")), tmp_path, renderer=renderer))
+def test_where_vtk_cannot_draw_all_else_is_there(tmp_path: Path) -> None:
+    """Other ways to fail are those of the pictures of contacts, by the same function."""
+    lacking = present(write_torque(torque_of_scene(parse_scene(MOVING, origin="here")), tmp_path, renderer=DIES))
     assert "there is no picture of the cage" in lacking
-    assert word in lacking
+    assert "signal 6" in lacking
     assert {path.name for path in tmp_path.iterdir()} == ALWAYS | {"1-cage.nc", "1-cage-forces.png"}
     content = json.loads((tmp_path / "torque.json").read_text("utf-8"))["cage_motion"]
     assert content["lacking"] == lacking
@@ -136,15 +136,19 @@ def test_the_command_says_where_the_folder_is_and_what_it_lacks(
             json.loads(captured.out)  # nothing else on it
 
 
-@pytest.mark.parametrize(("name", "drawing"), [("made", {"matplotlib"}), ("made.csv", set()), ("made.json", set())])
-def test_a_torque_without_a_moving_cage_loads_nothing_that_packs_or_renders(
-    tmp_path: Path, name: str, drawing: set[str]
-) -> None:
+def test_a_torque_without_a_moving_cage_loads_nothing_that_packs_or_renders(tmp_path: Path) -> None:
+    """A file of numbers draws nothing either."""
     show = (
-        "import sys; from fembearing import cli; sys.argv[1:1] = 'torque 6205-dry --json --out'.split()\n"
-        "try: cli.main()\nfinally: print(*{name.partition('.')[0] for name in sys.modules}, file=sys.stderr)"
+        "import sys; from fembearing import cli\n"
+        "for out in sys.argv[1:]:\n"
+        "    sys.argv = ['fembearing', *'torque 6205-dry --json --out'.split(), out]\n"
+        "    try: cli.main()\n"
+        "    except SystemExit as stop: assert not stop.code\n"
+        "    print(*{name.partition('.')[0] for name in sys.modules}, file=sys.stderr)"
     )
-    run = [sys.executable, "-c", show, str(tmp_path / name)]
-    loaded = set(subprocess.run(run, capture_output=True, check=True, text=True).stderr.split())
-    assert "fembearing" in loaded
-    assert {"matplotlib", "vtk", "vtkmodules", "pyvista", "xarray", "netCDF4"} & loaded == drawing
+    run = [sys.executable, "-c", show, str(tmp_path / "made.json"), str(tmp_path / "made")]
+    said = subprocess.run(run, capture_output=True, check=True, text=True).stderr.splitlines()
+    file, folder = (set(line.split()) for line in said if " fembearing " in f" {line} ")
+    packing = {"vtk", "vtkmodules", "pyvista", "xarray", "netCDF4"}
+    assert {"matplotlib", *packing} & file == set()
+    assert {"matplotlib", *packing} & folder == {"matplotlib"}

@@ -18,8 +18,7 @@ import pyvista as pv
 from numpy.typing import NDArray
 
 from fembearing.report.page.view import script_hash
-from fembearing.report.pictures import draw as module
-from fembearing.report.pictures.draw import RENDERER, Picture, draw_pictures
+from fembearing.report.pictures.draw import Picture, draw_pictures
 from fembearing.report.pictures.render_mesh import cell_edges, loaded_face, mirrored
 from fembearing.verify.contact.discrepancy import ContactSolution
 from fembearing.verify.validation import Validation
@@ -69,10 +68,8 @@ def views(pictures: list[Picture]) -> dict[str, Picture]:
 
 
 @pytest.fixture(scope="module")
-def cut_view(cut_contact: ContactSolution, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    (job,) = (job for job in module._jobs(cut_contact, tmp_path_factory.mktemp("cut")) if job["kind"] == "view")
-    assert module.rendered([job], RENDERER) is None
-    return Path(job["file"])
+def cut_view(odd_by_vtk: dict[str, Picture]) -> Path:
+    return odd_by_vtk["cut view"].file
 
 
 def test_each_contact_has_a_view_that_names_no_address(views: dict[str, Picture]) -> None:

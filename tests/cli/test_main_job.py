@@ -1,0 +1,142 @@
+"""The result of the main job, `fembearing validate` without a scene. It takes half a minute of a processor.
+
+The gate runs it from a wheel and names its folder in MADE, so that these tests only read what it has written. Without
+that folder they run it, in the nightly.
+"""
+
+import io
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from fembearing import cli
+
+COMPARED = {"semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach"}  # held to the asked accuracy
+QUANTITIES = {"semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach", "stiffness"}
+MADE = "FEMBEARING_MAIN_JOB"  # of the environment: a folder with validate.json, from standard output, and report/
+in_the_gate = pytest.mark.slow if os.environ.get(MADE) else pytest.mark.nightly
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    made = os.environ.get(MADE)
+    return Path(made) if made else tmp_path_factory.mktemp("main")
+
+
+@pytest.fixture(scope="module")
+def report(folder: Path) -> Path:
+    return folder / "report"
+
+
+@pytest.fixture(scope="module")
+def validated(folder: Path, report: Path) -> dict[str, Any]:
+    """The result of `fembearing validate --json --out report`, run once."""
+    if os.environ.get(MADE):
+        return json.loads((folder / "validate.json").read_text("utf-8"))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("sys.argv", ["fembearing", "validate", "--json", "--out", str(report)])
+        patch.setattr("sys.stdout", printed := io.StringIO())
+        with pytest.raises(SystemExit) as stop:
+            cli.main()
+    assert (stop.value.code or 0) == 0
+    return json.loads(printed.getvalue())
+
+
+@in_the_gate
+def test_validate_judges_every_quantity_of_all_three_pairs(validated: dict[str, Any]) -> None:
+    judged = [(row["pair"], row["quantity"]) for row in validated["verdicts"]]
+    assert sorted(judged) == sorted((pair, name) for pair in ("inner", "outer", "pocket") for name in QUANTITIES)
+    assert {row["verdict"] for row in validated["verdicts"]} == {"pass"}
+    assert [ladder["quantity"] for ladder in validated["cost"]["ladders"]] == [
+        "contact, inner",
+        "contact, outer",
+        "contact, pocket",
+    ]
+
+
+@in_the_gate
+def test_the_answer_without_a_name_is_whole(validated: dict[str, Any]) -> None:
+    """Only the oil outside the contacts is missing, which is estimated; every assumption has its source."""
+    torque = validated["torque"]
+    missing = {each["name"] for each in torque["effects"] if "not given" in each["reason"] or "add a" in each["reason"]}
+    assert missing == {"through_flow", "cage_shear", "ball_drag"}
+    assert not any("add a" in warning or "is neglected" in warning for warning in torque["warnings"])
+    assumed = {each["key"]: each["source"] for each in torque["inputs"] if each["status"] == "assumed"}
+    assert assumed["cage.start"]
+    assert "ISO VG 68" in assumed["lubricant.viscosity"]
+    assert all(assumed.values())
+
+
+@in_the_gate
+def test_the_sheet_of_the_pocket_is_shown_with_its_thick_seat(validated: dict[str, Any]) -> None:
+    """A half space under sheet metal makes K_pb too large; the sheet is not judged."""
+    seat, sheet = validated["contacts"][2:]
+    assert (seat["geometry"], sheet["geometry"]) == ("real", "wall")
+    assert seat["load"] == sheet["load"] == 28.0
+    assert sheet["verdict"] == "shown"
+    assert sheet["fe"]["stiffness"] < 0.7 * seat["hertz"]["stiffness"] < seat["fe"]["stiffness"]
+
+
+@in_the_gate
+def test_the_report_is_in_its_folder(validated: dict[str, Any], report: Path) -> None:
+    written = json.loads((report / "report.json").read_text("utf-8"))
+    assert written["verdicts"] == validated["verdicts"]
+    assert (report / "report.html").is_file()
+    kinds = {(picture["pair"], picture["geometry"], picture["kind"]) for picture in written["pictures"]}
+    pairs = [("inner", "real"), ("outer", "real"), ("pocket", "real"), ("pocket", "wall")]
+    contacts = {(*pair, kind) for pair in pairs for kind in ("pressure", "section", "view")}
+    assert kinds == contacts | {(*pair, kind) for pair in pairs[:2] for kind in ("film", "creep")}
+    assert written["renderer"] == "VTK"
+
+
+@in_the_gate
+def test_the_torque_is_that_of_the_command_torque(command, validated: dict[str, Any]) -> None:
+    torque = json.loads(command("torque", "--json").out)
+    for key in ("points", "effects", "warnings", "catalogue_band", "verdicts", "notes", "tolerance"):
+        assert validated["torque"][key] == torque[key]
+
+
+@in_the_gate
+def test_each_discrepancy_is_production_over_reference_minus_one(validated: dict[str, Any]) -> None:
+    for row in validated["verdicts"]:
+        assert row["discrepancy"] == pytest.approx(row["production"] / row["reference"] - 1, abs=1e-12)  # round-off
+        assert row["exceeds_uncertainty"] == (abs(row["discrepancy"]) > row["uncertainty"])
+        assert row["uncertainty"] > 0
+
+
+@in_the_gate
+def test_the_true_groove_is_stiffer_than_hertz_and_the_inner_race_has_more_pressure(validated: dict[str, Any]) -> None:
+    inner, outer = validated["contacts"][:2]
+    assert inner["fe"]["peak_pressure"] > outer["fe"]["peak_pressure"]
+    for contact in (inner, outer):
+        assert contact["fe"]["stiffness"] > contact["hertz"]["stiffness"]
+        assert contact["fe"]["semi_axis_transverse"] < contact["hertz"]["semi_axis_transverse"]  # the groove closes in
+
+
+@pytest.mark.nightly  # the intervals are tested on many contacts in validation/intervals
+def test_uncertainty_covers_a_finer_solution(command, validated: dict[str, Any]) -> None:
+    """The finer one is another run, with a tolerance that needs a finer mesh."""
+    result = command("contact", "--pair", "outer", "--tolerance", "0.035 %", "--json")
+    finer = json.loads(result.out)
+    coarse = validated["contacts"][1]
+    assert finer["cost"]["unknowns"] > 2 * coarse["cost"]["unknowns"]
+    for name in QUANTITIES:
+        assert abs(coarse["fe"][name] / finer["fe"][name] - 1) <= coarse["uncertainty"][name]
+    assert finer["discrepancy"]["approach"] > 0.01
+    assert (finer["accuracy"], finer["tolerance"], finer["verdict"]) == (3.5e-4, 0.05, "pass")  # the scene's 5 %
+    assert result.status == (0 if max(finer["uncertainty"][name] for name in COMPARED) <= 3.5e-4 else 3)
+
+
+@in_the_gate
+def test_the_far_boundary_has_an_uncertainty_of_its_own(validated: dict[str, Any]) -> None:
+    """It is not zero, and small at the extent of the block; a sheet has no far boundary."""
+    for contact in validated["contacts"][:3]:
+        for name, part in contact["convergence"].items():
+            assert 0 < part["domain"] < 0.01
+            assert contact["uncertainty"][name] == pytest.approx(
+                np.hypot(part["mesh"], part["domain"]), rel=1e-12
+            )  # round-off

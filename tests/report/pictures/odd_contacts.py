@@ -1,0 +1,75 @@
+"""Contacts whose pictures need a look of their own: one cut off, ellipses apart, a small body under a large ball."""
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from fembearing.report.pictures import draw
+from fembearing.report.pictures.draw import Kind, Picture
+from fembearing.verify.contact.discrepancy import ContactSolution
+from fembearing.verify.validation import Validation
+
+
+@dataclass(frozen=True)
+class OddPicture:
+    """One picture of a contact, and the job that draws it."""
+
+    picture: Picture
+    job: dict[str, Any]
+
+
+def odd_pictures(checked: Validation, cut: ContactSolution, folder: Path) -> dict[str, OddPicture]:
+    """One kind of picture of each, on coarse meshes: all three on the finest would take VTK many seconds."""
+    race, _, seat, _ = checked.contacts
+    contacts: dict[str, tuple[ContactSolution, Kind]] = {
+        "cut": (on_level(cut, 1), "pressure"),
+        "cut view": (on_level(cut, 1), "view"),
+        "race": (with_ellipses(on_level(race, 0), computed=(1.15, 1.2), hertz=(1.3, 1.05)), "pressure"),
+        "pocket": (with_ellipses(on_level(seat, 0), computed=(1.3, 1.1), hertz=(1.15, 1.25)), "pressure"),
+        "small": (with_small_body(on_level(seat, 0)), "section"),
+    }
+    made = {}
+    for name, (contact, kind) in contacts.items():
+        place = folder / name
+        place.mkdir()
+        (job,) = (job for job in draw._jobs(contact, place) if job["kind"] == kind)
+        picture = Picture(
+            file=Path(job["file"]),
+            kind=kind,
+            contact=contact,
+            frame=draw._frame(contact) if kind == "pressure" else None,
+            caption=draw._pressure_caption(contact, mesh=True) if kind == "pressure" else "",
+        )
+        made[name] = OddPicture(picture, job)
+    return made
+
+
+def on_level(contact: ContactSolution, number: int) -> ContactSolution:
+    """With one of its meshes in place of the finer ones: their number belongs to other numbers of the contact."""
+    kept = contact.meshes[: number + 1]
+    return replace(contact, meshes=(*kept, *kept[-1:] * (len(contact.meshes) - len(kept))))
+
+
+def with_ellipses(
+    contact: ContactSolution, *, computed: tuple[float, float], hertz: tuple[float, float]
+) -> ContactSolution:
+    """The ellipses as multiples of the computed one; (rolling, transverse)."""
+    names = "semi_axis_rolling", "semi_axis_transverse"
+    sizes = {name: getattr(contact.reference, name) for name in names}
+    made = {
+        name: replace(contact.estimates[name], richardson=sizes[name] * factor, beyond=0.0)
+        for name, factor in zip(names, computed, strict=True)
+    }
+    return replace(
+        contact,
+        estimates=contact.estimates | made,
+        hertz=replace(contact.hertz, **{name: sizes[name] * factor for name, factor in zip(names, hertz, strict=True)}),
+    )
+
+
+def with_small_body(contact: ContactSolution) -> ContactSolution:
+    """As the block of a pocket's tiny contact is: an eighth of the ball."""
+    finest = contact.meshes[-1]
+    lower = finest.pair.lower
+    small = replace(lower, mesh=replace(lower.mesh, doflocs=0.4 * lower.mesh.doflocs))
+    return replace(contact, meshes=(replace(finest, pair=replace(finest.pair, lower=small)),))
