@@ -14,6 +14,7 @@ METHODS: dict[Creep, SlidingMethod] = {"none": "free_ball", "closed": "closed_cr
 # Speeds over that of a point at which a bearing comes there: from below and from above, in few steps and in many
 RUNS = tuple(np.geomspace(first, 1.0, steps) for steps in (3, 8) for first in (0.5, 2.0))
 SAME_STATE = 1e-3  # relative, of the torque: one that differs by less prints alike
+SEARCHED = 2  # number of the quadrature of all runs: its error is common to both states, and finer ones take minutes
 BETWEEN = 1.25  # times the largest error at far points: what lies between them
 
 
@@ -51,16 +52,18 @@ def other_states(model: Model, points: Array, found: Solution) -> Array:
     pressed_out = model.numbers.counted.centrifugal & (outward >= balls["load"][..., 0].mean(axis=1))
     race = found.race_torque
     for i in map(int, np.flatnonzero(pressed_out & (race > 0))):
-        same = model.with_numbers(cold=False, passes=int(found.points["passes"][i])).at(np.array([i]))
+        passes = min(SEARCHED, int(found.points["passes"][i]))
+        same = model.with_numbers(cold=False, passes=passes).at(np.array([i]))
+        one = solved(same, points[[i]]).race_torque[0]
         for run in RUNS:
             work, end = workspace(same), found
             for share in run:
                 point = points[[i]].copy()
                 point[0, 3] *= share
                 end = solved(same.with_numbers(nearly=share != 1.0), point, work=work)
-            change = abs(end.race_torque[0] / race[i] - 1)
-            if change > max(SAME_STATE, np.nan_to_num(abs(other[i] / race[i] - 1))):
-                other[i] = end.race_torque[0]
+            ratio = end.race_torque[0] / one
+            if abs(ratio - 1) > max(SAME_STATE, np.nan_to_num(abs(other[i] / race[i] - 1))):
+                other[i] = ratio * race[i]
     return other
 
 
