@@ -15,6 +15,14 @@ from tests.analytic.scenefile.scene_texts import INLINE, OIL, PLAIN, ROUGH, chan
 BEARING = 'catalog = "paper_6205"'
 MAP = '{ path = "a.npy", spacing = "1 um" }'
 CAGE = PLAIN + "[cage]\n"
+GREASED = """
+[lubricant]
+name = "ISO VG 68"
+temperature = "40 degC"
+supply = "grease"
+[assumed.lubricant]
+temperature = "a guess"
+"""
 
 
 def with_bearing(line: str) -> str:
@@ -180,6 +188,7 @@ MISTAKES = [  # text, and words of the message: key, value, what is accepted
     (CAGE + 'pocket_approach = { load = "28 N" }', ("cage.pocket_approach.approach is missing",)),
     (CAGE + 'land = { ring = "middle", clearance = "0.3 mm", width = "9 mm" }', ("cage.land.ring = 'middle'",)),
     (CAGE + 'pocket_diameter = "9 mm"\npocket_clearance = "1 mm"', ("cage", "exactly one of", "pocket_clearance")),
+    (with_bearing("conformity = 0.5") + GREASED, ("bearing.inner.groove_radius must exceed the ball radius 3.97 mm",)),
     (INLINE + '[effects.more]\na = "b"', ("effects.more", "unknown key")),
     (changed('mass = "3 g"', "", INLINE), ("cage.mass is missing", '"2.04 g"')),
     (changed('pocket_diameter = "6.3 mm"', "", INLINE), ("cage", "exactly one of")),
