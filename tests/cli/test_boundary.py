@@ -172,7 +172,9 @@ def test_a_process_that_is_asked_to_end_cleans_up(tmp_path: Path, number: signal
     held = (
         "import signal, sys, time\nfrom analytic import writing\nfrom fembearing import cli\n"
         f"signal.signal({int(number)}, signal.SIG_DFL)\n"  # nohup ignores it, and so would we
-        "writing.at_step = lambda step, path: (print(step, flush=True), time.sleep(60)) if step == 'write' else None\n"
+        "def at_step(step, path):\n    if step == 'write':\n        print(step, flush=True)\n"
+        "        for _ in range(6000):\n            time.sleep(0.01)\n"  # a signal just before a long one waits for it
+        "writing.at_step = at_step\n"
         "sys.argv = ['fembearing', 'init', '6206']\ncli.main()"
     )
     running = subprocess.Popen([sys.executable, "-c", held], cwd=tmp_path, stdout=subprocess.PIPE, text=True)
