@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -10,7 +11,10 @@ import pytest
 from analytic.errors import InputError
 from analytic.function import torque_function
 from analytic.result import FrictionTorque
+from analytic.scene import Array
 from analytic.scenefile.read import load_scene, parse_scene
+from analytic.solve import freely
+from analytic.solve.model import Model
 from analytic.torque import friction_torque
 from analytic.words import torque_of
 from validation.adversary import run as adversary
@@ -175,3 +179,16 @@ def test_a_bearing_that_slows_down_in_small_steps_is_within_the_uncertainty() ->
     assert 0.01 < apart <= found.numerical_uncertainty[0]
     (told,) = (each for each in found.warnings if "two steady states" in each)
     assert torque_of(found.torque.total[0]) in told
+
+
+def test_two_steady_states_are_seen_without_a_coarse_solution(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its first solution is the measure of the others; the torque itself takes its place."""
+    solve = freely.solved
+
+    def first_fails(model: Model, points: Array, **rest: Any) -> Any:
+        is_first = not model.numbers.cold and "work" not in rest
+        return SimpleNamespace(race_torque=np.full(len(points), np.nan)) if is_first else solve(model, points, **rest)
+
+    monkeypatch.setattr(freely, "solved", first_fails)
+    found = friction_torque(parse_scene(drawn_scene(1175), origin="drawn"))
+    assert any("two steady states" in each for each in found.warnings)
