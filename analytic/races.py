@@ -113,9 +113,7 @@ class RaceTorque:
 
     @cached_property
     def growth(self) -> float:
-        """Factor on what unequal loads and weights do to balls by rule: above 1 where friction wedges free balls."""
-        if not self.is_free:
-            return 1.0
+        """Factor on what weights do to balls by rule: above 1 where friction wedges free balls."""
         return growth_by_wedging(self.scene.bearing, self.trial.solved(self.counted), self.found.at(self.trial.tried))
 
     @cached_property
@@ -331,7 +329,7 @@ def _free_creep(
 
 
 def _rule_suffices(ledger: Ledger, trial: Trial, counted: Mapping[str, bool], tried: Solution) -> bool:
-    """Whether closed kinematics turn balls well enough: friction holds them, and their inertia hardly counts."""
+    """Whether closed kinematics turn balls well enough: friction drives and holds them, inertia hardly counts."""
     inertia = [name for name in ("centrifugal", "gyroscopic") if counted[name]]
     bound = np.zeros_like(ledger.left_out)
     if inertia:
@@ -340,6 +338,8 @@ def _rule_suffices(ledger: Ledger, trial: Trial, counted: Mapping[str, bool], tr
         bound = bound + at_all_points(ledger, slip_by_weight(ledger.scene.bearing, tried))
     if counted["gyroscopic"]:
         bound = bound + slip_by_gyroscopic_moment(ledger, tried)
+    if ledger.rules_out("creep"):  # else its bound has the lag
+        bound = bound + at_all_points(ledger, PER_LAG * tried.sliding_number.max(axis=0))
     return ledger.leaves_out(bound)
 
 

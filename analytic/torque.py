@@ -51,14 +51,13 @@ from analytic.solve.solution import tried_points
 from analytic.units import Quantity
 from analytic.words import speed_of, torque_of
 
-DIRECTIONS = ((1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, -1.0))
-# Directions of the weight of free balls. Thrust is alike all round: only the tilt against the axis counts.
+# Directions of the weight. Thrust is alike all round: only the tilt against the axis counts.
 TILTS = np.array([(np.sin(tilt), 0.0, np.cos(tilt)) for tilt in np.linspace(0, np.pi, 25)])
 ALL_ROUND = np.array([each for each in product((1.0, 0.0, -1.0), repeat=3) if any(each)])
+ALONG_AXES = ALL_ROUND[np.abs(ALL_ROUND).sum(axis=1) == 1]
 ALL_ROUND /= np.linalg.norm(ALL_ROUND, axis=1, keepdims=True)
-STEP_OF_TILTS, STEP_ALL_ROUND = 0.14, 0.96  # rad, a little more than neighbours are apart
+MOST_GROWTH = 2.0  # of changes of balls by rule where friction wedges free ones: beyond, directions are close together
 ASIDE = np.array([0.036, -0.048, 0.08])  # rad: turns these directions by 0.03 to 0.1, out of their symmetry
-MOST_GROWTH = 2.0  # of changes of balls by rule where friction wedges free ones: beyond, these are computed instead
 NO_SOLUTION = (
     "the direction of the balls' weight is not given, and some directions have no solution; give operation.down"
 )
@@ -249,19 +248,19 @@ def _beyond_the_fit(races: RaceTorque, total: Array) -> Unsure:
 def _in_any_direction(races: RaceTorque, total: Array) -> Unsure:
     """What the balls' weight may change, whose direction the scene does not give: the largest change over several.
 
-    Balls by rule show it, with factors for free balls and for the slip under their weight. Where friction wedges free
-    balls, or those by rule have no solution, the free balls themselves do.
+    Free balls show it themselves: where they are preloaded and hardly spin, those by rule change by a sixtieth of it.
+    Balls by rule that stand for free ones have factors for these, and for the slip under their weight.
     """
     unsure, at = np.zeros_like(total), np.flatnonzero(races.any_direction)
     if not at.size:
         return Unsure(unsure, ())
     without = races.with_weight(at, None)
-    changes = np.max([np.abs(races.with_weight(at, down) - without) for down in DIRECTIONS], axis=0)
+    changes = np.max([np.abs(races.with_weight(at, (x, y, z)) - without) for x, y, z in ALONG_AXES.tolist()], axis=0)
     share = np.where(np.isfinite(changes), share_in(np.nan_to_num(changes), np.nan_to_num(without)), np.inf)
-    if races.is_free and (races.growth > MOST_GROWTH or not np.isfinite(share).all()):
+    if races.is_free:
         unsure[at] = _change_of_free_balls(races, at, share)
     else:
-        unsure[at] = of_methods(races.scene) * races.growth * share
+        unsure[at] = of_methods(races.scene) * share
         if races.slides and ruled(races.scene) is None:
             unsure[at] += slip_by_weight(races.scene.bearing, races.found)[at]
     known = np.isfinite(unsure)
@@ -276,7 +275,12 @@ def _change_of_free_balls(races: RaceTorque, at: NDArray[np.intp], by_rule: Arra
     What lies between two directions is at most their difference beyond the farthest.
     """
     far = tried_points(races.trial.points[at], float(races.trial.model.numbers.arm))
-    directions, apart = (TILTS, STEP_OF_TILTS) if races.scene.operation.is_thrust else (ALL_ROUND, STEP_ALL_ROUND)
+    close = races.growth > MOST_GROWTH or not np.isfinite(by_rule).all()
+    # Each with an angle, rad, a little more than neighbours are apart.
+    if races.scene.operation.is_thrust:
+        directions, apart = (TILTS, 0.14) if close else (TILTS[::6], 0.8)
+    else:
+        directions, apart = (ALL_ROUND, 0.96) if close else (ALONG_AXES, 1.6)
     without = races.freely_with_weight(at[far], None)
     change, known = np.zeros((len(directions), far.size)), without > 0
     for row, down in zip(change, directions, strict=True):
@@ -291,7 +295,11 @@ def _change_of_free_balls(races: RaceTorque, at: NDArray[np.intp], by_rule: Arra
     if far.size == at.size:
         return share
     more = np.divide(share, by_rule[far], out=np.full_like(share, np.inf), where=by_rule[far] > 0).max()
-    return BETWEEN * more * by_rule if np.isfinite(more) else np.full_like(by_rule, np.inf)
+    if not np.isfinite(more):
+        return np.full_like(by_rule, np.inf)
+    everywhere = BETWEEN * more * by_rule
+    everywhere[far] = share
+    return everywhere
 
 
 def _with_weight_along(races: RaceTorque, at: NDArray[np.intp], down: Array) -> Array:

@@ -47,6 +47,7 @@ KIND, FORMAT = "fembearing validation", 6  # what the JSON is; the number rises 
 INSTANTS = 400  # of a cage's motion that are kept
 LARGEST = 1e200  # SI; a larger number is damage, and may be too large in the unit in which it is shown
 LARGEST_FILE = 256_000_000  # bytes: ten times a series of thousand points
+POCKETS = ([], ["real", "wall"])  # models of a cage pocket: no cage, or the thick seat and the sheet
 SHOWN = 60  # characters of a value in a message
 FAULTS = {  # pydantic's names
     "missing": "is missing",
@@ -211,7 +212,11 @@ class Report:
     renderer: str = "VTK"
 
     def __post_init__(self) -> None:
-        """Raises ValueError for pictures without a contact, contacts without verdicts, a torque without its change."""
+        """Raises ValueError for parts that do not belong together."""
+        if len({_place_of(contact) for contact in self.contacts}) < len(self.contacts):
+            raise ValueError("has a contact twice")
+        if sorted(contact.geometry for contact in self.contacts if contact.pair == "pocket") not in POCKETS:
+            raise ValueError(f"has a pocket of other models than {' and '.join(POCKETS[1])}")
         for picture in self.pictures:
             if self.contact_of(picture) is None:
                 raise ValueError(f"has no contact for the picture {picture.file}")
@@ -232,6 +237,8 @@ class Report:
                 raise ValueError(f"has a film_change of other than the {count} points of torque")
             if self.torque_change.lengths != {count}:
                 raise ValueError(f"has a torque_change of other than the {count} points of torque")
+            if self.cage_motion is not None and len(self.cage_motion) != count:
+                raise ValueError(f"has a cage_motion of other than the {count} points of torque")
             if self.torque.left_out or self.torque.verdicts.numerical is None:
                 raise ValueError("has a torque with points left out")
 

@@ -181,6 +181,7 @@ def test_a_number_of_the_other_sign_is_drawn_or_refused(document: Document, step
         (("cage_records", 0, "exceedance", "share"), [1.0], "values that belong together"),
         (("verdicts", 1, "production"), -1e308, "-1e.308 is larger than 1e.200"),
         (("cage_records", 0, "forces", "sum"), [-1e201], "is larger than"),
+        (("cage_motion",), [], "cage_motion of other than"),
         (("contacts", 0, "fe", "approach"), -1e-6, "greater than 0"),
         (("contacts", 1, "uncertainty", "approach"), -1e-6, "greater than or equal to 0"),
     ],
@@ -190,6 +191,18 @@ def test_what_no_figure_can_show_is_refused(
 ) -> None:
     with pytest.raises(ValueError, match=words):
         report_in(damaged(document, place, value))
+
+
+def test_each_contact_stands_once_and_a_pocket_has_both_models(document: Document) -> None:
+    contacts = document["contacts"]
+    inner, *_, seat, sheet = contacts
+    assert (seat["geometry"], sheet["geometry"]) == ("real", "wall")
+    with pytest.raises(ValueError, match="a contact twice"):
+        report_in(damaged(document, ("contacts",), [*contacts, sheet]))
+    with pytest.raises(ValueError, match="other models than real and wall"):
+        report_in(damaged(document, ("contacts",), [*contacts, sheet | {"bearing": "second"}]))
+    with pytest.raises(ValueError, match="other models than real and wall"):
+        report_in(damaged(document, ("contacts",), [inner, seat]))
 
 
 def test_a_verdict_is_on_a_point_of_the_series(document: Document) -> None:

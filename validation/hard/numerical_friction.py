@@ -37,8 +37,8 @@ PRESSED_SOLID = PointLaw(limit=FRICTION, eyring=5e6, fluidity=1e60)  # oil that 
 STRIPS = (2e-3, "the width of 24 strips, whose moments are those of their middles")
 CLOSE = (0.05, "4 % of the reference's own, on an ellipse 60 times as long as wide")
 SMALL = (2e-3, "the contact angle changes by the load's power 2/3, and conformity adds the next power")
-SETTLED = (1e-4, "the ball settles to 1e-6 of its friction, and where slip is taken to 1e-3 of a rectangle")
-SAME_ANGLES = (1e-4, "1e-12 m changes the ball's load by 1e-8, and where slip turns round the strips follow")
+SETTLED = (1e-3, "strips slip or do not by last digits, other ones on another processor, which moves a torque by 3e-4")
+SAME_ANGLES = (1e-3, "1e-12 m changes the ball's load by 1e-8, and strips slip or do not: 3e-4 of a torque")
 ALL_SLIDES = (1e-3, "the limit of the creepage: rectangles at the edge still lag behind")
 METHODS = (0.03, "1.6 % of the reference's own, and tractions that change the pressure between unlike bodies")
 

@@ -9,7 +9,7 @@ import pytest
 from analytic.errors import InputError
 from analytic.loads.balls import LoadEffects, ring_balls
 from analytic.scene import Bearing, ContactAngle, Operation, Scene, SlidingMethod
-from analytic.scenefile.read import parse_scene
+from analytic.scenefile.read import load_scene, parse_scene
 from analytic.torque import friction_torque
 from tests.analytic.specimens import FINISH, OIL, present
 
@@ -130,6 +130,20 @@ def test_a_weight_without_a_direction_is_uncertain(scene: Scene) -> None:
     heavy = friction_torque(scene)
     assert not heavy.is_on("weight")
     assert np.all(heavy.numerical_uncertainty <= scene.tolerance)
+
+
+def test_a_weight_that_turns_preloaded_balls_is_uncertain() -> None:
+    """Thrust as small as the balls' weight, preload of 26 N: free balls spin otherwise, those by a rule hardly do."""
+    scene = load_scene("6210", axial_load="1 N", speed="0.6 rpm", settings={"tolerance": 0.001})
+    inner = scene.bearing.inner
+    tight = replace(inner, bottom_radius=inner.bottom_radius + 9e-6)
+    preloaded = replace(scene, bearing=replace(scene.bearing, inner=tight), down=None)
+    unknown, errors = friction_torque(preloaded), []
+    for down in ((0.0, 0.0, 1.0), (0.0, 0.0, -1.0), (0.6, 0.0, -0.8)):
+        known = friction_torque(replace(preloaded, down=down))
+        errors += np.abs(known.torque.total / unknown.torque.total - 1).tolist()
+        assert errors[-1] <= unknown.numerical_uncertainty + known.numerical_uncertainty
+    assert max(errors) > 0.05  # else there is nothing to state
 
 
 def test_a_given_angle_holds_loads_but_not_how_balls_turn(scene: Scene) -> None:

