@@ -143,7 +143,7 @@ class RaceTorque:
         return self.found.points["gyroscopic_hold"].copy() if self.slides and known else None
 
     def by_rule(self, at: NDArray[np.intp], weights: Array | None = None, *, farthest: bool = False) -> Array:
-        """(k,) race torque at some points with the same effects, by the cheapest method; NaN where there is none.
+        """(p, k) parts of the race torque at some points, of balls by rule and the cheapest method of sliding, or NaN.
 
         weights : of the balls, as `Model` has them, under their own loads; None: as they were
         farthest : contacts outside the fit have the factors at the far end of what is not known
@@ -155,14 +155,14 @@ class RaceTorque:
         found = solved(
             model.counting(counted).with_numbers(farthest=farthest, judges=False).at(at), self.trial.points[at]
         )
-        return found.race_torque
+        return found.race_parts
 
     def with_weight(self, at: NDArray[np.intp], down: tuple[float, float, float] | None) -> Array:
-        """(k,) race torque at some points with the balls' weight in a direction; None: without weight."""
+        """(p, k) the same with the balls' weight in a direction; None: without weight."""
         return self.by_rule(at, weights_of(self.scene.bearing, down))
 
     def freely_with_weight(self, at: NDArray[np.intp], down: tuple[float, float, float] | None) -> Array:
-        """(k,) the same of free balls; NaN where they do not settle. Raises KeyError where the balls turn by rule.
+        """(k,) race torque of free balls; NaN where they do not settle. Raises KeyError where the balls turn by rule.
 
         They have the second quadrature, whose error is common to all directions.
         """

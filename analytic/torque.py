@@ -238,7 +238,7 @@ def _beyond_the_fit(races: RaceTorque, total: Array) -> Unsure:
     if not races.beyond_fit:
         return Unsure(np.zeros_like(total), ())
     every = np.arange(total.size)
-    change = np.abs(races.by_rule(every, farthest=True) - races.by_rule(every))
+    change = np.abs(races.by_rule(every, farthest=True) - races.by_rule(every)).sum(axis=0)
     if np.isfinite(change).all():
         return Unsure(share_in(change, total), ())
     reason = "contacts outside the fit for finite geometry may have no solution"
@@ -255,8 +255,9 @@ def _in_any_direction(races: RaceTorque, total: Array) -> Unsure:
     if not at.size:
         return Unsure(unsure, ())
     without = races.with_weight(at, None)
-    changes = np.max([np.abs(races.with_weight(at, (x, y, z)) - without) for x, y, z in ALONG_AXES.tolist()], axis=0)
-    share = np.where(np.isfinite(changes), share_in(np.nan_to_num(changes), np.nan_to_num(without)), np.inf)
+    parts = np.abs([races.with_weight(at, (x, y, z)) - without for x, y, z in ALONG_AXES.tolist()])
+    changes = parts.sum(axis=1).max(axis=0)  # of parts that may cancel by one method of sliding, not by another
+    share = np.where(np.isfinite(changes), share_in(np.nan_to_num(changes), np.nan_to_num(without.sum(axis=0))), np.inf)
     if races.is_free:
         unsure[at] = _change_of_free_balls(races, at, share)
     else:
@@ -271,11 +272,12 @@ def _in_any_direction(races: RaceTorque, total: Array) -> Unsure:
 def _change_of_free_balls(races: RaceTorque, at: NDArray[np.intp], by_rule: Array) -> Array:
     """(k,) change of the torque by the weight of free balls, over the smaller one; infinite: a direction has none.
 
-    by_rule : (k,) that of balls by rule; in a longer series, far points tell how much more free balls change
+    by_rule : (k,) that of balls by rule; where close directions are needed in a longer series, far points tell how much
+        more free balls change
     What lies between two directions is at most their difference beyond the farthest.
     """
-    far = tried_points(races.trial.points[at], float(races.trial.model.numbers.arm))
     close = races.growth > MOST_GROWTH or not np.isfinite(by_rule).all()
+    far = tried_points(races.trial.points[at], float(races.trial.model.numbers.arm)) if close else np.arange(at.size)
     # Each with an angle, rad, a little more than neighbours are apart.
     if races.scene.operation.is_thrust:
         directions, apart = (TILTS, 0.14) if close else (TILTS[::6], 0.8)

@@ -1,8 +1,10 @@
-"""Numbers in sentences: SI values in the units that engineers read.
+"""Numbers in sentences: SI values in the units that engineers read; and what a user gave, in one line.
 
 Every message, warning and reason takes its units here. JSON and Python stay in SI.
 """
 
+import reprlib
+from math import log10
 from typing import NamedTuple, TypeVar
 
 import numpy as np
@@ -33,6 +35,7 @@ MILLINEWTON = Unit("mN", 1e3)
 DEGREE, PERCENT = Unit("deg", 180 / np.pi), Unit("%", 100.0)
 SHORT = 9e-5  # m: what is shorter is shown in micrometres
 LEVEL = 1e-9  # rad: a smaller angle is rounding of 0
+MOST_BITS = 2000  # of a whole number in a message
 FAST = 1e5  # rpm: faster has no digits after the point and no power of ten
 
 
@@ -65,3 +68,26 @@ def angle_of(radians: float) -> str:
 def percent_of(share: float, digits: int = 3) -> str:
     """A relative number in per cent."""
     return PERCENT.written(share, ".0f" if abs(share) * PERCENT.factor >= 10**digits else f".{digits}g")
+
+
+class ShortRepr(reprlib.Repr):
+    """A value in one line of limited length."""
+
+    def repr_int(self, x: int, level: int) -> str:
+        """Python refuses to print integers of thousands of digits."""
+        if x.bit_length() > MOST_BITS:
+            return f"a number of some {x.bit_length() * log10(2):.0f} digits"
+        return super().repr_int(x, level)
+
+
+def shown(value: object) -> str:
+    """A value for a message: one line of limited length."""
+    brief = ShortRepr()
+    brief.maxstring = brief.maxother = 60
+    brief.maxlong, brief.maxlevel, brief.maxlist, brief.maxdict = 40, 2, 3, 3
+    return brief.repr(value)
+
+
+def plain(text: str) -> str:
+    """The text itself; quoted if it is long or not printable."""
+    return text if text.isprintable() and len(text) <= 200 else shown(text)

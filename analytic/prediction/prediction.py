@@ -32,10 +32,9 @@ from analytic.result import COORDINATES, POINT, FrictionTorque
 from analytic.rows import row_of
 from analytic.scene import Array, Scene
 from analytic.scenefile.by_name import with_tolerance
-from analytic.scenefile.text import shown
 from analytic.torque import friction_torque
 from analytic.units import Quantity
-from analytic.words import NEWTON_MILLIMETRE
+from analytic.words import NEWTON_MILLIMETRE, shown
 
 SAMPLES, MOST_SAMPLES = 512, 4096  # by default: more until the ends are known well enough, and beyond this no more
 LARGEST_SAMPLE = 1_000_000  # that a user may give: more is a slip

@@ -17,7 +17,7 @@ from analytic.catalog.suffixes import seal_contact
 from analytic.errors import InputError
 from analytic.scene import Bearing, Groove, Material, Origin
 from analytic.scenefile.tables import BearingTable, ContactAngleTable, GrooveTable
-from analytic.scenefile.text import shown
+from analytic.words import shown
 
 RINGS = ("inner", "outer")
 # Keys of a ring; each says the same as the others of its line.

@@ -17,8 +17,8 @@ from analytic.scenefile.keys import scene_key
 from analytic.scenefile.material import catalog_material
 from analytic.scenefile.read import scene_of
 from analytic.scenefile.setting import as_text
-from analytic.scenefile.text import shown
 from analytic.units import Quantity
+from analytic.words import shown
 
 Given = float | str | Quantity  # a number in SI, a text with a unit, or a quantity
 Series = ArrayLike | str | Sequence[str] | Quantity | Sequence[Quantity]

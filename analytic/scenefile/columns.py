@@ -22,7 +22,8 @@ from analytic.noun import nothing
 from analytic.scene import Array, Scene
 from analytic.scenefile.keys import scene_key
 from analytic.scenefile.quantity import NUMBER, Dimension
-from analytic.scenefile.text import plain, read_text, shown
+from analytic.scenefile.text import read_text
+from analytic.words import plain, shown
 
 OPERATING = ("inner_speed", "axial_load", "radial_load", "temperature")  # columns that say where a row is
 LIKENESS = 0.5  # of a name to the one that is probably meant

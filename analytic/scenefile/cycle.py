@@ -12,7 +12,7 @@ import numpy as np
 from analytic.scene import Array
 from analytic.scenefile.columns import OPERATING, Columns, operating_column
 from analytic.scenefile.quantity import Dimension
-from analytic.scenefile.text import plain
+from analytic.words import plain
 
 COLUMNS = Columns(
     known={

@@ -8,7 +8,8 @@ from analytic import catalog
 from analytic.errors import InputError
 from analytic.scenefile.choice import USUAL, Choice
 from analytic.scenefile.template import scene_text
-from analytic.scenefile.text import plain, read_text
+from analytic.scenefile.text import read_text
+from analytic.words import plain
 
 LONGEST_NAME = 60  # characters of a designation
 # What a name ends with that is a file, among them slips of the keyboard: a point also stands in front of a suffix.

@@ -17,7 +17,7 @@ from analytic.errors import InputError
 from analytic.scenefile.quantity import Dimension
 from analytic.scenefile.table import Table, table_of
 from analytic.scenefile.tables import SceneTable
-from analytic.scenefile.text import plain, shown
+from analytic.words import plain, shown
 
 Value = float | int | str | bool
 CATALOG = "bearing.catalog"

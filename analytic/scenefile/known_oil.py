@@ -14,7 +14,7 @@ from analytic.oil.viscosity_temperature import PressureViscosityLaw, ViscosityLi
 from analytic.scene import Origin, Status
 from analytic.scenefile.brand import instead_of_brand
 from analytic.scenefile.quantity import in_si
-from analytic.scenefile.text import shown
+from analytic.words import shown
 
 COLD, HOT = 313.15, 373.15  # K: where the catalog's viscosities are given
 DENSITY_AT = 288.15  # K: where its densities are given

@@ -16,8 +16,7 @@ from analytic.scenefile.columns import OPERATING, Columns, Row, operating_column
 from analytic.scenefile.oil import lubricant_of
 from analytic.scenefile.quantity import Dimension
 from analytic.scenefile.tables import LubricantTable
-from analytic.scenefile.text import plain
-from analytic.words import torque_of
+from analytic.words import plain, torque_of
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -49,7 +49,8 @@ from analytic.scenefile.tables import (
     SceneTable,
     SurfaceTable,
 )
-from analytic.scenefile.text import parse_text, plain, shown
+from analytic.scenefile.text import parse_text
+from analytic.words import plain, shown
 
 AS_PRINTED = "as_printed"  # the cage of the paper: the only variant whose pockets may overlap, with a warning
 # Thrust over radial load times tan(angle) at which all balls of a bearing, and half of them, are loaded: 1.67 and 1.22

@@ -17,8 +17,8 @@ from analytic.scenefile.keys import scene_key
 from analytic.scenefile.quantity import NUMBER, Dimension
 from analytic.scenefile.table import Table
 from analytic.scenefile.tables import SceneTable
-from analytic.scenefile.text import plain, shown
 from analytic.units import has_unit
+from analytic.words import plain, shown
 
 SETTING = "give KEY=VALUE, for example --set lubricant.supply=grease"
 

@@ -1,14 +1,13 @@
-"""TOML files: read within limits of size and depth; values and texts for messages of one line."""
+"""TOML files, read within limits of size and depth."""
 
 import os
 import re
-import reprlib
 import tomllib
-from math import log10
 from typing import Any
 
 from analytic.errors import InputError
 from analytic.reading import content_of
+from analytic.words import plain, shown
 
 # A value without quotes that has a letter or a sign of a unit in it: a quantity or a word.
 BARE_VALUE = re.compile(r"""[=\[,]\s*([^\s"'=,\[\]{}#][^"'=,\[\]{}#]*)""")
@@ -16,7 +15,6 @@ IN_WORDS = re.compile(r"[^\W\d_]|[°%]")
 COMMENT = re.compile(r"""^((?:[^#"']|"[^"]*"|'[^']*')*)#.*""")  # the line before it, and the comment
 NO_KEY = re.compile(r"([A-Za-z_][\w-]*(?:[ \t]+[\w-]+)*)[ \t]*([:=]?)")  # words that may be meant as a key
 CURLED = re.compile("[\N{LEFT DOUBLE QUOTATION MARK}\N{RIGHT DOUBLE QUOTATION MARK}\N{DOUBLE LOW-9 QUOTATION MARK}]")
-MOST_BITS = 2000  # of a whole number in a message
 LONGEST_LINE = 200  # that is searched for a slip
 LARGEST_FILE = 256_000  # bytes: a series of 20 000 points
 # Keys of a scene have at most four parts. The memory of the TOML parser grows with the square of the number of parts.
@@ -78,26 +76,3 @@ def _remedy(text: str, reason: str) -> str:
     if value.lower() in ("true", "false"):
         return f"; write {value.lower()} in small letters"
     return f'; write the value in quotes: "{plain(value)}"'
-
-
-class ShortRepr(reprlib.Repr):
-    """A value in one line of limited length."""
-
-    def repr_int(self, x: int, level: int) -> str:
-        """Python refuses to print integers of thousands of digits."""
-        if x.bit_length() > MOST_BITS:
-            return f"a number of some {x.bit_length() * log10(2):.0f} digits"
-        return super().repr_int(x, level)
-
-
-def shown(value: object) -> str:
-    """A value for a message: one line of limited length."""
-    brief = ShortRepr()
-    brief.maxstring = brief.maxother = 60
-    brief.maxlong, brief.maxlevel, brief.maxlist, brief.maxdict = 40, 2, 3, 3
-    return brief.repr(value)
-
-
-def plain(text: str) -> str:
-    """The text itself; quoted if it is long or not printable."""
-    return text if text.isprintable() and len(text) <= 200 else shown(text)

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from analytic.scenefile.quantity import Dimension
-from analytic.scenefile.text import shown
+from analytic.words import shown
 
 KINEMATIC = Dimension(unit="m^2/s", low=1e-7, high=10, example='"46 cSt"')
 TEMPERATURE = Dimension(unit="K", low=200, high=600, example='"40 degC"')

@@ -19,7 +19,7 @@ from analytic.reading import opened, require_regular
 from analytic.scene import Array
 from analytic.surface.moments import SpectralMoments, Summits
 from analytic.surface.profilometer import ENDING, SAME_SPACING, x3p_heights, x3p_shape_and_spacing
-from analytic.words import length_of
+from analytic.words import length_of, plain
 
 FEWEST_POINTS, MOST_POINTS = 32, 4096  # in each direction: fewer are no statistics, more need too much memory
 FEWER = f"give {FEWEST_POINTS} to {MOST_POINTS} in each direction, or cut out a part"
@@ -58,8 +58,7 @@ def read_height_map(path: str | os.PathLike[str], *, spacing: float) -> HeightMa
     fewer than 32 or more than 4096 points in a direction, and for heights that cannot be metres.
     """
     require_positive(spacing=spacing)
-    origin = os.fspath(path)
-    origin = origin if origin.isprintable() and len(origin) <= 200 else repr(origin)[:200]
+    origin = plain(os.fspath(path))
     readers = {".npy": _read_binary, ".csv": _read_text, ENDING: partial(_read_x3p, spacing=spacing)}
     kind = Path(path).suffix.lower()
     if kind not in readers:
@@ -69,7 +68,7 @@ def read_height_map(path: str | os.PathLike[str], *, spacing: float) -> HeightMa
     except InputError as problem:
         raise InputError(f"{origin}: {problem}") from problem
     except Exception as problem:  # NumPy raises different exceptions for a damaged header, depending on the damage
-        reason = " ".join(str(problem).split())[:120]
+        reason = plain(" ".join(str(problem).split())[:120])
         raise InputError(f"{origin}: not a matrix of numbers: {reason}; save heights in m as .npy or .csv") from problem
     if not np.isfinite(heights).all():
         row, column = (int(i) for i in np.argwhere(~np.isfinite(heights))[0])

@@ -10,6 +10,7 @@ import numpy as np
 from analytic.errors import InputError
 from analytic.reading import require_regular
 from analytic.scene import Array
+from analytic.words import plain
 
 ENDING = ".x3p"
 EXTRA = "pip install 'fembearing[profilometer]'"
@@ -53,7 +54,7 @@ def _channel(path: str | os.PathLike[str]):
         channel = open_topography(os.fspath(path), format="x3p").channels[0]
         unit = channel.unit
     except Exception as problem:  # it raises different ones, depending on the damage
-        reason = " ".join(str(problem).split())[:120]
+        reason = plain(" ".join(str(problem).split())[:120])
         raise InputError(f"is no X3P file: {reason}; export it again, or save heights in m as .npy") from problem
     if unit != "m":
         raise InputError(f"has heights in {unit}, and X3P has them in m; export it again")

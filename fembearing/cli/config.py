@@ -29,7 +29,8 @@ def own_details() -> dict[str, Any]:
         return {}
     from analytic.errors import InputError
     from analytic.scenefile.keys import scene_key
-    from analytic.scenefile.text import parse_text, plain, read_text
+    from analytic.scenefile.text import parse_text, read_text
+    from analytic.words import plain
 
     origin = plain(str(path))
     details = parse_text(read_text(path, kind="settings", remedy=f"name another in {FILE}"), origin=origin)

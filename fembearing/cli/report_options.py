@@ -24,7 +24,7 @@ def given_details() -> dict[str, str]:
     """The details of the report that options give. Raises InputError for a text that no key of [report] takes."""
     from analytic.errors import InputError
     from analytic.scenefile.keys import scene_key
-    from analytic.scenefile.text import shown
+    from analytic.words import shown
 
     details = given(OPTIONS)
     for name, text in details.items():

@@ -12,8 +12,7 @@ from analytic.scene import Array, Scene
 from analytic.scenefile.choice import KEYS
 from analytic.scenefile.keys import scene_key
 from analytic.scenefile.setting import as_text, read_setting
-from analytic.scenefile.text import plain, shown
-from analytic.words import NEWTON, RPM, Unit
+from analytic.words import NEWTON, RPM, Unit, plain, shown
 from fembearing.quantities import METRIC
 
 Axes = Mapping[str, Array]  # by the names of OPTIONS, in their order; each ascending, SI

@@ -7,7 +7,7 @@ from typing import Any, Literal, NamedTuple, get_args
 
 from analytic.errors import InputError
 from analytic.scene import Scene
-from analytic.scenefile.text import plain
+from analytic.words import plain
 from analytic.writing import new_file, require_utf8
 from fembearing.formats.axes import Axes, axes_in_words, axes_of
 from fembearing.formats.csv_table import write_csv

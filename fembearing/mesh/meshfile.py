@@ -10,6 +10,7 @@ from skfem.io.meshio import from_meshio, to_meshio
 
 from analytic.errors import InputError
 from analytic.reading import require_regular
+from analytic.words import plain
 from analytic.writing import replaced_file
 from fembearing.mesh.bodies import BodyMesh, BodyName
 
@@ -50,7 +51,7 @@ def read_body(path: Path, *, name: BodyName) -> BodyMesh:
         order = content.point_data["touching"]
         sets = {part: np.flatnonzero(content.point_data[part]) for part in SETS}
     except Exception as problem:  # the error of meshio depends on the damage, and some are not public
-        reason = str(problem).splitlines()[0] if str(problem) else type(problem).__name__
+        reason = plain(str(problem).splitlines()[0]) if str(problem) else type(problem).__name__
         raise InputError(f"{path}: not a mesh written by fembearing ({reason})") from problem
     touching = np.flatnonzero(order != ABSENT)
     if not np.array_equal(np.sort(order[touching]), np.arange(touching.size)):

@@ -28,7 +28,8 @@ from analytic.scenefile.keys import SceneKey, Value, faults_of, scene_key, with_
 from analytic.scenefile.quantity import Dimension
 from analytic.scenefile.read import scene_of
 from analytic.scenefile.table import Table, Whole
-from analytic.scenefile.text import parse_text, plain, read_text, shown
+from analytic.scenefile.text import parse_text, read_text
+from analytic.words import plain, shown
 
 What = Literal["torque", "contact"]
 OF_AXES = ("pair", "ball_load", "geometry")  # keys of sweeps that may be axes
