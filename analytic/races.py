@@ -18,6 +18,7 @@ from analytic.effects.trial import (
     growth_by_wedging,
     left_out_at_all,
     possible,
+    rolls_otherwise,
     slip_by_gyroscopic_moment,
     slip_by_weight,
     trial_of,
@@ -331,9 +332,9 @@ def _free_creep(
 def _rule_suffices(ledger: Ledger, trial: Trial, counted: Mapping[str, bool], tried: Solution) -> bool:
     """Whether closed kinematics turn balls well enough: friction drives and holds them, inertia hardly counts."""
     inertia = [name for name in ("centrifugal", "gyroscopic") if counted[name]]
-    bound = np.zeros_like(ledger.left_out)
+    bound = at_all_points(ledger, rolls_otherwise(ledger.scene.bearing, tried))
     if inertia:
-        bound = left_out_at_all(ledger, trial.share_by_parts(counted, *inertia))
+        bound = bound + left_out_at_all(ledger, trial.share_by_parts(counted, *inertia))
     if counted["weight"]:
         bound = bound + at_all_points(ledger, slip_by_weight(ledger.scene.bearing, tried))
     if counted["gyroscopic"]:

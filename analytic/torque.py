@@ -63,7 +63,7 @@ NO_SOLUTION = (
 )
 # Rises whenever a formula changes a torque; CHANGELOG.md then has the old and the new torque of each shipped scene.
 # `python validation/model_version.py` prints both.
-MODEL_VERSION = 7
+MODEL_VERSION = 8
 NO_CAGE: Mapping[str, Decision] = dict.fromkeys(("cage", "cage_dynamics", "ball_dynamics"), "off")
 LOSSES = ("oil", "declared")
 PARTS = ("spin", "conformity", "hysteresis", "rolling", "cage", *LOSSES)
@@ -238,7 +238,7 @@ def _beyond_the_fit(races: RaceTorque, total: Array) -> Unsure:
     if not races.beyond_fit:
         return Unsure(np.zeros_like(total), ())
     every = np.arange(total.size)
-    change = np.abs(races.by_rule(every, farthest=True) - races.by_rule(every)).sum(axis=0)
+    change = np.abs((races.by_rule(every, farthest=True) - races.by_rule(every)).sum(axis=0))
     if np.isfinite(change).all():
         return Unsure(share_in(change, total), ())
     reason = "contacts outside the fit for finite geometry may have no solution"

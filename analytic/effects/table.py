@@ -36,6 +36,9 @@ WEDGING_POWER = 1.0
 # Change of the torque over the oil's force against rolling, in friction: a ball that lags behind rolls more slowly.
 # 1.45 at most (validation/adversary/run.py).
 PER_LAG = 3.0
+# Change of the torque of balls by rule over the change of their rolling speed by conformity and by the orbit's radius
+# (`analytic.effects.trial.rolls_otherwise`): 0.2 and 1 at most.
+PER_CONFORMITY, PER_ORBIT = 0.5, 2.0
 # Share of an ellipse's load beyond a shoulder, by Hertz, up to which its torque is known; and the change of the torque
 # over that share. By finite elements the loss by conformity falls by 1.6 shares at most, by spin by 0.7
 # (tests/fem/test_shoulder.py); the load's centroid moves as well, and with it the contact angle.

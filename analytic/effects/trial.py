@@ -19,9 +19,11 @@ from analytic.effects.ledger import Ledger
 from analytic.effects.table import (
     ENTRIES,
     PER_CENTRIFUGAL,
+    PER_CONFORMITY,
     PER_DISTRIBUTION,
     PER_GYROSCOPIC_SLIP,
     PER_LAG,
+    PER_ORBIT,
     PER_WEIGHT_SLIDING,
     PER_WEIGHT_SLIP,
     TRIED,
@@ -197,6 +199,25 @@ def slip_by_weight(bearing: Bearing, found: Solution) -> Array:
     lag = np.minimum(found.sliding_number.max(axis=0), 1.0)
     lags = PER_DISTRIBUTION * lag * np.minimum(ratio(weight, over=load.min(axis=2).mean(axis=1)), 1.0)
     return change * slips * ratio(weight, over=load.max(axis=2).mean(axis=1)) + lags
+
+
+def rolls_otherwise(bearing: Bearing, found: Solution) -> Array:
+    """(n,) change of the torque by how fast free balls roll, which a trial does not show: its balls turn by rule.
+
+    By rule a ball rolls in the middle of each contact. Friction leaves no force along rolling: the slip by conformity,
+    y^2/(2 r r_d) of the speed with the radius r_d of the deformed contact, is zero at some y, at most at b. By rule a
+    ball goes round on the pitch diameter; in grooves of unlike radii its orbit is (r_gi - r_go) (1 - cos al)/2 wider.
+    """
+    conforms = np.zeros(len(found.points))
+    for race, groove in enumerate((bearing.inner, bearing.outer)):
+        deformed = 2 * bearing.ball_radius * groove.groove_radius / (bearing.ball_radius + groove.groove_radius)
+        widest = found.balls["semi_axis_transverse"][..., race].max(axis=1)
+        conforms = np.maximum(conforms, widest**2 / (2 * bearing.ball_radius * deformed))
+    if bearing.kind == "thrust":
+        return PER_CONFORMITY * conforms
+    angle = np.abs(found.balls["angle"]).max(axis=(1, 2))
+    wider = abs(bearing.inner.groove_radius - bearing.outer.groove_radius) / 2 * (1 - np.cos(angle))
+    return PER_CONFORMITY * conforms + PER_ORBIT * wider / (bearing.pitch_diameter / 2 - bearing.ball_radius)
 
 
 def growth_by_wedging(bearing: Bearing, by_rule: Solution, found: Solution) -> float:

@@ -170,15 +170,27 @@ def hold_law(contact: Record, law: PointLaw, speed: float) -> None:
     contact.own = law.own
 
 
-def free_numbers(bearing: Bearing, *, creep: Creep, inertia: tuple[bool, bool]) -> FreeNumbers:
-    """How the balls of a bearing turn freely; inertia : whether centrifugal force and gyroscopic moment count."""
+def outer_groove_centres(bearing: Bearing, numbers: BearingNumbers) -> float:
+    """Radius of the circle on which the outer groove's centre of curvature lies, m.
+
+    Where a contact angle does not fit the bottom radii, both grooves give way alike: the pitch diameter stays.
+    """
+    if bearing.kind == "thrust":
+        return bearing.outer.bottom_radius
+    at_angle = 2 * numbers.groove_centre_distance * np.sin(numbers.given_angle / 2) ** 2
+    play = at_angle if np.isnan(numbers.play) else numbers.play
+    return float(bearing.pitch_diameter / 2 + bearing.ball_radius - bearing.outer.groove_radius + play / 2)
+
+
+def free_numbers(bearing: Bearing, *, orbit: float, creep: Creep, inertia: tuple[bool, bool]) -> FreeNumbers:
+    """How the balls of a bearing turn freely.
+
+    orbit : of `outer_groove_centres`;  inertia : whether centrifugal force and gyroscopic moment count
+    """
     along, across = MARCHED if creep == "marched" else (1.0, 1.0)
     softer = 1 / STIFFER if creep == "none" else along
     inner, outer = (
         softer * 32 / (3 * np.pi**2 * float(contact_modulus(bearing.ball_material, groove.material)))
         for groove in (bearing.inner, bearing.outer)
     )
-    above = 0.0 if bearing.kind == "thrust" else bearing.outer.groove_radius  # the profile's centre over the bottom
-    return FreeNumbers(
-        float(bearing.outer.bottom_radius - above), (inner, outer), across / along, bool(inertia[0]), bool(inertia[1])
-    )
+    return FreeNumbers(orbit, (inner, outer), across / along, bool(inertia[0]), bool(inertia[1]))

@@ -15,7 +15,7 @@ from analytic.contact.finite_geometry_fit import FitNumbers, fit_record
 from analytic.errors import require_non_negative
 from analytic.free_ball.rotation import Creep, quadratures_of
 from analytic.free_ball.state import QUADRATURE, contact_states
-from analytic.free_ball.turning import FreeNumbers, free_numbers
+from analytic.free_ball.turning import FreeNumbers, free_numbers, outer_groove_centres
 from analytic.loads.ring_balance import placed_balls
 from analytic.loads.ring_rounds import RingNumbers
 from analytic.loads.ring_series import factors_of, ring_numbers, weight_of_ball
@@ -180,7 +180,8 @@ class Model:
         numbers = copied(self.numbers)
         counted = numbers["counted"]
         inertia = bool(counted["centrifugal"][0]), bool(counted["gyroscopic"][0])
-        numbers["free"] = record_of(free_numbers(bearing, creep=creep, inertia=inertia))
+        orbit = float(numbers["free"]["orbit"][0])
+        numbers["free"] = record_of(free_numbers(bearing, orbit=orbit, creep=creep, inertia=inertia))
         tables = self.tables._replace(quadratures=quadratures_of(creep))
         return replace(self, numbers=record_in(numbers), creep=creep, tables=tables)
 
@@ -248,8 +249,10 @@ def model_of(
     oil = NO_OIL if scene.lubricant is None else oil_numbers(scene.lubricant)
     cage = scene.cage if effects.cage else None
     forms, cubics = gap_forms(*_gap_laws(scene, cage))
+    ring = ring_numbers(bearing, scene.contact_angle)
+    orbit, inertia = outer_groove_centres(bearing, ring.bearing), (effects.centrifugal, effects.gyroscopic)
     numbers = ModelNumbers(
-        ring=ring_numbers(bearing, scene.contact_angle),
+        ring=ring,
         arm=bearing.inner.bottom_radius + bearing.inner.groove_radius,
         counted=effects,
         farthest=farthest,
@@ -260,7 +263,7 @@ def model_of(
         spin_rule=RULES["balanced" if scene.spin_rule == "free" else scene.spin_rule],
         method=method,
         judges=judges,
-        free=free_numbers(bearing, creep=creep or "none", inertia=(effects.centrifugal, effects.gyroscopic)),
+        free=free_numbers(bearing, orbit=orbit, creep=creep or "none", inertia=inertia),
         allowed=allowed,
         passes=passes,
         cold=cold,

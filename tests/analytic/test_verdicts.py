@@ -156,8 +156,8 @@ def test_the_sliding_number_is_the_rolling_force_over_coulomb_friction() -> None
 
     At a held angle both loads are alike, and mu enters the friction alone: a number of 1 in between.
     """
-    ruled = PLAIN | {"creep": "off", "gyroscopic": "off"}  # balls that roll by closed kinematics
-    found = friction_torque(lubricated(190.0, 60.0, effects=ruled))
+    ruled = replace(lubricated(190.0, 60.0), sliding="over_ellipse")  # balls that roll by closed kinematics
+    found = friction_torque(ruled)
     numbers = [check(found, "sliding", f"{race} race") for race in ("inner", "outer")]
     values = np.array([one.value for one in numbers], dtype=float)
     r, middle = BEARING_6205.ball_radius, BEARING_6205.pitch_diameter / 2

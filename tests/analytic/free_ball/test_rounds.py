@@ -45,6 +45,10 @@ def test_a_root_finder_settles_loads_and_rotation_at_the_same_place(
     found = np.array([*balls.angle, *balls.load, *ball.velocity])
     scale = np.array([1.0, 1.0, *balls.load, *np.full(4, np.abs(found[4:]).max())])
 
+    # The grooves' centres lie about the pitch circle, and farther out by half of what the inner groove is wider.
+    middle = bearing.pitch_diameter / 2 + (bearing.inner.groove_radius - bearing.outer.groove_radius) / 2
+    between = numbers.groove_centre_distance - numbers.play
+
     def lacks(unknown: Array) -> Array:
         angle, loads, velocity = (unknown * scale)[:2], (unknown * scale)[2:4], (unknown * scale)[4:]
         reach, outer_reach = -numbers.groove_centre_distance + numbers.play, 0.0
@@ -57,7 +61,7 @@ def test_a_root_finder_settles_loads_and_rotation_at_the_same_place(
             contact["normal_radial"], contact["normal_axial"] = side * np.cos(angle[race]), side * np.sin(angle[race])
             outer_reach = groove.groove_radius - numbers.ball_radius + unit.approach * np.cbrt(loads[race]) ** 2
             reach += outer_reach * np.cos(angle[race])
-        orbit = bearing.outer.bottom_radius - bearing.outer.groove_radius + outer_reach * np.cos(angle[1])
+        orbit = middle - between / 2 + outer_reach * np.cos(angle[1])
         ball.orbit_radius, ball.inertia = orbit, 0.4 * bearing.ball_mass * speed**2
         force = np.zeros(4)
         kernel._residual(contacts, ball, velocity, passing, nodes, flows, (force, np.zeros((4, 4)), np.zeros((3, 4))))

@@ -118,6 +118,20 @@ def test_the_outer_ring_carries_load_and_weight(bearing_6205: Bearing) -> None:
     np.testing.assert_allclose(found, expected, atol=1e-9)  # of 3 N
 
 
+def test_a_free_angle_that_does_not_fit_moves_both_grooves_alike(scene: Scene) -> None:
+    """The bearing with these grooves has the same torque."""
+    free, bearing = 0.47, scene.bearing
+    unfit = replace(scene, contact_angle=ContactAngle(rule="solved", free=free))
+    clearance = 4 * bearing.groove_centre_distance * np.sin(free / 2) ** 2
+    apart = (clearance - bearing.diametral_clearance) / 4
+    assert apart > 1e-5  # m: 5e-4 of the pitch radius
+    inner = replace(bearing.inner, bottom_radius=bearing.inner.bottom_radius - apart)
+    outer = replace(bearing.outer, bottom_radius=bearing.outer.bottom_radius + apart)
+    fit = replace(unfit, bearing=replace(bearing, inner=inner, outer=outer), contact_angle=ContactAngle(rule="solved"))
+    given, moved = (friction_torque(each).torque.total for each in (unfit, fit))
+    np.testing.assert_allclose(given, moved, rtol=1e-8)  # residuals of 1e-10
+
+
 def test_a_weight_without_a_direction_is_uncertain(scene: Scene) -> None:
     """Its spread holds whatever the direction is; heavy loads need none."""
     light = at(oiled(scene), axial_load=0.4, inner_speed=2.0)
