@@ -39,10 +39,13 @@ class HeldBall:
     radial: float | None = None  # centre of the inner groove over that of the outer one, m; None: `angle` is given
     axial: float | None = None  # likewise along the axis, m; None: the thrust places the ring
     angle: float | None = None  # al, given, rad
+    centre: float | None = None  # radius of the circle of the outer groove's centre, m; None: by its bottom radius
 
     @property
     def outer_centre(self) -> float:
         """Radius of the circle on which the outer groove's centre of curvature lies, m."""
+        if self.centre is not None:
+            return self.centre
         groove = self.bearing.outer
         return groove.bottom_radius - (0.0 if self.bearing.kind == "thrust" else groove.groove_radius)
 

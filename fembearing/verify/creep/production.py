@@ -24,6 +24,8 @@ from analytic.free_ball.strips import (
     shear_at,
     strip_state,
 )
+from analytic.free_ball.turning import outer_groove_centres
+from analytic.loads.numbers import bearing_numbers
 from analytic.numerics.records import Record, Records, as_record, copied
 from analytic.oil.traction import PointLaw
 from analytic.scene import Scene
@@ -147,14 +149,17 @@ def _held(scene: Scene, state: Record, *, alone: bool) -> tuple[HeldBall, bool]:
     thrust = float(np.asarray(operation.axial_load)[0]) / bearing.ball_count
     if bearing.kind == "thrust":
         return HeldBall(bearing=bearing, thrust=thrust, angle=np.pi / 2), False
+    centre = outer_groove_centres(bearing, bearing_numbers(bearing, scene.contact_angle))
     if scene.contact_angle.rule == "given":
-        return HeldBall(bearing=bearing, thrust=thrust, angle=float(abs(state["angle"][0]))), False
+        angle = float(abs(state["angle"][0]))
+        return HeldBall(bearing=bearing, thrust=thrust, angle=angle, centre=centre), False
     lengths, reach = HeldBall(bearing=bearing, thrust=1.0), np.zeros(2)
     for race, length, angle, load in zip(RACES, lengths.lengths, state["angle"], state["load"], strict=True):
         whole = length + lengths.unit(race, abs(float(angle))).approach * load ** (2 / 3)
         reach += whole * np.array([np.cos(angle), np.sin(angle)])
     axial = None if alone else float(abs(reach[1]))
-    return HeldBall(bearing=bearing, thrust=thrust, radial=float(reach[0]), axial=axial), bool(reach[1] < 0)
+    held = HeldBall(bearing=bearing, thrust=thrust, radial=float(reach[0]), axial=axial, centre=centre)
+    return held, bool(reach[1] < 0)
 
 
 def _law(contact: Record, speed: float) -> PointLaw:

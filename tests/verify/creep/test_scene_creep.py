@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from analytic.errors import InputError
-from analytic.scene import Scene
+from analytic.scene import ContactAngle, Scene
 from analytic.scenefile.read import parse_scene
 from fembearing.verify.creep.production import by_formula, by_march, produced
 from fembearing.verify.creep.scene_creep import CreepNumbers, creep_of, scene_at_heaviest
@@ -79,6 +79,19 @@ def test_three_methods_agree_within_what_creep_changes(thrust: CreepNumbers) -> 
     np.testing.assert_allclose(inner.spin_moment.reference, outer.spin_moment.reference, rtol=0.01)
     powers = inner.power.reference + outer.power.reference
     np.testing.assert_allclose(9 * powers / thrust.point.inner_speed, thrust.torque.reference, rtol=1e-9)
+
+
+@pytest.mark.parametrize(
+    "angle", [ContactAngle(rule="given", value=0.54), ContactAngle(rule="solved", free=0.54)], ids=["given", "solved"]
+)
+def test_reference_and_production_have_one_orbit(angle: ContactAngle) -> None:
+    """An angle of 0.54 rad moves the outer groove farther out than its bottom radius says."""
+    unfit = replace(scene_of(THRUST), contact_angle=angle)
+    (ball,) = produced(unfit).balls
+    held = ball.turning.held
+    orbit = ball.state["orbit_radius"]
+    assert held.at_rest().orbit == pytest.approx(orbit, rel=2e-4)  # friction turns the line of contact by some 0.01
+    assert replace(held, centre=None).at_rest().orbit != pytest.approx(orbit, rel=5e-4)
 
 
 def test_a_moment_the_other_way_round_mirrors_the_ball() -> None:
