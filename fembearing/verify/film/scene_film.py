@@ -195,7 +195,7 @@ def _verdict(
 
 
 def _accurate(problem: LubricatedContact, *, tolerance: float, progress: Callable[[float], None]) -> NumericalFilm:
-    """The solution on the coarsest grids that reach the tolerance, or on the finest that the memory holds."""
+    """The solution on the coarsest grids that reach the tolerance, or on the finest that converge in this memory."""
     best: NumericalFilm | None = None
     for number, refinement in enumerate(REFINEMENTS):
         progress(number / len(REFINEMENTS))
@@ -206,8 +206,8 @@ def _accurate(problem: LubricatedContact, *, tolerance: float, progress: Callabl
             if best is None:
                 raise
             return best
-        except ConvergenceError:  # a finer grid may settle; the finest one says why it does not
-            if refinement == REFINEMENTS[-1]:
+        except ConvergenceError:  # another grid may converge; the finest one says why none does
+            if best is None and refinement == REFINEMENTS[-1]:
                 raise
             continue
         if all(getattr(best, name).total <= tolerance for name in JUDGED):
