@@ -211,15 +211,17 @@ def _take_name(target: Path, rename: Callable[[Path], object], besides: str = ""
 
 
 def _remove(path: Path) -> None:
-    """Remove a file or folder, if it is there and can be removed."""
+    """Remove a file or folder, if it is there and can be removed; a signal in between does not leave it."""
     if not os.path.lexists(path):
         return
     with suppress(OSError):
-        at_step("remove", path)
-        if path.is_dir() and not path.is_symlink():
-            shutil.rmtree(path, ignore_errors=True)
-        else:
-            path.unlink()
+        try:
+            at_step("remove", path)
+        finally:
+            if path.is_dir() and not path.is_symlink():
+                shutil.rmtree(path, ignore_errors=True)
+            else:
+                path.unlink()
 
 
 def _unwritten(name: str, problem: Exception, besides: str = "") -> str:

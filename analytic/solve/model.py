@@ -277,18 +277,22 @@ def model_of(
         balls["weight"] = weights
     return Model(
         numbers=record_of(numbers),
-        tables=Tables(
-            fit=fit_record(),
-            cubics=cubics,
-            nodes=NODES,
-            quadratures=NO_QUADRATURES if creep is None else quadratures_of(creep),
-            law=_law_of(scene.lubricant),
-            factors=np.ones((0, 2, 4, 1)) if correction is None else factors_of(correction),
-        ),
+        tables=_tables_of(scene, cubics, creep, correction),
         balls=balls,
         weights=weights,
         creep=creep,
         temperature=0.0 if scene.lubricant is None else float(scene.lubricant.temperature),
+    )
+
+
+def _tables_of(scene: Scene, cubics: Array, creep: Creep | None, correction: ContactCorrection | None) -> Tables:
+    return Tables(
+        fit=fit_record(),
+        cubics=cubics,
+        nodes=NODES,
+        quadratures=NO_QUADRATURES if creep is None else quadratures_of(creep),
+        law=_law_of(scene.lubricant),
+        factors=np.ones((0, 2, 4, 1)) if correction is None else factors_of(correction),
     )
 
 

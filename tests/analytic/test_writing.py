@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -120,6 +121,21 @@ def test_a_full_disk_at_any_write_leaves_nothing(tmp_path: Path, monkeypatch: py
     with pytest.raises(StorageError, match="cannot be written: No space left on device; free some space"):
         both()
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("stop", [KeyboardInterrupt(), SystemExit(143), OSError(errno.ENOSPC, "full")])
+def test_a_signal_before_the_scratch_is_removed_does_not_leave_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, stop: BaseException
+) -> None:
+    def stopped(step: str, _: Path) -> None:
+        if step == "remove":
+            raise stop
+
+    monkeypatch.setattr(writing, "at_step", stopped)
+    ended = suppress(OSError) if isinstance(stop, OSError) else pytest.raises(type(stop))
+    with ended, writing.new_folder(tmp_path / "made") as folder:
+        writing.write(folder / "a.txt", "a")
+    assert [path.name for path in tmp_path.iterdir()] == ["made"]
 
 
 def test_what_is_written_is_what_is_read(tmp_path: Path) -> None:
