@@ -56,6 +56,7 @@ TILTS = np.array([(np.sin(tilt), 0.0, np.cos(tilt)) for tilt in np.linspace(0, n
 ALL_ROUND = np.array([each for each in product((1.0, 0.0, -1.0), repeat=3) if any(each)])
 ALONG_AXES = ALL_ROUND[np.abs(ALL_ROUND).sum(axis=1) == 1]
 ALL_ROUND /= np.linalg.norm(ALL_ROUND, axis=1, keepdims=True)
+MOST_FREE = 32  # points of a series whose free balls are computed in every direction, all of them
 MOST_GROWTH = 2.0  # of changes of balls by rule where friction wedges free ones: beyond, directions are close together
 ASIDE = np.array([0.036, -0.048, 0.08])  # rad: turns these directions by 0.03 to 0.1, out of their symmetry
 NO_SOLUTION = (
@@ -272,12 +273,12 @@ def _in_any_direction(races: RaceTorque, total: Array) -> Unsure:
 def _change_of_free_balls(races: RaceTorque, at: NDArray[np.intp], by_rule: Array) -> Array:
     """(k,) change of the torque by the weight of free balls, over the smaller one; infinite: a direction has none.
 
-    by_rule : (k,) that of balls by rule; where close directions are needed in a longer series, far points tell how much
-        more free balls change
+    by_rule : (k,) that of balls by rule; in a long series far points tell how much more free balls change
     What lies between two directions is at most their difference beyond the farthest.
     """
     close = races.growth > MOST_GROWTH or not np.isfinite(by_rule).all()
-    far = tried_points(races.trial.points[at], float(races.trial.model.numbers.arm)) if close else np.arange(at.size)
+    every = not close and at.size <= MOST_FREE
+    far = np.arange(at.size) if every else tried_points(races.trial.points[at], float(races.trial.model.numbers.arm))
     # Each with an angle, rad, a little more than neighbours are apart.
     if races.scene.operation.is_thrust:
         directions, apart = (TILTS, 0.14) if close else (TILTS[::6], 0.8)
