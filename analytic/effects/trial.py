@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.contact.factors import ContactCorrection
+from analytic.contact.geometry import RACES, race_numbers
 from analytic.effects.ledger import Ledger
 from analytic.effects.table import (
     ENTRIES,
@@ -209,9 +210,9 @@ def rolls_otherwise(bearing: Bearing, found: Solution) -> Array:
     ball goes round on the pitch diameter; in grooves of unlike radii its orbit is (r_gi - r_go) (1 - cos al)/2 wider.
     """
     conforms = np.zeros(len(found.points))
-    for race, groove in enumerate((bearing.inner, bearing.outer)):
-        deformed = 2 * bearing.ball_radius * groove.groove_radius / (bearing.ball_radius + groove.groove_radius)
-        widest = found.balls["semi_axis_transverse"][..., race].max(axis=1)
+    for k, race in enumerate(RACES):
+        widest = found.balls["semi_axis_transverse"][..., k].max(axis=1)
+        deformed = race_numbers(bearing, race).deformed_radius
         conforms = np.maximum(conforms, widest**2 / (2 * bearing.ball_radius * deformed))
     if bearing.kind == "thrust":
         return PER_CONFORMITY * conforms

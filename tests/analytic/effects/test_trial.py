@@ -6,10 +6,12 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from analytic.effects import trial
 from analytic.effects.table import TRIED
-from analytic.effects.trial import FEW, growth_by_wedging
+from analytic.effects.trial import FEW, growth_by_wedging, rolls_otherwise, trial_of
+from analytic.oil.variation import NOMINAL
 from analytic.result import FrictionTorque
-from analytic.scene import Bearing, Operation, Scene
+from analytic.scene import Bearing, ContactAngle, Operation, Scene
 from analytic.solve.records import BALL, POINT
 from analytic.solve.solution import FAR, Solution
 from analytic.torque import friction_torque
@@ -235,3 +237,34 @@ def test_friction_across_the_grooves_softens_a_ball_as_in_the_triangle_of_centre
     np.testing.assert_allclose(found, expected, rtol=0.02)  # the arms are longer than l by the approach, 1 % of them
     assert (found == np.inf) == (lean == 0.09)
     assert found > 1.05
+
+
+@pytest.mark.parametrize(
+    ("inner_radius", "angle", "load", "needed"),
+    [
+        pytest.param(4.9e-3, 0.6, 2.0, "PER_ORBIT", id="grooves of unlike radii"),
+        pytest.param(4.13e-3, 0.02, 900.0, "PER_CONFORMITY", id="a long contact"),
+    ],
+)
+def test_how_fast_free_balls_roll_is_bounded(
+    bearing_6205: Bearing, monkeypatch: pytest.MonkeyPatch, inner_radius: float, angle: float, load: float, needed: str
+) -> None:
+    """Without creep and inertia, and with friction enough, balls by rule differ from free ones by this alone."""
+    scene = Scene(
+        name="slow",
+        tolerance=1e-6,
+        bearing=replace(bearing_6205, inner=replace(bearing_6205.inner, groove_radius=inner_radius)),
+        contact_angle=ContactAngle(rule="given", value=angle),
+        operation=Operation(axial_load=np.array([load * np.sin(angle)]), inner_speed=np.array([0.3])),
+        friction_coefficient=0.02,
+        effects=dict.fromkeys(("creep", "centrifugal", "gyroscopic", "weight"), "off"),
+    )
+    ruled, free = (friction_torque(replace(scene, sliding=method)) for method in ("over_ellipse", "free_ball"))
+    error = ruled.numerical_uncertainty[0] + free.numerical_uncertainty[0]
+    apart = abs(free.torque.total[0] / ruled.torque.total[0] - 1) - error
+    balls = trial_of(scene, scene.operation.as_series(), None, NOMINAL).under_thrust
+    (bound,) = rolls_otherwise(scene.bearing, balls)
+    assert 0 < apart < bound < 20 * apart
+    monkeypatch.setattr(trial, needed, 0.0)
+    (other,) = rolls_otherwise(scene.bearing, balls)
+    assert other < apart  # each part is needed
