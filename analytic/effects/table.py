@@ -37,7 +37,8 @@ WEDGING_POWER = 1.0
 # 1.45 at most (validation/adversary/run.py).
 PER_LAG = 3.0
 # Change of the torque of balls by rule over the change of their rolling speed by conformity and by the orbit's radius
-# (`analytic.effects.trial.rolls_otherwise`): 0.2 and 1 at most.
+# (`analytic.effects.trial.rolls_otherwise`). Free balls differed by a third of this bound at most in 120 draws of
+# validation/adversary/drawn.py; tests/analytic/effects/test_trial.py has a scene for each part.
 PER_CONFORMITY, PER_ORBIT = 0.5, 2.0
 # Share of an ellipse's load beyond a shoulder, by Hertz, up to which its torque is known; and the change of the torque
 # over that share. By finite elements the loss by conformity falls by 1.6 shares at most, by spin by 0.7
