@@ -157,7 +157,7 @@ def decide_effects(ledger: Ledger, trial: Trial, base: Solution, *, has_factors:
                 if "weight" in names:
                     bound = bound + at_all_points(ledger, slip_by_weight(scene.bearing, trial.solved(counted)))
                 lag = min(float(trial.solved(counted).sliding_number.max()), 1.0)
-                if name == "conformity" and not counted["spin"]:  # without both nothing slides, and no ball can lag
+                if name == "conformity":  # a ball that lags slides along rolling, where conformity adds to its slip
                     slowed = PER_LAG * trial.solved(counted).sliding_number.max(axis=0)
                     bound = bound + at_all_points(ledger, slowed)
                 if name == "load_distribution" and lag > 0:  # balls that lag where their loads are small
