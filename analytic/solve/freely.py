@@ -42,19 +42,25 @@ def other_states(model: Model, points: Array, found: Solution) -> Array:
     """(n,) race torque of the points in another steady state, the farthest that is found, N m; NaN: none is.
 
     points : (n, 5);  found : at these
-    Where centrifugal force presses balls harder than the rings do, hardly anything drives some of them round their
-    orbit, and several speeds are steady. So the bearing comes to each such point from half the speed and from twice
-    it, and each step begins where the balls were.
+    Where centrifugal force presses balls harder than the rings do, or the oil resists them more than friction drives
+    them, several speeds of their orbit are steady. So the balls of each such point begin by rule too, for in a longer
+    series they begin where those of the last point were, and the bearing comes to it from half the speed and from twice
+    it, where each step begins where the balls were.
     """
     bearing, balls, other = model.numbers.ring.bearing, found.balls, np.full(len(points), np.nan)
     orbit = balls["motion"]["cage_speed"] * points[:, 3:4]
     outward = np.mean(outward_force(bearing.ball_mass, bearing.pitch_diameter, orbit), axis=1)
     pressed_out = model.numbers.counted.centrifugal & (outward >= balls["load"][..., 0].mean(axis=1))
+    lags = found.sliding_number.max(axis=0) > 1
     race = found.race_torque
-    for i in map(int, np.flatnonzero(pressed_out & (race > 0))):
-        passes = min(SEARCHED, int(found.points["passes"][i]))
-        same = model.with_numbers(cold=False, passes=passes).at(np.array([i]))
+    for i in map(int, np.flatnonzero((pressed_out | lags) & (race > 0))):
+        settled = model.with_numbers(cold=False, passes=int(found.points["passes"][i])).at(np.array([i]))
+        same = settled.with_numbers(passes=min(SEARCHED, settled.numbers.passes))
         one = solved(same, points[[i]]).race_torque[0]
+        if abs(one / race[i] - 1) > SAME_STATE:  # by the quadrature, or in another state
+            by_rule = solved(settled, points[[i]]).race_torque[0]
+            if abs(by_rule / race[i] - 1) > SAME_STATE:
+                other[i] = by_rule
         one = one if one > 0 else race[i]  # without it the quadrature's error counts as a difference of states
         for run in RUNS:
             work, end = workspace(same), found

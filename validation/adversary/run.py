@@ -61,7 +61,7 @@ class Trial:
 
     place: tuple[float, ...]  # of the scene: each input within its range, 0 to 1
     tolerance: float
-    error: float  # of the total against everything on, relative, beyond what that itself states
+    error: float  # of the total against everything on, relative to the total, beyond what that itself states
     stated: float  # numerical uncertainty of the total, relative; infinite: unknown
     reference: float  # uncertainty of everything on, relative
     unknown: tuple[str, ...]  # why the uncertainty of a point of the scene is unknown
@@ -105,10 +105,11 @@ def _give_up(*_: object) -> None:
 
 def compared(place: tuple[float, ...], scene: Scene, exact: FrictionTorque) -> Iterable[Trial]:
     """The torque of a scene beside that with everything on, at each point."""
-    auto, unsure = friction_torque(scene), exact.numerical_uncertainty
-    whole = exact.torque.total
-    change = np.abs(auto.torque.total - whole)
-    error = np.divide(change, whole, out=np.where(change > 0, np.inf, 0.0), where=whole > 0)
+    auto, whole = friction_torque(scene), exact.torque.total
+    total = auto.torque.total  # the stated uncertainty is a share of it
+    unsure = exact.numerical_uncertainty * np.divide(whole, total, out=np.ones_like(whole), where=total > 0)
+    change = np.abs(total - whole)
+    error = np.divide(change, total, out=np.where(change > 0, np.inf, 0.0), where=total > 0)
     for point, stated in enumerate(auto.numerical_uncertainty):
         yield Trial(
             place=place,
