@@ -21,6 +21,7 @@ import time
 from collections.abc import Callable
 from contextlib import suppress
 from functools import cache, cached_property, update_wrapper
+from mmap import mmap
 from pathlib import Path
 from shutil import rmtree
 from threading import RLock
@@ -43,6 +44,8 @@ ABOVE = frozenset(
 SOURCE = "formulas.py"  # name of an empty file, which stands for the files of all functions
 SEAL = "sha256"  # name of the file with the digest of a function's other files
 COMPILING = "compiling formulas, once on this machine"
+# Of numba, LLVM and SciPy, and of each thread of SciPy's OpenBLAS: 217 MB and 40 MB were measured with Linux
+ADDRESSES, ADDRESSES_OF_THREAD = 250_000_000, 45_000_000
 said: set[str] = set()  # lines on standard error: each once a process
 _making = RLock()  # a function must not become two for numba, and may need others
 
@@ -91,6 +94,7 @@ class Compiled:
         return vars(self)[name]
 
     def _for_numba(self, folder: Path | None, more: dict[str, Any]) -> Any:
+        require_addresses()
         from numba import njit
 
         code, around = self.function.__code__, self.function.__globals__
@@ -103,6 +107,27 @@ class Compiled:
             _unite_constants(made)
         _compilation().functions.add(made)
         return made
+
+
+@cache
+def require_addresses() -> None:
+    """Raise MemoryError where a limit (ulimit -v) leaves too few addresses to load numba.
+
+    OpenBLAS, which numba loads with SciPy, does not raise there: it asks again without an end.
+    """
+    if sys.platform == "win32" or sys.modules.keys() >= {"numba", "scipy.linalg"}:  # no such limit, or they are there
+        return
+    import resource
+
+    if resource.getrlimit(resource.RLIMIT_AS)[0] == resource.RLIM_INFINITY:
+        return
+    given = (os.environ.get(name) for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS"))
+    threads = next((int(each) for each in given if each and each.isdecimal()), os.cpu_count() or 1)
+    needed = ADDRESSES + threads * ADDRESSES_OF_THREAD
+    try:
+        mmap(-1, needed).close()
+    except OSError as problem:
+        raise MemoryError(f"{needed / 1e6:.0f} MB of addresses are needed to load the formulas") from problem
 
 
 def _names(code: CodeType) -> set[str]:

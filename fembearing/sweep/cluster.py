@@ -115,8 +115,8 @@ def _workers_here(workers: int | None, tasks: int) -> Iterator[Any]:
             cluster = LocalCluster(**options)
         except RuntimeError as problem:
             raise FembearingError(
-                "the processes that are to compute end as soon as they start; a script of your own has to begin "
-                'with if __name__ == "__main__":'
+                "the processes that are to compute end as soon as they start: free some memory, and begin a script of "
+                'your own with if __name__ == "__main__":'
             ) from problem
         try:
             with Client(cluster, set_as_default=False) as client:

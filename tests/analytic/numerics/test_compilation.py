@@ -265,3 +265,28 @@ def test_threads_may_make_the_first_call_together(program: Path, tmp_path: Path)
         process = start(program, tmp_path / "cache", THREADS)
         out, said = process.communicate(timeout=300)
         assert (process.returncode, out) == (0, "21.0 21.25\n"), said
+
+
+CRAMPED = """
+import resource
+from pathlib import Path
+from analytic import outer
+taken = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
+resource.setrlimit(resource.RLIMIT_AS, (taken + 240_000_000, resource.RLIM_INFINITY))
+try:
+    outer.shifted(7.0)
+except MemoryError as problem:
+    print(problem)
+resource.setrlimit(resource.RLIMIT_AS, (taken + 3_000_000_000, resource.RLIM_INFINITY))
+print(outer.shifted(7.0))
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="needs /proc and a limit of addresses")
+def test_too_few_addresses_are_told_before_a_library_waits_for_them(
+    program: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """240 MB are enough for numba, and then not for the OpenBLAS of SciPy, which asks for ever."""
+    monkeypatch.setenv("OPENBLAS_NUM_THREADS", "2")
+    out, said = start(program, tmp_path / "cache", CRAMPED).communicate(timeout=300)
+    assert out.splitlines() == ["340 MB of addresses are needed to load the formulas", "21.25"], said
