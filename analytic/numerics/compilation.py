@@ -94,7 +94,6 @@ class Compiled:
         return vars(self)[name]
 
     def _for_numba(self, folder: Path | None, more: dict[str, Any]) -> Any:
-        require_addresses()
         from numba import njit
 
         code, around = self.function.__code__, self.function.__globals__
@@ -158,6 +157,7 @@ def cache_folder() -> Path:
 @cache
 def kept_in() -> Path | None:
     """The folder of this version, in which compiled functions are kept; None: it cannot be written, which is said."""
+    require_addresses()
     import llvmlite
     import numba
 
