@@ -43,7 +43,8 @@ def content_of(path: str | os.PathLike[str], *, most: int, remedy: str, linked: 
     """The content of a regular file of at most `most` bytes; arguments and errors of `opened`."""
     with opened(path, most=most, remedy=remedy, linked=linked) as file:
         try:
-            return file.read(most)  # no more, should it grow meanwhile
+            # No more, should it grow meanwhile; and Python takes the memory for all that is asked for.
+            return file.read(min(most, os.fstat(file.fileno()).st_size))
         except OSError as problem:  # of the disk
             raise InputError(f"cannot be read: {problem.strerror}; {remedy}") from problem
 
