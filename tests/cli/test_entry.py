@@ -71,7 +71,7 @@ def test_the_torque_of_a_dry_scene_loads_only_what_it_computes_with(command, tmp
     assert "numpy" in loaded
     slow = {"pint", "xarray", "matplotlib", "skfem", "meshio", "pyvista", "pymklpardiso", "jinja2", "pandas", "netCDF4"}
     slow |= {f"scipy.{part}" for part in ("stats", "optimize", "interpolate", "sparse", "integrate")}
-    ask = [sys.executable, "-c", "import sys, scipy.linalg; print(*sys.modules)"]  # numba has it; SciPy 1.15 loads sparse
+    ask = [sys.executable, "-c", "import sys, scipy.linalg; print(*sys.modules)"]  # of SciPy 1.15: sparse too
     slow -= {*subprocess.run(ask, capture_output=True, text=True, check=True).stdout.split()}
     assert not slow & loaded
 
