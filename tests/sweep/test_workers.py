@@ -120,7 +120,7 @@ def test_a_script_without_a_guard_ends_with_the_line_that_it_lacks(grid_file: Wr
     command = [sys.executable, str(script), str(grid_file(SERIES + SCENES)), str(tmp_path / "out")]
     done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)
     assert done.returncode == 1
-    assert done.stderr.splitlines()[-1].endswith('a script of your own has to begin with if __name__ == "__main__":')
+    assert done.stderr.splitlines()[-1].endswith('begin a script of your own with if __name__ == "__main__":')
 
 
 def test_a_worker_killed_once_costs_only_time_and_no_number(
