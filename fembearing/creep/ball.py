@@ -20,7 +20,7 @@ from analytic.scene import Array, Bearing
 from fembearing.creep.friction import sliding_law
 from fembearing.creep.half_space import HalfSpaces, Influence
 from fembearing.creep.kinematics import RaceMotion, RigidSlip, rigid_slip, slip_rates
-from fembearing.creep.place import HeldBall, Lie, UnitContact
+from fembearing.creep.place import HeldBall, Lie, UnitContact, unit_under
 from fembearing.creep.rolling import (
     RollingFriction,
     RollingSurfaces,
@@ -202,7 +202,9 @@ def _rolling_freely(held: HeldBall, motions: tuple[RaceMotion, RaceMotion], lie:
     rows, right = np.zeros((4, 4)), np.zeros(4)
     for k, motion in enumerate(motions):
         rates, added = slip_rates(motion, lie.angles[k], lie.orbit)
-        square = (ROLLS * held.unit(RACES[k], lie.angles[k]).semi_axis_transverse) ** 2 * lie.loads[k] ** (2 / 3)
+        square = (ROLLS * unit_under(held.bearing, RACES[k], lie.angles[k]).semi_axis_transverse) ** 2 * lie.loads[
+            k
+        ] ** (2 / 3)
         rows[k], right[k] = rates[0] + rates[1] * square, -(added[0] + added[1] * square)
         rows[2] -= motion.sign * rates[4]
         right[2] += motion.sign * added[4]
@@ -213,7 +215,7 @@ def _rolling_freely(held: HeldBall, motions: tuple[RaceMotion, RaceMotion], lie:
 def _cut(ball: TurningBall, k: int, motion: RaceMotion, lie: Lie, slip: RigidSlip, grid: Grid) -> _Contact:
     """A contact in strips that meet where the slip along rolling turns round."""
     bearing, race, load = ball.held.bearing, RACES[k], lie.loads[k]
-    unit = ball.held.unit(race, lie.angles[k])
+    unit = unit_under(ball.held.bearing, race, lie.angles[k])
     if not load > 0:
         raise InputError(f"the {race} race does not touch the ball: give it a load, or leave the ball out")
     size, given = load ** (1 / 3), slip.creepages

@@ -30,49 +30,59 @@ class Lie(NamedTuple):
     orbit: float  # r_m, m
 
 
+def unit_under(bearing: Bearing, race: Race, angle: float) -> UnitContact:
+    """A contact at a contact angle, by Hertz.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        SI.
+    race : {"inner", "outer"}
+        The race.
+    angle : float
+        Contact angle, rad, in [-pi/2, pi/2].
+
+    Returns
+    -------
+    UnitContact
+        Under 1 N.
+    """
+    along, across = race_curvatures(bearing, race, contact_angle=abs(angle))
+    unit = unit_contact(along, across, race_numbers(bearing, race).modulus)
+    return UnitContact(float(unit.semi_axis_x), float(unit.semi_axis_y), float(unit.approach))
+
+
+def free_lengths(bearing: Bearing) -> tuple[float, float]:
+    """From the centres of both grooves to that of a ball without load.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        SI.
+
+    Returns
+    -------
+    tuple of float
+        r_g - r of the inner and the outer groove, m.
+    """
+    return bearing.inner.groove_radius - bearing.ball_radius, bearing.outer.groove_radius - bearing.ball_radius
+
+
 @dataclass(frozen=True, kw_only=True)
 class HeldBall:
     """What holds a ball: thrust on a ring that is free along the axis, or a ring in its place, or a given angle."""
 
     bearing: Bearing
+    centre: float  # radius of the circle on which the outer groove's centre of curvature lies, m
     thrust: float  # Fa/Z, N, > 0; without a part where the ring is held
     radial: float | None = None  # centre of the inner groove over that of the outer one, m; None: `angle` is given
     axial: float | None = None  # likewise along the axis, m; None: the thrust places the ring
     angle: float | None = None  # al, given, rad
-    centre: float | None = None  # radius of the circle of the outer groove's centre, m; None: by its bottom radius
-
-    @property
-    def outer_centre(self) -> float:
-        """Radius of the circle on which the outer groove's centre of curvature lies, m."""
-        if self.centre is not None:
-            return self.centre
-        groove = self.bearing.outer
-        return groove.bottom_radius - (0.0 if self.bearing.kind == "thrust" else groove.groove_radius)
 
     @property
     def lengths(self) -> tuple[float, float]:
         """r_g - r of both grooves, m."""
-        bearing = self.bearing
-        return bearing.inner.groove_radius - bearing.ball_radius, bearing.outer.groove_radius - bearing.ball_radius
-
-    def unit(self, race: Race, angle: float) -> UnitContact:
-        """A contact at a contact angle, by Hertz.
-
-        Parameters
-        ----------
-        race : {"inner", "outer"}
-            The race.
-        angle : float
-            Contact angle, rad, in [-pi/2, pi/2].
-
-        Returns
-        -------
-        UnitContact
-            Under 1 N.
-        """
-        along, across = race_curvatures(self.bearing, race, contact_angle=abs(angle))
-        unit = unit_contact(along, across, race_numbers(self.bearing, race).modulus)
-        return UnitContact(float(unit.semi_axis_x), float(unit.semi_axis_y), float(unit.approach))
+        return free_lengths(self.bearing)
 
     def at_rest(self) -> Lie:
         """Without friction.
@@ -83,13 +93,13 @@ class HeldBall:
             Equal angles and loads on both races.
         """
         angle = self._angle_at_rest()
-        approaches = [self.unit(race, angle).approach for race in RACES]
+        approaches = [unit_under(self.bearing, race, angle).approach for race in RACES]
         if self.axial is None:
             load = self.thrust / float(np.sin(angle))
         else:
             stretch = np.hypot(self.radial or 0.0, self.axial) - sum(self.lengths)
             load = float(max(stretch, 0.0) / sum(approaches)) ** 1.5
-        orbit = self.outer_centre + (self.lengths[1] + approaches[1] * load ** (2 / 3)) * np.cos(angle)
+        orbit = self.centre + (self.lengths[1] + approaches[1] * load ** (2 / 3)) * np.cos(angle)
         return Lie((angle, angle), (load, load), float(orbit))
 
     def _angle_at_rest(self) -> float:
@@ -101,7 +111,9 @@ class HeldBall:
 
         def too_short(angle: float) -> float:
             load = self.thrust / np.sin(angle)
-            reach = sum(self.unit(race, angle).approach for race in RACES) * load ** (2 / 3) + sum(self.lengths)
+            reach = sum(unit_under(self.bearing, race, angle).approach for race in RACES) * load ** (2 / 3) + sum(
+                self.lengths
+            )
             return radial - reach * np.cos(angle)
 
         return float(brentq(too_short, LEAST_ANGLE, MOST_ANGLE, xtol=LAST_STEP))
@@ -186,7 +198,7 @@ class HeldBall:
             for arm, length, unit in zip(arms, self.lengths, units, strict=True)
         )
         angles = tuple(float(np.arctan2(arm[1], arm[0])) for arm in arms)
-        return Lie((angles[0], angles[1]), (float(loads[0]), float(loads[1])), self.outer_centre + float(place[0]))
+        return Lie((angles[0], angles[1]), (float(loads[0]), float(loads[1])), self.centre + float(place[0]))
 
     def lacks(self, lie: Lie, across: tuple[float, float], outward: float) -> Array:
         """What the equilibrium of forces lacks.

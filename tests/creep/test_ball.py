@@ -10,7 +10,7 @@ from analytic.oil.traction import PointLaw
 from analytic.scene import Bearing
 from fembearing.creep.ball import Elasticity, Grid, TurnedBall, TurningBall, turn_ball
 from fembearing.creep.half_space import HalfSpaces
-from fembearing.creep.place import HeldBall
+from fembearing.creep.place import HeldBall, free_lengths, unit_under
 from fembearing.creep.strips import hertz_pressure
 from tests.analytic.specimens import BEARING_6205
 from tests.contacts import NITRIDE, STEEL
@@ -18,13 +18,17 @@ from tests.contacts import NITRIDE, STEEL
 ROUGH, GRID = Grid(8, 4), Grid(12, 6)
 
 
+def centre_of(bearing: Bearing) -> float:
+    """Of the outer groove, whose bottom radius fits the pitch diameter."""
+    return bearing.outer.bottom_radius - bearing.outer.groove_radius
+
+
 def thrust_ball(
     friction: float, load: float, *, speed: float = 52.36, bearing: Bearing = BEARING_6205, free: float = 0.18
 ) -> TurningBall:
     """Of a bearing under thrust, N; friction of both races."""
-    held = HeldBall(
-        bearing=bearing, thrust=load / bearing.ball_count, radial=bearing.groove_centre_distance * np.cos(free)
-    )
+    radial = bearing.groove_centre_distance * np.cos(free)
+    held = HeldBall(bearing=bearing, centre=centre_of(bearing), thrust=load / bearing.ball_count, radial=radial)
     law = PointLaw(boundary=friction)
     return TurningBall(held=held, laws=(law, law), speed=speed)
 
@@ -126,7 +130,7 @@ def test_a_held_ring_and_a_free_one_agree() -> None:
     inner, outer = free.races
     held = ball.held
     lengths = held.lengths
-    units = held.unit("inner", inner.angle), held.unit("outer", outer.angle)
+    units = unit_under(held.bearing, "inner", inner.angle), unit_under(held.bearing, "outer", outer.angle)
     axial = sum(
         (length + unit.approach * race.load ** (2 / 3)) * np.sin(race.angle)
         for length, unit, race in zip(lengths, units, free.races, strict=True)
@@ -137,7 +141,7 @@ def test_a_held_ring_and_a_free_one_agree() -> None:
 
 
 def test_a_given_angle_holds_loads_but_not_how_the_ball_turns() -> None:
-    held = HeldBall(bearing=BEARING_6205, thrust=120.0, angle=0.41)
+    held = HeldBall(bearing=BEARING_6205, centre=centre_of(BEARING_6205), thrust=120.0, angle=0.41)
     law = PointLaw(boundary=0.09)
     ball = TurningBall(held=held, laws=(law, law), speed=30.0)
     turned = turn_ball(ball, GRID)
@@ -185,7 +189,8 @@ def test_a_ball_without_friction_is_refused() -> None:
 
 
 def test_a_symmetric_radial_ball_does_not_spin_and_slips_by_conformity_only() -> None:
-    held = HeldBall(bearing=BEARING_6205, thrust=0.0, radial=sum(thrust_ball(0.1, 1.0).held.lengths) + 9e-6, axial=0.0)
+    bearing, radial = BEARING_6205, sum(free_lengths(BEARING_6205)) + 9e-6
+    held = HeldBall(bearing=bearing, centre=centre_of(bearing), thrust=0.0, radial=radial, axial=0.0)
     law = PointLaw(boundary=0.08)
     turned = turn_ball(TurningBall(held=held, laws=(law, law), speed=0.0), GRID)
     for race in turned.races:
@@ -200,7 +205,7 @@ def test_a_step_round_the_grooves_keeps_the_lengths_that_it_does_not_change(size
     """To first order it is the step; across both arms, the approaches, 1e-11 m here, stay."""
     held = thrust_ball(0.1, 1e-6).held
     lie = held.at_rest()
-    units = held.unit("inner", lie.angles[0]), held.unit("outer", lie.angles[1])
+    units = unit_under(held.bearing, "inner", lie.angles[0]), unit_under(held.bearing, "outer", lie.angles[1])
     place = held.coordinates(lie, units)
     step = size * np.array([-np.sin(lie.angles[1]), np.cos(lie.angles[1]), 0.0])
     moved = held.moved(place, step)

@@ -7,7 +7,7 @@ import numpy as np
 from analytic.oil.traction import PointLaw
 from analytic.scene import Bearing, Groove, Material
 from fembearing.creep.ball import TurningBall
-from fembearing.creep.place import HeldBall
+from fembearing.creep.place import HeldBall, unit_under
 from validation.benchmarks.random_scenes import BASE
 
 CERAMIC, GIVEN, OILED, FAST = 0.25, 0.2, 0.2, 0.3  # shares of the balls
@@ -19,14 +19,14 @@ def random_ball(seed: int) -> TurningBall:
     rng = np.random.default_rng(seed)
     bearing = _bearing(rng)
     angle, peak = rng.uniform(0.1, 0.8), 10 ** rng.uniform(8.7, 9.45)  # rad, Pa
-    unit = HeldBall(bearing=bearing, thrust=1.0, angle=angle).unit("inner", angle)
+    unit = unit_under(bearing, "inner", angle)
     load = (peak * np.pi * unit.semi_axis_rolling * unit.semi_axis_transverse / 1.5) ** 3
     radial = bearing.groove_centre_distance * np.cos(angle)
-    thrust = float(load * np.sin(angle))
+    thrust, centre = float(load * np.sin(angle)), bearing.outer.bottom_radius - bearing.outer.groove_radius
     if rng.random() < GIVEN:
-        held = HeldBall(bearing=bearing, thrust=thrust, angle=angle)
+        held = HeldBall(bearing=bearing, centre=centre, thrust=thrust, angle=angle)
     else:
-        held = HeldBall(bearing=bearing, thrust=thrust, radial=float(radial))
+        held = HeldBall(bearing=bearing, centre=centre, thrust=thrust, radial=float(radial))
     law = _law(rng)
     speed = 10 ** rng.uniform(0, 2) if rng.random() > FAST else 10 ** rng.uniform(2, 3)
     return TurningBall(held=held, laws=(law, law), speed=float(speed))

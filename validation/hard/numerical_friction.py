@@ -46,7 +46,8 @@ METHODS = (0.03, "1.6 % of the reference's own, and tractions that change the pr
 def thrust_ball(load: float, *, law: PointLaw | None = None, angle: float | None = None) -> TurnedBall:
     """A ball under so much thrust, N, at rest; angle : held, rad; None: it follows from a free angle of 0.18 rad."""
     radial = None if angle is not None else bearing().groove_centre_distance * float(np.cos(0.18))
-    held = HeldBall(bearing=bearing(), thrust=load, radial=radial, angle=angle)
+    centre = bearing().outer.bottom_radius - bearing().outer.groove_radius
+    held = HeldBall(bearing=bearing(), centre=centre, thrust=load, radial=radial, angle=angle)
     each = PointLaw(boundary=FRICTION) if law is None else law
     ball = TurningBall(held=held, laws=(each, each), speed=31.0, inertia=False)
     return turn_ball(ball, Grid(12, 6), turn_ball(ball, Grid(8, 4)))

@@ -35,7 +35,7 @@ from analytic.solve.model import Model, model_of, workspace
 from analytic.solve.solution import points_of, solved
 from fembearing.creep.ball import TurningBall, race_motions
 from fembearing.creep.kinematics import RigidSlip, rigid_slip
-from fembearing.creep.place import HeldBall
+from fembearing.creep.place import HeldBall, free_lengths, unit_under
 
 PASSES = 3  # of free balls: 64 strips of 35 nodes
 ALIKE = 1e-6  # relative, of the loads of two balls that are each other's mirror images
@@ -147,18 +147,18 @@ def _held(scene: Scene, state: Record, *, alone: bool) -> tuple[HeldBall, bool]:
     """What holds a ball, and whether it is mirrored. Under thrust alone the ring is free along the axis."""
     bearing, operation = scene.bearing, scene.operation
     thrust = float(np.asarray(operation.axial_load)[0]) / bearing.ball_count
-    if bearing.kind == "thrust":
-        return HeldBall(bearing=bearing, thrust=thrust, angle=np.pi / 2), False
     centre = outer_groove_centres(bearing, bearing_numbers(bearing, scene.contact_angle))
+    if bearing.kind == "thrust":
+        return HeldBall(bearing=bearing, centre=centre, thrust=thrust, angle=np.pi / 2), False
     if scene.contact_angle.rule == "given":
         angle = float(abs(state["angle"][0]))
-        return HeldBall(bearing=bearing, thrust=thrust, angle=angle, centre=centre), False
-    lengths, reach = HeldBall(bearing=bearing, thrust=1.0), np.zeros(2)
-    for race, length, angle, load in zip(RACES, lengths.lengths, state["angle"], state["load"], strict=True):
-        whole = length + lengths.unit(race, abs(float(angle))).approach * load ** (2 / 3)
+        return HeldBall(bearing=bearing, centre=centre, thrust=thrust, angle=angle), False
+    reach = np.zeros(2)
+    for race, length, angle, load in zip(RACES, free_lengths(bearing), state["angle"], state["load"], strict=True):
+        whole = length + unit_under(bearing, race, abs(float(angle))).approach * load ** (2 / 3)
         reach += whole * np.array([np.cos(angle), np.sin(angle)])
     axial = None if alone else float(abs(reach[1]))
-    held = HeldBall(bearing=bearing, thrust=thrust, radial=float(reach[0]), axial=axial, centre=centre)
+    held = HeldBall(bearing=bearing, centre=centre, thrust=thrust, radial=float(reach[0]), axial=axial)
     return held, bool(reach[1] < 0)
 
 
@@ -190,7 +190,7 @@ def by_formula(production: Production) -> tuple[RaceFriction, RaceFriction]:
 def _contact(scene: Scene, k: int, angle: float, load: float, rate: float) -> RollingContact:
     numbers = race_numbers(scene.bearing, RACES[k])
     along, across = race_curvatures(scene.bearing, RACES[k], contact_angle=angle)
-    unit = HeldBall(bearing=scene.bearing, thrust=1.0).unit(RACES[k], angle)
+    unit = unit_under(scene.bearing, RACES[k], angle)
     size = load ** (1 / 3)
     return RollingContact(
         load=load,
