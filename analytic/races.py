@@ -162,15 +162,17 @@ class RaceTorque:
         """(p, k) the same with the balls' weight in a direction; None: without weight."""
         return self.by_rule(at, weights_of(self.scene.bearing, down))
 
-    def freely_with_weight(self, at: NDArray[np.intp], down: tuple[float, float, float] | None) -> Array:
-        """(k,) race torque of free balls; NaN where they do not settle. Raises KeyError where the balls turn by rule.
+    def freely_with_weight(self, at: NDArray[np.intp], down: tuple[float, float, float] | None) -> Solution:
+        """Free balls at k points; NaN where they do not settle. Raises KeyError where the balls turn by rule.
 
         They have the second quadrature, whose error is common to all directions.
         """
-        weights, bearing = weights_of(self.scene.bearing, down), self.scene.bearing
+        weights, bearing, effects = weights_of(self.scene.bearing, down), self.scene.bearing, self.scene.effects
+        rolls_off = ENTRIES["unloaded_balls"].lacks(self.scene) is None and effects.get("unloaded_balls") != "off"
         counted = {**self.counted, "load_distribution": True, "weight": bool(weights.any())}
+        counted["unloaded_balls"] = rolls_off and counted["rolling"]
         model = self.trial.model.weighing(weights).counting(counted).turning_freely(bearing, CREEP_OF[self.method])
-        return solved(model.with_numbers(passes=2).at(at), self.trial.points[at]).race_torque
+        return solved(model.with_numbers(passes=2).at(at), self.trial.points[at])
 
 
 def race_torque(

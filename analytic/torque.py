@@ -274,7 +274,8 @@ def _change_of_free_balls(races: RaceTorque, at: NDArray[np.intp], by_rule: Arra
     """(k,) change of the torque by the weight of free balls, over the smaller one; infinite: a direction has none.
 
     by_rule : (k,) that of balls by rule; in a long series far points tell how much more free balls change
-    What lies between two directions is at most their difference beyond the farthest.
+    What lies between two directions is at most their difference beyond the farthest. A ball that comes off resists
+    suddenly more or less, in a narrow range of directions: each with little load in one counts as if it came off.
     """
     close = races.growth > MOST_GROWTH or not np.isfinite(by_rule).all()
     every = not close and at.size <= MOST_FREE
@@ -284,17 +285,18 @@ def _change_of_free_balls(races: RaceTorque, at: NDArray[np.intp], by_rule: Arra
         directions, apart = (TILTS, 0.14) if close else (TILTS[::6], 0.8)
     else:
         directions, apart = (ALL_ROUND, 0.96) if close else (ALONG_AXES, 1.6)
-    without = races.freely_with_weight(at[far], None)
-    change, known = np.zeros((len(directions), far.size)), without > 0
-    for row, down in zip(change, directions, strict=True):
+    without = races.freely_with_weight(at[far], None).race_torque
+    change, off, known = *np.zeros((2, len(directions), far.size)), without > 0
+    for number, down in enumerate(directions):
         if not (left := np.flatnonzero(known)).size:
             break
-        torque = _with_weight_along(races, at[far[left]], down)
+        torque, more = _with_weight_along(races, at[far[left]], down)
         known[left] = settles = torque > 0
-        row[left[settles]] = np.log(torque[settles] / without[left[settles]])
+        change[number, left[settles]] = np.log(torque[settles] / without[left[settles]])
+        off[number, left[settles]] = np.log1p(more[settles] / torque[settles])
     first, second = np.nonzero(np.triu(directions @ directions.T > np.cos(apart), 1))
     between = np.abs(change[first] - change[second]).max(axis=0)
-    share = np.where(known, np.expm1(np.abs(change).max(axis=0) + between), np.inf)
+    share = np.where(known, np.expm1((np.abs(change) + off).max(axis=0) + between), np.inf)
     if far.size == at.size:
         return share
     more = np.divide(share, by_rule[far], out=np.full_like(share, np.inf), where=by_rule[far] > 0).max()
@@ -306,17 +308,22 @@ def _change_of_free_balls(races: RaceTorque, at: NDArray[np.intp], by_rule: Arra
 
 
 def _with_weight_along(races: RaceTorque, at: NDArray[np.intp], down: Array) -> Array:
-    """(k,) race torque of free balls with the weight in a direction, or a little aside if they do not settle; or NaN.
+    """(2, k) race torque of free balls with the weight in a direction, and what balls change that may come off.
 
+    The direction is a little aside where the balls do not settle; NaN where they do not settle there either.
     Some directions do not settle among others that do: 1 to 8 of 60 in 6 of 18 scenes (validation/adversary/README.md).
     """
-    x, y, z = map(float, down)
-    torque = races.freely_with_weight(at, (x, y, z))
-    if (open_ := np.isnan(torque)).any():
+
+    def along(each: NDArray[np.intp], towards: Array) -> Array:
+        x, y, z = map(float, towards)
+        found = races.freely_with_weight(each, (x, y, z))
+        return np.array([found.race_torque, found.points["coming_off"]])
+
+    both = along(at, down)
+    if (open_ := np.isnan(both[0])).any():
         turned = down + np.cross(ASIDE, down)
-        x, y, z = map(float, turned / np.linalg.norm(turned))
-        torque[open_] = races.freely_with_weight(at[open_], (x, y, z))
-    return torque
+        both[:, open_] = along(at[open_], turned / np.linalg.norm(turned))
+    return both
 
 
 def _require_friction(scene: Scene) -> None:

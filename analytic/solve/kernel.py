@@ -76,6 +76,8 @@ STRIBECK = 4.37
 PRESSED = 10.0
 # Of the heaviest ball's load, a judgement: a lighter ball is at the edge of the loaded zone, and its slip costs little.
 IN_LOADED_ZONE = 0.1
+# Times its weight: a ball with less load comes off in a direction of the weight nearby, a judgement.
+NEARLY_OFF = 1.5
 STATUS_OF_ROUND = (SETTLED, OPEN_FORCES, LOOSE_BALL, LOOSE_RING, BEYOND_GROOVE, NO_STEADY_ROTATION)
 
 
@@ -198,7 +200,7 @@ def reset(out: Record) -> None:
     """Begin the sums of a point."""
     out.total = out.spin = out.conformity = out.hysteresis = out.rolling = out.cage = out.sliding_error = 0.0
     out.orbit_rate = out.ball_rate = out.contact_angle = out.ball_lead = out.slowness = 0.0
-    out.creep, out.passes, out.heaviest, out.gyroscopic_hold = 0.0, 0, 0, 0.0
+    out.creep, out.passes, out.heaviest, out.gyroscopic_hold, out.coming_off = 0.0, 0, 0, 0.0, 0.0
     out.centrifugal_share = out.gyroscopic_share = out.weight_share = 0.0
     for race in range(2):
         out.peak_pressure[race] = out.cut_off[race] = out.rolling_force[race] = out.most_friction[race] = 0.0
@@ -411,9 +413,12 @@ def add_ball(
             out.most_friction[race] += alike * friction_held(resisted, load.speed)
             share = creep_share(resisted.contact, resisted.law, abs(load.speed), abs(motion.spin_difference))
             out.creep = max(out.creep, share)
-    if model.counted.unloaded_balls and model.resistance.rolls and min(ball.load[0], ball.load[1]) == 0.0:
+    if model.resistance.rolls:
         resisted = contacts[0].resisted, contacts[1].resisted
-        out.rolling += alike * more_in_clearance(model, load.speed, ball, resisted)
+        if min(ball.load[0], ball.load[1]) > 0.0:
+            out.coming_off += alike * change_without_load(model, load.speed, ball, resisted)
+        elif model.counted.unloaded_balls:
+            out.rolling += alike * more_in_clearance(model, load.speed, ball, resisted)
 
 
 @compiled
@@ -441,6 +446,26 @@ def more_in_clearance(
     floating = torque_off_race(law, oil, near, resisted[near].contact, entrainment[near], gap, speed)
     other = torque_off_race(law, oil, far, resisted[far].contact, entrainment[far], clearance - gap, speed)
     return max(floating - own, 0.0) + other
+
+
+@compiled
+def change_without_load(
+    model: ModelNumbers, speed: float, ball: Record, resisted: tuple[ResistedContact, ResistedContact]
+) -> float:
+    """Change of the torque by rolling if a ball comes off both races, N m; 0 for one that does not, for all its load.
+
+    The clearance is then as wide as its weight, pressed on a race, had pressed that in.
+    """
+    weight, change = model.ring.bearing.ball_mass * STANDARD_GRAVITY, 0.0
+    if min(ball.load[0], ball.load[1]) > NEARLY_OFF * weight:
+        return 0.0
+    for race in range(2):
+        contact = resisted[race].contact
+        change -= resisted[race].rolling_torque
+        if model.counted.unloaded_balls:
+            gap = loaded_hertz(ball.inner_unit if race == 0 else ball.outer_unit, weight).approach
+            change += torque_off_race(model.resistance, model.warm, race, contact, contact.entrainment, gap, speed)
+    return abs(change)
 
 
 @compiled
