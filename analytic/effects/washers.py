@@ -30,7 +30,8 @@ def held_in_the_middle(scene: Scene, found: Solution, *, parts: Mapping[str, Arr
     outward, weight = found.points["centrifugal_share"], found.points["weight_share"]
     leaning = outward * bearing.pitch_diameter / bearing.ball_diameter * parts.get("spin", np.zeros_like(total))
     heavier = sum(
-        (power / 2 * weight * parts[name] for name, power in LOAD_POWER.items() if name in parts), start=0 * total
+        (power / 2 * weight * parts[name] for name, power in LOAD_POWER.items() if name in parts),
+        start=np.zeros_like(total),
     )
     wanted = [part for name, part in zip(HELD, (leaning, heavier), strict=True) if scene.effects.get(name) != "off"]
     return share_in(sum(wanted, start=np.zeros_like(total)), total)

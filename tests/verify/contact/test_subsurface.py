@@ -163,3 +163,23 @@ def test_the_far_boundary_and_a_chance_agreement_add_their_share(
     ):
         least = 0.005 * minor if "depth" in name else 0.0  # the minor semi-axis lies along rolling
         assert uncertainty[name] == pytest.approx(value * share + least, rel=1e-9)
+
+
+def test_a_change_between_cells_of_half_the_size_counts_as_between_those_of_two_thirds(
+    ideal: ContactSolution, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """At order 3: (1.5^3 - 1)/(2^3 - 1) of it."""
+    first = replace(ideal, meshes=ideal.meshes[:2])
+    assert [mesh.level for mesh in first.meshes] == [1, 2]
+    fine = subsurface_stress(ideal.meshes[1])
+    fine = agreeing(fine, 0 * fine.depth)
+    both = {1: replace(fine, greatest_shear=0.64e9, greatest_shear_depth=71e-6), 2: fine}
+    monkeypatch.setattr(module, "subsurface_stress", lambda mesh, **_: both[mesh.level])
+    uncertainty = compare_subsurface(first).uncertainty
+    monkeypatch.setattr(module, "subsurface_stress", lambda *_, **__: fine)
+    least = compare_subsurface(first).uncertainty  # where nothing changes: 3e-4 of the stress, a depth by the ellipse
+    assert uncertainty["max_shear"] - least["max_shear"] == pytest.approx(2.375 / 7 * 0.03e9 - 3e-4 * 0.61e9, rel=1e-9)
+    minor = 0.005 * ideal.reference.semi_axis_rolling
+    assert uncertainty["max_shear_depth"] - least["max_shear_depth"] == pytest.approx(
+        2.375 / 7 * 4e-6 - minor, rel=1e-9
+    )
