@@ -43,8 +43,8 @@ def content_of(path: str | os.PathLike[str], *, most: int, remedy: str, linked: 
     """The content of a regular file of at most `most` bytes; arguments and errors of `opened`."""
     with opened(path, most=most, remedy=remedy, linked=linked) as file:
         try:
-            # No more, should it grow meanwhile; and Python takes the memory for all that is asked for.
-            return file.read(min(most, os.fstat(file.fileno()).st_size + 1))  # some devices of the system have no size
+            # Python reserves memory for the whole request. One byte more reads a file without a size.
+            return file.read(min(most, os.fstat(file.fileno()).st_size + 1))
         except OSError as problem:  # of the disk
             raise InputError(f"cannot be read: {problem.strerror}; {remedy}") from problem
 

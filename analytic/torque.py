@@ -274,8 +274,8 @@ def _change_of_free_balls(races: RaceTorque, at: NDArray[np.intp], by_rule: Arra
     """(k,) change of the torque by the weight of free balls, over the smaller one; infinite: a direction has none.
 
     by_rule : (k,) that of balls by rule; in a long series far points tell how much more free balls change
-    What lies between two directions is at most their difference beyond the farthest. A ball that comes off resists
-    suddenly more or less, in a narrow range of directions: each with little load in one counts as if it came off.
+    What lies between two directions is at most their difference beyond the farthest. A ball may come off in a narrow
+    range of directions, and its rolling then changes suddenly: each ball with little load counts as if it came off.
     """
     close = races.growth > MOST_GROWTH or not np.isfinite(by_rule).all()
     every = not close and at.size <= MOST_FREE
@@ -286,7 +286,7 @@ def _change_of_free_balls(races: RaceTorque, at: NDArray[np.intp], by_rule: Arra
     else:
         directions, apart = (ALL_ROUND, 0.96) if close else (ALONG_AXES, 1.6)
     without = races.freely_with_weight(at[far], None).race_torque
-    change, off, known = *np.zeros((2, len(directions), far.size)), without > 0
+    change, off, known = np.zeros((len(directions), far.size)), np.zeros((len(directions), far.size)), without > 0
     for number, down in enumerate(directions):
         if not (left := np.flatnonzero(known)).size:
             break
@@ -308,7 +308,7 @@ def _change_of_free_balls(races: RaceTorque, at: NDArray[np.intp], by_rule: Arra
 
 
 def _with_weight_along(races: RaceTorque, at: NDArray[np.intp], down: Array) -> Array:
-    """(2, k) race torque of free balls with the weight in a direction, and what balls change that may come off.
+    """(2, k) race torque of free balls with the weight in a direction, and its change by balls that may come off, N m.
 
     The direction is a little aside where the balls do not settle; NaN where they do not settle there either.
     Some directions do not settle among others that do: 1 to 8 of 60 in 6 of 18 scenes (validation/adversary/README.md).

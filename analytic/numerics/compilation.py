@@ -44,7 +44,7 @@ ABOVE = frozenset(
 SOURCE = "formulas.py"  # name of an empty file, which stands for the files of all functions
 SEAL = "sha256"  # name of the file with the digest of a function's other files
 COMPILING = "compiling formulas, once on this machine"
-# Of numba, LLVM and SciPy, and of each thread of SciPy's OpenBLAS: 217 MB and 40 MB were measured with Linux
+# Bytes of addresses for numba, LLVM and SciPy, and for each thread of OpenBLAS; 228 and 42 MB were measured on Linux.
 ADDRESSES, ADDRESSES_OF_THREAD = 250_000_000, 45_000_000
 said: set[str] = set()  # lines on standard error: each once a process
 _making = RLock()  # a function must not become two for numba, and may need others
@@ -112,7 +112,7 @@ class Compiled:
 def require_addresses() -> None:
     """Raise MemoryError where a limit (ulimit -v) leaves too few addresses to load numba.
 
-    OpenBLAS, which numba loads with SciPy, does not raise there: it asks again without an end.
+    Numba loads SciPy's OpenBLAS, which raises no error there but asks for addresses without an end.
     """
     if sys.platform == "win32" or sys.modules.keys() >= {"numba", "scipy.linalg"}:  # no such limit, or they are there
         return
@@ -156,7 +156,10 @@ def cache_folder() -> Path:
 
 @cache
 def kept_in() -> Path | None:
-    """The folder of this version, in which compiled functions are kept; None: it cannot be written, which is said."""
+    """The folder of this version, in which compiled functions are kept; None: it cannot be written, which is said.
+
+    Raises MemoryError as `require_addresses`.
+    """
     require_addresses()
     import llvmlite
     import numba

@@ -42,10 +42,10 @@ def other_states(model: Model, points: Array, found: Solution) -> Array:
     """(n,) race torque of the points in another steady state, the farthest that is found, N m; NaN: none is.
 
     points : (n, 5);  found : at these
-    Where centrifugal force presses balls harder than the rings do, or the oil resists them more than friction drives
-    them, several speeds of their orbit are steady. So the balls of each such point begin by rule too, for in a longer
-    series they begin where those of the last point were, and the bearing comes to it from half the speed and from twice
-    it, where each step begins where the balls were.
+    Several speeds of a ball's orbit are steady where centrifugal force presses it harder than the rings do, or the oil
+    resists it more than friction drives it. Such a point is solved from closed kinematics, since the balls of a long
+    series begin where those of the last point were. It is also solved from half its speed and from twice its speed, in
+    steps that begin where the balls were.
     """
     bearing, balls, other = model.numbers.ring.bearing, found.balls, np.full(len(points), np.nan)
     orbit = balls["motion"]["cage_speed"] * points[:, 3:4]
@@ -54,20 +54,20 @@ def other_states(model: Model, points: Array, found: Solution) -> Array:
     lags = found.sliding_number.max(axis=0) > 1
     race = found.race_torque
     for i in map(int, np.flatnonzero((pressed_out | lags) & (race > 0))):
-        settled = model.with_numbers(cold=False, passes=int(found.points["passes"][i])).at(np.array([i]))
-        same = settled.with_numbers(passes=min(SEARCHED, settled.numbers.passes))
-        one = solved(same, points[[i]]).race_torque[0]
+        fine = model.with_numbers(cold=False, passes=int(found.points["passes"][i])).at(np.array([i]))
+        coarse = fine.with_numbers(passes=min(SEARCHED, fine.numbers.passes))
+        one = solved(coarse, points[[i]]).race_torque[0]
         if abs(one / race[i] - 1) > SAME_STATE:  # by the quadrature, or in another state
-            by_rule = solved(settled, points[[i]]).race_torque[0]
+            by_rule = solved(fine, points[[i]]).race_torque[0]
             if abs(by_rule / race[i] - 1) > SAME_STATE:
                 other[i] = by_rule
         one = one if one > 0 else race[i]  # without it the quadrature's error counts as a difference of states
         for run in RUNS:
-            work, end = workspace(same), found
+            work, end = workspace(coarse), found
             for share in run:
                 point = points[[i]].copy()
                 point[0, 3] *= share
-                end = solved(same.with_numbers(nearly=share != 1.0), point, work=work)
+                end = solved(coarse.with_numbers(nearly=share != 1.0), point, work=work)
             ratio = end.race_torque[0] / one
             if abs(ratio - 1) > max(SAME_STATE, np.nan_to_num(abs(other[i] / race[i] - 1))):
                 other[i] = ratio * race[i]

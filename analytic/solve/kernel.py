@@ -76,7 +76,7 @@ STRIBECK = 4.37
 PRESSED = 10.0
 # Of the heaviest ball's load, a judgement: a lighter ball is at the edge of the loaded zone, and its slip costs little.
 IN_LOADED_ZONE = 0.1
-# Times its weight: a ball with less load comes off in a direction of the weight nearby, a judgement.
+# Times its weight, a judgement: a ball with less load may come off where the weight points a little elsewhere.
 NEARLY_OFF = 1.5
 STATUS_OF_ROUND = (SETTLED, OPEN_FORCES, LOOSE_BALL, LOOSE_RING, BEYOND_GROOVE, NO_STEADY_ROTATION)
 
@@ -452,9 +452,9 @@ def more_in_clearance(
 def change_without_load(
     model: ModelNumbers, speed: float, ball: Record, resisted: tuple[ResistedContact, ResistedContact]
 ) -> float:
-    """Change of the torque by rolling if a ball comes off both races, N m; 0 for one that does not, for all its load.
+    """Change of the torque by rolling if a ball comes off both races, N m; 0 for a ball with too much load for that.
 
-    The clearance is then as wide as its weight, pressed on a race, had pressed that in.
+    The gap on each race is then the approach under the ball's weight.
     """
     weight, change = model.ring.bearing.ball_mass * STANDARD_GRAVITY, 0.0
     if min(ball.load[0], ball.load[1]) > NEARLY_OFF * weight:

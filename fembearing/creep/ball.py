@@ -20,7 +20,7 @@ from analytic.scene import Array, Bearing
 from fembearing.creep.friction import sliding_law
 from fembearing.creep.half_space import HalfSpaces, Influence
 from fembearing.creep.kinematics import RaceMotion, RigidSlip, rigid_slip, slip_rates
-from fembearing.creep.place import HeldBall, Lie, UnitContact, unit_under
+from fembearing.creep.place import HeldBall, Lie, UnitContact, free_lengths, unit_under
 from fembearing.creep.rolling import (
     RollingFriction,
     RollingSurfaces,
@@ -326,7 +326,7 @@ class _Search(NamedTuple):
         approach = min(
             contact.unit.approach * load ** (2 / 3) for contact, load in zip(self.contacts, met.loads, strict=True)
         )
-        return min(0.01 * self.ball.held.lengths[0], OF_APPROACH / DIFFERENCE * approach)
+        return min(0.01 * free_lengths(self.ball.held.bearing)[0], OF_APPROACH / DIFFERENCE * approach)
 
     def settled(self, state: Array, accuracy: float) -> tuple[Array, _Met, int]:
         """State, contacts and steps; accuracy : of what the ball lacks, over all friction.

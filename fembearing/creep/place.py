@@ -79,11 +79,6 @@ class HeldBall:
     axial: float | None = None  # likewise along the axis, m; None: the thrust places the ring
     angle: float | None = None  # al, given, rad
 
-    @property
-    def lengths(self) -> tuple[float, float]:
-        """r_g - r of both grooves, m."""
-        return free_lengths(self.bearing)
-
     def at_rest(self) -> Lie:
         """Without friction.
 
@@ -97,9 +92,9 @@ class HeldBall:
         if self.axial is None:
             load = self.thrust / float(np.sin(angle))
         else:
-            stretch = np.hypot(self.radial or 0.0, self.axial) - sum(self.lengths)
+            stretch = np.hypot(self.radial or 0.0, self.axial) - sum(free_lengths(self.bearing))
             load = float(max(stretch, 0.0) / sum(approaches)) ** 1.5
-        orbit = self.centre + (self.lengths[1] + approaches[1] * load ** (2 / 3)) * np.cos(angle)
+        orbit = self.centre + (free_lengths(self.bearing)[1] + approaches[1] * load ** (2 / 3)) * np.cos(angle)
         return Lie((angle, angle), (load, load), float(orbit))
 
     def _angle_at_rest(self) -> float:
@@ -112,7 +107,7 @@ class HeldBall:
         def too_short(angle: float) -> float:
             load = self.thrust / np.sin(angle)
             reach = sum(unit_under(self.bearing, race, angle).approach for race in RACES) * load ** (2 / 3) + sum(
-                self.lengths
+                free_lengths(self.bearing)
             )
             return radial - reach * np.cos(angle)
 
@@ -138,7 +133,7 @@ class HeldBall:
             return np.zeros(0)
         reach = [
             length + unit.approach * load ** (2 / 3)
-            for length, unit, load in zip(self.lengths, units, lie.loads, strict=True)
+            for length, unit, load in zip(free_lengths(self.bearing), units, lie.loads, strict=True)
         ]
         ball = reach[1] * np.cos(lie.angles[1]), reach[1] * np.sin(lie.angles[1])
         ring = [] if self.axial is not None else [ball[1] + reach[0] * np.sin(lie.angles[0])]
@@ -195,7 +190,7 @@ class HeldBall:
         arms = (self.radial - place[0], ring - place[1]), (place[0], place[1])
         loads = tuple(
             max((np.hypot(*arm) - length) / unit.approach, 0.0) ** 1.5
-            for arm, length, unit in zip(arms, self.lengths, units, strict=True)
+            for arm, length, unit in zip(arms, free_lengths(self.bearing), units, strict=True)
         )
         angles = tuple(float(np.arctan2(arm[1], arm[0])) for arm in arms)
         return Lie((angles[0], angles[1]), (float(loads[0]), float(loads[1])), self.centre + float(place[0]))

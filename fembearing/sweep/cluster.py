@@ -114,7 +114,7 @@ def _workers_here(workers: int | None, tasks: int) -> Iterator[Any]:
         try:
             cluster = LocalCluster(**options)
         except RuntimeError as problem:
-            logging.getLogger("distributed.process").setLevel(logging.CRITICAL)  # it says which it ends, at the end
+            logging.getLogger("distributed.process").setLevel(logging.CRITICAL)  # at exit it names what it ends
             raise FembearingError(
                 "the processes that are to compute end as soon as they start: free some memory, and begin a script of "
                 'your own with if __name__ == "__main__":'

@@ -129,7 +129,7 @@ def test_a_held_ring_and_a_free_one_agree() -> None:
     free = turn_ball(ball, GRID)
     inner, outer = free.races
     held = ball.held
-    lengths = held.lengths
+    lengths = free_lengths(held.bearing)
     units = unit_under(held.bearing, "inner", inner.angle), unit_under(held.bearing, "outer", outer.angle)
     axial = sum(
         (length + unit.approach * race.load ** (2 / 3)) * np.sin(race.angle)

@@ -61,7 +61,7 @@ class Trial:
 
     place: tuple[float, ...]  # of the scene: each input within its range, 0 to 1
     tolerance: float
-    error: float  # of the total against everything on, relative to the total, beyond what that itself states
+    error: float  # difference of everything on, beyond its own uncertainty, over the total
     stated: float  # numerical uncertainty of the total, relative; infinite: unknown
     reference: float  # uncertainty of everything on, relative
     unknown: tuple[str, ...]  # why the uncertainty of a point of the scene is unknown
