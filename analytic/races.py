@@ -12,11 +12,13 @@ from analytic.contact.factors import ContactCorrection
 from analytic.effects.ledger import Ledger
 from analytic.effects.table import ENTRIES, PER_CENTRIFUGAL, PER_LAG, TRIED, ruled
 from analytic.effects.trial import (
+    OF_METHODS,
     Trial,
     at_all_points,
     decide_effects,
     growth_by_wedging,
     left_out_at_all,
+    method_of_changes,
     possible,
     rolls_otherwise,
     slip_by_gyroscopic_moment,
@@ -38,7 +40,7 @@ from analytic.sliding.judge import ALONG_AXIS, AS_PRINTED, FINE, METHODS, OVER_E
 from analytic.solve.failures import require_settled, undistributed
 from analytic.solve.freely import BETWEEN, error_of_sliding, other_states, part_by_sliding, slide_freely
 from analytic.solve.freely import METHODS as FREE_METHODS
-from analytic.solve.model import weights_of
+from analytic.solve.model import Model, weights_of
 from analytic.solve.sample import BY_SLIP, slide_by_sample
 from analytic.solve.solution import Solution, solved
 from analytic.surface.roughness import GapRoughness, gap_roughness
@@ -143,36 +145,37 @@ class RaceTorque:
         known = ENTRIES["gyroscopic"].lacks(self.scene) is None and self.scene.effects.get("gyroscopic") != "off"
         return self.found.points["gyroscopic_hold"].copy() if self.slides and known else None
 
-    def by_rule(self, at: NDArray[np.intp], weights: Array | None = None, *, farthest: bool = False) -> Array:
-        """(p, k) parts of the race torque at some points, of balls by rule and the cheapest method of sliding, or NaN.
+    def by_rule(self, at: NDArray[np.intp], *, farthest: bool = False) -> Solution:
+        """Balls by rule at p points, with the method of sliding of trials; NaN where they have no torque.
 
-        weights : of the balls, as `Model` has them, under their own loads; None: as they were
         farthest : contacts outside the fit have the factors at the far end of what is not known
         """
-        counted = dict(self.counted)
-        if weights is not None:
-            counted |= {"load_distribution": True, "weight": bool(weights.any())}
-        model = self.trial.model.weighing(self.trial.model.weights if weights is None else weights)
-        found = solved(
-            model.counting(counted).with_numbers(farthest=farthest, judges=False).at(at), self.trial.points[at]
-        )
-        return found.race_parts
+        return self._by_rule(self.trial.model.counting(self.counted).with_numbers(farthest=farthest), at)
 
-    def with_weight(self, at: NDArray[np.intp], down: tuple[float, float, float] | None) -> Array:
-        """(p, k) the same with the balls' weight in a direction; None: without weight."""
-        return self.by_rule(at, weights_of(self.scene.bearing, down))
+    def with_weight(self, at: NDArray[np.intp], down: tuple[float, float, float] | None) -> Solution:
+        """The same under the balls' own loads, with their weight in a direction; None: without weight."""
+        return self._by_rule(self._weighing(down), at)
 
     def freely_with_weight(self, at: NDArray[np.intp], down: tuple[float, float, float] | None) -> Solution:
-        """Free balls at k points; NaN where they do not settle. Raises KeyError where the balls turn by rule.
+        """Free balls likewise; NaN where they do not settle. Raises KeyError where the balls turn by rule.
 
         They have the second quadrature, whose error is common to all directions.
         """
-        weights, bearing, effects = weights_of(self.scene.bearing, down), self.scene.bearing, self.scene.effects
-        rolls_off = ENTRIES["unloaded_balls"].lacks(self.scene) is None and effects.get("unloaded_balls") != "off"
-        counted = {**self.counted, "load_distribution": True, "weight": bool(weights.any())}
-        counted["unloaded_balls"] = rolls_off and counted["rolling"]
-        model = self.trial.model.weighing(weights).counting(counted).turning_freely(bearing, CREEP_OF[self.method])
+        model = self._weighing(down).turning_freely(self.scene.bearing, CREEP_OF[self.method])
         return solved(model.with_numbers(passes=2).at(at), self.trial.points[at])
+
+    def _by_rule(self, model: Model, at: NDArray[np.intp]) -> Solution:
+        cheap = model.with_numbers(method=method_of_changes(self.scene), judges=False)
+        return solved(cheap.at(at), self.trial.points[at])
+
+    def _weighing(self, down: tuple[float, float, float] | None) -> Model:
+        """Balls under their own loads, with their weight in a direction; those that come off roll in oil."""
+        weights = weights_of(self.scene.bearing, down)
+        counted = {**self.counted, "load_distribution": True, "weight": bool(weights.any())}
+        rolls_off = self.scene.effects.get("unloaded_balls") != "off"
+        lacks = ENTRIES["unloaded_balls"].lacks(self.scene)
+        counted["unloaded_balls"] = lacks is None and rolls_off and counted["rolling"]
+        return self.trial.model.weighing(weights).counting(counted)
 
 
 def race_torque(
@@ -292,7 +295,8 @@ def _any_direction(ledger: Ledger, trial: Trial, counted: Mapping[str, bool]) ->
         loads = {name: counted[name] for name in LOADING}
         found = solved(trial.model.counting(loads), trial.points, keeps_balls=False)
     lean = np.maximum(FLAT_ANGLE / np.maximum(found.points["contact_angle"], TINIEST), 1.0)
-    return ~ledger.leaves_out_at(PER_CENTRIFUGAL * lean * found.points["weight_share"])
+    alone = OF_METHODS if ledger.rules_out("conformity") else 1.0  # spin alone changes more than both together
+    return ~ledger.leaves_out_at(alone * PER_CENTRIFUGAL * lean * found.points["weight_share"])
 
 
 def _free_creep(
@@ -406,7 +410,7 @@ def _slide_by_rule(
     printed = scene.microslip == "as_printed"
     methods = [AS_PRINTED] if printed else [k for k, m in enumerate(METHODS) if scene.sliding in ("auto", m)]
     for method in methods[:-1]:
-        tried = trial.solved(counted, method)
+        tried = trial.solved(counted, method, judges=True)
         missed = error_of_sliding(tried) * part_by_sliding(tried)
         largest = np.nan_to_num(missed, nan=np.inf).max()
         if between * largest <= allowed.min():
@@ -418,7 +422,7 @@ def _slide_by_rule(
                 return found, error, METHODS[method], len(trial.points)
     else:
         method = methods[-1]
-        tried = trial.solved(counted, method)
+        tried = trial.solved(counted, method, judges=True)
     found, error, model = tried, error_of_sliding(tried), model.with_numbers(method=method)
     sampled = None
     if not trial.is_of_all:

@@ -239,7 +239,7 @@ def _beyond_the_fit(races: RaceTorque, total: Array) -> Unsure:
     if not races.beyond_fit:
         return Unsure(np.zeros_like(total), ())
     every = np.arange(total.size)
-    change = np.abs((races.by_rule(every, farthest=True) - races.by_rule(every)).sum(axis=0))
+    change = np.abs(races.by_rule(every, farthest=True).race_torque - races.by_rule(every).race_torque)
     if np.isfinite(change).all():
         return Unsure(share_in(change, total), ())
     reason = "contacts outside the fit for finite geometry may have no solution"
@@ -256,9 +256,13 @@ def _in_any_direction(races: RaceTorque, total: Array) -> Unsure:
     if not at.size:
         return Unsure(unsure, ())
     without = races.with_weight(at, None)
-    parts = np.abs([races.with_weight(at, (x, y, z)) - without for x, y, z in ALONG_AXES.tolist()])
-    changes = parts.sum(axis=1).max(axis=0)  # of parts that may cancel by one method of sliding, not by another
-    share = np.where(np.isfinite(changes), share_in(np.nan_to_num(changes), np.nan_to_num(without.sum(axis=0))), np.inf)
+    changes = np.zeros(at.size)
+    for x, y, z in ALONG_AXES.tolist():
+        found = races.with_weight(at, (x, y, z))
+        # The parts may cancel by one method of sliding, not by another.
+        change = np.abs(found.race_parts - without.race_parts).sum(axis=0) + found.points["coming_off"]
+        changes = np.maximum(changes, change)
+    share = np.where(np.isfinite(changes), share_in(np.nan_to_num(changes), np.nan_to_num(without.race_torque)), np.inf)
     if races.is_free:
         unsure[at] = _change_of_free_balls(races, at, share)
     else:

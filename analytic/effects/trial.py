@@ -58,13 +58,19 @@ class Trial:
     model: Model  # of the scene, with every effect that it has the input for
     points: Array  # (n, 5) of the scene
     tried: NDArray[np.intp]  # (k,) numbers of those that are tried
-    known: dict[Any, Solution] = field(default_factory=dict)  # by effects and method
+    known: dict[Any, Solution] = field(default_factory=dict)  # by effects, method, and whether it is judged
 
-    def solved(self, counted: Mapping[str, bool], method: int = SINGLE_COEFFICIENT) -> Solution:
-        """The tried points with these effects; method : of sliding, which judges itself"""
-        key = tuple(sorted(counted.items())), method
+    def solved(
+        self, counted: Mapping[str, bool], method: int = SINGLE_COEFFICIENT, *, judges: bool = False
+    ) -> Solution:
+        """The tried points with these effects.
+
+        method : of sliding;  judges : it judges itself, which for spin alone costs more than all else
+        """
+        judges = judges or counted.get("conformity", False)
+        key = tuple(sorted(counted.items())), method, judges
         if key not in self.known:
-            model = self.model.counting(counted).with_numbers(method=method, judges=True).at(self.tried)
+            model = self.model.counting(counted).with_numbers(method=method, judges=judges).at(self.tried)
             self.known[key] = solved(model, self.points[self.tried])
         return self.known[key]
 
@@ -81,7 +87,7 @@ class Trial:
         That of conformity is integrated over the ellipse: one coefficient has none of it where spin decides the sign
         of the slip everywhere, since friction on both halves of the ellipse then cancels.
         """
-        method = OVER_ELLIPSE if "conformity" in names else SINGLE_COEFFICIENT
+        method = OVER_ELLIPSE if "conformity" in names else method_of_changes(self.scene)
         other, base = self._changed(counted, names, method), self.solved(counted, method)
         return _change(other.race_parts, base.race_parts)
 
@@ -250,6 +256,15 @@ def _change(parts: Array, base: Array) -> Array:
 def _at_all(ledger: Ledger, share: Array) -> Array:
     """(n,) the largest share at the tried points, (k,), for all, or their own where all are tried."""
     return share if share.size == ledger.left_out.size else np.full_like(ledger.left_out, share.max())
+
+
+def method_of_changes(scene: Scene) -> int:
+    """The cheapest method of sliding that shows what an effect changes.
+
+    The torque by spin alone, of a scene whose conformity is off, follows the creep in first order: one coefficient then
+    shows too little.
+    """
+    return OVER_ELLIPSE if scene.effects.get("conformity") == "off" else SINGLE_COEFFICIENT
 
 
 def of_methods(scene: Scene) -> float:

@@ -65,13 +65,14 @@ class FreeAccuracy(NamedTuple):
     allowed: float  # error of sliding, relative to the whole torque, where the quadratures are refined
     passes: int  # number of the quadrature; 0: the first that is accurate enough, or that of a known start
     nearly: bool  # one rough pass is enough from a known start: the torque errs by some 1e-3
+    spin_alone: bool  # conformity does not count, and the part by spin errs by more than both together
 
 
 class FreeEnd(NamedTuple):
     """How a point with free balls ends; torques are about the bearing axis, of all balls, N m."""
 
     round: Round  # the last one; not SETTLED: there is no torque
-    torque: float  # by sliding
+    torque: float  # by what counts of sliding
     spin: float  # part of it
     error: float  # of the torque
 
@@ -116,8 +117,9 @@ def settle_freely(
             ball = balls[j]
             put_motion(ball, free_motion(bearing.ball_radius, angles_of(ball), ball.orbit_radius, ball.velocity))
             for race in range(2):
-                torque += alike * contacts[j, race].power
-                spin += alike * contacts[j, race].spin_power
+                by_spin = contacts[j, race].spin_power
+                torque += alike * (by_spin if wanted.spin_alone else contacts[j, race].power)
+                spin += alike * by_spin
         whole = torque + other
         if nearly:
             break

@@ -44,6 +44,7 @@ from analytic.sliding.judge import (
     SINGLE_COEFFICIENT,
     error_of,
     judged,
+    judged_spin,
 )
 from analytic.sliding.long_ellipse import Slip, line_slips
 from analytic.solve.model import ModelNumbers, Tables, Workspace
@@ -554,7 +555,13 @@ def slide_by_rule(
                 out.spin += alike * slips[race].spin_moment * slips[race].spin_rate
                 out.conformity += alike * slips[race].rolling_moment * contacts[race].rolling_rate
             if model.judges and model.method != AS_PRINTED:
-                of_ball, power = judged(contacts, laws, slips, abs(load.speed), model.method, tables.nodes)
+                speed, method = abs(load.speed), model.method
+                if counted.conformity:
+                    of_ball, power = judged(contacts, laws, slips, speed, method, tables.nodes)
+                else:
+                    of_ball, power = judged_spin(
+                        contacts, laws, slips, speed, difference, model.spin_rule, method, tables.nodes
+                    )
                 missed += alike * of_ball
                 whole += alike * power
         if j < len(balls):
@@ -605,7 +612,7 @@ def slide_freely(
     """What the balls lose that turn freely; count : balls that differ"""
     states, contacts = work.balls[:count], work.contacts[:count]
     free = FreeModel(model.ring, model.resistance, tables.cubics, model.free, tables.quadratures)
-    wanted = FreeAccuracy(model.allowed, model.passes, model.nearly)
+    wanted = FreeAccuracy(model.allowed, model.passes, model.nearly, not model.counted.conformity)
     is_ring, end = None if has_ring is None else count > 1, FreeEnd(Round(ROUNDS_SETTLED, 0, 0.0, 0.0), 0.0, 0.0, 0.0)
     if model.cold:
         work.ring.passes = 0

@@ -85,6 +85,7 @@ BROKEN_ONCE = {
     "the weight lifts balls off, and changes of spin and rolling cancel": 90273,
     "friction across the grooves wedges light balls, and their weight moves loads by far more than itself": 98332,
 }
+ANY_BROKEN_ONCE = {"conformity off: an error of the creep counts in first order": 460147}
 
 
 LONG = {71134, "lagging_balls"}  # half a minute and more: each torque comes to its point from four sides
@@ -104,6 +105,14 @@ def test_a_scene_that_broke_its_statement_once_keeps_it(seed: int, monkeypatch: 
     assert all(trial.ratio <= 1 for trial in trials)
 
 
+@pytest.mark.parametrize("seed", ANY_BROKEN_ONCE.values(), ids=ANY_BROKEN_ONCE)
+def test_so_does_one_of_any_kind(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(adversary, "LONGEST", 0.0)
+    trials = adversary.trials_at(any_place(seed)) or []
+    assert len(trials) == len(adversary.TOLERANCES)
+    assert all(trial.ratio <= 1 for trial in trials)
+
+
 @pytest.mark.parametrize(("seed", "least"), [(453009, 0.4), (454061, 0.06)], ids=["in a bath", "in grease"])
 def test_a_weight_that_takes_balls_off_is_within_the_uncertainty(
     seed: int, least: float, monkeypatch: pytest.MonkeyPatch
@@ -113,6 +122,20 @@ def test_a_weight_that_takes_balls_off_is_within_the_uncertainty(
     trials = adversary.trials_at(any_place(seed)) or []
     assert len(trials) == len(adversary.TOLERANCES)
     assert all(trial.error > least and trial.ratio <= 1 for trial in trials)
+
+
+def test_so_it_is_for_balls_by_rule() -> None:
+    """In the first of these scenes; 22 % were stated for the direction found below, 46 % off."""
+    scene = replace(
+        parse_scene(scene_text(any_place(453009), tolerance=0.01), origin="drawn"), spin_rule="outer_control"
+    )
+    unknown = friction_torque(scene)
+    changed = friction_torque(replace(scene, down=(0.36, -0.816, 0.453))).torque.total
+    change = np.abs(changed / unknown.torque.total - 1)
+    assert np.all(change > 0.4)
+    assert np.all(change <= unknown.numerical_uncertainty)
+    # On the edge of a ball's contact the ring's last steps do not end, though forces and loads settle.
+    assert friction_torque(replace(scene, down=(0.49934555, 0.85990955, 0.10587532), tolerance=1e-4)).torque.total > 0
 
 
 @pytest.mark.parametrize(

@@ -213,10 +213,10 @@ def estimates(balls: int, first: int, out: Console) -> bool:
 
 
 def judged_methods(seed: int) -> list[tuple[str, int, Judged]]:
-    """Name of the law, method, and what it misses on the balls that have an equilibrium."""
+    """Name of the law, method, and what it misses on the balls that have an equilibrium; of odd seeds by spin alone."""
     rng = np.random.default_rng(seed)
     scene, variation = sliding_balls(rng, AT_ONCE), Variation(film=10 ** rng.uniform(-1, 0))
-    counted = {name: decision == "on" for name, decision in scene.effects.items()}
+    counted = {name: decision == "on" for name, decision in scene.effects.items()} | {"conformity": seed % 2 == 0}
     model = model_of(scene, counted, variation=variation)
     points, nodes = points_of(scene.operation, model.temperature), judge.NODES.copy()
     nodes[judge.OWN_NODES[judge.FINE]] = quadrature_of(MANY)
@@ -224,6 +224,7 @@ def judged_methods(seed: int) -> list[tuple[str, int, Judged]]:
     exact = solved(replace(exactly, tables=model.tables._replace(nodes=nodes)), points).points
     is_settled = exact["status"] == SETTLED
     law = "coulomb" if scene.lubricant is None else scene.lubricant.traction
+    law += "" if counted["conformity"] else ", spin alone"
     found = []
     for method in range(len(judge.METHODS)):
         own = solved(model.with_numbers(method=method), points).points[is_settled]
