@@ -111,7 +111,6 @@ def judged_spin(
     laws: tuple[PointLaw, PointLaw],
     slips: tuple[Slip, Slip],
     ring_speed: float,
-    spin_difference: float,
     rule: int,
     method: int,
     nodes: Records,
@@ -120,12 +119,13 @@ def judged_spin(
 
     The power by spin and conformity together is least at the creep that is found, that by spin alone is not: an error
     of the creep counts in first order. Other nodes therefore find their own creep and their own share of the spin.
-    spin_difference, rule : as `analytic.sliding.long_ellipse.line_slips`
+    rule : as `analytic.sliding.long_ellipse.line_slips`
     """
     whole = missed = 0.0
+    difference = abs(slips[0].spin_rate - slips[1].spin_rate)
     first, last = (1, 2) if method < FINE else (2, 4)  # in NODES
     for number in range(first, last + 1):
-        others = slips_over_contacts(contacts, laws, ring_speed, spin_difference, rule, nodes[number], True)
+        others = slips_over_contacts(contacts, laws, ring_speed, difference, rule, nodes[number], True)
         if others[2] == 0:
             return np.inf, 0.0
         change = whole = 0.0

@@ -559,9 +559,8 @@ def slide_by_rule(
                 if counted.conformity:
                     of_ball, power = judged(contacts, laws, slips, speed, method, tables.nodes)
                 else:
-                    of_ball, power = judged_spin(
-                        contacts, laws, slips, speed, difference, model.spin_rule, method, tables.nodes
-                    )
+                    rule = model.spin_rule
+                    of_ball, power = judged_spin(contacts, laws, slips, speed, rule, method, tables.nodes)
                 missed += alike * of_ball
                 whole += alike * power
         if j < len(balls):
