@@ -24,6 +24,7 @@ from analytic.free_ball.turning import (
     roll_by_rule,
 )
 from analytic.loads.kinematics import BallMotion, ruled_motion
+from analytic.loads.numbers import BearingNumbers
 from analytic.loads.race_contacts import contact_under
 from analytic.loads.ring_rounds import SETTLED, RingNumbers, Round
 from analytic.loads.thrust_ball import in_groove
@@ -46,7 +47,7 @@ FIRST = 3e-2  # residual of the rotation, over all friction, that is enough for 
 # Likewise for every round of a rough pass: the torque errs as much as a force is lacking.
 NEARLY = 3e-4
 SAME = 3e-7  # relative, of the torque between two passes of one quadrature: no start can be told from another
-MOST_PASSES = 30  # 2 to 5 are usual
+MOST_PASSES = 60  # 2 to 5 are usual; 25 of one quadrature where friction all but wedges light balls
 
 
 class FreeModel(NamedTuple):
@@ -98,51 +99,71 @@ def settle_freely(
     written.
     """
     bearing, count, known = model.ring.bearing, len(balls), ring.passes
-    alike, by_rule = bearing.ball_count / count, np.empty((count, 4))
+    by_rule = np.empty((count, 4))
     for j in range(count):
         ball = balls[j]
         for race in range(2):
             by_rule[j, race], by_rule[j, 2 + race] = ball.angle[race], ball.load[race]
         _begin(model, ball, known > 0)
-    torque = spin = whole = error = last_change = 0.0
-    refines = wanted.passes == 0 and known == 0
+    torque = spin = whole = error = last_change = decided = 0.0
+    judges = refines = wanted.passes == 0 and known == 0
     number = wanted.passes if wanted.passes > 0 else max(known, 1)
     nearly, last, end = wanted.nearly and known > 0, len(model.quadratures) - 1, Round(SETTLED, 0, 0.0, 0.0)
     for repeats in range(MOST_PASSES):
         end, other = _one_pass(model, speed, oil, ring, balls, contacts, number, nearly, is_ring)
         if end.end != SETTLED:
             break
-        before, torque, spin = whole, 0.0, 0.0
-        for j in range(count):
-            ball = balls[j]
-            put_motion(ball, free_motion(bearing.ball_radius, angles_of(ball), ball.orbit_radius, ball.velocity))
-            for race in range(2):
-                by_spin = contacts[j, race].spin_power
-                torque += alike * (by_spin if wanted.spin_alone else contacts[j, race].power)
-                spin += alike * by_spin
+        before = whole
+        torque, spin = _slid(bearing, balls, contacts, wanted.spin_alone)
         whole = torque + other
         if nearly:
             break
-        if not refines:
-            if repeats > 0 and abs(whole - before) <= SAME * whole:
+        least = LEAST[number - 1] * torque + LEAST_OF_WHOLE[number - 1] * whole
+        if refines:
+            if number > 1:
+                change = abs(whole - before)
+                error, last_change = max(SAFETY * change, LEFT_OF_LAST * last_change, least), change
+            if number == last or (number > 1 and error <= wanted.allowed * whole):
+                # The same quadrature again, until it holds the laws of its own loads and speeds.
+                refines, decided = False, whole
+                continue
+        else:
+            if repeats == 0 or abs(whole - before) > SAME * whole:
+                continue
+            if not judges or abs(whole - decided) <= error:
                 break
-            continue
-        if number > 1:
-            change = abs(whole - before)
-            least = LEAST[number - 1] * torque + LEAST_OF_WHOLE[number - 1] * whole
-            error, last_change = max(SAFETY * change, LEFT_OF_LAST * last_change, least), change
-        if number == last or (number > 1 and error <= wanted.allowed * whole):
-            refines = False  # the same quadrature again, until it holds the laws of its own loads and speeds
-            continue
-        number += 1
+            # It settles far from where its error was estimated: a second quadrature that settles shows the error.
+            is_alone = error > 0.0
+            error = max(SAFETY * abs(whole - decided), least)
+            if error <= wanted.allowed * whole or (number == last and not is_alone):
+                break
+            error, decided = 0.0, whole
+        number += 1 if number < last else -1
         for j in range(count):
             balls[j].given[0] = np.nan  # the next quadrature begins on the nodes of this one
+    if judges:
+        error = max(error, abs(whole - decided))  # where the passes have ended before it settles
     ring.passes = 0
     if end.end == SETTLED:
         ring.passes = number
         for j in range(count):
             _leave(model, balls[j], by_rule[j])
     return FreeEnd(end, torque, spin, error)
+
+
+@compiled
+def _slid(bearing: BearingNumbers, balls: Records, contacts: Records, spin_alone: bool) -> tuple[float, float]:
+    """Torque by what counts of sliding, and its part by spin, N m; writes how the balls move."""
+    torque = spin = 0.0
+    alike = bearing.ball_count / len(balls)
+    for j in range(len(balls)):
+        ball = balls[j]
+        put_motion(ball, free_motion(bearing.ball_radius, angles_of(ball), ball.orbit_radius, ball.velocity))
+        for race in range(2):
+            by_spin = contacts[j, race].spin_power
+            torque += alike * (by_spin if spin_alone else contacts[j, race].power)
+            spin += alike * by_spin
+    return torque, spin
 
 
 @compiled

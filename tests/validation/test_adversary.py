@@ -85,7 +85,10 @@ BROKEN_ONCE = {
     "the weight lifts balls off, and changes of spin and rolling cancel": 90273,
     "friction across the grooves wedges light balls, and their weight moves loads by far more than itself": 98332,
 }
-ANY_BROKEN_ONCE = {"conformity off: an error of the creep counts in first order": 460147}
+ANY_BROKEN_ONCE = {
+    "conformity off: an error of the creep counts in first order": 460147,
+    "friction all but wedges light balls, whose loads settle far from where their error was estimated": 471003,
+}
 
 
 LONG = {71134, "lagging_balls"}  # half a minute and more: each torque comes to its point from four sides
@@ -109,7 +112,7 @@ def test_a_scene_that_broke_its_statement_once_keeps_it(seed: int, monkeypatch: 
 def test_so_does_one_of_any_kind(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(adversary, "LONGEST", 0.0)
     trials = adversary.trials_at(any_place(seed)) or []
-    assert len(trials) == len(adversary.TOLERANCES)
+    assert len(trials) >= len(adversary.TOLERANCES)  # for each point
     assert all(trial.ratio <= 1 for trial in trials)
 
 
