@@ -105,8 +105,8 @@ def settle_freely(
         for race in range(2):
             by_rule[j, race], by_rule[j, 2 + race] = ball.angle[race], ball.load[race]
         _begin(model, ball, known > 0)
-    torque = spin = whole = error = last_change = decided = 0.0
-    judges = refines = wanted.passes == 0 and known == 0
+    torque = spin = whole = before = error = last_change = decided = 0.0
+    judges = refines = alone = wanted.passes == 0 and known == 0
     number = wanted.passes if wanted.passes > 0 else max(known, 1)
     nearly, last, end = wanted.nearly and known > 0, len(model.quadratures) - 1, Round(SETTLED, 0, 0.0, 0.0)
     for repeats in range(MOST_PASSES):
@@ -130,19 +130,18 @@ def settle_freely(
         else:
             if repeats == 0 or abs(whole - before) > SAME * whole:
                 continue
-            if not judges or abs(whole - decided) <= error:
+            if not judges or (alone and abs(whole - decided) <= error):
                 break
             # It settles far from where its error was estimated: a second quadrature that settles shows the error.
-            is_alone = error > 0.0
             error = max(SAFETY * abs(whole - decided), least)
-            if error <= wanted.allowed * whole or (number == last and not is_alone):
+            if error <= wanted.allowed * whole or (number == last and not alone):
                 break
-            error, decided = 0.0, whole
+            alone, decided = False, whole
         number += 1 if number < last else -1
         for j in range(count):
             balls[j].given[0] = np.nan  # the next quadrature begins on the nodes of this one
-    if judges:
-        error = max(error, abs(whole - decided))  # where the passes have ended before it settles
+    if judges and abs(whole - before) > SAME * whole:  # the passes have ended before it settles
+        error = max(error, SAFETY * abs(whole - decided))
     ring.passes = 0
     if end.end == SETTLED:
         ring.passes = number

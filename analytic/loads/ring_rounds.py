@@ -217,7 +217,8 @@ def settle_round(grooves: Grooves, ring: Record, balls: Records, number: int, ac
         return Round(LOOSE_RING, steps, balance.left, balance.tolerance)
     # The ring does not notice the force of a ball that floats or is wedged: that has to settle too.
     enough = max(balance.tolerance, accuracy * heaviest)
-    # A step turns contacts: the forces of the next round tell by how much. On the edge of a contact steps never end.
+    # A step turns contacts, and the next round shows by how much that changes the forces. On the edge of a contact the
+    # steps never end: after many rounds a small change is enough.
     if change > enough or (steps > 0 and accuracy == 0 and number <= STEADYING):
         return Round(OPEN, steps, change, enough)
     end = BEYOND_GROOVE if beyond_groove(grooves, ring, balls).angle > 0 else SETTLED
