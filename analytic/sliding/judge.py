@@ -34,9 +34,8 @@ OWN_NODES = (0, 0, 0, 1)  # of each method in NODES; a single coefficient is jud
 JUDGES = ((0, 0), (1, 1), (2, 1), (3, 4))  # in NODES
 SAFETY = 2.0  # times the difference of two sets of nodes
 SAFETY_OF_THREE = 3.0  # times the larger difference of three, over the whole ellipse
-LEFT_OF_COARSER = (
-    0.25  # times the change from coarser nodes: 0.06 of it was the error where finer ones agreed by chance
-)
+# Times the change from coarser nodes: the error was 0.06 of it where finer nodes agreed by chance.
+LEFT_OF_COARSER = 0.25
 LEAST = 1e-6  # the estimate of an error that is smaller: of creep and spin, and of the judging nodes: 6e-7 at most
 BELOW_FULL_SPIN = 1.15  # times E(m) - 1; the largest observed factor is 1.11, with both contacts together
 
