@@ -201,12 +201,13 @@ def test_an_unknown_uncertainty_is_counted_by_its_cause() -> None:
     known = adversary.Trial(place=(0.1,), tolerance=0.01, error=0.0, stated=0.01, reference=0.002, unknown=())
     lacks = replace(known, place=(0.2,), stated=np.inf, unknown=(weight,))
     helpless = replace(lacks, place=(0.3,), reference=np.inf)
-    limit = replace(known, place=(0.4,), stated=np.inf, unknown=(shoulder,))
+    limit = replace(known, place=(0.4,), stated=np.inf, unknown=(shoulder,), is_past_limit=True)
     assert [each.lacks_input for each in (known, lacks, helpless, limit)] == [False, True, False, False]
     lines = list(adversary.unknown_shares([known, replace(known, tolerance=0.001), lacks, helpless, limit]))
     assert lines[0] == "unknown in 3 of 4 random scenes, 75 %"
     assert lines[1].endswith("in 2 of 4 random scenes, 50 %")
-    assert sorted(line[:13] for line in lines[2:]) == ["unknown in 1:", "unknown in 2:"]
+    assert lines[2] == "within the limits of the physics, in 1 of 3, 33 %"
+    assert sorted(line[:13] for line in lines[3:]) == ["unknown in 1:", "unknown in 2:"]
 
 
 def test_a_bearing_that_slows_down_in_small_steps_is_within_the_uncertainty() -> None:

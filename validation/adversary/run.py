@@ -42,6 +42,7 @@ from analytic.errors import FembearingError, InputError
 from analytic.result import FrictionTorque
 from analytic.scene import Scene
 from analytic.scenefile.read import parse_scene
+from analytic.verdicts import physical_checks
 from validation.adversary.drawn import INPUTS, scene_text
 from validation.adversary.radial import RADIAL_INPUTS, radial_scene
 
@@ -50,6 +51,7 @@ ROUND_OFF = 1e-9  # relative: smaller differences are those of converged iterati
 CHOSEN_LAWS = "free_ball", "closed_creep"  # of the slip of free balls: a choice of the scene, as that of a film formula
 MATTERS = 0.1  # of the tolerance: an error that is worth its statement
 NOT_GIVEN = "is not given"  # in a cause of an unknown uncertainty: an input is missing that the scene could have
+DECISIVE = "peak_pressure", "shoulder", "cage_force"  # limits beyond which the uncertainty is unknown
 LONGEST = 15.0  # s of processor time for a scene: those with two steady states take minutes
 PIECE = 25  # scenes, or climbs, between two lines in print
 STEP = 0.15  # of the range of an input, in a climb; every second change is ten times smaller
@@ -65,6 +67,7 @@ class Trial:
     stated: float  # numerical uncertainty of the total, relative; infinite: unknown
     reference: float  # uncertainty of everything on, relative
     unknown: tuple[str, ...]  # why the uncertainty of a point of the scene is unknown
+    is_past_limit: bool = False  # whether a limit of the physics fails beyond which the uncertainty is unknown
 
     @property
     def lacks_input(self) -> bool:
@@ -110,6 +113,7 @@ def compared(place: tuple[float, ...], scene: Scene, exact: FrictionTorque) -> I
     unsure = exact.numerical_uncertainty * np.divide(whole, total, out=np.ones_like(whole), where=total > 0)
     change = np.abs(total - whole)
     error = np.divide(change, total, out=np.where(change > 0, np.inf, 0.0), where=total > 0)
+    is_past_limit = any(check.name in DECISIVE and check.verdict == "fail" for check in physical_checks(auto))
     for point, stated in enumerate(auto.numerical_uncertainty):
         yield Trial(
             place=place,
@@ -118,6 +122,7 @@ def compared(place: tuple[float, ...], scene: Scene, exact: FrictionTorque) -> I
             stated=float(stated),
             reference=float(unsure[point]),
             unknown=auto.unknown,
+            is_past_limit=is_past_limit,
         )
 
 
@@ -233,6 +238,7 @@ def show(drawn: list[Trial], searched: list[Trial], out: Console) -> None:
 def unknown_shares(trials: list[Trial]) -> Iterable[str]:
     """How many of the scenes have an unknown uncertainty at some tolerance and point: all, and by cause."""
     scenes = len({trial.place for trial in trials})
+    sound = len({trial.place for trial in trials if not trial.is_past_limit})
     found: dict[tuple[float, ...], list[Trial]] = {}
     for trial in trials:
         if np.isinf(trial.stated):
@@ -240,6 +246,8 @@ def unknown_shares(trials: list[Trial]) -> Iterable[str]:
     known_with_input = sum(all(trial.lacks_input for trial in each) for each in found.values())
     for name, count in (("", len(found)), (", those that lack an input left out,", len(found) - known_with_input)):
         yield f"unknown{name} in {count} of {scenes} random scenes, {100 * count / max(scenes, 1):.2g} %"
+    inside = sum(not all(trial.lacks_input or trial.is_past_limit for trial in each) for each in found.values())
+    yield f"within the limits of the physics, in {inside} of {sound}, {100 * inside / max(sound, 1):.2g} %"
     causes = Counter(cause for each in found.values() for cause in {word for trial in each for word in words(trial)})
     for cause, count in causes.most_common():
         yield f"unknown in {count}: {cause}"
