@@ -68,7 +68,8 @@ def turned(
         contact.radius = bearing.inner.deformed_radius if race == 0 else bearing.outer.deformed_radius
         contact.normal_radial, contact.normal_axial = side * np.cos(angles[race]), side * np.sin(angles[race])
         contact.ring_rate, contact.flexibility, contact.lean = 1.0 - race, free.flexibility[race], free.lean
-    if np.isnan(velocity[0]):
+    # Nothing but the cage drives a ball that one race alone touches: what it did before would stay for ever.
+    if np.isnan(velocity[0]) or min(ball.load[0], ball.load[1]) == 0.0:
         roll_by_rule(bearing, angles, orbit, velocity)
     if np.isnan(ball.given[0]):  # of this pass
         turn_ball(contacts, ball, nodes.coarse, ROUGH)

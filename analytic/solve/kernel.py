@@ -202,6 +202,7 @@ def reset(out: Record) -> None:
     out.total = out.spin = out.conformity = out.hysteresis = out.rolling = out.cage = out.sliding_error = 0.0
     out.orbit_rate = out.ball_rate = out.contact_angle = out.ball_lead = out.slowness = 0.0
     out.creep, out.passes, out.heaviest, out.gyroscopic_hold, out.coming_off = 0.0, 0, 0, 0.0, 0.0
+    out.at_edge = False
     out.centrifugal_share = out.gyroscopic_share = out.weight_share = 0.0
     for race in range(2):
         out.peak_pressure[race] = out.cut_off[race] = out.rolling_force[race] = out.most_friction[race] = 0.0
@@ -401,7 +402,8 @@ def add_ball(
     out.contact_angle += abs(ball.angle[0] + ball.angle[1]) / 2
     out.ball_lead += np.cos(2 * np.pi * j / count) / motion.cage_speed
     out.slowness += 1 / motion.cage_speed
-    note_own_forces(model, load.speed, min(ball.load[0], ball.load[1]), motion, out)
+    own = note_own_forces(model, load.speed, min(ball.load[0], ball.load[1]), motion, out)
+    out.at_edge |= is_at_edge(model, ball, NEARLY_OFF * own)
     for race in range(2):
         found = contacts[race]
         resisted = found.resisted
@@ -435,18 +437,33 @@ def more_in_clearance(
     angles = in_groove(ball.angle[0]), in_groove(ball.angle[1])
     motion = ruled_motion(model.ring.bearing, 1.0, angles[0], angles[1])
     entrainment = motion.inner_entrainment, motion.outer_entrainment
-    arms = (ball.inner_arm[0], ball.inner_arm[1]), (ball.outer_arm[0], ball.outer_arm[1])
-    loads = ball.load[0], ball.load[1]
-    near = 1 if loads[1] > 0.0 else 0  # race that is pressed, if one is
-    far = 1 - near
-    to_far = gap_to_race(model.ring.grooves, arms[0], arms[1], loads, far)
-    clearance = to_far if loads[near] > 0.0 else 2 * to_far
+    near = 1 if ball.load[1] > 0.0 else 0  # race that is pressed, if one is
+    far, clearance = 1 - near, clearance_of(model, ball)
     law, oil, own = model.resistance, model.warm, resisted[near].rolling_torque
     gap = gap_off_race(law, oil, near, resisted[near].contact, entrainment[near], own, speed)
     gap = min(gap, clearance / 2)
     floating = torque_off_race(law, oil, near, resisted[near].contact, entrainment[near], gap, speed)
     other = torque_off_race(law, oil, far, resisted[far].contact, entrainment[far], clearance - gap, speed)
     return max(floating - own, 0.0) + other
+
+
+@compiled
+def clearance_of(model: ModelNumbers, ball: Record) -> float:
+    """Clearance of a ball that is off a race, or off both: between them and the ball, m."""
+    arms = (ball.inner_arm[0], ball.inner_arm[1]), (ball.outer_arm[0], ball.outer_arm[1])
+    loads = ball.load[0], ball.load[1]
+    far = 0 if loads[1] > 0.0 else 1
+    to_far = gap_to_race(model.ring.grooves, arms[0], arms[1], loads, far)
+    return to_far if loads[1 - far] > 0.0 else 2 * to_far
+
+
+@compiled
+def is_at_edge(model: ModelNumbers, ball: Record, force: float) -> bool:
+    """Whether a force on a ball, N, could take it off a race, or press it on one that it is off."""
+    if min(ball.load[0], ball.load[1]) > 0.0:
+        return min(ball.load[0], ball.load[1]) < force
+    inner, outer = loaded_hertz(ball.inner_unit, force).approach, loaded_hertz(ball.outer_unit, force).approach
+    return clearance_of(model, ball) < inner + outer
 
 
 @compiled
@@ -470,15 +487,20 @@ def change_without_load(
 
 
 @compiled
-def note_own_forces(model: ModelNumbers, ring_speed: float, least: float, motion: BallMotion, out: Record) -> None:
-    """Compare a ball's own forces with its load on the race that presses less, N; its axis is upright to the orbit."""
+def note_own_forces(model: ModelNumbers, ring_speed: float, least: float, motion: BallMotion, out: Record) -> float:
+    """The sum of a ball's own forces, N, each compared with its load on the race that presses less, N.
+
+    The ball's axis is upright to the orbit.
+    """
     bearing, orbit = model.ring.bearing, ring_speed * motion.cage_speed
     outward = outward_force(bearing.ball_mass, bearing.pitch_diameter, orbit)
     diameter = 2 * bearing.ball_radius
     moment = moment_of_turned_axis(bearing.ball_mass, diameter, ring_speed * motion.ball_speed, orbit, np.pi / 2)
     out.centrifugal_share = max(out.centrifugal_share, over_load(outward, least))
-    out.gyroscopic_share = max(out.gyroscopic_share, over_load(abs(moment) / bearing.ball_radius, least))
-    out.weight_share = max(out.weight_share, over_load(bearing.ball_mass * STANDARD_GRAVITY, least))
+    weight, turning = bearing.ball_mass * STANDARD_GRAVITY, abs(moment) / bearing.ball_radius
+    out.gyroscopic_share = max(out.gyroscopic_share, over_load(turning, least))
+    out.weight_share = max(out.weight_share, over_load(weight, least))
+    return outward + turning + weight
 
 
 @compiled

@@ -42,6 +42,7 @@ POINT = np.dtype(
         ("rolling", "f8"),
         ("cage", "f8"),
         ("coming_off", "f8"),  # change of rolling if balls with little load come off, see `change_without_load`
+        ("at_edge", "?"),  # whether a ball's own forces could take it off a race, or press it on one, that it is near
         ("sliding_error", "f8"),  # of spin and conformity together, by the method that integrates them, N m
         ("creep", "f8"),  # estimated share of sliding that elastic creep changes; infinite: of any size
         ("passes", "i8"),  # number of the quadrature by which free balls have settled; 0: they turn by rule

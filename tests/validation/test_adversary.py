@@ -88,6 +88,8 @@ BROKEN_ONCE = {
 ANY_BROKEN_ONCE = {
     "conformity off: an error of the creep counts in first order": 460147,
     "friction all but wedges light balls, whose loads settle far from where their error was estimated": 471003,
+    "the gyroscopic moment, left out, takes a ball off at a point that no trial sees": 480234,
+    "balls that one race alone touches keep the orbit of the point before": 481562,
 }
 
 
@@ -212,7 +214,7 @@ def test_an_unknown_uncertainty_is_counted_by_its_cause() -> None:
 
 def test_a_bearing_that_slows_down_in_small_steps_is_within_the_uncertainty() -> None:
     """By the function for time steps, whose balls begin where they were; friction_torque comes in other steps."""
-    scene = parse_scene(drawn_scene(1175), origin="drawn")
+    scene = parse_scene(drawn_scene(1166), origin="drawn")
     found, slowing = friction_torque(scene), torque_function(scene)
     operation = scene.operation.as_series()
     loads = {name: float(getattr(operation, name)[0]) for name in ("axial_load", "radial_load", "moment")}
@@ -245,5 +247,5 @@ def test_two_steady_states_are_seen_without_a_coarse_solution(monkeypatch: pytes
         return SimpleNamespace(race_torque=np.full(len(points), np.nan)) if is_first else solve(model, points, **rest)
 
     monkeypatch.setattr(freely, "solved", first_fails)
-    found = friction_torque(parse_scene(drawn_scene(1175), origin="drawn"))
+    found = friction_torque(parse_scene(drawn_scene(1166), origin="drawn"))
     assert any("two steady states" in each for each in found.warnings)
