@@ -41,6 +41,7 @@ from analytic.solve.failures import require_settled, undistributed
 from analytic.solve.freely import BETWEEN, error_of_sliding, other_states, part_by_sliding, slide_freely
 from analytic.solve.freely import METHODS as FREE_METHODS
 from analytic.solve.model import Model, weights_of
+from analytic.solve.records import OWN_FORCES
 from analytic.solve.sample import BY_SLIP, slide_by_sample
 from analytic.solve.solution import Solution, solved
 from analytic.surface.roughness import GapRoughness, gap_roughness
@@ -145,6 +146,30 @@ class RaceTorque:
         known = ENTRIES["gyroscopic"].lacks(self.scene) is None and self.scene.effects.get("gyroscopic") != "off"
         return self.found.points["gyroscopic_hold"].copy() if self.slides and known else None
 
+    def change_at_edge(self) -> Array:
+        """(n,) change of rolling where forces that are left out take a ball off a race, or press it on one, N m.
+
+        Free balls begin where those of the point before settled, with the first quadrature, whose error is common to
+        both. Where they do not settle, balls with little load count as if they came off.
+        """
+        can = possible(self.scene)
+        left_out = [can[name] and not self.counted[name] for name in OWN_FORCES]
+        points, change = self.found.points, np.zeros(len(self.found.points))
+        at = np.flatnonzero(points["at_edge"][:, left_out].any(axis=1))
+        if not at.size or not self.counted["rolling"]:
+            return change
+        every = {**self.counted, **{name: can[name] or self.counted[name] for name in LOADING}}
+        every["unloaded_balls"] = can["unloaded_balls"]
+        with_, without = (self._cheaply(self.trial.model.counting(each), at) for each in (every, self.counted))
+        change[at] = np.abs(with_.points["rolling"] - without.points["rolling"])
+        return np.where(np.isfinite(change), change, points["coming_off"])
+
+    def _cheaply(self, model: Model, at: NDArray[np.intp]) -> Solution:
+        if not self.is_free:
+            return self._by_rule(model, at)
+        free = model.turning_freely(self.scene.bearing, CREEP_OF[self.method]).with_numbers(passes=1, cold=False)
+        return solved(free.at(at), self.trial.points[at])
+
     def by_rule(self, at: NDArray[np.intp], *, farthest: bool = False) -> Solution:
         """Balls by rule at p points, with the method of sliding of trials; NaN where they have no torque.
 
@@ -164,29 +189,6 @@ class RaceTorque:
         model = self._weighing(down).turning_freely(self.scene.bearing, CREEP_OF[self.method])
         return solved(model.with_numbers(passes=2).at(at), self.trial.points[at])
 
-    @cached_property
-    def at_edge(self) -> NDArray[np.intp]:
-        """(k,) numbers of the points at which an effect on the loads is left out that may take a ball off a race.
-
-        Or press it on one. None where no oil resists rolling: the torque then follows the loads without a jump.
-        """
-        every = self.counted["rolling"] and self._with_every_load() != self.counted
-        return np.flatnonzero(self.found.points["at_edge"] & every)
-
-    def loaded(self, at: NDArray[np.intp], *, by_all: bool) -> Solution:
-        """Balls at k points, which turn as they do here; NaN where they do not settle.
-
-        by_all : every effect on their loads counts that the scene does not rule out; else those that count
-        """
-        model = self.trial.model.counting(self._with_every_load() if by_all else self.counted)
-        if not self.is_free:
-            return self._by_rule(model, at)
-        return solved(model.turning_freely(self.scene.bearing, CREEP_OF[self.method]).at(at), self.trial.points[at])
-
-    def _with_every_load(self) -> dict[str, bool]:
-        can = possible(self.scene)
-        return self._rolling_off({**self.counted, **{name: can[name] or self.counted[name] for name in LOADING}})
-
     def _by_rule(self, model: Model, at: NDArray[np.intp]) -> Solution:
         cheap = model.with_numbers(method=method_of_changes(self.scene), judges=False)
         return solved(cheap.at(at), self.trial.points[at])
@@ -194,14 +196,11 @@ class RaceTorque:
     def _weighing(self, down: tuple[float, float, float] | None) -> Model:
         """Balls under their own loads, with their weight in a direction; those that come off roll in oil."""
         weights = weights_of(self.scene.bearing, down)
-        counted = self._rolling_off({**self.counted, "load_distribution": True, "weight": bool(weights.any())})
+        counted = {**self.counted, "load_distribution": True, "weight": bool(weights.any())}
+        rolls_off = self.scene.effects.get("unloaded_balls") != "off"
+        lacks = ENTRIES["unloaded_balls"].lacks(self.scene)
+        counted["unloaded_balls"] = lacks is None and rolls_off and counted["rolling"]
         return self.trial.model.weighing(weights).counting(counted)
-
-    def _rolling_off(self, counted: dict[str, bool]) -> dict[str, bool]:
-        """The same effects with the rolling of balls without load, if the scene has any on a ring of all balls."""
-        can = ENTRIES["unloaded_balls"].lacks(self.scene) is None and self.scene.effects.get("unloaded_balls") != "off"
-        on_a_ring = counted["load_distribution"] or counted["weight"]
-        return {**counted, "unloaded_balls": can and counted["rolling"] and on_a_ring}
 
 
 def race_torque(

@@ -217,14 +217,15 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
 
 def _unsure(ledger: Ledger, races: RaceTorque, total: Array) -> Unsure:
     """What is left out, the method of sliding, contacts outside the fit, the direction of the weight, held balls."""
-    beyond, edge, weight = (part(races, total) for part in (_beyond_the_fit, _at_edge, _in_any_direction))
+    beyond, weight = _beyond_the_fit(races, total), _in_any_direction(races, total)
     held = held_in_the_middle(races.scene, races.found, parts=races.parts, total=total)
-    share = _uncertainty(ledger, races, total=total) + beyond.share + edge.share + weight.share + held
+    edge = share_in(races.change_at_edge(), total)  # which the far points of a trial do not show
+    share = _uncertainty(ledger, races, total=total) + edge + beyond.share + weight.share + held
     if races.is_wedged:
         return Unsure(np.full_like(share, np.inf), (WEDGED,))
     apart = np.nan_to_num(np.abs(races.other - races.total))
     share = share + share_in(apart if races.trial.is_of_all else np.full_like(apart, apart.max()), total)
-    return Unsure(share, _unknown_sliding(races) + beyond.unknown + edge.unknown + weight.unknown)
+    return Unsure(share, _unknown_sliding(races) + beyond.unknown + weight.unknown)
 
 
 def _unsure_of_cage(cage: CagePart, drive: CageDrive, races: RaceTorque) -> Array:
@@ -244,22 +245,6 @@ def _beyond_the_fit(races: RaceTorque, total: Array) -> Unsure:
         return Unsure(share_in(change, total), ())
     reason = "contacts outside the fit for finite geometry may have no solution"
     return Unsure(np.where(np.isfinite(change), share_in(np.nan_to_num(change), total), np.inf), (reason,))
-
-
-def _at_edge(races: RaceTorque, total: Array) -> Unsure:
-    """What effects that are left out change at points where they take a ball off a race, or press it on one.
-
-    The rolling of a ball jumps there, which the far points of a trial do not show.
-    """
-    unsure, at = np.zeros_like(total), races.at_edge
-    if not at.size:
-        return Unsure(unsure, ())
-    with_, without = (races.loaded(at, by_all=by_all).points["rolling"] for by_all in (True, False))
-    unsure[at] = np.abs(with_ - without)
-    if np.isfinite(unsure).all():
-        return Unsure(share_in(unsure, total), ())
-    reason = "balls that may come off have no solution with every effect on their loads"
-    return Unsure(np.where(np.isfinite(unsure), share_in(np.nan_to_num(unsure), total), np.inf), (reason,))
 
 
 def _in_any_direction(races: RaceTorque, total: Array) -> Unsure:

@@ -77,7 +77,8 @@ STRIBECK = 4.37
 PRESSED = 10.0
 # Of the heaviest ball's load, a judgement: a lighter ball is at the edge of the loaded zone, and its slip costs little.
 IN_LOADED_ZONE = 0.1
-# Times its weight, a judgement: a ball with less load may come off where the weight points a little elsewhere.
+# Times its weight, a judgement: a ball with less load may come off where the weight points a little elsewhere. Likewise
+# for another force of its own.
 NEARLY_OFF = 1.5
 STATUS_OF_ROUND = (SETTLED, OPEN_FORCES, LOOSE_BALL, LOOSE_RING, BEYOND_GROOVE, NO_STEADY_ROTATION)
 
@@ -202,7 +203,7 @@ def reset(out: Record) -> None:
     out.total = out.spin = out.conformity = out.hysteresis = out.rolling = out.cage = out.sliding_error = 0.0
     out.orbit_rate = out.ball_rate = out.contact_angle = out.ball_lead = out.slowness = 0.0
     out.creep, out.passes, out.heaviest, out.gyroscopic_hold, out.coming_off = 0.0, 0, 0, 0.0, 0.0
-    out.at_edge = False
+    out.at_edge[:] = 0
     out.centrifugal_share = out.gyroscopic_share = out.weight_share = 0.0
     for race in range(2):
         out.peak_pressure[race] = out.cut_off[race] = out.rolling_force[race] = out.most_friction[race] = 0.0
@@ -402,8 +403,7 @@ def add_ball(
     out.contact_angle += abs(ball.angle[0] + ball.angle[1]) / 2
     out.ball_lead += np.cos(2 * np.pi * j / count) / motion.cage_speed
     out.slowness += 1 / motion.cage_speed
-    own = note_own_forces(model, load.speed, min(ball.load[0], ball.load[1]), motion, out)
-    out.at_edge |= is_at_edge(model, ball, NEARLY_OFF * own)
+    forces = note_own_forces(model, load.speed, min(ball.load[0], ball.load[1]), motion, out)
     for race in range(2):
         found = contacts[race]
         resisted = found.resisted
@@ -418,6 +418,8 @@ def add_ball(
             out.creep = max(out.creep, share)
     if model.resistance.rolls:
         resisted = contacts[0].resisted, contacts[1].resisted
+        for k in range(3):
+            out.at_edge[k] |= is_at_edge(model, ball, forces[k])
         if min(ball.load[0], ball.load[1]) > 0.0:
             out.coming_off += alike * change_without_load(model, load.speed, ball, resisted)
         elif model.counted.unloaded_balls:
@@ -459,11 +461,20 @@ def clearance_of(model: ModelNumbers, ball: Record) -> float:
 
 @compiled
 def is_at_edge(model: ModelNumbers, ball: Record, force: float) -> bool:
-    """Whether a force on a ball, N, could take it off a race, or press it on one that it is off."""
-    if min(ball.load[0], ball.load[1]) > 0.0:
-        return min(ball.load[0], ball.load[1]) < force
-    inner, outer = loaded_hertz(ball.inner_unit, force).approach, loaded_hertz(ball.outer_unit, force).approach
-    return clearance_of(model, ball) < inner + outer
+    """Whether a force of a ball's own, N, could take it off a race, or press it on one that it is off.
+
+    It moves the ball by the approach under it. Where another force holds the ball on one race, it also rolls up the
+    groove: nearer to the other race by how much their normals lean apart, and by the rise of the groove.
+    """
+    loads, most, bearing = (ball.load[0], ball.load[1]), NEARLY_OFF * force, model.ring.bearing
+    if min(loads[0], loads[1]) > 0.0:
+        return min(loads[0], loads[1]) < most
+    moved = loaded_hertz(ball.inner_unit, most).approach + loaded_hertz(ball.outer_unit, most).approach
+    if max(loads[0], loads[1]) > 0.0:
+        groove = bearing.inner.groove_radius if loads[0] > 0.0 else bearing.outer.groove_radius
+        lean = min(most / max(loads[0], loads[1]), 1.0)
+        moved += (groove - bearing.ball_radius) * lean * (abs(np.sin(ball.angle[0] - ball.angle[1])) + lean / 2)
+    return clearance_of(model, ball) < moved
 
 
 @compiled
@@ -487,11 +498,10 @@ def change_without_load(
 
 
 @compiled
-def note_own_forces(model: ModelNumbers, ring_speed: float, least: float, motion: BallMotion, out: Record) -> float:
-    """The sum of a ball's own forces, N, each compared with its load on the race that presses less, N.
-
-    The ball's axis is upright to the orbit.
-    """
+def note_own_forces(
+    model: ModelNumbers, ring_speed: float, least: float, motion: BallMotion, out: Record
+) -> tuple[float, float, float]:
+    """Each of OWN_FORCES, N; notes its share of the ball's load on the race that presses less, with an upright axis."""
     bearing, orbit = model.ring.bearing, ring_speed * motion.cage_speed
     outward = outward_force(bearing.ball_mass, bearing.pitch_diameter, orbit)
     diameter = 2 * bearing.ball_radius
@@ -500,7 +510,7 @@ def note_own_forces(model: ModelNumbers, ring_speed: float, least: float, motion
     weight, turning = bearing.ball_mass * STANDARD_GRAVITY, abs(moment) / bearing.ball_radius
     out.gyroscopic_share = max(out.gyroscopic_share, over_load(turning, least))
     out.weight_share = max(out.weight_share, over_load(weight, least))
-    return outward + turning + weight
+    return weight, outward, turning * abs(np.sin(motion.pitch))
 
 
 @compiled

@@ -33,6 +33,7 @@ BALL = np.dtype(
     align=True,
 )
 
+OWN_FORCES = "weight", "centrifugal", "gyroscopic"  # effects by what acts on a ball alone
 POINT = np.dtype(
     [
         ("total", "f8"),  # torques about the bearing axis, N m
@@ -42,7 +43,7 @@ POINT = np.dtype(
         ("rolling", "f8"),
         ("cage", "f8"),
         ("coming_off", "f8"),  # change of rolling if balls with little load come off, see `change_without_load`
-        ("at_edge", "?"),  # whether a ball's own forces could take it off a race, or press it on one, that it is near
+        ("at_edge", "u1", 3),  # whether each of OWN_FORCES could take a ball off a race, or press it on one
         ("sliding_error", "f8"),  # of spin and conformity together, by the method that integrates them, N m
         ("creep", "f8"),  # estimated share of sliding that elastic creep changes; infinite: of any size
         ("passes", "i8"),  # number of the quadrature by which free balls have settled; 0: they turn by rule
