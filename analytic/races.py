@@ -50,6 +50,7 @@ from analytic.words import NEWTON, NEWTON_MILLIMETRE
 # rad: below, a force across a contact turns it by more of its own angle, and spin follows the angle. The torque changes
 # by 6.8 shares of the weight at 0.1 rad, by 5.3 at 0.28 and by 4.8 at 0.25 (validation/adversary/run.py).
 FLAT_ANGLE = 0.5
+NEARLY_WEDGED = 4.0  # times, a judgement: balls whose loads friction lets change by so much may have others
 TINIEST = 1e-300
 WEDGED = "friction across the grooves wedges balls, whose loads change by more than closed kinematics show"
 NOT_UNIQUE = "not applied: friction across the grooves wedges balls, whose loads are not unique; raise the load"
@@ -118,7 +119,8 @@ class RaceTorque:
     @cached_property
     def growth(self) -> float:
         """Factor on what weights do to balls by rule: above 1 where friction wedges free balls."""
-        return growth_by_wedging(self.scene.bearing, self.trial.solved(self.counted), self.found.at(self.trial.tried))
+        by_rule, found = self.trial.solved(self.counted), self.found.at(self.trial.tried)
+        return float(growth_by_wedging(self.scene.bearing, by_rule, found).max())
 
     @cached_property
     def heaviest(self) -> Records:
@@ -394,7 +396,7 @@ def _slide_freely(ledger: Ledger, trial: Trial, counted: dict[str, bool], creep:
     out = [name for name in unequal if may[name] and scene.effects.get(name, "auto") == "auto"]
     if not out or any(counted[name] for name in unequal):
         return found, error
-    growth = growth_by_wedging(scene.bearing, trial.solved(counted), found.at(trial.tried))
+    growth = float(growth_by_wedging(scene.bearing, trial.solved(counted), found.at(trial.tried)).max())
     share = max(ledger.made[name].share or 0.0 for name in out)
     if ledger.leaves_out(np.full_like(ledger.left_out, (growth - 1) * share if share else 0.0)):
         return found, error
@@ -414,7 +416,8 @@ def _other_states(trial: Trial, counted: Mapping[str, bool], creep: Creep, found
     """(n,) race torque in another steady state, N m; NaN: none is known. Of a longer series the tried points tell."""
     other, tried = np.full(len(trial.points), np.nan), trial.tried
     model = trial.model.counting(counted).turning_freely(trial.scene.bearing, creep)
-    other[tried] = other_states(model.at(tried), trial.points[tried], found.at(tried))
+    growth = growth_by_wedging(trial.scene.bearing, trial.solved(counted), found.at(tried))
+    other[tried] = other_states(model.at(tried), trial.points[tried], found.at(tried), growth > NEARLY_WEDGED)
     return other
 
 

@@ -47,7 +47,7 @@ from analytic.result import (
 )
 from analytic.scene import Array, Decision, OwnTraction, Scene
 from analytic.solve.freely import BETWEEN
-from analytic.solve.solution import tried_points
+from analytic.solve.solution import Solution, tried_points
 from analytic.units import Quantity
 from analytic.words import speed_of, torque_of
 
@@ -173,7 +173,7 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
         parts["cage"] = cage.torque
         load_warnings = load_warnings + list(cage.warnings)
     limits = check_limits(scene, races.found, ledger)
-    unsure = _unsure(ledger, races, total)
+    unsure = _unsure(ledger, races, total, cage_torque=np.zeros_like(total) if cage is None else cage.torque)
     by_cage = 0.0 if cage is None or drive is None else share_in(_unsure_of_cage(cage, drive, races), total)
     heaviest = races.heaviest
     return FrictionTorque(
@@ -215,9 +215,9 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
     )
 
 
-def _unsure(ledger: Ledger, races: RaceTorque, total: Array) -> Unsure:
+def _unsure(ledger: Ledger, races: RaceTorque, total: Array, *, cage_torque: Array) -> Unsure:
     """What is left out, the method of sliding, contacts outside the fit, the direction of the weight, held balls."""
-    beyond, weight = _beyond_the_fit(races, total), _in_any_direction(races, total)
+    beyond, weight = _beyond_the_fit(races, total), _in_any_direction(races, total, cage_torque)
     held = held_in_the_middle(races.scene, races.found, parts=races.parts, total=total)
     edge = share_in(races.change_at_edge(), total)  # which the far points of a trial do not show
     share = _uncertainty(ledger, races, total=total) + edge + beyond.share + weight.share + held
@@ -247,8 +247,10 @@ def _beyond_the_fit(races: RaceTorque, total: Array) -> Unsure:
     return Unsure(np.where(np.isfinite(change), share_in(np.nan_to_num(change), total), np.inf), (reason,))
 
 
-def _in_any_direction(races: RaceTorque, total: Array) -> Unsure:
+def _in_any_direction(races: RaceTorque, total: Array, cage_torque: Array) -> Unsure:
     """What the balls' weight may change, whose direction the scene does not give: the largest change over several.
+
+    The cage's torque is in proportion to the balls' rate.
 
     Free balls show it themselves: where they are preloaded and hardly spin, those by rule change by a sixtieth of it.
     Balls by rule that stand for free ones have factors for these, and for the slip under their weight.
@@ -257,27 +259,30 @@ def _in_any_direction(races: RaceTorque, total: Array) -> Unsure:
     if not at.size:
         return Unsure(unsure, ())
     without = races.with_weight(at, None)
-    changes = np.zeros(at.size)
+    changes, rates = np.zeros(at.size), np.zeros(at.size)
     for x, y, z in ALONG_AXES.tolist():
         found = races.with_weight(at, (x, y, z))
         # The parts may cancel by one method of sliding, not by another.
         change = np.abs(found.race_parts - without.race_parts).sum(axis=0) + found.points["coming_off"]
         changes = np.maximum(changes, change)
+        rates = np.fmax(rates, np.abs(found.points["ball_rate"] / without.points["ball_rate"] - 1))
     share = np.where(np.isfinite(changes), share_in(np.nan_to_num(changes), np.nan_to_num(without.race_torque)), np.inf)
     if races.is_free:
-        unsure[at] = _change_of_free_balls(races, at, share)
+        unsure[at], rates = _change_of_free_balls(races, at, share)
     else:
-        unsure[at] = of_methods(races.scene) * share
+        unsure[at], rates = of_methods(races.scene) * share, of_methods(races.scene) * rates
         if races.slides and ruled(races.scene) is None:
             unsure[at] += slip_by_weight(races.scene.bearing, races.found)[at]
     known = np.isfinite(unsure)
     unsure = np.where(known, np.where(known, unsure, 0.0) * share_in(races.total, total), np.inf)
+    unsure[at] += rates * share_in(cage_torque, total)[at]
     return Unsure(unsure, () if known.all() else (NO_SOLUTION,))
 
 
-def _change_of_free_balls(races: RaceTorque, at: NDArray[np.intp], by_rule: Array) -> Array:
-    """(k,) change of the torque by the weight of free balls, over the smaller one; infinite: a direction has none.
+def _change_of_free_balls(races: RaceTorque, at: NDArray[np.intp], by_rule: Array) -> tuple[Array, Array]:
+    """(k,) change of the torque by the weight of free balls, over the smaller one, and of their rate.
 
+    That of the torque is infinite where a direction has none.
     by_rule : (k,) that of balls by rule; in a long series far points tell how much more free balls change
     What lies between two directions is at most their difference beyond the farthest. A ball may come off in a narrow
     range of directions, and its rolling then changes suddenly: each ball with little load counts as if it came off.
@@ -290,30 +295,35 @@ def _change_of_free_balls(races: RaceTorque, at: NDArray[np.intp], by_rule: Arra
         directions, apart = (TILTS, 0.14) if close else (TILTS[::6], 0.8)
     else:
         directions, apart = (ALL_ROUND, 0.96) if close else (ALONG_AXES, 1.6)
-    without = races.freely_with_weight(at[far], None).race_torque
-    change, off, known = np.zeros((len(directions), far.size)), np.zeros((len(directions), far.size)), without > 0
+    without, first_rate = _turning(races.freely_with_weight(at[far], None))[:2]
+    change, off, turns = np.zeros((3, len(directions), far.size))
+    known = without > 0
     for number, down in enumerate(directions):
         if not (left := np.flatnonzero(known)).size:
             break
-        torque, more = _with_weight_along(races, at[far[left]], down)
+        torque, rate, more = _with_weight_along(races, at[far[left]], down)
         known[left] = settles = torque > 0
         change[number, left[settles]] = np.log(torque[settles] / without[left[settles]])
+        turns[number, left[settles]] = np.log(rate[settles] / first_rate[left[settles]])
         off[number, left[settles]] = np.log1p(more[settles] / torque[settles])
     first, second = np.nonzero(np.triu(directions @ directions.T > np.cos(apart), 1))
-    between = np.abs(change[first] - change[second]).max(axis=0)
-    share = np.where(known, np.expm1((np.abs(change) + off).max(axis=0) + between), np.inf)
+
+    def largest(each: Array, beyond: Array) -> Array:
+        return np.expm1((np.abs(each) + beyond).max(axis=0) + np.abs(each[first] - each[second]).max(axis=0))
+
+    share, rates = np.where(known, largest(change, off), np.inf), largest(turns, np.zeros_like(off))
     if far.size == at.size:
-        return share
-    more = np.divide(share, by_rule[far], out=np.full_like(share, np.inf), where=by_rule[far] > 0).max()
-    if not np.isfinite(more):
-        return np.full_like(by_rule, np.inf)
-    everywhere = BETWEEN * more * by_rule
-    everywhere[far] = share
-    return everywhere
+        return share, rates
+    both, everywhere = np.isfinite(by_rule[far]) & (by_rule[far] > 0), np.full_like(by_rule, np.inf)
+    more = np.divide(share, by_rule[far], out=np.full_like(share, np.inf), where=both).max()
+    if np.isfinite(more):
+        everywhere = BETWEEN * more * by_rule
+        everywhere[far] = share
+    return everywhere, np.full_like(by_rule, BETWEEN * rates.max())
 
 
 def _with_weight_along(races: RaceTorque, at: NDArray[np.intp], down: Array) -> Array:
-    """(2, k) race torque of free balls with the weight in a direction, and its change by balls that may come off, N m.
+    """(3, k) `_turning` of free balls with the weight in a direction.
 
     The direction is a little aside where the balls do not settle; NaN where they do not settle there either.
     Some directions do not settle among others that do: 1 to 8 of 60 in 6 of 18 scenes (validation/adversary/README.md).
@@ -321,14 +331,18 @@ def _with_weight_along(races: RaceTorque, at: NDArray[np.intp], down: Array) -> 
 
     def along(each: NDArray[np.intp], towards: Array) -> Array:
         x, y, z = map(float, towards)
-        found = races.freely_with_weight(each, (x, y, z))
-        return np.array([found.race_torque, found.points["coming_off"]])
+        return _turning(races.freely_with_weight(each, (x, y, z)))
 
-    both = along(at, down)
-    if (open_ := np.isnan(both[0])).any():
+    found = along(at, down)
+    if (open_ := np.isnan(found[0])).any():
         turned = down + np.cross(ASIDE, down)
-        both[:, open_] = along(at[open_], turned / np.linalg.norm(turned))
-    return both
+        found[:, open_] = along(at[open_], turned / np.linalg.norm(turned))
+    return found
+
+
+def _turning(found: Solution) -> Array:
+    """(3, n) race torque, N m, rate of the balls over that of the ring, and change by balls that may come off, N m."""
+    return np.array([found.race_torque, found.points["ball_rate"], found.points["coming_off"]])
 
 
 def _require_friction(scene: Scene) -> None:
@@ -369,8 +383,8 @@ def _two_states(races: RaceTorque) -> tuple[str, ...]:
     computed, other = (torque_of(each[worst]) for each in (races.total, races.other))
     speed = speed_of(float(races.trial.points[worst, 3]))
     return (
-        f"balls that the inner race hardly drives have two steady states at {speed}: the races resist {computed} or "
-        f"{other}, by how the bearing came to this speed; the first is computed, and the uncertainty covers both",
+        f"free balls have two steady states at {speed}: the races resist {computed} or {other}, by how the bearing "
+        "came to this speed; the first is computed, and the uncertainty covers both",
     )
 
 

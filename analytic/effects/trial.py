@@ -227,8 +227,8 @@ def rolls_otherwise(bearing: Bearing, found: Solution) -> Array:
     return PER_CONFORMITY * conforms + PER_ORBIT * wider / (bearing.pitch_diameter / 2 - bearing.ball_radius)
 
 
-def growth_by_wedging(bearing: Bearing, by_rule: Solution, found: Solution) -> float:
-    """Factor on what unequal loads and weights do to balls by rule, for free balls that friction wedges in; from 1 on.
+def growth_by_wedging(bearing: Bearing, by_rule: Solution, found: Solution) -> Array:
+    """(n,) factor on what unequal loads and weights do to balls by rule, for free ones that friction wedges; from 1 on.
 
     by_rule, found : the balls at the same points, by rule and free
     Friction across both grooves, f times the load, leans the lines of contact apart by 2 f. The way between the centres
@@ -243,8 +243,8 @@ def growth_by_wedging(bearing: Bearing, by_rule: Solution, found: Solution) -> f
     load = found.balls["load"].min(axis=2)
     longer = np.sum(load * length / 2 * (apart - straight) ** 2, axis=1)
     approach = np.sum(load * found.balls["approach"].sum(axis=2), axis=1)
-    left = 1 - 3 * WEDGING_POWER * float(ratio(longer, over=approach).max())
-    return 1 / left if left > 0 else np.inf
+    left = 1 - 3 * WEDGING_POWER * ratio(longer, over=approach)
+    return np.divide(1.0, left, out=np.full_like(left, np.inf), where=left > 0)
 
 
 def _change(parts: Array, base: Array) -> Array:

@@ -1,6 +1,7 @@
 """Free balls at a scene's operating points, by the quadrature that some of these choose."""
 
 import numpy as np
+from numpy.typing import NDArray
 
 from analytic.free_ball.rotation import Creep
 from analytic.loads.inertia import outward_force
@@ -38,14 +39,14 @@ def slide_freely(scene: Scene, model: Model, points: Array) -> tuple[Solution, A
     return found, BETWEEN * np.minimum(error.max(), whole / np.maximum(part_by_sliding(found), 1e-300))
 
 
-def other_states(model: Model, points: Array, found: Solution) -> Array:
+def other_states(model: Model, points: Array, found: Solution, is_wedged: NDArray[np.bool_]) -> Array:
     """(n,) race torque of the points in another steady state, the farthest that is found, N m; NaN: none is.
 
-    points : (n, 5);  found : at these
+    points : (n, 5);  found : at these;  is_wedged : (n,) whether friction all but wedges balls there
     Several speeds of a ball's orbit are steady where centrifugal force presses it harder than the rings do, or the oil
-    resists it more than friction drives it. Such a point is solved from closed kinematics, since the balls of a long
-    series begin where those of the last point were. It is also solved from half its speed and from twice its speed, in
-    steps that begin where the balls were.
+    resists it more than friction drives it, and several loads where friction wedges it. Such a point is solved from
+    closed kinematics, since the balls of a long series begin where those of the last point were. It is also solved from
+    half its speed and from twice its speed, in steps that begin where the balls were.
     """
     bearing, balls, other = model.numbers.ring.bearing, found.balls, np.full(len(points), np.nan)
     orbit = balls["motion"]["cage_speed"] * points[:, 3:4]
@@ -53,7 +54,7 @@ def other_states(model: Model, points: Array, found: Solution) -> Array:
     pressed_out = model.numbers.counted.centrifugal & (outward >= balls["load"][..., 0].mean(axis=1))
     lags = found.sliding_number.max(axis=0) > 1
     race = found.race_torque
-    for i in map(int, np.flatnonzero((pressed_out | lags) & (race > 0))):
+    for i in map(int, np.flatnonzero((pressed_out | lags | is_wedged) & (race > 0))):
         fine = model.with_numbers(cold=False, passes=int(found.points["passes"][i])).at(np.array([i]))
         coarse = fine.with_numbers(passes=min(SEARCHED, fine.numbers.passes))
         one = solved(coarse, points[[i]]).race_torque[0]

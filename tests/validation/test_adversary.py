@@ -90,6 +90,8 @@ ANY_BROKEN_ONCE = {
     "friction all but wedges light balls, whose loads settle far from where their error was estimated": 471003,
     "the gyroscopic moment, left out, takes a ball off at a point that no trial sees": 480234,
     "balls that one race alone touches keep the orbit of the point before": 481562,
+    "friction all but wedges balls, which have other loads too": 500246,
+    "a weight in an unknown direction turns balls, whose rate the cage's torque follows": 500636,
 }
 
 

@@ -231,7 +231,7 @@ def test_friction_across_the_grooves_softens_a_ball_as_in_the_triangle_of_centre
     balls, straight = (np.zeros((1, 1), BALL) for _ in range(2))
     for each, angles in ((straight, (0.31, 0.31)), (balls, (0.31 + lean, 0.31 - lean))):
         each["load"], each["approach"], each["angle"] = load, approaches(load), angles
-    found = growth_by_wedging(
+    (found,) = growth_by_wedging(
         bearing_6205, *(Solution(points=np.zeros(1, POINT), balls=each) for each in (straight, balls))
     )
     np.testing.assert_allclose(found, expected, rtol=0.02)  # the arms are longer than l by the approach, 1 % of them
