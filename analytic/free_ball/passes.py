@@ -30,7 +30,8 @@ from analytic.loads.ring_rounds import SETTLED, RingNumbers, Round
 from analytic.loads.thrust_ball import in_groove
 from analytic.numerics.compilation import compiled
 from analytic.numerics.records import Record, Records
-from analytic.oil.race_resistance import RaceResistance, resisted_contact
+from analytic.oil.race_resistance import RaceResistance, ResistedContact, resisted_contact
+from analytic.oil.unloaded_ball import more_in_clearance
 from analytic.oil.viscosity import OilNumbers
 from analytic.scene import Array
 
@@ -55,6 +56,7 @@ class FreeModel(NamedTuple):
 
     ring: RingNumbers
     resistance: RaceResistance
+    rolls_off: bool  # whether balls without load roll in the oil of their clearance
     cubics: Array  # splines of the gap laws
     free: FreeNumbers
     quadratures: Records  # (k,) of `state.QUADRATURE`: a coarse one, and that of each pass
@@ -255,14 +257,26 @@ def _leave(model: FreeModel, ball: Record, by_rule: Array) -> None:
 @compiled
 def _hold_laws(model: FreeModel, speed: float, oil: OilNumbers, ball: Record, contacts: Records) -> float:
     """Write the laws of traction of a ball; returns its torque by all but sliding, N m."""
-    bearing, angles, motion, other = model.ring.bearing, angles_in_grooves(ball), ball.motion, 0.0
-    for race in range(2):
-        unit, numbers = (ball.inner_unit, bearing.inner) if race == 0 else (ball.outer_unit, bearing.outer)
-        rate = motion.inner_rolling_rate if race == 0 else motion.outer_rolling_rate
-        entrainment = motion.inner_entrainment if race == 0 else motion.outer_entrainment
-        contact = contact_under(numbers, unit, angles[race], ball.load[race], rate, entrainment)
-        peak = loaded_hertz(unit, ball.load[race]).peak_pressure
-        resisted = resisted_contact(model.resistance, model.cubics, oil, race, contact, peak, speed)
-        hold_law(contacts[race], resisted.law, speed)
-        other += resisted.rolling_torque + resisted.hysteresis_torque
+    resisted = _hold_law(model, speed, oil, ball, contacts, 0), _hold_law(model, speed, oil, ball, contacts, 1)
+    other = 0.0
+    for each in resisted:
+        other += each.rolling_torque + each.hysteresis_torque
+    if model.rolls_off and min(ball.load[0], ball.load[1]) == 0.0:
+        other += more_in_clearance(model.ring, model.resistance, oil, speed, ball, resisted)
     return other
+
+
+@compiled
+def _hold_law(
+    model: FreeModel, speed: float, oil: OilNumbers, ball: Record, contacts: Records, race: int
+) -> ResistedContact:
+    bearing, motion, load = model.ring.bearing, ball.motion, ball.load[race]
+    angle = in_groove(ball.angle[race])
+    unit, numbers = (ball.inner_unit, bearing.inner) if race == 0 else (ball.outer_unit, bearing.outer)
+    rate = motion.inner_rolling_rate if race == 0 else motion.outer_rolling_rate
+    entrainment = motion.inner_entrainment if race == 0 else motion.outer_entrainment
+    contact = contact_under(numbers, unit, angle, load, rate, entrainment)
+    peak = loaded_hertz(unit, load).peak_pressure
+    resisted = resisted_contact(model.resistance, model.cubics, oil, race, contact, peak, speed)
+    hold_law(contacts[race], resisted.law, speed)
+    return resisted

@@ -18,20 +18,20 @@ from analytic.contact.rolling_contact import ContactNumbers
 from analytic.free_ball.kernel import add_law_powers
 from analytic.free_ball.passes import FreeAccuracy, FreeEnd, FreeModel, put_motion, settle_freely
 from analytic.free_ball.rounds import SKIDS
-from analytic.loads.ball_balance import gap_to_race
 from analytic.loads.inertia import moment_of_turned_axis, outward_force
 from analytic.loads.kinematics import BallMotion, ruled_motion
 from analytic.loads.race_contacts import contact_under
 from analytic.loads.ring_rounds import BY_LOAD, BY_POINT, Round, settle_ruled_ring
 from analytic.loads.ring_rounds import SETTLED as ROUNDS_SETTLED
-from analytic.loads.thrust_ball import first_contacts, in_groove, settle_ruled_thrust, thrust_point
+from analytic.loads.thrust_ball import first_contacts, settle_ruled_thrust, thrust_point
 from analytic.loads.turning import TurningRule
 from analytic.numerics.compilation import compiled
 from analytic.numerics.memory import address_of
 from analytic.numerics.records import Record, Records
 from analytic.oil.grease import axial_share_of
-from analytic.oil.race_resistance import ResistedContact, gap_off_race, resisted_contact, torque_off_race
+from analytic.oil.race_resistance import ResistedContact, resisted_contact, torque_off_race
 from analytic.oil.traction import PointLaw, mean_force
+from analytic.oil.unloaded_ball import clearance_of, more_in_clearance
 from analytic.oil.viscosity import OilNumbers, oil_at
 from analytic.scene import STANDARD_GRAVITY, Array
 from analytic.sliding.as_printed import as_printed_slip
@@ -423,40 +423,9 @@ def add_ball(
         if min(ball.load[0], ball.load[1]) > 0.0:
             out.coming_off += alike * change_without_load(model, load.speed, ball, resisted)
         elif model.counted.unloaded_balls:
-            out.rolling += alike * more_in_clearance(model, load.speed, ball, resisted)
-
-
-@compiled
-def more_in_clearance(
-    model: ModelNumbers, speed: float, ball: Record, resisted: tuple[ResistedContact, ResistedContact]
-) -> float:
-    """Torque by rolling of a ball with clearance, N m, beyond that of its load; the cage pushes it.
-
-    A ball without load lies in the middle of its clearance and turns as if loaded. One that its own force presses
-    lightly on a race floats on its oil, at most up to the middle: that race resists as at this gap at least, and the
-    other one at the rest of the clearance.
-    """
-    angles = in_groove(ball.angle[0]), in_groove(ball.angle[1])
-    motion = ruled_motion(model.ring.bearing, 1.0, angles[0], angles[1])
-    entrainment = motion.inner_entrainment, motion.outer_entrainment
-    near = 1 if ball.load[1] > 0.0 else 0  # race that is pressed, if one is
-    far, clearance = 1 - near, clearance_of(model, ball)
-    law, oil, own = model.resistance, model.warm, resisted[near].rolling_torque
-    gap = gap_off_race(law, oil, near, resisted[near].contact, entrainment[near], own, speed)
-    gap = min(gap, clearance / 2)
-    floating = torque_off_race(law, oil, near, resisted[near].contact, entrainment[near], gap, speed)
-    other = torque_off_race(law, oil, far, resisted[far].contact, entrainment[far], clearance - gap, speed)
-    return max(floating - own, 0.0) + other
-
-
-@compiled
-def clearance_of(model: ModelNumbers, ball: Record) -> float:
-    """Clearance of a ball that is off a race, or off both: between them and the ball, m."""
-    arms = (ball.inner_arm[0], ball.inner_arm[1]), (ball.outer_arm[0], ball.outer_arm[1])
-    loads = ball.load[0], ball.load[1]
-    far = 0 if loads[1] > 0.0 else 1
-    to_far = gap_to_race(model.ring.grooves, arms[0], arms[1], loads, far)
-    return to_far if loads[1 - far] > 0.0 else 2 * to_far
+            out.rolling += alike * more_in_clearance(
+                model.ring, model.resistance, model.warm, load.speed, ball, resisted
+            )
 
 
 @compiled
@@ -474,7 +443,7 @@ def is_at_edge(model: ModelNumbers, ball: Record, force: float) -> bool:
         groove = bearing.inner.groove_radius if loads[0] > 0.0 else bearing.outer.groove_radius
         lean = min(most / max(loads[0], loads[1]), 1.0)
         moved += (groove - bearing.ball_radius) * lean * (abs(np.sin(ball.angle[0] - ball.angle[1])) + lean / 2)
-    return clearance_of(model, ball) < moved
+    return clearance_of(model.ring.grooves, ball) < moved
 
 
 @compiled
@@ -642,7 +611,8 @@ def slide_freely(
 ) -> None:
     """What the balls lose that turn freely; count : balls that differ"""
     states, contacts = work.balls[:count], work.contacts[:count]
-    free = FreeModel(model.ring, model.resistance, tables.cubics, model.free, tables.quadratures)
+    rolls_off = model.resistance.rolls and model.counted.unloaded_balls
+    free = FreeModel(model.ring, model.resistance, rolls_off, tables.cubics, model.free, tables.quadratures)
     wanted = FreeAccuracy(model.allowed, model.passes, model.nearly, not model.counted.conformity)
     is_ring, end = None if has_ring is None else count > 1, FreeEnd(Round(ROUNDS_SETTLED, 0, 0.0, 0.0), 0.0, 0.0, 0.0)
     if model.cold:
