@@ -50,6 +50,7 @@ from analytic.words import NEWTON, NEWTON_MILLIMETRE
 # rad: below, a force across a contact turns it by more of its own angle, and spin follows the angle. The torque changes
 # by 6.8 shares of the weight at 0.1 rad, by 5.3 at 0.28 and by 4.8 at 0.25 (validation/adversary/run.py).
 FLAT_ANGLE = 0.5
+NEARLY_TURNED, LEAST_LEFT = 0.9, 1e-6  # of the friction, judgements: what its gyroscopic moment takes, and what is left
 NEARLY_WEDGED = 4.0  # times, a judgement: balls whose loads friction lets change by so much may have others
 TINIEST = 1e-300
 WEDGED = "friction across the grooves wedges balls, whose loads change by more than closed kinematics show"
@@ -148,23 +149,37 @@ class RaceTorque:
         known = ENTRIES["gyroscopic"].lacks(self.scene) is None and self.scene.effects.get("gyroscopic") != "off"
         return self.found.points["gyroscopic_hold"].copy() if self.slides and known else None
 
+    @property
+    def brink(self) -> Array:
+        """(n,) times more that an error changes the torque where the gyroscopic moment takes nearly all friction; or 0.
+
+        What is left of the friction u of a ball, 1 - u, decides how far it slips, and a small change may turn it. From
+        u = NEARLY_TURNED on u/(1 - u) counts, beyond its value there.
+        """
+        if not (self.is_free and self.counted["gyroscopic"]):
+            return np.zeros(len(self.found.points))
+        used = self.found.points["gyroscopic_hold"]
+        used = np.where(np.isfinite(used), used, 0.0)  # without friction nothing holds them
+        left = np.maximum(np.abs(1 - used), LEAST_LEFT)
+        return np.maximum(used / left - NEARLY_TURNED / (1 - NEARLY_TURNED), 0.0)
+
     def change_at_edge(self) -> Array:
         """(n,) change of rolling where forces that are left out take a ball off a race, or press it on one, N m.
 
         Free balls begin where those of the point before settled, with the first quadrature, whose error is common to
-        both. Where they do not settle, balls with little load count as if they came off.
+        both. Infinite where they do not settle.
         """
         can = possible(self.scene)
         left_out = [can[name] and not self.counted[name] for name in OWN_FORCES]
-        points, change = self.found.points, np.zeros(len(self.found.points))
-        at = np.flatnonzero(points["at_edge"][:, left_out].any(axis=1))
+        change = np.zeros(len(self.found.points))
+        at = np.flatnonzero(self.found.points["at_edge"][:, left_out].any(axis=1))
         if not at.size or not self.counted["rolling"]:
             return change
         every = {**self.counted, **{name: can[name] or self.counted[name] for name in LOADING}}
         every["unloaded_balls"] = can["unloaded_balls"]
         with_, without = (self._cheaply(self.trial.model.counting(each), at) for each in (every, self.counted))
         change[at] = np.abs(with_.points["rolling"] - without.points["rolling"])
-        return np.where(np.isfinite(change), change, points["coming_off"])
+        return np.where(np.isnan(change), np.inf, change)
 
     def _cheaply(self, model: Model, at: NDArray[np.intp]) -> Solution:
         if not self.is_free:

@@ -49,7 +49,7 @@ from analytic.scene import Array, Decision, OwnTraction, Scene
 from analytic.solve.freely import BETWEEN
 from analytic.solve.solution import Solution, tried_points
 from analytic.units import Quantity
-from analytic.words import speed_of, torque_of
+from analytic.words import percent_of, speed_of, torque_of
 
 # Directions of the weight. Thrust is alike all round: only the tilt against the axis counts.
 TILTS = np.array([(np.sin(tilt), 0.0, np.cos(tilt)) for tilt in np.linspace(0, np.pi, 25)])
@@ -65,6 +65,7 @@ NO_SOLUTION = (
 # Rises whenever a formula changes a torque; CHANGELOG.md then has the old and the new torque of each shipped scene.
 # `python validation/model_version.py` prints both.
 MODEL_VERSION = 9
+NO_EDGE = "balls at the edge of their load do not settle with every force on them"
 NO_CAGE: Mapping[str, Decision] = dict.fromkeys(("cage", "cage_dynamics", "ball_dynamics"), "off")
 LOSSES = ("oil", "declared")
 PARTS = ("spin", "conformity", "hysteresis", "rolling", "cage", *LOSSES)
@@ -159,7 +160,7 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
     ledger = Ledger(scene, speed.size)
     races = race_torque(ledger, operation, correction=correction, variation=variation)
     parts, race = dict(races.parts), races.total
-    load_warnings = [*races.warnings, *_two_states(races)]
+    load_warnings = [*races.warnings, *_two_states(races), *_nearly_turned(races)]
     coefficient = races.coefficient if races.slides else scene.friction_coefficient
     drive = None if scene.cage is None else cage_drive(scene, races.balls, coefficient, speed)
     frees = decide_cage(scene, drive, ledger, race=race)
@@ -219,13 +220,15 @@ def _unsure(ledger: Ledger, races: RaceTorque, total: Array, *, cage_torque: Arr
     """What is left out, the method of sliding, contacts outside the fit, the direction of the weight, held balls."""
     beyond, weight = _beyond_the_fit(races, total), _in_any_direction(races, total, cage_torque)
     held = held_in_the_middle(races.scene, races.found, parts=races.parts, total=total)
-    edge = share_in(races.change_at_edge(), total)  # which the far points of a trial do not show
-    share = _uncertainty(ledger, races, total=total) + edge + beyond.share + weight.share + held
+    share = _uncertainty(ledger, races, total=total) + beyond.share + weight.share + held
     if races.is_wedged:
         return Unsure(np.full_like(share, np.inf), (WEDGED,))
+    edge = share_in(races.change_at_edge(), total)  # which the far points of a trial do not show
     apart = np.nan_to_num(np.abs(races.other - races.total))
-    share = share + share_in(apart if races.trial.is_of_all else np.full_like(apart, apart.max()), total)
-    return Unsure(share, _unknown_sliding(races) + beyond.unknown + weight.unknown)
+    apart = apart if races.trial.is_of_all else np.full_like(apart, apart.max())
+    share = (share + edge) * (1 + races.brink) + share_in(apart, total)
+    off = () if np.isfinite(edge).all() else (NO_EDGE,)
+    return Unsure(share, _unknown_sliding(races) + beyond.unknown + weight.unknown + off)
 
 
 def _unsure_of_cage(cage: CagePart, drive: CageDrive, races: RaceTorque) -> Array:
@@ -250,8 +253,6 @@ def _beyond_the_fit(races: RaceTorque, total: Array) -> Unsure:
 def _in_any_direction(races: RaceTorque, total: Array, cage_torque: Array) -> Unsure:
     """What the balls' weight may change, whose direction the scene does not give: the largest change over several.
 
-    The cage's torque is in proportion to the balls' rate.
-
     Free balls show it themselves: where they are preloaded and hardly spin, those by rule change by a sixtieth of it.
     Balls by rule that stand for free ones have factors for these, and for the slip under their weight.
     """
@@ -265,7 +266,8 @@ def _in_any_direction(races: RaceTorque, total: Array, cage_torque: Array) -> Un
         # The parts may cancel by one method of sliding, not by another.
         change = np.abs(found.race_parts - without.race_parts).sum(axis=0) + found.points["coming_off"]
         changes = np.maximum(changes, change)
-        rates = np.fmax(rates, np.abs(found.points["ball_rate"] / without.points["ball_rate"] - 1))
+        rate, first = _rate_at_cage(races, found), _rate_at_cage(races, without)
+        rates = np.fmax(rates, np.abs(np.divide(rate, first, out=np.ones_like(first), where=first > 0) - 1))
     share = np.where(np.isfinite(changes), share_in(np.nan_to_num(changes), np.nan_to_num(without.race_torque)), np.inf)
     if races.is_free:
         unsure[at], rates = _change_of_free_balls(races, at, share)
@@ -280,7 +282,7 @@ def _in_any_direction(races: RaceTorque, total: Array, cage_torque: Array) -> Un
 
 
 def _change_of_free_balls(races: RaceTorque, at: NDArray[np.intp], by_rule: Array) -> tuple[Array, Array]:
-    """(k,) change of the torque by the weight of free balls, over the smaller one, and of their rate.
+    """(k,) change of the torque by the weight of free balls, over the smaller one, and of their rate at the cage.
 
     That of the torque is infinite where a direction has none.
     by_rule : (k,) that of balls by rule; in a long series far points tell how much more free balls change
@@ -295,7 +297,7 @@ def _change_of_free_balls(races: RaceTorque, at: NDArray[np.intp], by_rule: Arra
         directions, apart = (TILTS, 0.14) if close else (TILTS[::6], 0.8)
     else:
         directions, apart = (ALL_ROUND, 0.96) if close else (ALONG_AXES, 1.6)
-    without, first_rate = _turning(races.freely_with_weight(at[far], None))[:2]
+    without, first_rate = _turning(races, races.freely_with_weight(at[far], None))[:2]
     change, off, turns = np.zeros((3, len(directions), far.size))
     known = without > 0
     for number, down in enumerate(directions):
@@ -331,7 +333,7 @@ def _with_weight_along(races: RaceTorque, at: NDArray[np.intp], down: Array) -> 
 
     def along(each: NDArray[np.intp], towards: Array) -> Array:
         x, y, z = map(float, towards)
-        return _turning(races.freely_with_weight(each, (x, y, z)))
+        return _turning(races, races.freely_with_weight(each, (x, y, z)))
 
     found = along(at, down)
     if (open_ := np.isnan(found[0])).any():
@@ -340,9 +342,19 @@ def _with_weight_along(races: RaceTorque, at: NDArray[np.intp], down: Array) -> 
     return found
 
 
-def _turning(found: Solution) -> Array:
-    """(3, n) race torque, N m, rate of the balls over that of the ring, and change by balls that may come off, N m."""
-    return np.array([found.race_torque, found.points["ball_rate"], found.points["coming_off"]])
+def _turning(races: RaceTorque, found: Solution) -> Array:
+    """(3, n) race torque, N m, rate of the balls at the cage, and change by balls that may come off, N m."""
+    return np.array([found.race_torque, _rate_at_cage(races, found), found.points["coming_off"]])
+
+
+def _rate_at_cage(races: RaceTorque, found: Solution) -> Array:
+    """(n,) rate of the balls over that of the ring, which the torque of a resting cage is in proportion to.
+
+    A cage whose axis is upright rests on flanks of its pockets, where the sine of the contact angle counts too.
+    """
+    cage, rate = races.scene.cage, found.points["ball_rate"]
+    is_upright = cage is not None and cage.gravity == "along"
+    return rate * np.sin(found.points["contact_angle"]) if is_upright else rate
 
 
 def _require_friction(scene: Scene) -> None:
@@ -385,6 +397,19 @@ def _two_states(races: RaceTorque) -> tuple[str, ...]:
     return (
         f"free balls have two steady states at {speed}: the races resist {computed} or {other}, by how the bearing "
         "came to this speed; the first is computed, and the uncertainty covers both",
+    )
+
+
+def _nearly_turned(races: RaceTorque) -> tuple[str, ...]:
+    """A warning for the operating point whose balls are nearest to turning across their grooves."""
+    worst = int(races.brink.argmax())
+    if not races.brink[worst]:
+        return ()
+    used = races.found.points["gyroscopic_hold"][worst]
+    return (
+        f"the gyroscopic moment takes {percent_of(used, 3)} of the friction that holds the balls at "
+        f"{speed_of(float(races.trial.points[worst, 3]))}: small changes decide how far they slip, and the uncertainty is "
+        "wide; raise the load or lower the speed",
     )
 
 

@@ -157,7 +157,7 @@ def _passing(contact, ball, velocity):
 def _hold(contact, force, tangent):
     """Leave a ball that one race touches one freedom, its speed of rolling there, which leaves no force along rolling.
 
-    Nothing drives it round its orbit or holds its axis: it keeps both, which the cage gives it.
+    Friction neither drives it round its orbit nor holds its axis: it keeps both, which `turned` gives it.
     """
     t_r, t_z = -contact.normal_axial, contact.normal_radial
     moment = t_r * force[2] + t_z * force[3]

@@ -31,7 +31,7 @@ from analytic.numerics.compilation import compiled
 from analytic.numerics.records import Record, Records
 
 STEADY = 1e-6  # relative, of the forces on a ball from one round to the next: a torque needs three digits
-ROUGHLY_STEADY = 1e-4  # likewise, of a pass that cannot be the last
+ROUGHLY_STEADY = 1e-4  # likewise, of a first or rough pass, which gives a start or a difference
 SKIDS = 5  # beside the ends of `Round`: a ball finds no steady rotation
 OF_CHANGE = 0.1  # residual of the rotation, over all friction, that is enough for a round, over the last change
 LEAST_ANGLE, MOST_ANGLE = 1e-6, 1.5  # rad, where a search begins

@@ -46,7 +46,8 @@ def other_states(model: Model, points: Array, found: Solution, is_wedged: NDArra
     Several speeds of a ball's orbit are steady where centrifugal force presses it harder than the rings do, or the oil
     resists it more than friction drives it, and several loads where friction wedges it. Such a point is solved from
     closed kinematics, since the balls of a long series begin where those of the last point were. It is also solved from
-    half its speed and from twice its speed, in steps that begin where the balls were.
+    half its speed and from twice its speed, in steps that begin where the balls were; wedged balls, from half and twice
+    the load.
     """
     bearing, balls, other = model.numbers.ring.bearing, found.balls, np.full(len(points), np.nan)
     orbit = balls["motion"]["cage_speed"] * points[:, 3:4]
@@ -63,11 +64,12 @@ def other_states(model: Model, points: Array, found: Solution, is_wedged: NDArra
             if abs(by_rule / race[i] - 1) > SAME_STATE:
                 other[i] = by_rule
         one = one if one > 0 else race[i]  # without it the quadrature's error counts as a difference of states
+        changed = slice(0, 3) if is_wedged[i] else slice(3, 4)  # loads, or speed: dry balls turn alike at all speeds
         for run in RUNS:
             work, end = workspace(coarse), found
             for share in run:
                 point = points[[i]].copy()
-                point[0, 3] *= share
+                point[0, changed] *= share
                 end = solved(coarse.with_numbers(nearly=share != 1.0), point, work=work)
             ratio = end.race_torque[0] / one
             if abs(ratio - 1) > max(SAME_STATE, np.nan_to_num(abs(other[i] / race[i] - 1))):

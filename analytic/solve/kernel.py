@@ -430,7 +430,7 @@ def add_ball(
 
 @compiled
 def is_at_edge(model: ModelNumbers, ball: Record, force: float) -> bool:
-    """Whether a force of a ball's own, N, could take it off a race, or press it on one that it is off.
+    """Whether a force of a ball's own, N, could take it off a race, or press it on both.
 
     It moves the ball by the approach under it. Where another force holds the ball on one race, it also rolls up the
     groove: nearer to the other race by how much their normals lean apart, and by the rise of the groove.

@@ -27,6 +27,7 @@ import time
 from collections import Counter
 from collections.abc import Iterable
 from concurrent.futures import ProcessPoolExecutor
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import repeat
 from typing import Annotated
@@ -66,7 +67,7 @@ class Trial:
     tolerance: float
     error: float  # difference of everything on, or of the point alone, beyond its own uncertainty, over the total
     stated: float  # numerical uncertainty of the total, relative; infinite: unknown
-    reference: float  # uncertainty of everything on, relative
+    reference: float  # uncertainty of everything on, or of the point alone, relative
     unknown: tuple[str, ...]  # why the uncertainty of a point of the scene is unknown
     is_past_limit: bool = False  # whether a limit of the physics fails beyond which the uncertainty is unknown
 
@@ -111,18 +112,19 @@ def compared(place: tuple[float, ...], scene: Scene, exact: FrictionTorque) -> I
     """The torque of a scene beside that with everything on, at each point; its last point is also solved alone."""
     auto = friction_torque(scene)
     error, unsure = difference(auto, exact)
+    stated = auto.numerical_uncertainty
     if len(error) > 1:  # the last point has the longest way behind it
-        one, own = difference(auto.at(LAST), friction_torque(last_of(scene)))
-        if np.isfinite(own[0]) and one[0] - own[0] > error[-1] - unsure[-1]:
-            error[-1], unsure[-1] = one[0], own[0]
-    is_past_limit = any(check.name in DECISIVE and check.verdict == "fail" for check in physical_checks(auto))
-    for point, stated in enumerate(auto.numerical_uncertainty):
+        with suppress(FembearingError):  # alone it may be refused, as a pair that is pressed elsewhere only
+            one, own = difference(auto.at(LAST), friction_torque(last_of(scene)))
+            error, unsure, stated = (np.append(*both) for both in ((error, one), (unsure, own), (stated, stated[LAST])))
+    is_past_limit = any(check.name in DECISIVE and check.verdict != "pass" for check in physical_checks(auto))
+    for each, without, share in zip(error, unsure, stated, strict=True):
         yield Trial(
             place=place,
             tolerance=scene.tolerance,
-            error=max(float(error[point] - unsure[point]), 0.0) if np.isfinite(unsure[point]) else 0.0,
-            stated=float(stated),
-            reference=float(unsure[point]),
+            error=max(float(each - without), 0.0) if np.isfinite(without) else 0.0,
+            stated=float(share),
+            reference=float(without),
             unknown=auto.unknown,
             is_past_limit=is_past_limit,
         )
@@ -263,7 +265,7 @@ def unknown_shares(trials: list[Trial]) -> Iterable[str]:
     for name, count in (("", len(found)), (", those that lack an input left out,", len(found) - known_with_input)):
         yield f"unknown{name} in {count} of {scenes} random scenes, {100 * count / max(scenes, 1):.2g} %"
     inside = sum(not all(trial.lacks_input or trial.is_past_limit for trial in each) for each in found.values())
-    yield f"within the limits of the physics, in {inside} of {sound}, {100 * inside / max(sound, 1):.2g} %"
+    yield f"these within the limits of the physics, in {inside} of {sound}, {100 * inside / max(sound, 1):.2g} %"
     causes = Counter(cause for each in found.values() for cause in {word for trial in each for word in words(trial)})
     for cause, count in causes.most_common():
         yield f"unknown in {count}: {cause}"
