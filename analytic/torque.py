@@ -408,8 +408,8 @@ def _nearly_turned(races: RaceTorque) -> tuple[str, ...]:
     used = races.found.points["gyroscopic_hold"][worst]
     return (
         f"the gyroscopic moment takes {percent_of(used, 3)} of the friction that holds the balls at "
-        f"{speed_of(float(races.trial.points[worst, 3]))}: small changes decide how far they slip, and the uncertainty is "
-        "wide; raise the load or lower the speed",
+        f"{speed_of(float(races.trial.points[worst, 3]))}: small changes decide how far they slip, and the uncertainty "
+        "is wide; raise the load or lower the speed",
     )
 
 
