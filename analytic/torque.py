@@ -65,7 +65,7 @@ NO_SOLUTION = (
 # Rises whenever a formula changes a torque; CHANGELOG.md then has the old and the new torque of each shipped scene.
 # `python validation/model_version.py` prints both.
 MODEL_VERSION = 9
-NO_EDGE = "balls at the edge of their load do not settle with every force on them"
+NO_EDGE = "balls at the edge of their load did not converge with every force on them"
 NO_CAGE: Mapping[str, Decision] = dict.fromkeys(("cage", "cage_dynamics", "ball_dynamics"), "off")
 LOSSES = ("oil", "declared")
 PARTS = ("spin", "conformity", "hysteresis", "rolling", "cage", *LOSSES)
