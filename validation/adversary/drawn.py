@@ -17,7 +17,7 @@ from analytic.scene import Autocorrelation
 from analytic.surface.roughness import generated_surface
 from validation.adversary.radial import RADIAL_INPUTS, Draw, radial_scene
 
-INPUTS = RADIAL_INPUTS + 75  # numbers of a place
+INPUTS = RADIAL_INPUTS + 77  # numbers of a place
 LONG_SERIES = 12  # operating points: effects are tried at eight of them
 LIGHT_CAGE = 2e-3  # kg/N, mass of a cage over the thrust: a fiftieth in weight
 MAP_LENGTH, MAP_SPACING, MAP_POINTS = 20e-6, 2e-6, 128  # m, m, a side
@@ -33,16 +33,18 @@ def scene_text(place: tuple[float, ...], *, tolerance: float, directed: bool = F
     text = radial_scene(place[:RADIAL_INPUTS], tolerance=tolerance, directed=directed)
     if len(place) == RADIAL_INPUTS:
         return text
-    document, draw = tomllib.loads(text), Draw(place[RADIAL_INPUTS:])
+    document, draw, late = tomllib.loads(text), Draw(place[RADIAL_INPUTS:-2]), Draw(place[-2:])
     kind = draw.one_of(*5 * ("radial",), "thrust", "pair", "given", "seats")
     _as_kind(document, kind, draw)
-    _series(document, draw)
+    _series(document, draw, only_thrust=late.chance(0.5))
     _oil(document, draw)
     _surface(document, draw)
     _laws(document, draw)
     _losses(document, draw)
     if kind == "thrust":
         _within_washers(document)
+    if "down" in document["operation"] and kind != "pair" and late.chance(0.2):
+        document["operation"]["down"] = [0.0, 0.0, -1.0]
     return toml(document)
 
 
@@ -90,8 +92,8 @@ def _as_kind(document: dict[str, Any], kind: str, draw: Draw) -> None:
         }
 
 
-def _series(document: dict[str, Any], draw: Draw) -> None:
-    """Make one operating point a few unlike ones, or a long series under thrust."""
+def _series(document: dict[str, Any], draw: Draw, *, only_thrust: bool) -> None:
+    """Make one operating point a few unlike ones, or a long series, under thrust alone or every load."""
     operation = document["operation"]
     points = draw.one_of(*10 * ("1",), "2", "2", "2", "3", "3", "long")
     heaviest = 1e8 * size(document, "bearing.ball_diameter") ** 2  # N, as of the first point
@@ -101,9 +103,11 @@ def _series(document: dict[str, Any], draw: Draw) -> None:
     if points == "long":
         rise = np.linspace(0, 1, LONG_SERIES)
         shuffled = np.arange(LONG_SERIES) * 5 % LONG_SERIES  # loads and speeds do not rise together
-        factors = np.stack([factors[0, 0] ** rise, factors[0, 1] ** rise[shuffled]], axis=1)[1:]
-        operation.pop("radial_load", None)
-        operation.pop("moment", None)
+        orders = (rise, rise[shuffled], rise[::-1] - 1, rise)
+        factors = np.stack([each**order for each, order in zip(factors[0], orders, strict=True)], axis=1)[1:]
+        if only_thrust:
+            operation.pop("radial_load", None)
+            operation.pop("moment", None)
     most = {"axial_load": heaviest, "inner_speed": 3e3, "radial_load": heaviest, "moment": np.inf}
     for column, (key, limit) in enumerate(most.items()):
         if key in operation:

@@ -44,7 +44,7 @@ from analytic.result import FrictionTorque
 from analytic.scene import Array, Operation, Scene
 from analytic.scenefile.read import parse_scene
 from analytic.verdicts import physical_checks
-from validation.adversary.drawn import INPUTS, scene_text
+from validation.adversary.drawn import INPUTS, LONG_SERIES, scene_text
 from validation.adversary.radial import RADIAL_INPUTS, radial_scene
 
 TOLERANCES = (0.05, 0.01, 0.001)
@@ -55,6 +55,7 @@ MATTERS = 0.1  # of the tolerance: an error that is worth its statement
 NOT_GIVEN = "is not given"  # in a cause of an unknown uncertainty: an input is missing that the scene could have
 DECISIVE = "peak_pressure", "shoulder", "cage_force"  # limits beyond which the uncertainty is unknown
 LONGEST = 15.0  # s of processor time for a scene: those with two steady states take minutes
+MORE = 4  # of that for a long series
 PIECE = 25  # scenes, or climbs, between two lines in print
 STEP = 0.15  # of the range of an input, in a climb; every second change is ten times smaller
 
@@ -88,9 +89,10 @@ class Trial:
 def trials_at(place: tuple[float, ...]) -> list[Trial] | None:
     """One scene at every tolerance and point; None: refused, nothing: an iteration does not converge, or takes long."""
     signal.signal(signal.SIGVTALRM, _give_up)
-    signal.setitimer(signal.ITIMER_VIRTUAL, LONGEST)
     try:
         scene = parse_scene(scene_text(place, tolerance=TOLERANCES[0]), origin="drawn")
+        is_long = scene.operation.as_series().inner_speed.size == LONG_SERIES
+        signal.setitimer(signal.ITIMER_VIRTUAL, LONGEST * (MORE if is_long else 1))
         exact = everything_on(parse_scene(scene_text(place, tolerance=TOLERANCES[0], directed=True), origin="drawn"))
         return [trial for each in TOLERANCES for trial in compared(place, replace(scene, tolerance=each), exact)]
     except InputError:
@@ -105,7 +107,7 @@ def trials_at(place: tuple[float, ...]) -> list[Trial] | None:
 
 
 def _give_up(*_: object) -> None:
-    raise TimeoutError(f"longer than {LONGEST:g} s")
+    raise TimeoutError("takes too long")
 
 
 def compared(place: tuple[float, ...], scene: Scene, exact: FrictionTorque) -> Iterable[Trial]:
@@ -192,7 +194,7 @@ def main(
     refused, stuck = (sum(each == nothing for each in drawn) for nothing in (None, []))
     out.print(
         f"Of the random scenes {refused} more were refused, and {stuck} ended without convergence or after "
-        f"{LONGEST:g} s."
+        f"{LONGEST:g} s, {MORE * LONGEST:g} s of a long series."
     )
     out.print(f"{time.perf_counter() - started:.0f} s, {jobs} processes, seed {seed}.")
     sys.exit(int(any(trial.ratio > 1 for trial in random + searched)))
