@@ -27,7 +27,7 @@ from analytic.effects.trial import (
     unequal_loads,
 )
 from analytic.errors import ConvergenceError, InputError, require_finite, require_positive
-from analytic.free_ball.rotation import Creep
+from analytic.free_ball.rotation import QUADRATURES, Creep
 from analytic.loads.balls import LoadedBalls
 from analytic.loads.finite_geometry import corrections_of
 from analytic.loads.ring_balance import require_enough_balls
@@ -186,6 +186,23 @@ class RaceTorque:
             return self._by_rule(model, at)
         free = model.turning_freely(self.scene.bearing, CREEP_OF[self.method]).with_numbers(passes=1, cold=False)
         return solved(free.at(at), self.trial.points[at])
+
+    def lead_spread(self, at: NDArray[np.intp]) -> Array:
+        """(k,) largest change of how far free balls lead by quadratures that are coarser, or by the next finer one, m.
+
+        Balls by rule that stand for free ones are compared with both coarsest ones. Not NaN: a quadrature by which the
+        balls do not settle shows nothing.
+        """
+        own, lead = (self.found.points[name][at] for name in ("passes", "ball_lead"))
+        spread = np.zeros(at.size)
+        creep = CREEP_OF[self.method if self.is_free else "marched_creep"]
+        free = self.trial.model.counting(self.counted).turning_freely(self.scene.bearing, creep)
+        for number in range(1, len(QUADRATURES)):
+            others = np.flatnonzero((number != own) & (number < np.maximum(own, 3)))
+            if others.size:
+                found = solved(free.with_numbers(passes=number).at(at[others]), self.trial.points[at[others]])
+                spread[others] = np.fmax(spread[others], np.abs(found.points["ball_lead"] - lead[others]))
+        return spread
 
     def by_rule(self, at: NDArray[np.intp], *, farthest: bool = False) -> Solution:
         """Balls by rule at p points, with the method of sliding of trials; NaN where they have no torque.

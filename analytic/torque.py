@@ -18,8 +18,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from analytic.cage.drive import CageDrive, cage_drive
-from analytic.cage.torque import CagePart, cage_friction
+from analytic.cage.drive import SQUEEZE_SPREAD, CageDrive, cage_drive
+from analytic.cage.torque import CagePart, by_squeezing, cage_friction, may_squeeze
 from analytic.contact.factors import ContactCorrection
 from analytic.contact.geometry import RACES
 from analytic.effects.cage import decide_cage
@@ -57,6 +57,10 @@ ALL_ROUND = np.array([each for each in product((1.0, 0.0, -1.0), repeat=3) if an
 ALONG_AXES = ALL_ROUND[np.abs(ALL_ROUND).sum(axis=1) == 1]
 ALL_ROUND /= np.linalg.norm(ALL_ROUND, axis=1, keepdims=True)
 MOST_FREE = 32  # points of a series whose free balls are computed in every direction, all of them
+LEAD_SPREAD = 1.05  # of how far balls lead, by what `auto` leaves out: 4 % at most in 46 scenes of the adversary's
+# Of the difference of leads by two quadratures: that of the second from the finest is up to twice that from the first.
+OF_QUADRATURES = 2.0
+NEAR_ROOM = 0.1  # of the free clearance of the pockets: balls that lead less do not squeeze the cage
 MOST_GROWTH = 2.0  # of changes of balls by rule where friction wedges free ones: beyond, directions are close together
 ASIDE = np.array([0.036, -0.048, 0.08])  # rad: turns these directions by 0.03 to 0.1, out of their symmetry
 NO_SOLUTION = (
@@ -64,7 +68,7 @@ NO_SOLUTION = (
 )
 # Rises whenever a formula changes a torque; CHANGELOG.md then has the old and the new torque of each shipped scene.
 # `python validation/model_version.py` prints both.
-MODEL_VERSION = 9
+MODEL_VERSION = 10
 NO_EDGE = "balls at the edge of their load did not converge with every force on them"
 NO_CAGE: Mapping[str, Decision] = dict.fromkeys(("cage", "cage_dynamics", "ball_dynamics"), "off")
 LOSSES = ("oil", "declared")
@@ -76,6 +80,14 @@ class Unsure(NamedTuple):
 
     share: Array  # (n,) of the total, relative; infinite where it is not known
     unknown: tuple[str, ...]  # why not
+
+
+class InAnyDirection(NamedTuple):
+    """What the balls' weight may change, whose direction the scene does not give."""
+
+    share: Array  # (n,) of the race torque in the total, relative; infinite where it is not known
+    cage_rate: Array  # (n,) of the balls' rate at the cage, relative
+    ball_lead: Array  # (n,) largest one, m; 0 where the weight does not count
 
 
 def friction_torque(
@@ -160,7 +172,6 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
     ledger = Ledger(scene, speed.size)
     races = race_torque(ledger, operation, correction=correction, variation=variation)
     parts, race = dict(races.parts), races.total
-    load_warnings = [*races.warnings, *_two_states(races), *_nearly_turned(races)]
     coefficient = races.coefficient if races.slides else scene.friction_coefficient
     drive = None if scene.cage is None else cage_drive(scene, races.balls, coefficient, speed)
     frees = decide_cage(scene, drive, ledger, race=race)
@@ -172,10 +183,10 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
     total = sum((parts[name] for name in LOSSES if name in parts), start=computed)
     if cage is not None:
         parts["cage"] = cage.torque
-        load_warnings = load_warnings + list(cage.warnings)
     limits = check_limits(scene, races.found, ledger)
-    unsure = _unsure(ledger, races, total, cage_torque=np.zeros_like(total) if cage is None else cage.torque)
-    by_cage = 0.0 if cage is None or drive is None else share_in(_unsure_of_cage(cage, drive, races), total)
+    weight = _in_any_direction(races, total)
+    unsure = _unsure(ledger, races, total, weight)
+    cage_unsure, cage_warnings = _unsure_of_cage(cage, drive, races, weight)
     heaviest = races.heaviest
     return FrictionTorque(
         inner_speed=speed,
@@ -185,7 +196,7 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
         contact_angle=np.abs(heaviest["angle"].mean(axis=1)),
         ball_load=heaviest["load"].max(axis=1),
         torque=TorqueParts(total=total, race=race, **{name: parts.get(name) for name in PARTS}),
-        numerical_uncertainty=unsure.share + limits.uncertainty + by_cage,
+        numerical_uncertainty=unsure.share + limits.uncertainty + share_in(cage_unsure, total),
         friction_coefficient=FrictionCoefficients(
             **_on_races(heaviest, "friction_coefficient", races.slides),
             pocket=None if cage is None else cage.friction_coefficient,
@@ -207,8 +218,9 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
         sliding=races.method,
         clearances=scene.clearances,
         gap_roughness=None if races.gap_roughness is None else races.gap_roughness.rms_roughness,
-        warnings=tuple(
-            torque_warnings(ledger, races.found, roughness=races.gap_roughness, limits=limits.warnings) + load_warnings
+        warnings=(
+            *torque_warnings(ledger, races.found, roughness=races.gap_roughness, limits=limits.warnings),
+            *(*races.warnings, *_two_states(races), *_nearly_turned(races), *cage_warnings),
         ),
         unknown=limits.unknown + unsure.unknown + (() if cage is None else cage.unknown),
         provenance=_provenance(ledger, races, correction=correction, cage=cage),
@@ -216,9 +228,9 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
     )
 
 
-def _unsure(ledger: Ledger, races: RaceTorque, total: Array, *, cage_torque: Array) -> Unsure:
+def _unsure(ledger: Ledger, races: RaceTorque, total: Array, weight: InAnyDirection) -> Unsure:
     """What is left out, the method of sliding, contacts outside the fit, the direction of the weight, held balls."""
-    beyond, weight = _beyond_the_fit(races, total), _in_any_direction(races, total, cage_torque)
+    beyond = _beyond_the_fit(races, total)
     held = held_in_the_middle(races.scene, races.found, parts=races.parts, total=total)
     share = _uncertainty(ledger, races, total=total) + beyond.share + weight.share + held
     if races.is_wedged:
@@ -228,14 +240,36 @@ def _unsure(ledger: Ledger, races: RaceTorque, total: Array, *, cage_torque: Arr
     apart = apart if races.trial.is_of_all else np.full_like(apart, apart.max())
     share = (share + edge) * (1 + races.brink) + share_in(apart, total)
     off = () if np.isfinite(edge).all() else (NO_EDGE,)
-    return Unsure(share, _unknown_sliding(races) + beyond.unknown + weight.unknown + off)
+    off += () if np.isfinite(weight.share).all() else (NO_SOLUTION,)
+    return Unsure(share, _unknown_sliding(races) + beyond.unknown + off)
 
 
-def _unsure_of_cage(cage: CagePart, drive: CageDrive, races: RaceTorque) -> Array:
-    """(n,) half width of what the cage's motion and the axis of balls by rule may change in its torque, N m."""
+def _unsure_of_cage(
+    cage: CagePart | None, drive: CageDrive | None, races: RaceTorque, weight: InAnyDirection
+) -> tuple[Array, tuple[str, ...]]:
+    """(n,) half width of the cage's torque, N m: its motion, balls by rule, unknown weights and how far balls lead.
+
+    With it the warnings of the cage.
+    """
+    if cage is None or drive is None:
+        return np.zeros_like(races.total), ()
     known = races.is_free or ruled(races.scene) is not None
     by_axis = 0.0 if known else drive.spread_by_axis * cage.torque
-    return cage.half_interval + cage.unsure + by_axis
+    farthest = np.maximum(_farthest_lead(races, drive), weight.ball_lead)
+    more = by_squeezing(drive.leading(farthest), cage) - by_squeezing(drive, cage)
+    squeezed = (1 + SQUEEZE_SPREAD) * np.maximum(more, 0.0)
+    unsure = cage.half_interval + cage.unsure + by_axis + weight.cage_rate * cage.torque + squeezed
+    return unsure, cage.warnings + may_squeeze(drive, farthest)
+
+
+def _farthest_lead(races: RaceTorque, drive: CageDrive) -> Array:
+    """(n,) how far the balls may lead, m: a thousandth of their orbital speed decides whether they squeeze a cage."""
+    lead = np.abs(drive.grip.ball_lead)
+    farthest = LEAD_SPREAD * lead
+    at = np.flatnonzero(lead > NEAR_ROOM * drive.room)
+    if at.size and races.slides and ruled(races.scene) is None:
+        farthest[at] += OF_QUADRATURES * races.lead_spread(at)
+    return farthest
 
 
 def _beyond_the_fit(races: RaceTorque, total: Array) -> Unsure:
@@ -250,39 +284,41 @@ def _beyond_the_fit(races: RaceTorque, total: Array) -> Unsure:
     return Unsure(np.where(np.isfinite(change), share_in(np.nan_to_num(change), total), np.inf), (reason,))
 
 
-def _in_any_direction(races: RaceTorque, total: Array, cage_torque: Array) -> Unsure:
-    """What the balls' weight may change, whose direction the scene does not give: the largest change over several.
+def _in_any_direction(races: RaceTorque, total: Array) -> InAnyDirection:
+    """The largest change by the balls' weight over several directions.
 
     Free balls show it themselves: where they are preloaded and hardly spin, those by rule change by a sixtieth of it.
     Balls by rule that stand for free ones have factors for these, and for the slip under their weight.
     """
-    unsure, at = np.zeros_like(total), np.flatnonzero(races.any_direction)
+    unsure, rates, leads = np.zeros((3, total.size))
+    at = np.flatnonzero(races.any_direction)
     if not at.size:
-        return Unsure(unsure, ())
+        return InAnyDirection(unsure, rates, leads)
     without = races.with_weight(at, None)
-    changes, rates = np.zeros(at.size), np.zeros(at.size)
+    changes = np.zeros(at.size)
     for x, y, z in ALONG_AXES.tolist():
         found = races.with_weight(at, (x, y, z))
         # The parts may cancel by one method of sliding, not by another.
         change = np.abs(found.race_parts - without.race_parts).sum(axis=0) + found.points["coming_off"]
         changes = np.maximum(changes, change)
         rate, first = _rate_at_cage(races, found), _rate_at_cage(races, without)
-        rates = np.fmax(rates, np.abs(np.divide(rate, first, out=np.ones_like(first), where=first > 0) - 1))
+        turns = np.abs(np.divide(rate, first, out=np.ones_like(first), where=first > 0) - 1)
+        rates[at] = np.fmax(rates[at], turns)
+        leads[at] = np.fmax(leads[at], np.abs(found.points["ball_lead"]))
     share = np.where(np.isfinite(changes), share_in(np.nan_to_num(changes), np.nan_to_num(without.race_torque)), np.inf)
     if races.is_free:
-        unsure[at], rates = _change_of_free_balls(races, at, share)
+        unsure[at], rates[at], leads[at] = _change_of_free_balls(races, at, share)
     else:
         unsure[at], rates = of_methods(races.scene) * share, of_methods(races.scene) * rates
         if races.slides and ruled(races.scene) is None:
             unsure[at] += slip_by_weight(races.scene.bearing, races.found)[at]
     known = np.isfinite(unsure)
     unsure = np.where(known, np.where(known, unsure, 0.0) * share_in(races.total, total), np.inf)
-    unsure[at] += rates * share_in(cage_torque, total)[at]
-    return Unsure(unsure, () if known.all() else (NO_SOLUTION,))
+    return InAnyDirection(unsure, rates, leads)
 
 
-def _change_of_free_balls(races: RaceTorque, at: NDArray[np.intp], by_rule: Array) -> tuple[Array, Array]:
-    """(k,) change of the torque by the weight of free balls, over the smaller one, and of their rate at the cage.
+def _change_of_free_balls(races: RaceTorque, at: NDArray[np.intp], by_rule: Array) -> tuple[Array, Array, Array]:
+    """(k,) change of the torque by the weight of free balls, over the smaller one, of their rate at the cage, and lead.
 
     That of the torque is infinite where a direction has none.
     by_rule : (k,) that of balls by rule; in a long series far points tell how much more free balls change
@@ -298,16 +334,17 @@ def _change_of_free_balls(races: RaceTorque, at: NDArray[np.intp], by_rule: Arra
     else:
         directions, apart = (ALL_ROUND, 0.96) if close else (ALONG_AXES, 1.6)
     without, first_rate = _turning(races, races.freely_with_weight(at[far], None))[:2]
-    change, off, turns = np.zeros((3, len(directions), far.size))
+    change, off, turns, leads = np.zeros((4, len(directions), far.size))
     known = without > 0
     for number, down in enumerate(directions):
         if not (left := np.flatnonzero(known)).size:
             break
-        torque, rate, more = _with_weight_along(races, at[far[left]], down)
+        torque, rate, more, lead = _with_weight_along(races, at[far[left]], down)
         known[left] = settles = torque > 0
         change[number, left[settles]] = np.log(torque[settles] / without[left[settles]])
         turns[number, left[settles]] = np.log(rate[settles] / first_rate[left[settles]])
         off[number, left[settles]] = np.log1p(more[settles] / torque[settles])
+        leads[number, left[settles]] = lead[settles]
     first, second = np.nonzero(np.triu(directions @ directions.T > np.cos(apart), 1))
 
     def largest(each: Array, beyond: Array) -> Array:
@@ -315,17 +352,17 @@ def _change_of_free_balls(races: RaceTorque, at: NDArray[np.intp], by_rule: Arra
 
     share, rates = np.where(known, largest(change, off), np.inf), largest(turns, np.zeros_like(off))
     if far.size == at.size:
-        return share, rates
+        return share, rates, leads.max(axis=0)
     both, everywhere = np.isfinite(by_rule[far]) & (by_rule[far] > 0), np.full_like(by_rule, np.inf)
     more = np.divide(share, by_rule[far], out=np.full_like(share, np.inf), where=both).max()
     if np.isfinite(more):
         everywhere = BETWEEN * more * by_rule
         everywhere[far] = share
-    return everywhere, np.full_like(by_rule, BETWEEN * rates.max())
+    return everywhere, np.full_like(by_rule, BETWEEN * rates.max()), np.full_like(by_rule, leads.max())
 
 
 def _with_weight_along(races: RaceTorque, at: NDArray[np.intp], down: Array) -> Array:
-    """(3, k) `_turning` of free balls with the weight in a direction.
+    """(4, k) `_turning` of free balls with the weight in a direction.
 
     The direction is a little aside where the balls do not settle; NaN where they do not settle there either.
     Some directions do not settle among others that do: 1 to 8 of 60 in 6 of 18 scenes (validation/adversary/README.md).
@@ -343,8 +380,9 @@ def _with_weight_along(races: RaceTorque, at: NDArray[np.intp], down: Array) -> 
 
 
 def _turning(races: RaceTorque, found: Solution) -> Array:
-    """(3, n) race torque, N m, rate of the balls at the cage, and change by balls that may come off, N m."""
-    return np.array([found.race_torque, _rate_at_cage(races, found), found.points["coming_off"]])
+    """(4, n) race torque, N m, rate of the balls at the cage, change by balls that may come off, N m, and lead, m."""
+    points = found.points
+    return np.array([found.race_torque, _rate_at_cage(races, found), points["coming_off"], np.abs(points["ball_lead"])])
 
 
 def _rate_at_cage(races: RaceTorque, found: Solution) -> Array:

@@ -10,7 +10,7 @@ whirl breaks down or the torque of the races rises several-fold, and only a moti
 Source: derived here.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -286,6 +286,10 @@ class CageDrive:
     def is_squeezed(self) -> NDArray[np.bool_]:
         """(n,) whether balls lead farther than the pockets leave free."""
         return np.abs(self.grip.ball_lead) >= self.room
+
+    def leading(self, ball_lead: Array) -> "CageDrive":
+        """The same with balls that lead as far as this, (n,), m."""
+        return replace(self, grip=replace(self.grip, ball_lead=ball_lead))
 
     def grip_number(self, friction_coefficient: Array) -> Array:
         """(n,) rho of a whirl, see `analytic.cage.drive`; NaN where the friction of the races is not known.

@@ -247,14 +247,39 @@ def _by_closed_form(drive: CageDrive, friction_coefficient: Array) -> tuple[Arra
     """Torque, N m, and sum of the normal forces, N, of a cage at rest, or squeezed by balls that lead too far."""
     rows, _ = rows_of(drive.orbit_rate, drive.ball_rate, drive.contact_angle, drive.inner_speed)
     torque, force = resting_torques(resting_cage(drive.bearing, drive.cage), friction_coefficient, rows)
-    squeezing = drive.grip.alike * drive.squeezing_force(friction_coefficient).sum(axis=1)
-    squeezed = sliding_torque(
+    squeezed, squeezing = _by_squeezing(drive, friction_coefficient)
+    return torque + squeezed, force + squeezing
+
+
+def may_squeeze(drive: CageDrive, farthest: Array) -> tuple[str, ...]:
+    """A warning where the uncertainty of how far balls lead lets them squeeze the cage; farthest : (n,), m."""
+    at = (farthest >= drive.room) & ~drive.is_squeezed
+    if not np.any(at):
+        return ()
+    worst = int(np.argmax(np.where(at, farthest, -1.0)))
+    lead = float(np.abs(drive.grip.ball_lead[worst]))
+    return (
+        f"at {speed_of(drive.inner_speed[worst])} balls lead by {length_of(lead)}, at most by "
+        f"{length_of(farthest[worst])}, free clearance of the pockets {length_of(drive.room)}: they may squeeze the "
+        "cage, and the uncertainty is wide; wider pockets avoid this",
+    )
+
+
+def by_squeezing(drive: CageDrive, part: CagePart) -> Array:
+    """(n,) torque of balls that lead farther than the pockets leave free, with the part's pocket friction, N m."""
+    return _by_squeezing(drive, part.friction_coefficient)[0]
+
+
+def _by_squeezing(drive: CageDrive, friction_coefficient: Array) -> tuple[Array, Array]:
+    """Torque, N m, and sum of the normal forces, N, of balls that squeeze the cage."""
+    force = drive.grip.alike * drive.squeezing_force(friction_coefficient).sum(axis=1)
+    torque = sliding_torque(
         friction_coefficient=friction_coefficient,
-        force=squeezing,
+        force=force,
         ball_rate=drive.ball_rate,
         ball_radius=drive.bearing.ball_radius,
     )
-    return torque + squeezed, force + squeezing
+    return torque, force
 
 
 def _moved(

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from analytic.cage.drive import resting_cage
 from analytic.contact.factors import ContactCorrection
 from analytic.contact.geometry import RACES, race_numbers
 from analytic.effects.ledger import Ledger
@@ -38,12 +39,13 @@ from analytic.sliding.judge import OVER_ELLIPSE, SINGLE_COEFFICIENT
 from analytic.solve.freely import BETWEEN, part_by_sliding
 from analytic.solve.model import Model, model_of
 from analytic.solve.solution import FAR, Solution, points_of, solved, tried_points
-from analytic.words import percent_of
+from analytic.words import length_of, percent_of
 
 # Change of the torque over the share by trial, whose balls turn by rule and slide by one coefficient. Of single points
 # it was 1.7 at most by other methods of sliding and 4.3 of free balls, both of the balls' weight, where a trial was let
 # count once (validation/adversary/run.py, seed 1).
 OF_METHODS, OF_FREE_BALLS = 2.5, 6.0
+NEAR_ROOM = 0.5  # of the free clearance of the pockets; balls by rule lead 0.6 to 1.4 times as far as most free ones
 FEW = f"always computed for up to {FAR} points"
 ON_A_RING = "computed together with the weight"
 WITH_LOADS = "neglected with load_distribution, whose share includes it"
@@ -158,17 +160,7 @@ def decide_effects(ledger: Ledger, trial: Trial, base: Solution, *, has_factors:
             names = (name, "weight") if both and name == "load_distribution" else (name,)
             bound = left_out_at_all(ledger, trial.share_by_parts(counted, *names)) if trying else None
             if bound is not None and ruled(scene) is None:
-                if name == "gyroscopic":
-                    bound = bound + slip_by_gyroscopic_moment(ledger, trial.solved(counted))
-                if "weight" in names:
-                    bound = bound + at_all_points(ledger, slip_by_weight(scene.bearing, trial.solved(counted)))
-                lag = min(float(trial.solved(counted).sliding_number.max()), 1.0)
-                if name == "conformity":  # a ball that lags slides along rolling, where conformity adds to its slip
-                    slowed = PER_LAG * trial.solved(counted).sliding_number.max(axis=0)
-                    bound = bound + at_all_points(ledger, slowed)
-                if name == "load_distribution" and lag > 0:  # balls that lag where their loads are small
-                    unequal = unequal_loads(scene, trial.operation, trial.under_thrust)
-                    bound = bound + PER_DISTRIBUTION * unequal * lag
+                bound = bound + unseen_by_trial(ledger, trial, counted, names)
             if both and name == "weight" and trying and not counted["load_distribution"]:
                 ledger.settle(name, on=False, share=bound, reason=WITH_LOADS)
                 counted[name] = False
@@ -180,6 +172,34 @@ def decide_effects(ledger: Ledger, trial: Trial, base: Solution, *, has_factors:
         else:
             ledger.decide(name, bound=np.zeros_like(ledger.left_out), lacks=_idle(name))
     return counted
+
+
+def unseen_by_trial(ledger: Ledger, trial: Trial, counted: Mapping[str, bool], names: tuple[str, ...]) -> Array:
+    """(n,) change of the torque of free balls by effects, beyond that by trial, whose balls turn by rule."""
+    bearing, found = ledger.scene.bearing, trial.solved(counted)
+    lags = np.minimum(found.sliding_number.max(axis=0), 1.0)
+    change = np.zeros_like(ledger.left_out)
+    if "gyroscopic" in names:
+        change = change + slip_by_gyroscopic_moment(ledger, found)
+    if "weight" in names:
+        change = change + at_all_points(ledger, slip_by_weight(bearing, found))
+    if "conformity" in names:  # a ball that lags slides along rolling, where conformity adds to its slip
+        change = change + at_all_points(ledger, PER_LAG * found.sliding_number.max(axis=0))
+    if "load_distribution" in names and lags.any():  # balls that lag where their loads are small
+        unequal = unequal_loads(ledger.scene, trial.operation, trial.under_thrust)
+        change = change + PER_DISTRIBUTION * unequal * lags.max()
+    if "asperities" in names:  # they are a part of the friction that keeps balls from slipping and lagging
+        part = part_by_asperities(found, trial.solved({**counted, "asperities": False}))
+        slips = slip_by_gyroscopic_moment(ledger, found) + at_all_points(ledger, slip_by_weight(bearing, found) + lags)
+        held = _at_all(ledger, part)
+        change = change + np.multiply(held, slips, out=np.zeros_like(slips), where=held > 0)
+    return change
+
+
+def part_by_asperities(found: Solution, without: Solution) -> Array:
+    """(k,) largest change of a ball's friction on a race by asperities, over the larger of both; 1 at most."""
+    friction, other = (each.balls["friction_coefficient"] for each in (found, without))
+    return ratio(np.abs(friction - other), over=np.maximum(friction, other)).max(axis=(1, 2))
 
 
 def slip_by_gyroscopic_moment(ledger: Ledger, found: Solution) -> Array:
@@ -311,9 +331,19 @@ def _has_effect(scene: Scene, name: str, counted: Mapping[str, bool]) -> bool:
 
 
 def _demanded(name: str, base: Solution, scene: Scene) -> str | None:
-    """Why asperities count whatever they change, in words: else film and share would not be those of the contact."""
-    share = float(np.nan_to_num(base.balls["asperity_share"]).max()) if name == "asperities" else 0.0
-    return f"asperities carry up to {percent_of(share, 2)} of a contact's load" if share > scene.tolerance else None
+    """Why an effect counts whatever it changes of the race torque, in words.
+
+    Without asperities film and share would not be those of the contact. Unequal balls that lead farther than the
+    pockets leave free squeeze the cage, which the race torque does not show.
+    """
+    if name == "asperities":
+        share = float(np.nan_to_num(base.balls["asperity_share"]).max())
+        return f"asperities carry up to {percent_of(share, 2)} of a contact's load" if share > scene.tolerance else None
+    if name in ("load_distribution", "weight") and scene.cage is not None and scene.effects.get("cage") != "off":
+        lead, room = float(np.abs(base.points["ball_lead"]).max()), resting_cage(scene.bearing, scene.cage).room
+        if lead > NEAR_ROOM * room:
+            return f"ball lead up to {length_of(lead)}, free clearance of the pockets {length_of(room)}"
+    return None
 
 
 def _share_without_input(trial: Trial, base: Solution, name: str) -> Array | None:

@@ -111,14 +111,20 @@ def _give_up(*_: object) -> None:
 
 
 def compared(place: tuple[float, ...], scene: Scene, exact: FrictionTorque) -> Iterable[Trial]:
-    """The torque of a scene beside that with everything on, at each point; its last point is also solved alone."""
+    """The torque of a scene beside that with everything on, at each point; its last point is also solved alone.
+
+    That one is compared with both.
+    """
     auto = friction_torque(scene)
     error, unsure = difference(auto, exact)
     stated = auto.numerical_uncertainty
     if len(error) > 1:  # the last point has the longest way behind it
         with suppress(FembearingError):  # alone it may be refused, as a pair that is pressed elsewhere only
-            one, own = difference(auto.at(LAST), friction_torque(last_of(scene)))
-            error, unsure, stated = (np.append(*both) for both in ((error, one), (unsure, own), (stated, stated[LAST])))
+            alone = friction_torque(last_of(scene))
+            for one, other in ((auto.at(LAST), alone), (alone, exact.at(LAST))):
+                apart, own = difference(one, other)
+                error, unsure = np.append(error, apart), np.append(unsure, own)
+                stated = np.append(stated, one.numerical_uncertainty)
     is_past_limit = any(check.name in DECISIVE and check.verdict != "pass" for check in physical_checks(auto))
     for each, without, share in zip(error, unsure, stated, strict=True):
         yield Trial(
