@@ -188,17 +188,17 @@ class RaceTorque:
         return solved(free.at(at), self.trial.points[at])
 
     def lead_spread(self, at: NDArray[np.intp]) -> Array:
-        """(k,) largest change of how far free balls lead by quadratures that are coarser, or by the next finer one, m.
+        """(k,) largest change of how far free balls lead by the next two coarser quadratures, m.
 
-        Balls by rule that stand for free ones are compared with both coarsest ones. Not NaN: a quadrature by which the
-        balls do not settle shows nothing.
+        The coarsest one is compared with the second, and balls by rule that stand for free ones with both of these. A
+        quadrature by which the balls do not settle shows nothing.
         """
         own, lead = (self.found.points[name][at] for name in ("passes", "ball_lead"))
         spread = np.zeros(at.size)
         creep = CREEP_OF[self.method if self.is_free else "marched_creep"]
         free = self.trial.model.counting(self.counted).turning_freely(self.scene.bearing, creep)
         for number in range(1, len(QUADRATURES)):
-            others = np.flatnonzero((number != own) & (number < np.maximum(own, 3)))
+            others = np.flatnonzero((number != own) & (number >= own - 2) & (number <= np.maximum(own, 2)))
             if others.size:
                 found = solved(free.with_numbers(passes=number).at(at[others]), self.trial.points[at[others]])
                 spread[others] = np.fmax(spread[others], np.abs(found.points["ball_lead"] - lead[others]))

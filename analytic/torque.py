@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.cage.drive import SQUEEZE_SPREAD, CageDrive, cage_drive
-from analytic.cage.torque import CagePart, by_squeezing, cage_friction, may_squeeze
+from analytic.cage.torque import CagePart, cage_friction, may_squeeze, squeezed_torque
 from analytic.contact.factors import ContactCorrection
 from analytic.contact.geometry import RACES
 from analytic.effects.cage import decide_cage
@@ -58,9 +58,10 @@ ALONG_AXES = ALL_ROUND[np.abs(ALL_ROUND).sum(axis=1) == 1]
 ALL_ROUND /= np.linalg.norm(ALL_ROUND, axis=1, keepdims=True)
 MOST_FREE = 32  # points of a series whose free balls are computed in every direction, all of them
 LEAD_SPREAD = 1.05  # of how far balls lead, by what `auto` leaves out: 4 % at most in 46 scenes of the adversary's
-# Of the difference of leads by two quadratures: that of the second from the finest is up to twice that from the first.
+LEAD_BY_RULE = 2.0  # the same by a weight, of balls by rule that stand for free ones, which led up to 1.73 times as far
+# Error of a lead over its difference by two quadratures: with the second of them, from the first one, it was up to 1.9.
 OF_QUADRATURES = 2.0
-NEAR_ROOM = 0.1  # of the free clearance of the pockets: balls that lead less do not squeeze the cage
+LEAD_TRIED = 0.2  # of the free clearance of the pockets, from which on a lead is computed by other quadratures
 MOST_GROWTH = 2.0  # of changes of balls by rule where friction wedges free ones: beyond, directions are close together
 ASIDE = np.array([0.036, -0.048, 0.08])  # rad: turns these directions by 0.03 to 0.1, out of their symmetry
 NO_SOLUTION = (
@@ -255,20 +256,25 @@ def _unsure_of_cage(
         return np.zeros_like(races.total), ()
     known = races.is_free or ruled(races.scene) is not None
     by_axis = 0.0 if known else drive.spread_by_axis * cage.torque
-    farthest = np.maximum(_farthest_lead(races, drive), weight.ball_lead)
-    more = by_squeezing(drive.leading(farthest), cage) - by_squeezing(drive, cage)
-    squeezed = (1 + SQUEEZE_SPREAD) * np.maximum(more, 0.0)
-    unsure = cage.half_interval + cage.unsure + by_axis + weight.cage_rate * cage.torque + squeezed
+    unsure = cage.half_interval + cage.unsure + by_axis + weight.cage_rate * cage.torque
+    farthest = _farthest_lead(races, drive, weight)
+    if np.any(farthest >= drive.room):
+        more = squeezed_torque(races.scene, drive.leading(farthest)) - squeezed_torque(races.scene, drive)
+        unsure = unsure + (1 + SQUEEZE_SPREAD) * np.maximum(more, 0.0)
     return unsure, cage.warnings + may_squeeze(drive, farthest)
 
 
-def _farthest_lead(races: RaceTorque, drive: CageDrive) -> Array:
+def _farthest_lead(races: RaceTorque, drive: CageDrive, weight: InAnyDirection) -> Array:
     """(n,) how far the balls may lead, m: a thousandth of their orbital speed decides whether they squeeze a cage."""
-    lead = np.abs(drive.grip.ball_lead)
+    turns = races.slides and ruled(races.scene) is None
+    by_weight = weight.ball_lead * (LEAD_BY_RULE if turns and not races.is_free else 1.0)
+    lead = np.maximum(np.abs(drive.grip.ball_lead), by_weight)
     farthest = LEAD_SPREAD * lead
-    at = np.flatnonzero(lead > NEAR_ROOM * drive.room)
-    if at.size and races.slides and ruled(races.scene) is None:
-        farthest[at] += OF_QUADRATURES * races.lead_spread(at)
+    at = np.flatnonzero(lead > LEAD_TRIED * drive.room)
+    if at.size and turns:
+        tried = at if races.trial.is_of_all else np.intersect1d(at, races.trial.tried)
+        spread = races.lead_spread(tried) if tried.size else np.zeros(0)
+        farthest[at] += OF_QUADRATURES * (spread if tried.size == at.size else spread.max(initial=0.0))
     return farthest
 
 
@@ -307,7 +313,7 @@ def _in_any_direction(races: RaceTorque, total: Array) -> InAnyDirection:
         leads[at] = np.fmax(leads[at], np.abs(found.points["ball_lead"]))
     share = np.where(np.isfinite(changes), share_in(np.nan_to_num(changes), np.nan_to_num(without.race_torque)), np.inf)
     if races.is_free:
-        unsure[at], rates[at], leads[at] = _change_of_free_balls(races, at, share)
+        unsure[at], rates[at], leads[at] = _change_of_free_balls(races, at, share, leads[at])
     else:
         unsure[at], rates = of_methods(races.scene) * share, of_methods(races.scene) * rates
         if races.slides and ruled(races.scene) is None:
@@ -317,11 +323,13 @@ def _in_any_direction(races: RaceTorque, total: Array) -> InAnyDirection:
     return InAnyDirection(unsure, rates, leads)
 
 
-def _change_of_free_balls(races: RaceTorque, at: NDArray[np.intp], by_rule: Array) -> tuple[Array, Array, Array]:
+def _change_of_free_balls(
+    races: RaceTorque, at: NDArray[np.intp], by_rule: Array, lead_by_rule: Array
+) -> tuple[Array, Array, Array]:
     """(k,) change of the torque by the weight of free balls, over the smaller one, of their rate at the cage, and lead.
 
     That of the torque is infinite where a direction has none.
-    by_rule : (k,) that of balls by rule; in a long series far points tell how much more free balls change
+    by_rule, lead_by_rule : (k,) those of balls by rule; in a long series far points tell how much more free balls have
     What lies between two directions is at most their difference beyond the farthest. A ball may come off in a narrow
     range of directions, and its rolling then changes suddenly: each ball with little load counts as if it came off.
     """
@@ -353,12 +361,15 @@ def _change_of_free_balls(races: RaceTorque, at: NDArray[np.intp], by_rule: Arra
     share, rates = np.where(known, largest(change, off), np.inf), largest(turns, np.zeros_like(off))
     if far.size == at.size:
         return share, rates, leads.max(axis=0)
+    farthest, rule = leads.max(axis=0), lead_by_rule[far]
+    longer = BETWEEN * np.divide(farthest, rule, out=np.zeros_like(rule), where=rule > 0).max() * lead_by_rule
+    longer[far] = farthest
     both, everywhere = np.isfinite(by_rule[far]) & (by_rule[far] > 0), np.full_like(by_rule, np.inf)
     more = np.divide(share, by_rule[far], out=np.full_like(share, np.inf), where=both).max()
     if np.isfinite(more):
         everywhere = BETWEEN * more * by_rule
         everywhere[far] = share
-    return everywhere, np.full_like(by_rule, BETWEEN * rates.max()), np.full_like(by_rule, leads.max())
+    return everywhere, np.full_like(by_rule, BETWEEN * rates.max()), longer
 
 
 def _with_weight_along(races: RaceTorque, at: NDArray[np.intp], down: Array) -> Array:

@@ -91,7 +91,8 @@ def ball_lead(orbit_rate: ArrayLike, *, pitch_radius: float) -> Array:
 
     orbit_rate : (..., Z) w_c of the balls at psi_j = 2 pi j/Z over any speed, > 0;  pitch_radius : r_m, m
     A ball that passes psi with w_c(psi) is ahead by r_m times the integral of 1 - W/w_c over psi; W is its mean speed.
-    A is the first harmonic of that integral. Where the contact angle is al + a cos(psi), with g = D/d_m, this is
+    A is the size of the first harmonic of that integral, with the sign of its part in sin(psi).
+    Where the contact angle is al + a cos(psi), with g = D/d_m, this is
         A = r_m g sin(al) a/(1 - g cos al)
     The higher harmonics are 1 % of it under a radial load as large as the thrust, less under smaller loads.
     One column stands for balls that are alike: they do not lead.
@@ -99,8 +100,10 @@ def ball_lead(orbit_rate: ArrayLike, *, pitch_radius: float) -> Array:
     require_positive(orbit_rate=orbit_rate, pitch_radius=pitch_radius)
     time = 1 / np.asarray(orbit_rate, dtype=np.float64)
     balls = time.shape[-1]
-    wave = 2 * np.sum(time * np.cos(2 * np.pi * np.arange(balls) / balls), axis=-1) / np.sum(time, axis=-1)
-    return np.asarray(-pitch_radius * wave if balls > 1 else np.zeros_like(wave))
+    turned = np.exp(2j * np.pi * np.arange(balls) / balls)
+    wave = 2 * np.sum(time * turned, axis=-1) / np.sum(time, axis=-1)
+    lead = -pitch_radius * np.copysign(np.abs(wave), wave.real)
+    return np.asarray(lead if balls > 1 else np.zeros_like(lead))
 
 
 def squeeze_force(

@@ -165,14 +165,12 @@ def cage_friction(scene: Scene, drive: CageDrive, *, moves: bool, frees: NDArray
     Raises InputError for races or a ball without grip, MotionError if a motion diverges.
     """
     drive.grip.require_grip(drive.inner_speed)
-    cage, points = drive.cage, drive.inner_speed.size
-    bearing = drive.bearing
-    weight = np.full(points, bearing.ball_count * resting_load(resting_cage(bearing, cage)))
-    squeezing = drive.grip.alike * drive.squeezing_force(np.zeros(points)).sum(axis=1)
+    points = drive.inner_speed.size
+    weight, squeezing = resting_force(drive), _by_squeezing(drive, np.zeros(points))[1]
     pressed = np.maximum(np.maximum(drive.whirling_force, weight) if moves else weight, squeezing)
     friction = drive.pocket_friction(scene, pressed)
     torque, force = _by_closed_form(drive, friction.coefficient)
-    moment = cage.drag * drive.orbit_speed * np.sign(drive.inner_speed)
+    moment = drive.cage.drag * drive.orbit_speed * np.sign(drive.inner_speed)
     driven: list[DrivenCage | None] = [None] * points
     motion: list[CageStatistics | None] = [None] * points
     excess = np.full(points, np.nan)
@@ -265,9 +263,23 @@ def may_squeeze(drive: CageDrive, farthest: Array) -> tuple[str, ...]:
     )
 
 
-def by_squeezing(drive: CageDrive, part: CagePart) -> Array:
-    """(n,) torque of balls that lead farther than the pockets leave free, with the part's pocket friction, N m."""
-    return _by_squeezing(drive, part.friction_coefficient)[0]
+def squeezed_torque(scene: Scene, drive: CageDrive) -> Array:
+    """(n,) torque of balls that lead farther than the pockets leave free, with the pocket friction under their force.
+
+    N m; 0 where there is room.
+    """
+    squeezing = _by_squeezing(drive, np.zeros(drive.inner_speed.size))[1]
+    torque = np.zeros_like(squeezing)
+    if np.any(squeezing > 0):
+        pressed = np.maximum(squeezing, resting_force(drive))
+        torque = _by_squeezing(drive, drive.pocket_friction(scene, pressed).coefficient)[0]
+    return torque
+
+
+def resting_force(drive: CageDrive) -> Array:
+    """(n,) N, sum of the normal forces of a cage at rest, without friction."""
+    cage = resting_cage(drive.bearing, drive.cage)
+    return np.full(drive.inner_speed.size, drive.bearing.ball_count * resting_load(cage))
 
 
 def _by_squeezing(drive: CageDrive, friction_coefficient: Array) -> tuple[Array, Array]:

@@ -45,7 +45,7 @@ from analytic.words import length_of, percent_of
 # it was 1.7 at most by other methods of sliding and 4.3 of free balls, both of the balls' weight, where a trial was let
 # count once (validation/adversary/run.py, seed 1).
 OF_METHODS, OF_FREE_BALLS = 2.5, 6.0
-NEAR_ROOM = 0.5  # of the free clearance of the pockets; balls by rule lead 0.6 to 1.4 times as far as most free ones
+LEAD_COUNTS = 0.5  # of the free clearance of the pockets; balls by rule lead 0.6 to 1.4 times as far as most free ones
 FEW = f"always computed for up to {FAR} points"
 ON_A_RING = "computed together with the weight"
 WITH_LOADS = "neglected with load_distribution, whose share includes it"
@@ -341,7 +341,7 @@ def _demanded(name: str, base: Solution, scene: Scene) -> str | None:
         return f"asperities carry up to {percent_of(share, 2)} of a contact's load" if share > scene.tolerance else None
     if name in ("load_distribution", "weight") and scene.cage is not None and scene.effects.get("cage") != "off":
         lead, room = float(np.abs(base.points["ball_lead"]).max()), resting_cage(scene.bearing, scene.cage).room
-        if lead > NEAR_ROOM * room:
+        if lead > LEAD_COUNTS * room:
             return f"ball lead up to {length_of(lead)}, free clearance of the pockets {length_of(room)}"
     return None
 

@@ -201,7 +201,7 @@ def put_axial_share(supply: Record, share: float) -> None:
 def reset(out: Record) -> None:
     """Begin the sums of a point."""
     out.total = out.spin = out.conformity = out.hysteresis = out.rolling = out.cage = out.sliding_error = 0.0
-    out.orbit_rate = out.ball_rate = out.contact_angle = out.ball_lead = out.slowness = 0.0
+    out.orbit_rate = out.ball_rate = out.contact_angle = out.ball_lead = out.lead_across = out.slowness = 0.0
     out.creep, out.passes, out.heaviest, out.gyroscopic_hold, out.coming_off = 0.0, 0, 0, 0.0, 0.0
     out.at_edge[:] = 0
     out.centrifugal_share = out.gyroscopic_share = out.weight_share = 0.0
@@ -402,6 +402,7 @@ def add_ball(
     out.ball_rate += motion.ball_speed
     out.contact_angle += abs(ball.angle[0] + ball.angle[1]) / 2
     out.ball_lead += np.cos(2 * np.pi * j / count) / motion.cage_speed
+    out.lead_across += np.sin(2 * np.pi * j / count) / motion.cage_speed
     out.slowness += 1 / motion.cage_speed
     forces = note_own_forces(model, load.speed, min(ball.load[0], ball.load[1]), motion, out)
     for race in range(2):
@@ -693,7 +694,11 @@ def finish(model: ModelNumbers, tables: Tables, load: Load, count: int, balls: R
     out.ball_rate /= count
     out.contact_angle /= count
     # First harmonic of the slowness of the balls round their orbit, see `analytic.cage.drive.ball_lead`
-    out.ball_lead = -model.ring.bearing.pitch_diameter * out.ball_lead / out.slowness if count > 1 else 0.0
+    if count > 1:
+        wave = np.copysign(np.hypot(out.ball_lead, out.lead_across), out.ball_lead)
+        out.ball_lead = -model.ring.bearing.pitch_diameter * wave / out.slowness
+    else:
+        out.ball_lead = 0.0
     if model.counted.cage:
         out.cage = cage_torque(model, tables, load.speed, out)
         if np.isnan(out.cage):

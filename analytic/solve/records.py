@@ -52,6 +52,7 @@ POINT = np.dtype(
         ("ball_rate", "f8"),  # w_b/w, mean over the balls
         ("contact_angle", "f8"),  # |al|, mean over balls and races, rad
         ("ball_lead", "f8"),  # A, m, see `analytic.cage.drive`
+        ("lead_across", "f8"),  # sum over the balls of sin(psi)/w_c
         ("slowness", "f8"),  # sum of w/w_c over the balls
         ("peak_pressure", "f8", 2),  # of the worst ball, Pa
         ("cut_off", "f8", 2),  # of the worst ball: share of its load beyond a shoulder

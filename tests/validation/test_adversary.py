@@ -35,7 +35,9 @@ def any_place(seed: int) -> tuple[float, ...]:
     """The place of a scene of any kind."""
     numbers = np.random.default_rng(seed).random(adversary.INPUTS)
     if seed < 540000:  # drawn before long series had more than thrust, and shafts were upright
-        numbers[-2:] = 0.0, 0.99
+        numbers[-3:-1] = 0.0, 0.99
+    if seed < 560000:  # drawn before pockets had a friction that is not given
+        numbers[-1] = 0.99
     return tuple(numbers.tolist())
 
 
@@ -180,7 +182,7 @@ def test_a_scene_that_a_climb_found_keeps_its_statement(file: Path) -> None:
     ],
 )
 def test_a_lead_that_hardly_fits_the_pockets_is_within_the_uncertainty(seed: int, narrower: float) -> None:
-    """`auto` computes leads of 0.72, 0.96 and, before, 0 times the room; true ones are 1.05 to 1.08 times."""
+    """`auto` computes leads of 0.72, 0.96 and, before, 0 times the room; true ones are 1.05 to 1.08 times it."""
 
     def scene(*, directed: bool) -> Scene:
         document = tomllib.loads(scene_text(any_place(seed), tolerance=0.01, directed=directed))
@@ -282,7 +284,7 @@ def test_a_series_that_jumps_to_another_steady_state_covers_both() -> None:
 def test_balls_that_all_but_turn_are_told() -> None:
     found = friction_torque(parse_scene(adversary.scene_text(any_place(521775), tolerance=0.01), origin="drawn"))
     assert any("99.9 % of the friction" in each for each in found.warnings)
-    assert found.numerical_uncertainty[0] > 0.06  # what asperities and finite geometry would change there, left out
+    assert found.numerical_uncertainty[0] > 0.06  # it was 5.7 % off without asperities
 
 
 def test_two_steady_states_are_seen_without_a_coarse_solution(monkeypatch: pytest.MonkeyPatch) -> None:

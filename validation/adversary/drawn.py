@@ -17,7 +17,7 @@ from analytic.scene import Autocorrelation
 from analytic.surface.roughness import generated_surface
 from validation.adversary.radial import RADIAL_INPUTS, Draw, radial_scene
 
-INPUTS = RADIAL_INPUTS + 77  # numbers of a place
+INPUTS = RADIAL_INPUTS + 78  # numbers of a place
 LONG_SERIES = 12  # operating points: effects are tried at eight of them
 LIGHT_CAGE = 2e-3  # kg/N, mass of a cage over the thrust: a fiftieth in weight
 MAP_LENGTH, MAP_SPACING, MAP_POINTS = 20e-6, 2e-6, 128  # m, m, a side
@@ -33,18 +33,21 @@ def scene_text(place: tuple[float, ...], *, tolerance: float, directed: bool = F
     text = radial_scene(place[:RADIAL_INPUTS], tolerance=tolerance, directed=directed)
     if len(place) == RADIAL_INPUTS:
         return text
-    document, draw, late = tomllib.loads(text), Draw(place[RADIAL_INPUTS:-2]), Draw(place[-2:])
+    document, draw, late = tomllib.loads(text), Draw(place[RADIAL_INPUTS:-3]), Draw(place[-3:])
+    only_thrust, upright, own_friction = late.chance(0.5), late.chance(0.2), late.chance(0.5)
     kind = draw.one_of(*5 * ("radial",), "thrust", "pair", "given", "seats")
     _as_kind(document, kind, draw)
-    _series(document, draw, only_thrust=late.chance(0.5))
+    _series(document, draw, only_thrust=only_thrust)
     _oil(document, draw)
     _surface(document, draw)
     _laws(document, draw)
     _losses(document, draw)
     if kind == "thrust":
         _within_washers(document)
-    if "down" in document["operation"] and kind != "pair" and late.chance(0.2):
+    if "down" in document["operation"] and kind != "pair" and upright:
         document["operation"]["down"] = [0.0, 0.0, -1.0]
+    if "cage" in document and own_friction:
+        del document["cage"]["friction_coefficient"]  # that of the oil in the pockets, or of the races
     return toml(document)
 
 

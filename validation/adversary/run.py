@@ -38,6 +38,7 @@ from rich.console import Console
 from rich.table import Table
 
 from analytic import friction_torque
+from analytic.cage.drive import SQUEEZE_SPREAD
 from analytic.effects.table import COMPUTED, ENTRIES, ruled
 from analytic.errors import FembearingError, InputError
 from analytic.result import FrictionTorque
@@ -116,26 +117,25 @@ def compared(place: tuple[float, ...], scene: Scene, exact: FrictionTorque) -> I
     That one is compared with both.
     """
     auto = friction_torque(scene)
-    error, unsure = difference(auto, exact)
-    stated = auto.numerical_uncertainty
-    if len(error) > 1:  # the last point has the longest way behind it
+    pairs = [(auto, exact)]
+    if len(auto.torque.total) > 1:  # the last point has the longest way behind it
         with suppress(FembearingError):  # alone it may be refused, as a pair that is pressed elsewhere only
             alone = friction_torque(last_of(scene))
-            for one, other in ((auto.at(LAST), alone), (alone, exact.at(LAST))):
-                apart, own = difference(one, other)
-                error, unsure = np.append(error, apart), np.append(unsure, own)
-                stated = np.append(stated, one.numerical_uncertainty)
-    is_past_limit = any(check.name in DECISIVE and check.verdict != "pass" for check in physical_checks(auto))
-    for each, without, share in zip(error, unsure, stated, strict=True):
-        yield Trial(
-            place=place,
-            tolerance=scene.tolerance,
-            error=max(float(each - without), 0.0) if np.isfinite(without) else 0.0,
-            stated=float(share),
-            reference=float(without),
-            unknown=auto.unknown,
-            is_past_limit=is_past_limit,
-        )
+            pairs += [(auto.at(LAST), alone), (alone, exact.at(LAST))]
+    for found, other in pairs:
+        is_past_limit = any(check.name in DECISIVE and check.verdict != "pass" for check in physical_checks(found))
+        for each, without, share in zip(*difference(found, other), found.numerical_uncertainty, strict=True):
+            if found is not auto and np.isinf(without):
+                continue  # tells nothing: whether an input lacks is asked of everything on
+            yield Trial(
+                place=place,
+                tolerance=scene.tolerance,
+                error=max(float(each - without), 0.0) if np.isfinite(without) else 0.0,
+                stated=float(share),
+                reference=float(without),
+                unknown=found.unknown,
+                is_past_limit=is_past_limit,
+            )
 
 
 def last_of(scene: Scene) -> Scene:
@@ -145,9 +145,15 @@ def last_of(scene: Scene) -> Scene:
 
 
 def difference(auto: FrictionTorque, other: FrictionTorque) -> tuple[Array, Array]:
-    """(n,) of the total of the other one, and the uncertainty of the other, both over the total."""
+    """(n,) of the total of the other one, and the uncertainty of the other, both over the total.
+
+    The spread of a squeezed cage is left out of the latter: both have the same formula.
+    """
     whole, total = other.torque.total, auto.torque.total  # the stated uncertainty is a share of it
     unsure = other.numerical_uncertainty * np.divide(whole, total, out=np.ones_like(whole), where=total > 0)
+    if other.cage is not None:
+        spread = SQUEEZE_SPREAD * other.cage.torque * other.cage.is_squeezed
+        unsure = unsure - np.divide(spread, total, out=np.zeros_like(total), where=total > 0)
     change = np.abs(total - whole)
     return np.divide(change, total, out=np.where(change > 0, np.inf, 0.0), where=total > 0), unsure
 

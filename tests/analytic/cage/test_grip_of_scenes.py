@@ -116,6 +116,27 @@ def test_balls_lead_by_the_loads_of_the_ring() -> None:
     np.testing.assert_allclose(present(friction_torque(back).cage).ball_lead, -cage.ball_lead, rtol=0.02)
 
 
+def test_the_lead_by_the_weight_turns_with_it() -> None:
+    """Pure thrust is alike all round. Balls by rule, whose ring has no direction of its own."""
+    scene = replace(
+        FAST,
+        operation=Operation(axial_load=np.array([20.0]), inner_speed=np.array([500.0]) * RPM),
+        contact_angle=ContactAngle(rule="solved", free=0.18),
+        spin_rule="balanced",
+        effects={"weight": "on"},
+    )
+    leads = [
+        abs(
+            float(
+                present(friction_torque(replace(scene, down=(np.cos(azimuth), np.sin(azimuth), 0.0))).cage).ball_lead[0]
+            )
+        )
+        for azimuth in (0.0, 0.7, np.pi / 2)
+    ]
+    assert leads[0] > 0
+    np.testing.assert_allclose(leads[1:], leads[0], rtol=1e-3)  # nine balls are not quite round
+
+
 def test_pockets_too_tight_for_the_lead_are_squeezed() -> None:
     scene = pushed(500.0, clearance=0.1e-3, start="whirl")
     result = friction_torque(scene)
