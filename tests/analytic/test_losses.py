@@ -15,7 +15,7 @@ from analytic.oil.viscosity import inlet_viscosity
 from analytic.prediction.formulas import with_model_uncertainty
 from analytic.prediction.settled import settled_parts
 from analytic.prediction.spreads import uncertain_inputs
-from analytic.scene import Arrangement, Losses, Operation, Scene
+from analytic.scene import Arrangement, Losses, Operation, Scene, ShearedPockets
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.torque import friction_torque
 from tests.analytic.specimens import present
@@ -204,3 +204,16 @@ def test_a_speed_beyond_usual_practice_is_said() -> None:
             assert said in friction_torque(scene).warnings
     hybrid = replace(scene.bearing, ball_material=replace(scene.bearing.ball_material, density=3200.0))
     assert too_fast(replace(scene, bearing=hybrid)) is None  # 3e6 mm/min with an oil jet
+
+
+def test_pockets_that_are_not_given_are_estimated_by_usual_ones() -> None:
+    """0.025 ball diameters of clearance and 0.11 of thickness, those of the cage of [Paper]."""
+    scene = replace(parse_scene(OILED, origin="here"), losses=Losses())
+    found = friction_torque(scene)
+    ball = scene.bearing.ball_diameter
+    pockets = ShearedPockets(clearance=0.025 * ball, thickness=0.11 * ball)
+    sheared = present(stirred_oil(scene, Losses(pockets=pockets))).cage_shear(
+        found.inner_speed, inlet_viscosity(present(scene.lubricant)).viscosity
+    )
+    share = next(each.share for each in found.shares if each.name == "cage_shear")
+    assert share == pytest.approx(np.max(sheared / found.torque.total), rel=1e-12)

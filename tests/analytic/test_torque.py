@@ -7,15 +7,20 @@ import hypothesis.strategies as st
 import numpy as np
 import pytest
 from hypothesis import example, given, settings
+from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 import analytic
+from analytic import races
 from analytic.contact.factors import ContactCorrection, ContactFactors
 from analytic.errors import InputError
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.result import FrictionTorque
-from analytic.scene import Bearing, ContactAngle, Decision, Scene, SpinRule
-from analytic.scenefile.read import load_scene
+from analytic.scene import Array, Bearing, ContactAngle, Decision, Scene, SpinRule
+from analytic.scenefile.read import load_scene, parse_scene
+from analytic.solve.freely import other_states
+from analytic.solve.model import Model
+from analytic.solve.solution import Solution
 from analytic.torque import friction_torque
 from fembearing.plain_types import plain
 from tests.analytic.specimens import AS_HERTZ, DRY_PARTS, dry, part, thrust, without
@@ -226,3 +231,34 @@ def test_the_builtin_scene_from_its_file() -> None:
     np.testing.assert_allclose(slip / without_creep, 1.230, rtol=0.012)
     # That program's torque of a free ball without creep, by Coulomb friction: 37.546 N mm
     np.testing.assert_allclose(without_creep, 37.546e-3, rtol=3e-3)
+
+
+@pytest.mark.parametrize(("thrust", "is_wedged"), [(0.5, True), (3.0, False)])
+def test_other_loads_are_searched_where_friction_all_but_wedges_balls(
+    monkeypatch: pytest.MonkeyPatch, thrust: float, is_wedged: bool
+) -> None:
+    """A friction of 0.1 leans the lines of contact apart by 0.2: at light load that is most of the approach."""
+    seen: list[bool] = []
+
+    def search(model: Model, points: Array, found: Solution, wedged: NDArray[np.bool_]) -> Array:
+        seen.extend(wedged.tolist())
+        return other_states(model, points, found, wedged)
+
+    monkeypatch.setattr(races, "other_states", search)
+    friction_torque(
+        parse_scene(
+            f"""
+            name = "dry"
+            [bearing]
+            catalog = "paper_6205"
+            contact_angle = {{ rule = "solved" }}
+            [operation]
+            axial_load = "{thrust} N"
+            inner_speed = "10 rpm"
+            [friction]
+            coefficient = 0.1
+            """,
+            origin="here",
+        )
+    )
+    assert seen == [is_wedged]

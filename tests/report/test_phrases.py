@@ -6,7 +6,7 @@ import pytest
 
 from analytic.inputs import UNCERTAIN
 from analytic.verdicts import NumericalCheck
-from fembearing.report.phrases import input_name, numerical_words, place_of
+from fembearing.report.phrases import input_name, numerical_words, percent, place_of
 from tests.analytic.specimens import present
 
 
@@ -39,3 +39,8 @@ def test_every_uncertain_input_has_a_name() -> None:
     names = [input_name(key) for key in UNCERTAIN]
     assert all(names)
     assert not any("." in name for name in names)
+
+
+@pytest.mark.parametrize(("value", "words"), [(0.01234, "1.2 %"), (None, "unknown"), (float("inf"), "unknown")])
+def test_a_share_that_is_not_known_has_no_number(value: float | None, words: str) -> None:
+    assert percent(value) == words

@@ -4,10 +4,12 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 from analytic.oil.film import FORMULA_UNCERTAINTY
-from analytic.oil.variation import Variation
+from analytic.oil.variation import OIL_LOSS_FACTORS, Variation
 from analytic.prediction.formulas import with_model_uncertainty
+from analytic.prediction.spreads import DEFAULTS
 from analytic.scene import Scene
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
@@ -123,3 +125,9 @@ def test_the_same_effects_are_taken_again() -> None:
     again = friction_torque(found.settled(replace(scene, tolerance=1e-4)), variation=Variation(film=0.7))
     assert {effect.name for effect in again.effects if effect.decision == "off"} == out
     assert again.sliding == found.sliding
+
+
+def test_factors_within_which_a_loss_lies_evenly_have_the_deviation_of_an_even_logarithm() -> None:
+    least, most = np.log(OIL_LOSS_FACTORS)
+    every = np.linspace(least, most, 20001)  # evenly: its standard deviation is that of the distribution
+    assert DEFAULTS["model.oil_losses"].deviation == pytest.approx(np.std(every), rel=1e-3)  # 1/20 000 by the ends

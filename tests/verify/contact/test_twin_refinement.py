@@ -1,6 +1,7 @@
 """The estimate from levels with a twin: its order, its uncertainty, and where plain levels take its place."""
 
 from collections.abc import Callable
+from functools import partial
 from types import SimpleNamespace
 from typing import Any
 
@@ -14,7 +15,15 @@ from fembearing.verify.contact.discrepancy import ContactSolution, compare_conta
 from fembearing.verify.contact.mesh_refinement import COMPARED, FORMAL_ORDERS
 from fembearing.verify.contact.reference import solve_reference
 from fembearing.verify.contact.twin_refinement import ORDER, ORDERS, SHAPED, estimates_with_twin
-from fembearing.verify.contact.uncertainty import CURVED, LEAST_WITH_TWIN, LEFT, STIFFNESS, UNSTEADY_PRESSURE
+from fembearing.verify.contact.uncertainty import (
+    CURVED,
+    LEAST_WITH_TWIN,
+    LEFT,
+    STIFFNESS,
+    UNSTEADY_PRESSURE,
+    on_pixels,
+    with_twin,
+)
 
 EXACT = {"semi_axis_rolling": 0.12e-3, "semi_axis_transverse": 0.7e-3, "peak_pressure": 2.1e9, "approach": 6.2e-6}
 LEFT_BY_TWIN = {"semi_axis_rolling": 3e-3, "semi_axis_transverse": -7e-3, "peak_pressure": 2e-3, "approach": 11e-3}
@@ -89,3 +98,15 @@ def test_a_tighter_accuracy_takes_a_finer_level_with_its_twin(contacts: dict[str
         assert one.total <= 1e-3, name
         assert other.total <= 5e-4, name
         assert abs(one.value / other.value - 1) < one.mesh + other.mesh, name
+
+
+@pytest.mark.parametrize("grown", ["shape", "shown", "step"])
+def test_whatever_shows_a_larger_error_widens_the_uncertainty(grown: str) -> None:
+    shown = {"shape": 0.31, "shown": 0.0023, "step": 0.0017}
+    for stated, given in (
+        (with_twin, shown),
+        (partial(on_pixels, is_sampled=True), {name: shown[name] for name in ("shape", "step")}),
+    ):
+        if grown in given:
+            before, after = stated(**given), stated(**(given | {grown: 2 * given[grown]}))
+            assert all(after[name] > before[name] > 0 for name in before)

@@ -1,0 +1,61 @@
+"""Pressure and film of a lubricated contact: what the maps and the line of rolling show, in either system of units."""
+
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+from matplotlib.patches import Ellipse
+
+from fembearing.quantities import INCH_POUND, METRIC, Units
+from fembearing.report.figures.film import film_figure
+
+A, B, PEAK = 0.13e-3, 0.71e-3, 1.7e9  # m, m, Pa
+CENTRAL, THINNEST = 0.31e-6, 0.19e-6  # m
+
+
+def solved() -> Any:
+    """Hertz's pressure, and a film that grows outside of its ellipse."""
+    x, y = np.linspace(-2.3 * A, 1.7 * A, 41), np.linspace(0.02 * B, 1.8 * B, 19)
+    outside = (x[:, None] / A) ** 2 + (y[None, :] / B) ** 2
+    contact = SimpleNamespace(semi_axes=(A, B), peak_pressure=PEAK)
+    solution = SimpleNamespace(
+        x=x, y=y, contact=contact, pressure=PEAK * np.sqrt(np.clip(1 - outside, 0, None)), film=CENTRAL * (1 + outside)
+    )
+    films = {"central_film": CENTRAL, "minimum_film": THINNEST}
+    numbers = SimpleNamespace(**{name: SimpleNamespace(numerical=value) for name, value in films.items()})
+    return SimpleNamespace(solution=solution, numbers=numbers)
+
+
+@pytest.mark.parametrize("units", [METRIC, INCH_POUND], ids=["metric", "inch"])
+def test_the_maps_show_the_ellipse_of_hertz_and_its_surroundings(units: Units) -> None:
+    figure = film_figure(solved(), units)
+    maps = [axes for axes in figure.axes if any(isinstance(patch, Ellipse) for patch in axes.patches)]
+    assert len(maps) == 2
+    for panel in maps:
+        (ellipse,) = (patch for patch in panel.patches if isinstance(patch, Ellipse))
+        assert (ellipse.width, ellipse.height) == pytest.approx((2, 2 * B * units.length.factor))
+        for (low, high), semi_axis in ((panel.get_xlim(), 1.0), (panel.get_ylim(), B * units.length.factor)):
+            assert -low == pytest.approx(high)
+            assert 1.2 * semi_axis < high < 1.8 * semi_axis  # the horseshoe is seen, and the map is not empty
+        assert units.length.name in panel.get_ylabel()
+
+
+@pytest.mark.parametrize("units", [METRIC, INCH_POUND], ids=["metric", "inch"])
+def test_pressure_and_film_along_rolling_are_within_their_scales(units: Units) -> None:
+    figure = film_figure(solved(), units)
+
+    def panel_of(label: str) -> Axes:
+        return next(each for each in figure.axes if label in [line.get_label() for line in each.get_lines()])
+
+    for label, highest, unit in (("pressure", PEAK, units.pressure), ("film", CENTRAL, units.small_length)):
+        panel = panel_of(label)
+        line = next(line for line in panel.get_lines() if line.get_label() == label)
+        values = np.asarray(line.get_ydata(), dtype=float)
+        shown = np.abs(np.asarray(line.get_xdata(), dtype=float)) < 0.9
+        assert panel.get_ylim()[0] == 0
+        assert values[shown].max() < panel.get_ylim()[1]
+        middle = values[np.argmin(np.abs(np.asarray(line.get_xdata(), dtype=float)))]
+        assert middle == pytest.approx(highest * unit.factor, rel=0.01)  # the first row is 0.02 b beside the centre
+        assert unit.name in panel.get_ylabel()
