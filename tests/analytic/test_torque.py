@@ -249,6 +249,7 @@ def test_other_loads_are_searched_where_friction_all_but_wedges_balls(
         parse_scene(
             f"""
             name = "dry"
+            tolerance = "1 %"
             [bearing]
             catalog = "paper_6205"
             contact_angle = {{ rule = "solved" }}
