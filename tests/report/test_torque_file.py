@@ -17,7 +17,8 @@ from analytic.scenefile.read import load_scene, parse_scene
 from fembearing import cli
 from fembearing.plain_types import plain
 from fembearing.report import torque_folder
-from fembearing.report.torque import torque_file
+from fembearing.report.tables.torque import ball_table
+from fembearing.report.torque import torque_file, torque_record
 from fembearing.report.torque_file import CONTENTS, torque_content
 from fembearing.report.torque_folder import torque_with_files
 from fembearing.report.torque_table import csv_of, shown_columns
@@ -217,3 +218,13 @@ def test_a_content_is_that_of_its_ending(result: SceneTorque) -> None:
     assert json.loads(torque_content(result, ending=".json"))["kind"] == torque_file(result).kind
     with pytest.raises(InputError, match=r"'\.doc'.*\.csv"):
         torque_content(result, ending=".doc")
+
+
+def test_the_balls_of_a_series_have_the_range_of_their_angles() -> None:
+    """More thrust raises the angle: the least belongs to the least load, wherever it stands in the series."""
+    result = torque_of_scene(parse_scene(SERIES, origin="here"))
+    angles = np.degrees(result.friction.contact_angle)
+    note = ball_table(torque_record(result), (0, 1, 2)).notes[0]
+    told = [float(each) for each in re.findall(r"(\d+\.\d+) deg", note)]
+    assert told == pytest.approx([angles.min(), angles.max()], abs=0.05)  # digits
+    assert told[0] < told[1]

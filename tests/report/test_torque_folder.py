@@ -152,3 +152,8 @@ def test_a_torque_without_a_moving_cage_loads_nothing_that_packs_or_renders(tmp_
     packing = {"vtk", "vtkmodules", "pyvista", "xarray", "netCDF4"}
     assert {"matplotlib", *packing} & file == set()
     assert {"matplotlib", *packing} & folder == {"matplotlib"}
+
+
+def test_a_cage_in_a_bearing_at_rest_has_no_series_for_nothing_turns(tmp_path: Path) -> None:
+    still = torque_of_scene(parse_scene(MOVING.replace('"500 rpm"', '"0 rpm"'), origin="here"))
+    assert present(write_torque(still, tmp_path)).endswith("no series, plot or picture of it: nothing turns")
