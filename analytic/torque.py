@@ -70,6 +70,9 @@ NO_SOLUTION = (
 # Rises whenever a formula changes a torque; CHANGELOG.md then has the old and the new torque of each shipped scene.
 # `python validation/model_version.py` prints both.
 MODEL_VERSION = 10
+SQUEEZED_BY_WEIGHT = (
+    "the direction of the balls' weight is not given, and decides how balls squeeze the cage; give operation.down"
+)
 NO_EDGE = "balls at the edge of their load did not converge with every force on them"
 NO_CAGE: Mapping[str, Decision] = dict.fromkeys(("cage", "cage_dynamics", "ball_dynamics"), "off")
 LOSSES = ("oil", "declared")
@@ -187,7 +190,7 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
     limits = check_limits(scene, races.found, ledger)
     weight = _in_any_direction(races, total)
     unsure = _unsure(ledger, races, total, weight)
-    cage_unsure, cage_warnings = _unsure_of_cage(cage, drive, races, weight)
+    cage_unsure, cage_unknown, cage_warnings = _unsure_of_cage(cage, drive, races, weight)
     heaviest = races.heaviest
     return FrictionTorque(
         inner_speed=speed,
@@ -223,7 +226,7 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
             *torque_warnings(ledger, races.found, roughness=races.gap_roughness, limits=limits.warnings),
             *(*races.warnings, *_two_states(races), *_nearly_turned(races), *cage_warnings),
         ),
-        unknown=limits.unknown + unsure.unknown + (() if cage is None else cage.unknown),
+        unknown=limits.unknown + unsure.unknown + cage_unknown,
         provenance=_provenance(ledger, races, correction=correction, cage=cage),
         seconds=0.0,
     )
@@ -247,13 +250,14 @@ def _unsure(ledger: Ledger, races: RaceTorque, total: Array, weight: InAnyDirect
 
 def _unsure_of_cage(
     cage: CagePart | None, drive: CageDrive | None, races: RaceTorque, weight: InAnyDirection
-) -> tuple[Array, tuple[str, ...]]:
+) -> tuple[Array, tuple[str, ...], tuple[str, ...]]:
     """(n,) half width of the cage's torque, N m: its motion, balls by rule, unknown weights and how far balls lead.
 
-    With it the warnings of the cage.
+    Infinite where it is not known, with the reasons why not, and the warnings of the cage. A weight in an unknown
+    direction decides on lead and load of the balls that squeeze a cage.
     """
     if cage is None or drive is None:
-        return np.zeros_like(races.total), ()
+        return np.zeros_like(races.total), (), ()
     known = races.is_free or ruled(races.scene) is not None
     by_axis = 0.0 if known else drive.spread_by_axis * cage.torque
     unsure = cage.half_interval + cage.unsure + by_axis + weight.cage_rate * cage.torque
@@ -261,7 +265,9 @@ def _unsure_of_cage(
     if np.any(farthest >= drive.room):
         more = squeezed_torque(races.scene, drive.leading(farthest)) - squeezed_torque(races.scene, drive)
         unsure = unsure + (1 + SQUEEZE_SPREAD) * np.maximum(more, 0.0)
-    return unsure, cage.warnings + may_squeeze(drive, farthest)
+    open_ = races.any_direction & (farthest >= drive.room)
+    unknown = cage.unknown + ((SQUEEZED_BY_WEIGHT,) if open_.any() else ())
+    return np.where(open_, np.inf, unsure), unknown, cage.warnings + may_squeeze(drive, farthest)
 
 
 def _farthest_lead(races: RaceTorque, drive: CageDrive, weight: InAnyDirection) -> Array:
