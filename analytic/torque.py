@@ -58,7 +58,8 @@ ALONG_AXES = ALL_ROUND[np.abs(ALL_ROUND).sum(axis=1) == 1]
 ALL_ROUND /= np.linalg.norm(ALL_ROUND, axis=1, keepdims=True)
 MOST_FREE = 32  # points of a series whose free balls are computed in every direction, all of them
 LEAD_SPREAD = 1.05  # of how far balls lead, by what `auto` leaves out: 4 % at most in 46 scenes of the adversary's
-LEAD_BY_RULE = 2.0  # the same by a weight, of balls by rule that stand for free ones, which led up to 1.73 times as far
+# Of the lead by weights in 26 directions: between them it is larger, and free balls led up to 1.73 times as far.
+LEAD_BY_WEIGHT = 2.0
 # Error of a lead over its difference by two quadratures: with the second of them, from the first one, it was up to 1.9.
 OF_QUADRATURES = 2.0
 LEAD_TRIED = 0.2  # of the free clearance of the pockets, from which on a lead is computed by other quadratures
@@ -272,12 +273,14 @@ def _unsure_of_cage(
 
 def _farthest_lead(races: RaceTorque, drive: CageDrive, weight: InAnyDirection) -> Array:
     """(n,) how far the balls may lead, m: a thousandth of their orbital speed decides whether they squeeze a cage."""
-    turns = races.slides and ruled(races.scene) is None
-    by_weight = weight.ball_lead * (LEAD_BY_RULE if turns and not races.is_free else 1.0)
-    lead = np.maximum(np.abs(drive.grip.ball_lead), by_weight)
+    by_weight, at = weight.ball_lead.copy(), np.flatnonzero(weight.ball_lead > LEAD_TRIED / 2 * drive.room)
+    for x, y, z in ALL_ROUND.tolist() if at.size else ():  # along the axes weights make loads less unequal than between
+        found = races.with_weight(at, (x, y, z))
+        by_weight[at] = np.fmax(by_weight[at], np.abs(found.points["ball_lead"]))
+    lead = np.maximum(np.abs(drive.grip.ball_lead), LEAD_BY_WEIGHT * by_weight)
     farthest = LEAD_SPREAD * lead
     at = np.flatnonzero(lead > LEAD_TRIED * drive.room)
-    if at.size and turns:
+    if at.size and races.slides and ruled(races.scene) is None:
         tried = at if races.trial.is_of_all else np.intersect1d(at, races.trial.tried)
         spread = races.lead_spread(tried) if tried.size else np.zeros(0)
         farthest[at] += OF_QUADRATURES * (spread if tried.size == at.size else spread.max(initial=0.0))
