@@ -167,18 +167,22 @@ class RaceTorque:
         """(n,) change of rolling where forces that are left out take a ball off a race, or press it on one, N m.
 
         Free balls begin where those of the point before settled, with the first quadrature, whose error is common to
-        both. Infinite where they do not settle.
+        both. Where only a force that counts all but takes a ball off, a smaller one moves it too: balls by rule show by
+        how much. Infinite where they do not settle.
         """
         can = possible(self.scene)
         left_out = [can[name] and not self.counted[name] for name in OWN_FORCES]
         change = np.zeros(len(self.found.points))
-        at = np.flatnonzero(self.found.points["at_edge"][:, left_out].any(axis=1))
-        if not at.size or not self.counted["rolling"]:
+        if not any(left_out) or not self.counted["rolling"]:
             return change
         every = {**self.counted, **{name: can[name] or self.counted[name] for name in LOADING}}
         every["unloaded_balls"] = can["unloaded_balls"]
-        with_, without = (self._cheaply(self.trial.model.counting(each), at) for each in (every, self.counted))
-        change[at] = np.abs(with_.points["rolling"] - without.points["rolling"])
+        with_, without = (self.trial.model.counting(each) for each in (every, self.counted))
+        by_any, by_these = (self.found.points["at_edge"][:, which].any(axis=1) for which in (slice(None), left_out))
+        for at, solve in ((by_any & ~by_these, self._by_rule), (by_these, self._cheaply)):
+            if at.any():
+                rolling = [solve(model, np.flatnonzero(at)).points["rolling"] for model in (with_, without)]
+                change[at] = np.abs(rolling[0] - rolling[1])
         return np.where(np.isnan(change), np.inf, change)
 
     def _cheaply(self, model: Model, at: NDArray[np.intp]) -> Solution:
