@@ -110,7 +110,7 @@ def race_geometry(bearing: Bearing, race: Race, *, contact_angle: ArrayLike, bal
     Of shoulders that are not known the factors are those of a typical height. Their uncertainty reaches to those of a
     low and of a high one, and nothing is covered.
     """
-    require_contact_angle(np.abs(contact_angle))
+    require_contact_angle(bearing, np.abs(contact_angle))
     numbers = race_numbers(bearing, race)
     rows, of = rows_of(contact_angle, ball_load)
     taken = with_shoulders(bearing, USUAL_SHOULDERS[1])
@@ -137,7 +137,7 @@ def race_shape(bearing: Bearing, race: Race, *, contact_angle: ArrayLike, ball_l
 
     contact_angle (al, rad, in [-pi/2, pi/2], see `shoulder_distances`) and ball_load (Q, N, >= 0) broadcast.
     """
-    require_contact_angle(np.abs(contact_angle))
+    require_contact_angle(bearing, np.abs(contact_angle))
     rows, of = rows_of(contact_angle, ball_load)
     shapes = _shapes_on(record_of(race_numbers(bearing, race)), rows).reshape(-1, *of)
     return ContactShape(**dict(zip(ShapeNumbers._fields, shapes, strict=True)))

@@ -94,8 +94,7 @@ def distances_to_shoulders(
     """`shoulder_distances` of one contact, m; shoulders : angles of the near and the far one on the profile, rad."""
     near, far = shoulders
     angle = abs(contact_angle) - race.bottom_angle
-    backward = angle < 0 if race.bottom_angle > 0 else contact_angle < 0
-    towards, away = (far, near) if backward else (near, far)
+    towards, away = (far, near) if contact_angle < 0 else (near, far)
     return (
         race.groove_radius * np.sin(towards - angle),
         race.groove_radius * np.sin(min(away + angle, np.pi / 2)),
@@ -121,7 +120,7 @@ def race_curvatures(bearing: Bearing, race: Race, *, contact_angle: ArrayLike) -
         transverse = 1/r - 1/r_g
     Raises InputError if contact_angle lies outside [0, pi/2] or the groove is no wider than the ball.
     """
-    angle = require_contact_angle(contact_angle)
+    angle = require_contact_angle(bearing, contact_angle)
     numbers = race_numbers(bearing, race)
     rolling = _rolling_curvatures(record_of(numbers), angle.ravel()).reshape(angle.shape)
     return rolling, np.full_like(angle, numbers.curvature_transverse)
@@ -138,7 +137,7 @@ def shoulder_distances(bearing: Bearing, race: Race, *, contact_angle: ArrayLike
     Raises InputError as race_curvatures does.
     """
     (signed,), shape = rows_of(contact_angle)
-    require_contact_angle(np.abs(signed))
+    require_contact_angle(bearing, np.abs(signed))
     towards, away = _shoulder_distances(record_of(race_numbers(bearing, race)), signed)
     return towards.reshape(shape), away.reshape(shape)
 
@@ -178,7 +177,7 @@ def race_contact(bearing: Bearing, race: Race, *, contact_angle: float, ball_loa
     or beyond one of them.
     """
     require_non_negative(ball_load=ball_load)
-    angle = require_contact_angle(abs(contact_angle))
+    angle = require_contact_angle(bearing, abs(contact_angle))
     groove = _groove(bearing, race)
     near, far = known_half_widths(bearing, race)
     half_widths = (far, near) if contact_angle < 0 else (near, far)
@@ -268,12 +267,16 @@ def _ring(bearing: Bearing, race: Race, half_widths: tuple[float, float]) -> Rin
     )
 
 
-def require_contact_angle(contact_angle: ArrayLike) -> Array:
-    """Contact angles as an array; raises InputError unless they lie in [0, pi/2] rad."""
+def require_contact_angle(bearing: Bearing, contact_angle: ArrayLike) -> Array:
+    """Contact angles as an array; raises InputError unless they lie in [0, pi/2] rad, in a thrust bearing at pi/2."""
     require_non_negative(contact_angle=contact_angle)
     angle = np.asarray(contact_angle, dtype=np.float64)
     if np.any(angle > np.pi / 2):
         raise InputError(f"contact_angle must be at most pi/2 rad, got {float(angle.max())!r}; is it in degrees?")
+    if bearing.kind == "thrust" and np.any(angle < np.pi / 2):
+        raise InputError(
+            f"a thrust bearing has a contact angle of 90 degrees, got {angle_of(float(angle.min()))}: give pi/2 rad"
+        )
     return angle
 
 

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from scipy.special import ellipe
 
-from analytic.contact.geometry import race_contact, shoulder_distances
+from analytic.contact.finite_geometry import race_geometry, race_shape
+from analytic.contact.geometry import race_contact, race_curvatures, shoulder_distances
 from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact
 from analytic.contact.rolling_contact import RollingContact
 from analytic.effects.washers import held_in_the_middle
@@ -188,6 +189,18 @@ def test_shoulders_lie_on_both_sides_of_the_contact() -> None:
     np.testing.assert_allclose([near, far], 2.6e-3, rtol=1e-12)  # the bottom is where the ball is
     contact = race_contact(BEARING, "inner", contact_angle=np.pi / 2, ball_load=50.0)
     assert (contact.rolling_radius, contact.tilt, contact.ring) == (np.inf, 0.0, None)
+    unlike = replace(BEARING, outer=replace(BEARING.outer, far_shoulder_half_width=1.9e-3))
+    near, far = shoulder_distances(unlike, "outer", contact_angle=np.pi / 2)
+    np.testing.assert_allclose([near, far], [2.6e-3, 1.9e-3], rtol=1e-12)
+
+
+def test_a_ball_touches_the_bottom_of_both_washers_only() -> None:
+    for asked in (race_contact, race_geometry, race_shape):
+        with pytest.raises(InputError, match="contact angle of 90 degrees, got 85.9"):
+            asked(BEARING, "inner", contact_angle=1.5, ball_load=50.0)
+    for asked in (race_curvatures, shoulder_distances):
+        with pytest.raises(InputError, match="contact angle of 90 degrees, got 85.9"):
+            asked(BEARING, "inner", contact_angle=[1.5, np.pi / 2])
 
 
 @pytest.mark.parametrize(
