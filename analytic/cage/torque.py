@@ -259,7 +259,7 @@ def may_squeeze(drive: CageDrive, farthest: Array) -> tuple[str, ...]:
     return (
         f"at {speed_of(drive.inner_speed[worst])} balls lead by {length_of(lead)}, at most by "
         f"{length_of(farthest[worst])}, free clearance of the pockets {length_of(drive.room)}: they may squeeze the "
-        "cage, and the uncertainty is wide; wider pockets avoid this",
+        "cage, and the uncertainty allows for it; wider pockets avoid this",
     )
 
 

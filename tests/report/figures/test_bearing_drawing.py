@@ -6,19 +6,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.patches import Circle
 from matplotlib.transforms import Bbox
 
 from analytic.errors import InputError
 from analytic.scene import Arrangement, Scene
 from analytic.scenefile.read import load_scene
 from fembearing.report.drawing import draw_bearing
-from fembearing.report.figures.bearing_section import is_drawable, section_of
-from fembearing.report.figures.style import BLUE
-from tests.report.figures.figure_reader import points_of
+from fembearing.report.figures.bearing_section import section_of
 
 ROOT = Path(__file__).resolve().parents[3]
 RIG = str(ROOT / "examples/thrust_rig_3mm.toml")
@@ -89,29 +85,6 @@ def test_no_words_lie_on_others_or_leave_the_page(name: str) -> None:
         assert not one.overlaps(other), f"{first!r} lies on {second!r}"
 
 
-def balls(panel: Axes) -> list[Circle]:
-    return [patch for patch in panel.patches if isinstance(patch, Circle) and patch.get_fill()]
-
-
-def test_the_view_along_the_axis_has_every_ball_on_the_pitch_circle() -> None:
-    scene = load_scene("6205")
-    side = draw_bearing(scene).axes[1]
-    drawn = balls(side)
-    assert len(drawn) == scene.bearing.ball_count
-    for ball in drawn:
-        assert ball.radius == pytest.approx(scene.bearing.ball_diameter / 2, rel=1e-12)
-        assert np.hypot(*ball.center) == pytest.approx(scene.bearing.pitch_diameter / 2, rel=1e-12)
-
-
-def test_a_pair_back_to_back_has_its_lines_of_contact_apart_at_the_shaft() -> None:
-    section = draw_bearing(scene_of("7208B, a pair")).axes[0]
-    lines = [line for line in section.get_lines() if (line.get_color(), line.get_linestyle()) == (BLUE, "--")]
-    left, right = (points_of(line)[:, 0] for line in lines)
-    assert left[0] < left[1]  # from the shaft to the housing
-    assert right[0] > right[1]
-    assert len(balls(section)) == 2
-
-
 def test_the_file_is_the_same_in_every_run_and_replaces_nothing(tmp_path: Path) -> None:
     scene = load_scene("6205")
     for name in ("one.svg", "two.svg", "three.png", "four.pdf"):
@@ -125,11 +98,3 @@ def test_the_file_is_the_same_in_every_run_and_replaces_nothing(tmp_path: Path) 
         draw_bearing(scene, out=tmp_path / "one.svg")
     with pytest.raises(InputError, match=r"ends with '\.docx': give a file that ends with \.svg, \.png, \.pdf"):
         draw_bearing(scene, out=tmp_path / "my.docx")
-
-
-def test_dimensions_that_are_not_of_one_thing_are_not_drawn() -> None:
-    bearing = load_scene("6205").bearing
-    assert is_drawable(bearing)
-    assert not is_drawable(replace(bearing, ball_count=501))
-    assert not is_drawable(replace(bearing, width=1e200))
-    assert not is_drawable(replace(bearing, inner=replace(bearing.inner, groove_radius=-1e-3)))

@@ -1,0 +1,316 @@
+"""The dimensions in the drawing of a bearing: lines are as long as their numbers, and leaders end at what they name."""
+
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
+from matplotlib.patches import Circle
+from matplotlib.text import Annotation, Text
+
+from analytic.scene import Arrangement, ArrangementKind, Array, Bearing, Groove, Scene
+from analytic.scenefile.read import load_scene
+from fembearing.quantities import METRIC
+from fembearing.report.drawing import draw_bearing
+from fembearing.report.figures.bearing_drawing import dimensions_of, shown_bearing
+from fembearing.report.figures.bearing_section import Section, is_drawable, section_of
+from fembearing.report.figures.style import BLUE, GREY, RED
+from tests.analytic.specimens import present
+from tests.report.figures.figure_reader import points_of
+
+RIG = "examples/thrust_rig_3mm.toml"
+PAIRS: dict[str, tuple[ArrangementKind, float | None]] = {
+    "6205, X": ("X", 0.031),
+    "7208B, O": ("O", 0.023),
+    "7208B, tandem": ("tandem", None),
+}  # m apart
+EVERY = ["6205", "61820", "7208B", "paper_6205", RIG, *PAIRS]
+
+
+def scene_of(name: str) -> Scene:
+    scene = load_scene(name.partition(",")[0])
+    if name not in PAIRS:
+        return scene
+    kind, distance = PAIRS[name]
+    preload = None if kind == "tandem" else 130.0
+    return replace(scene, arrangement=Arrangement(kind=kind, preload=preload, distance=distance))
+
+
+def section(scene: Scene) -> Section:
+    """At the unloaded angle of the scene, else of the clearance."""
+    return section_of(scene.bearing, angle=scene.contact_angle.free)
+
+
+def section_panel(scene: Scene) -> Axes:
+    return draw_bearing(scene).axes[0]
+
+
+def millimetres(words: str) -> float:
+    """The last length in them."""
+    return float(re.findall(r"([\d.]+) mm", words)[-1])
+
+
+def outlines(panel: Axes) -> list[Array]:
+    """Corners of each hatched ring."""
+    return [np.asarray(patch.get_path().vertices) for patch in panel.patches if patch.get_hatch()]
+
+
+def arrows(panel: Axes) -> list[Array]:
+    """Head and tail of each."""
+    every = [each for each in panel.texts if isinstance(each, Annotation)]
+    return [np.array([each.xy, each.xyann], dtype=float) for each in every]
+
+
+def circles(panel: Axes, *, filled: bool) -> list[Circle]:
+    """The balls, or what has no face."""
+    return [patch for patch in panel.patches if isinstance(patch, Circle) and patch.get_fill() == filled]
+
+
+def centres(balls: list[Circle]) -> Array:
+    return np.array([ball.center for ball in balls], dtype=float)
+
+
+def lines_of(panel: Axes, points: int, colour: str | None = None) -> list[tuple[Line2D, Array]]:
+    """The lines of so many points, each with these."""
+    every = [(line, points_of(line)) for line in panel.get_lines()]
+    return [each for each in every if len(each[1]) == points and colour in (None, each[0].get_color())]
+
+
+def leaders(panel: Axes) -> list[tuple[Text, Line2D, Array]]:
+    """Words with the line to what they name."""
+    every = lines_of(panel, 3)
+    found = [
+        (text, line, points)
+        for text in panel.texts
+        for line, points in every
+        if points[-1, 1] == text.get_position()[1] and points[-1, 0] < text.get_position()[0]
+    ]
+    assert len(found) == len(every)
+    return found
+
+
+@pytest.mark.parametrize("name", EVERY)
+def test_half_diameters_go_from_below_to_their_circle(name: str) -> None:
+    scene = scene_of(name)
+    panel, bearing = section_panel(scene), scene.bearing
+    left, low = (min(corners[:, axis].min() for corners in outlines(panel)) for axis in (0, 1))
+    play = bearing.diametral_clearance if bearing.kind == "radial" else 0.0  # in which the drawn ball lies
+    pitch = 2 * float(section(scene).ball[1])
+    sizes = {"outside": bearing.outside_diameter, "pitch circle": pitch, "bore": bearing.bore_diameter}
+    known = {words: size for words, size in sizes.items() if size is not None}
+    texts = [text for text in panel.texts if text.get_text().partition(" \u2300")[0].strip() in sizes]
+    assert [text.get_text().partition(" \u2300")[0].strip() for text in texts] == list(known)
+    for text, size in zip(texts, known.values(), strict=True):
+        assert millimetres(text.get_text()) == pytest.approx(1e3 * size, rel=1e-4, abs=1e3 * play)  # five digits
+        x, foot = text.get_position()
+        ((head, tail),) = (ends for ends in arrows(panel) if ends[0, 0] == x)
+        np.testing.assert_allclose([head, tail], [[x, size / 2], [x, foot]], rtol=1e-12)
+        assert foot == panel.get_ylim()[0] < low
+        (line,) = (points for _, points in lines_of(panel, 2) if points[0, 0] == x)
+        np.testing.assert_allclose(line, [[x, size / 2], [left, size / 2]], rtol=1e-12)
+        assert panel.get_xlim()[0] < x < left
+    places = [text.get_position()[0] for text in texts]
+    assert places == sorted(places)  # the shorter one is nearer to the rings: no line crosses another
+
+
+@pytest.mark.parametrize("name", ["6205", "7208B", *PAIRS])
+def test_the_width_is_measured_above_the_rings_from_face_to_face_of_one_bearing(name: str) -> None:
+    scene = scene_of(name)
+    panel, width = section_panel(scene), present(scene.bearing.width)
+    (text,) = (text for text in panel.texts if text.get_text().startswith("width"))
+    ((start, end),) = (ends for ends in arrows(panel) if ends[0, 1] == ends[1, 1])
+    assert millimetres(text.get_text()) == pytest.approx(1e3 * width, rel=1e-12)
+    first = outlines(panel)[0]
+    np.testing.assert_allclose([start[0], end[0]], [first[:, 0].min(), first[:, 0].max()], rtol=1e-12)
+    assert end[0] - start[0] == pytest.approx(width, rel=1e-12)
+    assert text.get_position()[0] == pytest.approx((start[0] + end[0]) / 2, abs=1e-12 * width)
+    top = max(corners[:, 1].max() for corners in outlines(panel))
+    assert top < start[1] < text.get_position()[1] < panel.get_ylim()[1]
+    above = [points for _, points in lines_of(panel, 2) if points[0, 1] > top]
+    for (x, level), points in zip((start, end), above, strict=True):  # from the face past the arrow's end
+        np.testing.assert_array_equal(points[:, 0], x)
+        assert points[0, 1] < level < points[1, 1]
+
+
+def named_distance(words: str, place: Array, scene: Scene) -> float:
+    """How far a leader ends from what its words name, over the ball's radius; place : from the ball's centre, m."""
+    radius, own = scene.bearing.ball_diameter / 2, section(scene)
+    if "contact angle" in words:  # on the line of contact, beyond the ball
+        assert np.hypot(*place) > radius
+        along = own.across
+        assert place @ along > 0
+        return abs(float(place @ [along[1], -along[0]])) / radius
+    if "groove" in words:
+        ring = own.inner if words.startswith("inner") else own.outer
+        return float(np.hypot(*(ring.groove.points - own.ball - place).T).min()) / radius
+    if "pocket" in words:
+        return abs(float(np.hypot(*place)) - millimetres(words) / 2e3) / radius
+    assert "ball" in words or "clearance" in words  # the gap is at the ball's surface
+    return abs(float(np.hypot(*place)) / radius - 1)
+
+
+@pytest.mark.parametrize("name", EVERY)
+def test_leaders_end_at_what_they_name_in_its_order(name: str) -> None:
+    scene = scene_of(name)
+    panel = section_panel(scene)
+    ball = centres(circles(panel, filled=True))[-1]
+    flip = -1 if name.endswith("O") else 1  # of the bearing at the right
+    found = leaders(panel)
+    named = "\n".join(text.get_text() for text, *_ in found)
+    assert [word in named for word in ("outer groove", "inner groove", "contact angle", "ball")] == [True] * 4
+    assert ("radial clearance" in named) == (scene.bearing.kind == "radial")
+    assert ("cage pocket" in named) == (scene.cage is not None)
+    for text, line, points in found:
+        (mark,) = (each for each, place in lines_of(panel, 1) if np.all(place == points[0]))
+        assert mark.get_color() == line.get_color() == text.get_color()
+        # 0.1 % of the radius: the place of the clearance has two digits.
+        assert named_distance(text.get_text(), (points[0] - ball) * [flip, 1], scene) < 1e-3
+        assert points[0, 0] < points[1, 0] < points[2, 0]
+        assert points[1, 1] == points[2, 1]
+    heights = sorted([(points[0, 1], points[2, 1]) for *_, points in found], reverse=True)
+    apart = -np.diff([end for _, end in heights])  # in the order of what they name: none crosses another
+    np.testing.assert_allclose(apart, apart[0], rtol=1e-9)
+    assert apart[0] > 0
+
+
+@pytest.mark.parametrize("name", EVERY)
+def test_all_lines_are_inside_their_panels(name: str) -> None:
+    for panel in draw_bearing(scene_of(name)).axes:
+        low, high = np.array([panel.get_xlim(), panel.get_ylim()]).T
+        reached = [patch.get_extents().transformed(panel.transData.inverted()).get_points() for patch in panel.patches]
+        points = np.concatenate([*(points_of(line) for line in panel.get_lines()), *reached])
+        assert np.all((points >= low) & (points <= high))
+        # Words take less than half of a panel: rings and their dimensions fill the rest.
+        assert np.all(np.ptp(points, axis=0) > 0.45 * (high - low))
+
+
+@pytest.mark.parametrize("name", PAIRS)
+def test_a_pair_is_the_same_bearing_twice_turned_round_by_its_arrangement(name: str) -> None:
+    scene = scene_of(name)
+    bearing, (kind, distance) = scene.bearing, PAIRS[name]
+    panel, own = section_panel(scene), section(scene)
+    half = (present(bearing.width) if distance is None else distance) / 2
+    balls = centres(circles(panel, filled=True))
+    np.testing.assert_allclose(balls, [[-half, own.ball[1]], [half, own.ball[1]]], rtol=1e-12)
+    flips = {"O": (1, -1), "X": (-1, 1), "tandem": (1, 1)}[kind]
+    expected = [
+        ring.outline * [flip, 1] + [place, 0]
+        for place, flip in zip((-half, half), flips, strict=True)
+        for ring in (own.inner, own.outer)
+    ]
+    for corners, each in zip(outlines(panel), expected, strict=True):
+        np.testing.assert_allclose(corners[:-1], each, rtol=1e-12, atol=1e-15)  # closed: the first one is repeated
+    contacts = [points for line, points in lines_of(panel, 2, BLUE) if line.get_linestyle() == "--"]
+    for ends, ball, flip in zip(contacts, balls, flips, strict=True):
+        np.testing.assert_allclose(ends.mean(axis=0), ball, rtol=1e-9)  # through the ball's centre
+        along = ends[1] - ends[0]
+        np.testing.assert_allclose(along / np.hypot(*along), own.across * [flip, 1], rtol=1e-9)
+        assert np.hypot(*along) > 1.2 * bearing.ball_diameter  # past both contacts
+
+
+@pytest.mark.parametrize("name", ["6205", "paper_6205", RIG, "6205, X"])
+def test_centre_lines_and_pockets_belong_to_their_ball(name: str) -> None:
+    scene = scene_of(name)
+    panel, diameter = section_panel(scene), scene.bearing.ball_diameter
+    for ball in circles(panel, filled=True):
+        assert ball.radius == pytest.approx(diameter / 2, rel=1e-12)
+        crossed = [points for _, points in lines_of(panel, 2, GREY)]
+        own = [ends for ends in crossed if np.allclose(ends.mean(axis=0), ball.center, rtol=1e-9, atol=1e-12)]
+        lengths = np.sort([np.ptp(ends, axis=0) for ends in own], axis=0)
+        np.testing.assert_allclose(lengths, [[0, 0], [1.16 * diameter] * 2], rtol=1e-9, atol=1e-12)  # past the ball
+    pockets = [points_of(line) for line in panel.get_lines() if line.get_linestyle() == ":"]
+    assert len(pockets) == (0 if scene.cage is None else 2)
+    for side, arc in zip((-1, 1), pockets, strict=False):
+        off = arc - section(scene).ball
+        np.testing.assert_allclose(np.hypot(*off.T), present(scene.cage).pocket_diameter / 2, rtol=1e-12)
+        assert np.all(side * off[:, 0] > 0)
+        np.testing.assert_allclose(off[:, 1], -off[::-1, 1], atol=1e-12)  # as far up as down
+
+
+def rise(groove: Groove, half_width: float | None) -> float:
+    """Height of a shoulder, m."""
+    return groove.groove_radius - float(np.sqrt(groove.groove_radius**2 - present(half_width) ** 2))
+
+
+@pytest.mark.parametrize("name", ["6205", "7208B"])
+def test_the_view_along_the_axis_has_the_edges_of_the_rings(name: str) -> None:
+    bearing = scene_of(name).bearing
+    side = draw_bearing(scene_of(name)).axes[1]
+    edges = sorted(each.radius for each in circles(side, filled=False) if each.get_linestyle() == "solid")
+    inner, outer = bearing.inner, bearing.outer
+    expected = [  # the shoulders at the left
+        present(bearing.bore_diameter) / 2,
+        inner.bottom_radius + rise(inner, inner.half_widths[0]),
+        outer.bottom_radius - rise(outer, outer.half_widths[1]),
+        present(bearing.outside_diameter) / 2,
+    ]
+    # The drawn ball touches both races: their grooves lie apart by the play.
+    np.testing.assert_allclose(edges, expected, atol=bearing.diametral_clearance)
+    np.testing.assert_allclose(edges[::3], expected[::3], rtol=1e-12)
+
+
+@pytest.mark.parametrize("name", ["6205", RIG])
+def test_the_view_along_the_axis_counts_its_balls(name: str) -> None:
+    bearing = scene_of(name).bearing
+    side = draw_bearing(scene_of(name)).axes[1]
+    pitch = bearing.inner.bottom_radius + bearing.outer.bottom_radius
+    angles = 2 * np.pi * np.arange(bearing.ball_count) / bearing.ball_count
+    expected = pitch / 2 * np.column_stack([np.sin(angles), np.cos(angles)])  # the first one at the top
+    np.testing.assert_allclose(centres(circles(side, filled=True)), expected, rtol=1e-9, atol=1e-15)
+    assert [each.radius for each in circles(side, filled=False)][-1] == pytest.approx(pitch / 2, rel=1e-12)
+    (words,) = side.texts
+    assert words.get_text().startswith(f"{bearing.ball_count} balls")
+    assert millimetres(words.get_text()) == pytest.approx(1e3 * pitch, rel=1e-4)  # five digits
+    assert words.get_position()[1] < -(pitch + bearing.ball_diameter) / 2  # below the balls
+
+
+def table_of(bearing: Bearing, rule: str, angle: float | None) -> dict[str, list[str]]:
+    return {name: rest for name, *rest in dimensions_of(shown_bearing(bearing, rule, angle), METRIC)}
+
+
+def test_the_table_has_every_dimension_with_its_value_and_origin() -> None:
+    usual = load_scene("6205").bearing
+    bearing = replace(usual, ball_count=7, outer=replace(usual.outer, far_shoulder_half_width=2.2e-3))
+    found = table_of(bearing, "solved", None)
+    gap = bearing.pitch_diameter * np.sin(np.pi / 7) - bearing.ball_diameter
+    assert millimetres(found["gap between balls"][0]) == pytest.approx(1e3 * gap, rel=1e-4)  # five digits
+    assert millimetres(found["pitch diameter"][0]) == pytest.approx(1e3 * bearing.pitch_diameter, rel=1e-4)
+    heights = [float(each) for each in re.findall(r"([\d.]+) mm", found["outer shoulder height"][0])]
+    expected = [1e3 * rise(bearing.outer, each) for each in bearing.outer.half_widths]
+    np.testing.assert_allclose(heights, expected, rtol=1e-4)
+    assert found["radial clearance"][0] == "12.5 um"
+    play = bearing.diametral_clearance / (2 * bearing.groove_centre_distance)
+    words = f"{np.degrees(np.arccos(1 - play)):.4g} deg"
+    assert found["unloaded contact angle"] == [words, "derived; from clearance and grooves"]
+    rows = table_of(replace(bearing, width=None, origins={}), "given", 0.31)
+    assert rows["width"] == ["not given", "-"]
+    assert rows["bore"][1] == "origin not known"
+    assert rows["contact angle, loaded, given"] == ["17.76 deg", "given; the scene"]
+
+
+def test_balls_that_would_overlap_have_a_gap_in_red() -> None:
+    scene = load_scene("6205")
+    for count, is_red in ((15, False), (16, True)):
+        figure = draw_bearing(replace(scene, bearing=replace(scene.bearing, ball_count=count)))
+        texts = [text.get_text() for text in figure.texts]
+        value = figure.texts[texts.index("gap between balls") + 1]
+        assert (value.get_color() == RED) == value.get_text().startswith("-") == is_red
+
+
+def test_lengths_far_from_the_ball_are_not_drawn() -> None:
+    bearing = load_scene("6205").bearing
+    size = bearing.ball_diameter
+    assert is_drawable(bearing)
+    for known, changed in (
+        (True, {"width": 9.9e3 * size}),
+        (False, {"width": 1.01e4 * size}),
+        (False, {"width": -1e-3}),
+        (True, {"ball_count": 500}),
+        (False, {"ball_count": 501}),
+        (False, {"ball_count": 0}),
+        (False, {"inner": replace(bearing.inner, bottom_radius=0.0)}),
+        (False, {"outer": replace(bearing.outer, groove_radius=0.0)}),
+    ):
+        assert is_drawable(replace(bearing, **changed)) == known  # pyright: ignore[reportArgumentType]
