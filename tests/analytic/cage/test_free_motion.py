@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from analytic.cage.motion import CageMotion, MeanMotion
+from analytic.cage.pocket import impact
 from analytic.cage.raceways import Raceways, ring_raceways
 from analytic.cage.statistics import measured_motion
 from analytic.contact.geometry import RACES
@@ -225,6 +226,18 @@ def test_impossible_input_is_refused() -> None:
         refused(lambda: CageMotion(cage_on(THRUST, **change), THRUST, begin="rest"), f"{change[name]:g}")  # noqa: B023
     refused(lambda: CageMotion(cage_on(THRUST), THRUST, begin="rest", steps_per_contact=9.0), "steps_per_contact = 9.0")
     refused(lambda: CageMotion(cage_on(THRUST), THRUST, begin="sideways"), "start")  # pyright: ignore[reportArgumentType]
+
+
+def test_the_step_is_a_share_of_an_impact_of_a_free_ball_and_its_share_of_the_cage() -> None:
+    cage = cage_on(THRUST)
+    hit = impact(
+        mass=1 / (cage.ball_count / cage.mass + 1 / BEARING_6205.ball_mass),
+        speed=cage.impact_speed,
+        stiffness=cage.stiffness,
+    )
+    motion = CageMotion(cage, THRUST, begin="sudden", steps_per_contact=37)
+    assert 37 * motion.step == pytest.approx(float(hit.duration), rel=1e-12)
+    assert float(hit.duration) < 0.9 * cage.contact_time  # both give way
 
 
 def test_an_impact_too_hard_for_the_steps_is_refused() -> None:
