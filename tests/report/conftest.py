@@ -11,6 +11,8 @@ from analytic.effects.ledger import Effect
 from analytic.effects.limits import LimitNumbers
 from analytic.result import FrictionTorque, TorqueParts
 from analytic.scene import Operation
+from analytic.scenefile.read import parse_scene
+from analytic.torque import friction_torque
 from fembearing.fem.measure import Quantities
 from fembearing.grid_convergence import Estimate
 from fembearing.provenance import provenance_of
@@ -20,8 +22,11 @@ from fembearing.report.report import Report, report_of
 from fembearing.verify.contact.discrepancy import ContactSolution
 from fembearing.verify.contact.hertz import CorrectedHertz
 from fembearing.verify.cost.contact_ladder import contact_ladder_of
+from fembearing.verify.torque.cage_record import CageRecord, record_cage
 from fembearing.verify.torque.change import FittedChange, TorqueChange
 from fembearing.verify.validation import Validation
+from tests.analytic.scenefile.scene_texts import MOVING
+from tests.analytic.specimens import present
 from tests.report.pictures.odd_contacts import OddPicture, odd_pictures
 
 pytest.register_assert_rewrite("tests.report.pictures.picture_reader")  # its assertions show their values
@@ -254,3 +259,10 @@ def made(checked: Validation) -> Validation:
 def document(made: Validation) -> Report:
     """The document of `made`."""
     return report_of(made)
+
+
+@pytest.fixture(scope="session")
+def record() -> CageRecord:
+    """A cage at rest: below the middle, a little to the right."""
+    scene = parse_scene(MOVING, origin="here")
+    return present(record_cage(scene, friction_torque(scene), 0))

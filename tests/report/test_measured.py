@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
 from rich.console import Console
 
 from fembearing.plain_types import plain
@@ -23,6 +24,7 @@ from fembearing.report.terminal.table import show
 from fembearing.report.terminal.validation import print_details
 from fembearing.verify.measured.comparison import MeasuredComparison
 from fembearing.verify.measured.rows import MeasuredRow
+from tests.report.figures.figure_reader import require_legible
 
 
 def row(**changed: Any) -> MeasuredRow:
@@ -187,7 +189,12 @@ def test_points_bars_and_bands_are_where_the_rows_are(with_measured: Report) -> 
     assert {round(float(y), 9) for y in np.asarray(band)[:, 1]} == {41.0, 62.0}  # N mm, of the computed torque alone
     assert drawn(above) == {"o": ([pytest.approx(900)], [40.0]), "D": ([pytest.approx(600)], [40.0])}
     assert drawn(below) == {mark: (speeds, [pytest.approx(25.0)]) for mark, (speeds, _) in drawn(above).items()}
+    for panel, middle, half in ((above, 40, 1.96 * 2), (below, 25, 1.96 * 9)):
+        drawn_bars = [each.get_segments() for each in panel.collections if isinstance(each, LineCollection)]
+        ends = [np.sort(np.asarray(segment)[:, 1]) for segments in drawn_bars for segment in segments if len(segment)]
+        np.testing.assert_allclose(ends, 2 * [(middle - half, middle + half)], rtol=1e-3)  # 1.96 has three digits
     assert measured_plot(replace(with_measured, measured=None)) == (None, "")
+    require_legible(figure)
 
 
 def test_more_curves_than_colours_are_drawn_as_points() -> None:

@@ -27,7 +27,7 @@ from fembearing.report.page.write import page_of
 from fembearing.report.report import report_in, report_of
 from fembearing.verify.torque.cage_record import record_cage
 from fembearing.verify.validation import Validation
-from tests.report.pictures.test_cage_pictures import MOVING
+from tests.analytic.scenefile.scene_texts import MOVING
 from tests.report.test_measured import TWO
 
 Document = dict[str, Any]  # what report.json holds

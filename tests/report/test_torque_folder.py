@@ -20,8 +20,8 @@ from fembearing.provenance import provenance_of
 from fembearing.report import torque_folder as module
 from fembearing.report.torque_folder import torque_with_files, write_torque
 from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene
+from tests.analytic.scenefile.scene_texts import MOVING
 from tests.analytic.specimens import present
-from tests.report.pictures.test_cage_pictures import MOVING
 
 ALWAYS = {"torque.json", "torque.csv", "torque.png", "torque.svg"}
 TWO = MOVING.replace('inner_speed = "500 rpm"', 'inner_speed = ["500 rpm", "200 rpm"]')

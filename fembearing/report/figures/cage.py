@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from fembearing.quantities import MILLISECOND, Units
-from fembearing.report.figures.style import BLACK, BLUE, LETTERS, ORANGE, RED, TITLE, WIDTH, lettered
+from fembearing.report.figures.style import BLACK, BLUE, LETTERS, ORANGE, RED, TITLE, WIDTH, lettered, plain_numbers
 from fembearing.report.report import Report
 from fembearing.verify.torque.cage_record import DrawnMotion
 
@@ -134,7 +134,7 @@ def _forces(panel: Axes, motion: DrawnMotion, units: Units) -> None:
     panel.set_title("Forces")
     low = max(LEAST_SHOWN * median, min(least, median) / 2)
     panel.set(yscale="log", xlim=(0, 2 * start_up), ylim=(low if low > 0 else None, None))
-    panel.yaxis.set_major_formatter("{x:g}")
+    plain_numbers(panel.yaxis)
     panel.grid(alpha=0.3)
     _key(panel)
 
@@ -155,11 +155,11 @@ def _excess(panel: Axes, motion: DrawnMotion, units: Units) -> None:
     panel.set(xlabel=f"largest force of one ball, {units.force.name}", ylabel="exceeded in, %")
     panel.set_title("Share of exceedance")
     panel.set(yscale="log", ylim=(None, 150))
-    panel.yaxis.set_major_formatter("{x:g}")
+    plain_numbers(panel.yaxis)
     least, most = panel.get_xlim()
     if most > WIDE * max(least, LEAST_SHOWN * median):
         panel.set(xscale="log", xlim=(max(least, LEAST_SHOWN * median), 1.3 * most))
-        panel.xaxis.set_major_formatter("{x:g}")
+        plain_numbers(panel.xaxis)
     panel.grid(alpha=0.3, which="both")
     _key(panel)
 

@@ -44,7 +44,7 @@ def cost_figures(ladders: Sequence[Ladder], *, tolerance: float, most: int = SID
     for panel in panels:
         panel.set(xscale="log", yscale="log", ylim=(LEAST / 3, MOST), xlabel=UNITS["seconds"][1], xlim=(low, high))
         panel.axhline(100 * tolerance, color="red", linestyle=":", label="tolerance")
-        panel.xaxis.set_major_locator(LogLocator(numticks=5))
+        panel.xaxis.set_major_locator(LogLocator(numticks=4))
         panel.xaxis.set_minor_formatter(NullFormatter())
         panel.grid(alpha=0.3)
     for panel, ladder in zip(panels, shown, strict=False):

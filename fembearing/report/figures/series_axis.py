@@ -9,7 +9,7 @@ import numpy as np
 from analytic.result import TorquePoint
 from analytic.scene import Array
 from fembearing.quantities import QUANTITIES, Units
-from fembearing.report.figures.style import DECADE, MANY, plain_ticks
+from fembearing.report.figures.style import DECADE, MANY, plain_numbers, plain_ticks
 from fembearing.report.phrases import LOADS, loads_of, present_loads, speed_words, varying_loads
 
 if TYPE_CHECKING:
@@ -79,7 +79,7 @@ class SeriesAxis:
             if self.values.size <= MOST_TICKS:
                 plain_ticks(panel, self.values)
             else:
-                panel.xaxis.set_major_formatter("{x:g}")
+                plain_numbers(panel.xaxis)
 
 
 def axis_of(points: Sequence[TorquePoint], units: Units) -> SeriesAxis:

@@ -10,6 +10,7 @@ from fembearing.quantities import Units
 
 if TYPE_CHECKING:  # charts in a browser take the colours alone
     from matplotlib.axes import Axes
+    from matplotlib.axis import Axis
     from matplotlib.figure import Figure
 
     from fembearing.report.contact import ContactRecord
@@ -108,7 +109,18 @@ def scaled(panel: "Axes", values: np.ndarray, *, axis: str = "y") -> None:
         return
     (panel.set_yscale if axis == "y" else panel.set_xscale)("log")
     if known.max() < 1e4 * known.min():
-        (panel.yaxis if axis == "y" else panel.xaxis).set_major_formatter("{x:g}")
+        plain_numbers(panel.yaxis if axis == "y" else panel.xaxis)
+
+
+def plain_numbers(axis: "Axis") -> None:
+    """Powers of ten, written out, on a logarithmic axis with limits; between them as many ticks as have room."""
+    from matplotlib.ticker import LogLocator, NullFormatter
+
+    low, high = axis.get_view_interval()
+    subs = (1.0, 2.0, 5.0) if high < 15 * low else (1.0, 3.0) if high < 100 * low else (1.0,)
+    axis.set_major_locator(LogLocator(subs=subs))
+    axis.set_major_formatter("{x:g}")
+    axis.set_minor_formatter(NullFormatter())
 
 
 def plain_ticks(panel: "Axes", ticks: np.ndarray) -> None:

@@ -14,12 +14,12 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import LogNorm, Normalize
 from matplotlib.figure import Figure
 from matplotlib.patheffects import withStroke
-from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter
+from matplotlib.ticker import LogLocator, MaxNLocator
 
 from analytic.scene import Array
 from analytic.writing import write
 from fembearing.quantities import METRIC, QUANTITIES, Unit, unit_for
-from fembearing.report.figures.style import png
+from fembearing.report.figures.style import plain_numbers, png
 
 PLOTTED = ("torque_total", "peak_pressure_inner", "peak_pressure", "discrepancy_peak_pressure")
 MOST_PANELS, MOST_LINES = 6, 8
@@ -118,7 +118,7 @@ def _draw_map(variable: Any, across: list[str], others: list[str], unit: Unit) -
         panel.set_ylabel(_label(variable[vertical]))
     bar = figure.colorbar(ScalarMappable(norm, colours), ax=panels, label=f"{_name(variable)}, {unit.name}")
     if isinstance(norm, LogNorm):
-        _plain_numbers(bar.ax.yaxis)
+        plain_numbers(bar.ax.yaxis)
     return figure
 
 
@@ -134,7 +134,7 @@ def _draw_lines(variable: Any, across: list[str], others: list[str], unit: Unit)
     _set_axis(panel, panel.xaxis, variable[horizontal])
     if isinstance(_norm(unit.number(variable.values)), LogNorm):
         panel.set_yscale("log")
-        _plain_numbers(panel.yaxis)
+        plain_numbers(panel.yaxis)
     panel.set(xlabel=_label(variable[horizontal]), ylabel=f"{_name(variable)}, {unit.name}")
     panel.grid(alpha=0.3, which="both")
     if others:
@@ -185,7 +185,7 @@ def _set_axis(panel: Axes, axis: Axis, values: Any) -> None:
     if not np.issubdtype(values.dtype, np.number) or not _even_in_logarithm(values.values):
         return
     (panel.set_xscale if axis is panel.xaxis else panel.set_yscale)("log")
-    _plain_numbers(axis)
+    plain_numbers(axis)
 
 
 def _even_in_logarithm(values: Array) -> bool:
@@ -217,10 +217,3 @@ def _levels(norm: Normalize) -> list[float]:
     locator = LogLocator(subs=(1.0, 2.0, 5.0)) if isinstance(norm, LogNorm) else MaxNLocator(8)
     low, high = float(norm.vmin or 0.0), float(norm.vmax or 0.0)
     return [float(tick) for tick in locator.tick_values(low, high) if low < tick < high]
-
-
-def _plain_numbers(axis: Axis) -> None:
-    """1, 2 and 5 times powers of ten, written out."""
-    axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
-    axis.set_major_formatter("{x:g}")
-    axis.set_minor_formatter(NullFormatter())

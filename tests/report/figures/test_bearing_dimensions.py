@@ -2,6 +2,7 @@
 
 import re
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -20,7 +21,7 @@ from fembearing.report.figures.style import BLUE, GREY, RED
 from tests.analytic.specimens import present
 from tests.report.figures.figure_reader import points_of
 
-RIG = "examples/thrust_rig_3mm.toml"
+RIG = str(Path(__file__).resolve().parents[3] / "examples/thrust_rig_3mm.toml")
 PAIRS: dict[str, tuple[ArrangementKind, float | None]] = {
     "6205, X": ("X", 0.031),
     "7208B, O": ("O", 0.023),

@@ -22,7 +22,7 @@ from fembearing.verify.contact.discrepancy import ContactSolution
 from fembearing.verify.validation import Validation
 from tests.analytic.specimens import present
 from tests.report.conftest import INNER
-from tests.report.figures.figure_reader import labels_of, line_of, points_of
+from tests.report.figures.figure_reader import labels_of, line_of, points_of, require_legible
 
 PLACES = ("inner race", "outer race", "thick seat", "sheet on its rim")
 
@@ -93,6 +93,7 @@ def test_every_contact_is_in_every_panel(panels: dict[str, Axes]) -> None:
 def test_a_cut_contact_has_no_formal_order(cut_contact: ContactSolution) -> None:
     figure, _ = convergence_plot(report_with(contact_record(cut_contact)))
     assert not any("formal order" in drawn_in(axes) for axes in present(figure).axes)
+    require_legible(present(figure))
     assert labels_of(present(figure).axes[-1]) == ["inner race"]
 
 
@@ -129,6 +130,9 @@ def test_the_band_of_corrected_hertz_is_its_uncertainty_to_both_sides(document: 
     figure = present(approach_plot(report_with(contact))[0])
     (band,) = (each for each in figure.axes[1].collections if isinstance(each, PolyCollection))
     load, hertz, corrected = (np.array(values)[known] for values in (curve.load, curve.hertz, curve.corrected))
+    (middle,) = (points_of(line) for line in figure.axes[1].get_lines() if line.get_linestyle() == "--")
+    expected = np.column_stack([load, 100 * (corrected / hertz - 1).astype(float)])
+    np.testing.assert_allclose(middle[known], expected, rtol=1e-9, atol=1e-9)  # %, near values
     assert len(known) > 2
     corners = np.concatenate([np.asarray(path.vertices, dtype=float) for path in band.get_paths()])
     for at, ratio, part in zip(load, (corrected / hertz).astype(float), half[known], strict=True):
@@ -147,6 +151,7 @@ def test_contacts_stand_side_by_side_in_rows_of_equal_length(document: Report) -
         assert len(found) == 2 * count
         assert {row for row, _ in found} == {*range(2 * rows)}
         assert {column for _, column in found} == {*range(columns)}
+        require_legible(present(figure))
 
 
 def test_pressure_is_drawn_in_semi_axes_and_less_hertz(checked: Validation) -> None:
@@ -167,11 +172,18 @@ def test_pressure_is_drawn_in_semi_axes_and_less_hertz(checked: Validation) -> N
             expected = 100 * (np.array(nodes.pressure) / peak - ellipse)
             (apart,) = (line for line in below.get_lines() if line.get_marker() == ("o" if axis == "rolling" else "s"))
             np.testing.assert_allclose(points_of(apart)[:, 1], expected, atol=1e-9)
+            lines = [line for line in below.get_lines() if line.get_color() == apart.get_color()]
+            (fitted,) = (line for line in lines if line is not apart)
+            place, height = points_of(fitted).T
+            ratio = contact.fe[name] / contact.hertz[name]
+            ellipses = contact.fe.peak_pressure / peak * np.sqrt(np.maximum(0, 1 - (place / ratio) ** 2))
+            np.testing.assert_allclose(height, 100 * (ellipses - np.sqrt(np.maximum(0, 1 - place**2))), atol=1e-5)
         line = points_of(line_of(above, "Hertz"))
         np.testing.assert_allclose(line[:, 1], 1e-9 * peak * np.sqrt(np.maximum(0, 1 - line[:, 0] ** 2)), atol=1e-7)
         # 1e-7 GPa: the root of round-off at the edge
     assert figure.axes[0].get_ylabel() == "pressure, GPa"
     assert figure.axes[0].get_title() == "Ball on inner race\n372.2 N"
+    require_legible(figure)
 
 
 def test_a_cut_contact_is_drawn_on_both_sides_up_to_its_shoulder(cut_contact: ContactSolution) -> None:
@@ -189,3 +201,11 @@ def test_a_cut_contact_is_drawn_on_both_sides_up_to_its_shoulder(cut_contact: Co
     assert above.get_ylim()[1] < 1.51e-9 * cut_contact.hertz.peak_pressure
     assert below.get_ylim()[1] < 30  # %: not that of the shoulder's node, some 200 %
     assert "Dotted: shoulder" in caption
+    require_legible(present(figure))
+    record = contact_record(cut_contact)
+    half = replace(present(record.shoulder), half=False, sides={"above": 0.8e-3, "below": 0.7e-3})
+    figure, _ = pressure_plot(report_with(replace(record, shoulder=half)))
+    lines = present(figure).axes[0].get_lines()
+    (shoulder,) = (points_of(line) for line in lines if line.get_linestyle() == ":")  # the other side is not meshed
+    assert shoulder[0, 0] > 0
+    assert sum(line.get_color() == BLACK for line in lines) == 1

@@ -14,6 +14,7 @@ from fembearing.report.figures.cost import LEAST, MOST, cost_figures, cost_table
 from fembearing.report.phrases import choices_line
 from fembearing.verify.cost.ladder import Ladder, Method, with_choices
 from tests.analytic.specimens import present
+from tests.report.figures.figure_reader import require_legible
 
 GIB = 2**30
 
@@ -115,6 +116,7 @@ def test_every_method_that_answered_has_a_number_beside_it_and_its_name_below(fi
     below = key.get_window_extent()
     assert below.y1 < panel.get_window_extent().y0  # under the panel, and within the picture
     assert below.y0 > figure.bbox.y0
+    require_legible(figure)
 
 
 def test_a_ring_marks_the_chosen_method() -> None:
@@ -136,6 +138,7 @@ def test_only_levels_of_one_method_are_joined_and_four_panels_share_a_figure() -
     )
     figures = cost_figures([*5 * [ladder]], tolerance=0.1)
     assert [len(figure.axes) for figure in figures] == [4, 1]
+    require_legible(figures[0])
     first, meshes, closed = drawn(figures[1].axes[0])
     assert (len(first[0]), len(closed[0])) == (1, 1)
     np.testing.assert_allclose(meshes[0], [1e-3, 1e-2, 1.0])

@@ -10,6 +10,7 @@ from matplotlib.patches import Ellipse
 
 from fembearing.quantities import INCH_POUND, METRIC, Units
 from fembearing.report.figures.film import film_figure
+from tests.report.figures.figure_reader import require_legible
 
 A, B, PEAK = 0.13e-3, 0.71e-3, 1.7e9  # m, m, Pa
 CENTRAL, THINNEST = 0.31e-6, 0.19e-6  # m
@@ -33,6 +34,7 @@ def test_the_maps_show_the_ellipse_of_hertz_and_its_surroundings(units: Units) -
     figure = film_figure(solved(), units)
     maps = [axes for axes in figure.axes if any(isinstance(patch, Ellipse) for patch in axes.patches)]
     assert len(maps) == 2
+    require_legible(figure)
     for panel in maps:
         (ellipse,) = (patch for patch in panel.patches if isinstance(patch, Ellipse))
         assert (ellipse.width, ellipse.height) == pytest.approx((2, 2 * B * units.length.factor))

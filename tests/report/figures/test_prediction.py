@@ -16,6 +16,7 @@ from fembearing.quantities import METRIC
 from fembearing.report.figures.prediction import interval_figure
 from fembearing.report.tables.prediction import interval_table, shares_table
 from fembearing.report.terminal.table import show
+from tests.report.figures.figure_reader import require_legible
 
 
 def point(speed: float, nominal: float, totals: list[float]) -> dict[str, Any]:
@@ -126,6 +127,7 @@ def test_the_figure_has_the_ends_of_every_part_and_the_indices_of_the_inputs_tha
     assert names == ["film formula", "viscosity"]  # the numerical one is below half a per cent at both points
     widths = [bar.get_width() for bar in rectangles(slow_indices)]
     assert widths == pytest.approx([61, 55, 14, 11])
+    require_legible(figure)
 
 
 def test_indices_of_other_inputs_are_refused() -> None:

@@ -7,7 +7,7 @@ import pytest
 
 from fembearing.report.figures.ring import LEAST_SPAN, ring_plot
 from tests.analytic.specimens import present
-from tests.report.figures.figure_reader import as_document
+from tests.report.figures.figure_reader import as_document, require_legible
 
 AZIMUTH = [0.3, 1.7, 3.9]  # rad
 
@@ -41,3 +41,7 @@ def test_every_load_is_within_the_circle() -> None:
     outer = polar.get_lines()[1]
     np.testing.assert_allclose(np.asarray(outer.get_ydata()), [212.0, 1.5, 97.0, 212.0], rtol=1e-12)
     assert 212.0 < polar.get_ylim()[1] < 300.0
+    ticks = np.asarray(polar.get_yticks())
+    assert np.all((ticks > 0) & (ticks < polar.get_ylim()[1]))
+    assert ticks.size >= 2
+    require_legible(present(figure))

@@ -16,6 +16,7 @@ from fembearing.report.figures.sensitivity import sensitivity_plot
 from fembearing.report.report import Report
 from fembearing.verify.torque.sensitivity import Sensitivity
 from tests.analytic.specimens import present
+from tests.report.figures.figure_reader import require_legible
 
 
 def given(name: str, unit: str, ends: tuple[float, float, float], **changes: Any) -> dict[str, Any]:
@@ -88,6 +89,7 @@ def test_bars_reach_to_the_changes_in_per_cent(document: Report) -> None:
     ]
     assert [text.get_text() for text in slow.texts] == ["180 GPa", "230 GPa", "0.2 um", "0.5 um", "0.508"]
     assert "shear" in caption  # moves nothing
+    require_legible(present(figure))
     assert "groove, 0.498: no" in caption
 
 

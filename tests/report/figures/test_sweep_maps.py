@@ -7,6 +7,7 @@ import numpy as np
 import xarray
 
 from fembearing.report.figures.sweep_maps import map_figure
+from tests.report.figures.figure_reader import require_legible
 
 
 def made(**axes: Any) -> xarray.Dataset:
@@ -35,6 +36,8 @@ def test_values_out_of_order_make_the_same_map() -> None:
         shown = np.asarray(mesh.get_array()).reshape(4, 3)
         np.testing.assert_array_equal(shown, 1e3 * mixed["torque_total"].sortby(["load", "speed"]))
         assert panel.get_ylim() == (100.0, 900.0)
+        assert mesh.get_clim() == (shown.min(), shown.max())
+        require_legible(map_figure(dataset, "torque_total"))
 
 
 def test_an_axis_is_logarithmic_where_it_is_wide_and_its_steps_grow() -> None:

@@ -14,7 +14,7 @@ from fembearing.report.figures.friction import friction_plot
 from fembearing.report.figures.torque import torque_plot
 from tests.analytic.specimens import present
 from tests.report.figures import figure_reader
-from tests.report.figures.figure_reader import area_of, labels_of, line_of, points_of
+from tests.report.figures.figure_reader import area_of, bars_of, labels_of, line_of, points_of, require_legible
 
 RPM = np.pi / 30
 PARTS = ("spin", "conformity", "hysteresis", "rolling", "cage", "oil", "declared")
@@ -142,6 +142,22 @@ def test_the_interval_takes_the_place_of_the_uncertainty_and_makers_stand_beside
     assert legend[-4:] == ["95 % interval", "total", "SKF", "Palmgren"]
     assert "Red: SKF, Palmgren" in caption
     assert "its 95 % interval" in caption
+    require_legible(present(figure))
+
+
+def test_points_that_no_line_joins_have_bars_of_their_interval_with_the_makers_beside(document: Document) -> None:
+    document["torque"]["points"][0]["axial_load"] = 700.0  # speed and load change
+    document["torque"]["interval"] = [[0.031, 0.058], [0.017, 0.039], [0.035, 0.046]]  # the last lies above its total
+    makers = {"SKF": [0.044, 0.029, 0.037], "Palmgren, z = 0.0004": [0.033, 0.024, 0.028]}
+    panel = panel_of(torque_plot(as_document(document, makers=makers)))
+    ends = bars_of(panel, "total, 95 % interval")
+    np.testing.assert_allclose(ends, [(31, 58), (17, 39), (33.9, 46)], rtol=1e-12)
+    spin = [patch for patch in panel.patches if isinstance(patch, Rectangle)][:3]
+    assert [bar.get_height() for bar in spin] == pytest.approx([7.8, 7.6, 7.7], rel=1e-12)
+    skf = points_of(line_of(panel, "SKF"))
+    np.testing.assert_allclose(skf[:, 1], [44, 29, 37], rtol=1e-12)
+    right = [bar.get_x() + bar.get_width() for bar in spin]
+    assert np.all((skf[:, 0] > right) & (skf[:, 0] < np.array(right) + 0.2))  # beside the bar, not on the next one
 
 
 def test_a_series_of_loads_is_drawn_over_the_load_and_a_mixed_one_point_by_point(document: Document) -> None:
@@ -202,6 +218,17 @@ def test_coefficients_film_over_roughness_and_asperities_have_a_panel_each(docum
     assert legend[:2] == ["inner", "outer"]
     assert "pocket" not in legend
     assert "pocket" not in caption
+    assert "No film" not in caption
+    require_legible(figure)
+
+
+def test_a_film_alone_is_not_said_to_be_none(document: Document) -> None:
+    for each in document["torque"]["points"]:
+        each["asperity_share"] = {"inner": None, "outer": None}
+    figure, caption = friction_plot(as_document(document))
+    assert [axes.get_title() for axes in present(figure).axes] == ["Friction", "Film"]
+    assert "No film" not in caption
+    assert "Film: central thickness" in caption
 
 
 def test_many_points_that_no_line_joins_keep_their_marks(document: Document) -> None:

@@ -28,9 +28,9 @@ from fembearing.verify.hard_record import HardRecord
 from fembearing.verify.torque.change import change_of_torque
 from fembearing.verify.torque.scene_torque import torque_of_scene
 from fembearing.verify.validation import Validation
+from tests.analytic.scenefile.scene_texts import MOVING
 from tests.analytic.specimens import present
 from tests.report.page.page_writer import document_of, written_page
-from tests.report.pictures.test_cage_pictures import MOVING
 
 SUMMARY = (
     "Bearing and operation",

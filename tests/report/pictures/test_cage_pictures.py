@@ -2,45 +2,18 @@
 
 from dataclasses import replace
 from pathlib import Path
-from types import SimpleNamespace
-from typing import cast
 
 import numpy as np
 import pytest
-from matplotlib.artist import Artist
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
-from matplotlib.transforms import BboxBase
 
-from analytic.scenefile.read import parse_scene
-from analytic.torque import friction_torque
-from fembearing.plain_types import plain
-from fembearing.quantities import METRIC
-from fembearing.report.figures.cage import cage_plot, orbit_figure
 from fembearing.report.pictures.cage import cage_job, picture_caption, view_of
 from fembearing.report.pictures.draw import RENDERER, rendered
 from fembearing.report.pictures.render_cage import cage_parts
-from fembearing.report.report import Report
-from fembearing.verify.torque.cage_record import CageRecord, DrawnMotion, exceedance, record_cage
-from tests.analytic.scenefile.scene_texts import MOVING
-from tests.analytic.specimens import present
-from tests.report.figures.figure_reader import as_document, line_of, points_of
+from fembearing.verify.torque.cage_record import CageRecord
 from tests.report.pictures.picture_reader import Pixels, half_sizes, is_red, longest_run, pixels_of
 
 FORCES = {1: (0.0, 3.0, 0.0), 6: (-1.5, 0.0, 0.0)}  # N, of two balls at the instant that is drawn
 FOOT = 100  # pixels with the scales
-
-
-def motion_of(record: CageRecord) -> DrawnMotion:
-    """As the document has it."""
-    return record.drawn()
-
-
-@pytest.fixture(scope="module")
-def record() -> CageRecord:
-    """A cage at rest: below the middle, a little to the right."""
-    scene = parse_scene(MOVING, origin="here")
-    return present(record_cage(scene, friction_torque(scene), 0))
 
 
 @pytest.fixture(scope="module")
@@ -56,150 +29,6 @@ def known(record: CageRecord) -> CageRecord:
     centre[at] = [80e-6, -40e-6, 0.0]
     offset[at] = -centre[at]
     return replace(record, series=replace(record.series, force=force, offset=offset, centre=centre))
-
-
-@pytest.fixture(scope="module")
-def panels(record: CageRecord) -> list[Axes]:
-    return orbit_figure(motion_of(record), METRIC).axes
-
-
-def test_the_orbit_is_x_to_the_right_and_y_up_inside_the_room(record: CageRecord, panels: list[Axes]) -> None:
-    orbit = panels[0]
-    drawn = points_of(line_of(orbit, "measured"))
-    after = record.series.time > 0.01
-    np.testing.assert_allclose(drawn, 1e6 * record.series.centre[after, :2], rtol=1e-12)
-    x, y = drawn[-1]
-    assert -101 < y < -98  # hangs in a room of 100 um
-    assert 8 < x < 12  # friction of 0.1 holds it to the side, towards which balls turning against the orbit push
-    room = points_of(line_of(orbit, "edge of its clearance"))
-    np.testing.assert_allclose(np.linalg.norm(room, axis=1), 100, rtol=1e-9)
-    assert points_of(line_of(orbit, "start-up")).shape[0] == np.sum(~after)
-    assert (orbit.get_xlabel(), orbit.get_ylabel()) == ("x, um", "y, um")
-    assert orbit.get_aspect() == 1
-
-
-def test_forces_are_drawn_over_time_in_ms(record: CageRecord, panels: list[Axes]) -> None:
-    forces = panels[1]
-    drawn = points_of(line_of(forces, "largest of one ball"))
-    pressed = record.series.max_force > 0
-    expected = np.column_stack([1e3 * record.series.time, record.series.max_force])
-    np.testing.assert_allclose(drawn[pressed], expected[pressed], rtol=1e-12)
-    assert np.isnan(drawn[~pressed, 1]).all()  # nothing touches: nothing on a logarithmic scale
-    total = points_of(line_of(forces, "sum over all balls"))[-1, 1]
-    np.testing.assert_allclose(total, 6.58e-3 * 9.80665, rtol=0.05)  # weight; the forces fan out over three balls
-    assert (forces.get_xlabel(), forces.get_ylabel()) == ("time, ms", "force on the cage, N")
-
-
-def test_the_axis_of_forces_reaches_below_the_least_of_them(record: CageRecord) -> None:
-    """Half of the least force above 0, as long as that is no tiny share of the largest ones."""
-    motion = motion_of(record)
-    largest = np.linspace(0.4, 1.9, len(motion.forces.time))
-    largest[5] = 0.0
-    forces = replace(motion.forces, largest=tuple(largest), sum=tuple(1.3 * largest))
-    known = replace(motion, forces=forces, max_force=2.7)
-    panel = orbit_figure(known, METRIC).axes[1]
-    assert panel.get_ylim()[0] == pytest.approx(0.4 / 2, rel=1e-12)  # round-off
-    assert panel.get_ylim()[1] > 1.3 * 1.9
-
-
-def test_an_exceedance_counts_what_is_above(record: CageRecord) -> None:
-    known = replace(record, statistics=replace(record.statistics, block_maxima=(0.3, 0.7, 0.5, 0.9)))
-    excess = orbit_figure(motion_of(known), METRIC).axes[2]
-    drawn = points_of(line_of(excess, "blocks of all seeds"))
-    np.testing.assert_allclose(drawn, [(0.3, 100), (0.5, 75), (0.7, 50), (0.9, 25)], rtol=1e-12)
-    for force in (0.4, 0.6, 0.8):  # between two of them the curve is the share that lies above
-        after = int(np.searchsorted(drawn[:, 0], force))  # drawn with its steps before the points
-        share = 100 * np.mean(np.array([0.3, 0.7, 0.5, 0.9]) > force)
-        assert drawn[after, 1] == share
-    assert line_of(excess, "blocks of all seeds").get_drawstyle() == "steps-pre"
-    assert (excess.get_xlabel(), excess.get_ylabel()) == ("largest force of one ball, N", "exceeded in, %")
-
-
-@pytest.mark.parametrize("state", ["rest", "whirl", "irregular", "mixed"])
-def test_the_plot_names_regime_and_torque_and_nothing_overlaps(record: CageRecord, state: str) -> None:
-    figure = orbit_figure(
-        motion_of(replace(record, statistics=replace(record.statistics, state=state))), METRIC, captioned=True
-    )
-    title = " ".join(figure.get_suptitle().split())
-    assert f'6205 at 500 rpm: regime "{state}", started "rest"' in title
-    assert f"cage torque {1e3 * record.statistics.torque:.3g} N mm" in title
-    figure.draw_without_rendering()  # lays it out
-    check_apart(figure)
-
-
-def test_a_document_keeps_the_extremes_of_a_thinned_motion(record: CageRecord) -> None:
-    few = record.drawn(most=60)
-    whole, thin = plain(record.drawn()), plain(few)
-    for name in ("largest", "sum"):
-        assert len(thin["forces"][name]) <= 60
-        assert max(thin["forces"][name]) == max(whole["forces"][name])
-        assert thin["forces"][name][-1] >= whole["forces"][name][-1]
-    assert thin["forces"]["time"][-1] == whole["forces"]["time"][-1]
-    assert thin["orbit"]["measured"][-1] == whole["orbit"]["measured"][-1]
-    assert {tuple(place) for place in thin["orbit"]["measured"]} <= {
-        tuple(place) for place in whole["orbit"]["measured"]
-    }
-    assert thin["exceedance"]["force"][-1] == max(whole["exceedance"]["force"])
-    motions = (few, replace(few, inner_speed=100.0, state="whirl"))
-    figures, caption = cage_plot(cast(Report, SimpleNamespace(cage_records=motions, units=METRIC)))
-    figure, other = present(figures)
-    assert (len(figure.axes), len(other.axes)) == (3, 3)
-    assert caption.count("Forces: the largest") == 1  # one caption for both
-    assert "The cage rests" in caption
-    assert "The cage whirls" in caption
-    orbit = line_of(figure.axes[0], "measured")
-    np.testing.assert_allclose(points_of(orbit), 1e6 * np.array(thin["orbit"]["measured"]), rtol=1e-12)
-    assert orbit.get_linestyle() == "None"  # neighbours in the list are none in time
-    figure.draw_without_rendering()
-    check_apart(figure)
-
-
-def test_a_group_of_instants_is_told_by_its_greatest(record: CageRecord) -> None:
-    force = record.series.max_force.size - np.arange(record.series.max_force.size, dtype=float)  # falls to 1 N
-    series = replace(record.series, max_force=force)
-    thin = replace(record, series=series).drawn(most=60).forces
-    step = -(-force.size // 60)
-    expected = [force[max(0, end - step + 1)] for end in range(force.size - 1, -1, -step)][::-1]
-    np.testing.assert_array_equal(thin.largest, expected)  # the first of each group
-
-
-def test_a_thinned_exceedance_keeps_the_rarest() -> None:
-    force = np.concatenate([np.zeros(500), 3.0 + np.arange(500) / 100])
-    whole, share = exceedance(force)
-    assert (share[0], share[-1]) == (0.5, 1e-3)  # half of the instants touch nothing
-    kept, of = exceedance(force, 20)
-    assert kept.size <= 20
-    np.testing.assert_array_equal(of, [np.mean(force >= each) for each in kept])
-    np.testing.assert_array_equal(kept[-3:], whole[-3:])
-
-
-def test_a_cage_at_rest_by_its_closed_form_has_a_reason_in_place_of_a_figure() -> None:
-    assert cage_plot(as_document({"cage_records": [], "torque": {}})) == (
-        None,
-        "No motion of the cage: the torque has the closed form of a cage at rest on its balls, or no cage. The motion "
-        "is computed for a scene with a cage and its start, if it exceeds the tolerance.",
-    )
-    assert (
-        cage_plot(as_document({"cage_records": [], "torque": None}))[1]
-        == "No motion of the cage: the scene has no torque."
-    )
-
-
-def box_of(part: Artist | None) -> BboxBase:
-    return present(present(part).get_tightbbox())
-
-
-def check_apart(figure: Figure) -> None:
-    """Titles, labels, legends and caption keep off each other and inside the figure."""
-    legends = [axes.get_legend() for axes in figure.axes]
-    texts = [*figure.texts, *(text for part in figure.subfigs for text in part.texts)]
-    for axes, legend in zip(figure.axes, legends, strict=True):
-        assert not box_of(axes.xaxis).overlaps(box_of(legend))
-        for text in texts:
-            assert not box_of(text).overlaps(box_of(axes))
-    for part in (*figure.axes, *legends, *texts):
-        assert box_of(part).x0 >= 0
-        assert box_of(part).x1 <= figure.bbox.x1 + 1  # pixel
 
 
 def place_in(job: dict, x: float, y: float) -> tuple[float, float]:
