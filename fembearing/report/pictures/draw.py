@@ -18,13 +18,13 @@ from typing import Any, Literal
 
 from matplotlib.ticker import MaxNLocator
 
-from analytic.writing import write
+from analytic.writing import being_written, write
 from fembearing.quantities import MILLI, unit_for
 from fembearing.report.contact import contact_record
 from fembearing.report.page.view import read_view, view_page
 from fembearing.report.phrases import AXES, place_of, shoulder_lines, title_of
 from fembearing.report.pictures.framing import Frame, PressureScale, frame_of
-from fembearing.report.pictures.plain_map import draw_map
+from fembearing.report.pictures.plain_map import DOTS, plain_map
 from fembearing.report.report import PictureFile
 from fembearing.verify.contact.discrepancy import ContactSolution
 
@@ -86,7 +86,9 @@ def draw_pictures(
         frame = _frame(contact)
         file = _file(contact, "pressure", folder)
         if trouble:
-            draw_map(contact, title=_title(contact), frame=frame, shown=_scale(contact), file=file)
+            figure = plain_map(contact, title=_title(contact), frame=frame, shown=_scale(contact))
+            with being_written(file):
+                figure.savefig(file, dpi=DOTS)
         pictures.append(
             Picture(
                 file=file,

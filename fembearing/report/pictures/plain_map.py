@@ -1,7 +1,6 @@
 """A contact's pressure as a plain map by matplotlib, where VTK cannot draw; to the same frame."""
 
 from itertools import product
-from pathlib import Path
 
 import numpy as np
 from matplotlib.cm import ScalarMappable
@@ -9,7 +8,6 @@ from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.tri import Triangulation
 
-from analytic.writing import being_written
 from fembearing.quantities import MILLI
 from fembearing.report.pictures.framing import Frame, PressureScale
 from fembearing.verify.contact.discrepancy import ContactSolution
@@ -19,8 +17,8 @@ LEVELS = 60
 LEAST_SHOWN = 0.005  # of the peak pressure: below, nothing is painted
 
 
-def draw_map(contact: ContactSolution, *, title: str, frame: Frame, shown: PressureScale, file: Path) -> None:
-    """Draw the pressure on the finest mesh with Hertz's ellipse."""
+def plain_map(contact: ContactSolution, *, title: str, frame: Frame, shown: PressureScale) -> Figure:
+    """The pressure on the finest mesh with Hertz's ellipse."""
     peak = shown.peak
     figure = Figure(figsize=(frame.width / DOTS, frame.height / DOTS), dpi=DOTS)
     axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
@@ -63,5 +61,4 @@ def draw_map(contact: ContactSolution, *, title: str, frame: Frame, shown: Press
     axes.plot([start[0], start[0] + frame.bar], [start[1], start[1]], color="black", linewidth=3)
     direction = "rolling" if frame.rolling_is_horizontal else "transverse"
     figure.text(30 / frame.width, 40 / frame.height, f"{MILLI.written(frame.bar, 'g')}, {direction}", fontsize=10)
-    with being_written(file):
-        figure.savefig(file, dpi=DOTS)
+    return figure

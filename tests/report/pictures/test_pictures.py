@@ -13,11 +13,13 @@ from scipy.spatial import cKDTree
 
 from fembearing.report.pictures import draw as module
 from fembearing.report.pictures.draw import Picture, draw_pictures
-from fembearing.report.pictures.framing import BAR, frame_of
+from fembearing.report.pictures.framing import BAR, PressureScale, frame_of
+from fembearing.report.pictures.plain_map import plain_map
 from fembearing.report.pictures.render_mesh import ROUND, cell_edges, loaded_face, scaled
 from fembearing.verify.contact.discrepancy import ContactSolution
 from fembearing.verify.validation import Validation
 from tests.analytic.specimens import present
+from tests.report.figures.figure_reader import require_legible
 from tests.report.pictures.picture_reader import (
     CORNER,
     check_colour_bar,
@@ -106,6 +108,13 @@ def test_a_section_has_a_colour_bar(drawn: dict[str, Picture], pair: str) -> Non
 @pytest.mark.parametrize("pair", PAIRS)
 def test_a_pressure_picture_shows_the_mesh(drawn: dict[str, Picture], pair: str) -> None:
     assert min(lines_of_map(drawn[f"{pair}-pressure"])) > 0.005  # found: 0.014 and more; without lines 0
+
+
+def test_the_words_of_a_map_are_in_it_and_apart(checked: Validation) -> None:
+    for contact in checked.contacts:
+        sizes = {name: getattr(contact.hertz, name) for name in ("semi_axis_rolling", "semi_axis_transverse")}
+        scale = PressureScale(unit="GPa", factor=1e-9, peak=2.0, ticks=[0.0, 1.0, 2.0])
+        require_legible(plain_map(contact, title="a contact", frame=frame_of(**sizes), shown=scale))
 
 
 @pytest.mark.parametrize("pair", PAIRS)
