@@ -174,6 +174,8 @@ def test_leaders_end_at_what_they_name_in_its_order(name: str) -> None:
     apart = -np.diff([end for _, end in heights])  # in the order of what they name: none crosses another
     np.testing.assert_allclose(apart, apart[0], rtol=1e-9)
     assert apart[0] > 0
+    top = max(corners[:, 1].max() for corners in outlines(panel))
+    assert name in PAIRS or heights[0][1] < top  # beside the rings; those of a pair are flat
 
 
 @pytest.mark.parametrize("name", EVERY)

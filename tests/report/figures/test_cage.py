@@ -79,6 +79,7 @@ def test_an_exceedance_counts_what_is_above(record: CageRecord) -> None:
         share = 100 * np.mean(np.array([0.3, 0.7, 0.5, 0.9]) > force)
         assert drawn[after, 1] == share
     assert line_of(excess, "blocks of all seeds").get_drawstyle() == "steps-pre"
+    assert excess.get_xlim()[0] < 0.3 < 0.9 < excess.get_xlim()[1]
     assert (excess.get_xlabel(), excess.get_ylabel()) == ("largest force of one ball, N", "exceeded in, %")
 
 

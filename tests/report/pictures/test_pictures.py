@@ -110,8 +110,8 @@ def test_a_pressure_picture_shows_the_mesh(drawn: dict[str, Picture], pair: str)
     assert min(lines_of_map(drawn[f"{pair}-pressure"])) > 0.005  # found: 0.014 and more; without lines 0
 
 
-def test_the_words_of_a_map_are_in_it_and_apart(checked: Validation) -> None:
-    for contact in checked.contacts:
+def test_the_words_of_a_map_are_in_it_and_apart(checked: Validation, cut_contact: ContactSolution) -> None:
+    for contact in (*checked.contacts, cut_contact):
         sizes = {name: getattr(contact.hertz, name) for name in ("semi_axis_rolling", "semi_axis_transverse")}
         scale = PressureScale(unit="GPa", factor=1e-9, peak=2.0, ticks=[0.0, 1.0, 2.0])
         require_legible(plain_map(contact, title="a contact", frame=frame_of(**sizes), shown=scale))
