@@ -5,13 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from analytic.contact.geometry import RACES, race_numbers
 from analytic.errors import InputError
 from analytic.scene import ContactAngle, Scene
 from analytic.scenefile.read import parse_scene
 from fembearing.verify.creep.production import by_formula, by_march, produced
 from fembearing.verify.creep.scene_creep import CreepNumbers, creep_of, scene_at_heaviest
-
-RACES = "inner", "outer"
 
 
 def scene_of(operation: str, bearing: str = 'catalog = "6205"', friction: str = "coefficient = 0.09") -> Scene:
@@ -62,6 +61,22 @@ def test_the_formula_is_that_of_the_torque(operation: str) -> None:
         np.testing.assert_allclose(9 * torque, production.formula, rtol=1e-9)  # the same formula
     else:
         assert production.formula / 9 < torque < production.formula
+
+
+def test_the_formula_has_its_creepage_where_friction_before_and_behind_two_lines_balances() -> None:
+    """In units of b the lines g do not slide: xi + rate b^2 g^2/(2 R V) + phi b g = 0; a friction of mu p balances."""
+    production = produced(scene_of('axial_load = "500 N"\nradial_load = "900 N"'))
+    ball, spins = production.heaviest[0], []
+    for k, found in enumerate(by_formula(production)):
+        rate = float(ball["motion"][f"{RACES[k]}_rolling_rate"])
+        speed = float(abs(ball["motion"][f"{RACES[k]}_entrainment"]))
+        b, numbers = float(ball["semi_axis_transverse"][k]), race_numbers(production.scene.bearing, RACES[k])
+        curve = rate * b**2 / (2 * numbers.deformed_radius * speed)
+        first, last = np.sort(np.roots([curve, found.spin_creepage * b, found.creepage_along]))
+        between = (last - last**3 / 3) - (first - first**3 / 3)  # of the contact's pressure, over 4/3
+        np.testing.assert_allclose(between, 2 / 3, rtol=1e-9)  # half of the load
+        spins.append(abs(first + last))
+    assert max(spins) > 0.05  # spin parts the lines unevenly
 
 
 def test_three_methods_agree_within_what_creep_changes(thrust: CreepNumbers) -> None:
