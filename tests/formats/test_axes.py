@@ -1,5 +1,7 @@
 """Ranges of speed, load and temperature: what they mean, and what is refused."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -64,6 +66,13 @@ def test_what_is_not_given_follows_from_the_scene() -> None:
     assert axes_in_words(given) == (
         "speed 0 rpm to 900 rpm in 4, axial load 0 N in 1, radial load 3000 N in 1, temperature 55 degC in 1"
     )
+
+
+def test_speeds_that_are_not_given_reach_twice_the_fastest_of_the_scene_either_way_round() -> None:
+    scene = load_scene("6206", radial_load="3 kN", speed="700 rpm")
+    speeds = RPM * np.array([700.0, -900.0, 200.0])
+    series = replace(scene, operation=replace(scene.operation, inner_speed=speeds))
+    assert axes_of(series, {}, whole=True)["speed"][-1] == pytest.approx(1800 * RPM, rel=1e-12)  # a logarithm
 
 
 def test_a_scene_without_an_oil_has_no_temperature() -> None:

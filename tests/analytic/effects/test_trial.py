@@ -8,10 +8,11 @@ from numpy.typing import NDArray
 
 from analytic.effects import trial
 from analytic.effects.table import TRIED
-from analytic.effects.trial import FEW, growth_by_wedging, rolls_otherwise, trial_of
+from analytic.effects.trial import FEW, growth_by_wedging, method_of_changes, rolls_otherwise, trial_of
 from analytic.oil.variation import NOMINAL
 from analytic.result import FrictionTorque
 from analytic.scene import Bearing, ContactAngle, Operation, Scene
+from analytic.sliding.judge import OVER_ELLIPSE, SINGLE_COEFFICIENT
 from analytic.solve.records import BALL, POINT
 from analytic.solve.solution import FAR, Solution
 from analytic.torque import friction_torque
@@ -103,6 +104,12 @@ def test_a_longer_series_decides(bearing_6205: Bearing) -> None:
     # No radial load, no direction, a finish far below the film, no ball without load
     idle = {"load_distribution", "weight", "asperities", "unloaded_balls"}
     assert {name for name in TRIED if strict.is_on(name)} == set(TRIED) - idle
+
+
+def test_changes_of_spin_alone_are_tried_by_the_ellipse(rich: Scene) -> None:
+    """Of both together one coefficient shows the change, since their torque follows the creep in second order."""
+    assert method_of_changes(rich) == SINGLE_COEFFICIENT
+    assert method_of_changes(replace(rich, effects={**rich.effects, "conformity": "off"})) == OVER_ELLIPSE
 
 
 def test_asperities_that_carry_load_count_whatever_they_change(bearing_6205: Bearing) -> None:
