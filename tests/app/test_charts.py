@@ -32,6 +32,7 @@ def test_the_parts_add_up_to_the_torque() -> None:
     total = sum(each["data"][0] for each in options["series"])
     assert total == pytest.approx(1e3 * found().row.torque.total, rel=DIGITS)
     assert {each["stack"] for each in options["series"]} == {"torque"}
+    assert options["xAxis"]["max"] == pytest.approx(total, rel=DIGITS)  # the bar fills its width
     json.dumps(options, allow_nan=False)
 
 

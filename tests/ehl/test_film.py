@@ -147,6 +147,15 @@ def test_the_interval_holds_the_limit_of_a_sequence_of_another_order(order: floa
     assert abs(found.value - 3.1) <= found.total * found.value
 
 
+def test_values_that_turn_back_are_uncertain_by_their_last_change_at_least() -> None:
+    """Without an order the correction says little: 3.0, 3.2, 3.1, where cells shrink by 1.4."""
+    sizes = (1.96, 1.4, 1.0)
+    for values, least in (((3.0, 3.2, 3.1), 0.1), ((3.0, 3.9, 3.8), 0.9 / 1.4**2)):  # the change before, one grid finer
+        found = extrapolation(values, sizes)
+        assert found.order is None
+        assert found.total * found.value >= least
+
+
 def test_a_force_whose_errors_cancel_is_as_uncertain_as_its_film_tells() -> None:
     """On three grids of one contact the force hardly moves, although the film has an error of 6 % on the last one."""
     films, forces, least = (0.786, 0.883, 0.940), (1.006, 1.0043, 0.9977), (0.77, 0.86, 0.91)

@@ -290,3 +290,24 @@ def test_too_few_addresses_are_told_before_a_library_waits_for_them(
     monkeypatch.setenv("OPENBLAS_NUM_THREADS", "2")
     out, said = start(program, tmp_path / "cache", CRAMPED).communicate(timeout=300)
     assert out.splitlines() == ["340 MB of addresses are needed to load the formulas", "21.25"], said
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no limit of addresses")
+@pytest.mark.parametrize(
+    ("before", "said"), [("", "of addresses are needed"), ("import numba, scipy.linalg", "enough")]
+)
+def test_too_few_addresses_are_said_before_numba_asks_for_them(before: str, said: str) -> None:
+    """350 MB hold Python and numpy, not numba with OpenBLAS."""
+    script = f"""
+import resource
+{before}
+from analytic.numerics.compilation import require_addresses
+resource.setrlimit(resource.RLIMIT_AS, (350_000_000, 350_000_000))
+try:
+    require_addresses()
+    print("enough")
+except MemoryError as problem:
+    print(problem)
+"""
+    ended = subprocess.run([sys.executable, "-c", script], cwd=ROOT, capture_output=True, text=True, check=True)
+    assert said in ended.stdout

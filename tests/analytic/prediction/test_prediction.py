@@ -136,29 +136,6 @@ def test_a_spread_comes_from_the_scene_else_from_the_origin_else_from_the_defaul
     assert "bearing.width" not in found
 
 
-@pytest.mark.parametrize(
-    ("lines", "complaint"),
-    [
-        ('lubricant.viscosity = "-6 %"', r"uncertainty.lubricant.viscosity = '-6 %' is out of range; give 0 to 300 %"),
-        ('lubricant.viscosity = "301 %"', r"is out of range; give 0 to 300 %"),
-        ('lubricant.viscosity = "9 Pa s"', r"is more than 300 % of the value, 0.\d+ Pa\*s"),
-        ("lubricant.viscosity = 0.1", r"has no unit; give 0 to 10 Pa s"),
-        ('lubricant.viscocity = "6 %"', r"lubricant.viscocity = '6 %' is an unknown key; did you mean visc"),
-        ('lubricant.temperature = "2 degC"', r"is out of range; give 0 to 100 K, for example \"2 K\""),
-        ('bearing.clearance = "3 %"', r"is a share, but this input needs the standard deviation itself"),
-        ('friction.coefficient = "3 %"', r"is of an input that this scene lacks"),
-        # The 6205 has grooves of 0.52 times its balls, 0.02 above the tightest groove.
-        ("bearing.inner.conformity = 0.07", r"= 0.07 is more than 300 % of the value above 0.5, 0.0\d+; an input that"),
-    ],
-)
-def test_a_wrong_spread_gives_one_line(lines: str, complaint: str) -> None:
-    with pytest.raises(InputError) as caught:
-        parse_scene(f"{OILED}[uncertainty]\n{lines}\n", origin="here")
-    assert re.search(complaint, str(caught.value)), caught.value
-    assert "\n" not in str(caught.value)
-    assert str(caught.value).count("uncertainty.") == 1
-
-
 def test_a_wrong_spread_from_python_gives_one_line() -> None:
     scene = dry(**SPREADS)
     for spreads, complaint in (
