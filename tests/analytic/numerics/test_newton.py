@@ -54,6 +54,7 @@ def test_where_nothing_holds_at_all_the_gradient_leads_as_far_as_is_allowed() ->
     step, _ = stepped(np.zeros((5, 5)), np.array([0.0, -3.0, 0.0, 1.5, 0.0]), 4e-4)
     np.testing.assert_allclose(step, [0, 4e-4, 0, -2e-4, 0], rtol=1e-12)
     np.testing.assert_allclose(plane_step((0.0, 0.0, 0.0), (-3.0, 1.5), 4e-4), [4e-4, -2e-4], rtol=1e-12)
+    np.testing.assert_allclose(plane_step((0.0, 0.0, 0.0), (0.0, 1.5), 4e-4), [0.0, -4e-4], rtol=1e-12)
 
 
 def test_a_step_is_too_long_where_it_lowers_the_energy_too_little() -> None:

@@ -67,6 +67,10 @@ def test_the_axis_of_forces_reaches_below_the_least_of_them(record: CageRecord) 
     panel = orbit_figure(known, METRIC).axes[1]
     assert panel.get_ylim()[0] == pytest.approx(0.4 / 2, rel=1e-12)  # round-off
     assert panel.get_ylim()[1] > 1.3 * 1.9
+    largest[7] = 1e-5
+    tiny = replace(known, forces=replace(forces, largest=tuple(largest)))
+    low = orbit_figure(tiny, METRIC).axes[1].get_ylim()[0]
+    assert low == pytest.approx(2.7e-3, rel=1e-12)  # a thousandth of the median of the blocks
 
 
 def test_an_exceedance_counts_what_is_above(record: CageRecord) -> None:

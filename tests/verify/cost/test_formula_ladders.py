@@ -175,6 +175,21 @@ def test_differences_of_heights_miss_slopes_of_a_smooth_surface_only(
     assert bound("gaussian") > bound("exponential") + 0.005
 
 
+@pytest.mark.parametrize(
+    ("spacing", "largest", "sizes"), [(4e-6, 512, []), (2e-6, 127, []), (2e-6, 128, [256]), (3e-6, 256, [128, 256])]
+)
+def test_a_surface_of_too_wide_a_spacing_or_too_many_points_is_not_generated(
+    oiled: Scene, monkeypatch: pytest.MonkeyPatch, spacing: float, largest: int, sizes: list[int]
+) -> None:
+    """At most a tenth of the correlation length of 30 um, and twice the points of the largest map along a side."""
+    monkeypatch.setattr(formula_ladders, "LARGEST_MAP", largest)
+    correlation = Autocorrelation(kind="gaussian", length=30e-6, spacing=spacing)
+    rough = Surface(rms_roughness=0.4e-6, autocorrelation=correlation)
+    closed, *generated = roughness_methods(replace(oiled, surface=rough)).methods
+    assert closed.name == "closed-form moments"
+    assert [method.name for method in generated] == [f"generated, {size} x {size}" for size in sizes]
+
+
 def without_friction(scene: Scene) -> Scene:
     return replace(scene, friction_coefficient=None)
 
