@@ -24,7 +24,7 @@ from fembearing.report.contact import contact_record
 from fembearing.report.page.view import read_view, view_page
 from fembearing.report.phrases import AXES, place_of, shoulder_lines, title_of
 from fembearing.report.pictures.framing import Frame, PressureScale, frame_of
-from fembearing.report.pictures.plain_map import DOTS, plain_map
+from fembearing.report.pictures.plain_map import DOTS, pressure_map
 from fembearing.report.report import PictureFile
 from fembearing.verify.contact.discrepancy import ContactSolution
 
@@ -86,7 +86,7 @@ def draw_pictures(
         frame = _frame(contact)
         file = _file(contact, "pressure", folder)
         if trouble:
-            figure = plain_map(contact, title=_title(contact), frame=frame, shown=_scale(contact))
+            figure = pressure_map(contact, title=_title(contact), frame=frame, shown=_scale(contact))
             with being_written(file):
                 figure.savefig(file, dpi=DOTS)
         pictures.append(

@@ -17,7 +17,7 @@ LEVELS = 60
 LEAST_SHOWN = 0.005  # of the peak pressure: below, nothing is painted
 
 
-def plain_map(contact: ContactSolution, *, title: str, frame: Frame, shown: PressureScale) -> Figure:
+def pressure_map(contact: ContactSolution, *, title: str, frame: Frame, shown: PressureScale) -> Figure:
     """The pressure on the finest mesh with Hertz's ellipse."""
     peak = shown.peak
     figure = Figure(figsize=(frame.width / DOTS, frame.height / DOTS), dpi=DOTS)

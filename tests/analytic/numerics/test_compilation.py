@@ -119,8 +119,9 @@ def program(tmp_path: Path) -> Path:
 
 
 def start(program: Path, cache: Path, code: str = PROGRAM) -> subprocess.Popen[str]:
+    """Without byte code (-B), which Python takes for that of another file as long and written in the same second."""
     return subprocess.Popen(
-        [sys.executable, "-c", code],
+        [sys.executable, "-B", "-c", code],
         env={**os.environ, "PYTHONPATH": str(program), FOLDER: str(cache)},
         cwd=program,
         stdout=subprocess.PIPE,

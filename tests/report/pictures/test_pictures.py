@@ -14,7 +14,7 @@ from scipy.spatial import cKDTree
 from fembearing.report.pictures import draw as module
 from fembearing.report.pictures.draw import Picture, draw_pictures
 from fembearing.report.pictures.framing import BAR, PressureScale, frame_of
-from fembearing.report.pictures.plain_map import plain_map
+from fembearing.report.pictures.plain_map import pressure_map
 from fembearing.report.pictures.render_mesh import ROUND, cell_edges, loaded_face, scaled
 from fembearing.verify.contact.discrepancy import ContactSolution
 from fembearing.verify.validation import Validation
@@ -114,7 +114,7 @@ def test_the_words_of_a_map_are_in_it_and_apart(checked: Validation, cut_contact
     for contact in (*checked.contacts, cut_contact):
         sizes = {name: getattr(contact.hertz, name) for name in ("semi_axis_rolling", "semi_axis_transverse")}
         scale = PressureScale(unit="GPa", factor=1e-9, peak=2.0, ticks=[0.0, 1.0, 2.0])
-        require_legible(plain_map(contact, title="a contact", frame=frame_of(**sizes), shown=scale))
+        require_legible(pressure_map(contact, title="a contact", frame=frame_of(**sizes), shown=scale))
 
 
 @pytest.mark.parametrize("pair", PAIRS)
