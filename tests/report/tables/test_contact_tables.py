@@ -11,16 +11,22 @@ import numpy as np
 import pytest
 from rich.console import Console
 
+from fembearing.grid_convergence import Estimate
 from fembearing.plain_types import plain
 from fembearing.report.report import report_of
-from fembearing.report.tables.contacts import subsurface_table
+from fembearing.report.tables.contacts import pocket_table, series_table, subsurface_table
 from fembearing.report.terminal.table import show
 from fembearing.report.terminal.validation import print_details
+from fembearing.verify.contact.load_series import LoadPoint, LoadSeries
+from fembearing.verify.contact.pocket_law import PocketLaw
+from fembearing.verify.contact.power_law import StiffnessLaw
 from fembearing.verify.contact.ring import RingStructure
 from fembearing.verify.contact.subsurface import NAMES, comparison_below
 from fembearing.verify.torque.catalogue import BesideCatalogue
 from fembearing.verify.torque.catalogue_models import CatalogueBand
 from fembearing.verify.validation import Validation
+from tests.analytic.specimens import present
+from tests.report.figures.figure_reader import as_document
 
 NARROW = 80  # columns, of a pipe
 
@@ -193,6 +199,103 @@ def test_a_stress_has_its_share_and_a_depth_its_length() -> None:
         ["its depth, um", "0.000", "3.500", "- *", "1.4 um"],
     ):
         assert row in rows
+
+
+def pocket(geometry: str, approach: float, stiffness: float, uncertainty: dict[str, float]) -> dict[str, Any]:
+    fe = {"approach": approach, "stiffness": stiffness}
+    hertz = {"approach": 0.6e-6, "stiffness": 60e9}
+    return {"pair": "pocket", "geometry": geometry, "load": 28.5, "hertz": hertz, "fe": fe, "uncertainty": uncertainty}
+
+
+def test_a_pocket_is_softer_by_its_sheet_which_is_a_spring_in_series() -> None:
+    """28.5 N over the 0.3 um that the sheet adds; no spring where that is uncertain, no table without a pocket."""
+    seat = pocket("real", 0.58e-6, 63e9, {"approach": 0.01, "stiffness": 0.015})
+    sheet = pocket("wall", 0.88e-6, 39e9, {"approach": 0.02, "stiffness": 0.03})
+    race = seat | {"pair": "inner", "load": 371.5}
+    table = present(pocket_table(as_document({"contacts": [race, race, seat, sheet]}).contacts))
+    assert table.label.endswith("at 28.5 N")
+    assert table.groups[0].rows == [
+        ["half spaces, Hertz", "60.00", "", "+0.0%", "0.6000"],
+        ["thick seat", "63.00", "1.50%", "+5.0%", "0.5800"],
+        ["sheet on its rim", "39.00", "3.00%", "-35.0%", "0.8800"],
+    ]
+    # 0.0058 and 0.0176 of 0.3 um
+    assert table.notes == ["Sheet in series with the seat: 95 N/um +- 7.80%, for cage.sheet_stiffness."]
+    stiff = sheet | {"fe": seat["fe"] | {"approach": 0.59e-6}}
+    assert present(pocket_table(as_document({"contacts": [seat, stiff]}).contacts)).notes == []
+    assert pocket_table(as_document({"contacts": [race]}).contacts) is None
+
+
+def under(load: float, hertz: float, approach: float, mesh: float, tangent: tuple[Any, Any]) -> LoadPoint:
+    """One load of a series; mesh : relative uncertainty, beside 4 % of the domain"""
+    return LoadPoint(
+        load=load,
+        approach=Estimate(values=(0.9 * approach, approach), order=None, richardson=None, mesh=mesh, domain=0.04),
+        others={},
+        hertz_approach=hertz,
+        tangent=tangent[0],
+        tangent_uncertainty=tangent[1],
+        verdict="pass",
+    )
+
+
+def series(**changed: Any) -> LoadSeries:
+    known: Any = as_document({"pair": "pocket", "contact_angle": 0.0})
+    given: dict[str, Any] = {
+        "contact": known,
+        "geometry": "wall",
+        "tolerance": 0.05,
+        "points": (
+            under(20.0, 5.6e-6, 5e-6, 0.03, (7.1e6, 0.034)),
+            under(64.0, 8.2e-6, 8e-6, 0.03, (9.3e6, None)),
+            under(40.0, 6e-6, 7.5e-6, 0.075, (None, None)),
+        ),
+        "law": None,
+        "pocket_law": None,
+        "hertz_stiffness": 60e9,
+        **dict.fromkeys(("solutions", "warnings"), ()),
+        "meshes": 3,
+        "seconds": 12.3,
+        "peak_memory": None,
+    }
+    return LoadSeries(**given | changed)
+
+
+def test_each_load_of_a_series_has_its_approach_and_its_tangent() -> None:
+    """Hertz's tangent is 1.5 F/delta."""
+    table = series_table(series())
+    assert table.label == "Ball in cage pocket, sheet on its rim: 3 loads"
+    assert table.groups[0].rows == [
+        ["20", "5.6000", "5.0000", "+12.00% *", "5.00%", "7.100", "3.40%", "5.357"],
+        ["64", "8.2000", "8.0000", "+2.50%  ", "5.00%", "9.300", "-", "11.71"],
+        ["40", "6.0000", "7.5000", "-20.00% *", "8.50%", "-", "-", "10.00"],
+    ]
+    assert len(table.notes) == 2  # without a law
+    assert table.notes[-1] == "Finite elements, wall, 3 meshes for all loads, 12.3 s"
+    assert series_table(series(meshes=1)).notes[-1].endswith("wall, 1 mesh for all loads, 12.3 s")
+
+
+def test_the_law_of_a_series_has_the_uncertainties_that_are_known() -> None:
+    law = StiffnessLaw(stiffness=24.5e9, exponent=1.47, stiffness_uncertainty=0.21, misfit=0.012, propagated=0.005)
+    assert series_table(series(law=law)).notes[0] == (
+        "F = K delta^n: K 24.5 GN/m^1.4700 +- 21.00%, n 1.4700 +- 0.0170 by finite elements; 60 GN/m^1.5 and 1.5 by "
+        "Hertz."
+    )
+    two = replace(law, stiffness_uncertainty=None, misfit=None)
+    said = series_table(series(law=two)).notes[0]
+    assert "K 24.5 GN/m^1.4700, n 1.4700 (power law assumed) by finite elements" in said
+
+
+def test_the_law_of_a_sheet_gives_the_keys_of_a_scene_at_the_largest_load() -> None:
+    """(64/8e9)^(2/3) m = 4 um by the contact alone."""
+    law = StiffnessLaw(stiffness=24.5e9, exponent=1.47, stiffness_uncertainty=None, misfit=None, propagated=0.005)
+    sheet = PocketLaw(stiffness=8e9, stiffness_uncertainty=0.031, sheet=12.5e6, sheet_uncertainty=0.042)
+    _, found, approach, stiffness, *_ = series_table(series(law=law, pocket_law=sheet)).notes
+    assert found.endswith("K 8 GN/m^1.5 +- 3.10%, k 12.5 N/um +- 4.20%. In a scene:")
+    assert approach == 'cage.pocket_approach = { load = "64 N", approach = "4 um" }'
+    assert stiffness == 'cage.sheet_stiffness = "12.5 N/um"'
+    two = replace(sheet, stiffness_uncertainty=None, sheet_uncertainty=None)
+    assert "K 8 GN/m^1.5, k 12.5 N/um. In" in series_table(series(law=law, pocket_law=two)).notes[1]
 
 
 def test_json_tells_each_verdict_with_its_numbers(told: dict[str, Any]) -> None:

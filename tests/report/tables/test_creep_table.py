@@ -1,5 +1,6 @@
-"""Friction of a ball on both races: which quantities have a row."""
+"""Friction of a ball on both races: which quantities have a row, and its cells, worked out by hand."""
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -7,9 +8,10 @@ import pytest
 from analytic.rows import OperatingPoint
 from fembearing.report.tables.creep import creep_table
 from fembearing.verify.creep.scene_creep import CreepNumbers, CreepQuantity, RaceNumbers
+from tests.report.torque_rows import RPM
 
 NOTHING = CreepQuantity(formula=0.0, production=0.0, reference=0.0, uncertainty=2e-6)
-SUMS = CreepQuantity(formula=3.1e-3, production=2.9e-3, reference=2.7e-3, uncertainty=1e-5)
+SUMS = CreepQuantity(formula=3.1e-3, production=2.9e-3, reference=2.5e-3, uncertainty=1.23e-4)
 
 
 def race(**known: CreepQuantity) -> RaceNumbers:
@@ -20,25 +22,70 @@ def race(**known: CreepQuantity) -> RaceNumbers:
     )
 
 
+def numbers(**changed: Any) -> CreepNumbers:
+    given: dict[str, Any] = {
+        "point": OperatingPoint(axial_load=700.0, inner_speed=600 * RPM, radial_load=0.0, moment=0.0),
+        "friction_coefficient": None,
+        "inner": race(),
+        "outer": race(),
+        "torque": SUMS,
+        "solved_balls": 3,
+        "different_balls": 3,
+        "strips": 31,
+        "cells": 60,
+        "tolerance": 0.01,
+        "seconds": 2.7,
+        "production_seconds": 0.003,
+        "warnings": (),
+    }
+    return CreepNumbers(**given | changed)
+
+
 @pytest.mark.parametrize("method", ["formula", "production", "reference"])
 def test_a_quantity_has_a_row_if_one_method_finds_more_than_the_uncertainty(method: str) -> None:
     known: Any = {"formula": 0.0, "production": 0.0, "reference": 0.0} | {method: -5e-6}
-    creep = CreepNumbers(
-        point=OperatingPoint(axial_load=700.0, inner_speed=41.0, radial_load=0.0, moment=0.0),
-        friction_coefficient=None,
-        inner=race(spin_moment=CreepQuantity(**known, uncertainty=2e-6)),
-        outer=race(),
-        torque=SUMS,
-        solved_balls=1,
-        different_balls=1,
-        strips=31,
-        cells=60,
-        tolerance=0.01,
-        seconds=2.7,
-        production_seconds=0.003,
-        warnings=(),
-    )
+    moment, zero = CreepQuantity(**known, uncertainty=2e-6), replace(NOTHING, uncertainty=0.0)
+    creep = numbers(inner=race(spin_moment=moment, power=zero))
     inner, outer, whole = creep_table(creep).groups
     assert [row[0] for row in inner.rows] == ["spin moment, N mm"]
     assert outer.rows == []
     assert len(whole.rows) == 1
+
+
+def test_a_quantity_has_its_three_values_and_a_star_beyond_the_uncertainty() -> None:
+    """Of a reference that may be 0, the uncertainty is in the unit of the row."""
+    inner = race(
+        creepage_along=CreepQuantity(formula=-2.4e-3, production=-2.1e-3, reference=-2e-3, uncertainty=0.2e-3),
+        spin_creepage=CreepQuantity(formula=2600.0, production=2200.0, reference=2500.0, uncertainty=50.0),
+        rolling_moment=CreepQuantity(formula=5e-6, production=4e-6, reference=3e-6, uncertainty=4e-6),
+        slip_share=CreepQuantity(formula=0.97, production=0.66, reference=0.6, uncertainty=0.03),
+        power=CreepQuantity(formula=0.45, production=0.25, reference=0.25, uncertainty=0.0),
+    )
+    first, _, whole = creep_table(numbers(inner=inner)).groups
+    assert first.title == "Friction on the inner race: 87 N at 17.76 deg, inner ring at 600 rpm"
+    assert first.rows == [
+        ["creepage along", "-0.0024", "-0.0021", "-0.002", "+5.0%  ", "10.0%"],
+        ["spin over speed, 1/mm", "2.6", "2.2", "2.5", "-12.0% *", "2.0%"],
+        ["rolling moment, N mm", "0.005", "0.004", "0.003", "none  ", "0.004"],
+        ["area that slips, %", "97", "66", "60", "+10.0% *", "5.0%"],
+        ["power, W", "0.45", "0.25", "0.25", "+0.0%  ", "0.0%"],
+    ]
+    assert whole.rows == [["torque by sliding, N mm", "3.1", "2.9", "2.5", "+16.0% *", "4.9%"]]
+
+
+def test_notes_tell_what_a_creep_leaves_out() -> None:
+    """Balls that are not solved, a ring that stays where production places it, and a ball that does not spin."""
+
+    def said(**changed: Any) -> str:
+        return " ".join(creep_table(numbers(**changed)).notes)
+
+    spinning = CreepQuantity(formula=2600.0, production=2200.0, reference=2500.0, uncertainty=50.0)
+    plain = said()
+    assert "by -13.8%, -0.4 N mm, +- 4.9 %." in plain  # 2.5 of 2.9 N mm
+    assert "different balls" not in plain
+    assert "position of the ring" not in plain
+    assert "The ball does not spin" in plain
+    assert "does not spin" not in said(outer=race(spin_creepage=spinning))
+    assert "2 of 5 different balls are solved" in said(solved_balls=2, different_balls=5)
+    for load in ({"radial_load": 130.0}, {"moment": 2.5}):
+        assert "position of the ring" in said(point=replace(numbers().point, **load))

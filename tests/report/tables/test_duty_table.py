@@ -5,8 +5,9 @@ from dataclasses import replace
 import numpy as np
 
 from analytic.prediction.duty import DutyCycle, DutyStep, Estimate
+from analytic.prediction.steady import SteadyTemperature
 from fembearing.quantities import INCH_POUND
-from fembearing.report.tables.duty import MOST_ROWS, cycle_table, steps_table
+from fembearing.report.tables.duty import MOST_ROWS, NOTES, cycle_table, steps_table
 
 RPM = np.pi / 30
 
@@ -57,8 +58,16 @@ def test_a_step_has_its_numbers_and_its_share_of_the_energy() -> None:
     assert rows[0] == ["1", "20", "600", "300", "40", "28-76", "2.5", "50", "46.5"]  # 50 of 107.5 J
     assert rows[1] == ["2", "23", "600", "340", "40", "28-76", "2.5", "57.5", "53.5"]
     assert rows[2] == ["3", "26", "600", "380", "0", "-", "0", "0", "0"]
-    assert "oil at 40 degC" in table.label
+    assert table.label == "Steps of cycle.csv, oil at 40 degC"
     assert table.notes == []
+
+
+def test_oil_that_warms_by_friction_is_steady_and_says_why() -> None:
+    warm = SteadyTemperature(temperature=313.15, power=2.5, ambient=293.15, resistance=8.0)
+    steady = replace(cycle(step(0), step(1)), steady=warm)
+    assert steps_table(steady).label == "Steps of cycle.csv, oil at 40 degC (steady)"
+    assert cycle_table(steady).notes[0].startswith("Oil temperature: steady: 20 degC of the surroundings and 8 K/W")
+    assert cycle_table(replace(steady, steady=None)).notes == [NOTES]
 
 
 def test_oil_that_changes_has_a_column_and_none_has_no_word() -> None:

@@ -18,9 +18,9 @@ from fembearing.report.terminal.table import MANY, printed, show
 from fembearing.report.terminal.validation import print_details
 from fembearing.verify.validation import Validation
 from tests.analytic.specimens import present
-from tests.report.figures.test_prediction import content, prediction_of
 from tests.report.page.page_writer import written_page
 from tests.report.page.test_page_numbers import Tables
+from tests.report.prediction_rows import content, prediction_of
 
 ROOMY = 400  # columns: no cell is broken into lines
 Rows = list[list[str]]

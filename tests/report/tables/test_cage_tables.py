@@ -1,0 +1,68 @@
+"""The tables of a cage in motion, by cells that are worked out by hand."""
+
+from dataclasses import replace
+
+import pytest
+
+from analytic.cage.statistics import OtherStart
+from analytic.cage.torque import CageIntervals
+from fembearing.report.tables.cage import cage_tables, motion_table, regime_table
+from fembearing.report.torque import CageMotionPoint
+from tests.report.torque_rows import RPM, lost, point, record
+
+RESTS = CageMotionPoint(inner_speed=600 * RPM, torque=None, start=None, block=None, other=None, mean_force=0.065)
+MOVES = CageMotionPoint(
+    inner_speed=900 * RPM,
+    torque=2.13e-3,
+    start="ramp",
+    block=0.012,
+    other=OtherStart(start="whirl", state="irregular", torque=2.2e-3),
+    mean_force=3.21,
+    max_force=1.34,
+    interval=CageIntervals(torque=(2.02e-3, 2.24e-3), max_force=(1.21, 1.47)),
+    duration=0.24,
+    state="irregular",
+    signed_moment=-0.43e-3,
+    whirl_speed=360 * RPM,
+    wobble=4.4e-6,
+    ball_lead=23.5e-6,
+    grip_share=0.37,
+    grip_number=0.83,
+    race_excess=0.31e-3,
+)
+
+
+def test_a_cage_has_rows_where_it_moves_at_the_points_that_are_shown() -> None:
+    """At the first point it rests, the second has no torque, the fourth is not shown."""
+    torque = record(*map(point, range(4)), left_out=(lost(1),))
+    tables = cage_tables((RESTS, MOVES, MOVES), torque, {0, 1, 2})
+    assert [[row[:3] for row in table.groups[0].rows] for table in tables] == [[["3", "900", "irregular"]]] * 2
+    assert cage_tables((RESTS, MOVES, MOVES), torque, {0, 1}) == []
+    assert cage_tables(None, torque, {0, 1, 2}) == []
+    with pytest.raises(ValueError, match="shorter"):
+        cage_tables((RESTS, MOVES), torque, {0, 1, 2})
+
+
+def test_forces_and_torque_of_a_cage_have_their_intervals() -> None:
+    bare = replace(MOVES, start=None, state=None, interval=None, signed_moment=None)
+    table = motion_table({3: MOVES, 5: bare})
+    assert [head.text for head in table.heads][3:] == [
+        *("start", "all forces, N", "largest, N", "95 %", "torque, N mm", "95 %", "signed moment, N mm")
+    ]
+    assert table.groups[0].rows == [
+        ["3", "900", "irregular", "ramp", "3.21", "1.34", "1.21-1.47", "2.13", "2.02-2.24", "-0.43"],
+        ["5", "900", "-", "-", "3.21", "1.34", "-", "2.13", "-", "-"],
+    ]
+
+
+def test_the_regime_of_a_cage_tells_whether_the_start_decides() -> None:
+    whirls = replace(MOVES, state="whirl", grip_share=None, grip_number=None, race_excess=None)
+    steady = replace(MOVES, other=None, state="rest")
+    table = regime_table({3: MOVES, 4: whirls, 5: steady})
+    motion, time = ["360", "4.4", "23.5"], "0.24 s in blocks of 0.012 s"
+    other = "irregular from whirl, 2.2 N mm"
+    assert table.groups[0].rows == [
+        ["3", "900", "irregular", *motion, "37 %", "0.83", "+0.31", time, other],
+        ["4", "900", "whirl", *motion, "unknown", "unknown", "", time, f"{other}: the start decides"],
+        ["5", "900", "rest", *motion, "37 %", "0.83", "+0.31", time, "no whirl: one steady motion"],
+    ]
