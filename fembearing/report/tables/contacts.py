@@ -105,7 +105,7 @@ def pocket_table(contacts: Sequence[ContactRecord], units: Units = METRIC) -> Ta
         ]
         for model, values, uncertainty in models
     ]
-    load = units.force.written(contacts[-1].load, ".4g")
+    load = units.force.written(pocket[0].load, ".4g")
     series = sheet_in_series(*pocket)
     notes = []
     if series is not None:
