@@ -6,10 +6,11 @@ from typing import Any
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
+from matplotlib.contour import ContourSet
 from matplotlib.patches import Ellipse
 
 from fembearing.quantities import INCH_POUND, METRIC, Units
-from fembearing.report.figures.film import film_figure
+from fembearing.report.figures.film import THICKEST, film_figure
 from tests.report.figures.figure_reader import require_legible
 
 A, B, PEAK = 0.13e-3, 0.71e-3, 1.7e9  # m, m, Pa
@@ -34,6 +35,13 @@ def test_the_maps_show_the_ellipse_of_hertz_and_its_surroundings(units: Units) -
     figure = film_figure(solved(), units)
     maps = [axes for axes in figure.axes if any(isinstance(patch, Ellipse) for patch in axes.patches)]
     assert len(maps) == 2
+    ends = [
+        (0.0, PEAK * units.pressure.factor),
+        (0.9 * THINNEST * units.small_length.factor, THICKEST * CENTRAL * units.small_length.factor),
+    ]
+    for panel, (least, most) in zip(maps, ends, strict=True):
+        (colours,) = (part for part in panel.get_children() if isinstance(part, ContourSet))
+        np.testing.assert_allclose(colours.levels[[0, -1]], [least, most], rtol=0.01)  # the first row is off the centre
     require_legible(figure)
     for panel in maps:
         (ellipse,) = (patch for patch in panel.patches if isinstance(patch, Ellipse))

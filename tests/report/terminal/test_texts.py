@@ -13,7 +13,8 @@ from analytic.errors import InputError
 from analytic.result import FrictionTorque
 from analytic.scene import ContactAngle, Operation
 from analytic.torque import friction_torque
-from fembearing.report.terminal.torque import print_details
+from analytic.verdicts import pressure_check
+from fembearing.report.terminal.torque import print_details, print_verdicts
 from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene
 from tests.analytic.cage.specimens import CAGED, with_cage
 from tests.analytic.scenefile.scene_texts import OILED, SPEEDS, changed, scene
@@ -95,3 +96,11 @@ def test_refusals_have_none_either(text: str) -> None:
         friction_torque(scene(text))
     for what, form in FORBIDDEN.items():
         assert not re.search(form, str(caught.value)), f"{what}: {caught.value}"
+
+
+def test_a_check_without_a_torque_prints_its_limits_alone() -> None:
+    text = StringIO()
+    print_verdicts(Console(file=text, width=80), [pressure_check("inner", 4.31e9)], None)
+    assert "4.31 GPa" in text.getvalue()
+    assert "fail" in text.getvalue()
+    assert "Numerical" not in text.getvalue()

@@ -63,3 +63,12 @@ def test_at_speed_each_race_has_its_own_load_and_angle(scene: Scene) -> None:
 def test_a_given_angle_cannot_carry_a_radial_load(scene: Scene) -> None:
     with pytest.raises(InputError, match=r'radial_load = 1500 N.*rule = "given"'):
         contact_of(replace(scene, contact_angle=ContactAngle(rule="given", value=0.2)), pair="inner")
+
+
+def test_a_pocket_has_the_load_of_the_paper_and_needs_a_cage() -> None:
+    caged = load_scene("paper_6205")
+    pocket = contact_of(caged, pair="pocket")
+    assert (pocket.pair, pocket.load) == ("pocket", 28.0)  # the largest force of the paper
+    assert contact_of(caged, pair="pocket", load=3.5).load == 3.5
+    with pytest.raises(InputError, match=r"no \[cage\]"):
+        contact_of(replace(caged, cage=None), pair="pocket")
