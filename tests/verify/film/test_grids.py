@@ -52,3 +52,25 @@ def test_the_finest_grid_that_the_memory_holds_is_taken(monkeypatch: pytest.Monk
     assert solved_on(monkeypatch, most=REFINEMENTS[1]) == REFINEMENTS[1]
     with pytest.raises(InputError, match="too thin"):
         solved_on(monkeypatch, most=0.5 * REFINEMENTS[0])
+
+
+def judged(ratio: float, uncertainty: float, factors: tuple[float, float] = (0.9, 1.2)) -> tuple[Any, Any]:
+    """A numerical value over that of production, and between which factors of it the model claims to lie."""
+    return SimpleNamespace(numerical=ratio * 0.3, production=0.3, uncertainty=uncertainty * 0.3), factors
+
+
+@pytest.mark.parametrize(
+    ("film", "force", "verdict"),
+    [
+        (judged(0.93, 0.02), judged(1.15, 0.04), "pass"),
+        (judged(0.93, 0.04), judged(1.15, 0.04), "undecided"),  # 0.89 to 0.97
+        (judged(0.93, 0.02), judged(1.15, 0.06), "undecided"),  # 1.09 to 1.21
+        (judged(0.87, 0.02), judged(1.15, 0.04), "fail"),  # 0.89 at most
+        (judged(0.93, 0.02), judged(1.25, 0.04), "fail"),  # 1.21 at least
+        (judged(0.87, 0.02), judged(1.15, 0.06), "fail"),  # one is enough
+    ],
+)
+def test_a_film_passes_where_all_of_its_interval_is_within_the_stated_errors(
+    film: Any, force: Any, verdict: str
+) -> None:
+    assert scene_film._verdict(film, force) == verdict
