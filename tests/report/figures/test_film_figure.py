@@ -41,7 +41,9 @@ def test_the_maps_show_the_ellipse_of_hertz_and_its_surroundings(units: Units) -
     ]
     for panel, (least, most) in zip(maps, ends, strict=True):
         (colours,) = (part for part in panel.get_children() if isinstance(part, ContourSet))
-        np.testing.assert_allclose(colours.levels[[0, -1]], [least, most], rtol=0.01)  # the first row is off the centre
+        np.testing.assert_allclose(
+            np.asarray(colours.levels)[[0, -1]], [least, most], rtol=0.01
+        )  # the first row is off the centre
     require_legible(figure)
     for panel in maps:
         (ellipse,) = (patch for patch in panel.patches if isinstance(patch, Ellipse))
