@@ -26,7 +26,7 @@ def cage_front(job: dict[str, Any]) -> pv.Plotter:
     before = 0.2 * FAR * eye  # in front of all bodies: a parallel projection does not tell
     plotter = pv.Plotter(window_size=[width, height])
     for groove in (pitch - radius, pitch + radius):
-        ring = pv.Circle(groove, resolution=360).extract_feature_edges()
+        ring = pv.Circle(radius=groove, resolution=360).extract_feature_edges()
         plotter.add_mesh(ring.translate(-before), color=RING, line_width=3)
     for part in cage_parts(job):
         plotter.add_mesh(part, color=CAGE, ambient=0.35, diffuse=0.7)

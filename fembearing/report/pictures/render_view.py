@@ -21,7 +21,7 @@ def contact_view(job: dict[str, Any]) -> dict[str, Any]:
     """The numbers; lengths in mm, pressure in the job's unit."""
     bodies = {side: mesh.mirrored(mesh.scaled(job[side], job), (0, *mesh.across(job))) for side in mesh.BODIES}
     parts = [drawn_body(body, mesh.BODIES[side]) for side, body in bodies.items()]
-    shoulders = [mesh.MM * y for y in job["shoulders"]]
+    shoulders = {np.sign(y): mesh.MM * y for y in job["shoulders"]}
     inks = (mesh.HERTZ, "hertz", 0.0), (mesh.INK, "computed", mesh.MM * job["centroid"])
     return {
         "title": job["title"],
@@ -32,7 +32,7 @@ def contact_view(job: dict[str, Any]) -> dict[str, Any]:
         "faces": sum(part["faces"] for part in parts),
         "bodies": parts,
         "reach": float(max(np.linalg.norm(body.points, axis=-1).max() for body in bodies.values())),
-        "shoulders": [max((y for y in shoulders if y < 0), default=None), max(shoulders, default=None)],
+        "shoulders": [shoulders.get(side) for side in (-1, 1)],
         "ellipses": [
             {"colour": to_rgb(ink), "semi_axes": [mesh.MM * part for part in job[name]], "middle": middle}
             for ink, name, middle in inks

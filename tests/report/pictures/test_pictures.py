@@ -3,7 +3,7 @@
 import subprocess
 import sys
 import time
-from dataclasses import replace
+from dataclasses import asdict, replace
 from pathlib import Path
 
 import numpy as np
@@ -20,6 +20,7 @@ from fembearing.verify.contact.discrepancy import ContactSolution
 from fembearing.verify.validation import Validation
 from tests.analytic.specimens import present
 from tests.report.figures.figure_reader import require_legible
+from tests.report.pictures.odd_contacts import with_ellipses
 from tests.report.pictures.picture_reader import (
     CORNER,
     check_colour_bar,
@@ -245,6 +246,8 @@ def test_captions_say_what_to_see(checked: Validation, drawn: dict[str, Picture]
     assert f"transverse semi-axis {share:.1%} larger" in drawn["inner-real-pressure"].caption
     assert "Grey: mesh" in drawn["inner-real-pressure"].caption
     assert "1.4 mm off its race" in drawn["inner-real-section"].caption
+    for name, body in (("inner-real-view", "race"), ("pocket-real-view", "pocket")):
+        assert f"from above the {body} is solid" in drawn[name].caption
 
 
 @pytest.mark.parametrize(
@@ -259,6 +262,24 @@ def test_a_frame_holds_its_contact(rolling: float, transverse: float) -> None:
     assert max(width / frame.width, height / frame.height) > 0.2  # and fills it
     assert f"{frame.bar:.0e}"[0] in "125"
     assert 100 < frame.bar * frame.scale <= 260
+
+
+def test_a_job_has_room_for_both_ellipses_and_names_the_body_near_the_contact(
+    checked: Validation, tmp_path: Path
+) -> None:
+    """Each ellipse is the longer one in one direction; the ball is lifted by 0.35 of its radius at most."""
+    for contact, body in ((checked.contacts[0], "race"), (checked.contacts[2], "pocket")):
+        for computed, hertz in (((1.2, 1.1), (0.9, 1.3)), ((0.8, 1.4), (1.6, 0.7))):
+            odd = with_ellipses(contact, computed=computed, hertz=hertz)
+            longer, wider = (odd.reference, odd.hertz) if computed[0] > hertz[0] else (odd.hertz, odd.reference)
+            frame = frame_of(
+                semi_axis_rolling=longer.semi_axis_rolling, semi_axis_transverse=wider.semi_axis_transverse
+            )
+            pressure, section, _ = module._jobs(odd, tmp_path)
+            assert pressure["frame"] == asdict(frame)
+            assert section["near"] == f"The {body} near the contact"
+            width = float(contact.meshes[-1].pair.lower.mesh.doflocs[1].max())
+            assert section["lifted"] == min(0.35 * contact.contact.ball_radius, width)
 
 
 @pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="only Linux says whether a process is there")
