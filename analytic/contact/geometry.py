@@ -115,10 +115,10 @@ def cut_off_share(distance: float, semi_axis: float) -> float:
 def race_curvatures(bearing: Bearing, race: Race, *, contact_angle: ArrayLike) -> tuple[Array, Array]:
     """Relative curvatures (rolling, transverse) of ball on race, 1/m, each with the shape of contact_angle.
 
-    contact_angle : al, rad, in [0, pi/2]
+    contact_angle : al, rad, in [0, pi/2]; pi/2 in a thrust bearing
         rolling = 1/r + cos(al)/(d_m/2 - r cos(al)) on the inner race, 1/r - cos(al)/(d_m/2 + r cos(al)) on the outer
         transverse = 1/r - 1/r_g
-    Raises InputError if contact_angle lies outside [0, pi/2] or the groove is no wider than the ball.
+    Raises InputError if contact_angle is out of its range or the groove is no wider than the ball.
     """
     angle = require_contact_angle(bearing, contact_angle)
     numbers = race_numbers(bearing, race)

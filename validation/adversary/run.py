@@ -126,7 +126,7 @@ def compared(place: tuple[float, ...], scene: Scene, exact: FrictionTorque) -> I
         is_past_limit = any(check.name in DECISIVE and check.verdict != "pass" for check in physical_checks(found))
         for each, without, share in zip(*difference(found, other), found.numerical_uncertainty, strict=True):
             if found is not auto and np.isinf(without):
-                continue  # tells nothing: whether an input lacks is asked of everything on
+                continue  # says nothing: the comparison with everything on asks whether an input is missing
             yield Trial(
                 place=place,
                 tolerance=scene.tolerance,

@@ -293,7 +293,7 @@ def test_too_few_addresses_are_told_before_a_library_waits_for_them(
     assert out.splitlines() == ["340 MB of addresses are needed to load the formulas", "21.25"], said
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no limit of addresses")
+@pytest.mark.skipif(sys.platform != "linux", reason="the limit of addresses (RLIMIT_AS) is that of Linux")
 @pytest.mark.parametrize(
     ("before", "said"), [("", "of addresses are needed"), ("import numba, scipy.linalg", "enough")]
 )

@@ -1,4 +1,4 @@
-"""The interval in figure and document: what is shown is what was computed."""
+"""The interval in figure and document: both show the computed numbers."""
 
 import pytest
 from matplotlib.axes import Axes
