@@ -157,6 +157,36 @@ def test_impossible_input_is_refused() -> None:
     refused(lambda: CageMotion(CAGE, begin="rest", steps_per_contact=0.0), "steps_per_contact")
 
 
+def test_the_tilt_is_that_of_a_tumbling_cage() -> None:
+    """Free of all contact it turns evenly about an axis across its own: the mean square is a third of the last."""
+    motion = CageMotion(replace(CAGE, half_clearance=1e-3, gravity=WEIGHTLESS), begin="sudden")
+    motion.launch(velocity=np.zeros(3), angular_velocity=np.array([6.0, -17.0, 0.0]))
+    passed = motion.advance(1e-3)
+    assert passed.max_force == 0
+    np.testing.assert_allclose(passed.tilt, np.hypot(6, 17) * passed.duration / np.sqrt(3), rtol=1e-3)  # of the sum
+
+
+@pytest.mark.parametrize("sheet", [0.0, 2.3e-7])
+def test_a_cage_begins_at_rest_as_deep_as_its_weight_presses_it(sheet: float) -> None:
+    """A heavy one that lies on all balls alike: their forces are its weight, with a rigid sheet and a soft one."""
+    cage = replace(CAGE, mass=31.0, gravity=(0.0, 0.0, -9.80665), sheet_softness=sheet, smoothing=1e-4)
+    forces = CageMotion(cage, begin="rest").forces()
+    np.testing.assert_allclose(forces[:, 2], 31.0 * 9.80665 / 9, rtol=1e-6)  # of the root with a sheet
+
+
+@pytest.mark.parametrize("share", [0.49, 0.51])
+def test_a_penetration_of_half_a_radius_is_no_contact(share: float) -> None:
+    """The cage is so heavy that nothing moves it in a step."""
+    cage = replace(CAGE, mass=1e9, gravity=WEIGHTLESS, friction_coefficient=0.0, orbit_speed=0.0, ball_speed=0.0)
+    motion = CageMotion(cage, begin="sudden")
+    motion._state["place"] = [cage.half_clearance + share * cage.ball_radius, 0.0, 0.0]
+    if share < 0.5:
+        assert motion.advance(2 * motion.step).max_force > 0
+    else:
+        with pytest.raises(MotionError):
+            motion.advance(2 * motion.step)
+
+
 def test_drag_power_is_the_energy_loss_in_free_flight() -> None:
     """For a time that is long enough to lose a tenth and too short to reach a ball."""
     cage = replace(CAGE, drag=0.1, gravity=WEIGHTLESS, axial_inertia=3e-6, friction_coefficient=0.0)

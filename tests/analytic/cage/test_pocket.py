@@ -4,18 +4,26 @@ import mpmath
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from scipy.spatial.transform import Rotation
 
+from analytic.cage.motion import CAGE
 from analytic.cage.pocket import (
+    BallInPocket,
+    Body,
     elastic_force,
     friction_force,
     impact,
     impact_damping,
+    is_clear,
     normal_force,
     penetration,
     pocket_shape,
     pocket_stiffness,
+    pushed,
 )
 from analytic.contact.hertz import hertz_contact
+from analytic.numerics.records import Record, as_record
+from analytic.scene import Array
 from tests.refusals import refused
 
 BALL, POCKET, DEPTH = 7.94e-3, 13.9e-3, 6.81e-3  # m: Table 1 of the paper
@@ -55,6 +63,86 @@ def test_both_shells_touch_within_the_offset_of_their_centres() -> None:
     depths, normal = penetration(across, half_clearance=NABLA, centre_offset=OFF)
     assert depths[0] == depths[1]
     np.testing.assert_array_equal(normal[0] * [-1, 1, 1], normal[1])
+
+
+CLEARANCE, ASIDE = 0.1e-3, 0.03e-3  # m: nabla, and D_p/2 - k
+LOSS = 0.43  # damping of an impact
+IMPACT = {"impact_speed": 0.05, "least": 0.02}  # m/s: the fastest so far of the present contacts, and the least one
+
+
+def cage_of(**changed: float) -> Record:
+    cage = as_record(np.zeros(1, CAGE)[0])
+    cage.half_clearance, cage.centre_offset, cage.ball_radius = CLEARANCE, ASIDE, BALL / 2
+    cage.stiffness, cage.damping, cage.least_impact = 6.1e10, LOSS, IMPACT["least"]
+    cage.friction, cage.smoothing = 0.13, 0.2
+    for name, value in changed.items():
+        cage[name] = value
+    return cage
+
+
+@pytest.mark.parametrize("aside", [ASIDE, 0.0])
+def test_a_ball_is_clear_up_to_the_place_where_a_shell_is_penetrated(aside: float) -> None:
+    random, cage = np.random.default_rng(3), cage_of(centre_offset=aside)
+    for turn in Rotation.random(60, rng=random).as_matrix():
+        direction = random.normal(size=3)
+        direction /= np.linalg.norm(direction)
+        towards = abs(direction[0]) * aside
+        touching = np.sqrt(CLEARANCE**2 - aside**2 + towards**2) - towards  # where |u_s| = nabla for the shell ahead
+        for share in (0.9999, 1.0001):
+            offset = share * touching * direction
+            depths, _ = penetration(offset, half_clearance=CLEARANCE, centre_offset=aside)
+            x, y, z = turn @ offset
+            assert is_clear(cage, (x, y, z), tuple(turn[:, 0])) == (share < 1) == (not depths.any())
+
+
+PLACES = [(0.09e-3, 0.05e-3, 0.03e-3), (0.008e-3, 0.09e-3, -0.055e-3), (-0.02e-3, -0.06e-3, 0.075e-3)]  # m
+
+
+@pytest.mark.parametrize("place", PLACES)
+@pytest.mark.parametrize("closing", [0.31, 0.03, -0.04, -0.9])  # m/s
+def test_a_push_is_that_of_the_formulas(place: tuple[float, float, float], closing: float) -> None:
+    """In a pocket that leans, on a cage that moves; both shells or one, as contacts close, open, and pull away."""
+    turn = Rotation.from_rotvec([0.4, -0.7, 0.2]).as_matrix()
+    depths, normals = penetration(np.array(place), half_clearance=CLEARANCE, centre_offset=ASIDE)
+    normals, pressed = normals @ turn.T, depths > 0
+    centre, rotation = np.array([17.1e-3, -8.3e-3, 0.6e-3]), np.array([31.0, -17.0, 42.0])
+    velocity, spin = np.array([0.02, -0.03, 0.01]), np.array([3.0, -2.0, 7.0])
+    arms = centre + BALL / 2 * normals
+    deeper = int(depths.argmax())
+    of_ball = BALL / 2 * np.cross(rotation, normals[deeper]) - velocity - np.cross(spin, arms[deeper])
+    going = (closing - of_ball @ normals[deeper]) * normals[deeper] + 0.07 * np.cross(normals[deeper], [0.6, 0.0, 0.8])
+    surface = going + BALL / 2 * np.cross(rotation, normals)
+    past = surface - velocity - np.cross(spin, arms)
+    rate = np.sum(past * normals, axis=1)
+    fastest = np.maximum(np.maximum([IMPACT["impact_speed"], 0.0], rate), IMPACT["least"])
+    normal, elastic = (
+        normal_force(depths, rate=rate, impact_speed=fastest, stiffness=6.1e10, damping=damping)
+        for damping in (LOSS, 0.0)
+    )
+    sliding = past - rate[:, None] * normals
+    friction = friction_force(normal, sliding, friction_coefficient=0.13, smoothing=0.2)
+    force = normal[:, None] * normals + friction
+    speeds = np.array([IMPACT["impact_speed"], 0.0])
+    found = pushed(
+        cage_of(),
+        BallInPocket(vector(turn @ place), vector(turn[:, 0]), vector(centre), vector(going), vector(rotation)),
+        Body((0.2e-3, 0.1e-3, -0.3e-3), vector(velocity), tuple(turn.ravel()), vector(spin)),
+        speeds,
+    )
+    # Tolerance: depths of um are differences of places of 0.1 mm
+    close = 1e-9 * max(normal.max(), 1.0)
+    np.testing.assert_allclose(found.force, force.sum(axis=0), rtol=0, atol=close)
+    np.testing.assert_allclose(found.moment, np.cross(arms, force).sum(axis=0), rtol=0, atol=0.02 * close)
+    powers = np.sum(friction * sliding), np.sum((normal - elastic) * rate), np.sum(force * surface)
+    np.testing.assert_allclose([found.slip, found.damping, found.work], powers, rtol=0, atol=close)
+    np.testing.assert_allclose([found.normal, found.largest], [normal.sum(), normal.max()], rtol=0, atol=close)
+    np.testing.assert_allclose(found.deepest, depths.max(), rtol=1e-9)
+    np.testing.assert_allclose(speeds, np.where(pressed, fastest, 0.0), rtol=1e-12)
+
+
+def vector(values: Array) -> tuple[float, float, float]:
+    x, y, z = values
+    return float(x), float(y), float(z)
 
 
 @pytest.mark.parametrize("softness", [1.3e-14, 7.7e-9, 4.1e-5])

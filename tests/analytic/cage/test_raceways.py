@@ -7,11 +7,18 @@ import numpy as np
 import pytest
 from scipy.optimize import root
 
+from analytic.cage import raceways
 from analytic.cage.raceways import (
+    AZIMUTH,
+    BALL,
     CONTACT,
+    LARGEST_TURN,
     LEAST_CREEP,
+    SPEEDS,
     STRIPS,
     Raceways,
+    Traction,
+    interpolate,
     pressed_contacts,
     ring_raceways,
     thrust_raceways,
@@ -114,6 +121,105 @@ def test_the_compiled_tractions_are_those_of_the_formulas() -> None:
         np.testing.assert_allclose(fall[index], difference, rtol=0, atol=1e-6 * abs(fall).max())  # of differences
 
 
+def test_four_equations_are_solved() -> None:
+    random = np.random.default_rng(6)
+    for _ in range(5):
+        half, skew = random.normal(size=(2, 4, 4))
+        matrix, right = half @ half.T + skew - skew.T + np.eye(4), random.normal(size=4)
+        found = raceways._solved(tuple(map(tuple, matrix.tolist())), tuple(right.tolist()))
+        np.testing.assert_allclose(matrix @ found, right, atol=1e-10)  # round-off, times the condition
+
+
+def test_newtons_change_takes_away_what_is_missing() -> None:
+    """To first order: tractions that fall as they say, inertia, and the gyroscopic moment of the ball's orbit."""
+    random, mass, inertia, span = np.random.default_rng(7), 2.1e-3, 0.83e-3, 3.7e-3
+    inner, outer = (Traction(*random.uniform(0.3, 1.7, 14).tolist()) for _ in range(2))
+    fall = np.zeros((4, 4))
+    fall[np.triu_indices(4)] = np.add(inner[4:], outer[4:])
+    fall += np.triu(fall, 1).T
+    speeds, missing = random.normal(size=4), random.normal(size=4)
+
+    def momentum(v: Array) -> Array:
+        gyroscopic = inertia * v[0] / PITCH * np.array([0, -v[2], v[1], 0])
+        return np.array([mass, inertia, inertia, inertia]) * v + span * (fall @ v - gyroscopic)
+
+    change = raceways._newton_change(
+        inner,
+        outer,
+        (mass, inertia),
+        (inertia * speeds[0] / PITCH, inertia / PITCH),
+        (float(speeds[1]), float(speeds[2])),
+        span,
+        tuple(missing.tolist()),
+    )
+    step = 1e-5 * np.array(change)
+    gained = (momentum(speeds + step) - momentum(speeds - step)) / 2e-5
+    np.testing.assert_allclose(gained, missing, rtol=0, atol=1e-8)  # quadratic in the speeds: round-off
+
+
+def test_between_azimuths_a_contact_is_on_the_straight_line() -> None:
+    """Of all its numbers; also from the last azimuth to the first, and after turns back and forth."""
+    table, ball = np.zeros(5, AZIMUTH), np.zeros(1, BALL)[0]
+    numbers = table.view(np.float64).reshape(5, -1)
+    numbers[:] = np.random.default_rng(8).normal(size=numbers.shape)
+    for place in (1.3, 4.6, 13.2, -2.9):
+        ball["azimuth"] = 2 * np.pi * place / 5
+        interpolate(table, ball)
+        found = np.array([ball["contacts"]]).view(np.float64)
+        expected = [np.interp(place, np.arange(5), column, period=5) for column in numbers.T]
+        np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12)  # round-off
+
+
+@pytest.mark.parametrize("push", [(17.0, -9.0), (-14.0, 52.0)])  # N; the second turns the normals too far
+def test_a_push_turns_the_contacts_and_changes_their_size(push: tuple[float, float]) -> None:
+    races = races_under((140.0, 290.0), (0.31, 0.22), inner_speed=W, friction=0.13)
+    found = pressed_contacts(races.constants, races.table[0], *push, 0.37)
+    more, turns = (
+        [np.dot([races.table[0][race][f"{what}_by_{way}"] for way in ("radial", "axial")], push) for race in RACES]
+        for what in ("load", "turn")
+    )
+    loads = 140.0 + more[0], 290.0 + more[1]
+    assert min(loads) > 0
+    assert (max(map(abs, turns)) > LARGEST_TURN) == (push[0] < 0)
+    hertz = races_under(loads, (0.31, 0.22), inner_speed=W, friction=0.13)
+    for number, (contact, race) in enumerate(zip(found, RACES, strict=True)):
+        assert contact.limit == pytest.approx(0.13 * loads[number], rel=1e-12)
+        angle = (0.31 + np.pi, 0.22)[number] + np.arctan(np.clip(turns[number], -LARGEST_TURN, LARGEST_TURN))
+        normal = contact.normal_radial, contact.normal_axial
+        np.testing.assert_allclose(normal, [np.cos(angle), np.sin(angle)], rtol=0, atol=1e-12)
+        width = hertz.contacts.contact.semi_axis_y[number, 0] / RADIUS
+        assert contact.width == pytest.approx(width, rel=1e-9)  # of Hertz's root
+        creep = hertz.table[0][race]["creep"] * np.cbrt(loads[number])
+        assert contact.creep == pytest.approx(0.37 * creep + LEAST_CREEP, rel=1e-9)
+
+
+def test_a_step_of_a_ball_ends_in_balance() -> None:
+    """Momentum by the tractions at its end; what the ring does, slip loses, and how much of the grip is used."""
+    races = races_under((381.0, 297.0), (0.31, 0.22), inner_speed=W, friction=0.13)
+    ball, step = races._rolling_ball(), 3.1e-8
+    for name, more in zip(SPEEDS, (0.011, -0.007, 0.019, -0.023), strict=True):
+        ball[name] += more
+    before = np.array([ball[name] for name in SPEEDS])
+    end = races._rolled(ball, 1, step)[0]
+    after = np.array([end[name] for name in SPEEDS])
+    np.testing.assert_array_equal(after, [ball[name] for name in SPEEDS])
+    assert end["azimuth"] == pytest.approx(step * before[0] / PITCH, rel=1e-12)
+    force, lost = balance(races, after, STRIPS)
+    inner, _ = balance(replace(races, friction=(0.13, 0.0)), after, STRIPS)
+    outer, _ = balance(replace(races, friction=(0.0, 0.13)), after, STRIPS)
+    mass = BEARING_6205.ball_mass * np.array([1.0, 0.4, 0.4, 0.4])
+    assert np.abs(mass * (after - before)).min() > 0.01 * step * np.abs(force).max()
+    close = 1e-3 * step * races.limits.max()  # Newton's last change leaves some 1e-4 of the creep
+    np.testing.assert_allclose(mass * (after - before), step * force, rtol=0, atol=close)
+    assert end["slip"] == pytest.approx(step * lost, rel=1e-3)
+    gyroscopic = 0.4 * BEARING_6205.ball_mass * after[0] / PITCH * np.array([0, -after[2], after[1], 0])
+    inner, outer = inner - gyroscopic, outer - gyroscopic
+    assert end["ring_work"] == pytest.approx(step * W * (PITCH * inner[0] + RADIUS * inner[3]), rel=1e-3)
+    grip = abs(inner[0]) / races.limits[0, 0], abs(outer[0]) / races.limits[1, 0]
+    assert min(grip) > 0.1
+    assert end["grip"] == pytest.approx(max(grip), rel=0.02)  # before Newton's last change of 2 % of the creep
+
+
 def test_a_ball_alone_is_in_balance() -> None:
     """By many strips, where creep is so wide that the kernel's few resolve it."""
     races = races_under((41.6, 55.7), (0.266, 0.182), inner_speed=1500.0, friction=3.0)
@@ -178,6 +284,9 @@ def test_a_race_that_the_pocket_unloads_leaves_its_share_to_the_other() -> None:
     # The other race bears what the derivatives give both: the force across the bearing, less what angles turn.
     shared = at["outer"]["load_by_radial"] - at["inner"]["load_by_radial"]
     np.testing.assert_allclose(lifted[1].limit, 0.1 * 200 * shared, rtol=1e-12)
+    inward = pressed_contacts(constants, at, -230.0, 0.0, 1.0)
+    assert inward[1].limit == 0
+    np.testing.assert_allclose(inward[0].limit, 0.1 * 230 * shared, rtol=1e-12)
 
 
 @pytest.mark.parametrize(("load", "moment", "rolling"), [(1000.0, 0.0, 199e-6), (0.0, 2.0, 82.6e-6)])
