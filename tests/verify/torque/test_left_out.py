@@ -1,13 +1,16 @@
 """Operating points without a torque keep their places in columns and in JSON."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
 
+from analytic.errors import FembearingError
 from analytic.rows import OperatingPoint
+from analytic.scene import Operation, Scene
+from analytic.scenefile.read import load_scene
 from fembearing.plain_types import plain
-from fembearing.verify.torque.left_out import LeftOut, Places
+from fembearing.verify.torque.left_out import LeftOut, Places, torque_where_it_is
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -48,3 +51,29 @@ def test_rows_have_the_same_keys_and_no_values_at_a_lost_point() -> None:
     point = {name: getattr(LOST, name) for name in ("inner_speed", "axial_load", "radial_load", "moment")}
     assert plain(whole[1]) == point | {"made_of": {"input": [None, None]}, "reason": None}
     assert plain(PLACES.rows([2.0, 3.0, 7.0])) == [2.0, None, 3.0, 7.0]
+
+
+def series_of(*loads: float) -> Scene:
+    """A dry 6205 that pulls back at a thrust below 0: no torque there."""
+    operation = Operation(axial_load=np.array(loads), inner_speed=np.arange(10.0, 10.0 + len(loads)))
+    return replace(load_scene("6205-dry"), friction_coefficient=0.07, cage=None, operation=operation)
+
+
+def test_every_point_that_has_a_torque_keeps_it_and_the_others_have_a_reason() -> None:
+    heavy = 5e12
+    scene, friction, left_out = torque_where_it_is(series_of(300.0, heavy, 500.0, 2 * heavy, 700.0))
+    assert scene.operation.axial_load.tolist() == [300.0, 500.0, 700.0]
+    assert [(each.point, each.axial_load, each.inner_speed) for each in left_out] == [
+        (1, heavy, 11.0),
+        (3, 2 * heavy, 13.0),
+    ]
+    assert all(each.reason for each in left_out)
+    whole, alone, none = torque_where_it_is(series_of(300.0, 500.0, 700.0))
+    assert none == ()
+    assert whole.operation.axial_load.size == 3
+    np.testing.assert_allclose(
+        friction.torque.total, alone.torque.total, rtol=1e-5
+    )  # each point starts from its neighbour
+    with pytest.raises(FembearingError, match="5e") as problem:
+        torque_where_it_is(series_of(heavy, 2 * heavy))
+    assert str(problem.value) == left_out[0].reason
