@@ -10,6 +10,7 @@ from scipy.optimize import minimize
 from analytic.cage.pocket import impact
 from analytic.cage.steady import (
     LandGuidance,
+    braked_torque,
     require_loose_balls,
     rest_torque,
     sliding_torque,
@@ -65,6 +66,30 @@ def test_the_weight_of_a_resting_cage_is_its_mass_times_gravity() -> None:
     np.testing.assert_allclose(computed, [0.0, 0.1 * MASS * 19.6 * 2.36 * RADIUS / np.hypot(1, 0.1)], rtol=1e-13)
     with pytest.raises(InputError, match="cage_mass must be at least 0"):
         rest_torque(friction_coefficient=0.1, cage_mass=np.nan, ball_rate=2.0, ball_radius=4e-3, contact_angle=0.0)
+
+
+def test_the_torque_of_a_braked_cage_is_what_drag_and_sliding_lose() -> None:
+    """Normal forces along the pitch circle balance the drag c w_c, and the balls' surfaces slide under them."""
+    drag, orbit, spin, ring, mu = 2.3e-6, 21.0, 123.0, 52.0, 0.13
+    force = drag * orbit / CAGE.pitch_radius
+    lost = drag * orbit**2 + mu * force * spin * RADIUS
+    found = braked_torque(
+        drag=[drag, 0.0],
+        friction_coefficient=mu,
+        cage_rate=orbit / ring,
+        orbit_speed=orbit,
+        pitch_radius=CAGE.pitch_radius,
+        ball_speed=spin,
+        ball_radius=RADIUS,
+    )
+    np.testing.assert_allclose(found, [lost / ring, 0.0], rtol=1e-12)
+
+
+def test_the_inertia_is_that_of_a_thin_ring_of_the_pockets() -> None:
+    places = CAGE.pocket_places
+    np.testing.assert_allclose(CAGE.inertia[0], MASS * np.mean(np.sum(places[:, :2] ** 2, axis=1)), rtol=1e-12)
+    np.testing.assert_allclose(CAGE.inertia[1], MASS * np.mean(places[:, 1] ** 2), rtol=1e-12)
+    assert replace(CAGE, axial_inertia=3e-6, transverse_inertia=5e-6).inertia == (3e-6, 5e-6)
 
 
 def test_whirl_number_is_centrifugal_force_over_weight() -> None:
@@ -156,6 +181,19 @@ def test_the_free_path_ends_at_the_first_ball() -> None:
         shells = [cage.ball_places(0.0) - pockets + side * np.array([0, 0, 0.03e-3]) for side in (1, -1)]
         farthest = max(np.linalg.norm(shell, axis=1).max() for shell in shells)
         np.testing.assert_allclose(farthest, cage.half_clearance, rtol=1e-12)  # round-off
+
+
+@pytest.mark.parametrize("lead", [0.03e-3, -0.1e-3])
+def test_the_free_path_ends_at_the_land(lead: float) -> None:
+    """From the middle between the balls, or where the land stops the cage on its way there."""
+    cage = replace(CAGE, ball_lead=lead, half_clearance=2e-3, land=LAND)
+    expected = [-np.clip(lead / 2, -LAND.half_clearance, LAND.half_clearance), 0.0, 0.0]
+    np.testing.assert_allclose(cage.middle, expected, atol=1e-18)
+    for direction in (np.array([0.6, -0.8, 0.0]), np.array([0.48, 0.36, 0.8]), np.array([-0.8, 0.36, -0.48])):
+        end = cage.middle + cage.free_path(direction) * direction
+        np.testing.assert_allclose(np.hypot(*end[:2]), LAND.half_clearance, rtol=1e-12)
+    along = np.array([0.0, 0.0, 1.0])  # which no land stops
+    np.testing.assert_allclose(cage.free_path(along), cage.half_clearance, rtol=0.01)
 
 
 def test_balls_orbit_and_lead_on_one_side() -> None:
