@@ -1,0 +1,159 @@
+"""How far the dimensions of a bearing of the catalogue are trusted, by rows of every kind."""
+
+import math
+
+import numpy as np
+import pytest
+
+from analytic.catalog.origins import half_width, origins_of
+from analytic.scene import Origin
+from tests.analytic.specimens import present
+
+ROW = {
+    "maker": "NSK",
+    "grade": "A",
+    "ball_status": "derived",
+    "ball_diameter_mm": "8.7",
+    "outside_mm": "52",
+    "contact_angle_deg": "40",
+    "f0": "13.2",
+    "dynamic_rating_N": "14300",
+    "static_rating_N": "7900",
+    "static_residual_percent": "0.4",
+    "dynamic_residual_percent": "-0.7",
+    "supported_by": "SKF",
+    "second_ball_count": "",
+    "second_ball_diameter_mm": "",
+    "pitch_diameter_mm": "38.5",
+    "pitch_source": "mean",
+    "shoulder_height_inner_mm": "1.9",
+    "shoulder_height_outer_mm": "1.7",
+    "shoulder_status": "derived",
+}
+FAR = {"inner.far_shoulder_half_width", "outer.far_shoulder_half_width"}
+
+
+def origins(*, scaled: bool = False, **changed: str) -> dict[str, Origin]:
+    return origins_of(ROW | changed, scaled=scaled)
+
+
+@pytest.mark.parametrize(
+    ("grade", "count", "share", "trust"),
+    [
+        ("A", 0.0, 0.001, "right in about 95 %"),
+        ("B", 0.0, 0.001, "right in about 85 %"),
+        ("C", 1.0, 0.06, "grade C"),  # one ball more or less, of another size
+    ],
+)
+def test_balls_are_as_uncertain_as_their_grade(grade: str, count: float, share: float, trust: str) -> None:
+    found = origins(grade=grade)
+    assert found["ball_count"].uncertainty == count
+    assert found["ball_diameter"].uncertainty == pytest.approx(share * 8.7e-3, rel=1e-12)
+    for name in ("ball_count", "ball_diameter"):
+        assert found[name].status == "derived"
+        assert trust in found[name].source
+    assert ("right in about" in found["ball_count"].source) == (grade != "C")
+
+
+def test_the_source_of_the_balls_has_the_ratings_that_they_follow_from() -> None:
+    found = origins()["ball_count"].source
+    assert found.startswith("NSK's C 14.3 kN, C0 7.9 kN, f0 13.2; residuals C -0.7 %, C0 0.4 %; supported by SKF")
+    assert "next best" not in found
+    bare = origins(f0="", static_residual_percent="", second_ball_count="9", second_ball_diameter_mm="8.3341")
+    words = bare["ball_count"].source
+    assert "f0" not in words
+    assert "residuals" not in words
+    assert words.endswith("next best 9 x 8.334 mm")
+
+
+@pytest.mark.parametrize(("status", "rounded"), [("printed", False), ("printed inch", True)])
+def test_printed_balls_are_of_a_catalogue(status: str, rounded: bool) -> None:
+    found = origins(ball_status=status, grade="printed")["ball_diameter"]
+    assert (found.status, found.source.startswith("catalogue of NSK")) == ("printed", True)
+    assert ("the nearest inch size is taken" in found.source) == rounded
+
+
+def test_a_groove_lies_evenly_between_two_conformities() -> None:
+    """The standard deviation of numbers that lie evenly in a range is its width over sqrt(12)."""
+    evenly = np.linspace(0.515, 0.535, 200_001)
+    for ring in ("inner", "outer"):
+        origin = origins()[f"{ring}.conformity"]
+        assert origin.status == "assumed"
+        np.testing.assert_allclose(present(origin.uncertainty), evenly.std(), rtol=1e-4)  # of so many numbers
+
+
+@pytest.mark.parametrize(
+    ("changed", "status", "expected"),
+    [
+        ({"pitch_source": "GMN"}, "printed", 0.001 * 38.5e-3),
+        ({"pitch_source": "load centre"}, "derived", 0.003 * 38.5e-3),
+        ({"pitch_source": "SKF shoulders"}, "derived", 0.006 * 38.5e-3),
+        ({"pitch_source": "mean"}, "assumed", 0.006 * 38.5e-3),
+        ({"pitch_source": "mean", "outside_mm": "26"}, "assumed", 0.006 * 38.5e-3),
+        ({"pitch_source": "mean", "outside_mm": "25.9"}, "assumed", 0.03 * 38.5e-3),
+    ],
+)
+def test_the_pitch_diameter_is_as_uncertain_as_its_source(
+    changed: dict[str, str], status: str, expected: float
+) -> None:
+    found = origins_of(ROW | changed, scaled=False)["pitch_diameter"]
+    assert found.status == status
+    assert found.uncertainty == pytest.approx(expected, rel=1e-12)
+    assert ("shoulder diameters that SKF prints" in found.source) == (changed["pitch_source"] == "SKF shoulders")
+    assert ("mean of bore and outside" in found.source) == (changed["pitch_source"] == "mean")
+
+
+def test_a_load_centre_in_whole_millimetres_moves_the_pitch_diameter() -> None:
+    """a = B/2 + d_m tan(al)/2, with a rounded to 1 mm: by two of its values."""
+    found = origins(pitch_source="load centre", maker="SKF")["pitch_diameter"]
+    one, other = (2 * a / math.tan(math.radians(40)) for a in (15e-3, 16e-3))
+    np.testing.assert_allclose(present(found.uncertainty), abs(other - one) / math.sqrt(12), rtol=1e-12)  # round-off
+    assert "SKF's distance of the load centre" in found.source
+
+
+@pytest.mark.parametrize(("ring", "height", "conformity"), [("inner", 1.9e-3, 0.52), ("outer", 1.7e-3, 0.53)])
+@pytest.mark.parametrize(
+    ("status", "scaled", "expected", "words"),
+    [
+        ("derived", False, "derived", "chamfer ignored"),
+        ("loaded side only", False, "derived", "loaded side only"),
+        ("assumed", False, "assumed", "as in bearings with printed shoulders"),
+        ("derived", True, "assumed", "of another maker"),
+    ],
+)
+def test_a_shoulder_is_as_uncertain_as_its_height(
+    ring: str, height: float, conformity: float, status: str, scaled: bool, expected: str, words: str
+) -> None:
+    """Against the groove's circle at two heights, 0.03 ball diameters being their standard deviation."""
+    found = origins(shoulder_status=status, scaled=scaled)[f"{ring}.shoulder_half_width"]
+    radius, step = conformity * 8.7e-3, 1e-8
+    ends = [math.sqrt(radius**2 - (radius - height - side * step) ** 2) for side in (-1, 1)]
+    slope = (ends[1] - ends[0]) / (2 * step)
+    np.testing.assert_allclose(present(found.uncertainty), 0.03 * 8.7e-3 * slope, rtol=1e-6)  # of the difference
+    assert found.status == expected
+    assert words in found.source
+    if status == "assumed":
+        assert f"height {height / 8.7e-3:.2f} ball diameters" in found.source
+
+
+def test_a_shoulder_that_nobody_prints_is_not_known() -> None:
+    found = origins(shoulder_height_inner_mm="")
+    assert (found["inner.shoulder_half_width"].status, found["inner.shoulder_half_width"].uncertainty) == (
+        "not known",
+        None,
+    )
+    assert found["outer.shoulder_half_width"].status == "derived"
+
+
+def test_far_shoulders_are_assumed_where_one_side_is_printed() -> None:
+    one_sided = origins(shoulder_status="loaded side only")
+    assert {key for key in one_sided if "far" in key} == FAR
+    assert {one_sided[key].status for key in FAR} == {"assumed"}
+    assert not FAR & set(origins())
+
+
+def test_a_half_width_is_a_chord_of_the_groove() -> None:
+    found = half_width(1.9e-3, 4.5e-3)
+    assert found is not None
+    np.testing.assert_allclose((4.5e-3 - 1.9e-3) ** 2 + found**2, 4.5e-3**2, rtol=1e-12)  # round-off
+    assert half_width(None, 4.5e-3) is None
