@@ -26,7 +26,17 @@ from fembearing.verify.contact.meshed_region import (
     with_effect_of_sides,
 )
 from fembearing.verify.contact.reference import solve_reference
-from fembearing.verify.contact.uncertainty import LEFT_BY_MESHES, SIDES_LEFT, STEEP, STIFFNESS, UNCERTAIN
+from fembearing.verify.contact.uncertainty import (
+    LEFT_BY_MESHES,
+    LEFT_BY_TWIN,
+    LEFT_WITH_TWIN,
+    SIDES_COARSE,
+    SIDES_LEFT,
+    SIDES_LEFT_IN_OTHERS,
+    STEEP,
+    STIFFNESS,
+    UNCERTAIN,
+)
 from tests.contacts import STEEL
 
 ENDLESS = Quantities(
@@ -168,3 +178,99 @@ def test_lands_too_steep_for_the_larger_block_widen_the_interval(monkeypatch: py
         land = power * STEEP * np.sin(0.698)
         assert wider[name] == pytest.approx(np.sqrt(square + land**2) - np.sqrt(square), rel=1e-9)
     assert wider["peak_pressure"] == pytest.approx(0, abs=1e-15)
+
+
+def solved(**values: float) -> Any:
+    """A mesh with these in place of the endless block's."""
+    pair = SimpleNamespace(semi_axes=(0.12e-3, 0.7e-3))
+    return SimpleNamespace(quantities=replace(ENDLESS, **values), shoulder=None, pair=pair, contact=CONTACT, level=2)
+
+
+CONTACT = Contact(
+    pair="inner",
+    ball_radius=3.97e-3,
+    groove_radius=4.13e-3,
+    rolling_radius=15.6e-3,
+    shoulder=3.1e-3,
+    far_shoulder=2.4e-3,
+    contact_angle=0.31,
+    load=372.0,
+    ball_material=STEEL,
+    race_material=STEEL,
+)
+
+
+def test_both_sides_give_the_mean_of_their_quarters() -> None:
+    """The approach by 0.2 % and 0.1 % more, the pressure by 0.06 % less and 0.02 % more."""
+    above = solved(approach=1.002 * ENDLESS.approach, peak_pressure=0.9994 * ENDLESS.peak_pressure)
+    below = solved(approach=1.001 * ENDLESS.approach, peak_pressure=1.0002 * ENDLESS.peak_pressure)
+    boundary = dict.fromkeys(vars(ENDLESS), Boundary(beyond=0.03, domain=1e-4))
+    found = meshed_region.with_sides(boundary, solved(), above, below, farther=0.0)
+    expected = {"approach": 1.5e-3, "peak_pressure": -2e-4, "semi_axis_rolling": 0.0}
+    for name, share in expected.items():
+        assert found[name].sides == pytest.approx(share, abs=1e-12), name  # round-off
+        assert found[name].beyond == 0.03
+    # The meshes leave a share of the largest of these effects, that on the approach, and the cells (b/r)^2 of theirs.
+    coarse = SIDES_COARSE * (0.7 / 3.97) ** 2
+    for name, left in (("approach", SIDES_LEFT["approach"]), ("stiffness", SIDES_LEFT_IN_OTHERS)):
+        assert found[name].domain == pytest.approx(1e-4 + left * 1.5e-3 + coarse, rel=1e-9), name
+
+
+def test_lands_on_the_larger_block_move_the_approach_and_the_stiffness_by_its_power() -> None:
+    boundary, sides = dict.fromkeys(vars(ENDLESS), Boundary(domain=1e-4)), dict.fromkeys(vars(ENDLESS), 2e-4)
+    how: Any = {"transverse": 7e-4, "farther": -3e-3}
+    found, less = (with_effect_of_sides(boundary, sides, CONTACT, **how, left=left) for left in (0.25, 0.125))
+    assert found["approach"].sides == pytest.approx(1.0002 * 0.997 - 1, rel=1e-9)  # round-off
+    assert found["stiffness"].sides == pytest.approx(1.0002 * 0.997**-1.5 - 1, rel=1e-9)
+    assert found["peak_pressure"].sides == pytest.approx(2e-4, rel=1e-9)
+    coarse = 1e-4 + SIDES_COARSE * (0.7 / 3.97) ** 2
+    for part, left in ((found, 0.25), (less, 0.125)):
+        lands = np.hypot(SIDES_LEFT["approach"] * 2e-4, left * 3e-3)
+        assert part["approach"].domain == pytest.approx(coarse + lands, rel=1e-9)
+
+
+def test_the_true_sides_change_the_larger_block_more(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Even sides 6 and 6.3 um; true ones 6.1 and 6.2, on the larger block 6.5 and 6.9: 6.7/6.3 over 6.15/6."""
+    approaches = {"even": (6.0, 6.3), "above": (6.1, 6.5), "below": (6.2, 6.9)}
+
+    def solve(*_: Any, sides: str = "even", extended: bool = False, **__: Any) -> Any:
+        return SimpleNamespace(upper="ball", quantities=SimpleNamespace(approach=1e-6 * approaches[sides][extended]))
+
+    monkeypatch.setattr(meshed_region, "solve_on_mesh", solve)
+    found = sides_farther(CONTACT, recipe=load_recipe("race"), level=1, semi_axes=(1e-4, 8e-4))
+    assert found == pytest.approx((6.7 / 6.3) / (6.15 / 6.0) - 1, rel=1e-9)  # round-off
+
+
+def test_a_block_has_a_far_boundary_and_half_spaces_and_sheets_have_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    for geometry, far, bounded in (("real", 5, True), ("wall", 5, True), ("wall", 0, False), ("hertzian", 5, False)):
+        recipe: Any = replace(load_recipe("race"), geometry=geometry)
+        mesh: Any = SimpleNamespace(pair=SimpleNamespace(lower=SimpleNamespace(far=np.zeros(far))))
+        assert meshed_region.has_boundary(mesh, recipe=recipe) == bounded
+    near, larger = block(2.5), block(5.0)
+    monkeypatch.setattr(meshed_region, "_larger", lambda *_, **__: larger)
+    for bounded in (True, False):
+        monkeypatch.setattr(meshed_region, "has_boundary", lambda *_, bounded=bounded, **__: bounded)
+        found = meshed_region.far_boundary(near, recipe=load_recipe("race"))
+        assert found == (boundary_effect(near, larger) if bounded else dict.fromkeys(vars(ENDLESS), Boundary()))
+
+
+def test_a_twin_of_both_blocks_leaves_a_share_of_what_it_corrects(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Twins correct the approach of the block by 1 % and of the larger one by 1.2 %: so much less is beyond it."""
+    near, larger = block(2.5), block(5.0)
+    corrected = {"approach": 0.988 * larger.quantities.approach}
+    monkeypatch.setattr(meshed_region, "_larger", lambda *_, **__: larger)
+    monkeypatch.setattr(meshed_region, "twin_factors", lambda *_, **__: None)
+    monkeypatch.setattr(meshed_region, "TwinSolution", lambda **_: SimpleNamespace(corrected=corrected))
+    solution: Any = SimpleNamespace(mesh=near, corrected={"approach": 0.99 * near.quantities.approach})
+    found = boundary_effect_with_twin(solution, recipe=load_recipe("race"))["approach"]
+    plain = larger.quantities.approach / near.quantities.approach - 1
+    own = (1 + plain) * 0.988 / 0.99 - 1
+    assert found.beyond == pytest.approx(own, rel=1e-9)
+    assert found.domain == pytest.approx(LEFT_WITH_TWIN * abs(own) + LEFT_BY_TWIN * abs(own - plain), rel=1e-9)
+
+
+def test_an_effect_of_a_quantity_that_is_0_is_none() -> None:
+    assert meshed_region.changes({"centroid": 0.0, "load": 4.0}, {"centroid": 3.0, "load": 5.0}) == {
+        "centroid": 0.0,
+        "load": 0.25,
+    }

@@ -9,10 +9,12 @@ from analytic.contact.geometry import RACES
 from analytic.errors import InputError
 from analytic.loads.ring import ring_equilibrium
 from analytic.loads.thrust import thrust_equilibrium
-from analytic.scene import ContactAngle, Operation, Scene
+from analytic.scene import Arrangement, Contact, ContactAngle, Operation, Pair, Scene
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
-from fembearing.verify.contact.scene_contact import contact_of
+from fembearing.mesh.recipe import load_recipe
+from fembearing.verify.contact.bearings import bearings_of, which_bearing
+from fembearing.verify.contact.scene_contact import as_meshed, balls_of, contact_of, recipe_of, traced_to_load
 
 
 @pytest.fixture(scope="module")
@@ -72,3 +74,72 @@ def test_a_pocket_has_the_load_of_the_paper_and_needs_a_cage() -> None:
     assert contact_of(caged, pair="pocket", load=3.5).load == 3.5
     with pytest.raises(InputError, match=r"no \[cage\]"):
         contact_of(replace(caged, cage=None), pair="pocket")
+
+
+@pytest.mark.parametrize(
+    ("loads", "words"),
+    [
+        ({}, "operation.axial_load = 300 N: too wide"),
+        ({"radial_load": [-900.0, 700.0]}, "operation.axial_load = 300 N, operation.radial_load = 900 N: too wide"),
+        ({"moment": [0.2, -1.5]}, "operation.axial_load = 300 N, operation.moment = 1500 N mm: too wide"),
+    ],
+)
+def test_a_refusal_names_the_loads_that_the_scene_gives(
+    scene: Scene, loads: dict[str, list[float]], words: str
+) -> None:
+    operation = Operation(
+        axial_load=np.array([300.0, 210.0]),
+        inner_speed=np.array([30.0, 55.0]),
+        **{name: np.array(values) for name, values in loads.items()},
+    )
+    with (
+        pytest.raises(InputError, match=rf"^{words}$"),
+        traced_to_load(replace(scene, operation=operation), pair="inner", load=None),
+    ):
+        raise InputError("too wide")
+
+
+@pytest.mark.parametrize(
+    ("pair", "load", "words"),
+    [("inner", 77.0, "load = 77 N"), ("pocket", None, "load = 28 N"), ("pocket", 3.0, "load = 3 N")],
+)
+def test_a_refusal_names_the_load_that_was_asked_for(scene: Scene, pair: Pair, load: float | None, words: str) -> None:
+    with pytest.raises(InputError, match=rf"^{words}: too wide$"), traced_to_load(scene, pair=pair, load=load):
+        raise InputError("too wide")
+
+
+def test_a_sheet_takes_the_place_of_a_pocket_alone() -> None:
+    assert recipe_of("wall", pair="pocket").geometry == "wall"
+    assert recipe_of("ring", pair="outer").geometry == "real"
+    with pytest.raises(InputError, match="'wall' is that of a pocket; the outer race"):
+        recipe_of("wall", pair="outer")
+
+
+def test_half_spaces_have_no_shoulder(contacts: dict[str, Contact]) -> None:
+    for geometry, kept in (("race", True), ("hertzian", False)):
+        meshed = as_meshed(contacts["inner"], recipe=load_recipe(geometry))
+        expected = contacts["inner"] if kept else replace(contacts["inner"], shoulder=np.inf, far_shoulder=np.inf)
+        assert meshed == expected
+
+
+def test_a_pair_has_no_contact_of_its_own(scene: Scene) -> None:
+    with pytest.raises(InputError, match=r"\[arrangement\] has two bearings"):
+        balls_of(replace(scene, arrangement=Arrangement(kind="O", preload=130.0, distance=0.031)))
+
+
+def test_the_bearings_of_a_pair_share_the_thrust(scene: Scene) -> None:
+    """At every point one pulls against the other: the difference of their thrusts is the load."""
+    loads = Operation(axial_load=np.array([90.0, -70.0, 500.0]), inner_speed=np.array([30.0, 40.0, 50.0]))
+    ((name, points),) = ((each.name, each.points.tolist()) for each in bearings_of(replace(scene, operation=loads)))
+    assert (name, points) == (None, [0, 1, 2])
+    pair = replace(scene, operation=loads, arrangement=Arrangement(kind="O", preload=60.0, distance=0.031))
+    first, second = bearings_of(pair)
+    assert (first.name, second.name) == ("first", "second")
+    for each in (first, second):
+        assert each.scene.arrangement is None
+        assert each.points.tolist() == [0, 1, 2]
+        np.testing.assert_array_equal(each.scene.operation.inner_speed, loads.inner_speed)
+    taken = first.scene.operation.axial_load - second.scene.operation.axial_load
+    np.testing.assert_allclose(taken, loads.axial_load, rtol=1e-6)  # that of the equilibrium's root
+    assert which_bearing(None) == ""
+    assert which_bearing("second") == " of the second bearing"

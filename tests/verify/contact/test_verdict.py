@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fembearing.grid_convergence import Estimate
-from fembearing.verify.contact.verdict import Verdict, judge, verdict_on, worst
+from fembearing.verify.contact.verdict import Verdict, could_be_decided, judge, verdict_on, worst
 
 TOLERANCE = 0.031
 
@@ -59,3 +59,21 @@ def test_the_worst_verdict_is_the_most_serious() -> None:
     assert worst(["pass", "undecided", "fail", "outside validity"]) == "fail"
     assert worst(["pass", "undecided", "pass"]) == "undecided"
     assert worst(["pass", "pass"]) == "pass"
+
+
+@pytest.mark.parametrize(
+    ("formula", "changed", "could"),
+    [
+        (5.15, {}, True),  # 3 % against 3.1 %, uncertain by 0.5 %: a finer mesh would pass it
+        (5.17, {}, True),  # 3.4 %, which a finer mesh would fail
+        (5.05, {}, False),  # 1 %: passed already
+        (5.3, {}, False),  # 6 %: failed already
+        (5.15, {"domain": 0.005}, False),  # the block alone leaves it open
+        (5.05, {"settled": False, "values": (5.3, 4.9, 5.0)}, True),
+    ],
+)
+def test_a_finer_mesh_decides_what_the_meshes_alone_leave_open(
+    formula: float, changed: dict[str, Any], could: bool
+) -> None:
+    part = Estimate(values=(4.99, 5.0), order=None, richardson=None, mesh=0.005)
+    assert could_be_decided(formula, replace(part, **changed), tolerance=TOLERANCE) == could
