@@ -11,15 +11,12 @@ from analytic.contact.finite_geometry import race_geometry, race_shape
 from analytic.contact.geometry import race_contact, race_curvatures, shoulder_distances
 from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact
 from analytic.contact.rolling_contact import RollingContact
-from analytic.effects.washers import held_in_the_middle
 from analytic.errors import InputError
 from analytic.loads.balls import LoadedBalls, LoadEffects, thrust_balls
 from analytic.loads.ring import ring_equilibrium
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.oil.rolling import hydrodynamic_rolling
 from analytic.scene import Autocorrelation, Bearing, ContactAngle, Groove, Operation, Scene, Surface
-from analytic.solve.model import model_of
-from analytic.solve.solution import Solution, points_of, solved
 from analytic.torque import friction_torque
 from tests.analytic.specimens import OIL as USUAL_OIL
 from tests.analytic.specimens import part, thrust
@@ -59,11 +56,6 @@ def contact_by_hand(load: float) -> HertzContact:
 
 def balls_under(axial: float, speed: float) -> LoadedBalls:
     return thrust_balls(BEARING, RIGHT, thrust(axial, speed=speed), STILL)
-
-
-def loaded(scene: Scene) -> Solution:
-    """The balls of a scene whose friction does not count."""
-    return solved(model_of(scene, {}), points_of(scene.operation.as_series(), temperature=0.0))
 
 
 def test_every_ball_carries_its_share_at_a_right_angle() -> None:
@@ -147,41 +139,6 @@ def test_free_balls_share_the_spin_by_symmetry() -> None:
     most = ruled.torque.race * (1 + found.numerical_uncertainty)  # creep takes slip off, here next to nothing
     assert np.all(found.torque.race < most)
     assert np.all(found.torque.race > 0.9 * ruled.torque.race)  # of spin many times the saturated one, little
-
-
-def test_leaning_contacts_spin_more_as_the_bound_has_it() -> None:
-    """By vectors: a ball that rolls without slip on two washers, on contacts that lean outwards by a small angle."""
-    lean, radius, middle = 1e-4, BALL / 2, PITCH / 2
-    normals = np.array([[0, np.sin(lean), np.cos(lean)], [0, np.sin(lean), -np.cos(lean)]])  # along, out, up
-    washers = np.array([[0, 0, 0.5], [0, 0, -0.5]])  # against the orbit, which turns at half the speed
-    # One unknown by symmetry, the ball's rotation about the radius; no slip along the track at the upper contact.
-    track = np.cross(washers[0], [0, middle + radius * np.sin(lean), 0])[0]
-    rotation = np.array([0, track / np.cross([0, 1, 0], radius * normals[0])[0], 0])
-    lower = np.cross(washers[1], [0, middle + radius * np.sin(lean), 0])[0]
-    np.testing.assert_allclose(np.cross(rotation, radius * normals[1])[0], lower, rtol=1e-12)  # nor at the lower one
-    spins = [abs((rotation - washer) @ normal) for washer, normal in zip(washers, normals, strict=True)]
-    more = np.array(spins) / 0.5 - 1
-    np.testing.assert_allclose(more, lean * PITCH / BALL, rtol=1e-3)  # to first order in the lean
-    # The bound: twice that, at the lean of F_c/(2 Q).
-    axial, speed = 60.0, 90.0
-    scene = scene_of(thrust(axial, speed=speed))
-    total = np.array([3.0])
-    bound = held_in_the_middle(
-        replace(scene, effects={"weight": "off"}), loaded(scene), parts={"spin": total / 5}, total=total
-    )
-    centrifugal = BEARING.ball_mass * PITCH / 2 * (speed / 2) ** 2
-    angle = centrifugal / (2 * axial / COUNT)
-    np.testing.assert_allclose(bound, 2 * angle * PITCH / BALL / 5, rtol=1e-10)  # round-off
-
-
-def test_the_weight_counts_on_one_washer() -> None:
-    """A standing shaft: m g more on the lower washer, of which rolling takes a third, on half of the contacts."""
-    axial = 25.0
-    scene, total = scene_of(thrust(axial, speed=1.0)), np.array([2.0])
-    bound = held_in_the_middle(
-        replace(scene, effects={"centrifugal": "off"}), loaded(scene), parts={"rolling": total}, total=total
-    )
-    np.testing.assert_allclose(bound, BEARING.ball_mass * 9.80665 * COUNT / axial / 3 / 2, rtol=1e-12)  # round-off
 
 
 def test_shoulders_lie_on_both_sides_of_the_contact() -> None:

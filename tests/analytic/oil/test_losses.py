@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from analytic.oil.losses import StirredOil, stirred_oil
-from analytic.scene import Losses, Scene, ShearedLand, ShearedPockets
+from analytic.scene import ContactAngle, Losses, Scene, ShearedLand, ShearedPockets
 from analytic.scenefile.read import load_scene
 from tests.analytic.specimens import present
 from tests.refusals import refused
@@ -119,3 +119,48 @@ def test_what_counts_twice_or_has_no_oil_is_refused(scene: Scene) -> None:
         (replace(caged, cage=replace(caged.cage, drag=1e-6)), Losses(land=OIL.land), "both brake the cage"),
     ):
         refused(lambda: stirred_oil(given, losses), words)  # noqa: B023
+
+
+def test_a_loss_that_counts_once_is_taken(scene: Scene) -> None:
+    """Beside a drag that is declared, a cage without drag, or a cage whose pockets do not shear."""
+    caged = load_scene("paper_6205")
+    braked = replace(caged, cage=replace(present(caged.cage), drag=1e-6))
+    for given, losses in (
+        (scene, Losses(oil_share=0.03)),
+        (scene, Losses(oil_share=1.0)),
+        (scene, Losses(drag=2e-3, oil_flow=1e-5)),
+        (scene, Losses(pockets=OIL.pockets, land=OIL.land)),
+        (caged, Losses(land=OIL.land)),
+        (braked, Losses(oil_share=0.03)),
+    ):
+        found = present(stirred_oil(given, losses))
+        assert (found.share, found.land, found.pockets) == (losses.oil_share or 0.0, losses.land, losses.pockets)
+        assert found.flow == (losses.oil_flow or 0.0)
+    assert stirred_oil(scene, Losses(drag=2e-3)) is None
+
+
+def test_parts_of_no_size_are_refused(scene: Scene) -> None:
+    land, pockets = present(OIL.land), present(OIL.pockets)
+    for losses, name in (
+        (Losses(land=replace(land, clearance=0.0)), "losses.land.clearance"),
+        (Losses(land=replace(land, width=-1e-3)), "losses.land.width"),
+        (Losses(pockets=replace(pockets, thickness=0.0)), "losses.pockets.thickness"),
+        (Losses(oil_share=-0.1), "losses.oil_share must be at least 0"),
+    ):
+        refused(lambda: stirred_oil(scene, losses), name)  # noqa: B023
+
+
+def test_balls_roll_at_the_unloaded_angle_of_the_scene(scene: Scene) -> None:
+    """That of the clearance, or the given one; a preload has none."""
+    for rule, angle in (
+        (ContactAngle(rule="given", value=0.41), 0.41),
+        (ContactAngle(rule="solved", free=0.23), 0.23),
+        (ContactAngle(rule="solved"), np.arccos(1 - scene.bearing.diametral_clearance / (2 * groove_distance(scene)))),
+    ):
+        found = present(stirred_oil(replace(scene, contact_angle=rule), Losses(oil_share=0.03)))
+        np.testing.assert_allclose(found.contact_angle, angle, rtol=1e-9)  # arccos near 1
+        assert (found.ball_count, found.ball_diameter) == (scene.bearing.ball_count, scene.bearing.ball_diameter)
+
+
+def groove_distance(scene: Scene) -> float:
+    return scene.bearing.inner.groove_radius + scene.bearing.outer.groove_radius - scene.bearing.ball_diameter

@@ -13,17 +13,26 @@ from analytic.loads.balls import LoadEffects, thrust_balls
 from analytic.oil.asymptotes import Inflow
 from analytic.oil.ehl_fit import covered, film_correction, fitted_force, inlet_length, regime_of
 from analytic.oil.film import film_asymptotes, inlet_heating_factor, thermal_loading
-from analytic.oil.inlets import oil_supply
-from analytic.oil.lubrication import LubricatedContact, lubricated_contact, lubrication_of
+from analytic.oil.inlets import InletNumbers, oil_supply, starvation_source
+from analytic.oil.lubrication import (
+    LubricatedContact,
+    lubricated_contact,
+    lubrication_of,
+    rolling_force_of,
+    rolling_torque_of,
+)
 from analytic.oil.mixed import MixedContact, mixed_contact
+from analytic.oil.race_resistance import SMOOTH_FORM
 from analytic.oil.rolling import (
+    biboulet_force,
     houpert_rolling,
     hydrodynamic_rolling,
     inlet_shear_factor,
     replenishment_factor,
+    rolling_groups,
     rolling_torque,
 )
-from analytic.oil.starvation import starved_by_degree, starved_by_factor
+from analytic.oil.starvation import FLOODED, starved_by_degree, starved_by_factor
 from analytic.oil.traction import mean_force, mixed_traction
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.oil.viscosity import inlet_viscosity, oil_at, oil_numbers, roelands_viscosity
@@ -32,6 +41,7 @@ from analytic.surface.gap import GapLaw, gap_forms, gap_law
 from analytic.surface.roughness import gap_roughness
 from tests.analytic.specimens import BEARING_6205, FINISH, OIL
 from tests.contacts import STEEL
+from tests.refusals import refuses
 
 CLOSED = replace(OIL, film_formula="nijenbanning", rolling_formula="biboulet")
 WARM = replace(CLOSED, temperature=331.0, compressible=False)
@@ -159,6 +169,101 @@ def test_the_fit_replaces_both_formulas_within_its_range() -> None:
         assert thinner == pytest.approx(np.exp(film_correction(regime)), rel=1e-12)
         _, doubtful = lubricated(BEARING_6205, race, 2, OIL, FINISH, Variation(rolling_error=1.7), **plain)
         assert doubtful.rolling_torque / found.rolling_torque == pytest.approx(1.7**0.12, rel=1e-12)
+
+
+def test_at_the_ends_of_the_fit_both_formulas_count_by_its_share() -> None:
+    """Under a light load, and with an error of the closed formula, of which the fit takes its part of the power."""
+    oil = replace(OIL, compressible=True)
+    contact, rate = loaded(0, 2)
+    numbers = ContactNumbers._make((*contact.fields[:8], rate))
+    numbers_of_oil, inflow = oil_numbers(oil), Inflow(420.0 * rate, oil.viscosity, oil.pressure_viscosity, True, np.inf)
+    light = numbers._replace(load=4.7 / float(np.exp(regime_of(numbers, inflow).loading)) * numbers.load)  # N of 4.7
+    unit = unit_hertz(light.curvature_rolling, light.curvature_transverse, light.modulus)
+    regime = regime_of(light, inflow)
+    share, supply = covered(regime), oil_supply(BEARING_6205, oil, "inner", contact_angle=0.19)
+    assert 0.1 < share < 0.9
+    fit = fitted_force(light, inflow, regime, supply)
+    closed, _ = biboulet_force(light, rolling_groups(light, unit, inflow.viscosity, inflow.speed))
+    assert closed != pytest.approx(fit, rel=0.02)
+    force, of_fit, _ = rolling_force_of(light, unit, inflow, regime, supply, True, False)
+    assert (force, of_fit) == (pytest.approx(share * fit + (1 - share) * closed, rel=1e-12), share)
+    inlet = InletNumbers(1.0, 0.83, FLOODED)
+    for error in (1.0, 1.7):
+        varied = Variation(rolling_error=error, rolling=0.9, heating=1.4)
+        lubrication = lubrication_of(
+            SMOOTH_FORM, supply, oil, boundary_friction=0.1, is_on=lambda _: True, variation=varied
+        )
+        torque, _ = rolling_torque_of(light, unit, numbers_of_oil, inlet, lubrication, regime, 420.0)
+        power = 0.12 * share + 1 - share
+        assert torque == pytest.approx(0.9 * error**power * 0.83**1.4 * 2 * force * rate, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("ahead", "oil", "shape", "is_said"),
+    [
+        (3.1, OIL, 1.0, False),
+        (2.9, OIL, 1.0, True),  # the fit needs three semi-axes of oil
+        (2.9, CLOSED, 1.0, False),  # the closed formula has a far field of its own
+        (3.1, CLOSED, 40.0, True),  # longer along rolling than across
+    ],
+)
+def test_rolling_is_extrapolated_beyond_what_its_formula_knows(
+    ahead: float, oil: Lubricant, shape: float, is_said: bool
+) -> None:
+    contact, rate = loaded(0, 2)
+    numbers = ContactNumbers._make((*contact.fields[:8], rate))
+    numbers = numbers._replace(curvature_transverse=shape * numbers.curvature_transverse)
+    unit = unit_hertz(numbers.curvature_rolling, numbers.curvature_transverse, numbers.modulus)
+    inflow = Inflow(420.0 * rate, oil.viscosity, oil.pressure_viscosity, True, np.inf)
+    supply = oil_supply(BEARING_6205, oil, "inner", contact_angle=0.19)._replace(
+        ahead=ahead * numbers.semi_axis_rolling
+    )
+    lubrication = lubrication_of(
+        SMOOTH_FORM, supply, oil, boundary_friction=0.1, is_on=lambda _: False, variation=NOMINAL
+    )
+    inlet, regime = InletNumbers(1.0, 1.0, FLOODED), regime_of(numbers, inflow)
+    assert rolling_torque_of(numbers, unit, oil_numbers(oil), inlet, lubrication, regime, 420.0)[1] == is_said
+
+
+def test_the_heat_of_the_inlets_counts_by_its_power() -> None:
+    """On the film of a smooth contact, and none at the power 0."""
+    plain = ALL | {"asperities": False, "starves": False}
+    films = {}
+    for power in (1e-9, 1.0, 2.0):
+        _, found = lubricated(BEARING_6205, 0, 2, WARM, FINISH, Variation(heating=power), **plain)
+        films[power] = found.mixed.film_thickness
+    _, cold = lubricated(BEARING_6205, 0, 2, WARM, FINISH, NOMINAL, **plain | {"heats": False})
+    assert films[1e-9] == pytest.approx(cold.mixed.film_thickness, rel=1e-9)
+    left = films[1.0] / films[1e-9]
+    assert left < 0.99
+    assert films[2.0] / films[1e-9] == pytest.approx(left**2, rel=1e-9)
+
+
+@pytest.mark.parametrize(("bore", "outside"), [(None, 52e-3), (25e-3, None), (None, None)])
+def test_a_given_degree_starves_rings_of_unknown_diameter(bore: float | None, outside: float | None) -> None:
+    bearing = replace(BEARING_6205, bore_diameter=bore, outside_diameter=outside)
+    supply = oil_supply(bearing, WARM, "inner", contact_angle=0.19)
+    assert supply.mean_diameter == bearing.pitch_diameter
+    assert np.isnan(supply.rate)
+    assert starvation_source(bearing, WARM) is None
+    given = replace(WARM, starvation_degree=1.3)
+    _, starved = lubricated(bearing, 0, 2, given, ROUGH, NOMINAL, **ALL)
+    assert starved.inlet.starvation.degree == 1.3
+    _, flooded = lubricated(bearing, 0, 2, WARM, ROUGH, NOMINAL, **ALL)
+    assert starved.mixed.film_thickness < 0.99 * flooded.mixed.film_thickness
+    assert starvation_source(bearing, given) == "degree 1.3, given"
+
+
+def test_known_rings_have_their_mean_diameter() -> None:
+    supply = oil_supply(BEARING_6205, WARM, "outer", contact_angle=0.19)
+    assert supply.mean_diameter == pytest.approx((BORE + OUTSIDE) / 2, rel=1e-15)
+    assert supply.tension == -WARM.cavitation_pressure
+    assert starvation_source(BEARING_6205, WARM) == "degree by the replenishment factor of oil_bath"
+
+
+def test_factors_are_positive_and_a_step_is_any_number() -> None:
+    refuses(Variation, film=0.0, rolling=-1.0, heating=np.nan, oil_losses=np.inf, elastic_rolling=np.nan)
+    assert Variation(elastic_rolling=-2.0).elastic_rolling == -2.0
 
 
 def test_rings_of_unknown_diameter_are_flooded() -> None:

@@ -18,10 +18,12 @@ from analytic.oil.rolling import (
     houpert_rolling,
     hydrodynamic_rolling,
     hysteresis_moment,
+    inlet_shear_factor,
+    replenishment_factor,
     rolling_torque,
     slow_rolling_moment,
 )
-from analytic.scene import Bearing
+from analytic.scene import Bearing, Supply
 from tests.analytic.specimens import hertzian, rolling_contact
 from tests.refusals import refused, refuses
 from tests.validation.hard.hertz_exact import hertz
@@ -201,6 +203,65 @@ def test_contacts_outside_the_range_of_the_formula_are_marked() -> None:
     assert not rolling(curvature_transverse=310.0).outside_range
     assert rolling(entrainment_speed=1e8).outside_range  # U = 2e-2: rigid bodies would resist less than elastic ones
     assert rolling(curvature_transverse=311.0).force > 0
+
+
+@pytest.mark.parametrize("ratio", [1.15, 1.6])
+def test_a_contact_longer_along_rolling_is_cut_off_as_a_round_one(ratio: float) -> None:
+    """The ellipse is that of the turned contact, and in C alone kappa counts as 1."""
+    fast = {"curvature_transverse": ratio * 310.0, "load": 700.0, "entrainment_speed": 900.0}  # where C counts
+    turned = CASE | fast
+    names = ("curvature_transverse", "curvature_rolling", "load", "modulus")
+    with mpmath.workdps(40):
+        ellipse = hertz(*(mpmath.mpf(turned[name]) for name in names))
+        k = float(mpmath.exp(ellipse["log_k"]))  # major over minor: kappa here
+        semi_axis = float(ellipse["major"]) / k
+        integral = float(mpmath.ellipe(1 - 1 / mpmath.mpf(k) ** 2))
+    stiff, radius = 2 * CASE["modulus"], 1 / 310.0
+    u = 2 * CASE["viscosity"] * turned["entrainment_speed"] / (stiff * radius)
+    beta = 4 / np.pi * integral / (1 + ratio)
+    m = beta**0.25 * k * turned["load"] / (stiff * radius**2) / u**0.75
+    rigid, elastic = 0.77 * beta ** (-1 / 3) * k**0.12 * u ** (-1 / 12), 1.8 * beta**-0.25
+    whole = 0.85 / (1 + 4.72 * m**-0.39)
+    reach = 2 * semi_axis / CASE["ball_diameter"]
+    cut = 1 / (1 + (1 / whole - 1) * reach ** (0.0018 * m + 1.33))
+    expected = cut * stiff * radius * 2 * semi_axis * ((rigid - elastic) / (1 + m / 6.6) + elastic) * u**0.75
+    found = rolling(**fast)
+    np.testing.assert_allclose(found.force, expected, rtol=1e-12)  # round-off of doubles
+    assert cut < 0.99
+    assert found.outside_range
+
+
+def test_inlets_are_heated_as_skf_has_it() -> None:
+    """phi_ish = 1/(1 + 1.84e-9 (n d_m)^1.28 nu^0.64) in 1/min, mm and mm2/s; 1 at standstill."""
+    n, mean, nu = 3700.0, 43.0, 23.0
+    found = inlet_shear_factor(mean_diameter=43e-3, ring_speed=n * 2 * np.pi / 60, kinematic_viscosity=23e-6)
+    np.testing.assert_allclose(found, 1 / (1 + 1.84e-9 * (n * mean) ** 1.28 * nu**0.64), rtol=1e-12)
+    assert 0.5 < found < 0.95
+    assert inlet_shear_factor(mean_diameter=43e-3, ring_speed=0.0, kinematic_viscosity=23e-6) == 1
+    refuses(inlet_shear_factor_of, mean_diameter=0.0, ring_speed=-1.0, kinematic_viscosity=0.0)
+
+
+def inlet_shear_factor_of(**changed: float) -> object:
+    return inlet_shear_factor(**({"mean_diameter": 43e-3, "ring_speed": 3.0, "kinematic_viscosity": 2e-5} | changed))
+
+
+@pytest.mark.parametrize(
+    ("supply", "constant"), [("oil_bath", 3e-8), ("oil_jet", 3e-8), ("oil_spot", 6e-8), ("grease", 6e-8)]
+)
+def test_inlets_are_replenished_as_skf_has_it(supply: Supply, constant: float) -> None:
+    """phi_rs = exp(-K_rs nu n (d + D) sqrt(K_Z/(2 (D - d)))) in 1/min, mm and mm2/s; K_Z 3.1 of deep grooves."""
+    n, bore, outside, nu = 3700.0, 30.0, 62.0, 23.0
+    rings = {"bore_diameter": 30e-3, "outside_diameter": 62e-3}
+    runs = {"ring_speed": n * 2 * np.pi / 60, "kinematic_viscosity": 23e-6}
+    for geometry, own in ((3.1, {}), (4.4, {"geometry": 4.4})):
+        found = replenishment_factor(**rings, **runs, supply=supply, **own)
+        expected = np.exp(-constant * nu * n * (bore + outside) * np.sqrt(geometry / (2 * (outside - bore))))
+        np.testing.assert_allclose(found, expected, rtol=1e-12)
+    assert replenishment_factor(**rings, **runs | {"ring_speed": 0.0}, supply=supply) == 1
+    for wrong in ({"bore_diameter": 62e-3}, {"bore_diameter": 0.0}, {"outside_diameter": 29e-3}):
+        refused(lambda: replenishment_factor(**rings | wrong, **runs, supply=supply), "_diameter")  # noqa: B023
+    unknown: Any = "pump"
+    refused(lambda: replenishment_factor(**rings, **runs, supply=unknown), "supply must be one of oil_bath", "'pump'")
 
 
 def test_nonsense_is_refused() -> None:

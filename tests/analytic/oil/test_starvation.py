@@ -13,7 +13,14 @@ from analytic.contact.rolling_contact import ContactNumbers
 from analytic.errors import InputError
 from analytic.oil.ehl_fit import inlet_lengths
 from analytic.oil.film import minimum_ratio
-from analytic.oil.starvation import checked_degree, film_factor, starved_by_degree, starved_by_factor
+from analytic.oil.starvation import (
+    FLOODED,
+    checked_degree,
+    film_factor,
+    starved_by_degree,
+    starved_by_factor,
+    starved_by_film,
+)
 from fembearing.ehl.film import numerical_film
 from tests.analytic.specimens import rolling_contact
 from tests.refusals import refused
@@ -102,6 +109,22 @@ def test_without_load_or_film_the_inlet_is_flooded() -> None:
         assert starved_by_factor(contact, 0.3, film, AHEAD, LENGTH)[1:] == (1.0, 1.0)
 
 
+def test_a_measured_film_tells_the_degree_that_leaves_it() -> None:
+    """Back by the law of the film; rolling loses as much, and a film that is whole is flooded."""
+    for factor in (0.23, 0.71):
+        found = starved_by_film(CONTACT, factor, FILM)
+        assert film_factor(CONTACT, found.degree, FILM) == pytest.approx(factor, rel=1e-12)
+        assert (found.film_factor, found.rolling_factor) == (factor, factor)
+    unloaded = CONTACT._replace(load=0.0, semi_axis_rolling=0.0, semi_axis_transverse=0.0)
+    for contact, factor, film in (
+        (CONTACT, 1.0, FILM),
+        (CONTACT, 1.3, FILM),
+        (CONTACT, 0.4, 0.0),
+        (unloaded, 0.4, FILM),
+    ):
+        assert starved_by_film(contact, factor, film) == FLOODED
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(("degree", "film", "rolling"), [(3.1, 0.07, 0.09), (1.5, 0.27, 0.34)])
 def test_a_numerical_solution_with_little_oil(degree: float, film: float, rolling: float) -> None:
@@ -127,6 +150,8 @@ def test_the_ratio_of_the_films_is_that_of_both_fits() -> None:
     found = minimum_ratio(contact, entrainment_speed=-speed, **OIL)
     np.testing.assert_allclose(found, smallest / central, rtol=1e-12)
     assert minimum_ratio(contact, entrainment_speed=0.0, **OIL) == 1
+    # a fit to thick oils: with G below some 10 it would leave more at the side than in the centre
+    assert minimum_ratio(contact, entrainment_speed=0.4, viscosity=0.06, pressure_viscosity=1 / stiff) == 1
     assert minimum_ratio(contact, entrainment_speed=0.4, viscosity=0.06, pressure_viscosity=0.0) == 1
     unloaded = rolling_contact(load=0.0, semi_axis_rolling=0.0, semi_axis_transverse=0.0)
     assert minimum_ratio(unloaded, entrainment_speed=0.4, **OIL) == 1
