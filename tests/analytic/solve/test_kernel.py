@@ -1,0 +1,320 @@
+"""What the kernel sums over balls and races: powers, shares and limits, against the balls themselves."""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.special import ellipe
+
+from analytic.cage.drive import ball_lead, resting_cage
+from analytic.contact.geometry import cut_off_share
+from analytic.loads.kinematics import ball_kinematics
+from analytic.loads.thrust import thrust_equilibrium
+from analytic.scene import STANDARD_GRAVITY, Array, Bearing, ContactAngle, Losses, Operation, Scene
+from analytic.sliding.judge import OVER_ELLIPSE
+from analytic.solve.model import model_of
+from analytic.solve.records import NO_CAGE_DRIVE, NO_DISTRIBUTION, NO_THRUST, POINT, SETTLED, THROWN, THROWN_WASHERS
+from analytic.solve.solution import Solution, points_of, solved
+from analytic.torque import friction_torque
+from tests.analytic.specimens import BEARING_6205, FINISH, OIL, STAMPED_CAGE, present
+from tests.analytic.test_thrust_bearing import BEARING as THRUST_BEARING
+from tests.analytic.test_thrust_bearing import RIGHT
+
+STEEP = ContactAngle(rule="solved", free=0.52)
+ROLLING = {"spin": True, "conformity": True, "hysteresis": True, "rolling": True, "load_distribution": True}
+UNEQUAL: dict[str, Any] = {"axial_load": 640.0, "radial_load": 170.0, "moment": 0.9, "inner_speed": 210.0}
+
+
+def scene_of(bearing: Bearing = BEARING_6205, *, angle: ContactAngle = STEEP, **operation: Any) -> Scene:
+    """A bearing with a coefficient of 0.07 and oil."""
+    return Scene(
+        name="kernel",
+        bearing=bearing,
+        contact_angle=angle,
+        operation=Operation(**operation).as_series(),
+        lubricant=OIL,
+        friction_coefficient=0.07,
+        hysteresis_loss=0.0085,
+        spin_rule="outer_control",
+    )
+
+
+def found_at(scene: Scene, counted: dict[str, bool], **options: Any) -> Solution:
+    model = model_of(scene, counted, **options)
+    return solved(model, points_of(scene.operation, model.temperature))
+
+
+@pytest.fixture(scope="module")
+def unequal() -> Solution:
+    return found_at(scene_of(**UNEQUAL), ROLLING)
+
+
+def test_a_ring_of_equal_balls_is_one_ball_that_stands_for_all() -> None:
+    """Every sum and every limit; balls whose weight has no direction are a ring without forces of their own."""
+    scene = scene_of(axial_load=np.array([430.0, 900.0]), inner_speed=np.array([61.0, -350.0]))
+    alone, ring = (found_at(scene, ROLLING | {"weight": is_ring}) for is_ring in (False, True))
+    assert (alone.balls.shape, ring.balls.shape) == ((2, 1), (2, 9))
+    for name in present(POINT.names):
+        if name not in ("lead_across", "slowness", "steps", "left", "tolerance"):  # of one ball, and of the way
+            # The ring settles to 1e-11 of its forces; balls that are alike lead by rounding of the pitch diameter.
+            np.testing.assert_allclose(ring.points[name], alone.points[name], rtol=1e-7, atol=1e-15, err_msg=name)
+    np.testing.assert_allclose(ring.points["slowness"], 9 * alone.points["slowness"], rtol=1e-9)
+
+
+@pytest.mark.parametrize("out", ["spin", "conformity", "hysteresis", "rolling"])
+def test_the_total_is_the_sum_of_what_counts(out: str) -> None:
+    scene = replace(scene_of(**UNEQUAL), losses=Losses(seals=3e-3, drag=0.8e-3))
+    point = found_at(scene, {**ROLLING, out: False}).points[0]
+    assert point[out] == 0
+    parts = [name for name in ("spin", "conformity", "hysteresis", "rolling") if name != out]
+    assert all(point[name] > 0 for name in parts)
+    np.testing.assert_allclose(point["total"], sum(point[name] for name in parts) + 3.8e-3, rtol=1e-14)
+
+
+def test_rates_are_means_over_the_balls(unequal: Solution) -> None:
+    point, balls = unequal.points[0], unequal.balls[0]
+    orbit = balls["motion"]["cage_speed"]
+    np.testing.assert_allclose(point["orbit_rate"], orbit.mean(), rtol=1e-14)
+    np.testing.assert_allclose(point["ball_rate"], balls["motion"]["ball_speed"].mean(), rtol=1e-14)
+    np.testing.assert_allclose(point["contact_angle"], balls["angle"].mean(), rtol=1e-14)
+    lead = ball_lead(orbit, pitch_radius=BEARING_6205.pitch_diameter / 2)
+    np.testing.assert_allclose(point["ball_lead"], lead, rtol=1e-9)  # of a small difference
+    assert abs(lead) > 1e-6
+    assert point["heaviest"] == balls["load"].max(axis=1).argmax()
+
+
+def test_limits_are_those_of_the_worst_ball(unequal: Solution) -> None:
+    point, balls = unequal.points[0], unequal.balls[0]
+    assert np.ptp(balls["peak_pressure"], axis=0).min() > 1e7
+    np.testing.assert_array_equal(point["peak_pressure"], balls["peak_pressure"].max(axis=0))
+    narrow = replace(
+        BEARING_6205,
+        inner=replace(BEARING_6205.inner, shoulder_half_width=2.8e-3),
+        outer=replace(BEARING_6205.outer, shoulder_half_width=2.9e-3),
+    )
+    cut = found_at(scene_of(narrow, **UNEQUAL), ROLLING)
+    pairs = cut.balls[0][["shoulder_distance", "semi_axis_transverse"]]
+    shares = [[cut_off_share(float(d), float(b)) for d, b in zip(*map(tuple, each), strict=True)] for each in pairs]
+    assert np.ptp(shares, axis=0).min() > 0.01
+    np.testing.assert_allclose(cut.points["cut_off"][0], np.max(shares, axis=0), rtol=1e-14)
+
+
+def test_friction_that_could_hold_is_that_of_all_balls(unequal: Solution) -> None:
+    """Coulomb friction: the coefficient times the loads."""
+    np.testing.assert_allclose(
+        unequal.points["most_friction"][0], 0.07 * unequal.balls[0]["load"].sum(axis=0), rtol=1e-9
+    )
+
+
+def test_the_oil_s_force_times_twice_the_entrainment_is_the_power_of_rolling() -> None:
+    found = found_at(scene_of(axial_load=570.0, inner_speed=93.0), ROLLING)
+    point, motion = found.points[0], found.balls[0, 0]["motion"]
+    both = np.array([motion["inner_entrainment"], motion["outer_entrainment"]])
+    np.testing.assert_allclose(2 * np.sum(both * point["rolling_force"]), point["rolling"], rtol=1e-13)
+    assert np.all(point["rolling_force"] > 0)
+
+
+def test_spin_alone_is_the_pivoting_of_every_ball_on_its_inner_race() -> None:
+    """3/8 mu Q b E(m), at the whole difference of spin where the outer race controls the balls."""
+    found = found_at(scene_of(**UNEQUAL), {"spin": True, "load_distribution": True}, method=OVER_ELLIPSE)
+    balls = found.balls[0]
+    a, b = balls["semi_axis_rolling"][:, 0], balls["semi_axis_transverse"][:, 0]
+    moments = 3 / 8 * 0.07 * balls["load"][:, 0] * b * ellipe(1 - (a / b) ** 2)
+    power = np.sum(moments * np.abs(balls["motion"]["spin_difference"]))
+    # The curvature of the contact adds slip across that of spin, and takes from it where spin is slow.
+    np.testing.assert_allclose(found.points["spin"], power, rtol=0.05)
+
+
+def moment_of(balls: Any, bearing: Bearing, speed: float) -> Array:
+    """Gyroscopic moment 2/5 m r^2 w_b w_c sin(pitch) of each ball, N m."""
+    motion = balls["motion"]
+    inertia = 2 / 5 * bearing.ball_mass * bearing.ball_radius**2
+    return np.abs(inertia * motion["ball_speed"] * motion["cage_speed"] * speed**2 * np.sin(motion["pitch"]))
+
+
+def test_a_ball_is_held_by_the_friction_of_both_races(unequal: Solution) -> None:
+    balls, bearing = unequal.balls[0], BEARING_6205
+    arm = bearing.ball_radius * 0.07 * balls["load"].sum(axis=1)
+    np.testing.assert_allclose(balls["gyroscopic_hold"], moment_of(balls, bearing, 210.0) / arm, rtol=1e-9)
+    used = bearing.ball_radius * np.sum(balls["friction_coefficient"] * balls["load"], axis=1)
+    np.testing.assert_allclose(balls["gyroscopic_use"], moment_of(balls, bearing, 210.0) / used, rtol=1e-9)
+    smooth = replace(scene_of(**UNEQUAL), friction_coefficient=0.0)
+    nothing = found_at(smooth, ROLLING).balls[0]
+    assert np.all(np.isinf(nothing["gyroscopic_hold"]))
+    assert np.all(np.isinf(nothing["gyroscopic_use"]))
+    still = found_at(replace(smooth, operation=replace(smooth.operation, inner_speed=np.zeros(1))), ROLLING).balls[0]
+    assert not np.any(still["gyroscopic_hold"])
+
+
+def test_balls_at_the_edge_of_the_loaded_zone_need_no_hold() -> None:
+    """Of balls with less than a tenth of the heaviest load, which hardly anything holds, none decides."""
+    found = found_at(scene_of(axial_load=210.0, radial_load=150.0, inner_speed=400.0), ROLLING)
+    point, balls = found.points[0], found.balls[0]
+    load = balls["load"].max(axis=1)
+    light = load < 0.1 * load.max()
+    assert 0 < np.count_nonzero(light) < 9
+    inside = balls["gyroscopic_hold"][~light].max()
+    assert balls["gyroscopic_hold"][light].max() > inside
+    assert point["gyroscopic_hold"] == inside
+
+
+@pytest.mark.parametrize("factor", [0.999, 1.001])
+def test_balls_are_thrown_beyond_a_thousand_times_their_load(factor: float) -> None:
+    """By the speed at which the centrifugal force of a ball is that many times its load at rest."""
+    axial, angle = 0.31, ContactAngle(rule="solved", free=0.26)
+    rest = thrust_equilibrium(BEARING_6205, angle, axial_load=axial)
+    motion = ball_kinematics(
+        inner_speed=1.0,
+        inner_angle=rest.contact_angle,
+        outer_angle=rest.contact_angle,
+        pitch_diameter=BEARING_6205.pitch_diameter,
+        ball_diameter=BEARING_6205.ball_diameter,
+    )
+    unit = BEARING_6205.ball_mass * BEARING_6205.pitch_diameter / 2 * float(motion.cage_speed) ** 2
+    speed = factor * np.sqrt(1000 * float(rest.ball_load) / unit)
+    point = found_at(scene_of(angle=angle, axial_load=axial, inner_speed=speed), {"centrifugal": True}).points[0]
+    assert (point["status"] == THROWN) == (factor > 1)
+    if factor > 1:
+        np.testing.assert_allclose(point["left"], 1000 * factor**2, rtol=1e-8)  # of the equilibrium at rest
+    without = found_at(scene_of(angle=angle, axial_load=axial, inner_speed=speed), {}).points[0]
+    assert without["status"] == SETTLED
+
+
+@pytest.mark.parametrize("factor", [0.999, 1.001])
+def test_balls_leave_the_middle_of_washers_beyond_a_tenth_of_their_load(factor: float) -> None:
+    bearing, axial = THRUST_BEARING, 45.0
+    unit = bearing.ball_mass * bearing.pitch_diameter / 2 / 4  # at half of the washer's speed
+    speed = factor * np.sqrt(0.1 * axial / bearing.ball_count / unit)
+    point = found_at(scene_of(bearing, angle=RIGHT, axial_load=axial, inner_speed=speed), {}).points[0]
+    assert (point["status"] == THROWN_WASHERS) == (factor > 1)
+
+
+@pytest.mark.parametrize("factor", [0.999, 1.001])
+@pytest.mark.parametrize("name", ["radial_load", "moment"])
+def test_unequal_loads_press_the_heaviest_ball_as_stribeck_has_it(factor: float, name: str) -> None:
+    """4.37 Fr/Z, of a moment M the force M/d_m; without thrust at the angle of the unloaded bearing."""
+    load: Any = {"radial_load": 2.3, "moment": 2.3 * BEARING_6205.pitch_diameter}[name]
+    pressing = 4.37 * 2.3 / BEARING_6205.ball_count
+    reach = BEARING_6205.ball_radius * 2 * np.cos(STEEP.free or 0.0)
+    orbit = (1 - reach / BEARING_6205.pitch_diameter) / 2
+    unit = BEARING_6205.ball_mass * BEARING_6205.pitch_diameter / 2 * orbit**2
+    speed = factor * np.sqrt(1000 * pressing / unit)
+    scene = scene_of(**{"axial_load": 0.0, "inner_speed": speed, name: load})
+    point = found_at(scene, {"centrifugal": True, "load_distribution": True}).points[0]
+    assert (point["status"] == THROWN) == (factor > 1)
+
+
+@pytest.mark.parametrize(("share", "is_near"), [(1.49, True), (1.51, False)])
+def test_a_ball_comes_off_below_one_and_a_half_times_its_weight(share: float, is_near: bool) -> None:
+    """Where balls off the races do not roll in oil, all of its resistance to rolling is then gone."""
+    angle = ContactAngle(rule="given", value=0.37)
+    weight = BEARING_6205.ball_mass * STANDARD_GRAVITY
+    axial = share * weight * BEARING_6205.ball_count * np.sin(0.37)
+    scene = scene_of(angle=angle, axial_load=axial, inner_speed=5.0)
+    point = found_at(scene, ROLLING).points[0]
+    assert bool(point["at_edge"][0]) == is_near
+    assert point["coming_off"] == pytest.approx(point["rolling"] if is_near else 0.0, rel=1e-12)
+    less = found_at(scene, ROLLING | {"unloaded_balls": True}).points[0]["coming_off"]
+    assert (0 < less < point["rolling"]) == is_near  # balls off the races roll in their clearance
+    still = found_at(scene, ROLLING | {"rolling": False}).points[0]
+    assert not np.any(still["at_edge"])
+
+
+@pytest.mark.parametrize(("share", "is_near"), [(1.49, True), (1.51, False)])
+@pytest.mark.parametrize("force", ["centrifugal", "gyroscopic"])
+def test_a_ball_is_at_the_edge_below_one_and_a_half_times_a_force_of_its_own(
+    share: float, is_near: bool, force: str
+) -> None:
+    """A gyroscopic moment presses on both races as its part across the axis of rotation over the radius."""
+    angle, axial = ContactAngle(rule="given", value=0.37), 2.1
+    load = axial / (BEARING_6205.ball_count * np.sin(0.37))
+    balls = found_at(scene_of(angle=angle, axial_load=axial, inner_speed=1.0), {}).balls[0]
+    one = {
+        "centrifugal": BEARING_6205.ball_mass * BEARING_6205.pitch_diameter / 2 * balls["motion"]["cage_speed"][0] ** 2,
+        "gyroscopic": moment_of(balls, BEARING_6205, 1.0)[0] / BEARING_6205.ball_radius,
+    }[force]
+    speed = np.sqrt(load / (share * one))
+    point = found_at(scene_of(angle=angle, axial_load=axial, inner_speed=speed), ROLLING).points[0]
+    assert bool(point["at_edge"][{"centrifugal": 1, "gyroscopic": 2}[force]]) == is_near
+
+
+def test_a_temperature_belongs_to_its_point() -> None:
+    """Each point has the viscosity of its own oil, whatever stood before it."""
+    scene = replace(
+        scene_of(axial_load=np.array([310.0, 310.0, 470.0]), inner_speed=np.array([31.0, 31.0, 47.0])),
+        surface=FINISH,
+        friction_coefficient=None,
+    )
+    model = model_of(scene, ROLLING | {"asperities": True})
+    points = points_of(scene.operation, model.temperature)
+    points[1:, 4] += [21.0, -13.0]
+    together = solved(model, points).points["total"]
+    apart = [solved(model_of(scene, ROLLING | {"asperities": True}), points[[i]]).points["total"][0] for i in range(3)]
+    np.testing.assert_allclose(together, apart, rtol=1e-9)  # of fits that begin where the last point was
+    assert together[0] != together[1]
+
+
+def test_grease_starves_by_the_share_of_thrust_in_the_load_of_a_point() -> None:
+    grease = replace(OIL, supply="grease")
+    loads: dict[str, Any] = {"axial_load": np.array([310.0, 310.0]), "radial_load": np.array([20.0, 290.0])}
+    scene = replace(scene_of(**loads, inner_speed=63.0), lubricant=grease)
+    counted = ROLLING | {"starvation": True}
+    together = found_at(scene, counted).points["rolling"]
+    alone = [
+        found_at(replace(scene, operation=Operation(
+            axial_load=loads["axial_load"][[i]], radial_load=loads["radial_load"][[i]], inner_speed=np.array([63.0])
+        )), counted).points["rolling"][0]
+        for i in range(2)
+    ]  # fmt: skip
+    np.testing.assert_allclose(together, alone, rtol=1e-12)
+
+
+def test_a_cage_at_rest_on_its_balls_is_that_beside_the_kernel() -> None:
+    """And it has no torque once balls lead as far as its pockets leave free."""
+    light: dict[str, Any] = UNEQUAL | {"radial_load": 40.0, "moment": 0.3}
+    scene = replace(scene_of(**light), cage=replace(STAMPED_CAGE, friction_coefficient=0.13))
+    out = ("cage_dynamics", "ball_dynamics", "centrifugal", "gyroscopic", "finite_geometry")
+    effects: dict[str, Any] = dict.fromkeys(out, "off")
+    effects |= {"inlet_heating": "off", "starvation": "off", "creep": "off"}
+    series = friction_torque(replace(scene, sliding="single_coefficient", effects=effects))
+    counted = ROLLING | {"cage": True}
+    point = found_at(scene, counted).points[0]
+    np.testing.assert_allclose(point["cage"], present(series.torque.cage)[0], rtol=1e-8)  # of the ring's balance
+    np.testing.assert_allclose(
+        point["total"], sum(point[name] for name in ("spin", "conformity", "hysteresis", "rolling", "cage")), rtol=1e-14
+    )
+    lead = abs(float(point["ball_lead"]))
+    for factor, status in ((0.999, NO_CAGE_DRIVE), (1.001, SETTLED)):
+        pocket = BEARING_6205.ball_diameter + factor * lead
+        tight = replace(present(scene.cage), pocket_diameter=pocket, pocket_depth=pocket / 2)
+        np.testing.assert_allclose(resting_cage(BEARING_6205, tight).room, factor * lead, rtol=1e-9)
+        found = found_at(replace(scene, cage=tight), counted).points[0]
+        assert found["status"] == status
+        assert np.isnan(found["cage"]) == (status == NO_CAGE_DRIVE)
+
+
+def test_unknown_shoulders_lie_outside_the_fit_for_finite_geometry() -> None:
+    """Beside known ones contacts are corrected; the far end of what is not known is another torque."""
+    scene = scene_of(axial_load=570.0, inner_speed=93.0)
+    point = found_at(scene, {**ROLLING, "finite_geometry": True}).points[0]
+    assert (bool(point["beyond_fit"]), bool(point["fit_applied"])) == (False, True)
+    open_ = replace(BEARING_6205, inner=replace(BEARING_6205.inner, shoulder_half_width=None))
+    unknown = found_at(replace(scene, bearing=open_), {**ROLLING, "finite_geometry": True}).points[0]
+    assert bool(unknown["beyond_fit"])
+    plain = found_at(scene, ROLLING).points[0]
+    assert (bool(plain["beyond_fit"]), bool(plain["fit_applied"])) == (False, False)
+    assert plain["total"] != point["total"]
+
+
+def test_loads_of_no_thrust_are_told_apart(bearing_6205: Bearing) -> None:
+    cases: tuple[tuple[dict[str, Any], dict[str, bool], int], ...] = (
+        ({"axial_load": 0.0}, {}, NO_THRUST),
+        ({"axial_load": 0.0, "radial_load": 30.0}, {}, NO_DISTRIBUTION),
+        ({"axial_load": 0.0, "moment": -0.3}, {}, NO_DISTRIBUTION),
+        ({"axial_load": 0.0, "radial_load": 30.0}, {"load_distribution": True}, SETTLED),
+    )
+    for loads, counted, status in cases:
+        point = found_at(scene_of(bearing_6205, **loads, inner_speed=7.0), counted).points[0]
+        assert point["status"] == status
+        assert np.isnan(point["total"]) == (status != SETTLED)
