@@ -1,16 +1,25 @@
 """The drawing of a bearing: what is drawn has the dimensions of the scene, and words do not lie on each other."""
 
+import re
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any, cast
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
 from analytic.errors import InputError
 from analytic.scene import Arrangement, Scene
 from analytic.scenefile.read import load_scene
+from fembearing.quantities import METRIC
 from fembearing.report.drawing import draw_bearing
+from fembearing.report.figures.bearing_drawing import NOT_DRAWABLE, bearing_plot, shown_bearing
 from fembearing.report.figures.bearing_section import section_of
+from fembearing.report.figures.style import RED
+from fembearing.report.report import Report
+from fembearing.report.scene_view import GivenAngle, SolvedAngle
 from tests.report.figures.figure_reader import require_legible
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -98,3 +107,102 @@ def test_the_file_is_the_same_in_every_run_and_replaces_nothing(tmp_path: Path) 
         draw_bearing(scene, out=tmp_path / "one.svg")
     with pytest.raises(InputError, match=r"ends with '\.docx': give a file that ends with \.svg, \.png, \.pdf"):
         draw_bearing(scene, out=tmp_path / "my.docx")
+
+
+def words_of(scene: Scene) -> list[str]:
+    return [text.get_text() for text in draw_bearing(scene).texts]
+
+
+def test_the_title_counts_the_balls_and_names_a_pair_and_is_the_largest_of_all_words() -> None:
+    for name, words in (
+        ("6205", "6205: 9 balls of 7.94 mm"),
+        ("6205, a pair", "6205: two, arranged O; 9 balls of 7.94 mm"),
+    ):
+        figure = draw_bearing(scene_of(name))
+        title, *others = figure.texts
+        assert re.sub(r"\d\.\d+ mm", "7.94 mm", title.get_text()) == words
+        assert float(title.get_fontsize()) > max(float(each.get_fontsize()) for each in others)
+
+
+def test_a_guess_is_dashed_and_said_to_be_one() -> None:
+    scene = load_scene("7208B")
+    bearing = scene.bearing
+    for unknown, dashed in (
+        ({}, False),
+        ({"width": None}, True),
+        ({"inner": replace(bearing.inner, shoulder_half_width=None)}, True),
+    ):
+        guessed = replace(scene, bearing=replace(bearing, **unknown))  # pyright: ignore[reportArgumentType]
+        section = draw_bearing(guessed).axes[0]
+        assert ("Dashed: guess, as the scene has no such dimension." in words_of(guessed)[-1]) == dashed
+        assert any(line.get_color() == RED for line in section.get_lines()) == dashed
+
+
+def test_a_page_has_the_drawing_without_its_table_or_says_that_there_is_none() -> None:
+    scene = load_scene("6205-dry")
+    table, angle = draw_bearing(scene), SolvedAngle(rule="solved", free=scene.contact_angle.free)
+
+    def drawn(**changed: Any) -> tuple[Figure | None, str]:
+        known = {"bearing": scene.bearing, "cage": scene.cage, "contact_angle": angle} | changed
+        return bearing_plot(cast(Report, SimpleNamespace(scene=SimpleNamespace(**known), units=METRIC)))
+
+    figure, caption = drawn()
+    assert figure is not None
+    assert "Without load" in caption
+    for one, other in zip(figure.axes, table.axes, strict=True):
+        assert [text.get_text() for text in one.texts] == [text.get_text() for text in other.texts]
+        np.testing.assert_allclose([one.get_xlim(), one.get_ylim()], [other.get_xlim(), other.get_ylim()], rtol=1e-12)
+    assert "gap between balls" in [text.get_text() for text in table.texts]
+    assert "gap between balls" not in [text.get_text() for text in figure.texts]
+    assert figure.get_figheight() < table.get_figheight()
+    require_legible(figure)
+    bare, _ = drawn(cage=None)
+    assert bare is not None
+    assert not any("cage pocket" in text.get_text() for text in bare.axes[0].texts)
+    assert any("cage pocket" in text.get_text() for text in figure.axes[0].texts)
+    loaded, _ = drawn(contact_angle=GivenAngle(rule="given", value=0.31))
+    assert loaded is not None
+    assert any("contact angle, loaded, given\n17.76 deg" in text.get_text() for text in loaded.axes[0].texts)
+    assert drawn(bearing=replace(scene.bearing, width=-1e-3)) == (None, NOT_DRAWABLE)
+
+
+def test_the_origin_of_the_angle_is_the_scene_the_clearance_or_the_kind_of_bearing() -> None:
+    nominal, free, thrust = (load_scene(name).bearing for name in ("7208B", "6205", RIG))
+    for bearing, angle, words in (
+        (nominal, None, "given; nominal, sets the clearance"),
+        (nominal, 0.2, "given; the scene"),
+        (replace(nominal, origins={}), None, "derived; from clearance and grooves"),
+        (free, None, "derived; from clearance and grooves"),
+        (free, 0.2, "given; the scene"),
+        (thrust, None, "derived; of every thrust bearing"),
+    ):
+        shown = shown_bearing(bearing, "solved", angle)
+        assert shown.angle_origin == words
+        expected = np.pi / 2 if bearing is thrust else section_of(bearing).angle if angle is None else angle
+        assert shown.angle == pytest.approx(expected, rel=1e-12)
+
+
+def test_a_clearance_that_can_be_seen_is_not_called_too_small() -> None:
+    scene = load_scene("6205")
+    bearing, ball = scene.bearing, scene.bearing.ball_diameter
+    for share, small in ((0.019, True), (0.021, False)):
+        outer = bearing.inner.bottom_radius + ball + share * ball / 2
+        wide = replace(bearing, outer=replace(bearing.outer, bottom_radius=outer))
+        texts = [text.get_text() for text in draw_bearing(replace(scene, bearing=wide)).axes[0].texts]
+        (words,) = (each for each in texts if each.startswith("radial clearance"))
+        assert ("too small to see" in words) == small
+
+
+def test_rows_of_the_table_stand_one_below_the_other_in_three_columns() -> None:
+    figure = draw_bearing(load_scene("6205"))
+    texts = [text.get_text() for text in figure.texts]
+    first, last = texts.index("dimension"), texts.index("unloaded contact angle") + 3
+    places = np.array([text.get_position() for text in figure.texts[first:last]]).reshape(-1, 3, 2)
+    np.testing.assert_allclose(np.ptp(places[..., 0], axis=0), 0, atol=1e-12)
+    np.testing.assert_allclose(np.ptp(places[..., 1], axis=1), 0, atol=1e-12)
+    steps = -np.diff(places[:, 0, 1])
+    np.testing.assert_allclose(steps, steps[0], rtol=1e-9)  # even, downwards
+    assert steps[0] > 0
+    bottom = min(panel.get_position().y0 for panel in figure.axes)
+    assert places[0, 0, 1] < bottom  # below the views
+    assert places[-1, 0, 1] > figure.texts[-1].get_position()[1] > 0  # above the last line

@@ -1,12 +1,15 @@
 """Maps of a sweep's dataset: lines for one axis, colours for two, panels for more."""
 
 import json
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import xarray
+from matplotlib.colors import LogNorm
+from matplotlib.contour import ContourSet
 
-from fembearing.report.figures.sweep_maps import map_figure
+from fembearing.report.figures.sweep_maps import map_figure, write_maps
 from tests.report.figures.figure_reader import require_legible
 
 
@@ -79,3 +82,110 @@ def test_further_axes_stand_side_by_side_and_failures_are_named() -> None:
     assert [panel.get_title() for panel in figure.axes[:3]] == ["viscosity 0.1", "viscosity 0.2", "viscosity 0.3"]
     assert figure.get_suptitle() == "friction torque (grey: failed)"
     assert len(map_figure(made(a=np.arange(9.0), b=np.arange(8.0), c=np.arange(7.0)), "torque_total").axes) == 7
+
+
+def mesh_of(panel: Any) -> Any:
+    (found,) = (part for part in panel.collections if type(part).__name__ == "QuadMesh")
+    return found
+
+
+def test_four_panels_stand_in_a_square_and_others_in_rows_of_three() -> None:
+    for count, rows, columns in ((1, 1, 1), (2, 1, 2), (3, 1, 3), (4, 2, 2), (5, 2, 3), (6, 2, 3)):
+        grid = {"load": np.arange(1.0, 9.0), "speed": np.arange(2.0, 10.0)}
+        figure = map_figure(made(**grid, viscosity=0.1 * np.arange(1, 1 + count)), "torque_total")
+        panels = [panel for panel in figure.axes if panel.get_subplotspec() is not None and panel.axison][:count]
+        places = [panel.get_subplotspec() for panel in panels]
+        found = [(place.rowspan.start, place.colspan.start) for place in places if place is not None]
+        assert found == [divmod(number, columns) for number in range(count)]
+        assert [bool(panel.get_xlabel()) for panel in panels] == [row == rows - 1 for row, _ in found]
+        assert [bool(panel.get_ylabel()) for panel in panels] == [column == 0 for _, column in found]
+        width, height = figure.get_size_inches()
+        assert (width / columns, height / rows) > (4.6, 3.6)  # inches: panels keep their size
+        assert width / columns < 7
+        assert height / rows < 5
+
+
+def test_a_wide_range_of_values_has_a_logarithmic_scale() -> None:
+    dataset = made(load=[100.0, 300.0, 500.0, 900.0], speed=[50.0, 90.0, 500.0])
+    for most, wide in ((0.19, False), (0.21, True)):
+        dataset["torque_total"].values[:] = np.linspace(0.01, most, 12).reshape(4, 3)
+        panel = map_figure(dataset, "torque_total").axes[0]
+        assert isinstance(mesh_of(panel).norm, LogNorm) == wide
+        (lines,) = map_figure(dataset.isel(speed=[0]), "torque_total").axes
+        few = np.ptp(dataset["torque_total"].values[:, 0]) > 19 * 0.01
+        assert lines.get_yscale() == ("log" if few else "linear")
+    dataset["torque_total"].values[:] = np.linspace(-0.01, 0.21, 12).reshape(4, 3)
+    assert not isinstance(mesh_of(map_figure(dataset, "torque_total").axes[0]).norm, LogNorm)
+
+
+def test_contours_stand_at_round_values_inside_the_range() -> None:
+    """The values are 1000 times as large in N mm: 10 to 70."""
+    dataset = made(load=[100.0, 300.0, 500.0, 900.0], speed=[50.0, 90.0, 500.0])
+    dataset["torque_total"].values[:] = np.linspace(0.01, 0.07, 12).reshape(4, 3)
+    panel = map_figure(dataset, "torque_total").axes[0]
+    (contours,) = (part for part in panel.get_children() if isinstance(part, ContourSet))
+    levels = np.asarray(contours.levels)
+    assert levels.tolist() == sorted(levels.tolist())
+    assert np.all((levels > 10) & (levels < 70))
+    np.testing.assert_allclose(np.diff(levels), levels[1] - levels[0], rtol=1e-9)
+    assert 4 <= levels.size <= 8
+    dataset["torque_total"].values[:] = 0.02
+    assert not [
+        part for part in map_figure(dataset, "torque_total").axes[0].get_children() if isinstance(part, ContourSet)
+    ]
+
+
+def test_dots_stand_at_every_computed_point() -> None:
+    dataset = made(load=[100.0, 300.0, 500.0, 900.0], speed=[50.0, 90.0, 500.0])
+    (dots,) = map_figure(dataset, "torque_total").axes[0].get_lines()
+    found = {(float(x), float(y)) for x, y in np.asarray(dots.get_xydata())}
+    assert found == {(speed, load) for load in (100.0, 300.0, 500.0, 900.0) for speed in (50.0, 90.0, 500.0)}
+
+
+def test_cells_of_a_logarithmic_axis_end_in_the_middle_of_the_logarithm() -> None:
+    dataset = made(load=[10.0, 40.0, 160.0, 640.0], speed=[50.0, 90.0, 130.0])
+    dataset["torque_total"][1, 1] = np.nan
+    panel = map_figure(dataset, "torque_total").axes[0]
+    np.testing.assert_allclose(panel.get_ylim(), (5.0, 1280.0), rtol=1e-9)  # half a step of 4 beyond both ends
+    np.testing.assert_allclose(panel.get_xlim(), (30.0, 150.0), rtol=1e-9)
+    corners = np.asarray(mesh_of(panel).get_coordinates())
+    np.testing.assert_allclose(corners[:, 0, 1], [5, 20, 80, 320, 1280], rtol=1e-9)
+    np.testing.assert_allclose(corners[0, :, 0], [30, 70, 110, 150], rtol=1e-9)
+
+
+def test_too_many_lines_are_thinned_evenly_with_both_ends() -> None:
+    for count, names in ((8, range(8)), (9, (0, 1, 2, 3, 5, 6, 7, 8)), (15, range(0, 15, 2))):
+        dataset = made(name=[f"B{number}" for number in range(count)], load=[1.0, 2.0, 3.0])
+        (panel,) = map_figure(dataset, "torque_total").axes
+        assert [line.get_label() for line in panel.lines] == [f"name B{number}" for number in names]
+    assert panel.get_legend() is not None
+    (alone,) = map_figure(made(load=[1.0, 2.0, 3.0]), "torque_total").axes
+    assert alone.get_legend() is None
+
+
+def test_values_that_are_missing_from_lines_are_gaps() -> None:
+    dataset = made(load=[1.0, 2.0, 3.0, 4.0])
+    dataset["torque_total"][1] = np.nan
+    assert map_figure(dataset, "torque_total").get_suptitle() == "friction torque (gaps: failed)"
+
+
+def test_an_axis_of_one_value_stands_in_the_title() -> None:
+    dataset = made(speed=[50.0], load=[1.0, 2.0, 3.0])
+    assert map_figure(dataset, "torque_total").get_suptitle() == "friction torque, speed 50"
+
+
+def test_discrepancies_are_shown_in_per_cent() -> None:
+    dataset = made(load=[1.0, 2.0, 3.0]).rename(torque_total="discrepancy_peak_pressure")
+    (panel,) = map_figure(dataset, "discrepancy_peak_pressure").axes
+    np.testing.assert_allclose(np.asarray(panel.lines[0].get_ydata()), 100 * dataset["discrepancy_peak_pressure"])
+    assert panel.get_ylabel().endswith(", %")
+
+
+def test_pictures_are_written_of_what_has_numbers_and_an_axis(tmp_path: Path) -> None:
+    dataset = made(load=[1.0, 2.0, 3.0])
+    lost = dataset["torque_total"] * np.nan
+    dataset["peak_pressure"] = lost.assign_attrs(dataset["torque_total"].attrs)
+    dataset["unknown"] = dataset["torque_total"]
+    assert write_maps(dataset, tmp_path) == [tmp_path / "torque_total.png"]
+    assert (tmp_path / "torque_total.png").read_bytes().startswith(b"\x89PNG")
+    assert write_maps(made(load=[1.0]), tmp_path) == []
