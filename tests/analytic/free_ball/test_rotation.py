@@ -1,18 +1,27 @@
 """Free balls against two other programs, closed forms of creep, limits, and the equations that define them."""
 
+import math
 from dataclasses import replace
+from inspect import unwrap
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
 
 from analytic.errors import ConvergenceError
-from analytic.free_ball import kernel, strips, turning
+from analytic.free_ball import kernel, passes, strips, turning
 from analytic.free_ball.rotation import Nodes, _write_nodes, quadratures_of
 from analytic.free_ball.state import QUADRATURE, contact_states
+from analytic.free_ball.stress import flow_at
 from analytic.loads.kinematics import ball_kinematics
+from analytic.loads.numbers import bearing_numbers
 from analytic.loads.state import ball_states
 from analytic.numerics.records import Record, as_record
-from analytic.scene import Array
+from analytic.oil.law_table import law_address
+from analytic.oil.own_law import ACCURACY, own_traction
+from analytic.oil.traction import PointLaw, stress_and_slope
+from analytic.scene import Array, ContactAngle
 from analytic.sliding.judge import OVER_ELLIPSE
 from analytic.solve.model import model_of
 from analytic.solve.solution import points_of, solved
@@ -291,3 +300,175 @@ def test_oil_in_series_with_the_surfaces_is_softer_than_either() -> None:
         outcome = one_contact(softened, slip, passing=passing, marched=True, nodes=Nodes(16, 16))
         along[name] = -outcome["along"]
     assert 0 < along["both"] < min(along["oil"], along["surfaces"])
+
+
+def with_fields(state: Record, **changed: float) -> Record:
+    other = state.copy()
+    for name, value in changed.items():
+        other[name] = value
+    return other
+
+
+def point_law(state: Record) -> PointLaw:
+    return PointLaw(*(float(state[name]) for name in PointLaw._fields))
+
+
+SLIPS = (2.3e-8, -1.1e-8, 1.7e-5), (3e-6, 2e-6, -4e-3), (2e-9, 1e-9, 3e-7)  # most of the oil at its limit, all, none
+
+
+@pytest.mark.parametrize("marched", [False, True])
+@pytest.mark.parametrize("slip", SLIPS)
+def test_eyrings_law_as_a_users_law_acts_as_the_built_in_one(slip: tuple[float, float, float], marched: bool) -> None:
+    row = contact(radius=1e9, semi_axis_rolling=2e-4, **OILED)
+    own = with_fields(row, own=law_address(own_traction("eyring", math.asinh)))
+    built_in, users = (
+        one_contact(each, slip, passing=0.01, marched=marched, nodes=Nodes(12, 10)) for each in (row, own)
+    )
+    for name in ("along", "across", "power", "spin_power", "friction"):
+        assert users[name] == pytest.approx(built_in[name], rel=3 * ACCURACY), name
+
+
+def test_a_users_law_has_a_tangent_too() -> None:
+    """That of Eyring's law: a residual of forces and its slopes, by both kinds of creep."""
+    own = law_address(own_traction("eyring", math.asinh))
+    for marched in (False, True):
+        found = []
+        for law in (0.0, own):
+            states = contact(ring_rate=1.0, semi_axis_rolling=2e-4, own=law, **OILED)
+            contacts = np.stack([states, with_fields(states, normal_radial=0.97, normal_axial=0.243, ring_rate=0.0)])
+            ball, quadrature = ball_of((8.03e-3, 2e-5, 1.7e-3, -8.2e-3)), quadrature_of(Nodes(12, 10), marched=marched)
+            flows = np.empty((2, quadrature.strips, 2, quadrature.nodes))
+            for race in range(2):
+                strips.hold_flows(as_record(contacts[race]), quadrature, flows[race])
+            tangent = np.zeros((4, 4))
+            sums, passing = (np.zeros(4), tangent, np.zeros((3, 4))), np.array([0.004, -0.005])
+            kernel._residual(contacts, ball, ball.velocity, passing, quadrature, flows, sums)
+            found.append(tangent)
+        # The table's slopes follow those of the function to 1e-3 (tests/analytic/oil/test_own_law.py).
+        np.testing.assert_allclose(found[1], found[0], rtol=0, atol=1e-3 * np.abs(found[0]).max())
+
+
+@pytest.mark.parametrize("nodes", [Nodes(7, 6), Nodes(8, 5)])
+@pytest.mark.parametrize("marched", [False, True])
+def test_the_oil_of_every_node_flows_by_its_own_pressure(nodes: Nodes, marched: bool) -> None:
+    row, quadrature = contact(**OILED), quadrature_of(nodes, marched=marched)
+    flows = np.full((quadrature.strips, 2, quadrature.nodes), np.nan)
+    strips.hold_flows(as_record(row), quadrature, flows)
+    peak = 1.5 * row["load"] / (np.pi * row["semi_axis_rolling"] * row["semi_axis_transverse"])
+    for j in range(quadrature.strips):
+        for k in range(quadrature.nodes):
+            pressure = float(peak * quadrature.across[1, j] * quadrature.along[1, k])
+            np.testing.assert_allclose(flows[j, :, k], flow_at(point_law(row), pressure), rtol=1e-9)
+
+
+@pytest.mark.parametrize("own", [False, True])
+@pytest.mark.parametrize("law", [{}, OILED])
+def test_the_powers_of_the_law_are_integrals_over_the_contact(law: dict[str, float], own: bool) -> None:
+    """Of stress times slip without creep, and of pressure times slip, on a curved surface; one race has no load."""
+    address = law_address(own_traction("eyring", math.asinh)) if own and law else 0.0
+    row = contact(ring_rate=1.0, semi_axis_rolling=3e-4, own=address, **law)
+    contacts = np.stack([row, with_fields(row, load=0.0)]).view(np.recarray)
+    velocity = np.array([8.03e-3, 2e-5, 1.7e-3, -8.2e-3])
+    kernel.add_law_powers(contacts, ball_of(tuple(velocity)), quadrature_of(Nodes(64, 48), marched=False))
+    a, b, size = row["semi_axis_rolling"], row["semi_axis_transverse"], 4e-3
+    r, angle = np.sqrt((np.arange(60) + 0.5) / 60)[:, None], 2 * np.pi * (np.arange(160) + 0.5) / 160
+    x, y = np.broadcast_arrays(a * r * np.cos(angle), b * r * np.sin(angle))
+    pressure = 1.5 * row["load"] / (np.pi * a * b) * np.sqrt(1 - r**2) + 0 * x
+    normal, along = np.array([row["normal_radial"], 0.0, row["normal_axial"]]), np.array([0.0, 1.0, 0.0])
+    across = np.cross(along, normal)
+    # Places from the ball's centre, and what the surfaces of ball and ring do there
+    arm = (size - y**2 / (2 * row["radius"]))[..., None] * normal + y[..., None] * across
+    turns = np.array([velocity[2], velocity[1], velocity[3]]) / size
+    of_ball = velocity[0] * along + np.cross(turns, arm + 0 * x[..., None])
+    of_ring = np.cross([0.0, 0.0, 1.0], arm + np.array([0.02, 0.0, 0.0]))
+    spin = (turns - [0.0, 0.0, 1.0]) @ normal
+    sliding = np.hypot((of_ball - of_ring) @ along, (of_ball - of_ring) @ across + spin * x)
+    each = zip(pressure.ravel().tolist(), sliding.ravel().tolist(), strict=True)
+    stresses = np.array([stress_and_slope(point_law(row), *point)[0] for point in each])
+    area = np.pi * a * b / x.size
+    assert contacts[0].law_power == pytest.approx(area * float(stresses @ sliding.ravel()), rel=3e-3)  # of the cells
+    assert contacts[0].unit_power == pytest.approx(area * float(np.sum(pressure * sliding)), rel=3e-3)
+    assert contacts[1].law_power == contacts[1].unit_power == 0
+
+
+@pytest.mark.parametrize("marched", [False, True])
+def test_at_standstill_all_friction_opposes_the_slip_at_once(marched: bool) -> None:
+    """Surfaces that do not pass each other have no creep."""
+    row = contact(radius=1e9)
+    outcome = one_contact(row, (3e-9, 4e-9, 0.0), passing=0.0, marched=marched, nodes=Nodes(24, 24))
+    found = -outcome["along"], -outcome["across"]
+    # 24 marched nodes at even angles are 1e-2 off the sum over a strip.
+    assert found == pytest.approx((0.6 * 0.07 * 300.0, 0.8 * 0.07 * 300.0), rel=0.01)
+
+
+def test_four_equations_are_solved_with_pivots() -> None:
+    random = np.random.default_rng(9)
+    for number in range(8):
+        matrix, right = random.normal(size=(4, 4)), random.normal(size=4)
+        if number % 2:
+            np.fill_diagonal(matrix, 0.0)
+        expected, found = np.linalg.solve(matrix, right), right.copy()
+        kernel._solved(matrix.copy(), found)
+        np.testing.assert_allclose(found, expected, rtol=1e-9)  # round-off, times the condition
+
+
+NODES = Nodes(16, 12)
+
+
+@pytest.mark.parametrize("race", [0, 1])
+def test_a_ball_on_one_race_rolls_there_and_keeps_its_orbit_and_its_spin(race: int) -> None:
+    """Friction balances the gyroscopic moment about the axis of rolling; on a curved surface some slides back."""
+    loaded = contact(ring_rate=1.0 - race, radius=4.1e-3, semi_axis_rolling=2e-4)
+    contacts = np.stack([with_fields(loaded, load=0.0, across=7.0)] * 2)
+    contacts[race] = loaded
+    before = (8.1e-3, 3e-5, 1.1e-3, -6e-3)
+    ball = ball_of(before, inertia=3.0)
+    passing, quadrature = kernel._passing(as_record(loaded), ball, ball.velocity), quadrature_of(NODES, marched=False)
+    assert kernel.turn_ball(contacts, ball, quadrature, 1e-10) <= 1e-10
+    assert contacts["across"].tolist() == [0.0, 0.0]
+    assert contacts["friction"][1 - race] == contacts["power"][1 - race] == 0
+    assert tuple(ball.velocity[:2]) == before[:2]
+    normal = np.array([loaded["normal_radial"], loaded["normal_axial"]])
+    assert normal @ ball.velocity[2:] == pytest.approx(normal @ before[2:], rel=1e-9)
+    across = np.array([-normal[1], normal[0]])
+    flows, force = np.zeros((quadrature.strips, 2, quadrature.nodes)), np.zeros(4)  # Coulomb friction has no flow
+    sums = force, np.zeros((4, 4)), np.zeros((3, 4))
+    kernel._contact(as_record(contacts[race]), ball, ball.velocity, passing, quadrature, flows, sums)
+    gyroscopic = 3.0 / 0.02 * ball.velocity[0] * ball.velocity[1] * across[0]  # N, of the inertia above
+    assert across @ force[2:] == pytest.approx(gyroscopic, rel=0, abs=2e-10 * contacts["friction"][race])
+    slide = before[0] + across @ ball.velocity[2:] - loaded["ring_rate"] * (0.02 + 4e-3 * normal[0])
+    # It slides by more than nothing, and by less than the surface curves away at the ends.
+    assert 0.01 < abs(slide) / abs(across @ ball.velocity[2:] / 4e-3 * 1.1e-3**2 / (2 * 4.1e-3)) < 1
+
+
+def test_a_start_leads_back_to_where_its_ball_settled() -> None:
+    """Given what balls do by rule: angles, loads, speeds and forces. A race without load has none to start from."""
+    numbers, angle = bearing_numbers(BEARING_6205, ContactAngle(rule="solved", free=0.18)), (0.31, 0.22)
+    free = turning.free_numbers(BEARING_6205, orbit=0.0195, creep="closed", inertia=(True, True))
+    model: Any = SimpleNamespace(ring=SimpleNamespace(bearing=numbers), free=free)
+    begin, leave = unwrap(passes._begin), unwrap(passes._leave)
+    for load in ((90.0, 120.0), (0.0, 120.0)):
+        ball = as_record(ball_states(1)[0])
+        ball.angle, ball.load, ball.given = angle, load, (3.1, -0.2, 0.4)
+        ball.orbit_radius = turning.orbit_at(numbers, free, ball)
+        velocity = (8.1e-3, 3e-5, 1.1e-3, -8e-3)
+        ball.velocity = velocity
+        leave(model, ball, np.array([0.29, 0.25, load[0] * 1.1, load[1] * 0.9]))
+        ball.angle, ball.load, ball.velocity, ball.given = (0.29, 0.25), (load[0] * 1.1, load[1] * 0.9), 0.0, 0.0
+        begin(model, ball, True)
+        np.testing.assert_allclose(ball.angle, angle, rtol=1e-12)
+        np.testing.assert_allclose(ball.load, load, rtol=1e-12)
+        np.testing.assert_allclose(ball.velocity, velocity, rtol=1e-9)
+        np.testing.assert_array_equal(ball.given, (3.1, -0.2, 0.4))
+        assert ball.motion.cage_speed == pytest.approx(velocity[0] / ball.orbit_radius, rel=1e-9)
+        begin(model, ball, False)
+        assert np.isnan(ball.velocity[0])
+        assert np.isnan(ball.given[0])
+        ruled = ball_kinematics(
+            inner_speed=1.0,
+            inner_angle=0.31,
+            outer_angle=0.22,
+            pitch_diameter=BEARING_6205.pitch_diameter,
+            ball_diameter=BEARING_6205.ball_diameter,
+        )
+        assert ball.motion.cage_speed == pytest.approx(float(ruled.cage_speed), rel=1e-9)

@@ -5,14 +5,16 @@ import pytest
 from scipy.optimize import brentq, root
 
 from analytic.contact.factors import FactorNumbers
-from analytic.free_ball import kernel, turning
-from analytic.free_ball.rotation import quadratures_of
-from analytic.free_ball.stress import Shear, sheared
+from analytic.free_ball import kernel, stress, turning
+from analytic.free_ball.rotation import Creep, quadratures_of
+from analytic.free_ball.stress import Shear, flow_at, sheared, yielding
+from analytic.loads.balls import LoadEffects, thrust_balls
 from analytic.loads.numbers import bearing_numbers
 from analytic.loads.race_contacts import unit_contact_on
 from analytic.loads.state import ball_states
 from analytic.numerics.records import as_record
-from analytic.scene import Array, Bearing, ContactAngle
+from analytic.oil.traction import PointLaw
+from analytic.scene import Array, Bearing, ContactAngle, Operation
 from tests.analytic.free_ball.specimens import FINE, angular_contact, under_thrust
 from tests.analytic.specimens import BEARING_6205
 
@@ -120,3 +122,76 @@ def test_the_stress_of_a_creeping_point_by_a_bracketing_search() -> None:
         assert stress == pytest.approx(expected, rel=1e-12)  # of the search
         assert slope == pytest.approx(rise, rel=1e-6)  # it is for Newton's method
     assert min(sticks, flows, yields) > 30
+
+
+def test_the_hyperbolic_functions_have_all_digits_on_both_sides_of_their_series() -> None:
+    for y in (0.0, 1e-9, 1e-3, 0.17, 0.2999, 0.3001, 0.7, 3.0, 40.0, 300.0):
+        np.testing.assert_allclose(
+            stress._hyperbolic(y), [np.sinh(y), np.cosh(y)], rtol=2e-15
+        )  # of the series' next term
+
+
+def test_oil_that_slides_has_the_slope_of_its_stress_and_none_at_its_limit() -> None:
+    shear = Shear(3.1e5, 1.9e7, 4.7e6, 2.3e4, float(np.sinh(1.9 / 0.47)) / 2.3e4)
+    for slip in (1e-7, 3e-5, 0.9999 * shear.most):
+        found, slope = yielding(slip, shear)
+        assert found == pytest.approx(3.1e5 + 4.7e6 * np.arcsinh(2.3e4 * slip), rel=1e-12)
+        step = 1e-4 * slip
+        ends = [yielding(slip + side * step, shear)[0] for side in (-1, 1)]
+        assert slope == pytest.approx((ends[1] - ends[0]) / (2 * step), rel=1e-6)
+    assert yielding(shear.most, shear) == yielding(7 * shear.most, shear) == (3.1e5 + 1.9e7, 0.0)
+
+
+def test_oil_flows_up_to_the_slip_at_which_it_shears_at_its_limit() -> None:
+    """Thickened by the pressure in it; solid oil, and a law without an Eyring stress, shear at their limit at once."""
+    law = PointLaw(boundary=0.02, limit=0.05, eyring=4.7e6, fluidity=3e3, share=0.9, growth=7.0, exponent=0.6)
+    pressure = 0.31e9
+    fluidity, most = flow_at(law, pressure)
+    thicker = np.exp(7.0 * ((1 + 5.1e-9 * 0.9 * pressure) ** 0.6 - 1))
+    assert fluidity == pytest.approx(3e3 * thicker, rel=1e-9)
+    assert 4.7e6 * np.arcsinh(fluidity * most) == pytest.approx(0.05 * pressure, rel=1e-9)
+    for changed in ({"eyring": 0.0}, {"fluidity": np.inf}, {"fluidity": 2e250}, {"fluidity": 1e248}):
+        assert flow_at(law._replace(**changed), pressure) == (0.0, 0.0)
+    assert flow_at(law._replace(fluidity=1e248 / thicker), pressure)[0] == pytest.approx(1e248, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("creep", "along", "across"), [("closed", 1.0, 1.0), ("marched", 1.35, 0.8), ("none", 1e-3, 1.0)]
+)
+def test_the_flexibility_is_that_of_a_6205_by_another_program(creep: Creep, along: float, across: float) -> None:
+    """s_c/u = L p0 mu/a is 0.0020845 inside and 0.0018872 outside, under 1000 N at 0.18 rad and mu = 0.1.
+
+    Fitted factors multiply it along and across; surfaces without creep are a thousand times as stiff.
+    """
+    operation = Operation(axial_load=np.array([1000.0]), inner_speed=np.array([31.0])).as_series()
+    still = LoadEffects(centrifugal=False, gyroscopic=False)
+    balls = thrust_balls(BEARING_6205, ContactAngle(rule="given", value=0.18), operation, still)
+    peak = balls.contact.peak_pressure[:, 0, 0]
+    found = turning.free_numbers(BEARING_6205, orbit=0.02, creep=creep, inertia=(True, False))
+    np.testing.assert_allclose(np.array(found.flexibility) * peak * 0.1 / along, [0.0020845, 0.0018872], rtol=2e-4)
+    assert found.lean == pytest.approx(across / (along if creep == "marched" else 1.0), rel=1e-12)
+    assert (found.orbit, found.centrifugal, found.gyroscopic) == (0.02, True, False)
+
+
+def test_the_motion_of_a_ball_is_that_of_its_vectors() -> None:
+    """Surfaces of ball and rings at both contacts, relative to the orbit; radial, along the orbit, and axial."""
+    radius, orbit, angles = 4.1e-3, 0.0203, (0.41, 0.23)
+    velocity = np.array([8.1e-3, 3.7e-4, 1.9e-3, -7.7e-3])
+    found = turning.free_motion(radius, angles, orbit, velocity)
+    rate = velocity[0] / orbit
+    turns = np.array([velocity[2], velocity[1], velocity[3]]) / radius - [0, 0, rate]
+    assert found.cage_speed == pytest.approx(rate, rel=1e-12)
+    assert found.ball_speed == pytest.approx(np.linalg.norm(turns), rel=1e-12)
+    np.testing.assert_allclose(np.tan(found.pitch), turns[0] / -turns[2], rtol=1e-12)
+    spins = []
+    for angle, side, ring, name in ((angles[0], -1, 1.0 - rate, "inner"), (angles[1], 1, -rate, "outer")):
+        normal = side * np.array([np.cos(angle), 0.0, np.sin(angle)])
+        place = np.array([orbit, 0.0, 0.0]) + radius * normal
+        of_ball, of_ring = np.cross(turns, radius * normal), np.cross([0.0, 0.0, ring], place)
+        along = np.array([0.0, 1.0, 0.0])
+        past = turns - [0.0, 0.0, ring]
+        assert getattr(found, f"{name}_radius") == pytest.approx(place[0], rel=1e-12)
+        assert getattr(found, f"{name}_entrainment") == pytest.approx(abs((of_ball + of_ring) @ along) / 2, rel=1e-12)
+        assert getattr(found, f"{name}_rolling_rate") == pytest.approx(abs(past @ np.cross(along, normal)), rel=1e-12)
+        spins.append(past @ normal)
+    assert found.spin_difference == pytest.approx(abs(spins[0] + spins[1]), rel=1e-12)
