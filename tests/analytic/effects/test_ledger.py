@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from analytic.effects.table import CHOSEN, ENTRIES, TRIED
+from analytic.effects.ledger import Effect, Effects, Ledger, share_in, size_of
+from analytic.effects.table import CHOSEN, ENTRIES, LIMITS, TRIED
 from analytic.errors import InputError
 from analytic.result import FrictionTorque
 from analytic.scene import Bearing, Scene
@@ -127,3 +128,87 @@ def test_the_effects_print_as_lines_in_words(bearing_6205: Bearing) -> None:
     assert lines[0].startswith(f"{effects[0].name}: {effects[0].decision}, ")
     assert repr(effects).startswith("Effects(")
     assert "object at" not in f"{effects}{effects!r}"
+
+
+def test_the_size_of_an_effect_in_words() -> None:
+    for share, words in (
+        (0.034, "up to 3.4 % of the torque"),
+        (1.0, "up to 100 % of the torque"),
+        (1.01, "larger than the torque"),
+        (np.inf, "no bound known"),
+    ):
+        assert size_of(share) == words
+
+
+def test_a_share_of_no_torque_is_none() -> None:
+    np.testing.assert_array_equal(share_in(np.array([3.0, 0.0, 2.0]), np.array([12.0, 0.0, 0.0])), [0.25, 0.0, 0.0])
+
+
+def test_an_effect_is_decided_by_words_before_its_size(bearing_6205: Bearing) -> None:
+    """What lacks its input, then off, then what makes it impossible, then on, then what demands it, then the size."""
+    words: dict[str, Any] = {"hysteresis": "off", "spin": "on"}
+    ledger = Ledger(replace(dry(bearing_6205), effects=words, tolerance=0.1), 2)
+    small, large = np.array([0.01, 0.02]), np.array([0.01, 0.2])
+    cases: list[tuple[str, dict[str, Any], str, str]] = [
+        ("rolling", {"bound": small}, "off", "no lubricant is given"),
+        ("hysteresis", {"demanded": "always"}, "off", "off in the scene; size not computed"),
+        ("hysteresis", {"bound": large}, "off", "off in the scene"),
+        ("conformity", {"lacks": "nothing slides", "demanded": "always"}, "off", "nothing slides"),
+        ("spin", {"bound": small, "demanded": "always"}, "on", "on in the scene"),
+        ("conformity", {"bound": small, "demanded": "always"}, "on", "always"),
+        ("conformity", {}, "on", "always computed: no cheap bound"),
+        ("conformity", {"bound": small}, "off", "up to 2 % of the torque, within the budget of 5 %"),
+        ("asperities", {"bound": np.array([0.3, 1.2])}, "off", "coefficient is given"),
+        ("finite_geometry", {"bound": np.array([0.3, 1.2])}, "on", "larger than the torque"),
+    ]
+    for name, given, decision, reason in cases:
+        assert ledger.decide(name, **given) == (decision == "on")
+        made = ledger.made[name]
+        assert made.decision == decision
+        assert reason in made.reason, name
+    assert ledger.made["finite_geometry"].share == 1.2
+    assert ledger.rules_out("hysteresis")
+    assert not ledger.rules_out("spin")
+    ledger.not_applied("spin", "beyond its fit")
+    assert (ledger.is_on("spin"), ledger.made["spin"].reason) == (False, "beyond its fit")
+    with pytest.raises(InputError, match='spin = "on" is refused: why'):
+        ledger.settle("spin", on=False, reason="why")
+
+
+def test_a_budget_is_spent_at_each_point_by_itself(bearing_6205: Bearing) -> None:
+    ledger = Ledger(replace(dry(bearing_6205), tolerance=0.1), 3)
+    np.testing.assert_array_equal(ledger.leaves_out_at(np.array([0.05, 0.06, 0.03])), [True, False, True])
+    np.testing.assert_array_equal(ledger.left_out, [0.05, 0.0, 0.03])
+    assert not ledger.leaves_out(np.array([0.0, 0.0, 0.03]))
+    assert ledger.leaves_out(np.array([0.0, 0.05, 0.0]))
+    np.testing.assert_allclose(ledger.left_out, [0.05, 0.05, 0.03], rtol=1e-15)
+
+
+def test_what_nobody_models_cannot_be_on(bearing_6205: Bearing) -> None:
+    for name in LIMITS:
+        scene = dry(bearing_6205)
+        Ledger(replace(scene, effects={name: "off"}), 1)
+        words: dict[str, Any] = {name: "on"}
+        with pytest.raises(InputError, match=f'effects.{name} = "on" is refused: not modelled'):
+            Ledger(replace(scene, effects=words), 1)
+
+
+def test_shares_by_trial_are_measured_when_they_are_read() -> None:
+    made = {
+        "spin": Effect(name="spin", decision="on", share=0.5, reason="a part"),
+        "rolling": Effect(name="rolling", decision="on", share=None, reason="tried"),
+        "weight": Effect(name="weight", decision="off", share=0.01, reason="small"),
+    }
+    asked: list[str] = []
+
+    def measure(name: str) -> float:
+        asked.append(name)
+        return 0.25
+
+    effects = Effects(made, measure, frozenset({"rolling", "weight"}))
+    assert (len(effects), effects.decisions) == (3, {"spin": "on", "rolling": "on", "weight": "off"})
+    assert repr(effects) == "Effects(2 of 3 on: spin, rolling)"
+    assert not asked
+    assert [each.share for each in effects] == [0.5, 0.25, 0.01]
+    assert asked == ["rolling"]
+    assert [each.share for each in Effects(made, None, frozenset({"rolling"}))] == [0.5, None, 0.01]

@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from analytic.effects.limits import LimitNumbers
 from analytic.effects.table import LIMITS, PER_CUT_SHARE
 from analytic.result import FrictionTorque
 from analytic.scene import Bearing, ContactAngle, Operation, Scene
@@ -154,3 +155,46 @@ def test_the_torque_with_unknown_shoulders_is_more_uncertain(scene: Scene) -> No
     # The farther one is the uncertainty, which is of the unknown torque: apart itself in the second order.
     np.testing.assert_allclose(grown, np.max(apart, axis=0), rtol=0.02, atol=1e-6)
     assert any("shoulder not known" in warning for warning in unknown.warnings)
+
+
+def test_of_several_bearings_the_worst_counts_at_each_point() -> None:
+    numbers = LimitNumbers(
+        peak_pressure=np.array([[1.0e9, 2.0e9, 3.0e9], [1.5e9, 0.5e9, 2.5e9]]),
+        cut_off=np.array([[0.0, 0.02, 0.01], [0.03, 0.0, 0.0]]),
+        knows_shoulder=np.array([True, False]),
+        gyroscopic_hold=np.array([0.2, 0.7, 0.4]),
+    )
+    rows, points = (np.array([0, 2]), np.array([1])), (np.array([0, 1]), np.array([1]))
+    worst = numbers.worst(rows, points, 3)
+    np.testing.assert_array_equal(worst.peak_pressure, [[1.0e9, 3.0e9, 0.0], [1.5e9, 2.5e9, 0.0]])
+    np.testing.assert_array_equal(worst.cut_off, [[0.0, 0.02, 0.0], [0.03, 0.0, 0.0]])
+    np.testing.assert_array_equal(worst.gyroscopic_hold, [0.2, 0.7, 0.0])  # pyright: ignore[reportArgumentType]
+    assert worst.sliding_number is None
+    np.testing.assert_array_equal(worst.knows_shoulder, [True, False])
+    some = numbers.at(np.array([2, 0]))
+    np.testing.assert_array_equal(some.peak_pressure, [[3.0e9, 1.0e9], [2.5e9, 1.5e9]])
+    np.testing.assert_array_equal(some.knows_shoulder, [True, False])
+
+
+@pytest.mark.parametrize("race", ["inner", "outer"])
+def test_the_race_past_a_limit_is_named(scene: Scene, race: str) -> None:
+    """Under 7140 N the inner race is plastic; of a bearing with a tight outer groove the outer one is."""
+    bearing = scene.bearing
+    if race == "outer":
+        wide, tight = replace(bearing.outer, groove_radius=4.8e-3), replace(bearing.inner, groove_radius=4.0e-3)
+        bearing = replace(bearing, outer=wide, inner=tight)
+    series = Operation(axial_load=np.array([7140.0]), inner_speed=np.array([31.0]))
+    found = friction_torque(replace(scene, bearing=bearing, operation=series))
+    peaks = {name: float(getattr(found, name).peak_pressure[0]) for name in ("inner", "outer")}
+    for name, peak in peaks.items():
+        told = any(f"the peak pressure on the {name} race" in warning for warning in found.warnings)
+        assert told == (peak > 4.2e9)
+    assert peaks[race] == max(peaks.values()) > 4.2e9
+
+
+def test_one_unknown_shoulder_is_told_beside_the_known_one(scene: Scene) -> None:
+    outer = replace(scene.bearing.outer, shoulder_half_width=None)
+    found = friction_torque(replace(scene, bearing=replace(scene.bearing, outer=outer)))
+    reason = reason_of(found, "shoulder")
+    assert "shoulder not known: give bearing.outer.shoulder_height; semi-axis 1.12" in reason
+    assert "inner race's shoulder" in reason

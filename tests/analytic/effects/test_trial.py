@@ -7,16 +7,43 @@ import pytest
 from numpy.typing import NDArray
 
 from analytic.effects import trial
-from analytic.effects.table import TRIED
-from analytic.effects.trial import FEW, growth_by_wedging, method_of_changes, rolls_otherwise, trial_of
+from analytic.effects.ledger import Ledger
+from analytic.effects.table import (
+    PER_CENTRIFUGAL,
+    PER_CONFORMITY,
+    PER_DISTRIBUTION,
+    PER_GYROSCOPIC_SLIP,
+    PER_LAG,
+    PER_ORBIT,
+    PER_WEIGHT_SLIDING,
+    PER_WEIGHT_SLIP,
+    TRIED,
+)
+from analytic.effects.trial import (
+    FEW,
+    Trial,
+    at_all_points,
+    decide_effects,
+    growth_by_wedging,
+    left_out_at_all,
+    method_of_changes,
+    part_by_asperities,
+    possible,
+    rolls_otherwise,
+    slip_by_gyroscopic_moment,
+    slip_by_weight,
+    trial_of,
+    unequal_loads,
+    unseen_by_trial,
+)
 from analytic.oil.variation import NOMINAL
 from analytic.result import FrictionTorque
-from analytic.scene import Bearing, ContactAngle, Operation, Scene
+from analytic.scene import Array, Bearing, ContactAngle, Operation, Scene
 from analytic.sliding.judge import OVER_ELLIPSE, SINGLE_COEFFICIENT
 from analytic.solve.records import BALL, POINT
 from analytic.solve.solution import FAR, Solution
 from analytic.torque import friction_torque
-from tests.analytic.specimens import FINISH, OIL, drawn, idling, present, without
+from tests.analytic.specimens import FINISH, OIL, STAMPED_CAGE, drawn, dry, idling, present, without
 from tests.drawn_scenes import drawn_scene
 
 # Parts of the torque that the same balls lose: contact angles and shares of load are solved to 1e-12 or better.
@@ -275,3 +302,273 @@ def test_how_fast_free_balls_roll_is_bounded(
     monkeypatch.setattr(trial, needed, 0.0)
     (other,) = rolls_otherwise(scene.bearing, balls)
     assert other < apart  # each part is needed
+
+
+WEIGHT = 2.04e-3 * 9.80665  # N, of a ball of the 6205
+
+
+def balls_of(points: int = 1, balls: int = 2, **fields: object) -> Solution:
+    """A solution that nobody solved, with these fields of its balls; those of its points begin with `of_`."""
+    found = Solution(points=np.zeros(points, POINT), balls=np.zeros((points, balls), BALL))
+    for name, values in fields.items():
+        if name.startswith("of_"):
+            found.points[name[3:]] = values
+        else:
+            found.balls[name] = values
+    return found
+
+
+def ledger_of(bearing: Bearing, points: int, tolerance: float = 0.05, **changed: object) -> Ledger:
+    scene = replace(dry(bearing), tolerance=tolerance, spin_rule="balanced", **changed)  # pyright: ignore[reportArgumentType]
+    return Ledger(scene, points)
+
+
+def test_unequal_loads_are_those_of_statics_over_the_thrust(bearing_6205: Bearing) -> None:
+    """(Fr tan al + 2 M/d_m)/Fa, infinite without thrust, and nothing without either."""
+    operation = Operation(
+        axial_load=np.array([300.0, 700.0, 0.0, 0.0]),
+        inner_speed=np.ones(4),
+        radial_load=np.array([-40.0, 0.0, 3.0, 0.0]),
+        moment=np.array([0.0, -1.3, 0.0, 0.0]),
+    )
+    angles = np.array([0.31, -0.27, 0.2, 0.2])
+    found = balls_of(4, 1, angle=angles[:, None, None] * [1.0, 0.9])
+    expected = [40 * np.tan(0.31) / 300, 2 * 1.3 / 39.01e-3 / 700, np.inf, 0.0]
+    np.testing.assert_allclose(unequal_loads(dry(bearing_6205), operation, found), expected, rtol=1e-12)
+
+
+def test_the_part_of_asperities_is_the_largest_change_of_friction() -> None:
+    with_, without_ = (np.array([[[0.05, 0.02], [0.08, 0.0]]]), np.array([[[0.04, 0.03], [0.08, 0.0]]]))
+    change = part_by_asperities(balls_of(friction_coefficient=with_), balls_of(friction_coefficient=without_))
+    np.testing.assert_allclose(change, [1 / 3], rtol=1e-12)  # 0.01 of 0.03 on the outer race
+
+
+def test_slip_by_the_gyroscopic_moment_goes_with_what_friction_holds(bearing_6205: Bearing) -> None:
+    """At the worst ball; one without friction slips without a bound."""
+    ledger = ledger_of(bearing_6205, 2)
+    found = balls_of(2, 2, gyroscopic_use=[[0.01, 0.04], [np.nan, 0.0]])
+    np.testing.assert_allclose(slip_by_gyroscopic_moment(ledger, found), [0.04 * PER_GYROSCOPIC_SLIP, np.inf])
+
+
+def test_slip_by_weight_is_that_of_balls_that_friction_does_not_hold(bearing_6205: Bearing) -> None:
+    """mu Q of the weaker race against m g: half of the balls slip wholly here; sliding is a fifth of the torque."""
+    loads = np.array([[[2.0, 3.0], [0.5, 0.4]]])
+    friction = np.array([[[0.05, 0.04], [0.02, 0.03]]])
+    found = balls_of(load=loads, friction_coefficient=friction, of_spin=2.0, of_rolling=8.0)
+    held = np.array([0.1, 0.01])  # N, of the weaker race
+    slips = np.minimum(WEIGHT / held, 1).mean()
+    per = PER_WEIGHT_SLIP + PER_WEIGHT_SLIDING * 0.2
+    heaviest = np.array([3.0, 0.5])
+    np.testing.assert_allclose(slip_by_weight(bearing_6205, found), per * slips * WEIGHT / heaviest.mean(), rtol=1e-12)
+    # A ball that lags adds what unequal loads do: its lightest race counts.
+    found.points["rolling_force"], found.points["most_friction"] = 0.03, [0.2, 0.3]
+    lags = PER_DISTRIBUTION * 0.15 * WEIGHT / np.mean([2.0, 0.4])
+    np.testing.assert_allclose(
+        slip_by_weight(bearing_6205, found), per * slips * WEIGHT / heaviest.mean() + lags, rtol=1e-12
+    )
+    # A race without load holds nothing and does not count, and a ball without any has no friction.
+    free = balls_of(load=[[[0.0, 3.0], [0.0, 0.0]]], friction_coefficient=0.05, of_spin=2.0, of_rolling=8.0)
+    slips = (WEIGHT / 0.15 + 1) / 2
+    np.testing.assert_allclose(slip_by_weight(bearing_6205, free), per * slips * WEIGHT / 1.5, rtol=1e-12)
+
+
+def test_free_balls_roll_otherwise_by_conformity_and_by_the_orbit(bearing_6205: Bearing) -> None:
+    """y^2/(2 r R) at the end of the longer contact, R of the deformed groove; orbits differ by the grooves' radii."""
+    widths, angles = np.array([[[1.1e-3, 0.9e-3], [0.8e-3, 1.3e-3]]]), np.array([[[0.31, -0.37], [0.2, 0.3]]])
+    radius, inner, outer = 3.97e-3, 4.13e-3, 4.21e-3
+    conforms = max(1.1e-3**2 * (1 / inner + 1 / radius), 1.3e-3**2 * (1 / outer + 1 / radius)) / 2 / (2 * radius)
+    wider = (outer - inner) / 2 * (1 - np.cos(0.37))
+    expected = PER_CONFORMITY * conforms + PER_ORBIT * wider / (39.01e-3 / 2 - radius)
+    found = balls_of(semi_axis_transverse=widths, angle=angles)
+    np.testing.assert_allclose(rolls_otherwise(bearing_6205, found), expected, rtol=1e-9)  # of a sum of radii
+    washers = replace(bearing_6205, kind="thrust")
+    np.testing.assert_allclose(rolls_otherwise(washers, found), PER_CONFORMITY * conforms, rtol=1e-9)
+
+
+def test_shares_of_some_points_count_more_between_them(bearing_6205: Bearing) -> None:
+    """Of all points each has its own; of some the largest, times 1.25. Trials by rule say less of free balls."""
+    ruled = ledger_of(bearing_6205, 3)
+    free = Ledger(replace(ruled.scene, spin_rule="free"), 3)
+    some, own = np.array([0.01, 0.03]), np.array([0.01, 0.03, 0.02])
+    np.testing.assert_allclose(at_all_points(ruled, some), [1.25 * 0.03] * 3, rtol=1e-12)
+    np.testing.assert_array_equal(at_all_points(ruled, own), own)
+    np.testing.assert_allclose(left_out_at_all(ruled, own), 2.5 * own, rtol=1e-12)
+    np.testing.assert_allclose(left_out_at_all(free, own), 6.0 * own, rtol=1e-12)
+
+
+def tried(scene: Scene, known: dict[tuple[bool, bool], Solution], names: tuple[str, ...]) -> Trial:
+    """A trial whose solutions are known: with all of `names`, and without the one that the key says."""
+    count = len(next(iter(known.values())).points)
+    model: object = None
+    filled = {}
+    for (all_count, judges), found in known.items():
+        counted = dict.fromkeys(names, all_count)
+        for method in (SINGLE_COEFFICIENT, OVER_ELLIPSE):
+            filled[tuple(sorted(counted.items())), method, judges] = found
+    return Trial(
+        scene=scene,
+        operation=scene.operation.as_series(),
+        model=model,  # pyright: ignore[reportArgumentType]
+        points=np.zeros((count, 5)),
+        tried=np.arange(count),
+        known=filled,
+    )
+
+
+def test_a_share_is_the_change_of_the_torque_over_it(bearing_6205: Bearing) -> None:
+    """Of all together; by parts their changes add up by size."""
+    base = balls_of(3, 1, of_spin=[2.0, 0.0, 0.0], of_rolling=[5.0, 0.0, 0.0])
+    other = balls_of(3, 1, of_spin=[3.0, 0.0, 0.1], of_rolling=[4.5, 0.0, 0.0])
+    trial_ = tried(dry(bearing_6205), {(True, False): base, (False, False): other}, ("hysteresis",))
+    counted = {"hysteresis": True}
+    np.testing.assert_allclose(trial_.share(counted, "hysteresis"), [0.5 / 7, 0.0, np.inf], rtol=1e-12)
+    np.testing.assert_allclose(trial_.share_by_parts(counted, "hysteresis"), [1.5 / 7, 0.0, np.inf], rtol=1e-12)
+    assert trial_.measure(counted)("hysteresis") == np.inf
+    assert trial_.is_of_all
+
+
+NAMES = ("asperities", "conformity", "gyroscopic", "load_distribution", "weight")
+
+
+def test_what_a_trial_does_not_see_is_added_for_each_effect(bearing_6205: Bearing) -> None:
+    """Balls slip across the grooves and under their weight, and lag behind; asperities are part of what holds them."""
+    operation = Operation(axial_load=np.full(2, 300.0), inner_speed=np.ones(2), radial_load=np.array([40.0, 10.0]))
+    ledger = ledger_of(bearing_6205, 2, operation=operation)
+    given: dict[str, object] = {
+        "load": 2.0,
+        "friction_coefficient": 0.05,
+        "gyroscopic_use": 0.02,
+        "of_spin": 2.0,
+        "of_rolling": 8.0,
+        "of_rolling_force": 0.03,
+        "of_most_friction": [0.2, 0.3],
+        "angle": 0.3,
+    }
+    base = balls_of(2, 1, **given)
+    smooth = balls_of(2, 1, **{**given, "friction_coefficient": 0.04})
+    counted: dict[str, bool] = dict.fromkeys(NAMES, True)
+    trial_ = tried(ledger.scene, {(True, True): base}, NAMES)
+    without_ = tuple(sorted({**counted, "asperities": False}.items())), SINGLE_COEFFICIENT, True
+    trial_.known[without_] = smooth
+    vars(trial_)["under_thrust"] = base
+    weight, gyroscopic = slip_by_weight(bearing_6205, base), np.full(2, 0.02 * PER_GYROSCOPIC_SLIP)
+    unequal = unequal_loads(ledger.scene, operation, base)
+    expected: dict[str, Array] = {
+        "gyroscopic": gyroscopic,
+        "weight": weight,
+        "conformity": np.full(2, PER_LAG * 0.15),
+        "load_distribution": PER_DISTRIBUTION * unequal * 0.15,
+        "asperities": 0.2 * (gyroscopic + weight + 0.15),  # 0.01 of 0.05
+        "hysteresis": np.zeros(2),
+    }
+    for name, change in expected.items():
+        found = unseen_by_trial(ledger, trial_, counted, (name,))
+        np.testing.assert_allclose(found, change, rtol=1e-12, err_msg=name)
+    both = unseen_by_trial(ledger, trial_, counted, ("load_distribution", "weight"))
+    np.testing.assert_allclose(both, expected["load_distribution"] + weight, rtol=1e-12)
+
+
+def acting(scene: Scene) -> set[str]:
+    return {name for name, counts in possible(scene).items() if counts}
+
+
+def test_effects_that_have_nothing_to_act_on_are_no_trial(rich: Scene) -> None:
+    """Thrust, standstill, a scene without oil or sliding, and what asks for an effect all the same."""
+    auto = replace(rich, effects={})
+    everything = set(TRIED)
+    assert acting(auto) == everything
+    still = replace(rich.operation, inner_speed=np.zeros(3))
+    inertia = {"centrifugal", "gyroscopic"}
+    assert acting(replace(auto, operation=still)) == everything - inertia
+    assert acting(replace(auto, operation=still, effects={"gyroscopic": "on"})) == everything - {"centrifugal"}
+    thrust = replace(rich.operation, radial_load=np.zeros(3), moment=np.zeros(3))
+    assert acting(replace(auto, operation=thrust)) == everything - {"load_distribution"}
+    assert acting(replace(auto, operation=thrust, effects={"load_distribution": "on"})) == everything
+    alike = replace(auto, operation=thrust, down=None)
+    assert acting(alike) == everything - {"load_distribution", "weight", "unloaded_balls"}
+    asked = replace(alike, effects={"unloaded_balls": "on"})
+    assert acting(asked) == everything - {"load_distribution", "weight"}
+    inlets = {"inlet_heating", "starvation"}
+    assert acting(without(auto, "spin", "conformity")) == everything - {"spin", "conformity", "asperities"}
+    assert acting(without(auto, "spin")) == everything - {"spin"}
+    assert acting(without(auto, "rolling")) == everything - {"rolling", "unloaded_balls"}
+    nothing = without(auto, "rolling", "spin", "conformity")
+    assert acting(nothing) == everything - {"rolling", "unloaded_balls", "spin", "conformity", "asperities"} - inlets
+    given = replace(auto, friction_coefficient=0.06, surface=None)
+    assert acting(given) == everything - {"asperities"}
+    assert acting(without(given, "rolling")) == everything - {"asperities", "rolling", "unloaded_balls"} - inlets
+
+
+def decided(scene: Scene, base: Solution) -> Ledger:
+    """The decisions of a scene whose trial is known and changes nothing."""
+    ledger = Ledger(scene, len(base.points))
+    trial_ = Trial(
+        scene=scene,
+        operation=scene.operation.as_series(),
+        model=None,  # pyright: ignore[reportArgumentType]
+        points=np.zeros((len(base.points) + 1, 5)),  # more than are tried
+        tried=np.arange(len(base.points)),
+        known=Same(base),
+    )
+    vars(trial_)["under_thrust"] = base
+    decide_effects(ledger, trial_, base, has_factors=False)
+    return ledger
+
+
+class Same(dict):  # pyright: ignore[reportMissingTypeArgument]
+    """The same solution whatever counts."""
+
+    def __init__(self, found: Solution) -> None:
+        self.found = found
+
+    def __contains__(self, key: object) -> bool:
+        return True
+
+    def __getitem__(self, key: object) -> Solution:
+        return self.found
+
+
+def test_asperities_count_from_the_tolerance_on(rich: Scene) -> None:
+    scene = replace(rich, effects={}, tolerance=0.02)
+    for share, decision in ((0.019, "off"), (0.021, "on")):
+        base = balls_of(3, 2, load=2.0, friction_coefficient=0.05, asperity_share=[[[0.0, share]] * 2] * 3, of_spin=2.0)
+        made = decided(scene, base).made["asperities"]
+        assert made.decision == decision
+        assert ("asperities carry up to 2.1 % of a contact's load" in made.reason) == (decision == "on")
+
+
+def test_balls_that_lead_through_half_of_their_pockets_count(rich: Scene) -> None:
+    """0.2 mm of free clearance: a lead of more than 0.1 mm squeezes the cage, if there is one that counts."""
+    scene = replace(rich, effects={}, cage=STAMPED_CAGE)
+    for lead, effects, cage, is_on in (
+        (0.101e-3, {}, STAMPED_CAGE, True),
+        (-0.101e-3, {}, STAMPED_CAGE, True),
+        (0.099e-3, {}, STAMPED_CAGE, False),
+        (0.101e-3, {"cage": "off"}, STAMPED_CAGE, False),
+        (0.101e-3, {}, None, False),
+    ):
+        base = balls_of(3, 2, load=2.0, friction_coefficient=0.05, of_spin=2.0, of_ball_lead=lead)
+        ledger = decided(replace(scene, effects=effects, cage=cage), base)
+        assert ledger.is_on("load_distribution") == is_on, (lead, effects)
+        told = "ball lead up to 0.101 mm, free clearance of the pockets 0.2 mm"
+        assert (ledger.made["load_distribution"].reason == told) == is_on
+
+
+def test_an_effect_without_its_input_has_the_bound_of_what_acts_on_a_ball(rich: Scene) -> None:
+    given = replace(rich, contact_angle=ContactAngle(rule="given", value=0.3), effects={}, down=None)
+    base = balls_of(
+        3, 1, load=2.0, friction_coefficient=0.05, of_spin=2.0, angle=0.3,
+        of_centrifugal_share=[0.01, 0.02, 0.0], of_gyroscopic_share=[0.03, 0.0, 0.0], of_weight_share=[0.0, 0.04, 0.0],
+    )  # fmt: skip
+    made = decided(given, base).made
+    unequal = unequal_loads(given, given.operation, base)
+    for name, share in (
+        ("centrifugal", PER_CENTRIFUGAL * 0.02),
+        ("gyroscopic", 0.03),
+        ("weight", PER_CENTRIFUGAL * 0.04),
+        ("load_distribution", PER_DISTRIBUTION * unequal.max()),
+    ):
+        assert made[name].decision == "off"
+        assert made[name].share == pytest.approx(share, rel=1e-12), name
+    assert made["asperities"].reason == "no effect here"
+    assert made["unloaded_balls"].share is None
