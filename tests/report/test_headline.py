@@ -1,17 +1,31 @@
 """The headline of a torque: its words and numbers against those of the result."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 from io import StringIO
+from typing import Any
 
 import numpy as np
 import pytest
 from rich.console import Console
 
 from analytic.scenefile.read import load_scene
-from fembearing.report.headline import makers_words, side_by_side, torque_headline
+from fembearing.report.headline import (
+    film_words,
+    headline_table,
+    headline_title,
+    makers_words,
+    side_by_side,
+    span_of,
+    split_of,
+    torque_headline,
+    torque_words,
+)
+from fembearing.report.tables.table import Table
 from fembearing.report.terminal.table import show
 from fembearing.report.terminal.torque import print_headline
-from fembearing.report.torque import Band, torque_record
+from fembearing.report.torque import Band, TorqueRecord, torque_record
+from fembearing.verify.torque.left_out import LeftOut
 from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene, with_interval
 from tests.analytic.specimens import present
 
@@ -104,3 +118,116 @@ def test_without_an_interval_it_says_so(result: SceneTorque) -> None:
     printed = " ".join(" ".join(lines_of(replace(result, interval=None))).split())
     assert "not known" in printed
     assert "try --interval" in printed
+
+
+def record_of(result: SceneTorque, *, totals: Sequence[float], **changed: Any) -> TorqueRecord:
+    """The record with one point for each of these totals, N m, at 10, 20, ... rad/s, each with the same shares."""
+    record = torque_record(result)
+    (point,) = record.points
+    own = point.torque.total
+    points = []
+    for number, total in enumerate(totals, start=1):
+        parts = {name: value and value * total / own for name, value in vars(point.torque).items()}
+        torque = replace(point.torque, **parts)
+        points.append(replace(point, inner_speed=10.0 * number, torque=torque))
+    count = len(points)
+    band = Band(low=None, high=None, values={}, note="")
+    usual: dict[str, Any] = {"points": tuple(points), "interval": (None,) * count, "catalogue_band": band}
+    return replace(record, **(usual | changed))
+
+
+def cells_of(table: Table) -> list[list[str]]:
+    return [[str(cell) for cell in row] for group in table.groups for row in group.rows]
+
+
+def test_a_long_series_is_told_by_six_of_its_points_with_both_ends(result: SceneTorque) -> None:
+    for count, places in ((6, range(6)), (7, (0, 1, 2, 4, 5, 6)), (11, range(0, 11, 2))):
+        record = record_of(result, totals=[1e-3 * (20 + number) for number in range(count)])
+        table = headline_table(result.scene, record)
+        column = [head.text for head in table.heads].index("torque, N mm")
+        assert [row[column] for row in cells_of(table)] == [f"{20 + place}" for place in places]
+        said = " ".join(table.notes)
+        assert (f"6 of {count} operating points" in said) == (count > 6)
+        assert "No interval" in said
+        assert "skipped" not in said
+
+
+def test_points_without_a_torque_are_counted_and_one_interval_is_enough(result: SceneTorque) -> None:
+    lost = LeftOut(point=1, inner_speed=20.0, axial_load=0.0, radial_load=2e3, moment=0.0, reason="too fast")
+    record = record_of(result, totals=[0.02, 0.03, 0.05], left_out=(lost,), interval=((0.01, 0.03), None, None))
+    table = headline_table(result.scene, record)
+    assert len(cells_of(table)) == 2
+    said = " ".join(table.notes)
+    assert "1 points without a torque are skipped." in said
+    assert "No interval" not in said
+
+
+def test_a_series_is_told_from_its_least_to_its_greatest(result: SceneTorque) -> None:
+    record = record_of(result, totals=[0.05, 0.02, 0.03], interval=((0.04, 0.07), (0.01, 0.03), (0.02, 0.09)))
+    found = span_of(record)
+    assert (found.torque, found.interval, found.power) == ("20-50", "10-90", "0.4-0.9")  # W at 10, 20 and 30 rad/s
+    assert span_of(replace(record, interval=(None, (0.01, 0.03), (0.02, 0.09)))).interval == "not known"
+    assert torque_words(record).startswith("torque 20-50 N mm at 3 points, 95 % 10-90, 0.4-0.9 W: ")
+    alone = record_of(result, totals=[0.05], interval=((0.04, 0.07),))
+    assert torque_words(alone).startswith("torque 50 N mm, 95 % 40-70, 0.5 W: ")
+
+
+def test_the_parts_are_shares_of_the_total_from_the_largest_and_none_of_0_per_cent(result: SceneTorque) -> None:
+    (point,) = torque_record(result).points
+    parts = dict.fromkeys(vars(point.torque))
+    for values, words in (
+        ({"rolling": 0.012, "hysteresis": 0.002, "conformity": 0.006}, "roll. 60 %, conf. 30 %, hyst. 10 %"),
+        ({"rolling": 0.0199, "hysteresis": 0.00009}, "roll. 100 %"),
+        ({"rolling": 0.0198, "hysteresis": 0.00012}, "roll. 99 %, hyst. 1 %"),
+    ):
+        shares = split_of(replace(point, torque=replace(point.torque, **(parts | values | {"total": 0.02}))))
+        assert shares == words
+
+
+def test_the_film_is_full_mixed_or_boundary_by_what_the_asperities_carry(result: SceneTorque) -> None:
+    friction = result.friction
+    for carried, words in (
+        (0.0, "no load: full film"),
+        (9e-5, "no load: full film"),
+        (1.1e-4, "up to 0.011 %: full film"),
+        (0.0099, "full film"),
+        (0.0101, "up to 1 %: mixed"),
+        (0.899, "up to 90 %: mixed"),
+        (0.901, "up to 90 %: boundary"),
+    ):
+        share = replace(friction.asperity_share, inner=np.array([carried]), outer=np.array([carried]))
+        said = present(film_words(replace(result, friction=replace(friction, asperity_share=share))))
+        assert said.endswith(words)
+    roughness = present(friction.gap_roughness)
+    thin = replace(friction.film, inner=np.array([9e-4 * roughness]), outer=np.array([1.7 * roughness]))
+    assert "lambda 0 inner, 1.7 outer;" in present(film_words(replace(result, friction=replace(friction, film=thin))))
+    for lacking in (
+        {"gap_roughness": None},
+        {"film": replace(friction.film, outer=None)},
+        {"asperity_share": replace(friction.asperity_share, inner=None)},
+    ):
+        assert film_words(replace(result, friction=replace(friction, **lacking))) is None
+
+
+def test_the_title_has_the_loads_and_the_speed_that_are_the_same_everywhere(result: SceneTorque) -> None:
+    scene = result.scene
+    record = record_of(result, totals=[0.02, 0.03])
+    words = "6206, radial 2000 N, ISO VG 46"
+    assert headline_title(scene, record).startswith(words)  # two speeds
+    first, second = record.points
+    alike = replace(record, points=(first, replace(second, inner_speed=first.inner_speed)))
+    assert "radial 2000 N, 95.493 rpm, ISO VG 46" in headline_title(scene, alike)
+    other = replace(record, points=(first, replace(second, radial_load=900.0, axial_load=0.0)))
+    assert headline_title(scene, other).startswith("6206, ISO VG 46")
+    assert headline_title(replace(scene, lubricant=None), alike).endswith("95.493 rpm, dry")
+    dry = replace(scene, lubricant=None, friction_coefficient=0.08)
+    assert headline_title(dry, alike).endswith("95.493 rpm, friction coefficient 0.08")
+
+
+def test_makers_without_a_number_are_not_named(result: SceneTorque) -> None:
+    record = record_of(result, totals=[0.02])
+    none = "makers: no formula holds for this bearing or load"
+    assert makers_words(record) == none
+    for values, words in (({"SKF": (None,)}, none), ({"SKF": (0.031,)}, "makers: SKF 31 N mm")):
+        band = Band(low=(0.03,), high=(0.04,), values=values, note="")
+        assert makers_words(replace(record, catalogue_band=band)) == words

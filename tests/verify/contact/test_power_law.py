@@ -112,3 +112,24 @@ def test_a_repeated_load_is_not_redundant(count: int) -> None:
     law = fit_law(repeated)
     assert (law is None) == (count == 1)
     assert law is None or law.exponent_uncertainty is None
+
+
+def test_off_mesh_errors_of_distant_loads_add_as_squares_and_of_near_ones_as_they_are() -> None:
+    """The slope over two loads, ln(d2/d1)/ln(F2/F1), changes by the errors of both ends."""
+    for ratio, growth in ((1.2, 2.0), (40.0, np.sqrt(2))):  # ln 1.2 is below the 0.3 of a cell that begins at 10.0
+        load = np.exp(0.3 * 8 + 0.01) * np.array([1.0, ratio])
+        law = present(fit_law(data(load, (load / 2.5e10) ** (2 / 3), crossing=3e-3)))
+        slope = growth * 3e-3 / np.log(ratio)
+        assert law.propagated == pytest.approx(1.5**2 * slope, rel=1e-9)  # n = 1/slope
+    both = present(fit_law(data(load, (load / 2.5e10) ** (2 / 3), crossing=3e-3, common=1e-3)))
+    assert both.propagated - law.propagated == pytest.approx(1.5**2 * 2e-3 / np.log(40.0), rel=1e-9)
+
+
+def test_half_widths_of_meshes_are_the_whole_less_those_off_the_mesh() -> None:
+    found = LawData.of(
+        np.array([90.0, 20.0, 90.0]), estimates(np.array([3e-6, 1e-6, 3e-6]), mesh=5e-3), [2e-3, 1e-3, 2e-3]
+    )
+    assert found.load.tolist() == [20.0, 90.0]
+    assert found.approach.tolist() == [1e-6, 3e-6]
+    np.testing.assert_allclose(found.common, [4e-3, 3e-3], rtol=1e-12)
+    assert found.crossing.tolist() == [1e-3, 2e-3]
