@@ -2,7 +2,11 @@
 
 import json
 import re
+import zipfile
+from dataclasses import replace
 from functools import cache
+from io import BytesIO
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,10 +14,24 @@ import pytest
 from analytic.scenefile.template import scene_text
 from fembearing.app import evaluation
 from fembearing.app.charts import curve_options, ellipse_options, part_legend, part_options, ring_options
-from fembearing.app.evaluation import Evaluation, at_once, completed, curve_scenes, series_record
+from fembearing.app.evaluation import Evaluation, at_once, completed, curve_scenes, series_record, zip_of
 from fembearing.app.scene_edit import with_value
 from fembearing.quantities import METRIC, SYSTEMS
+from fembearing.report.torque import Band
+from fembearing.verify.torque.left_out import LeftOut
+from tests.analytic.specimens import present
 
+DRY = """
+name = "dry"
+tolerance = "5 %"
+[bearing]
+catalog = "6206"
+[operation]
+radial_load = "2 kN"
+inner_speed = "700 rpm"
+[friction]
+coefficient = 0.08
+"""
 DIGITS = 2e-5  # charts have at least 5 digits
 
 
@@ -113,3 +131,117 @@ def test_the_ellipse_has_both_semi_axes_and_lies_between_the_shoulders() -> None
         assert area == pytest.approx(1e6 * np.pi * row.semi_axis_rolling * row.semi_axis_transverse, rel=1e-3)
         near, far = sorted(each["xAxis"] for each in options["series"][0]["markLine"]["data"])
         assert near < upper[0, 0] < upper[-1, 0] < far
+
+
+def test_the_curve_shades_what_is_known_at_every_point_and_marks_a_speed_alone() -> None:
+    record = found().record
+    (point,) = record.points
+    points = tuple(replace(point, inner_speed=10.0 * number) for number in (3, 1, 2))
+    band = Band(low=(0.01, 0.03, 0.02), high=(0.04, 0.05, 0.07), values={}, note="")
+    ends = ((0.002, 0.005), (0.001, 0.009), (0.003, 0.007))
+    whole = replace(record, points=points, interval=ends, catalogue_band=band)
+    options = curve_options([whole], METRIC, marked=None)
+    for name, low, high in (
+        ("95 %", (1.0, 3.0, 2.0), (9.0, 7.0, 5.0)),
+        ("makers' formulas", (30.0, 20.0, 10.0), (50.0, 70.0, 40.0)),
+    ):
+        ground, height = series(options, f"{name}, from")[:, 1], series(options, name)[:, 1]
+        np.testing.assert_allclose(ground, low, rtol=1e-9)
+        np.testing.assert_allclose(ground + height, high, rtol=1e-9)
+    assert [each["name"] for each in options["legend"]["data"][:-1]] == ["makers' formulas", "95 %"]
+    assert all("markLine" not in each for each in options["series"])
+    for marked in (30.0, -30.0):  # the axis has no sign
+        (line,) = (
+            each["markLine"] for each in curve_options([whole], METRIC, marked=marked)["series"] if "markLine" in each
+        )
+        assert line["data"][0]["xAxis"] == pytest.approx(30.0 * 30 / np.pi, rel=1e-12)
+    for part in ({"interval": (None, *ends[1:])}, {"catalogue_band": replace(band, low=None, high=None)}):
+        lacking = curve_options([replace(whole, **part)], METRIC, marked=None)
+        assert len(lacking["legend"]["data"]) == 2
+    mixed = replace(whole, points=(replace(points[0], axial_load=77.0), *points[1:]))
+    torque = series(curve_options([mixed], METRIC, marked=None), "torque")
+    assert torque[:, 0].tolist() == [1.0, 2.0, 3.0]  # point by point
+
+
+def test_points_without_a_torque_are_not_in_the_curve() -> None:
+    record = found().record
+    (point,) = record.points
+    points = tuple(replace(point, inner_speed=10.0 * number) for number in (1, 2, 3))
+    lost = LeftOut(point=1, inner_speed=20.0, axial_load=0.0, radial_load=2e3, moment=0.0, reason="too fast")
+    band = Band(low=None, high=None, values={}, note="")
+    whole = replace(record, points=points, interval=(None,) * 3, catalogue_band=band, left_out=(lost,))
+    torque = series(curve_options([whole], METRIC, marked=None), "torque")
+    np.testing.assert_allclose(torque[:, 0], np.array([10.0, 30.0]) * 30 / np.pi, rtol=DIGITS)
+
+
+def test_a_part_that_is_none_or_nothing_has_no_bar() -> None:
+    row = found().row
+    nothing = dict.fromkeys(("cage", "oil", "declared", "spin"))
+    torque = replace(row.torque, **nothing, rolling=0.012, conformity=0.008, hysteresis=1e-12, total=0.02)
+    options = part_options(replace(row, torque=torque), METRIC)
+    assert [each["name"] for each in options["series"]] == ["conformity slip", "rolling against the oil"]
+    legend = part_legend(replace(row, torque=torque), METRIC)
+    assert re.findall(r"<b>(\d+) %</b>, ([\d.]+ N mm)", legend) == [("40", "8 N mm"), ("60", "12 N mm")]
+    still = replace(row.torque, **nothing, rolling=0.0, conformity=0.0, hysteresis=0.0, total=0.0)
+    assert part_options(replace(row, torque=still), METRIC)["xAxis"]["max"] == 1.0
+
+
+def test_a_pair_of_bearings_has_no_ring() -> None:
+    assert ring_options(replace(found().row, ring=None), METRIC) is None
+
+
+def test_the_room_around_an_ellipse_is_that_of_its_groove() -> None:
+    """A shoulder that is not known is not drawn; twice the ellipse is then shown on its side."""
+    contact, row = found().contacts["inner"], found().row.contact.inner
+    across, half = 1e3 * row.semi_axis_transverse, 1e3 * row.semi_axis_rolling
+    known = replace(contact, shoulder=3.2e-3, far_shoulder=2.6e-3)
+    options = ellipse_options(known, row, METRIC)
+    x, y = options["xAxis"], options["yAxis"]
+    assert [each["xAxis"] for each in options["series"][0]["markLine"]["data"]] == [-2.6, 3.2]
+    assert (x["min"], x["max"]) == pytest.approx((-1.15 * 2.6, 1.15 * 3.2), rel=DIGITS)
+    assert y["max"] == -y["min"] == pytest.approx(1.4 * half, rel=DIGITS)
+    upper, lower = (np.array(each["data"]) for each in options["series"])
+    np.testing.assert_allclose(upper[[0, -1], 0], [-across, across], rtol=DIGITS)
+    np.testing.assert_allclose(upper[:, 1], -lower[:, 1])
+    np.testing.assert_allclose((upper[:, 0] / across) ** 2 + (upper[:, 1] / half) ** 2, 1, rtol=1e-4)
+    open_side = ellipse_options(replace(known, far_shoulder=np.inf), row, METRIC)
+    assert [each["xAxis"] for each in open_side["series"][0]["markLine"]["data"]] == [3.2]
+    assert open_side["xAxis"]["min"] == pytest.approx(-1.15 * 2 * across, rel=DIGITS)
+
+
+def test_the_lines_of_a_scene_say_what_is_not_known() -> None:
+    one, many = found(), found('["900 rpm", "300 rpm", "500 rpm"]')
+    assert one.lines["split"] == ""  # its bar says it
+    assert many.lines["split"].startswith("At 900 rpm, the highest torque: ")
+    assert "points down" in one.lines["ring"]
+    assert one.lines["contact"] == "Different scales of both axes."
+    lost = replace(one, no_contact="no shoulder is known")
+    assert lost.lines["contact"] == "no shoulder is known"
+    (point,) = one.record.points
+    pair = replace(one, record=replace(one.record, points=(replace(point, ring=None),)))
+    assert "Balls of a pair" in pair.lines["ring"]
+    dry = at_once(DRY)
+    assert dry.lines["film"] == "film: not computed without oil and surface"
+    assert dry.number("lubricant.temperature") is None
+    assert dry.number("operation.radial_load") == 2000.0
+    assert one.number("lubricant.temperature") == present(one.result.scene.lubricant).temperature
+
+
+def test_the_curve_has_every_speed_once_and_ends_at_twice_the_own_one() -> None:
+    scenes = curve_scenes(found())
+    assert len(scenes) == evaluation.SLICES
+    speeds = np.concatenate([scene.operation.inner_speed for scene in scenes])
+    own = found().row.inner_speed
+    np.testing.assert_allclose(np.sort(speeds), own * evaluation.SPEEDS, rtol=1e-12)
+    assert all(np.all(np.diff(scene.operation.inner_speed) > 0) for scene in scenes)
+
+
+def test_files_of_a_torque_stand_with_those_of_its_check(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(evaluation, "torque_content", lambda *_, ending: ending.encode())
+    for name in ("report.html", "inner.png"):
+        (tmp_path / name).write_text(name)
+    for folder, more in ((None, []), (tmp_path, ["report/inner.png", "report/report.html"])):
+        with zipfile.ZipFile(BytesIO(zip_of(found(), folder))) as archive:
+            names = archive.namelist()
+            assert names == ["scene.toml", "torque.csv", "torque.json", "torque.html", *more]
+            assert archive.read("scene.toml").decode() == found().text

@@ -15,6 +15,7 @@ from fembearing.app.scene_edit import (
     field_in,
     has_table,
     of_bearing,
+    shown_value,
     values_in,
     with_cage,
     with_dimensions,
@@ -192,3 +193,41 @@ def test_a_refused_value_is_put_beside_its_field() -> None:
         parse_scene(wrong, origin="scene")
     assert field_in(str(refused.value)) == "operation.radial_load"
     assert field_in("the bearing is blue") is None
+
+
+def test_only_comments_and_lines_of_the_own_table_count() -> None:
+    text = '[cage]\nmass = "3 g"\n#[lubricant]\n#name = "oil"\n[bearing]\n#mass = "5 g"\ncatalog = "6206"\n'
+    assert commented_value(text, "bearing.mass") == "5 g"
+    assert commented_value(text, "cage.mass") == ""
+    assert commented_value(text, "lubricant.name") == "oil"
+    assert commented_value(text, "surface.finish") == ""
+    changed = with_value(text, "lubricant.name", "other")
+    assert "\n[lubricant]\n" in changed
+    assert values_in(changed)["lubricant.name"] == "other"
+    assert with_value(text, "surface.finish", None) == text  # nothing to leave out
+
+
+def test_the_table_that_counts_stands_before_the_comment_that_has_it() -> None:
+    text = '#[cage]\n#mass = "3 g"\n[cage]\nmass = "5 g"\n'
+    assert values_in(with_value(text, "cage.mass", "7 g")) == {"cage.mass": "7 g"}
+    assert '#mass = "3 g"' in with_value(text, "cage.mass", "7 g")
+
+
+def test_a_key_that_is_set_counts_before_its_comment_and_the_first_of_each() -> None:
+    text = '[lubricant]\n#name = "a"\nname = "b"\n#name = "c"\n'
+    assert with_value(text, "lubricant.name", "d").split("\n")[1:4] == ['#name = "a"', 'name = "d"', '#name = "c"']
+    assert with_value(text, "lubricant.name", None).split("\n")[2] == '#name = "b"'
+    bare = '[lubricant]\n#name = "a"\n#name = "c"\ntemperature = "50 degC"\n'
+    assert with_value(bare, "lubricant.name", "d").split("\n")[1:3] == ['name = "d"', '#name = "c"']
+    assert with_value("[lubricant]\n", "lubricant.name", "d").startswith('[lubricant]\nname = "d"\n')
+
+
+def test_a_value_is_shown_as_it_is_typed_and_a_series_as_a_list() -> None:
+    assert [shown_value(value) for value in ("2 kN", 0.52, ["1 N", "2 N"])] == ["2 kN", "0.52", '["1 N", "2 N"]']
+
+
+def test_dimensions_stand_below_the_head_of_the_bearing_alone() -> None:
+    text = '#a = 1\n[bearing]\n#ball_count = 9\n# a note\nname = "x"\n[other]\n#ball_count = 7\n'
+    assert (
+        with_dimensions(text) == '#a = 1\n[bearing]\nball_count = 9\n# a note\nname = "x"\n[other]\n#ball_count = 7\n'
+    )
