@@ -212,7 +212,7 @@ def test_the_room_around_an_ellipse_is_that_of_its_groove() -> None:
 def test_the_lines_of_a_scene_say_what_is_not_known() -> None:
     one, many = found(), found('["900 rpm", "300 rpm", "500 rpm"]')
     assert one.lines["split"] == ""  # its bar says it
-    assert many.lines["split"].startswith("At 900 rpm, the highest torque: ")
+    assert many.lines["split"].startswith("At point 1: 2000 N radial, 900 rpm, the highest torque: ")
     assert "points down" in one.lines["ring"]
     assert one.lines["contact"] == "Different scales of both axes."
     lost = replace(one, no_contact="no shoulder is known")
