@@ -1,10 +1,16 @@
 """Value and uncertainty of a ball's friction from three grids."""
 
+from types import SimpleNamespace
+from typing import Any
+
 import numpy as np
 import pytest
 
-from analytic.errors import InputError
+from analytic.errors import ConvergenceError, InputError
+from fembearing.creep import reference
+from fembearing.creep.ball import Grid, TurningBall
 from fembearing.creep.reference import GRIDS, creep_reference, estimate
+from fembearing.creep.rolling import Creepages
 from tests.creep.test_ball import thrust_ball
 
 
@@ -42,3 +48,48 @@ def test_grids_become_finer_until_the_torque_is_certain() -> None:
 def test_a_tolerance_of_nothing_is_refused() -> None:
     with pytest.raises(InputError, match="tolerance must be positive"):
         creep_reference(thrust_ball(0.08, 250.0), tolerance=0.0)
+
+
+def scripted(monkeypatch: pytest.MonkeyPatch, *, without: tuple[Grid, ...] = ()) -> list[tuple[Grid, Any]]:
+    """Balls whose torque errs by 3/strips^2 of 2 N m; grids and starts that were asked for. Some grids fail."""
+    asked: list[tuple[Grid, Any]] = []
+
+    def turn(_: TurningBall, grid: Grid, start: Any) -> Any:
+        asked.append((grid, start))
+        if grid in without:
+            raise ConvergenceError(iterations=3, residual=0.1, tolerance=0.01)
+        torque, friction = 2 + 3 / grid.strips**2, SimpleNamespace(creepages=Creepages(0.1, 0.2, 0.3), slip_share=0.7)
+        race = SimpleNamespace(
+            friction=friction, spin_moment=torque, rolling_moment=0.0, transverse_force=1.0, torque=torque / 2
+        )
+        return SimpleNamespace(torque=torque, races=(race, race), grid=grid)
+
+    monkeypatch.setattr(reference, "turn_ball", turn)
+    return asked
+
+
+BALL: Any = None
+
+
+def test_a_grid_on_which_the_ball_does_not_settle_is_left_out_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked = scripted(monkeypatch, without=(GRIDS[1],))
+    found = creep_reference(BALL, tolerance=0.9)
+    assert found.grids == (GRIDS[0], *GRIDS[2:4])
+    assert [start and start.grid for _, start in asked] == [None, GRIDS[0], GRIDS[0], GRIDS[2]]
+    scripted(monkeypatch, without=(GRIDS[1], GRIDS[3]))
+    with pytest.raises(ConvergenceError):
+        creep_reference(BALL, tolerance=1e-9)
+    scripted(monkeypatch, without=(GRIDS[0],))
+    assert creep_reference(BALL, tolerance=0.9).grids == GRIDS[1:4]
+
+
+def test_grids_end_where_the_uncertainty_meets_the_tolerance(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Three of Richardson's steps, 3/16^2, of the third grid, and 1e-4: 1.76 % of 2.01 N m."""
+    uncertainty = 3 * 3 / 16**2 + 1e-4 * (2 + 3 / 16**2)
+    for factor, last in ((1.02, 3), (0.98, 4)):
+        scripted(monkeypatch)
+        found = creep_reference(BALL, tolerance=factor * uncertainty / 2.006)
+        assert found.grids == GRIDS[last - 3 : last]
+    assert found.torque.value == pytest.approx(2 + 3 / 24**2 / 2, rel=1e-9)
+    assert found.outer.torque.value == pytest.approx(found.torque.value / 2, rel=1e-9)
+    assert found.inner.creepage_across.value == pytest.approx(0.3)

@@ -96,6 +96,7 @@ def test_cylinders_roll_as_carter_has_them() -> None:
     edge = wide.edges[0, np.argmax(sticks)]
     stuck = np.sqrt(1 - found.force_along / load / 0.13)
     np.testing.assert_allclose((half - edge) / (2 * half), stuck, atol=1 / 80)  # two rectangles
+    assert found.slip_share == pytest.approx(1 - stuck, abs=1 / 80)
     assert not sticks[0]
     assert sticks[-1]  # the leading edge sticks, the trailing one slips
 
