@@ -54,6 +54,11 @@ def uncut_semi_axes(x: Array, y: Array, force: Array) -> tuple[float, float]:
     return semi_axis(x, uncut), semi_axis(y, uncut)
 
 
+def within_ellipse(x: Array, y: Array, semi_axes: tuple[float, float], *, square: float = 1.0) -> NDArray[np.bool_]:
+    """(m,) where x^2/a^2 + y^2/b^2 is below `square`."""
+    return (x / semi_axes[0]) ** 2 + (y / semi_axes[1]) ** 2 < square
+
+
 def nodal_pressure(force: Array, mass: csr_matrix) -> Array:
     """Pressure (m,), Pa, whose integrals with the shape functions are the normal forces (m,), N."""
     carrying = np.flatnonzero(mass.diagonal())
@@ -74,7 +79,7 @@ def peak_pressure(
     centre = float(pressure[np.argmin(x**2 + y**2)])
     if min(semi_axes) == 0:  # a single node or line of nodes
         return centre
-    inner = (x / semi_axes[0]) ** 2 + (y / semi_axes[1]) ** 2 < 0.5
+    inner = within_ellipse(x, y, semi_axes, square=0.5)
     rolling, transverse = x[inner] / semi_axes[0], y[inner] / semi_axes[1]
     terms = np.column_stack([np.ones(inner.sum()), rolling**2, transverse**2, *([transverse] if half else [])])
     weight = np.sqrt(area[inner])

@@ -19,7 +19,7 @@ from analytic.scene import Contact
 from fembearing.fem.compliance import PairCompliance
 from fembearing.fem.contact import press
 from fembearing.fem.half_space import curvatures_under, exact_quantities, pressed_rectangle
-from fembearing.fem.measure import Quantities, measured_quantities, product, ratio
+from fembearing.fem.measure import Quantities, measured_quantities, product, ratio, within_ellipse
 from fembearing.fem.twin import QUARTERS, shared_axes
 from fembearing.mesh.footprint import as_quarter
 from fembearing.mesh.race import distance_to_race
@@ -79,8 +79,7 @@ def press_pair(compliance: PairCompliance, *, load: float) -> PixelSolution:
     plane = np.array([pixels.x, pixels.y]) / contact.ball_radius
     lever = np.sqrt(1 - np.sum(plane**2, axis=0))
     gap = distance_to_race(as_quarter(contact, "even"), np.vstack([plane, -lever]))
-    rolling, transverse = compliance.semi_axes
-    touching = (pixels.x / rolling) ** 2 + (pixels.y / transverse) ** 2 < 1
+    touching = within_ellipse(pixels.x, pixels.y, compliance.semi_axes)
     added, change = np.zeros_like(gap), np.inf
     for _ in range(ROUNDS):
         force, found = pixels.pressed(gap=gap + added, lever=lever, load=load, start=touching)

@@ -24,6 +24,7 @@ from fembearing.fem.measure import (
     semi_axis,
     shoulder_load,
     uncut_semi_axes,
+    within_ellipse,
 )
 from fembearing.mesh.bodies import BodyMesh
 from fembearing.mesh.footprint import Sides
@@ -145,7 +146,7 @@ def pressed(bodies: CondensedPair, *, load: float, expected: tuple[float, float]
         gap=pair.gap,
         lever=lever,
         load=load / parts,
-        start=(x / expected[0]) ** 2 + (y / expected[1]) ** 2 < 1,
+        start=within_ellipse(x, y, expected),
     )
     carried = force * lever  # part of the load that each node carries, N
     pressure = nodal_pressure(force, bodies.mass)

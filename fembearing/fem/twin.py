@@ -29,7 +29,7 @@ from fembearing.fem.contact import press
 from fembearing.fem.elasticity import surface_mass
 from fembearing.fem.factor import solver_threads
 from fembearing.fem.half_space import contact_modulus, curvatures_under, exact_quantities, plane_strain_modulus
-from fembearing.fem.measure import Quantities, measured_quantities, nodal_pressure, product, ratio
+from fembearing.fem.measure import Quantities, measured_quantities, nodal_pressure, product, ratio, within_ellipse
 from fembearing.fem.solution import MeshSolution, solve_on_mesh
 from fembearing.mesh.ball import block_of_ball, flat_ball
 from fembearing.mesh.bodies import Block, BodyMesh
@@ -154,7 +154,6 @@ def twin_of(contact: Contact, *, recipe: Recipe, level: int, footprint: Footprin
 
 def _factors(twin: Twin, ellipse: tuple[float, float]) -> Quantities:
     """Exact over computed under a unit load whose exact semi-axes are `ellipse`."""
-    a, b = ellipse
     x, y = twin.surface.x, twin.surface.y
     curvature_x, curvature_y = curvatures_under(ellipse, load=1.0, modulus=1.0)
     force, approach, _ = press(
@@ -163,7 +162,7 @@ def _factors(twin: Twin, ellipse: tuple[float, float]) -> Quantities:
         gap=(curvature_x * x**2 + curvature_y * y**2) / 2,
         lever=np.ones_like(x),
         load=1 / QUARTERS,
-        start=(x / a) ** 2 + (y / b) ** 2 < 1,
+        start=within_ellipse(x, y, ellipse),
     )
     pressure = nodal_pressure(force, twin.surface.mass)
     found = measured_quantities(x, y, force, pressure, twin.surface.area, load=1.0, approach=approach)

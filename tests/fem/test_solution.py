@@ -1,16 +1,19 @@
 """The contact solver against Hertz on the idealisation, and against laws that any elastic contact obeys."""
 
 from dataclasses import replace
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
 
 from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact, relative_curvatures
-from analytic.errors import InputError
+from analytic.errors import ConvergenceError, InputError
 from analytic.scene import Contact
+from fembearing.fem import solution
 from fembearing.fem.contact import press
 from fembearing.fem.guess import expected_semi_axes
-from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
+from fembearing.fem.solution import MeshSolution, fitted_on_level, fitted_solution, solve_on_mesh
 from fembearing.mesh.recipe import load_recipe
 from tests import contacts
 from tests.contacts import NITRIDE, STEEL
@@ -183,3 +186,36 @@ def test_an_impossible_material_is_refused(side: str, changed: dict[str, float],
 def test_an_impossible_contact_is_refused(name: str, value: float) -> None:
     with pytest.raises(InputError, match=f"{name} must be positive"):
         fitted_solution(replace(INNER, **{name: value}), recipe=load_recipe("hertzian"))
+
+
+@pytest.fixture
+def measured(monkeypatch: pytest.MonkeyPatch) -> Any:
+    """What each mesh in turn measures of both axes, over its own; and the meshes made."""
+    told = SimpleNamespace(ratios=[], made=[])
+
+    def solved(*_: Any, semi_axes: tuple[float, float], **__: Any) -> Any:
+        ratio = told.ratios[min(len(told.made), len(told.ratios) - 1)]
+        told.made.append(semi_axes)
+        return SimpleNamespace(semi_axes=(ratio[0] * semi_axes[0], ratio[1] * semi_axes[1]))
+
+    monkeypatch.setattr(solution, "solve_on_mesh", solved)
+    return told
+
+
+def test_a_mesh_follows_its_ellipse_until_both_axes_are_good(measured: Any) -> None:
+    measured.ratios = [(1.3, 0.6), (1.01, 0.97), (0.96, 1.02), (1.019, 0.981), (1.0, 1.0)]
+    fitted_on_level(INNER, recipe=load_recipe("race"), level=1, start=(0.2, 1.1), good=0.02)
+    expected = np.cumprod([(0.2, 1.1), *measured.ratios[:3]], axis=0)
+    np.testing.assert_allclose(measured.made, expected, rtol=1e-12)  # round-off
+
+
+def test_a_mesh_on_which_one_node_touches_shrinks_to_a_quarter(measured: Any) -> None:
+    measured.ratios = [(0.0, 0.2), (1.0, 1.0)]
+    fitted_on_level(INNER, recipe=load_recipe("race"), level=1, start=(0.2, 1.1), good=0.02)
+    np.testing.assert_allclose(measured.made[1], (0.05, 0.275))
+
+
+def test_a_size_that_never_fits_is_named_with_its_misfit(measured: Any) -> None:
+    measured.ratios = [(1.1, 0.93)]
+    with pytest.raises(ConvergenceError, match=r"size of the contact did not converge in 12 .*1\.0e-01 of a semi-axis"):
+        fitted_on_level(INNER, recipe=load_recipe("race"), level=1, start=(0.2, 1.1), good=0.02)

@@ -1,7 +1,9 @@
 """The twin of a contact against the exact half spaces, against scale, and against finer meshes."""
 
 import time
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -10,6 +12,7 @@ from analytic.scene import Contact, Material
 from fembearing.fem import twin
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.half_space import contact_modulus, hertz_ellipse
+from fembearing.fem.measure import Quantities
 from fembearing.fem.solution import solve_on_mesh
 from fembearing.fem.twin import shared_axes, twin_factors, twin_on_level
 from fembearing.mesh.footprint import Footprint
@@ -132,3 +135,70 @@ def test_a_twin_follows_an_extended_block(contacts: dict[str, Contact]) -> None:
 def test_a_contact_over_its_shoulder_has_no_twin(contacts: dict[str, Contact]) -> None:
     narrow = replace(contacts["inner"], shoulder=0.8e-3)
     assert twin_on_level(narrow, recipe=RECIPE, level=1, start=expected_semi_axes(narrow, geometry="real")) is None
+
+
+@dataclass(frozen=True)
+class Measured:
+    """A contact on a mesh, with the parts that are looked at."""
+
+    semi_axes: tuple[float, float]
+    seconds: float = 0.0
+
+    @property
+    def pair(self) -> Any:
+        return SimpleNamespace(footprint=SimpleNamespace(cut=False))
+
+    @property
+    def quantities(self) -> Quantities:
+        return quantities(*self.semi_axes)
+
+
+def quantities(rolling: float, transverse: float) -> Quantities:
+    rest = {"peak_pressure": 1.9e9, "approach": 7e-6, "stiffness": 1.1e10}
+    return Quantities(semi_axis_rolling=rolling, semi_axis_transverse=transverse, **rest)
+
+
+@pytest.fixture
+def meshes(monkeypatch: pytest.MonkeyPatch) -> Any:
+    """What a mesh for an ellipse measures across, and what its twin makes of it, over that ellipse; and the meshes."""
+    told = SimpleNamespace(measured=1.0, corrected=1.0, made=[])
+
+    def solved(*_: Any, semi_axes: tuple[float, float], **__: Any) -> Measured:
+        told.made.append(semi_axes)
+        return Measured((semi_axes[0], told.measured * semi_axes[1]))
+
+    monkeypatch.setattr(twin, "solve_on_mesh", solved)
+    monkeypatch.setattr(twin, "twin_factors", lambda *_, **__: quantities(1.0, told.corrected / told.measured))
+    monkeypatch.setattr(twin, "solver_threads", lambda: 1)
+    return told
+
+
+@pytest.mark.parametrize(("level", "near", "far"), [(1, 0.09, 0.11), (2, 0.015, 0.025), (3, -0.015, -0.025)])
+def test_an_ellipse_far_from_its_mesh_gets_another_one(
+    contacts: dict[str, Contact], meshes: Any, level: int, near: float, far: float
+) -> None:
+    """A tenth on the first level, a fiftieth on finer ones; the next mesh is that of the corrected ellipse."""
+    start = 0.1e-3, 0.9e-3
+    meshes.corrected = 1 + near
+    assert twin_on_level(contacts["inner"], recipe=RECIPE, level=level, start=start) is not None
+    assert len(meshes.made) == 1
+    meshes.made.clear()
+    meshes.corrected = 1 + far
+    assert twin_on_level(contacts["inner"], recipe=RECIPE, level=level, start=start) is None  # it never settles
+    assert len(meshes.made) == twin.MOST_GUESSES
+    # axis ratios have steps of 1 %
+    assert meshes.made[1][1] / meshes.made[0][1] == pytest.approx(1 + far, rel=0.011)
+
+
+@pytest.mark.parametrize(("measured", "told"), [(1.29, True), (1.31, False), (0.71, True), (0.69, False)])
+def test_an_ellipse_that_its_mesh_does_not_hold_has_no_twin(
+    contacts: dict[str, Contact], meshes: Any, measured: float, told: bool
+) -> None:
+    meshes.measured = measured
+    found = twin_on_level(contacts["inner"], recipe=RECIPE, level=2, start=(0.1e-3, 0.9e-3))
+    assert (found is not None) == told
+
+
+def test_an_ellipse_and_its_mesh_deviate_by_the_worse_axis() -> None:
+    assert twin._deviation((0.27, 1.2), (0.3, 1.0)) == pytest.approx(0.2)
+    assert twin._deviation((0.24, 1.1), (0.3, 1.0)) == pytest.approx(0.2)

@@ -1,0 +1,49 @@
+"""The pixels of a contact and their half spaces, against the rectangles themselves and against point forces."""
+
+import numpy as np
+import pytest
+
+from analytic.scene import Contact
+from fembearing.fem.compliance import PairCompliance
+from fembearing.fem.half_space import contact_modulus, pressed_rectangle
+from fembearing.fem.pixel_contact import PIXELS, WIDEST, pixels_of
+
+RATIO = 3.3201169227365472  # exp(1.2): one of the axis ratios that pixels have
+ROLLING = 0.11e-3  # m
+
+
+@pytest.fixture(scope="module")
+def even(contacts: dict[str, Contact]) -> PairCompliance:
+    return PairCompliance(
+        contact=contacts["inner"], level=1, semi_axes=(ROLLING, RATIO * ROLLING), added=np.zeros((6, 6))
+    )
+
+
+def test_pixels_fill_a_quarter_of_the_ellipse_and_a_fifth_more(even: PairCompliance) -> None:
+    pixels, side = pixels_of(even), WIDEST / PIXELS
+    x, y = pixels.x / ROLLING, pixels.y / ROLLING / RATIO
+    assert (np.hypot(x, y) < WIDEST).all()
+    assert min(x.min(), y.min()) == pytest.approx(side / 2)
+    assert x.max() == pytest.approx(y.max())
+    steps = np.append(np.diff(np.unique(x.round(9))), np.diff(np.unique(y.round(9))))
+    np.testing.assert_allclose(steps, side, rtol=1e-6)  # rounded to nine digits
+    assert pixels.area == pytest.approx(side**2 * ROLLING**2 * RATIO, rel=1e-8)  # ratio of nine digits
+    quarter = np.pi / 4 * WIDEST**2 * ROLLING**2 * RATIO
+    assert x.size * pixels.area == pytest.approx(quarter, rel=0.01)  # pixels on the edge
+
+
+def test_a_pixel_yields_under_four_rectangles(even: PairCompliance) -> None:
+    """A force on each pixel and on its images beyond both axes."""
+    pixels = pixels_of(even)
+    half_sides = WIDEST / PIXELS * ROLLING / 2, WIDEST / PIXELS * ROLLING * RATIO / 2
+    random = np.random.default_rng(8)
+    place, loaded = random.integers(pixels.x.size, size=(2, 40))
+    loaded[:5] = place[:5]
+    expected = np.zeros(40)
+    for side_x in (1, -1):
+        for side_y in (1, -1):
+            apart = pixels.x[place] - side_x * pixels.x[loaded], pixels.y[place] - side_y * pixels.y[loaded]
+            # A corner straight above or beside a place would have no logarithm: its part is 0.
+            expected += pressed_rectangle(*(each + 1e-13 for each in apart), half_sides=half_sides)
+    expected /= np.pi * contact_modulus(even.contact)
+    np.testing.assert_allclose(pixels.compliance[place, loaded], expected, rtol=1e-7)  # 1e-13 m of a pixel of 8e-6
