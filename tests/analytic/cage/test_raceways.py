@@ -341,6 +341,16 @@ def test_a_ball_without_any_load_is_refused() -> None:
         ring_raceways(BEARING_6205, ANGLE, at(load=700.0, axial=20.0), STANDING, friction=(0.1, 0.1))
 
 
+def test_the_azimuth_without_load_is_named() -> None:
+    races = ring_raceways(BEARING_6205, ANGLE, at(load=310.0), STANDING, friction=(0.1, 0.1))
+    load = races.contacts.load.copy()
+    load[:, 50] = 0.0  # of 144
+    with pytest.raises(InputError, match=r"a ball at 125 degrees from the radial load is pressed by 0 N"):
+        replace(races, contacts=replace(races.contacts, load=load))
+    load[0, 50] = 1.0  # one race is enough
+    replace(races, contacts=replace(races.contacts, load=load))
+
+
 def test_balls_of_a_ring_are_not_taken_for_balls_under_thrust() -> None:
     balls = ring_balls(BEARING_6205, ANGLE, at(load=100.0), LoadEffects())
     with pytest.raises(InputError, match="balls by the method 'ring' differ over a turn: take `ring_raceways`"):

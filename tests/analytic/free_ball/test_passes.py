@@ -1,6 +1,7 @@
 """How closely the passes of a point with free balls settle, and how they take their number of nodes."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from inspect import unwrap
 from types import SimpleNamespace
 from typing import Any
@@ -8,6 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from analytic.contact.geometry import RACES, race_curvatures
+from analytic.contact.rolling_contact import EllipticContact
 from analytic.free_ball import passes
 from analytic.free_ball.passes import FreeAccuracy, FreeEnd
 from analytic.free_ball.rounds import ROUGHLY_STEADY, SKIDS, STEADY
@@ -16,10 +19,17 @@ from analytic.free_ball.turning import ACCURACY, ENOUGH
 from analytic.loads.ring_rounds import OPEN, SETTLED, Round
 from analytic.loads.state import ball_states, ring_state
 from analytic.numerics.records import Records
-from analytic.solve.model import model_of
+from analytic.oil.film import film_asymptotes
+from analytic.oil.mixed import mixed_contact
+from analytic.oil.traction import mixed_traction
+from analytic.solve.model import model_of, workspace
 from analytic.solve.records import SETTLED as POINT_SETTLED
 from analytic.solve.solution import points_of, solved
+from analytic.surface.gap import gap_law
+from analytic.surface.roughness import gap_roughness
 from tests.analytic.free_ball.specimens import COUNTED, angular_contact, dry_scene
+from tests.analytic.specimens import FINISH, OIL
+from tests.contacts import STEEL
 
 
 def test_the_last_pass_is_steady_to_the_digits_that_a_torque_needs() -> None:
@@ -31,6 +41,43 @@ def test_the_last_pass_is_steady_to_the_digits_that_a_torque_needs() -> None:
     assert np.all(found["passes"] >= 2)
     np.testing.assert_array_equal(found["tolerance"], STEADY)
     assert np.all(found["left"] <= STEADY)
+
+
+def test_each_race_has_the_law_of_its_own_film() -> None:
+    """By the film formulas for its load, semi-axes and speeds; the outer groove is far wider, and carries more."""
+    narrow, speed = angular_contact(), 1450.0
+    wide = replace(narrow.outer, groove_radius=0.6 * narrow.ball_diameter)
+    scene = dry_scene(replace(narrow, outer=wide), 0.5, 0.1, load=np.array([170.0]), speed=np.array([speed]))
+    scene = replace(scene, friction_coefficient=None, lubricant=OIL, surface=FINISH)
+    model = model_of(scene, COUNTED | {"asperities": True}, creep="closed", passes=1)
+    work = workspace(model)
+    ball = solved(model, points_of(scene.operation, model.temperature), work=work).balls[0, 0]
+    bodies, modulus = (STEEL, STEEL), STEEL.youngs_modulus / (2 * (1 - STEEL.poisson_ratio**2))
+    gap = gap_law(FINISH, gap_roughness(FINISH), modulus=modulus, bodies=bodies)
+    for race, name in enumerate(RACES):
+        angle = float(ball["angle"][race])
+        rolling, transverse = race_curvatures(scene.bearing, name, contact_angle=angle)
+        contact = EllipticContact(
+            load=float(ball["load"][race]),
+            semi_axis_rolling=float(ball["semi_axis_rolling"][race]),
+            semi_axis_transverse=float(ball["semi_axis_transverse"][race]),
+            curvature_rolling=float(rolling),
+            curvature_transverse=float(transverse),
+            modulus=modulus,
+        )
+        film = film_asymptotes(
+            contact,
+            entrainment_speed=speed * float(ball["motion"][f"{name}_entrainment"]),
+            viscosity=OIL.viscosity,
+            pressure_viscosity=OIL.pressure_viscosity,
+            compressible=OIL.compressible,
+        )
+        expected = mixed_traction(OIL, FINISH.boundary_friction, mixed_contact(contact, film, gap=gap)).point_law
+        held = work.contacts[0, race]
+        # Passes end where the torque settles; films still follow the speeds by 1e-3.
+        for field in ("boundary", "limit", "eyring", "share", "growth", "exponent"):
+            np.testing.assert_allclose(held[field], getattr(expected, field), rtol=1e-4, err_msg=field)
+        np.testing.assert_allclose(held["fluidity"], speed * expected.fluidity, rtol=2e-3)
 
 
 OTHER = 0.3  # N m: all torque but that of sliding

@@ -454,7 +454,12 @@ def test_a_start_leads_back_to_where_its_ball_settled() -> None:
         velocity = (8.1e-3, 3e-5, 1.1e-3, -8e-3)
         ball.velocity = velocity
         leave(model, ball, np.array([0.29, 0.25, load[0] * 1.1, load[1] * 0.9]))
-        ball.angle, ball.load, ball.velocity, ball.given = (0.29, 0.25), (load[0] * 1.1, load[1] * 0.9), 0.0, 0.0
+        ball.angle, ball.load, ball.velocity, ball.given = (
+            (0.29, 0.25),
+            (load[0] * 1.1, load[1] * 0.9),
+            np.zeros(4),
+            np.zeros(3),
+        )
         begin(model, ball, True)
         np.testing.assert_allclose(ball.angle, angle, rtol=1e-12)
         np.testing.assert_allclose(ball.load, load, rtol=1e-12)
