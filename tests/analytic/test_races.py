@@ -10,11 +10,13 @@ import pytest
 from numpy.typing import NDArray
 
 from analytic import races
+from analytic.contact.factors import ContactCorrection
 from analytic.effects.ledger import Ledger
 from analytic.effects.table import ENTRIES, PER_CENTRIFUGAL, PER_LAG
 from analytic.effects.trial import OF_FREE_BALLS, OF_METHODS
 from analytic.errors import ConvergenceError, InputError
 from analytic.free_ball.rotation import QUADRATURES
+from analytic.oil.variation import NOMINAL
 from analytic.races import NOT_UNIQUE, WEDGED, RaceTorque, loaded_balls_of
 from analytic.scene import Array, ContactAngle, Operation, Scene
 from analytic.sliding.judge import ALONG_AXIS, AS_PRINTED, FINE, METHODS, OVER_ELLIPSE, SINGLE_COEFFICIENT
@@ -194,6 +196,28 @@ def test_what_takes_balls_off_a_race_changes_rolling(monkeypatch: pytest.MonkeyP
     np.testing.assert_array_equal(resisted(found, scene=impossible, counted=without).change_at_edge(), np.zeros(5))
 
 
+def test_the_edge_is_tried_by_the_first_quadrature_of_free_balls_or_by_rule(monkeypatch: pytest.MonkeyPatch) -> None:
+    free, rule = forged(1), forged(1)
+    asked: list[dict[str, Any]] = []
+
+    def solved(model: Numbers, _points: Array) -> Solution:
+        asked.append(model.asked)
+        return free
+
+    monkeypatch.setattr(races, "solved", solved)
+    monkeypatch.setattr(RaceTorque, "_by_rule", lambda *_: rule)
+    model: Any = Numbers()
+    at = np.array([1])
+    assert resisted(forged(), method="closed_creep")._cheaply(model, at) is free
+    assert asked == [{"creep": "closed", "passes": 1, "cold": False}]
+    assert resisted(forged(), method="along_axis")._cheaply(model, at) is rule
+
+
+def test_the_growth_by_wedging_is_that_of_the_worst_point(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(races, "growth_by_wedging", lambda *_: np.array([1.0, 3.5, 2.0]))
+    assert resisted(forged()).growth == 3.5
+
+
 @pytest.mark.parametrize(("method", "creep"), [("closed_creep", "closed"), ("single_coefficient", "marched")])
 def test_how_far_balls_lead_is_compared_with_two_coarser_quadratures(
     monkeypatch: pytest.MonkeyPatch, method: Any, creep: str
@@ -230,10 +254,80 @@ def test_how_far_balls_lead_is_compared_with_two_coarser_quadratures(
 def test_balls_that_a_weight_takes_off_roll_in_oil(changed: dict[str, Any], counts: bool, expected: bool) -> None:
     scene = replace(SCENE, **changed)
     each = resisted(forged(), scene=scene, counted={**ALL_ON, "rolling": counts, "load_distribution": False})
-    heavy, light = each._weighing((0.0, 0.0, 1.0)).asked, each._weighing(None).asked  # type: ignore[attr-defined]
+    down: Any = each._weighing((0.0, 0.0, 1.0))
+    none: Any = each._weighing(None)
+    heavy, light = down.asked, none.asked
     assert heavy["counted"]["unloaded_balls"] == light["counted"]["unloaded_balls"] == expected
     assert (heavy["counted"]["weight"], light["counted"]["weight"]) == (True, False)
     assert heavy["counted"]["load_distribution"]
+
+
+def solved_with(*, left_out: float = 0.0, creep: Any = None, reason: str = "so", **given: Any) -> tuple[Any, Any]:
+    """The races of a scene whose effects are settled so, and what was asked of each step."""
+    asked: dict[str, Any] = {}
+    found, apart = forged(), np.full(3, 17.0)
+
+    def decide(ledger: Ledger, *_: Any, has_factors: bool) -> dict[str, bool]:
+        ledger.left_out = np.full(3, left_out)
+        ledger.settle("weight", on=False, reason=reason)
+        asked["has_factors"] = has_factors
+        return ALL_ON | given
+
+    def by_rule(_scene: Any, _trial: Any, _counted: Any, allowed: Array, *, slides: bool) -> Any:
+        asked.update(allowed=allowed, slides=slides)
+        return found, np.zeros(3), "along_axis", 2
+
+    def finite_geometry(*_: Any, is_given: bool) -> Any:
+        asked["is_given"] = is_given
+        return (), False
+
+    with pytest.MonkeyPatch.context() as patch:
+        for name, value in {
+            "trial_of": lambda *_: trial_of(found),
+            "_base": lambda *_: found,
+            "decide_effects": decide,
+            "_any_direction": lambda *_: np.zeros(3, dtype=bool),
+            "_free_creep": lambda *_, slides: asked.update(creeps=slides) or creep,
+            "_slide_freely": lambda *_: (found, np.zeros(3)),
+            "_slide_by_rule": by_rule,
+            "_finite_geometry": finite_geometry,
+            "_other_states": lambda *_: apart,
+        }.items():
+            patch.setattr(races, name, value)
+        correction = ContactCorrection() if asked.setdefault("factors", reason == "factors") else None
+        each = races.race_torque(Ledger(SCENE, 3), SCENE.operation, correction=correction, variation=NOMINAL)
+    return each, asked
+
+
+def test_sliding_may_err_by_what_effects_leave_of_the_tolerance() -> None:
+    each, asked = solved_with(left_out=0.013)
+    np.testing.assert_allclose(asked["allowed"], TOLERANCE - 0.013, rtol=1e-12)
+    assert (each.method, each.computed, each.is_wedged) == ("along_axis", 2, False)
+    assert np.isnan(each.other).all()
+    assert (asked["has_factors"], asked["is_given"]) == (False, False)
+
+
+def test_free_balls_have_other_states_and_their_own_method() -> None:
+    each, asked = solved_with(creep="closed")
+    assert (each.method, each.computed) == ("closed_creep", 3)
+    np.testing.assert_array_equal(each.other, np.full(3, 17.0))
+    assert "allowed" not in asked
+
+
+def test_spin_or_conformity_slides() -> None:
+    for off, slides in (
+        ({"spin": False}, True),
+        ({"conformity": False}, True),
+        ({"spin": False, "conformity": False}, False),
+    ):
+        _, asked = solved_with(**off)
+        assert (asked["slides"], asked["creeps"]) == (slides, slides)
+
+
+def test_factors_of_the_call_and_wedged_balls_are_passed_on() -> None:
+    _, asked = solved_with(reason="factors")
+    assert (asked["has_factors"], asked["is_given"]) == (True, True)
+    assert solved_with(reason=NOT_UNIQUE)[0].is_wedged
 
 
 # Loads
