@@ -50,7 +50,7 @@ def _decide_ball_dynamics(scene: Scene, drive: CageDrive | None, ledger: Ledger,
         lacks = still if ledger.is_on("cage_dynamics") else entry.idle
     elif drive.friction_coefficient is None:
         lacks = 'friction of the races not computed: set effects.spin and effects.conformity to "auto"'
-    elif automatic and drive.cage.start is not None:
+    elif automatic:
         lacks = _too_long(drive.cage, int(np.count_nonzero(needs)), LONGEST_FREE_MOTION, "ball_dynamics")
         lacks = None if lacks is None else f"grip number {number:.3g} at most, and {lacks}"
     demanded = f"grip number {number:.3g}, balls slide above {LARGEST_GRIP:g}"

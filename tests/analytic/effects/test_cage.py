@@ -105,14 +105,16 @@ def drive(scene: Scene, **changed: Any) -> Any:
     return SimpleNamespace(**(known | changed))
 
 
-def decided(scene: Scene, **changed: Any) -> tuple[dict[str, Effect], NDArray[np.bool_]]:
+def decided(
+    scene: Scene, race: NDArray[np.float64] = RACE, **changed: Any
+) -> tuple[dict[str, Effect], NDArray[np.bool_]]:
     ledger = Ledger(scene, 2)
-    free = decide_cage(scene, drive(scene, **changed), ledger, race=RACE)
+    free = decide_cage(scene, drive(scene, **changed), ledger, race=race)
     return ledger.made, free
 
 
 STARTED = with_cage(replace(CAGED, effects={}), start="rest")
-SLIDES = {"slides": lambda _mu: np.array([False, True]), "grip_number": lambda _mu: np.array([0.3, 1.7])}
+SLIDES: dict[str, Any] = {"slides": lambda _mu: np.array([False, True]), "grip_number": lambda _mu: np.array([0.3, 1.7])}
 
 
 def test_a_whirl_counts_by_its_friction_against_all_balls() -> None:
@@ -128,6 +130,10 @@ def test_a_whirl_counts_by_its_friction_against_all_balls() -> None:
     assert "no whirl: whirl number 0.978 at most, limit 1" in slow["cage_dynamics"].reason
     fast, _ = decided(STARTED, ball_speed=np.array([3.0, 8.0]))  # 1.03
     assert fast["cage_dynamics"].decision == "on"
+    nothing, _ = decided(STARTED, np.array([4e-3, 0.0]))  # races without torque
+    assert nothing["cage_dynamics"].share == np.inf
+    still, _ = decided(replace(STARTED, tolerance=0.16), np.array([0.0, 6e-3]))  # without a torque and without a whirl
+    assert still["cage_dynamics"].decision == "off"
     asked, _ = decided(replace(STARTED, effects={"cage_dynamics": "on"}), ball_speed=np.array([3.0, 7.8]))
     assert asked["cage_dynamics"].reason == "on in the scene"
 
@@ -182,6 +188,8 @@ def test_auto_moves_balls_for_seconds_and_the_cage_for_minutes() -> None:
     assert one["cage_dynamics"].decision == "on"
     asked, _ = decided(with_cage(replace(STARTED, effects={"cage_dynamics": "on"}), duration=42.0))
     assert asked["cage_dynamics"].decision == "on"
+    asked, _ = decided(with_cage(replace(STARTED, effects={"ball_dynamics": "on"}), duration=0.67), **SLIDES)
+    assert asked["ball_dynamics"].decision == "on"
 
 
 def test_no_cage_and_a_neglected_one_settle_all_of_it() -> None:

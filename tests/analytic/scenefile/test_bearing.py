@@ -78,6 +78,39 @@ def test_a_group_of_clearance_is_taken_in_its_middle() -> None:
     assert origin.uncertainty == pytest.approx(18e-6 / math.sqrt(12), rel=1e-9)  # of a uniform distribution
 
 
+@pytest.mark.parametrize(("name", "keys", "status"), [
+    ("6206", "", "assumed"),  # no suffix is CN
+    ("6206/C3", "", "printed"),
+    ("6206", 'clearance = "CN"\n', "printed"),
+    ("7208 BEP", "", "derived"),
+    ("6206", 'clearance = "13 um"\n', "given"),
+])  # fmt: skip
+def test_a_clearance_says_where_it_comes_from(name: str, keys: str, status: str) -> None:
+    assert named(name, keys).origins["clearance"].status == status
+
+
+def test_the_clearance_of_a_nominal_angle_is_as_uncertain_as_the_angle() -> None:
+    """1.5 degrees, by a difference of 2 A_0 (1 - cos al) with A_0 = 0.6 mm."""
+    origin = bearing(HAND + 'contact_angle = { nominal = "23 deg" }\n').origins["clearance"]
+    step = 0.01
+    less, more = (1.2e-3 * (1 - math.cos(math.radians(23 + side * step))) for side in (-1, 1))
+    assert origin.uncertainty == pytest.approx((more - less) / (2 * step) * 1.5, rel=1e-6)
+    assert origin.source == "closes at the unloaded contact angle of 23 deg"
+
+
+def test_a_series_is_that_of_its_boundary_dimensions() -> None:
+    assert named("6206").series == find_bearing("6206").series is not None
+    for key in ('bore_diameter = "29 mm"', 'outside_diameter = "63 mm"', 'width = "15 mm"'):
+        assert named("6206", key + "\n").series is None
+    assert bearing(HAND + PLAY).series is None
+
+
+def test_seals_rub_where_one_of_them_touches() -> None:
+    assert named("6206-2RS1").seals_rub
+    assert not named("6206-2Z").seals_rub
+    assert not named("6206").seals_rub
+
+
 def test_own_dimensions_replace_those_of_the_catalogue() -> None:
     row = find_bearing("6208")
     own = named(

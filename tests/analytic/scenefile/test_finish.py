@@ -44,13 +44,18 @@ def test_a_finish_is_within_its_limits_and_says_that_it_is_assumed() -> None:
         assert present(read.rms_roughness) / sqrt(pi / 2) == pytest.approx(middle * 1e-6, rel=1e-12)  # round-off
         origin = read.origins["rms_roughness"]
         assert origin.status == "assumed"
-        assert 0 < present(origin.uncertainty) < (high - low) * 1e-6
+        # a uniform distribution between both limits of Ra, of which Sq is sqrt(pi/2) times
+        spread = (high - low) * 1e-6 / sqrt(12) * sqrt(pi / 2)
+        assert present(origin.uncertainty) == pytest.approx(spread, rel=1e-12)
+        length = read.origins["autocorrelation.length"]
+        assert present(length.uncertainty) == pytest.approx(30e-6 / sqrt(12), rel=1e-12)  # 10 to 40 um
         assert (read.ball_rms_roughness, read.origins["ball_rms_roughness"].status) == (0.011e-6, "given")
 
 
 def test_the_ball_of_a_finish_is_smoother_than_a_ground_race() -> None:
     read = surface('finish = "ground and honed"')
     assert 0 < present(read.ball_rms_roughness) < present(read.rms_roughness)
+    assert present(read.ball_rms_roughness) == pytest.approx(0.02e-6 * sqrt(pi / 2), rel=1e-12)  # grade 10 of ISO 3290
     assert read.origins["ball_rms_roughness"].status == "assumed"
 
 
@@ -62,12 +67,26 @@ def test_the_ball_of_a_finish_is_smoother_than_a_ground_race() -> None:
         ("Ra = 0.1", ("surface.Ra = 0.1", "no unit", '"0.1 um"')),
         ('rms_roughness = "0.1 um"', ("surface.autocorrelation is missing", "Ra or finish")),
         ("", ("exactly one of rms_roughness, Ra, finish and height_map",)),
+        ('Ra = "0.1 um"\nasperities = "greenwood_williamson"', ("asperities", "leave it out")),
+        ('height_map = { path = "a.x3p", spacing = "1 um" }', ("spacing = '1 um' goes with .npy and .csv",)),
+        ('height_map = { path = "a.npy" }', ("surface.height_map.spacing is missing",)),
+        ('height_map = { path = "a.x3p" }', ("surface.height_map.path = 'a.x3p'",)),
+        (
+            'height_map = { path = "a.npy", spacing = "1 um" }\n'
+            'autocorrelation = { kind = "gaussian", length = "33 um", spacing = "3 um" }',
+            ("surface.autocorrelation does not go with height_map",),
+        ),
     ],
 )
 def test_a_mistake_is_named_in_one_line(text: str, words: tuple[str, ...]) -> None:
     message = refusal(f"{PLAIN}[surface]\n{text}")
     assert message.isprintable()
     assert [word for word in words if word not in message] == [], message
+
+
+def test_truncated_summits_may_have_their_law() -> None:
+    read = surface('Ra = "0.1 um"\ngap = "truncated"\nasperities = "greenwood_williamson"')
+    assert (read.gap, read.asperities) == ("truncated", "greenwood_williamson")
 
 
 def test_declared_statistics_are_given() -> None:

@@ -45,6 +45,12 @@ MISTAKES = [  # text, and words of the message: key, value, what is accepted
     (changed('"700 N"', '"7 N^9999999"'), ("operation.axial_load", '"1 kN"')),
     (changed('"700 N"', '"7 __import__"'), ("operation.axial_load", '"1 kN"')),
     (changed('"700 N"', '"700 N"\nmoment = "3 N"'), ("operation.moment = '3 N'", "unit like N m")),
+    (changed('"700 N"', '"700 N"\ndown = [0, 0, 0]'), ("operation.down = [0, 0, 0] is no direction", "[1, 0, 0]")),
+    (changed('"700 N"', '"700 N"\ndown = [3, 4]'), ("operation.down = [3, 4] is no direction",)),
+    (changed('"700 N"', '"700 N"\ndown = [1, 0, 0, 0]'), ("is no direction",)),
+    (changed('"700 N"', '"700 N"\ndown = [1, "x", 0]'), ("is no direction",)),
+    (changed('"700 N"', '"700 N"\ndown = [1, inf, 0]'), ("is no direction",)),
+    (changed('"700 N"', '"700 N"\ndown = "x"'), ("operation.down = 'x' is no direction",)),
     (changed('"700 N"', '"700 N"\nradial_load = []'), ("operation.radial_load = []", "empty")),
     (changed('"solved" }', '"solved", free = "0.1 rad" }\nclearance = "5 um"'),
         ("bearing.clearance = '5 um'", "contact_angle.free", "leave one of them out")),
@@ -214,6 +220,20 @@ def test_a_mistake_is_named_in_one_line(text: str, words: tuple[str, ...]) -> No
 
 def test_a_wall_as_thick_as_the_web_between_pockets_is_accepted() -> None:
     assert scene(CAGE + 'pocket_diameter = "12.9 mm"\nwall_thickness = "0.44 mm"').cage is not None
+
+
+def test_gravity_has_a_direction_of_any_length() -> None:
+    assert scene(changed('"700 N"', '"700 N"\ndown = [3, 0, -4.0]')).down == pytest.approx((0.6, 0.0, -0.8), rel=1e-15)
+
+
+def test_more_than_five_mistakes_are_counted() -> None:
+    """Each of these keys of the operation is unknown."""
+    for count, words in ((5, None), (7, "; and 2 more")):
+        lines = "".join(f"\nodd{letter} = 3" for letter in "abcdefg"[:count])
+        message = refusal(changed('"700 N"', f'"700 N"{lines}'))
+        assert message.count("is an unknown key") == 5
+        assert (words is None) == ("more" not in message)
+        assert words is None or message.endswith(words)
 
 
 def test_a_misspelt_key_explains_the_keys_that_are_missing_without_it() -> None:

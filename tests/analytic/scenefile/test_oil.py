@@ -217,6 +217,84 @@ def test_an_oil_without_a_line_takes_a_viscosity_at_its_temperature() -> None:
     assert oil(f'name = "NSK MTE"\n{dense}').origins["viscosity"].status == "printed"
 
 
+def test_a_class_is_less_certain_away_from_40_degrees() -> None:
+    """10 % of the class, 5 % at 100 degC by its index and 3 % of the density, as limits, in proportion to ln T."""
+    for temperature in (293.15, WARM, 373.15):
+        read = analytic.lubricant("ISO VG 46", temperature=temperature)
+        away = log(temperature / 313.15) / log(373.15 / 313.15)
+        limit = sqrt(0.1**2 + (0.05 * away) ** 2 + 0.03**2)
+        origin = read.origins["viscosity"]
+        assert present(origin.uncertainty) == pytest.approx(limit * read.viscosity / sqrt(3), rel=1e-9)
+        assert (origin.status, "ASTM D341" in origin.source) == ("derived", True)
+
+
+@pytest.mark.parametrize(
+    ("name", "celsius", "status"),
+    [
+        ("FVA 3", 40.0, "printed"),
+        ("FVA 3", 100.0, "printed"),
+        ("FVA 3", 99.0, "derived"),
+        ("ISO VG 46", 40.0, "printed"),
+        ("ISO VG 46", 100.0, "derived"),  # a class has no print there
+        ("NSK MTE", 40.0, "printed"),
+        ("NSK MTE", 100.0, "assumed"),
+    ],
+)
+def test_a_viscosity_is_printed_where_its_print_is(name: str, celsius: float, status: str) -> None:
+    origin = analytic.lubricant(name, temperature=celsius + 273.15, density=870.0).origins["viscosity"]
+    assert origin.status == status
+    has_limit = name == "ISO VG 46" or status == "assumed"
+    assert (origin.uncertainty is not None) == has_limit
+
+
+def test_an_oil_that_no_pressure_thickens_needs_its_stress() -> None:
+    """2 Lambda/alpha has no value; nor has it where the limiting shear is 0."""
+    numbers = 'viscosity = "60 mPa s"\n'
+    for line in ('pressure_viscosity = "0 1/Pa"', 'pressure_viscosity = "2e-8 1/Pa"\nlimiting_shear = 0'):
+        assert "lubricant.eyring_stress is missing" in refused(numbers + line)
+        assert oil(f'{numbers}{line}\neyring_stress = "5 MPa"').eyring_stress == 5e6
+    named = 'name = "vg46"\nlimiting_shear = 0'
+    assert "lubricant.eyring_stress is missing: no sourced value for ISO VG 46 mineral" in refused(named)
+
+
+def test_grease_has_the_surface_tension_of_its_oil() -> None:
+    """That of greases by default, within a quarter; an oil has none that counts."""
+    bled = oil('name = "SKF GJN"')
+    origin = bled.origins["surface_tension"]
+    assert (bled.surface_tension, origin.status) == (0.022, "assumed")
+    assert present(origin.uncertainty) == pytest.approx(0.022 * 0.25 / sqrt(3), rel=1e-12)
+    given = oil('name = "SKF GJN"\nsurface_tension = "0.027 N/m"')
+    assert (given.surface_tension, given.origins["surface_tension"].status) == (0.027, "given")
+    assert "surface_tension" in oil('name = "vg46"\nsupply = "grease"').origins
+    for text in ('name = "vg46"', 'name = "SKF GJN"\nsupply = "oil_spot"'):
+        assert "surface_tension" not in oil(text).origins
+
+
+def test_the_slope_of_a_given_density_is_that_of_the_line_alone() -> None:
+    """Else the density falls by 0.6 kg/m3 for each kelvin, of 842 at 70 degC."""
+    with_, alone = (analytic.lubricant("ISO VG 46", temperature=WARM, **more) for more in ({}, {"density": 842.0}))
+    assert with_.viscosity == pytest.approx(alone.viscosity, rel=1e-12)
+    difference = with_.viscosity_temperature - alone.viscosity_temperature
+    assert difference == pytest.approx(0.6 / 842.0, rel=1e-9)
+    given = oil('name = "vg46"\nviscosity_temperature = "0.031 1/K"')
+    assert given.viscosity_temperature == 0.031
+    numbers = 'pressure_viscosity = "2e-8 1/Pa"\neyring_stress = "5 MPa"'
+    assert oil(f'viscosity = "60 mPa s"\n{numbers}').viscosity_temperature == 0.045
+
+
+def test_a_dynamic_viscosity_needs_no_density() -> None:
+    """Of a name whose density nobody prints the usual one is taken; a kinematic one is refused without it."""
+    assert oil('name = "NSK MTE"\nviscosity = "20 mPa s"').viscosity == 0.02
+    numbers = 'pressure_viscosity = "2e-8 1/Pa"\neyring_stress = "5 MPa"'
+    single = oil(f'viscosity = "60 mPa s"\n{numbers}')
+    origin = single.origins["density"]
+    assert (single.density, origin.status) == (870.0, "assumed")
+    assert present(origin.uncertainty) == pytest.approx(0.03 * 870.0 / sqrt(3), rel=1e-12)
+    pair = oil(f'viscosity = ["40.02 mPa s at 40 degC", "5.7855 mPa s at 100 degC"]\n{numbers}')
+    same = oil(f'viscosity = ["46 cSt at 40 degC", "6.65 cSt at 100 degC"]\ndensity = "870 kg/m^3"\n{numbers}')
+    assert pair.viscosity == pytest.approx(same.viscosity, rel=1e-9)
+
+
 MESSAGES = [
     ('name = "ISO VG 48"', ("lubricant.name = 'ISO VG 48'", "near it are", "ISO VG 46 mineral")),
     ('name = "olive oil"', ("lubricant.name = 'olive oil'", "near it are")),
@@ -244,6 +322,10 @@ MESSAGES = [
         ("lubricant.viscosity must fall with the temperature", "68 mm2/s at 100 degC")),
     ('viscosity = ["46 cSt at 40 degC", "7 cSt at 100 degC"]\nbase_oil = "PAO"\nreference_temperature = "50 degC"',
         ("lubricant.reference_temperature", "two temperatures", "give temperature alone")),
+    ('name = "vg46"\nviscosity = "46 cSt"', ("lubricant.viscosity = '46 cSt' has no temperature beside",)),
+    ('viscosity = ["46 cSt at 40 degC", "7 cSt at 100 degC"]\npressure_viscosity = "2e-8 1/Pa"',
+        ("is kinematic, so lubricant.density is missing",)),
+    ('reach = { ahead = "4.1 mm" }\nname = "vg46"', ("lubricant.reach.ahead of 4.1 mm is beyond the ball's radius",)),
     ('viscosity = "60 mPa s"\nbase_oil = "whale"', ("lubricant.base_oil = 'whale'", "mineral, naphthenic, PAO, ester")),
 ]  # fmt: skip
 
