@@ -102,7 +102,7 @@ def _draw_map(variable: Any, across: list[str], others: list[str], unit: Unit) -
         else:
             ends = [_edges(part[dimension]) for dimension in (horizontal, vertical)]
             panel.pcolormesh(*ends, np.ma.masked_invalid(values), norm=norm, cmap=colours)
-        if min(values.shape) > 2 and whole and levels and np.ptp(values) > 0:
+        if whole and levels and np.ptp(values) > 0:
             lines = panel.contour(x, y, values, levels=levels, colors="white", linewidths=0.7)
             for text in panel.clabel(lines, fontsize=8, fmt="%g"):
                 text.set_path_effects([withStroke(linewidth=1.5, foreground="black")])  # on the lightest colours too

@@ -10,7 +10,7 @@ from matplotlib.contour import ContourSet
 from matplotlib.patches import Ellipse
 
 from fembearing.quantities import INCH_POUND, METRIC, Units
-from fembearing.report.figures.film import THICKEST, film_figure
+from fembearing.report.figures.film import LEVELS, THICKEST, film_figure
 from tests.report.figures.figure_reader import require_legible
 
 A, B, PEAK = 0.13e-3, 0.71e-3, 1.7e9  # m, m, Pa
@@ -71,3 +71,30 @@ def test_pressure_and_film_along_rolling_are_within_their_scales(units: Units) -
         middle = values[np.argmin(np.abs(np.asarray(line.get_xdata(), dtype=float)))]
         assert middle == pytest.approx(highest * unit.factor, rel=0.01)  # the first row is 0.02 b beside the centre
         assert unit.name in panel.get_ylabel()
+
+
+def test_maps_have_so_many_even_steps_of_colour() -> None:
+    for panel in film_figure(solved()).axes:
+        for colours in (part for part in panel.get_children() if isinstance(part, ContourSet)):
+            levels = np.asarray(colours.levels)
+            assert levels.size == LEVELS + 1
+            np.testing.assert_allclose(np.diff(levels), levels[1] - levels[0], rtol=1e-9)
+
+
+def test_lines_along_rolling_are_over_semi_axes() -> None:
+    figure = film_figure(solved())
+    lines = {
+        str(line.get_label()): np.asarray(line.get_xydata(), dtype=float)
+        for axes in figure.axes
+        for line in axes.get_lines()
+    }
+    for name in ("pressure", "film"):
+        np.testing.assert_allclose(lines[name][[0, -1], 0], [-2.3, 1.7], rtol=1e-12)
+    hertz = lines["Hertz's pressure"]
+    np.testing.assert_allclose(hertz[:, 0] ** 2 + (hertz[:, 1] / (1e-9 * PEAK)) ** 2, 1, rtol=1e-9)
+    assert (hertz[0, 0], hertz[-1, 0]) == (-1, 1)
+    panel = next(axes for axes in figure.axes if "pressure" in [line.get_label() for line in axes.get_lines()])
+    assert panel.get_xlim()[0] < -1.5 < 1 < panel.get_xlim()[1]
+    assert 1e-9 * PEAK < panel.get_ylim()[1] < 2e-9 * PEAK
+    other = next(axes for axes in figure.axes if "film" in [line.get_label() for line in axes.get_lines()])
+    assert 2e6 * CENTRAL < other.get_ylim()[1] < 6e6 * CENTRAL  # below the pressure, which has a scale of its own

@@ -189,3 +189,13 @@ def test_pictures_are_written_of_what_has_numbers_and_an_axis(tmp_path: Path) ->
     assert write_maps(dataset, tmp_path) == [tmp_path / "torque_total.png"]
     assert (tmp_path / "torque_total.png").read_bytes().startswith(b"\x89PNG")
     assert write_maps(made(load=[1.0]), tmp_path) == []
+
+
+def test_lines_are_over_the_longest_axis_where_none_has_three_numbers() -> None:
+    for axes in (
+        {"pair": ["inner", "outer"], "oil": ["a", "b", "c", "d"]},
+        {"oil": ["a", "b", "c", "d"], "pair": ["inner", "outer"]},
+    ):
+        (panel,) = map_figure(made(**axes), "torque_total").axes
+        assert [text.get_text() for text in panel.get_xticklabels()] == ["a", "b", "c", "d"]
+        assert [line.get_label() for line in panel.lines] == ["pair inner", "pair outer"]
