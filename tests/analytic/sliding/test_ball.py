@@ -13,8 +13,9 @@ from analytic.loads.kinematics import ball_kinematics
 from analytic.oil.film import film_asymptotes
 from analytic.oil.mixed import mixed_contact
 from analytic.oil.rolling import hysteresis_moment
-from analytic.oil.traction import CoulombTraction, MixedTraction, Traction, mixed_traction
+from analytic.oil.traction import CoulombTraction, MixedTraction, PointLaw, Traction, mixed_traction
 from analytic.scene import Array, Autocorrelation, SlidingMethod, SpinRule, Surface
+from analytic.sliding.ball import at_ring_speed
 from analytic.sliding.long_ellipse import microslip_torque
 from analytic.surface.gap import gap_law
 from analytic.surface.roughness import gap_roughness
@@ -151,8 +152,18 @@ def test_coulomb_friction_is_that_of_the_closed_forms(rule: SpinRule) -> None:
     np.testing.assert_allclose(along.inner.spin_moment, expected.inner_spin_moment, rtol=QUADRATURE)
     np.testing.assert_allclose([along.inner.coefficient, along.outer.coefficient], 0.083, rtol=1e-12)
     np.testing.assert_allclose(along.inner.slip_speed, found.inner.slip_speed, rtol=QUADRATURE)
+    # c, which the line has in closed form; where one line of pure rolling has left the contact it is 0.
+    np.testing.assert_allclose(found.inner.creep, along.inner.creep, rtol=1e-4, atol=1e-9 * 1.1e-3)
+    np.testing.assert_allclose(found.outer.creep, along.outer.creep, rtol=1e-4, atol=1e-9 * 1.1e-3)
     narrow, long = (friction(pair(semi_axis_rolling=1e-6), COULOMB, each) for each in ("over_ellipse", "along_axis"))
     np.testing.assert_allclose(narrow.torque, long.torque, rtol=1e-4)  # as (a/b)^2 ln(b/a)
+
+
+def test_oil_without_a_film_shears_at_its_limit_at_standstill_too() -> None:
+    for speed in (0.0, 31.0):
+        law = PointLaw(limit=0.06, eyring=5e6, fluidity=np.inf, own=3.0)
+        assert at_ring_speed(law, speed) == law
+        assert at_ring_speed(law._replace(fluidity=7.0), speed) == law._replace(fluidity=7.0 * speed)
 
 
 @pytest.mark.parametrize("traction", ["eyring_constant", "eyring_sinh"])

@@ -7,7 +7,7 @@ import pytest
 
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.loads.balls import LoadedBalls, LoadEffects, thrust_balls
-from analytic.oil.traction import PointLaw
+from analytic.oil.traction import PointLaw, mean_force
 from analytic.scene import Bearing, ContactAngle, Operation, Scene
 from analytic.sliding.creep import creep_numbers, creep_share
 from analytic.solve.model import model_of
@@ -39,6 +39,25 @@ def test_surfaces_without_friction_do_not_creep(bearing_6205: Bearing) -> None:
     contact = numbers_of(balls, 0)
     assert np.all(np.isinf(creep_numbers(contact, 0.0, 0.3)))
     assert creep_share(contact, PointLaw(), 31.0, 0.3) == 0.0
+
+
+def test_the_friction_of_the_share_is_that_of_a_contact_that_takes_all_spin(bearing_6205: Bearing) -> None:
+    """Oil that shears harder at a higher speed: the mean sliding without spin, and (3/8) b w_s more."""
+    operation = Operation(axial_load=np.array([300.0]), inner_speed=np.array([31.0])).as_series()
+    balls = thrust_balls(bearing_6205, ContactAngle(rule="given", value=0.6), operation, LoadEffects())
+    contact, ring_speed, spin = numbers_of(balls, 0), 17.0, 0.56
+    law = PointLaw(boundary=0.001, limit=0.06, eyring=1.1e6, fluidity=310.0)
+    # A line under 1 - y^2 slides by w_roll (y^2 - g^2) b^2/(2 R), with lines of pure rolling at g = 2 sin(10 degrees).
+    y = (np.arange(4000) + 0.5) / 4000
+    weight = (1 - y**2) / np.sum(1 - y**2)
+    b = contact.semi_axis_transverse
+    sag = contact.rolling_rate * b**2 / (2 * contact.deformed_radius)
+    rolls = sag * float(np.sum(weight * np.abs(y**2 - 4 * np.sin(np.pi / 18) ** 2)))
+    friction = mean_force(law, contact, ring_speed * (rolls + 3 / 8 * b * spin))
+    assert friction > 1.3 * mean_force(law, contact, ring_speed * rolls)
+    rolled, spun = creep_numbers(contact, friction, spin)
+    assert creep_share(contact, law, ring_speed, spin) == pytest.approx(6.3 / spun + 1.4 / rolled, rel=1e-4)  # cells
+    assert creep_share(contact, law, ring_speed, 0.0) == np.inf
 
 
 @pytest.mark.parametrize(("worst", "radii"), [(0, (4.24e-3, 4.07e-3)), (1, (4.11e-3, 4.21e-3))])

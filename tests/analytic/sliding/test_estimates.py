@@ -1,6 +1,8 @@
 """Estimates of the errors of sliding against the torque by many more nodes."""
 
 from dataclasses import replace
+from inspect import unwrap
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -8,9 +10,11 @@ import pytest
 from scipy.special import ellipe
 
 from analytic.numerics.records import Records
+from analytic.oil.traction import PointLaw
 from analytic.scene import Array, Bearing, ContactAngle, Operation, Scene
 from analytic.scenefile.read import load_scene
-from analytic.sliding.ellipse import quadrature_of
+from analytic.sliding import judge
+from analytic.sliding.ellipse import NO_SUMS, SlipSums, quadrature_of
 from analytic.sliding.judge import (
     ALONG_AXIS,
     BELOW_FULL_SPIN,
@@ -20,8 +24,10 @@ from analytic.sliding.judge import (
     OVER_ELLIPSE,
     OWN_NODES,
     SINGLE_COEFFICIENT,
+    error_of,
     error_of_long_ellipse,
 )
+from analytic.sliding.long_ellipse import Slip
 from analytic.solve.model import Model, model_of
 from analytic.solve.records import SETTLED
 from analytic.solve.solution import points_of, solved
@@ -160,3 +166,134 @@ def test_the_error_of_a_long_ellipse_is_that_of_its_perimeter(ratio: float) -> N
     b = 0.83e-3
     expected = BELOW_FULL_SPIN * (ellipe(1 - min(ratio, 1.0) ** 2) - 1)
     assert error_of_long_ellipse(ratio * b, b) == pytest.approx(expected, rel=1e-12, abs=1e-14)  # round-off of E(m) - 1
+
+
+SLIPS = Slip(0.31, 2.3, 0.7, 0.1, 0.0, 1.7), Slip(-0.19, -3.1, 0.4, 0.1, 0.0, 2.9)  # creep is the last one
+OWN = 2.3 * 0.31 + 0.7 * 2.0, 3.1 * 0.19 + 0.4 * 3.0  # powers, with rolling rates of 2 and 3
+LAW = PointLaw(boundary=0.05, limit=0.06, eyring=5e6, fluidity=1e3)
+
+
+class Judged:
+    """`judged` with sums that are drawn for each race and each set of nodes."""
+
+    def __init__(self, patch: pytest.MonkeyPatch, method: int, law: PointLaw = LAW, *, force: float = 0.1) -> None:
+        random = np.random.default_rng(method)
+        self.powers = random.uniform(0.7, 1.3, (2, 5, 3))
+        self.forces = force * random.normal(size=(2, 5))
+        self.calls: list[tuple[int, int, bool, float]] = []
+
+        def sums(slider: Any, _law: Any, creep: float, spin: float, nodes: int, sideways: bool) -> SlipSums:
+            assert creep == SLIPS[slider.race].creep
+            self.calls.append((slider.race, nodes, sideways, spin))
+            far, middle, near = self.powers[slider.race, nodes].tolist()
+            force = float(self.forces[slider.race, nodes])
+            return NO_SUMS._replace(far_power=far, middle_power=middle, near_power=near, force=force)
+
+        patch.setattr(judge, "slip_sums", sums)
+        patch.setattr(judge, "slider_of", lambda contact: SimpleNamespace(race=contact.race, transverse=1e-3))
+        patch.setattr(judge, "at_ring_speed", lambda law, _: law)
+        contacts: Any = tuple(
+            SimpleNamespace(
+                race=race, rolling_rate=2.0 + race, semi_axis_rolling=2e-4, semi_axis_transverse=1e-3 / (1 + race)
+            )
+            for race in range(2)
+        )
+        self.missed, self.whole = unwrap(judge.judged)(contacts, (law, law), SLIPS, 31.0, method, range(5))
+
+    def off(self, own: int, other: int) -> Any:
+        """(2, 3) of two sets of nodes, by panels."""
+        return np.abs(self.powers[:, own] - self.powers[:, other])
+
+    def pulls(self, own: int, other: int) -> float:
+        """Power by the difference of the net forces."""
+        return float(np.abs(self.forces[:, own] - self.forces[:, other]) @ [slip.creep for slip in SLIPS])
+
+
+@pytest.mark.parametrize("force", [0.001, 3.0])  # less, or more, than the power's differences
+@pytest.mark.parametrize(
+    ("method", "own", "judges"), [(ALONG_AXIS, 0, (1, 1)), (OVER_ELLIPSE, 0, (2, 1)), (FINE, 1, (3, 4))]
+)
+def test_other_nodes_judge_panel_by_panel(
+    monkeypatch: pytest.MonkeyPatch, method: int, own: int, judges: tuple[int, int], force: float
+) -> None:
+    """Differences of powers, or of the net force times the creep; twice the only one, three times the larger of two."""
+    found = Judged(monkeypatch, method, force=force)
+    slipped = np.maximum(*(found.off(own, other) for other in judges)).sum()
+    pulled = max(found.pulls(own, other) for other in judges)
+    assert (pulled > slipped) == (force > 1)
+    assert found.missed == pytest.approx((2 if method == ALONG_AXIS else 3) * max(slipped, pulled), rel=1e-12)
+    assert found.whole == pytest.approx(found.powers[:, own].sum(), rel=1e-12)
+    sideways = {(nodes, sideways) for _, nodes, sideways, _ in found.calls}
+    assert sideways == {(own, method != ALONG_AXIS), *((other, True) for other in judges)}
+    assert {spin for race, _, _, spin in found.calls if race == 1} == {0.19e-3}
+
+
+@pytest.mark.parametrize("force", [0.001, 3.0])
+def test_a_single_coefficient_is_judged_by_the_whole_power(monkeypatch: pytest.MonkeyPatch, force: float) -> None:
+    found = Judged(monkeypatch, SINGLE_COEFFICIENT, force=force)
+    each = np.maximum(
+        np.abs(found.powers[:, 0].sum(axis=1) - OWN), np.abs(found.forces[:, 0]) * [slip.creep for slip in SLIPS]
+    )
+    assert found.missed == pytest.approx(2 * each.sum(), rel=1e-12)
+    assert found.whole == pytest.approx(sum(OWN), rel=1e-12)
+    assert [(nodes, sideways) for _, nodes, sideways, _ in found.calls] == [(0, True)] * 2
+
+
+def test_one_coefficient_of_coulomb_errs_by_the_length_of_its_ellipses(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Of the true power; a stress of oil that is the same everywhere is no such law, nor one that follows the speed."""
+    found = Judged(monkeypatch, SINGLE_COEFFICIENT, PointLaw(boundary=0.05))
+    errors = [error_of_long_ellipse(2e-4, 1e-3), error_of_long_ellipse(2e-4, 0.5e-3)]
+    missed = sum(own / (1 - error) - own for own, error in zip(OWN, errors, strict=True))
+    assert found.missed == pytest.approx(missed, rel=1e-9)
+    assert (found.whole, found.calls) == (pytest.approx(sum(OWN)), [])
+    assert len(Judged(monkeypatch, SINGLE_COEFFICIENT, PointLaw(boundary=0.05, plain=1e6)).calls) == 2
+
+
+@pytest.mark.parametrize(
+    ("method", "numbers", "factors"),
+    [
+        (SINGLE_COEFFICIENT, (1, 2), (2, 2)),
+        (ALONG_AXIS, (1, 2), (2, 2)),
+        (OVER_ELLIPSE, (1, 2), (3, 3)),
+        (FINE, (2, 3, 4), (0.25, 3, 3)),
+    ],
+)
+@pytest.mark.parametrize("worst", [1, 2, 3, 4])
+def test_spin_alone_is_judged_by_nodes_with_a_share_of_their_own(
+    monkeypatch: pytest.MonkeyPatch, method: int, numbers: tuple[int, ...], factors: tuple[float, ...], worst: int
+) -> None:
+    """Coarser nodes than the finest count a quarter; the largest of all counts."""
+    tried: list[tuple[int, float, int]] = []
+
+    def slips(
+        _contacts: Any, _laws: Any, _speed: float, difference: float, rule: int, nodes: int, sideways: bool
+    ) -> Any:
+        tried.append((nodes, difference, rule))
+        assert sideways
+        more = 5.0 if nodes == worst else 1.0
+        inner = SLIPS[0]._replace(spin_moment=2.3 - 0.02 * more, spin_rate=0.30)
+        outer = SLIPS[1]._replace(spin_moment=-3.1 - 0.05 * more, spin_rate=-0.20)
+        return inner, outer, 7 if nodes != broken else 0
+
+    monkeypatch.setattr(judge, "slips_over_contacts", slips)
+    powers, broken = (2.3 * 0.31, 3.1 * 0.19), 0
+
+    def changed(more: float) -> float:
+        return abs((2.3 - 0.02 * more) * 0.30 - powers[0]) + abs((3.1 + 0.05 * more) * 0.20 - powers[1])
+
+    by_spin = unwrap(judge.judged_spin)
+    missed, whole = by_spin(None, None, SLIPS, 31.0, 2, method, range(5))
+    expected = max(f * changed(5.0 if n == worst else 1.0) for n, f in zip(numbers, factors, strict=True))
+    assert missed == pytest.approx(expected, rel=1e-12)
+    assert whole == pytest.approx(sum(powers), rel=1e-12)
+    assert tried == [(number, pytest.approx(0.5), 2) for number in numbers]
+    broken = numbers[-1]
+    assert by_spin(None, None, SLIPS, 31.0, 2, method, range(5)) == (np.inf, 0.0)
+
+
+def test_a_small_share_of_the_power_is_the_least_error() -> None:
+    assert error_of(0.0, 3.0) == pytest.approx(3e-6, rel=1e-12)
+    assert error_of(0.2, 3.0) == pytest.approx(0.2 + 3e-6, rel=1e-12)
+    assert error_of(0.2, 0.0) == error_of(0.2, -1e-20) == 0.0
