@@ -262,7 +262,14 @@ def test_balls_that_a_weight_takes_off_roll_in_oil(changed: dict[str, Any], coun
     assert heavy["counted"]["load_distribution"]
 
 
-def solved_with(*, left_out: float = 0.0, creep: Any = None, reason: str = "so", **given: Any) -> tuple[Any, Any]:
+def solved_with(
+    *,
+    left_out: float = 0.0,
+    creep: Any = None,
+    reason: str = "so",
+    correction: ContactCorrection | None = None,
+    off: tuple[str, ...] = (),
+) -> tuple[Any, Any]:
     """The races of a scene whose effects are settled so, and what was asked of each step."""
     asked: dict[str, Any] = {}
     found, apart = forged(), np.full(3, 17.0)
@@ -271,7 +278,7 @@ def solved_with(*, left_out: float = 0.0, creep: Any = None, reason: str = "so",
         ledger.left_out = np.full(3, left_out)
         ledger.settle("weight", on=False, reason=reason)
         asked["has_factors"] = has_factors
-        return ALL_ON | given
+        return ALL_ON | dict.fromkeys(off, False)
 
     def by_rule(_scene: Any, _trial: Any, _counted: Any, allowed: Array, *, slides: bool) -> Any:
         asked.update(allowed=allowed, slides=slides)
@@ -294,7 +301,6 @@ def solved_with(*, left_out: float = 0.0, creep: Any = None, reason: str = "so",
             "_other_states": lambda *_: apart,
         }.items():
             patch.setattr(races, name, value)
-        correction = ContactCorrection() if asked.setdefault("factors", reason == "factors") else None
         each = races.race_torque(Ledger(SCENE, 3), SCENE.operation, correction=correction, variation=NOMINAL)
     return each, asked
 
@@ -316,16 +322,16 @@ def test_free_balls_have_other_states_and_their_own_method() -> None:
 
 def test_spin_or_conformity_slides() -> None:
     for off, slides in (
-        ({"spin": False}, True),
-        ({"conformity": False}, True),
-        ({"spin": False, "conformity": False}, False),
+        (("spin",), True),
+        (("conformity",), True),
+        (("spin", "conformity"), False),
     ):
-        _, asked = solved_with(**off)
+        _, asked = solved_with(off=off)
         assert (asked["slides"], asked["creeps"]) == (slides, slides)
 
 
 def test_factors_of_the_call_and_wedged_balls_are_passed_on() -> None:
-    _, asked = solved_with(reason="factors")
+    _, asked = solved_with(correction=ContactCorrection())
     assert (asked["has_factors"], asked["is_given"]) == (True, True)
     assert solved_with(reason=NOT_UNIQUE)[0].is_wedged
 
@@ -359,7 +365,9 @@ def test_a_ring_needs_balls_all_round(changed: dict[str, Any], is_refused: bool)
 def test_a_radial_load_at_a_given_angle_is_refused_beyond_the_tolerance(factor: float) -> None:
     """Fr tan(al)/Fa is how unequal it makes the balls; a solved angle takes any."""
     radial = factor * TOLERANCE * 310.0 / np.tan(0.31)
-    operation = Operation(axial_load=np.array([310.0]), inner_speed=np.array([31.0]), radial_load=np.array([radial]))
+    operation = Operation(
+        axial_load=np.array([310.0, 310.0]), inner_speed=np.array([31.0, 47.0]), radial_load=np.array([radial, 0.0])
+    )
     scene = replace(
         SCENE,
         contact_angle=GIVEN,
@@ -373,7 +381,13 @@ def test_a_radial_load_at_a_given_angle_is_refused_beyond_the_tolerance(factor: 
     if factor > 1:
         refused(lambda: friction_torque(scene), "of the thrust")
     else:
-        assert friction_torque(scene).torque.total > 0
+        assert np.all(friction_torque(scene).torque.total > 0)
+
+
+def test_of_loads_that_a_thrust_bearing_does_not_carry_the_largest_is_told() -> None:
+    operation = replace(SCENE.operation, radial_load=np.array([3.0, -11.0, 0.0]), moment=0.0)
+    refused(lambda: races._require_thrust(operation), "operation.radial_load = -11 N")
+    races._require_thrust(replace(operation, radial_load=0.0))
 
 
 def test_loaded_balls_carry_the_thrust_whatever_resists_sliding() -> None:

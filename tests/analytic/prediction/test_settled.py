@@ -2,19 +2,21 @@
 
 from dataclasses import fields, replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from analytic import friction_torque, load_scene, torque_function
 from analytic.function import AT_REST
 from analytic.oil.variation import Variation
 from analytic.prediction import settled as of_samples
-from analytic.prediction.settled import settled_parts
+from analytic.prediction.settled import FreeStart, free_start, settle, settled_parts
 from analytic.result import TorqueParts
-from analytic.scene import Losses, Operation, Scene, SlidingMethod
-from analytic.solve.records import NO_STEADY_ROTATION
+from analytic.scene import Arrangement, Losses, Operation, Scene, SlidingMethod
+from analytic.solve.records import BALL, NO_STEADY_ROTATION, POINT
 from analytic.solve.solution import Solution, solved
 
 SCENES = Path(__file__).parents[3] / "validation" / "scenes"
@@ -97,3 +99,101 @@ def test_what_only_the_series_computes_has_no_answer() -> None:
     beyond = replace(over_the_ellipse, sliding="single_coefficient")
     far = Operation(axial_load=np.array([300.0, 9e6]), inner_speed=np.array([40.0, 40.0]))
     assert settled_parts(replace(beyond, operation=far), OTHER) is None  # off its race
+
+
+FIXED: dict[str, Any] = {  # of a dry scene whose effects are settled
+    "spin_rule": "balanced",
+    "sliding": "single_coefficient",
+    "effects": {"spin": "on", "conformity": "on", "hysteresis": "on", "load_distribution": "on"},
+}
+
+
+@pytest.fixture(scope="module")
+def plain() -> Scene:
+    return replace(load_scene("6205-dry"), cage=None, **FIXED)
+
+
+def has_answer(scene: Scene, **changed: Any) -> bool:
+    effects = {**scene.effects, **changed.pop("effects", {})}
+    return settle(replace(scene, effects=effects, **changed), OTHER, None) is not None
+
+
+def test_only_scenes_of_one_bearing_at_rest_have_an_answer(plain: Scene) -> None:
+    assert has_answer(plain)
+    for name in ("cage_dynamics", "ball_dynamics"):
+        assert not has_answer(plain, effects={name: "on"})
+        assert has_answer(plain, effects={name: "off"})
+    assert not has_answer(plain, microslip="as_printed")
+    assert not has_answer(plain, arrangement=Arrangement(kind="tandem", distance=0.02))
+
+
+def test_unequal_loads_need_their_distribution(plain: Scene) -> None:
+    for name, value in (("radial_load", 40.0), ("moment", 0.2)):
+        unequal = replace(plain.operation, **{name: value})  # pyright: ignore[reportArgumentType]
+        assert has_answer(plain, operation=unequal)
+        assert not has_answer(plain, operation=unequal, effects={"load_distribution": "off"})
+    assert has_answer(plain, effects={"load_distribution": "off"})
+
+
+def test_methods_whose_nodes_follow_from_their_error_have_no_answer(plain: Scene) -> None:
+    assert has_answer(plain, sliding="along_axis")
+    assert not has_answer(plain, sliding="over_ellipse")
+    for one in ("spin", "conformity"):  # one of both slides as well
+        assert not has_answer(plain, sliding="over_ellipse", effects={one: "off"})
+    assert has_answer(plain, sliding="over_ellipse", effects={"spin": "off", "conformity": "off"})
+
+
+def test_balls_by_rule_are_no_start_of_free_ones(plain: Scene) -> None:
+    assert free_start(plain) is None
+    free = replace(plain, spin_rule="free", sliding="free_ball", effects={**plain.effects, "creep": "off"})
+    start = free_start(free)
+    assert start is not None
+    assert np.all(start.passes > 0)
+    still = replace(free, effects={**free.effects, "spin": "off", "conformity": "off"})
+    assert free_start(still) is None
+
+
+def started(
+    moved: NDArray[np.float64], *, load: float = 0.0, passes: int = 2, lost: bool = False, aside: str = ""
+) -> int:
+    """How often a point is solved whose balls settle so far from their start; balls turn at a quarter of the pitch."""
+    calls = []
+    balls = np.zeros(
+        len(moved),
+        [(f"start_{name}", "f8", size) for name, size in zip(FreeStart._fields[1:], (4, 2, 2, 3), strict=True)],
+    )
+    work = SimpleNamespace(ring={"passes": 0}, balls=balls)
+
+    def solve(_model: Any, _point: Any, **_: Any) -> Solution:
+        calls.append(work.ring["passes"])
+        work.balls["start_velocity"][:, 2] = moved * 0.04 / 4
+        work.balls["start_load"][:, 1] += load
+        found = np.zeros(1, POINT)
+        found["status"] = NO_STEADY_ROTATION if lost and len(calls) == 1 else 0
+        return Solution(points=found, balls=np.zeros((0, 0), BALL))
+
+    start = FreeStart(np.array([5, passes]), *(np.zeros((2, len(moved), size)) for size in (4, 2, 2, 3)))
+    numbers = SimpleNamespace(counted=SimpleNamespace(weight=aside == "weight"))
+    at = np.array([[300.0, float(aside == "radial_load"), float(aside == "moment"), 30.0, 0.0]])
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(of_samples, "solved", solve)
+        of_samples._turn_freely(SimpleNamespace(numbers=numbers), at, start, 1, work, 0.04)  # pyright: ignore[reportArgumentType]
+    assert calls[0] == passes
+    assert calls[1:] in ([], [0])  # anew, by rule
+    return len(calls)
+
+
+@pytest.mark.parametrize(("share", "times"), [(0.0299, 1), (0.0301, 2)])
+def test_balls_that_settle_far_from_their_start_begin_anew(share: float, times: int) -> None:
+    """By 3 % of their speed along the orbit, a quarter of the pitch diameter, or of their load over the rule's."""
+    assert started(np.full(3, share)) == started(np.full(3, -share)) == times
+    assert started(np.zeros(3), load=share) == started(np.zeros(3), load=-share) == times
+    assert started(np.zeros(3), lost=True) == 2
+    assert started(np.full(3, share), passes=0) == 1  # a start that is not known
+
+
+@pytest.mark.parametrize("name", ["radial_load", "moment", "weight"])
+def test_of_a_ring_the_median_ball_decides_and_of_thrust_the_first(name: str) -> None:
+    first, others = np.array([0.2, 0.0, 0.0]), np.array([0.0, 0.2, 0.2])
+    assert (started(first), started(others)) == (2, 1)
+    assert (started(first, aside=name), started(others, aside=name)) == (1, 2)
