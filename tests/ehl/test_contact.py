@@ -175,3 +175,122 @@ def test_a_film_too_thin_for_the_memory_is_refused_before_it_is_tried() -> None:
     with pytest.raises(InputError, match=r"too thin .* above 10000: give more speed or less load"):
         require_few_cells(contact, 1.0)
     require_few_cells(changed(), 1.0)
+
+
+RACE_SHAPE = BallOnRace(ball_radius=3.97e-3, race_radius=15.9e-3, groove_radius=4.13e-3)
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"ball_radius": 0.0}, "ball_radius must be positive"),
+        ({"race_radius": 0.0}, "does not fit race_radius 0 m"),
+        ({"race_radius": -3.97e-3}, "does not fit race_radius -0.00397 m"),
+        ({"race_radius": math.nan}, "does not fit race_radius nan m"),
+        ({"groove_radius": 3.97e-3}, "does not fit groove_radius 0.00397 m"),
+        ({"groove_radius": math.nan}, "does not fit groove_radius nan m"),
+    ],
+)
+def test_a_ball_that_its_race_does_not_hold_is_refused(changes: dict[str, float], words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        replace(RACE_SHAPE, **changes)
+    for held in ({"race_radius": 1e-4}, {"race_radius": -4e-3}, {"groove_radius": 3.98e-3}):  # a little looser
+        replace(RACE_SHAPE, **held)
+
+
+def test_a_shape_of_no_radius_is_refused() -> None:
+    with pytest.raises(InputError, match="transverse_radius must be positive"):
+        Paraboloid(rolling_radius=0.01, transverse_radius=-0.02)
+
+
+@pytest.mark.parametrize(("race_radius", "outline"), [(15.9e-3, 3.97e-3), (-23.8e-3, 3.97e-3), (1.2e-3, 1.2e-3)])
+def test_bodies_reach_as_far_as_the_smaller_circle(race_radius: float, outline: float) -> None:
+    shape = replace(RACE_SHAPE, race_radius=race_radius)
+    assert shape.outline == pytest.approx((0.99 * outline, 0.99 * 3.97e-3))
+    assert Paraboloid(rolling_radius=0.01, transverse_radius=0.02).outline == (math.inf, math.inf)
+
+
+def test_beyond_the_outline_of_the_ball_the_race_alone_changes_the_gap() -> None:
+    """Its height at the outline is held; the groove and the ring go on."""
+    shape, edge = RACE_SHAPE, 0.99 * 3.97e-3
+    held = shape.ball_radius - math.sqrt(shape.ball_radius**2 - edge**2)
+    x, y = np.array([3.1e-3]), np.array([2.9e-3])  # 4.2 mm from the centre
+    rise = 4.13e-3 - math.sqrt(4.13e-3**2 - 2.9e-3**2)
+    race = -15.9e-3 + math.sqrt((15.9e-3 + rise) ** 2 - 3.1e-3**2)
+    np.testing.assert_allclose(shape.gap(x, y), held - race, rtol=1e-9)  # round-off of 16 mm
+    step = 1e-8
+    difference = (shape.gap(x + step, y) - shape.gap(x - step, y)) / (2 * step)
+    np.testing.assert_allclose(shape.slope(x, y), difference, rtol=1e-6)
+
+
+@pytest.mark.parametrize("name", ["ahead", "behind", "side"])
+def test_oil_ends_outside_the_contact_and_inside_the_bodies(name: str) -> None:
+    """At 1.25 semi-axes at least; the ball's outline lies at 3.93 mm."""
+    found = lubricated_contact(RACE, oil=OIL, entrainment_speed=0.47)
+    least = 1.25 * found.semi_axes[name == "side"]
+    for reach, words in ((0.999 * least, "the oil's reach|the oil ends at"), (3.931e-3, "beyond the bodies")):
+        with pytest.raises(InputError, match=words):
+            replace(found, reach=replace(found.reach, **{name: reach}))
+    for reach in (1.001 * least, 3.930e-3):
+        replace(found, reach=replace(found.reach, **{name: reach}))
+
+
+def test_a_circle_is_the_shortest_contact_across() -> None:
+    """To round-off of its radii."""
+    contact = moes(23.0, 5.0)
+    for share, covered in ((1 + 5e-10, True), (1 + 2e-9, False)):
+        shape = Paraboloid(rolling_radius=share * 9.5e-3, transverse_radius=9.5e-3)
+        if covered:
+            replace(contact, shape=shape)
+        else:
+            with pytest.raises(InputError, match=r"covers R_x up to R_y"):
+                replace(contact, shape=shape)
+
+
+def test_pressures_are_covered_up_to_five_gigapascals() -> None:
+    contact = changed(reach=Reach(ahead=0.01, behind=0.01, side=0.02))
+    most = contact.load * (5e9 / contact.peak_pressure) ** 3  # Hertz's pressure goes as the cube root
+    replace(contact, load=0.999 * most)
+    with pytest.raises(InputError, match=r"Hertz's pressure of 5 GPa exceeds 5 GPa"):
+        replace(contact, load=1.001 * most)
+
+
+def test_numbers_of_moes_are_those_of_their_definition() -> None:
+    """With E' = 2 E*: U = eta_0 2 u/(E' R_x), M = Q/(E' R_x^2) U^(-3/4), L = alpha E' U^(1/4)."""
+    contact = replace(changed(), load=31.0, speed=1.7)
+    twice, radius, oil = 2 * contact.modulus, contact.shape.radii[0], contact.oil
+    relative = oil.viscosity * 2 * 1.7 / (twice * radius)
+    assert contact.relative_speed == pytest.approx(relative, rel=1e-12)
+    assert contact.loading == pytest.approx(31.0 / (twice * radius**2) / relative**0.75, rel=1e-12)
+    assert contact.thickening == pytest.approx(oil.pressure_viscosity * twice * relative**0.25, rel=1e-12)
+    assert contact.film_scale == pytest.approx(radius * relative**0.5, rel=1e-12)
+    assert contact.force_scale == pytest.approx(twice * radius**2 * relative, rel=1e-12)
+    a, b = contact.semi_axes
+    assert contact.peak_pressure * 2 / 3 * np.pi * a * b == pytest.approx(31.0, rel=1e-12)  # of a semi-ellipsoid
+
+
+def test_oil_without_growth_under_pressure_and_at_ambient_pressure_is_possible() -> None:
+    for changes in ({"pressure_viscosity": 0.0}, {"cavitation_pressure": 0.0}, {"cavitation_pressure": -1e5}):
+        replace(OIL, **changes)
+    for changes in ({"pressure_viscosity": -1e-9}, {"viscosity": 0.0}, {"cavitation_pressure": -math.inf}):
+        with pytest.raises(InputError):
+            replace(OIL, **changes)
+
+
+def test_a_share_of_the_thickening_is_a_softer_oil() -> None:
+    """Of the logarithm and of its slope alike; incompressible oil keeps its density."""
+    pressure = np.array([3e6, 4e8])
+    for law in ("roelands", "barus"):
+        oil = replace(OIL, law=law)
+        for part, whole in zip(oil.log_viscosity(pressure, share=0.3), oil.log_viscosity(pressure), strict=True):
+            np.testing.assert_allclose(part, 0.3 * whole, rtol=1e-12)
+    density, slope = replace(OIL, compressible=False).density(pressure)
+    assert (density.tolist(), slope.tolist()) == ([1.0, 1.0], [0.0, 0.0])
+
+
+def test_oil_reaches_to_the_mean_of_both_shoulders_or_to_the_balls_outline() -> None:
+    wide = lubricated_contact(replace(RACE, far_shoulder=7e-3), oil=OIL, entrainment_speed=0.47)
+    assert wide.reach.side == pytest.approx(0.99 * 3.97e-3)
+    given = lubricated_contact(RACE, oil=OIL, entrainment_speed=0.47, ahead=1.1e-3, behind=1.3e-3)
+    assert (given.reach.ahead, given.reach.behind) == (1.1e-3, 1.3e-3)
+    assert lubricated_contact(RACE, oil=OIL, entrainment_speed=0.47).reach.behind == pytest.approx(0.9 * 3.97e-3)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from fembearing.ehl.film import NumericalFilm, estimates_of, extrapolation, numerical_film
+from fembearing.ehl.film import LEAST, OF_FILM, NumericalFilm, estimates_of, extrapolation, numerical_film
 from fembearing.ehl.solver import solve_on_grids
 from tests.ehl.contacts import moes
 
@@ -168,3 +168,43 @@ def test_a_force_whose_errors_cancel_is_as_uncertain_as_its_film_tells() -> None
     found = estimates_of(solutions, (0.41, 0.6, 0.87))
     assert found["rolling_force"].total > 0.0082  # the change to two finer levels
     assert found["minimum_film"].total >= 0.0899 / found["minimum_film"].value  # its largest change
+    film = found["central_film"]
+    least = LEAST + OF_FILM * abs(1 - films[-1] / film.value)
+    assert found["rolling_force"].mesh == pytest.approx(least, rel=1e-9)
+    assert found["minimum_film"].mesh == pytest.approx(0.09 / found["minimum_film"].value, rel=1e-9)
+
+
+def sequence(order: float) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    """3.1 - 0.02 size^order on cells that shrink by 1.4, and their sizes."""
+    sizes = 1.96, 1.4, 1.0
+    return tuple(3.1 - 0.02 * size**order for size in sizes), sizes
+
+
+@pytest.mark.parametrize(("order", "held"), [(1.3, 1.3), (2.7, 2.7), (0.4, 1.0), (4.5, 3.0)])
+def test_a_sequence_of_another_order_is_as_uncertain_as_that_order_says(order: float, held: float) -> None:
+    """By the difference of both limits, or half of the last correction; the order counts from 1 to 3."""
+    values, sizes = sequence(order)
+    found, change = extrapolation(values, sizes), values[2] - values[1]
+    limit, other = (values[2] + change / (1.4**each - 1) for each in (2.0, held))
+    assert found.value == pytest.approx(limit, rel=1e-12)
+    expected = max(abs(other - limit), abs(limit - values[2]) / 2)
+    assert found.mesh == pytest.approx(expected / limit + 1e-3, rel=1e-6)  # of an order by iteration
+    assert found.settled
+
+
+def test_without_an_order_the_larger_change_counts_on_the_finest_grid() -> None:
+    sizes = 1.96, 1.4, 1.0
+    for values, change in (((3.0, 3.15, 3.05), 0.1), ((3.0, 3.9, 3.8), 0.9 / 1.4**2)):
+        found = extrapolation(values, sizes)
+        assert found.mesh == pytest.approx(change / found.value + 1e-3, rel=1e-9)
+
+
+def test_changes_that_grow_are_noted() -> None:
+    sizes = 1.96, 1.4, 1.0
+    assert extrapolation((3.0, 3.2, 3.0), sizes).settled  # as large as the one before
+    assert not extrapolation((3.0, 3.2, 2.99), sizes).settled
+
+
+def test_an_uncertainty_has_a_least() -> None:
+    values, sizes = sequence(2.0)
+    assert extrapolation(values, sizes, least=0.07).mesh == 0.07
