@@ -9,6 +9,8 @@ import pytest
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
+from matplotlib.text import Annotation
 from matplotlib.transforms import BboxBase
 
 from fembearing.plain_types import plain
@@ -172,3 +174,53 @@ def check_apart(figure: Figure) -> None:
     for part in (*figure.axes, *legends, *texts):
         assert box_of(part).x0 >= 0
         assert box_of(part).x1 <= figure.bbox.x1 + 1  # pixel
+
+
+def test_time_begins_at_0_and_start_up_is_its_first_half(record: CageRecord, panels: list[Axes]) -> None:
+    assert panels[1].get_xlim() == pytest.approx((0, 1e3 * 2 * record.start_up), rel=1e-12)  # ms
+    spans = [patch for patch in panels[1].patches if isinstance(patch, Rectangle)]
+    assert [(span.get_x(), span.get_width()) for span in spans] == [
+        (0, pytest.approx(1e3 * record.start_up, rel=1e-12))
+    ]
+
+
+def test_an_arrow_shows_where_gravity_pulls(record: CageRecord) -> None:
+    for pull, along in (((0.0, -9.81, 0.0), (0, -1)), ((3.0, 0.0, 7.0), (1, 0)), ((0.0, 0.0, 9.81), None)):
+        orbit = orbit_figure(replace(motion_of(record), gravity=pull), METRIC).axes[0]
+        arrows = [text for text in orbit.texts if isinstance(text, Annotation)]
+        assert len(arrows) == (along is not None)
+        assert ("gravity" in [text.get_text() for text in orbit.texts]) == (along is not None)
+        for arrow in arrows:
+            way = np.subtract(arrow.xy, arrow.xyann)
+            np.testing.assert_allclose(way / np.linalg.norm(way), present(along), atol=1e-12)
+            ends = np.array([arrow.xy, arrow.xyann])
+            assert np.all((ends > 0) & (ends < 1))  # inside the panel
+            assert np.linalg.norm(way) < 0.2
+
+
+def test_forces_over_a_wide_range_have_a_logarithmic_scale(record: CageRecord) -> None:
+    motion = motion_of(record)
+    for most, scale in ((1.5, "linear"), (30.0, "log")):
+        force = tuple(np.linspace(1.0, most, 50).tolist())
+        share = tuple((np.arange(50, 0, -1) / 50).tolist())
+        excess = replace(motion.exceedance, force=force, share=share)
+        known = replace(
+            motion, exceedance=excess, block_maxima=(1.1, 1.3), max_force=1.2, max_force_interval=(1.1, 1.3)
+        )
+        panel = orbit_figure(known, METRIC).axes[2]
+        assert panel.get_xscale() == scale
+        low, high = panel.get_xlim()
+        assert low < 1.1
+        assert high > most
+        assert panel.get_ylim()[1] > 100
+        (band,) = (patch for patch in panel.patches if isinstance(patch, Rectangle))
+        assert (band.get_x(), band.get_x() + band.get_width()) == pytest.approx((1.1, 1.3), rel=1e-12)
+        instants = points_of(line_of(panel, "instants of this motion"))
+        np.testing.assert_allclose(instants, np.column_stack([force, 100 * np.array(share)]), rtol=1e-12)
+
+
+def test_a_caption_stands_below_a_higher_figure(record: CageRecord) -> None:
+    bare, captioned = (orbit_figure(motion_of(record), METRIC, captioned=each) for each in (False, True))
+    assert captioned.get_figheight() > bare.get_figheight()
+    assert bare.get_supxlabel() == ""
+    assert captioned.get_supxlabel().startswith("The cage rests")

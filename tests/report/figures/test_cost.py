@@ -181,3 +181,42 @@ def test_the_price_of_a_digit_in_words() -> None:
         "10 %: Hertz, 2e-06 s; 1 %: FE, level 2, 0.4 s, 2e+05 times as much; "
         "0.1 %: FE, level 4, 3.5 s, 8.8 times as much; 0.01 %: none"
     )
+
+
+def test_times_and_memories_are_inside_their_axes_with_room(figure: Figure) -> None:
+    for panel in figure.axes[:2]:
+        low, high = panel.get_xlim()
+        assert low == pytest.approx(2e-6 / 5, rel=1e-9)
+        assert high == pytest.approx(3.5 * 5, rel=1e-9)
+    low, high = figure.axes[2].get_xlim()
+    assert low == 0
+    assert 0.75 < high < 1  # GiB, of the most
+    assert figure.axes[2].get_xscale() == "linear"
+
+
+def test_panels_fill_rows_of_at_most_four_and_the_left_ones_name_the_error() -> None:
+    ladder = Ladder(quantity="q", reference="r", methods=(method("a", error=0.01, seconds=0.1),))
+    heights = {}
+    for count, columns, rows in ((1, 1, 1), (3, 3, 1), (4, 4, 1), (5, 3, 2), (9, 3, 3)):
+        (found,) = cost_figures(count * [ladder], tolerance=0.1, most=count)
+        places = [present(panel.get_subplotspec()) for panel in found.axes]
+        assert [(place.rowspan.start, place.colspan.start) for place in places] == [
+            divmod(number, columns) for number in range(count)
+        ]
+        assert [bool(panel.get_ylabel()) for panel in found.axes] == [not number % columns for number in range(count)]
+        heights[rows] = found.get_figheight()
+    assert heights[2] == pytest.approx(2 * heights[1], rel=1e-9)
+    assert heights[3] == pytest.approx(3 * heights[1], rel=1e-9)
+
+
+def test_an_error_off_the_scale_stands_at_its_end() -> None:
+    methods = (
+        method("a", error=1e-8, seconds=0.1),
+        method("b", error=9.0, seconds=0.2),
+        method("c", error=0.02, bound=77.0, seconds=0.3),
+    )
+    (panel,) = cost_figures([Ladder(quantity="q", reference="r", methods=methods)], tolerance=0.1)[0].axes
+    points = drawn(panel)
+    assert ([0.1], [LEAST]) in points
+    assert ([0.2], [MOST]) in points
+    assert ([0.3, 0.3], [2.0, MOST]) in points

@@ -1,6 +1,7 @@
 """The tornado by its bars, of a document made by hand."""
 
 import json
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any, cast
 
@@ -128,3 +129,48 @@ def test_without_numbers_there_is_a_word() -> None:
         None,
         "No sensitivity was computed.",
     )
+
+
+def test_a_figure_grows_with_its_inputs_and_draws_at_most_twelve(document: Report) -> None:
+    usual = document.sensitivity
+    assert usual is not None
+    heights = []
+    for count, drawn in ((3, 3), (12, 12), (14, 12)):
+        inputs = tuple(
+            replace(usual.inputs[0], name=f"input {number}", change_low=(-0.2 / (number + 1),) * 2)
+            for number in range(count)
+        )
+        many = cast(Report, SimpleNamespace(sensitivity=replace(usual, inputs=inputs), units=METRIC))
+        figure, caption = sensitivity_plot(many)
+        panel = present(figure).axes[0]
+        assert len(panel.get_yticks()) == drawn
+        low, high = panel.get_ylim()
+        assert low - (drawn - 1) == pytest.approx(-high, rel=1e-9)  # as much room above as below
+        assert low > high  # the first one on top
+        heights.append(present(figure).get_figheight())
+        assert ("Smaller changes: input 12, input 13." in caption) == (count == 14)
+    assert heights[1] - heights[0] == pytest.approx(9 * 0.30, rel=1e-9)
+    assert heights[2] == heights[1]
+
+
+def test_a_change_of_less_than_a_millionth_is_named_alone(document: Report) -> None:
+    usual = document.sensitivity
+    assert usual is not None
+    for swing, drawn in ((1.1e-6, True), (0.9e-6, False)):
+        still = replace(usual.inputs[0], name="still", change_low=(swing, 0.0), change_high=(0.0, -swing))
+        changed = cast(
+            Report, SimpleNamespace(sensitivity=replace(usual, inputs=(usual.inputs[0], still)), units=METRIC)
+        )
+        figure, caption = sensitivity_plot(changed)
+        names = [text.get_text().partition(",")[0] for text in present(figure).axes[0].get_yticklabels()]
+        assert ("still" in names) == drawn
+        assert ("Changes below 1e-4 %: still." in caption) != drawn
+
+
+def test_a_value_stands_beyond_the_end_of_its_bar(document: Report) -> None:
+    panel = present(sensitivity_plot(document)[0]).axes[0]
+    for text in panel.texts:
+        assert isinstance(text, Annotation)
+        change = text.xy[0]
+        assert np.sign(text.xyann[0]) == np.sign(change)
+        assert text.get_horizontalalignment() == ("left" if change > 0 else "right")
