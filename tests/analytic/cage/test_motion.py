@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from analytic.cage.motion import CageMotion, MotionError
+from analytic.cage.motion import TOTALS, CageMotion, MotionError
 from analytic.cage.pocket import impact
 from analytic.cage.steady import rest_torque, whirl_force, whirl_speed
-from analytic.errors import InputError
+from analytic.errors import InputError, SingularError
 from tests.analytic.cage.specimens import CAGE, RATE, TABLE_1, WEIGHTLESS, W
 from tests.refusals import refused
 
@@ -149,6 +149,24 @@ def test_a_diverged_motion_is_reported_with_time_and_state() -> None:
         MotionError, match=r"came apart at .* s: centre at .* m, speed .* m/s, with a step of .* s\. Raise cage\.steps"
     ):
         motion.advance(1.0)
+
+
+def test_a_motion_goes_on_by_whole_steps_and_at_least_by_one() -> None:
+    motion = CageMotion(CAGE, begin="rest")
+    assert motion.step == pytest.approx(CAGE.contact_time / 40, rel=1e-12)
+    for duration, steps in ((0.1, 1), (1.4, 1), (6.6, 7)):
+        assert motion.advance(duration * motion.step).duration == pytest.approx(steps * motion.step, rel=1e-12)
+    assert motion.time == pytest.approx(9 * motion.step, rel=1e-12)
+    still = replace(CAGE, ball_speed=0.0, orbit_speed=0.0, ring_speed=0.0, gravity=WEIGHTLESS)
+    assert CageMotion(still, begin="sudden").step == 1e-4  # s: no impact limits it
+
+
+def test_balls_whose_speeds_did_not_converge_are_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    totals = np.zeros(1, TOTALS)[0]
+    totals["unsettled"] = 3.0
+    monkeypatch.setattr(CageMotion, "_go", lambda *_: totals)
+    with pytest.raises(SingularError, match="did not converge 3 times in"):
+        CageMotion(CAGE, begin="rest").advance(1e-3)
 
 
 def test_impossible_input_is_refused() -> None:

@@ -65,6 +65,34 @@ def test_both_shells_touch_within_the_offset_of_their_centres() -> None:
     np.testing.assert_array_equal(normal[0] * [-1, 1, 1], normal[1])
 
 
+def test_a_ball_in_the_plane_between_the_shells_touches_the_first() -> None:
+    """Without an offset of their centres both are one sphere, which must not count twice."""
+    depths, normal = penetration([0.0, 0.3e-3, -0.4e-3], half_clearance=0.2e-3, centre_offset=0.0)
+    np.testing.assert_allclose(depths, [0.3e-3, 0.0], rtol=1e-12)
+    np.testing.assert_allclose(normal[0], [0.0, 0.6, -0.8], rtol=1e-12)
+    # A ball at the centre of a shell has no direction there, and no penetration.
+    centred, none = penetration([0.03e-3, 0.0, 0.0], half_clearance=0.1e-3, centre_offset=0.03e-3)
+    np.testing.assert_array_equal(centred, 0)
+    np.testing.assert_array_equal(none[1], 0)
+
+
+def test_a_shell_is_deeper_than_half_of_the_ball_and_at_most_half_of_a_sphere() -> None:
+    def shape(depth: float) -> tuple[float, float]:
+        return pocket_shape(ball_diameter=7.94e-3, pocket_diameter=8.14e-3, pocket_depth=depth)
+
+    np.testing.assert_allclose(shape(4.02e-3), (0.1e-3, 0.05e-3), rtol=1e-9)
+    np.testing.assert_allclose(shape(4.07e-3), (0.1e-3, 0.0), rtol=1e-9)
+    assert shape(np.nextafter(3.97e-3, 1))[1] == pytest.approx(0.1e-3)
+    for depth in (3.97e-3, np.nextafter(4.07e-3, 1)):
+        refused(lambda: shape(depth), "pocket_depth", "clamped", "0.00794 m", "0.00814 m")  # noqa: B023
+
+
+def test_the_restitution_has_limits() -> None:
+    assert impact_damping(0.05) > impact_damping(0.06) > impact_damping(1.0) == 0
+    for restitution in (0.0499, np.nextafter(1.0, 2)):
+        refused(lambda: impact_damping(restitution), "restitution must be 0.05 to 1", f"{restitution!r}")  # noqa: B023
+
+
 CLEARANCE, ASIDE = 0.1e-3, 0.03e-3  # m: nabla, and D_p/2 - k
 LOSS = 0.43  # damping of an impact
 IMPACT = {"impact_speed": 0.05, "least": 0.02}  # m/s: the fastest so far of the present contacts, and the least one
@@ -224,5 +252,7 @@ def test_friction_is_along_the_sliding_and_vanishes_at_rest() -> None:
 def test_impossible_input_is_refused() -> None:
     """What a pocket cannot be, the hard cases have (validation/hard/cage.py)."""
     refused(lambda: pocket_stiffness(ball_diameter=8e-3, pocket_diameter=8e-3, modulus=1e11), "no clearance")
+    sizes = {"ball_diameter": [7e-3, 8.1e-3, 6e-3], "pocket_diameter": [8e-3, 8e-3, 5e-3]}
+    refused(lambda: pocket_stiffness(**sizes, modulus=1e11), "0.008 m must exceed ball_diameter 0.0081 m")
     refused(lambda: impact_damping(float("nan")), "restitution")
     refused(lambda: impact(mass=2.0, speed=-3.0, stiffness=4.0), "speed")

@@ -5,11 +5,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from analytic.cage import pocket
 from analytic.cage.pocket import friction_in_pocket
 from analytic.contact.rolling_contact import elliptic_contact
+from analytic.errors import ConvergenceError
 from analytic.oil.film import central_film
 from analytic.scene import Bearing, ContactAngle, Operation, Scene
 from tests.analytic.specimens import FINISH, OIL, STAMPED_CAGE
+from tests.refusals import refused, refuses
 
 BALL, POCKET = 3.97e-3, 6.95e-3  # m, radii: the paper's pocket
 RADIUS = 1 / (1 / BALL - 1 / POCKET)
@@ -85,3 +88,27 @@ def test_the_softer_body_determines_the_contact_area(scene: Scene) -> None:
     computed = friction_in_pocket(scene, load=LOAD, surface_speed=SPEED).coefficient
     # Thin films on steel are a molecule to 9e-4, with boundary friction in place of 0.18 there.
     np.testing.assert_allclose(computed / steel, (98 / 2) ** (2 / 3), rtol=1e-3)
+
+
+def test_the_friction_of_a_pocket_needs_oil_and_surface_or_a_coefficient(scene: Scene) -> None:
+    for missing in ("lubricant", "surface"):
+        bare = replace(scene, **{missing: None})
+        refused(lambda: friction_in_pocket(bare, load=LOAD, surface_speed=0.3), "not known")  # noqa: B023
+        races = friction_in_pocket(replace(bare, friction_coefficient=0.07), load=LOAD, surface_speed=0.3)
+        assert (float(races.coefficient), races.source) == (0.07, "friction.coefficient")
+    assert scene.cage is not None
+    own = replace(scene, cage=replace(scene.cage, friction_coefficient=0.0), friction_coefficient=0.07)
+    found = friction_in_pocket(own, load=LOAD, surface_speed=0.3)
+    assert (float(found.coefficient), found.source) == (0.0, "cage.friction_coefficient")
+    refused(lambda: friction_in_pocket(replace(scene, cage=None), load=LOAD, surface_speed=0.3), "no [cage]")
+    given = {"load": LOAD, "surface_speed": 0.3}
+    refuses(lambda **wrong: friction_in_pocket(scene, **(given | wrong)), load=0.0, surface_speed=-0.1)
+
+
+def test_a_film_that_is_not_found_is_an_error(scene: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
+    found = np.array([[0.1, np.nan], [0.0, 0.0]])
+    monkeypatch.setattr(pocket, "_pocket_coefficients", lambda *_: found)
+    with pytest.raises(ConvergenceError, match="film and asperities in the cage pockets"):
+        friction_in_pocket(scene, load=LOAD, surface_speed=SPEED)
+    found[0, 1] = 0.09
+    np.testing.assert_array_equal(friction_in_pocket(scene, load=LOAD, surface_speed=SPEED).coefficient, [0.1, 0.09])

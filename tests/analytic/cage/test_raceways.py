@@ -341,6 +341,18 @@ def test_a_ball_without_any_load_is_refused() -> None:
         ring_raceways(BEARING_6205, ANGLE, at(load=700.0, axial=20.0), STANDING, friction=(0.1, 0.1))
 
 
+@pytest.mark.parametrize("race", [0, 1])
+def test_a_race_without_load_has_the_contact_of_a_slight_one(race: int) -> None:
+    """And a force on the ball leaves it without load."""
+    loads = [(load, 70.0) if race == 0 else (70.0, load) for load in (0.0, 1e-9)]
+    none, slight = (
+        races_under(each, (0.31, 0.31), inner_speed=W, friction=0.1).table[0][RACES[race]] for each in loads
+    )
+    for name in ("width", "creep", "normal_radial", "normal_axial"):
+        np.testing.assert_allclose(none[name], slight[name], rtol=1e-6, err_msg=name)
+    assert none["load_by_radial"] == none["load_by_axial"] == 0
+
+
 def test_the_azimuth_without_load_is_named() -> None:
     races = ring_raceways(BEARING_6205, ANGLE, at(load=310.0), STANDING, friction=(0.1, 0.1))
     load = races.contacts.load.copy()

@@ -223,6 +223,17 @@ def test_the_single_coefficient_belongs_to_its_own_speed(traction: str) -> None:
     np.testing.assert_allclose(found.torque * case.ring_speed, power, rtol=1e-12)
 
 
+@pytest.mark.parametrize("method", ["along_axis", "over_ellipse"])
+def test_the_balance_of_spin_takes_few_sums(method: SlidingMethod) -> None:
+    """By Newton's slopes, 4 to 19 for both contacts; by halves of a bracket alone each would take dozens."""
+    oil = MixedTraction(
+        lubricant=OIL, boundary_friction=0.11, asperity_share=0.2, boundary_share=0.21, oil_area=0.9, oil_thickness=9e-8
+    )
+    for law in (COULOMB, oil):
+        for spin in (1e-9, 0.01, 0.179, 0.4, 0.9):
+            assert 2 <= friction(pair(), law, method, spin_difference=spin).sums <= 24
+
+
 @pytest.mark.parametrize("method", METHODS)
 def test_standstill(method: SlidingMethod) -> None:
     """At rest there is only boundary friction, as oil with a stress that follows the speed has none in slow sliding."""
