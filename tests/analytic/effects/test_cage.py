@@ -114,7 +114,10 @@ def decided(
 
 
 STARTED = with_cage(replace(CAGED, effects={}), start="rest")
-SLIDES: dict[str, Any] = {"slides": lambda _mu: np.array([False, True]), "grip_number": lambda _mu: np.array([0.3, 1.7])}
+SLIDES: dict[str, Any] = {
+    "slides": lambda _mu: np.array([False, True]),
+    "grip_number": lambda _mu: np.array([0.3, 1.7]),
+}
 
 
 def test_a_whirl_counts_by_its_friction_against_all_balls() -> None:

@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize
 
-from analytic.loads.ball_balance import contact_tangent, grooves_of, in_series, settled_ball
-from analytic.scene import Array, Bearing
+from analytic.loads.ball_balance import contact_tangent, gap_to_race, grooves_of, in_series, settled_ball
+from analytic.loads.numbers import play_and_free_angle
+from analytic.scene import Array, Bearing, ContactAngle
 
 PLAY = 11e-6  # m
 INNER, OUTER = 2.5e10, 2.3e10  # N/m^1.5
@@ -102,3 +103,33 @@ def test_springs_in_series_are_those_of_the_sum_of_their_softness() -> None:
     rr, ra, aa = in_series(inner, outer)
     np.testing.assert_allclose([[rr, ra], [ra, aa]], expected, rtol=1e-12)  # 1e-16 times the conditions of 150 and 500
     assert in_series((0.0, 0.0, 0.0), (0.0, 0.0, 0.0)) == (0.0, 0.0, 0.0)
+
+
+def test_a_ball_is_moved_from_where_it_lies_without_its_force(bearing_6205: Bearing) -> None:
+    """On the line of both groove centres, its outer contact as deep as that load presses it; else nothing moves it."""
+    grooves, softness = grooves_of(bearing_6205, PLAY), (INNER ** (-2 / 3), OUTER ** (-2 / 3))
+    for place, push in zip(PLACES, PUSH, strict=True):
+        still, pushed = (
+            settled_ball(grooves, tuple(place), softness, own, (0.0, 0.0)) for own in ((0.0, 0.0), (push[0], push[1]))
+        )
+        assert still.moved == (0.0, 0.0)
+        if still.inner_load == 0:
+            assert pushed.moved == (0.0, 0.0)
+            continue
+        line = np.array(still.outer_arm) / np.hypot(*still.outer_arm)
+        before = line * (grooves.outer_length + softness[1] * still.outer_load ** (2 / 3))
+        # The stretch by a load of 30 N is 1 um; its square root amplifies round-off of the places.
+        np.testing.assert_allclose(np.array(pushed.outer_arm) - before, pushed.moved, atol=1e-15)
+        assert np.hypot(*pushed.moved) > 1e-8
+
+
+def test_a_ball_lies_in_the_middle_of_its_clearance_or_where_its_own_force_presses_it(bearing_6205: Bearing) -> None:
+    grooves = grooves_of(bearing_6205, play_and_free_angle(bearing_6205, ContactAngle(rule="solved"))[0])
+    clearance = bearing_6205.diametral_clearance / 2  # of the ball, between concentric races
+    for own, share in (((0.0, 0.0), (0.5, 0.5)), ((1e-6, 0.0), (1.0, 0.0)), ((-1e-6, 0.0), (0.0, 1.0))):
+        ball = settled_ball(grooves, (0.0, 0.0), (1.3e-9, 1.1e-9), own, (0.0, 0.0))
+        loads = ball.inner_load, ball.outer_load
+        gaps = [gap_to_race(grooves, ball.inner_arm, ball.outer_arm, loads, race) for race in range(2)]
+        for race in range(2):
+            if loads[race] == 0.0:
+                np.testing.assert_allclose(gaps[race], share[race] * clearance, rtol=1e-3)  # of 0.1 pm of approach

@@ -155,6 +155,40 @@ def test_the_balls_forces_balance_load_and_orbit(scene: Scene, centrifugal: bool
     np.testing.assert_allclose(pushed, flung, rtol=1e-6, atol=1e-7)  # difference of nearly equal forces
 
 
+@pytest.mark.parametrize(
+    ("radial", "moment", "effects", "method"),
+    [
+        (0.0, 0.0, LoadEffects(), "thrust"),
+        (3.0, 0.0, LoadEffects(), "ring"),
+        (0.0, 0.2, LoadEffects(), "ring"),
+        (3.0, 0.2, LoadEffects(load_distribution=False), "thrust"),
+        (3.0, 0.0, LoadEffects(load_distribution=False, down=(0.0, 0.0, 1.0)), "ring"),
+        (0.0, 0.0, LoadEffects(down=(1.0, 0.0, 0.0)), "ring"),
+    ],
+)
+def test_balls_that_are_alike_have_one_column(
+    bearing_6205: Bearing, radial: float, moment: float, effects: LoadEffects, method: str
+) -> None:
+    rule, given = ContactAngle(rule="solved", free=FREE), operation(310.0, radial, 90.0, moment)
+    balls = loaded_balls(bearing_6205, rule, given, effects)
+    assert (balls.method, balls.alike, balls.load.shape) == (
+        method,
+        9 if method == "thrust" else 1,
+        (2, 1, 1 if method == "thrust" else 9),
+    )
+    alike = np.allclose(balls.load, balls.load[..., :1], rtol=1e-9)
+    assert alike == (effects.down != (1.0, 0.0, 0.0) and (method == "thrust" or not effects.load_distribution))
+    assert balls.load[:, 0, int(balls.heaviest[1][0])].max() == balls.load.max()
+
+
+def test_the_weight_of_the_balls_presses_the_lower_ones(bearing_6205: Bearing) -> None:
+    """Along the thrust it is carried by the outer race alone; m g of each ball."""
+    rule, given = ContactAngle(rule="solved", free=FREE), operation(31.0, 0.0, 0.0)
+    balls = ring_balls(bearing_6205, rule, given, LoadEffects(down=(0.0, 0.0, 1.0)))
+    along = balls.load * np.sin(balls.contact_angle)
+    np.testing.assert_allclose(along[1] - along[0], 2.04e-3 * 9.80665, rtol=1e-6)  # a difference of 3.4 N each
+
+
 def test_a_vanishing_radial_load_leaves_the_thrusts_torque(scene: Scene) -> None:
     """A load the other way is the bearing turned: the change goes with the square, but for the pattern of the balls."""
     thrust = torque(replace(scene, effects={**ALL, "load_distribution": "off"}), radial_load=0.0)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from analytic.loads.kinematics import BallKinematics, ball_kinematics
+from analytic.loads.kinematics import BallKinematics, ball_kinematics, outer_control_pitch
 from tests.refusals import refuses
 
 PITCH, BALL, ANGLE = 39.01e-3, 7.94e-3, 0.3031  # m, m, rad
@@ -61,3 +61,25 @@ def test_bad_input_is_refused() -> None:
 
     refuses(kinematics, inner_speed=float("nan"), outer_speed=float("inf"), inner_angle=18.0, outer_angle=-18.0)
     refuses(kinematics, outer_angle=float("nan"), ball_diameter=PITCH)
+
+
+def test_a_ball_that_lies_steep_on_its_inner_race_still_turns() -> None:
+    """Its axis stays 0.01 rad short of a right angle to the way it rolls there; below that outer control is free."""
+    ratio = BALL / PITCH
+    for inner, outer in ((1.38, -0.2), (-1.38, 0.2)):
+        free = np.arctan2(np.sin(outer), np.cos(outer) + ratio)
+        assert abs(inner - free) < np.pi / 2 - 0.01
+        np.testing.assert_allclose(outer_control_pitch(inner, outer, ratio), free, rtol=1e-14)
+    for inner, outer, expected in ((1.5, -0.4, 1.5 - np.pi / 2 + 0.01), (-1.5, 0.4, -1.5 + np.pi / 2 - 0.01)):
+        np.testing.assert_allclose(outer_control_pitch(inner, outer, ratio), expected, rtol=1e-12)  # a difference
+
+
+def test_angles_up_to_a_right_one_are_taken() -> None:
+    """At which both races run on the pitch circle."""
+    found = kinematics(52.4, 0.0, np.pi / 2)
+    np.testing.assert_allclose([found.inner_radius, found.outer_radius], PITCH / 2, rtol=1e-12)
+    np.testing.assert_allclose(found.cage_speed, 26.2, rtol=1e-12)
+    good = {"inner_speed": 3.0, "inner_angle": 0.1, "outer_angle": 0.1, "pitch_diameter": PITCH, "ball_diameter": BALL}
+    refuses(
+        lambda **wrong: ball_kinematics(**good | wrong), inner_angle=1.5709, outer_angle=-1.5709, pitch_diameter=BALL
+    )

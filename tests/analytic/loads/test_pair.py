@@ -123,6 +123,23 @@ def test_the_stiffness_is_the_slope_of_the_curve(contacts: PairContacts) -> None
     np.testing.assert_allclose(slope, middle, rtol=5e-3)  # K is held, and its change with the angle left out
 
 
+def test_two_balls_hold_the_shaft_along_its_axis_alone() -> None:
+    """A series of thrusts has the slope of its displacement, and a radial load is refused."""
+    few = bearing(ball_count=2)
+    at = np.array([0.0, 30.0])
+    less, more = (
+        pair_equilibrium(few, SOLVED, Arrangement(kind="O", preload=40.0), loads(at + step), HERTZ)
+        for step in (0.0, 0.1)
+    )
+    slope, middle = 0.1 / (more.displacement - less.displacement), (less.stiffness + more.stiffness) / 2
+    np.testing.assert_allclose(slope, middle, rtol=5e-3)  # as above
+    aside = loads(11.0, radial=3.0)
+    alone = PairContacts(effects=replace(STILL, load_distribution=False), finite_geometry=False)
+    found = pair_equilibrium(few, SOLVED, Arrangement(kind="O", preload=40.0), aside, alone)
+    assert not found.radial_load.any()
+    assert not found.moment.any()
+
+
 def test_offset_and_preload_say_the_same() -> None:
     known = pair(loads(0.0), preload=240.0)
     np.testing.assert_allclose(pair(loads(0.0), offset=known.offset).preload, 240.0, rtol=1e-6)

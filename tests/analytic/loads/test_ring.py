@@ -253,6 +253,15 @@ def test_a_weight_that_sinks_balls_through_soft_races_is_named(bearing_6205: Bea
         ring_equilibrium(rings, SOLVED, axial_load=1e-5, inner_speed=1.05, ball_weight=(0.02, 0.0, 0.0))
 
 
+def test_a_ball_that_its_weight_drives_along_its_groove_is_named(bearing_6205: Bearing) -> None:
+    """20 mN against a thrust of 3 mN, which is a thousand times the centrifugal force at 10 rpm."""
+    steep = ContactAngle(rule="solved", free=0.8)
+    weight = (0.02 * 0.561, -0.02 * 0.824, 0.02 * 0.073)
+    given: dict[str, Any] = {"axial_load": 3e-3, "ball_weight": weight, "inner_speed": 1.05}
+    with pytest.raises(InputError, match=r"weight of a ball, 0\.02 N, drives it .* past 90 deg, under 0\.003 N"):
+        ring_equilibrium(bearing_6205, steep, **given)
+
+
 @pytest.mark.parametrize(("load", "speed"), [(1.1e5, 100.0), (1.9e5, 0.0)])
 def test_a_load_that_no_groove_bears_is_named_at_any_speed(bearing_6205: Bearing, load: float, speed: float) -> None:
     rated = replace(bearing_6205, static_load_rating=7850.0)

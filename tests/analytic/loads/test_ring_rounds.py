@@ -19,6 +19,7 @@ from analytic.loads.ring_rounds import (
     OPEN,
     SETTLED,
     RingNumbers,
+    beyond_groove,
     hold_contacts,
     settle_round,
     settle_ruled_ring,
@@ -119,3 +120,36 @@ def pressed(bearing: Bearing, outward: Callable[[Array], Array]) -> tuple[int, A
         if end != OPEN:
             return end, balls["load"].T
     return OPEN, balls["load"].T
+
+
+def test_a_ball_is_beyond_its_groove_past_a_right_angle_if_it_is_loaded(bearing_6205: Bearing) -> None:
+    """The speed moves it there, unless the rings have moved by half of the distance of the groove centres or more."""
+    grooves = numbers_of(bearing_6205).grooves
+    by_load = grooves.play + grooves.distance / 2
+    for angle, load, moved, expected in (
+        (np.pi / 2 - 1e-3, 3.0, 0.0, 0.0),
+        (np.pi / 2 + 1e-3, 3.0, 0.0, np.pi / 2 + 1e-3),
+        (-np.pi / 2 - 1e-3, 3.0, 0.0, np.pi / 2 + 1e-3),
+        (np.pi / 2 + 1e-3, 0.0, 0.0, 0.0),
+        (np.pi / 2 + 1e-3, 3.0, 1.01 * by_load, np.pi / 2 + 1e-3),
+    ):
+        for race in (0, 1):
+            ring, balls = at_rest(bearing_6205, (0.0,) * 5)
+            ring.place[1] = moved  # along x, towards the first ball
+            balls["angle"][3, race], balls["load"][3, race] = angle, load
+            found = beyond_groove(grooves, ring, balls)
+            assert found.angle == pytest.approx(expected, rel=1e-12)
+            assert found.moved == pytest.approx(moved, rel=1e-12)
+            assert found.is_by_load == (moved > 0)
+
+
+def test_a_ball_whose_groove_centres_have_passed_needs_no_load(bearing_6205: Bearing) -> None:
+    """Rings that have moved by more than the centres are apart; the ball opposite to the load is on the other side."""
+    grooves = numbers_of(bearing_6205).grooves
+    apart = grooves.distance - grooves.play
+    for moved, has_passed in ((-0.99 * apart, False), (-1.01 * apart, True)):
+        ring, balls = at_rest(bearing_6205, (0.0,) * 5)
+        ring.place[1] = moved
+        balls["angle"][0] = np.pi
+        found = beyond_groove(grooves, ring, balls)
+        assert (found.angle, found.is_by_load) == ((np.pi, True) if has_passed else (0.0, False))

@@ -144,3 +144,5 @@ def test_the_dataset_names_race_ball_and_freedom(scene):
         assert float(coupling) == content["stiffness"][0][4]
     assert [found[f"displacement_{name}"].attrs["units"] for name in ("x", "tilt_x")] == ["m", "rad"]
     assert repr(ring) == f"RingState(6205, 2 points, 9 balls, heaviest {span(ring.load.max(axis=(1, 2)))} N)"
+    alone = ring.at(np.array([1]))
+    assert repr(alone) == f"RingState(6205, 1 point, 9 balls, heaviest {span(alone.load.max(axis=(1, 2)))} N)"

@@ -1,14 +1,12 @@
-"""Balls without load that roll in oil: where they lie, what they cost, and when they count."""
+"""Balls without load that roll in oil: what they cost, and when they count."""
 
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from analytic.loads.ball_balance import gap_to_race, grooves_of, settled_ball
-from analytic.loads.numbers import play_and_free_angle
 from analytic.oil.ehl_fit import effective_reach
-from analytic.scene import Bearing, ContactAngle, Scene, Supply
+from analytic.scene import Scene, Supply
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
 from tests.analytic.specimens import present
@@ -43,18 +41,6 @@ def scene() -> Scene:
 
 def without(scene: Scene) -> Scene:
     return replace(scene, effects={**scene.effects, "unloaded_balls": "off"})
-
-
-def test_a_ball_lies_in_the_middle_of_its_clearance_or_where_its_own_force_presses_it(bearing_6205: Bearing) -> None:
-    grooves = grooves_of(bearing_6205, play_and_free_angle(bearing_6205, ContactAngle(rule="solved"))[0])
-    clearance = bearing_6205.diametral_clearance / 2  # of the ball, between concentric races
-    for own, share in (((0.0, 0.0), (0.5, 0.5)), ((1e-6, 0.0), (1.0, 0.0)), ((-1e-6, 0.0), (0.0, 1.0))):
-        ball = settled_ball(grooves, (0.0, 0.0), (1.3e-9, 1.1e-9), own, (0.0, 0.0))
-        loads = ball.inner_load, ball.outer_load
-        gaps = [gap_to_race(grooves, ball.inner_arm, ball.outer_arm, loads, race) for race in range(2)]
-        for race in range(2):
-            if loads[race] == 0.0:
-                np.testing.assert_allclose(gaps[race], share[race] * clearance, rtol=1e-3)  # of 0.1 pm of approach
 
 
 def test_the_balls_out_of_the_load_are_summed(scene: Scene) -> None:
