@@ -1,6 +1,7 @@
 """The torque as a function for time steps: the same numbers as the series has, errors, and no memory that grows."""
 
 import itertools
+import pickle
 import tracemalloc
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
@@ -12,10 +13,11 @@ import pytest
 
 from analytic import friction_torque, load_scene, torque_function
 from analytic.errors import FembearingError, InputError
-from analytic.function import TorqueFunction
+from analytic.function import TorqueFunction, _acts, _corners, _counted, _everything_on
 from analytic.scene import Arrangement, Operation, Scene
 from analytic.solve.model import Counted
 from analytic.solve.records import NO_CAGE_DRIVE
+from analytic.solve.solution import FAR
 
 SCENES = Path(__file__).parents[2] / "validation" / "scenes"
 ROUND_OFF = 1e-11  # the ring settles to 1e-12 of its load, from two different starts
@@ -319,3 +321,115 @@ def test_the_scene_of_a_designation_is_compiled(designation: str, monkeypatch: p
     monkeypatch.setattr(TorqueFunction, "_slowly", lambda *_: pytest.fail("not compiled"))
     load = {name: float(getattr(scene.operation, name)[0]) for name in ("axial_load", "radial_load", "inner_speed")}
     assert function(**load) == pytest.approx(float(friction_torque(scene).torque.total[0]), rel=ONE_QUADRATURE)
+
+
+@pytest.mark.parametrize("rule", ["balanced", "free"])
+def test_differences_take_steps_of_their_own_scale(rule: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of the load for forces, of a moment or the load at the pitch radius, of the speed, and of 100 K; thrust stays."""
+    function = torque_function(scene_of("6205_physical", spin_rule=rule))
+    share = 1e-4 if rule == "balanced" else 1e-2
+    radius = function.scene.bearing.pitch_diameter / 2
+    called: list[dict[str, float]] = []
+
+    class Square:
+        """A torque whose slope by each argument is twice the argument, by central differences of any step."""
+
+        def __call__(self, **at: float) -> float:
+            called.append(at)
+            return sum(value**2 for value in at.values())
+
+    monkeypatch.setattr(TorqueFunction, "copy", lambda _: Square())
+
+    def steps(**at: float) -> dict[str, float]:
+        called.clear()
+        slopes = function.gradient(**at)  # pyright: ignore[reportArgumentType]
+        for name, slope in slopes.items():
+            if not (name == "axial_load" and at[name] == 0):
+                np.testing.assert_allclose(slope, 2 * at[name], rtol=1e-6, atol=1e-6)  # round-off over the step
+        ends = zip(called[::2], called[1::2], strict=True)
+        return {name: high[name] - low[name] for name, (low, high) in zip(slopes, ends, strict=True)}
+
+    given = {"axial_load": 300.0, "radial_load": -400.0, "moment": 0.3, "inner_speed": -61.0, "temperature": 334.0}
+    load = 500.0  # of both together
+    found = steps(**given)
+    for name, scale in (
+        ("axial_load", load),
+        ("radial_load", load),
+        ("moment", load * radius),
+        ("inner_speed", 61.0),
+        ("temperature", 100.0),
+    ):
+        np.testing.assert_allclose(found[name], 2 * share * scale, rtol=1e-6)  # of differences
+    tilted = steps(**(given | {"moment": -70.0, "inner_speed": 0.0, "axial_load": 0.0}))
+    np.testing.assert_allclose(tilted["moment"], 2 * share * 70.0, rtol=1e-6)
+    np.testing.assert_allclose(tilted["inner_speed"], 2 * share * 1.0, rtol=1e-6)
+    np.testing.assert_allclose(tilted["axial_load"], share * 400.0, rtol=1e-6)  # one side alone: none pulls
+
+
+@pytest.mark.parametrize(
+    ("ranges", "counts"),
+    [
+        ({"inner_speed": (20.0, 60.0)}, (1, 1, 1, 9)),
+        ({"axial_load": (90.0, 700.0), "inner_speed": (20.0, 60.0)}, (3, 1, 1, 3)),
+        ({"axial_load": (90.0, 700.0), "moment": (-0.2, 0.3), "inner_speed": (20.0, 60.0)}, (3, 1, 3, 3)),
+        (
+            {
+                "axial_load": (90.0, 700.0),
+                "radial_load": (0.0, 50.0),
+                "moment": (-0.2, 0.3),
+                "inner_speed": (5.0, 60.0),
+            },
+            (2, 2, 2, 2),
+        ),
+    ],
+)
+def test_ranges_have_a_grid_of_more_points_than_are_tried(
+    ranges: dict[str, tuple[float, float]], counts: tuple[int, ...]
+) -> None:
+    """With their ends; what has no range stays as the scene has it."""
+    given = Operation(axial_load=np.array([310.0]), inner_speed=np.array([31.0]), moment=0.7).as_series()
+    found = _corners(given, ranges)
+    names = ("axial_load", "radial_load", "moment", "inner_speed")
+    assert found.axial_load.size == np.prod(counts) > FAR
+    for name, count in zip(names, counts, strict=True):
+        values = np.unique(getattr(found, name))
+        low, high = ranges.get(name, (getattr(given, name)[0],) * 2)
+        np.testing.assert_allclose(values, np.linspace(low, high, count), rtol=1e-14)
+
+
+def test_what_has_no_range_has_that_of_the_scene() -> None:
+    series = Operation(axial_load=np.array([310.0, 90.0, 200.0]), inner_speed=np.array([31.0, 31.0, 31.0])).as_series()
+    found = _corners(series, {})
+    np.testing.assert_allclose(found.axial_load, np.linspace(90.0, 310.0, 9), rtol=1e-14)
+    np.testing.assert_array_equal(found.inner_speed, np.full(9, 31.0))
+
+
+def test_a_function_is_sent_to_another_process(balanced: TorqueFunction) -> None:
+    at = {"axial_load": 410.0, "inner_speed": 23.0}
+    other = pickle.loads(pickle.dumps(balanced))
+    assert other(**at) == balanced(**at)
+    assert other.lock is not balanced.lock
+
+
+def test_effects_that_are_off_or_lack_their_input_do_not_act() -> None:
+    scene = scene_of("6205_physical", effects={"hysteresis": "off"})
+    assert [_acts(scene, name) for name in ("hysteresis", "rolling", "spin", "cage", "weight")] == [
+        False, True, True, scene.cage is not None, False,
+    ]  # fmt: skip
+    assert not _acts(replace(scene, lubricant=None), "rolling")
+    assert not _counted(scene)["weight"]
+    assert _counted(replace(scene, down=(0.6, -0.8, 0.0)))["weight"]
+
+
+def test_of_balls_by_rule_every_effect_counts_and_of_free_ones_it_is_on() -> None:
+    scene = scene_of("6205_physical", effects={"rolling": "off"})
+    ruled = _everything_on(scene, "along_axis")
+    assert (ruled.tolerance, ruled.sliding, ruled.spin_rule, ruled.effects) == (
+        0.0, "along_axis", "balanced", {"rolling": "off"},
+    )  # fmt: skip
+    assert _everything_on(replace(scene, spin_rule="outer_control"), "auto").spin_rule == "outer_control"
+    assert _everything_on(replace(scene, sliding="over_ellipse"), "auto").sliding == "over_ellipse"
+    free = _everything_on(scene, "marched_creep")
+    assert (free.tolerance, free.sliding, free.spin_rule) == (scene.tolerance, "marched_creep", scene.spin_rule)
+    assert (free.effects["spin"], free.effects["rolling"]) == ("on", "off")
+    assert "weight" not in free.effects
