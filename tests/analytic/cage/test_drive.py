@@ -6,8 +6,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from analytic.cage import torque
 from analytic.cage.drive import LARGEST_GRIP, CageDrive, RaceGrip, cage_drive, pocket_stiffness_of, resting_cage
-from analytic.cage.pocket import PocketFriction
+from analytic.cage.pocket import PocketFriction, friction_in_pocket
 from analytic.cage.statistics import CageStatistics, OtherStart
 from analytic.cage.steady import rest_torque, sliding_torque
 from analytic.cage.torque import (
@@ -26,7 +27,7 @@ from analytic.loads.balls import LoadedBalls, LoadEffects, loaded_balls
 from analytic.loads.kinematics import ball_kinematics
 from analytic.scene import ContactAngle, Land, Operation
 from tests.analytic.cage.specimens import CAGED, RPM, with_cage
-from tests.analytic.specimens import BEARING_6205, present
+from tests.analytic.specimens import BEARING_6205, FINISH, OIL, present
 from tests.contacts import STEEL
 
 SPEEDS = np.array([500.0, -740.0, 0.0]) * RPM
@@ -164,11 +165,11 @@ def test_lead_that_may_reach_the_room_is_warned_of_at_the_farthest_point() -> No
 
 def test_squeezed_balls_slide_on_the_cage_with_the_friction_under_their_force() -> None:
     drive = led(0.203, -0.21, 0.1)
-    torque, mu = squeezed_torque(CAGED, drive), np.full(3, 0.1)
+    found, mu = squeezed_torque(CAGED, drive), np.full(3, 0.1)
     force = 9 * drive.squeezing_force(mu)[:, 0]
-    assert force[2] == torque[2] == 0
+    assert force[2] == found[2] == 0
     assert np.all(force[:2] > 0)
-    np.testing.assert_allclose(torque, 0.1 * force * drive.ball_rate * 3.97e-3, rtol=1e-12)
+    np.testing.assert_allclose(found, 0.1 * force * drive.ball_rate * 3.97e-3, rtol=1e-12)
     np.testing.assert_array_equal(squeezed_torque(CAGED, led(0.1, 0.1, 0.1)), 0.0)
 
 
@@ -244,11 +245,11 @@ def test_some_points_keep_their_order_and_their_motion() -> None:
 @pytest.mark.parametrize("used", [0.89, 0.91, np.nan])
 def test_what_the_races_may_take_of_a_whirl_is_uncertain_up_to_the_limit_of_grip(used: float) -> None:
     """The number is set by the mass of the cage; without the friction of the races it is not known."""
-    mu, torque = np.full(3, 0.1), np.array([3e-4, 4e-4, 5e-4])
+    mu, added = np.full(3, 0.1), np.array([3e-4, 4e-4, 5e-4])
     number = driven_by(ALIKE).grip_number(mu)
     friction = 0.1 * np.where(SPEEDS == 0, 1.0, number / used)
     drive = driven_by(ALIKE, None if np.isnan(used) else np.reshape(friction, (3, 1)))
-    part = moved("whirl", "rest", None, torque=torque, grip_number=drive.grip_number(mu))
+    part = moved("whirl", "rest", None, torque=added, grip_number=drive.grip_number(mu))
     found = _with_grip(part, drive)
     if used < 0.9:
         np.testing.assert_allclose(found.unsure[0], 0.3 * used / 0.9 * 3e-4, rtol=1e-9)
@@ -304,3 +305,60 @@ def test_the_grip_of_a_race_counts_loads_above_0_alone() -> None:
     friction = present(driven_by(unloaded, np.where(np.arange(9) == 4, np.nan, 0.07)).grip.friction)
     assert np.all(friction[..., 4] == 0)
     assert np.all(friction[..., 5] > 0)
+
+
+OILED = replace(CAGED, friction_coefficient=None, lubricant=OIL, surface=FINISH, contact_angle=SOLVED)
+
+
+@pytest.mark.parametrize("moves", [False, True])
+def test_the_oil_of_a_pocket_carries_the_largest_force_that_the_cage_may_have(
+    monkeypatch: pytest.MonkeyPatch, moves: bool
+) -> None:
+    """The whirl of a cage that moves, its weight, or the squeezing of balls that lead too far; each of nine balls."""
+    monkeypatch.setattr(torque, "_moved", lambda *_: (None, statistics()))
+    drive = led(0.1, -0.21, 0.0)
+    part = cage_friction(OILED, drive, moves=moves)
+    weight = 6.58e-3 * 9.80665
+    squeezing = 9 * drive.squeezing_force(np.zeros(3))[:, 0]
+    whirling = 6.58e-3 * (drive.ball_speed * 3.97e-3 / 0.1e-3 + drive.orbit_speed) ** 2 * 0.1e-3
+    assert squeezing[1] > whirling[1] > whirling[0] > 100 * weight
+    force = np.array([whirling[0] if moves else weight, squeezing[1], weight])
+    expected = friction_in_pocket(OILED, load=force / 9, surface_speed=drive.ball_speed * 3.97e-3)
+    np.testing.assert_allclose(part.friction_coefficient, expected.coefficient, rtol=1e-12)
+    assert np.ptp(part.friction_coefficient) > 0
+
+
+def test_a_cage_moves_where_it_turns_and_has_room_or_where_its_balls_are_free(monkeypatch: pytest.MonkeyPatch) -> None:
+    called: list[tuple[int, bool]] = []
+    found = statistics(race_excess_torque=7e-5, signed_moment=4e-6)
+
+    def move(_: Any, point: int, friction: float, races: Any) -> tuple[None, CageStatistics]:
+        assert friction == 0.1
+        called.append((point, races is not None))
+        return None, found
+
+    monkeypatch.setattr(torque, "_moved", move)
+    drive = replace(led(0.1, -0.25, 0.1), cage=present(with_cage(CAGED, drag=3e-6, start="whirl").cage))
+    scene = replace(CAGED, contact_angle=SOLVED)
+    rest = cage_friction(scene, drive, moves=False)
+    assert (called, rest.motion) == ([], (None, None, None))
+    np.testing.assert_allclose(rest.signed_moment, 3e-6 * drive.orbit_speed * [1, -1, 0], rtol=1e-12)
+    given = cage_friction(scene, drive, moves=True)
+    assert called == [(0, False)]
+    assert given.motion == (found, None, None)
+    np.testing.assert_array_equal(given.race_excess, np.nan)
+    np.testing.assert_array_equal(given.torque, [found.torque, *rest.torque[1:]])
+    np.testing.assert_array_equal(given.mean_force, [found.mean_force, *rest.mean_force[1:]])
+    np.testing.assert_array_equal(given.signed_moment, [4e-6, *rest.signed_moment[1:]])
+    assert given.is_squeezed.tolist() == [False, True, False]
+    for moves in (False, True):
+        called.clear()
+        free = cage_friction(scene, drive, moves=moves, frees=np.array([False, True, True]))
+        assert called == [(0, False)] * moves + [(1, True)]
+        assert [each is not None for each in free.races] == [False, True, False]
+        np.testing.assert_array_equal(free.race_excess, [np.nan, 7e-5, np.nan])
+        assert free.torque[1] == pytest.approx(found.torque + 7e-5, rel=1e-12)
+        # Squeezing may still build up to the closed form.
+        assert free.unsure[1] == pytest.approx(rest.torque[1] - free.torque[1], rel=1e-12)
+        assert free.is_squeezed.tolist() == [False, False, False]
+        assert not any("squeeze" in warning for warning in free.warnings)
