@@ -251,3 +251,43 @@ def test_threads_do_not_change_a_bit(
     with ThreadPoolExecutor(len(chosen)) as pool:
         for one, together in zip(alone, pool.map(solve, chosen), strict=True):
             np.testing.assert_array_equal(together, one)
+
+
+@has_pardiso
+@pytest.mark.parametrize(
+    ("given", "threads"),
+    [
+        ({"MKL_NUM_THREADS": "3", "OMP_NUM_THREADS": "5"}, 3),
+        ({"OMP_NUM_THREADS": "5"}, 5),
+        ({"MKL_NUM_THREADS": "0", "OMP_NUM_THREADS": " 2,4"}, 2),  # of nested threads the outer ones
+        ({"MKL_NUM_THREADS": "many", "OMP_NUM_THREADS": "1"}, 1),
+        ({}, None),
+    ],
+)
+def test_threads_are_those_that_the_environment_gives(
+    given: dict[str, str], threads: int | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("MKL_NUM_THREADS", "OMP_NUM_THREADS"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in given.items():
+        monkeypatch.setenv(name, value)
+    monkeypatch.setattr("os.sched_getaffinity", lambda _: set(range(7)), raising=False)
+    assert factor.solver_threads() == (7 if threads is None else threads)
+    monkeypatch.setattr(factor, "PardisoSolver", None)
+    assert factor.solver_threads() == 1
+
+
+@has_pardiso
+def test_a_factor_counts_its_numbers_until_it_forgets_them() -> None:
+    """Of a full matrix of 300 rows: its factor is a triangle of doubles, and so are the numbers it was given."""
+    random = np.random.default_rng(2)
+    root = random.normal(size=(300, 300))
+    upper = csr_matrix(np.triu(root @ root.T + 300 * np.eye(300)))
+    made = factor.PardisoFactor(upper, csr_matrix((300, 0)))
+    triangle = 8 * 300 * 301 / 2
+    before = made.memory
+    made.solution(upper, np.ones(300))
+    assert 1.5 * triangle < before < 12 * triangle  # entries, their columns and places
+    assert triangle < made.memory - before < 12 * triangle
+    made.forget_numbers()
+    assert made.memory == pytest.approx(before, rel=0.3)

@@ -11,7 +11,16 @@ from analytic.errors import InputError
 from analytic.scene import Contact, Material
 from fembearing.creep.half_space import HalfSpaces
 from fembearing.creep.strips import Strips
-from fembearing.fem.compliance import EVEN, WHOLE, PairCompliance, pair_compliance, values_of, whole_compliance
+from fembearing.fem.compliance import (
+    EVEN,
+    WHOLE,
+    PairCompliance,
+    _normal_of_race,
+    pair_compliance,
+    tangent_frame,
+    values_of,
+    whole_compliance,
+)
 from fembearing.fem.elasticity import surface_mass
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.half_space import approach_under, contact_modulus, plane_strain_modulus, pressed_rectangle
@@ -20,6 +29,7 @@ from fembearing.fem.twin import shared_axes
 from fembearing.mesh.bodies import Block, BodyMesh
 from fembearing.mesh.footprint import Footprint
 from fembearing.mesh.half_space import flat_block
+from fembearing.mesh.race import race_height
 from fembearing.mesh.recipe import load_recipe
 from tests.contacts import NITRIDE, PEEK
 
@@ -296,3 +306,26 @@ def test_only_what_was_sampled_is_known(contacts: dict[str, Contact]) -> None:
     axis: Axis = ALONG
     with pytest.raises(AssertionError):
         even.added_influence(place, place, moves=axis, by=axis)
+
+
+@pytest.mark.parametrize("pair", ["inner", "outer"])
+def test_normals_of_a_race_point_away_from_the_circle_of_its_groove(contacts: dict[str, Contact], pair: str) -> None:
+    """That circle lies about the ring's axis, which runs along y through z = -R."""
+    contact = replace(contacts[pair], contact_angle=0.0)
+    x, y = np.array([0.0, 0.7e-3, -0.4e-3, 1.1e-3]), np.array([0.0, 0.9e-3, 1.6e-3, -1.3e-3])
+    place = np.array([x, y, race_height(contact, x, y) + contact.rolling_radius])
+    from_axis = np.hypot(place[0], place[2])
+    circle = abs(contact.rolling_radius) + np.sign(contact.rolling_radius) * contact.groove_radius
+    inwards = place - circle / from_axis * place * np.array([[1.0], [0.0], [1.0]])
+    # Heights over steps of a millionth of the ball's radius have nine digits.
+    np.testing.assert_allclose(_normal_of_race(contact, x, y), inwards / contact.groove_radius, atol=1e-7)
+
+
+def test_a_frame_on_a_surface_is_turned_upright_about_a_level_axis() -> None:
+    """Rodrigues's rotation that takes z to the normal upwards."""
+    for tilt, turn in ((0.3, 0.7), (0.9, -2.1)):
+        level = np.array([np.cos(turn), np.sin(turn), 0.0])
+        cross = np.array([[0, 0, level[1]], [0, 0, -level[0]], [-level[1], level[0], 0]])
+        rotation = np.eye(3) + np.sin(tilt) * cross + (1 - np.cos(tilt)) * cross @ cross
+        frame = tangent_frame(-rotation[:, [2]])[:, :, 0]
+        np.testing.assert_allclose(frame, rotation.T, atol=1e-15)  # rows are the turned x, y and z
