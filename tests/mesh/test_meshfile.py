@@ -126,6 +126,32 @@ def straight_hexahedra(path: Path) -> None:
     meshio.vtu.write(str(path), content)
 
 
+def with_changed(change: Callable[[meshio.Mesh], object]) -> Callable[[Path], None]:
+    def write(path: Path) -> None:
+        content = meshio.vtu.read(str(path))
+        change(content)
+        meshio.vtu.write(str(path), content)
+
+    return write
+
+
+def nowhere(content: meshio.Mesh) -> None:
+    content.points[5, 1] = np.nan
+
+
+def without_node(number: int) -> Callable[[meshio.Mesh], None]:
+    """number : of the node that a cell names, from the number of all nodes on if >= 0"""
+
+    def change(content: meshio.Mesh) -> None:
+        content.cells[0].data[3, 4] = number if number < 0 else len(content.points) + number
+
+    return change
+
+
+def twice(content: meshio.Mesh) -> None:
+    content.point_data["touching"][content.point_data["touching"] == 2] = 1
+
+
 FAULTS: dict[str, Callable[[Path], object]] = {
     "missing": lambda path: path.unlink(),
     "empty": lambda path: path.write_bytes(b""),
@@ -141,6 +167,10 @@ FAULTS: dict[str, Callable[[Path], object]] = {
     "invisible sign": marked,
     "no touching": without("touching"),
     "no plane": without("plane_y"),
+    "node nowhere": with_changed(nowhere),
+    "first node that does not exist": with_changed(without_node(0)),
+    "negative node": with_changed(without_node(-1)),
+    "one number twice": with_changed(twice),
 }
 
 
@@ -154,3 +184,22 @@ def test_a_broken_file_is_refused_in_one_line(contacts: dict[str, Contact], tmp_
     with pytest.raises(InputError, match=rf"body\.vtu: {reason}") as caught:
         read_body(path, name="ball")
     assert str(caught.value).isprintable()
+
+
+@pytest.mark.parametrize(
+    ("fault", "words"),
+    [
+        (nowhere, "a position is not finite"),
+        (without_node(0), "a cell names a node that does not exist"),
+        (without_node(-1), "a cell names a node that does not exist"),
+        (twice, "nodes that may touch are not numbered in a row"),
+    ],
+)
+def test_impossible_numbers_are_named(
+    contacts: dict[str, Contact], tmp_path: Path, fault: Callable[[meshio.Mesh], object], words: str
+) -> None:
+    path = tmp_path / "body.vtu"
+    write_body(path, bodies(contacts, "race", level=1)[0])
+    with_changed(fault)(path)
+    with pytest.raises(InputError, match=words):
+        read_body(path, name="ball")

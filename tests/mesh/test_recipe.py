@@ -46,10 +46,33 @@ FAULTS = {  # what is replaced, by what, and what the message must name
     "not a number": ("extent = 4.0", "extent = nan", "domain.extent = nan"),
     "infinite": ("extent = 4.0", "extent = inf", "domain.extent = inf"),
     "margin inside the contact": ("margin_size = 1.4", "margin_size = 0.9", "margin_size = 0.9"),
+    "margin on the contact": ("margin_size = 1.4", "margin_size = 1", "margin_size = 1, .* more than 1, to 1000"),
+    "growth of nothing": ("growth = 8.0", "growth = 1.0", "domain.growth = 1.0"),
+    "size of nothing": ("core_size = 0.6", "core_size = 0.0", "core_size = 0.0, accepted: a number, more than 0"),
+    "bulge inwards": ("core_bulge = 0.5", "core_bulge = -0.1", "core_bulge = -0.1, accepted: a number, 0 or more"),
+    "too many cells": ("depth = 3", "depth = 1001", "depth = 1001, accepted: a whole number, 1 or more, to 1000"),
+    "levels too near": ("[1, 2, 3, 4]", "[10, 20, 25]", "1.3 times"),
     "unknown in a section": ("edge_grading = 1.5", "edge_gradin = 1.5", r"\[patch\].*edge_grading"),
     "missing section": ("[depth]", "[depht]", "depht"),
     "section no table": ("[domain]", "[[domain]]", r"\[domain\]"),
 }
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("core_bulge = 0.5", "core_bulge = 0"),
+        ("margin_size = 1.4", "margin_size = 1000"),
+        ("depth = 3", "depth = 1000"),
+        ("[1, 2, 3, 4]", "[10, 13, 17]"),
+        ("[1, 2, 3, 4]", "[1, 2, 3]"),
+    ],
+)
+def test_numbers_at_their_limits_are_accepted(tmp_path: Path, old: str, new: str) -> None:
+    text = (SHIPPED / "race.toml").read_text("utf-8")
+    assert old in text
+    (tmp_path / "race.toml").write_text(text.replace(old, new, 1), "utf-8")
+    assert parse_recipe(tmp_path / "race.toml", name="race").name == "race"
 
 
 @pytest.mark.parametrize("fault", FAULTS)
