@@ -9,7 +9,14 @@ import numpy as np
 import pytest
 from hypothesis import given
 
-from analytic.catalog.bearing_rows import CatalogBearing, Grade, bearing_names, clearance_group, find_bearing
+from analytic.catalog.bearing_rows import (
+    CatalogBearing,
+    Grade,
+    bearing_names,
+    clearance_group,
+    find_bearing,
+    series_of_size,
+)
 from analytic.errors import InputError
 
 MAKERS = ("NSK", "SKF", "KOYO")
@@ -194,3 +201,112 @@ def test_clearance_is_that_of_the_standard(bore: float, group: str, smallest: fl
 def test_clearance_outside_the_standard_is_refused(bore: float, group: str, word: str) -> None:
     with pytest.raises(InputError, match=word):
         clearance_group(bore, group)
+
+
+@pytest.mark.parametrize(
+    ("designation", "series"),
+    [
+        ("6205", "62"),
+        ("608", "60"),
+        ("16010", "160"),
+        ("62/28", "62"),
+        ("6804", "618"),
+        ("6905", "619"),
+        ("7208 BEP", "72 B"),
+        ("7008C", "NSK 70 C"),
+        ("7210A5", "NSK 72 A5"),
+        ("GMN S 6205 C TA", "GMN S"),
+        ("SNFA EX 25", "SNFA EX"),
+    ],
+)
+def test_a_series_is_that_of_the_maker(designation: str, series: str) -> None:
+    bearing = find_bearing(designation)
+    assert bearing.series == series
+    assert bearing.kind == ("deep groove" if series.isdigit() else "angular contact")
+    assert (bearing.nominal_angle is None) == series.isdigit()
+
+
+@pytest.mark.parametrize(
+    ("size", "series"),
+    [  # mm
+        ((25.0, 52.0, 15.0), "62"),
+        ((25.0, 52.0, None), "62"),
+        ((50.0, 80.0, 16.0), "60"),
+        ((50.0, 80.0, 10.0), "160"),
+        ((50.0, 80.0, 13.1), "60"),  # nearer to 16 mm than to 10 mm
+        ((50.0, 80.0, None), "60"),
+        ((25.04, 51.96, 15.0), "62"),
+        ((25.06, 52.0, 15.0), None),
+        ((25.0, 51.94, 15.0), None),
+    ],
+)
+def test_a_size_belongs_to_a_series_within_a_twentieth_of_a_millimetre(
+    size: tuple[float, float, float | None], series: str | None
+) -> None:
+    bore, outside, width = size
+    assert series_of_size(bore / 1e3, outside / 1e3, None if width is None else width / 1e3) == series
+
+
+def test_every_deep_groove_bearing_has_the_series_of_its_size() -> None:
+    for bearing in BEARINGS:
+        if bearing.kind == "deep groove":
+            found = series_of_size(bearing.bore, bearing.outside, bearing.width)
+            assert found == bearing.series, bearing.designation
+
+
+def test_shoulders_of_another_ball_are_in_proportion() -> None:
+    """SKF's 6305 has larger balls than NSK's, whose shoulders are assumed."""
+    one, other = find_bearing("NSK 6305"), find_bearing("SKF 6305")
+    grown = other.ball_diameter / one.ball_diameter
+    assert grown > 1.1
+    for small, large in zip(one.shoulder_height, other.shoulder_height, strict=True):
+        assert small is not None
+        assert large == pytest.approx(grown * small, rel=1e-12)
+    assert "another maker" in other.origins["inner.shoulder_half_width"].source
+    assert "another maker" not in one.origins["inner.shoulder_half_width"].source
+
+
+def test_the_outer_ring_of_an_angular_contact_bearing_is_turned_off_where_one_side_is_printed() -> None:
+    one_sided = find_bearing("7208 BEP")
+    assert one_sided.far_half_width == (one_sided.shoulder_half_width[0], 0.0)
+    assert find_bearing("6206").far_half_width == (None, None)
+
+
+def test_makers_that_differ_are_named_unless_one_is_asked_for() -> None:
+    """Every other maker whose balls are usable and others."""
+    told = 0
+    by_name = {bearing.designation: bearing for bearing in BEARINGS}
+    for name in bearing_names():
+        plain, words = by_name[name], " ".join(by_name[name].warnings)
+        for maker in MAKERS:
+            own = by_name.get(f"{maker} {name}")
+            if own is None or maker == plain.maker:
+                continue
+            assert "differs between makers" not in " ".join(own.warnings)
+            balls = f"{maker} {own.ball_count} x {1e3 * own.ball_diameter:.3f} mm"
+            same = own.ball_count == plain.ball_count and abs(own.ball_diameter / plain.ball_diameter - 1) < 1e-3
+            told += balls in words
+            assert same or balls in words, name
+            assert not same or f"{maker} {own.ball_count} x" not in words or plain.grade == "printed", name
+    assert told > 50
+
+
+def test_weak_grades_are_told_with_the_next_best_balls() -> None:
+    for bearing in BEARINGS:
+        words = " ".join(bearing.warnings)
+        assert ("follow from one maker's ratings alone" in words) == (bearing.grade == "B"), bearing.designation
+        assert ("follow from the ratings weakly" in words) == (bearing.grade == "C"), bearing.designation
+        if bearing.grade == "C":
+            count, diameter = bearing.other_candidate or (0, 0.0)
+            assert f"compare the next best, {count} x {1e3 * diameter:.3f} mm" in words, bearing.designation
+
+
+def test_the_inner_design_of_skf_is_told_where_it_is_another() -> None:
+    told = {name: " ".join(find_bearing(name).warnings) for name in ("7208 B", "7208 BE", "7208 BEP", "7008C")}
+    assert [name for name, words in told.items() if "inner design E" in words] == ["7208 B"]
+
+
+def test_the_last_of_several_clearance_groups_is_taken() -> None:
+    assert find_bearing("6205 C2 C4").clearance_group == "C4"
+    assert find_bearing("6205 C4 C2").clearance_group == "C2"
+    assert not any("clearance groups" in words for words in find_bearing("6205 C4").warnings)
