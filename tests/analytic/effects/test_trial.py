@@ -464,6 +464,10 @@ def test_what_a_trial_does_not_see_is_added_for_each_effect(bearing_6205: Bearin
     for name, change in expected.items():
         found = unseen_by_trial(ledger, trial_, counted, (name,))
         np.testing.assert_allclose(found, change, rtol=1e-12, err_msg=name)
+    base.points["rolling_force"][1] = 0.0  # balls lag at the first point alone
+    unlike = unseen_by_trial(ledger, trial_, counted, ("load_distribution",))
+    np.testing.assert_allclose(unlike, expected["load_distribution"], rtol=1e-12)
+    base.points["rolling_force"][1] = 0.03
     both = unseen_by_trial(ledger, trial_, counted, ("load_distribution", "weight"))
     np.testing.assert_allclose(both, expected["load_distribution"] + weight, rtol=1e-12)
 
@@ -499,8 +503,8 @@ def test_effects_that_have_nothing_to_act_on_are_no_trial(rich: Scene) -> None:
     assert acting(without(given, "rolling")) == everything - {"asperities", "rolling", "unloaded_balls"} - inlets
 
 
-def decided(scene: Scene, base: Solution) -> Ledger:
-    """The decisions of a scene whose trial is known and changes nothing."""
+def decided(scene: Scene, base: Solution, *, known: "Same | None" = None, has_factors: bool = False) -> Ledger:
+    """The decisions of a scene whose trial is known; by default it changes nothing."""
     ledger = Ledger(scene, len(base.points))
     trial_ = Trial(
         scene=scene,
@@ -508,24 +512,80 @@ def decided(scene: Scene, base: Solution) -> Ledger:
         model=None,  # pyright: ignore[reportArgumentType]
         points=np.zeros((len(base.points) + 1, 5)),  # more than are tried
         tried=np.arange(len(base.points)),
-        known=Same(base),
+        known=Same(base) if known is None else known,
     )
     vars(trial_)["under_thrust"] = base
-    decide_effects(ledger, trial_, base, has_factors=False)
+    decide_effects(ledger, trial_, base, has_factors=has_factors)
     return ledger
 
 
 class Same(dict):  # pyright: ignore[reportMissingTypeArgument]
-    """The same solution whatever counts."""
+    """The same solution whatever counts, and another one where all of these effects are left out together."""
 
-    def __init__(self, found: Solution) -> None:
-        self.found = found
+    def __init__(self, found: Solution, *without: str, other: Solution | None = None) -> None:
+        self.found, self.other, self.without = found, other, without
 
     def __contains__(self, key: object) -> bool:
         return True
 
     def __getitem__(self, key: object) -> Solution:
-        return self.found
+        assert isinstance(key, tuple)
+        left_out = {name for name, counts in key[0] if not counts}
+        return self.other if self.other is not None and {*self.without} <= left_out else self.found
+
+
+LOADED = {"load": 2.0, "friction_coefficient": 0.05, "asperity_share": 0.0, "of_spin": 2.0, "of_rolling": 8.0}
+
+
+def test_what_changes_the_torque_by_more_than_half_of_the_tolerance_counts(rich: Scene) -> None:
+    """2.5 times the change by trial, whose balls slide by one coefficient."""
+    scene = replace(rich, effects={}, tolerance=0.04)
+    for change, is_on in ((0.079, False), (0.081, True)):  # of 10: 2.5 times as much may be 2 %
+        other = balls_of(3, 2, **{**LOADED, "of_rolling": 8.0 + change})
+        base = balls_of(3, 2, **LOADED)
+        ledger = decided(scene, base, known=Same(base, "hysteresis", other=other))
+        assert ledger.is_on("hysteresis") == is_on
+        assert not ledger.is_on("centrifugal")
+
+
+def test_a_radial_load_is_tried_together_with_the_weight_that_its_ring_has(rich: Scene) -> None:
+    """Both leave out a ring of all balls; where the ring is there, both are computed."""
+    scene = replace(rich, effects={}, tolerance=0.04)
+    base, other = balls_of(3, 2, **LOADED), balls_of(3, 2, **{**LOADED, "of_rolling": 9.0})
+    both = decided(scene, base, known=Same(base, "load_distribution", "weight", other=other))
+    assert both.is_on("load_distribution")
+    alone = decided(scene, base)
+    assert not alone.is_on("load_distribution")
+    assert alone.made["weight"].reason == "neglected with load_distribution, whose share includes it"
+    assert not alone.is_on("weight")
+    asked = decided(replace(scene, effects={"weight": "on"}), base)
+    assert asked.made["load_distribution"].reason == "computed together with the weight"
+    inertia = decided(scene, base, known=Same(base, "centrifugal", "weight", other=other))
+    assert not inertia.is_on("centrifugal")  # which is tried by itself
+
+
+def test_given_factors_take_the_place_of_the_fit_for_finite_geometry(rich: Scene) -> None:
+    scene, base = replace(rich, effects={}), balls_of(3, 2, **LOADED)
+    given, fitted = (decided(scene, base, has_factors=each).made for each in (True, False))
+    assert given["finite_geometry"].reason == "factors on the contacts given in the call"
+    assert (fitted["finite_geometry"].decision, fitted["finite_geometry"].reason) == ("off", "no effect here")
+    assert given["hysteresis"].decision == "off"
+    off = decided(without(scene, "hysteresis"), base, known=Same(base, other=balls_of(3, 2, **LOADED)))
+    assert off.made["hysteresis"].share == 0.0
+    # an effect of the oil that is off, and would have nothing to act on, is not tried
+    nothing = without(scene, "rolling", "spin", "conformity", "starvation")
+    found = decided(
+        nothing, base, known=Same(balls_of(3, 2, **{**LOADED, "of_rolling": 9.0}), "starvation", other=base)
+    )
+    assert found.made["starvation"].share == 0.0
+
+
+def test_changes_by_conformity_are_tried_by_the_ellipse(bearing_6205: Bearing) -> None:
+    base, along = balls_of(2, 1, of_spin=2.0), balls_of(2, 1, of_spin=3.0)
+    trial_ = tried(dry(bearing_6205), {(True, True): base, (False, False): base}, ("conformity",))
+    trial_.known[(("conformity", False),), OVER_ELLIPSE, False] = along
+    np.testing.assert_allclose(trial_.share({"conformity": True}, "conformity"), 0.0)
+    np.testing.assert_allclose(trial_.share_by_parts({"conformity": True}, "conformity"), 0.5)
 
 
 def test_asperities_count_from_the_tolerance_on(rich: Scene) -> None:
