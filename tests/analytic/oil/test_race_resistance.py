@@ -1,0 +1,93 @@
+"""What a race of a scene resists: by what its parts are made of, and a ball that rolls off a race both ways."""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from analytic.contact.geometry import race_curvatures
+from analytic.contact.rolling_contact import ContactNumbers
+from analytic.loads.numbers import free_angle
+from analytic.oil.ehl_fit import effective_reach, gap_force
+from analytic.oil.race_resistance import (
+    DRY,
+    SMOOTH_FORM,
+    RaceResistance,
+    gap_law_of,
+    gap_off_race,
+    resistance_of,
+    torque_off_race,
+)
+from analytic.oil.variation import NOMINAL, Variation
+from analytic.oil.viscosity import oil_numbers
+from analytic.scene import ContactAngle, Scene
+from tests.analytic.specimens import BEARING_6205, FINISH, OIL, idling
+from tests.contacts import STEEL
+
+SCENE = replace(idling(BEARING_6205), contact_angle=ContactAngle(rule="given", value=0.31))
+RACES = ("inner", "outer")
+
+
+def resistance(scene: Scene = SCENE, variation: Variation = NOMINAL, **off: Any) -> RaceResistance:
+    return resistance_of(scene, (SMOOTH_FORM, SMOOTH_FORM), lambda name: name not in off, variation)
+
+
+@pytest.mark.parametrize(
+    ("rule", "angle"),
+    [
+        (ContactAngle(rule="given", value=0.31), 0.31),
+        (ContactAngle(rule="solved", free=0.22), 0.22),
+        (ContactAngle(rule="solved"), free_angle(BEARING_6205)),
+    ],
+)
+def test_the_reach_of_the_oil_is_that_at_the_unloaded_angle(rule: ContactAngle, angle: float) -> None:
+    found = resistance(replace(SCENE, contact_angle=rule))
+    for race in RACES:
+        reach = effective_reach(BEARING_6205, race, reach=OIL.reach.ahead, contact_angle=angle)  # pyright: ignore[reportArgumentType]
+        assert getattr(found, race).supply.ahead == pytest.approx(reach, rel=1e-12)
+
+
+def test_what_counts_is_what_the_scene_has() -> None:
+    found = resistance()
+    assert (found.has_oil, found.rolls, found.elastic, found.by_houpert) == (True, True, True, False)
+    assert np.isnan(found.coefficient)
+    assert found.hysteresis_loss == SCENE.hysteresis_loss
+    assert found.inner.boundary_friction == FINISH.boundary_friction
+    assert (found.inner.asperities, found.inner.heats, found.inner.starves) == (True, True, True)
+    left = resistance(rolling=0, hysteresis=0, inlet_heating=0)
+    assert (left.rolls, left.elastic, left.inner.heats, left.inner.starves) == (False, False, False, True)
+    given = resistance(replace(SCENE, friction_coefficient=0.07, surface=None, elastic_rolling="houpert"))
+    assert (given.coefficient, given.by_houpert, given.inner.boundary_friction) == (0.07, True, 0.0)
+    dry = resistance(replace(SCENE, lubricant=None))
+    assert (dry.has_oil, dry.inner, dry.outer) == (False, DRY, DRY)
+    varied = resistance(variation=Variation(unloaded_balls=1.3, elastic_rolling=0.4))
+    assert (varied.unloaded, varied.elastic_step) == (1.3, 0.4)
+
+
+def test_a_gap_law_is_that_of_rough_surfaces_in_oil() -> None:
+    bodies = (STEEL, STEEL)
+    assert gap_law_of(SCENE, bodies) is not None
+    assert gap_law_of(replace(SCENE, surface=None), bodies) is None
+    assert gap_law_of(replace(SCENE, friction_coefficient=0.07), bodies) is None
+
+
+@pytest.mark.parametrize("race", [0, 1])
+def test_a_ball_off_a_race_resists_by_the_force_in_its_gap(race: int) -> None:
+    """2 f u/w at each surface, by the reach of its race; and the gap comes back from the torque."""
+    found, oil, speed, entrainment, gap = (
+        resistance(variation=Variation(unloaded_balls=1.3)),
+        oil_numbers(OIL),
+        -74.0,
+        9.1e-3,
+        6e-6,
+    )
+    rolling, transverse = race_curvatures(BEARING_6205, RACES[race], contact_angle=0.31)  # pyright: ignore[reportArgumentType]
+    contact = ContactNumbers(0.0, 0.0, 0.0, float(rolling), float(transverse), 1.13e11, np.nan, np.nan, np.nan)
+    torque = torque_off_race(found, oil, race, contact, entrainment, gap, speed)
+    ahead = getattr(found, RACES[race]).supply.ahead
+    force = gap_force(oil.viscosity * 74.0 * entrainment, 1 / float(rolling), float(transverse / rolling), gap, ahead)
+    assert torque == pytest.approx(1.3 * 2 * force * entrainment, rel=1e-12)
+    assert gap_off_race(found, oil, race, contact, entrainment, torque, speed) == pytest.approx(gap, rel=1e-9)
+    assert gap_off_race(found, oil, race, contact, entrainment, 0.0, speed) == np.inf
+    assert gap_off_race(found, oil, race, contact, entrainment, torque, 0.0) == np.inf
