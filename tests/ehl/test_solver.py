@@ -6,19 +6,23 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy import sparse
 
 from analytic.scene import Array
 from fembearing.ehl.contact import LubricatedContact, Reach
 from fembearing.ehl.grid import Grid
+from fembearing.ehl.reynolds import Balance
 from fembearing.ehl.solver import (
     EASIER,
     EASY,
+    INNER,
     LAST,
     ROUGH,
     Discretised,
     NoFilmError,
     Solution,
     Start,
+    _Linear,
     _within,
     require_few_cells,
     solve_on_grids,
@@ -251,3 +255,45 @@ def test_forces_and_the_centre_are_integrals_over_both_halves(told: Solution) ->
     # mass flows times pressure are in u a (a^2/R_x) p0 on the half domain; the power over 2 u, twice
     unit = a * a**2 / radius * told.contact.peak_pressure
     assert told.dissipated_force == pytest.approx(0.37 * unit, rel=1e-12)
+
+
+# -- linear systems ---------------------------------------------------------------------------------------------------
+
+
+def system(seed: int, near: Balance | None = None) -> Balance:
+    """Slopes of 40 cells in a row with a flow between neighbours; a tenth away from those of another one."""
+    random, count = np.random.default_rng(seed), 40
+    diagonal = random.uniform(2.0, 5.0, count)
+    by_pressure = sparse.diags_array(
+        [-random.uniform(0.4, 1.1, count - 1), diagonal, -diagonal[1:] / 5], offsets=[-1, 0, 1]
+    )
+    by_film = sparse.diags_array(
+        [random.uniform(0.2, 0.9, count), random.uniform(-0.6, -0.1, count - 1)], offsets=[0, -1]
+    )
+    slopes = [sparse.csr_array(by_pressure), sparse.csr_array(by_film)]
+    if near is not None:
+        slopes = [0.9 * known + 0.1 * own for known, own in zip((near.by_pressure, near.by_film), slopes, strict=True)]
+    nothing = np.zeros(0)
+    return Balance(random.normal(size=count), *slopes, dissipation=0.0, through=nothing, aside=nothing)
+
+
+def test_steps_fulfil_the_linear_equations_and_carry_the_load() -> None:
+    """At first by a factorisation, then with its help to a thousandth, also where other cells are held."""
+    place = np.arange(40)
+    elastic = 0.7 / (1 + np.abs(place[:, None] - place))
+    random = np.random.default_rng(3)
+    areas, linear = random.uniform(0.5, 1.4, 40), _Linear(elastic)
+    first = system(4)
+    kept = None
+    for number, now in enumerate((first, system(5, near=first), system(6, near=first))):
+        held = np.isin(place, [3, 11, 30 + number])
+        fixed = np.where(held, random.normal(size=40) * (number != 1), 0.0)
+        step, lift = linear.step(now, held, fixed, areas, 1.7)
+        np.testing.assert_array_equal(step[held], fixed[held])
+        left = now.excess + now.by_pressure @ step + now.by_film @ (elastic @ step + lift)
+        missing = areas[~held] @ step[~held] - 1.7
+        residual, asked = np.append(left[~held], missing), np.append(now.excess, 1.7)
+        accuracy = 1e-12 if number == 0 else 10 * INNER  # of a norm without the part of what is fixed
+        assert np.linalg.norm(residual) < accuracy * np.linalg.norm(asked)
+        assert kept is None or linear.factors is kept  # the first factorisation still helps
+        kept = linear.factors
