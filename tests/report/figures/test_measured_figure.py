@@ -6,10 +6,11 @@ from typing import cast
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
-from matplotlib.collections import LineCollection
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.container import ErrorbarContainer
 
 from fembearing.quantities import METRIC
-from fembearing.report.figures.measured import axis_of, measured_figure, measured_plot
+from fembearing.report.figures.measured import axis_of, caption_of, measured_figure, measured_plot
 from fembearing.report.report import Report
 from tests.report.figures.figure_reader import require_legible
 from tests.report.measured_rows import TWO, comparison, row
@@ -70,3 +71,44 @@ def test_more_curves_than_colours_are_drawn_as_points() -> None:
     figure = measured_figure(comparison(*rows))
     words = [text.get_text() for text in figure.legends[0].get_texts()]
     assert words == ["computed, 95 %", "measured, missed"]
+
+
+def test_a_row_alone_on_its_curve_has_a_bar_and_several_have_a_band() -> None:
+    """Two loads: one at two speeds, the other at one."""
+    rows = [row(), row(inner_speed=30.0), row(axial_load=300.0)]
+    figure = measured_figure(comparison(*rows))
+    above = figure.axes[0]
+    bands = [each for each in above.collections if isinstance(each, PolyCollection)]
+    assert len(bands) == 1
+    words = [text.get_text() for text in figure.legends[0].get_texts()]
+    assert words[:2] == ["computed, 700 N, 95 %", "computed, 300 N, 95 %"]
+    (bar,) = (each for each in above.containers if str(each.get_label()).startswith("computed, 300 N"))
+    assert isinstance(bar, ErrorbarContainer)
+    (segment,) = bar.lines[2][0].get_segments()
+    np.testing.assert_allclose(np.asarray(segment)[:, 1], [41, 62], rtol=1e-9)  # N mm, of the computed torque
+
+
+def test_four_curves_have_a_colour_each_and_five_have_one() -> None:
+    for count, colours in ((4, 4), (5, 1)):
+        rows = [
+            row(axial_load=100.0 * number, inner_speed=speed)
+            for number in range(2, 2 + count)
+            for speed in (30.0, 60.0)
+        ]
+        axis = axis_of(rows, METRIC)
+        assert len({axis.colour(curve) for curve in axis.curves}) == colours
+        assert axis.many == (count == 5)
+
+
+def test_speeds_over_a_decade_are_on_a_logarithmic_scale() -> None:
+    for fast, scale in ((200.0, "linear"), (400.0, "log")):
+        figure = measured_figure(comparison(row(inner_speed=30.0), row(inner_speed=fast)))
+        assert {panel.get_xscale() for panel in figure.axes} == {scale}
+        assert figure.axes[0].get_ylim()[0] == 0
+
+
+def test_a_caption_counts_what_is_missed() -> None:
+    assert "no point misses" in caption_of(comparison(row(verdict="inside"), row(verdict="inside")))
+    assert "2 of 3 points miss" in caption_of(
+        comparison(row(verdict="inside"), row(verdict="model too low"), row(verdict="model too high"))
+    )

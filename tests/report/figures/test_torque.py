@@ -281,3 +281,29 @@ def test_without_a_torque_there_is_a_reason_in_place_of_a_figure(draw: Any) -> N
     figure, why = draw(as_document({"torque": None}))
     assert figure is None
     assert "neither a friction coefficient nor both lubricant and surface" in why
+
+
+def test_the_film_from_which_summits_part_is_a_line_where_it_is_in_sight(document: Document) -> None:
+    """Film over roughness: up to 2.14 in the document, on a scale that ends above 3 only with thicker films."""
+    for thickest, drawn in ((0.3e-6, False), (0.9e-6, True)):
+        document["torque"]["points"][0]["film"]["outer"] = thickest
+        figure = present(friction_plot(as_document(document))[0])
+        lines = [line for line in figure.axes[1].get_lines() if line.get_label() == "summits part, about"]
+        assert len(lines) == drawn
+        for line in lines:
+            assert np.asarray(line.get_ydata()).tolist() == [3, 3]
+        assert not any(line.get_label() == "summits part, about" for line in figure.axes[0].get_lines())
+
+
+def test_a_linear_scale_begins_at_0_and_has_room_above(document: Document) -> None:
+    friction, _, shares = present(friction_plot(as_document(document))[0]).axes
+    assert friction.get_ylim() == pytest.approx((0, 1.15 * 0.036), rel=1e-9)
+    assert shares.get_ylim() == pytest.approx((0, 1.15 * 16), rel=1e-9)
+
+
+def test_the_figure_of_coefficients_alone_says_that_there_is_no_film(document: Document) -> None:
+    for lacking, words in (({"gap_roughness": None}, "Asperities: share"), ({}, "Film: central thickness")):
+        changed = {"torque": document["torque"] | lacking, "cage_records": []}
+        figure, caption = friction_plot(as_document(changed))
+        assert words in caption
+        assert len(present(figure).axes) == (2 if lacking else 3)

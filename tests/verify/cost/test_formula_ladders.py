@@ -3,12 +3,13 @@
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 import pytest
 
 from analytic.errors import InputError
+from analytic.loads.thrust import thrust_equilibrium
 from analytic.scene import Autocorrelation, Contact, ContactAngle, HeightMapFile, Scene, Surface
 from analytic.scenefile.read import load_scene
 from fembearing.verify.cost import formula_ladders
@@ -238,3 +239,38 @@ def test_the_scatter_of_a_generated_map_depends_on_its_correlation_lengths_alone
     bound = formula_ladders._bound_of_generated
     assert bound(larger, 350) == pytest.approx(bound(waves, 350), rel=1e-12)  # round-off
     assert bound(replace(waves, length=3 * waves.length), 1050) == pytest.approx(bound(waves, 350), rel=1e-12)
+
+
+@pytest.mark.parametrize("change", [{"radial_load": 50.0}, {"moment": 0.4}, {"inner_speed": np.array([700.0])}])
+def test_bounds_of_thrust_alone_are_no_wider_than_a_few_errors(scene: Scene, change: dict[str, Any]) -> None:
+    """Stribeck's 4.37 is rounded up to 5, and what inertia does was chosen on random scenes: two to three errors."""
+    ladder = measured(load_methods(replace(scene, operation=replace(scene.operation, **change))), tolerance=0.01)
+    free, frozen, still, *_ = ladder.methods
+    assert present(free.error) < present(free.bound) < 1.7 * present(free.error)
+    for method in (frozen, still):
+        assert present(method.error) < present(method.bound) < 4 * present(method.error), method.name
+
+
+def test_a_moment_counts_as_a_radial_load_on_the_pitch_circle(scene: Scene) -> None:
+    """Its share of the heaviest ball's load is at most 5 Fr/(Z Q) where that is small, and never more than all of it."""
+    bearing = scene.bearing
+
+    def bound(**loads: Any) -> float:
+        operation = replace(scene.operation, **loads).as_series()
+        return float(formula_ladders._bound_without_radial_load(scene, operation)[0])
+
+    by_moment = bound(moment=-300.0 * bearing.pitch_diameter)
+    assert bound(radial_load=300.0) == pytest.approx(by_moment, rel=1e-12)  # round-off
+    assert bound(radial_load=-300.0) == pytest.approx(by_moment, rel=1e-12)
+    both = bound(radial_load=-200.0, moment=100.0 * bearing.pitch_diameter)
+    assert both == pytest.approx(by_moment, rel=1e-12)
+    assert bound(radial_load=1e9) == pytest.approx(1.0, rel=1e-4)
+    load = thrust_equilibrium(bearing, scene.contact_angle, axial_load=scene.operation.axial_load).ball_load
+    assert bound(radial_load=0.03) == pytest.approx(5 * 0.03 / (9 * float(np.ravel(load)[0])), rel=1e-3)
+
+
+def test_a_free_angle_of_0_or_a_preload_carries_no_thrust(scene: Scene) -> None:
+    flat = replace(scene, contact_angle=ContactAngle(rule="solved", free=0.0))
+    with pytest.raises(InputError, match="at a free contact angle of 0 no ball carries thrust"):
+        formula_ladders._free_angle(flat)
+    assert formula_ladders._free_angle(replace(flat, contact_angle=ContactAngle(rule="solved", free=0.18))) == 0.18
