@@ -18,7 +18,7 @@ from analytic.solve.freely import BETWEEN
 from analytic.solve.solution import Solution
 from analytic.torque import NO_EDGE, NO_SOLUTION, SQUEEZED_BY_WEIGHT, InAnyDirection, Unsure
 from tests.analytic.solve.test_solution import forged
-from tests.analytic.specimens import BEARING_6205, FINISH, OIL, STAMPED_CAGE, thrust
+from tests.analytic.specimens import BEARING_6205, FINISH, OIL, STAMPED_CAGE, present, thrust
 from tests.refusals import refused
 
 SCENE = Scene(
@@ -514,3 +514,72 @@ def test_a_pair_of_oil_and_surface_or_a_coefficient_is_one_source() -> None:
     torque._require_friction(SCENE)
     torque._require_friction(replace(SCENE, surface=None, friction_coefficient=0.07))
     torque._require_friction(replace(SCENE, surface=None, lubricant=None, friction_coefficient=0.0))
+
+
+# The whole
+
+
+@pytest.fixture(scope="module")
+def caged() -> Scene:
+    """Fast balls by rule with a cage, whose centrifugal force presses on the outer race."""
+    return replace(
+        SCENE,
+        operation=thrust(310.0, 890.0, speed=[900.0, 700.0]),
+        cage=STAMPED_CAGE,
+        spin_rule="balanced",
+        sliding="single_coefficient",
+        effects={"cage_dynamics": "off", "ball_dynamics": "off"},
+    )
+
+
+def test_the_uncertainty_has_the_doubts_of_races_limits_and_cage(caged: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The cage's in N m; reasons and warnings of all of them are told."""
+    limits = torque.check_limits
+    monkeypatch.setattr(torque, "_unsure", lambda *_: Unsure(np.array([0.02, 0.03]), ("races",)))
+    monkeypatch.setattr(
+        torque,
+        "check_limits",
+        lambda *each: replace(limits(*each), uncertainty=np.array([0.3, 0.1]), unknown=("limit",)),
+    )
+    monkeypatch.setattr(
+        torque, "_unsure_of_cage", lambda *_: (np.array([1e-3, 2e-3]), ("cage",), ("the cage may do so",))
+    )
+    found = torque.friction_torque(caged)
+    shares = np.array([0.32, 0.13]) + np.array([1e-3, 2e-3]) / found.torque.total
+    np.testing.assert_allclose(found.numerical_uncertainty, shares, rtol=1e-12)
+    assert found.unknown == ("limit", "races", "cage")
+    assert "the cage may do so" in found.warnings
+
+
+def test_a_result_has_the_parts_of_races_and_cage(caged: Scene) -> None:
+    found = torque.friction_torque(caged)
+    assert 0 < found.seconds < 100
+    cage = present(found.torque.cage)
+    parts = sum(present(getattr(found.torque, name)) for name in ("spin", "conformity", "hysteresis", "rolling"))
+    np.testing.assert_allclose(found.torque.race, parts, rtol=1e-14)
+    np.testing.assert_allclose(found.torque.total, parts + cage, rtol=1e-14)
+    assert np.all(found.outer.load > found.inner.load)
+    np.testing.assert_array_equal(found.ball_load, found.outer.load)
+    angles = [np.arcsin(axial / (9 * found.inner.load[place])) for place, axial in enumerate((310.0, 890.0))]
+    assert np.all(found.contact_angle < np.array(angles))  # the mean with the flatter outer one
+    both = present(found.gap_roughness)
+    assert both == pytest.approx(np.hypot(0.21e-6, 0.21e-6), rel=1e-12)
+    assert present(found.friction_coefficient.pocket).shape == (2,)
+    assert present(found.limits.cage_grip).shape == (2,)
+    assert found.provenance["cage"] != "left out"
+    for without in (replace(caged, cage=None), replace(caged, effects={**caged.effects, "cage": "off"})):
+        bare = torque.friction_torque(without)
+        np.testing.assert_allclose(bare.torque.total, parts, rtol=1e-12)
+        assert (bare.cage, bare.friction_coefficient.pocket, bare.limits.cage_grip) == (None, None, None)
+        assert bare.provenance["cage"] == "left out"
+    dry = torque.friction_torque(replace(caged, surface=None, friction_coefficient=0.07))
+    assert dry.gap_roughness is None
+    assert (dry.film.inner, dry.asperity_share.outer, dry.boundary_share.inner) == (None, None, None)
+    np.testing.assert_allclose(present(dry.friction_coefficient.outer), 0.07, rtol=1e-12)
+
+
+def test_a_name_takes_the_arguments_of_a_scene_and_a_scene_takes_none(caged: Scene) -> None:
+    by_name = torque.friction_torque("6205-dry", tolerance="4 %")
+    assert present(by_name.torque.spin).size == 5
+    refused(lambda: torque.friction_torque(caged, radial_load="3 kN"), "radial_load goes with a designation")
+    assert torque.friction_torque(caged, tolerance=0.04).provenance["scene"] == caged.name

@@ -101,3 +101,50 @@ def test_every_status_has_its_words(scene: Scene, status: int, monkeypatch: pyte
     assert len(str(caught.value)) > 40
     if status in NEVER_SOLVED:
         assert "did not converge" in str(caught.value)
+
+
+def beyond_outer_shoulder(
+    bearing: Bearing, lean: tuple[float, float], *, weight: float = 0.0, speed: float = 100.0, **loads: float
+) -> str:
+    """What is said of the second ball of two, whose outer contact has left its race."""
+    balls = np.zeros(2, records.BALL)
+    balls["shoulder_distance"] = [[2e-4, 1e-5], [1e-4, -1e-5]]
+    balls["angle"], balls["motion"]["cage_speed"] = [(0.2, -0.4), lean], [0.1, 0.4]
+    point = {"axial_load": 830.0, "radial_load": 0.0, "moment": 0.0, "inner_speed": speed} | loads
+    return str(failures._beyond_shoulder(bearing, point, balls, weight))
+
+
+def test_a_contact_beyond_a_shoulder_is_told_by_what_moved_it(bearing_6205: Bearing) -> None:
+    """The outer shoulder ends the groove at 47.4 deg: loads move both contacts there, inertia one of them."""
+    edge = float(np.arcsin(3.1 / 4.21))
+    loaded = beyond_outer_shoulder(bearing_6205, (edge + 0.01, edge + 0.03))
+    assert f"moves to {np.degrees(edge + 0.03):.4g} deg" in loaded
+    assert "beyond the outer race's shoulder: lower the load, reduce" in loaded
+    by_speed = beyond_outer_shoulder(bearing_6205, (edge - 0.06, -edge - 0.04))
+    assert "lower the speed of 954.93 rpm, whose centrifugal force moves it there, reduce" in by_speed
+
+
+@pytest.mark.parametrize(("near", "is_weight"), [(0.999, False), (1.001, True)])
+def test_a_contact_that_a_weight_moves_is_told_by_it(bearing_6205: Bearing, near: float, is_weight: bool) -> None:
+    """Where the weight of a ball exceeds its centrifugal force m d_m/2 (0.4 w)^2."""
+    outward = bearing_6205.ball_mass * bearing_6205.pitch_diameter / 2 * 40.0**2
+    words = beyond_outer_shoulder(bearing_6205, (0.3, 0.9), weight=near * outward)
+    assert (f"the weight of a ball, {near * outward:.3g} N, moves its contact to 51.57 deg" in words) == is_weight
+    assert ("centrifugal force" in words) != is_weight
+    unlike = beyond_outer_shoulder(bearing_6205, (0.85, 0.9), weight=2 * outward)
+    assert "lower the load" in unlike
+
+
+def test_loads_that_are_0_are_not_told(bearing_6205: Bearing) -> None:
+    words = beyond_outer_shoulder(bearing_6205, (0.3, 0.9), radial_load=-70.0)
+    assert words.startswith("operation.axial_load = 830 N, operation.radial_load = -70 N: ")
+    assert beyond_outer_shoulder(bearing_6205, (0.3, 0.9)).startswith("operation.axial_load = 830 N: ")
+
+
+def test_what_is_said_of_unequal_loads_has_their_size_or_their_thrust() -> None:
+    for unequal, lacks, words in (
+        (0.123, "no angle", "are up to 12.3 % of the thrust, and no angle"),
+        (np.inf, "no angle", "act without thrust, and no angle"),
+        (0.123, None, "of the thrust, and are the whole load"),
+    ):
+        assert words in str(failures.undistributed(unequal, lacks))
