@@ -295,6 +295,28 @@ def test_a_dynamic_viscosity_needs_no_density() -> None:
     assert pair.viscosity == pytest.approx(same.viscosity, rel=1e-9)
 
 
+def test_a_density_falls_from_15_degrees_on() -> None:
+    """875 kg/m3 of the row of its class at 15 degC, and 0.6 for each kelvin; 3 % are its limit."""
+    for celsius in (15.0, 70.0):
+        read = analytic.lubricant("ISO VG 46", temperature=celsius + 273.15)
+        assert read.density == pytest.approx(875.0 - 0.6 * (celsius - 15.0), rel=1e-12)
+        origin = read.origins["density"]
+        assert present(origin.uncertainty) == pytest.approx(0.03 * read.density / sqrt(3), rel=1e-9)
+    printed = analytic.lubricant("FVA 3").origins["density"]
+    assert (printed.status, printed.uncertainty) == ("printed", None)
+
+
+def test_the_viscosity_that_nobody_prints_is_that_between_two_classes() -> None:
+    """ln nu at 100 degC over ln nu at 40 degC, of the mineral classes of 22 and 32 around 23 mm2/s."""
+    thin, thick = (
+        float(catalog.rows("oils")[f"ISO VG {grade} mineral"]["viscosity_100 [mm^2/s]"]) for grade in (22, 32)
+    )
+    share = log(23 / 22) / log(32 / 22)
+    expected = thin ** (1 - share) * thick**share
+    found = analytic.lubricant("NSK MTE", temperature=373.15, density=900.0).viscosity
+    assert found == pytest.approx(expected * 900e-6, rel=1e-9)
+
+
 MESSAGES = [
     ('name = "ISO VG 48"', ("lubricant.name = 'ISO VG 48'", "near it are", "ISO VG 46 mineral")),
     ('name = "olive oil"', ("lubricant.name = 'olive oil'", "near it are")),

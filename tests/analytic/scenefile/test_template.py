@@ -1,5 +1,6 @@
 """The scene of a bearing of the catalogue: it reads, it runs, and its comments are what the catalogue has."""
 
+import math
 import re
 from pathlib import Path
 
@@ -9,6 +10,7 @@ import pytest
 from analytic import friction_torque
 from analytic.catalog.bearing_rows import clearance_group, find_bearing
 from analytic.errors import InputError
+from analytic.scenefile.choice import Choice
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.scenefile.template import scene_text
 
@@ -106,3 +108,66 @@ def test_a_name_that_is_nothing_is_refused(name: str, words: tuple[str, ...]) ->
         load_scene(name)
     assert str(problem.value).isprintable()
     assert all(word in str(problem.value) for word in words), problem.value
+
+
+def line_of(text: str, key: str) -> str:
+    (line,) = (line for line in text.splitlines() if line.startswith(f"{key} = "))
+    return line
+
+
+def test_the_head_names_the_bearing_with_its_sizes_and_ratings() -> None:
+    row, text = find_bearing("6206-2RS1"), scene_text("6206-2RS1")
+    head = " ".join(line.removeprefix("# ") for line in text.splitlines()[1:4])
+    assert head.startswith(f"{row.designation}, {row.kind} ball bearing, 30 x 62 x 16 mm, C 19.5 kN, C0 11.3 kN (NSK)")
+    assert "Seals: 2RS1: " in head
+    assert "Seals" not in scene_text("6206")
+
+
+@pytest.mark.parametrize(
+    ("choice", "radial", "axial", "words"),
+    [
+        (Choice(), "560 N", "0 N", "0.05 C0, a light load; along x"),  # of 11.3 kN
+        (Choice(radial_load="3 kN"), "3 kN", "0 N", "along x"),
+        (Choice(axial_load="3 kN"), "0 N", "3 kN", "along x"),
+    ],
+)
+def test_given_loads_leave_no_usual_ones(choice: Choice, radial: str, axial: str, words: str) -> None:
+    text = scene_text("6206", choice)
+    assert line_of(text, "radial_load").startswith(f'radial_load = "{radial}" ')
+    assert line_of(text, "radial_load").partition("# ")[2].startswith(words)
+    assert line_of(text, "axial_load").startswith(f'axial_load = "{axial}" ')
+    angular = scene_text("7206 BEP", choice)
+    assert line_of(angular, "axial_load").startswith(f'axial_load = "{"290 N" if choice == Choice() else axial}" ')
+
+
+def test_what_a_dimension_rests_on_is_said_with_its_deviation() -> None:
+    """In the unit of the dimension: the balls of a 7206 BEP to 0.62 mm, the conformity of ISO 76 to 0.0058."""
+    text = scene_text("7206 BEP")
+    origins = find_bearing("7206 BEP").origins
+    ball, conformity = origins["ball_diameter"].uncertainty, origins["inner.conformity"].uncertainty
+    assert ball is not None
+    assert conformity is not None
+    assert f"# - derived, +- {1e3 * ball:.2g} mm: from the same" in text
+    assert f"# - assumed, +- {conformity:.2g}: groove of ISO 76" in text
+    assert "# - assumed: turned off to the groove for the assembly" in text
+    assert '#outer.far_shoulder_half_width = "0 mm"' in text
+    assert "shoulder_half_width is not known" not in text
+
+
+@pytest.mark.parametrize("designation", ["6206", "7208B", "7036C"])
+def test_the_sheet_of_the_cage_leaves_a_part_of_the_web(designation: str) -> None:
+    """As thick as that of the 6205 of [Paper] over its ball, 0.113, but at most 0.8 of the web between pockets."""
+    text, row = scene_text(designation), find_bearing(designation)
+    clearance, wall = (
+        float(re.search(rf'#{key} = "([\d.]+) mm"', text)[1]) * 1e-3  # pyright: ignore[reportOptionalSubscript]
+        for key in ("pocket_clearance", "wall_thickness")
+    )
+    web = row.pitch_diameter * math.sin(math.pi / row.ball_count) - 1.025 * row.ball_diameter
+    assert clearance == pytest.approx(0.025 * row.ball_diameter, rel=0.05)  # two digits
+    assert wall == pytest.approx(min(0.113 * row.ball_diameter, 0.8 * web), rel=0.05)
+    assert (0.8 * web < 0.113 * row.ball_diameter) == (designation != "6206")
+
+
+def test_an_estimate_of_seals_is_offered_where_there_is_one() -> None:
+    for designation, is_offered in (("6206-2RS1", True), ("6206", False)):
+        assert ('or "estimate" by SKF' in scene_text(designation)) == is_offered
