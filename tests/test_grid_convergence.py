@@ -157,3 +157,51 @@ def test_two_meshes_give_the_same_as_the_last_two_of_a_converging_sequence(
 def test_factor_and_order_of_the_grid_convergence_index_change_at_their_limits(order: float, expected: float) -> None:
     index = grid_convergence_index(-0.02, 1.7, order=order, formal=4.0)
     assert index == pytest.approx(expected, rel=1e-12)
+
+
+def test_a_sequence_that_converges_slowly_is_as_uncertain_as_its_error_or_its_spread() -> None:
+    """Three times the larger of the two; the error is known, as the sequence has one order."""
+    for order, slope in ((0.2, 0.4), (0.3, -0.4)):
+        values = sequence(7.3, slope, order)
+        part = estimate(values, SIZES, formal_order=3.0)
+        assert not part.settled
+        error, widest = abs(values[-1] - 7.3), max(values) - min(values)
+        assert error > widest
+        assert part.mesh == pytest.approx(3 * error / values[-1] + NOTHING_CLOSER, rel=1e-6)  # of the order's root
+
+
+@pytest.mark.parametrize(("formal", "singular"), [(4.0, False), (None, False), (None, True)])
+def test_a_quantity_below_0_is_as_uncertain_as_its_mirror_image(formal: float | None, singular: bool) -> None:
+    values = sequence(7.3, 0.4, 3.1)
+    above, below = (
+        estimate([sign * value for value in values], SIZES, formal_order=formal, singular=singular) for sign in (1, -1)
+    )
+    assert below.mesh == pytest.approx(above.mesh, rel=1e-12)
+    assert below.value == pytest.approx(-above.value, rel=1e-12)
+    assert below.spread == pytest.approx(above.spread, rel=1e-12)
+    assert below.uncertainty == pytest.approx(above.uncertainty, rel=1e-12)
+    assert above.uncertainty == pytest.approx(above.total * above.value, rel=1e-12)
+
+
+def test_meshes_converge_where_the_last_change_is_below_half_of_the_one_before() -> None:
+    for ratio, settled in ((0.49, True), (0.51, False), (-0.49, True), (-0.51, False), (0.0, True)):
+        assert estimate((7.0, 7.2, 7.2 + 0.2 * ratio), SIZES, formal_order=3.0).settled == settled
+    assert estimate((7.3, 7.3, 7.3), SIZES, formal_order=3.0).settled
+
+
+def test_a_singular_quantity_has_three_times_its_last_change() -> None:
+    part = estimate((7.0, 7.2, 7.23), SIZES, formal_order=None, singular=True)
+    assert part.mesh == pytest.approx(3 * 0.03 / 7.23 + NOT_BY_CHANCE + NOTHING_CLOSER, rel=1e-9)
+    assert part.value == 7.23
+
+
+def test_an_order_beyond_all_reason_is_none() -> None:
+    """The last change is a 1e-12th of the one before: an order above 20."""
+    assert observed_order((7.0, 8.0, 8.0 + 1e-12), SIZES) is None
+
+
+def test_what_lies_outside_and_the_sides_raise_the_value_and_not_the_last_mesh() -> None:
+    part = replace(estimate((6.0, 7.1, 7.2, 7.25), (1.0, *SIZES), formal_order=None), beyond=0.02, sides=-0.03)
+    assert part.limit == 7.25
+    assert part.value == pytest.approx(7.25 * 1.02 * 0.97, rel=1e-12)
+    assert part.spread == pytest.approx(0.15 / part.value, rel=1e-9)  # of the last three

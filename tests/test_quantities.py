@@ -5,7 +5,17 @@ from math import pi
 
 import pytest
 
-from fembearing.quantities import CONTACT, INCH_POUND, METRIC, QUANTITIES, SYSTEMS, UNITS, Units
+from fembearing.quantities import (
+    CONTACT,
+    INCH_POUND,
+    METRIC,
+    QUANTITIES,
+    SYSTEMS,
+    UNITS,
+    Units,
+    shown_unit,
+    unit_for,
+)
 
 POUND, INCH = 4.4482216152605, 25.4e-3  # N and m, by definition
 SAME = 1e-14  # a few round-offs
@@ -65,3 +75,39 @@ def test_a_unit_for_a_size_is_never_a_bare_pascal_or_metre_of_a_bearing() -> Non
         ("K", 320.0),
     ):
         assert METRIC.unit_for(unit, size).name not in UNITS
+
+
+@pytest.mark.parametrize(
+    ("unit", "size", "name"),
+    [
+        ("Pa", 1.01e8, "GPa"),
+        ("Pa", 0.99e8, "MPa"),
+        ("Pa", -2e8, "GPa"),
+        ("Pa", 1.01e5, "MPa"),
+        ("Pa", 0.99e5, "Pa"),
+        ("m", 1.01e-3, "mm"),
+        ("m", 0.99e-3, "um"),
+        ("m", -2e-3, "mm"),
+        ("N*m^2", 3.0, "N m^2"),
+    ],
+)
+def test_a_unit_changes_with_the_size_of_its_values(unit: str, size: float, name: str) -> None:
+    assert unit_for(unit, size).name == name
+
+
+@pytest.mark.parametrize(
+    ("column", "unit", "name"),
+    [
+        ("uncertainty_numerical", "1", "%"),
+        ("asperity_share_inner", "1", "%"),
+        ("friction_coefficient_inner", "1", ""),
+        ("film_inner", "m", "um"),
+        ("semi_axis_rolling_outer", "m", "mm"),
+        ("peak_pressure_inner", "Pa", "GPa"),
+        ("load_outer", "N", "N"),
+        ("torque_total", "N m", "N mm"),
+        ("inner_speed", "rad/s", "rpm"),
+    ],
+)
+def test_a_column_has_the_unit_of_its_quantity_whatever_its_size(column: str, unit: str, name: str) -> None:
+    assert shown_unit(column, unit).name == name

@@ -252,7 +252,7 @@ def test_bounds_of_thrust_alone_are_no_wider_than_a_few_errors(scene: Scene, cha
 
 
 def test_a_moment_counts_as_a_radial_load_on_the_pitch_circle(scene: Scene) -> None:
-    """Its share of the heaviest ball's load is at most 5 Fr/(Z Q) where that is small, and never more than all of it."""
+    """Its share of the heaviest ball's load is at most 5 Fr/(Z Q) where that is small, never more than all of it."""
     bearing = scene.bearing
 
     def bound(**loads: Any) -> float:
