@@ -50,11 +50,6 @@ class Strips:
         return np.repeat(self.middle[:, None], self.cells, axis=1)
 
     @cached_property
-    def ahead(self) -> Array:
-        """(count, cells) x where the slip is known, m: the leading sides of the rectangles."""
-        return self.edges[:, 1:]
-
-    @cached_property
     def area(self) -> Array:
         """(count, cells) of the rectangles, m^2."""
         return np.repeat((self.length * self.width)[:, None], self.cells, axis=1)
