@@ -112,6 +112,14 @@ def test_circles_osculate_the_paraboloid_of_their_radii() -> None:
     np.testing.assert_allclose(shape.gap(x, y), near.gap(x, y), rtol=2e-3)
 
 
+def test_a_paraboloid_has_the_slope_of_its_gap_in_every_place() -> None:
+    shape, step = Paraboloid(rolling_radius=7e-3, transverse_radius=19e-3), 1e-6
+    x, y = np.array([[-2e-4], [0.0], [3e-4]]), np.array([[0.0, 5e-4]])
+    difference = (shape.gap(x + step, y) - shape.gap(x - step, y)) / (2 * step)
+    np.testing.assert_allclose(shape.slope(x, y), difference, rtol=1e-8, atol=1e-12)  # round-off
+    assert shape.slope(x, y).shape == (3, 2)
+
+
 @pytest.mark.parametrize("law", ["roelands", "barus"])
 def test_slopes_of_the_oil_are_those_of_differences(law: str) -> None:
     oil = replace(OIL, law=law)
