@@ -85,3 +85,40 @@ def test_several_values_of_the_scene_are_no_axis_of_a_curve() -> None:
     scene = load_scene("6206", radial_load=["1 kN", "2 kN"], speed="700 rpm")
     refused(lambda: axes_of(scene, {}, whole=False), "radial load has 2 values", "give radial_load")
     np.testing.assert_array_equal(axes_of(scene, {}, whole=True)["radial_load"][[0, -1]], [1000.0, 2000.0])
+
+
+def test_a_load_with_several_values_in_the_scene_spans_them_in_a_map_and_is_asked_for_in_a_curve() -> None:
+    scene = load_scene("6206", radial_load="3 kN", speed="700 rpm")
+    series = replace(scene, operation=replace(scene.operation, radial_load=np.array([3000.0, 900.0, 2000.0])))
+    np.testing.assert_allclose(axes_of(series, {}, whole=True)["radial_load"], [900, 1425, 1950, 2475, 3000])
+    refused(lambda: axes_of(series, {}, whole=False), "radial load has 3 values in the scene", "give radial_load")
+    given = axes_of(series, {"radial_load": "500 N"}, whole=False)
+    np.testing.assert_array_equal(given["radial_load"], [500.0])
+
+
+def test_a_scene_at_rest_and_several_moments_make_no_table() -> None:
+    scene = load_scene("6206", radial_load="3 kN", speed="700 rpm")
+    still = replace(scene, operation=replace(scene.operation, inner_speed=np.array([0.0])))
+    refused(lambda: axes_of(still, {}, whole=True), "stands still", "give speed")
+    assert axes_of(still, {"speed": "0 rpm to 90 rpm in 4"}, whole=True)["speed"].size == 4
+    moments = replace(scene, operation=replace(scene.operation, moment=np.array([0.0, 0.3])))
+    refused(lambda: axes_of(moments, {}, whole=True), "operation.moment has several values")
+    one = replace(scene, operation=replace(scene.operation, moment=np.array([0.3, 0.3])))
+    assert axes_of(one, {}, whole=True)["axial_load"].tolist() == [0.0]
+
+
+def test_a_negative_load_has_its_range_in_ascending_order() -> None:
+    scene = load_scene("6206", radial_load="3 kN", speed="700 rpm")
+    pulled = replace(scene, operation=replace(scene.operation, axial_load=np.array([-600.0])))
+    loads = axes_of(pulled, {}, whole=True)["axial_load"]
+    np.testing.assert_allclose(loads, [-1200, -600 * 2**0.5, -600, -600 / 2**0.5, -300], rtol=1e-12)
+
+
+def test_a_list_has_at_most_so_many_values_and_the_speeds_begin_at_0_or_above() -> None:
+    assert axis_values("speed", np.arange(100_000.0)).size == 100_000
+    refused(lambda: axis_values("speed", np.arange(100_001.0)), "no list of 1 to 100000 values")
+    refused(lambda: axis_values("axial_load", np.ones((2, 2))), "no list")
+    assert axis_values("speed", "0 rpm to 60 rpm in 2").tolist() == [0.0, 60 * RPM]
+    refused(
+        lambda: axis_values("axial_load", "0 N to 60 N in 3 log"), "a range from 0 or through 0 has no equal ratios"
+    )

@@ -16,7 +16,7 @@ from analytic.scenefile.read import load_scene
 from fembearing.quantities import METRIC
 from fembearing.report.drawing import draw_bearing
 from fembearing.report.figures.bearing_drawing import NOT_DRAWABLE, bearing_plot, shown_bearing
-from fembearing.report.figures.bearing_section import section_of
+from fembearing.report.figures.bearing_section import section_of, unloaded_angle
 from fembearing.report.figures.style import RED
 from fembearing.report.report import Report
 from fembearing.report.scene_view import GivenAngle, SolvedAngle
@@ -206,3 +206,56 @@ def test_rows_of_the_table_stand_one_below_the_other_in_three_columns() -> None:
     bottom = min(panel.get_position().y0 for panel in figure.axes)
     assert places[0, 0, 1] < bottom  # below the views
     assert places[-1, 0, 1] > figure.texts[-1].get_position()[1] > 0  # above the last line
+
+
+def test_a_radial_bearing_without_dimensions_is_drawn_as_usual_ones_are() -> None:
+    """Rings a third of a ball thick behind their grooves, shoulders as far from the middle, 1.9 balls wide."""
+    usual = load_scene("6205").bearing
+    grooves = {
+        race: replace(getattr(usual, race), shoulder_half_width=None, far_shoulder_half_width=None)
+        for race in ("inner", "outer")
+    }
+    bearing = replace(usual, bore_diameter=None, outside_diameter=None, width=None, **grooves)
+    section, ball = section_of(bearing), bearing.ball_diameter
+    for ring, side in ((section.inner, -1), (section.outer, 1)):
+        groove, seat = ring.groove.points, ring.seat.points
+        bottom = groove[:, 1].min() if side < 0 else groove[:, 1].max()
+        assert 0.3 * ball < side * (seat[0, 1] - bottom) < 0.4 * ball
+        assert 0.3 * ball < np.ptp(groove[:, 0]) / 2 < 0.4 * ball
+        np.testing.assert_allclose(np.ptp(seat[:, 0]), 1.9 * ball, rtol=1e-9)
+        assert not any(line.known for line in (*ring.lands, *ring.faces, ring.seat))
+        assert ring.groove.known
+    wide = replace(bearing, outer=replace(usual.outer, shoulder_half_width=1.1 * ball, groove_radius=1.3 * ball))
+    assert np.ptp(section_of(wide).inner.seat.points[:, 0]) > 2 * 1.1 * ball  # wider than its groove
+
+
+def test_a_bearing_without_play_touches_in_the_radial_plane() -> None:
+    bearing = load_scene("6205").bearing
+    ball = bearing.ball_diameter
+    for play, touches in ((1e-6, False), (0.0, True), (-5e-6, True)):
+        outer = replace(bearing.outer, bottom_radius=bearing.inner.bottom_radius + ball + play)
+        tight = replace(bearing, outer=outer)
+        assert (unloaded_angle(tight) == 0) == touches
+    closed = replace(
+        bearing,
+        inner=replace(bearing.inner, groove_radius=0.49 * ball),
+        outer=replace(bearing.outer, groove_radius=0.49 * ball),
+    )
+    assert unloaded_angle(closed) == 0  # grooves narrower than the ball have no angle
+    wide = replace(bearing.outer, bottom_radius=bearing.outer.bottom_radius + 2 * bearing.groove_centre_distance)
+    assert unloaded_angle(replace(bearing, outer=wide)) == pytest.approx(np.pi / 2, rel=1e-12)  # no farther
+
+
+def test_an_outline_is_closed_and_every_part_of_it_follows_the_one_before() -> None:
+    for name in ("6205", "7208B", RIG):
+        section = section_of(load_scene(name).bearing)
+        for ring in (section.inner, section.outer):
+            outline = ring.outline
+            steps = np.linalg.norm(np.diff(np.vstack([outline, outline[:1]]), axis=0), axis=1)
+            groove = np.linalg.norm(np.diff(ring.groove.points, axis=0), axis=1)
+            assert np.sum(steps > 1.5 * groove.max()) <= 5  # lands, faces and seat alone are longer
+            low, high = ring.lands
+            np.testing.assert_allclose(low.points[-1], ring.groove.points[0], rtol=1e-12)
+            np.testing.assert_allclose(high.points[0], ring.groove.points[-1], rtol=1e-12)
+            for face, land, end in zip(ring.faces, (low.points[0], high.points[-1]), ring.seat.points, strict=True):
+                np.testing.assert_allclose(face.points, [end, land], rtol=1e-9, atol=1e-12)
