@@ -273,6 +273,27 @@ def test_friction_across_the_grooves_softens_a_ball_as_in_the_triangle_of_centre
     assert found > 1.05
 
 
+def test_balls_are_wedged_by_their_loads(bearing_6205: Bearing) -> None:
+    """A ball of twice the load counts twice, and one that its own force presses on a race by the other race alone."""
+
+    def growth(loads: list[tuple[float, float]], leans: list[float], approaches: list[float]) -> Array:
+        balls, straight = (np.zeros((1, len(loads)), BALL) for _ in range(2))
+        lean = np.array(leans)[:, None] * [1.0, -1.0]
+        for each, angles in ((balls, 0.31 + lean), (straight, 0.31)):
+            each["load"], each["angle"] = loads, angles
+            each["approach"] = np.array(approaches)[:, None] * [0.6, 0.4]
+        solutions = (Solution(points=np.zeros(1, POINT), balls=each) for each in (straight, balls))
+        return growth_by_wedging(bearing_6205, *solutions)
+
+    once = growth([(2.0, 2.0), (4.0, 4.0)], [0.02, 0.01], [1.3e-6, 1.9e-6])
+    twice = growth([(2.0, 2.0)] * 3, [0.02, 0.01, 0.01], [1.3e-6, 1.9e-6, 1.9e-6])
+    np.testing.assert_allclose(once, twice, rtol=1e-12)
+    assert once > 1.01
+    pressed = growth([(2.0, 5.0), (4.0, 4.0)], [0.02, 0.01], [1.3e-6, 1.9e-6])
+    np.testing.assert_allclose(pressed, once, rtol=1e-12)
+    np.testing.assert_array_equal(growth([(0.0, 0.0)], [0.02], [0.0]), 1.0)  # nothing presses a ball
+
+
 @pytest.mark.parametrize(
     ("inner_radius", "angle", "load", "needed"),
     [

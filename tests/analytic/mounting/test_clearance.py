@@ -140,3 +140,46 @@ def test_what_cannot_be_is_refused() -> None:
 def test_expansion_is_not_needed_where_nothing_is_warm() -> None:
     unknown = replace(STEEL, thermal_expansion=None)
     assert seated(housing_material=unknown, shaft_interference=5e-6).mounted < seated().mounted
+
+
+def test_each_limit_is_the_first_that_is_refused() -> None:
+    """0.5 % of a seat is its largest interference: 125 um of the bore and 260 um of the outside diameter."""
+    nearly: dict[str, Any] = {"shaft_interference": 124.9e-6, "housing_interference": 259.9e-6}
+    seated(**nearly, shaft_bore=24.9e-3, housing_outside_diameter=52.1e-3)
+    for name, value, words in (
+        ("shaft_interference", 125.1e-6, "125 um, 0.5% of the seat"),
+        ("housing_interference", 260.1e-6, "260 um, 0.5% of the seat"),
+        ("shaft_bore", 25e-3, "below bearing.bore_diameter 25 mm"),
+        ("shaft_bore", -1e-3, "below bearing.bore_diameter 25 mm"),
+        ("housing_outside_diameter", 52e-3, "must exceed bearing.outside_diameter 52 mm"),
+    ):
+        refused(lambda: seated(None, **{name: value}), f"mounting.{name}", words)  # noqa: B023
+
+
+def test_the_far_shoulder_grows_with_its_ring() -> None:
+    known = bearing()
+    rings = {name: replace(getattr(known, name), far_shoulder_half_width=1.7e-3) for name in ("inner", "outer")}
+    loose: dict[str, Any] = {"shaft_interference": -90e-6, "housing_interference": -90e-6}
+    warm, _ = mounted(replace(known, **rings), seats(**loose, inner_temperature=COLD + 61, outer_temperature=COLD + 38))
+    for name, rise in (("inner", 61), ("outer", 38)):
+        growth = getattr(warm, name).far_shoulder_half_width / 1.7e-3
+        np.testing.assert_allclose(growth, 1 + 12.5e-6 * rise, rtol=EXACT)
+
+
+def test_each_part_that_gets_warm_needs_its_expansion() -> None:
+    """The shaft has the temperature of the inner ring and the housing that of the outer ring; the balls their mean."""
+    unknown = replace(STEEL, thermal_expansion=None)
+    known = bearing()
+    inner, outer = (replace(groove, material=unknown) for groove in (known.inner, known.outer))
+    for part, given, seat, warm in (
+        ("inner ring", bearing(inner=inner), {}, "inner_temperature"),
+        ("outer ring", bearing(outer=outer), {}, "outer_temperature"),
+        ("shaft", known, {"shaft_material": unknown}, "inner_temperature"),
+        ("housing", known, {"housing_material": unknown}, "outer_temperature"),
+        ("balls", bearing(ball_material=unknown), {}, "inner_temperature"),
+        ("balls", bearing(ball_material=unknown), {}, "ball_temperature"),
+    ):
+        refused(lambda: seated(given, **seat, **{warm: COLD + 3}), f"'steel' of the {part} has no")  # noqa: B023
+        if part != "balls":
+            others = {"inner_temperature", "outer_temperature"} - {warm}
+            seated(given, **seat, **dict.fromkeys(others, COLD + 3), ball_temperature=COLD)
