@@ -36,7 +36,7 @@ class Paraboloid:
 
     def slope(self, x: Array, y: Array) -> Array:
         """d gap/dx at x and y, m, which broadcast."""
-        return x / self.rolling_radius + 0 * y
+        return np.broadcast_arrays(x / self.rolling_radius, y)[0]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -83,7 +83,7 @@ class BallOnRace:
         """Height of the race towards the ball over the tangent plane, m, and its slope along x."""
         groove = np.zeros_like(y) if np.isinf(self.groove_radius) else _rise(y**2, self.groove_radius)
         if np.isinf(self.race_radius):
-            return groove + 0 * x, 0 * (x + y)
+            return groove, np.zeros_like(x)
         side = np.sign(self.race_radius)
         section = abs(self.race_radius) + side * groove  # radius of the race's circle at y
         return groove - side * _rise(x**2, section), -side * x / np.sqrt(section**2 - x**2)

@@ -112,6 +112,18 @@ def test_circles_osculate_the_paraboloid_of_their_radii() -> None:
     np.testing.assert_allclose(shape.gap(x, y), near.gap(x, y), rtol=2e-3)
 
 
+@pytest.mark.parametrize("race_radius", [math.inf, 15.9e-3])
+def test_without_a_groove_the_race_is_a_plane_or_a_cylinder(race_radius: float) -> None:
+    shape = BallOnRace(ball_radius=3.97e-3, race_radius=race_radius, groove_radius=math.inf)
+    x, y = np.array([[-1.2e-3], [0.0], [0.7e-3]]), np.array([[0.0, 1.4e-3]])
+    ball = 3.97e-3 - np.sqrt(3.97e-3**2 - x**2 - y**2)
+    falls = 0.0 if math.isinf(race_radius) else race_radius - np.sqrt(race_radius**2 - x**2)
+    np.testing.assert_allclose(shape.gap(x, y), ball + falls, rtol=1e-9, atol=1e-15)  # round-off of 16 mm
+    along = 0.0 if math.isinf(race_radius) else x / np.sqrt(race_radius**2 - x**2)
+    np.testing.assert_allclose(shape.slope(x, y), x / np.sqrt(3.97e-3**2 - x**2 - y**2) + along, rtol=1e-12)
+    assert shape.radii == pytest.approx((1 / (1 / 3.97e-3 + 1 / race_radius), 3.97e-3))
+
+
 def test_a_paraboloid_has_the_slope_of_its_gap_in_every_place() -> None:
     shape, step = Paraboloid(rolling_radius=7e-3, transverse_radius=19e-3), 1e-6
     x, y = np.array([[-2e-4], [0.0], [3e-4]]), np.array([[0.0, 5e-4]])
