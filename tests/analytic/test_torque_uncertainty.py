@@ -94,6 +94,16 @@ def test_doubts_about_the_races_are_shares_of_the_total() -> None:
     np.testing.assert_array_equal(tilted.share, [0.01, 0.0, 0.02])
 
 
+def test_contacts_outside_the_fit_and_held_balls_add_their_shares(monkeypatch: pytest.MonkeyPatch) -> None:
+    far = by_rule(np.full(3, 1.0), np.array([1.4, 1.0, 1.8]))
+    outside = races_of(beyond_fit=True, by_rule=far)
+    np.testing.assert_allclose(unsure_of(outside).share, np.array([0.4, 0.0, 0.8]) / TOTAL, rtol=1e-12)
+    monkeypatch.setattr(torque, "held_in_the_middle", lambda *_, **__: np.array([0.01, 0.0, 0.02]))
+    held = unsure_of(outside, NOTHING._replace(share=np.full(3, 0.05)))
+    expected = np.array([0.4, 0.0, 0.8]) / TOTAL + 0.05 + np.array([0.01, 0.0, 0.02])
+    np.testing.assert_allclose(held.share, expected, rtol=1e-12)
+
+
 def test_doubts_add_up_and_grow_at_the_brink() -> None:
     """But for another steady state, which is not nearer there."""
     brink, apart = np.array([0.0, 3.0, 1.0]), np.array([0.2, 0.3, np.nan])
@@ -281,9 +291,26 @@ def test_between_directions_lies_at_most_their_difference_beyond_the_farthest() 
     np.testing.assert_allclose(change_of(coming_off)[0], 1.1 - 1, rtol=1e-12)
 
 
+def test_directions_that_change_alike_leave_nothing_between_them() -> None:
+    share, rate, lead = change_of(lambda down: (2.0 * np.exp(0.1), 3.0 * np.exp(-0.2), 0.0, -5e-6 * (down[0] > 0.5)))
+    np.testing.assert_allclose(share, np.expm1(0.1), rtol=1e-12)
+    np.testing.assert_allclose(rate, np.expm1(0.2), rtol=1e-12)
+    np.testing.assert_allclose(lead, 5e-6, rtol=1e-12)  # of the farthest
+
+
 def test_free_balls_that_do_not_settle_in_a_direction_have_no_bound() -> None:
     share, _, _ = change_of(lambda down: (np.nan if down[2] > 0.3 else 2.0, 3.0, 0.0, 0.0))
     assert np.isposinf(share).all()
+
+
+def test_free_balls_without_a_torque_have_no_bound() -> None:
+    """In one direction, or without weight."""
+    lost = free_races(lambda down: (0.0 if down[2] > 0.3 else 2.0, 3.0, 0.0, 0.0))
+    still = free_races(lambda _: (2.0, 3.0, 0.0, 0.0))
+    still.freely_with_weight = lambda at, _: forged(len(at), ball_rate=3.0)
+    for races in (lost, still):
+        found = torque._change_of_free_balls(races, np.array([0, 2]), np.full(2, 0.05), np.full(2, 1e-6))
+        assert np.isposinf(found[0]).all()
 
 
 def test_a_direction_that_does_not_settle_is_tried_a_little_aside() -> None:
@@ -316,7 +343,8 @@ def test_far_points_tell_how_much_more_free_balls_change_than_those_by_rule(
     monkeypatch.setattr(torque, "tried_points", lambda *_: far)
     trial = SimpleNamespace(points=points, is_of_all=False, model=SimpleNamespace(numbers=SimpleNamespace(arm=0.02)))
     races = free_races(
-        lambda down: (2.2 if down[0] > 0.5 else 2.0, 3.0 + 0.3 * (down[0] > 0.5), 0.0, 5e-6), trial=trial
+        lambda down: (2.2 if down[0] > 0.5 else 2.0, 3.0 + 0.3 * (down[0] > 0.5), 0.0, 5e-6 * (down[1] > 0.5)),
+        trial=trial,
     )
     rule, lead = np.linspace(0.04, 0.05, count), np.linspace(1e-6, 2e-6, count)
     share, rates, leads = torque._change_of_free_balls(races, at, rule, lead)
@@ -373,9 +401,12 @@ def drive_of(lead: float, room: float = 1e-4) -> Any:
     )
 
 
+OWN_LEAD = np.array([0.5e-4, 0.6e-4, 4e-4])  # of the balls that drive the cage, m
+
+
 def of_cage(races: Any, drive: Any, weight: InAnyDirection = NOTHING, **more: Any) -> Any:
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(torque, "squeezed_torque", lambda _, at: 0.5 * at if isinstance(at, np.ndarray) else np.zeros(3))
+        patch.setattr(torque, "squeezed_torque", lambda _, at: 0.5 * (at if isinstance(at, np.ndarray) else OWN_LEAD))
         patch.setattr(torque, "may_squeeze", lambda *_: ("squeezes",))
         patch.setattr(torque, "_farthest_lead", lambda *_: more.get("farthest", np.zeros(3)))
         return torque._unsure_of_cage(cage_of(), drive, races, weight)
@@ -390,15 +421,17 @@ def test_a_cage_adds_its_own_doubts() -> None:
         assert (unknown, warnings) == (("so",), ("cage", "squeezes"))
     turned = of_cage(races_of(is_free=True), drive_of(0.0), NOTHING._replace(cage_rate=np.array([0.0, 0.1, 0.2])))
     np.testing.assert_allclose(turned[0], own + np.array([0.0, 0.2, 0.4]), rtol=1e-14)
-    without = torque._unsure_of_cage(None, None, races_of(), NOTHING)
-    assert not np.any(without[0])
-    assert without[1:] == ((), ())
+    for cage, drive in ((None, None), (None, drive_of(0.0)), (cage_of(), None)):
+        without = torque._unsure_of_cage(cage, drive, races_of(), NOTHING)
+        assert not np.any(without[0])
+        assert without[1:] == ((), ())
 
 
 def test_balls_that_may_squeeze_a_cage_leave_its_torque_open_where_a_weight_decides() -> None:
     farthest = np.array([0.9e-4, 1e-4, 3e-4])
     unsure, unknown, _ = of_cage(races_of(is_free=True), drive_of(0.0), farthest=farthest)
-    more = (1 + SQUEEZE_SPREAD) * 0.5 * farthest
+    # Beyond what they squeeze already, and never less than that.
+    more = (1 + SQUEEZE_SPREAD) * 0.5 * np.maximum(farthest - OWN_LEAD, 0.0)
     np.testing.assert_allclose(unsure, np.array([0.11, 0.22, 0.33]) + more, rtol=1e-12)
     assert unknown == ("so",)
     open_ = of_cage(

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 from scipy.special import ellipe
 
 from analytic.cage.drive import ball_lead, resting_cage
@@ -17,7 +18,7 @@ from analytic.solve.model import model_of
 from analytic.solve.records import NO_CAGE_DRIVE, NO_DISTRIBUTION, NO_THRUST, POINT, SETTLED, THROWN, THROWN_WASHERS
 from analytic.solve.solution import Solution, points_of, solved
 from analytic.torque import friction_torque
-from tests.analytic.specimens import BEARING_6205, FINISH, OIL, STAMPED_CAGE, present
+from tests.analytic.specimens import BEARING_6205, FINISH, OIL, STAMPED_CAGE, present, with_clearance
 from tests.analytic.test_thrust_bearing import BEARING as THRUST_BEARING
 from tests.analytic.test_thrust_bearing import RIGHT
 
@@ -318,3 +319,37 @@ def test_loads_of_no_thrust_are_told_apart(bearing_6205: Bearing) -> None:
         point = found_at(scene_of(bearing_6205, **loads, inner_speed=7.0), counted).points[0]
         assert point["status"] == status
         assert np.isnan(point["total"]) == (status != SETTLED)
+
+
+@pytest.mark.parametrize("orbits", [0.0, 5.0])
+def test_a_loose_ball_is_at_the_edge_where_its_weight_could_close_its_gap(orbits: float) -> None:
+    """A radial load in the plane of the balls: the gap at psi is P_d/2 - delta cos(psi), with delta of the first ball.
+
+    One and a half weights close the gap by the approach under them. A ball that its centrifugal force, here five
+    weights, holds in the outer groove also rolls up there: by the lean squared over 2 of the groove's radius less its
+    own. The third ball, at 80 deg, is the next one to be pressed.
+    """
+    weight, counted = BEARING_6205.ball_mass * STANDARD_GRAVITY, ROLLING | {"centrifugal": orbits > 0}
+    unit = BEARING_6205.ball_mass * BEARING_6205.pitch_diameter / 2 * 0.4**2  # nearly
+    loads = {"axial_load": 0.0, "radial_load": 900.0, "inner_speed": np.sqrt(orbits * weight / unit)}
+
+    def third(clearance: float) -> tuple[float, bool]:
+        """Its gap over what closes it, and whether a ball is at the edge by its weight."""
+        bearing = with_clearance(BEARING_6205, clearance)
+        found = found_at(scene_of(bearing, **{"angle": ContactAngle(rule="solved"), **loads}), counted)
+        point, first, ball = found.points[0], *found.balls[0, [0, 2]]
+        assert point["status"] == SETTLED
+        softness = first["approach"] / first["load"] ** (2 / 3)
+        held = ball["load"][1] if orbits else 0.0
+        way = clearance / 2 - (first["approach"].sum() + clearance / 2) * np.cos(np.radians(80))
+        lean = 1.5 * weight / held if orbits else 0.0
+        rise = (bearing.outer.groove_radius - bearing.ball_radius) * lean**2 / 2
+        closes = softness.sum() * (1.5 * weight) ** (2 / 3) + rise
+        return float((way + softness[1] * held ** (2 / 3)) / closes), bool(point["at_edge"][0])
+
+    limit = brentq(lambda clearance: third(clearance)[0] - 1, 4e-6, 60e-6, xtol=1e-12)
+    step = 0.02 * limit / (third(1.02 * limit)[0] - 1)  # by which the ratio grows by 1
+    for ratio in (0.3, 0.7, 0.97, 1.03, 1.4, 3.0):
+        found, is_near = third(limit + (ratio - 1) * step)
+        assert found == pytest.approx(ratio, rel=0.02)
+        assert is_near == (ratio < 1)
