@@ -585,6 +585,21 @@ def test_a_radial_load_is_tried_together_with_the_weight_that_its_ring_has(rich:
     assert not inertia.is_on("centrifugal")  # which is tried by itself
 
 
+def test_what_an_effect_has_nothing_to_act_on_is_said(rich: Scene) -> None:
+    still = Operation(axial_load=np.full(3, 300.0), inner_speed=np.zeros(3))
+    scene = without(replace(rich, operation=still.as_series(), effects={}, down=None), "spin", "conformity", "rolling")
+    made = decided(scene, balls_of(3, 1, **LOADED)).made
+    for name, words in (
+        ("load_distribution", "pure thrust: equal ball loads"),
+        ("centrifugal", "no rotation"),
+        ("gyroscopic", "no rotation"),
+        ("asperities", 'no sliding without spin and conformity: give effects.conformity = "auto"'),
+        ("starvation", 'nothing slides or rolls in oil: give effects.rolling = "auto"'),
+        ("unloaded_balls", "every ball carries load"),
+    ):
+        assert (made[name].decision, made[name].reason, made[name].share) == ("off", words, 0.0)
+
+
 def test_given_factors_take_the_place_of_the_fit_for_finite_geometry(rich: Scene) -> None:
     scene, base = replace(rich, effects={}), balls_of(3, 2, **LOADED)
     given, fitted = (decided(scene, base, has_factors=each).made for each in (True, False))
