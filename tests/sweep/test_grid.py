@@ -9,7 +9,8 @@ import pytest
 
 from analytic.errors import InputError
 from analytic.scenefile.read import load_scene
-from fembearing.sweep.grid import load_grid
+from fembearing.sweep.dataset import axis_names
+from fembearing.sweep.grid import Axis, load_grid
 from fembearing.sweep.parts import pieces
 from tests.sweep.swept import SCENE
 
@@ -195,3 +196,65 @@ def test_a_scene_has_a_path_or_is_built_in(grid_file: Callable[..., Path], tmp_p
         load_grid(grid_file(axes, head='scene = "nowhere.toml"', scene=""))
     with pytest.raises(InputError, match="scene is missing; give its path"):
         load_grid(grid_file(axes, scene=""))
+
+
+LOAD_STEPS = 'operation.axial_load = { from = "100 N", to = "1 kN", count = COUNT }\n'
+TWO = "friction.coefficient = [0.05, 0.07]\n"
+
+
+@pytest.mark.parametrize(
+    ("axes", "head", "counts"),
+    [
+        (LOAD_STEPS.replace("COUNT", "1000"), "", [1000]),
+        (TWO + LOAD_STEPS.replace("COUNT", "1000"), "", [1000, 1000]),  # each scene by itself
+        (TWO + LOAD_STEPS.replace("COUNT", "1001"), "", [500, 501, 500, 501]),
+        ("friction.coefficient = { from = 0.01, to = 0.1, count = 101 }\n", "", [50, 50, 1]),
+        (
+            "friction.coefficient = { from = 0.01, to = 0.1, count = 7 }\n" + LOAD_STEPS.replace("COUNT", "300"),
+            "",
+            [900, 900, 300],
+        ),
+        (TWO + LOAD_STEPS.replace("COUNT", "3"), "samples = 64", [3, 3]),
+        (TWO + LOAD_STEPS.replace("COUNT", "3"), 'what = "contact"', [1] * 6),
+        ('cage.start = ["rest", "whirl"]\n' + LOAD_STEPS.replace("COUNT", "3"), "", [1] * 6),
+    ],
+)
+def test_pieces_take_a_few_seconds_each(
+    grid_file: Callable[..., Path], axes: str, head: str, counts: list[int]
+) -> None:
+    """At most 1000 points under thrust and 50 scenes; an interval, a contact and a moving cage stand by themselves."""
+    assert [len(piece) for piece in pieces(load_grid(grid_file(axes, head=head)))] == counts
+
+
+def test_a_cage_that_starts_in_the_scene_makes_each_point_a_piece(grid_file: Callable[..., Path]) -> None:
+    axes = LOAD_STEPS.replace("COUNT", "4")
+    resting = SCENE + "\n[scene.cage]\n"
+    assert len(list(pieces(load_grid(grid_file(axes, scene=resting))))) == 1
+    assert len(list(pieces(load_grid(grid_file(axes, scene=resting + 'start = "rest"\n'))))) == 4
+
+
+def test_a_list_of_one_value_in_the_scene_is_no_series(grid_file: Callable[..., Path]) -> None:
+    one = SCENE.replace("[scene.operation]", '[scene.operation]\nmoment = ["0.1 N m"]')
+    assert load_grid(grid_file(LOADS, scene=one)).size == 2
+    two = SCENE.replace("[scene.operation]", '[scene.operation]\nmoment = ["0.1 N m", "0.2 N m"]')
+    with pytest.raises(InputError, match=r"operation\.moment has 2 values in the scene"):
+        load_grid(grid_file(LOADS, scene=two))
+    both = two.replace("moment", "radial_load").replace("N m", "N")
+    assert load_grid(grid_file(LOADS + 'operation.radial_load = ["10 N", "30 N", "40 N"]', scene=both)).size == 6
+
+
+def test_names_of_dimensions_are_short_where_they_are_clear(grid_file: Callable[..., Path]) -> None:
+    axes = (
+        "bearing.inner.conformity = [0.52, 0.53]\nbearing.outer.conformity = [0.52, 0.53]\n"
+        'friction.coefficient = [0.1]\ncage.friction_coefficient = [0.1, 0.2]\nbearing.catalog = ["paper_6205"]\n'
+    )
+    names = axis_names(load_grid(grid_file(axes)).axes)
+    assert names == {
+        "bearing.inner.conformity": "inner_conformity",
+        "bearing.outer.conformity": "outer_conformity",
+        "friction.coefficient": "coefficient",
+        "cage.friction_coefficient": "friction_coefficient",
+        "bearing.catalog": "bearing",
+    }
+    made = [Axis(key=key, unit=None, values=(1.0,)) for key in ("lubricant.name", "bearing.name", "name")]
+    assert axis_names(made) == {"lubricant.name": "lubricant_name", "bearing.name": "bearing_name", "name": "name"}

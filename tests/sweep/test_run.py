@@ -6,6 +6,7 @@ import sys
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -18,7 +19,8 @@ from analytic.prediction.prediction import predict
 from analytic.scenefile.law_packages import installed_law
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
-from fembearing.sweep import parts
+from fembearing.sweep import parts, run
+from fembearing.sweep.cluster import LostWorkerError
 from fembearing.sweep.grid import Grid, load_grid
 from fembearing.sweep.run import run_sweep
 from fembearing.sweep.store import opened_store
@@ -448,3 +450,40 @@ def test_a_changed_law_of_traction_is_another_sweep(
     other = run_sweep(path, out=tmp_path / "other").to_dataset()["torque_total"]
     assert abs(other.values[1] / found.values[1] - 1) > 1e-3
     installed_law.cache_clear()
+
+
+@pytest.mark.usefixtures("in_process", "short_pieces")
+def test_progress_counts_points_that_are_done_and_failed(grid_file: Write, tmp_path: Path) -> None:
+    """Three scenes of two points, of which the first cannot be computed; the second run has all."""
+    axes = 'bearing.conformity = [0.5, 0.52, 0.53]\noperation.axial_load = ["200 N", "500 N"]'
+    told: list[tuple[float, str]] = []
+    run_sweep(grid_file(axes), out=tmp_path / "out", progress=lambda share, words: told.append((share, words)))
+    assert [round(6 * share) for share, _ in told] == [0, 2, 4, 6, 6]
+    words = [each.partition(", about")[0] for _, each in told]
+    assert words == ["0 of 6 points", *(f"{done} of 6 points, 2 failed" for done in (2, 4, 6)), "gathering"]
+    assert ["left" in each for _, each in told] == [False, True, True, False, False]
+    told.clear()
+    run_sweep(grid_file(axes), out=tmp_path / "out", progress=lambda share, words: told.append((share, words)))
+    assert told == [(1.0, "6 of 6 points"), (1.0, "gathering")]
+
+
+def test_a_time_that_is_left_is_that_of_the_points_done_so_far(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of 10 points 4 were kept before; the first 2 of the others take 30 s, so that the last 4 take 60 s."""
+    now = [0.0]
+    monkeypatch.setattr(run, "time", SimpleNamespace(perf_counter=lambda: now[0]))
+    gathered: Any = SimpleNamespace(grid=SimpleNamespace(size=10), add=lambda *_: None)
+    kept: list[Any] = []
+    store: Any = SimpleNamespace(save=lambda piece, _: kept.append(piece))
+    part = parts.Part(values={parts.REASON: np.array(["", ""], dtype=object)})
+
+    def results() -> Any:
+        now[0] = 30.0
+        yield range(4, 6), part
+        now[0] = 60.0
+        yield range(6, 10), LostWorkerError("killed")
+
+    told: list[tuple[float, str]] = []
+    lost = run._keep(store, gathered, [range(4, 6), range(6, 10)], results(), lambda *each: told.append(each))
+    assert told == [(0.4, "4 of 10 points"), (0.6, "6 of 10 points, about 60 s left"), (1.0, "10 of 10 points")]
+    assert lost == 4
+    assert kept == [range(4, 6)]  # a lost piece is computed again by the next run
