@@ -1,5 +1,6 @@
 """What the result of a friction torque says: parts, effects, JSON, warnings, and what is refused."""
 
+import re
 from dataclasses import replace
 from typing import Any
 
@@ -8,8 +9,8 @@ import pytest
 
 from analytic.effects.table import ENTRIES
 from analytic.errors import InputError
-from analytic.result import require_numbers
-from analytic.scene import Bearing, ContactAngle, Scene
+from analytic.result import COLUMNS, FrictionTorque, require_numbers
+from analytic.scene import Bearing, ContactAngle, Losses, Scene
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
 from fembearing.plain_types import plain
@@ -127,3 +128,89 @@ def test_an_uncertainty_may_be_infinite_for_a_reason_alone() -> None:
         require_numbers(replace(unsure, unknown=()))
     with pytest.raises(InputError, match="total is nan"):
         require_numbers(replace(unsure, torque=replace(result.torque, total=result.torque.total * np.nan)))
+
+
+@pytest.fixture(scope="module")
+def series(scene: Scene) -> FrictionTorque:
+    """At 13 operating points, of which a table has one too many rows."""
+    return friction_torque(replace(scene, operation=thrust(*np.linspace(300.0, 900.0, 13), speed=2 * np.pi * 25)))
+
+
+def cells_of(result: FrictionTorque, row: int) -> list[str]:
+    """The cells of a row of the table in a notebook, the head being 0."""
+    return re.findall(r"<t[dh]>(.*?)</t[dh]>", result._repr_html_().split("<tr>")[row + 1])
+
+
+def test_a_table_in_a_notebook_has_twelve_rows_and_says_how_many_more(series: FrictionTorque) -> None:
+    html = series._repr_html_()
+    assert html.count("<tr>") == 1 + 12
+    assert "<caption>friction torque, 1 more points</caption>" in html
+    few = series.at(np.arange(12))
+    assert few._repr_html_().count("<tr>") == 1 + 12
+    assert "<caption>friction torque</caption>" in few._repr_html_()
+
+
+def test_a_table_in_a_notebook_has_the_units_of_engineers(series: FrictionTorque) -> None:
+    """Without columns of loads that are 0 or of parts that are left out; an uncertainty that is not known is named."""
+    assert cells_of(series, 0) == [
+        "speed, rpm", "axial load, N", *(f"{name}, N mm" for name in ("total", "race", *DRY_PARTS)), "uncertainty, %"
+    ]  # fmt: skip
+    speed, load, total, *_, unsure = cells_of(series, 1)
+    assert (speed, load) == ("1500", "300")  # 25 turns a second
+    assert float(total) == pytest.approx(1e3 * series.torque.total[0], rel=1e-3)  # four digits
+    assert float(unsure) == pytest.approx(100 * series.numerical_uncertainty[0], rel=0.05)  # two digits
+    values = np.full(13, 0.031)
+    values[1] = np.inf
+    aside = replace(series, radial_load=np.full(13, 7.0), numerical_uncertainty=values)
+    assert cells_of(aside, 0)[2] == "radial load, N"
+    assert (cells_of(aside, 1)[2], cells_of(aside, 1)[-1]) == ("7", "3.1")
+    assert cells_of(aside, 2)[-1] == "unknown"
+
+
+def test_columns_have_every_number_and_nan_for_what_is_left_out(series: FrictionTorque) -> None:
+    found = series.columns()
+    assert list(found) == list(COLUMNS)
+    assert all(values.shape == (13,) for values in found.values())
+    np.testing.assert_array_equal(found["torque_spin"], part(series.torque, "spin"))
+    np.testing.assert_array_equal(found["load_outer"], series.outer.load)
+    np.testing.assert_array_equal(found["friction_coefficient_inner"], series.friction_coefficient.inner)
+    for name in ("torque_rolling", "torque_cage", "film_inner", "uncertainty_model", "friction_coefficient_pocket"):
+        assert np.isnan(found[name]).all()
+
+
+def test_a_line_has_the_scene_its_points_and_its_torque(series: FrictionTorque) -> None:
+    low, high = (f"{1e3 * end:.4g}" for end in (series.torque.total.min(), series.torque.total.max()))
+    line = f"FrictionTorque(test, 13 points, 1500 rpm, 300 to 900 N axial, {low} to {high} N mm)"
+    assert repr(series) == line
+
+
+def test_some_points_of_a_result_are_those_of_the_whole(series: FrictionTorque) -> None:
+    chosen = np.array([7, 2])
+    some = series.at(chosen)
+    for name in ("axial_load", "ball_load", "numerical_uncertainty"):
+        np.testing.assert_array_equal(getattr(some, name), getattr(series, name)[chosen])
+    np.testing.assert_array_equal(some.torque.total, series.torque.total[chosen])
+    np.testing.assert_array_equal(some.outer.peak_pressure, series.outer.peak_pressure[chosen])
+    np.testing.assert_array_equal(some.limits.peak_pressure, series.limits.peak_pressure[:, chosen])
+    assert some.torque.rolling is None
+    assert some.rows[0].axial_load == series.axial_load[7]
+    assert some.warnings == series.warnings
+
+
+def test_a_share_says_what_it_is_of(series: FrictionTorque, scene: Scene) -> None:
+    kinds = {each.name: each.share_is for each in series.shares}
+    assert kinds["spin"] == kinds["hysteresis"] == "part"
+    assert kinds["rolling"] == "unknown"  # without an oil
+    assert kinds["creep"] == "bound"
+    declared = friction_torque(replace(scene, losses=Losses(seals=3e-3)))
+    assert {each.name: each.share_is for each in declared.shares}["seals"] == "part"
+    solved = friction_torque(replace(scene, contact_angle=SOLVED, effects={"gyroscopic": "off", "spin": "on"}))
+    kinds = {each.name: each.share_is for each in solved.shares}
+    assert kinds["centrifugal"] == kinds["gyroscopic"] == "trial"
+    assert "weight" in kinds
+
+
+def test_what_has_no_bound_is_unbounded(series: FrictionTorque) -> None:
+    (creep,) = (each for each in series.effects if each.name == "creep")
+    assert series._kind_of(replace(creep, share=np.inf)) == "unbounded"
+    assert series._kind_of(replace(creep, share=None)) == "unknown"
