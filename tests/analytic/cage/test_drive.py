@@ -170,7 +170,16 @@ def test_squeezed_balls_slide_on_the_cage_with_the_friction_under_their_force() 
     assert force[2] == found[2] == 0
     assert np.all(force[:2] > 0)
     np.testing.assert_allclose(found, 0.1 * force * drive.ball_rate * 3.97e-3, rtol=1e-12)
-    np.testing.assert_array_equal(squeezed_torque(CAGED, led(0.1, 0.1, 0.1)), 0.0)
+    unknown = replace(CAGED, friction_coefficient=None)  # which nothing asks for where there is room
+    np.testing.assert_array_equal(squeezed_torque(unknown, led(0.1, 0.1, 0.1)), 0.0)
+
+
+def test_balls_squeeze_no_harder_than_their_races_hold_them_where_that_is_known() -> None:
+    drive, mu = led(0.203, -0.21, 0.1), np.full(3, 0.1)
+    free = replace(drive, grip=replace(drive.grip, friction=None)).squeezing_force(mu)
+    held = drive.squeezing_force(mu)
+    assert np.all(held[:2] < free[:2])
+    np.testing.assert_array_equal(held, np.minimum(free, present(drive.grip.carried(mu))))
 
 
 def part_of(drive: CageDrive) -> CagePart:
@@ -360,5 +369,8 @@ def test_a_cage_moves_where_it_turns_and_has_room_or_where_its_balls_are_free(mo
         assert free.torque[1] == pytest.approx(found.torque + 7e-5, rel=1e-12)
         # Squeezing may still build up to the closed form.
         assert free.unsure[1] == pytest.approx(rest.torque[1] - free.torque[1], rel=1e-12)
+        assert free.unsure[2] == 0
         assert free.is_squeezed.tolist() == [False, False, False]
         assert not any("squeeze" in warning for warning in free.warnings)
+    roomy = cage_friction(scene, drive, moves=False, frees=np.array([True, False, False]))
+    assert roomy.unsure[0] == 0

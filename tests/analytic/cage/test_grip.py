@@ -238,6 +238,13 @@ def test_a_squeeze_begins_where_the_room_ends() -> None:
     assert more < rigid
 
 
+def test_beyond_a_pocket_friction_of_1_nothing_stops_the_angle_before_a_right_one() -> None:
+    """Where friction alone takes up more than the lead: all of it goes into creep."""
+    given = {"room": 80e-6, "pocket_stiffness": 3e13, "creep_stiffness": 31e3, "outer_radius": 23.3e-3}
+    force = squeeze_force(ball_lead=95e-6, pocket_friction=1.3, **given)
+    np.testing.assert_allclose(force, 2 * 31e3 * 95e-6 / 23.3e-3, rtol=1e-12)
+
+
 def test_of_three_angles_balls_that_were_not_squeezed_take_the_first() -> None:
     """In stiff pockets with friction; balls that were squeezed before keep the third, below the room too."""
     room, friction, stiffness, creep = 100e-6, 0.13, 6e11, 4.0e-7

@@ -74,6 +74,13 @@ def test_the_motion_is_that_of_the_scene(ring: Any) -> None:
     }
     assert (driven.stiffness, driven.sheet_softness, driven.gravity) == (7.7e9, 1 / 1.3e8, (0.0, 0.0, -9.80665))
     assert (driven.orbit_speed, driven.ball_speed, driven.ring_speed) == (-16.0, -95.0, -41.0)
+    assert (driven.mass, driven.ball_count, driven.friction_coefficient, driven.contact_angle) == (
+        6.58e-3,
+        9,
+        0.13,
+        0.21,
+    )
+    np.testing.assert_allclose([driven.ball_radius, driven.pitch_radius], [3.97e-3, 19.505e-3], rtol=1e-12)
     np.testing.assert_allclose([driven.half_clearance, driven.centre_offset], [0.1e-3, 0.02e-3], rtol=1e-9)
     land, bearing = driven.land, CAGED.bearing
     assert land is not None
