@@ -1,6 +1,7 @@
 """The numerical film against limits in closed form, invariants, and two other codes."""
 
 import math
+import time
 from functools import cache
 from types import SimpleNamespace
 from typing import Any
@@ -8,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from fembearing.ehl import film as module
 from fembearing.ehl.film import LEAST, OF_FILM, NumericalFilm, estimates_of, extrapolation, numerical_film
 from fembearing.ehl.solver import solve_on_grids
 from tests.ehl.contacts import moes
@@ -208,3 +210,24 @@ def test_changes_that_grow_are_noted() -> None:
 def test_an_uncertainty_has_a_least() -> None:
     values, sizes = sequence(2.0)
     assert extrapolation(values, sizes, least=0.07).mesh == 0.07
+
+
+def test_a_film_takes_three_grids_of_one_ratio_and_the_maps_of_the_last(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Middle cells are those asked for; two ways to the force of 2 and 2.1 N disagree by a twentieth."""
+    asked: list[tuple[float, ...]] = []
+
+    def solve(_: Any, refinements: tuple[float, ...]) -> Any:
+        asked.append(refinements)
+        for number in range(3):
+            grid = SimpleNamespace(x=number, y=10 + number)
+            numbers = dict.fromkeys(("central_film", "minimum_film", "pressure_centre"), 0.3)
+            forces = {"rolling_force": 2.0, "dissipated_force": 2.1}
+            yield SimpleNamespace(grid=grid, pressure=20 + number, film=30 + number, **numbers, **forces)
+
+    monkeypatch.setattr(module, "solve_on_grids", solve)
+    begun = time.perf_counter()
+    found = numerical_film(moes(20.0, 5.0), refinement=0.7)
+    assert 0 < found.seconds <= time.perf_counter() - begun
+    np.testing.assert_allclose(asked, [(0.7 / 1.45, 0.7, 0.7 * 1.45)])
+    assert (found.x, found.y, found.pressure, found.film) == (2, 12, 22, 32)
+    assert found.disagreement == pytest.approx(0.05)

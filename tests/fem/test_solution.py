@@ -1,5 +1,6 @@
 """The contact solver against Hertz on the idealisation, and against laws that any elastic contact obeys."""
 
+import time
 from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
@@ -13,7 +14,7 @@ from analytic.scene import Contact
 from fembearing.fem import solution
 from fembearing.fem.contact import press
 from fembearing.fem.guess import expected_semi_axes
-from fembearing.fem.solution import MeshSolution, fitted_on_level, fitted_solution, solve_on_mesh
+from fembearing.fem.solution import MeshSolution, fitted_on_level, fitted_solution, pressed, solve_on_mesh
 from fembearing.mesh.recipe import load_recipe
 from tests import contacts
 from tests.contacts import NITRIDE, STEEL
@@ -219,3 +220,27 @@ def test_a_size_that_never_fits_is_named_with_its_misfit(measured: Any) -> None:
     measured.ratios = [(1.1, 0.93)]
     with pytest.raises(ConvergenceError, match=r"size of the contact did not converge in 12 .*1\.0e-01 of a semi-axis"):
         fitted_on_level(INNER, recipe=load_recipe("race"), level=1, start=(0.2, 1.1), good=0.02)
+
+
+def test_seconds_are_those_of_the_solution_and_of_its_pressing() -> None:
+    begun = time.perf_counter()
+    found = solve_on_mesh(INNER, recipe=load_recipe("hertzian"), level=1, semi_axes=(0.1e-3, 1.1e-3))
+    middle = time.perf_counter()
+    again = pressed(found.bodies, load=INNER.load, expected=found.semi_axes)
+    assert 0 < found.seconds <= middle - begun
+    assert 0 < again.seconds <= time.perf_counter() - middle
+    assert found.unknowns == found.bodies.upper.unknowns + found.bodies.lower.unknowns
+    assert found.quantities.stiffness == pytest.approx(INNER.load / found.quantities.approach**1.5)
+
+
+def test_the_other_side_of_a_cut_contact_tells_its_ellipse() -> None:
+    """The quarter's ellipse where the nearer or the farther shoulder takes a tenth of it; the cut one less."""
+    axes, recipe = expected_semi_axes(INNER, geometry="real"), load_recipe("race")
+    whole = solve_on_mesh(INNER, recipe=recipe, level=1, semi_axes=axes)
+    for near, far in ((0.9, 3.0), (3.0, 0.9)):
+        contact = replace(INNER, shoulder=near * axes[1], far_shoulder=far * axes[1])
+        found = solve_on_mesh(contact, recipe=recipe, level=1, semi_axes=axes)
+        np.testing.assert_allclose(found.semi_axes[0], whole.semi_axes[0], rtol=0.02)
+        assert 0.99 < found.semi_axes[1] / whole.semi_axes[1] < 1.03  # the error of a first level
+        assert found.quantities.semi_axis_transverse < 0.985 * whole.semi_axes[1]
+        assert found.quantities.peak_pressure == pytest.approx(whole.quantities.peak_pressure, rel=0.03)
