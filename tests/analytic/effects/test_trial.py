@@ -347,14 +347,14 @@ def ledger_of(bearing: Bearing, points: int, tolerance: float = 0.05, **changed:
 def test_unequal_loads_are_those_of_statics_over_the_thrust(bearing_6205: Bearing) -> None:
     """(Fr tan al + 2 M/d_m)/Fa, infinite without thrust, and nothing without either."""
     operation = Operation(
-        axial_load=np.array([300.0, 700.0, 0.0, 0.0]),
-        inner_speed=np.ones(4),
-        radial_load=np.array([-40.0, 0.0, 3.0, 0.0]),
-        moment=np.array([0.0, -1.3, 0.0, 0.0]),
+        axial_load=np.array([300.0, 700.0, 0.0, 0.0, 0.0]),
+        inner_speed=np.ones(5),
+        radial_load=np.array([-40.0, 0.0, 3.0, 0.0, 0.0]),
+        moment=np.array([0.0, -1.3, 0.0, 0.2, 0.0]),
     )
-    angles = np.array([0.31, -0.27, 0.2, 0.2])
-    found = balls_of(4, 1, angle=angles[:, None, None] * [1.0, 0.9])
-    expected = [40 * np.tan(0.31) / 300, 2 * 1.3 / 39.01e-3 / 700, np.inf, 0.0]
+    angles = np.array([0.31, -0.27, 0.2, 0.2, 0.2])
+    found = balls_of(5, 1, angle=angles[:, None, None] * [1.0, 0.9])
+    expected = [40 * np.tan(0.31) / 300, 2 * 1.3 / 39.01e-3 / 700, np.inf, np.inf, 0.0]
     np.testing.assert_allclose(unequal_loads(dry(bearing_6205), operation, found), expected, rtol=1e-12)
 
 
