@@ -22,7 +22,7 @@ from fembearing.report.tables.contacts import contact_table
 from fembearing.report.terminal.table import show
 from fembearing.verify.contact import discrepancy as module
 from fembearing.verify.contact.discrepancy import ContactSolution, compare_contact
-from fembearing.verify.contact.hertz import hertz_quantities
+from fembearing.verify.contact.hertz import CorrectedHertz, corrected_hertz, hertz_quantities
 from fembearing.verify.contact.mesh_refinement import COMPARED, Reference
 from fembearing.verify.contact.reference import solve_reference
 from fembearing.verify.contact.warnings import shoulder_warning
@@ -170,3 +170,72 @@ def test_above_the_static_limit_the_warning_says_so(
     )
     assert solution.reference.peak_pressure > 4.2e9
     assert "above the static limit, 4.2 GPa" in " ".join(solution.warnings)
+
+
+def test_the_greatest_line_load_of_hertz_is_his_pressure_summed_along_rolling(cut_contact: ContactSolution) -> None:
+    """Half an ellipse of height p0 over twice the semi-axis a."""
+    hertz = cut_contact.hertz
+    assert cut_contact.hertz_line_load == pytest.approx(
+        math.pi / 2 * hertz.semi_axis_rolling * hertz.peak_pressure, rel=1e-9
+    )
+    assert cut_contact.strip_width == pytest.approx(0.08e-3, rel=1e-12)  # a tenth of 0.8 mm
+    assert cut_contact.sides == {"above": 0.8e-3}
+    whole = replace(cut_contact, shoulder={})
+    assert (whole.shoulders, whole.sides, whole.centroid) == ((), {}, 0.0)
+    assert cut_contact.centroid == cut_contact.shoulder["centroid"].value
+
+
+def test_each_quantity_is_compared_with_its_own_uncertainty(cut_contact: ContactSolution) -> None:
+    part = cut_contact.estimates["approach"]
+    for off, exceeds in ((0.9, False), (1.1, True), (-1.1, True)):
+        value = cut_contact.hertz.approach / (1 + off * 0.02)
+        estimate = Estimate(values=(value,), order=None, richardson=None, mesh=0.016, domain=0.012)
+        found = replace(cut_contact, estimates=cut_contact.estimates | {"approach": estimate})
+        assert found.discrepancy["approach"] == pytest.approx(off * 0.02, rel=1e-9)
+        assert found.exceeds_uncertainty["approach"] == exceeds
+        assert found.comparisons["approach"].resolved == exceeds
+        assert found.reference.approach == pytest.approx(value, rel=1e-12)
+    assert set(cut_contact.formal_orders.values()) == {None}
+    assert replace(cut_contact, shoulder={}).formal_orders["approach"] == 4.0
+    assert cut_contact.columns()["uncertainty_approach"] == part.total
+
+
+def test_a_sheet_is_shown_and_files_begin_with_the_bearing(cut_contact: ContactSolution) -> None:
+    sheet = replace(cut_contact, geometry="wall")
+    assert (sheet.judged, sheet.shown_verdict) == (False, "shown")
+    assert (cut_contact.judged, cut_contact.shown_verdict) == (True, cut_contact.verdict)
+    assert cut_contact.stem == "inner-real"
+    assert replace(cut_contact, bearing="second").stem == "second-inner-real"
+    assert "half of the contact, " in cut_contact.method
+    assert "twin" not in cut_contact.method
+    assert "corrected by a half-space twin, " in replace(cut_contact, refinement="twin").method
+
+
+def test_the_interpolation_error_is_that_of_corrected_hertz(cut_contact: ContactSolution) -> None:
+    values = replace(cut_contact.hertz, approach=1.03 * cut_contact.estimates["approach"].value)
+    corrected = CorrectedHertz(quantities=values, uncertainty={})
+    assert replace(cut_contact, corrected=corrected).interpolation_error["approach"] == pytest.approx(0.03, rel=1e-9)
+    assert replace(cut_contact, corrected=None).interpolation_error == {}
+
+
+def test_hertz_is_corrected_on_races_of_true_shape_alone(contacts: dict[str, Contact]) -> None:
+    for pair, geometry, correctable in (
+        ("inner", "real", True),
+        ("outer", "ring", True),
+        ("inner", "hertzian", False),
+        ("pocket", "real", False),
+        ("pocket", "wall", False),
+    ):
+        contact = replace(contacts["inner"], pair=pair)
+        assert module.is_correctable(contact, geometry) == correctable  # pyright: ignore[reportArgumentType]
+
+
+def test_the_corrected_stiffness_is_that_of_the_corrected_approach(contacts: dict[str, Contact]) -> None:
+    """K = Q/delta^1.5, and it is 1.5 times as uncertain."""
+    contact = contacts["inner"]
+    corrected, reasons = corrected_hertz(contact, hertz=hertz_quantities(contact))
+    assert reasons == ()
+    quantities = present(corrected).quantities
+    assert quantities.stiffness == pytest.approx(contact.load / quantities.approach**1.5, rel=1e-9)
+    uncertainty = present(corrected).uncertainty
+    assert uncertainty["stiffness"] == pytest.approx(1.5 * uncertainty["approach"], rel=1e-12)

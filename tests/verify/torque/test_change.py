@@ -14,6 +14,7 @@ from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
 from fembearing.grid_convergence import Estimate
 from fembearing.report.report import change_record
+from fembearing.verify.torque import change as module
 from fembearing.verify.torque.change import TorqueChange, change_of_torque
 from tests.analytic.scenefile.scene_texts import LUBRICANT, SURFACE
 from tests.analytic.specimens import present
@@ -216,3 +217,35 @@ def test_every_other_effect_is_as_the_production_decided_it() -> None:
     ]
     assert decisions[0] == decisions[1] == decisions[2]
     assert not found.own.is_on("cage")
+
+
+def test_a_load_within_a_hundredth_of_the_heaviest_counts_as_solved() -> None:
+    found = change_in(SOLVED, inner=solution(), outer=solution())
+    own: Any = SimpleNamespace(ball_load=300.0 * np.array([0.991, 0.989, 1.0]))
+    assert replace(found, own=own).is_solved.tolist() == [True, False, True]
+
+
+def test_a_part_that_is_0_changes_by_nothing() -> None:
+    before, after = np.array([0.0, 2.0, 0.0]), np.array([3.0, 3.0, 0.0])
+    np.testing.assert_array_equal(module._change(after, before), [0.0, 0.5, 0.0])
+
+
+def test_the_note_says_whether_the_production_has_the_fit() -> None:
+    found = change_in(SOLVED, inner=solution(), outer=solution())
+    for pair, on, fitted, words in (
+        (None, True, None, "the change is the error of that fit"),
+        (object(), True, None, "the change is the error of that fit"),
+        (object(), False, None, "the whole effect of the true shapes"),
+        (None, False, found.fitted, "the whole effect of the true shapes"),
+    ):
+        production: Any = SimpleNamespace(pair=pair, is_on=lambda _, on=on: on)
+        assert replace(found, production=production, fitted=fitted).note.endswith(f"{words}.")
+    assert replace(found, fitted=None).fitting_warnings == ()
+
+
+def test_a_contact_that_is_uncertain_moves_up_by_its_whole_uncertainty() -> None:
+    unsure = solution(uncertainty=0.02, approach=1.04)
+    plain, moved = module.factors(unsure), module.factors(unsure, up="approach")
+    assert plain.approach == pytest.approx(1.04, rel=1e-12)
+    assert moved.approach == pytest.approx(1.04 * 1.02, rel=1e-12)
+    assert moved.semi_axis_rolling == plain.semi_axis_rolling == pytest.approx(1.0, rel=1e-12)
