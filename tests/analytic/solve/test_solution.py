@@ -101,6 +101,26 @@ def test_the_ends_of_a_series_are_tried(column: int, value: float, is_end: bool,
     assert place not in without
 
 
+def test_the_ends_of_inertia_load_speed_and_share_come_first() -> None:
+    """Of a round cloud, whose farthest points are others: speed squared over load counts as inertia."""
+    random = np.random.default_rng(23)
+    ball = random.normal(size=(500, 3))
+    ball *= (random.random((500, 1)) ** (1 / 3)) / np.linalg.norm(ball, axis=1, keepdims=True)
+    load, speed, share = 500 * np.exp(ball[:, 0]), 60 * np.exp(ball[:, 1]), 0.4 + 0.3 * ball[:, 2]
+    points = np.zeros((500, 5))
+    points[:, 0], points[:, 1], points[:, 3] = load * (1 - share), -load * share, -speed
+    tried = set(tried_points(points, ARM).tolist())
+    inertia = speed**2 / load
+    ends = {int(at) for at in (inertia.argmax(), inertia.argmin(), load.argmin(), speed.argmin(), share.argmax())}
+    assert len(ends) == 5
+    assert ends <= tried
+    assert len(tried) == FAR
+    # Each column counts over its own extent: loads and speeds that extend twice as far in logarithms choose alike.
+    wide = points.copy()
+    wide[:, :2], wide[:, 3] = points[:, :2] * load[:, None], points[:, 3] * speed
+    assert set(tried_points(wide, ARM).tolist()) == tried
+
+
 def test_a_moment_counts_as_the_load_that_balls_carry_at_their_arm() -> None:
     """A radial load and a moment of the same force at the arm are as far from thrust."""
     points = many_points()
