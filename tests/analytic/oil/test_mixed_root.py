@@ -4,8 +4,9 @@ import mpmath
 import numpy as np
 import pytest
 from mpmath import mpf
+from scipy.optimize import brentq
 
-from analytic.oil.mixed import _inverse_cubic
+from analytic.oil.mixed import _inverse_cubic, likely_share
 from analytic.scene import AsperityLaw
 from tests.analytic.oil.mixed_contacts import ACCURACY, CONTACT, OIL, E, area, mixed, rough
 from tests.analytic.specimens import hertzian
@@ -21,6 +22,18 @@ def test_the_next_step_is_exact_where_the_root_is_a_cubic_of_the_value() -> None
     (here, slope), (before, slope_before) = place(0.41), place(0.57)
     step = _inverse_cubic(0.41, slope, 0.57, slope_before, here - before)
     assert here + step == pytest.approx(0.7, rel=1e-13)  # differences of numbers near 1, over a step of 0.16
+
+
+@pytest.mark.parametrize("falls", [0.2, 0.9, 3.1])
+@pytest.mark.parametrize("log_pressure", [-23.0, -4.0, -0.7, 0.4, 3.0, 9.0])
+def test_the_search_begins_near_the_root_of_straight_logarithms(log_pressure: float, falls: float) -> None:
+    """ln s = ln p + falls ln(1 - s), of z = ln(s/(1 - s)): two steps leave less than a twentieth."""
+    z = likely_share(log_pressure, falls)
+
+    def left(z: float) -> float:
+        return -np.logaddexp(0, -z) - log_pressure + falls * np.logaddexp(0, z)
+
+    assert z == pytest.approx(brentq(left, -200.0, 200.0), abs=0.05)
 
 
 def film_of(share: mpf, given: dict[str, float]) -> mpf:
