@@ -5,21 +5,25 @@ import json
 from dataclasses import replace
 from io import StringIO
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
 from pydantic import TypeAdapter
 from rich.console import Console
 
-from analytic.errors import ConvergenceError
+from analytic.errors import ConvergenceError, InputError
 from analytic.result import FrictionTorque
 from analytic.scene import Scene
 from analytic.scenefile.choice import Choice
 from analytic.scenefile.read import parse_scene
 from analytic.scenefile.template import scene_text
 from analytic.torque import friction_torque
+from fembearing.cli import torque as torque_command
 from fembearing.cli.status import CHECK_FAILED, DONE, INPUT_AT_FAULT, NOT_SOLVED
 from fembearing.plain_types import plain
+from fembearing.report import torque_folder
 from fembearing.report.terminal.torque import print_details
 from fembearing.verify.torque import left_out
 from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene
@@ -384,3 +388,58 @@ def test_a_point_without_a_model_uncertainty_is_lost_alone(monkeypatch: pytest.M
     assert found.places.computed == [0, 2]
     np.testing.assert_array_equal(found.to_dataset()["torque_total"].isnull(), [False, True, False])
     assert found.to_dataset()["axial_load"].values.tolist() == [300.0, 500.0, 800.0]
+
+
+def test_an_error_names_its_scene_where_there_are_several(command, monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(*_: object, **__: object) -> None:
+        raise InputError("too heavy")
+
+    monkeypatch.setattr(torque_folder, "torque_with_files", refuse)
+    alone, several = command("torque", "6206"), command("torque", "6206", "6308")
+    assert alone.status == several.status == INPUT_AT_FAULT
+    assert "too heavy" in alone.err
+    assert "6206" not in alone.err
+    assert "6206: too heavy" in several.err
+
+
+def test_several_scenes_stand_side_by_side_and_each_line_names_its_own(
+    command, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With the torque of one bearing for both: only words are looked at."""
+    result = computed(scene_text("6206"))
+    monkeypatch.setattr(torque_folder, "torque_with_files", lambda *_, **__: (result, None))
+    one, two = command("torque", "6206"), command("torque", "6206", "6308")
+    assert one.out.startswith("6206, ")
+    assert "assumed: " in one.out
+    assert "6206: assumed" not in one.out
+    assert two.out.splitlines()[0].strip() == "Friction torque"
+    said = " ".join(two.out.split())
+    assert "6206: assumed: " in said
+    assert "6308: assumed: " in said
+    assert "Heaviest ball" not in two.out
+    both = json.loads(command("torque", "6206", "6308", "--json").out)
+    assert list(both) == ["6206", "6308"]
+    assert json.loads(command("torque", "6206", "--json").out) == both["6206"]
+
+
+def test_scenes_that_do_not_fit_are_refused_before_anything_is_read(command, tmp_path: Path) -> None:
+    twice = command("torque", "nowhere.toml", "6206", "nowhere.toml")
+    assert "the scene 'nowhere.toml' is given twice" in twice.err
+    out = command("torque", "6206", "nowhere.toml", "--out", str(tmp_path / "new"))
+    assert "takes one scene, and there are 2" in out.err
+    assert twice.status == out.status == INPUT_AT_FAULT
+
+
+@pytest.mark.parametrize(
+    ("words", "lost", "status"),
+    [
+        (["check", "check"], 0, DONE),
+        (["check", "undecided"], 0, NOT_SOLVED),
+        (["fail", "undecided"], 0, CHECK_FAILED),
+        (["check", "check"], 1, NOT_SOLVED),
+        (["fail", "check"], 1, CHECK_FAILED),
+    ],
+)
+def test_the_status_is_that_of_the_worst_scene(words: list[str], lost: int, status: int) -> None:
+    results: Any = [SimpleNamespace(standing=SimpleNamespace(word=word), left_out=(object(),) * lost) for word in words]
+    assert torque_command._status(results) == status
