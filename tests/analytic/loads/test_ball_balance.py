@@ -85,6 +85,15 @@ def test_a_vanishing_force_changes_nothing(bearing_6205: Bearing) -> None:
     np.testing.assert_allclose(pushed.tangent[:3], still.tangent[:3], rtol=1e-6)
 
 
+def test_a_ball_settles_to_round_off_of_its_place(bearing_6205: Bearing) -> None:
+    """Of 0.4 mm, in contacts of 1e7 to 1e8 N/m each: some 1e-11 to 1e-10 N are left of forces of 600 N at most."""
+    grooves, softness = grooves_of(bearing_6205, PLAY), (INNER ** (-2 / 3), OUTER ** (-2 / 3))
+    for place, push in zip(PLACES, PUSH, strict=True):
+        found = settled_ball(grooves, tuple(place), softness, (push[0], push[1]), (0.0, 0.0))
+        assert 1e-12 < found.tolerance < 1e-9
+        assert found.left <= found.tolerance
+
+
 def test_the_start_does_not_change_the_ball(bearing_6205: Bearing) -> None:
     cold = ball(bearing_6205, PLACES, PUSH)
     for near in ((2e-6, -5e-6), (-40e-6, 90e-6)):
