@@ -13,7 +13,7 @@ from analytic.solve import freely, solution
 from analytic.solve.freely import BETWEEN, error_of_sliding, other_states, part_by_sliding, slide_freely
 from analytic.solve.model import model_of
 from analytic.solve.records import BALL, NO_STEADY_ROTATION, POINT
-from analytic.solve.solution import FAR, Solution, points_of, solved, tried_points
+from analytic.solve.solution import FAR, Solution, _logarithm, points_of, solved, tried_points
 
 PARTS = {
     "spin": [3.0, 0.0, 7.0],
@@ -119,6 +119,11 @@ def test_the_ends_of_inertia_load_speed_and_share_come_first() -> None:
     wide = points.copy()
     wide[:, :2], wide[:, 3] = points[:, :2] * load[:, None], points[:, 3] * speed
     assert set(tried_points(wide, ARM).tolist()) == tried
+
+
+def test_standstill_lies_a_decade_below_the_slowest_point() -> None:
+    np.testing.assert_allclose(_logarithm(np.array([0.0, 3.0, 30.0])), np.log([0.3, 3.0, 30.0]), rtol=1e-14)
+    np.testing.assert_array_equal(_logarithm(np.zeros(2)), np.zeros(2))
 
 
 def test_a_moment_counts_as_the_load_that_balls_carry_at_their_arm() -> None:
