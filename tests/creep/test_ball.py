@@ -1,6 +1,7 @@
 """A ball between two races: published torques of a separate program, limits, invariants, and oil."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -324,3 +325,54 @@ def test_any_friction_on_one_race_turns_a_ball(ways: list[Any], law: PointLaw, r
     laws = (law, PointLaw()) if race == 0 else (PointLaw(), law)
     ways.append(0)
     assert turn_ball(replace(thrust_ball(0.0, 600.0), laws=laws), ROUGH) == WAYS[1]
+
+
+@pytest.fixture
+def search(monkeypatch: pytest.MonkeyPatch) -> Any:
+    """What turns a ball, and the state from which it begins."""
+    told: list[Any] = []
+    monkeypatch.setattr(module, "_along", lambda _, search, state: told.append((search, state)))
+    turn_ball(thrust_ball(0.09, 600.0), ROUGH)
+    return told[0]
+
+
+def test_differences_are_small_against_the_groove_and_the_lighter_approach(search: Any) -> None:
+    """A millionth of the length moves the ball by a thousandth of an approach of 0.1 nm, and never by more than 1e-8
+    of the groove's length."""
+    units = [contact.unit.approach for contact in search[0].contacts]
+    for loads, expected in (
+        ((60.0, 70.0), free_lengths(BEARING_6205)[0] / 100),
+        ((1e-6, 2e-5), 1e3 * units[0] * 1e-4),
+        ((2e-5, 1e-6), 1e3 * units[1] * 1e-4),
+    ):
+        assert search[0]._length(SimpleNamespace(loads=loads)) == pytest.approx(expected, rel=1e-9)
+
+
+def test_a_ball_off_a_race_has_no_friction(search: Any) -> None:
+    found, state = search
+    off = state.copy()
+    off[4:6] *= 0.9  # towards the centre of the outer groove
+    with pytest.raises(ConvergenceError, match="a ball off its race"):
+        found.met(off, None)
+
+
+@pytest.mark.parametrize("number", [0, 2, 5])
+def test_a_step_changes_the_slip_of_a_contact_by_half_at_most(number: int, search: Any) -> None:
+    """Slip at the centre and, by spin and bends, at the ends of the contact; the contact that changes more counts."""
+    search, began = search
+    step = np.zeros(7)
+    step[number] = 1e-9  # m: so small that slip is linear in it
+    longest = search.longest(began, step)
+
+    def slips(state: Any) -> list[Any]:
+        lie = search.lie(state)
+        found = []
+        for k, slip in enumerate(search.slips(state, lie)):
+            unit = unit_under(BEARING_6205, ("inner", "outer")[k], search.ball.held.at_rest().angles[k])
+            end = unit.semi_axis_transverse * search.lie(began).loads[k] ** (1 / 3)
+            found.append(np.array(slip.creepages) * [1, end**2, 1, end**2, end])
+        return found
+
+    moved = slips(search.moved(began, step))
+    shares = [np.abs(now).sum() / np.abs(then - now).sum() / 2 for now, then in zip(slips(began), moved, strict=True)]
+    assert longest == pytest.approx(min(shares), rel=1e-6)

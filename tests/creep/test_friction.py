@@ -93,3 +93,9 @@ def test_a_fixed_point_obeys_the_law_and_follows_its_derivatives() -> None:
     np.testing.assert_allclose(
         found.response[:, 0], (above - below) / (2 * step), atol=1e-4 * np.max(np.abs(found.response))
     )  # of tractions settled to 1e-10 over a step of 1e-5
+
+
+def test_without_pressure_there_is_no_resistance() -> None:
+    """Neither a share of the pressure nor a plain stress."""
+    law = sliding_law(PointLaw(boundary=0.02, plain=3e6), pressure=np.array([[0.0, 2e8]]), speed=0.3)
+    np.testing.assert_allclose(law.steady, [0.0, 7e6])

@@ -297,3 +297,38 @@ def test_steps_fulfil_the_linear_equations_and_carry_the_load() -> None:
         assert np.linalg.norm(residual) < accuracy * np.linalg.norm(asked)
         assert kept is None or linear.factors is kept  # the first factorisation still helps
         kept = linear.factors
+
+
+@pytest.mark.parametrize("speed", [1.0, 3.0])
+def test_a_balance_has_the_slopes_of_its_excess(speed: float) -> None:
+    """Along one direction of pressure and one of film, of compressible oil that thickens."""
+    place = on_grid(moes(30.0, 6.0, 0.5), refinement=0.3)
+    random = np.random.default_rng(9)
+    count = place.grid.areas.size
+    pressure, film = random.uniform(0.1, 0.3, count), random.uniform(0.3, 0.5, count)
+    along, step = random.normal(size=count), 1e-6
+    now = place.balanced(pressure, film, speed)
+    for slope, by_pressure in ((now.by_pressure, 1), (now.by_film, 0)):
+        there, back = (
+            place.balanced(pressure + by_pressure * move, film + (1 - by_pressure) * move, speed).excess
+            for move in (step * along, -step * along)
+        )
+        expected = (there - back) / (2 * step)
+        # Round-off of the excess, 1e-16 over the step.
+        np.testing.assert_allclose(slope @ along, expected, atol=1e-7 * np.abs(expected).max())
+
+
+def test_a_faster_contact_has_thinner_oil_of_the_same_number_of_moes() -> None:
+    """At n times the speed the pressure flows 1/n as easily, and oil thickens by the power -1/4 of n."""
+    place = on_grid(moes(30.0, 6.0, 0.5), refinement=0.3)
+    contact, count = place.contact, place.grid.areas.size
+    softer = replace(contact.oil, law="barus", pressure_viscosity=contact.oil.pressure_viscosity * 16**-0.25)
+    barus = replace(contact, oil=replace(contact.oil, law="barus"))
+    faster = replace(contact, oil=softer, speed=16 * contact.speed)
+    random = np.random.default_rng(9)
+    pressure, film = random.uniform(0.1, 0.3, count), random.uniform(0.3, 0.5, count)
+    own, fast = replace(place, contact=barus), replace(place, contact=faster)
+    for each in (own, fast):
+        vars(each)["grid"] = place.grid  # else that of its own film
+    expected, found = fast.balanced(pressure, film, 1.0), own.balanced(pressure, film, 16.0)
+    np.testing.assert_allclose(found.excess, expected.excess, rtol=1e-9, atol=1e-12 * np.abs(found.excess).max())
