@@ -140,6 +140,10 @@ def test_the_other_start_is_one_that_was_not_made() -> None:
         assert other is not None
         assert (other.start, made.pop()) == (expected, (expected, 0))
         assert other.torque == pytest.approx(4.0 / W, rel=1e-12)
+    # A whirl number of 1 in exact numbers, and the next one below
+    just = replace(CAGE, ball_speed=2.0, ball_radius=0.25, half_clearance=0.25, gravity=(0.0, -1.0, 0.0))
+    assert _other(just, "rest", "rest", blocks) is not None
+    assert _other(replace(just, ball_speed=float(np.nextafter(2.0, 0))), "rest", "rest", blocks) is None
     back = _other(replace(CAGE, ball_speed=-CAGE.ball_speed, ring_speed=-W), "rest", "rest", blocks)
     assert back is not None
     assert back.torque == pytest.approx(4.0 / W, rel=1e-12)
@@ -182,6 +186,7 @@ def test_statistics_are_those_of_the_blocks() -> None:
     largest = sorted(block.max_force for block in blocks)
     np.testing.assert_allclose(statistics.max_force, (largest[9] + largest[10]) / 2, rtol=1e-12)
     assert max(statistics.block_maxima) == largest[-1]
+    np.testing.assert_allclose([statistics.block, statistics.duration], [1e-3, 0.02], rtol=1e-12)
     # Order statistics 6 and 15 of 20: fewer than 6 values are below the median with the probability 21700/2^20, 2.07 %.
     assert statistics.max_force_interval == (largest[5], largest[14])
     low, high = statistics.torque_interval
