@@ -75,7 +75,9 @@ def sampled(
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(sample, "solved", solved)
         patch.setattr(sample, "sampled_series", sampled_series)
-        return slide_by_sample(Numbers(), points_of(), np.full(COUNT, allowed)), told  # pyright: ignore[reportArgumentType]
+        limits = np.full(COUNT, 2 * allowed)
+        limits[5] = allowed  # the point that allows least decides
+        return slide_by_sample(Numbers(), points_of(), limits), told  # pyright: ignore[reportArgumentType]
 
 
 def test_what_a_method_changes_is_interpolated_and_added() -> None:

@@ -310,14 +310,24 @@ def test_the_farthest_other_state_is_told(
     np.testing.assert_allclose(other, [2.0 * expected], rtol=1e-12)
 
 
-@pytest.mark.parametrize(("anew", "expected"), [(2.001, np.nan), (2.5, 2.5), (1.7, 1.7)])
+@pytest.mark.parametrize(
+    ("coarse", "anew", "expected"),
+    [
+        (2.1, 2.001, np.nan),
+        (2.1, 2.5, 2.5),
+        (2.1, 1.7, 1.7),
+        (2.001, 2.5, np.nan),  # alike by the second quadrature: the finest is not asked
+        (1.999, 2.5, np.nan),
+        (1.9, 2.5, 2.5),
+    ],
+)
 def test_a_point_that_settles_otherwise_from_closed_kinematics_has_two_states(
-    free: Any, monkeypatch: pytest.MonkeyPatch, anew: float, expected: float
+    free: Any, monkeypatch: pytest.MonkeyPatch, coarse: float, anew: float, expected: float
 ) -> None:
+    """Its torque is 2 N m where the balls began elsewhere."""
+
     def torque(model: Any, _points: Array, has_work: bool) -> dict[str, Any]:
-        if has_work:
-            return {"spin": 2.1}
-        return {"spin": 2.1 if int(model.numbers.passes) == 2 else anew}
+        return {"spin": coarse if has_work or int(model.numbers.passes) == 2 else anew}
 
     scripted(monkeypatch, torque)
     lagging = one_state(rolling_force=[[9.0, 9.0]], most_friction=[[7.0, 7.0]])
