@@ -209,3 +209,26 @@ def test_a_cut_contact_is_drawn_on_both_sides_up_to_its_shoulder(cut_contact: Co
     (shoulder,) = (points_of(line) for line in lines if line.get_linestyle() == ":")  # the other side is not meshed
     assert shoulder[0, 0] > 0
     assert sum(line.get_color() == BLACK for line in lines) == 1
+
+
+def test_differences_beyond_nine_tenths_of_the_edge_do_not_set_the_scale(document: Report) -> None:
+    """Nodes 3 % of Hertz's peak above his semi-ellipse at the centre, and 40 % above it beside the edge."""
+    contact = document.contacts[0]
+    axes = {}
+    for axis, name in (("rolling", "semi_axis_rolling"), ("transverse", "semi_axis_transverse")):
+        semi_axis, peak = contact.hertz[name], contact.hertz.peak_pressure
+        share = np.array([0.0, 0.5, 0.89, 0.95])
+        pressure = peak * (np.sqrt(1 - share**2) + np.array([0.03, 0.02, 0.01, 0.4]))
+        profile = getattr(contact.pressure_profile, axis)
+        nodes = replace(profile.fe, position=tuple(semi_axis * share), pressure=tuple(pressure))
+        axes[axis] = replace(profile, fe=nodes)
+    changed = replace(contact, pressure_profile=replace(contact.pressure_profile, **axes))
+    _, below = present(pressure_plot(report_with(changed))[0]).axes
+    assert below.get_ylim() == pytest.approx((-2.5 * 3, 2.5 * 3), rel=1e-9)
+    quiet = {
+        axis: replace(part, fe=replace(part.fe, pressure=tuple(contact.hertz.peak_pressure * np.sqrt(1 - share**2))))
+        for axis, part in axes.items()
+    }
+    still = replace(contact, pressure_profile=replace(contact.pressure_profile, **quiet))
+    _, below = present(pressure_plot(report_with(still))[0]).axes
+    assert below.get_ylim() == pytest.approx((-1, 1), rel=1e-9)  # %: round-off is not to be seen
