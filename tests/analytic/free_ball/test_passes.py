@@ -164,6 +164,8 @@ def test_a_quadrature_that_is_known_stays_until_its_torque_does(
     held = Settled(monkeypatch, lambda _, count: 1.0 + 0.1**count, **chosen)
     assert held.numbers == [3] * 9  # 9e-8 is the first change that is below 3.9e-7, and 9e-7 is not
     assert held.found.error == 0
+    small = Settled(monkeypatch, lambda _, count: 0.05 + 3 * 0.1**count, **chosen)
+    assert small.numbers == [3] * 10  # 2.7e-8 is below 1.05e-7, and 2.7e-7 is not
     assert held.begun == ["known" in chosen] * 2
 
 
@@ -196,8 +198,26 @@ def test_a_torque_that_moves_on_after_the_estimate_is_compared_with_another_quad
     assert loose.found.error == pytest.approx(2 * 0.06, rel=1e-9)
 
 
+def test_a_torque_that_moves_by_less_than_its_error_keeps_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    moved = Settled(monkeypatch, lambda _, count: 1.0 if count < 2 else 1.02, allowed=0.03)
+    assert moved.numbers == [1, 2, 2, 2]
+    assert moved.found.error == pytest.approx(0.025 + 5e-4 * 1.3, rel=1e-12)
+
+
+def test_the_last_quadrature_ends_a_comparison_that_does_not_agree(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its own laws move the torque by 0.3, and the quadrature before it settles elsewhere."""
+
+    def torque(number: int, count: int) -> float:
+        return 1.3 if number == 5 and count > 4 else 1.0 + 0.5**number
+
+    far = Settled(monkeypatch, torque, allowed=1e-3)
+    assert far.numbers == [1, 2, 3, 4, 5, 5, 5, 4, 4, 5, 5]
+    assert far.found.error == pytest.approx(2 * (1.3 - 1.0625), rel=1e-9)
+
+
 def test_passes_that_never_settle_err_by_what_they_moved(monkeypatch: pytest.MonkeyPatch) -> None:
-    swinging = Settled(monkeypatch, lambda _, count: 1.0 + 0.2 * (count % 2), allowed=0.5)
+    """Since the estimate, which two quadratures that agree made."""
+    swinging = Settled(monkeypatch, lambda _, count: 1.0 if count < 2 else 1.0 + 0.1 * (count % 3), allowed=0.5)
     assert len(swinging.numbers) == passes.MOST_PASSES
     assert swinging.found.error == pytest.approx(2 * 0.2, rel=1e-9)
 

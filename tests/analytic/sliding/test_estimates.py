@@ -297,3 +297,4 @@ def test_a_small_share_of_the_power_is_the_least_error() -> None:
     assert error_of(0.0, 3.0) == pytest.approx(3e-6, rel=1e-12)
     assert error_of(0.2, 3.0) == pytest.approx(0.2 + 3e-6, rel=1e-12)
     assert error_of(0.2, 0.0) == error_of(0.2, -1e-20) == 0.0
+    assert error_of_long_ellipse(1e-4, 0.0) == 0.0  # of a contact that is a point or a line
