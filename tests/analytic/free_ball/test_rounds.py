@@ -1,5 +1,6 @@
 """Loads and rotation of free balls by a general root finder, the secant of their rounds, the stress of a point."""
 
+from dataclasses import replace
 from inspect import unwrap
 
 import numpy as np
@@ -251,3 +252,17 @@ def test_a_round_gives_a_ball_its_contacts_and_what_its_turning_does(
     np.testing.assert_array_equal(contacts["flexibility"], free.flexibility)
     np.testing.assert_array_equal(contacts["lean"], free.lean)
     assert contacts["radius"].tolist() == [numbers.inner.deformed_radius, numbers.outer.deformed_radius]
+
+
+@pytest.mark.parametrize("angle", [ContactAngle(rule="given", value=0.33), ContactAngle(rule="solved", free=0.47)])
+def test_grooves_give_way_alike_until_an_undeformed_ball_touches_both_at_its_angle(angle: ContactAngle) -> None:
+    """Their centres are A cos(al) apart, and their bottoms are as far from the pitch circle."""
+    bearing = BEARING_6205
+    value = 0.33 if angle.rule == "given" else 0.47
+    inner, outer = bearing.inner.groove_radius, bearing.outer.groove_radius
+    between = (inner + outer - bearing.ball_diameter) * np.cos(value)
+    expected = (bearing.pitch_diameter - outer + inner - between) / 2
+    found = turning.outer_groove_centres(bearing, bearing_numbers(bearing, angle))
+    assert found == pytest.approx(expected, rel=1e-12)
+    washers = replace(bearing, kind="thrust")  # whose grooves' centres lie on one circle
+    assert turning.outer_groove_centres(washers, bearing_numbers(bearing, angle)) == bearing.outer.bottom_radius
