@@ -118,6 +118,9 @@ def test_the_memory_is_bounded(pairs: list[PairMesh], monkeypatch: pytest.Monkey
     lower, upper = store.values()
     most = lower.memory + upper.memory
     assert upper.memory > lower.memory > 1e6
+    monkeypatch.setattr(topology, "MOST_MEMORY", most)
+    reduced(pairs[0], "upper")
+    assert lower.memory + upper.memory == most  # as much as may be kept
     monkeypatch.setattr(topology, "MOST_MEMORY", most - 1)
     np.testing.assert_array_equal(reduced(pairs[0], "upper").compliance, fresh["upper"])
     assert list(store.values()) == [lower, upper]
