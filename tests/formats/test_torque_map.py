@@ -3,6 +3,7 @@
 import csv
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ from analytic import friction_torque, torque_function
 from analytic.prediction.first_order import first_order_ends
 from analytic.scene import Operation, Scene
 from analytic.scenefile.read import load_scene
+from fembearing.formats import torque_map as module
 from fembearing.formats.axes import axes_of
 from fembearing.formats.choice import export
 from fembearing.formats.torque_map import TorqueMap, at_temperature, from_standstill, mapped_torque
@@ -156,3 +158,10 @@ def test_mistakes_are_refused_in_one_line(scene: Scene, tmp_path: Path) -> None:
         refused(lambda to=to, name=name: export(scene, to=to, out=tmp_path / name, over=OVER), *words)  # pyright: ignore[reportArgumentType]
     refused(lambda: export(scene, to="csv", out=tmp_path / "map.csv", over={"load": "3 N"}), "load is no axis")
     assert [path.name for path in tmp_path.iterdir()] == ["there.csv"]
+
+
+def test_where_nothing_resists_the_interval_has_no_width(monkeypatch: pytest.MonkeyPatch, scene: Scene) -> None:
+    nominal = SimpleNamespace(torque=SimpleNamespace(total=np.array([0.0, 2.0])))
+    monkeypatch.setattr(module, "friction_torque", lambda _: nominal)
+    monkeypatch.setattr(module, "first_order_ends", lambda *_: np.array([[0.0, 1.0], [0.0, 3.0]]))
+    np.testing.assert_allclose(module._logarithms(scene), np.log([[1, 0.5], [1, 1.5]]), rtol=1e-12)

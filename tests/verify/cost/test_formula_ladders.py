@@ -177,7 +177,8 @@ def test_differences_of_heights_miss_slopes_of_a_smooth_surface_only(
 
 
 @pytest.mark.parametrize(
-    ("spacing", "largest", "sizes"), [(4e-6, 512, []), (2e-6, 127, []), (2e-6, 128, [256]), (3e-6, 256, [128, 256])]
+    ("spacing", "largest", "sizes"),
+    [(4e-6, 512, []), (2e-6, 127, []), (2e-6, 128, [256]), (3e-6, 256, [128, 256]), (30e-6 / 12.8, 256, [128, 256])],
 )
 def test_a_surface_of_too_wide_a_spacing_or_too_many_points_is_not_generated(
     oiled: Scene, monkeypatch: pytest.MonkeyPatch, spacing: float, largest: int, sizes: list[int]
