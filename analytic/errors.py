@@ -122,15 +122,15 @@ def real_numbers(name: str, value: ArrayLike) -> NDArray[np.float64]:
         return np.asarray(value)
     if has_unit(value):
         raise InputError(why_no_unit(name, value, UNITS.get(name.rpartition(".")[2])))
-    if np.iscomplexobj(value):
-        raise InputError(f"{name} must be a real number, got a complex one; check how it was computed")
     try:
         given = np.asarray(value)
         if given.dtype.kind in "US":  # "5" would be read as 5
             raise TypeError
-        return given.astype(np.float64)
+        if given.dtype.kind != "c":
+            return given.astype(np.float64)
     except (TypeError, ValueError, OverflowError) as problem:
         raise InputError(f"{name} must be a number or an array of numbers in SI units, got {value!r:.80}") from problem
+    raise InputError(f"{name} must be a real number, got a complex one; check how it was computed")
 
 
 def _refuse(name: str, array: NDArray[np.float64], holds: NDArray[np.bool_], limit: str) -> None:

@@ -79,6 +79,9 @@ def test_numbers_stay_what_they_are() -> None:
         (3 + 4j, "must be a real number"),
         (np.array([3 + 4j]), "must be a real number"),
         (10**400, "must be a number"),
+        ([[1.0], [2.0, 3.0]], "must be a number"),
+        ([object(), 2.0], "must be a number"),
+        ([3 + 4j, 2.0], "must be a real number"),
     ],
 )
 def test_what_is_no_real_number_is_refused(wrong: Any, words: str) -> None:
