@@ -271,10 +271,12 @@ def test_grease_starves_by_the_share_of_thrust_in_the_load_of_a_point() -> None:
     np.testing.assert_allclose(together, alone, rtol=1e-12)
 
 
-def test_a_cage_at_rest_on_its_balls_is_that_beside_the_kernel() -> None:
+@pytest.mark.parametrize("coefficient", [0.13, None])  # None: of the film in its pockets, at the speed of the balls
+def test_a_cage_at_rest_on_its_balls_is_that_beside_the_kernel(coefficient: float | None) -> None:
     """And it has no torque once balls lead as far as its pockets leave free."""
     light: dict[str, Any] = UNEQUAL | {"radial_load": 40.0, "moment": 0.3}
-    scene = replace(scene_of(**light), cage=replace(STAMPED_CAGE, friction_coefficient=0.13))
+    cage = replace(STAMPED_CAGE, friction_coefficient=coefficient)
+    scene = replace(scene_of(**light), cage=cage, friction_coefficient=None, surface=FINISH)
     out = ("cage_dynamics", "ball_dynamics", "centrifugal", "gyroscopic", "finite_geometry")
     effects: dict[str, Any] = dict.fromkeys(out, "off")
     effects |= {"inlet_heating": "off", "starvation": "off", "creep": "off"}

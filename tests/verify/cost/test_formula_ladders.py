@@ -270,6 +270,17 @@ def test_a_moment_counts_as_a_radial_load_on_the_pitch_circle(scene: Scene) -> N
     assert bound(radial_load=0.03) == pytest.approx(5 * 0.03 / (9 * float(np.ravel(load)[0])), rel=1e-3)
 
 
+def test_each_force_of_inertia_widens_the_bound_without_inertia(scene: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
+    def bound(*ratios: float) -> float:
+        monkeypatch.setattr(formula_ladders, "inertia_ratios", lambda *_, **__: tuple(map(np.array, ratios)))
+        return float(formula_ladders._bound_without_inertia(scene, scene.operation.as_series()))
+
+    centrifugal, pull = bound(0.03, 0.0), bound(0.0, 0.02)
+    assert centrifugal >= 0.03
+    assert pull >= 0.02
+    assert bound(0.03, 0.02) == pytest.approx(centrifugal + pull, rel=1e-12)  # round-off
+
+
 def test_a_free_angle_of_0_or_a_preload_carries_no_thrust(scene: Scene) -> None:
     flat = replace(scene, contact_angle=ContactAngle(rule="solved", free=0.0))
     with pytest.raises(InputError, match="at a free contact angle of 0 no ball carries thrust"):
