@@ -3,6 +3,7 @@
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.projections.polar import PolarAxes
 from matplotlib.ticker import MaxNLocator
 
@@ -14,7 +15,8 @@ from fembearing.report.phrases import loads_of, present_loads, speed_words
 from fembearing.report.report import Report
 
 LOOKS = {"inner": (BLUE, "o", "-"), "outer": (RED, "s", "--")}  # the lines may lie on each other
-HIGH = 2.5  # inches
+HIGH, LINE = 2.4, 0.17  # inches, without the loads in the titles, and for each of them
+PAD = 0.1  # inches above and below: the layout counts a little too little for the title of a polar panel
 LEAST_SPAN = 0.1  # degrees, of the angles: closer ones are alike, and their round-off is not to be seen
 QUARTER = 90  # degrees between ticks of the azimuth
 
@@ -28,17 +30,19 @@ def ring_plot(document: Report) -> tuple[Figure | None, str]:
     shown = [(point, point.ring.balls) for point in ends if point.ring is not None]
     if not shown:
         return None, "Pair of bearings: ring and balls of each bearing are available from Python."
-    figure = Figure(figsize=(WIDTH, HIGH), layout="constrained")
+    loads = present_loads(points)
+    layout = ConstrainedLayoutEngine(h_pad=PAD)
+    figure = Figure(figsize=(WIDTH, HIGH + LINE * len(loads)), layout=layout)
     grid = figure.add_gridspec(1, 2 * len(shown))
     for column, (point, balls) in enumerate(shown):
         polar = figure.add_subplot(grid[column], projection="polar")
         assert isinstance(polar, PolarAxes)
-        words = loads_of(point, present_loads(points), units)
+        words = [speed_words(point.inner_speed, units), *(loads_of(point, [name], units) for name in loads)]
         _loads(polar, balls, units)
         angles = figure.add_subplot(grid[len(shown) + column])
         _angles(angles, balls)
         for panel in (polar, angles):
-            panel.set_title(f"{speed_words(point.inner_speed, units)},\n{words}")
+            panel.set_title("\n".join(words))
     handles, labels = figure.axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=2, frameon=False, fontsize=LETTERS)
     caption = (

@@ -80,11 +80,21 @@ def test_the_first_and_the_last_point_stand_side_by_side_and_one_stands_alone() 
             SimpleNamespace(**vars(point) | {"inner_speed": 30.0 + 10 * number}) for number in range(count)
         ]
         figure, _ = ring_plot(found)
-        titles = [panel.get_title().split(",")[0] for panel in present(figure).axes]
+        titles = [panel.get_title().splitlines()[0] for panel in present(figure).axes]
         speeds = [f"{(30.0 + 10 * number) * 30 / np.pi:.5g} rpm" for number in (0, count - 1)][:shown]
         assert titles == [title for title in speeds for _ in range(2)]
         columns = [present(panel.get_subplotspec()).colspan.start for panel in present(figure).axes]
         assert columns == ([0, 1] if shown == 1 else [0, 2, 1, 3])  # loads first, then angles
+
+
+def test_each_load_has_a_line_so_that_the_titles_of_two_points_stand_apart() -> None:
+    found = document([0.21, None, 0.17])
+    (point,) = found.torque.points
+    loads = {"inner_speed": 1260.0, "axial_load": 1450.0, "radial_load": -2350.0, "moment": 0.75}
+    found.torque.points = [point, SimpleNamespace(**vars(point) | loads)]
+    figure = present(ring_plot(found)[0])
+    assert figure.axes[2].get_title() == "12032 rpm\n1450 N axial\n-2350 N radial\n750 N mm moment"
+    require_legible(figure)
 
 
 def test_balls_without_a_load_and_pairs_of_bearings_are_no_fault() -> None:
