@@ -7,9 +7,11 @@ Python calls them, and they call each other by names of their modules, but not i
 function that fails gives NaN or a status, and a division by zero gives infinity or NaN.
 
 Numba keeps them in the folder FEMBEARING_CACHE, else in the platform's folder for caches. Numba notices a change of a
-function's own file, but none of a function that it calls or of a constant that it takes. A digest of the files of this
+function's own code, but none of a function that it calls or of a constant that it takes. A digest of the files of this
 package is therefore part of the folder's name. It leaves out the folders in ABOVE, which no compiled function imports.
-Where the package lies does not matter. The folder can be deleted at any time.
+A function outside this package has a folder named after the files of itself and of the functions that it calls, too;
+it takes constants from these files and from this package alone. Where a package lies does not matter. The folder can
+be deleted at any time.
 """
 
 import gc
@@ -43,6 +45,7 @@ ABOVE = frozenset(
 )  # formulas import none of it
 SOURCE = "formulas.py"  # name of an empty file, which stands for the files of all functions
 SEAL = "sha256"  # name of the file with the digest of a function's other files
+PACKAGE = Path(__file__).parents[1]
 COMPILING = "compiling formulas, once on this machine"
 # Bytes of addresses for numba, LLVM and SciPy, and for each thread of OpenBLAS; 228 and 42 MB were measured on Linux.
 ADDRESSES, ADDRESSES_OF_THREAD = 250_000_000, 45_000_000
@@ -97,15 +100,31 @@ class Compiled:
         from numba import njit
 
         code, around = self.function.__code__, self.function.__globals__
-        called = {name: around[name].inside for name in _names(code) if isinstance(around.get(name), Compiled)}
+        called = {name: each.inside for name, each in self._called().items()}
         copy = FunctionType(code, around | called, argdefs=self.function.__defaults__)
         update_wrapper(copy, self.function)
         options: Any = {"error_model": "numpy", "nogil": True, "no_cfunc_wrapper": True, **self.options, **more}
-        made = njit(**options)(copy) if folder is None else _kept(copy, options, folder)
+        made = njit(**options)(copy) if folder is None else _kept(copy, options, folder / self._folder_name())
         if folder is None:
             _unite_constants(made)
         _compilation().functions.add(made)
         return made
+
+    def _called(self) -> dict[str, "Compiled"]:
+        around = self.function.__globals__
+        found = {name: around.get(name) for name in _names(self.function.__code__)}
+        return {name: each for name, each in found.items() if isinstance(each, Compiled)}
+
+    def _files(self) -> set[Path]:
+        """Of this function and of all that it calls."""
+        own = Path(self.function.__code__.co_filename)
+        return {own}.union(*(each._files() for each in self._called().values()))
+
+    def _folder_name(self) -> str:
+        """With a digest of files outside this package, which is not in the name of the folder above."""
+        name = f"{self.function.__module__}.{self.function.__qualname__}"
+        contents = sorted(file.read_bytes() for file in self._files() if PACKAGE not in file.parents)
+        return f"{name}-{hashlib.sha256(b''.join(contents)).hexdigest()[:16]}" if contents else name
 
 
 @cache
@@ -165,9 +184,8 @@ def kept_in() -> Path | None:
     import numba
 
     version = hashlib.sha256(f"{sys.version} {numba.__version__} {llvmlite.__version__}".encode())
-    package = Path(__file__).parents[1]
-    for file in sorted(package.rglob("*.*")):
-        if file.is_file() and {"__pycache__", *ABOVE}.isdisjoint(file.relative_to(package).parts):
+    for file in sorted(PACKAGE.rglob("*.*")):
+        if file.is_file() and {"__pycache__", *ABOVE}.isdisjoint(file.relative_to(PACKAGE).parts):
             version.update(file.read_bytes())
     try:
         folder = cache_folder() / f"{PREFIX}{version.hexdigest()[:16]}"
@@ -185,16 +203,17 @@ def kept_in() -> Path | None:
     return folder
 
 
-def _kept(function: FunctionType, options: dict[str, Any], folder: Path) -> Any:
+def _kept(function: FunctionType, options: dict[str, Any], own: Path) -> Any:
+    """own : folder of this function alone"""
     import numba
     from numba.core import config
 
     settings: Any = config  # it has no types
-    before, own = settings.CACHE_DIR, folder / f"{function.__module__}.{function.__qualname__}"
+    before = settings.CACHE_DIR
     settings.CACHE_DIR = str(own)  # numba takes it from here only
     # Numba looks for the path and time of a function's file. With these of one file every checkout and environment of
     # this version has the same functions.
-    code = function.__code__.replace(co_filename=str(folder / SOURCE))
+    code = function.__code__.replace(co_filename=str(own.parent / SOURCE))
     copy = FunctionType(code, function.__globals__, argdefs=function.__defaults__)
     made: Any = numba.njit(cache=True, **options)(update_wrapper(copy, function))
     settings.CACHE_DIR = before

@@ -137,8 +137,8 @@ def result_of(process: subprocess.Popen[str]) -> tuple[float, str]:
     return float(out), said
 
 
-def run(program: Path, cache: Path) -> tuple[float, str]:
-    return result_of(start(program, cache))
+def run(program: Path, cache: Path, code: str = PROGRAM) -> tuple[float, str]:
+    return result_of(start(program, cache, code))
 
 
 SAID = f"fembearing: {COMPILING}\n"
@@ -187,6 +187,20 @@ def test_a_change_in_the_file_of_a_called_function_counts(compiled_before: tuple
     program, cache = compiled_before
     (program / "analytic/inner.py").write_text(INNER.replace("3.0", "5.0"))
     assert run(program, cache) == (35.25, SAID)
+
+
+def test_so_does_one_in_a_file_of_another_package(program: Path, tmp_path: Path) -> None:
+    """Of a function there that a formula calls by way of another file."""
+    other = program / "other"
+    other.mkdir()
+    (other / "__init__.py").touch()
+    (other / "inner.py").write_text(INNER)
+    (other / "outer.py").write_text(OUTER.replace("analytic.inner", "other.inner"))
+    code, cache = PROGRAM.replace("from analytic", "from other"), tmp_path / "cache"
+    assert run(program, cache, code) == (21.25, SAID)
+    assert run(program, cache, code) == (21.25, "")
+    (other / "inner.py").write_text(INNER.replace("3.0", "5.0"))
+    assert run(program, cache, code) == (35.25, SAID)
 
 
 def damaged(content: bytes, how: str) -> bytes:
