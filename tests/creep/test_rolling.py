@@ -254,3 +254,13 @@ def test_published_prototype_of_one_contact() -> None:
     np.testing.assert_allclose(abs(found.spin_moment) / scale / TRANSVERSE, 0.207, rtol=0.01)
     np.testing.assert_allclose(abs(rolling), 0.0569, rtol=0.015)
     np.testing.assert_allclose(abs(found.force_across) / scale, 0.17, atol=0.006)
+
+
+def test_a_slip_of_the_pressed_bodies_acts_as_the_creepage_of_its_pattern() -> None:
+    surfaces, pressure, _ = case(race_strips(6, 5))
+    law = sliding_law(PointLaw(boundary=0.07), pressure=pressure, speed=0.7)
+    part, rest = Creepages(3e-4, 0.0, -2e-4, 0.0, 0.09), Creepages(1e-4, 0.0, 7e-4, 0.0, 0.05)
+    together = Creepages(*np.add(part, rest))
+    found = rolling_friction(surfaces, rest, pressure=pressure, law=law, pressed=surfaces.patterns @ np.array(part))
+    expected = rolling_friction(surfaces, together, pressure=pressure, law=law)
+    np.testing.assert_allclose(forces(found), forces(expected), rtol=1e-9)  # both end where Newton's method does

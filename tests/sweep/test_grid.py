@@ -11,7 +11,7 @@ from analytic.errors import InputError
 from analytic.scenefile.read import load_scene
 from fembearing.sweep.dataset import axis_names
 from fembearing.sweep.grid import Axis, load_grid
-from fembearing.sweep.parts import pieces
+from fembearing.sweep.parts import Piece, compute_part, pieces
 from tests.sweep.swept import SCENE
 
 LOADS = 'operation.axial_load = ["100 N", "0.7 kN"]\n'
@@ -87,6 +87,19 @@ def test_pieces_hold_every_point_once(grid_file: Callable[..., Path], axes: str)
     grid = load_grid(grid_file(axes))
     found = [point for piece in pieces(grid) for point in range(piece.start, piece.stop)]
     assert found == list(range(grid.size))
+
+
+def test_the_points_of_a_piece_lie_in_it_from_its_start(grid_file: Callable[..., Path]) -> None:
+    """Also where it begins and ends within a series."""
+    axes = 'operation.axial_load = ["100 N", "300 N", "700 N"]\nfriction.coefficient = [0.03, 0.08]'
+    grid = load_grid(grid_file(axes))
+    whole = compute_part(grid, Piece(0, grid.size)).values
+    assert np.unique(whole["torque_total"]).size == grid.size
+    for start, stop in ((1, 3), (2, 5), (4, 6)):
+        part = compute_part(grid, Piece(start, stop)).values
+        np.testing.assert_allclose(
+            part["torque_total"], whole["torque_total"][start:stop], rtol=1e-9
+        )  # of other starts
 
 
 @pytest.mark.parametrize(
