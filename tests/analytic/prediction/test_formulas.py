@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from analytic.oil.film import FORMULA_UNCERTAINTY
-from analytic.oil.variation import OIL_LOSS_FACTORS, Variation
+from analytic.oil.variation import GREASE_SPREAD, OIL_LOSS_FACTORS, Variation
 from analytic.prediction.formulas import with_model_uncertainty
 from analytic.prediction.spreads import DEFAULTS
 from analytic.scene import Scene
@@ -103,6 +103,22 @@ def test_without_a_hardness_the_other_gap_has_summits_that_never_yield() -> None
     law = replace(present(unknown.surface), gap="truncated", asperities="greenwood_williamson")
     other = friction_torque(replace(plain.settled(unknown), surface=law)).torque.total
     np.testing.assert_allclose(present(found.model_parts)["gap"], np.abs(other / plain.torque.total - 1), rtol=0.01)
+
+
+def test_films_of_grease_have_a_factor_of_their_own() -> None:
+    """A thinner or a thicker one by twice its standard uncertainty, whichever changes the torque more."""
+    scene = load_scene(SCENES / "6205_physical.toml")
+    grease = replace(present(scene.lubricant), supply="grease", surface_tension=0.027)
+    scene = replace(scene, lubricant=grease)
+    plain = friction_torque(scene)
+    parts, same = present(with_model_uncertainty(scene, plain).model_parts), plain.settled(scene)
+    changes = [
+        np.abs(friction_torque(same, variation=Variation(grease_film=factor)).torque.total / plain.torque.total - 1)
+        for factor in (np.exp(-2 * GREASE_SPREAD), np.exp(2 * GREASE_SPREAD))
+    ]
+    # Free balls differ by the solver error, 1e-4 of the torque: those of a variation start next to where they settle.
+    np.testing.assert_allclose(parts["grease_film"], np.maximum(*changes), atol=1e-4)
+    assert parts["grease_film"].max() > 1e-3
 
 
 def test_smooth_oil_of_constant_stress_does_not_care() -> None:
