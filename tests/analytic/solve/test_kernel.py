@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.integrate import quad
 from scipy.optimize import brentq
 from scipy.special import ellipe
 
@@ -125,6 +126,20 @@ def test_spin_alone_is_the_pivoting_of_every_ball_on_its_inner_race() -> None:
     power = np.sum(moments * np.abs(balls["motion"]["spin_difference"]))
     # The curvature of the contact adds slip across that of spin, and takes from it where spin is slow.
     np.testing.assert_allclose(found.points["spin"], power, rtol=0.05)
+
+
+def test_conformity_alone_is_the_slip_of_curved_contacts_without_a_net_force() -> None:
+    """Heathcote's slip: mu p w_r |y^2 - y_0^2|/(2 R), where as much pulls forwards as backwards."""
+    found = found_at(scene_of(**UNEQUAL), {"conformity": True, "load_distribution": True}, method=OVER_ELLIPSE)
+    still = brentq(lambda share: share - share**3 / 3 - 1 / 3, 0.0, 1.0)  # y_0/b, which halves the load
+    slides, _ = quad(lambda share: 1.5 * (1 - share**2) * abs(share**2 - still**2), 0.0, 1.0, points=[still])
+    balls, power = found.balls[0], 0.0
+    for race, ring in enumerate((BEARING_6205.inner, BEARING_6205.outer)):
+        radius = 2 / (1 / BEARING_6205.ball_radius + 1 / ring.groove_radius)
+        rate = np.abs(balls["motion"][f"{'inner' if race == 0 else 'outer'}_rolling_rate"])
+        slip = rate * balls["semi_axis_transverse"][:, race] ** 2 / (2 * radius) * slides
+        power += np.sum(0.07 * balls["load"][:, race] * slip)
+    np.testing.assert_allclose(found.points["conformity"], power, rtol=1e-3)  # of the quadrature over the ellipse
 
 
 def moment_of(balls: Any, bearing: Bearing, speed: float) -> Array:
