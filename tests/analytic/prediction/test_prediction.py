@@ -4,6 +4,7 @@ import multiprocessing
 import re
 from collections.abc import Mapping
 from dataclasses import replace
+from math import ceil
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from analytic.errors import InputError
 from analytic.inputs import UNCERTAIN, uncertain_value
 from analytic.oil.variation import Variation
 from analytic.prediction import evaluation
+from analytic.prediction import prediction as module
 from analytic.prediction.prediction import SAMPLES, Prediction, predict, require_samples
 from analytic.prediction.rows import largest_error
 from analytic.prediction.spreads import UncertainInput, uncertain_inputs
@@ -193,6 +195,24 @@ def test_samples_without_a_torque_are_counted_and_too_many_are_refused(monkeypat
     failing(seals[1])
     with pytest.raises(InputError, match=r"20 of 128 samples have no torque, limit 1 %.*the seal is stuck"):
         predict(dry(**SPREADS), samples=128, workers=1)
+
+
+@pytest.mark.parametrize(
+    ("errors", "count"),  # errors of the ends after each round, over the least, 0.03
+    [
+        ((0.99,), 512),
+        ((1.5, 0.9), 1024),  # at most as many again
+        ((1.2, 0.9), 512 + ceil(512 * (1.1 * 1.2**2 - 1))),  # the error falls with the root of the number
+        ((9.0, 9.0, 9.0, 9.0), 4096),
+    ],
+)
+def test_more_samples_are_taken_until_the_ends_are_known(
+    monkeypatch: pytest.MonkeyPatch, errors: tuple[float, ...], count: int
+) -> None:
+    left = iter(errors)
+    monkeypatch.setattr(module, "largest_error", lambda _: 0.03 * next(left))
+    found = predict(dry(**SPREADS), seed=3, workers=1)
+    assert found.samples == count
 
 
 def test_the_scene_with_the_values_that_it_has_is_the_same() -> None:

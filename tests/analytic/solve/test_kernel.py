@@ -102,6 +102,18 @@ def test_limits_are_those_of_the_worst_ball(unequal: Solution) -> None:
     np.testing.assert_allclose(cut.points["cut_off"][0], np.max(shares, axis=0), rtol=1e-14)
 
 
+def test_forces_of_a_ball_are_compared_with_the_smaller_of_its_loads() -> None:
+    """That on the inner race, from which the centrifugal force lifts it."""
+    found = found_at(scene_of(**UNEQUAL | {"inner_speed": 900.0}), {**ROLLING, "centrifugal": True})
+    point, balls, bearing = found.points[0], found.balls[0], BEARING_6205
+    least, most = balls["load"].min(axis=1), balls["load"].max(axis=1)
+    assert np.min(least / most) < 0.95
+    orbit = 900.0 * balls["motion"]["cage_speed"]
+    outward = bearing.ball_mass * bearing.pitch_diameter / 2 * orbit**2
+    np.testing.assert_allclose(point["centrifugal_share"], np.max(outward / least), rtol=1e-12)
+    np.testing.assert_allclose(point["weight_share"], np.max(bearing.ball_mass * STANDARD_GRAVITY / least), rtol=1e-12)
+
+
 def test_friction_that_could_hold_is_that_of_all_balls(unequal: Solution) -> None:
     """Coulomb friction: the coefficient times the loads."""
     np.testing.assert_allclose(
