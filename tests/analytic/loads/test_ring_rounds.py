@@ -127,7 +127,7 @@ def pressed(bearing: Bearing, outward: Callable[[Array], Array]) -> tuple[int, A
 
 
 def test_a_ball_is_beyond_its_groove_past_a_right_angle_if_it_is_loaded(bearing_6205: Bearing) -> None:
-    """The speed moves it there, unless the rings have moved by half of the distance of the groove centres or more."""
+    """The speed moves it there, unless the rings have moved by their play and half of the groove centres' distance."""
     grooves = numbers_of(bearing_6205).grooves
     by_load = grooves.play + grooves.distance / 2
     for angle, load, moved, expected in (
@@ -135,6 +135,7 @@ def test_a_ball_is_beyond_its_groove_past_a_right_angle_if_it_is_loaded(bearing_
         (np.pi / 2 + 1e-3, 3.0, 0.0, np.pi / 2 + 1e-3),
         (-np.pi / 2 - 1e-3, 3.0, 0.0, np.pi / 2 + 1e-3),
         (np.pi / 2 + 1e-3, 0.0, 0.0, 0.0),
+        (np.pi / 2 + 1e-3, 3.0, 0.99 * by_load, np.pi / 2 + 1e-3),
         (np.pi / 2 + 1e-3, 3.0, 1.01 * by_load, np.pi / 2 + 1e-3),
     ):
         for race in (0, 1):
@@ -144,7 +145,7 @@ def test_a_ball_is_beyond_its_groove_past_a_right_angle_if_it_is_loaded(bearing_
             found = beyond_groove(grooves, ring, balls)
             assert found.angle == pytest.approx(expected, rel=1e-12)
             assert found.moved == pytest.approx(moved, rel=1e-12)
-            assert found.is_by_load == (moved > 0)
+            assert found.is_by_load == (moved > by_load)
 
 
 def test_a_ball_whose_groove_centres_have_passed_needs_no_load(bearing_6205: Bearing) -> None:

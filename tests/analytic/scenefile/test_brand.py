@@ -18,10 +18,10 @@ from tests.refusals import refused
         ("shell omala s4 gx 220", '"ISO VG 220"'),
         ("Fuchs Renolin B 15 VG 46", '"ISO VG 46"'),
         ("Mobil Velocite No. 10", '"ISO VG 22"'),  # not class 10
-        ("Fuchs Renolin B 15", "data sheet"),  # of VG 46, which its name does not say
-        ("Mobil Glygoyle 22", "data sheet"),  # far from VG 22
-        ("Mobil 1 5W-30", "data sheet"),
-        ("Klübersynth", "data sheet"),
+        ("Fuchs Renolin B 15", "is a brand of oil:"),  # of VG 46, which its name does not say
+        ("Mobil Glygoyle 22", "is a brand of oil:"),  # far from VG 22
+        ("Mobil 1 5W-30", "is a brand of oil:"),
+        ("Klübersynth", "is a brand of oil:"),
         ("Klüberspeed BF 72-22", "base oil"),
         ("Isoflex NBU 18", "base oil"),
         ("Shell Gadus S2 V220 2", "base oil"),

@@ -104,7 +104,8 @@ def test_limits_are_those_of_the_worst_ball(unequal: Solution) -> None:
 
 def test_forces_of_a_ball_are_compared_with_the_smaller_of_its_loads() -> None:
     """That on the inner race, from which the centrifugal force lifts it."""
-    found = found_at(scene_of(**UNEQUAL | {"inner_speed": 900.0}), {**ROLLING, "centrifugal": True})
+    fast: dict[str, Any] = UNEQUAL | {"inner_speed": 900.0}
+    found = found_at(scene_of(**fast), {**ROLLING, "centrifugal": True})
     point, balls, bearing = found.points[0], found.balls[0], BEARING_6205
     least, most = balls["load"].min(axis=1), balls["load"].max(axis=1)
     assert np.min(least / most) < 0.95
