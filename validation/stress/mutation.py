@@ -186,7 +186,7 @@ class Tree:
         if done.returncode == 0 or done.returncode in TIMED_OUT:
             return "timeout" if done.returncode else "survived", seconds, ""
         lines = done.stdout.strip().splitlines() or [""]
-        failed = [line.partition(" - ")[0] for line in lines if line.startswith(("FAILED", "ERROR"))]
+        failed = [line.partition(" - ")[0] for line in lines if line.startswith(("FAILED tests/", "ERROR tests/"))]
         if done.returncode == 1 and failed:
             return "killed", seconds, failed[0].partition(" ")[2]
         return "error", seconds, f"status {done.returncode}: {(failed or lines)[-1]:.200}"
