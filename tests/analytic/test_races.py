@@ -24,25 +24,14 @@ from analytic.solve.freely import BETWEEN
 from analytic.solve.solution import Solution
 from analytic.torque import friction_torque
 from tests.analytic.solve.test_solution import forged
-from tests.analytic.specimens import BEARING_6205, FINISH, OIL, present, thrust
+from tests.analytic.specimens import BEARING_6205, OIL, present, thrust
+from tests.analytic.test_torque_uncertainty import SCENE as OILED
 from tests.refusals import refused
 
 TOLERANCE = 0.06
 BUDGET = TOLERANCE / 2  # half of the tolerance is for effects that are left out
 NEAR = (0.999, 1.001)  # of a limit
-SCENE = Scene(
-    bearing=BEARING_6205,
-    contact_angle=ContactAngle(rule="solved", free=0.26),
-    operation=Operation(
-        axial_load=np.array([310.0, 470.0, 890.0]),
-        inner_speed=np.array([31.0, 47.0, 300.0]),
-        radial_load=np.array([60.0, 95.0, 40.0]),
-    ),
-    tolerance=TOLERANCE,
-    lubricant=OIL,
-    surface=FINISH,
-    down=(0.6, -0.8, 0.0),
-)
+SCENE = replace(OILED, tolerance=TOLERANCE, down=(0.6, -0.8, 0.0))
 ALL_ON: dict[str, bool] = dict.fromkeys(
     (
         *("load_distribution", "weight", "centrifugal", "gyroscopic", "finite_geometry", "asperities"),
@@ -53,7 +42,7 @@ ALL_ON: dict[str, bool] = dict.fromkeys(
 
 
 class Numbers:
-    """A model that only notes what it was asked for."""
+    """A model that computes nothing and keeps its arguments."""
 
     def __init__(self, **asked: Any) -> None:
         self.asked, self.tables = asked, SimpleNamespace(factors=np.zeros((0, 2, 4, 1)))
@@ -474,7 +463,7 @@ def test_a_lag_counts_as_creep() -> None:
 def test_balls_turn_freely_where_closed_kinematics_do_not_suffice() -> None:
     assert creeping(1e-6, suffices=True) is None
     assert creeping(1e-6, suffices=False) == "none"
-    assert creeping(1e-6, sliding="free_ball") == "none"  # they are asked for
+    assert creeping(1e-6, sliding="free_ball") == "none"  # the scene sets them
     assert creeping(np.inf, spin_rule="balanced") is None
     assert creeping(np.inf, effects={"creep": "off"}, suffices=False) == "none"
 

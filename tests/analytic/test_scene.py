@@ -8,7 +8,6 @@ import pytest
 
 from analytic.scene import (
     Arrangement,
-    Contact,
     Groove,
     Losses,
     Operation,
@@ -18,7 +17,7 @@ from analytic.scene import (
 )
 from tests.analytic.specimens import BEARING_6205, FINISH, OIL, thrust, with_clearance
 from tests.analytic.test_thrust_bearing import BEARING as THRUST_BEARING
-from tests.contacts import STEEL
+from tests.contacts import INNER, STEEL
 from tests.refusals import refused
 
 
@@ -146,18 +145,7 @@ def test_a_law_of_the_user_names_its_package_and_its_table() -> None:
 
 
 def test_a_contact_leans_by_its_angle_but_on_a_washer_and_has_a_nearer_shoulder() -> None:
-    contact = Contact(
-        pair="inner",
-        ball_radius=3.97e-3,
-        groove_radius=4.13e-3,
-        rolling_radius=15.5e-3,
-        shoulder=1.3e-3,
-        far_shoulder=4.2e-3,
-        contact_angle=0.31,
-        load=90.0,
-        ball_material=STEEL,
-        race_material=STEEL,
-    )
+    contact = replace(INNER, shoulder=1.3e-3, far_shoulder=4.2e-3, contact_angle=0.31)
     assert (contact.tilt, contact.nearer_shoulder) == (0.31, 1.3e-3)
     assert replace(contact, rolling_radius=np.inf).tilt == 0
     assert replace(contact, far_shoulder=0.9e-3).nearer_shoulder == 0.9e-3

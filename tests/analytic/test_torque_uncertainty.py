@@ -567,7 +567,7 @@ def caged() -> Scene:
 
 
 def test_the_uncertainty_has_the_doubts_of_races_limits_and_cage(caged: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The cage's in N m; reasons and warnings of all of them are told."""
+    """That of the cage in N m; the record has the reasons and warnings of all."""
     limits = torque.check_limits
     monkeypatch.setattr(torque, "_unsure", lambda *_: Unsure(np.array([0.02, 0.03]), ("races",)))
     monkeypatch.setattr(

@@ -51,7 +51,7 @@ def test_a_tolerance_of_nothing_is_refused() -> None:
 
 
 def scripted(monkeypatch: pytest.MonkeyPatch, *, without: tuple[Grid, ...] = ()) -> list[tuple[Grid, Any]]:
-    """Balls whose torque errs by 3/strips^2 of 2 N m; grids and starts that were asked for. Some grids fail."""
+    """The torque of each ball is 2 N m and errs by 3/strips^2. Returns the grids and starts in use; some grids fail."""
     asked: list[tuple[Grid, Any]] = []
 
     def turn(_: TurningBall, grid: Grid, start: Any) -> Any:

@@ -213,7 +213,7 @@ def test_an_uncertainty_has_a_least() -> None:
 
 
 def test_a_film_takes_three_grids_of_one_ratio_and_the_maps_of_the_last(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Middle cells are those asked for; two ways to the force of 2 and 2.1 N disagree by a twentieth."""
+    """Grids with given middle cells; the two ways to the force give 2 and 2.1 N, a twentieth apart."""
     asked: list[tuple[float, ...]] = []
 
     def solve(_: Any, refinements: tuple[float, ...]) -> Any:

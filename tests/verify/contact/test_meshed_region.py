@@ -37,7 +37,7 @@ from fembearing.verify.contact.uncertainty import (
     STIFFNESS,
     UNCERTAIN,
 )
-from tests.contacts import STEEL
+from tests.contacts import INNER, STEEL
 
 ENDLESS = Quantities(
     semi_axis_rolling=0.12e-3, semi_axis_transverse=0.7e-3, peak_pressure=2.1e9, approach=6.2e-6, stiffness=2.4e10
@@ -186,18 +186,7 @@ def solved(**values: float) -> Any:
     return SimpleNamespace(quantities=replace(ENDLESS, **values), shoulder=None, pair=pair, contact=CONTACT, level=2)
 
 
-CONTACT = Contact(
-    pair="inner",
-    ball_radius=3.97e-3,
-    groove_radius=4.13e-3,
-    rolling_radius=15.6e-3,
-    shoulder=3.1e-3,
-    far_shoulder=2.4e-3,
-    contact_angle=0.31,
-    load=372.0,
-    ball_material=STEEL,
-    race_material=STEEL,
-)
+CONTACT = replace(INNER, rolling_radius=15.6e-3, shoulder=3.1e-3, far_shoulder=2.4e-3, contact_angle=0.31)
 
 
 def test_both_sides_give_the_mean_of_their_quarters() -> None:
