@@ -102,6 +102,14 @@ def test_the_points_of_a_piece_lie_in_it_from_its_start(grid_file: Callable[...,
         )  # of other starts
 
 
+def test_a_point_that_fails_has_its_reason_in_its_own_place(grid_file: Callable[..., Path]) -> None:
+    """A bearing without an axial load has no contact angle; the piece begins behind the start of the series."""
+    grid = load_grid(grid_file('operation.axial_load = ["100 N", "300 N", "0 N", "700 N", "900 N"]'))
+    part = compute_part(grid, Piece(1, 5)).values
+    assert np.isfinite(part["torque_total"]).tolist() == [True, False, True, True]
+    assert [bool(reason) for reason in part["failure"]] == [False, True, False, False]
+
+
 @pytest.mark.parametrize(
     ("axes", "counts"),
     [
