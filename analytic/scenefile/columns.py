@@ -146,8 +146,6 @@ class Columns:
         if is_share:
             dimension = self.shares[name]
         try:
-            if "\ufeff" in unit:  # a byte order mark, which is invisible and no white space
-                raise ValueError("has an invisible sign")
             dimension.known_unit(unit)
         except ValueError as problem:
             percent = " or [%]" if name in self.shares else ""

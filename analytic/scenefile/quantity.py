@@ -197,7 +197,8 @@ class Dimension:
 
     def known_unit(self, written: str) -> Unit:
         """The unit that is written. Raises ValueError for one that is unknown or of another kind."""
-        unit, remedy = self._unit(written), self._remedy(written)
+        match = QUANTITY.fullmatch(_plain_powers(self.tidy(f"1 {written}")))  # `unit_of` passes over other signs
+        unit, remedy = None if match is None else self._unit(match[2]), self._remedy(written)
         if unit is None:
             raise ValueError(f"has the unknown unit {written!r}{remedy}")
         if unit.powers != self._si.powers:

@@ -28,7 +28,7 @@ from fembearing.verify.contact.bearings import OfPair
 from fembearing.verify.contact.comparison_error import WHY, Comparison
 from fembearing.verify.contact.discrepancy import ContactSolution
 from fembearing.verify.contact.scene_contact import Shape
-from fembearing.verify.contact.verdict import Verdict
+from fembearing.verify.contact.verdict import Verdict, worst
 from fembearing.verify.cost.ladder import Ladder
 from fembearing.verify.creep.scene_creep import CreepNumbers
 from fembearing.verify.film.scene_film import FilmNumbers
@@ -224,6 +224,8 @@ class Report:
             rows = self._rows_on(contact)
             if contact.judged and sorted(row.quantity for row in rows) != sorted(CONTACT):
                 raise ValueError(f"has no verdict on every quantity of {contact.pair}, once")
+        if self.verdict.comparison != worst(row.verdict for row in self.verdicts):
+            raise ValueError("has another verdict on the comparison than the worst on a contact")
         for name in self._names:
             if "$" in name:
                 raise ValueError(f"has a name {name!r}, in which a formula begins where a figure shows it")

@@ -138,7 +138,8 @@ def _boxes(document: Report) -> list[Box]:
     verdict, torque = document.verdict, document.torque
     compared = Counter(row.verdict for row in document.verdicts)
     words = f"Hertz against finite elements, tolerance {percent(document.tolerance)}: {_counted(compared)}."
-    boxes = [Box("Comparison", verdict.comparison or "", words)]
+    assert verdict.comparison is not None  # `Report` requires it
+    boxes = [Box("Comparison", verdict.comparison, words)]
     check = None if torque is None else torque.verdicts.numerical
     if check is not None and verdict.numerical is not None:
         boxes.append(Box("Numerical", verdict.numerical, _numerical(check)))
