@@ -156,6 +156,18 @@ def test_a_renderer_that_fails_is_told_in_the_result(
     assert json.loads((tmp_path / "report" / "report.json").read_text("utf-8"))["warnings"] == list(result.warnings)
 
 
+@pytest.mark.parametrize("trouble", ["", "the renderer could not be started"])
+def test_a_report_lists_the_pictures_of_creep_only_if_they_are_drawn(
+    checked: Validation, solved: Validation, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, trouble: str
+) -> None:
+    sliding = replace(solved, contacts=checked.contacts[:2], creep=checked.creep[:1], creep_change=checked.creep_change)
+    monkeypatch.setattr(module, "check_scene", lambda *_, **__: sliding)
+    monkeypatch.setattr(pictures, "draw_pictures", lambda *_, **__: ((), trouble))
+    validate(solved.scene, out=tmp_path / "report")
+    listed = json.loads((tmp_path / "report" / "report.json").read_text("utf-8"))["pictures"]
+    assert [each["file"] for each in listed] == ([] if trouble else ["inner-creep.png", "outer-creep.png"])
+
+
 @pytest.mark.usefixtures("solved")
 def test_a_renderer_that_fails_is_told_on_the_terminal(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]

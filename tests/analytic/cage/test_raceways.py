@@ -16,11 +16,13 @@ from analytic.cage.raceways import (
     LEAST_CREEP,
     SPEEDS,
     STRIPS,
+    PocketPush,
     Raceways,
     Traction,
     interpolate,
     pressed_contacts,
     ring_raceways,
+    step_ball,
     thrust_raceways,
     traction,
 )
@@ -218,6 +220,29 @@ def test_a_step_of_a_ball_ends_in_balance() -> None:
     grip = abs(inner[0]) / races.limits[0, 0], abs(outer[0]) / races.limits[1, 0]
     assert min(grip) > 0.1
     assert end["grip"] == pytest.approx(max(grip), rel=0.02)  # before Newton's last change of 2 % of the creep
+
+
+def test_a_step_of_a_ball_keeps_its_energy_accounts() -> None:
+    """The energy of its motion grows by what ring and pocket give, less what slip and the method itself lose."""
+    races = races_under((381.0, 297.0), (0.31, 0.22), inner_speed=W, friction=0.13)
+    ball, step = races._rolling_ball(), 3.1e-8
+    interpolate(races.table, ball)
+    for name, more in zip(SPEEDS, (0.011, -0.007, 0.019, -0.023), strict=True):
+        ball[name] += more
+    before = np.array([ball[name] for name in SPEEDS])
+    mass = BEARING_6205.ball_mass * np.array([1.0, 0.4, 0.4, 0.4])
+    impulses = mass * (0.031, -0.017, 0.023, 0.029)
+    done = step_ball(races.constants, ball, PocketPush(0.0, 0.0, tuple(impulses.tolist())), step, 1.0)
+    after = np.array([ball[name] for name in SPEEDS])
+    assert done.settled
+    given = done.ring_work - done.slip
+    by_pocket = impulses @ (before + after) / 2
+    grown = mass @ (after**2 - before**2) / 2
+    # Of m (after - before) less the impulses, at the end of the step in place of its mean
+    lost = (after - before) @ (mass * (after - before) - impulses) / 2
+    assert done.numerical == pytest.approx(lost, rel=1e-6)  # sums of single products
+    assert abs(done.numerical) > 1e-3 * abs(given)
+    assert grown == pytest.approx(given + by_pocket - done.numerical, rel=1e-6)
 
 
 def test_a_ball_alone_is_in_balance() -> None:

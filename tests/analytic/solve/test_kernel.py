@@ -250,6 +250,19 @@ def test_a_ball_comes_off_below_one_and_a_half_times_its_weight(share: float, is
     assert not np.any(still["at_edge"])
 
 
+def test_a_ball_on_the_outer_race_alone_does_not_come_off() -> None:
+    """Its centrifugal force holds it there in the unloaded half of a bearing with clearance."""
+    loads = {"axial_load": 0.0, "radial_load": 900.0, "inner_speed": 400.0}
+    scene = scene_of(with_clearance(BEARING_6205, 40e-6), angle=ContactAngle(rule="solved"), **loads)
+    found = found_at(scene, ROLLING | {"centrifugal": True})
+    inner, outer = found.balls["load"][0].T
+    assert found.points["status"][0] == SETTLED
+    assert (outer > 0).all()
+    assert (inner == 0).any()
+    assert inner[inner > 0].min() > 1.5 * BEARING_6205.ball_mass * STANDARD_GRAVITY
+    assert found.points["coming_off"][0] == 0
+
+
 @pytest.mark.parametrize(("share", "is_near"), [(1.49, True), (1.51, False)])
 @pytest.mark.parametrize("force", ["centrifugal", "gyroscopic"])
 def test_a_ball_is_at_the_edge_below_one_and_a_half_times_a_force_of_its_own(
