@@ -44,7 +44,7 @@ class BallBalance(NamedTuple):
     tangent: Tangent  # its second derivative
     inner_load: float  # Q_i, N
     outer_load: float  # Q_o, N
-    inner_arm: Vector  # from the ball to the inner groove's centre, m; where the inner race does not touch: V
+    inner_arm: Vector  # from the ball to the inner groove's centre, m; where no race touches: V
     outer_arm: Vector  # from the outer groove's centre to the ball
     moved: Vector  # by its own force, m; 0 where a race does not touch
     left: float  # unbalanced force, N
@@ -72,7 +72,7 @@ def gap_to_race(grooves: Grooves, inner_arm: Vector, outer_arm: Vector, loads: t
         return (grooves.distance - np.hypot(inner_arm[0], inner_arm[1])) / 2
     if race == 1:
         return grooves.outer_length - np.hypot(outer_arm[0], outer_arm[1])
-    return grooves.inner_length - np.hypot(inner_arm[0] - outer_arm[0], inner_arm[1] - outer_arm[1])
+    return grooves.inner_length - np.hypot(inner_arm[0], inner_arm[1])
 
 
 @compiled
@@ -212,7 +212,7 @@ def _pushed_ball(ball: _Pushed, middle: Vector, near: Vector, touching: bool) ->
         tangent=in_series(inner.tangent, outer.tangent),
         inner_load=inner.load,
         outer_load=outer.load,
-        inner_arm=(span[0] - place[0], span[1] - place[1]) if pressed else span,
+        inner_arm=(span[0] - place[0], span[1] - place[1]) if pressed or outer.load > 0.0 else span,
         outer_arm=place,
         moved=(place[0] - middle[0], place[1] - middle[1]) if settled else (0.0, 0.0),
         left=now.left,

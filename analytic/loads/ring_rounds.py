@@ -23,9 +23,13 @@ from analytic.numerics.records import Record, Records
 from analytic.numerics.root import cube_root
 from analytic.scene import Array
 
-# Contact stiffness, centrifugal and friction force follow the angles: 3 or 4 rounds at rest, about 10 at high speed.
-MOST_ROUNDS = 200
-STEADYING = 30  # rounds, after which forces move halfway: some swing to and fro with the angles
+# Contact stiffness, centrifugal and friction force follow the angles: 3 or 4 rounds at rest, about 10 at high speed. A
+# ball whose own forces nearly cancel takes hundreds.
+MOST_ROUNDS = 400
+# Rounds, after which forces move halfway, and after as many again half of that: some swing to and fro with the angles,
+# the more the less is left of a ball's own forces.
+STEADYING = 30
+MOST_HALVINGS = 4
 # Of a ball's own force, over the largest: what is left where centrifugal force, weight and friction of another ball
 # cancel. Such a remainder presses nothing, and would lead a ball along its race for ever.
 FORCE_ROUND_OFF = 64 * np.finfo(np.float64).eps
@@ -203,7 +207,7 @@ def settle_round(grooves: Grooves, ring: Record, balls: Records, number: int, ac
 
     number : of the round, from 0;  accuracy : relative, of the forces that turning gives; 0: they are exact
     """
-    change, heaviest = _hold_forces(ring, balls, 0.5 if number > STEADYING else 1.0), 0.0
+    change, heaviest = _hold_forces(ring, balls, 0.5 ** min(number // STEADYING, MOST_HALVINGS)), 0.0
     for j in range(len(balls)):
         heaviest = max(heaviest, balls[j].load[1])
     balance, steps = settle_ring(grooves, ring, balls)

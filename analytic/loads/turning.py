@@ -1,7 +1,8 @@
 """How balls turn between their races, and the forces that come with it: what an equilibrium of loads needs to know.
 
 `RuledTurning` has closed kinematics: the axis of a ball follows a rule, and friction across the grooves carries the
-gyroscopic moment, on each race in proportion to its load. `analytic.free_ball` finds the axis by mechanics instead.
+gyroscopic moment, on each race in proportion to its load and at most as large as that. `analytic.free_ball` finds the
+axis by mechanics instead.
 Directions across the grooves: t_i = (sin al_i, -cos al_i) and t_o = (-sin al_o, cos al_o), radial and axial.
 """
 
@@ -45,8 +46,8 @@ def ruled_forces(
     force, moment = inertia_of_ball(bearing, rule.inner_speed, angles[0], angles[1])
     if not rule.gyroscopic:
         moment = 0.0
-    both = loads[0] + loads[1]
-    per_load = -moment / bearing.ball_radius / both if both > 0 else 0.0
+    pressing = max(loads[0] + loads[1], abs(moment) / bearing.ball_radius)  # a lighter ball slips
+    per_load = -moment / bearing.ball_radius / pressing if pressing > 0 else 0.0
     return ForcesOfTurning(force if rule.centrifugal else 0.0, per_load * loads[0], per_load * loads[1], moment)
 
 
