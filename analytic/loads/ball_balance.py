@@ -44,7 +44,7 @@ class BallBalance(NamedTuple):
     tangent: Tangent  # its second derivative
     inner_load: float  # Q_i, N
     outer_load: float  # Q_o, N
-    inner_arm: Vector  # from the ball to the inner groove's centre, m; where no race touches: V
+    inner_arm: Vector  # from the ball to the inner groove's centre, m, see `_arm_off_race`; where no race touches: V
     outer_arm: Vector  # from the outer groove's centre to the ball
     moved: Vector  # by its own force, m; 0 where a race does not touch
     left: float  # unbalanced force, N
@@ -70,9 +70,8 @@ def gap_to_race(grooves: Grooves, inner_arm: Vector, outer_arm: Vector, loads: t
     """
     if loads[1 - race] == 0.0:
         return (grooves.distance - np.hypot(inner_arm[0], inner_arm[1])) / 2
-    if race == 1:
-        return grooves.outer_length - np.hypot(outer_arm[0], outer_arm[1])
-    return grooves.inner_length - np.hypot(inner_arm[0], inner_arm[1])
+    arm, length = (inner_arm, grooves.inner_length) if race == 0 else (outer_arm, grooves.outer_length)
+    return length - np.hypot(arm[0], arm[1])
 
 
 @compiled
@@ -176,6 +175,22 @@ def _sum(inner: Tangent, outer: Tangent) -> Tangent:
 
 
 @compiled
+def _arm_off_race(grooves: Grooves, span: Vector, place: Vector) -> Vector:
+    """From a ball on the outer race alone to the inner groove's centre, m: its length is true.
+
+    Its direction is true where the race lets go of the ball, so that the ball's speeds do not jump there. It turns to V
+    as the gap grows to r_gi - r: a race that far away says nothing about the ball.
+    """
+    away = (span[0] - place[0], span[1] - place[1])
+    length = np.hypot(away[0], away[1])
+    faces = away[0] * span[0] + away[1] * span[1] > 0.0
+    share = 1.0 - length / grooves.inner_length if faces else 1.0
+    turned = (away[0] + share * place[0], away[1] + share * place[1])
+    scale = length / np.hypot(turned[0], turned[1])
+    return turned[0] * scale, turned[1] * scale
+
+
+@compiled
 def _pushed_ball(ball: _Pushed, middle: Vector, near: Vector, touching: bool) -> BallBalance:
     """The ball at the place of least energy.
 
@@ -204,7 +219,9 @@ def _pushed_ball(ball: _Pushed, middle: Vector, near: Vector, touching: bool) ->
                 break
             share /= 2
     inner, outer = now.inner, now.outer
-    pressed = inner.load > 0.0
+    pressed, inner_arm = inner.load > 0.0, (span[0] - place[0], span[1] - place[1])
+    if not pressed:
+        inner_arm = _arm_off_race(ball.grooves, span, place) if outer.load > 0.0 else span
     settled = touching and pressed and outer.load > 0.0
     return BallBalance(
         energy=now.energy,
@@ -212,7 +229,7 @@ def _pushed_ball(ball: _Pushed, middle: Vector, near: Vector, touching: bool) ->
         tangent=in_series(inner.tangent, outer.tangent),
         inner_load=inner.load,
         outer_load=outer.load,
-        inner_arm=(span[0] - place[0], span[1] - place[1]) if pressed or outer.load > 0.0 else span,
+        inner_arm=inner_arm,
         outer_arm=place,
         moved=(place[0] - middle[0], place[1] - middle[1]) if settled else (0.0, 0.0),
         left=now.left,

@@ -170,6 +170,8 @@ def unsettled_ring(
             )
         return _left_groove(bearing, ring["load"], weight * len(balls), speed, beyond)
     problem, iterations, remedy = LOOSE[int(end["end"])]
+    if end["end"] == OPEN and np.any(balls["weight"]):
+        remedy = 'The weight of a ball and its other forces all but cancel: change the speed, or give effects.weight = "off".'
     return ConvergenceError(
         iterations=iterations,
         residual=float(end["left"]),

@@ -12,8 +12,8 @@ from typing import Annotated, Any, Union, get_args, get_origin
 from pydantic import TypeAdapter, ValidationError
 from pydantic.fields import FieldInfo
 
-from analytic import catalog
 from analytic.errors import InputError
+from analytic.scenefile.bearing import catalog_row
 from analytic.scenefile.quantity import Dimension
 from analytic.scenefile.table import Table, table_of
 from analytic.scenefile.tables import SceneTable
@@ -67,8 +67,11 @@ class SceneKey:
             return self.dimension.read(given)
         if not isinstance(given, Value):
             raise ValueError("is not a number or a word")
-        if self.path == CATALOG and given not in catalog.names("bearings"):
-            raise ValueError(f"is not in the catalog; give one of {', '.join(catalog.names('bearings'))}")
+        if self.path == CATALOG:
+            try:
+                catalog_row({"catalog": given})
+            except InputError as problem:
+                raise ValueError(f"is no bearing: {problem}") from None
         try:
             TypeAdapter(self.field.rebuild_annotation()).validate_python(given)
         except ValidationError as problem:

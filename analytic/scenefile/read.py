@@ -110,6 +110,9 @@ def load_by_temperature(
     found = find_scene(scene, choice=choice)
     if found.designation is None:
         refuse_options(options, os.fspath(scene))
+    for name, given in options.items():
+        if given is not None and KEYS[name] in settings:
+            raise InputError(f"{name} = {shown(given)} and {KEYS[name]} are the same: leave one of them out")
     read = parse_by_temperature(
         found.text, origin=found.origin, folder=found.folder, measured=measured, settings=settings
     )

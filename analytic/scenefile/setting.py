@@ -85,7 +85,7 @@ def _in_context(path: str, dimension: Dimension, value: Any, *, notes: list[str]
         if not dimension.unit:
             return value
         if not is_typed:
-            return f"{float(value)!r} {dimension.unit}"
+            return f"{value!r} {dimension.unit}"
         if dimension.unit != "rad/s":
             return value
         value = repr(value)
@@ -104,9 +104,14 @@ def _in_context(path: str, dimension: Dimension, value: Any, *, notes: list[str]
 
 
 def as_text(value: Any) -> Any:
-    """A quantity of pint as a scene has it, "20.0 degree_Celsius", an array of it as a list; else the value itself."""
+    """A value of Python as a scene has it.
+
+    A quantity of pint is a text, "20.0 degree_Celsius", numbers of NumPy are those of Python, and arrays are lists.
+    """
+    if isinstance(value, np.ndarray | np.generic):
+        return value.tolist()
     if isinstance(value, list | tuple):
-        return [as_text(each) for each in value] if has_unit(value) else value
+        return [as_text(each) for each in value]
     if not has_unit(value):
         return value
     numbers, unit = np.asarray(value.magnitude), f"{value.units:C}"

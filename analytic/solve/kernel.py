@@ -228,13 +228,13 @@ def thrown(model: ModelNumbers, load: Load) -> float:
     most = 1 / PRESSED if washers else MOST_CENTRIFUGAL
     # A ball passes at half the ring's speed at most, and under unequal loads the heaviest one has this load at least.
     force = bearing.ball_mass * bearing.pitch_diameter / 2 * (load.speed / 2) ** 2
-    unequal = STRIBECK * (abs(load.radial) + abs(load.moment) / bearing.pitch_diameter)
-    if force * bearing.ball_count <= most * (load.axial + unequal):
+    thrust, unequal = abs(load.axial), STRIBECK * (abs(load.radial) + abs(load.moment) / bearing.pitch_diameter)
+    if force * bearing.ball_count <= most * (thrust + unequal):
         return 0.0
-    angle, pressing = model.ring.angle, load.axial / bearing.ball_count
-    if load.axial > 0.0:
+    angle, pressing = model.ring.angle, thrust / bearing.ball_count
+    if thrust > 0.0:
         rule = TurningRule(0.0, False, False)
-        at_rest = thrust_point(bearing, first_contacts(bearing), load.axial, rule, UNCORRECTED)
+        at_rest = thrust_point(bearing, first_contacts(bearing), thrust, rule, UNCORRECTED)
         angle, pressing = at_rest.ball.inner_angle, at_rest.ball.inner_load
     motion = ruled_motion(bearing, load.speed, angle, angle)
     force = bearing.ball_mass * bearing.pitch_diameter / 2 * motion.cage_speed**2

@@ -2,6 +2,7 @@
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
+from math import isfinite
 from typing import NamedTuple
 
 import numpy as np
@@ -223,7 +224,8 @@ def makers_words(record: TorqueRecord, units: Units = METRIC) -> str:
     band = record.catalogue_band
     makers: dict[str, list[float]] = {}
     for name, series in band.values.items():  # a maker may have two constants: "Palmgren, z = 0.0004"
-        makers.setdefault(name.partition(",")[0], []).extend(each for each in series if each is not None)
+        known = (each for each in series if each is not None and isfinite(each))
+        makers.setdefault(name.partition(",")[0], []).extend(known)
     ends = {name: sorted({min(known), max(known)}) for name, known in makers.items() if known}
     numbers = [f"{name} {between(values, units.torque)}" for name, values in ends.items()]
     if not numbers:

@@ -228,6 +228,13 @@ def test_makers_without_a_number_are_not_named(result: SceneTorque) -> None:
     record = record_of(result, totals=[0.02])
     none = "makers: no formula holds for this bearing or load"
     assert makers_words(record) == none
-    for values, words in (({"SKF": (None,)}, none), ({"SKF": (0.031,)}, "makers: SKF 31 N mm")):
-        band = Band(low=(0.03,), high=(0.04,), values=values, note="")
-        assert makers_words(replace(record, catalogue_band=band)) == words
+    words_of: tuple[tuple[dict[str, tuple[float | None, ...]], str], ...] = (
+        ({"SKF": (None,)}, none),
+        ({"SKF": (0.031,)}, "makers: SKF 31 N mm"),
+        ({"SKF": (np.nan, 0.031)}, "makers: SKF 31 N mm"),  # a first point that was skipped
+    )
+    for values, words in words_of:
+        count = len(values["SKF"])
+        band = Band(low=count * (0.03,), high=count * (0.04,), values=values, note="")
+        points, interval = count * record.points, count * record.interval
+        assert makers_words(replace(record, catalogue_band=band, points=points, interval=interval)) == words

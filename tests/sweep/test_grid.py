@@ -145,7 +145,7 @@ def test_pieces_are_short_where_balls_carry_unlike_loads(
         ('operation.axial_load = { from = "0 N", to = "3 N", count = 4, spacing = "log" }', "has no logarithm"),
         ('operation.axial_load = { from = "1 N", to = "3 N", count = 4, spacing = "even" }', "spacing = 'even' is not"),
         ('bearing.catalog = ["paper_6205", "nought"]',
-            r"catalog\[1\] = 'nought' is not in the catalog; give one of paper_6205"),
+            r"catalog\[1\] = 'nought' is no bearing: bearing 'nought' is"),
         ('bearing.catalog = { from = "paper_6205", to = "6208", count = 2 }', "has no order to step through"),
         ('effects.spin = ["on", "perhaps"]', "'perhaps' is not a word known here; give 'auto', 'on' or 'off'"),
         ('operation.axial_load = ["3 N"]\n"operation.axial_load" = ["4 N"]', "axial_load is there twice"),

@@ -13,7 +13,7 @@ from analytic.errors import InputError, require_non_negative
 from analytic.loads.balls import LoadedBalls
 from analytic.races import loaded_balls_of
 from analytic.scene import Contact, Pair, Scene
-from analytic.words import NEWTON, NEWTON_MILLIMETRE
+from analytic.words import NEWTON, NEWTON_MILLIMETRE, shown
 from fembearing.mesh.recipe import Geometry, Recipe, load_recipe
 
 Shape = Geometry | Literal["ring"]  # "ring": the real contact, and separately what the ring adds
@@ -24,8 +24,10 @@ POCKET_LOAD = 28.0  # N: the largest ball-cage force that the paper reports
 def contact_of(scene: Scene, *, pair: Pair, load: float | None = None) -> Contact:
     """The contact of the heaviest ball at any operating point, or the same contact under `load`, N.
 
-    Raises InputError for the pocket of a scene without a cage.
+    Raises InputError for another pair than inner, outer and pocket, and for the pocket of a scene without a cage.
     """
+    if pair not in (*RACES, "pocket"):
+        raise InputError(f"pair = {shown(pair)} is no contact of a ball; give inner, outer or pocket")
     if pair == "pocket":
         if scene.cage is None:
             raise InputError("the scene has no [cage], so there is no pocket: add an empty [cage] for the catalog's")
@@ -88,7 +90,9 @@ def traced_to_load(scene: Scene, *, pair: Pair, load: float | None) -> Iterator[
 
 
 def recipe_of(geometry: Shape, *, pair: Pair) -> Recipe:
-    """The mesh recipe of a geometry. Raises InputError for a sheet in place of a race."""
+    """The mesh recipe of a geometry. Raises InputError for an unknown one, and for a sheet in place of a race."""
+    if geometry not in RECIPES:
+        raise InputError(f"geometry = {shown(geometry)} is not known; give {' or '.join(RECIPES)}")
     if geometry == "wall" and pair != "pocket":
         raise InputError(f"geometry 'wall' is that of a pocket; the {pair} race has 'real' and 'hertzian'")
     return load_recipe(RECIPES[geometry])

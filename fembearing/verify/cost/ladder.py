@@ -54,6 +54,11 @@ class Choice:
     seconds: NotNegative | None  # of the method
     price: NotNegative | None  # seconds over those of the next looser choice; None for the first and without a method
 
+    def __post_init__(self) -> None:
+        """Raises ValueError for a method without its time, and for a time without a method."""
+        if (self.method is None) != (self.seconds is None):
+            raise ValueError("has a method without seconds, or the other way round")
+
 
 @dataclass(frozen=True, kw_only=True)
 class Ladder:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize
 
-from analytic.loads.ball_balance import contact_tangent, gap_to_race, grooves_of, in_series, settled_ball
+from analytic.loads.ball_balance import BallBalance, contact_tangent, gap_to_race, grooves_of, in_series, settled_ball
 from analytic.loads.numbers import play_and_free_angle
 from analytic.scene import Array, Bearing, ContactAngle
 
@@ -142,3 +142,30 @@ def test_a_ball_lies_in_the_middle_of_its_clearance_or_where_its_own_force_press
         for race in range(2):
             if loads[race] == 0.0:
                 np.testing.assert_allclose(gaps[race], share[race] * clearance, rtol=1e-3)  # of 0.1 pm of approach
+
+
+@pytest.mark.parametrize("side", [1, -1])
+def test_a_ball_lies_where_it_lay_when_a_race_lets_go_of_it(bearing_6205: Bearing, side: int) -> None:
+    """Its contact angles, of which its speeds and so its own forces follow, do not jump."""
+    grooves, softness, own = grooves_of(bearing_6205, PLAY), (1.3e-9, 1.1e-9), (side * 0.031, 0.017)
+
+    def at(away: float) -> BallBalance:
+        return settled_ball(grooves, (-away, 2e-6), softness, own, (0.0, 0.0))
+
+    race = 0 if side > 0 else 1  # which its own force takes it off
+
+    def load(away: float) -> float:
+        found = at(away)
+        return (found.inner_load, found.outer_load)[race]
+
+    near, far = 0.0, 150e-6  # m
+    assert load(near) > 0 == load(far)
+    for _ in range(60):
+        middle = (near + far) / 2
+        near, far = (middle, far) if load(middle) > 0 else (near, middle)
+    before, after = at(near - 1e-12), at(far + 1e-12)
+    for name in ("inner_arm", "outer_arm"):
+        first, then = getattr(before, name), getattr(after, name)
+        assert np.arctan2(then[1], then[0]) == pytest.approx(np.arctan2(first[1], first[0]), abs=1e-6)
+    lean = np.arctan2(after.inner_arm[1], after.inner_arm[0]) - np.arctan2(after.outer_arm[1], after.outer_arm[0])
+    assert abs(lean) > 0.1

@@ -250,6 +250,16 @@ def test_a_ball_comes_off_below_one_and_a_half_times_its_weight(share: float, is
     assert not np.any(still["at_edge"])
 
 
+def test_a_thrust_the_other_way_is_no_missing_load() -> None:
+    """A thrust of 3000 N holds balls as well in both directions, beside a small radial load."""
+    counted = ROLLING | {"centrifugal": True}
+    both = found_at(scene_of(axial_load=np.array([3000.0, -3000.0]), radial_load=90.0, inner_speed=310.0), counted)
+    assert both.points["status"].tolist() == [SETTLED, SETTLED]
+    for name in ("spin", "conformity", "hysteresis", "rolling"):
+        first, mirrored = both.points[name]
+        assert mirrored == pytest.approx(first, rel=1e-9)
+
+
 def test_a_ball_on_the_outer_race_alone_does_not_come_off() -> None:
     """Its centrifugal force holds it there in the unloaded half of a bearing with clearance."""
     loads = {"axial_load": 0.0, "radial_load": 900.0, "inner_speed": 400.0}

@@ -1,6 +1,7 @@
 """The contact that is compared is that of the most heavily loaded ball."""
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -113,6 +114,15 @@ def test_a_sheet_takes_the_place_of_a_pocket_alone() -> None:
     assert recipe_of("ring", pair="outer").geometry == "real"
     with pytest.raises(InputError, match="'wall' is that of a pocket; the outer race"):
         recipe_of("wall", pair="outer")
+
+
+def test_words_that_are_none_are_refused(scene: Scene) -> None:
+    pair: Any = "middle"
+    geometry: Any = "flat"
+    with pytest.raises(InputError, match="pair = 'middle' is no contact of a ball; give inner, outer or pocket"):
+        contact_of(scene, pair=pair, load=3.0)
+    with pytest.raises(InputError, match="geometry = 'flat' is not known; give real or hertzian or wall or ring"):
+        recipe_of(geometry, pair="inner")
 
 
 def test_half_spaces_have_no_shoulder(contacts: dict[str, Contact]) -> None:

@@ -102,6 +102,8 @@ def test_each_digit_has_a_method_and_a_price() -> None:
     unknown = ladder_of("q", "r", (replace(EXACT, bound=0.005),), tolerance=0.1).choices
     assert [choice.method is None for choice in unknown] == [False, False, True, True]
     assert unknown[2] == Choice(tolerance=0.001, method=None, seconds=None, price=None)
+    with pytest.raises(ValueError, match="a method without seconds"):
+        replace(near, seconds=None)
 
 
 def test_a_deviation_from_zero_is_infinite_unless_both_are_zero() -> None:
