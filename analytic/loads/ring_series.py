@@ -171,7 +171,7 @@ def unsettled_ring(
         return _left_groove(bearing, ring["load"], weight * len(balls), speed, beyond)
     problem, iterations, remedy = LOOSE[int(end["end"])]
     if end["end"] == OPEN and np.any(balls["weight"]):
-        remedy = 'The weight of a ball and its other forces all but cancel: change the speed, or give effects.weight = "off".'
+        remedy = 'Change the speed, or give effects.weight = "off": a ball\'s weight and inertia all but cancel.'
     return ConvergenceError(
         iterations=iterations,
         residual=float(end["left"]),

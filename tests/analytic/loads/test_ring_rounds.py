@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from analytic.errors import ConvergenceError
+from analytic.loads.numbers import bearing_numbers
 from analytic.loads.ring import ring_equilibrium
 from analytic.loads.ring_balance import placed_balls
 from analytic.loads.ring_rounds import (
@@ -29,9 +30,9 @@ from analytic.loads.ring_rounds import (
 )
 from analytic.loads.ring_series import correct_balls, ring_numbers
 from analytic.loads.state import ring_state
-from analytic.loads.turning import TurningRule
+from analytic.loads.turning import TurningRule, ruled_forces
 from analytic.numerics.records import Record, Records
-from analytic.scene import Array, Bearing, ContactAngle
+from analytic.scene import STANDARD_GRAVITY, Array, Bearing, ContactAngle
 from tests.analytic.specimens import with_clearance
 
 SOLVED = ContactAngle(rule="solved")
@@ -91,6 +92,37 @@ def test_forces_that_swing_to_and_fro_are_steadied(bearing_6205: Bearing, falls:
     assert end == SETTLED
     assert not load[0, 4]
     np.testing.assert_allclose(load[1, 4], 40.0 / (1 + falls), rtol=1e-10)
+
+
+@pytest.mark.parametrize("share", [0.02, 0.98, 1.02, 7.0])
+def test_friction_that_carries_a_gyroscopic_moment_is_at_most_the_load(bearing_6205: Bearing, share: float) -> None:
+    """In proportion to the loads of both races, whose sum is here a share of the moment over the radius or more."""
+    numbers, rule, angles = bearing_numbers(bearing_6205), TurningRule(SPEED, True, True), (0.21, 0.33)
+    moment = ruled_forces(numbers, rule, angles, (1.0, 2.0)).gyroscopic
+    loads = share * np.array([0.3, 0.7]) * moment / bearing_6205.ball_radius
+    found = ruled_forces(numbers, rule, angles, (loads[0], loads[1]))
+    assert moment > 0
+    assert found.gyroscopic == moment
+    expected = -loads / max(share, 1.0)
+    np.testing.assert_allclose([found.inner_friction, found.outer_friction], expected, rtol=1e-12)
+
+
+@pytest.mark.parametrize("rpm", [500.0, 700.0, 1000.0, 1720.0, 3000.0])
+@pytest.mark.parametrize("lean", [0.0, 0.7])
+def test_balls_of_an_upright_shaft_settle_alike_whichever_end_is_up(
+    bearing_6205: Bearing, rpm: float, lean: float
+) -> None:
+    """Their weight lets unloaded balls rise up their grooves, from one race alone to both."""
+    loads: dict[str, Any] = {"radial_load_x": 1000.0, "inner_speed": rpm * np.pi / 30}
+    weight = bearing_6205.ball_mass * STANDARD_GRAVITY / np.hypot(1.0, lean)
+    found = [
+        ring_equilibrium(bearing_6205, SOLVED, **loads, ball_weight=(lean * weight, 0.0, side * weight))
+        for side in (1, -1)
+    ]
+    for name in ("inner_load", "outer_load"):
+        first, mirrored = (getattr(each, name)[0] for each in found)
+        np.testing.assert_allclose(mirrored, first, rtol=1e-6, atol=1e-8)  # N; rounds end at 1e-9 N
+    assert found[0].inner_load.min() < weight
 
 
 def test_balls_and_forces_that_do_not_settle_are_reported(bearing_6205: Bearing) -> None:
