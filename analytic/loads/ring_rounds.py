@@ -27,7 +27,7 @@ from analytic.scene import Array
 # ball whose own forces nearly cancel takes hundreds.
 MOST_ROUNDS = 400
 # Rounds, after which forces move halfway, and after as many again half of that: some swing to and fro with the angles,
-# the more the less is left of a ball's own forces.
+# the more the less is left of a ball's own forces. Those of free balls keep to halfway: wedged ones would not arrive.
 STEADYING = 30
 MOST_HALVINGS = 4
 # Of a ball's own force, over the largest: what is left where centrifugal force, weight and friction of another ball
@@ -207,7 +207,8 @@ def settle_round(grooves: Grooves, ring: Record, balls: Records, number: int, ac
 
     number : of the round, from 0;  accuracy : relative, of the forces that turning gives; 0: they are exact
     """
-    change, heaviest = _hold_forces(ring, balls, 0.5 ** min(number // STEADYING, MOST_HALVINGS)), 0.0
+    halvings = min(number // STEADYING, MOST_HALVINGS if accuracy == 0 else 1)
+    change, heaviest = _hold_forces(ring, balls, 0.5**halvings), 0.0
     for j in range(len(balls)):
         heaviest = max(heaviest, balls[j].load[1])
     balance, steps = settle_ring(grooves, ring, balls)
