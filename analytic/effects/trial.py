@@ -38,6 +38,7 @@ from analytic.scene import STANDARD_GRAVITY, Array, Bearing, Operation, Scene
 from analytic.sliding.judge import OVER_ELLIPSE, SINGLE_COEFFICIENT
 from analytic.solve.freely import BETWEEN, part_by_sliding
 from analytic.solve.model import Model, model_of
+from analytic.solve.records import OWN_FORCES
 from analytic.solve.solution import FAR, Solution, points_of, solved, tried_points
 from analytic.words import length_of, percent_of
 
@@ -107,6 +108,24 @@ class Trial:
         """All points under their thrust alone, without any other effect."""
         return solved(self.model.counting({}), self.points)
 
+    def further(self, name: str) -> Array | float:
+        """(n,) own force of the balls over their least load, over the largest at the tried points; from 1 on.
+
+        name : of the force. Its share of the torque grows with that of the least loaded ball.
+        """
+        if self.is_of_all or name not in OWN_FORCES:
+            return 1.0
+        share = self.under_load.points[f"{name}_share"]
+        most = share[self.tried].max()
+        return np.maximum(share / most, 1.0) if 0 < most < np.inf else 1.0
+
+    @cached_property
+    def under_load(self) -> Solution:
+        """All points under their loads and the weights of the balls alone."""
+        can = possible(self.scene)
+        counted = {name: can[name] for name in ("load_distribution", "weight")}
+        return solved(self.model.counting(counted), self.points, keeps_balls=False)
+
     @property
     def is_of_all(self) -> bool:
         """Whether every operating point is tried."""
@@ -158,7 +177,9 @@ def decide_effects(ledger: Ledger, trial: Trial, base: Solution, *, has_factors:
                 demanded = ON_A_RING
             trying = wanted == "auto" and demanded is None
             names = (name, "weight") if both and name == "load_distribution" else (name,)
-            bound = left_out_at_all(ledger, trial.share_by_parts(counted, *names)) if trying else None
+            bound = None
+            if trying:
+                bound = trial.further(name) * left_out_at_all(ledger, trial.share_by_parts(counted, *names))
             if bound is not None and ruled(scene) is None:
                 bound = bound + unseen_by_trial(ledger, trial, counted, names)
             if both and name == "weight" and trying and not counted["load_distribution"]:

@@ -107,6 +107,7 @@ ANY_BROKEN_ONCE = {
     "asperities, left out, hold slipping balls in a full film": 541481,
     "a weight in an unknown direction presses balls harder on the cage that they squeeze": 560916,
     "a weight oblique to the axis lets light balls lead five times as far as one along or across it": 561260,
+    "the centrifugal force of a ball that is lighter than at any tried point": 591506,
     "the gyroscopic moment takes 99.9 % of the friction, and little decides whether balls turn": 521775,
 }
 

@@ -186,6 +186,23 @@ def tried(scene: Scene, known: dict[tuple[bool, bool], Solution], names: tuple[s
     )
 
 
+def test_a_force_of_the_balls_counts_more_where_a_ball_is_lighter_than_at_any_tried_point(rich: Scene) -> None:
+    """Point 7 is not tried, and its radial load leaves one ball with less load."""
+    radial, speed = np.linspace(10.0, 45.0, 12), np.linspace(40.0, 44.0, 12)
+    radial[7] = 800.0
+    operation = Operation(axial_load=310.0, radial_load=radial, inner_speed=speed).as_series()
+    made = replace(trial_of(rich, operation, None, NOMINAL), tried=np.array([0, 2, 5, 6, 8, 9, 10, 11]))
+    found = made.under_load.points
+    for name in ("centrifugal", "gyroscopic", "weight"):
+        factor = made.further(name)
+        most = found[f"{name}_share"][made.tried].max()
+        expected = np.where(np.arange(12) == 7, found[f"{name}_share"] / most, 1.0)
+        np.testing.assert_allclose(factor, expected, rtol=1e-12)
+        assert expected[7] > 1.2
+    assert made.further("finite_geometry") == 1.0
+    assert replace(made, tried=np.arange(12)).further("centrifugal") == 1.0
+
+
 def test_a_share_is_the_change_of_the_torque_over_it(bearing_6205: Bearing) -> None:
     """Of all together; by parts their changes add up by size."""
     base = balls_of(3, 1, of_spin=[2.0, 0.0, 0.0], of_rolling=[5.0, 0.0, 0.0])
@@ -221,7 +238,7 @@ def test_what_a_trial_does_not_see_is_added_for_each_effect(bearing_6205: Bearin
     trial_ = tried(ledger.scene, {(True, True): base}, NAMES)
     without_ = tuple(sorted({**counted, "asperities": False}.items())), SINGLE_COEFFICIENT, True
     trial_.known[without_] = smooth
-    vars(trial_)["under_thrust"] = base
+    vars(trial_)["under_thrust"] = vars(trial_)["under_load"] = base
     weight, gyroscopic = slip_by_weight(bearing_6205, base), np.full(2, 0.02 * PER_GYROSCOPIC_SLIP)
     unequal = unequal_loads(ledger.scene, operation, base)
     expected: dict[str, Array] = {
@@ -285,7 +302,7 @@ def decided(scene: Scene, base: Solution, *, known: "Same | None" = None, has_fa
         tried=np.arange(len(base.points)),
         known=Same(base) if known is None else known,
     )
-    vars(trial_)["under_thrust"] = base
+    vars(trial_)["under_thrust"] = vars(trial_)["under_load"] = base
     decide_effects(ledger, trial_, base, has_factors=has_factors)
     return ledger
 

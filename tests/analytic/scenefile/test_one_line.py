@@ -110,7 +110,7 @@ def test_numbers_of_numpy_are_those_of_python() -> None:
     given = load_scene("6308", speed=np.float32(62.5), settings=loads)
     listed = {"operation.radial_load": [310.0, 470.0], "operation.down": [0, 0, 3]}
     same(given, load_scene("6308", speed=62.5, settings=listed))
-    assert given.operation.radial_load.tolist() == [310.0, 470.0]
+    np.testing.assert_array_equal(given.operation.radial_load, [310.0, 470.0])
 
 
 def test_the_options_are_the_fields_of_a_choice_and_keys_of_a_scene() -> None:
