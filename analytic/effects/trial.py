@@ -109,15 +109,16 @@ class Trial:
         return solved(self.model.counting({}), self.points)
 
     def further(self, name: str) -> Array | float:
-        """(n,) own force of the balls over their least load, over the largest at the tried points; from 1 on.
+        """(n,) factor on the share of an effect by trial, for points with a lighter ball than any tried one; from 1 on.
 
-        name : of the force. Its share of the torque grows with that of the least loaded ball.
+        It is the force that acts on a ball over its least load, over the largest such ratio at the tried points; 1 for
+        other effects than OWN_FORCES. Infinite where a ball of an untried point alone has no load.
         """
         if self.is_of_all or name not in OWN_FORCES:
             return 1.0
         share = self.under_load.points[f"{name}_share"]
         most = share[self.tried].max()
-        return np.maximum(share / most, 1.0) if 0 < most < np.inf else 1.0
+        return np.fmax(share / most, 1.0) if 0 < most < np.inf else 1.0  # a point that does not settle so has no share
 
     @cached_property
     def under_load(self) -> Solution:
@@ -179,7 +180,8 @@ def decide_effects(ledger: Ledger, trial: Trial, base: Solution, *, has_factors:
             names = (name, "weight") if both and name == "load_distribution" else (name,)
             bound = None
             if trying:
-                bound = trial.further(name) * left_out_at_all(ledger, trial.share_by_parts(counted, *names))
+                tried = left_out_at_all(ledger, trial.share_by_parts(counted, *names))
+                bound = np.multiply(tried, trial.further(name), out=np.zeros_like(tried), where=tried > 0)
             if bound is not None and ruled(scene) is None:
                 bound = bound + unseen_by_trial(ledger, trial, counted, names)
             if both and name == "weight" and trying and not counted["load_distribution"]:

@@ -199,6 +199,10 @@ def test_a_force_of_the_balls_counts_more_where_a_ball_is_lighter_than_at_any_tr
         expected = np.where(np.arange(12) == 7, found[f"{name}_share"] / most, 1.0)
         np.testing.assert_allclose(factor, expected, rtol=1e-12)
         assert expected[7] > 1.2
+    found["weight_share"][[3, 7]] = np.nan, np.inf  # a point that does not settle, and one with a ball without load
+    np.testing.assert_array_equal(made.further("weight"), np.where(np.arange(12) == 7, np.inf, 1.0))
+    found["weight_share"][5] = np.inf  # tried
+    assert made.further("weight") == 1.0
     assert made.further("finite_geometry") == 1.0
     assert replace(made, tried=np.arange(12)).further("centrifugal") == 1.0
 
