@@ -45,7 +45,7 @@ def test_a_statement_that_is_too_narrow_is_seen(monkeypatch: pytest.MonkeyPatch)
     """The same scene, whose `auto` is right, with a thousandth of its uncertainty."""
     monkeypatch.setattr(adversary, "LONGEST", 0.0)  # no limit of time: formulas may be compiled first
     here = place(5)
-    honest = adversary.trials_at(here) or []
+    honest = adversary.drawn_at(here).trials
     assert all(trial.ratio <= 1 for trial in honest)
     assert any(trial.error > adversary.ROUND_OFF for trial in honest)
     original = adversary.friction_torque
@@ -55,7 +55,7 @@ def test_a_statement_that_is_too_narrow_is_seen(monkeypatch: pytest.MonkeyPatch)
         return replace(result, numerical_uncertainty=1e-3 * result.numerical_uncertainty)
 
     monkeypatch.setattr(adversary, "friction_torque", boasting)
-    assert any(trial.ratio > 1 for trial in adversary.trials_at(here) or [])
+    assert any(trial.ratio > 1 for trial in adversary.drawn_at(here).trials)
 
 
 def test_the_draw_has_every_kind_of_scene() -> None:
@@ -126,7 +126,7 @@ def seeds_of(causes: dict[str, int]) -> list[Any]:
 @pytest.mark.parametrize("seed", seeds_of(BROKEN_ONCE))
 def test_a_scene_that_broke_its_statement_once_keeps_it(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(adversary, "LONGEST", 0.0)  # no limit of time: a machine may be slow
-    trials = adversary.trials_at(place(seed)) or []
+    trials = adversary.drawn_at(place(seed)).trials
     assert len(trials) == len(adversary.TOLERANCES)
     assert all(trial.ratio <= 1 for trial in trials)
 
@@ -134,7 +134,7 @@ def test_a_scene_that_broke_its_statement_once_keeps_it(seed: int, monkeypatch: 
 @pytest.mark.parametrize("seed", seeds_of(ANY_BROKEN_ONCE))
 def test_so_does_one_of_any_kind(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(adversary, "LONGEST", 0.0)
-    trials = adversary.trials_at(any_place(seed)) or []
+    trials = adversary.drawn_at(any_place(seed)).trials
     assert len(trials) >= len(adversary.TOLERANCES)  # for each point
     assert all(trial.ratio <= 1 for trial in trials)
 
@@ -145,7 +145,7 @@ def test_a_weight_that_takes_balls_off_is_within_the_uncertainty(
 ) -> None:
     """Its direction is unknown: in a narrow range of them each ball that comes off changes the rolling by much."""
     monkeypatch.setattr(adversary, "LONGEST", 0.0)
-    trials = adversary.trials_at(any_place(seed)) or []
+    trials = adversary.drawn_at(any_place(seed)).trials
     assert len(trials) == len(adversary.TOLERANCES)
     assert all(trial.error > least and trial.ratio <= 1 for trial in trials)
 
@@ -304,3 +304,17 @@ def test_two_steady_states_are_seen_without_a_coarse_solution(monkeypatch: pytes
     monkeypatch.setattr(freely, "solved", first_fails)
     found = friction_torque(parse_scene(drawn_scene(1166), origin="drawn"))
     assert any("two steady states" in each for each in found.warnings)
+
+
+def test_scenes_without_a_torque_are_counted_by_reason() -> None:
+    """Reasons that differ in their numbers alone are one; its seed is that of the first scene."""
+    drawn = [
+        adversary.Drawn(refused="a width of 12.5 exceeds 7"),
+        adversary.Drawn(unsolved="no convergence after 300 steps"),
+        adversary.Drawn(refused="a width of 3 exceeds 0.25"),
+        adversary.Drawn(),
+    ]
+    assert list(adversary.without_torque(drawn, 40)) == [
+        "unsolved in 1, first 41: no convergence after # steps",
+        "refused in 2, first 40: a width of # exceeds #",
+    ]

@@ -28,7 +28,7 @@ from collections import Counter
 from collections.abc import Iterable
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import repeat
 from typing import Annotated
 
@@ -87,22 +87,36 @@ class Trial:
         return 0.0 if self.error <= ROUND_OFF or np.isinf(self.stated) else self.error / max(self.stated, ROUND_OFF)
 
 
-def trials_at(place: tuple[float, ...]) -> list[Trial] | None:
-    """One scene at every tolerance and point; None: refused, nothing: an iteration does not converge, or takes long."""
+@dataclass(frozen=True, kw_only=True)
+class Drawn:
+    """What became of one scene: its trials, or why it has no torque."""
+
+    trials: list[Trial] = field(default_factory=list)
+    refused: str = ""
+    unsolved: str = ""  # an iteration does not converge, or takes long
+
+
+def drawn_at(place: tuple[float, ...]) -> Drawn:
+    """One scene at every tolerance and point."""
     signal.signal(signal.SIGVTALRM, _give_up)
     try:
         scene = parse_scene(scene_text(place, tolerance=TOLERANCES[0]), origin="drawn")
         is_long = scene.operation.as_series().inner_speed.size == LONG_SERIES
         signal.setitimer(signal.ITIMER_VIRTUAL, LONGEST * (MORE if is_long else 1))
         exact = everything_on(parse_scene(scene_text(place, tolerance=TOLERANCES[0], directed=True), origin="drawn"))
-        return [trial for each in TOLERANCES for trial in compared(place, replace(scene, tolerance=each), exact)]
-    except InputError:
-        return None
-    except (FembearingError, TimeoutError):
-        return []
+        scenes = [replace(scene, tolerance=each) for each in TOLERANCES]
+        return Drawn(trials=[trial for each in scenes for trial in compared(place, each, exact)])
+    except InputError as reason:
+        return Drawn(refused=str(reason))
+    except (FembearingError, TimeoutError) as reason:
+        return Drawn(unsolved=str(reason))
     except Exception as fault:  # the run goes on, and the fault counts as a wrong statement
-        return [Trial(place=place, tolerance=t, error=np.nan, stated=0.0, reference=0.0, unknown=(repr(fault),))
-                for t in TOLERANCES]  # fmt: skip
+        return Drawn(
+            trials=[
+                Trial(place=place, tolerance=each, error=np.nan, stated=0.0, reference=0.0, unknown=(repr(fault),))
+                for each in TOLERANCES
+            ]
+        )
     finally:
         signal.setitimer(signal.ITIMER_VIRTUAL, 0.0)
 
@@ -170,19 +184,17 @@ def everything_on(scene: Scene) -> FrictionTorque:
         return friction_torque(replace(dearest, effects=off))
 
 
-def climbed(trial: Trial, seed: int, steps: int) -> list[Trial]:
+def climbed(trial: Trial, seed: int, steps: int) -> Drawn:
     """The trials on the way from one scene to a worse one."""
     rng = np.random.default_rng(seed)
     best, seen = trial, []
     for step in range(steps):
         change = np.where(rng.random(INPUTS) < 3 / INPUTS, rng.normal(size=INPUTS), 0.0)
         moved = np.clip(np.array(best.place) + change * STEP * (0.1 if step % 2 else 1.0), 0.0, 1.0 - 1e-9)
-        found = trials_at(tuple(moved.tolist()))
-        if not found:
-            continue
+        found = drawn_at(tuple(moved.tolist())).trials
         seen += found
         best = max([best, *(each for each in found if each.tolerance == best.tolerance)], key=lambda each: each.ratio)
-    return seen
+    return Drawn(trials=seen)
 
 
 def main(
@@ -197,28 +209,30 @@ def main(
     places = [tuple(np.random.default_rng(seed + index).random(INPUTS).tolist()) for index in range(scenes)]
     everything_on(parse_scene(radial_scene(np.full(RADIAL_INPUTS, 0.5), tolerance=0.01), origin="drawn"))  # compiles
     with ProcessPoolExecutor(jobs) as pool:
-        drawn = list(reported("random scene", pool.map(trials_at, places, chunksize=1), seed, out))
-        random = [trial for each in drawn for trial in each or []]
+        drawn = list(reported("random scene", pool.map(drawn_at, places, chunksize=1), seed, out))
+        random = [trial for each in drawn for trial in each.trials]
         starts = worst_places(random)[:climbs]
         climbing = pool.map(climbed, starts, range(seed, seed + len(starts)), repeat(steps))
-        searched = [trial for each in reported("climb", climbing, seed, out) for trial in each or []]
+        searched = [trial for each in reported("climb", climbing, seed, out) for trial in each.trials]
     show(random, searched, out)
-    refused, stuck = (sum(each == nothing for each in drawn) for nothing in (None, []))
     out.print(
-        f"Of the random scenes {refused} more were refused, and {stuck} ended without convergence or after "
-        f"{LONGEST:g} s, {MORE * LONGEST:g} s of a long series."
+        f"Of the random scenes {sum(bool(each.refused) for each in drawn)} more were refused, and "
+        f"{sum(bool(each.unsolved) for each in drawn)} ended without convergence or after {LONGEST:g} s, "
+        f"{MORE * LONGEST:g} s of a long series."
     )
+    for line in without_torque(drawn, seed):
+        out.print(line, highlight=False, markup=False)
     out.print(f"{time.perf_counter() - started:.0f} s, {jobs} processes, seed {seed}.")
     sys.exit(int(any(trial.ratio > 1 for trial in random + searched)))
 
 
-def reported(name: str, found: Iterable[list[Trial] | None], seed: int, out: Console) -> Iterable[list[Trial] | None]:
-    """The same trials; each violation in print as it comes, and a line for each piece."""
+def reported(name: str, found: Iterable[Drawn], seed: int, out: Console) -> Iterable[Drawn]:
+    """The same; each violation in print as it comes, and a line for each piece."""
     begun, broken, unknown = time.perf_counter(), 0, 0
-    for number, trials in enumerate(found, 1):
-        yield trials
-        unknown += any(np.isinf(trial.stated) for trial in trials or [])
-        for trial in worst_places(trials or []):
+    for number, each in enumerate(found, 1):
+        yield each
+        unknown += any(np.isinf(trial.stated) for trial in each.trials)
+        for trial in worst_places(each.trials):
             if trial.ratio > 1:
                 broken += 1
                 out.print(f"\n# {name} with seed {seed + number - 1}: error {100 * trial.error:.4g} %, "
@@ -280,14 +294,24 @@ def unknown_shares(trials: list[Trial]) -> Iterable[str]:
         yield f"unknown{name} in {count} of {scenes} random scenes, {100 * count / max(scenes, 1):.2g} %"
     inside = sum(not all(trial.lacks_input or trial.is_past_limit for trial in each) for each in found.values())
     yield f"these within the limits of the physics, in {inside} of {sound}, {100 * inside / max(sound, 1):.2g} %"
-    causes = Counter(cause for each in found.values() for cause in {word for trial in each for word in words(trial)})
+    causes = Counter(
+        cause for each in found.values() for cause in {words(why) for trial in each for why in trial.unknown}
+    )
     for cause, count in causes.most_common():
         yield f"unknown in {count}: {cause}"
 
 
-def words(trial: Trial) -> list[str]:
-    """Why the uncertainty is unknown, without numbers."""
-    return [re.sub(r"[0-9.]+( %| [GM]Pa)?", "#", cause)[:90] for cause in trial.unknown]
+def without_torque(drawn: list[Drawn], seed: int) -> Iterable[str]:
+    """Why scenes were refused or not solved, how many, and the seed of the first of them."""
+    for name in "unsolved", "refused":
+        reasons = [words(getattr(each, name)) for each in drawn]
+        for reason, count in Counter(filter(None, reasons)).most_common():
+            yield f"{name} in {count}, first {seed + reasons.index(reason)}: {reason}"
+
+
+def words(reason: str) -> str:
+    """A reason without its numbers."""
+    return re.sub(r"[0-9.]+( %| [GM]Pa)?", "#", reason)[:90]
 
 
 if __name__ == "__main__":
