@@ -38,6 +38,8 @@ def find_scene(name: str | os.PathLike[str], *, folder: Path = Path(), choice: C
     `fembearing init` writes. A name that ends like one of a file, with .toml or .txt,
     is a file. Raises InputError for a name that is none of these.
     """
+    if isinstance(name, int | float):  # a designation from Python without its quotes
+        raise InputError(f'{name} is a number, not the name of a bearing or a file; write it in quotes: "{name}"')
     given = os.fspath(name)
     path, builtin = folder / given, catalog.names("scenes")
     known = f"built in: {', '.join(builtin)}"
