@@ -36,7 +36,7 @@ def contact_of(scene: Scene, *, pair: Pair, load: float | None = None) -> Contac
         require_non_negative(ball_load=load)
     with traced_to_load(scene, pair=pair, load=load):
         contact = heaviest_contact(scene, pair)
-    return contact if load is None else replace(contact, load=load)
+    return contact if load is None else replace(contact, load=float(load))  # a float32 would compute in its precision
 
 
 def heaviest_contact(scene: Scene, race: Race) -> Contact:

@@ -40,6 +40,14 @@ def test_under_thrust_it_is_any_ball_at_the_heaviest_point(scene: Scene) -> None
         assert contact_of(thrust, pair=pair, load=77.0) == replace(contact, load=77.0)
 
 
+def test_a_load_of_single_precision_is_a_double(scene: Scene) -> None:
+    """NumPy would compute the whole contact in the precision of the load."""
+    single: Any = np.float32(77.25)
+    contact = contact_of(scene, pair="inner", load=single)
+    assert contact == contact_of(scene, pair="inner", load=77.25)
+    assert type(contact.load) is float
+
+
 def test_under_a_radial_load_it_is_the_heaviest_of_the_ring(scene: Scene) -> None:
     ring = ring_equilibrium(scene.bearing, scene.contact_angle, axial_load=210.0, radial_load_x=1500.0, moment_y=1.3)
     heaviest = int(np.argmax(ring.inner_load))
