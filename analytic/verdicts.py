@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from analytic.cage.drive import LARGEST_GRIP
 from analytic.contact.geometry import RACES, USUAL_SHOULDERS
-from analytic.effects.table import MOST_CUT, STATIC_LIMIT
+from analytic.effects.table import MOST_CUT, MOST_STARVED, STATIC_LIMIT
 from analytic.result import FrictionTorque
 from analytic.rows import NotNegative, Positive
 from analytic.scene import Array
@@ -43,6 +43,10 @@ GRIP = (
     "Share of the grip of the races that the cage force uses (of a whirl: by the weakest ball); above the limit balls "
     "slide, and the forces for given balls do not hold."
 )
+STARVES = (
+    "Minus the logarithm of SKF's replenishment factor, the share of rolling that starvation leaves; above the limit "
+    "less than a tenth is left, and the torque is uncertain by a factor of ten: give lubricant.starvation_degree."
+)
 UNKNOWN_GRIP = 'Friction of the races not computed, grip not known: set effects.spin to "auto".'
 
 
@@ -50,8 +54,8 @@ UNKNOWN_GRIP = 'Friction of the races not computed, grip not known: set effects.
 class PhysicalCheck:
     """One number against its limit, at the operating point where it is worst."""
 
-    name: Literal["peak_pressure", "shoulder", "sliding", "gyroscopic_hold", "cage_force"]  # see `physical_checks`
-    where: Literal["inner race", "outer race", "ball", "cage"]  # what it is of
+    name: Literal["peak_pressure", "shoulder", "sliding", "gyroscopic_hold", "cage_force", "replenishment"]
+    where: Literal["inner race", "outer race", "ball", "cage", "oil"]  # what it is of
     point: Annotated[int, Ge(0)]  # number of the operating point, from 0
     value: float | None  # in the unit of the limit; None: infinite or not known
     limit: float  # Pa, or a share
@@ -109,6 +113,8 @@ def physical_checks(friction: FrictionTorque) -> tuple[PhysicalCheck, ...]:
         where balls turn and slide.
     cage_force
         Share of the races' grip that the cage uses, against 0.9; only with a cage.
+    replenishment
+        -ln of SKF's replenishment factor, against ln 10; "unknown" above it; only where this factor starves the inlets.
     """
     return tuple(_checks(friction))
 
@@ -133,10 +139,12 @@ def _checks(friction: FrictionTorque) -> Iterator[PhysicalCheck]:
     if numbers.cage_grip is not None:
         note = UNKNOWN_GRIP if np.isnan(numbers.cage_grip).any() else GRIP
         yield _check("cage_force", "cage", numbers.cage_grip, LARGEST_GRIP, note)
+    if numbers.replenishment is not None:
+        yield _check("replenishment", "oil", numbers.replenishment, MOST_STARVED, STARVES, is_known=False)
 
 
 def _check(name: Any, where: Any, values: Array, limit: float, note: str, *, is_known: bool = True) -> PhysicalCheck:
-    """values : (n,); NaN: not known;  is_known : whether the values are those of the bearing, and not an estimate"""
+    """values : (n,); NaN: not known;  is_known : whether a value above the limit is certain to fail"""
     point = int(np.argmax(np.where(np.isnan(values), -np.inf, values)))
     worst = float(values[point])
     verdict = "unknown" if np.isnan(values).any() else "pass"

@@ -11,10 +11,11 @@ from numpy.typing import NDArray
 
 from analytic.contact.geometry import RACES, USUAL_SHOULDERS
 from analytic.effects.ledger import Ledger
-from analytic.effects.table import ENTRIES, MOST_CUT, PER_CUT_SHARE, STATIC_LIMIT
+from analytic.effects.table import ENTRIES, MOST_CUT, MOST_STARVED, PER_CUT_SHARE, STATIC_LIMIT
+from analytic.oil.inlets import replenishment_exponent
 from analytic.scene import Array, Bearing, Scene
 from analytic.solve.solution import Solution
-from analytic.words import length_of, percent_of, pressure_of
+from analytic.words import length_of, percent_of, pressure_of, speed_of
 
 CHECKED = "checked, not modelled"  # how a reason begins
 
@@ -32,6 +33,7 @@ class LimitNumbers:
     sliding_number: Array | None = None  # (2, n) rolling force of the oil over the most friction of each race
     gyroscopic_hold: Array | None = None  # (n,) ratio of gyroscopic moment to the most that friction holds
     cage_grip: Array | None = None  # (n,) share of the grip of the races that the cage uses; NaN: not known
+    replenishment: Array | None = None  # (n,) -ln of the replenishment factor that starves the inlets
 
     def at(self, points: NDArray[np.intp]) -> "LimitNumbers":
         """The same at some operating points.
@@ -89,7 +91,8 @@ class Limits:
 
 def check_limits(scene: Scene, found: Solution, ledger: Ledger) -> Limits:
     """Settle every effect of the kind "limit" with its number as the reason; say what is past its limit."""
-    warnings = (*_shoulder(scene.bearing, found, ledger), *_plasticity(found, ledger))
+    exponent = _replenishment(scene, ledger)
+    warnings = (*_shoulder(scene.bearing, found, ledger), *_plasticity(found, ledger), *_starved(scene, exponent))
     cut_off, peaks = found.points["cut_off"], found.points["peak_pressure"]
     share, knows_shoulder = cut_off.max(axis=1), np.array(known_shoulders(scene.bearing))
     plastic = peaks.max(axis=1) > STATIC_LIMIT
@@ -115,8 +118,29 @@ def check_limits(scene: Scene, found: Solution, ledger: Ledger) -> Limits:
         warnings=warnings,
         uncertainty=np.where(plastic | (share > MOST_CUT), np.inf, PER_CUT_SHARE * share),
         unknown=tuple(unknown),
-        numbers=LimitNumbers(peak_pressure=peaks.T.copy(), cut_off=cut_off.T.copy(), knows_shoulder=knows_shoulder),
+        numbers=LimitNumbers(
+            peak_pressure=peaks.T.copy(),
+            cut_off=cut_off.T.copy(),
+            knows_shoulder=knows_shoulder,
+            replenishment=exponent,
+        ),
     )
+
+
+def _replenishment(scene: Scene, ledger: Ledger) -> Array | None:
+    if scene.lubricant is None or not ledger.is_on("starvation"):
+        return None
+    return replenishment_exponent(scene.bearing, scene.lubricant, scene.operation.as_series().inner_speed)
+
+
+def _starved(scene: Scene, exponent: Array | None) -> Iterator[str]:
+    if exponent is not None and (worst := exponent.max()) > MOST_STARVED:
+        speed = speed_of(float(np.abs(scene.operation.as_series().inner_speed).max()))
+        yield (
+            f"the oil hardly returns to the contacts at {speed}: SKF's replenishment factor leaves "
+            f"{percent_of(np.exp(-worst), 2)} of rolling, and below 10 % the torque is uncertain by a factor of 10; "
+            "give lubricant.starvation_degree"
+        )
 
 
 def known_shoulders(bearing: Bearing) -> tuple[bool, bool]:

@@ -14,7 +14,7 @@ from analytic.oil.asymptotes import FilmAsymptotes, Inflow, log_film_of
 from analytic.oil.ehl_fit import OilSupply, Regime, effective_reach, inlet_length
 from analytic.oil.film import heated_part, shear_heat
 from analytic.oil.grease import log_greased_film
-from analytic.oil.rolling import heated_rolling, replenished, replenishment_rate
+from analytic.oil.rolling import ANGULAR_CONTACT, DEEP_GROOVE, THRUST, heated_rolling, replenished, replenishment_rate
 from analytic.oil.starvation import (
     FLOODED,
     StarvedNumbers,
@@ -23,8 +23,8 @@ from analytic.oil.starvation import (
     starved_by_factor,
     starved_by_film,
 )
-from analytic.oil.viscosity import OilNumbers
-from analytic.scene import Bearing, Lubricant
+from analytic.oil.viscosity import OilNumbers, inlet_viscosity
+from analytic.scene import Array, Bearing, Lubricant
 
 
 class InletNumbers(NamedTuple):
@@ -86,11 +86,7 @@ def oil_supply(bearing: Bearing, lubricant: Lubricant, race: Race, *, contact_an
     contact_angle : of the ball on the race, rad
     """
     bore, outside, degree = bearing.bore_diameter, bearing.outside_diameter, lubricant.starvation_degree
-    if bore is None or outside is None:
-        mean, rate = bearing.pitch_diameter, np.nan
-    else:
-        mean = (bore + outside) / 2
-        rate = float(replenishment_rate(bore_diameter=bore, outside_diameter=outside, supply=lubricant.supply))
+    mean = bearing.pitch_diameter if bore is None or outside is None else (bore + outside) / 2
     ahead, behind = (
         effective_reach(bearing, race, reach=reach, contact_angle=contact_angle)
         for reach in (lubricant.reach.ahead, lubricant.reach.behind)
@@ -98,12 +94,36 @@ def oil_supply(bearing: Bearing, lubricant: Lubricant, race: Race, *, contact_an
     return OilSupply(
         mean,
         np.nan if degree is None else checked_degree(degree),
-        rate,
+        replenishment_of(bearing, lubricant),
         ahead,
         behind,
         -float(lubricant.cavitation_pressure),
         churned=lubricant.starves_as_measured(bearing),
         surface_tension=float(lubricant.surface_tension),
+    )
+
+
+def replenishment_of(bearing: Bearing, lubricant: Lubricant) -> float:
+    """`replenishment_rate` of a bearing, s^2/m^2; NaN: its bore or its outside diameter is not known."""
+    if bearing.bore_diameter is None or bearing.outside_diameter is None:
+        return np.nan
+    geometry = THRUST if bearing.kind == "thrust" else DEEP_GROOVE if bearing.is_deep_groove else ANGULAR_CONTACT
+    rate = replenishment_rate(
+        bore_diameter=bearing.bore_diameter,
+        outside_diameter=bearing.outside_diameter,
+        supply=lubricant.supply,
+        geometry=geometry,
+    )
+    return float(rate)
+
+
+def replenishment_exponent(bearing: Bearing, lubricant: Lubricant, ring_speed: Array) -> Array | None:
+    """-ln phi_rs of `replenishment_factor` at each ring speed, rad/s; None: it does not decide on starvation."""
+    if lubricant.starvation_degree is not None or lubricant.starves_as_measured(bearing):
+        return None
+    rate = replenishment_of(bearing, lubricant)
+    return (
+        None if np.isnan(rate) else rate * inlet_viscosity(lubricant).viscosity / lubricant.density * np.abs(ring_speed)
     )
 
 

@@ -21,7 +21,7 @@ from analytic.scene import Array, Supply
 
 STARVATION: dict[Supply, float] = {"oil_bath": 3e-8, "oil_jet": 3e-8, "oil_spot": 6e-8, "grease": 6e-8}  # K_rs
 PER_MINUTE, SQUARE_MILLIMETRES = 60 / (2 * np.pi), 1e6  # in a rad/s, in a m^2
-DEEP_GROOVE, ANGULAR_CONTACT = 3.1, 4.4  # K_Z of bearings of one row
+DEEP_GROOVE, ANGULAR_CONTACT, THRUST = 3.1, 4.4, 3.8  # K_Z of ball bearings of one row; the last one from memory
 # Loss factors of bearing steel under rolling that are in use, as no measured one was found. 0.004 to 0.01 are usual; a
 # formula in [Balan2015] amounts to 0.023 and 0.028 in its two contacts.
 HYSTERESIS_LOSS = (0.003, 0.025)
@@ -355,7 +355,7 @@ def replenishment_factor(
 
     bore_diameter, outside_diameter : d < D, m;  ring_speed : rad/s, >= 0;  kinematic_viscosity : nu, m^2/s, > 0
     supply : `oil_bath` (low level) or `oil_jet` with K_rs of 3e-8, `oil_spot` (oil-air) or `grease` with 6e-8
-    geometry : K_Z, 3.1 of deep groove and 4.4 of angular contact ball bearings of one row
+    geometry : K_Z, 3.1 of deep groove, 4.4 of angular contact and 3.8 of thrust ball bearings of one row
     The factor is 0 to 1. The formula takes n in 1/min, the diameters in mm and nu in mm^2/s.
     Source: [SKF2018].
     """

@@ -1,7 +1,7 @@
 """The friction of a ball with its numerical uncertainty, from three grids."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -85,7 +85,7 @@ def _race_estimates(turned: list[TurnedBall], grids: list[Grid], race: int) -> R
         spin_moment=of(lambda each: each.spin_moment),
         rolling_moment=of(lambda each: each.rolling_moment),
         transverse_force=of(lambda each: each.transverse_force),
-        slip_share=of(lambda each: each.friction.slip_share),
+        slip_share=_at_border(of(lambda each: each.friction.slip_share), grids[-1]),
         torque=of(lambda each: each.torque),
     )
 
@@ -94,6 +94,15 @@ def _estimate(turned: list[TurnedBall], grids: list[Grid], quantity: Callable[[T
     """From the last three grids."""
     values, sizes = map(quantity, turned[-LEAST_GRIDS:]), (1 / grid.strips for grid in grids[-LEAST_GRIDS:])
     return estimate(tuple(map(float, values)), tuple(sizes))
+
+
+def _at_border(share: Estimate, grid: Grid) -> Estimate:
+    """A share of the area, which counts rectangles: a border across the ellipse is known to half of one along rolling.
+
+    Three grids may agree by chance, so their differences alone do not bound it.
+    """
+    least = 2 / (np.pi * grid.cells)
+    return replace(share, mesh=max(share.mesh, least / max(abs(share.value), TINY)))
 
 
 def estimate(values: tuple[float, ...], sizes: tuple[float, ...]) -> Estimate:

@@ -51,6 +51,7 @@ CHECKS = {  # the physical verdicts
     "sliding": "sliding number",
     "gyroscopic_hold": "gyroscopic hold",
     "cage_force": "cage force",
+    "replenishment": "starvation, -ln of the factor",
 }
 LONGEST_LIST = 12  # values in a cell of a table
 LOADS = ("axial_load", "radial_load", "moment")

@@ -83,6 +83,14 @@ def test_a_grid_on_which_the_ball_does_not_settle_is_left_out_once(monkeypatch: 
     assert creep_reference(BALL, tolerance=0.9).grids == GRIDS[1:4]
 
 
+def test_the_slipping_area_is_known_to_half_a_rectangle_at_its_border(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A border across the ellipse has the length 2 b, half a rectangle a/8: 2 a b/8 of pi a b, where all grids agree."""
+    scripted(monkeypatch)
+    share = creep_reference(BALL, tolerance=0.9).outer.slip_share
+    assert share.value == pytest.approx(0.7, rel=1e-12)
+    assert share.uncertainty == pytest.approx(2 / 8 / np.pi, rel=1e-12)
+
+
 def test_grids_end_where_the_uncertainty_meets_the_tolerance(monkeypatch: pytest.MonkeyPatch) -> None:
     """Three of Richardson's steps, 3/16^2, of the third grid, and 1e-4: 1.76 % of 2.01 N m."""
     uncertainty = 3 * 3 / 16**2 + 1e-4 * (2 + 3 / 16**2)

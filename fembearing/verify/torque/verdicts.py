@@ -24,6 +24,7 @@ PHYSICAL = {
     "sliding": "the rolling force of the oil exceeds the driving friction",
     "gyroscopic_hold": "the gyroscopic moment of a ball exceeds the friction moment",
     "cage_force": "the force of the cage exceeds the grip of the races",
+    "replenishment": "the oil starves so far that the torque is uncertain by a factor of ten",
 }
 
 
@@ -70,7 +71,8 @@ class Verdicts:
         for check in self.physical:
             if check.verdict in which:
                 limit = f"a physical limit is not known: {check.name.replace('_', ' ')}"
-                yield f"{PHYSICAL[check.name] if check.verdict == 'fail' else limit} ({check.where})"
+                known = check.verdict == "fail" or check.name == "replenishment"  # a value too uncertain to fail
+                yield f"{PHYSICAL[check.name] if known else limit} ({check.where})"
 
     @property
     def summary(self) -> "Summary":

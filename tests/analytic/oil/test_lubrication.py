@@ -13,7 +13,7 @@ from analytic.loads.balls import LoadEffects, thrust_balls
 from analytic.oil.asymptotes import Inflow
 from analytic.oil.ehl_fit import covered, film_correction, fitted_force, inlet_length, regime_of
 from analytic.oil.film import film_asymptotes, inlet_heating_factor, thermal_loading
-from analytic.oil.inlets import InletNumbers, oil_supply, starvation_source
+from analytic.oil.inlets import InletNumbers, oil_supply, replenishment_exponent, starvation_source
 from analytic.oil.lubrication import (
     LubricatedContact,
     lubricated_contact,
@@ -37,9 +37,10 @@ from analytic.oil.traction import mean_force, mixed_traction
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.oil.viscosity import inlet_viscosity, oil_at, oil_numbers, roelands_viscosity
 from analytic.scene import Array, Bearing, ContactAngle, Lubricant, Operation, Surface
+from analytic.scenefile.read import load_scene
 from analytic.surface.gap import GapLaw, gap_forms, gap_law
 from analytic.surface.roughness import gap_roughness
-from tests.analytic.specimens import BEARING_6205, FINISH, OIL
+from tests.analytic.specimens import BEARING_6205, FINISH, OIL, present
 from tests.contacts import STEEL
 from tests.refusals import refuses
 
@@ -259,6 +260,22 @@ def test_known_rings_have_their_mean_diameter() -> None:
     assert supply.mean_diameter == pytest.approx((BORE + OUTSIDE) / 2, rel=1e-15)
     assert supply.tension == -WARM.cavitation_pressure
     assert starvation_source(BEARING_6205, WARM) == "degree by the replenishment factor of oil_bath"
+
+
+@pytest.mark.parametrize(("name", "constant"), [("6308", 3.1), ("7208 BEP", 4.4), ("thrust", 3.8)])
+def test_each_kind_of_bearing_has_its_constant_of_replenishment(name: str, constant: float) -> None:
+    """SKF's formula in its own units: n in 1/min, diameters in mm, nu in mm^2/s."""
+    bearing, oil = load_scene("7208 BEP" if name == "thrust" else name).bearing, replace(OIL, viscosity=0.37)
+    bearing = replace(bearing, kind="thrust") if name == "thrust" else bearing
+    bore, outside = (1e3 * present(each) for each in (bearing.bore_diameter, bearing.outside_diameter))
+    rate = 3e-8 * (bore + outside) * np.sqrt(constant / (2 * (outside - bore)))
+    expected = rate * 1e6 * inlet_viscosity(oil).viscosity / oil.density * 70 * 60 / (2 * np.pi)
+    found = replenishment_exponent(bearing, oil, np.array([-70.0, 0.0]))
+    np.testing.assert_allclose(present(found), [expected, 0.0], rtol=1e-12)
+    # 1e6: nu in mm^2/s; the rate of the kernel is per m^2/s and rad/s
+    supply = oil_supply(bearing, oil, "inner", contact_angle=0.6)
+    assert supply.rate == pytest.approx(rate * 1e6 * 60 / (2 * np.pi), rel=1e-12)
+    assert replenishment_exponent(bearing, replace(oil, starvation_degree=1.7), np.array([70.0])) is None
 
 
 def test_factors_are_positive_and_a_step_is_any_number() -> None:

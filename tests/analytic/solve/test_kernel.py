@@ -58,7 +58,8 @@ def test_a_ring_of_equal_balls_is_one_ball_that_stands_for_all() -> None:
     alone, ring = (found_at(scene, ROLLING | {"weight": is_ring}) for is_ring in (False, True))
     assert (alone.balls.shape, ring.balls.shape) == ((2, 1), (2, 9))
     for name in present(POINT.names):
-        if name not in ("lead_across", "slowness", "steps", "left", "tolerance"):  # of one ball, and of the way
+        # Of one ball, of the way, and the number of the heaviest of equal balls, which rounding decides.
+        if name not in ("lead_across", "slowness", "steps", "left", "tolerance", "heaviest"):
             # The ring settles to 1e-11 of its forces; balls that are alike lead by rounding of the pitch diameter.
             np.testing.assert_allclose(ring.points[name], alone.points[name], rtol=1e-7, atol=1e-15, err_msg=name)
     np.testing.assert_allclose(ring.points["slowness"], 9 * alone.points["slowness"], rtol=1e-9)
