@@ -84,7 +84,7 @@ def test_a_grid_on_which_the_ball_does_not_settle_is_left_out_once(monkeypatch: 
 
 
 def test_the_slipping_area_is_known_to_half_a_rectangle_at_its_border(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A border across the ellipse has the length 2 b, half a rectangle a/8: 2 a b/8 of pi a b, where all grids agree."""
+    """A border across the ellipse has the length 2 b, half a rectangle a/8: 2 a b/8 of pi a b; all grids agree."""
     scripted(monkeypatch)
     share = creep_reference(BALL, tolerance=0.9).outer.slip_share
     assert share.value == pytest.approx(0.7, rel=1e-12)
