@@ -36,7 +36,7 @@ def conclusions_of(
     if not missed and not places["undecided"]:
         all_rows = f"All {len(rows)} measured torques are inside their 95 % intervals."
         yield all_rows if len(rows) > 1 else "The measured torque is inside its 95 % interval."
-    yield _meaning(rows, missed=bool(missed))
+    yield from _meaning(rows, missed=bool(missed))
     if scatter is not None:
         ends = _span([row.relative for row in rows], "+.0f")
         spread = f"{ends}, mean {100 * mean_error:+.1f} %, standard deviation {percent_of(scatter, 2)}"
@@ -51,24 +51,26 @@ def conclusions_of(
         )
 
 
-def _meaning(rows: Sequence[MeasuredRow], *, missed: bool) -> str:
-    """What can be concluded."""
+def _meaning(rows: Sequence[MeasuredRow], *, missed: bool) -> Iterator[str]:
+    """What can be concluded; nothing of undecided rows, nor of |E| > 2 u_val without the solver error in u_val."""
     if missed:
-        return (
+        yield (
             "A 95 % interval misses one torque of 20 by chance. More misses mean that the error of an input, of the "
             "measurement or of a formula exceeds its stated uncertainty."
         )
-    resolved = [place for place, row in enumerate(rows) if row.resolved]
+        return
+    resolved = [place for place, row in enumerate(rows) if row.resolved and row.numerical is not None]
     if resolved:
-        return (
+        yield (
             f"The formulas err at {_listed(resolved)}, |E| > 2 u_val, within their stated uncertainty; this holds if "
             "the uncertainties of inputs and measurement are right."
         )
-    finest = max(COVERAGE * row.validation / row.measured for row in rows)
-    return (
-        "Uncertainties of solver, inputs and measurement explain every difference, |E| < 2 u_val: these data show no "
-        f"error of the formulas. They do not resolve an error below {percent_of(finest, 2)} at every row."
-    )
+    elif not any(row.resolved or row.verdict == "undecided" for row in rows):
+        finest = max(COVERAGE * row.validation / row.measured for row in rows)
+        yield (
+            "Uncertainties of solver, inputs and measurement explain every difference, |E| < 2 u_val: these data show "
+            f"no error of the formulas. They do not resolve an error below {percent_of(finest, 2)} at every row."
+        )
 
 
 def notes_of(measured: MeasuredTorque, rows: Sequence[MeasuredRow]) -> Iterator[str]:

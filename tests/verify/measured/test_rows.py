@@ -135,3 +135,14 @@ def test_one_row_of_several_is_in_the_singular() -> None:
 
 def test_an_undecided_row_is_said() -> None:
     assert concluded(9.0, 5.5, solver=np.nan)[0].startswith("Undecided: at row 1 the measured torque is outside")
+
+
+def test_the_meaning_is_of_rows_whose_solver_error_is_known_and_of_none_that_is_undecided() -> None:
+    assert len(concluded(9.0, solver=np.nan)) == 1  # only that it is undecided
+    inside = concluded(3.88, solver=np.nan)  # |E| exceeds a u_val without the solver error
+    assert inside == ["The measured torque is inside its 95 % interval."]
+    rows = [row(9.0, solver=np.nan), row(3.88)]
+    _, meaning = conclusions_of(rows, 0.1, None, {})
+    assert meaning.startswith("The formulas err at row 2, |E| > 2 u_val, within their stated uncertainty;")
+    nothing = list(conclusions_of([row(9.0, solver=np.nan), row(5.0)], 0.1, None, {}))
+    assert [line.split(":")[0] for line in nothing] == ["Undecided"]
