@@ -17,6 +17,7 @@ from fembearing.report.tables.points import point_cells, point_heads
 from fembearing.report.tables.table import Head, Row, Table, table_of
 from fembearing.report.tables.torque import PARTS, RESIDUE
 from fembearing.report.torque import TorqueRecord, torque_record
+from fembearing.verify.torque.catalogue import WITHOUT_LOSSES
 from fembearing.verify.torque.scene_torque import SceneTorque
 
 MOST_ROWS = 6  # points of a series in the headline
@@ -220,7 +221,7 @@ def film_words(result: SceneTorque) -> str | None:
 
 
 def makers_words(record: TorqueRecord, units: Units = METRIC) -> str:
-    """What the formulas of each maker give, over all points."""
+    """What the formulas of each maker give, over all points; beside losses, that they are without them."""
     band = record.catalogue_band
     makers: dict[str, list[float]] = {}
     for name, series in band.values.items():  # a maker may have two constants: "Palmgren, z = 0.0004"
@@ -230,7 +231,8 @@ def makers_words(record: TorqueRecord, units: Units = METRIC) -> str:
     numbers = [f"{name} {between(values, units.torque)}" for name, values in ends.items()]
     if not numbers:
         return "makers: no formula holds for this bearing or load"
-    return f"makers: {', '.join(numbers)} {units.torque.name}"
+    losses = any(point.torque.declared is not None or point.torque.oil is not None for point in record.points)
+    return f"makers: {', '.join(numbers)} {units.torque.name}{f', {WITHOUT_LOSSES}' if losses else ''}"
 
 
 def _span(values: Collection[float] | np.ndarray, count: int = 2, joined: str = " to ") -> str:

@@ -87,6 +87,14 @@ def test_a_maker_with_two_constants_is_one_maker(result: SceneTorque) -> None:
     assert makers_words(two) == "makers: SKF 31-37, Palmgren 11-23 N mm"
 
 
+def test_makers_beside_a_torque_with_losses_are_without_them(result: SceneTorque) -> None:
+    for loss in ("oil", "declared"):
+        (point,) = torque_record(result).points
+        lossy = replace(point, torque=replace(point.torque, **{loss: 0.003}))
+        said = makers_words(replace(torque_record(result), points=(lossy,)))
+        assert said == f"{makers_words(torque_record(result))}, without seals and drag"
+
+
 def test_numbers_of_the_headline_have_no_power_of_ten_and_no_part_of_0_per_cent(result: SceneTorque) -> None:
     fast = torque_of_scene(load_scene("6206", radial_load="60 kN", speed="100000 rpm", oil="ISO VG 46"))
     title, *_, row = lines_of(fast)[:4]

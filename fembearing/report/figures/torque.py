@@ -107,7 +107,7 @@ def torque_plot(document: "Report") -> "tuple[Figure | None, str]":
     caption = f"Stacked parts of the torque; upper edge: total. {known}"
     caption += " The part of the cage includes its motion." if document.cage_records else ""
     if beside.makers:
-        caption += f" Red: {', '.join(beside.makers)}, the makers' formulas for a bearing of this size."
+        caption += f" Red: {', '.join(beside.makers)}, the makers' formulas for an open bearing of this size."
     return lettered(figure), caption
 
 

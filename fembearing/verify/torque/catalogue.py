@@ -6,8 +6,11 @@ import numpy as np
 
 from analytic.brief import Brief
 from analytic.errors import InputError
-from analytic.scene import Scene
+from analytic.result import TorqueParts
+from analytic.scene import Array, Scene
 from fembearing.verify.torque.catalogue_models import CatalogueBand, bearing_series, scene_band
+
+WITHOUT_LOSSES = "without seals and drag"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -33,6 +36,16 @@ def beside_catalogue(scene: Scene) -> BesideCatalogue:
         "fits, an order of magnitude, not a reference"
     )
     return BesideCatalogue(band=band, note=note)
+
+
+def of_open_bearing(torque: TorqueParts[Array]) -> tuple[Array, str]:
+    """The torque to compare with the band, N m, and what it is without, in words; empty: it is the total.
+
+    No model has seals, and SKF's has no drag of the oil outside the contacts. Palmgren's and that of ISO 15312 have the
+    drag of an oil bath in their viscous part.
+    """
+    losses = [part for part in (torque.declared, torque.oil) if part is not None]
+    return torque.total - sum(losses), WITHOUT_LOSSES if losses else ""
 
 
 def _models(band: CatalogueBand) -> str:

@@ -18,7 +18,7 @@ from analytic.torque import friction_torque
 from analytic.verdicts import numerical_check, physical_checks
 from analytic.words import MICROMETRE, NEWTON_MILLIMETRE
 from fembearing.progress import Progress, silent
-from fembearing.verify.torque.catalogue import BesideCatalogue, beside_catalogue
+from fembearing.verify.torque.catalogue import BesideCatalogue, beside_catalogue, of_open_bearing
 from fembearing.verify.torque.catalogue_models import CatalogueBand
 from fembearing.verify.torque.left_out import LeftOut, Places, torque_where_it_is
 from fembearing.verify.torque.standing import Standing, standing_of
@@ -84,8 +84,8 @@ class SceneTorque(Brief):
     @cached_property
     def standing(self) -> Standing:
         """How far it can be trusted, in one word."""
-        total, effects = self.friction.torque.total, self.friction.shares
-        return standing_of(self.scene, total=total, effects=effects, verdicts=self.verdicts, band=self.catalogue.band)
+        torque, effects = self.friction.torque, self.friction.shares
+        return standing_of(self.scene, torque=torque, effects=effects, verdicts=self.verdicts, band=self.catalogue.band)
 
     @property
     def places(self) -> Places:
@@ -107,7 +107,8 @@ class SceneTorque(Brief):
             )
         band, total = self.catalogue.band, self.friction.torque.total
         if band is not None:
-            yield f"The torque is {_place(total, band)}."
+            compared, words = of_open_bearing(self.friction.torque)
+            yield f"The torque {f'{words} ' if words else ''}is {_place(compared, band)}."
         other, given = self.scene.bearing.other_candidate, self.scene.bearing
         if other is not None and self.other_candidate is not None:
             first, second = total, self.other_candidate.torque.total

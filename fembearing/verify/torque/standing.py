@@ -10,8 +10,10 @@ import numpy as np
 from analytic.effects.ledger import Effect, size_of
 from analytic.effects.table import ENTRIES
 from analytic.effects.warnings import too_fast
+from analytic.result import TorqueParts
 from analytic.scene import Array, Scene
 from analytic.words import percent_of
+from fembearing.verify.torque.catalogue import of_open_bearing
 from fembearing.verify.torque.catalogue_models import CatalogueBand
 from fembearing.verify.torque.verdicts import Verdicts
 
@@ -36,19 +38,29 @@ class Standing:
 
 
 def standing_of(
-    scene: Scene, *, total: Array, effects: Iterable[Effect], verdicts: Verdicts, band: CatalogueBand | None
+    scene: Scene,
+    *,
+    torque: TorqueParts[Array],
+    effects: Iterable[Effect],
+    verdicts: Verdicts,
+    band: CatalogueBand | None,
 ) -> Standing:
     """Of a torque; a speed beyond usual practice is named with any word.
 
-    total : N m, (n,);  band : arrays (n,), N m
+    torque, band : arrays (n,), N m
     """
-    standing = _standing(scene, total=total, effects=effects, verdicts=verdicts, band=band)
+    standing = _standing(scene, torque=torque, effects=effects, verdicts=verdicts, band=band)
     speed = too_fast(scene)
     return standing if speed is None else replace(standing, reason=f"{speed}; {standing.reason}")
 
 
 def _standing(
-    scene: Scene, *, total: Array, effects: Iterable[Effect], verdicts: Verdicts, band: CatalogueBand | None
+    scene: Scene,
+    *,
+    torque: TorqueParts[Array],
+    effects: Iterable[Effect],
+    verdicts: Verdicts,
+    band: CatalogueBand | None,
 ) -> Standing:
     if verdicts.overall == "fail":
         return Standing(word="fail", reason=verdicts.reason)
@@ -60,7 +72,9 @@ def _standing(
         return Standing(word="undecided", reason=verdicts.reason)
     if band is None:
         return Standing(word="check", reason=f"no maker's formula holds for this bearing; {UNMEASURED}")
-    return Standing(word="check", reason=f"{_place(total, band)} the makers' formulas; {UNMEASURED}")
+    compared, words = of_open_bearing(torque)
+    after = f", {words}" if words else ""
+    return Standing(word="check", reason=f"{_place(compared, band)} the makers' formulas{after}; {UNMEASURED}")
 
 
 def _lack(lacking: Sequence[tuple[float, Effect]], tolerance: float) -> str:

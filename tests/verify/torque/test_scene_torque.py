@@ -70,6 +70,21 @@ def test_one_point_is_below_or_above_the_band(oiled: Scene) -> None:
         assert f"The torque is {word} the catalogue band." in found.notes
 
 
+def test_seals_and_drag_are_not_in_the_formulas_and_not_compared_with_them() -> None:
+    """The seals of a 6205-2RS1, 67.9 N mm by SKF's formula, are most of its torque."""
+    loads = {"axial_load": "300 N", "radial_load": "200 N"}
+    bare = torque_of_scene(load_scene("6205", **loads), estimate=False)
+    sealed = torque_of_scene(
+        load_scene("6205-2RS1", settings={"losses.seals": "estimate", "losses.oil_share": "2 %"}, **loads),
+        estimate=False,
+    )
+    assert (sealed.friction.torque.total > 3 * bare.friction.torque.total).all()
+    assert "The torque is within the catalogue band." in bare.notes
+    assert "The torque without seals and drag is within the catalogue band." in sealed.notes
+    assert bare.standing.reason.startswith("inside the makers' formulas; ")
+    assert sealed.standing.reason.startswith("inside the makers' formulas, without seals and drag; ")
+
+
 def test_the_film_ratio_is_the_film_over_the_roughness_from_least_to_largest(result: SceneTorque) -> None:
     (note,) = (each for each in result.notes if each.startswith("Film ratio"))
     roughness = result.friction.gap_roughness

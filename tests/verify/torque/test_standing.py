@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from analytic.effects.ledger import Effect
+from analytic.result import TorqueParts
 from analytic.scene import Scene
 from analytic.scenefile.choice import Choice
 from analytic.scenefile.read import load_scene, parse_scene
@@ -28,6 +29,7 @@ BAND = CatalogueBand(
     high=np.array([0.029, 0.041]),
     values=MappingProxyType({"SKF": np.array([0.02, 0.04])}),
 )
+BARE = "inside the makers' formulas, without seals and drag; "
 
 
 @pytest.fixture(scope="module")
@@ -37,12 +39,16 @@ def scene() -> Scene:
 
 def found(scene: Scene, **changed: Any) -> Standing:
     given: dict[str, Any] = {"numerical": SOLVED, "physical": (GOOD,), "band": BAND, "total": TOTAL}
-    given |= {"shares": {"drag": 0.02}} | changed
+    given |= {"shares": {"drag": 0.02}, "oil": None, "declared": None} | changed
+    others = {name: given[name] for name in ("oil", "declared")}
+    torque = TorqueParts(
+        total=given["total"], race=given["total"], spin=None, conformity=None, hysteresis=None, **others
+    )
     verdicts = Verdicts(numerical=given["numerical"], physical=given["physical"])
     effects = [
         Effect(name=name, decision="off", share=share, reason=f"no {name}") for name, share in given["shares"].items()
     ]
-    return standing_of(scene, total=given["total"], effects=effects, verdicts=verdicts, band=given["band"])
+    return standing_of(scene, torque=torque, effects=effects, verdicts=verdicts, band=given["band"])
 
 
 def test_each_cause_has_its_word_and_names_itself(scene: Scene) -> None:
@@ -53,6 +59,9 @@ def test_each_cause_has_its_word_and_names_itself(scene: Scene) -> None:
         ({}, "check", "inside the makers' formulas"),
         ({"total": np.array([0.015, 0.031])}, "check", "below the makers' formulas"),
         ({"total": np.array([0.021, 0.047])}, "check", "in part above the makers' formulas"),
+        ({"total": np.array([0.121, 0.137]), "declared": np.full(2, 0.1)}, "check", BARE),
+        ({"total": np.array([0.121, 0.137]), "declared": np.full(2, 0.07), "oil": np.full(2, 0.03)}, "check", BARE),
+        ({"total": np.array([0.029, 0.041]), "oil": np.full(2, 0.02)}, "check", "below the makers' formulas, without"),
         ({"band": None}, "check", "no maker's formula"),
         ({"numerical": loose}, "undecided", "solver error is 8.3 %, tolerance 5 %"),
         ({"physical": (replace(GOOD, verdict="unknown"),)}, "undecided", "limit is not known"),
