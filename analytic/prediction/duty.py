@@ -111,7 +111,8 @@ def duty_cycle(scene: str | os.PathLike[str] | Scene, cycle: str | os.PathLike[s
     Parameters
     ----------
     scene : str, path or Scene
-        What `load_scene` reads. What a step does not say is that of the scene.
+        What `load_scene` reads. What a step does not say is that of the scene; a bearing of the catalog has no usual
+        load beside the loads of the steps.
     cycle : str or path
         CSV file, each column with its unit: duration, and one or more of inner_speed, axial_load, radial_load and
         temperature (docs/how-to/duty-cycle.md).
@@ -138,18 +139,18 @@ def duty_cycle(scene: str | os.PathLike[str] | Scene, cycle: str | os.PathLike[s
     short beside the time that the bearing takes to warm. The interval keeps that temperature, with its usual spread.
     The interval is to first order, with the errors of each input the same in all steps.
     """
+    read = read_cycle(cycle)
     if isinstance(scene, Scene):
         found = SceneByTemperature(scene=scene, origin=scene.name, oil=None, thermal=None)
     else:
-        found = load_by_temperature(scene, **given)
-    return cycle_of(found, cycle)
+        found = load_by_temperature(scene, columns=vars(read), **given)
+    return cycle_of(found, read)
 
 
-def cycle_of(found: SceneByTemperature, cycle: str | os.PathLike[str]) -> DutyCycle:
-    """What `duty_cycle` returns, of a scene that is read."""
+def cycle_of(found: SceneByTemperature, cycle: Cycle) -> DutyCycle:
+    """What `duty_cycle` returns, of a scene and a cycle that are read."""
     begun = perf_counter()
-    read = read_cycle(cycle)
-    steps = _steps(found, read)
+    steps = _steps(found, cycle)
     steady = None
     if found.thermal is not None:
         power = partial(_mean_power, found, steps)
@@ -159,7 +160,7 @@ def cycle_of(found: SceneByTemperature, cycle: str | os.PathLike[str]) -> DutyCy
     computed = _computed(found, steps, with_interval=True)
     return DutyCycle(
         scene=found.scene.name,
-        file=read.file,
+        file=cycle.file,
         steps=tuple(_rows(found.scene, steps, computed)),
         duration=float(steps.duration.sum()),
         **_of_cycle(steps, computed),

@@ -31,9 +31,14 @@ HEAD = re.compile(r"([^\[\]]*?)\s*(?:\[([^\[\]]*)\])?")
 PERCENT = ("%", "percent")
 
 
+def key_of_column(name: str) -> str:
+    """The key of a scene whose value a column of OPERATING has."""
+    return f"{'lubricant' if name == 'temperature' else 'operation'}.{name}"
+
+
 def operating_column(name: str) -> Dimension:
     """What a column of OPERATING takes, as the scene does."""
-    key = scene_key(f"{'lubricant' if name == 'temperature' else 'operation'}.{name}")
+    key = scene_key(key_of_column(name))
     assert key.dimension is not None, name
     return key.dimension
 

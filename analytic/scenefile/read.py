@@ -38,7 +38,7 @@ from analytic.scenefile.keys import fault_at, faults_of, with_key
 from analytic.scenefile.losses import losses_of
 from analytic.scenefile.measured import read_measured, with_oils
 from analytic.scenefile.oil import lubricant_of
-from analytic.scenefile.setting import read_choice, read_setting
+from analytic.scenefile.setting import read_choice, read_setting, with_loads
 from analytic.scenefile.spread_tables import given_assumptions, given_spreads
 from analytic.scenefile.surface import surface_conflicts, surface_of
 from analytic.scenefile.tables import (
@@ -75,7 +75,8 @@ def load_scene(
     scene : str or path
         A file, a built-in scene as "6205-dry", or a bearing of the catalog as "6206".
     measured : str or path, optional
-        CSV file of measured torques, in place of the scene's [measured]; None: that one, if there is one.
+        CSV file of measured torques, in place of the scene's [measured]; None: that one, if there is one. A bearing of
+        the catalog has no usual load beside the loads of this file.
     settings : mapping of str to value, optional
         Values by keys of a scene, as {"lubricant.supply": "grease"}, in place of the scene's own: numbers in SI, texts
         as they are typed ("60C", "2,5 kN"), quantities, or lists.
@@ -103,13 +104,21 @@ def load_by_temperature(
     *,
     measured: str | os.PathLike[str] | None = None,
     settings: Mapping[str, Any] = NOTHING_SET,
+    columns: Mapping[str, Any] = NOTHING_SET,
     **options: Any,
 ) -> SceneByTemperature:
-    """The scene at any temperature of its oil; arguments and errors of `load_scene`, which refuses [thermal]."""
+    """The scene at any temperature of its oil; arguments and errors of `load_scene`, which refuses [thermal].
+
+    columns : of a file of operating points, by name, SI; with `measured` those of that file. A bearing of the catalog
+        then has no usual load beside theirs.
+    """
     choice, notes = read_choice(options)
     found = find_scene(scene, choice=choice)
     if found.designation is None:
         refuse_options(options, os.fspath(scene))
+    else:
+        columns = columns if measured is None else vars(read_measured(measured))
+        found = find_scene(scene, choice=with_loads(choice, columns))
     for name, given in options.items():
         if given is not None and KEYS[name] in settings:
             raise InputError(f"{name} = {shown(given)} and {KEYS[name]} are the same: leave one of them out")

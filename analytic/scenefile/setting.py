@@ -6,6 +6,7 @@ People type them, so a speed without a unit is in rpm, which it is not in a scen
 import re
 import tomllib
 from collections.abc import Mapping
+from dataclasses import replace
 from difflib import get_close_matches
 from typing import Any
 
@@ -20,6 +21,7 @@ from analytic.scenefile.tables import SceneTable
 from analytic.units import has_unit
 from analytic.words import plain, shown
 
+LOADS = ("axial_load", "radial_load")
 SETTING = "give KEY=VALUE, for example --set lubricant.supply=grease"
 
 
@@ -35,6 +37,18 @@ def read_choice(options: Mapping[str, Any]) -> tuple[Choice, tuple[str, ...]]:
             values[name], note = read_setting(KEYS[name], given)
             notes += note
     return Choice(**values), tuple(notes)
+
+
+def with_loads(choice: Choice, columns: Mapping[str, Any]) -> Choice:
+    """The choice with the loads of the heaviest row of a file, so that no usual load is added to them.
+
+    columns : by name, (n,), loads in N; None, or no entry: the file has no such column
+    """
+    loads = {name: columns[name] for name in LOADS if columns.get(name) is not None}
+    if not loads:
+        return choice
+    row = int(np.argmax(np.sum(np.abs([*loads.values()]), axis=0)))
+    return replace(choice, **{name: f"{float(values[row])!r} N" for name, values in loads.items()})
 
 
 def typed_settings(texts: list[str]) -> dict[str, str]:

@@ -4,6 +4,7 @@ from typing import Annotated
 
 import typer
 
+from fembearing.cli.assumed import in_a_file, tell_assumed
 from fembearing.cli.options import AsJson, Folder, Samples, require_folder_name, scene_names_like, with_details
 from fembearing.cli.status import STATUS, print_warnings
 
@@ -42,6 +43,7 @@ def compare(
     data, scene = _data_and_scene(data, scene)
     from contextlib import nullcontext
 
+    from analytic.scenefile.assumption import assumptions
     from analytic.scenefile.read import load_scene
     from analytic.writing import new_folder
     from fembearing.cli.console import out, print_json, shown_progress
@@ -61,6 +63,8 @@ def compare(
         print_json(plain(ComparisonFile(**vars(result))))
     else:
         show(out, measured_table(result, SYSTEMS[given.report.units]))
+        if given.measured is not None:
+            tell_assumed(assumptions(scene, given, columns=vars(given.measured)), change=in_a_file(scene))
         print_warnings(result.warnings)
         if folder is not None:
             out.tell(f"report: {folder / 'compare.html'}")

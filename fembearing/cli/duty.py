@@ -5,7 +5,15 @@ from typing import Annotated
 import typer
 
 from fembearing.cli.added_options import with_options
-from fembearing.cli.options import AsJson, Folder, read_by_temperature, require_folder_name, scene_names_like
+from fembearing.cli.assumed import tell_assumed
+from fembearing.cli.options import (
+    STANDARD_INPUT,
+    AsJson,
+    Folder,
+    read_by_temperature,
+    require_folder_name,
+    scene_names_like,
+)
 from fembearing.cli.scene_options import OPTIONS, SETTINGS, given_options, given_settings
 from fembearing.cli.status import print_warnings
 
@@ -28,13 +36,16 @@ def duty(scene: SceneName, cycle: CycleFile, folder: Folder = None, as_json: AsJ
     """Friction energy of a duty cycle, with mean and worst torque, each with its 95 % interval.
 
     Columns of the cycle: duration, and one or more of inner_speed, axial_load, radial_load and temperature. The scene
-    gives the values without a column. With [thermal] in the scene, the mean power determines the oil temperature.
+    gives the values without a column; a bearing of the catalog has no usual load beside a column of loads. With
+    [thermal] in the scene, the mean power determines the oil temperature.
     """
     require_folder_name(folder)
-    found = read_by_temperature(scene, settings=given_settings(), options=given_options())
+    settings, options = given_settings(), given_options()
     from contextlib import nullcontext
 
     from analytic.prediction.duty import cycle_of
+    from analytic.scenefile.assumption import assumptions
+    from analytic.scenefile.cycle import read_cycle
     from analytic.writing import new_folder
     from fembearing.cli.console import out, print_json
     from fembearing.plain_types import plain
@@ -42,8 +53,10 @@ def duty(scene: SceneName, cycle: CycleFile, folder: Folder = None, as_json: AsJ
     from fembearing.report.tables.duty import cycle_table, steps_table
     from fembearing.report.terminal.table import show
 
+    steps = read_cycle(cycle)
+    found = read_by_temperature(scene, settings=settings, options=options, columns=vars(steps))
     with nullcontext() if folder is None else new_folder(folder) as place:
-        result = cycle_of(found, cycle)
+        result = cycle_of(found, steps)
         if place is not None:
             write_duty(result, found.scene, place)
     if as_json:
@@ -51,6 +64,10 @@ def duty(scene: SceneName, cycle: CycleFile, folder: Folder = None, as_json: AsJ
     else:
         show(out, steps_table(result))
         show(out, cycle_table(result))
+        if scene != STANDARD_INPUT:
+            settled = () if found.thermal is None else ("lubricant.temperature",)
+            keys = (*settings, *settled)
+            tell_assumed(assumptions(scene, found.scene, settings=keys, options=options, columns=vars(steps)))
         if folder is not None:
             out.tell(f"folder: {folder}")
     print_warnings(result.warnings)

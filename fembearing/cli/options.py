@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
@@ -130,13 +130,17 @@ def read_scene(
 
 
 def read_by_temperature(
-    name: str | None, *, settings: Mapping[str, str] = NOTHING_SET, options: Mapping[str, str] = NOTHING_SET
+    name: str | None,
+    *,
+    settings: Mapping[str, str] = NOTHING_SET,
+    options: Mapping[str, str] = NOTHING_SET,
+    columns: Mapping[str, Any] = NOTHING_SET,
 ) -> "SceneByTemperature":
-    """The same scene at any temperature of its oil."""
+    """The same scene at any temperature of its oil; columns : as for `load_by_temperature`."""
     from analytic.scenefile.read import load_by_temperature, parse_by_temperature, refuse_options
 
     if name != STANDARD_INPUT:
-        found = load_by_temperature(BUILTIN if name is None else name, settings=settings, **options)
+        found = load_by_temperature(BUILTIN if name is None else name, settings=settings, columns=columns, **options)
     else:
         refuse_options(options, "standard input")
         found = parse_by_temperature(_standard_input(), origin="standard input", settings=settings)

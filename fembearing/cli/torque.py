@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from fembearing.cli.added_options import with_options
+from fembearing.cli.assumed import tell_assumed
 from fembearing.cli.options import (
     BUILTIN,
     STANDARD_INPUT,
@@ -26,7 +27,6 @@ from fembearing.cli.scene_options import OPTIONS, SETTINGS, given_options, given
 from fembearing.cli.status import CHECK_FAILED, DONE, NOT_SOLVED, STANDING_STATUS, print_warnings, say
 
 if TYPE_CHECKING:
-    from analytic.scene import Scene
     from fembearing.verify.torque.scene_torque import SceneTorque
 
 
@@ -106,6 +106,7 @@ def _named(name: str | None) -> Iterator[None]:
 
 
 def _print(results: "Mapping[str, SceneTorque]", *, details: bool) -> None:
+    from analytic.scenefile.assumption import assumptions
     from fembearing.cli.console import out
     from fembearing.quantities import SYSTEMS
     from fembearing.report.headline import side_by_side
@@ -118,19 +119,13 @@ def _print(results: "Mapping[str, SceneTorque]", *, details: bool) -> None:
         before = f"{name}: " if len(results) > 1 else ""
         if not before:
             print_headline(out, result)
-        if name != STANDARD_INPUT and (assumed := _assumed(name, result.scene)):
-            out.tell(f"{before}assumed: {', '.join(assumed)}; change with --set KEY=VALUE")
+        if name != STANDARD_INPUT:
+            settings, options = given_settings(), given_options()
+            tell_assumed(assumptions(name, result.scene, settings=settings, options=options), before=before)
         if details:
             out.print()
             print_details(out, result)
         print_warnings(tuple(f"{before}{warning}" for warning in result.friction.warnings))
-
-
-def _assumed(name: str, scene: "Scene") -> list[str]:
-    """What a bearing of the catalog leaves to the usual scene."""
-    from analytic.scenefile.assumption import assumptions
-
-    return [*assumptions(name, scene, settings=given_settings(), options=given_options())]
 
 
 def _status(results: "Collection[SceneTorque]") -> int:

@@ -6,6 +6,8 @@
     operation.axial_load = { from = "100 N", to = "2 kN", count = 20, spacing = "log" }
     operation.inner_speed = ["100 rpm", "300 rpm"]
 
+A bearing of the catalogue has no usual load beside an axis of loads.
+
 For a torque, `samples = 512` above [axes] computes its 95 % interval, from so many torques at each point. For a
 contact, `pair`, `ball_load`, `geometry` and `accuracy` may stand above [axes] too, for the whole sweep.
 """
@@ -23,7 +25,8 @@ from pydantic import Field, ValidationError, create_model
 
 from analytic.errors import InputError
 from analytic.scene import Pair, Scene
-from analytic.scenefile.find import find_scene
+from analytic.scenefile.choice import USUAL, Choice
+from analytic.scenefile.find import SceneText, find_scene
 from analytic.scenefile.keys import SceneKey, Value, faults_of, scene_key, with_key
 from analytic.scenefile.quantity import Dimension
 from analytic.scenefile.read import scene_of
@@ -34,6 +37,8 @@ from analytic.words import plain, shown
 What = Literal["torque", "contact"]
 OF_AXES = ("pair", "ball_load", "geometry")  # keys of sweeps that may be axes
 OF_CONTACT = (*OF_AXES, "accuracy")
+LOADS = ("operation.axial_load", "operation.radial_load", "operation.moment")
+NO_USUAL_LOAD = Choice(radial_load="0 N")
 DIRECTION = "down"  # the key of [operation] whose list is one value
 BYTES_A_POINT = 400  # of the whole dataset in memory, or of a map while it is drawn
 SHARE_OF_MEMORY = 0.5
@@ -98,6 +103,7 @@ class Grid:
     axes: tuple[Axis, ...]
     text: str  # of the grid file
     origin: str  # the file that it was read from
+    named: SceneText | None = None  # the scene that the grid file names; None: it is a table there
 
     @property
     def order(self) -> tuple[Axis, ...]:
@@ -209,10 +215,11 @@ def _grid(text: str, *, origin: str, folder: Path) -> Grid:
             raise InputError(f'{key} is of a contact; write what = "contact", or leave it out')
     if table.samples is not None and table.what != "torque":
         raise InputError('samples are of the interval of a torque; write what = "torque", or leave them out')
-    document = table.scene
+    document, named = table.scene, None
     if isinstance(document, str):
-        found = find_scene(document, folder=folder)
-        document, folder = parse_text(found.text, origin=found.origin), found.folder
+        choice = NO_USUAL_LOAD if any(axis.key in LOADS for axis in axes) else USUAL
+        named = find_scene(document, folder=folder, choice=choice)
+        document, folder = parse_text(named.text, origin=named.origin), named.folder
     _require_one_point(document, axes)
     _require_memory(axes)
     return Grid(
@@ -224,6 +231,7 @@ def _grid(text: str, *, origin: str, folder: Path) -> Grid:
         axes=axes,
         text=text,
         origin=origin,
+        named=named,
     )
 
 

@@ -66,6 +66,17 @@ def test_a_scene_alone_names_its_data_and_passes(command: Run, place: Path) -> N
     assert command("compare", "far.csv", "scene.toml", *QUICK).status == 1  # in place of the scene's own
 
 
+def test_a_bearing_has_the_loads_of_the_file_alone_and_tells_what_is_assumed(command: Run, place: Path) -> None:
+    (place / "thrust.csv").write_text("axial_load [N],torque [N mm]\n300,14\n")
+    ended = command("compare", "thrust.csv", "6206", *QUICK)
+    (told,) = (line for line in ended.out.splitlines() if line.startswith("assumed: "))
+    assert "operation.radial_load = 0 N, operation.inner_speed = 1000 rpm" in told
+    assert "operation.axial_load" not in told
+    assert told.endswith("; change in a scene file: fembearing init 6206")
+    assert load_scene("6206", measured="thrust.csv").operation.radial_load[0] == 0
+    assert "assumed: " not in command("compare", "data.csv", "bare.toml", *QUICK).out
+
+
 def test_json_fits_its_schema_and_is_alone_on_standard_output(command: Run, place: Path) -> None:
     assert place.is_dir()
     ended = command("compare", "scene.toml", "--json", "--seed", "5", *QUICK)

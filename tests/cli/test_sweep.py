@@ -45,6 +45,16 @@ def test_a_sweep_writes_its_files_and_a_second_run_keeps_them(
     }
 
 
+def test_what_is_assumed_of_a_bearing_is_told_but_for_the_axes(sweep: Callable[..., Any], grid_file: Write) -> None:
+    axes = 'operation.axial_load = ["300 N", "500 N"]\n'
+    status, told, _ = sweep(grid_file(axes, head='scene = "6206"', scene=""))
+    assert status == 0
+    (line,) = (line for line in told.splitlines() if line.startswith("assumed: "))
+    assert "operation.radial_load = 0 N, operation.inner_speed = 1000 rpm" in line
+    assert "operation.axial_load" not in line
+    assert line.endswith("; change in a scene file: fembearing init 6206")
+
+
 def test_maps_are_complete_or_drawn_again(
     sweep: Callable[..., Any], grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -17,6 +17,22 @@ from tests.sweep.swept import SCENE
 LOADS = 'operation.axial_load = ["100 N", "0.7 kN"]\n'
 
 
+@pytest.mark.parametrize(
+    ("axes", "loads"),
+    [
+        ('operation.axial_load = ["300 N", "500 N"]\n', (300.0, 0.0, 0.0)),
+        ('operation.radial_load = ["300 N", "500 N"]\n', (0.0, 300.0, 0.0)),
+        ('operation.moment = ["0.3 N m", "0.5 N m"]\n', (0.0, 0.0, 0.3)),
+        ('operation.inner_speed = ["300 rpm", "500 rpm"]\n', (0.0, 560.0, 0.0)),
+    ],
+)
+def test_no_usual_load_is_added_to_an_axis_of_loads(
+    grid_file: Callable[..., Path], axes: str, loads: tuple[float, ...]
+) -> None:
+    operation = load_grid(grid_file(axes, head='scene = "6206"', scene="")).first_scene().operation
+    assert (operation.axial_load[0], operation.radial_load[0], operation.moment[0]) == loads
+
+
 def test_values_come_out_in_si_and_in_order(grid_file: Callable[..., Path]) -> None:
     grid = load_grid(
         grid_file(

@@ -137,6 +137,18 @@ def test_a_mistake_gives_one_line(tmp_path: Path, text: str, words: tuple[str, .
     refused(lambda: duty_cycle("6205-dry", file), *words)
 
 
+def test_no_usual_load_is_added_to_the_loads_of_the_steps(tmp_path: Path) -> None:
+    """A 6206 has a usual radial load, which counts where no column is a load."""
+    thrust = duty_cycle("6206", cycle_file(tmp_path, HEAD + "7,600,300\n3,0,0\n"), settings=SETTINGS)
+    assert [step.radial_load for step in thrust.steps] == [0, 0]
+    nothing = {**SETTINGS, "operation.radial_load": 0.0}
+    assert duty_cycle("6206", cycle_file(tmp_path), settings=nothing).steps[1].axial_load == 300
+    radial = duty_cycle("6206", cycle_file(tmp_path, "duration [s],radial_load [N]\n7,-900\n"), settings=SETTINGS)
+    assert (radial.steps[0].radial_load, radial.steps[0].axial_load) == (-900, 0)
+    bare = duty_cycle("6206", cycle_file(tmp_path, "duration [s],inner_speed [rpm]\n7,600\n"), settings=SETTINGS)
+    assert bare.steps[0].radial_load == load_scene("6206").operation.radial_load[0] > 0
+
+
 def test_a_temperature_is_said_once(tmp_path: Path) -> None:
     file = cycle_file(tmp_path, "duration [s],temperature [degC]\n5,60\n")
     settings = {"thermal.resistance": 0.9, "thermal.ambient": 296.0}
