@@ -7,7 +7,7 @@
     result = fembearing.validate(scene, out="report-folder")
     found = fembearing.compare_measured(scene, "data.csv")
     dataset = fembearing.run_sweep("map.toml", out="map-folder").to_dataset()
-    fembearing.export(scene, to="fmu", out="bearing.fmu", over={"radial_load": "500 N to 5 kN in 7 log"})
+    fembearing.export("bearing.toml", to="fmu", out="bearing.fmu", over={"radial_load": "500 N to 5 kN in 7 log"})
 
 `__init__.pyi` lists the names. Each is imported on first use, so that a program pays only for what it calls.
 """

@@ -27,7 +27,7 @@ from analytic.scene import Array, Operation, Scene
 from analytic.scenefile.by_temperature import SceneByTemperature
 from analytic.scenefile.columns import operating_points, require_loads
 from analytic.scenefile.cycle import Cycle, read_cycle
-from analytic.scenefile.read import load_by_temperature
+from analytic.scenefile.read import any_by_temperature
 from analytic.torque import friction_torque
 from analytic.words import torque_of
 
@@ -140,11 +140,7 @@ def duty_cycle(scene: str | os.PathLike[str] | Scene, cycle: str | os.PathLike[s
     The interval is to first order, with the errors of each input the same in all steps.
     """
     read = read_cycle(cycle)
-    if isinstance(scene, Scene):
-        found = SceneByTemperature(scene=scene, origin=scene.name, oil=None, thermal=None)
-    else:
-        found = load_by_temperature(scene, columns=vars(read), **given)
-    return cycle_of(found, read)
+    return cycle_of(any_by_temperature(scene, columns=vars(read), **given), read)
 
 
 def cycle_of(found: SceneByTemperature, cycle: Cycle) -> DutyCycle:

@@ -25,6 +25,11 @@ class SceneByTemperature:
     thermal: ThermalTable | None  # None: the temperature of the oil is given
 
     @property
+    def is_known_elsewhere(self) -> bool:
+        """Whether the oil is known at other temperatures than that of the scene."""
+        return self.oil is not None and not _is_known_at_one(self.oil)
+
+    @property
     def fixed(self) -> Scene:
         """The scene at the temperature of its file. Raises InputError where friction settles the temperature."""
         if self.thermal is not None:
@@ -35,18 +40,36 @@ class SceneByTemperature:
         return self.scene
 
     def at(self, temperature: float) -> Scene:
-        """The scene with its oil at a temperature, K. Raises InputError without an oil, and beyond the oil's data."""
+        """The scene with its oil at a temperature, K.
+
+        Raises InputError for another temperature than the scene's without the table of an oil, with a viscosity that
+        replaces that of a named oil at one temperature, and beyond the oil's data.
+        """
+        if self.scene.lubricant is not None and temperature == self.scene.lubricant.temperature:
+            return self.scene
         if self.oil is None:
             has = (
                 "no [lubricant]" if self.scene.lubricant is None else "an oil of Python, known at one temperature alone"
             )
             raise InputError(f"{self.origin}: the scene has {has}; give the file of a scene with [lubricant]")
+        if _is_known_at_one(self.oil):
+            assert self.oil.viscosity is not None
+            raise InputError(
+                f"{self.origin}: oil at {temperature - ZERO_CELSIUS:.4g} degC: lubricant.viscosity = "
+                f"{self.oil.viscosity.text} beside lubricant.name holds at lubricant.temperature alone; give two "
+                'viscosities, as ["46 cSt at 40 degC", "6.8 cSt at 100 degC"]'
+            )
         table = self.oil.model_copy(update={"temperature": temperature})
         try:
             oil = lubricant_of(table, ball_radius=self.scene.bearing.ball_radius)
         except InputError as problem:
             raise InputError(f"{self.origin}: oil at {temperature - ZERO_CELSIUS:.4g} degC: {problem}") from problem
         return replace(self.scene, lubricant=oil)
+
+
+def _is_known_at_one(oil: LubricantTable) -> bool:
+    """Whether one viscosity replaces that of a named oil, which then has no law over the temperature."""
+    return oil.name is not None and oil.viscosity is not None and not oil.viscosity.is_pair
 
 
 def thermal_faults(table: SceneTable) -> Iterator[tuple[str, str]]:

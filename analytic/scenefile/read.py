@@ -128,6 +128,20 @@ def load_by_temperature(
     return _warned(read, notes)
 
 
+def any_by_temperature(
+    scene: str | os.PathLike[str] | Scene, *, columns: Mapping[str, Any] = NOTHING_SET, **given: Any
+) -> SceneByTemperature:
+    """The scene of a name, by `load_by_temperature`; or a Scene, whose oil has one temperature.
+
+    Raises InputError as that, and for an argument that goes with a name alone.
+    """
+    if not isinstance(scene, Scene):
+        return load_by_temperature(scene, columns=columns, **given)
+    if given:
+        raise InputError(f"{min(given)} goes with a designation as 6308; change a Scene by dataclasses.replace")
+    return SceneByTemperature(scene=scene, origin=scene.name, oil=None, thermal=None)
+
+
 def refuse_options(options: Mapping[str, Any], scene: str) -> None:
     """Raises InputError for an option beside a scene that says everything itself."""
     for name, given in options.items():

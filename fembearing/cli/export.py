@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 import typer
 
 from fembearing.cli.added_options import with_options
-from fembearing.cli.options import BUILTIN, STANDARD_INPUT, SceneName, read_scene
+from fembearing.cli.options import BUILTIN, STANDARD_INPUT, SceneName, read_by_temperature
 from fembearing.cli.scene_options import OPTIONS, SETTINGS, given_options, given_settings
 from fembearing.cli.status import print_warnings
 
@@ -50,24 +50,23 @@ def export(
     from analytic.scenefile.find import find_scene
     from fembearing.cli.console import out, shown_progress
     from fembearing.formats.axes import range_of
-    from fembearing.formats.choice import FORMATS
-    from fembearing.formats.choice import export as write_export
+    from fembearing.formats.choice import FORMATS, export_of
 
     options = given_options()
     over = {name: options[name] for name in RANGES if name in options}
     name = BUILTIN if scene is None else scene
     if name != STANDARD_INPUT and find_scene(name).designation is not None:
-        ends = {key: found.last for key, text in over.items() if (found := range_of(text)) is not None}
-        read = read_scene(name, settings=given_settings(), options=options | ends)
+        ends = {key: parts.last for key, text in over.items() if (parts := range_of(text)) is not None}
+        found = read_by_temperature(name, settings=given_settings(), options=options | ends)
     else:  # a scene that says its own loads: an option is an axis of the table alone
         others = {key: text for key, text in options.items() if key not in RANGES}
-        read = read_scene(scene, settings=given_settings(), options=others)
+        found = read_by_temperature(scene, settings=given_settings(), options=others)
     if file is None:
-        word = re.sub(r"\W+", "_", read.bearing.name).strip("_")
+        word = re.sub(r"\W+", "_", found.scene.bearing.name).strip("_")
         file = Path(f"friction_{word}{FORMATS[to].ending}")
     with shown_progress() as progress:
-        done = write_export(read, to=to, out=file, over=over, progress=progress)
-    print_warnings(read.warnings)
+        done = export_of(found, to=to, out=file, over=over, progress=progress)
+    print_warnings(found.scene.warnings)
     out.tell(f"written: {done.file}; {done.axes}")
     for note in done.notes:
         out.tell(f"note: {note}")

@@ -9,6 +9,7 @@ import numpy as np
 from analytic.errors import InputError, real_numbers
 from analytic.result import COORDINATES
 from analytic.scene import Array, Scene
+from analytic.scenefile.by_temperature import SceneByTemperature
 from analytic.scenefile.choice import KEYS
 from analytic.scenefile.keys import scene_key
 from analytic.scenefile.setting import as_text, read_setting
@@ -111,14 +112,15 @@ def _one(name: str, text: Any) -> float:
     return number
 
 
-def axes_of(scene: Scene, over: Mapping[str, Any], *, whole: bool) -> dict[str, Array]:
+def axes_of(found: SceneByTemperature, over: Mapping[str, Any], *, whole: bool) -> dict[str, Array]:
     """The axes of a table of this scene.
 
     over : what is given, as for `axis_values`;  whole : loads and temperature are axes too where nothing is given,
-        else they have the scene's one value
+        else they have the scene's one value, as the temperature always has where the oil is known at it alone
     Raises InputError as `axis_values`, for a temperature without an oil, and where the scene lacks a value or has
     several.
     """
+    scene = found.scene
     given = {name: axis_values(name, values) for name, values in over.items() if values is not None}
     if scene.lubricant is None and "temperature" in given:
         raise InputError("temperature is of an oil, and the scene has none; leave it out, or give the scene an oil")
@@ -126,7 +128,8 @@ def axes_of(scene: Scene, over: Mapping[str, Any], *, whole: bool) -> dict[str, 
     if np.ptp(operation.moment) > 0:
         raise InputError("operation.moment has several values in the scene; a table has one: give it one value")
     names = OPTIONS if scene.lubricant is not None else OPTIONS[:3]
-    return {name: given[name] if name in given else _usual(name, scene, whole=whole) for name in names}
+    wide = {name: whole and (name != "temperature" or found.is_known_elsewhere) for name in names}
+    return {name: given[name] if name in given else _usual(name, scene, whole=wide[name]) for name in names}
 
 
 def _usual(name: str, scene: Scene, *, whole: bool) -> Array:

@@ -1,12 +1,16 @@
 """The formats, and the function that writes a scene in one of them."""
 
+import os
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Literal, NamedTuple, get_args
 
 from analytic.errors import InputError
+from analytic.prediction.steady import at_steady_temperature
 from analytic.scene import Scene
+from analytic.scenefile.by_temperature import SceneByTemperature
+from analytic.scenefile.read import any_by_temperature
 from analytic.words import plain
 from analytic.writing import new_file, require_utf8
 from fembearing.formats.axes import Axes, axes_in_words, axes_of
@@ -26,7 +30,9 @@ class Format(NamedTuple):
 
     ending: str  # of the file
     is_map: bool  # over loads and temperature too; else over speed alone
-    write: Callable[[Scene, Axes, Path, Progress], tuple[str, ...]]  # gives notes on the file, a sentence each
+    write: Callable[
+        [SceneByTemperature, Axes, Path, Progress], tuple[str, ...]
+    ]  # gives notes on the file, a sentence each
 
 
 FORMATS: Mapping[str, Format] = {
@@ -49,19 +55,21 @@ class Exported:
 
 
 def export(
-    scene: Scene,
+    scene: str | os.PathLike[str] | Scene,
     *,
     to: FormatName,
     out: Path | str,
     over: Mapping[str, Any] | None = None,
     progress: Progress = silent,
+    **given: Any,
 ) -> Exported:
     """Write the friction torque of a scene, or its stiffness, in a form that another program reads.
 
     Parameters
     ----------
-    scene : Scene
-        With one moment. What `over` leaves out follows from its operating points and its oil.
+    scene : str, path or Scene
+        What `load_scene` reads, with one moment. What `over` leaves out follows from its operating points and its oil.
+        A Scene has its oil at one temperature alone.
     to : {"csv", "netcdf", "modelica", "simscape", "ross", "fmu"}
         The format. Modelica, Simscape and ROSS take one load and one temperature.
     out : str or path
@@ -71,6 +79,8 @@ def export(
         "0 rpm to 6000 rpm in 15", or " log" behind it for equal ratios; lists that ascend; or one value.
     progress : callable
         Called with the share done, 0 to 1 (dimensionless), and a word on the step at hand.
+    **given : float, str, list or mapping
+        With a name, the other arguments of `load_scene`, as settings={"lubricant.supply": "grease"}.
 
     Returns
     -------
@@ -80,7 +90,8 @@ def export(
     Raises
     ------
     InputError
-        An unknown format or axis, a range without a torque, a file that exists or cannot be made, a missing compiler.
+        An unknown format or axis, a range without a torque, a temperature at which the oil is not known, a file that
+        exists or cannot be made, a missing compiler; and as `load_scene`.
     ConvergenceError
         As `analytic.friction_torque`.
 
@@ -90,17 +101,30 @@ def export(
     it is the limit for small speeds, at which the bearing begins to turn.
     Sources: those of `analytic.friction_torque`; [FMI2022], [Modelica2020] and [Timbo2020] for the forms.
     """
+    return export_of(any_by_temperature(scene, **given), to=to, out=out, over=over, progress=progress)
+
+
+def export_of(
+    found: SceneByTemperature,
+    *,
+    to: FormatName,
+    out: Path | str,
+    over: Mapping[str, Any] | None = None,
+    progress: Progress = silent,
+) -> Exported:
+    """What `export` does, of a scene that is read."""
     if to not in FORMATS:
         raise InputError(f"to = {plain(str(to))!r} is no format; give {', '.join(get_args(FormatName))}")
     form, file = FORMATS[to], Path(out)
     if file.suffix.casefold() != form.ending:
         raise InputError(f"--out {str(file)!r}: a file of {to} ends with {form.ending!r}; rename it")
     require_utf8(file)
-    axes = axes_of(scene, over or {}, whole=form.is_map)
+    found = replace(found, scene=at_steady_temperature(found), thermal=None)
+    axes = axes_of(found, over or {}, whole=form.is_map)
     if not form.is_map:
         for name, values in axes.items():
             if name != "speed" and values.size > 1:
                 raise InputError(f"{name} has {values.size} values, and {to} takes one; write a file for each")
     with new_file(file) as apart:
-        notes = form.write(scene, axes, apart, progress)
+        notes = form.write(found, axes, apart, progress)
     return Exported(file=file, axes=axes_in_words(axes), notes=notes)

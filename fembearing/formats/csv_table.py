@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from analytic.scene import Scene
+from analytic.scenefile.by_temperature import SceneByTemperature
 from analytic.words import NEWTON_MILLIMETRE
 from fembearing.formats.axes import SHOWN, Axes
 from fembearing.formats.torque_map import OF_OPERATION, mapped_torque
@@ -14,9 +14,9 @@ from fembearing.progress import Progress
 TORQUES = ("torque_low", "torque", "torque_high")  # in the order of a map
 
 
-def write_csv(scene: Scene, axes: Axes, file: Path, progress: Progress) -> tuple[str, ...]:
+def write_csv(given: SceneByTemperature, axes: Axes, file: Path, progress: Progress) -> tuple[str, ...]:
     """Write the map, 15 digits a number; speed varies slowest."""
-    found = mapped_torque(scene, axes, progress=progress)
+    found = mapped_torque(given, axes, progress=progress)
     points = np.meshgrid(*(SHOWN[name].number(values) for name, values in axes.items()), indexing="ij")
     columns = [*points, *NEWTON_MILLIMETRE.number(found.torque)]
     heads = [f"{OF_OPERATION.get(name, name)} [{SHOWN[name].name}]" for name in axes]

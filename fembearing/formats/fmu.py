@@ -17,7 +17,8 @@ from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
 from analytic.errors import InputError
-from analytic.scene import Array, Scene
+from analytic.scene import Array
+from analytic.scenefile.by_temperature import SceneByTemperature
 from analytic.writing import scratch_folder
 from fembearing.formats.axes import SHOWN, Axes, axes_in_words
 from fembearing.formats.interpolation import table_error
@@ -51,7 +52,7 @@ OUTPUTS = {  # in the order of fmu.c
 }
 
 
-def write_fmu(scene: Scene, axes: Axes, file: Path, progress: Progress) -> tuple[str, ...]:
+def write_fmu(given: SceneByTemperature, axes: Axes, file: Path, progress: Progress) -> tuple[str, ...]:
     """Write the unit. Raises InputError without a C compiler, and for a table that is too large."""
     compiler = next(filter(None, map(shutil.which, COMPILERS)), None)
     if compiler is None:
@@ -63,7 +64,7 @@ def write_fmu(scene: Scene, axes: Axes, file: Path, progress: Progress) -> tuple
     if nodes > MOST:
         counts = " x ".join(str(values.size) for values in axes.values())
         raise InputError(f"{counts} = {nodes} nodes are more than the {MOST} that an FMU below 1 MB takes; give fewer")
-    found = mapped_torque(scene, axes, progress=part_of(progress, 0.0, 0.8))
+    found = mapped_torque(given, axes, progress=part_of(progress, 0.0, 0.8))
     progress(0.8, "error of the table")
     error = table_error(found)
     source = files("fembearing.formats").joinpath("fmu.c").read_text("utf-8")

@@ -9,7 +9,8 @@ import re
 from pathlib import Path
 
 from analytic.errors import InputError
-from analytic.scene import Array, Scene
+from analytic.scene import Array
+from analytic.scenefile.by_temperature import SceneByTemperature
 from fembearing.formats.axes import Axes, axes_in_words
 from fembearing.formats.interpolation import table_error
 from fembearing.formats.torque_map import TorqueMap, from_standstill, mapped_torque
@@ -23,14 +24,14 @@ MODELS = {  # in the order of a map
 }
 
 
-def write_modelica(scene: Scene, axes: Axes, file: Path, progress: Progress) -> tuple[str, ...]:
+def write_modelica(given: SceneByTemperature, axes: Axes, file: Path, progress: Progress) -> tuple[str, ...]:
     """Write the package, which has the name of the file. Raises InputError for a name that Modelica does not take."""
     if not IDENTIFIER.fullmatch(file.stem):
         raise InputError(
             f"--out {file.name!r}: a Modelica package has the name of its file, letters, digits and _, a letter first; "
             f"give for example {'friction_' + re.sub(r'[^A-Za-z0-9_]+', '_', file.stem) + '.mo'!r}"
         )
-    found = mapped_torque(scene, from_standstill(axes), progress=progress)
+    found = mapped_torque(given, from_standstill(axes), progress=progress)
     error = table_error(found)
     file.write_text(_package(file.stem, found, error), "utf-8")
     return (f"straight lines between the speeds differ from the torque by up to {100 * error:.2g} %",)

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from analytic.labelled import Column, Labelled, dataset_of
 from analytic.result import COORDINATES
-from analytic.scene import Scene
+from analytic.scenefile.by_temperature import SceneByTemperature
 from fembearing.formats.axes import Axes
 from fembearing.formats.torque_map import OF_OPERATION, mapped_torque
 from fembearing.progress import Progress
@@ -19,11 +19,11 @@ TORQUES = {  # in the order of a map
 TEMPERATURE = Column("K", "temperature of the oil at the inlets")
 
 
-def write_netcdf(scene: Scene, axes: Axes, file: Path, progress: Progress) -> tuple[str, ...]:
+def write_netcdf(given: SceneByTemperature, axes: Axes, file: Path, progress: Progress) -> tuple[str, ...]:
     """Write the map as a dataset of three variables over the axes."""
-    found = mapped_torque(scene, axes, progress=progress)
+    found = mapped_torque(given, axes, progress=progress)
     names = {name: OF_OPERATION.get(name, name) for name in axes}
-    origin = provenance_of(scene)
+    origin = provenance_of(given.scene)
     dataset = dataset_of(
         {
             name: Labelled(tuple(names.values()), values, column)
@@ -34,7 +34,7 @@ def write_netcdf(scene: Scene, axes: Axes, file: Path, progress: Progress) -> tu
             for name, values in axes.items()
         },
         attributes={
-            "title": f"friction torque of {scene.name}",
+            "title": f"friction torque of {given.scene.name}",
             "fembearing": origin.versions["fembearing"],
             "date": origin.date,
             "scene": json.dumps(origin.scene_content),

@@ -13,7 +13,8 @@ from pathlib import Path
 import numpy as np
 
 from analytic.errors import InputError
-from analytic.scene import Array, Operation, Scene
+from analytic.scene import Array, Operation
+from analytic.scenefile.by_temperature import SceneByTemperature
 from analytic.torque import friction_torque
 from fembearing.formats.axes import Axes, axes_in_words
 from fembearing.progress import Progress
@@ -49,7 +50,7 @@ def bearing(n, cxx=0.0, **others):
 '''
 
 
-def write_ross(scene: Scene, axes: Axes, file: Path, progress: Progress) -> tuple[str, ...]:
+def write_ross(given: SceneByTemperature, axes: Axes, file: Path, progress: Progress) -> tuple[str, ...]:
     """Write a Python module with a function that makes the element.
 
     Raises InputError for a pair of bearings, fewer than two speeds, and loads that leave a displacement free.
@@ -60,12 +61,12 @@ def write_ross(scene: Scene, axes: Axes, file: Path, progress: Progress) -> tupl
         raise InputError("an element of ROSS needs speeds to interpolate between; give speed as a range")
     if not file.stem.isidentifier():
         raise InputError(f"--out {file.name!r} is no name of a Python module; give for example bearing.py")
-    stiffness = stiffness_at(scene, axes)
+    stiffness = stiffness_at(given, axes)
     rows = "".join(
         f'    "{name}": {(sign * stiffness[:, i, j]).tolist()},\n' for name, (sign, i, j) in COEFFICIENTS.items()
     )
     text = TEXT.format(
-        bearing=scene.bearing.name,
+        bearing=given.scene.bearing.name,
         axes=axes_in_words(axes),
         module=file.stem,
         speed=speeds.tolist(),
@@ -75,18 +76,15 @@ def write_ross(scene: Scene, axes: Axes, file: Path, progress: Progress) -> tupl
     return ("damping is 0: the model has none; give cxx of bearing() from a test of your machine",)
 
 
-def stiffness_at(scene: Scene, axes: Axes) -> Array:
+def stiffness_at(given: SceneByTemperature, axes: Axes) -> Array:
     """(s, 5, 5) of the ring at each speed, as `RingState.stiffness`, at the one load and temperature of the axes."""
+    scene = given.at(float(axes["temperature"][0])) if "temperature" in axes else given.scene
     if scene.arrangement is not None:
         raise InputError("a pair of bearings has no stiffness at one node; give the scene of each bearing by itself")
-    speeds, oil = axes["speed"], scene.lubricant
+    speeds = axes["speed"]
     loads = {name: np.full(speeds.size, axes[name][0]) for name in ("axial_load", "radial_load")}
     moment = np.full(speeds.size, np.ravel(scene.operation.as_series().moment)[0])
-    if oil is not None:
-        oil = replace(oil, temperature=float(axes["temperature"][0]))
-    ring = friction_torque(
-        replace(scene, operation=Operation(inner_speed=speeds, moment=moment, **loads), lubricant=oil)
-    ).ring
+    ring = friction_torque(replace(scene, operation=Operation(inner_speed=speeds, moment=moment, **loads))).ring
     assert ring is not None
     least = np.linalg.eigvalsh(ring.stiffness[:, 1:3, 1:3]).min()
     if not least > 0:

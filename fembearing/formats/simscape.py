@@ -9,7 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
-from analytic.scene import Array, Scene
+from analytic.scene import Array
+from analytic.scenefile.by_temperature import SceneByTemperature
 from fembearing.formats.axes import Axes, axes_in_words
 from fembearing.formats.interpolation import table_error
 from fembearing.formats.torque_map import HIGH, LOW, NOMINAL, from_standstill, mapped_torque
@@ -38,9 +39,9 @@ friction.high = {high}; % N*m
 """
 
 
-def write_simscape(scene: Scene, axes: Axes, file: Path, progress: Progress) -> tuple[str, ...]:
+def write_simscape(given: SceneByTemperature, axes: Axes, file: Path, progress: Progress) -> tuple[str, ...]:
     """Write the script, for both directions of rotation."""
-    found = mapped_torque(scene, from_standstill(axes), progress=progress)
+    found = mapped_torque(given, from_standstill(axes), progress=progress)
     error = table_error(found)
     speeds, torques = found.curve
     slow = STICKING * float(speeds[1])

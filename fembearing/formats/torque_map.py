@@ -1,6 +1,7 @@
 """The friction torque over speed, loads and oil temperature, with its 95 % interval to first order.
 
-The torque is that of `analytic.torque_function`, one for each temperature, with the oil that the catalogue has there.
+The torque is that of `analytic.torque_function`, one for each temperature, with the oil that the scene's table has
+there.
 Effects and methods are settled once, by the corners of the axes at the scene's temperature, for its tolerance.
 
 The interval is an estimate, and its ends over the torque vary less than the torque. So they are computed with
@@ -15,7 +16,7 @@ first speed above 0.
 """
 
 import math
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -23,8 +24,8 @@ import numpy as np
 from analytic.errors import InputError
 from analytic.function import TorqueFunction, torque_function
 from analytic.prediction.first_order import first_order_ends
-from analytic.scene import Array, Lubricant, Operation, Scene
-from analytic.scenefile.by_name import lubricant
+from analytic.scene import Array, Operation, Scene
+from analytic.scenefile.by_temperature import SceneByTemperature
 from analytic.torque import friction_torque
 from fembearing.formats.axes import SLOWEST, Axes
 from fembearing.progress import Progress, silent
@@ -38,12 +39,13 @@ LOW, NOMINAL, HIGH = range(3)
 class TorqueOverAxes:
     """Torques of a scene at points of its axes, by one torque function for each temperature of the oil."""
 
-    def __init__(self, scene: Scene, axes: Axes) -> None:
+    def __init__(self, found: SceneByTemperature, axes: Axes) -> None:
         """Settles effects and methods. Raises InputError and ConvergenceError as `torque_function`."""
+        scene = found.scene
         self.moment = float(np.ravel(scene.operation.as_series().moment)[0])
         ends = {OF_OPERATION[name]: (values[0], values[-1]) for name, values in axes.items() if name in OF_OPERATION}
         own = torque_function(scene, over={**ends, "moment": (self.moment, self.moment)})
-        self.scene = own.scene  # with every effect settled
+        self.found = replace(found, scene=own.scene)  # with every effect settled
         oil = own.scene.lubricant
         self._functions: dict[float, TorqueFunction] = {0.0 if oil is None else oil.temperature: own}
 
@@ -60,7 +62,7 @@ class TorqueOverAxes:
 
     def _function(self, temperature: float) -> TorqueFunction:
         if temperature not in self._functions:
-            self._functions[temperature] = torque_function(at_temperature(self.scene, temperature))
+            self._functions[temperature] = torque_function(self.found.at(temperature))
         return self._functions[temperature]
 
 
@@ -84,20 +86,21 @@ class TorqueMap:
         return self.axes["speed"], self.torque.reshape(3, -1)
 
 
-def mapped_torque(scene: Scene, axes: Axes, *, progress: Progress = silent) -> TorqueMap:
+def mapped_torque(found: SceneByTemperature, axes: Axes, *, progress: Progress = silent) -> TorqueMap:
     """The torque of a scene over axes.
 
+    found : without [thermal], which has one temperature
     axes : of `fembearing.formats.axes.axes_of`
     progress : called with the share done, 0 to 1, and a word on the step at hand
-    Raises InputError and ConvergenceError as `torque_function` at its points, and InputError where an uncertain input
-    at its end leaves no torque.
+    Raises InputError and ConvergenceError as `torque_function` at its points, and InputError as `found.at`, and where
+    an uncertain input at its end leaves no torque.
     """
     progress(0.0, "torque")
-    law = TorqueOverAxes(scene, axes)
+    law = TorqueOverAxes(found, axes)
     moving = {**axes, "speed": moving_speeds(axes["speed"])}
     nominal = law.at(_product(moving)).reshape([values.size for values in axes.values()])
     low, high = nominal * np.exp(_interval(law, moving, progress))
-    return TorqueMap(scene=scene, axes=axes, torque=np.stack([low, nominal, high]), law=law)
+    return TorqueMap(scene=found.scene, axes=axes, torque=np.stack([low, nominal, high]), law=law)
 
 
 def moving_speeds(speeds: Array) -> Array:
@@ -119,23 +122,6 @@ def from_standstill(axes: Axes) -> Axes:
     return {**axes, "speed": np.concatenate([[0.0], above[0] * 2.0 ** -np.arange(steps, 0, -1), above])}
 
 
-def at_temperature(scene: Scene, temperature: float) -> Scene:
-    """The scene with its oil at another temperature, K.
-
-    What the oil has from the catalogue, it has from there at the new temperature; what is given stays, and a given
-    viscosity follows its own dependence on the temperature.
-    Raises InputError for a temperature beyond the data of the oil.
-    """
-    oil = scene.lubricant
-    assert oil is not None, "a scene without an oil has no axis of temperature"
-    changed = {}
-    if oil.name:
-        known, there = lubricant(oil.name, temperature=oil.temperature), lubricant(oil.name, temperature=temperature)
-        names = [each.name for each in fields(Lubricant) if each.name not in ("name", "origins")]
-        changed = {name: getattr(there, name) for name in names if getattr(known, name) == getattr(oil, name)}
-    return replace(scene, lubricant=replace(oil, **{**changed, "temperature": temperature}))
-
-
 def _product(axes: Axes) -> dict[str, Array]:
     """Every product of the values of the axes, (n,) of each."""
     grid = np.meshgrid(*axes.values(), indexing="ij")
@@ -153,17 +139,19 @@ def _interval(law: TorqueOverAxes, axes: Axes, progress: Progress) -> Array:
     temperatures = chosen.pop("temperature", [None])
     loads = {OF_OPERATION[name]: values for name, values in _product(chosen).items()}
     operation = Operation(**loads, moment=np.full(loads["inner_speed"].size, law.moment))
+    settled = law.found.scene
     balanced = replace(
-        law.scene,
+        settled,
         operation=operation,
         spin_rule="balanced",
         sliding="single_coefficient",
-        effects={**law.scene.effects, "creep": "off"},  # it goes with free balls alone
+        effects={**settled.effects, "creep": "off"},  # it goes with free balls alone
     )
     found = []
     for number, temperature in enumerate(temperatures):
         progress((1 + number) / (1 + len(temperatures)), "interval")
-        found.append(_logarithms(balanced if temperature is None else at_temperature(balanced, float(temperature))))
+        there = replace(law.found, scene=balanced)
+        found.append(_logarithms(balanced if temperature is None else there.at(float(temperature))))
     values = np.stack(found, axis=-1).reshape(2, *sizes)
     for axis, (name, at) in enumerate(places.items(), start=1):
         every = np.arange(axes[name].size)

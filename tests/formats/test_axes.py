@@ -1,15 +1,22 @@
 """Ranges of speed, load and temperature: what they mean, and what is refused."""
 
+from collections.abc import Mapping
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 
-from analytic.scenefile.read import load_scene
+from analytic.scene import Array, Scene
+from analytic.scenefile.read import any_by_temperature, load_by_temperature, load_scene
 from fembearing.formats.axes import axes_in_words, axes_of, axis_values
 from tests.refusals import refused
 
 RPM = np.pi / 30
+
+
+def axes_at(scene: Scene, over: Mapping[str, Any], *, whole: bool) -> dict[str, Array]:
+    return axes_of(any_by_temperature(scene), over, whole=whole)
 
 
 def test_a_range_has_even_steps_or_equal_ratios_and_its_ends_exactly() -> None:
@@ -50,7 +57,7 @@ def test_what_is_no_axis_is_refused(name: str, given: object, words: list[str]) 
 
 
 def test_what_is_not_given_follows_from_the_scene() -> None:
-    scene = load_scene("6206", radial_load="3 kN", speed="700 rpm", temperature="50 degC")
+    scene = load_by_temperature("6206", radial_load="3 kN", speed="700 rpm", temperature="50 degC")
     whole, curve = (axes_of(scene, {}, whole=each) for each in (True, False))
     assert whole["speed"][0] == 0
     assert whole["speed"][-1] == pytest.approx(1400 * RPM)  # twice the scene's
@@ -72,45 +79,45 @@ def test_speeds_that_are_not_given_reach_twice_the_fastest_of_the_scene_either_w
     scene = load_scene("6206", radial_load="3 kN", speed="700 rpm")
     speeds = RPM * np.array([700.0, -900.0, 200.0])
     series = replace(scene, operation=replace(scene.operation, inner_speed=speeds))
-    assert axes_of(series, {}, whole=True)["speed"][-1] == pytest.approx(1800 * RPM, rel=1e-12)  # a logarithm
+    assert axes_at(series, {}, whole=True)["speed"][-1] == pytest.approx(1800 * RPM, rel=1e-12)  # a logarithm
 
 
 def test_a_scene_without_an_oil_has_no_temperature() -> None:
     dry = load_scene("6205-dry")
-    assert "temperature" not in axes_of(dry, {}, whole=True)
-    refused(lambda: axes_of(dry, {"temperature": "50 degC"}, whole=True), "temperature", "no", "oil")
+    assert "temperature" not in axes_at(dry, {}, whole=True)
+    refused(lambda: axes_at(dry, {"temperature": "50 degC"}, whole=True), "temperature", "no", "oil")
 
 
 def test_several_values_of_the_scene_are_no_axis_of_a_curve() -> None:
     scene = load_scene("6206", radial_load=["1 kN", "2 kN"], speed="700 rpm")
-    refused(lambda: axes_of(scene, {}, whole=False), "radial load has 2 values", "give radial_load")
-    np.testing.assert_array_equal(axes_of(scene, {}, whole=True)["radial_load"][[0, -1]], [1000.0, 2000.0])
+    refused(lambda: axes_at(scene, {}, whole=False), "radial load has 2 values", "give radial_load")
+    np.testing.assert_array_equal(axes_at(scene, {}, whole=True)["radial_load"][[0, -1]], [1000.0, 2000.0])
 
 
 def test_a_load_with_several_values_in_the_scene_spans_them_in_a_map_and_is_asked_for_in_a_curve() -> None:
     scene = load_scene("6206", radial_load="3 kN", speed="700 rpm")
     series = replace(scene, operation=replace(scene.operation, radial_load=np.array([3000.0, 900.0, 2000.0])))
-    np.testing.assert_allclose(axes_of(series, {}, whole=True)["radial_load"], [900, 1425, 1950, 2475, 3000])
-    refused(lambda: axes_of(series, {}, whole=False), "radial load has 3 values in the scene", "give radial_load")
-    given = axes_of(series, {"radial_load": "500 N"}, whole=False)
+    np.testing.assert_allclose(axes_at(series, {}, whole=True)["radial_load"], [900, 1425, 1950, 2475, 3000])
+    refused(lambda: axes_at(series, {}, whole=False), "radial load has 3 values in the scene", "give radial_load")
+    given = axes_at(series, {"radial_load": "500 N"}, whole=False)
     np.testing.assert_array_equal(given["radial_load"], [500.0])
 
 
 def test_a_scene_at_rest_and_several_moments_make_no_table() -> None:
     scene = load_scene("6206", radial_load="3 kN", speed="700 rpm")
     still = replace(scene, operation=replace(scene.operation, inner_speed=np.array([0.0])))
-    refused(lambda: axes_of(still, {}, whole=True), "stands still", "give speed")
-    assert axes_of(still, {"speed": "0 rpm to 90 rpm in 4"}, whole=True)["speed"].size == 4
+    refused(lambda: axes_at(still, {}, whole=True), "stands still", "give speed")
+    assert axes_at(still, {"speed": "0 rpm to 90 rpm in 4"}, whole=True)["speed"].size == 4
     moments = replace(scene, operation=replace(scene.operation, moment=np.array([0.0, 0.3])))
-    refused(lambda: axes_of(moments, {}, whole=True), "operation.moment has several values")
+    refused(lambda: axes_at(moments, {}, whole=True), "operation.moment has several values")
     one = replace(scene, operation=replace(scene.operation, moment=np.array([0.3, 0.3])))
-    assert axes_of(one, {}, whole=True)["axial_load"].tolist() == [0.0]
+    assert axes_at(one, {}, whole=True)["axial_load"].tolist() == [0.0]
 
 
 def test_a_negative_load_has_its_range_in_ascending_order() -> None:
     scene = load_scene("6206", radial_load="3 kN", speed="700 rpm")
     pulled = replace(scene, operation=replace(scene.operation, axial_load=np.array([-600.0])))
-    loads = axes_of(pulled, {}, whole=True)["axial_load"]
+    loads = axes_at(pulled, {}, whole=True)["axial_load"]
     np.testing.assert_allclose(loads, [-1200, -600 * 2**0.5, -600, -600 / 2**0.5, -300], rtol=1e-12)
 
 

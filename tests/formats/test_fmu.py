@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 from analytic.scene import Array
-from analytic.scenefile.read import load_scene
+from analytic.scenefile.read import load_by_temperature
 from fembearing.formats import fmu
 from fembearing.formats.axes import axes_of
-from fembearing.formats.choice import export
+from fembearing.formats.choice import export_of
 from fembearing.formats.interpolation import interpolated
 from fembearing.formats.torque_map import TorqueMap, from_standstill, mapped_torque
 from tests.refusals import refused
@@ -38,10 +38,12 @@ class Made(NamedTuple):
 
 @pytest.fixture(scope="module")
 def made(tmp_path_factory: pytest.TempPathFactory) -> Made:
-    scene = load_scene("6206", speed="1500 rpm", radial_load="400 N", settings={"friction.spin_rule": "balanced"})
+    found = load_by_temperature(
+        "6206", speed="1500 rpm", radial_load="400 N", settings={"friction.spin_rule": "balanced"}
+    )
     file = tmp_path_factory.mktemp("unit") / "bearing.fmu"
-    export(scene, to="fmu", out=file, over=OVER)
-    table = mapped_torque(scene, from_standstill(axes_of(scene, OVER, whole=True)))
+    export_of(found, to="fmu", out=file, over=OVER)
+    table = mapped_torque(found, from_standstill(axes_of(found, OVER, whole=True)))
     return Made(file, table, fmpy.read_model_description(str(file), validate=True))
 
 
@@ -198,7 +200,7 @@ def test_the_file_is_small_and_the_same_each_time(made: Made, tmp_path: Path) ->
         assert {"modelDescription.xml", "sources/fmu.c", "sources/table.h"} < set(unit.namelist())
         assert b"python" not in next(unit.read(name) for name in unit.namelist() if "binaries" in name).lower()
     again = tmp_path / "again.fmu"
-    export(made.table.scene, to="fmu", out=again, over=OVER)
+    export_of(made.table.law.found, to="fmu", out=again, over=OVER)
     with zipfile.ZipFile(made.file) as one, zipfile.ZipFile(again) as other:
         for name in ("modelDescription.xml", "sources/table.h"):
             assert one.read(name) == other.read(name)
@@ -207,9 +209,9 @@ def test_the_file_is_small_and_the_same_each_time(made: Made, tmp_path: Path) ->
 def test_no_compiler_and_a_broken_one_are_refused(made: Made, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     file = tmp_path / "bearing.fmu"
     monkeypatch.setattr(fmu.shutil, "which", lambda _: None)
-    refused(lambda: export(made.table.scene, to="fmu", out=file, over=OVER), "C compiler", "install one")
+    refused(lambda: export_of(made.table.law.found, to="fmu", out=file, over=OVER), "C compiler", "install one")
     monkeypatch.setattr(fmu.shutil, "which", lambda _: "/bin/false")
-    refused(lambda: export(made.table.scene, to="fmu", out=file, over=OVER), "'/bin/false' fails", "status 1")
+    refused(lambda: export_of(made.table.law.found, to="fmu", out=file, over=OVER), "'/bin/false' fails", "status 1")
     many = OVER | {"speed": "0 rpm to 3000 rpm in 2000"}
-    refused(lambda: export(made.table.scene, to="fmu", out=file, over=many), " x 3 x 1 x 2 = ", "fewer")
+    refused(lambda: export_of(made.table.law.found, to="fmu", out=file, over=many), " x 3 x 1 x 2 = ", "fewer")
     assert list(tmp_path.iterdir()) == []
