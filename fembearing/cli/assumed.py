@@ -1,5 +1,6 @@
 """The line that tells what the scene of a bearing of the catalogue assumes."""
 
+import shlex
 from collections.abc import Iterable
 
 
@@ -14,4 +15,4 @@ def tell_assumed(assumed: Iterable[str], *, before: str = "", change: str = "wit
 
 def in_a_file(name: str) -> str:
     """How to change what is assumed by a command without --set; name : of the bearing."""
-    return f"in a scene file: fembearing init {name}"
+    return f"in a scene file: fembearing init {shlex.quote(name)}"

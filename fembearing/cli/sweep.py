@@ -10,7 +10,6 @@ from fembearing.cli.options import AsJson, require_folder_name
 from fembearing.cli.status import DONE, INTERRUPTED, NOT_SOLVED, complain, say
 
 if TYPE_CHECKING:
-    from fembearing.sweep.grid import Grid
     from fembearing.sweep.run import Sweep
 
 MAPS = "maps"
@@ -33,14 +32,12 @@ def sweep(
     require_folder_name(folder)
     from fembearing.cli.console import print_json, shown_progress
     from fembearing.plain_types import plain
-    from fembearing.sweep.grid import load_grid
     from fembearing.sweep.run import run_sweep
 
-    read = load_grid(grid)
     try:
         with shown_progress() as progress:
             result = run_sweep(
-                read, out=folder, workers=workers, scheduler=scheduler, progress=progress, announce=_announce
+                grid, out=folder, workers=workers, scheduler=scheduler, progress=progress, announce=_announce
             )
             progress(1.0, "maps")
             maps = _maps(result)
@@ -52,13 +49,15 @@ def sweep(
         print_json(plain(result) | {"maps": plain(maps)})
     else:
         _print(result, maps)
-        _tell_assumed(read)
+        _tell_assumed(grid)
     raise typer.Exit(NOT_SOLVED if result.failed else DONE)
 
 
-def _tell_assumed(grid: "Grid") -> None:
+def _tell_assumed(path: Path) -> None:
     from analytic.scenefile.assumption import usual_values
+    from fembearing.sweep.grid import load_grid
 
+    grid = load_grid(path)
     if grid.named is not None and grid.named.designation is not None:
         keys = [axis.key for axis in grid.axes]
         change = in_a_file(grid.named.designation)

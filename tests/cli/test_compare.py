@@ -73,7 +73,7 @@ def test_a_bearing_has_the_loads_of_the_file_alone_and_tells_what_is_assumed(com
     assert "operation.radial_load = 0 N, operation.inner_speed = 1000 rpm" in told
     assert "operation.axial_load" not in told
     assert told.endswith("; change in a scene file: fembearing init 6206")
-    assert load_scene("6206", measured="thrust.csv").operation.radial_load[0] == 0
+    assert not np.any(load_scene("6206", measured="thrust.csv").operation.radial_load)
     assert "assumed: " not in command("compare", "data.csv", "bare.toml", *QUICK).out
 
 

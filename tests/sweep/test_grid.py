@@ -30,7 +30,7 @@ def test_no_usual_load_is_added_to_an_axis_of_loads(
     grid_file: Callable[..., Path], axes: str, loads: tuple[float, ...]
 ) -> None:
     operation = load_grid(grid_file(axes, head='scene = "6206"', scene="")).first_scene().operation
-    assert (operation.axial_load[0], operation.radial_load[0], operation.moment[0]) == loads
+    assert tuple(map(np.max, (operation.axial_load, operation.radial_load, operation.moment))) == loads
 
 
 def test_values_come_out_in_si_and_in_order(grid_file: Callable[..., Path]) -> None:

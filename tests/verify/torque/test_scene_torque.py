@@ -72,7 +72,7 @@ def test_one_point_is_below_or_above_the_band(oiled: Scene) -> None:
 
 def test_seals_and_drag_are_not_in_the_formulas_and_not_compared_with_them() -> None:
     """The seals of a 6205-2RS1, 67.9 N mm by SKF's formula, are most of its torque."""
-    loads = {"axial_load": "300 N", "radial_load": "200 N"}
+    loads: dict[str, Any] = {"axial_load": "300 N", "radial_load": "200 N"}
     bare = torque_of_scene(load_scene("6205", **loads), estimate=False)
     sealed = torque_of_scene(
         load_scene("6205-2RS1", settings={"losses.seals": "estimate", "losses.oil_share": "2 %"}, **loads),
