@@ -227,8 +227,8 @@ def makers_words(record: TorqueRecord, units: Units = METRIC) -> str:
     for name, series in band.values.items():  # a maker may have two constants: "Palmgren, z = 0.0004"
         known = (each for each in series if each is not None and isfinite(each))
         makers.setdefault(name.partition(",")[0], []).extend(known)
-    ends = {name: sorted({min(known), max(known)}) for name, known in makers.items() if known}
-    numbers = [f"{name} {between(values, units.torque)}" for name, values in ends.items()]
+    shown = {name: [units.torque.number(each) for each in known] for name, known in makers.items() if known}
+    numbers = [f"{name} {_span(each, 3, '-')}" for name, each in shown.items()]
     if not numbers:
         return "makers: no formula holds for this bearing or load"
     losses = any(point.torque.declared is not None or point.torque.oil is not None for point in record.points)

@@ -239,6 +239,7 @@ def test_makers_without_a_number_are_not_named(result: SceneTorque) -> None:
     words_of: tuple[tuple[dict[str, tuple[float | None, ...]], str], ...] = (
         ({"SKF": (None,)}, none),
         ({"SKF": (0.031,)}, "makers: SKF 31 N mm"),
+        ({"SKF": (0.08412, 0.08414)}, "makers: SKF 84.1 N mm"),  # ends alike as they are printed
         ({"SKF": (np.nan, 0.031)}, "makers: SKF 31 N mm"),  # a first point that was skipped
     )
     for values, words in words_of:

@@ -25,7 +25,7 @@ from fembearing.report.figures.torque import (
     draw_total,
     total_of,
 )
-from fembearing.report.phrases import LOADS, between, loads_of, speed_words
+from fembearing.report.phrases import LOADS, between, loads_of, rounded, speed_words
 from fembearing.report.tables.torque import RESIDUE
 from fembearing.report.torque import torque_record
 from fembearing.verify.torque.scene_torque import SceneTorque
@@ -118,7 +118,7 @@ def _one_point(point: TorquePoint, name: str, beside: Beside, units: Units) -> F
         panel.annotate(words, (right, number), xytext=(4, 0), textcoords="offset points", va="center", fontsize=9)
     for number, (_, low, high) in enumerate(makers, start=len(rows)):
         panel.plot([low, high], [number, number], "-|", color=OF_MAKERS, linewidth=3, markersize=8)
-        words = between((low, high), torque._replace(factor=1.0)) if high > low else f"{low:.4g}"
+        words = "-".join(dict.fromkeys(rounded(end, 3) for end in (low, high)))
         panel.annotate(words, (high, number), xytext=(6, 0), textcoords="offset points", va="center", fontsize=9)
     names = [*(row[0] for row in rows), *(f"{maker}, formula" for maker, *_ in makers)]
     panel.set_yticks(np.arange(len(names)), names)
