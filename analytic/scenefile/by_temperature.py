@@ -34,8 +34,8 @@ class SceneByTemperature:
         """The scene at the temperature of its file. Raises InputError where friction settles the temperature."""
         if self.thermal is not None:
             raise InputError(
-                f"{self.origin}: the scene has [thermal], so friction determines the oil temperature: read it by "
-                "analytic.steady_scene, or leave the table out and give lubricant.temperature"
+                f"{self.origin}: the scene has [thermal], so friction determines the oil temperature: leave the table "
+                "out and give lubricant.temperature, or run fembearing torque (in Python analytic.steady_scene)"
             )
         return self.scene
 

@@ -27,7 +27,7 @@ def test_friction_warms_an_oil_that_is_known_at_every_temperature() -> None:
     for lines in ('name = "ISO VG 46"', PAIR):
         read = parse_by_temperature(f"{PLAIN}[lubricant]\n{lines}\n{SURFACE}{THERMAL}", origin="here")
         assert read.thermal is not None
-        refused(lambda: read.fixed, "here: the scene has [thermal], so friction determines")  # noqa: B023
+        refused(lambda: read.fixed, "here: the scene has [thermal]", "or run fembearing torque")  # noqa: B023
 
 
 @pytest.mark.parametrize(
