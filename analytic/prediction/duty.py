@@ -22,6 +22,7 @@ from analytic.brief import Brief
 from analytic.errors import InputError
 from analytic.prediction.first_order import MovedTotals, end_factors, moved_totals
 from analytic.prediction.steady import SteadyTemperature, steady_temperature, with_steady_oil
+from analytic.result import FrictionTorque
 from analytic.rows import NotNegative, OperatingPoint, Positive
 from analytic.scene import Array, Operation, Scene
 from analytic.scenefile.by_temperature import SceneByTemperature
@@ -32,6 +33,7 @@ from analytic.torque import friction_torque
 from analytic.words import torque_of
 
 Places = NDArray[np.intp]
+Torques = tuple[tuple[Scene, FrictionTorque], ...]  # of the turning steps of each temperature, with their scene
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -103,6 +105,7 @@ class Computed(NamedTuple):
     torque: Array  # N m
     totals: MovedTotals | None  # the same as the inputs move; None: no interval
     warnings: tuple[str, ...]
+    results: Torques
 
 
 def duty_cycle(scene: str | os.PathLike[str] | Scene, cycle: str | os.PathLike[str], **given: Any) -> DutyCycle:
@@ -140,11 +143,11 @@ def duty_cycle(scene: str | os.PathLike[str] | Scene, cycle: str | os.PathLike[s
     The interval is to first order, with the errors of each input the same in all steps.
     """
     read = read_cycle(cycle)
-    return cycle_of(any_by_temperature(scene, columns=vars(read), **given), read)
+    return cycle_with_torques(any_by_temperature(scene, columns=vars(read), **given), read)[0]
 
 
-def cycle_of(found: SceneByTemperature, cycle: Cycle) -> DutyCycle:
-    """What `duty_cycle` returns, of a scene and a cycle that are read."""
+def cycle_with_torques(found: SceneByTemperature, cycle: Cycle) -> tuple[DutyCycle, Torques]:
+    """What `duty_cycle` returns, of a scene and a cycle that are read, and the torques that it is computed from."""
     begun = perf_counter()
     steps = _steps(found, cycle)
     steady = None
@@ -154,7 +157,7 @@ def cycle_of(found: SceneByTemperature, cycle: Cycle) -> DutyCycle:
         warm = with_steady_oil(found, steady)
         found = replace(found, scene=warm, thermal=None)
     computed = _computed(found, steps, with_interval=True)
-    return DutyCycle(
+    result = DutyCycle(
         scene=found.scene.name,
         file=cycle.file,
         steps=tuple(_rows(found.scene, steps, computed)),
@@ -165,6 +168,7 @@ def cycle_of(found: SceneByTemperature, cycle: Cycle) -> DutyCycle:
         warnings=computed.warnings,
         seconds=perf_counter() - begun,
     )
+    return result, computed.results
 
 
 def _steps(found: SceneByTemperature, cycle: Cycle) -> Steps:
@@ -192,6 +196,7 @@ def _computed(found: SceneByTemperature, steps: Steps, *, with_interval: bool) -
     """The torques of all steps; equal steps are computed once."""
     torque, scenes = np.zeros(steps.duration.size), [*_scenes(found, steps)]
     warnings: list[str] = []
+    results: list[tuple[Scene, FrictionTorque]] = []
     groups: list[Group] = []
     for places, scene in scenes:
         names = tuple(steps.points)
@@ -201,11 +206,13 @@ def _computed(found: SceneByTemperature, steps: Steps, *, with_interval: bool) -
         result = friction_torque(at_them)
         torque[places] = result.torque.total[which]
         warnings += result.warnings
+        every = replace(scene, operation=Operation(**dict(zip(names, given, strict=True))))
+        results.append((every, result.at(which)))
         totals = moved_totals(at_them, result) if with_interval else None
         if totals is not None:
             groups.append(Group(places, which, totals))
     totals = _joined(torque.size, groups) if len(groups) == len(scenes) else None
-    return Computed(torque, totals, tuple(dict.fromkeys(warnings)))
+    return Computed(torque, totals, tuple(dict.fromkeys(warnings)), tuple(results))
 
 
 def _scenes(found: SceneByTemperature, steps: Steps) -> Iterator[tuple[Places, Scene]]:

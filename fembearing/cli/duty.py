@@ -15,7 +15,7 @@ from fembearing.cli.options import (
     scene_names_like,
 )
 from fembearing.cli.scene_options import OPTIONS, SETTINGS, given_options, given_settings
-from fembearing.cli.status import print_warnings
+from fembearing.cli.status import STANDING_STATUS, print_warnings
 
 SceneName = Annotated[
     str,
@@ -43,7 +43,7 @@ def duty(scene: SceneName, cycle: CycleFile, folder: Folder = None, as_json: AsJ
     settings, options = given_settings(), given_options()
     from contextlib import nullcontext
 
-    from analytic.prediction.duty import cycle_of
+    from analytic.prediction.duty import cycle_with_torques
     from analytic.scenefile.assumption import assumptions
     from analytic.scenefile.cycle import read_cycle
     from analytic.writing import new_folder
@@ -52,18 +52,21 @@ def duty(scene: SceneName, cycle: CycleFile, folder: Folder = None, as_json: AsJ
     from fembearing.report.duty_folder import duty_file, write_duty
     from fembearing.report.tables.duty import cycle_table, steps_table
     from fembearing.report.terminal.table import show
+    from fembearing.verify.torque.worst import worst_standing
 
     steps = read_cycle(cycle)
     found = read_by_temperature(scene, settings=settings, options=options, columns=vars(steps))
     with nullcontext() if folder is None else new_folder(folder) as place:
-        result = cycle_of(found, steps)
+        result, torques = cycle_with_torques(found, steps)
+        standing = worst_standing(torques)
         if place is not None:
-            write_duty(result, found.scene, place)
+            write_duty(result, standing, found.scene, place)
     if as_json:
-        print_json(plain(duty_file(result)))
+        print_json(plain(duty_file(result, standing)))
     else:
         show(out, steps_table(result))
         show(out, cycle_table(result))
+        out.tell(standing.line("turning steps"))
         if scene != STANDARD_INPUT:
             settled = () if found.thermal is None else ("lubricant.temperature",)
             keys = (*settings, *settled)
@@ -71,3 +74,4 @@ def duty(scene: SceneName, cycle: CycleFile, folder: Folder = None, as_json: AsJ
         if folder is not None:
             out.tell(f"folder: {folder}")
     print_warnings(result.warnings)
+    raise typer.Exit(STANDING_STATUS[standing.word])

@@ -9,7 +9,7 @@ import typer
 from fembearing.cli.added_options import with_options
 from fembearing.cli.options import BUILTIN, STANDARD_INPUT, SceneName, read_by_temperature
 from fembearing.cli.scene_options import OPTIONS, SETTINGS, given_options, given_settings
-from fembearing.cli.status import print_warnings
+from fembearing.cli.status import STANDING_STATUS, print_warnings
 
 RANGES: dict[str, Any] = {  # options that are a range here, in place of those of one torque
     "axial_load": Annotated[
@@ -66,7 +66,9 @@ def export(
         file = Path(f"friction_{word}{FORMATS[to].ending}")
     with shown_progress() as progress:
         done = export_of(found, to=to, out=file, over=over, progress=progress)
-    print_warnings(found.scene.warnings)
+    print_warnings(done.warnings)
     out.tell(f"written: {done.file}; {done.axes}")
     for note in done.notes:
         out.tell(f"note: {note}")
+    out.tell(done.standing.line("points"))
+    raise typer.Exit(STANDING_STATUS[done.standing.word])

@@ -6,6 +6,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Literal, NamedTuple, get_args
 
+import numpy as np
+
 from analytic.errors import InputError
 from analytic.prediction.steady import at_steady_temperature
 from analytic.scene import Scene
@@ -20,7 +22,9 @@ from fembearing.formats.modelica import write_modelica
 from fembearing.formats.netcdf import write_netcdf
 from fembearing.formats.ross import write_ross
 from fembearing.formats.simscape import write_simscape
+from fembearing.formats.torque_map import torques_at_nodes
 from fembearing.progress import Progress, silent
+from fembearing.verify.torque.worst import WorstStanding, worst_standing
 
 FormatName = Literal["csv", "netcdf", "modelica", "simscape", "ross", "fmu"]
 
@@ -30,18 +34,18 @@ class Format(NamedTuple):
 
     ending: str  # of the file
     is_map: bool  # over loads and temperature too; else over speed alone
-    write: Callable[
-        [SceneByTemperature, Axes, Path, Progress], tuple[str, ...]
-    ]  # gives notes on the file, a sentence each
+    has_torque: bool  # else it is a stiffness, of which only the physical limits are judged
+    # Gives notes on the file, a sentence each
+    write: Callable[[SceneByTemperature, Axes, Path, Progress], tuple[str, ...]]
 
 
 FORMATS: Mapping[str, Format] = {
-    "csv": Format(".csv", True, write_csv),
-    "netcdf": Format(".nc", True, write_netcdf),
-    "modelica": Format(".mo", False, write_modelica),
-    "simscape": Format(".m", False, write_simscape),
-    "ross": Format(".py", False, write_ross),
-    "fmu": Format(".fmu", True, write_fmu),
+    "csv": Format(".csv", True, True, write_csv),
+    "netcdf": Format(".nc", True, True, write_netcdf),
+    "modelica": Format(".mo", False, True, write_modelica),
+    "simscape": Format(".m", False, True, write_simscape),
+    "ross": Format(".py", False, False, write_ross),
+    "fmu": Format(".fmu", True, True, write_fmu),
 }
 
 
@@ -52,6 +56,8 @@ class Exported:
     file: Path
     axes: str  # size and ranges of its table, in words
     notes: tuple[str, ...]  # what to know of it, a sentence each
+    standing: WorstStanding  # how far its torques can be trusted, by up to 20 speeds, 3 loads and 3 temperatures
+    warnings: tuple[str, ...]  # of the torques there
 
 
 def export(
@@ -85,7 +91,7 @@ def export(
     Returns
     -------
     Exported
-        The file, its axes, and notes as the error of interpolation.
+        The file, its axes, notes as the error of interpolation, and the worst standing and the warnings of its torques.
 
     Raises
     ------
@@ -127,4 +133,15 @@ def export_of(
                 raise InputError(f"{name} has {values.size} values, and {to} takes one; write a file for each")
     with new_file(file) as apart:
         notes = form.write(found, axes, apart, progress)
-    return Exported(file=file, axes=axes_in_words(axes), notes=notes)
+        progress(1.0, "limits")
+        torques = torques_at_nodes(found, axes)
+    if not form.has_torque:  # nothing of it can exceed a tolerance
+        torques = [(replace(scene, tolerance=np.inf), friction) for scene, friction in torques]
+    warnings = dict.fromkeys(warning for _, friction in torques for warning in friction.warnings)
+    return Exported(
+        file=file,
+        axes=axes_in_words(axes),
+        notes=notes,
+        standing=worst_standing(torques),
+        warnings=tuple(warnings),
+    )

@@ -20,10 +20,13 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
+from analytic.effects.ledger import SWITCHED_OFF, Effects
 from analytic.errors import InputError
-from analytic.function import TorqueFunction, torque_function
+from analytic.function import AT_REST, TorqueFunction, torque_function
 from analytic.prediction.first_order import first_order_ends
+from analytic.result import FrictionTorque
 from analytic.scene import Array, Operation, Scene
 from analytic.scenefile.by_temperature import SceneByTemperature
 from analytic.torque import friction_torque
@@ -33,6 +36,7 @@ from fembearing.progress import Progress, silent
 OF_OPERATION = {"speed": "inner_speed", "axial_load": "axial_load", "radial_load": "radial_load"}
 CREEPING = 1e-6  # speed at which a bearing begins to turn, over the first speed of the axis above 0
 NODES = {"speed": 20, "axial_load": 3, "radial_load": 3, "temperature": 3}  # most of an axis, that have an interval
+RESTS = "the cage of a table rests on its balls"
 LOW, NOMINAL, HIGH = range(3)
 
 
@@ -42,7 +46,7 @@ class TorqueOverAxes:
     def __init__(self, found: SceneByTemperature, axes: Axes) -> None:
         """Settles effects and methods. Raises InputError and ConvergenceError as `torque_function`."""
         scene = found.scene
-        self.moment = float(np.ravel(scene.operation.as_series().moment)[0])
+        self.moment = _moment(scene)
         ends = {OF_OPERATION[name]: (values[0], values[-1]) for name, values in axes.items() if name in OF_OPERATION}
         own = torque_function(scene, over={**ends, "moment": (self.moment, self.moment)})
         self.found = replace(found, scene=own.scene)  # with every effect settled
@@ -128,21 +132,60 @@ def _product(axes: Axes) -> dict[str, Array]:
     return {name: values.ravel() for name, values in zip(axes, grid, strict=True)}
 
 
-def _interval(law: TorqueOverAxes, axes: Axes, progress: Progress) -> Array:
-    """(2, *sizes) logarithm of both ends of the interval over the torque."""
-    places = {
+def torques_at_nodes(found: SceneByTemperature, axes: Axes) -> list[tuple[Scene, FrictionTorque]]:
+    """The torque with limits and solver error at up to NODES values of each axis, and the scene of each temperature.
+
+    The cage rests on its balls, as in the map. Raises InputError and ConvergenceError as `friction_torque`.
+    """
+    moving = {**axes, "speed": moving_speeds(axes["speed"])}
+    chosen = {name: moving[name][places] for name, places in _places(moving).items()}
+    temperatures = chosen.pop("temperature", [None])
+    own = replace(found, scene=replace(found.scene, operation=_operation(chosen, _moment(found.scene))))
+    scenes = [own.scene if each is None else own.at(float(each)) for each in temperatures]
+    return [(scene, _with_resting_cage(scene)) for scene in scenes]
+
+
+def _with_resting_cage(scene: Scene) -> FrictionTorque:
+    """The torque without motion of the cage, and that as the reason where the scene leaves it open."""
+    friction = friction_torque(replace(scene, effects={**scene.effects, **AT_REST}))
+    open_ones = tuple(name for name in AT_REST if scene.effects.get(name, "auto") == "auto")
+    effects = {
+        each.name: replace(each, reason=each.reason.replace(SWITCHED_OFF, RESTS)) if each.name in open_ones else each
+        for each in friction.effects
+    }
+    warnings = (each.replace(SWITCHED_OFF, RESTS) if each.startswith(open_ones) else each for each in friction.warnings)
+    return replace(friction, effects=Effects(effects, None), warnings=tuple(warnings))
+
+
+def _moment(scene: Scene) -> float:
+    """The one moment of a scene, N m."""
+    return float(np.ravel(scene.operation.as_series().moment)[0])
+
+
+def _places(axes: Axes) -> dict[str, NDArray[np.intp]]:
+    """Numbers of up to NODES values of each axis, with its ends."""
+    return {
         name: np.unique(np.linspace(0, values.size - 1, min(NODES[name], values.size)).round().astype(int))
         for name, values in axes.items()
     }
+
+
+def _operation(axes: Axes, moment: float) -> Operation:
+    """Every product of speeds and loads, with one moment, N m."""
+    points = {OF_OPERATION[name]: values for name, values in _product(axes).items()}
+    return Operation(**points, moment=np.full(points["inner_speed"].size, moment))
+
+
+def _interval(law: TorqueOverAxes, axes: Axes, progress: Progress) -> Array:
+    """(2, *sizes) logarithm of both ends of the interval over the torque."""
+    places = _places(axes)
     chosen = {name: values[places[name]] for name, values in axes.items()}
     sizes = [values.size for values in chosen.values()]
     temperatures = chosen.pop("temperature", [None])
-    loads = {OF_OPERATION[name]: values for name, values in _product(chosen).items()}
-    operation = Operation(**loads, moment=np.full(loads["inner_speed"].size, law.moment))
     settled = law.found.scene
     balanced = replace(
         settled,
-        operation=operation,
+        operation=_operation(chosen, law.moment),
         spin_rule="balanced",
         sliding="single_coefficient",
         effects={**settled.effects, "creep": "off"},  # it goes with free balls alone

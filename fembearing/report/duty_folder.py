@@ -13,6 +13,7 @@ from analytic.writing import write
 from fembearing.plain_types import plain
 from fembearing.provenance import provenance_of
 from fembearing.quantities import SYSTEMS, unit_for
+from fembearing.verify.torque.worst import WorstStanding
 
 KIND, FORMAT = "fembearing duty", 1  # what the JSON is; the number rises when a key changes its name or meaning
 COLUMNS = {  # of a step, with the SI unit
@@ -34,22 +35,23 @@ COLUMNS = {  # of a step, with the SI unit
 class DutyFile(DutyCycle):
     """What `duty --json` prints."""
 
+    standing: WorstStanding  # how far the torques can be trusted
     kind: Literal["fembearing duty"] = KIND
     format: Literal[1] = FORMAT
 
 
-def duty_file(cycle: DutyCycle) -> DutyFile:
-    """The cycle with its kind and format."""
-    return DutyFile(**vars(cycle))
+def duty_file(cycle: DutyCycle, standing: WorstStanding) -> DutyFile:
+    """The cycle with its standing, kind and format."""
+    return DutyFile(**vars(cycle), standing=standing)
 
 
-def write_duty(cycle: DutyCycle, scene: Scene, folder: Path) -> None:
+def write_duty(cycle: DutyCycle, standing: WorstStanding, scene: Scene, folder: Path) -> None:
     """Write duty.json, duty.csv, duty.png and duty.svg into a folder."""
     from fembearing.report.figures.duty import duty_figure  # with matplotlib: only a figure pays for it
     from fembearing.report.figures.style import png, svg
 
     figure = duty_figure(cycle, SYSTEMS[scene.report.units])
-    content = plain(duty_file(cycle)) | {"run": plain(provenance_of(scene))}
+    content = plain(duty_file(cycle, standing)) | {"run": plain(provenance_of(scene))}
     write(folder / "duty.json", json.dumps(content, indent=1, allow_nan=False))
     write(folder / "duty.csv", csv_of(cycle))
     write(folder / "duty.png", png(figure))

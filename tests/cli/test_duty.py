@@ -19,7 +19,10 @@ QUICK = ("6206", EXAMPLE, "--set", "friction.spin_rule=balanced")
 def test_the_example_has_its_steps_and_its_energy(command: Run) -> None:
     ended = command("duty", *QUICK)
     assert ended.status == 0
-    assert max(len(line) for line in ended.out.splitlines() if not line.startswith("assumed: ")) <= 80
+    lines = [line for line in ended.out.splitlines() if not line.startswith("assumed: ")]
+    *tables, verdict = lines
+    assert max(map(len, tables)) <= 80
+    assert verdict.startswith("check: ")
     assert "oil at 60 degC" in " ".join(ended.out.split())  # the width depends on the path of the file
     assert "worst torque, step" in ended.out
     energy = next(
@@ -67,9 +70,34 @@ def test_what_is_assumed_is_told_but_for_the_columns_of_the_cycle(command: Run, 
     assert told.endswith("; change with --set KEY=VALUE")
     for given in ("axial_load", "inner_speed", "lubricant.name"):
         assert given not in told
-    assert command("duty", "6206", str(file), "--radial-load", "0N", *quick).status == 0
+    assert "radial load" not in command("duty", "6206", str(file), "--radial-load", "0N", *quick).err
     heated = ("--set", "thermal.resistance=0.8 K/W", "--set", "thermal.ambient=22C")
     assert "lubricant.temperature" not in command("duty", "6206", str(file), *heated, *quick).out
+
+
+SLIPPING = "3,10000,5,0,60\n7,1000,600,0,60\n2,0,600,0,60\n4,10000,5,0,60\n"
+OPEN = "3,1000,25000,0,60\n7,1000,600,0,60\n4,1000,600,0,50\n"
+
+
+@pytest.mark.parametrize(
+    ("steps", "status", "line"),
+    [
+        (SLIPPING, 1, "fail at 2 of 3 turning steps: the rolling force of the oil exceeds the driving friction (inner"),
+        (OPEN, 3, "undecided at 1 of 3 turning steps: the solver error is 30 %, tolerance 5 %"),
+    ],
+)
+def test_the_verdict_is_that_of_the_torque_at_the_worst_steps(
+    command: Run, tmp_path: Path, steps: str, status: int, line: str
+) -> None:
+    head = "duration [s],inner_speed [rpm],axial_load [N],radial_load [N],temperature [degC]\n"
+    (tmp_path / "cycle.csv").write_text(head + steps, "utf-8")
+    words = ("duty", "6206", str(tmp_path / "cycle.csv"), *QUICK[2:])
+    ended = command(*words)
+    assert (ended.status, ended.out.splitlines()[-1][: len(line)]) == (status, line)
+    found = command(*words, "--json")
+    assert found.status == status
+    standing = json.loads(found.out)["standing"]
+    assert f"{standing['word']} at {standing['points']} of {standing['size']} turning steps" == line.split(":")[0]
 
 
 def test_a_steady_temperature_is_in_title_json_and_not_among_the_assumptions(command: Run) -> None:

@@ -75,3 +75,14 @@ def test_what_has_no_stiffness_is_refused(scene: Scene, tmp_path: Path) -> None:
     refused(lambda: export(scene, to="ross", out=file, over=OVER | {"speed": "300 rpm"}), "give speed as a range")
     refused(lambda: export(scene, to="ross", out=tmp_path / "6206.py", over=OVER), "6206.py", "Python module")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_the_verdict_on_a_stiffness_is_on_the_physical_limits_alone(scene: Scene, tmp_path: Path) -> None:
+    """Not on what the torque neglects, or on its solver error, as that of the same points in a table is."""
+    made = export(scene, to="ross", out=tmp_path / "bearing.py", over=OVER)
+    table = export(scene, to="csv", out=tmp_path / "bearing.csv", over=OVER)
+    assert table.standing.word in ("incomplete", "undecided")
+    assert made.standing.word == "check"
+    over = {"speed": "0 rpm to 900 rpm in 2", "radial_load": "40 kN"}
+    broken = export("6206", to="ross", out=tmp_path / "broken.py", over=over)
+    assert (broken.standing.word, broken.standing.points, broken.standing.size) == ("fail", 2, 2)

@@ -21,7 +21,9 @@ from unittest.mock import patch
 import meshio
 import numpy as np
 
-from analytic import catalog, duty_cycle, friction_torque, load_scene
+from analytic import catalog, friction_torque, load_scene
+from analytic.prediction.duty import cycle_with_torques
+from analytic.scenefile.read import load_by_temperature
 from analytic.surface.heightmap import measure, read_height_map
 from fembearing.mesh.meshfile import read_body
 from fembearing.mesh.recipe import Recipe, load_recipe
@@ -33,6 +35,7 @@ from fembearing.report.report import read_report
 from fembearing.sweep.grid import load_grid
 from fembearing.verify.contact import scene_contact
 from fembearing.verify.measured.comparison import compare_measured
+from fembearing.verify.torque.worst import worst_standing
 from fembearing.verify.validation import Validation, check_scene
 from validation.stress.extreme import require_finite_numbers
 from validation.stress.watched import Input
@@ -161,7 +164,8 @@ def read_scene(path: Path) -> None:
 
 def read_duty(path: Path) -> None:
     """Read a duty cycle, and compute its energy."""
-    require_finite_numbers(plain(duty_file(duty_cycle(load_scene("6205-dry"), path))))
+    cycle, torques = cycle_with_torques(load_by_temperature("6205-dry"), path)
+    require_finite_numbers(plain(duty_file(cycle, worst_standing(torques))))
 
 
 def read_torques(path: Path) -> None:

@@ -17,9 +17,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 import fembearing
-from analytic import duty_cycle, friction_torque, load_scene
+from analytic import friction_torque, load_scene
+from analytic.prediction.duty import cycle_with_torques
 from analytic.scene import Scene
 from analytic.scenefile.choice import Choice
+from analytic.scenefile.read import any_by_temperature
 from analytic.scenefile.template import scene_text as template
 from fembearing.report.creep_folder import write_creep
 from fembearing.report.duty_folder import write_duty
@@ -27,6 +29,7 @@ from fembearing.report.film_folder import write_film
 from fembearing.report.measured_folder import write_comparison
 from fembearing.verify.creep.scene_creep import creep_of
 from fembearing.verify.film.scene_film import film_of
+from fembearing.verify.torque.worst import worst_standing
 from validation.stress.damage import CYCLE, MEASURED
 from validation.stress.tab import Tab
 
@@ -111,7 +114,8 @@ def _compare(scene: Scene, folder: Path) -> None:
 
 def _duty(scene: Scene, folder: Path) -> None:
     (folder / "cycle.csv").write_text(CYCLE, "utf-8")
-    write_duty(duty_cycle(scene, folder / "cycle.csv"), scene, folder)
+    cycle, torques = cycle_with_torques(any_by_temperature(scene), folder / "cycle.csv")
+    write_duty(cycle, worst_standing(torques), scene, folder)
 
 
 def _export(scene: Scene, folder: Path) -> None:
