@@ -34,6 +34,7 @@ NO_BALLS = np.zeros((0, 0), BALL)
 # Steps of a central difference over the argument: the error of the difference goes with the square of the step, that by
 # the accuracy of the torque, 1e-12 by rule and 3e-7 for free balls, with its inverse.
 STEP, FREE_STEP = 1e-4, 1e-2
+NO_ERROR = float(np.finfo(np.float64).tiny)  # a tolerance for which every effect counts: one of 0 is refused
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -370,7 +371,7 @@ def _everything_on(scene: Scene, sliding: Any) -> Scene:
     on = {name: "on" for name in Counted._fields if free and _acts(scene, name)}
     return replace(
         scene,
-        tolerance=scene.tolerance if free else 0.0,
+        tolerance=scene.tolerance if free else NO_ERROR,
         sliding=scene.sliding if sliding == "auto" else sliding,
         spin_rule=scene.spin_rule if free or scene.spin_rule != "free" else "balanced",
         effects={**scene.effects, **on},

@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import get_args
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,7 +33,7 @@ from analytic.loads.ring_balance import require_enough_balls
 from analytic.loads.thrust import require_given_angle
 from analytic.numerics.records import Records
 from analytic.oil.variation import NOMINAL, Variation
-from analytic.scene import Array, Decision, Microslip, Operation, Scene, SlidingMethod, SpinRule
+from analytic.scene import Array, Decision, Operation, Scene
 from analytic.scene import Sliding as Method
 from analytic.sliding.judge import ALONG_AXIS, AS_PRINTED, FINE, METHODS, OVER_ELLIPSE
 from analytic.solve.failures import require_settled, undistributed
@@ -306,13 +305,6 @@ def _require_loads(scene: Scene, operation: Operation) -> None:
     require_finite(**{f"operation.{name}": values for name, values in vars(operation).items()})
     require_positive(ball_count=bearing.ball_count)
     require_given_angle(bearing, scene.contact_angle)
-    for name, known in (
-        ("microslip", get_args(Microslip)),
-        ("spin_rule", get_args(SpinRule)),
-        ("sliding", ("auto", *get_args(SlidingMethod))),
-    ):
-        if (value := getattr(scene, name)) not in known:
-            raise InputError(f"{name} must be {', '.join(known[:-1])} or {known[-1]}, got {value!r}")
     if operation.is_thrust:
         require_positive(axial_load=operation.axial_load)
     elif bearing.kind == "thrust":

@@ -6,11 +6,13 @@ Nothing here changes a number.
 from dataclasses import dataclass
 from typing import Literal
 
+from analytic.noun import Noun
+
 UnitSystem = Literal["metric", "inch"]
 
 
 @dataclass(frozen=True, kw_only=True)
-class ReportDetails:
+class ReportDetails(Noun):
     """Names and dates are texts as the scene gives them; None: a blank to fill in by hand."""
 
     author: str | None = None  # who made it

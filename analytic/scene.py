@@ -4,6 +4,7 @@ Every quantity is a float in SI (m, kg, N, Pa, rad, rad/s); `analytic.scenefile.
 Axes of a contact from its centre: z along the load, x along rolling, y along the groove's profile. Convex radii: > 0.
 """
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import InitVar, dataclass, field
 from typing import Literal
@@ -12,9 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic.brief import points_of
-from analytic.errors import InputError, real_numbers
+from analytic.errors import InputError, real_numbers, require_positive
 from analytic.noun import Noun, nothing
 from analytic.report_details import ReportDetails
+from analytic.words import shown
 
 Array = NDArray[np.float64]
 Pair = Literal["inner", "outer", "pocket"]
@@ -43,6 +45,7 @@ Sliding = Literal["auto"] | SlidingMethod
 
 STANDARD_GRAVITY = 9.80665  # m/s^2
 STEEPEST_DEEP_GROOVE = 20.0  # degrees: a larger unloaded contact angle is that of an angular contact bearing
+UNIT_LENGTH = 0.01  # by which a unit vector may be off 1: its numbers may be rounded to two digits
 OIL_TEMPERATURES = 200.0, 600.0  # K: between them is the oil of a scene
 # Loss factor of bearing steel under rolling that calculations take most often: no measured one was found.
 USUAL_LOSS = 0.007
@@ -147,6 +150,12 @@ class Bearing(Noun):
     grade: Grade | None = None  # of what the catalogue derives; None: not of the catalogue
     origins: Mapping[str, Origin] = field(default_factory=nothing, compare=False)  # of the dimensions, by their keys
     other_candidate: "Bearing | None" = None  # that the ratings fit nearly as well; None: the catalogue is sure
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        count = self.ball_count
+        if not (isinstance(count, int | float | np.integer) and count % 1 == 0):
+            raise InputError(f"Bearing.ball_count must be a whole number, got {shown(count)}; give for example 9")
 
     @property
     def ball_radius(self) -> float:
@@ -465,6 +474,15 @@ class Scene(Noun):
     measured: MeasuredTorque | None = None  # what to compare the torque with; None: nothing
     report: ReportDetails = field(default_factory=ReportDetails)
 
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        require_positive(**{"Scene.tolerance": self.tolerance})
+        if self.down is not None and not _is_unit_vector(self.down):
+            raise InputError(
+                f"Scene.down must be a unit vector of three numbers along x, y, z, got {shown(self.down)}; give for "
+                "example (1.0, 0.0, 0.0), towards the radial load, or None where it is not known"
+            )
+
     def _facts(self) -> Iterator[str]:
         yield from (self.name, self.bearing.name, points_of(vars(self.operation)), f"tolerance {self.tolerance:g}")
 
@@ -477,6 +495,13 @@ class Scene(Noun):
     def has_friction(self) -> bool:
         """Whether the friction of ball on race is given or can be computed."""
         return self.friction_coefficient is not None or (self.lubricant is not None and self.surface is not None)
+
+
+def _is_unit_vector(given: object) -> bool:
+    numbers = given if isinstance(given, tuple | list) else ()
+    if len(numbers) != 3 or not all(isinstance(each, int | float) for each in numbers):
+        return False
+    return abs(math.hypot(*numbers) - 1) < UNIT_LENGTH
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -85,7 +85,7 @@ def shown(value: object) -> str:
     brief = ShortRepr()
     brief.maxstring = brief.maxother = 60
     brief.maxlong, brief.maxlevel, brief.maxlist, brief.maxdict = 40, 2, 3, 3
-    return brief.repr(value)
+    return brief.repr(value).replace("\n", " ")  # of an array
 
 
 def plain(text: str) -> str:

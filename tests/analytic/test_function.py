@@ -13,7 +13,7 @@ import pytest
 
 from analytic import friction_torque, load_scene, torque_function
 from analytic.errors import FembearingError, InputError
-from analytic.function import TorqueFunction, _acts, _corners, _counted, _everything_on
+from analytic.function import NO_ERROR, TorqueFunction, _acts, _corners, _counted, _everything_on
 from analytic.scene import Arrangement, Operation, Scene
 from analytic.solve.model import Counted
 from analytic.solve.records import NO_CAGE_DRIVE
@@ -425,7 +425,7 @@ def test_of_balls_by_rule_every_effect_counts_and_of_free_ones_it_is_on() -> Non
     scene = scene_of("6205_physical", effects={"rolling": "off"})
     ruled = _everything_on(scene, "along_axis")
     assert (ruled.tolerance, ruled.sliding, ruled.spin_rule, ruled.effects) == (
-        0.0, "along_axis", "balanced", {"rolling": "off"},
+        NO_ERROR, "along_axis", "balanced", {"rolling": "off"},
     )  # fmt: skip
     assert _everything_on(replace(scene, spin_rule="outer_control"), "auto").spin_rule == "outer_control"
     assert _everything_on(replace(scene, sliding="over_ellipse"), "auto").sliding == "over_ellipse"

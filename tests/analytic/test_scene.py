@@ -154,3 +154,31 @@ def test_a_contact_leans_by_its_angle_but_on_a_washer_and_has_a_nearer_shoulder(
 def test_a_scene_shows_what_identifies_it_in_one_line() -> None:
     scene = Scene(bearing=BEARING_6205, operation=thrust(310.0, 470.0, speed=[10.0, 20.0]), name="rig", tolerance=0.03)
     assert repr(scene) == "Scene(rig, 6205, 2 points, 95.49 to 191 rpm, 310 to 470 N axial, tolerance 0.03)"
+
+
+SCENE = Scene(bearing=BEARING_6205, operation=thrust(310.0, 89.0), friction_coefficient=0.08)
+
+
+@pytest.mark.parametrize("tolerance", [0.0, 0, -0.03, float("nan"), float("inf"), "5 %", None])
+def test_the_tolerance_of_a_scene_is_positive(tolerance: Any) -> None:
+    refused(lambda: replace(SCENE, tolerance=tolerance), "Scene.tolerance must be")
+
+
+@pytest.mark.parametrize("count", [9.5, float("nan"), float("inf"), "9", None])
+def test_balls_are_counted_in_whole_numbers(count: Any) -> None:
+    message = f"Bearing.ball_count must be a whole number, got {count!r}"
+    refused(lambda: replace(BEARING_6205, ball_count=count), message)
+    for whole in (9, 9.0, np.int64(9)):
+        assert replace(BEARING_6205, ball_count=whole).ball_count == 9  # pyright: ignore[reportArgumentType]
+
+
+@pytest.mark.parametrize(
+    "down", [(0.0, 0.0, 0.0), [1, 0], "x", float("nan"), (float("nan"), 0.6, 0.8), (0.0, -9.81, 0.0), ("0", "0", "1")]
+)
+def test_down_is_a_unit_vector(down: Any) -> None:
+    refused(lambda: replace(SCENE, down=down), "Scene.down must be a unit vector", f"got {down!r}", "(1.0, 0.0, 0.0)")
+
+
+def test_a_unit_vector_may_be_rounded_to_two_digits() -> None:
+    for down in (None, (0.6, -0.8, 0.0), [0.0, 0.0, -1.0], (0.58, 0.58, -0.58)):
+        assert replace(SCENE, down=down).down == down  # pyright: ignore[reportArgumentType]

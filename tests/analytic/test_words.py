@@ -73,6 +73,7 @@ def test_what_a_user_gave_is_shown_in_one_short_line() -> None:
     assert shown({1: 2, 3: 4, 5: 6, 7: 8}).count(":") == 3
     assert shown([[[5]]]) == shown([[[[5]]]]) == "[[[...]]]"
     assert shown([[5]]) == "[[5]]"
+    assert "\n" not in shown(np.eye(2))
     assert shown(12345) == "12345"
     assert len(shown(10**100)) == 40
     assert shown(2**2000) == "a number of some 602 digits"  # 2000 log10(2) = 602.06

@@ -1,0 +1,82 @@
+"""Nouns refuse words that they do not know: a wrong word would choose another formula without a sign."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, Literal
+
+import pytest
+
+from analytic.noun import Noun, nothing, worded_fields
+from analytic.report_details import ReportDetails
+from analytic.scene import Autocorrelation, Scene, Surface
+from tests.analytic.specimens import BEARING_6205, FINISH, OIL, thrust
+from tests.refusals import refused
+
+SCENE = Scene(bearing=BEARING_6205, operation=thrust(310.0, 89.0), friction_coefficient=0.08)
+
+
+@pytest.mark.parametrize(
+    ("noun", "changed", "words"),
+    [
+        (OIL, {"rolling_formula": "Houpert"}, ('must be "numerical", "biboulet" or "houpert", got \'Houpert\'',)),
+        (OIL, {"film_formula": "x"}, ('must be "numerical" or "nijenbanning"',)),
+        (OIL, {"supply": None}, ('"grease", got None',)),
+        (OIL, {"traction": "x"}, ('"eyring_sinh", "eyring_constant" or OwnTraction, got',)),
+        (FINISH, {"gap": "x"}, ('must be "elastic" or "truncated"',)),
+        (FINISH, {"asperities": ["greenwood_williamson"]}, ("got ['greenwood_williamson']",)),
+        (BEARING_6205, {"kind": "roller"}, ('must be "radial" or "thrust"',)),
+        (BEARING_6205, {"grade": "a"}, ('"C", "D" or None, got \'a\'',)),
+        (SCENE, {"elastic_rolling": "Houpert"}, ('must be "hysteresis" or "houpert"',)),
+        (SCENE, {"sliding": "Auto"}, ('must be "auto", "single_coefficient"',)),
+        (SCENE, {"spin_rule": {"free": 2}}, ("got {'free': 2}",)),
+        (ReportDetails(), {"units": "imperial"}, ('must be "metric" or "inch"',)),
+    ],
+)
+def test_an_unknown_word_is_refused_with_those_that_are_known(noun: Any, changed: dict, words: tuple[str, ...]) -> None:
+    (name,) = changed
+    refused(lambda: replace(noun, **changed), f"{type(noun).__name__}.{name} must be ", *words)
+
+
+@pytest.mark.parametrize("wrong", ["Off", "OFF", "maybe", False, None])
+def test_a_decision_on_an_effect_is_a_known_word(wrong: Any) -> None:
+    effects = {"hysteresis": "on", "rolling": wrong}
+    refused(
+        lambda: replace(SCENE, effects=effects),
+        f'Scene.effects.rolling must be "auto", "on" or "off", got {wrong!r}',
+    )
+
+
+@pytest.mark.parametrize("wrong", ["off", None, ["rolling"]])
+def test_effects_are_a_mapping(wrong: Any) -> None:
+    refused(lambda: replace(SCENE, effects=wrong), "Scene.effects must be a mapping of names to", f"got {wrong!r}")
+
+
+def test_known_words_are_taken() -> None:
+    for word in ("numerical", "biboulet", "houpert"):
+        assert replace(OIL, rolling_formula=word).rolling_formula == word
+    assert replace(BEARING_6205, grade=None).grade is None
+    assert replace(SCENE, effects={"rolling": "off"}).effects == {"rolling": "off"}
+    assert Surface(autocorrelation=Autocorrelation(kind="exponential", length=3e-5, spacing=2e-6)).gap == "elastic"
+
+
+Colour = Literal["red", "green"]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Painted(Noun):
+    """Annotations as texts, and a word that stands alone."""
+
+    colour: "Colour | None" = None
+    coats: "Mapping[str, Colour]" = field(default_factory=nothing)
+    finish: "Literal['matt']" = "matt"
+    name: str = "any word"
+
+
+def test_annotations_may_be_texts() -> None:
+    assert [each.name for each in worded_fields(Painted)] == ["colour", "coats", "finish"]
+    assert worded_fields(Painted) is worded_fields(Painted)  # found once for a class
+    assert Painted(colour="red", coats={"first": "green"}, name="other").colour == "red"
+    wrong: Any = "blue"
+    refused(lambda: Painted(colour=wrong), 'Painted.colour must be "red", "green" or None, got \'blue\'')
+    refused(lambda: Painted(coats={"first": wrong}), 'Painted.coats.first must be "red" or "green", got')
+    refused(lambda: Painted(finish=wrong), "Painted.finish must be \"matt\", got 'blue'")
