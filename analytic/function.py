@@ -17,7 +17,7 @@ from analytic.free_ball.rotation import Creep
 from analytic.numerics.records import Records
 from analytic.oil.losses import StirredOil, stirred_oil
 from analytic.oil.viscosity import roelands_viscosity
-from analytic.scene import OIL_TEMPERATURES, Array, Operation, Scene
+from analytic.scene import OIL_TEMPERATURES, Array, Operation, Scene, require_scene
 from analytic.sliding.judge import AS_PRINTED, METHODS, SINGLE_COEFFICIENT
 from analytic.solve.freely import METHODS as FREE_METHODS
 from analytic.solve.freely import settled_at_far_points
@@ -317,6 +317,7 @@ def torque_function(
     `friction_torque`; all others are compiled.
     Sources: those of `friction_torque`, whose formulas are compiled.
     """
+    require_scene(scene)
     if invalid not in ("raise", "nan"):
         raise InputError(f'invalid must be "raise" or "nan", got {invalid!r}')
     for name in AT_REST:

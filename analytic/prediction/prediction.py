@@ -30,7 +30,7 @@ from analytic.prediction.sampling import Progress, sampled, silent
 from analytic.prediction.spreads import NUMERICAL, UncertainInput, uncertain_inputs
 from analytic.result import COORDINATES, POINT, FrictionTorque
 from analytic.rows import row_of
-from analytic.scene import Array, Scene
+from analytic.scene import Array, Scene, require_scene
 from analytic.scenefile.by_name import with_tolerance
 from analytic.torque import friction_torque
 from analytic.units import Quantity
@@ -193,6 +193,7 @@ def predict(
     Source: indices by [Saltelli2010]; the interval is derived here (`analytic.prediction.interval`).
     """
     begun = perf_counter()
+    require_scene(scene)
     if tolerance is not None:
         scene = with_tolerance(scene, tolerance)
     nominal = friction_torque(scene)

@@ -9,7 +9,7 @@ from analytic.errors import InputError
 from analytic.scenefile.choice import USUAL, Choice
 from analytic.scenefile.template import scene_text
 from analytic.scenefile.text import read_text
-from analytic.words import plain
+from analytic.words import plain, shown
 
 LONGEST_NAME = 60  # characters of a designation
 # What a name ends with that is a file, among them slips of the keyboard: a point also stands in front of a suffix.
@@ -40,6 +40,10 @@ def find_scene(name: str | os.PathLike[str], *, folder: Path = Path(), choice: C
     """
     if isinstance(name, int | float):  # a designation from Python without its quotes
         raise InputError(f'{name} is a number, not the name of a bearing or a file; write it in quotes: "{name}"')
+    if not isinstance(name, str | os.PathLike):
+        raise InputError(
+            f'{shown(name)} is not the name of a bearing or a file; give one as a text, for example "6206"'
+        )
     given = os.fspath(name)
     path, builtin = folder / given, catalog.names("scenes")
     known = f"built in: {', '.join(builtin)}"

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from analytic.errors import InputError
-from analytic.scene import Scene
+from analytic.scene import Scene, require_scene
 from analytic.writing import new_file
 from fembearing.quantities import SYSTEMS
 
@@ -42,6 +42,7 @@ def draw_bearing(scene: Scene, *, out: Path | str | None = None) -> "Figure":
     angle al0, cos al0 = 1 - P_d/(2 A0), with the diametral clearance P_d and the distance A0 of the groove centres
     [Harris2007].
     """
+    require_scene(scene)
     content = None if out is None else _content_of(Path(out))
     from fembearing.report.figures.bearing_drawing import NOT_DRAWABLE, drawing_of, shown_bearing
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from analytic.scene import Scene
+from analytic.scene import Scene, require_scene
 from analytic.scenefile.by_name import Given
 from analytic.writing import new_folder, write
 from fembearing.plain_types import plain
@@ -70,6 +70,7 @@ def validate(
     -----
     Sources: those of `solve_contact` and of `analytic.friction_torque`; the comparison is in the terms of [ASME2009].
     """
+    require_scene(scene)
     with nullcontext() if out is None else new_folder(Path(out)) as folder:
         checked = 1.0 if folder is None else CHECKED
         solving = part_of(progress, 0.0, checked)

@@ -11,7 +11,7 @@ import numpy as np
 
 from analytic.brief import Brief
 from analytic.errors import require_non_negative
-from analytic.scene import Contact, Pair, Scene
+from analytic.scene import Contact, Pair, Scene, require_scene
 from analytic.scenefile.by_name import Given, with_tolerance
 from fembearing.fem.measure import STRIP, Quantities
 from fembearing.fem.nodal_stress import stress_at_nodes, von_mises
@@ -284,6 +284,7 @@ def solve_contact(
     -----
     Sources: linear elasticity [Timoshenko1970]; uncertainty of the meshes [Roache1998], [Celik2008].
     """
+    require_scene(scene)
     contact = contact_of(scene, pair=pair, load=load)
     tolerance = scene.tolerance if tolerance is None else with_tolerance(scene, tolerance).tolerance
     require_non_negative(accuracy=tolerance if accuracy is None else accuracy)

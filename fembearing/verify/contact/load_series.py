@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 from analytic.brief import Brief, span
 from analytic.errors import InputError, require_non_negative
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
-from analytic.scene import Contact, Pair, Scene
+from analytic.scene import Contact, Pair, Scene, require_scene
 from analytic.scenefile.by_name import Given, with_tolerance
 from fembearing.fem.pixel_contact import PixelSolution
 from fembearing.fem.series import checked_loads, off_mesh, on_level, solve_series
@@ -204,6 +204,7 @@ def solve_load_series(
     -----
     Sources: those of `solve_contact`; the fit of the law is derived here (`fembearing.verify.contact.power_law`).
     """
+    require_scene(scene)
     given = checked_loads(loads)
     tolerance = scene.tolerance if tolerance is None else with_tolerance(scene, tolerance).tolerance
     require_non_negative(accuracy=tolerance if accuracy is None else accuracy)

@@ -16,7 +16,7 @@ from analytic.errors import InputError
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.result import COORDINATES
 from analytic.rows import Count, NotNegative
-from analytic.scene import MeasuredTorque, Operation, Scene
+from analytic.scene import MeasuredTorque, Operation, Scene, require_scene
 from analytic.scenefile.columns import operating_points, require_loads
 from analytic.scenefile.measured import read_measured
 from fembearing.progress import Progress, part_of, silent
@@ -125,6 +125,7 @@ def compare_measured(
     Source: [ASME2009]; the intervals are those of `analytic.predict`.
     """
     begun = perf_counter()
+    require_scene(scene)
     measured = scene.measured if data is None else read_measured(data)
     if measured is None:
         raise InputError(

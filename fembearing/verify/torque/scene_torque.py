@@ -13,7 +13,7 @@ from analytic.inputs import StatedInput, stated_inputs
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.prediction.formulas import with_model_uncertainty
 from analytic.result import COLUMNS, COORDINATES, POINT, FrictionTorque, require_numbers
-from analytic.scene import Array, Bearing, Scene
+from analytic.scene import Array, Bearing, Scene, require_scene
 from analytic.torque import friction_torque
 from analytic.verdicts import numerical_check, physical_checks
 from analytic.words import MICROMETRE, NEWTON_MILLIMETRE
@@ -202,6 +202,7 @@ def torque_of_scene(
     InputError
         As `friction_torque`, and with samples as `predict`; with keep_going where no point has a torque.
     """
+    require_scene(scene)
     left_out: tuple[LeftOut, ...] = ()
     if keep_going:
         size = scene.operation.as_series().inner_speed.size
