@@ -19,7 +19,6 @@ OF_SCENES: dict[str, Callable[[Any], Any]] = {
     "torque_of_scene": fembearing.torque_of_scene,
     "draw_bearing": fembearing.draw_bearing,
     "compare_measured": fembearing.compare_measured,
-    "export": lambda scene: fembearing.export(scene, to="csv", out="torque.csv"),
     "validate": fembearing.validate,
     "solve_contact": lambda scene: fembearing.solve_contact(scene, pair="inner"),
     "solve_load_series": lambda scene: fembearing.solve_load_series(scene, pair="inner", loads=[30.0, 70.0]),
@@ -28,7 +27,7 @@ OF_NAMES: dict[str, Callable[[Any], Any]] = {
     "load_scene": analytic.load_scene,
     "steady_scene": analytic.steady_scene,
     "friction_torque": analytic.friction_torque,
-    "duty_cycle": lambda scene: analytic.duty_cycle(scene, "cycle.csv"),
+    "export": lambda scene: fembearing.export(scene, to="csv", out="torque.csv"),
 }
 
 

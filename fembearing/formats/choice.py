@@ -26,6 +26,7 @@ from fembearing.formats.torque_map import torques_at_nodes
 from fembearing.progress import Progress, silent
 from fembearing.verify.torque.worst import WorstStanding, worst_standing
 
+ANY_ERROR = float(np.finfo(np.float64).max)  # a tolerance that no error exceeds
 FormatName = Literal["csv", "netcdf", "modelica", "simscape", "ross", "fmu"]
 
 
@@ -136,7 +137,7 @@ def export_of(
         progress(1.0, "limits")
         torques = torques_at_nodes(found, axes)
     if not form.has_torque:  # nothing of it can exceed a tolerance
-        torques = [(replace(scene, tolerance=np.inf), friction) for scene, friction in torques]
+        torques = [(replace(scene, tolerance=ANY_ERROR), friction) for scene, friction in torques]
     warnings = dict.fromkeys(warning for _, friction in torques for warning in friction.warnings)
     return Exported(
         file=file,

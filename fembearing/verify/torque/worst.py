@@ -1,15 +1,15 @@
 """How far torques that were computed apart can be trusted together, as those of a cycle at several oil temperatures."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from itertools import chain
 from typing import Literal
 
 import numpy as np
 
 from analytic.effects.ledger import Effect
-from analytic.result import FrictionTorque
-from analytic.scene import Operation, Scene
+from analytic.result import FrictionTorque, TorqueParts
+from analytic.scene import Array, Operation, Scene
 from analytic.verdicts import NumericalCheck, PhysicalCheck, numerical_check, physical_checks
 from fembearing.verify.torque.catalogue import beside_catalogue
 from fembearing.verify.torque.catalogue_models import CatalogueBand
@@ -52,7 +52,7 @@ def worst_standing(torques: Sequence[tuple[Scene, FrictionTorque]]) -> WorstStan
     )
     standing = standing_of(
         _joined_scene([scene for scene, _ in torques]),
-        total=np.concatenate([friction.torque.total for _, friction in torques]),
+        torque=_joined_parts([friction.torque for _, friction in torques]),
         effects=_largest_effects(chain.from_iterable(friction.shares for _, friction in torques)),
         verdicts=together,
         band=_joined_band([beside_catalogue(scene).band for scene, _ in torques]),
@@ -68,6 +68,20 @@ def worst_standing(torques: Sequence[tuple[Scene, FrictionTorque]]) -> WorstStan
 
 def _verdicts(scene: Scene, friction: FrictionTorque) -> Verdicts:
     return Verdicts(numerical=numerical_check(friction, tolerance=scene.tolerance), physical=physical_checks(friction))
+
+
+def _joined_parts(series: Sequence[TorqueParts[Array]]) -> TorqueParts[Array]:
+    """A part that one series does not have is 0 there."""
+    joined = {}
+    for name in (field.name for field in fields(TorqueParts)):
+        values = [getattr(each, name) for each in series]
+        if any(value is not None for value in values):
+            at_all = [np.zeros_like(each.total) if value is None else value
+                      for each, value in zip(series, values, strict=True)]  # fmt: skip
+            joined[name] = np.concatenate(at_all)
+        else:
+            joined[name] = None
+    return TorqueParts(**joined)
 
 
 def _error(check: NumericalCheck) -> float:
