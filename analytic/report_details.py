@@ -4,11 +4,9 @@ Nothing here changes a number.
 """
 
 from dataclasses import dataclass
-from typing import Literal
 
 from analytic.noun import Noun
-
-UnitSystem = Literal["metric", "inch"]
+from analytic.units import UnitSystem
 
 
 @dataclass(frozen=True, kw_only=True)

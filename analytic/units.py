@@ -1,6 +1,8 @@
 """The SI unit of each field; numbers with a unit of their own, of pint or the like, which the model does not take."""
 
-from typing import Any, Protocol
+from typing import Any, Literal, Protocol
+
+UnitSystem = Literal["metric", "inch"]  # that pages and tables show
 
 # SI units by field of the nouns in `analytic.scene` and by argument; "1" for a pure number, ""
 # for a word.

@@ -11,7 +11,7 @@ from pydantic import BeforeValidator, Field
 
 from analytic import catalog
 from analytic.mounting.clearance import Mounting
-from analytic.report_details import ReportDetails, UnitSystem
+from analytic.report_details import ReportDetails
 from analytic.scene import (
     OIL_TEMPERATURES,
     ArrangementKind,
@@ -44,6 +44,7 @@ from analytic.scenefile.quantity import Dimension, QuantityOrWord
 from analytic.scenefile.spread_tables import AssumedTable, UncertaintyTable
 from analytic.scenefile.table import Table, Text, Whole
 from analytic.scenefile.viscosity import OIL_VISCOSITY, GivenViscosity
+from analytic.units import UnitSystem
 
 
 def _switch(given: object) -> bool:

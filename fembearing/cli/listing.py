@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal, get_args
 
 import typer
 
-from analytic.report_details import UnitSystem
+from analytic.units import UnitSystem
 from fembearing.cli.options import AsJson
 from fembearing.cli.report_options import shown_system
 

@@ -4,7 +4,7 @@ from typing import Annotated, Any
 
 import typer
 
-from analytic.report_details import UnitSystem
+from analytic.units import UnitSystem
 from fembearing.cli.added_options import given, with_options
 
 OPTIONS: dict[str, Any] = {
