@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic import catalog
-from analytic.errors import InputError, require_positive
+from analytic.errors import require_positive
 from analytic.numerics.compilation import compiled, rows_of
 from analytic.numerics.cubic import Pieces, cubic_at, monotone_cubic, together
 from analytic.scene import Array, Autocorrelation
@@ -189,8 +189,6 @@ def declared_gap_curve(autocorrelation: Autocorrelation) -> GapCurve:
     """
     require_positive(length=autocorrelation.length, spacing=autocorrelation.spacing)
     curves = _stored_curves(autocorrelation.kind)
-    if not curves:
-        raise InputError(f"autocorrelation.kind must be gaussian or exponential, got {autocorrelation.kind!r}")
     spacing, at = autocorrelation.spacing / autocorrelation.length, np.log([c["spacing"] for c in curves])
     weights = tuple(float(np.interp(np.log(spacing), at, row)) for row in np.eye(len(curves)))
     return _mean_curve(autocorrelation.kind, weights)

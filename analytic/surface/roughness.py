@@ -137,8 +137,6 @@ def gap_roughness(surface: Surface) -> GapRoughness:
 
 def _require_sound(autocorrelation: Autocorrelation) -> None:
     require_positive(length=autocorrelation.length, spacing=autocorrelation.spacing)
-    if autocorrelation.kind not in ("gaussian", "exponential"):
-        raise InputError(f"autocorrelation.kind must be gaussian or exponential, got {autocorrelation.kind!r}")
 
 
 def _doubts(autocorrelation: Autocorrelation) -> Iterator[str]:

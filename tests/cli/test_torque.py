@@ -202,7 +202,7 @@ def test_json_has_the_verdicts_as_the_document_has_them(command, tmp_path: Path)
     read = TypeAdapter(Verdicts).validate_json(json.dumps(found["verdicts"]))
     assert plain(read) == found["verdicts"]
     names = {check["name"] for check in found["verdicts"]["physical"]}
-    assert names == {"peak_pressure", "shoulder", "sliding", "gyroscopic_hold", "cage_force"}
+    assert names == {"peak_pressure", "shoulder", "sliding", "gyroscopic_hold", "cage_force", "replenishment"}
     uncertainties = [point["uncertainty"]["numerical"] for point in found["points"]]
     assert found["verdicts"]["numerical"]["uncertainty"] == max(uncertainties)
     (note,) = [note for note in found["notes"] if note.startswith("Film ratio lambda")]

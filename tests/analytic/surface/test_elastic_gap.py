@@ -139,5 +139,5 @@ def test_bad_input_is_refused() -> None:
         gap_between(declared_gap_curve(GAUSSIAN), moments=smooth, modulus=1e11)
     with pytest.raises(InputError, match="rough surface"):
         measured_gap_curve(HeightMap(heights=np.zeros((40, 40)), spacing=1e-6))
-    with pytest.raises(InputError, match="gaussian or exponential"):
-        declared_gap_curve(Autocorrelation(kind="white", length=1e-5, spacing=1e-6))  # type: ignore[arg-type]
+    with pytest.raises(InputError, match="length must be positive"):
+        declared_gap_curve(Autocorrelation(kind="gaussian", length=0.0, spacing=1e-6))

@@ -105,9 +105,9 @@ def test_a_slip_without_one_of_its_parts_is_refused(scene: Scene, off: str) -> N
 @pytest.mark.parametrize(
     ("kind", "gyroscopic", "centrifugal", "turns", "flies"),
     [
-        ("deep_groove", True, True, True, True),
-        ("deep_groove", True, False, False, False),
-        ("deep_groove", False, True, False, False),  # the reference has both or none
+        ("radial", True, True, True, True),
+        ("radial", True, False, False, False),
+        ("radial", False, True, False, False),  # the reference has both or none
         ("thrust", True, False, True, False),  # at 90 degrees the races hold no centrifugal force
         ("thrust", False, False, False, False),
     ],
