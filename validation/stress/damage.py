@@ -23,6 +23,7 @@ import numpy as np
 
 from analytic import catalog, friction_torque, load_scene
 from analytic.prediction.duty import cycle_with_torques
+from analytic.scenefile.cycle import read_cycle
 from analytic.scenefile.read import load_by_temperature
 from analytic.surface.heightmap import measure, read_height_map
 from fembearing.mesh.meshfile import read_body
@@ -164,7 +165,7 @@ def read_scene(path: Path) -> None:
 
 def read_duty(path: Path) -> None:
     """Read a duty cycle, and compute its energy."""
-    cycle, torques = cycle_with_torques(load_by_temperature("6205-dry"), path)
+    cycle, torques = cycle_with_torques(load_by_temperature("6205-dry"), read_cycle(path))
     require_finite_numbers(plain(duty_file(cycle, worst_standing(torques))))
 
 
