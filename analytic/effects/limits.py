@@ -134,7 +134,7 @@ def _replenishment(scene: Scene, ledger: Ledger) -> Array | None:
 
 
 def _starved(scene: Scene, exponent: Array | None) -> Iterator[str]:
-    if exponent is not None and (worst := exponent.max()) > MOST_STARVED:
+    if exponent is not None and (worst := exponent.max(initial=0.0)) > MOST_STARVED:
         speed = speed_of(float(np.abs(scene.operation.as_series().inner_speed).max()))
         yield (
             f"the oil hardly returns to the contacts at {speed}: SKF's replenishment factor leaves "
