@@ -27,6 +27,7 @@ LARGEST_TEXT, LARGEST_BINARY = 100_000_000, 300_000_000  # bytes of .csv and .np
 LONGEST_LINE = 100 * MOST_POINTS  # bytes; a number has 25 at most
 BAND = 64  # rows of a map that are measured together
 HIGHEST = 1e-3  # m, from the lowest to the highest point: larger heights are not in metres, or the part is broken
+ROUND_OFF = 64 * np.finfo(np.float64).eps  # of the heights; means of 4096 and a slope over them leave a few eps
 WIDEST = 0.1  # correlation length over domain, and spacing over correlation length: more spoils statistics or summits
 MOST_UNEQUAL = 1.5  # ratio of the mean squared slopes along x and y: more is a lay, and the summits are no spheres
 
@@ -91,13 +92,16 @@ def levelled(raw: HeightMap) -> HeightMap:
 
 
 def _level(heights: Array) -> None:
-    """Subtract the mean plane in place: a large map is in memory once."""
+    """Subtract the mean plane in place: a large map is in memory once. What round-off leaves of a plane is flat."""
+    round_off = ROUND_OFF * max(abs(heights.max()), abs(heights.min()))
     heights -= heights.mean()
     for axis, size in enumerate(heights.shape):
         across = np.arange(size) - (size - 1) / 2
         profile = heights.mean(axis=1 - axis)
         slope = across @ profile / (across @ across)
         heights -= slope * (across[:, None] if axis == 0 else across)
+    if max(heights.max(), -heights.min()) <= round_off:
+        heights[:] = 0.0
 
 
 def measure(height_map: HeightMap) -> Measurement:
