@@ -23,7 +23,7 @@ from analytic.oil.law_table import FASTEST, flow_of
 from analytic.oil.law_table import flows_of as flows_of  # for the reference of friction
 from analytic.oil.mixed import MixedContact
 from analytic.oil.viscosity import OilNumbers, oil_numbers, pressure_growth
-from analytic.scene import Array, Lubricant, OwnTraction
+from analytic.scene import Array, Lubricant
 
 MOST_THICKENING = 600.0  # in the logarithm: such an oil is solid
 
@@ -305,10 +305,6 @@ def _oiled(
     """`law_of_oil` of arguments that broadcast; the thickening is the same everywhere."""
     require_positive(eyring_stress=lubricant.eyring_stress)
     require_non_negative(limiting_shear=lubricant.limiting_shear)
-    if not isinstance(lubricant.traction, OwnTraction) and lubricant.traction not in ("eyring_sinh", "eyring_constant"):
-        raise InputError(
-            f'traction must be "eyring_sinh", "eyring_constant" or an OwnTraction, got {lubricant.traction!r}'
-        )
     oil = oil_numbers(lubricant)
     rows, shape = rows_of(boundary, share, area, thickness)
     fields = _laws(oil, rows)[:6].reshape(6, *shape)

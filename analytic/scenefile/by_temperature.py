@@ -48,10 +48,9 @@ class SceneByTemperature:
         if self.scene.lubricant is not None and temperature == self.scene.lubricant.temperature:
             return self.scene
         if self.oil is None:
-            has = (
-                "no [lubricant]" if self.scene.lubricant is None else "an oil of Python, known at one temperature alone"
-            )
-            raise InputError(f"{self.origin}: the scene has {has}; give the file of a scene with [lubricant]")
+            if self.scene.lubricant is None:
+                raise InputError(f"{self.origin}: the scene has no [lubricant]; give the file of a scene with one")
+            raise InputError(f"{self.origin}: a Scene holds its oil at one temperature; give the file of the scene")
         if _is_known_at_one(self.oil):
             assert self.oil.viscosity is not None
             raise InputError(

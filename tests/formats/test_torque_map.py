@@ -98,7 +98,7 @@ def test_an_oil_that_is_known_at_one_temperature_has_no_other(scene: Scene, tmp_
     named = load_by_temperature("6206", speed="1500 rpm", radial_load="900 N", settings=settings)
     made = any_by_temperature(scene)
     for each, words in (
-        (made, ["an oil of Python"]),
+        (made, ["a Scene holds its oil at one temperature"]),
         (named, ["oil at 45 degC", "0.031 Pa s", "give two viscosities"]),
     ):
         axes = axes_of(each, {}, whole=True)
