@@ -112,8 +112,8 @@ ANY_BROKEN_ONCE = {
 }
 
 
-# A third of a minute and more: each torque comes to its point from four sides, or a series is long.
-LONG = {71134, "lagging_balls", 471003, 500246}
+# Ten seconds and more: each torque comes to its point from four sides, or a series is long.
+LONG = {71134, 98332, 471003, 481562, 500246, 541481, "lagging_balls", "second_quadrature"}
 
 
 def seeds_of(causes: dict[str, int]) -> list[Any]:
