@@ -46,10 +46,10 @@ def solved(kind: type[BallOnRace], race: str, load: float, speed: float, viscosi
 @pytest.mark.parametrize(
     ("race", "load", "speed", "viscosity", "force", "uncertainty", "film"),
     [
-        pytest.param("inner", 30.0, 500.0, 0.0125, 10.8e-3, 0.012, 0.89, marks=pytest.mark.slow),
+        pytest.param("inner", 30.0, 500.0, 0.0125, 10.8e-3, 0.012, 0.89, marks=pytest.mark.nightly),
         pytest.param("inner", 372.0, 3000.0, 0.0125, 78.2e-3, 0.007, 0.81, marks=pytest.mark.nightly),
         pytest.param("outer", 372.0, 500.0, 0.059, 60.5e-3, 0.007, 0.81, marks=pytest.mark.nightly),
-        pytest.param("inner", 1000.0, 500.0, 0.059, 84.5e-3, 0.018, 0.79, marks=pytest.mark.slow),
+        pytest.param("inner", 1000.0, 500.0, 0.059, 84.5e-3, 0.018, 0.79, marks=pytest.mark.nightly),
     ],
 )
 def test_film_and_force_are_those_of_another_code(

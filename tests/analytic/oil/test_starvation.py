@@ -125,8 +125,10 @@ def test_a_measured_film_tells_the_degree_that_leaves_it() -> None:
         assert starved_by_film(contact, factor, film) == FLOODED
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(("degree", "film", "rolling"), [(3.1, 0.07, 0.09), (1.5, 0.27, 0.34)])
+@pytest.mark.parametrize(
+    ("degree", "film", "rolling"),
+    [pytest.param(3.1, 0.07, 0.09, marks=pytest.mark.nightly), pytest.param(1.5, 0.27, 0.34, marks=pytest.mark.slow)],
+)
 def test_a_numerical_solution_with_little_oil(degree: float, film: float, rolling: float) -> None:
     """Tolerances: the largest differences of validation/ehl/starved.py, on other contacts."""
     whole = contact_of(170.0, 7.3, 0.13)

@@ -88,7 +88,7 @@ def test_a_sheet_that_yields_under_the_centre_is_warned_of() -> None:
     assert "\n" not in message
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_a_thin_sheet_bears_the_ball_on_a_ring() -> None:
     """A sheet of 0.1 mm under 28 N, by the mean square distance of its load: above that of an even pressure, r^2/2."""
     contact = pocket_contact(BEARING_6205, replace(STAMPED_CAGE, wall_thickness=0.1e-3), load=28.0)

@@ -90,7 +90,7 @@ def test_the_result_says_whether_meshes_had_a_twin(
             assert table.convergence[name].corrected == part.corrected
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_a_tighter_accuracy_takes_a_finer_level_with_its_twin(contacts: dict[str, Contact]) -> None:
     """Both agree within their intervals, which are as narrow as required."""
     contact, recipe = contacts["inner"], load_recipe("race")

@@ -16,7 +16,7 @@ from fembearing.verify.cost.film_ladder import measured_films
 from tests.analytic.specimens import present
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_errors_fall_from_the_formula_to_the_last_grid() -> None:
     scene = load_scene("paper_6205")
     assert scene.lubricant is not None
