@@ -28,7 +28,7 @@ from analytic.effects.ledger import Ledger, share_in
 from analytic.effects.limits import check_limits
 from analytic.effects.table import ruled
 from analytic.effects.trial import of_methods, slip_by_weight
-from analytic.effects.warnings import torque_warnings
+from analytic.effects.warnings import freely_tilted, torque_warnings
 from analytic.effects.washers import held_in_the_middle
 from analytic.errors import InputError, require_non_negative
 from analytic.loads.ring_state import state_of_ring
@@ -193,6 +193,7 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
     unsure = _unsure(ledger, races, total, weight)
     cage_unsure, cage_unknown, cage_warnings = _unsure_of_cage(cage, drive, races, weight)
     heaviest = races.heaviest
+    ring = state_of_ring(scene.bearing, scene.contact_angle, races.found.balls, operation)
     return FrictionTorque(
         inner_speed=speed,
         axial_load=operation.axial_load,
@@ -218,7 +219,7 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
         ),
         inner=_loaded(heaviest, 0),
         outer=_loaded(heaviest, 1),
-        ring=state_of_ring(scene.bearing, scene.contact_angle, races.found.balls, operation),
+        ring=ring,
         effects=ledger.effects(parts, total, races.trial.measure(races.counted)),
         sliding=races.method,
         clearances=scene.clearances,
@@ -226,6 +227,7 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
         warnings=(
             *torque_warnings(ledger, races.found, roughness=races.gap_roughness, limits=limits.warnings),
             *(*races.warnings, *_two_states(races), *_nearly_turned(races), *cage_warnings),
+            *freely_tilted(scene, operation, ring),
         ),
         unknown=limits.unknown + unsure.unknown + cage_unknown,
         provenance=_provenance(ledger, races, correction=correction, cage=cage),
