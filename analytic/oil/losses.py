@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 
 from analytic.errors import InputError, require_non_negative, require_positive
 from analytic.loads.numbers import play_and_free_angle
-from analytic.scene import Array, Losses, Scene, ShearedLand, ShearedPockets
+from analytic.scene import Array, Bearing, Losses, Scene, ShearedLand, ShearedPockets
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -147,7 +147,7 @@ def stirred_oil(scene: Scene, losses: Losses) -> StirredOil | None:
     """
     if not losses.has_oil:
         return None
-    _require_range(losses)
+    _require_range(losses, scene.bearing)
     _require_once(scene, losses)
     oil, bearing, rule = scene.lubricant, scene.bearing, scene.contact_angle
     if oil is None:
@@ -180,7 +180,7 @@ def _require_once(scene: Scene, losses: Losses) -> None:
         )
 
 
-def _require_range(losses: Losses) -> None:
+def _require_range(losses: Losses, bearing: Bearing) -> None:
     given = {f"losses.{name}": getattr(losses, name) for name in ("oil_flow", "oil_share")}
     require_non_negative(**{name: value for name, value in given.items() if value is not None})
     if losses.oil_share is not None and losses.oil_share > 1:
@@ -189,3 +189,19 @@ def _require_range(losses: Losses) -> None:
         part = getattr(losses, name)
         if part is not None:
             require_positive(**{f"losses.{name}.{key}": value for key, value in vars(part).items() if key != "ring"})
+    if losses.land is not None:
+        _require_on_ring(losses.land, bearing)
+
+
+def _require_on_ring(land: ShearedLand, bearing: Bearing) -> None:
+    """The shoulders of a radial bearing's rings are apart at the pitch diameter; washers lie beside each other."""
+    low, high = ("the bore", bearing.bore_diameter), ("the outside diameter", bearing.outside_diameter)
+    if bearing.kind == "radial":
+        pitch = "the pitch diameter", bearing.pitch_diameter
+        low, high = (low, pitch) if land.ring == "inner" else (pitch, high)
+    if land.diameter <= (low[1] or 0.0) or land.diameter >= (high[1] or np.inf):
+        ends = (f"{word} {name} {1e3 * at:.6g} mm" for word, (name, at) in (("above", low), ("below", high)) if at)
+        raise InputError(
+            f"losses.land.diameter = {1e3 * land.diameter:.6g} mm is not on the {land.ring} ring; "
+            f"give one {' and '.join(ends)}"
+        )

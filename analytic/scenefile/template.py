@@ -16,6 +16,7 @@ RADIAL_SHARE, AXIAL_SHARE = 0.05, 0.02  # of C0: a light load on a deep groove, 
 # A cage of two steel sheets, over the ball diameter: clearance and thickness of the 6205 of [Paper], and the width of
 # the sheets that gives its mass of 6.58 g. Each sheet follows the pitch circle and half of every ball.
 POCKET, SHEET, SHEET_WIDTH = 0.025, 0.113, 0.36
+SHOULDER = 0.2  # its height over the ball diameter, usual
 WEB = 0.8  # of the web between pockets: the thickest sheet
 STEEL, PEEK = 7850.0, 1300.0  # kg/m^3
 GROUPS = ("CN", "C3")  # whose spans are told beside the bearing's own group
@@ -49,7 +50,7 @@ MORE = """\
 #drag = "2 N mm"                          # oil drag on balls and cage
 #oil_share = "2 %"                        # in place of drag: volume share of oil between the rings
 #oil_flow = "0.8 l/min"                   # oil flow through the bearing; leaves at the speed of the cage
-#land = { ring = "inner", diameter = "31 mm", clearance = "0.3 mm", width = "4 mm" } # oil shear, on the diameter
+#land = { ring = "inner", diameter = "LAND mm", clearance = "0.3 mm", width = "4 mm" } # oil shear, on the diameter
 #pockets = { clearance = "0.2 mm", thickness = "2 mm" } # oil shear, on the diameter; not with [cage]
 
 #[measured]                               # measured torques for `fembearing compare`
@@ -95,7 +96,7 @@ def scene_text(designation: str, choice: Choice = USUAL) -> str:
             head,
             f"[bearing]\ncatalog = {name}\n{warnings}{_play(bearing)}{_dimensions(bearing)}",
             f"[operation]\n{_operation(bearing, choice)}{OPERATION}",
-            f"[lubricant]\n{_oil(choice)}{REST}{_cage(bearing)}\n{_seals(bearing)}{MORE}",
+            f"[lubricant]\n{_oil(choice)}{REST}{_cage(bearing)}\n{_seals(bearing)}{_more(bearing)}",
         )
     )
 
@@ -220,6 +221,12 @@ def _seals(bearing: CatalogBearing) -> str:
     else:
         estimate = ', or "estimate" by SKF\'s formula'
     return _line("#[losses]", "known losses, added to the torque") + _line('#seals = "5 N mm"', f"both seals{estimate}")
+
+
+def _more(bearing: CatalogBearing) -> str:
+    """The other losses and tables, in comments, with the shoulder of the inner ring."""
+    land = bearing.pitch_diameter - (1 - 2 * SHOULDER) * bearing.ball_diameter
+    return MORE.replace("LAND mm", f"{1e3 * land:.3g} mm")
 
 
 def _quoted(value: object) -> str:

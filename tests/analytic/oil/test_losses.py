@@ -150,6 +150,29 @@ def test_parts_of_no_size_are_refused(scene: Scene) -> None:
         refused(lambda: stirred_oil(scene, losses), name)  # noqa: B023
 
 
+def test_a_land_lies_on_its_ring(scene: Scene) -> None:
+    """A 6206 has a bore of 30 mm, a pitch diameter of 46 mm and an outside diameter of 62 mm."""
+    land, angle = present(OIL.land), ContactAngle(rule="given", value=0.3)
+    washers = replace(scene, bearing=replace(scene.bearing, kind="thrust"), contact_angle=angle)
+    unknown = replace(scene, bearing=replace(scene.bearing, bore_diameter=None, outside_diameter=None))
+    inner, outer = "the bore 30 mm and below the pitch diameter 46", "the pitch diameter 46 mm and below the outside"
+    cases: tuple[tuple[Scene, Literal["inner", "outer"], float, str], ...] = (
+        (scene, "inner", 0.2, f"losses.land.diameter = 200 mm is not on the inner ring; give one above {inner} mm"),
+        (scene, "inner", 3.8e-3, inner),
+        (scene, "inner", 47e-3, inner),
+        (scene, "outer", 45e-3, outer),
+        (scene, "outer", 63e-3, outer),
+        (unknown, "inner", 47e-3, "give one below the pitch diameter 46 mm"),
+        (unknown, "outer", 45e-3, "give one above the pitch diameter 46 mm"),
+        (washers, "inner", 29e-3, "give one above the bore 30 mm and below the outside diameter 62 mm"),
+    )
+    for given, ring, diameter, words in cases:
+        placed = replace(land, ring=ring, diameter=diameter)
+        refused(lambda: stirred_oil(given, Losses(land=placed)), words)  # noqa: B023
+        fitting = replace(placed, diameter=40e-3 if ring == "inner" else 52e-3)
+        assert present(stirred_oil(given, Losses(land=fitting))).land == fitting
+
+
 def test_balls_roll_at_the_unloaded_angle_of_the_scene(scene: Scene) -> None:
     """That of the clearance, or the given one; a preload has none."""
     for rule, angle in (
