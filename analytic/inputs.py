@@ -84,7 +84,7 @@ UNCERTAIN: dict[str, Varied] = {
     "model.unloaded_balls": PURE,
     "model.oil_losses": PURE,
 }
-
+LARGEST = {"losses.oil_share": 1.0}  # at which the distribution of an input ends, in its unit
 
 USUAL_LOSS_ORIGIN = "usual in calculations for bearing steel; 0.003 to 0.025 are in use, none of them measured"
 

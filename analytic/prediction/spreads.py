@@ -7,7 +7,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from analytic.errors import InputError
-from analytic.inputs import UNCERTAIN, checked_deviation, uncertain_value
+from analytic.inputs import LARGEST, UNCERTAIN, checked_deviation, uncertain_value
 from analytic.oil.film import FORMULA_UNCERTAINTY
 from analytic.oil.variation import (
     ELASTIC_SPREAD,
@@ -106,12 +106,13 @@ class UncertainInput:
         Returns
         -------
         ndarray
-            Of the shape of score, in the unit of the input, SI.
+            Of the shape of score, in the unit of the input, SI; at most the largest value that the input can have.
         """
         if self.floor is None:
             return self.value + self.deviation * score
         above = self.value - self.floor
-        return self.floor + above * np.exp(self.deviation / above * score)
+        values = self.floor + above * np.exp(self.deviation / above * score)
+        return np.minimum(values, LARGEST.get(self.key, np.inf))
 
 
 def uncertain_inputs(scene: Scene) -> tuple[UncertainInput, ...]:

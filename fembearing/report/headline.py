@@ -18,7 +18,7 @@ from fembearing.report.tables.table import Head, Row, Table, table_of
 from fembearing.report.tables.torque import PARTS, RESIDUE
 from fembearing.report.torque import TorqueRecord, torque_record
 from fembearing.verify.torque.catalogue import WITHOUT_LOSSES
-from fembearing.verify.torque.scene_torque import SceneTorque
+from fembearing.verify.torque.scene_torque import MOST_ESTIMATED, SceneTorque
 
 MOST_ROWS = 6  # points of a series in the headline
 FULL, BOUNDARY = 0.01, 0.9  # share of the load on asperities: below a full film, above boundary lubrication
@@ -120,7 +120,9 @@ def headline_table(scene: Scene, record: TorqueRecord, units: Units = METRIC) ->
     if len(places) < len(computed):
         notes.append(f"{len(places)} of {len(computed)} operating points; --json and --out have all.")
     if all(record.interval[place] is None for place in places):
-        notes.append("No interval: more than 50 points, or no torque at the bound of an input; try --interval.")
+        is_long = len(computed) > MOST_ESTIMATED
+        why = f"more than {MOST_ESTIMATED} points" if is_long else "no torque at the bound of an input"
+        notes.append(f"No interval: {why}; try --interval.")
     notes += [f"{len(record.left_out)} points without a torque are skipped."] if record.left_out else []
     return table_of(headline_title(scene, record, units), heads, _in_a_line(heads, rows, len(heads) - 1), notes)
 

@@ -170,6 +170,12 @@ def test_points_without_a_torque_are_counted_and_one_interval_is_enough(result: 
     assert "No interval" not in said
 
 
+@pytest.mark.parametrize(("count", "why"), [(50, "no torque at the bound of an input"), (51, "more than 50 points")])
+def test_the_reason_why_there_is_no_interval_is_said(result: SceneTorque, count: int, why: str) -> None:
+    record = record_of(result, totals=[1e-3 * (20 + number) for number in range(count)])
+    assert headline_table(result.scene, record).notes[-1] == f"No interval: {why}; try --interval."
+
+
 def test_a_series_is_told_from_its_least_to_its_greatest(result: SceneTorque) -> None:
     record = record_of(result, totals=[0.05, 0.02, 0.03], interval=((0.04, 0.07), (0.01, 0.03), (0.02, 0.09)))
     found = span_of(record)

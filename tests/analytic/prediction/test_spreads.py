@@ -88,6 +88,14 @@ def test_what_lies_above_the_floor_is_lognormal(value: float, floor: float) -> N
     assert one.at(np.array(-40.0)) >= floor
 
 
+def test_oil_fills_at_most_the_whole_space() -> None:
+    """A lognormal share of 0.7 with half of it as its deviation exceeds 1 at a score of 0.72."""
+    found = by_key(replace(SCENE, losses=Losses(oil_share=0.7)))["losses.oil_share"]
+    np.testing.assert_allclose(
+        found.at(np.array([-1.3, 0.0, 0.9, 4.0])), [0.7 * np.exp(-0.65), 0.7, 1.0, 1.0], rtol=1e-14
+    )
+
+
 def test_what_has_no_floor_is_normal() -> None:
     warm = UncertainInput(
         key="lubricant.temperature", kind="input", value=313.0, unit="K", deviation=2.3, source="", floor=None
