@@ -125,6 +125,7 @@ def load_by_temperature(
     read = parse_by_temperature(
         found.text, origin=found.origin, folder=found.folder, measured=measured, settings=settings
     )
+    _refuse_temperature(read, "temperature", options)
     return _warned(read, notes)
 
 
@@ -202,7 +203,18 @@ def parse_by_temperature(
         value, told = read_setting(path, given)
         document = with_key(document, path, value)
         notes += told
-    return _warned(_by_temperature(document, origin=origin, folder=folder, measured=measured), notes)
+    read = _by_temperature(document, origin=origin, folder=folder, measured=measured)
+    _refuse_temperature(read, KEYS["temperature"], settings)
+    return _warned(read, notes)
+
+
+def _refuse_temperature(read: SceneByTemperature, name: str, given: Mapping[str, Any]) -> None:
+    """Raises InputError for a temperature that someone gives beside a scene whose file may have one unused."""
+    if read.thermal is not None and given.get(name) is not None:
+        raise InputError(
+            f"{read.origin}: {name} = {shown(given[name])} and [thermal] both determine the oil temperature: leave one "
+            "of them out"
+        )
 
 
 def _warned(read: SceneByTemperature, notes: Iterable[str]) -> SceneByTemperature:

@@ -16,7 +16,8 @@ from tests.refusals import refused
 HEAD = "duration [s],inner_speed [rpm],axial_load [N]\n"
 STEPS = HEAD + "20,600,900\n5,-2400,300\n7,0,0\n20,600,900\n"
 SETTINGS = {"friction.spin_rule": "balanced"}
-OILED = {"axial_load": 900.0, "speed": 60.0, "oil": "ISO VG 46", "temperature": 335.0}
+RUN = {"axial_load": 900.0, "speed": 60.0, "oil": "ISO VG 46"}
+OILED = {**RUN, "temperature": 335.0}
 
 
 def cycle_file(folder: Path, text: str = STEPS) -> Path:
@@ -109,7 +110,7 @@ def test_each_temperature_has_its_own_oil(tmp_path: Path) -> None:
 
 def test_the_mean_power_warms_the_oil(tmp_path: Path) -> None:
     settings = {**SETTINGS, "thermal.resistance": 0.9, "thermal.ambient": 296.0}
-    found = duty_cycle("6206", cycle_file(tmp_path), settings=settings, **OILED)
+    found = duty_cycle("6206", cycle_file(tmp_path), settings=settings, **RUN)
     assert found.steady is not None
     assert found.steady.temperature > 296.5
     # 1e-3 K: the search ends at 1e-4 K
@@ -152,9 +153,7 @@ def test_no_usual_load_is_added_to_the_loads_of_the_steps(tmp_path: Path) -> Non
 def test_a_temperature_is_said_once(tmp_path: Path) -> None:
     file = cycle_file(tmp_path, "duration [s],temperature [degC]\n5,60\n")
     settings = {"thermal.resistance": 0.9, "thermal.ambient": 296.0}
-    refused(
-        lambda: duty_cycle("6206", file, settings=settings, **OILED), "cycle.csv", "column temperature", "[thermal]"
-    )
+    refused(lambda: duty_cycle("6206", file, settings=settings, **RUN), "cycle.csv", "column temperature", "[thermal]")
     made = replace(load_scene("6206", **OILED), name="made")
     assert isinstance(made, Scene)
-    refused(lambda: duty_cycle(made, file), "made", "give the file of a scene")
+    refused(lambda: duty_cycle(made, file), "made", "give the file of the scene")

@@ -40,6 +40,14 @@ def test_friction_and_resistance_give_the_temperature() -> None:
     assert "0.7 K/W" in scene.lubricant.origins["temperature"].source
 
 
+def test_a_temperature_beside_a_resistance_is_refused() -> None:
+    heat = {"thermal.resistance": 0.7, "thermal.ambient": AMBIENT}
+    words = "333.0 and [thermal] both determine the oil temperature: leave one of them out"
+    refused(lambda: analytic.steady_scene("6308", settings=heat, temperature=333.0), f"of 6308: temperature = {words}")
+    both = {**heat, "lubricant.temperature": 333.0}
+    refused(lambda: analytic.steady_scene("6308", settings=both), f"lubricant.temperature = {words}")
+
+
 def test_without_resistance_the_oil_has_the_ambient_temperature() -> None:
     assert temperature(heated(0.0)) == AMBIENT
     rise = temperature(heated(1e-6)) - AMBIENT
