@@ -14,6 +14,13 @@ from analytic.scenefile.setting import read_choice, with_loads
 from analytic.scenefile.text import parse_text
 
 NOTHING: Mapping[str, Any] = MappingProxyType({})
+INSTEAD = {  # by key: the key or table of the usual scene in whose place it stands
+    **dict.fromkeys(("surface.Ra", "surface.rms_roughness", "surface.height_map.path"), "surface.finish"),
+    **dict.fromkeys(("bearing.contact_angle.nominal", "bearing.contact_angle.free"), "bearing.clearance"),
+    **dict.fromkeys(("bearing.inner.bottom_radius", "bearing.outer.bottom_radius"), "bearing.clearance"),
+    "bearing.clearance": "bearing.contact_angle.nominal",
+    "friction.coefficient": "surface",
+}
 
 
 def assumptions(
@@ -34,6 +41,30 @@ def assumptions(
     yield from usual_values(found, scene, given=given)
 
 
+def usual_document(found: SceneText, given: Collection[str]) -> dict[str, Any]:
+    """The document of a scene; that of a bearing of the catalogue without assumptions that given keys replace.
+
+    given : keys that someone gives. What is below a given key, or a suffix of the designation, is no assumption.
+    """
+    document = parse_text(found.text, origin=found.origin)
+    if found.designation is None:
+        return document
+    given = _with_suffix(found.designation, given)
+    for path in {INSTEAD[key] for key in given if key in INSTEAD}:
+        if not any(f"{key}.".startswith(f"{path}.") for key in given):
+            *tables, last = path.split(".")
+            inside = document
+            for name in tables:
+                inside = inside.get(name, {})
+            inside.pop(last, None)
+    return document
+
+
+def _with_suffix(designation: str, given: Collection[str]) -> set[str]:
+    """The given keys, with that of a clearance group in the designation."""
+    return {*given} | ({"bearing.clearance"} if find_bearing(designation).clearance_group is not None else set())
+
+
 def usual_values(found: SceneText, scene: Scene, *, given: Collection[str]) -> Iterator[str]:
     """The same of a scene that is found.
 
@@ -41,15 +72,13 @@ def usual_values(found: SceneText, scene: Scene, *, given: Collection[str]) -> I
     """
     if found.designation is None:
         return
-    document = parse_text(found.text, origin=found.origin)
+    document = usual_document(found, given)
     assert scene.lubricant is not None, "the usual scene has oil"
     document["lubricant"].setdefault("supply", scene.lubricant.supply)
-    given = {*given}
+    given = _with_suffix(found.designation, given)
     if "temperature" in scene.lubricant.origins:  # friction settles it
         given.add("lubricant.temperature")
-    if find_bearing(found.designation).clearance_group is not None:
-        given.add("bearing.clearance")
     document["bearing"] = {key: value for key, value in document["bearing"].items() if key == "clearance"}
     for table in ("bearing", "operation", "lubricant", "surface", "friction"):
-        values = {f"{table}.{key}": value for key, value in document[table].items()}
+        values = {f"{table}.{key}": value for key, value in document.get(table, {}).items()}
         yield from (f"{path} = {value}" for path, value in values.items() if path not in given)

@@ -29,10 +29,11 @@ from analytic.scene import (
     Surface,
 )
 from analytic.scenefile import fit
+from analytic.scenefile.assumption import usual_document
 from analytic.scenefile.bearing import bearing_faults, bearing_of, catalog_row, with_catalog
 from analytic.scenefile.by_temperature import SceneByTemperature, thermal_faults
 from analytic.scenefile.choice import KEYS
-from analytic.scenefile.find import find_scene
+from analytic.scenefile.find import SceneText, find_scene
 from analytic.scenefile.installation import arranged, in_operation, installation_faults
 from analytic.scenefile.keys import fault_at, faults_of, with_key
 from analytic.scenefile.losses import losses_of
@@ -49,7 +50,6 @@ from analytic.scenefile.tables import (
     SceneTable,
     SurfaceTable,
 )
-from analytic.scenefile.text import parse_text
 from analytic.words import plain, shown
 
 AS_PRINTED = "as_printed"  # the cage of the paper: the only variant whose pockets may overlap, with a warning
@@ -122,9 +122,7 @@ def load_by_temperature(
     for name, given in options.items():
         if given is not None and KEYS[name] in settings:
             raise InputError(f"{name} = {shown(given)} and {KEYS[name]} are the same: leave one of them out")
-    read = parse_by_temperature(
-        found.text, origin=found.origin, folder=found.folder, measured=measured, settings=settings
-    )
+    read = _with_settings(found, settings, measured)
     _refuse_temperature(read, "temperature", options)
     return _warned(read, notes)
 
@@ -198,12 +196,18 @@ def parse_by_temperature(
     settings: Mapping[str, Any] = NOTHING_SET,
 ) -> SceneByTemperature:
     """The scene at any temperature of its oil; arguments and errors of `parse_scene`, which refuses [thermal]."""
-    document, notes = parse_text(text, origin=origin), []
+    return _with_settings(SceneText(text=text, origin=origin, folder=folder), settings, measured)
+
+
+def _with_settings(
+    found: SceneText, settings: Mapping[str, Any], measured: str | os.PathLike[str] | None
+) -> SceneByTemperature:
+    document, notes = usual_document(found, settings), []
     for path, given in settings.items():
         value, told = read_setting(path, given)
         document = with_key(document, path, value)
         notes += told
-    read = _by_temperature(document, origin=origin, folder=folder, measured=measured)
+    read = _by_temperature(document, origin=found.origin, folder=found.folder, measured=measured)
     _refuse_temperature(read, KEYS["temperature"], settings)
     return _warned(read, notes)
 

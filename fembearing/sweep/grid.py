@@ -25,6 +25,7 @@ from pydantic import Field, ValidationError, create_model
 
 from analytic.errors import InputError
 from analytic.scene import Pair, Scene
+from analytic.scenefile.assumption import usual_document
 from analytic.scenefile.choice import USUAL, Choice
 from analytic.scenefile.find import SceneText, find_scene
 from analytic.scenefile.keys import SceneKey, Value, faults_of, scene_key, with_key
@@ -219,7 +220,7 @@ def _grid(text: str, *, origin: str, folder: Path) -> Grid:
     if isinstance(document, str):
         choice = NO_USUAL_LOAD if any(axis.key in LOADS for axis in axes) else USUAL
         named = find_scene(document, folder=folder, choice=choice)
-        document, folder = parse_text(named.text, origin=named.origin), named.folder
+        document, folder = usual_document(named, [axis.key for axis in axes]), named.folder
     _require_one_point(document, axes)
     _require_memory(axes)
     return Grid(

@@ -1,0 +1,76 @@
+"""Keys that someone gives beside a bearing of the catalogue replace what its usual scene assumes in another way."""
+
+from typing import Any
+
+import pytest
+
+from analytic import friction_torque
+from analytic.scenefile.assumption import assumptions
+from analytic.scenefile.read import load_scene, parse_scene
+from analytic.scenefile.template import scene_text
+from tests.refusals import refused
+
+FINISH, CLEARANCE = 'finish = "ground and honed"', 'clearance = "CN"'
+ANGLE = 'contact_angle = { nominal = "40 deg" }'
+
+
+@pytest.mark.parametrize(
+    ("name", "settings", "assumed", "instead"),
+    [
+        ("6206", {"surface.Ra": "0.05 um"}, FINISH, 'Ra = "0.05 um"'),
+        (
+            "6206",
+            {
+                "surface.rms_roughness": 7e-8,
+                "surface.autocorrelation.kind": "gaussian",
+                "surface.autocorrelation.length": 3e-5,
+                "surface.autocorrelation.spacing": 1e-6,
+            },
+            FINISH,
+            'rms_roughness = "7e-8 m"\nautocorrelation = { kind = "gaussian", length = "3e-5 m", spacing = "1e-6 m" }',
+        ),
+        ("6206", {"bearing.contact_angle.nominal": "15 deg"}, CLEARANCE, 'contact_angle = { nominal = "15 deg" }'),
+        ("6206", {"bearing.contact_angle.free": "15 deg"}, CLEARANCE, 'contact_angle = { free = "15 deg" }'),
+        ("7206BEP", {"bearing.clearance": "15 um"}, ANGLE, 'clearance = "15 um"'),
+        ("6206", {"friction.coefficient": 0.1}, f"[surface]\n{FINISH}", "[friction]\ncoefficient = 0.1"),
+    ],
+)
+def test_a_setting_replaces_an_assumption(name: str, settings: dict[str, Any], assumed: str, instead: str) -> None:
+    found = load_scene(name, axial_load=300.0, settings=settings)
+    text = "\n".join(line.partition(" #")[0].rstrip() for line in scene_text(name).splitlines())
+    text = text.replace("\n[friction]\n", "\n") if "[friction]" in instead else text
+    same = parse_scene(text.replace(assumed, instead), origin="same")
+    assert (found.bearing, found.surface, found.contact_angle) == (same.bearing, same.surface, same.contact_angle)
+    assert found.friction_coefficient == same.friction_coefficient
+    told = list(assumptions(name, found, settings=settings, options={"axial_load": 300.0}))
+    replaced = "surface.finish" if "finish" in assumed else "bearing.c"
+    assert not any(each.startswith(replaced) for each in told)
+
+
+def test_a_coefficient_needs_no_surface() -> None:
+    scene = load_scene(
+        "6206", axial_load=300.0, settings={"friction.coefficient": 0.1, "friction.spin_rule": "balanced"}
+    )
+    assert friction_torque(scene).torque.total[0] > 0
+
+
+@pytest.mark.parametrize(
+    ("name", "settings", "words"),
+    [
+        ("6206/C3", {"bearing.contact_angle.nominal": "15 deg"}, "bearing.clearance = 'C3' and contact_angle.nominal"),
+        ("6206", {"surface.Ra": "0.05 um", "surface.finish": "ground"}, "it has Ra and finish"),
+        (
+            "7206BEP",
+            {"bearing.clearance": "15 um", "bearing.contact_angle.nominal": "15 deg"},
+            "bearing.clearance = '15 um' and contact_angle.nominal both determine the clearance",
+        ),
+        ("6206", {"bearing.inner.bottom_radius": "18 mm"}, "bearing.outer.bottom_radius is missing"),
+    ],
+)
+def test_what_someone_gives_stays(name: str, settings: dict[str, Any], words: str) -> None:
+    refused(lambda: load_scene(name, settings=settings), words)
+
+
+def test_a_coefficient_beside_a_given_surface_is_refused() -> None:
+    scene = load_scene("6206", settings={"friction.coefficient": 0.1, "surface.boundary_friction": 0.13})
+    refused(lambda: friction_torque(scene), "friction.coefficient = 0.1 and [surface] both determine the friction")
