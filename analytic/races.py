@@ -33,8 +33,9 @@ from analytic.loads.ring_balance import require_enough_balls
 from analytic.loads.thrust import require_given_angle
 from analytic.numerics.records import Records
 from analytic.oil.variation import NOMINAL, Variation
-from analytic.scene import Array, Decision, Operation, Scene
+from analytic.scene import Array, Bearing, Decision, Operation, Scene
 from analytic.scene import Sliding as Method
+from analytic.scenefile.fit import crowding
 from analytic.sliding.judge import ALONG_AXIS, AS_PRINTED, FINE, METHODS, OVER_ELLIPSE
 from analytic.solve.failures import require_settled, undistributed
 from analytic.solve.freely import BETWEEN, error_of_sliding, other_states, part_by_sliding, slide_freely
@@ -249,6 +250,8 @@ def race_torque(
     Raises InputError and ConvergenceError as the loads and the sliding do.
     """
     scene = ledger.scene
+    if variation is NOMINAL:  # balls of a sample may overlap: it varies their size and the pitch diameter apart
+        _require_room(scene.bearing)
     _require_loads(scene, operation)
     trial = trial_of(scene, operation, correction, variation)
     base = _base(scene, trial, operation)
@@ -287,6 +290,7 @@ def loaded_balls_of(scene: Scene) -> LoadedBalls:
     They turn by closed kinematics. Raises InputError and ConvergenceError as `friction_torque` does.
     """
     operation = scene.operation.as_series()
+    _require_room(scene.bearing)
     _require_loads(scene, operation)
     off: dict[str, Decision] = {name: "off" for name in TRIED if name not in LOADING}
     # Loads are the same whatever resists sliding, which the scene may lack.
@@ -297,6 +301,12 @@ def loaded_balls_of(scene: Scene) -> LoadedBalls:
     found = solved(model, trial.points)
     require_settled(bare, model, trial.points, found)
     return found.loaded_balls(scene.bearing)
+
+
+def _require_room(bearing: Bearing) -> None:
+    """Raise InputError for more balls than fit, which a scene file cannot have."""
+    if crowded := crowding(bearing):
+        raise InputError(f"bearing.ball_count = {bearing.ball_count} {crowded}")
 
 
 def _require_loads(scene: Scene, operation: Operation) -> None:

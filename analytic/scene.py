@@ -156,6 +156,7 @@ class Bearing(Noun):
         count = self.ball_count
         if not (isinstance(count, int | float | np.integer) and count % 1 == 0):
             raise InputError(f"Bearing.ball_count must be a whole number, got {shown(count)}; give for example 9")
+        vars(self)["ball_count"] = int(count)
 
     @property
     def ball_radius(self) -> float:

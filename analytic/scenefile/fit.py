@@ -51,13 +51,20 @@ def bearing_misfits(bearing: Bearing, *, gap_key: str = BOTTOM, own: Container[s
             yield "bearing.outer.groove_radius", f"must be below bottom_radius {_mm(bearing.outer.bottom_radius)}"
         yield from _ring_misfits(bearing, gap_key)
         yield from _boundary_misfits(bearing, own)
-    if bearing.ball_count > 1 and pitch_chord(bearing) < ball:
-        half_angle = np.arcsin(min(1.0, ball / bearing.pitch_diameter))
-        yield (
-            "bearing.ball_count",
-            f"leaves {_mm(pitch_chord(bearing))} from ball to ball, less than ball_diameter {_mm(ball)}; "
-            f"at most {int(np.pi / half_angle + 1e-9)} fit",
-        )
+    if crowded := crowding(bearing):
+        yield "bearing.ball_count", crowded
+
+
+def crowding(bearing: Bearing) -> str | None:
+    """Why so many balls do not fit side by side; None: they do."""
+    ball = bearing.ball_diameter
+    if bearing.ball_count <= 1 or pitch_chord(bearing) >= ball:
+        return None
+    half_angle = np.arcsin(min(1.0, ball / bearing.pitch_diameter))
+    return (
+        f"leaves {_mm(pitch_chord(bearing))} from ball to ball, less than ball_diameter {_mm(ball)}; "
+        f"at most {int(np.pi / half_angle + 1e-9)} fit"
+    )
 
 
 def angle_misfits(bearing: Bearing, angle: ContactAngle) -> Iterator[tuple[str, str]]:

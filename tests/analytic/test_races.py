@@ -16,7 +16,7 @@ from analytic.effects.table import ENTRIES, PER_CENTRIFUGAL, PER_LAG
 from analytic.effects.trial import OF_FREE_BALLS, OF_METHODS
 from analytic.errors import ConvergenceError, InputError
 from analytic.free_ball.rotation import QUADRATURES
-from analytic.oil.variation import NOMINAL
+from analytic.oil.variation import NOMINAL, Variation
 from analytic.races import NOT_UNIQUE, WEDGED, RaceTorque, loaded_balls_of
 from analytic.scene import Array, ContactAngle, Operation, Scene
 from analytic.sliding.judge import ALONG_AXIS, AS_PRINTED, FINE, METHODS, OVER_ELLIPSE, SINGLE_COEFFICIENT
@@ -333,6 +333,16 @@ def test_a_word_that_is_unknown_is_refused_with_the_known_ones(name: str, known:
     with pytest.raises(InputError, match=f"{name} must be .* or .*, got 'guess'") as caught:
         friction_torque(replace(SCENE, **{name: "guess"}))
     assert str(caught.value).count(",") == known - 1  # all but the last one, and the value
+
+
+def test_as_many_balls_as_fit_have_a_torque_and_no_more() -> None:
+    """15 balls of 7.94 mm leave 8.11 mm from ball to ball, 16 leave 7.61 mm; samples vary the balls of a full ring."""
+    full, crowded = (replace(SCENE, bearing=replace(BEARING_6205, ball_count=count)) for count in (15, 16))
+    words = "bearing.ball_count = 16 leaves 7.61", "less than ball_diameter 7.94 mm; at most 15 fit"
+    refused(lambda: loaded_balls_of(crowded), *words)
+    refused(lambda: friction_torque(crowded), *words)
+    assert (loaded_balls_of(full).load > 0).all()
+    assert friction_torque(crowded, variation=Variation(film=1.1)).torque.total[0] > 0
 
 
 @pytest.mark.parametrize(("changed", "is_refused"), [

@@ -169,7 +169,8 @@ def test_balls_are_counted_in_whole_numbers(count: Any) -> None:
     message = f"Bearing.ball_count must be a whole number, got {count!r}"
     refused(lambda: replace(BEARING_6205, ball_count=count), message)
     for whole in (9, 9.0, np.int64(9)):
-        assert replace(BEARING_6205, ball_count=whole).ball_count == 9  # pyright: ignore[reportArgumentType]
+        counted = replace(BEARING_6205, ball_count=whole).ball_count  # pyright: ignore[reportArgumentType]
+        assert (counted, type(counted)) == (9, int)
 
 
 @pytest.mark.parametrize(
