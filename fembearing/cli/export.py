@@ -49,14 +49,14 @@ def export(
     """
     from analytic.scenefile.find import find_scene
     from fembearing.cli.console import out, shown_progress
-    from fembearing.formats.axes import range_of
+    from fembearing.formats.axes import end_of
     from fembearing.formats.choice import FORMATS, export_of
 
     options = given_options()
     over = {name: options[name] for name in RANGES if name in options}
     name = BUILTIN if scene is None else scene
     if name != STANDARD_INPUT and find_scene(name).designation is not None:
-        ends = {key: parts.last for key, text in over.items() if (parts := range_of(text)) is not None}
+        ends = {key: end_of(key, text) for key, text in over.items()}
         found = read_by_temperature(name, settings=given_settings(), options=options | ends)
     else:  # a scene that says its own loads: an option is an axis of the table alone
         others = {key: text for key, text in options.items() if key not in RANGES}

@@ -47,12 +47,22 @@ class Range(NamedTuple):
     log: bool
 
 
-def range_of(text: str) -> Range | None:
-    """The parts of a range; None for another text."""
+def range_of(name: str, text: str) -> Range | None:
+    """The parts of a range; None for another text. Raises InputError for a range without its number of values."""
     found = RANGE.fullmatch(text)
+    if found is None and " to " in text:
+        raise InputError(f"{name} = {shown(text)} is no range; give FIRST to LAST in COUNT, as {EXAMPLES[name]!r}")
     if found is None:
         return None
     return Range(found["first"], found["last"], int(found["count"]), found["log"] is not None)
+
+
+def end_of(name: str, text: str) -> str:
+    """The last value of a range or a list, or the one value. Raises InputError as `range_of`."""
+    if (parts := range_of(name, text)) is not None:
+        return parts.last
+    value, _ = read_setting(KEYS[name], text)
+    return str(value[-1]) if isinstance(value, list) and value else text
 
 
 def axis_values(name: str, given: Any) -> Array:
@@ -63,7 +73,7 @@ def axis_values(name: str, given: Any) -> Array:
     """
     if name not in OPTIONS:
         raise InputError(f"{plain(name)} is no axis of a table; give {', '.join(OPTIONS)}")
-    parts = range_of(given) if isinstance(given, str) else None
+    parts = range_of(name, given) if isinstance(given, str) else None
     values = _listed(name, given) if parts is None else _stepped(name, given, parts)
     if values.ndim != 1 or not values.size or values.size > MOST:
         raise InputError(f"{name} = {shown(str(given))} is no list of 1 to {MOST} values; give {EXAMPLES[name]!r}")

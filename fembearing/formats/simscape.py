@@ -25,7 +25,7 @@ TEXT = """\
 %
 % Ideal Rotational Motion Sensor -> PS Lookup Table (1D) -> Ideal Torque Source that brakes the shaft
 %   Table grid vector:    friction.speed
-%   Table values:         friction.torque, or friction.low and friction.high, the ends of the 95 %% interval
+%   Table values:         friction.torque, or friction.low and friction.high, the ends of the 95 % interval
 %   Interpolation method: Linear
 %   Extrapolation method: Error, as nothing is known beyond the table
 % The torque has the sign of the speed: it acts against it. Between -{slow:.4g} and {slow:.4g} rad/s it rises in a

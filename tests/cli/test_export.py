@@ -35,6 +35,13 @@ def test_a_bearing_of_the_catalogue_needs_no_file(command, place: Path) -> None:
     assert "friction_6206.csv" in again.err
 
 
+def test_lists_are_axes_of_a_bearing_of_the_catalogue(command, place: Path) -> None:
+    lists = ("--speed", '["300 rpm", "450 rpm", "900 rpm"]', "--radial-load", '["1 kN", "3 kN"]')
+    warm = ("--temperature", '["50 degC", "65 degC"]', "--axial-load", "0 N")
+    ended = command("export", "6206", "--to", "csv", "--out", "map.csv", *lists, *warm, *FAST)
+    assert (ended.status, len((place / "map.csv").read_text("utf-8").splitlines())) == (0, 1 + 3 * 2 * 2)
+
+
 def test_a_scene_file_takes_ranges_too(command, place: Path) -> None:
     ended = command("export", "scene.toml", "--to", "csv", "-o", "map.csv", "--speed", "0 rpm to 90 rpm in 3", *FAST)
     assert ended.status == 0
@@ -99,6 +106,7 @@ def test_a_cage_that_rests_in_the_table_alone_is_incomplete(command, place: Path
         (["--to", "xlsx"], ["--to", "xlsx", "netcdf"]),
         ([], ["--to"]),
         (["--to", "csv", "--speed", "0 rpm to 60 rpm in 1"], ["has 1 values"]),
+        (["--to", "csv", "--speed", "1000 rpm to 2000 rpm"], ["speed = '1000 rpm to", "in COUNT"]),
         (["--to", "csv", "--out", "scene.toml"], ["scene.toml", ".csv"]),
         (["--to", "modelica", "--radial-load", "1 kN to 2 kN in 3"], ["radial_load has 3 values", "modelica"]),
         (["--to", "csv", "--axial-load", "3 mm to 5 mm in 3"], ["axial_load", "5 mm", "N"]),

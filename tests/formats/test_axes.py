@@ -38,6 +38,8 @@ def test_one_value_and_lists_are_axes_too() -> None:
 @pytest.mark.parametrize(
     ("name", "given", "words"),
     [
+        ("speed", "1000 rpm to 2000 rpm", ["is no range", "FIRST to LAST in COUNT", "'0 rpm to 6000 rpm in 15'"]),
+        ("temperature", "40C to 50C in", ["is no range", "'40 degC to 100 degC in 4'"]),
         ("speed", "0 rpm to 6000 rpm in 1", ["speed", "has 1 values", "2 or more"]),
         ("speed", "300 rpm to 300 rpm in 4", ["one value 4 times"]),
         ("speed", "0 rpm to 6000 rpm in 5 log", ["no equal ratios"]),

@@ -81,6 +81,7 @@ def test_a_script_of_matlab_has_both_directions_and_no_jump(scene: Scene, curve:
         np.testing.assert_array_equal(speed[speed > 0][1:], curve.axes["speed"][1:])
         assert np.interp(0.0, speed, values) == 0.0
         assert np.interp(1e-9 + 1e-3 * curve.axes["speed"][1], speed, values) == pytest.approx(torque[0], rel=1e-6)
+    assert "the ends of the 95 % interval\n" in text
     breakaway = re.search(rf"^friction\.breakaway = ({NUMBER});", text, re.MULTILINE)
     assert breakaway
     assert float(breakaway[1]) == curve.nominal.ravel()[0]
