@@ -6,7 +6,7 @@ import signal
 import threading
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
 from itertools import chain
@@ -105,8 +105,11 @@ def _on_processes(
         return
     context = multiprocessing.get_context("spawn")
     pool = ProcessPoolExecutor(width - 1, mp_context=context, initializer=_begin)
+    # Each process has a thread that hands it one piece after another: a pool of processes that breaks while a piece of
+    # its own is cancelled waits for ever.
+    threads = ThreadPoolExecutor(width - 1)
     try:
-        begun = [pool.submit(evaluated, problem, piece) for piece in pieces]
+        begun = [threads.submit(lambda each: pool.submit(evaluated, problem, each).result(), each) for each in pieces]
         for place in reversed(range(len(pieces))):
             yield place, evaluated(problem, pieces[place]) if begun[place].cancel() else begun[place].result()
     except BrokenProcessPool as fault:
@@ -115,7 +118,8 @@ def _on_processes(
             'if __name__ == "__main__":; workers=1 computes without processes'
         ) from fault
     finally:
-        pool.shutdown(cancel_futures=True)
+        threads.shutdown(cancel_futures=True)
+        pool.shutdown()
 
 
 def _begin() -> None:
