@@ -115,7 +115,7 @@ def _on_processes(
     except BrokenProcessPool as fault:
         raise ResourceError(
             "a process for the samples ended: too little memory, or a script without "
-            'if __name__ == "__main__":; workers=1 computes without processes'
+            'if __name__ == "__main__":; predict(..., workers=1) computes without processes'
         ) from fault
     finally:
         threads.shutdown(cancel_futures=True)

@@ -126,7 +126,7 @@ def test_a_script_without_a_guard_ends_with_the_line_that_it_lacks(tmp_path: Pat
     assert done.returncode == 1
     assert "InvalidStateError" not in done.stderr
     last = done.stderr.splitlines()[-1]
-    assert 'a script without if __name__ == "__main__":; workers=1 computes without processes' in last
+    assert 'a script without if __name__ == "__main__":; predict(..., workers=1) computes without processes' in last
 
 
 @pytest.mark.slow
