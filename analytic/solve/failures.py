@@ -121,7 +121,14 @@ def _beyond_shoulder(bearing: Bearing, point: dict[str, float], balls: Records, 
     # The ball's inertia separates its two angles: without it both would be near their mean.
     separated = np.min(shoulder_distances(bearing, name, contact_angle=angles.mean())) > 0
     orbit = balls["motion"]["cage_speed"][ball] * point["inner_speed"]
-    if separated and weight > outward_force(bearing.ball_mass, bearing.pitch_diameter, orbit):
+    outward = outward_force(bearing.ball_mass, bearing.pitch_diameter, orbit)
+    load, share = balls["load"][ball].max(), point["axial_load"] / bearing.ball_count
+    if separated and (point["radial_load"] or point["moment"]) and max(load, weight, outward) < share:
+        return InputError(
+            f"{_loads(point)}: unequal loads leave {load:.3g} N for a ball, whose contact moves to "
+            f"{angle_of(angles[race])}, beyond the {name} race's shoulder: raise operation.axial_load"
+        )
+    if separated and weight > outward:
         return InputError(
             f"{_loads(point)}: the weight of a ball, {weight:.3g} N, moves its contact to {angle_of(angles[race])}, "
             f'beyond the {name} race\'s shoulder: raise the load, or give effects.weight = "off"'

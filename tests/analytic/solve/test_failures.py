@@ -104,11 +104,18 @@ def test_every_status_has_its_words(scene: Scene, status: int, monkeypatch: pyte
 
 
 def beyond_outer_shoulder(
-    bearing: Bearing, lean: tuple[float, float], *, weight: float = 0.0, speed: float = 100.0, **loads: float
+    bearing: Bearing,
+    lean: tuple[float, float],
+    *,
+    load: float = 0.7,
+    weight: float = 0.0,
+    speed: float = 100.0,
+    **loads: float,
 ) -> str:
     """What is said of the second ball of two, whose outer contact has left its race."""
     balls = np.zeros(2, records.BALL)
     balls["shoulder_distance"] = [[2e-4, 1e-5], [1e-4, -1e-5]]
+    balls["load"] = [[400.0, 410.0], [load, 0.9 * load]]
     balls["angle"], balls["motion"]["cage_speed"] = [(0.2, -0.4), lean], [0.1, 0.4]
     point = {"axial_load": 830.0, "radial_load": 0.0, "moment": 0.0, "inner_speed": speed} | loads
     return str(failures._beyond_shoulder(bearing, point, balls, weight))
@@ -133,6 +140,25 @@ def test_a_contact_that_a_weight_moves_is_told_by_it(bearing_6205: Bearing, near
     assert ("centrifugal force" in words) != is_weight
     unlike = beyond_outer_shoulder(bearing_6205, (0.85, 0.9), weight=2 * outward)
     assert "lower the load" in unlike
+
+
+@pytest.mark.parametrize("unequal", [{"radial_load": 2700.0}, {"moment": 3.0}])
+def test_a_contact_is_told_by_unequal_loads_where_its_ball_has_less_than_its_share_of_the_thrust(
+    bearing_6205: Bearing, unequal: dict[str, float]
+) -> None:
+    """The share of each of 9 balls in 830 N is 92.2 N; centrifugal force exceeds it at 4000 rad/s."""
+    lean = (0.3, 0.9)
+    words = beyond_outer_shoulder(bearing_6205, lean, weight=0.2, **unequal)
+    assert "unequal loads leave 0.7 N for a ball, whose contact moves to 51.57 deg" in words
+    assert words.endswith("beyond the outer race's shoulder: raise operation.axial_load")
+    for other in ({"speed": 4000.0}, {"load": 93.0}, {"weight": 93.0}, {"axial_load": 6.0}):
+        assert "unequal" not in beyond_outer_shoulder(bearing_6205, lean, **(unequal | other))
+
+
+def test_more_thrust_settles_a_contact_that_unequal_loads_move() -> None:
+    with pytest.raises(InputError, match=r"beyond the inner race's shoulder: raise operation\.axial_load"):
+        friction_torque("7206B", axial_load=300.0, radial_load=1000.0)
+    assert friction_torque("7206B", axial_load=600.0, radial_load=1000.0).torque.total > 0
 
 
 def test_loads_that_are_0_are_not_told(bearing_6205: Bearing) -> None:
