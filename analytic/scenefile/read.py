@@ -53,8 +53,8 @@ from analytic.scenefile.tables import (
 from analytic.words import plain, shown
 
 AS_PRINTED = "as_printed"  # the cage of the paper: the only variant whose pockets may overlap, with a warning
-# Thrust over radial load times tan(angle) at which all balls of a bearing, and half of them, are loaded: 1.67 and 1.22
-# by the integrals of the load distribution [Harris2007], rounded up.
+# Thrust over radial load times tan(angle) at which all balls of a bearing whose ring stays straight, and half of them,
+# are loaded: 1.67 and 1.22 by the integrals of the load distribution [Harris2007], rounded up.
 SEATED, HALF_SEATED = 1.7, 1.25
 BALLS = ("ball_count", "ball_diameter")
 NOTHING_SET: Mapping[str, Any] = MappingProxyType({})
@@ -353,9 +353,11 @@ def _apart(table: SceneTable, row: CatalogBearing | None) -> Iterator[str]:
 def _loose(table: SceneTable, row: CatalogBearing | None) -> Iterator[str]:
     """A warning where too little thrust loads fewer than half of the balls."""
     if any(thrust < HALF_SEATED * spread for thrust, spread in _seating(table, row)):
+        held = np.any(table.operation.moment)
         yield (
-            "the thrust loads fewer than half of the balls of this angular contact bearing: give 1.25 times the radial "
-            "load times tan(contact angle) or more; 1.7 times loads all of them"
+            f"the thrust loads fewer than half of the balls of this angular contact bearing: {HALF_SEATED:g} times the "
+            "radial load times tan(contact angle) loads half of them where operation.moment holds the ring straight, "
+            + (f"{SEATED:g} times all" if held else "and a ring that tilts freely needs more")
         )
 
 

@@ -41,7 +41,7 @@ mpl.use("agg")
 HERE = Path(__file__).parent
 GRADES = ("printed", "A", "B")
 RADIAL_SHARE, AXIAL_SHARE = 0.05, 0.02  # of C, of C0
-SEATED = 1.7  # of Fr tan(angle): the thrust from which all balls are loaded, about 1.67 for point contact
+SEATED = 1.7  # of Fr tan(angle): thrust that loads all balls of a straight ring, about 1.67 for point contact
 CASES = ("radial", "axial")
 DOWN = {"radial": [1, 0, 0], "axial": [0, 0, 1]}  # the shaft lies, or it stands
 Row = dict[str, str]
