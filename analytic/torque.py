@@ -180,14 +180,12 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
     coefficient = races.coefficient if races.slides else scene.friction_coefficient
     drive = None if scene.cage is None else cage_drive(scene, races.balls, coefficient, speed)
     frees = decide_cage(scene, drive, ledger, race=race)
-    cage: CagePart | None = None
-    if drive is not None and ledger.is_on("cage"):
-        cage = cage_friction(scene, drive, moves=ledger.is_on("cage_dynamics"), frees=frees)
+    moves = ledger.is_on("cage_dynamics")
+    cage = cage_friction(scene, drive, moves=moves, frees=frees) if drive is not None and ledger.is_on("cage") else None
     computed = race if cage is None else race + cage.torque
     parts |= scene_losses(ledger, computed, speed, variation.oil_losses)
     total = sum((parts[name] for name in LOSSES if name in parts), start=computed)
-    if cage is not None:
-        parts["cage"] = cage.torque
+    parts |= {} if cage is None else {"cage": cage.torque}
     limits = check_limits(scene, races.found, ledger)
     weight = _in_any_direction(races, total)
     unsure = _unsure(ledger, races, total, weight)
