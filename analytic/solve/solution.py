@@ -105,7 +105,7 @@ def tried_points(points: Array, arm: float) -> NDArray[np.intp]:
 
 def solved(model: Model, points: Array, *, work: Workspace | None = None, keeps_balls: bool = True) -> Solution:
     """The kernel at n points, (n, 5); work : a state to begin with and to leave, for one thread; None: by rule."""
-    count = len(points)
+    count, points = len(points), np.ascontiguousarray(points)  # another layout would be compiled again, for seconds
     kernel = solve if model.creep is None else solve_free
     counted, unequal = model.numbers.counted, bool(points[:, 1:3].any())
     # Unequal loads, or weights, ask for a ring of all balls.

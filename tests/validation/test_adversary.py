@@ -112,8 +112,8 @@ ANY_BROKEN_ONCE = {
 }
 
 
-# Ten seconds and more: each torque comes to its point from four sides, or a series is long.
-LONG = {71134, 98332, 471003, 481562, 500246, 541481, "lagging_balls", "second_quadrature"}
+# Seven seconds and more: each torque comes to its point from four sides, or a series is long.
+LONG = {71134, 98332, 471003, 481562, 500246, 541481, "lagging_balls", "second_quadrature", "conformity_beside_lag"}
 
 
 def seeds_of(causes: dict[str, int]) -> list[Any]:
