@@ -87,6 +87,21 @@ def test_rates_are_means_over_the_balls(unequal: Solution) -> None:
     assert point["heaviest"] == balls["load"].max(axis=1).argmax()
 
 
+def test_balls_lead_along_the_whole_first_harmonic() -> None:
+    """A weight across the radial load has its part in cos(psi), which no load along x has."""
+    scene = replace(
+        scene_of(**UNEQUAL | {"axial_load": 31.0, "radial_load": 0.13, "moment": 0.0}), down=(0.0, 0.6, 0.8)
+    )
+    found = found_at(scene, ROLLING | {"weight": True})
+    orbit = found.balls["motion"]["cage_speed"][0]
+    radius = BEARING_6205.pitch_diameter / 2
+    lead = ball_lead(orbit, pitch_radius=radius)
+    np.testing.assert_allclose(found.points["ball_lead"][0], lead, rtol=1e-9)  # of a small difference
+    azimuth = 2 * np.pi * np.arange(orbit.size) / orbit.size
+    along = 2 * radius * abs(np.sum(np.cos(azimuth) / orbit) / np.sum(1 / orbit))
+    assert along < (1 - 1e-6) * abs(lead)  # else the part across would not show; 5e-6 here
+
+
 def test_limits_are_those_of_the_worst_ball(unequal: Solution) -> None:
     point, balls = unequal.points[0], unequal.balls[0]
     assert np.ptp(balls["peak_pressure"], axis=0).min() > 1e7

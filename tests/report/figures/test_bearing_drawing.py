@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from analytic.errors import InputError
 from analytic.scene import Arrangement, Scene
 from analytic.scenefile.read import load_scene
 from fembearing.quantities import METRIC
@@ -92,21 +91,6 @@ def test_washers_reach_from_bore_to_outside_and_a_guess_holds_their_grooves() ->
 @pytest.mark.parametrize("name", ["6205", "61820", "608", "7208B", "paper_6205", RIG, "6205, a pair", "7208B, a pair"])
 def test_no_words_lie_on_others_or_leave_the_page(name: str) -> None:
     require_legible(draw_bearing(scene_of(name)))
-
-
-def test_the_file_is_the_same_in_every_run_and_replaces_nothing(tmp_path: Path) -> None:
-    scene = load_scene("6205")
-    for name in ("one.svg", "two.svg", "three.png", "four.pdf"):
-        draw_bearing(scene, out=tmp_path / name)
-    first = (tmp_path / "one.svg").read_bytes()
-    assert first == (tmp_path / "two.svg").read_bytes()
-    assert b"<svg" in first
-    assert (tmp_path / "three.png").read_bytes().startswith(b"\x89PNG")
-    assert (tmp_path / "four.pdf").read_bytes().startswith(b"%PDF-")
-    with pytest.raises(InputError, match="exists"):
-        draw_bearing(scene, out=tmp_path / "one.svg")
-    with pytest.raises(InputError, match=r"ends with '\.docx': give a file that ends with \.svg, \.png, \.pdf"):
-        draw_bearing(scene, out=tmp_path / "my.docx")
 
 
 def words_of(scene: Scene) -> list[str]:
