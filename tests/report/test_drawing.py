@@ -27,5 +27,5 @@ def test_the_file_is_the_same_in_every_run_and_replaces_nothing(tmp_path: Path) 
 
 def test_more_balls_than_are_drawn_are_refused() -> None:
     scene = load_scene("6205")
-    with pytest.raises(InputError, match="6205: .*at most 500 balls"):
+    with pytest.raises(InputError, match=r"6205: .*at most 500 balls"):
         draw_bearing(replace(scene, bearing=replace(scene.bearing, ball_count=501)))
