@@ -75,6 +75,7 @@ UNCERTAIN: dict[str, Varied] = {
     "losses.oil_share": PURE,
     "cage.friction_coefficient": PURE,
     "model.film": PURE,
+    "model.traction": PURE,
     "model.gap": PURE,
     "model.surfaces": PURE,
     "model.rolling": PURE,

@@ -23,6 +23,7 @@ Pair = Literal["inner", "outer", "pocket"]
 SpinRule = Literal["free", "balanced", "inner_control", "outer_control"]
 Microslip = Literal["derived", "as_printed"]
 Traction = Literal["eyring_sinh", "eyring_constant"]
+Thickening = Literal["modulus", "roelands"]
 Supply = Literal["oil_bath", "oil_jet", "oil_spot", "grease"]
 FilmFormula = Literal["numerical", "nijenbanning"]
 RollingFormula = Literal["numerical", "biboulet", "houpert"]
@@ -49,6 +50,7 @@ UNIT_LENGTH = 0.01  # by which a unit vector may be off 1: its numbers may be ro
 OIL_TEMPERATURES = 200.0, 600.0  # K: between them is the oil of a scene
 # Loss factor of bearing steel under rolling that calculations take most often: no measured one was found.
 USUAL_LOSS = 0.007
+MINERAL_RISE = -68.20e-3, 27.68e-5  # 1, 1/K: b1 and b2 of M100, a paraffinic oil, table 2 of [Arana2019]
 LOSS_SPREAD = 0.5  # standard deviation of its logarithm, a judgement: 0.003 to 0.025 are in use
 
 
@@ -292,9 +294,13 @@ class Lubricant(Noun):
     temperature: float  # of the oil at the inlet of a contact, K
     thermal_conductivity: float  # k_f, W/(m K)
     density: float  # kg/m^3
-    eyring_stress: float  # tau_E, Pa
-    limiting_shear: float  # zeta, ratio of the largest shear stress to the pressure
+    limiting_shear: float  # Lambda, ratio of the largest shear stress to the pressure
     traction: Traction | OwnTraction  # law of the shear stress, see `analytic.oil.traction`
+    eyring_stress: float | None = None  # tau_E, Pa, at any pressure; None: 2 Lambda/alpha at the pressure of each point
+    thickening: Thickening = "modulus"  # law of the viscosity under pressure in the shear stress
+    modulus_rise: tuple[float, float] = MINERAL_RISE  # b1, 1, and b2, 1/K, of the modulus equation
+    # Standard deviation of the logarithm of the shear stress; 0.5: the kind of oil is not known
+    traction_spread: float = field(default=0.5, compare=False)
     supply: Supply = "oil_bath"  # how oil returns to the track
     surface_tension: float = 0.022  # of the oil that bleeds from a grease, N/m
     starvation_degree: float | None = None  # m, see `analytic.oil.starvation`, >= 1; None: by the supply

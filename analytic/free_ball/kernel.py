@@ -131,7 +131,7 @@ def _add_law_powers(contact, ball, velocity, quadrature, flows, rows):
             pressure = peak * cosines[j] * quadrature.along[1, k]
             across = rows[1, 1] * velocity[1] + spin * half * quadrature.along[0, k]
             size = np.sqrt(slide * slide + across * across)
-            shear = shear_at(contact, pressure, flows[j, 0, k], flows[j, 1, k])
+            shear = shear_at(contact, pressure, flows[j, 0, k], flows[j, 1, k], flows[j, 2, k])
             stress, _ = yielding(size, shear) if contact.own == 0.0 else yielding_by_own(size, shear, contact.own)
             area = width * half * quadrature.along[1, k] * quadrature.along[2, k]
             contact.law_power += area * stress * size
@@ -307,7 +307,7 @@ def turn_ball(contacts: Records, ball: Record, quadrature: Record, tolerance: fl
     """
     velocity, passing, start = np.empty(4), np.zeros(2), np.zeros(4)
     _copy(ball.velocity, velocity)
-    flows = np.empty((2, quadrature.strips, 2, quadrature.nodes))
+    flows = np.empty((2, quadrature.strips, 3, quadrature.nodes))
     for race in range(2):
         passing[race] = _passing(contacts[race], ball, velocity)
         if contacts[race].load > 0.0:
@@ -333,7 +333,7 @@ def turn_ball(contacts: Records, ball: Record, quadrature: Record, tolerance: fl
 def add_law_powers(contacts: Records, ball: Record, quadrature: Record) -> None:
     """Add what the law of traction loses at the slip of a ball without creep; arguments of `turn_ball`."""
     velocity, rows = np.empty(4), np.zeros((3, 4))
-    flows = np.empty((2, quadrature.strips, 2, quadrature.nodes))
+    flows = np.empty((2, quadrature.strips, 3, quadrature.nodes))
     _copy(ball.velocity, velocity)
     for race in range(2):
         if contacts[race].load > 0.0:

@@ -24,8 +24,10 @@ CONTACT_STATE = np.dtype(
         ("eyring", "f8"),
         ("fluidity", "f8"),
         ("share", "f8"),
-        ("growth", "f8"),
+        ("alpha", "f8"),
+        ("bend", "f8"),
         ("exponent", "f8"),
+        ("rises", "f8"),
         ("own", "f8"),
         # What the contact does
         ("along", "f8"),  # force on the ball along the orbit, N

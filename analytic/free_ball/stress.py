@@ -10,7 +10,7 @@ import numpy as np
 
 from analytic.numerics.compilation import compiled
 from analytic.oil.law_table import flow_of, rate_of
-from analytic.oil.traction import PointLaw, log_thickening, thickened
+from analytic.oil.traction import PointLaw, flow_under
 
 FAST = frozenset(("contract", "reassoc", "arcp", "nsz"))  # sums over the nodes may round in any order
 SOLID = 1e250  # fluidity from which oil does not flow: it shears at its limit
@@ -29,17 +29,15 @@ class Shear(NamedTuple):
 
 
 @compiled
-def flow_at(law: PointLaw, pressure: float) -> tuple[float, float]:
-    """Fluidity and `most` of a point under the pressure p, Pa; the law's speeds are per unit ring speed."""
+def flow_at(law: PointLaw, pressure: float) -> tuple[float, float, float]:
+    """Eyring stress, fluidity and `most` of a point under the pressure p, Pa; speeds are per unit ring speed."""
+    fluidity, eyring = flow_under(law, pressure)
     if law.own != 0.0 and law.eyring > 0.0:
-        fluidity = min(thickened(law, pressure).fluidity, SOLID)
-        return fluidity, rate_of(law.own, 0.0, law.eyring, law.limit * pressure) / fluidity
-    if law.eyring == 0.0 or not law.fluidity <= SOLID:
-        return 0.0, 0.0
-    fluidity = law.fluidity * np.exp(log_thickening(law.growth, law.exponent, law.share * pressure))
-    if fluidity > SOLID:
-        return 0.0, 0.0
-    return fluidity, np.sinh(law.limit * pressure / law.eyring) / fluidity
+        fluidity = min(fluidity, SOLID)
+        return eyring, fluidity, rate_of(law.own, 0.0, eyring, law.limit * pressure) / fluidity
+    if law.eyring == 0.0 or not fluidity <= SOLID:
+        return eyring, 0.0, 0.0
+    return eyring, fluidity, np.sinh(law.limit * pressure / eyring) / fluidity
 
 
 @compiled(fastmath=FAST)

@@ -30,7 +30,7 @@ def strip_closed(contact, slip, strip, quadrature, flows):
     """One strip by the closed law: forces and stiffness by slip along it, across it and by spin, and all friction.
 
     slip : (along, across, spin);  strip : half-length, direction of the flow, pressure at its middle, p0 L u/a
-    flows : (2, nodes) fluidity and `most`
+    flows : (3, nodes) of `flow_at`
     """
     slide, lateral, spin = slip
     half, flow, middle, length = strip
@@ -40,7 +40,7 @@ def strip_closed(contact, slip, strip, quadrature, flows):
         pressure, area, x = middle * cosines[k], weights[k] * half * cosines[k], flow * half * sines[k]
         across = lateral + spin * x
         size = max(np.sqrt(slide * slide + across * across), NO_SLIP)
-        shear = shear_at(contact, pressure, flows[0, k], flows[1, k])
+        shear = shear_at(contact, pressure, flows[0, k], flows[1, k], flows[2, k])
         stress, slope = yielding(size, shear) if contact.own == 0.0 else yielding_by_own(size, shear, contact.own)
         if stress == 0.0:
             continue
@@ -100,7 +100,7 @@ def march_strips(contact, spin, flow, quadrature, flows, state):
     """All strips, marched side by side from their leading edges; writes their forces, stiffness and friction.
 
     spin : slip by it;  flow : its direction, L u along, and L across over L along
-    flows : (strips, 2, nodes) as in `strip_closed`;  state : of `strip_state`, with slip along and across
+    flows : (strips, 3, nodes) as in `strip_closed`;  state : of `strip_state`, with slip along and across
     Nodes of different strips do not wait for each other, as those of one strip do. Where nothing is decided a processor
     takes several at once, as the compiler knows how far apart the rows are.
     """
@@ -128,7 +128,7 @@ def march_strips(contact, spin, flow, quadrature, flows, state):
             state[STIFFER + j] = np.sqrt((square_x + square_y) / (square_x + square_y * stiffer))
         if contact.own == 0.0:
             for j in range(quadrature.strips):
-                shear = shear_at(contact, peak * across[j] * cosines[k], flows[j, 0, k], flows[j, 1, k])
+                shear = shear_at(contact, peak * across[j] * cosines[k], flows[j, 0, k], flows[j, 1, k], flows[j, 2, k])
                 even = state[PER_STEP + j] * to_here * state[STIFFER + j]
                 state[STRESS + j], state[SLOPE + j] = sheared(state[REACH + j], even, shear)
         else:
@@ -153,10 +153,10 @@ def march_strips(contact, spin, flow, quadrature, flows, state):
 def _shear_by_own(contact, node, across, flows, state):
     """Write stress and slope of all strips at a node by a user's law.
 
-    node : pressure there on the middle strip, and how far its stress pulls the slip;  flows : (strips, 2) of the node
+    node : pressure there on the middle strip, and how far its stress pulls the slip;  flows : (strips, 3) of the node
     """
     for j in range(flows.shape[0]):
-        shear = shear_at(contact, node[0] * across[j], flows[j, 0], flows[j, 1])
+        shear = shear_at(contact, node[0] * across[j], flows[j, 0], flows[j, 1], flows[j, 2])
         even = state[PER_STEP + j] * node[1] * state[STIFFER + j]
         state[STRESS + j], state[SLOPE + j] = sheared_by_own(state[REACH + j], even, shear, contact.own)
 
@@ -210,14 +210,14 @@ def marched_strip(state, j):
 
 
 @compiled
-def shear_at(contact, pressure, fluidity, most):
+def shear_at(contact, pressure, eyring, fluidity, most):
     """The law at a node."""
-    return Shear(contact.boundary * pressure + contact.plain, contact.limit * pressure, contact.eyring, fluidity, most)
+    return Shear(contact.boundary * pressure + contact.plain, contact.limit * pressure, eyring, fluidity, most)
 
 
 @compiled
 def hold_flows(contact: Record, quadrature: Record, flows: Array) -> None:
-    """Write (across, 2, along) fluidity and `most` of the nodes, which do not change with the slip.
+    """Write (across, 3, along) the numbers of `flow_at` of the nodes, which do not change with the slip.
 
     The nodes lie in pairs about the middle of the ellipse, where the pressure is the same.
     """
@@ -228,8 +228,10 @@ def hold_flows(contact: Record, quadrature: Record, flows: Array) -> None:
         contact.eyring,
         contact.fluidity,
         contact.share,
-        contact.growth,
+        contact.alpha,
+        contact.bend,
         contact.exponent,
+        contact.rises,
         contact.own,
     )
     strips, nodes = quadrature.across[1], quadrature.along[1]
@@ -238,7 +240,7 @@ def hold_flows(contact: Record, quadrature: Record, flows: Array) -> None:
     for j in range(last_strip // 2 + 1):
         for k in range(last_node // 2 + 1):
             flow = flow_at(law, peak * strips[j] * nodes[k])
-            for each in range(2):
+            for each in range(3):
                 flows[j, each, k] = flows[j, each, last_node - k] = flow[each]
                 flows[last_strip - j, each, k] = flows[last_strip - j, each, last_node - k] = flow[each]
 

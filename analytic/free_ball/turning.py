@@ -167,8 +167,8 @@ def hold_law(contact: Record, law: PointLaw, speed: float) -> None:
     """Write the law of traction of a contact; speed : w, rad/s."""
     contact.boundary, contact.plain, contact.limit, contact.eyring = law.boundary, law.plain, law.limit, law.eyring
     contact.fluidity = np.inf if law.fluidity == np.inf else law.fluidity * abs(speed)
-    contact.share, contact.growth, contact.exponent = law.share, law.growth, law.exponent
-    contact.own = law.own
+    contact.share, contact.alpha, contact.bend = law.share, law.alpha, law.bend
+    contact.exponent, contact.rises, contact.own = law.exponent, law.rises, law.own
 
 
 def outer_groove_centres(bearing: Bearing, numbers: BearingNumbers) -> float:

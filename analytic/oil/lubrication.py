@@ -32,6 +32,7 @@ class Lubrication(NamedTuple):
     heats: bool  # shear heats the inlets
     starves: bool  # oil does not return in time
     film: float  # factors on what the formulas give
+    traction: float
     asperity_pressure: float
     rolling: float
     rolling_error: float  # of the closed formula; the fit has the power FIT_SHARE of it
@@ -143,7 +144,7 @@ def lubricated_contact(
     rolling, rolling_extrapolated = rolling_torque_of(contact, unit, oil, inlet, lubrication, regime, ring_speed)
     return LubricatedContact(
         mixed,
-        law_of_oil(oil, boundary, 1.0 - mixed.asperity_share, area, thickness),
+        law_of_oil(oil, boundary, 1.0 - mixed.asperity_share, lubrication.traction * area, thickness),
         inlet,
         rolling,
         not FITTED_ELLIPTICITY[0] <= film.ellipticity <= FITTED_ELLIPTICITY[1],
@@ -173,6 +174,7 @@ def lubrication_of(
         heats=is_on("inlet_heating"),
         starves=is_on("starvation") and known,
         film=variation.film,
+        traction=variation.traction,
         asperity_pressure=variation.asperity_pressure,
         rolling=variation.rolling,
         rolling_error=variation.rolling_error,

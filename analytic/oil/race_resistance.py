@@ -22,10 +22,10 @@ from analytic.scene import Array, Material, Scene
 from analytic.surface.gap import GapForm, GapLaw, gap_forms, gap_law
 from analytic.surface.roughness import gap_roughness
 
-NO_OIL = OilNumbers(300.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 1.0, 0.0, True, False, 0.0)
+NO_OIL = OilNumbers(300.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 0.0, True, False, 0.0)
 SMOOTH_FORM = gap_forms(None)[0][0]
 NO_SUPPLY = OilSupply(mean_diameter=1.0, degree=np.nan, rate=np.nan, ahead=1.0, behind=1.0, tension=0.0)
-DRY = Lubrication(SMOOTH_FORM, 0.0, NO_SUPPLY, *3 * (False,), *5 * (1.0,), *3 * (False,))
+DRY = Lubrication(SMOOTH_FORM, 0.0, NO_SUPPLY, *3 * (False,), *6 * (1.0,), *3 * (False,))
 
 
 class RaceResistance(NamedTuple):
@@ -74,7 +74,7 @@ def resisted_contact(
     cubics : the splines of the gap laws
     oil : at its temperature;  peak_pressure : p0, Pa;  ring_speed : w, rad/s, of either sign
     """
-    law, rolling, lost = PointLaw(resistance.coefficient, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0, 0.0
+    law, rolling, lost = PointLaw(resistance.coefficient, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0, 0.0
     mixed, degree, thin, fast = NOT_MIXED, 1.0, False, False
     if resistance.has_oil:
         alone = unit_hertz(contact.curvature_rolling, contact.curvature_transverse, contact.modulus)

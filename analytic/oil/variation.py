@@ -40,6 +40,7 @@ class Variation:
     """
 
     film: float = 1.0  # factor on every film
+    traction: float = 1.0  # factor on the shear stress of the oil, also at its limit
     asperity_pressure: float = 1.0  # factor on the pressure of the asperities at any gap
     rolling: float = 1.0  # factor on the hydrodynamic resistance to rolling
     rolling_error: float = 1.0  # likewise for the closed formula; the numerical fit has the power FIT_SHARE of it

@@ -85,22 +85,6 @@ class PressureViscosityLaw:
         return self.factor * (viscosity / MM2_PER_S) ** self.exponent
 
 
-def law_through(*, viscosities: tuple[float, float], coefficients: tuple[float, float]) -> PressureViscosityLaw:
-    """The law through two measured coefficients, 1/Pa, at two kinematic viscosities, m^2/s; all above 0."""
-    require_positive(viscosities=viscosities, coefficients=coefficients)
-    exponent = log(coefficients[0] / coefficients[1]) / log(viscosities[0] / viscosities[1])
-    return PressureViscosityLaw(factor=coefficients[0] / (viscosities[0] / MM2_PER_S) ** exponent, exponent=exponent)
-
-
-def eyring_stress_of(*, limiting_shear: float, pressure_viscosity: float) -> float:
-    """tau_E = 2 Lambda/alpha, Pa; limiting_shear : Lambda, over the pressure;  pressure_viscosity : alpha, 1/Pa.
-
-    Source: equations 12 and 13 of [Arana2019], whose traction was within 10 % of tests with two discs.
-    """
-    require_positive(limiting_shear=limiting_shear, pressure_viscosity=pressure_viscosity)
-    return 2 * limiting_shear / pressure_viscosity
-
-
 def _double_logarithm(nu: float) -> float:
     return log10(log10(nu + 0.7 + _correction(nu)))
 

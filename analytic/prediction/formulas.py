@@ -33,6 +33,8 @@ def with_model_uncertainty(scene: Scene, result: FrictionTorque) -> FrictionTorq
 
     result : friction_torque(scene)
     The kernel computes the torque again, with the same effects and methods, and each change is a part:
+        traction: the oil's shear stress by the factors exp(-2 s) and exp(2 s) with its spread s, and by the other law
+            of thickening
         film: films thicker and thinner by twice the standard uncertainty of their formula, 15 % of ln h
         gap: the other law of the room between rough surfaces, `elastic` or `truncated`
         surfaces: asperities that press more and less by twice the spread between surfaces of equal statistics
@@ -54,6 +56,11 @@ def with_model_uncertainty(scene: Scene, result: FrictionTorque) -> FrictionTorq
     surface, lubricant = scene.surface, scene.lubricant
     if surface is not None and result.film.inner is not None:
         variations["film"] = [(same, Variation(film=factor)) for factor in FILM_FACTORS]
+        assert lubricant is not None  # which has the film
+        factors = [np.exp(sign * COVERAGE * lubricant.traction_spread) for sign in (-1, 1)]
+        other = replace(lubricant, thickening="roelands" if lubricant.thickening == "modulus" else "modulus")
+        variations["traction"] = [(same, Variation(traction=factor)) for factor in factors]
+        variations["traction"].append((replace(same, lubricant=other), NOMINAL))
         if result.is_on("asperities"):
             variations["gap"] = [(replace(same, surface=_other_gap(surface, scene)), NOMINAL)]
             factors = [np.exp(sign * COVERAGE * SURFACE_SPREAD) for sign in (-1, 1)]

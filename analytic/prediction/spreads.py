@@ -51,7 +51,6 @@ DEFAULTS: dict[str, Default] = {
     "lubricant.viscosity": Default(0.06, True, "evenly within 10 %, as a class of [ISO3448] is wide"),
     "lubricant.temperature": Default(2.0, False, "judgement: how well the temperature at the inlet is known"),
     "lubricant.pressure_viscosity": Default(0.10, True, "judgement: two laboratories differ by 8 %"),
-    "lubricant.eyring_stress": Default(0.30, True, "judgement: 3 to 8 MPa are usual"),
     "lubricant.limiting_shear": Default(0.13, True, "judgement: 0.05 to 0.08 are usual"),
     "lubricant.surface_tension": Default(0.125, True, "0.017 to 0.028 N/m of two greases [Shetty2024]"),
     "lubricant.reach.ahead": Default(0.2, True, "judgement: oil in a bath reaches 0.6 radii of the ball or more ahead"),
@@ -156,6 +155,8 @@ def _spread_of(scene: Scene, key: str, value: float) -> tuple[float, str]:
     origin: Origin | None = None if part is None else part.origins.get(rest)
     if origin is not None and origin.uncertainty is not None:
         return origin.uncertainty, f"{origin.status}: {origin.source}"
+    if key == "model.traction" and scene.lubricant is not None:
+        return scene.lubricant.traction_spread, "law and measured traction, by the kind of oil"
     if key not in DEFAULTS:
         return 0.0, ""
     default = DEFAULTS[key]

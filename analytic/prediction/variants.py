@@ -44,6 +44,7 @@ def varied_scene(scene: Scene, values: Mapping[str, float]) -> tuple[Scene, Vari
     model = tables.get("model", {})
     variation = Variation(
         film=model.get("film", 1.0),
+        traction=model.get("traction", 1.0),
         rolling_error=model.get("rolling", 1.0),
         heating=model.get("heating", 1.0),
         asperity_pressure=model.get("gap", 1.0) * model.get("surfaces", 1.0),

@@ -10,8 +10,8 @@ import numpy as np
 
 from analytic import catalog
 from analytic.errors import InputError
-from analytic.oil.viscosity_temperature import PressureViscosityLaw, ViscosityLine, law_through, viscosity_line
-from analytic.scene import Origin, Status
+from analytic.oil.viscosity_temperature import PressureViscosityLaw, ViscosityLine, viscosity_line
+from analytic.scene import Lubricant, Origin, Status
 from analytic.scenefile.brand import instead_of_brand
 from analytic.scenefile.quantity import in_si
 from analytic.words import shown
@@ -73,10 +73,20 @@ class KnownOil:
     hot_is_assumed: bool = False  # whether nobody prints the viscosity at 100 degC
     density: Density | None = None
     law: PressureViscosityLaw | None = None
-    law_known: Known = Known(status="derived", source="")
+    modulus: tuple[float, float] | None = None  # a1, Pa, and a2, Pa/K, of 1/alpha = a1 + a2 T; None: by the law
+    law_known: Known = Known(status="derived", source="")  # of the coefficient
+    modulus_rise: tuple[float, float] = Lubricant.modulus_rise
+    traction_spread: float = 0.5  # as of `Lubricant`
     limiting_shear: Property | None = None
     thermal_conductivity: Property | None = None  # W/(m K)
     is_grease: bool = False
+
+    def pressure_viscosity(self, viscosity: float, temperature: float) -> Property | None:
+        """alpha, 1/Pa; viscosity : kinematic, m^2/s;  temperature : K. None: no readable source."""
+        if self.modulus is not None:
+            a_1, a_2 = self.modulus
+            return self.law_known.property(1 / (a_1 + a_2 * temperature))
+        return None if self.law is None else self.law_known.property(self.law.coefficient(viscosity))
 
 
 def named_oil(given: str) -> KnownOil:
@@ -103,9 +113,9 @@ def named_oil(given: str) -> KnownOil:
             near = row["source"] if base.density is None else f"near that of {base.density.known.source}"
             known = Known(status="assumed", source=near, limit=DENSITY_LIMIT)
         own["density"] = Density(at_15=_value(row, "density_15"), slope=_value(row, "density_slope"), known=known)
-    if _cell(row, "pressure_viscosity_40") is not None:
-        measured = _value(row, "pressure_viscosity_40"), _value(row, "pressure_viscosity_100")
-        own["law"] = law_through(viscosities=(cold, hot), coefficients=measured)
+    if _cell(row, "modulus_a1") is not None:
+        own["modulus"] = _value(row, "modulus_a1"), _value(row, "modulus_a2")
+        own["modulus_rise"] = _value(row, "modulus_b1"), _value(row, "modulus_b2")
         own["law_known"] = Known(status="printed", source=row["source"], limit=MEASURED_LIMIT)
     own |= _shear_and_conductivity(row, "printed", SHEAR_LIMIT)
     return replace(
@@ -160,6 +170,8 @@ def base_oil(name: str) -> KnownOil:
         density=Density(at_15=density, slope=slope, known=assumed),
         law=PressureViscosityLaw(factor=_value(row, "factor"), exponent=_value(row, "exponent")),
         law_known=Known(status=status, source=law, limit=float(row["coefficient_limit"])),
+        modulus_rise=(_value(row, "modulus_b1"), _value(row, "modulus_b2")),
+        traction_spread=float(row["traction_spread"]),
         **_shear_and_conductivity(row, "assumed", float(row["shear_limit"])),
     )
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from analytic.errors import InputError
 from analytic.noun import read_only
-from analytic.oil.viscosity_temperature import ViscosityLine, eyring_stress_of, viscosity_line
+from analytic.oil.viscosity_temperature import ViscosityLine, viscosity_line
 from analytic.scene import Lubricant, Reach
 from analytic.scenefile.known_oil import (
     COLD,
@@ -32,16 +32,14 @@ DEFAULTS = {  # typical of mineral oils near 40 degC (no source seen)
     "thermal_conductivity": 0.14,  # W/(m K)
     "density": 870.0,  # kg/m^3
 }
-EXAMPLES = {"density": '"900 kg/m^3"', "pressure_viscosity": '"2e-8 1/Pa"', "eyring_stress": '"5 MPa"'}
+EXAMPLES = {"density": '"900 kg/m^3"', "pressure_viscosity": '"2e-8 1/Pa"'}
 # Limits, over the value.
 CLASS_LIMIT = 0.10  # a class of ISO 3448, at 40 degC
 INDEX_LIMIT = 0.05  # at 100 degC: some ten points of an assumed viscosity index; in proportion at other temperatures
-EYRING_LIMIT = 0.5  # 3 to 8 MPa are usual, about the 5 MPa of mineral oils
 GIVEN = Known(status="given", source="the scene")
 TYPICAL = Known(status="assumed", source="typical of mineral oils near 40 degC, no source seen")
 BLED_TENSION = 0.022  # N/m, between those of two greases
 BLED = Known(status="assumed", source="between 0.017 and 0.028 N/m of two greases at 61 degC [Shetty2024]", limit=0.25)
-BY_PRODUCT = Known(status="derived", source="2 limiting_shear/pressure_viscosity [Arana2019]", limit=EYRING_LIMIT)
 PROPERTIES = (*EXAMPLES, "viscosity", "limiting_shear", "thermal_conductivity")
 
 
@@ -72,12 +70,8 @@ def lubricant_of(table: LubricantTable, *, ball_radius: float) -> Lubricant:
     if density is not None:
         found["density"] = density
         found["viscosity"] = eta = _viscosity(given, oil, line, density, reference)
-        if oil.law is not None and "pressure_viscosity" not in own:
-            found["pressure_viscosity"] = oil.law_known.property(oil.law.coefficient(eta.value / density.value))
-    alpha, known_shear = found.get("pressure_viscosity"), found["limiting_shear"]
-    if "eyring_stress" not in own and alpha and known_shear and alpha.value * known_shear.value > 0:
-        stress = eyring_stress_of(limiting_shear=known_shear.value, pressure_viscosity=alpha.value)
-        found["eyring_stress"] = BY_PRODUCT.property(stress)
+        if "pressure_viscosity" not in own:
+            found["pressure_viscosity"] = oil.pressure_viscosity(eta.value / density.value, reference)
     missing = [key for key in EXAMPLES if found.get(key) is None]
     if missing:
         reason = f": no sourced value for {oil.name}" if "name" in given else ""
@@ -88,8 +82,10 @@ def lubricant_of(table: LubricantTable, *, ball_radius: float) -> Lubricant:
     if given.get("supply", "grease" if oil.is_grease else "") == "grease":
         tension = given.get("surface_tension")
         properties["surface_tension"] = BLED.property(BLED_TENSION) if tension is None else GIVEN.property(tension)
+    if "eyring_stress" in given:
+        properties["eyring_stress"] = GIVEN.property(given["eyring_stress"])
     choices: dict[str, Any] = {"traction": "eyring_sinh", "supply": "grease" if oil.is_grease else "oil_bath"}
-    others = "starvation_degree", "cavitation_pressure", "compressible", "film_formula", "rolling_formula"
+    others = "thickening", "starvation_degree", "cavitation_pressure", "compressible", "film_formula", "rolling_formula"
     choices |= {key: given[key] for key in (*choices, *others) if key in given}
     if choices["traction"] not in BUILT_IN:
         choices["traction"] = installed_law(choices["traction"])
@@ -98,6 +94,8 @@ def lubricant_of(table: LubricantTable, *, ball_radius: float) -> Lubricant:
         viscosity_temperature=_slope(given, line, oil, reference),
         reference_temperature=reference,
         temperature=temperature,
+        modulus_rise=oil.modulus_rise,
+        traction_spread=oil.traction_spread,
         name=oil.name if "name" in given else "",
         origins=read_only({key: each.origin for key, each in properties.items()}),
         reach=_reach(table.reach, ball_radius),
@@ -125,6 +123,11 @@ def _refuse_conflicts(given: Mapping[str, Any]) -> None:
         raise InputError(
             'lubricant.viscosity is missing; give for example "0.06 Pa s", or ["46 cSt at 40 degC", "6.8 cSt at '
             '100 degC"] with density, or name = "ISO VG 46" alone'
+        )
+    if given.get("traction") == "eyring_constant" and "eyring_stress" not in given:
+        raise InputError(
+            'lubricant.eyring_stress is missing: with traction = "eyring_constant" the oil shears at this stress; give '
+            'for example "5 MPa", or leave traction out'
         )
     if "name" in given and "base_oil" in given:
         raise InputError(

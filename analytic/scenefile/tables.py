@@ -36,6 +36,7 @@ from analytic.scene import (
     SpinRule,
     Supply,
     Surface,
+    Thickening,
     Traction,
 )
 from analytic.scenefile.law_packages import BUILT_IN, GROUP, installed_laws
@@ -299,7 +300,7 @@ class ReachTable(Table):
 class LubricantTable(Table):
     """Missing values follow from the name, the viscosities or the base oil: see `analytic.scenefile.oil`."""
 
-    HINT = 'give a table [lubricant] with name = "ISO VG 46", or with viscosity, pressure_viscosity and eyring_stress'
+    HINT = 'give a table [lubricant] with name = "ISO VG 46", or with viscosity and pressure_viscosity'
 
     name: Text | None = None  # of an oil or grease of the catalog
     base_oil: Annotated[str, _row_of("base_oils", thing="base oil")] | None = (
@@ -311,6 +312,8 @@ class LubricantTable(Table):
     traction: Annotated[Traction | str, BeforeValidator(_law)] = Field(
         "eyring_sinh", description='give "eyring_sinh", "eyring_constant" or the name of an installed law'
     )
+    # Of the viscosity under pressure in the shear stress
+    thickening: Thickening = Lubricant.thickening
     # Over the pressure; 0.05 to 0.08 for lubricants (no source seen).
     limiting_shear: Annotated[float, Dimension(unit="", low=0, high=1, example="0.065")] | None = None
     reference_temperature: Temperature | None = None  # of a viscosity without a temperature

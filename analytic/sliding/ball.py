@@ -16,7 +16,7 @@ import numpy as np
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.numerics.compilation import compiled
 from analytic.numerics.records import Record
-from analytic.oil.traction import PointLaw
+from analytic.oil.traction import PointLaw, with_numbers
 from analytic.sliding.ellipse import BALANCED, NO_SUMS, Slider, SlipSums, forceless_slip, slider_of
 from analytic.sliding.long_ellipse import Slip, balanced_line, line_laws, line_slip
 
@@ -29,9 +29,7 @@ MOST_STEPS = 100  # of the share of spin; 3 to 6 are usual
 def at_ring_speed(law: PointLaw, ring_speed: float) -> PointLaw:
     """The law over slip per unit ring speed; ring_speed : |w|, rad/s. At standstill it is that of slow sliding."""
     fluidity = law.fluidity if law.fluidity == np.inf else law.fluidity * ring_speed
-    return PointLaw(
-        law.boundary, law.plain, law.limit, law.eyring, fluidity, law.share, law.growth, law.exponent, law.own
-    )
+    return with_numbers(law, law.boundary, fluidity)
 
 
 @compiled

@@ -181,7 +181,7 @@ def put_factors(factors: Record, found: FactorNumbers) -> None:
 @compiled
 def put_oil(oil: Record, found: OilNumbers) -> None:
     """Write what of an oil changes with the temperature."""
-    oil.temperature, oil.viscosity, oil.growth = found.temperature, found.viscosity, found.growth
+    oil.temperature, oil.viscosity, oil.rise = found.temperature, found.viscosity, found.rise
     oil.pressure_viscosity, oil.viscosity_temperature = found.pressure_viscosity, found.viscosity_temperature
 
 

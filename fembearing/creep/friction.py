@@ -11,7 +11,7 @@ import numpy as np
 from scipy.linalg import lu_factor, lu_solve
 
 from analytic.errors import ConvergenceError
-from analytic.oil.traction import PointLaw, flows_of, thickened
+from analytic.oil.traction import PointLaw, flow_under, flows_of
 from analytic.scene import Array
 
 MOST_STEPS = 60  # 5 to 20 are usual
@@ -32,7 +32,7 @@ class SlidingLaw:
 
     steady: Array  # (n,) Pa
     limit: Array  # (n,) Pa
-    eyring: float  # Pa; 0: there is no oil that flows
+    eyring: Array  # (n,) Pa; 0 everywhere: there is no oil that flows
     fluidity: Array  # (n,) over 1 of the slip
     own: float = 0.0  # of `PointLaw`
 
@@ -52,7 +52,7 @@ class SlidingLaw:
             Stress, Pa, and slope, each (n,).
         """
         stress, slope = np.minimum(reach, self.steady), (reach <= self.steady).astype(float)
-        if self.eyring == 0.0:
+        if not np.any(self.eyring):
             return stress, slope
         if self.own != 0.0:
             return self._resist_by_own(reach, stiffness)
@@ -116,9 +116,15 @@ def sliding_law(law: PointLaw, *, pressure: Array, speed: float) -> SlidingLaw:
     """
     flat = pressure.ravel().astype(float)
     steady, limit = law.boundary * flat + law.plain * (flat > 0), law.limit * flat
-    fluidity = speed * np.array([min(thickened(law, each).fluidity, SOLID) for each in flat.tolist()])
-    eyring = float(law.eyring) if speed > 0.0 and law.fluidity > 0.0 else 0.0  # standing oil does not resist
-    return SlidingLaw(steady=steady, limit=limit, eyring=eyring, fluidity=fluidity, own=float(law.own))
+    fluidity, eyring = np.array([flow_under(law, each) for each in flat.tolist()]).T
+    resists = speed > 0.0 and law.fluidity > 0.0  # standing oil does not
+    return SlidingLaw(
+        steady=steady,
+        limit=limit,
+        eyring=eyring if resists else np.zeros_like(flat),
+        fluidity=speed * np.minimum(fluidity, SOLID),
+        own=float(law.own),
+    )
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

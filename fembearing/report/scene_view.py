@@ -80,7 +80,7 @@ class Lubricant:
     reference_temperature: float
     temperature: float
     pressure_viscosity: float
-    eyring_stress: float
+    eyring_stress: float | None  # None: it follows the pressure
     traction: str | OwnLaw
     supply: str
     name: str

@@ -168,7 +168,9 @@ def test_a_given_angle_holds_loads_but_not_how_the_ball_turns() -> None:
 def test_a_hybrid_and_oil_turn_too() -> None:
     hybrid = replace(BEARING_6205, ball_material=NITRIDE, ball_mass=0.41 * BEARING_6205.ball_mass)
     dry = thrust_ball(0.05, 300.0, bearing=hybrid)
-    oil = PointLaw(boundary=0.01, limit=0.05, eyring=5e6, fluidity=2.5e-3, share=0.9, growth=9.0, exponent=0.6)
+    oil = PointLaw(
+        boundary=0.01, limit=0.05, eyring=5e6, fluidity=2.5e-3, share=0.9, alpha=9.0 * 0.6 * 5.1e-9, exponent=0.6
+    )
     turned, oiled = turn_ball(dry, GRID), turn_ball(replace(dry, laws=(oil, oil)), GRID)
     assert 0 < oiled.torque < 1.3 * turned.torque  # at most 0.06 of the pressure
     for race in oiled.races:

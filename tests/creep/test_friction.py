@@ -12,7 +12,10 @@ from analytic.oil.traction import PointLaw, stress_and_slope
 from analytic.scene import Array
 from fembearing.creep.friction import settle, sliding_law
 
-OIL = PointLaw(boundary=0.011, limit=0.055, eyring=5e6, fluidity=3.1e-3, share=0.9, growth=9.2, exponent=0.61)
+OIL = PointLaw(
+    boundary=0.011, limit=0.055, eyring=5e6, fluidity=3.1e-3, share=0.9, alpha=9.2 * 0.61 * 5.1e-9, exponent=0.61
+)
+RISING = OIL._replace(exponent=0.0, bend=0.46e-9, rises=1.0)  # whose Eyring stress follows the pressure
 PRESSURE, SPEED = np.array([1.3e9, 0.4e9, 2e7]), 0.83
 
 
@@ -20,7 +23,7 @@ CARREAU = own_traction("carreau", lambda x: x * (1 + x * x) ** ((0.46 - 1) / 2))
 OWN = OIL._replace(own=law_address(CARREAU))
 
 
-@given(reach=st.floats(1e3, 3e9), stiffness=st.floats(1e8, 1e14), oil=st.sampled_from([OIL, OWN]))
+@given(reach=st.floats(1e3, 3e9), stiffness=st.floats(1e8, 1e14), oil=st.sampled_from([OIL, RISING, OWN]))
 def test_a_point_resists_by_the_law_at_the_slip_that_is_left(reach: float, stiffness: float, oil: PointLaw) -> None:
     """T + rho s = reach with the scalar law of `analytic.oil.traction`, whose slip is a speed."""
     law = sliding_law(oil, pressure=PRESSURE, speed=SPEED)
@@ -39,7 +42,7 @@ def test_a_point_resists_by_the_law_at_the_slip_that_is_left(reach: float, stiff
     assert np.all((slope >= 0) & (slope <= 1))
 
 
-@pytest.mark.parametrize("oil", [OIL, OWN])
+@pytest.mark.parametrize("oil", [OIL, RISING, OWN])
 def test_slopes_are_derivatives(oil: PointLaw) -> None:
     law = sliding_law(oil, pressure=PRESSURE, speed=SPEED)
     stiffness, reach, step = np.array([3e11, 4e10, 7e9]), np.array([5e7, 1.5e7, 6e5]), 1e-6

@@ -69,6 +69,6 @@ def _law(rng: np.random.Generator) -> PointLaw:
         eyring=5e6,
         fluidity=float(10 ** rng.uniform(-3.5, -1.5)),  # s/m: 0.06 Pa s over 5 MPa and 40 nm is 0.3 s/m
         share=0.9,
-        growth=9.2,
+        alpha=9.2 * 0.61 * 5.1e-9,
         exponent=0.61,
     )

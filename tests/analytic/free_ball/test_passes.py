@@ -75,7 +75,7 @@ def test_each_race_has_the_law_of_its_own_film() -> None:
         expected = mixed_traction(OIL, FINISH.boundary_friction, mixed_contact(contact, film, gap=gap)).point_law
         held = work.contacts[0, race]
         # Passes end where the torque settles; films still follow the speeds by 1e-3.
-        for field in ("boundary", "limit", "eyring", "share", "growth", "exponent"):
+        for field in ("boundary", "limit", "eyring", "share", "alpha", "bend", "exponent", "rises"):
             np.testing.assert_allclose(held[field], getattr(expected, field), rtol=1e-4, err_msg=field)
         np.testing.assert_allclose(held["fluidity"], speed * expected.fluidity, rtol=2e-3)
 

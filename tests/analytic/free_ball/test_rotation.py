@@ -183,7 +183,7 @@ def one_contact(
     contact, size = as_record(state.copy()), 4e-3
     velocity = np.array([along, -across, size * spin * contact.normal_radial, size * spin * contact.normal_axial])
     quadrature = quadrature_of(nodes, marched=marched)
-    flows = np.empty((quadrature.strips, 2, quadrature.nodes))
+    flows = np.empty((quadrature.strips, 3, quadrature.nodes))
     strips.hold_flows(contact, quadrature, flows)
     sums = np.zeros(4), np.zeros((4, 4)), np.zeros((3, 4))
     kernel._contact(contact, ball_of((0.0,) * 4), velocity, passing, quadrature, flows, sums)
@@ -246,7 +246,8 @@ def test_slight_spin_pushes_across_the_groove_only_when_marched() -> None:
 
 
 OILED = {
-    "boundary": 0.02, "eyring": 4.7e6, "fluidity": 3e3, "limit": 0.05, "share": 0.9, "growth": 7.0, "exponent": 0.6,
+    "boundary": 0.02, "eyring": 4.7e6, "fluidity": 3e3, "limit": 0.05, "share": 0.9, "alpha": 7.0 * 0.6 * 5.1e-9,
+    "exponent": 0.6,
 }  # fmt: skip
 
 
@@ -257,7 +258,7 @@ def test_the_tangent_is_the_derivative_of_the_force(law: dict[str, float], march
     outer = contact(normal_radial=0.97, normal_axial=0.243, semi_axis_rolling=2.2e-4, load=340.0, **law)
     contacts, start = np.stack([inner, outer]), (8.03e-3, 2e-5, 1.7e-3, -8.2e-3)
     ball, quadrature = ball_of(start, inertia=3.0), quadrature_of(Nodes(12, 10), marched=marched)
-    flows = np.empty((2, quadrature.strips, 2, quadrature.nodes))
+    flows = np.empty((2, quadrature.strips, 3, quadrature.nodes))
     for race in range(2):
         strips.hold_flows(as_record(contacts[race]), quadrature, flows[race])
     passing = np.array([kernel._passing(as_record(each), ball, ball.velocity) for each in contacts])
@@ -337,7 +338,7 @@ def test_a_users_law_has_a_tangent_too() -> None:
             states = contact(ring_rate=1.0, semi_axis_rolling=2e-4, own=law, **OILED)
             contacts = np.stack([states, with_fields(states, normal_radial=0.97, normal_axial=0.243, ring_rate=0.0)])
             ball, quadrature = ball_of((8.03e-3, 2e-5, 1.7e-3, -8.2e-3)), quadrature_of(Nodes(12, 10), marched=marched)
-            flows = np.empty((2, quadrature.strips, 2, quadrature.nodes))
+            flows = np.empty((2, quadrature.strips, 3, quadrature.nodes))
             for race in range(2):
                 strips.hold_flows(as_record(contacts[race]), quadrature, flows[race])
             tangent = np.zeros((4, 4))
@@ -352,7 +353,7 @@ def test_a_users_law_has_a_tangent_too() -> None:
 @pytest.mark.parametrize("marched", [False, True])
 def test_the_oil_of_every_node_flows_by_its_own_pressure(nodes: Nodes, marched: bool) -> None:
     row, quadrature = contact(**OILED), quadrature_of(nodes, marched=marched)
-    flows = np.full((quadrature.strips, 2, quadrature.nodes), np.nan)
+    flows = np.full((quadrature.strips, 3, quadrature.nodes), np.nan)
     strips.hold_flows(as_record(row), quadrature, flows)
     peak = 1.5 * row["load"] / (np.pi * row["semi_axis_rolling"] * row["semi_axis_transverse"])
     for j in range(quadrature.strips):
@@ -431,7 +432,7 @@ def test_a_ball_on_one_race_rolls_there_and_keeps_its_orbit_and_its_spin(race: i
     normal = np.array([loaded["normal_radial"], loaded["normal_axial"]])
     assert normal @ ball.velocity[2:] == pytest.approx(normal @ before[2:], rel=1e-9)
     across = np.array([-normal[1], normal[0]])
-    flows, force = np.zeros((quadrature.strips, 2, quadrature.nodes)), np.zeros(4)  # Coulomb friction has no flow
+    flows, force = np.zeros((quadrature.strips, 3, quadrature.nodes)), np.zeros(4)  # Coulomb friction has no flow
     sums = force, np.zeros((4, 4)), np.zeros((3, 4))
     kernel._contact(as_record(contacts[race]), ball, ball.velocity, passing, quadrature, flows, sums)
     gyroscopic = 3.0 / 0.02 * ball.velocity[0] * ball.velocity[1] * across[0]  # N, of the inertia above

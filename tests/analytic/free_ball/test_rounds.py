@@ -148,15 +148,24 @@ def test_oil_that_slides_has_the_slope_of_its_stress_and_none_at_its_limit() -> 
 
 def test_oil_flows_up_to_the_slip_at_which_it_shears_at_its_limit() -> None:
     """Thickened by the pressure in it; solid oil, and a law without an Eyring stress, shear at their limit at once."""
-    law = PointLaw(boundary=0.02, limit=0.05, eyring=4.7e6, fluidity=3e3, share=0.9, growth=7.0, exponent=0.6)
+    law = PointLaw(
+        boundary=0.02, limit=0.05, eyring=4.7e6, fluidity=3e3, share=0.9, alpha=7.0 * 0.6 * 5.1e-9, exponent=0.6
+    )
     pressure = 0.31e9
-    fluidity, most = flow_at(law, pressure)
+    eyring, fluidity, most = flow_at(law, pressure)
+    assert eyring == 4.7e6
     thicker = np.exp(7.0 * ((1 + 5.1e-9 * 0.9 * pressure) ** 0.6 - 1))
     assert fluidity == pytest.approx(3e3 * thicker, rel=1e-9)
     assert 4.7e6 * np.arcsinh(fluidity * most) == pytest.approx(0.05 * pressure, rel=1e-9)
     for changed in ({"eyring": 0.0}, {"fluidity": np.inf}, {"fluidity": 2e250}, {"fluidity": 1e248}):
-        assert flow_at(law._replace(**changed), pressure) == (0.0, 0.0)
-    assert flow_at(law._replace(fluidity=1e248 / thicker), pressure)[0] == pytest.approx(1e248, rel=1e-6)
+        assert flow_at(law._replace(**changed), pressure)[1:] == (0.0, 0.0)
+    assert flow_at(law._replace(fluidity=1e248 / thicker), pressure)[1] == pytest.approx(1e248, rel=1e-6)
+    rising = law._replace(exponent=0.0, bend=0.31e-9, rises=1.0)
+    rise = 1 + 0.31e-9 * 0.9 * pressure  # of the modulus A + B p
+    assert flow_at(rising, pressure)[0] == pytest.approx(4.7e6 * rise, rel=1e-12)
+    assert flow_at(rising, pressure)[1] == pytest.approx(
+        3e3 / rise * np.exp(7.0 * 0.6 * 5.1e-9 * 0.9 * pressure / rise), rel=1e-12
+    )
 
 
 @pytest.mark.parametrize(

@@ -298,7 +298,9 @@ def test_an_oil_comes_to_a_temperature_by_any_way() -> None:
     np.testing.assert_allclose(straight[:6], oil_at(oil_at(oil_numbers(OIL), 291.0), 367.0)[:6], rtol=1e-13)
     there = oil_numbers(replace(OIL, temperature=367.0))
     np.testing.assert_allclose(straight, there, rtol=1e-13)
-    np.testing.assert_allclose(straight.growth, np.log(straight.viscosity) + 9.67, rtol=1e-13)
+    growth = np.log(straight.viscosity) + 9.67
+    roelands = oil_at(oil_numbers(replace(OIL, thickening="roelands")), 367.0)
+    np.testing.assert_allclose(roelands.exponent * growth * 5.1e-9, straight.pressure_viscosity, rtol=1e-13)
     under = roelands_viscosity(
         pressure=0.9e9,
         temperature=367.0,
@@ -307,5 +309,5 @@ def test_an_oil_comes_to_a_temperature_by_any_way() -> None:
         reference_temperature=OIL.reference_temperature,
         viscosity_temperature=OIL.viscosity_temperature,
     )
-    thickened = straight.growth * ((1 + 5.1e-9 * 0.9e9) ** straight.exponent - 1)
+    thickened = growth * ((1 + 5.1e-9 * 0.9e9) ** roelands.exponent - 1)
     np.testing.assert_allclose(straight.viscosity * np.exp(thickened), under, rtol=1e-12)  # exp of some 10

@@ -100,7 +100,7 @@ def test_a_creeping_point_by_a_search(name: str) -> None:
         pressure, eyring = 10 ** random.uniform(7, 9.3), 10 ** random.uniform(6, 7)
         fluidity = 10 ** random.uniform(2, 12)
         point = PointLaw(boundary=0.01, limit=0.05, eyring=eyring, fluidity=fluidity, share=0.9, own=law)
-        flow, most = flow_at(point, pressure)
+        eyring, flow, most = flow_at(point, pressure)
         shear = Shear(0.01 * pressure, 0.05 * pressure, eyring, flow, most)
         compliance, whole = 10 ** random.uniform(-18, -12), stress_and_slope(point, pressure, 1e3)[0]
         reach = compliance * whole * 10 ** random.uniform(-2, 1)

@@ -6,8 +6,9 @@ import pytest
 from mpmath import mp, mpf
 
 from analytic.errors import InputError
-from analytic.oil.viscosity_temperature import ViscosityLine, eyring_stress_of, law_through, viscosity_line
+from analytic.oil.viscosity_temperature import ViscosityLine, viscosity_line
 from analytic.scenefile.known_oil import base_oil, named_oil
+from tests.analytic.specimens import present
 
 ZERO = 273.15  # K
 MM2 = 1e-6  # m^2/s
@@ -122,25 +123,11 @@ def test_the_law_of_a_base_oil_gives_the_measured_coefficients(base: str, viscos
         assert law.coefficient(nu * MM2) == pytest.approx(alpha * 1e-9, rel=5e-3)
 
 
-def test_a_law_goes_through_both_coefficients() -> None:
-    law = law_through(viscosities=(96e-6, 10.6e-6), coefficients=(20.8e-9, 16.3e-9))
-    assert law.coefficient(96e-6) == pytest.approx(20.8e-9, rel=1e-13)  # round-off
-    assert law.coefficient(10.6e-6) == pytest.approx(16.3e-9, rel=1e-13)
-
-
 @pytest.mark.parametrize("temperature", [40.0, 70.0, 100.0])
 def test_the_coefficient_of_fva_3_is_the_printed_one(temperature: float) -> None:
     oil = named_oil("fva3")
-    assert oil.line is not None
-    assert oil.law is not None
     printed = 1e-5 / (327.7918 + 2.9862 * temperature)  # 1/Pa: table A1 of [Schwarz2023], per bar
-    # A power of the viscosity stands for a hyperbola of the temperature: 2 % between its two points.
-    computed = oil.law.coefficient(oil.line.kinematic_viscosity(temperature + ZERO))
-    assert computed == pytest.approx(printed, rel=0.02)
-
-
-def test_the_eyring_stress_is_the_printed_one() -> None:
-    # M100 of [Arana2019]: 0.047 and 20.8 1/GPa give 4.5 MPa.
-    assert eyring_stress_of(limiting_shear=0.047, pressure_viscosity=20.8e-9) == pytest.approx(4.5e6, abs=0.05e6)
-    with pytest.raises(InputError, match="pressure_viscosity must be positive"):
-        eyring_stress_of(limiting_shear=0.047, pressure_viscosity=0.0)
+    computed = present(oil.pressure_viscosity(96.9e-6, temperature + ZERO))
+    assert computed.value == pytest.approx(printed, rel=1e-4)  # five digits
+    rise = oil.modulus_rise[0] + oil.modulus_rise[1] * (temperature + ZERO)
+    assert rise == pytest.approx(4.419e-3 + 3.0115e-4 * temperature, rel=1e-3)  # four digits

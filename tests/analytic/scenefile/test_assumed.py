@@ -63,7 +63,7 @@ def test_what_cannot_be_assumed_is_refused_in_one_line(line: str, words: tuple[s
 def test_the_built_in_scene_names_everything_that_the_paper_leaves_open() -> None:
     built_in = load_scene("paper_6205")
     inputs = {each.key: each for each in stated_inputs(built_in)}
-    left_open = {f"lubricant.{key}" for key in ("viscosity", "pressure_viscosity", "eyring_stress")}
+    left_open = {f"lubricant.{key}" for key in ("viscosity", "pressure_viscosity", "limiting_shear")}
     left_open |= {f"surface.{key}" for key in ("hardness", "boundary_friction", "autocorrelation.length")}
     left_open |= {"friction.hysteresis_loss", "bearing.ball_material"}
     left_open |= {f"cage.{key}" for key in ("pocket_clearance", "wall_thickness", "friction_coefficient", "start")}

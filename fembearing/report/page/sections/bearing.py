@@ -66,12 +66,15 @@ def _facts(scene: SceneView, units: Units) -> Iterator[tuple[str, str]]:
     if scene.lubricant is not None:
         oil = scene.lubricant
         named = f"{oil.name} " if oil.name else ""
+        stress = "following the pressure"
+        if oil.eyring_stress is not None:
+            stress = units.stress.written(oil.eyring_stress, ".3g")
         yield (
             "lubricant",
             f"{named}at {units.temperature.written(oil.temperature, '.4g')}; {oil.viscosity:.3g} Pa s at "
             f"{units.temperature.written(oil.reference_temperature, '.4g')}, pressure-viscosity "
-            f"{units.per_pressure.written(oil.pressure_viscosity, '.3g')}, Eyring stress "
-            f"{units.stress.written(oil.eyring_stress, '.3g')}{_own_law(oil.traction)}",
+            f"{units.per_pressure.written(oil.pressure_viscosity, '.3g')}, Eyring stress {stress}"
+            f"{_own_law(oil.traction)}",
         )
     if scene.surface is not None:
         yield "surfaces", _surface(scene, units)
