@@ -52,8 +52,8 @@ def half_width(height: float | None, groove_radius: float) -> float | None:
     return None if height is None else math.sqrt(height * (2 * groove_radius - height))
 
 
-def _groove_origin(spread: float, widest: str) -> Origin:
-    words = f"evenly between the tightest of four printed grooves, 0.5177, and the widest of the rating standards, {widest}"
+def _groove_origin(spread: float, limit: str) -> Origin:
+    words = f"evenly from the tightest of four printed grooves, 0.5177, to the limit of the rating standards, {limit}"
     return Origin(status="assumed", uncertainty=spread, source=words)
 
 

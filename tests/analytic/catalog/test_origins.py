@@ -88,7 +88,7 @@ def test_a_groove_lies_evenly_between_the_tightest_print_and_the_limit_of_the_ra
     np.testing.assert_allclose(default, evenly.mean(), atol=0.0005, rtol=0)  # rounded to 0.001
     origin = origins()[f"{ring}.conformity"]
     assert origin.status == "assumed"
-    assert f"{min(printed):g}, and the widest of the rating standards, {limit:g}" in origin.source
+    assert f"{min(printed):g}, to the limit of the rating standards, {limit:g}" in origin.source
     np.testing.assert_allclose(present(origin.uncertainty), evenly.std(), rtol=1e-4)  # of so many numbers
 
 
