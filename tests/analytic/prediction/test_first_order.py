@@ -1,6 +1,7 @@
 """The interval to first order: against a law whose interval is known, and against samples."""
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -64,7 +65,7 @@ def test_an_input_that_leaves_no_torque_leaves_no_interval(dry: Scene) -> None:
 
 def test_the_interval_of_a_catalogue_bearing_contains_tight_and_wide_grooves() -> None:
     """The tightest printed pair, those of a usual design, and the widest that ratings assume."""
-    given = {
+    given: dict[str, Any] = {
         "radial_load": "2 kN",
         "speed": "1500 rpm",
         "oil": "ISO VG 46",
