@@ -6,8 +6,10 @@ from collections.abc import Mapping
 from analytic.scene import Origin, Status
 
 Row = Mapping[str, str]
-INNER_CONFORMITY, OUTER_CONFORMITY = 0.52, 0.53  # the grooves of [ISO76]
-CONFORMITY_UNCERTAINTY = 0.02 / math.sqrt(12)  # evenly between 0.515 and 0.535
+# Evenly between the tightest printed groove, 0.5177, and the widest that ratings assume, 0.52 and 0.53: the middle,
+# rounded to 0.001, and the standard deviation.
+INNER_CONFORMITY, OUTER_CONFORMITY = 0.519, 0.524
+INNER_SPREAD, OUTER_SPREAD = (0.52 - 0.5177) / math.sqrt(12), (0.53 - 0.5177) / math.sqrt(12)
 BALL_UNCERTAINTY = {"printed": 0.001, "A": 0.001, "B": 0.001, "C": 0.06}  # relative, if the ball is the right one
 RIGHT = {
     "A": "right in about 95 %, else one size off (3 to 6 %)",
@@ -26,11 +28,6 @@ def origins_of(row: Row, *, scaled: bool) -> dict[str, Origin]:
     maker = row["maker"]
     printed = Origin(status="printed", uncertainty=None, source=f"catalogue of {maker}")
     ball = float(row["ball_diameter_mm"]) / 1e3
-    assumed = Origin(
-        status="assumed",
-        uncertainty=CONFORMITY_UNCERTAINTY,
-        source="groove of ISO 76; printed or measured ones lie between 0.515 and 0.535",
-    )
     heights = (row["shoulder_height_inner_mm"], row["shoulder_height_outer_mm"])
     far: dict[str, Origin] = {}
     if row["shoulder_status"] == "loaded side only":
@@ -41,8 +38,8 @@ def origins_of(row: Row, *, scaled: bool) -> dict[str, Origin]:
         "ball_count": _ball_origin(row, 1.0 if row["grade"] == "C" else 0.0),
         "ball_diameter": _ball_origin(row, BALL_UNCERTAINTY[row["grade"]] * ball),
         "pitch_diameter": _pitch_origin(row),
-        "inner.conformity": assumed,
-        "outer.conformity": assumed,
+        "inner.conformity": _groove_origin(INNER_SPREAD, "0.52"),
+        "outer.conformity": _groove_origin(OUTER_SPREAD, "0.53"),
         "inner.shoulder_half_width": _shoulder_origin(row, heights[0], INNER_CONFORMITY * ball, scaled),
         "outer.shoulder_half_width": _shoulder_origin(row, heights[1], OUTER_CONFORMITY * ball, scaled),
         **dict.fromkeys(("bore_diameter", "outside_diameter", "width"), printed),
@@ -53,6 +50,11 @@ def origins_of(row: Row, *, scaled: bool) -> dict[str, Origin]:
 def half_width(height: float | None, groove_radius: float) -> float | None:
     """From the middle of the groove to its shoulder, m; sqrt(r^2 - (r - h)^2) with the height h above the bottom."""
     return None if height is None else math.sqrt(height * (2 * groove_radius - height))
+
+
+def _groove_origin(spread: float, limit: str) -> Origin:
+    words = f"evenly from the tightest of four printed grooves, 0.5177, to the limit of the rating standards, {limit}"
+    return Origin(status="assumed", uncertainty=spread, source=words)
 
 
 def _ball_origin(row: Row, uncertainty: float) -> Origin:

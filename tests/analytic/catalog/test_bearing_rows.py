@@ -166,7 +166,7 @@ def test_the_uncertainty_of_a_shoulder_is_that_of_its_height() -> None:
     ball, (height, _), (width, _) = bearing.ball_diameter, bearing.shoulder_height, bearing.shoulder_half_width
     assert height is not None
     assert width is not None
-    radius, step = 0.52 * ball, 1e-6 * ball
+    radius, step = bearing.conformity[0] * ball, 1e-6 * ball
     slope = (math.sqrt(radius**2 - (radius - height - step) ** 2) - width) / step
     stated = bearing.origins["inner.shoulder_half_width"].uncertainty
     assert stated is not None

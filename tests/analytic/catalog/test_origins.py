@@ -1,11 +1,13 @@
 """How far the dimensions of a bearing of the catalogue are trusted, by rows of every kind."""
 
+import csv
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
 
-from analytic.catalog.origins import half_width, origins_of
+from analytic.catalog.origins import INNER_CONFORMITY, OUTER_CONFORMITY, half_width, origins_of
 from analytic.scene import Origin
 from tests.analytic.specimens import present
 
@@ -30,6 +32,7 @@ ROW = {
     "shoulder_height_outer_mm": "1.7",
     "shoulder_status": "derived",
 }
+PUBLISHED = Path(__file__).parents[3] / "validation" / "published"
 FAR = {"inner.far_shoulder_half_width", "outer.far_shoulder_half_width"}
 
 
@@ -73,13 +76,20 @@ def test_printed_balls_are_of_a_catalogue(status: str, rounded: bool) -> None:
     assert ("the nearest inch size is taken" in found.source) == rounded
 
 
-def test_a_groove_lies_evenly_between_two_conformities() -> None:
+@pytest.mark.parametrize("ring", ["inner", "outer"])
+def test_a_groove_lies_evenly_between_the_tightest_print_and_the_limit_of_the_ratings(ring: str) -> None:
     """The standard deviation of numbers that lie evenly in a range is its width over sqrt(12)."""
-    evenly = np.linspace(0.515, 0.535, 200_001)
-    for ring in ("inner", "outer"):
-        origin = origins()[f"{ring}.conformity"]
-        assert origin.status == "assumed"
-        np.testing.assert_allclose(present(origin.uncertainty), evenly.std(), rtol=1e-4)  # of so many numbers
+    lines = (PUBLISHED / "groove_radii.csv").read_text("utf-8").splitlines()
+    rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+    printed = [float(row[f"{ring}_low"]) for row in rows if row["kind"] == "printed"]
+    (limit,) = (float(row[f"{ring}_high"]) for row in rows if row["kind"] == "limit")
+    evenly = np.linspace(min(printed), limit, 200_001)
+    default = {"inner": INNER_CONFORMITY, "outer": OUTER_CONFORMITY}[ring]
+    np.testing.assert_allclose(default, evenly.mean(), atol=0.0005, rtol=0)  # rounded to 0.001
+    origin = origins()[f"{ring}.conformity"]
+    assert origin.status == "assumed"
+    assert f"{min(printed):g}, to the limit of the rating standards, {limit:g}" in origin.source
+    np.testing.assert_allclose(present(origin.uncertainty), evenly.std(), rtol=1e-4)  # of so many numbers
 
 
 @pytest.mark.parametrize(
@@ -111,7 +121,9 @@ def test_a_load_centre_in_whole_millimetres_moves_the_pitch_diameter() -> None:
     assert "SKF's distance of the load centre" in found.source
 
 
-@pytest.mark.parametrize(("ring", "height", "conformity"), [("inner", 1.9e-3, 0.52), ("outer", 1.7e-3, 0.53)])
+@pytest.mark.parametrize(
+    ("ring", "height", "conformity"), [("inner", 1.9e-3, INNER_CONFORMITY), ("outer", 1.7e-3, OUTER_CONFORMITY)]
+)
 @pytest.mark.parametrize(
     ("status", "scaled", "expected", "words"),
     [

@@ -284,3 +284,10 @@ def test_operating_points_from_python() -> None:
             analytic.operation(inner_speed=speed)
     with pytest.raises(InputError, match="shapes"):
         analytic.operation(inner_speed=[30.0, 40.0], radial_load=[1.0, 2.0, 3.0])
+
+
+def test_printed_groove_radii_stay_as_they_are() -> None:
+    """Those of the 6205 of [Paper], 4.13 and 4.21 mm."""
+    paper = analytic.load_scene("paper_6205").bearing
+    assert (paper.inner.groove_radius, paper.outer.groove_radius) == (4.13e-3, 4.21e-3)
+    assert {paper.origins[f"{ring}.conformity"].status for ring in ("inner", "outer")} == {"printed"}

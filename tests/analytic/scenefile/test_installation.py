@@ -105,7 +105,7 @@ def test_an_arrangement_is_read() -> None:
         ('[arrangement]\nkind = "DT"\npreload = "9 N"\n', "", r"arrangement\.kind = 'DT' is .* \"tandem\" \(DT\)"),
         ('[arrangement]\nkind = "O"\npreload = "9 N"\ndistance = "9 mm"\n', "",
             r"arrangement\.distance = '9 mm' must be at least bearing.width 15 mm"),
-        ('[arrangement]\nkind = "O"\noffset = "3 mm"\n', "", r"arrangement\.offset = '3 mm' must be at most 758\.2 um"),
+        ('[arrangement]\nkind = "O"\noffset = "3 mm"\n', "", r"arrangement\.offset = '3 mm' must be at most 685\.7 um"),
         ('[arrangement]\nkind = "X"\noffset = "0.5 mm"\n', 'inner = { shoulder_half_width = "2 mm" }',
             r"arrangement\.offset = '0.5 mm' must be at most .* um: there the balls reach a shoulder"),
         ('[arrangement]\nkind = "O"\npreload = "9 N"\n', 'contact_angle = { rule = "given", value = "12 deg" }',

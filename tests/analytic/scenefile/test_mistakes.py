@@ -149,7 +149,7 @@ MISTAKES = [  # text, and words of the message: key, value, what is accepted
     (with_bearing('inner.shoulder_half_width = "4.129 mm"\nouter.shoulder_half_width = "4.2 mm"'),
         ("bearing.inner.shoulder_half_width = '4.129 mm'", "19.5691 mm", "19.56 mm", "the rings touch")),
     (changed(BEARING, 'catalog = "6205"\nclearance = "2 mm"'),
-        ("bearing.clearance = '2 mm'", "clearance of 2 mm", "0.7938 mm")),
+        ("bearing.clearance = '2 mm'", "clearance of 2 mm", "0.682668 mm")),
     (changed(BEARING, 'catalog = "6205"\nclearance = "-600 um"'),
         ("bearing.clearance = '-600 um'", "7.638 mm", "at least -0.3969 mm")),
     (changed(BEARING, 'catalog = "6205"\npitch_diameter = "60 mm"'),

@@ -148,7 +148,7 @@ def test_what_a_dimension_rests_on_is_said_with_its_deviation() -> None:
     assert ball is not None
     assert conformity is not None
     assert f"# - derived, +- {1e3 * ball:.2g} mm: from the same" in text
-    assert f"# - assumed, +- {conformity:.2g}: groove of ISO 76" in text
+    assert f"# - assumed, +- {conformity:.2g}: evenly from the tightest" in text
     assert "# - assumed: turned off to the groove for the assembly" in text
     assert '#outer.far_shoulder_half_width = "0 mm"' in text
     assert "shoulder_half_width is not known" not in text

@@ -31,7 +31,7 @@ def test_a_spread_is_a_share_of_the_value_or_its_standard_deviation() -> None:
         ('lubricant.temperature = "2 degC"', r"is out of range; give 0 to 100 K, for example \"2 K\""),
         ('bearing.clearance = "3 %"', r"is a share, but this input needs the standard deviation itself"),
         ('friction.coefficient = "3 %"', r"is of an input that this scene lacks"),
-        # The 6205 has grooves of 0.52 times its balls, 0.02 above the tightest groove.
+        # The 6205 has inner grooves of 0.519 times its balls, 0.019 above the tightest groove.
         ("bearing.inner.conformity = 0.07", r"= 0.07 is more than 300 % of the value above 0.5, 0.0\d+; an input that"),
     ],
 )
