@@ -43,8 +43,8 @@ def test_it_is_odd_in_the_slip_and_ends_at_the_limiting_shear() -> None:
 
 def test_what_it_cannot_compute_is_refused() -> None:
     for name, wrong in {"pressure": 0.0, "speed": -1.2, "film": 0.0, "slip": float("nan")}.items():
+        known: dict[str, Any] = KNOWN | {name: wrong}
         with pytest.raises(InputError, match=name):
-            known: dict[str, Any] = KNOWN | {name: wrong}
             traction_coefficient("M100", **known)
     with pytest.raises(InputError, match="contact"):
         traction_coefficient("M100", contact="disc", **KNOWN)  # pyright: ignore[reportArgumentType]
