@@ -15,6 +15,7 @@ from validation.measured.fag import fag_torque
 
 BEARINGS = ("6004", "6204", "6205", "6208", "6212", "6305", "6310")
 LOADS = {"radial": "0.05 C radial", "axial": "0.02 C0 axial"}
+SKF_FILM = 0.05  # SKF's coefficient of a full film of mineral oil
 FIT = "a fit to unpublished tests of whole bearings, and to nothing here"
 
 
@@ -61,6 +62,41 @@ def _skf(scenes: list[Scene], words: str) -> Iterator[Anchor]:
             unit="N mm",
             worth=worth,
         )
+
+
+def sliding_page() -> str:
+    """sliding.md, in markdown: what the ratio of our sliding to SKF's sliding part is made of."""
+    return "\n".join(_split()) + "\n"
+
+
+def _split() -> Iterator[str]:
+    yield "| load | ours over SKF's | = friction coefficient over 0.05 | x geometry | x 0.05 over SKF's coefficient |"
+    yield "| --- " * 5 + "|"
+    for case, load in LOADS.items():
+        scenes = [scene_at(find_bearing(name), case) for name in BEARINGS]
+        at_film_friction = [replace(each, surface=None, friction_coefficient=SKF_FILM) for each in scenes]
+        # Endlessly thick oil has SKF's coefficient of a full film.
+        cases = [case_of(each) for each in scenes]
+        theirs, in_film = (
+            1e3 * np.hstack([skf_parts(each, lubrication="oil_bath")[1] for each in of_oil])
+            for of_oil in (cases, [each._replace(kinematic_viscosity=1.0) for each in cases])
+        )
+        ours, same_coefficient = slips(scenes), slips(at_film_friction)
+        factors = ours / theirs, ours / same_coefficient, same_coefficient / in_film, in_film / theirs
+        ranges = (f"{np.min(each):.2f} to {np.max(each):.2f}" for each in factors)
+        yield f"| {load} | {' | '.join(ranges)} |"
+
+
+def slips(scenes: list[Scene]) -> Array:
+    """Sliding by spin and conformity, N mm, (scenes,)."""
+    found = [friction_torque(scene).torque for scene in scenes]
+    return 1e3 * np.array([present(each.spin)[0] + present(each.conformity)[0] for each in found])
+
+
+def present(part: Array | None) -> Array:
+    """A part of the torque that every scene here has."""
+    assert part is not None
+    return part
 
 
 def parts(scenes: list[Scene]) -> tuple[Array, Array]:

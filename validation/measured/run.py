@@ -27,6 +27,7 @@ from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
 from validation.measured.anchor import Anchor, first_what_is_missed
 from validation.measured.anchors_page import anchors_page, draw_anchors, write_anchors
+from validation.measured.makers import sliding_page
 from validation.measured.others import measured_resistances, others
 from validation.measured.page import draw, page
 
@@ -116,7 +117,7 @@ def main() -> None:
     rigs = [compare(diameter) for diameter in RIGS]
     anchors = first_what_is_missed([*map(spin_down_anchor, rigs), *others()])
     folder.mkdir(parents=True, exist_ok=True)
-    texts = {"measured.md": page(rigs), "anchors.md": anchors_page(anchors)}
+    texts = {"measured.md": page(rigs), "anchors.md": anchors_page(anchors), "sliding.md": sliding_page()}
     write(rigs, folder / "measured.csv")
     draw(rigs, folder / "measured.png")
     write_anchors(anchors, folder / "anchors.csv")
