@@ -39,10 +39,11 @@ class Varied:
 LENGTH = Varied(unit="m", example='"0.02 mm", or "5 %"')
 FORCE = Varied(unit="N", example='"10 N", or "1 %"')
 PURE = Varied(unit="", example="0.01")
+STEP = Varied(unit="", example="0.5", floor=None)
 CONFORMITY = Varied(unit="", example="0.002", floor=TIGHTEST_GROOVE)
 ANGLE = Varied(unit="rad", example='"1.5 deg"', floor=None)
 # By the keys of [uncertainty]; `Scene.uncertainty` has standard deviations, SI, in place of the defaults. Those of
-# `model` are factors on formulas; that of `elastic_rolling` is a step to the other law.
+# `model` are factors on formulas; those of `gap` and `elastic_rolling` are steps to the other law.
 UNCERTAIN: dict[str, Varied] = {
     "bearing.ball_diameter": LENGTH,
     "bearing.pitch_diameter": LENGTH,
@@ -76,11 +77,11 @@ UNCERTAIN: dict[str, Varied] = {
     "cage.friction_coefficient": PURE,
     "model.film": PURE,
     "model.traction": PURE,
-    "model.gap": PURE,
+    "model.gap": STEP,
     "model.surfaces": PURE,
     "model.rolling": PURE,
     "model.heating": PURE,
-    "model.elastic_rolling": Varied(unit="", example="0.5", floor=None),
+    "model.elastic_rolling": STEP,
     "model.grease_film": PURE,
     "model.unloaded_balls": PURE,
     "model.oil_losses": PURE,
@@ -211,6 +212,8 @@ def _of_oil(scene: Scene, table: str, key: str) -> float | None:
             return None
         return 1.0 if table == "model" else oil.surface_tension
     if table == "model":
+        if key == "gap":
+            return 0.0 if mixed else None
         return 1.0 if (oil is not None if key in ("rolling", "heating") else mixed) else None
     if table == "lubricant":
         asked = oil is not None and (mixed or key in ("viscosity", "temperature", "reach.ahead"))

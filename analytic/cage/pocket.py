@@ -391,7 +391,7 @@ def pocket_coefficient(
         contact, Inflow(surface_speed / 2, oil.viscosity, oil.pressure_viscosity, oil.compressible, pocket.largest_gap)
     )
     gap = GapNumbers(pocket.gap.kind, cubics, pocket.gap.truncated, pocket.gap.elastic)
-    mixed = mixed_of(contact, film, gap, 1.0, 1.0)
+    mixed = mixed_of(contact, film, gap, 1.0, 1.0, 0.0)
     area, thickness = oil_beside(mixed.area_fraction, mixed.film_thickness, mixed.without_film)
     law = law_of_oil(oil, pocket.boundary_friction * mixed.boundary_share, 1.0 - mixed.asperity_share, area, thickness)
     return mean_force(law, contact, surface_speed) / load, mixed.capped

@@ -34,6 +34,7 @@ class Lubrication(NamedTuple):
     film: float  # factors on what the formulas give
     traction: float
     asperity_pressure: float
+    share_step: float  # towards the measured share of asperities, see `mixed.stepped_share`
     rolling: float
     rolling_error: float  # of the closed formula; the fit has the power FIT_SHARE of it
     heating: float  # power of the factors for heating
@@ -138,7 +139,7 @@ def lubricated_contact(
         thinner *= inlet.starvation.film_factor
     kind = lubrication.gap.kind if lubrication.asperities else SMOOTH
     gap = GapNumbers(kind, cubics, lubrication.gap.truncated, lubrication.gap.elastic)
-    mixed = mixed_of(contact, film, gap, thinner, lubrication.asperity_pressure)
+    mixed = mixed_of(contact, film, gap, thinner, lubrication.asperity_pressure, lubrication.share_step)
     area, thickness = oil_beside(mixed.area_fraction, mixed.film_thickness, mixed.without_film)
     boundary = lubrication.boundary_friction * mixed.boundary_share
     rolling, rolling_extrapolated = rolling_torque_of(contact, unit, oil, inlet, lubrication, regime, ring_speed)
@@ -176,6 +177,7 @@ def lubrication_of(
         film=variation.film,
         traction=variation.traction,
         asperity_pressure=variation.asperity_pressure,
+        share_step=variation.asperity_share,
         rolling=variation.rolling,
         rolling_error=variation.rolling_error,
         heating=variation.heating,

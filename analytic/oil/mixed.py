@@ -8,6 +8,7 @@ Source: the shared load of [Johnson1972]; that the oil fills the mean gap follow
 
 from dataclasses import dataclass
 from functools import cached_property
+from math import erfc
 from operator import itemgetter
 from typing import NamedTuple
 
@@ -15,13 +16,23 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from analytic.contact.rolling_contact import ContactNumbers, EllipticContact, contact_at
-from analytic.errors import ConvergenceError, InputError, require_non_negative, require_positive
+from analytic.errors import ConvergenceError, InputError, require_finite, require_non_negative, require_positive
 from analytic.numerics.compilation import compiled, rows_of
 from analytic.numerics.elements import elements_of
 from analytic.numerics.records import record_of
 from analytic.oil.asymptotes import FilmAsymptotes, film_at, log_film_of, thinned
 from analytic.scene import Array
-from analytic.surface.gap import SMOOTH, GapForm, GapLaw, GapNumbers, area_of, gap_forms, log_gap_of, rough_log_pressure
+from analytic.surface.gap import (
+    SMOOTH,
+    GapForm,
+    GapLaw,
+    GapNumbers,
+    area_of,
+    gap_forms,
+    log_gap_of,
+    log_sigma_of,
+    rough_log_pressure,
+)
 
 # Thickness over which a film turns into a layer of molecules that shears like a boundary film, a choice of this model:
 # measured films follow the formula for films down to about 1 nm [Johnston1991].
@@ -127,14 +138,37 @@ def shared_load(film: FilmAsymptotes, gap: GapNumbers, log_softness: float, load
 
 
 @compiled
+def stepped_share(share: float, film_ratio: float, step: float) -> float:
+    """The share of the load on asperities between two laws: s (erfc(lambda/2)/s)^step, at most 1.
+
+    share : s, of the shared load;  film_ratio : lambda, the smooth film over the rms height of both surfaces, >= 0
+    step : 0: s as it is; 1 and more: the law of friction measured in a ball-on-disc rig [Taylor2026]; -1 and less: as
+        far to the other side
+    Both laws are 1 without film and fall to 0 in a thick one; where s is 0 it remains so.
+    """
+    measured = erfc(film_ratio / 2.0)
+    if share == 0.0 or measured == 0.0:
+        return share
+    return min(share * (measured / share) ** min(max(step, -1.0), 1.0), 1.0)
+
+
+@compiled
 def mixed_of(
-    contact: ContactNumbers, film: FilmAsymptotes, gap: GapNumbers, film_factor: float, pressure_factor: float
+    contact: ContactNumbers,
+    film: FilmAsymptotes,
+    gap: GapNumbers,
+    film_factor: float,
+    pressure_factor: float,
+    share_step: float,
 ) -> MixedNumbers:
     """The contact of `mixed_contact`."""
     factored = thinned(film, np.log(film_factor))
     area = np.pi * contact.semi_axis_rolling * contact.semi_axis_transverse
     log_softness = np.log(area * pressure_factor) - np.log(contact.load) if contact.load > 0.0 else 0.0
     share, log_height, touched = shared_load(factored, gap, log_softness, contact.load)
+    if share_step != 0.0 and share > 0.0 and gap.kind != SMOOTH:
+        film_ratio = np.exp(log_film_of(factored, 0.0)[0] - log_sigma_of(gap))
+        share = stepped_share(share, film_ratio, share_step)
     height, without = np.exp(log_height), factored.rigid == -np.inf
     boundary = share + (1.0 - share) * np.exp(-height / MOLECULAR_FILM)
     capped = not without and height >= np.exp(film.clearance)
@@ -158,11 +192,12 @@ def _oils(rows: Array) -> Array:
 
 
 @compiled
-def _mixed(rows: Array, form: GapForm, cubics: Array, pressure_factor: float) -> Array:
+def _mixed(rows: Array, form: GapForm, cubics: Array, pressure_factor: float, share_step: float) -> Array:
     gap = GapNumbers(form.kind, cubics, form.truncated, form.elastic)
     fields = np.empty((6, rows.shape[1]))
     for i in range(rows.shape[1]):
-        found = mixed_of(contact_at(rows, 8, i), film_at(rows, i), gap, rows[17, i], pressure_factor)
+        contact, film = contact_at(rows, 8, i), film_at(rows, i)
+        found = mixed_of(contact, film, gap, rows[17, i], pressure_factor, share_step)
         fields[0, i], fields[1, i], fields[2, i] = found.asperity_share, found.boundary_share, found.film_thickness
         fields[3, i], fields[4, i], fields[5, i] = found.area_fraction, found.capped, found.without_film
     return fields
@@ -219,6 +254,7 @@ def mixed_contact(
     gap: GapLaw | None,
     film_factor: ArrayLike = 1.0,
     pressure_factor: float = 1.0,
+    share_step: float = 0.0,
 ) -> MixedContact:
     """The share of the load that asperities carry, and the film thickness; fields and arguments broadcast.
 
@@ -227,6 +263,8 @@ def mixed_contact(
     gap : of both surfaces together, one law for all contacts; None: smooth
     film_factor : on the film, >= 0, for a heated or starved inlet and for the uncertainty of the film
     pressure_factor : on the asperities' pressure at any gap, > 0, for the uncertainty of the surfaces
+    share_step : from this share to a measured law, for its uncertainty, see `stepped_share`; film and touched area
+        remain, and asperities press harder
     s in [0, 1] solves
         gap(s F/A_H) = film_factor * film(F (1 - s), E* (1 - s))
     As s grows, the film grows and the gap falls, so there is one solution. As the speed falls to 0 so does the film,
@@ -238,6 +276,7 @@ def mixed_contact(
     """
     require_non_negative(film_factor=film_factor)
     require_positive(pressure_factor=pressure_factor)
+    require_finite(share_step=share_step)
     if np.any((contact.area == 0) & (np.asarray(contact.load) > 0)):
         raise InputError(
             "semi_axis_rolling or semi_axis_transverse is 0 under load: give the semi-axes of the smooth contact"
@@ -249,7 +288,7 @@ def mixed_contact(
             "the arguments of a mixed contact have shapes that do not fit together: give equal lengths"
         ) from problem
     (form,), cubics = gap_forms(gap)
-    fields = _mixed(rows, record_of(form), cubics, float(pressure_factor)).reshape(6, *shape)
+    fields = _mixed(rows, record_of(form), cubics, float(pressure_factor), float(share_step)).reshape(6, *shape)
     share, boundary_share, thickness, touched, capped, without_film = fields
     if np.isnan(share).any():
         raise no_shared_load()

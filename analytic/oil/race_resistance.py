@@ -25,7 +25,9 @@ from analytic.surface.roughness import gap_roughness
 NO_OIL = OilNumbers(300.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 0.0, True, False, 0.0)
 SMOOTH_FORM = gap_forms(None)[0][0]
 NO_SUPPLY = OilSupply(mean_diameter=1.0, degree=np.nan, rate=np.nan, ahead=1.0, behind=1.0, tension=0.0)
-DRY = Lubrication(SMOOTH_FORM, 0.0, NO_SUPPLY, *3 * (False,), *6 * (1.0,), *3 * (False,))
+DRY = Lubrication(
+    SMOOTH_FORM, 0.0, NO_SUPPLY, False, False, False, 1.0, 1.0, 1.0, 0.0, 1.0, 1.0, 1.0, False, False, False
+)
 
 
 class RaceResistance(NamedTuple):

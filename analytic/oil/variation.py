@@ -20,6 +20,8 @@ FIT_SHARE = 0.12
 HEATING_SPREAD = 0.25
 # Standard deviation of the step between two laws of elastic rolling: the other law is the end of the 95 % range.
 ELASTIC_SPREAD = 1 / COVERAGE
+# Likewise of the step between two laws of the load on asperities: nobody knows which of both is right in a bearing.
+GAP_SPREAD = 1 / COVERAGE
 # Standard deviation of ln(films measured with grease over flooded ones), a judgement: their three laws differ by up to
 # 17 %, and explain 86 to 93 % of the variance.
 GREASE_SPREAD = 0.15
@@ -34,14 +36,16 @@ OIL_LOSS_FACTORS = (0.5, 2.0)
 
 @dataclass(frozen=True, kw_only=True)
 class Variation:
-    """Factors on what the formulas give, > 0, and a step between two of them; the defaults are the model as it is.
+    """Factors on what the formulas give, > 0, and steps between two of them; the defaults are the model as it is.
 
-    Raises InputError for a factor that is not positive.
+    Raises InputError for a factor that is not positive, or a step that is not finite.
     """
 
     film: float = 1.0  # factor on every film
     traction: float = 1.0  # factor on the shear stress of the oil, also at its limit
     asperity_pressure: float = 1.0  # factor on the pressure of the asperities at any gap
+    # Step from the share of the load on asperities towards the measured one, see `mixed.stepped_share`: any number
+    asperity_share: float = 0.0
     rolling: float = 1.0  # factor on the hydrodynamic resistance to rolling
     rolling_error: float = 1.0  # likewise for the closed formula; the numerical fit has the power FIT_SHARE of it
     heating: float = 1.0  # power of the factors for heating of the inlets
@@ -52,8 +56,9 @@ class Variation:
     oil_losses: float = 1.0  # factor on the losses by oil outside the contacts
 
     def __post_init__(self) -> None:
-        require_positive(**{name: value for name, value in vars(self).items() if name != "elastic_rolling"})
-        require_finite(elastic_rolling=self.elastic_rolling)
+        steps = {name: getattr(self, name) for name in ("asperity_share", "elastic_rolling")}
+        require_finite(**steps)
+        require_positive(**{name: value for name, value in vars(self).items() if name not in steps})
 
 
 NOMINAL = Variation()

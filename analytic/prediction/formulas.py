@@ -21,7 +21,7 @@ from analytic.oil.variation import (
 from analytic.prediction.evaluation import parts_of, without_moving_cage
 from analytic.prediction.settled import free_start
 from analytic.result import FrictionTorque, require_numbers
-from analytic.scene import Array, Scene, Surface
+from analytic.scene import Array, Scene
 
 # How far the oil may reach ahead of a contact, over the reach of the scene: a judgement. In a bath, whose oil is taken
 # to reach 0.9 of the ball's radius, these are 0.45 and 1 radii.
@@ -36,7 +36,7 @@ def with_model_uncertainty(scene: Scene, result: FrictionTorque) -> FrictionTorq
         traction: the oil's shear stress by the factors exp(-2 s) and exp(2 s) with its spread s, and by the other law
             of thickening
         film: films thicker and thinner by twice the standard uncertainty of their formula, 15 % of ln h
-        gap: the other law of the room between rough surfaces, `elastic` or `truncated`
+        gap: the measured law of the load on asperities, and as far to the other side
         surfaces: asperities that press more and less by twice the spread between surfaces of equal statistics
         rolling: a resistance to rolling of 0.94 and 1.06 times that of the numerical fit, and of 0.61 and 1.65 times
             that of the closed formula, as far as either counts
@@ -53,8 +53,8 @@ def with_model_uncertainty(scene: Scene, result: FrictionTorque) -> FrictionTorq
     """
     variations: dict[str, list[tuple[Scene, Variation]]] = {}
     same = without_moving_cage(scene, result)
-    surface, lubricant = scene.surface, scene.lubricant
-    if surface is not None and result.film.inner is not None:
+    lubricant = scene.lubricant
+    if scene.surface is not None and result.film.inner is not None:
         variations["film"] = [(same, Variation(film=factor)) for factor in FILM_FACTORS]
         assert lubricant is not None  # which has the film
         factors = [np.exp(sign * COVERAGE * lubricant.traction_spread) for sign in (-1, 1)]
@@ -62,7 +62,7 @@ def with_model_uncertainty(scene: Scene, result: FrictionTorque) -> FrictionTorq
         variations["traction"] = [(same, Variation(traction=factor)) for factor in factors]
         variations["traction"].append((replace(same, lubricant=other), NOMINAL))
         if result.is_on("asperities"):
-            variations["gap"] = [(replace(same, surface=_other_gap(surface, scene)), NOMINAL)]
+            variations["gap"] = [(same, Variation(asperity_share=step)) for step in (-1.0, 1.0)]
             factors = [np.exp(sign * COVERAGE * SURFACE_SPREAD) for sign in (-1, 1)]
             variations["surfaces"] = [(same, Variation(asperity_pressure=factor)) for factor in factors]
     if result.torque.rolling is not None and lubricant is not None:
@@ -97,15 +97,3 @@ def with_model_uncertainty(scene: Scene, result: FrictionTorque) -> FrictionTorq
     parts = {name: np.max([change(*each) for each in pairs], axis=0) for name, pairs in variations.items()}
     whole = np.sqrt(np.sum([part**2 for part in parts.values()], axis=0))
     return require_numbers(replace(result, model_uncertainty=whole, model_parts=MappingProxyType(parts)))
-
-
-def _other_gap(surface: Surface, scene: Scene) -> Surface:
-    """The surface with the other law of the gap; its summits never yield where no hardness is known."""
-    if surface.gap == "truncated":
-        return replace(surface, gap="elastic")
-    bearing, cage = scene.bearing, scene.cage
-    bodies = [bearing.ball_material, bearing.inner.material, bearing.outer.material]
-    bodies += [] if cage is None else [cage.material]
-    if surface.hardness is None and any(body.hardness is None for body in bodies):
-        return replace(surface, gap="truncated", asperities="greenwood_williamson")
-    return replace(surface, gap="truncated")

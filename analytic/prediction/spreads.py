@@ -11,6 +11,7 @@ from analytic.inputs import LARGEST, UNCERTAIN, checked_deviation, uncertain_val
 from analytic.oil.film import FORMULA_UNCERTAINTY
 from analytic.oil.variation import (
     ELASTIC_SPREAD,
+    GAP_SPREAD,
     GREASE_SPREAD,
     HEATING_SPREAD,
     OIL_LOSS_FACTORS,
@@ -66,7 +67,7 @@ DEFAULTS: dict[str, Default] = {
     "losses.oil_share": Default(0.50, True, "judgement: it is hardly ever measured"),
     "cage.friction_coefficient": Default(0.30, True, "judgement: as for the boundary friction of other surfaces"),
     "model.film": Default(FORMULA_UNCERTAINTY, True, "measured films about the formula [Wittek]"),
-    "model.gap": Default(0.5, True, "judgement: two laws of the gap differ by up to 2.5 times in the load share"),
+    "model.gap": Default(GAP_SPREAD, False, "the distance of two laws, shared load and measured friction [Taylor2026]"),
     "model.surfaces": Default(SURFACE_SPREAD, True, "computed: generated surfaces of equal statistics differ so"),
     "model.rolling": Default(ROLLING_SPREAD, True, "judgement: formulas, and torques of three balls [Balan2015]"),
     "model.heating": Default(HEATING_SPREAD, True, "judgement: laws of heating and of thinning by shear"),

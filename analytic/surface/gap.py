@@ -73,6 +73,12 @@ def rough_log_pressure(gap: GapNumbers, log_gap: float) -> tuple[float, float]:
     return value + law.log_scale, slope
 
 
+@compiled
+def log_sigma_of(gap: GapNumbers) -> float:
+    """ln of the rms height of both surfaces together in m, of rough ones."""
+    return np.log(gap.truncated.deviation) if gap.kind == TRUNCATED else gap.elastic.log_sigma
+
+
 class GapLaw(Protocol):
     """How much room rough surfaces leave for the oil, for one pair of surfaces."""
 

@@ -56,7 +56,7 @@ VALUES = {  # of this scene, typed in a second time; the clearance is 2 (23.48 -
     "losses.oil_share": 0.03,
     "cage.friction_coefficient": 0.13,
     "model.film": 1.0,
-    "model.gap": 1.0,
+    "model.gap": 0.0,
     "model.surfaces": 1.0,
     "model.rolling": 1.0,
     "model.heating": 1.0,

@@ -90,7 +90,7 @@ def test_the_tables_hold_the_numbers_of_the_result() -> None:
         "<=: upper bound of the change by neglecting the effect",
         "Methods: loads by thrust, all balls alike; contacts by Hertz",
         "Model uncertainty, 95 %: up to",
-        "law of the gap between surfaces",
+        "law of the load on asperities",
         "an order of magnitude, not a reference",
         "within the tolerance 2 %",
         "Film ratio lambda, the film over the rms roughness",

@@ -38,7 +38,7 @@ def area(load: float = 613.0) -> float:
 
 def mixed(gap: GapLaw | None, **changed: object) -> MixedContact:
     contact, rest = hertzian(CONTACT | OIL | changed)
-    factors = {name: rest.pop(name) for name in ("film_factor", "pressure_factor") if name in rest}
+    factors = {name: rest.pop(name) for name in ("film_factor", "pressure_factor", "share_step") if name in rest}
     return mixed_contact(contact, film_asymptotes(contact, **rest), gap=gap, **factors)
 
 

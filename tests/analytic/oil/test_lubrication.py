@@ -49,7 +49,7 @@ WARM = replace(CLOSED, temperature=331.0, compressible=False)
 ROUGH = replace(FINISH, rms_roughness=0.3e-6, gap="truncated")
 ELASTIC = replace(FINISH, gap="elastic")
 SPEEDS = (0.0, -3.1, 420.0)  # rad/s
-VARIED = Variation(film=0.83, asperity_pressure=1.21, rolling=0.77)
+VARIED = Variation(film=0.83, asperity_pressure=1.21, asperity_share=0.6, rolling=0.77)
 STILL = LoadEffects(load_distribution=False, centrifugal=False, gyroscopic=False)
 ALL = {"asperities": True, "heats": True, "starves": True}
 BORE, OUTSIDE = 25e-3, 52e-3  # m
@@ -119,7 +119,8 @@ def by_parts(
             starved = starved_by_degree(numbers, oil.starvation_degree, *flooded)
         film_left, rolling_left = film_left * starved.film_factor, rolling_left * starved.rolling_factor
     gap = gap_of(finish, contact) if counts["asperities"] else None
-    mixed = mixed_contact(contact, film, gap=gap, film_factor=film_left, pressure_factor=variation.asperity_pressure)
+    varied = {"pressure_factor": variation.asperity_pressure, "share_step": variation.asperity_share}
+    mixed = mixed_contact(contact, film, gap=gap, film_factor=film_left, **varied)
     resistance = (
         houpert_rolling(contact, **thickens)
         if oil.rolling_formula == "houpert"
@@ -279,7 +280,8 @@ def test_each_kind_of_bearing_has_its_constant_of_replenishment(name: str, const
 
 
 def test_factors_are_positive_and_a_step_is_any_number() -> None:
-    refuses(Variation, film=0.0, rolling=-1.0, heating=np.nan, oil_losses=np.inf, elastic_rolling=np.nan)
+    refuses(Variation, film=0.0, rolling=-1.0, heating=np.nan, oil_losses=np.inf)
+    refuses(Variation, elastic_rolling=np.nan, asperity_share=np.inf)
     assert Variation(elastic_rolling=-2.0).elastic_rolling == -2.0
 
 

@@ -4,8 +4,10 @@ from functools import partial
 
 import hypothesis.strategies as st
 import numpy as np
+import pytest
 from hypothesis import example, given
 from scipy.optimize import brentq
+from scipy.special import erfc
 
 from analytic.oil.film import film_asymptotes
 from analytic.oil.mixed import MOLECULAR_FILM
@@ -105,6 +107,45 @@ def test_oil_shears_beside_the_asperities_alone() -> None:
     assert full.oil_thickness == full.oil_area == 0
 
 
+@pytest.mark.parametrize("sq", [0.2e-6, 0.6e-6])
+def test_a_step_leads_to_the_measured_share(sq: float) -> None:
+    """Of friction in a ball-on-disc rig, erfc(lambda/2); the power between is that of the ratio of both shares."""
+    gap, speeds = rough(sq), np.geomspace(1e-6, 2.0, 60)
+    own = mixed(gap, entrainment_speed=speeds)
+    assert np.all(own.asperity_share > 0)
+    film_ratio = smooth_film(entrainment_speed=speeds) / gap.deviation
+    shares = {step: mixed(gap, entrainment_speed=speeds, share_step=step) for step in (-7.0, -1.0, -0.3, 0.4, 1.0, 7.0)}
+    wanted = erfc(film_ratio / 2)
+    np.testing.assert_allclose(shares[1.0].asperity_share, wanted, rtol=1e-12)  # round-off of the film's logarithm
+    for step, found in shares.items():
+        # The film and the area that asperities touch are those of the gap.
+        np.testing.assert_array_equal(found.film_thickness, own.film_thickness)
+        np.testing.assert_array_equal(found.area_fraction, own.area_fraction)
+        assert np.all((found.asperity_share >= 0) & (found.asperity_share <= 1))
+        assert np.all(np.diff(found.asperity_share) <= 0), step  # with the speed
+        boundary = found.asperity_share + (1 - found.asperity_share) * np.exp(-own.film_thickness / MOLECULAR_FILM)
+        np.testing.assert_allclose(found.boundary_share, boundary, rtol=1e-15)
+    powers = np.minimum(own.asperity_share**0.6 * wanted**0.4, 1.0)
+    np.testing.assert_allclose(shares[0.4].asperity_share, powers, rtol=1e-12)
+    np.testing.assert_array_equal(shares[7.0].asperity_share, shares[1.0].asperity_share)  # no law is beyond
+    np.testing.assert_array_equal(shares[-7.0].asperity_share, shares[-1.0].asperity_share)
+    above = np.stack([found.asperity_share for found in shares.values()])[:, wanted > own.asperity_share]
+    assert np.all(np.diff(above, axis=0) >= 0)  # with the step
+
+
+def test_both_laws_of_the_share_have_the_same_limits() -> None:
+    gap = rough(0.4e-6)
+    for step in (-1.0, 0.5, 1.0):
+        still = mixed(gap, entrainment_speed=0.0, share_step=step)
+        assert still.asperity_share == still.boundary_share == 1
+        slow = mixed(gap, entrainment_speed=1e-200, share_step=step)
+        np.testing.assert_allclose(slow.asperity_share, 1.0, rtol=1e-12)
+        # A film of 20 rms heights: what a power of the ratio leaves of a share below 1e-40.
+        assert mixed(gap, entrainment_speed=1e4, share_step=step).asperity_share < 1e-15
+        assert mixed(None, entrainment_speed=0.3, share_step=step).asperity_share == 0
+        assert mixed(gap, load=0.0, share_step=step).asperity_share == 0
+
+
 def test_without_load_nothing_is_shared() -> None:
     found = mixed(rough(0.4e-6), load=np.array([0.0, 1e-300, 1e-12]), entrainment_speed=np.array([[0.3], [0.0]]))
     assert np.all(np.isfinite(found.film_thickness[0]))
@@ -176,7 +217,14 @@ def test_the_shared_film_is_that_of_less_load_between_softer_bodies(share: float
 
 def test_nonsense_is_refused() -> None:
     gap = rough(0.3e-6)
-    refuses(partial(mixed, gap), semi_axis_transverse=-1e-4, film_factor=np.nan, largest_gap=0.0, load=-3.0)
+    refuses(
+        partial(mixed, gap),
+        semi_axis_transverse=-1e-4,
+        film_factor=np.nan,
+        largest_gap=0.0,
+        load=-3.0,
+        share_step=np.nan,
+    )
     for name in ("semi_axis_rolling", "semi_axis_transverse"):
         refused(lambda: mixed(gap, **{name: 0.0}), "is 0 under load")  # noqa: B023
     for name in ("film_factor", "semi_axis_rolling"):

@@ -97,7 +97,7 @@ def test_notes_tell_each_formula_where_it_is_most_uncertain_and_how_many_points_
     some, *others = torque_table(torque, "6205", [0, 2]).notes
     assert some.startswith("2 of 3 operating points")
     assert others == torque_table(torque, "6205", range(3)).notes  # of all points, whatever is shown
-    by = "film formula 13 %, law of the gap between surfaces 7 %, formula of rolling 5 %"
+    by = "film formula 13 %, law of the load on asperities 7 %, formula of rolling 5 %"
     assert f"up to 21 % of the total, by {by}." in others[1]
     assert others[2] == "No maker's formula holds."
     dry = record(point(0), point(1))

@@ -1,0 +1,206 @@
+"""The share of the load on asperities over lambda, beside measured and quoted laws: python validation/mixed/run.py
+
+The heaviest ball of a 6206 under 2 kN presses on the inner race, in ground and in ground and honed finish, with the
+film that a speed gives to smooth surfaces at 70 degC, without heat and starvation. lambda is this film over the rms
+height of both surfaces. The program prints tables of shares, with the ends of the 95 % interval of `model.gap` and the
+slope at which the elastic law itself would carry the measured share, and draws mixed.png into this folder. The laws are
+those of published/load_sharing.csv.
+"""
+
+import argparse
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.figure import Figure
+from rich.console import Console
+from rich.table import Table
+from scipy.special import erf, erfc, ndtri
+
+from analytic import parse_scene
+from analytic.contact.geometry import race_curvatures
+from analytic.contact.hertz import contact_modulus
+from analytic.contact.rolling_contact import EllipticContact, elliptic_contact
+from analytic.oil.asymptotes import FilmAsymptotes
+from analytic.oil.film import film_asymptotes
+from analytic.oil.mixed import mixed_contact
+from analytic.oil.variation import GAP_SPREAD
+from analytic.scene import Array, Surface
+from analytic.surface.gap import GapLaw, gap_law
+from analytic.surface.roughness import gap_roughness
+from validation import rows
+
+mpl.use("agg")
+
+HERE = Path(__file__).parent
+LAWS = HERE.parent / "published" / "load_sharing.csv"
+FINISHES = ("ground", "ground and honed")
+LAMBDAS = (0.25, 0.5, 0.95, 1.3, 1.8, 2.3, 3.0)
+LOAD = 4.37 * 2000 / 9  # N, of the heaviest of nine balls [Stribeck1907]
+END = GAP_SPREAD * float(ndtri(0.975))  # of model.gap, the upper end of its 95 %
+SPEEDS = np.geomspace(1e-5, 1e4, 2000)  # m/s, among which that of a film is found
+SCENE = """
+name = "6206"
+tolerance = "5 %"
+[bearing]
+catalog = "6206"
+[operation]
+axial_load = "0 N"
+radial_load = "2 kN"
+inner_speed = "1500 rpm"
+[lubricant]
+name = "ISO VG 46"
+temperature = "70 degC"
+[surface]
+finish = "{}"
+"""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Law:
+    """One row of the table of laws."""
+
+    name: str
+    short: str
+    formula: str
+    first: float  # range of lambda
+    last: float
+    kind: str
+
+    def share(self, film_ratio: Array) -> Array:
+        """s; NaN outside the range. film_ratio : lambda."""
+        names = {"l": film_ratio, "erf": erf, "erfc": erfc, "exp": np.exp, "sqrt": np.sqrt}
+        inside = (self.first <= film_ratio) & (film_ratio <= self.last)
+        return np.where(inside, eval(self.formula, {"__builtins__": {}}, names), np.nan)
+
+
+def laws() -> list[Law]:
+    """As they are printed, measured ones first."""
+    return [
+        Law(
+            name=row["law"],
+            short=row["short"],
+            formula=row["formula"],
+            first=float(row["from"]),
+            last=float(row["to"]),
+            kind=row["kind"],
+        )
+        for row in rows.read(LAWS)
+    ]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class RoughContact:
+    """The inner race in one finish."""
+
+    finish: str
+    contact: EllipticContact
+    gap: GapLaw
+    truncated: GapLaw  # the other law of the gap
+    rms: float  # of both surfaces, m
+    slope: float  # rms gradient of both
+    viscosity: float  # Pa s
+    pressure_viscosity: float  # 1/Pa
+
+    def film(self, speed: Array) -> FilmAsymptotes:
+        """Of smooth surfaces; speed : of entrainment, m/s."""
+        oil = {"viscosity": self.viscosity, "pressure_viscosity": self.pressure_viscosity}
+        return film_asymptotes(self.contact, entrainment_speed=speed, compressible=True, **oil)
+
+    def share(self, film_ratio: Array, step: float = 0.0, *, truncated: bool = False) -> Array:
+        """s at lambda; step : of model.gap."""
+        smooth = mixed_contact(self.contact, self.film(SPEEDS), gap=None).film_thickness
+        speed = np.exp(np.interp(np.log(film_ratio * self.rms), np.log(smooth), np.log(SPEEDS)))
+        gap = self.truncated if truncated else self.gap
+        return mixed_contact(self.contact, self.film(speed), gap=gap, share_step=step).asperity_share
+
+
+def rough_contact(finish: str) -> RoughContact:
+    """A finish of the catalogue."""
+    scene = parse_scene(SCENE.format(finish), origin="the study of load sharing")
+    bearing, oil, surface = scene.bearing, scene.lubricant, scene.surface
+    assert oil is not None
+    assert surface is not None
+    rolling, transverse = race_curvatures(bearing, "inner", contact_angle=0.0)
+    modulus = contact_modulus(bearing.ball_material, bearing.inner.material)
+    contact = elliptic_contact(curvature_rolling=rolling, curvature_transverse=transverse, load=LOAD, modulus=modulus)
+    roughness = gap_roughness(surface)
+
+    def law(of: Surface) -> GapLaw:
+        found = gap_law(of, roughness, modulus=modulus, bodies=(bearing.ball_material, bearing.inner.material))
+        assert found is not None
+        return found
+
+    both = roughness.ball + roughness.race
+    return RoughContact(
+        finish=finish,
+        contact=contact,
+        gap=law(surface),
+        truncated=law(replace(surface, gap="truncated")),
+        rms=both.rms_roughness,
+        slope=float(np.sqrt(2 * both.slope)),
+        viscosity=oil.viscosity,
+        pressure_viscosity=oil.pressure_viscosity,
+    )
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--out", type=Path, default=HERE, help="folder for mixed.png")
+    folder = parser.parse_args().out
+    contacts, out = [rough_contact(finish) for finish in FINISHES], Console(width=118)
+    report(contacts, out)
+    folder.mkdir(parents=True, exist_ok=True)
+    draw(contacts, folder / "mixed.png")
+
+
+def report(contacts: list[RoughContact], out: Console) -> None:
+    film_ratio = np.array(LAMBDAS)
+    table = Table("lambda", *(f"{each:g}" for each in LAMBDAS), title="Share of the load on asperities, %")
+    for each in contacts:
+        own = each.share(film_ratio)
+        table.add_section()
+        table.add_row(each.finish, *_percent(own))
+        table.add_row("  interval, low", *_percent(each.share(film_ratio, -END)))
+        table.add_row("  interval, high", *_percent(each.share(film_ratio, END)))
+        table.add_row("  truncated", *_percent(each.share(film_ratio, truncated=True)))
+    table.add_section()
+    for law in laws():
+        table.add_row(law.short, *_percent(law.share(film_ratio)))
+    out.print(table)
+    needed = Table("lambda", *(f"{each:g}" for each in LAMBDAS), title="rms slope for the share of T&S Gauss")
+    measured = laws()[1].share(film_ratio)
+    for each in contacts:
+        slopes = each.slope * measured / each.share(film_ratio)
+        needed.add_row(f"{each.finish}, has {each.slope:.4f}", *(f"{slope:.2g}" for slope in slopes))
+    out.print(needed)
+
+
+def _percent(shares: Array) -> list[str]:
+    return ["" if np.isnan(share) else f"{100 * share:.2g}" for share in shares]
+
+
+def draw(contacts: list[RoughContact], path: Path) -> None:
+    figure = Figure(figsize=(8.4, 4.6), layout="constrained")
+    film_ratio = np.linspace(0.05, 3.0, 200)
+    styles = {"measured friction": ("C3", "-"), "measured contact resistance": ("C1", "-"), "quoted": ("0.45", ":")}
+    for axes, each in zip(figure.subplots(1, 2, sharey=True), contacts, strict=True):
+        low, high = (100 * each.share(film_ratio, step) for step in (-END, END))
+        axes.fill_between(film_ratio, low, high, color="C0", alpha=0.2, lw=0, label="95 % of model.gap")
+        axes.semilogy(film_ratio, 100 * each.share(film_ratio), color="C0", lw=2, label="product")
+        for number, law in enumerate(laws()):
+            colour, line = styles[law.kind]
+            first_quoted = law.kind == "quoted" and laws()[number - 1].kind != "quoted"
+            label = "quoted laws" if first_quoted else None if law.kind == "quoted" else law.name
+            dashed = "--" if law.kind == "measured friction" and number else line
+            axes.plot(film_ratio, 100 * law.share(film_ratio), color=colour, ls=dashed, lw=1.3, label=label)
+        axes.set(title=each.finish, xlabel="lambda, smooth film over rms height", xlim=(0, 3), ylim=(0.01, 110))
+        axes.grid(alpha=0.25)
+    figure.axes[0].set_ylabel("load on asperities, %")
+    figure.axes[0].legend(frameon=False, loc="lower left", fontsize=8)
+    figure.savefig(path, dpi=130, metadata={"Software": None})
+
+
+if __name__ == "__main__":
+    main()
