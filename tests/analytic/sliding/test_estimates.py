@@ -115,7 +115,7 @@ def test_nodes_agree_where_the_stress_is_smooth(bearing_6205: Bearing) -> None:
 def test_viscous_contacts_find_their_creep(bearing_6205: Bearing, method: int) -> None:
     """A Newtonian film without spin, tau = g v over the area A: each contact loses g A w_roll^2 b^4/(64 R^2).
 
-    It rubs so little that a first step by a usual coefficient would be taken for the last.
+    With v_y it loses g A w_roll^2 a^2 b^2/(24 R^2) more. It rubs so little that a first step by a usual coefficient would be taken for the last.
     """
     viscosity, speed = 0.9, 0.7  # Pa s, rad/s
     oil = oiled(viscosity=viscosity, pressure_viscosity=1e-13)
@@ -128,7 +128,8 @@ def test_viscous_contacts_find_their_creep(bearing_6205: Bearing, method: int) -
         a, b, h = (ball[name][race] for name in ("semi_axis_rolling", "semi_axis_transverse", "film"))
         roll = ball["motion"][("inner_rolling_rate", "outer_rolling_rate")[race]]
         radius = 2 / (1 / groove.groove_radius + 1 / bearing.ball_radius)
-        power += viscosity * speed / h * np.pi * a * b * (roll * b**2 / (8 * radius)) ** 2
+        across = 0.0 if method == ALONG_AXIS else a**2 / 24
+        power += viscosity * speed / h * np.pi * a * b * (roll * b / radius) ** 2 * (b**2 / 64 + across)
     assert ball["friction_coefficient"].max() < 1e-9
     # At 1e-13 of the viscosity for each Pa the oil is 1e-5 thicker in the middle of the contact.
     np.testing.assert_allclose(found.points["conformity"], bearing.ball_count * power, rtol=2e-5)
@@ -149,9 +150,9 @@ def test_the_error_of_a_method_is_within_the_uncertainty_that_the_result_states(
     assert np.all(np.abs(found.torque.total / exact - 1) <= found.numerical_uncertainty)
 
 
-@pytest.mark.parametrize(("tolerance", "method"), [(0.3, "single_coefficient"), (0.003, "along_axis")])
+@pytest.mark.parametrize(("tolerance", "method"), [(0.3, "single_coefficient"), (0.005, "along_axis")])
 def test_auto_takes_the_cheapest_method_that_is_accurate_enough(tolerance: float, method: str) -> None:
-    """One coefficient is 5 % off by its own estimate (2.8 % by the other method), the sum along the axis far less."""
+    """One coefficient is 0.6 % of the torque off by its own estimate, the sum along the axis 0.3 %."""
     scene = replace(load_scene("6206"), spin_rule="balanced", tolerance=tolerance)
     found = friction_torque(scene)
     assert found.sliding == method
