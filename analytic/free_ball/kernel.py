@@ -10,6 +10,7 @@ from analytic.free_ball.stress import FAST, yielding, yielding_by_own
 from analytic.free_ball.strips import (
     LATERAL,
     SLIDE,
+    SPIN,
     hold_flows,
     march_strips,
     marched_strip,
@@ -31,16 +32,20 @@ STAGES = 6
 
 
 @compiled
-def _rows_of(contact: Record, ball: Record, y: float, rows: Array) -> float:
-    """Write what the velocity of a ball does to the slip on a strip; returns what its ring does along the strip.
+def _slip(contact: Record, ball: Record, velocity: Array, y: float, rows: Array) -> tuple[float, float, float]:
+    """Slip along a strip, across it and by spin; writes (3, 4) of it by the velocity of the ball.
 
-    y : of the strip across the groove, m;  rows : (3, 4) by slip along the strip, across it and by spin
+    y : of the strip across the groove, m
     """
     n_r, n_z, size = contact.normal_radial, contact.normal_axial, ball.radius
-    depth = size - y * y / (2.0 * contact.radius)
+    depth, bend = size - y * y / (2.0 * contact.radius), y / contact.radius
     rows[0, 2], rows[0, 3] = (-depth * n_z - y * n_r) / size, (depth * n_r - y * n_z) / size
-    rows[1, 1] = -depth / size
-    return contact.ring_rate * (ball.orbit_radius + depth * n_r - y * n_z)
+    rows[1, 1] = -1.0
+    rows[2, 2], rows[2, 3] = (n_r - bend * n_z) / size, (n_z + bend * n_r) / size
+    slide = velocity[0] + rows[0, 2] * velocity[2] + rows[0, 3] * velocity[3]
+    slide -= contact.ring_rate * (ball.orbit_radius + depth * n_r - y * n_z)
+    spin = rows[2, 2] * velocity[2] + rows[2, 3] * velocity[3] - contact.ring_rate * (n_z + bend * n_r)
+    return slide, rows[1, 1] * velocity[1], spin
 
 
 @compiled
@@ -87,23 +92,18 @@ def _contact(contact, ball, velocity, passing, quadrature, flows, sums):
     force, tangent, rows = sums
     a, b = contact.semi_axis_rolling, contact.semi_axis_transverse
     peak = peak_pressure(contact)
-    spin = _spin(contact, ball, velocity)
+    _, _, spin_at_middle = _slip(contact, ball, velocity, 0.0, rows)
     flow = 1.0 if passing >= 0.0 else -1.0
     length = contact.flexibility * abs(passing) * (a if quadrature.marched else peak)
     clear(contact)
-    rows[2, 2], rows[2, 3] = contact.normal_radial / ball.radius, contact.normal_axial / ball.radius
     state = strip_state(quadrature.strips)
     if quadrature.marched:
         for j in range(quadrature.strips):
-            carried = _rows_of(contact, ball, b * sines[j], rows)
-            state[SLIDE + j] = velocity[0] + rows[0, 2] * velocity[2] + rows[0, 3] * velocity[3] - carried
-            state[LATERAL + j] = rows[1, 1] * velocity[1]
-        march_strips(contact, spin, (flow, length, contact.lean), quadrature, flows, state)
+            state[SLIDE + j], state[LATERAL + j], state[SPIN + j] = _slip(contact, ball, velocity, b * sines[j], rows)
+        march_strips(contact, (flow, length, contact.lean), quadrature, flows, state)
     for j in range(quadrature.strips):
         y = b * sines[j]
-        carried = _rows_of(contact, ball, y, rows)
-        slide = velocity[0] + rows[0, 2] * velocity[2] + rows[0, 3] * velocity[3] - carried
-        slip = (slide, rows[1, 1] * velocity[1], spin)
+        slip = _slip(contact, ball, velocity, y, rows)
         strip = (a * cosines[j], flow, peak * cosines[j], length)
         if quadrature.marched:
             forces, stiffness, friction = marched_strip(state, j)
@@ -113,8 +113,8 @@ def _contact(contact, ball, velocity, passing, quadrature, flows, sums):
         _add(width, forces, stiffness, rows, force, tangent)
         contact.along -= width * forces[0]
         contact.across -= width * forces[1]
-        contact.power += width * (forces[0] * slide + forces[1] * slip[1] + forces[2] * spin)
-        contact.spin_power += width * (forces[2] - forces[0] * y) * spin
+        contact.power += width * (forces[0] * slip[0] + forces[1] * slip[1] + forces[2] * slip[2])
+        contact.spin_power += width * (forces[2] - forces[0] * y) * spin_at_middle
         contact.friction += width * friction
 
 
@@ -122,26 +122,19 @@ def _contact(contact, ball, velocity, passing, quadrature, flows, sums):
 def _add_law_powers(contact, ball, velocity, quadrature, flows, rows):
     """Write the power of the law of traction at the slip without creep, and that of a friction coefficient of 1."""
     sines, cosines, weights = quadrature.across[0], quadrature.across[1], quadrature.across[2]
-    peak, spin = peak_pressure(contact), _spin(contact, ball, velocity)
+    peak = peak_pressure(contact)
     for j in range(quadrature.strips):
-        carried = _rows_of(contact, ball, contact.semi_axis_transverse * sines[j], rows)
-        slide = velocity[0] + rows[0, 2] * velocity[2] + rows[0, 3] * velocity[3] - carried
+        slide, lateral, spin = _slip(contact, ball, velocity, contact.semi_axis_transverse * sines[j], rows)
         width, half = weights[j] * contact.semi_axis_transverse * cosines[j], contact.semi_axis_rolling * cosines[j]
         for k in range(quadrature.nodes):
             pressure = peak * cosines[j] * quadrature.along[1, k]
-            across = rows[1, 1] * velocity[1] + spin * half * quadrature.along[0, k]
+            across = lateral + spin * half * quadrature.along[0, k]
             size = np.sqrt(slide * slide + across * across)
             shear = shear_at(contact, pressure, flows[j, 0, k], flows[j, 1, k], flows[j, 2, k])
             stress, _ = yielding(size, shear) if contact.own == 0.0 else yielding_by_own(size, shear, contact.own)
             area = width * half * quadrature.along[1, k] * quadrature.along[2, k]
             contact.law_power += area * stress * size
             contact.unit_power += area * pressure * size
-
-
-@compiled
-def _spin(contact: Record, ball: Record, velocity: Array) -> float:
-    turns = contact.normal_radial * velocity[2] + contact.normal_axial * velocity[3]
-    return turns / ball.radius - contact.ring_rate * contact.normal_axial
 
 
 @compiled

@@ -12,15 +12,16 @@ from analytic.oil.traction import PointLaw
 from analytic.scene import Array
 
 PITCH = 200  # between rows of numbers of strips, of which there are at most 192
-# Where the rows begin: of slip, half-length and L u over it; stress at the last node and the one before; reach of slip
-# at a node, how much less stiff it is than along, and stress and slope there. Then sums of three forces and of
-# friction, and for each kind of slip four rows of what it does to both stresses, and three of its stiffness.
-SLIDE, LATERAL, HALF, PER_STEP = range(0, 4 * PITCH, PITCH)
-STRESS_X, STRESS_Y, OLDER_X, OLDER_Y = range(4 * PITCH, 8 * PITCH, PITCH)
-REACH_X, REACH_Y, REACH, STIFFER, STRESS, SLOPE = range(8 * PITCH, 14 * PITCH, PITCH)
-FORCES, ALL_FRICTION = 14 * PITCH, 17 * PITCH
-BY_SLIDE, BY_LATERAL, BY_SPIN = range(18 * PITCH, 39 * PITCH, 7 * PITCH)
-ROWS = 39
+# Where the rows begin: of slip along, across and by spin, half-length and L u over it; stress at the last node and the
+# one before; reach of slip at a node, how much less stiff it is than along, and stress and slope there. Then sums of
+# three forces and of friction, and for each kind of slip four rows of what it does to both stresses, and three of its
+# stiffness.
+SLIDE, LATERAL, SPIN, HALF, PER_STEP = range(0, 5 * PITCH, PITCH)
+STRESS_X, STRESS_Y, OLDER_X, OLDER_Y = range(5 * PITCH, 9 * PITCH, PITCH)
+REACH_X, REACH_Y, REACH, STIFFER, STRESS, SLOPE = range(9 * PITCH, 15 * PITCH, PITCH)
+FORCES, ALL_FRICTION = 15 * PITCH, 18 * PITCH
+BY_SLIDE, BY_LATERAL, BY_SPIN = range(19 * PITCH, 40 * PITCH, 7 * PITCH)
+ROWS = 40
 NO_SLIP = 1e-200  # m: keeps a direction where nothing slides
 NO_SQUARE = 1e-300  # m^2: likewise of its square
 
@@ -96,11 +97,11 @@ def turned_stress(reach, sizes, stress, slope, compliance, lean):
 
 
 @compiled(fastmath=FAST)
-def march_strips(contact, spin, flow, quadrature, flows, state):
+def march_strips(contact, flow, quadrature, flows, state):
     """All strips, marched side by side from their leading edges; writes their forces, stiffness and friction.
 
-    spin : slip by it;  flow : its direction, L u along, and L across over L along
-    flows : (strips, 3, nodes) as in `strip_closed`;  state : of `strip_state`, with slip along and across
+    flow : its direction, L u along, and L across over L along
+    flows : (strips, 3, nodes) as in `strip_closed`;  state : of `strip_state`, with slip along, across and by spin
     Nodes of different strips do not wait for each other, as those of one strip do. Where nothing is decided a processor
     takes several at once, as the compiler knows how far apart the rows are.
     """
@@ -119,7 +120,7 @@ def march_strips(contact, spin, flow, quadrature, flows, state):
             from_last, from_older = state[PER_STEP + j] * to_last, state[PER_STEP + j] * to_older
             last_x, last_y = state[STRESS_X + j], state[STRESS_Y + j]
             reach_x = state[SLIDE + j] + from_last * last_x - from_older * state[OLDER_X + j]
-            reach_y = state[LATERAL + j] + spin * halfway * state[HALF + j]
+            reach_y = state[LATERAL + j] + state[SPIN + j] * halfway * state[HALF + j]
             reach_y += lean * (from_last * last_y - from_older * state[OLDER_Y + j])
             state[OLDER_X + j], state[OLDER_Y + j] = last_x, last_y
             state[REACH_X + j], state[REACH_Y + j] = reach_x, reach_y

@@ -2,9 +2,10 @@
 
 x is the direction of rolling, y is transverse, both from the contact's centre. The pressure is
 p0 sqrt(1 - x^2/a^2 - y^2/b^2). A ball that rolls with w_roll and spins with w_s over a surface of radius R slides by
-    v_x = w_roll y^2/(2 R) + w_s y - c,  v_y = -w_s x
+    v_x = w_roll y^2/(2 R) + w_s y - c,  v_y = -x (w_s + w_roll y/R)
+as it turns about the normal of the curved surface by w_s + w_roll y/R.
 Every point resists with a stress against v, which is a function of pressure and speed. c leaves no net force:
-    M_spin = int tau (v_x y - v_y x)/|v| dA,  M_roll = int tau v_x y^2/(2 R |v|) dA,  0 = int tau v_x/|v| dA
+    M_spin = int tau (v_x y - v_y x)/|v| dA,  M_roll = int tau (v_x y^2/2 - v_y x y)/(R |v|) dA,  0 = int tau v_x/|v| dA
 Without v_y this is the limit of a long ellipse, and with Coulomb friction its moments are those of
 `analytic.sliding.long_ellipse.microslip_moments`; the stress still follows the pressure along rolling. Elastic creep is
 left out (`analytic.sliding.creep.creep_numbers` says when it matters, `analytic.free_ball` has it). A law with a kink,
@@ -28,7 +29,7 @@ BALANCED = 1e-14  # net force that counts as none, over all friction: round-off 
 LAST_STEP = 1e-11  # of c, relative: Newton's steps converge so fast that the next one would be round-off
 LEAST_GAIN = 0.25  # of a step: where the net force falls by less, the next slope is a secant
 ROUND_OFF = 1e-10  # of c, relative: a secant over less would be round-off
-RESOLVED = 1e-5  # v_y at the rim over the slope of v_x along b, from which nodes at the end of a panel see the turn
+RESOLVED = 1e-5  # a/b, from which nodes at the end of a panel see v_y
 MOST_STEPS = 200  # 3 to 8 are usual; halving the bracket alone takes 60
 MOST_NODES = 96  # in either direction
 
@@ -59,7 +60,7 @@ class SlipSums(NamedTuple):
 
     force: float  # int tau v_x/|v| dA, N
     spin: float  # M_spin/b, N
-    rolling: float  # int tau (v_x/|v|) (y/b)^2 dA, N
+    rolling: float  # M_roll 2 R/b^2, N
     power: float  # int tau |v| dA, W
     unit: float  # int p |v| dA, W
     friction: float  # int tau dA, N
@@ -103,8 +104,8 @@ def slip_sums(slider: Slider, law: PointLaw, creep: float, spin: float, quadratu
     if slider.peak == 0.0:
         return NO_SUMS
     edges = _edges(slider, creep, spin)
-    arm, turns, own = slider.rolling / slider.transverse, sideways and spin > 0.0, law.own != 0.0
-    turn_at_rim = spin * arm if turns else 0.0  # |v_y| at x = a
+    arm, own = slider.rolling / slider.transverse, law.own != 0.0
+    turns = sideways and arm > RESOLVED
     force = moment = rolling = power = unit = friction = by_creep = mixed = by_spin = far_power = middle_power = 0.0
     least = 1e-200 * (slider.roll + spin if slider.roll + spin > 0.0 else 1.0)
     for panel in range(3):
@@ -118,10 +119,11 @@ def slip_sums(slider: Slider, law: PointLaw, creep: float, spin: float, quadratu
         for j in range(quadrature.across):
             y = low + length * places[j]
             slide = (slider.roll * y + spin) * y - creep
+            turn_at_rim = arm * (2.0 * slider.roll * y + spin) if turns else 0.0  # -v_y at x = a
             half = np.sqrt((1.0 - y) * (1.0 + y))  # half-length in the direction of rolling, in units of a
             strip = 2.0 * length * widths[j] * slider.rolling * slider.transverse * half
             # |v| = sqrt(slide^2 + (turn x)^2) has a near kink at x = 0 where slide is small; x ~ sinh(z t) removes it.
-            steep = max(turn_at_rim * half / max(abs(slide), least), 1e-8)  # at 1e-8 sinh is its argument
+            steep = max(abs(turn_at_rim) * half / max(abs(slide), least), 1e-8)  # at 1e-8 sinh is its argument
             z = np.arcsinh(steep) if turns else 0.0
             for k in range(quadrature.along):
                 x, weight = along[k], lengths[k]
@@ -141,7 +143,7 @@ def slip_sums(slider: Slider, law: PointLaw, creep: float, spin: float, quadratu
                 e_x, e_y, over = slide / speed, turn / speed, stress / speed
                 force += area * stress * e_x
                 moment += area * stress * (e_x * y + e_y * lever)
-                rolling += area * stress * e_x * y * y
+                rolling += area * stress * (e_x * y + 2.0 * e_y * lever) * y
                 # How stress changes with slip: by its size along it, by its direction across it. One component has one.
                 across = over if turns else 0.0
                 t_xx, t_yy = slope * e_x * e_x + across * e_y * e_y, slope * e_y * e_y + across * e_x * e_x
@@ -151,9 +153,9 @@ def slip_sums(slider: Slider, law: PointLaw, creep: float, spin: float, quadratu
                 by_spin += area * (t_xx * y * y + 2.0 * t_xy * y * lever + t_yy * lever * lever)
     for line in edges[1:3]:
         steepness = abs(2.0 * slider.roll * line + spin)
-        if turn_at_rim > RESOLVED * steepness or abs(line) == 1.0 or steepness == 0.0:
+        if turns or abs(line) == 1.0 or steepness == 0.0:
             continue
-        # Without v_y, or nearly, the stress jumps where the slip turns round: a slope too.
+        # Without v_y the stress jumps where the slip turns round: a slope too.
         jump = _jump_at(slider, law, line, quadrature) / steepness
         by_creep += jump
         mixed += jump * line

@@ -9,14 +9,10 @@ chance: three rarely do.
 The estimate is the difference times a safety factor. It is no bound. The random balls of
 `validation/benchmarks/friction.py --nodes` needed a factor of at most 1.9 for `single_coefficient` and `along_axis`,
 and 2.4 for `over_ellipse`.
-With Coulomb friction the error of `single_coefficient` is that of a long ellipse, in closed form: E(m) - 1 of the power
-beyond full spin, with m = 1 - (a/b)^2. It is largest just before full spin: 1.11 times as much at a spin-to-roll ratio
-of 0.43.
 """
 
 import numpy as np
 
-from analytic.contact.hertz import elliptic_integrals
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.numerics.compilation import compiled
 from analytic.numerics.records import Records
@@ -37,22 +33,6 @@ SAFETY_OF_THREE = 3.0  # times the larger difference of three, over the whole el
 # Times the change from coarser nodes: the error was 0.06 of it where finer nodes agreed by chance.
 LEFT_OF_COARSER = 0.25
 LEAST = 1e-6  # the estimate of an error that is smaller: of creep and spin, and of the judging nodes: 6e-7 at most
-BELOW_FULL_SPIN = 1.15  # times E(m) - 1; the largest observed factor is 1.11, with both contacts together
-
-
-@compiled
-def error_of_long_ellipse(a: float, b: float) -> float:
-    """Error of a long ellipse relative to the true power; at most that of a circle, also where a > b.
-
-    a, b : semi-axes along and across rolling, m
-    """
-    if b <= 0.0:
-        return 0.0
-    squared = min(a / b, 1.0) ** 2
-    if squared == 0.0:
-        return 0.0
-    integral, share = elliptic_integrals(squared)
-    return BELOW_FULL_SPIN * (integral * (1 - (1 - squared) * share) - 1)
 
 
 @compiled
@@ -74,11 +54,6 @@ def judged(
         contact, slip, law = contacts[race], slips[race], at_ring_speed(laws[race], ring_speed)
         slider = slider_of(contact)
         own = slip.spin_moment * slip.spin_rate + slip.rolling_moment * contact.rolling_rate
-        if method == SINGLE_COEFFICIENT and law.eyring == 0.0 and law.plain == 0.0:  # Coulomb friction
-            error = error_of_long_ellipse(contact.semi_axis_rolling, contact.semi_axis_transverse)
-            missed += own * error / (1 - error)
-            whole += own
-            continue
         powers = np.zeros((3, 4))  # by the own nodes, and by both judges: of three panels, and of the net force
         for which in range(3):
             if which == 2 and JUDGES[method][0] == JUDGES[method][1]:

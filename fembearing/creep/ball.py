@@ -71,7 +71,7 @@ class RaceCreep(NamedTuple):
     rolling_speed: float  # V over the ring's speed, m
     friction: RollingFriction  # creepages, forces, slip share, and maps
     spin_moment: float  # on the ball about n, N m
-    rolling_moment: float  # int t_x y^2 dA/(2 R), N m
+    rolling_moment: float  # int (t_x y^2/2 - t_y x y) dA/R, N m
     transverse_force: float  # on the ball along t, N
     torque: float  # by sliding, N m
     spin_torque: float  # part of it by spin
@@ -206,8 +206,8 @@ def _rolling_freely(held: HeldBall, motions: tuple[RaceMotion, RaceMotion], lie:
             k
         ] ** (2 / 3)
         rows[k], right[k] = rates[0] + rates[1] * square, -(added[0] + added[1] * square)
-        rows[2] -= motion.sign * rates[4]
-        right[2] += motion.sign * added[4]
+        rows[2] -= motion.sign * rates[3]
+        right[2] += motion.sign * added[3]
     rows[3, 1] = 1.0
     return np.asarray(np.linalg.solve(rows, right), dtype=float)
 
@@ -316,7 +316,7 @@ class _Search(NamedTuple):
             self.contacts, lie.loads, self.slips(state, lie), self.slips(moved, there), strict=True
         ):
             b = contact.unit.semi_axis_transverse * load ** (1 / 3)
-            sizes = np.array([1, b**2, 1, b**2, b])
+            sizes = np.array([1, b**2, 1, b])
             slip, change = np.array(now.creepages) * sizes, (np.array(then.creepages) - now.creepages) * sizes
             shares.append(MOST_CHANGE * np.sum(np.abs(slip)) / max(float(np.sum(np.abs(change))), TINY))
         return min(shares)

@@ -3,7 +3,8 @@
 Normals n point out of the ball, t lies across the groove, t x n along the orbit. Rates are per unit speed of the inner
 ring, and the outer one rests, so velocities are lengths. With W = w_ball - w_ring z and the contact surface of radius R
 across rolling, a point at x along the orbit and y along t slips by
-    s_phi = r_m (w_c - w_ring) + W_t (r - y^2/2R) - W_n y,  s_t = W_n x - W_phi (r - y^2/2R)
+    s_phi = r_m (w_c - w_ring) + W_t (r - y^2/2R) - W_n y,  s_t = x (W_n + W_t y/R) - W_phi r
+in the surface, whose normal is n + t y/R. W_phi slides all points alike but for (y^2/2R)(1/r - 1/R) of itself.
 """
 
 from dataclasses import dataclass
@@ -37,11 +38,11 @@ class RigidSlip(NamedTuple):
     side: float  # 1 where x of the contact, which points to its leading edge, is along the orbit, else -1
     rolling_speed: float  # V: mean of both surfaces through the contact, m
     creepages: Creepages
-    rates: Array  # (5, 4) of the creepages times V by the ball's velocity
+    rates: Array  # (4, 4) of the creepages times V by the ball's velocity
 
 
 def slip_rates(race: RaceMotion, angle: float, orbit: float) -> tuple[Array, Array]:
-    """Creepages times V with x along the orbit: rates by the ball's velocity, (5, 4), and what the ring adds, (5,).
+    """Creepages times V with x along the orbit: rates by the ball's velocity, (4, 4), and what the ring adds, (4,).
 
     angle : al, rad;  orbit : r_m, m
     """
@@ -54,11 +55,10 @@ def slip_rates(race: RaceMotion, angle: float, orbit: float) -> tuple[Array, Arr
             turn + np.array([1, 0, 0, 0]),
             bend * turn,
             np.array([0, -1, 0, 0]),
-            np.array([0, -bend, 0, 0]),
             np.array([0, 0, n_r, n_z]) / r,
         ]
     )
-    return rates, np.array([ring_turn - ring * orbit, bend * ring_turn, 0, 0, -ring * n_z])
+    return rates, np.array([ring_turn - ring * orbit, bend * ring_turn, 0, -ring * n_z])
 
 
 def rigid_slip(race: RaceMotion, angle: float, orbit: float, velocity: Array) -> RigidSlip:
@@ -69,7 +69,7 @@ def rigid_slip(race: RaceMotion, angle: float, orbit: float, velocity: Array) ->
     ball_passes = -n_z * velocity[RADIAL] + n_r * (velocity[AXIAL] - r * round_axis)
     passes = (ball_passes + (ring - round_axis) * (orbit + r * n_r)) / 2
     side = -1.0 if passes >= 0 else 1.0  # what enters the contact comes from where its surfaces do not go
-    turned = np.array([side, side, 1, 1, side])
+    turned = np.array([side, side, 1, side])
     rates, added = slip_rates(race, angle, orbit)
     creepages = turned * (rates @ velocity + added) / abs(passes)
     return RigidSlip(side, abs(passes), Creepages(*creepages.tolist()), turned[:, None] * rates)

@@ -23,13 +23,13 @@ STICKS = 1e-9  # of the largest slip: below it a rectangle sticks
 class Creepages(NamedTuple):
     """Slip of rigid bodies over the rolling speed, the ball's less the race's; x points to the leading edge.
 
-    Along x it is along + along_bend y^2 - spin y, and along y across + across_bend y^2 + spin x.
+    Along x it is along + along_bend y^2 - spin y, and along y across + (spin - 2 along_bend y) x: the bodies turn about
+    the normal of the curved surface.
     """
 
     along: float = 0.0
     along_bend: float = 0.0  # 1/m^2
     across: float = 0.0
-    across_bend: float = 0.0  # 1/m^2
     spin: float = 0.0  # 1/m
 
 
@@ -42,15 +42,15 @@ class RollingSurfaces:
 
     @cached_property
     def patterns(self) -> Array:
-        """(2, strips, cells + 1, 5) slip at the ends of the rectangles by each of the creepages being 1."""
+        """(2, strips, cells + 1, 4) slip at the ends of the rectangles by each of the creepages being 1."""
         edges = self.strips.edges
         return _patterns(edges, np.broadcast_to(self.strips.middle[:, None], edges.shape))
 
     @cached_property
     def levers(self) -> Array:
-        """(5, 2 n) force that belongs to each creepage, by unit tractions: areas times the patterns at the middles."""
+        """(4, 2 n) force that belongs to each creepage, by unit tractions: areas times the patterns at the middles."""
         patterns = _patterns(self.strips.x, self.strips.y) * self.strips.area[..., None]
-        return patterns.reshape(-1, 5).T
+        return patterns.reshape(-1, 4).T
 
     @cached_property
     def stiffness(self) -> Array:
@@ -86,8 +86,8 @@ class RollingFriction:
     slip: Array  # (2, strips, cells) over the rolling speed, where it is taken
     behind: Array  # (strips, cells) how far behind the leading sides the slip was taken, over the length
     slides: Array  # (strips, cells) how far it should be: half where a rectangle slides, 0 where it sticks
-    forces: Array  # (5,) on the ball that belong to the creepages; force times creepage is power over V; N, N m^2, N m
-    response: Array  # (5, 5) of the forces to the creepages
+    forces: Array  # (4,) on the ball that belong to the creepages; force times creepage is power over V; N, N m^2, N m
+    response: Array  # (4, 4) of the forces to the creepages
     steps: int  # of Newton's method
 
     @property
@@ -102,13 +102,13 @@ class RollingFriction:
 
     @property
     def bend_moment(self) -> float:
-        """Forces on the ball along x times y^2, N m^2."""
+        """Forces on the ball along x times y^2, less those along y times 2 x y, N m^2."""
         return float(self.forces[1])
 
     @property
     def spin_moment(self) -> float:
         """On the ball about the contact's normal, N m."""
-        return float(self.forces[4])
+        return float(self.forces[3])
 
     @property
     def power(self) -> float:
@@ -199,10 +199,10 @@ def between(ends: Array, behind: Array) -> Array:
 
 
 def _patterns(x: Array, y: Array) -> Array:
-    """(2, ..., 5) slip along x and y by each of the creepages."""
+    """(2, ..., 4) slip along x and y by each of the creepages."""
     one, none = np.ones_like(x), np.zeros_like(x)
-    along = np.stack([one, y**2, none, none, -y], axis=-1)
-    across = np.stack([none, none, one, y**2, x], axis=-1)
+    along = np.stack([one, y**2, none, -y], axis=-1)
+    across = np.stack([none, -2 * x * y, one, x], axis=-1)
     return np.stack([along, across])
 
 

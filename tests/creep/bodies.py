@@ -67,7 +67,7 @@ def race_strips(count: int, cells: int, sides: tuple[float, ...] = ()) -> Strips
 def conformity(spin: float, along: float) -> Creepages:
     """Of a curved contact; spin : w_s R/(w_roll b);  along : y/b where it does not slip."""
     bend = -1 / (2 * RADIUS * SPEED_RADIUS)
-    return Creepages(-bend * (along * TRANSVERSE) ** 2, bend, 0.0, 0.0, spin * TRANSVERSE / RADIUS / SPEED_RADIUS)
+    return Creepages(-bend * (along * TRANSVERSE) ** 2, bend, 0.0, spin * TRANSVERSE / RADIUS / SPEED_RADIUS)
 
 
 def forces(found: RollingFriction) -> Array:

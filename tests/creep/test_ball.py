@@ -26,6 +26,7 @@ from fembearing.creep.half_space import HalfSpaces
 from fembearing.creep.kinematics import rigid_slip
 from fembearing.creep.place import HeldBall, free_lengths, unit_under
 from fembearing.creep.strips import hertz_pressure
+from tests.analytic.free_ball.specimens import under_thrust
 from tests.analytic.specimens import BEARING_6205
 from tests.contacts import NITRIDE, STEEL
 
@@ -52,19 +53,6 @@ def torque(turned: TurnedBall) -> float:
     return 9e3 * turned.torque
 
 
-def test_torques_of_a_separate_program() -> None:
-    """45.7 to 46.0 and 20.05 N mm by sliding of a 6205 under 1000 N, extrapolated there from two grids.
-
-    That program takes slip at the leading sides of its rectangles throughout, an error of first order.
-    """
-    for friction, expected in ((0.1, 45.85), (0.05, 20.05)):
-        ball = thrust_ball(friction, 1000.0)
-        found = torque(turn_ball(ball, Grid(16, 8), turn_ball(ball, ROUGH)))
-        # That extrapolation is low by 1.2 % at 0.05: strips four times as fine, with slip taken as it does, give
-        # 20.41, and as here 20.28 N mm. These strips have 0.5 %.
-        np.testing.assert_allclose(found, expected, rtol=0.02)
-
-
 def test_a_ball_is_in_equilibrium() -> None:
     """Forces and moments of both contacts, by their maps, against inertia, in axes of the bearing."""
     ball = thrust_ball(0.08, 160.0, speed=900.0)
@@ -78,11 +66,11 @@ def test_a_ball_is_in_equilibrium() -> None:
         for part_x, part_y, area, x, y in zip(
             *(each.ravel() for each in (t_x, t_y, strips.area, strips.x, strips.y)), strict=True
         ):
-            pull = area * (part_x * along + part_y * t)
-            force += pull
-            # Linear in y but for the curvature, which moves the surface by y^2/2R along n.
-            curved = n * (-(y**2) / 2 / (1 / (1 / r - 0.5 * (1 / r - 1 / _groove(sign)))))
-            moment += np.cross(r * n + y * t + x * along + curved, pull)
+            force += area * (part_x * along + part_y * t)  # what acts along n is in the load
+            # Linear in y but for the curvature, which moves the surface by y^2/2R along n, and turns it by y/R.
+            curvature = 1 / r - 0.5 * (1 / r - 1 / _groove(sign))
+            moment += area * part_x * np.cross((r - y**2 * curvature / 2) * n + y * t, along)
+            moment += area * part_y * (np.cross(x * along, t - y * curvature * n) + np.cross(r * n, t))
             friction += np.hypot(part_x, part_y) * area
         force -= race.load * n
     w = 900.0
@@ -107,17 +95,19 @@ def test_power_is_that_of_the_ring() -> None:
     n_r, n_z, r = -np.cos(inner.angle), -np.sin(inner.angle), BEARING_6205.ball_radius
     curvature = 1 / r - 0.5 * (1 / r - 1 / BEARING_6205.inner.groove_radius)
     arm = turned.orbit + (r - strips.y**2 * curvature / 2) * n_r - strips.y * n_z
-    moment = inner.side * np.sum(t_x * arm * strips.area) + np.sum(
-        inner.friction.traction[1] * strips.x * strips.area
-    ) * (inner.side * n_z)
+    turned_n = n_z + strips.y * curvature * n_r  # what acts across follows the surface
+    moment = inner.side * np.sum((t_x * arm + inner.friction.traction[1] * strips.x * turned_n) * strips.area)
     np.testing.assert_allclose(moment, turned.torque, rtol=1e-4)  # settled to 1e-6 of forces 100 times as large
 
 
 def test_little_friction_has_the_torque_of_rigid_surfaces() -> None:
-    """36.9/0.1 N mm per friction without creep, by a separate program; creep is 1 % there."""
+    """38.04/0.1 N mm per friction without creep, the least power of rigid bodies over the ball's rotation.
+
+    `tests/analytic/free_ball/test_rotation.py` computes it; creep is 1 % here.
+    """
     ball = thrust_ball(0.004, 1000.0)
     turned = turn_ball(ball, Grid(20, 6), turn_ball(ball, ROUGH))
-    np.testing.assert_allclose(torque(turned) / 0.004, 369.0, rtol=0.025)  # and of 20 strips
+    np.testing.assert_allclose(torque(turned) / 0.004, 380.4, rtol=0.025)  # and of 20 strips
     angles = [race.angle for race in turned.races]
     np.testing.assert_allclose(angles, 0.3031, rtol=5e-3)  # no push parts them; of rigid balls 0.30313
 
@@ -125,7 +115,9 @@ def test_little_friction_has_the_torque_of_rigid_surfaces() -> None:
 def test_spin_parts_the_angles_and_friction_does_not_change_the_thrust() -> None:
     turned = turn_ball(thrust_ball(0.1, 1000.0), GRID)
     inner, outer = turned.races
-    assert inner.angle - outer.angle == pytest.approx(0.045, abs=0.005)  # 0.05 rad by a separate program
+    strips = under_thrust(BEARING_6205, 0.18, load=1000.0, speed=52.36, friction=0.1, creep="marched")
+    # Strips overrate the push by a quarter of this small rest of opposite pushes at both ends; a grid of 12 by 6
+    assert inner.angle - outer.angle == pytest.approx(strips.angle[0] - strips.angle[1], rel=0.4)
     for race in (inner, outer):
         push = race.load * np.sin(race.angle) - race.transverse_force * np.cos(race.angle)
         np.testing.assert_allclose(push, 1000.0 / 9, rtol=1e-6)  # settled
@@ -278,11 +270,12 @@ def test_moments_and_forces_are_sums_over_the_maps(turned: TurnedBall) -> None:
         strips, (t_x, t_y) = race.friction.strips, race.friction.traction * race.friction.strips.area
         spin = np.sum(strips.x * t_y - strips.y * t_x)
         assert race.spin_moment == pytest.approx(race.side * spin, rel=1e-9)
-        assert race.rolling_moment == pytest.approx(np.sum(t_x * strips.y**2) / 2 / motion.surface_radius, rel=1e-9)
+        rolling = np.sum(t_x * strips.y**2 / 2 - t_y * strips.x * strips.y) / motion.surface_radius
+        assert race.rolling_moment == pytest.approx(rolling, rel=1e-9)
         assert race.transverse_force == pytest.approx(np.sum(t_y), rel=1e-9)
         given, speed = race.friction.creepages, race.rolling_speed
         slip_x = given.along + given.along_bend * strips.y**2 - given.spin * strips.y
-        slip_y = given.across + given.across_bend * strips.y**2 + given.spin * strips.x
+        slip_y = given.across + (given.spin - 2 * given.along_bend * strips.y) * strips.x
         assert race.torque == pytest.approx(-speed * np.sum(t_x * slip_x + t_y * slip_y), rel=1e-9)
         assert race.spin_torque == pytest.approx(-speed * given.spin * spin, rel=1e-9)
         unit = unit_under(BEARING_6205, "inner" if motion.sign < 0 else "outer", race.angle)
@@ -372,7 +365,7 @@ def test_a_step_changes_the_slip_of_a_contact_by_half_at_most(number: int, searc
         for k, slip in enumerate(search.slips(state, lie)):
             unit = unit_under(BEARING_6205, ("inner", "outer")[k], search.ball.held.at_rest().angles[k])
             end = unit.semi_axis_transverse * search.lie(began).loads[k] ** (1 / 3)
-            found.append(np.array(slip.creepages) * [1, end**2, 1, end**2, end])
+            found.append(np.array(slip.creepages) * [1, end**2, 1, end])
         return found
 
     moved = slips(search.moved(began, step))

@@ -49,15 +49,15 @@ def test_small_creepage_has_the_coefficients_of_kalker(
     pressure = hertz_pressure(strips, load=LOAD)
     found = rolling_friction(
         rolling_surfaces(strips, HalfSpaces(ball=body, race=body)),
-        Creepages(2e-9, 0.0, 3e-9, 0.0, 5e-6),
+        Creepages(2e-9, 0.0, 3e-9, 5e-6),
         pressure=pressure,
         law=sliding_law(SOLID, pressure=pressure, speed=0.7),
     )
     response = -found.response / 0.7e9 / mean**2
-    coefficients = [response[0, 0], response[2, 2], response[2, 4] / mean, response[4, 4] / mean**2]
+    coefficients = [response[0, 0], response[2, 2], response[2, 3] / mean, response[3, 3] / mean**2]
     # Kalker has three digits, and 20 strips an error of 1 %.
     np.testing.assert_allclose(coefficients[: len(published)], published, rtol=0.015)
-    np.testing.assert_allclose(-response[4, 2], response[2, 4], rtol=3e-3)  # reciprocity, of strips of unlike length
+    np.testing.assert_allclose(-response[3, 2], response[2, 3], rtol=3e-3)  # reciprocity, of strips of unlike length
 
 
 def test_cylinders_roll_as_carter_has_them() -> None:
@@ -157,10 +157,10 @@ def test_without_creep_tractions_oppose_the_slip_of_rigid_bodies(spin: float, al
     nodes, weights = np.polynomial.legendre.leggauss(300)
     across, length = np.meshgrid(np.pi / 2 * nodes, np.pi / 2 * nodes, indexing="ij")
     y, x = TRANSVERSE * np.sin(across), ROLLING * np.cos(across) * np.sin(length)
-    slip = np.stack([creepages.along + bend * y**2 - creepages.spin * y, creepages.spin * x])
+    slip = np.stack([creepages.along + bend * y**2 - creepages.spin * y, (creepages.spin - 2 * bend * y) * x])
     weight = np.outer(weights, weights) * (np.pi / 2) ** 2 * np.cos(across) ** 3 * np.cos(length) ** 2
     e_x, e_y = -slip / np.hypot(*slip) * weight
-    whole = np.array([np.sum(e_x), np.sum(x * e_y - y * e_x), np.sum(y * y * e_x)])
+    whole = np.array([np.sum(e_x), np.sum(x * e_y - y * e_x), np.sum(y * y * e_x - 2 * x * y * e_y)])
     along_force, spin_moment, bend_moment = friction * peak * ROLLING * TRANSVERSE * whole
     scale = friction * LOAD
     # 30 strips: slip turns round within some.
@@ -173,7 +173,7 @@ CASES = [  # creepages of spin and of free rolling, friction
     (conformity(0.23, 0.35), 0.1),
     (conformity(0.02, 0.36), 0.12),
     (conformity(-0.6, 0.3), 0.05),
-    (conformity(0.1, 0.35)._replace(across=4e-4, across_bend=-170.0), 0.08),
+    (conformity(0.1, 0.35)._replace(across=4e-4), 0.08),
 ]
 
 
@@ -197,10 +197,10 @@ def test_power_is_positive_and_that_of_forces_times_creepages(
 def test_responses_are_derivatives_of_the_forces() -> None:
     contact, (creepages, friction) = case(race_strips(10, 6)), CASES[3]
     found = contact.rolls(creepages, friction)
-    for number, size in enumerate((1e-5, 30.0, 1e-5, 30.0, 0.03)):
+    for number, size in enumerate((1e-5, 30.0, 1e-5, 0.03)):
         step = 1e-4 * size
         above, below = (
-            contact.rolls(Creepages(*(np.array(creepages) + sign * step * np.eye(5)[number])), friction, None).forces
+            contact.rolls(Creepages(*(np.array(creepages) + sign * step * np.eye(4)[number])), friction, None).forces
             for sign in (1, -1)
         )
         # A rectangle that begins to slip is a kink: few do over this step.
@@ -211,7 +211,7 @@ def test_responses_are_derivatives_of_the_forces() -> None:
 @pytest.mark.parametrize("influence", [LIKE, HYBRID])
 def test_mirrored_creepages_have_mirrored_forces(influence: HalfSpaces) -> None:
     contact, (creepages, friction) = case(race_strips(12, 8), influence), CASES[3]
-    mirrored = creepages._replace(across=-creepages.across, across_bend=-creepages.across_bend, spin=-creepages.spin)
+    mirrored = creepages._replace(across=-creepages.across, spin=-creepages.spin)
     here, there = (contact.rolls(each, friction) for each in (creepages, mirrored))
     np.testing.assert_allclose(forces(there), forces(here) * [1, -1, -1], atol=1e-7 * friction * LOAD)  # settled
     np.testing.assert_allclose(there.traction[0], here.traction[0][::-1], atol=1e-7 * np.max(here.traction))
@@ -238,10 +238,15 @@ def test_spin_pushes_across_the_groove_as_the_leading_edge_says() -> None:
 
 
 def test_published_prototype_of_one_contact() -> None:
-    """Of a 6205: M_z, M_r and F_y over mu Q b, mu Q b^2/R and mu Q by a separate program, at friction 0.1."""
+    """Of a 6205: M_z, M_r and F_y over mu Q b, mu Q b^2/R and mu Q by a separate program, at friction 0.1.
+
+    That program leaves out that conformity turns the bodies: a slip of the pressed bodies takes it off.
+    """
     friction, found = 0.1, None
     creepages = conformity(0.23, 0.35)
     contact = case(race_strips(24, 12, sides=(-5.7e-4, 1.4e-4)))
+    turns = creepages.along_bend * contact.surfaces.patterns[..., 1] * np.array([0.0, 1.0])[:, None, None]
+    contact = contact._replace(pressed=-turns)
     for _ in range(8):
         found = contact.rolls(creepages, friction, found)
         along = creepages.along - found.force_along / found.response[0, 0]
@@ -249,7 +254,7 @@ def test_published_prototype_of_one_contact() -> None:
     assert found is not None
     assert abs(found.force_along) < 1e-4 * friction * LOAD
     scale = friction * LOAD
-    rolling = found.bend_moment / 2 / RADIUS / (scale * TRANSVERSE**2 / RADIUS)
+    rolling = np.sum(found.traction[0] * (found.strips.y / TRANSVERSE) ** 2 * found.strips.area) / 2 / scale
     # Three digits, extrapolated there from 14 and 28 rectangles; its F_y has two.
     np.testing.assert_allclose(abs(found.spin_moment) / scale / TRANSVERSE, 0.207, rtol=0.01)
     np.testing.assert_allclose(abs(rolling), 0.0569, rtol=0.015)
@@ -259,7 +264,7 @@ def test_published_prototype_of_one_contact() -> None:
 def test_a_slip_of_the_pressed_bodies_acts_as_the_creepage_of_its_pattern() -> None:
     surfaces, pressure, _ = case(race_strips(6, 5))
     law = sliding_law(PointLaw(boundary=0.07), pressure=pressure, speed=0.7)
-    part, rest = Creepages(3e-4, 0.0, -2e-4, 0.0, 0.09), Creepages(1e-4, 0.0, 7e-4, 0.0, 0.05)
+    part, rest = Creepages(3e-4, 0.0, -2e-4, 0.09), Creepages(1e-4, 0.0, 7e-4, 0.05)
     together = Creepages(*np.add(part, rest))
     found = rolling_friction(surfaces, rest, pressure=pressure, law=law, pressed=surfaces.patterns @ np.array(part))
     expected = rolling_friction(surfaces, together, pressure=pressure, law=law)

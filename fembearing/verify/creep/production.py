@@ -16,6 +16,7 @@ from analytic.errors import InputError
 from analytic.free_ball.strips import (
     LATERAL,
     SLIDE,
+    SPIN,
     STRESS,
     hold_flows,
     march_strips,
@@ -49,7 +50,7 @@ class RaceFriction(NamedTuple):
     creepage_across: float
     spin_creepage: float  # >= 0, 1/m
     spin_moment: float  # N m
-    rolling_moment: float  # int t_x y^2 dA/(2 R), N m
+    rolling_moment: float  # int (t_x y^2/2 - t_y x y) dA/R, N m
     transverse_force: float  # on the ball, N
     slip_share: float  # of the area
     torque: float  # about the bearing axis, N m
@@ -252,7 +253,7 @@ def _marched(contact: Record, slip: RigidSlip, quadrature: Record) -> RaceFricti
     sines, cosines, weights = quadrature["across"][:, :count]
     y, width = b * sines, weights * b * cosines
     slide = slip.side * speed * (given.along + given.along_bend * y**2 - given.spin * y)
-    lateral, spin = speed * (given.across + given.across_bend * y**2), slip.side * speed * given.spin
+    spin = slip.side * speed * (given.spin - 2 * given.along_bend * y)
     # Flow and leading edge: x of the reference points against the surfaces' velocity through the contact.
     length = float(contact.flexibility) * speed * float(contact.semi_axis_rolling)
     flow = (-slip.side, length, float(contact.lean))
@@ -263,8 +264,9 @@ def _marched(contact: Record, slip: RigidSlip, quadrature: Record) -> RaceFricti
         part = copied(quadrature)
         part["nodes"] = k + 1
         state = strip_state(count)
-        state[SLIDE : SLIDE + count], state[LATERAL : LATERAL + count] = slide, lateral
-        march_strips(contact, spin, flow, as_record(part[0]), flows, state)
+        state[SLIDE : SLIDE + count], state[SPIN : SPIN + count] = slide, spin
+        state[LATERAL : LATERAL + count] = speed * given.across
+        march_strips(contact, flow, as_record(part[0]), flows, state)
         _, cosine, weight = quadrature["along"][:, k]
         areas[:, k] = width * float(contact.semi_axis_rolling) * cosines * weight * cosine
         for j in range(count):
@@ -277,8 +279,8 @@ def _marched(contact: Record, slip: RigidSlip, quadrature: Record) -> RaceFricti
         creepage_along=given.along,
         creepage_across=given.across,
         spin_creepage=abs(given.spin),
-        spin_moment=float(np.sum(forces[2] - forces[0] * y)) * float(np.sign(spin)),
-        rolling_moment=slip.side * float(np.sum(forces[0] * y**2)) / (2 * float(contact.radius)),
+        spin_moment=float(np.sum(forces[2] - forces[0] * y)) * slip.side * float(np.sign(given.spin)),
+        rolling_moment=slip.side * float(np.sum(forces[0] * y**2 / 2 - forces[2] * y)) / float(contact.radius),
         transverse_force=-float(np.sum(forces[1])),
         slip_share=float(np.sum(areas[slips]) / np.sum(areas)),
         torque=float(contact.power),

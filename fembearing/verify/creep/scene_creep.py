@@ -66,7 +66,7 @@ class RaceNumbers:
     creepage_across: CreepQuantity
     spin_creepage: CreepQuantity  # >= 0, 1/m
     spin_moment: CreepQuantity  # N m
-    rolling_moment: CreepQuantity  # int t_x y^2 dA/(2 R), N m
+    rolling_moment: CreepQuantity  # int (t_x y^2/2 - t_y x y) dA/R, N m
     transverse_force: CreepQuantity  # on the ball across the groove, N
     slip_share: CreepQuantity  # of the area
     power: CreepQuantity  # W

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.optimize import minimize
 
 from analytic.errors import ConvergenceError
 from analytic.free_ball import kernel, passes, strips, turning
@@ -31,22 +32,21 @@ from tests.analytic.specimens import BEARING_6205
 
 DEEP, STEEP = (BEARING_6205, 0.18), (angular_contact(), None)
 # Bearing, Fa N, w rad/s, mu; then Q_i, Q_o N, al_i, al_o rad, torque N mm by two programs that agree to 0.3 % in torque
-# and 1e-3 in loads, to 0.6 % in the last scene
+# and 1e-3 in loads, to 0.6 % in the last scene. Both leave out that conformity turns the ball about the normal, which
+# changes the torque of some by 1.2 to 4 %: those have none.
 CLOSED = (
-    (DEEP, (1000.0, 1e-6, 0.1), (372.2196, 372.2196, 0.30313, 0.30313), 36.629),
-    (DEEP, (1000.0, 523.6, 0.05), (370.89, 372.58, 0.30398, 0.30242), 18.737),
+    (DEEP, (1000.0, 1e-6, 0.1), (372.2196, 372.2196, 0.30313, 0.30313), None),
+    (DEEP, (1000.0, 523.6, 0.05), (370.89, 372.58, 0.30398, 0.30242), None),
     (DEEP, (100.0, 1500.0, 0.05), (41.627, 55.682, 0.26572, 0.18160), 1.4810),
-    (DEEP, (20.0, 3000.0, 0.05), (6.7702, 67.616, 0.33351, 0.02381), 0.50051),
-    (DEEP, (20.0, 3000.0, 0.1), (6.7608, 67.589, 0.33351, 0.02381), 0.94531),
-    (DEEP, (100.0, 3000.0, 0.05), (33.299, 91.962, 0.33718, 0.09433), 2.4014),
+    (DEEP, (20.0, 3000.0, 0.05), (6.7702, 67.616, 0.33351, 0.02381), None),
+    (DEEP, (20.0, 3000.0, 0.1), (6.7608, 67.589, 0.33351, 0.02381), None),
+    (DEEP, (100.0, 3000.0, 0.05), (33.299, 91.962, 0.33718, 0.09433), None),
     (STEEP, (500.0, 628.3, 0.1), (51.394, 62.672, 0.8326, 0.6066), 18.475),
     (STEEP, (50.0, 628.3, 0.1), (4.2258, 32.980, 1.14239, 0.08453), 2.0924),
 )
-MARCHED = (  # torque, N mm, to 1 %
+MARCHED = (  # torque, N mm, to 1 %, of balls whose turn by conformity matters little
     (STEEP, (2000.0, 31.416, 0.1), 67.7),
-    (DEEP, (1000.0, 523.6, 0.05), 20.13),
     (DEEP, (100.0, 1500.0, 0.05), 1.540),
-    (DEEP, (20.0, 3000.0, 0.05), 0.502),
     (STEEP, (500.0, 628.3, 0.1), 18.84),
     (STEEP, (50.0, 628.3, 0.1), 2.081),
 )
@@ -54,14 +54,14 @@ MARCHED = (  # torque, N mm, to 1 %
 
 @pytest.mark.parametrize(("bearing", "running", "loads", "expected"), CLOSED)
 def test_the_closed_law_against_two_programs(
-    bearing: tuple, running: tuple[float, float, float], loads: tuple[float, ...], expected: float
+    bearing: tuple, running: tuple[float, float, float], loads: tuple[float, ...], expected: float | None
 ) -> None:
     load, speed, friction = running
     balls = under_thrust(*bearing, load=load, speed=speed, friction=friction, creep="closed")
-    loose = 6e-3 if load == 50 else 1e-3  # what the programs agree to
+    loose = 6e-3 if load == 50 else 1.5e-3  # what the programs agree to, and half as much by the turn
     np.testing.assert_allclose(balls.load, loads[:2], rtol=loose)
     np.testing.assert_allclose(balls.angle, loads[2:], atol=1e-3)
-    assert 1e3 * balls.torque == pytest.approx(expected, rel=5e-3)
+    assert expected is None or 1e3 * balls.torque == pytest.approx(expected, rel=5e-3)
 
 
 @pytest.mark.parametrize(("bearing", "running", "expected"), MARCHED)
@@ -82,6 +82,49 @@ def test_without_creep_a_slow_ball_balances_its_spin() -> None:
     ruled = model_of(replace(scene, spin_rule="balanced"), COUNTED, method=OVER_ELLIPSE)
     expected = float(solved(ruled, points_of(scene.operation, 0.0)).points[0]["total"])
     assert free.torque == pytest.approx(expected, rel=1e-3)  # surfaces a thousand times as stiff still creep
+
+
+def rigid_slip(state: Record, size: float, orbit: float, x: Array, y: Array) -> tuple[Array, Array]:
+    """Slip of points in the plane that touches the curved contact: (..., 2, 4) by the ball's velocity, (..., 2) there.
+
+    size, orbit : radius of the ball and of its orbit, m;  x, y : along the orbit and across, m
+    """
+    normal, along = np.array([state["normal_radial"], 0.0, state["normal_axial"]]), np.array([0.0, 1.0, 0.0])
+    across, bend = np.cross(along, normal), (y / state["radius"])[..., None]
+    tangent = (across - bend * normal) / np.sqrt(1 + bend**2)
+    arm = (size - y**2 / (2 * state["radius"]))[..., None] * normal + y[..., None] * across + x[..., None] * along
+    moves = [along + 0 * arm, *(np.cross(np.eye(3)[axis], arm) / size for axis in (1, 0, 2))]
+    ring = state["ring_rate"] * np.cross([0.0, 0.0, 1.0], arm + np.array([orbit, 0.0, 0.0]))
+    rates = np.stack([np.stack([each @ along, np.sum(each * tangent, axis=-1)], axis=-1) for each in moves], axis=-1)
+    return rates, -np.stack([ring @ along, np.sum(ring * tangent, axis=-1)], axis=-1)
+
+
+@pytest.mark.parametrize(("bearing", "load"), [(DEEP, 1000.0), (DEEP, 100.0), (STEEP, 500.0)])
+def test_a_slow_ball_without_creep_loses_the_least_power(bearing: tuple, load: float) -> None:
+    """Of two rigid bodies, over all four speeds of the ball; the turn by conformity is 1.3 % of it in the first."""
+    free = under_thrust(*bearing, load=load, speed=1e-6, friction=0.1, creep="none")
+    ball, balls = free.work.balls[0], bearing[0].ball_count
+    r, weight = np.polynomial.legendre.leggauss(160)
+    angle, r, weight = np.pi * (np.arange(320) + 0.5) / 160, (1 - ((1 - r) / 2) ** 2)[:, None], weight * (1 - r) / 2
+    share = 1.5 * np.sqrt(1 - r**2) * r * weight[:, None] / 160 + 0 * angle
+    parts = []
+    for state in free.work.contacts[0]:
+        x, y = (state[f"semi_axis_{name}"] * r * turn(angle) for name, turn in (("rolling", np.cos), ("transverse", np.sin)))
+        parts.append((0.1 * state["load"] * share, *rigid_slip(state, ball["radius"], ball["orbit_radius"], x, y)))
+
+    def power(change: Array) -> tuple[float, Array]:
+        """N mm, and its slopes by micrometres."""
+        lost, slope = 0.0, np.zeros(4)
+        for friction, rates, given in parts:
+            slip = rates @ (ball["velocity"] + 1e-6 * change) + given
+            size = np.linalg.norm(slip, axis=-1)
+            lost += float(np.sum(friction * size))
+            slope += np.einsum("ij,ijk,ijkl->l", friction / size, slip, rates)
+        return 1e3 * balls * lost, 1e-3 * balls * slope
+
+    least = minimize(power, np.array([3.0, -2.0, 2.5, -1.5]), jac=True, method="BFGS")
+    # The bodies of production are flat to the square of the contact's width over its radius, 1e-2 of small terms.
+    assert 1e3 * free.torque == pytest.approx(least.fun, rel=2e-3)
 
 
 @pytest.mark.parametrize(
@@ -375,15 +418,8 @@ def test_the_powers_of_the_law_are_integrals_over_the_contact(law: dict[str, flo
     r, angle = np.sqrt((np.arange(60) + 0.5) / 60)[:, None], 2 * np.pi * (np.arange(160) + 0.5) / 160
     x, y = np.broadcast_arrays(a * r * np.cos(angle), b * r * np.sin(angle))
     pressure = 1.5 * row["load"] / (np.pi * a * b) * np.sqrt(1 - r**2) + 0 * x
-    normal, along = np.array([row["normal_radial"], 0.0, row["normal_axial"]]), np.array([0.0, 1.0, 0.0])
-    across = np.cross(along, normal)
-    # Places from the ball's centre, and what the surfaces of ball and ring do there
-    arm = (size - y**2 / (2 * row["radius"]))[..., None] * normal + y[..., None] * across
-    turns = np.array([velocity[2], velocity[1], velocity[3]]) / size
-    of_ball = velocity[0] * along + np.cross(turns, arm + 0 * x[..., None])
-    of_ring = np.cross([0.0, 0.0, 1.0], arm + np.array([0.02, 0.0, 0.0]))
-    spin = (turns - [0.0, 0.0, 1.0]) @ normal
-    sliding = np.hypot((of_ball - of_ring) @ along, (of_ball - of_ring) @ across + spin * x)
+    rates, given = rigid_slip(row, size, 0.02, x, y)
+    sliding = np.linalg.norm(rates @ velocity + given, axis=-1)
     each = zip(pressure.ravel().tolist(), sliding.ravel().tolist(), strict=True)
     stresses = np.array([stress_and_slope(point_law(row), *point)[0] for point in each])
     area = np.pi * a * b / x.size
@@ -439,7 +475,7 @@ def test_a_ball_on_one_race_rolls_there_and_keeps_its_orbit_and_its_spin(race: i
     assert across @ force[2:] == pytest.approx(gyroscopic, rel=0, abs=2e-10 * contacts["friction"][race])
     slide = before[0] + across @ ball.velocity[2:] - loaded["ring_rate"] * (0.02 + 4e-3 * normal[0])
     # It slides by more than nothing, and by less than the surface curves away at the ends.
-    assert 0.01 < abs(slide) / abs(across @ ball.velocity[2:] / 4e-3 * 1.1e-3**2 / (2 * 4.1e-3)) < 1
+    assert 1e-3 < abs(slide) / abs(across @ ball.velocity[2:] / 4e-3 * 1.1e-3**2 / (2 * 4.1e-3)) < 1
 
 
 def test_a_start_leads_back_to_where_its_ball_settled() -> None:

@@ -6,6 +6,7 @@ import hypothesis.strategies as st
 import numpy as np
 import pytest
 from hypothesis import given, settings
+from scipy.optimize import brentq
 from scipy.special import ellipe
 
 from analytic.contact.rolling_contact import ContactNumbers, RollingContact
@@ -92,30 +93,93 @@ def test_a_direct_sum_over_the_ellipse_agrees(k: float, eps: float) -> None:
     x, y = a * x, B * y[:, None]
     inside = np.maximum(0, 1 - (x / a) ** 2 - (y / B) ** 2)
     friction = MU * 1.5 * Q / (np.pi * a * B) * np.sqrt(inside) * (2 * a / 1000) * (2 * B / 2000)
-    v_x, v_y = ROLL * y**2 / (2 * R) + spin * y - found.creep, -spin * x
+    v_x, v_y = ROLL * y**2 / (2 * R) + spin * y - found.creep, -x * (spin + ROLL * y / R)
     speed = np.hypot(v_x, v_y)
     close = 2e-5 * MU * Q  # of the midpoints across the pressure's steep rim and the points where nothing slides
     np.testing.assert_allclose(np.sum(friction * v_x / speed), 0, atol=close)
     np.testing.assert_allclose(found.spin_moment, np.sum(friction * (v_x * y - v_y * x) / speed), atol=close * B)
-    rolling = np.sum(friction * v_x * y**2 / (2 * R) / speed)
+    rolling = np.sum(friction * (v_x * y**2 / 2 - v_y * x * y) / R / speed)
     np.testing.assert_allclose(found.rolling_moment, rolling, atol=close * B**2 / R)
     np.testing.assert_allclose(power(found), np.sum(friction * speed), rtol=1e-4)  # of the same midpoints
+
+
+def of_rigid_bodies(k: float, spin: float, radius: float, *, turned: bool = True) -> np.ndarray:
+    """Power, spin and rolling moment of Coulomb friction over mu Q, m, by Gauss's nodes over a paraboloid.
+
+    The velocity of a rigid body, in the plane that touches the paraboloid; turned : whether conformity turns it there
+    """
+    r, weight = np.polynomial.legendre.leggauss(300)
+    angles = 2 * np.pi * (np.arange(600) + 0.5) / 600
+    r, weight = (1 - ((1 - r) / 2) ** 2)[:, None], (weight * (1 - r) / 2)[:, None]  # smooth where the pressure ends
+    x, y = B / k * r * np.cos(angles), B * r * np.sin(angles)
+    share = 1.5 * np.sqrt(1 - r**2) * r * weight / 300
+    place = np.stack([x, y, -(y**2) / (2 * radius)], axis=-1)
+    tangent = np.stack([0 * y, 1 + 0 * y, -y / radius], axis=-1)
+    tangent /= np.linalg.norm(tangent, axis=-1)[..., None]
+
+    def carried(turn: tuple[float, float, float]) -> tuple[np.ndarray, np.ndarray]:
+        velocity = np.cross(turn, place)
+        return velocity[..., 0], np.sum(velocity * tangent, axis=-1)
+
+    of_spin, of_roll = carried((0.0, 0.0, -1.0)), carried((0.0, -1.0, 0.0))
+    of_roll = of_roll[0], of_roll[1] * turned
+    moved = [spin * one + ROLL * other for one, other in zip(of_spin, of_roll, strict=True)]
+
+    def pulls(c: float) -> tuple[np.ndarray, np.ndarray]:
+        speed = np.hypot(moved[0] - c, moved[1])
+        return (moved[0] - c) * share / speed, moved[1] * share / speed
+
+    ends = float(moved[0].min()), float(moved[0].max())
+    creep = brentq(lambda c: float(np.sum(pulls(c)[0])), *ends, xtol=1e-14 * np.ptp(ends))
+    forward, sideways = pulls(float(creep))  # pyright: ignore[reportArgumentType]
+    spun, rolled = (float(np.sum(forward * one + sideways * other)) for one, other in (of_spin, of_roll))
+    return np.array([np.sum(forward * (moved[0] - creep) + sideways * moved[1]), spun, rolled])
+
+
+@pytest.mark.parametrize("eps", [0.0, 0.1, -0.3, 0.6])
+@pytest.mark.parametrize("k", [1.3, 4.0, 9.3, 20.0])
+def test_bodies_that_slide_are_rigid(k: float, eps: float) -> None:
+    """On a surface so little curved, at the same spin-to-roll ratio, that its paraboloid is a cylinder to 1e-6."""
+    flat = 300 * R
+    spin = eps * ROLL * B / flat
+    found = slip(contact(k, deformed_radius=flat), COULOMB, spin, 32)
+    power_over, spun, rolled = of_rigid_bodies(k, spin, flat)
+    size, close = MU * Q, 1e-4  # of 180 000 nodes that see points where nothing slides
+    np.testing.assert_allclose(power(found), size * power_over, rtol=close)
+    np.testing.assert_allclose(found.spin_moment, size * spun, atol=close * size * B)
+    np.testing.assert_allclose(found.rolling_moment, size * rolled, atol=close * size * B**2 / flat)
+
+
+@pytest.mark.parametrize(("k", "moment"), [(4.0, 0.0926), (9.3, 0.0837), (20.0, 0.0814), (1e4, 0.0806)])
+def test_published_moments_of_conformity(k: float, moment: float) -> None:
+    """M_roll R/(mu Q b^2) without spin, by a separate program on polar nodes."""
+    np.testing.assert_allclose(scaled(slip(contact(k), COULOMB, 0.0)), [0, moment], atol=6e-5)  # its digits
+
+
+@pytest.mark.parametrize(("eps", "more"), [(0.1, 0.032), (0.3, 0.008), (0.6, 0.0)])
+def test_published_powers_of_the_turn_by_conformity(eps: float, more: float) -> None:
+    """At b/a = 9.3, by the same program, over that of a contact that turns by its spin alone."""
+    flat = 300 * R
+    spin = eps * ROLL * B / flat
+    whole = power(slip(contact(9.3, deformed_radius=flat), COULOMB, spin))
+    by_spin = of_rigid_bodies(9.3, spin, flat, turned=False)[0]
+    assert whole / (MU * Q * by_spin) - 1 == pytest.approx(more, abs=1e-3)  # its digits
 
 
 @pytest.mark.parametrize("g", [3.1e7, 75.0])  # Pa s/m; the last one leaves 1e-9 of the load as friction
 @pytest.mark.parametrize(("k", "eps"), [(1.3, 0.0), (0.6, 0.2), (9.28, -0.7)])
 def test_a_newtonian_film_has_moments_in_closed_form(k: float, eps: float, g: float) -> None:
-    """tau = g v over the area A: c = w_roll b^2/(8 R), M_s = g w_s A (a^2 + b^2)/4, M_r = g A w_roll b^4/(64 R^2).
+    """tau = g v over the area A: c = w_roll b^2/(8 R), M_s = g w_s A (a^2 + b^2)/4.
 
-    An Eyring stress far above all stresses leaves tau/(g v) = 1 - (v/(5 km/s))^2/6.
+    M_r = g A w_roll (b^4/64 + a^2 b^2/24)/R^2, whose second part is that of v_y. An Eyring stress far above all stresses leaves tau/(g v) = 1 - (v/(5 km/s))^2/6.
     """
     film, spin, a = PointLaw(limit=1e9, eyring=g * 5e3, fluidity=1 / 5e3), spin_of(eps), B / k
     per_rate = g * SPEED * np.pi * a * B
-    for along, polar in ((False, a**2 + B**2), (True, B**2)):
+    for along, polar, turned in ((False, a**2 + B**2, a**2 * B**2 / 24), (True, B**2, 0.0)):
         found = slip(contact(k), film, spin, along=along)
         np.testing.assert_allclose(found.creep, ROLL * B**2 / (8 * R), rtol=1e-8)  # quadrature of the rim
         np.testing.assert_allclose(found.spin_moment, per_rate * spin * polar / 4, rtol=1e-8)
-        np.testing.assert_allclose(found.rolling_moment, per_rate * ROLL * B**4 / (64 * R**2), rtol=1e-8)
+        np.testing.assert_allclose(found.rolling_moment, per_rate * ROLL * (B**4 / 64 + turned) / R**2, rtol=1e-8)
 
 
 @pytest.mark.parametrize("law", [COULOMB, SINH])

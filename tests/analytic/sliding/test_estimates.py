@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy.special import ellipe
 
 from analytic.numerics.records import Records
 from analytic.oil.traction import PointLaw
@@ -17,7 +16,6 @@ from analytic.sliding import judge
 from analytic.sliding.ellipse import NO_SUMS, SlipSums, quadrature_of
 from analytic.sliding.judge import (
     ALONG_AXIS,
-    BELOW_FULL_SPIN,
     FINE,
     LEAST,
     METHODS,
@@ -25,7 +23,6 @@ from analytic.sliding.judge import (
     OWN_NODES,
     SINGLE_COEFFICIENT,
     error_of,
-    error_of_long_ellipse,
 )
 from analytic.sliding.long_ellipse import Slip
 from analytic.solve.model import Model, model_of
@@ -118,7 +115,7 @@ def test_nodes_agree_where_the_stress_is_smooth(bearing_6205: Bearing) -> None:
 def test_viscous_contacts_find_their_creep(bearing_6205: Bearing, method: int) -> None:
     """A Newtonian film without spin, tau = g v over the area A: each contact loses g A w_roll^2 b^4/(64 R^2).
 
-    It rubs so little that a first step by a usual coefficient would be taken for the last.
+    With v_y it loses g A w_roll^2 a^2 b^2/(24 R^2) more. It rubs so little that a first step by a usual coefficient would be taken for the last.
     """
     viscosity, speed = 0.9, 0.7  # Pa s, rad/s
     oil = oiled(viscosity=viscosity, pressure_viscosity=1e-13)
@@ -131,7 +128,8 @@ def test_viscous_contacts_find_their_creep(bearing_6205: Bearing, method: int) -
         a, b, h = (ball[name][race] for name in ("semi_axis_rolling", "semi_axis_transverse", "film"))
         roll = ball["motion"][("inner_rolling_rate", "outer_rolling_rate")[race]]
         radius = 2 / (1 / groove.groove_radius + 1 / bearing.ball_radius)
-        power += viscosity * speed / h * np.pi * a * b * (roll * b**2 / (8 * radius)) ** 2
+        across = 0.0 if method == ALONG_AXIS else a**2 / 24
+        power += viscosity * speed / h * np.pi * a * b * (roll * b / radius) ** 2 * (b**2 / 64 + across)
     assert ball["friction_coefficient"].max() < 1e-9
     # At 1e-13 of the viscosity for each Pa the oil is 1e-5 thicker in the middle of the contact.
     np.testing.assert_allclose(found.points["conformity"], bearing.ball_count * power, rtol=2e-5)
@@ -152,20 +150,13 @@ def test_the_error_of_a_method_is_within_the_uncertainty_that_the_result_states(
     assert np.all(np.abs(found.torque.total / exact - 1) <= found.numerical_uncertainty)
 
 
-@pytest.mark.parametrize(("tolerance", "method"), [(0.3, "single_coefficient"), (0.003, "along_axis")])
+@pytest.mark.parametrize(("tolerance", "method"), [(0.3, "single_coefficient"), (0.005, "along_axis")])
 def test_auto_takes_the_cheapest_method_that_is_accurate_enough(tolerance: float, method: str) -> None:
-    """One coefficient is 5 % off by its own estimate (2.8 % by the other method), the sum along the axis far less."""
+    """One coefficient is 0.6 % of the torque off by its own estimate, the sum along the axis 0.3 %."""
     scene = replace(load_scene("6206"), spin_rule="balanced", tolerance=tolerance)
     found = friction_torque(scene)
     assert found.sliding == method
     assert float(found.numerical_uncertainty.max()) < tolerance
-
-
-@pytest.mark.parametrize("ratio", [0.0, 1e-9, 3e-3, 0.21, 0.98, 1.0, 1.7])  # the last one is longer along rolling
-def test_the_error_of_a_long_ellipse_is_that_of_its_perimeter(ratio: float) -> None:
-    b = 0.83e-3
-    expected = BELOW_FULL_SPIN * (ellipe(1 - min(ratio, 1.0) ** 2) - 1)
-    assert error_of_long_ellipse(ratio * b, b) == pytest.approx(expected, rel=1e-12, abs=1e-14)  # round-off of E(m) - 1
 
 
 SLIPS = Slip(0.31, 2.3, 0.7, 0.1, 0.0, 1.7), Slip(-0.19, -3.1, 0.4, 0.1, 0.0, 2.9)  # creep is the last one
@@ -193,10 +184,7 @@ class Judged:
         patch.setattr(judge, "slider_of", lambda contact: SimpleNamespace(race=contact.race, transverse=1e-3))
         patch.setattr(judge, "at_ring_speed", lambda law, _: law)
         contacts: Any = tuple(
-            SimpleNamespace(
-                race=race, rolling_rate=2.0 + race, semi_axis_rolling=2e-4, semi_axis_transverse=1e-3 / (1 + race)
-            )
-            for race in range(2)
+            SimpleNamespace(race=race, rolling_rate=2.0 + race) for race in range(2)
         )
         self.missed, self.whole = unwrap(judge.judged)(contacts, (law, law), SLIPS, 31.0, method, range(5))
 
@@ -237,18 +225,6 @@ def test_a_single_coefficient_is_judged_by_the_whole_power(monkeypatch: pytest.M
     assert found.missed == pytest.approx(2 * each.sum(), rel=1e-12)
     assert found.whole == pytest.approx(sum(OWN), rel=1e-12)
     assert [(nodes, sideways) for _, nodes, sideways, _ in found.calls] == [(0, True)] * 2
-
-
-def test_one_coefficient_of_coulomb_errs_by_the_length_of_its_ellipses(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    """Of the true power; a stress of oil that is the same everywhere is no such law, nor one that follows the speed."""
-    found = Judged(monkeypatch, SINGLE_COEFFICIENT, PointLaw(boundary=0.05))
-    errors = [error_of_long_ellipse(2e-4, 1e-3), error_of_long_ellipse(2e-4, 0.5e-3)]
-    missed = sum(own / (1 - error) - own for own, error in zip(OWN, errors, strict=True))
-    assert found.missed == pytest.approx(missed, rel=1e-9)
-    assert (found.whole, found.calls) == (pytest.approx(sum(OWN)), [])
-    assert len(Judged(monkeypatch, SINGLE_COEFFICIENT, PointLaw(boundary=0.05, plain=1e6)).calls) == 2
 
 
 @pytest.mark.parametrize(
@@ -297,4 +273,3 @@ def test_a_small_share_of_the_power_is_the_least_error() -> None:
     assert error_of(0.0, 3.0) == pytest.approx(3e-6, rel=1e-12)
     assert error_of(0.2, 3.0) == pytest.approx(0.2 + 3e-6, rel=1e-12)
     assert error_of(0.2, 0.0) == error_of(0.2, -1e-20) == 0.0
-    assert error_of_long_ellipse(1e-4, 0.0) == 0.0  # of a contact that is a point or a line
