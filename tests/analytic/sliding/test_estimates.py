@@ -183,9 +183,7 @@ class Judged:
         patch.setattr(judge, "slip_sums", sums)
         patch.setattr(judge, "slider_of", lambda contact: SimpleNamespace(race=contact.race, transverse=1e-3))
         patch.setattr(judge, "at_ring_speed", lambda law, _: law)
-        contacts: Any = tuple(
-            SimpleNamespace(race=race, rolling_rate=2.0 + race) for race in range(2)
-        )
+        contacts: Any = tuple(SimpleNamespace(race=race, rolling_rate=2.0 + race) for race in range(2))
         self.missed, self.whole = unwrap(judge.judged)(contacts, (law, law), SLIPS, 31.0, method, range(5))
 
     def off(self, own: int, other: int) -> Any:
