@@ -379,7 +379,9 @@ def resting_cage(bearing: Bearing, cage: Cage) -> RestingCage:
         gravity=float(np.linalg.norm(GRAVITY[cage.gravity])),
         lies_along=cage.gravity == "along",
         drag=float(cage.drag),
-        room=lead_room(
+        room=np.inf
+        if cage.gives_way
+        else lead_room(
             half_clearance=shape.half_clearance,
             centre_offset=shape.centre_offset,
             land_half_clearance=np.inf if cage.land is None else cage.land.clearance / 2,

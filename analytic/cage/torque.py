@@ -164,7 +164,8 @@ def cage_friction(scene: Scene, drive: CageDrive, *, moves: bool, frees: NDArray
     frees : (n,) where balls and cage move together instead; None: nowhere
     Raises InputError for races or a ball without grip, MotionError if a motion diverges.
     """
-    drive.grip.require_grip(drive.inner_speed)
+    if not drive.cage.gives_way:
+        drive.grip.require_grip(drive.inner_speed)
     points = drive.inner_speed.size
     weight, squeezing = resting_force(drive), _by_squeezing(drive, np.zeros(points))[1]
     pressed = np.maximum(np.maximum(drive.whirling_force, weight) if moves else weight, squeezing)
@@ -284,6 +285,8 @@ def resting_force(drive: CageDrive) -> Array:
 
 def _by_squeezing(drive: CageDrive, friction_coefficient: Array) -> tuple[Array, Array]:
     """Torque, N m, and sum of the normal forces, N, of balls that squeeze the cage."""
+    if not np.any(drive.is_squeezed):
+        return np.zeros_like(friction_coefficient), np.zeros_like(friction_coefficient)
     force = drive.grip.alike * drive.squeezing_force(friction_coefficient).sum(axis=1)
     torque = sliding_torque(
         friction_coefficient=friction_coefficient,
