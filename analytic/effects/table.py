@@ -149,7 +149,7 @@ def _not_given(name: str, example: str) -> Callable[[Scene], str | None]:
 def _no_gaps(scene: Scene) -> str | None:
     if scene.losses.land is not None or scene.losses.pockets is not None:
         return None
-    if scene.cage is not None:
+    if scene.cage is not None and not scene.cage.gives_way:
         return "losses.land is not given; [cage] includes the friction in the pockets"
     return "losses.land or losses.pockets are not given"
 
