@@ -62,5 +62,5 @@ def entry_of_cage(bearing: Balls, suffixes: Collection[str]) -> dict[str, Any]:
     """
     material = "peek" if any(word in meaning for meaning in suffixes for word in PLASTIC) else "steel"
     sizes = usual_cage(bearing, material=material)
-    written = {key: f"{value!r} {'kg' if key == 'mass' else 'm'}" for key, value in sizes.items()}
+    written = {key: f"{1e3 * value!r} {'g' if key == 'mass' else 'mm'}" for key, value in sizes.items()}
     return written | {"material": material} if written else {}
