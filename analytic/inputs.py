@@ -97,7 +97,7 @@ ASSUMABLE = (
 
 
 def stated_inputs(scene: Scene) -> tuple[StatedInput, ...]:
-    """The inputs that have an origin: of bearing, cage, oil and surface, what the scene assumes, and a usual loss factor."""
+    """The inputs with an origin: of bearing, cage, oil and surface, what the scene assumes, and a usual loss factor."""
     known = known_inputs(scene)
     assumed = {key: replace(known[key], status="assumed", source=scene.assumed[key]) for key in scene.assumed}
     return tuple((_with_origin(scene) | assumed).values())

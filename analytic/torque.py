@@ -190,7 +190,6 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
     weight = _in_any_direction(races, total)
     unsure = _unsure(ledger, races, total, weight)
     cage_unsure, cage_unknown, cage_warnings = _unsure_of_cage(cage, drive, races, weight)
-    is_assumed = scene.cage is not None and scene.cage.gives_way  # no judgement of balls by an assumed weight
     heaviest = races.heaviest
     ring = state_of_ring(scene.bearing, scene.contact_angle, races.found.balls, operation)
     return FrictionTorque(
@@ -214,7 +213,7 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
             limits.numbers,
             sliding_number=races.sliding_number,
             gyroscopic_hold=races.gyroscopic_hold,
-            cage_grip=None if cage is None or is_assumed else cage.used_grip,
+            cage_grip=None if cage is None or (scene.cage and scene.cage.gives_way) else cage.used_grip,
         ),
         inner=_loaded(heaviest, 0),
         outer=_loaded(heaviest, 1),

@@ -219,7 +219,9 @@ def _with_grip(part: CagePart, drive: CageDrive) -> CagePart:
         part = replace(part, grip_share=used_share(part.mean_force, drive.grip.alike * carried.sum(axis=1)))
     given, moving, used = np.isnan(part.race_excess), part.is_moving_given_balls, part.used_grip
     unsure = np.where(moving, LOST_TO_RACES * used / LARGEST_GRIP * part.torque, part.unsure)
-    slides = (not drive.cage.gives_way) & given & ~part.is_squeezed & ((used > LARGEST_GRIP) | (moving & np.isnan(used)))
+    slides = (
+        (not drive.cage.gives_way) & given & ~part.is_squeezed & ((used > LARGEST_GRIP) | (moving & np.isnan(used)))
+    )
     unsure = np.where(part.is_squeezed, SQUEEZE_SPREAD * part.torque, np.where(slides, np.inf, unsure))
     unknown: tuple[str, ...] = ()
     if np.any(slides):

@@ -117,7 +117,11 @@ NO_CAGE = 'give a table [cage] of pocket_clearance, wall_thickness, mass and mat
 def _cage(scene: Scene) -> str | None:
     if scene.cage is not None:
         return None
-    return "left out by the scene, or no web between the balls" if scene.effects.get("cage") == "off" else f"no cage is given: {NO_CAGE}"
+    return (
+        "left out by the scene, or no web between the balls"
+        if scene.effects.get("cage") == "off"
+        else f"no cage is given: {NO_CAGE}"
+    )
 
 
 def _cage_of_rings(scene: Scene) -> str | None:
@@ -129,7 +133,7 @@ def _cage_of_rings(scene: Scene) -> str | None:
 def _moving_cage(scene: Scene) -> str | None:
     if (lacks := _cage_of_rings(scene)) is not None or (scene.cage is not None and scene.cage.start is not None):
         return lacks
-    return 'cage.start is not given, and the cage rests: give "rest", "ramp", "sudden" or "whirl" for its motion'
+    return 'cage.start is not given: give "rest", "ramp", "sudden" or "whirl"'
 
 
 def _seals(scene: Scene) -> str | None:

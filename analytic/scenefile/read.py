@@ -389,13 +389,8 @@ def _scene(
     cage = None
     if not misfits:
         misfits += fit.angle_misfits(bearing, angle) if bearing.kind == "radial" else ()
-        if _assumes_cage(table, row):
-            cage = _assumed_cage(delivered, row)
-        elif table.cage is not None:
-            cage = _cage(table.cage, delivered, assumed=() if row is None else {*ORIGINS} - {*own_cage})
-            pocket = "pocket_clearance" if table.cage.pocket_diameter is None else "pocket_diameter"
-            overlaps = table.cage.variant == AS_PRINTED
-            misfits += fit.cage_misfits(bearing, cage, pocket=pocket, pockets_may_overlap=overlaps)
+        cage, unfit = _cage_of(table, delivered, own_cage, row)
+        misfits += unfit
     surface, unread = _surface(table.surface, folder)
     misfits += [*unread, *fit.surface_misfits(surface, bearing, cage, is_lubricated=table.lubricant is not None)]
     losses, notes = Losses(), ()
@@ -404,9 +399,8 @@ def _scene(
             losses, notes = losses_of(table.losses, delivered, row)
         except InputError as problem:
             misfits.append(("losses.seals", f"is refused: {problem}"))
-    friction, effects = table.friction or FrictionTable(), table.effects.model_dump()
-    if cage is None and (row is not None or "cage" in table.model_fields_set) and effects["cage"] == "auto":
-        effects["cage"] = "off"
+    friction = table.friction or FrictionTable()
+    left_out = cage is None and (row is not None or "cage" in table.model_fields_set)
     scene = Scene(
         name=table.name,
         tolerance=table.tolerance,
@@ -422,7 +416,7 @@ def _scene(
         friction_coefficient=friction.coefficient,
         **friction.model_dump(exclude={"coefficient"}),
         losses=losses,
-        effects=MappingProxyType(effects),
+        effects=MappingProxyType(table.effects.model_dump() | ({"cage": "off"} if left_out else {})),
         calibration=table.calibration,
         report=ReportDetails(**table.report.model_dump()),
         warnings=(*(() if row is None else row.warnings), *_loose(table, row), *fit.warnings(bearing, cage), *notes),
@@ -470,13 +464,25 @@ def _assumes_cage(table: SceneTable, row: CatalogBearing | None) -> bool:
     return row is not None and "cage" not in table.model_fields_set and table.losses.pockets is None
 
 
-def _assumed_cage(bearing: Bearing, row: CatalogBearing | None) -> Cage | None:
-    """The usual cage of a bearing, which rests on its balls; None: the balls leave no web."""
-    entry = entry_of_cage(bearing, () if row is None else row.suffixes.values())
-    if not entry:
-        return None
-    table = CageTable.model_validate(entry | {"friction_coefficient": FRICTION})
-    return replace(_cage(table, bearing, assumed=ORIGINS), gives_way=True)
+def _cage_of(
+    table: SceneTable, bearing: Bearing, own: Mapping[str, Any], row: CatalogBearing | None
+) -> tuple[Cage | None, list[tuple[str, str]]]:
+    """The cage of a bearing as it is delivered, and (key, problem) for what does not fit; own : the scene's own table.
+
+    One that is assumed fits, and rests on its balls; None where the balls leave no web.
+    """
+    if _assumes_cage(table, row):
+        entry = entry_of_cage(bearing, () if row is None else row.suffixes.values())
+        if not entry:
+            return None, []
+        usual = CageTable.model_validate(entry | {"friction_coefficient": FRICTION})
+        return replace(_cage(usual, bearing, assumed=ORIGINS), gives_way=True), []
+    if table.cage is None:
+        return None, []
+    cage = _cage(table.cage, bearing, assumed=() if row is None else {*ORIGINS} - {*own})
+    pocket = "pocket_clearance" if table.cage.pocket_diameter is None else "pocket_diameter"
+    overlaps = table.cage.variant == AS_PRINTED
+    return cage, [*fit.cage_misfits(bearing, cage, pocket=pocket, pockets_may_overlap=overlaps)]
 
 
 def _cage(given: CageTable, bearing: Bearing, *, assumed: Collection[str]) -> Cage:

@@ -10,7 +10,7 @@ from analytic.catalog.seals import seal_torque
 from analytic.errors import InputError
 from analytic.scene import Origin
 from analytic.scenefile.choice import USUAL, Choice
-from analytic.scenefile.usual_cage import usual_cage
+from analytic.scenefile.usual_cage import cage_sizes
 
 SCHEMA_NAME = "fembearing-scene.schema.json"  # of the file beside the scene
 RADIAL_SHARE, AXIAL_SHARE = 0.05, 0.02  # of C0: a light load on a deep groove, and on an angular contact bearing
@@ -193,7 +193,7 @@ def _oil(choice: Choice) -> str:
 
 def _cage(bearing: CatalogBearing) -> str:
     """The table of a cage in comments, scaled to the balls."""
-    steel, peek = (usual_cage(bearing, material=name) for name in ("steel", "peek"))
+    steel, peek = (cage_sizes(bearing, material=name) for name in ("steel", "peek"))
     if not steel:
         return ""
     millimetres = {key: f"{1e3 * steel[key]:.2g} mm" for key in ("pocket_clearance", "wall_thickness")}

@@ -4,7 +4,6 @@ import math
 from collections.abc import Collection
 from typing import Any, Protocol
 
-from analytic.catalog.bearing_rows import CatalogBearing
 from analytic.scene import Origin
 
 # Over the ball diameter, of the 6205 of [Paper]: clearance in the pockets; thickness of two steel sheets and of a
@@ -14,7 +13,9 @@ POCKET, SHEET, MOULDED, SHEET_WIDTH = 0.025, 0.113, 0.189, 0.36
 WEB = 0.8  # of the web between pockets: the thickest sheet
 DENSITY = {"steel": 7850.0, "peek": 1300.0}  # kg/m^3
 PLASTIC = ("plastic", "polyamide", "phenolic")  # in the meaning of a suffix
-FRICTION = 0.1  # of ball on pocket: below the boundary friction of steel, 0.09 to 0.15, as films carry a part; judgement
+FRICTION = (
+    0.1  # of ball on pocket: below the boundary friction of steel, 0.09 to 0.15, as films carry a part; judgement
+)
 # Standard deviation of friction times mass over the value, judgement: the torque is in proportion to both.
 SPREAD = 0.5
 _SIZE = Origin(status="assumed", uncertainty=None, source="cage of the 6205 of [Paper], scaled by the ball diameter")
@@ -40,7 +41,7 @@ class Balls(Protocol):
     def pitch_diameter(self) -> float: ...  # m
 
 
-def usual_cage(bearing: Balls, *, material: str) -> dict[str, float]:
+def cage_sizes(bearing: Balls, *, material: str) -> dict[str, float]:
     """Pocket clearance and wall thickness, m, and mass, kg, by the keys of [cage]; empty: the balls leave no web.
 
     material : "steel" of two pressed sheets, "peek" of a moulded cage
@@ -61,6 +62,6 @@ def entry_of_cage(bearing: Balls, suffixes: Collection[str]) -> dict[str, Any]:
     suffixes : meanings of those of the designation: a plastic is moulded; all others count as pressed steel
     """
     material = "peek" if any(word in meaning for meaning in suffixes for word in PLASTIC) else "steel"
-    sizes = usual_cage(bearing, material=material)
+    sizes = cage_sizes(bearing, material=material)
     written = {key: f"{1e3 * value!r} {'g' if key == 'mass' else 'mm'}" for key, value in sizes.items()}
     return written | {"material": material} if written else {}
