@@ -400,7 +400,8 @@ def _scene(
         except InputError as problem:
             misfits.append(("losses.seals", f"is refused: {problem}"))
     friction = table.friction or FrictionTable()
-    left_out = cage is None and (row is not None or "cage" in table.model_fields_set)
+    is_left_out = cage is None and (row is not None or "cage" in table.model_fields_set)
+    effects = table.effects.model_copy(update={"cage": "off"}) if is_left_out else table.effects
     scene = Scene(
         name=table.name,
         tolerance=table.tolerance,
@@ -416,7 +417,7 @@ def _scene(
         friction_coefficient=friction.coefficient,
         **friction.model_dump(exclude={"coefficient"}),
         losses=losses,
-        effects=MappingProxyType(table.effects.model_dump() | ({"cage": "off"} if left_out else {})),
+        effects=MappingProxyType(effects.model_dump()),
         calibration=table.calibration,
         report=ReportDetails(**table.report.model_dump()),
         warnings=(*(() if row is None else row.warnings), *_loose(table, row), *fit.warnings(bearing, cage), *notes),
