@@ -7,7 +7,7 @@ import numpy as np
 
 from analytic.errors import InputError
 from analytic.rows import NotNegative
-from analytic.scene import LOSS_SPREAD, Bearing, Groove, Material, Origin, Scene, Status
+from analytic.scene import LOSS_SPREAD, Bearing, Cage, Groove, Material, Origin, Scene, Status
 from analytic.units import unit_of
 
 LARGEST_SHARE = 3.0  # of a value: a standard deviation beyond it says that the value is not known
@@ -99,7 +99,7 @@ ASSUMABLE = (
 
 
 def stated_inputs(scene: Scene) -> tuple[StatedInput, ...]:
-    """The inputs that have an origin: of bearing, oil and surface, what the scene assumes, and a usual loss factor."""
+    """The inputs with an origin: of bearing, cage, oil and surface, what the scene assumes, and a usual loss factor."""
     known = known_inputs(scene)
     assumed = {key: replace(known[key], status="assumed", source=scene.assumed[key]) for key in scene.assumed}
     return tuple((_with_origin(scene) | assumed).values())
@@ -109,7 +109,7 @@ def known_inputs(scene: Scene) -> dict[str, StatedInput]:
     """By key: the inputs with an origin, and the others that a scene may declare as assumed; these count as given."""
     values: dict[str, float | str | None] = {key: uncertain_value(scene, key) for key in ASSUMABLE if key in UNCERTAIN}
     if scene.cage is not None:
-        values["cage.pocket_clearance"] = scene.cage.pocket_diameter - scene.bearing.ball_diameter
+        values["cage.pocket_clearance"] = _stated(scene, scene.cage, "pocket_clearance")
         values["cage.wall_thickness"] = scene.cage.wall_thickness
         values["cage.material"] = scene.cage.material.name
         values["cage.start"] = scene.cage.start
@@ -122,7 +122,7 @@ def known_inputs(scene: Scene) -> dict[str, StatedInput]:
 
 
 def _with_origin(scene: Scene) -> dict[str, StatedInput]:
-    tables = {name: getattr(scene, name) for name in ("bearing", "lubricant", "surface")}
+    tables = {name: getattr(scene, name) for name in ("bearing", "cage", "lubricant", "surface")}
     usual = {}
     loss = uncertain_value(scene, "friction.hysteresis_loss")
     if scene.hysteresis_loss is None and loss is not None:
@@ -199,6 +199,8 @@ def _stated(scene: Scene, table: object, key: str) -> float | str | None:
     """The value of a key as it is stated, SI or a word; the clearance is that before mounting."""
     if isinstance(table, Bearing) and key == "clearance" and scene.clearances is not None:
         return scene.clearances.unmounted
+    if isinstance(table, Cage) and key == "pocket_clearance":
+        return table.pocket_diameter - scene.bearing.ball_diameter
     value = _value(table, key)
     return value.name if isinstance(value, Material) else value
 

@@ -127,6 +127,8 @@ class Cage(Noun):
     gravity: CageGravity = "across"  # of the axis: "across" is -y, "along" is -z
     drag: float = 0.0  # braking torque of the surrounding oil over the speed of the cage, N m s
     land: Land | None = None
+    gives_way: bool = False  # at rest to balls that lead and lag: they do not squeeze it, as nobody knows its pockets
+    origins: Mapping[str, Origin] = field(default_factory=nothing, compare=False)  # by key; empty: not noted
 
 
 @dataclass(frozen=True, kw_only=True)

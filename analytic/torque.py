@@ -213,7 +213,7 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
             limits.numbers,
             sliding_number=races.sliding_number,
             gyroscopic_hold=races.gyroscopic_hold,
-            cage_grip=None if cage is None else cage.used_grip,
+            cage_grip=None if cage is None or (scene.cage and scene.cage.gives_way) else cage.used_grip,
         ),
         inner=_loaded(heaviest, 0),
         outer=_loaded(heaviest, 1),

@@ -11,6 +11,7 @@ Source: derived here.
 """
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -280,7 +281,7 @@ class CageDrive:
         mass = self.cage.mass
         return whirl_force(cage_mass=mass, whirl=whirl, orbit_speed=self.orbit_speed, half_clearance=clearance)
 
-    @property
+    @cached_property
     def room(self) -> float:
         """Lead of the balls that the pockets leave free, m."""
         return resting_cage(self.bearing, self.cage).room
@@ -295,11 +296,11 @@ class CageDrive:
         return replace(self, grip=replace(self.grip, ball_lead=ball_lead))
 
     def grip_number(self, friction_coefficient: Array) -> Array:
-        """(n,) rho of a whirl, see `analytic.cage.drive`; NaN where the friction of the races is not known.
+        """(n,) rho of a whirl, see `analytic.cage.drive`; NaN where friction of the races or pockets are not known.
 
         friction_coefficient : mu_c, of ball on pocket, (n,)
         """
-        carried = self.grip.carried(friction_coefficient)
+        carried = None if self.cage.gives_way else self.grip.carried(friction_coefficient)
         if carried is None:
             return np.full(self.inner_speed.shape, np.nan)
         return grip_number(
@@ -379,7 +380,9 @@ def resting_cage(bearing: Bearing, cage: Cage) -> RestingCage:
         gravity=float(np.linalg.norm(GRAVITY[cage.gravity])),
         lies_along=cage.gravity == "along",
         drag=float(cage.drag),
-        room=lead_room(
+        room=np.inf
+        if cage.gives_way
+        else lead_room(
             half_clearance=shape.half_clearance,
             centre_offset=shape.centre_offset,
             land_half_clearance=np.inf if cage.land is None else cage.land.clearance / 2,

@@ -416,6 +416,9 @@ def friction_in_pocket(scene: Scene, *, load: ArrayLike, surface_speed: ArrayLik
         raise InputError("the scene has no [cage], so there is no pocket: add an empty table [cage] for the catalog's")
     require_positive(load=load)
     require_non_negative(surface_speed=surface_speed)
+    if (given := scene.cage.friction_coefficient) is not None:
+        everywhere = np.full(np.broadcast(load, surface_speed).shape, float(given))
+        return PocketFriction(coefficient=everywhere, source="cage.friction_coefficient", warnings=())
     oil = NO_OIL if scene.lubricant is None else oil_numbers(scene.lubricant)
     (form,), cubics = gap_forms(pocket_gap(scene, scene.cage))
     pocket = record_of(pocket_numbers(scene, scene.cage, form))
@@ -430,9 +433,7 @@ def friction_in_pocket(scene: Scene, *, load: ArrayLike, surface_speed: ArrayLik
             problem="the load shared by film and asperities in the cage pockets",
             remedy="Check that load, speed, viscosity and roughness are of ordinary size.",
         )
-    source = "mixed lubrication"
-    if not np.isnan(pocket.coefficient):
-        source = "friction.coefficient" if scene.cage.friction_coefficient is None else "cage.friction_coefficient"
+    source = "mixed lubrication" if np.isnan(pocket.coefficient) else "friction.coefficient"
     warnings = ()
     if np.any(capped):
         warnings = (

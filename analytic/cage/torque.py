@@ -164,7 +164,8 @@ def cage_friction(scene: Scene, drive: CageDrive, *, moves: bool, frees: NDArray
     frees : (n,) where balls and cage move together instead; None: nowhere
     Raises InputError for races or a ball without grip, MotionError if a motion diverges.
     """
-    drive.grip.require_grip(drive.inner_speed)
+    if not drive.cage.gives_way:
+        drive.grip.require_grip(drive.inner_speed)
     points = drive.inner_speed.size
     weight, squeezing = resting_force(drive), _by_squeezing(drive, np.zeros(points))[1]
     pressed = np.maximum(np.maximum(drive.whirling_force, weight) if moves else weight, squeezing)
@@ -218,7 +219,9 @@ def _with_grip(part: CagePart, drive: CageDrive) -> CagePart:
         part = replace(part, grip_share=used_share(part.mean_force, drive.grip.alike * carried.sum(axis=1)))
     given, moving, used = np.isnan(part.race_excess), part.is_moving_given_balls, part.used_grip
     unsure = np.where(moving, LOST_TO_RACES * used / LARGEST_GRIP * part.torque, part.unsure)
-    slides = given & ~part.is_squeezed & ((used > LARGEST_GRIP) | (moving & np.isnan(used)))
+    slides = (
+        (not drive.cage.gives_way) & given & ~part.is_squeezed & ((used > LARGEST_GRIP) | (moving & np.isnan(used)))
+    )
     unsure = np.where(part.is_squeezed, SQUEEZE_SPREAD * part.torque, np.where(slides, np.inf, unsure))
     unknown: tuple[str, ...] = ()
     if np.any(slides):
@@ -284,6 +287,8 @@ def resting_force(drive: CageDrive) -> Array:
 
 def _by_squeezing(drive: CageDrive, friction_coefficient: Array) -> tuple[Array, Array]:
     """Torque, N m, and sum of the normal forces, N, of balls that squeeze the cage."""
+    if not np.any(drive.is_squeezed):
+        return np.zeros_like(friction_coefficient), np.zeros_like(friction_coefficient)
     force = drive.grip.alike * drive.squeezing_force(friction_coefficient).sum(axis=1)
     torque = sliding_torque(
         friction_coefficient=friction_coefficient,

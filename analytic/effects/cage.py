@@ -35,7 +35,8 @@ def decide_cage(scene: Scene, drive: CageDrive | None, ledger: Ledger, *, race: 
 def _decide_ball_dynamics(scene: Scene, drive: CageDrive | None, ledger: Ledger, *, race: Array) -> NDArray[np.bool_]:
     """Balls move freely where a whirl needs more grip than given balls have, or where they lead too far."""
     nowhere, entry = np.zeros(race.shape, dtype=bool), ENTRIES["ball_dynamics"]
-    if drive is None or not ledger.is_on("cage"):
+    rests = drive is not None and drive.cage.start is None and not np.any(drive.is_squeezed)
+    if drive is None or rests or not ledger.is_on("cage"):
         ledger.decide("ball_dynamics", lacks=entry.idle)
         return nowhere
     force = np.maximum(drive.whirling_force, LEAST_FORCE)
@@ -62,6 +63,9 @@ def _decide_ball_dynamics(scene: Scene, drive: CageDrive | None, ledger: Ledger,
 
 
 def _decide_motion(scene: Scene, drive: CageDrive, ledger: Ledger, *, race: Array) -> None:
+    if drive.cage.start is None:
+        ledger.decide("cage_dynamics")
+        return
     if np.all(drive.is_squeezed):
         ledger.settle("cage_dynamics", on=False, share=np.zeros_like(race), reason=_too_tight(drive))
         return
@@ -78,12 +82,7 @@ def _decide_motion(scene: Scene, drive: CageDrive, ledger: Ledger, *, race: Arra
         ledger.settle("cage_dynamics", on=False, share=np.zeros_like(race), reason=reason)
         return
     lacks = None
-    if drive.cage.start is None:
-        lacks = (
-            f"cage.start is not given: from a whirl number of {LEAST_WHIRL:g} on, here up to {largest:.3g}, the start "
-            'decides between rest and whirl; give "rest", "ramp", "sudden" or "whirl"'
-        )
-    elif automatic:
+    if automatic:
         lacks = _too_long(drive.cage, int(np.count_nonzero(drive.inner_speed)), LONGEST_MOTION, "cage_dynamics")
     force = np.maximum(drive.whirling_force, LEAST_FORCE)
     bound = sliding_torque(

@@ -73,7 +73,7 @@ def _estimate(scene: Scene, name: str, speed: Array, total: Array) -> Array | No
     oil, ball, losses = scene.lubricant, scene.bearing.ball_diameter, scene.losses
     if oil is None or oil.supply not in USUAL_SHARE:
         return None
-    if name == "cage_shear" and scene.cage is not None:
+    if name == "cage_shear" and scene.cage is not None and not scene.cage.gives_way:
         return None
     if name == "ball_drag" and losses.drag is not None:
         return None

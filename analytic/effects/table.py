@@ -111,8 +111,17 @@ def _no_creep(scene: Scene) -> str | None:
     return 'friction.sliding = "free_ball" has no creep: use "auto"' if scene.sliding == "free_ball" else ruled(scene)
 
 
+NO_CAGE = 'give a table [cage] of pocket_clearance, wall_thickness, mass and material, or cage = "none"'
+
+
 def _cage(scene: Scene) -> str | None:
-    return "no cage is given: add a table [cage]" if scene.cage is None else None
+    if scene.cage is not None:
+        return None
+    return (
+        "left out by the scene, or no web between the balls"
+        if scene.effects.get("cage") == "off"
+        else f"no cage is given: {NO_CAGE}"
+    )
 
 
 def _cage_of_rings(scene: Scene) -> str | None:
@@ -122,9 +131,9 @@ def _cage_of_rings(scene: Scene) -> str | None:
 
 
 def _moving_cage(scene: Scene) -> str | None:
-    if scene.cage is not None and scene.cage.start is None:
-        return 'cage.start is not given: give "rest", "ramp", "sudden" or "whirl"'
-    return _cage_of_rings(scene)
+    if (lacks := _cage_of_rings(scene)) is not None or (scene.cage is not None and scene.cage.start is not None):
+        return lacks
+    return 'cage.start is not given: give "rest", "ramp", "sudden" or "whirl"'
 
 
 def _seals(scene: Scene) -> str | None:
@@ -144,7 +153,7 @@ def _not_given(name: str, example: str) -> Callable[[Scene], str | None]:
 def _no_gaps(scene: Scene) -> str | None:
     if scene.losses.land is not None or scene.losses.pockets is not None:
         return None
-    if scene.cage is not None:
+    if scene.cage is not None and not scene.cage.gives_way:
         return "losses.land is not given; [cage] includes the friction in the pockets"
     return "losses.land or losses.pockets are not given"
 
@@ -302,7 +311,7 @@ TABLE = (
         name="cage_dynamics",
         kind="cage",
         meaning="motion of a cage that does not rest on its balls",
-        needs=Need(keys="`[cage]` with `start`", lacks=_cage_of_rings),
+        needs=Need(keys="`[cage]` with `start`", lacks=_moving_cage),
         bound=f"the friction of a cage that whirls, against all its balls; 0 below a whirl number of {LEAST_WHIRL:g}",
         idle='the cage is neglected: give effects.cage = "auto"',
     ),

@@ -6,6 +6,7 @@ import numpy as np
 
 from analytic.contact.geometry import RACES
 from analytic.effects.ledger import Ledger, size_of
+from analytic.effects.table import NO_CAGE
 from analytic.effects.washers import HELD
 from analytic.loads.ring_state import RingState
 from analytic.numerics.records import Records
@@ -51,8 +52,8 @@ def torque_warnings(
             "spin and from a spin-to-roll ratio of 1/2 on, equation 2 lacks its factor 0.322, and both moments jump "
             'there; "derived" is correct'
         )
-    if scene.cage is None:
-        warnings.append("the total is without the cage: add a table [cage]")
+    if scene.cage is None and scene.losses.pockets is None and not ledger.rules_out("cage"):
+        warnings.append(f"the total is without the cage: {NO_CAGE}")
     if scene.bearing.seals_rub and scene.losses.seals is None:
         warnings.append(
             f"the total is without the drag of the seals ({scene.bearing.seals}): give losses.seals, for example "

@@ -17,6 +17,7 @@ from analytic.catalog.suffixes import seal_contact
 from analytic.errors import InputError
 from analytic.scene import Bearing, Groove, Material, Origin
 from analytic.scenefile.tables import BearingTable, ContactAngleTable, GrooveTable
+from analytic.scenefile.usual_cage import entry_of_cage
 from analytic.words import shown
 
 RINGS = ("inner", "outer")
@@ -236,6 +237,7 @@ def _entry_of_row(row: CatalogBearing) -> dict[str, Any]:
         **{key: f"{value!r} N" for key, value in ratings.items() if value is not None},
         **rings,
         **play,
+        "cage": entry_of_cage(row, row.suffixes.values()),
     }
 
 

@@ -126,7 +126,9 @@ def surface_misfits(
     if surface.gap == "elastic" or surface.asperities == "greenwood_williamson":  # these never yield
         return
     bodies = [bearing.ball_material, bearing.inner.material, bearing.outer.material]
-    for body in (*bodies, *(() if cage is None else (cage.material,))):
+    if cage is not None and cage.friction_coefficient is None:
+        bodies.append(cage.material)
+    for body in bodies:
         if body.hardness is None:
             yield "surface.hardness", f"is missing, and {body.name} has none: give one, for bearing steel about 7.8 GPa"
             return

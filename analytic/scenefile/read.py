@@ -4,7 +4,7 @@
 """
 
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
@@ -50,6 +50,7 @@ from analytic.scenefile.tables import (
     SceneTable,
     SurfaceTable,
 )
+from analytic.scenefile.usual_cage import FRICTION, ORIGINS, entry_of_cage
 from analytic.words import plain, shown
 
 AS_PRINTED = "as_printed"  # the cage of the paper: the only variant whose pockets may overlap, with a warning
@@ -242,8 +243,8 @@ def scene_of(
 def _by_temperature(
     document: dict[str, Any], *, origin: str, folder: Path, measured: str | os.PathLike[str] | None
 ) -> SceneByTemperature:
-    bearing, row = document.get("bearing"), None
-    own = bearing if isinstance(bearing, dict) else {}
+    bearing, cage, row = document.get("bearing"), document.get("cage"), None
+    own, own_cage = (table if isinstance(table, dict) else {} for table in (bearing, cage))
     try:
         row = catalog_row(own)
     except InputError as problem:
@@ -258,7 +259,7 @@ def _by_temperature(
         else:
             scene, found = None, list(_conflicts(document, table, own, row))
             if not found:
-                scene, found = _scene(table, own, row, folder)
+                scene, found = _scene(table, (own, own_cage), row, folder)
             if scene is not None and not found:
                 read = _with_measured(scene, table, folder, measured)
                 return SceneByTemperature(scene=read, origin=origin, oil=table.lubricant, thermal=table.thermal)
@@ -329,7 +330,8 @@ def _conflicts(
         except InputError as problem:
             yield "", str(problem)
     for name in ("cage", "cage_dynamics", "ball_dynamics"):
-        if cage is None and getattr(table.effects, name) == "on":
+        has_cage = cage is not None or _assumes_cage(table, row)
+        if not has_cage and getattr(table.effects, name) == "on":
             yield f"effects.{name}", "needs a table [cage]; give one, or leave the effect out"
 
 
@@ -362,12 +364,13 @@ def _loose(table: SceneTable, row: CatalogBearing | None) -> Iterator[str]:
 
 
 def _scene(
-    table: SceneTable, own: Mapping[str, Any], row: CatalogBearing | None, folder: Path
+    table: SceneTable, tables: tuple[Mapping[str, Any], Mapping[str, Any]], row: CatalogBearing | None, folder: Path
 ) -> tuple[Scene, list[tuple[str, str]]]:
     """The scene, and (key, problem) for everything in it that does not fit together.
 
-    own, row : the scene's own table of the bearing, and its row of the catalogue
+    tables, row : the scene's own tables of bearing and cage, and the bearing's row of the catalogue
     """
+    own, own_cage = tables
     bearing = bearing_of(table.bearing, own=own, row=row)
     if row is not None and row.other_candidate is not None and row.grade == "C" and not {*BALLS} & {*own}:
         others = table.bearing.model_copy(update=dict(zip(BALLS, row.other_candidate, strict=True)))
@@ -386,11 +389,8 @@ def _scene(
     cage = None
     if not misfits:
         misfits += fit.angle_misfits(bearing, angle) if bearing.kind == "radial" else ()
-        if table.cage is not None:
-            cage = _cage(table.cage, delivered)
-            pocket = "pocket_clearance" if table.cage.pocket_diameter is None else "pocket_diameter"
-            overlaps = table.cage.variant == AS_PRINTED
-            misfits += fit.cage_misfits(bearing, cage, pocket=pocket, pockets_may_overlap=overlaps)
+        cage, unfit = _cage_of(table, delivered, own_cage, row)
+        misfits += unfit
     surface, unread = _surface(table.surface, folder)
     misfits += [*unread, *fit.surface_misfits(surface, bearing, cage, is_lubricated=table.lubricant is not None)]
     losses, notes = Losses(), ()
@@ -400,6 +400,8 @@ def _scene(
         except InputError as problem:
             misfits.append(("losses.seals", f"is refused: {problem}"))
     friction = table.friction or FrictionTable()
+    is_left_out = cage is None and (row is not None or "cage" in table.model_fields_set)
+    effects = table.effects.model_copy(update={"cage": "off"}) if is_left_out else table.effects
     scene = Scene(
         name=table.name,
         tolerance=table.tolerance,
@@ -415,7 +417,7 @@ def _scene(
         friction_coefficient=friction.coefficient,
         **friction.model_dump(exclude={"coefficient"}),
         losses=losses,
-        effects=MappingProxyType(table.effects.model_dump()),
+        effects=MappingProxyType(effects.model_dump()),
         calibration=table.calibration,
         report=ReportDetails(**table.report.model_dump()),
         warnings=(*(() if row is None else row.warnings), *_loose(table, row), *fit.warnings(bearing, cage), *notes),
@@ -458,12 +460,41 @@ def _gap_key(given: BearingTable) -> str:
     return "bearing.contact_angle.nominal" if said else fit.BOTTOM
 
 
-def _cage(given: CageTable, bearing: Bearing) -> Cage:
+def _assumes_cage(table: SceneTable, row: CatalogBearing | None) -> bool:
+    """Whether the scene says nothing of the cage of a bearing of the catalogue, nor of its pockets."""
+    return row is not None and "cage" not in table.model_fields_set and table.losses.pockets is None
+
+
+def _cage_of(
+    table: SceneTable, bearing: Bearing, own: Mapping[str, Any], row: CatalogBearing | None
+) -> tuple[Cage | None, list[tuple[str, str]]]:
+    """The cage of a bearing as it is delivered, and (key, problem) for what does not fit; own : the scene's own table.
+
+    One that is assumed fits, and rests on its balls; None where the balls leave no web.
+    """
+    if _assumes_cage(table, row):
+        entry = entry_of_cage(bearing, () if row is None else row.suffixes.values())
+        if not entry:
+            return None, []
+        usual = CageTable.model_validate(entry | {"friction_coefficient": FRICTION})
+        return replace(_cage(usual, bearing, assumed=ORIGINS), gives_way=True), []
+    if table.cage is None:
+        return None, []
+    cage = _cage(table.cage, bearing, assumed=() if row is None else {*ORIGINS} - {*own})
+    pocket = "pocket_clearance" if table.cage.pocket_diameter is None else "pocket_diameter"
+    overlaps = table.cage.variant == AS_PRINTED
+    return cage, [*fit.cage_misfits(bearing, cage, pocket=pocket, pockets_may_overlap=overlaps)]
+
+
+def _cage(given: CageTable, bearing: Bearing, *, assumed: Collection[str]) -> Cage:
+    """assumed : keys that the scene leaves to the catalogue, as far as they are given"""
     diameter = given.pocket_diameter or bearing.ball_diameter + (given.pocket_clearance or 0.0)
     approach = given.pocket_approach
     derived = {"variant", "pocket_clearance", "pocket_diameter", "pocket_depth", "pocket_approach", "material", "land"}
+    said = {key for key in ORIGINS if getattr(given, key) is not None}
     return Cage(
         **given.model_dump(exclude=derived),
+        origins=MappingProxyType({key: ORIGINS[key] for key in assumed if key in said}),
         pocket_diameter=diameter,
         pocket_depth=diameter / 2 if given.pocket_depth is None else given.pocket_depth,
         pocket_stiffness=None if approach is None else approach.load / approach.approach**1.5,

@@ -65,6 +65,8 @@ def _value(kind: Any, whole: bool) -> Schema:
         inside = _value(parts[0], whole)
         by_name = parts[0] is MaterialTable and any(isinstance(note, BeforeValidator) for note in kind.__metadata__)
         names = [{"enum": list(catalog.names("materials"))}, {"type": "string"}]  # each has other spellings too
+        if CageTable in get_args(parts[0]):
+            return _one_of([{"enum": ["none"]}, inside])
         return _one_of([*names, inside]) if by_name else inside
     if origin in (Union, UnionType):
         return _one_of([_value(part, whole) for part in parts if part is not NoneType])

@@ -229,8 +229,15 @@ class PocketApproachTable(Table):
     approach: Gap
 
 
+def _no_cage(given: object) -> object:
+    """Accepts the word of a scene whose cage is left out."""
+    if isinstance(given, str) and given != "none":
+        raise ValueError(f"is no cage; {CageTable.HINT}")
+    return None if given == "none" else given
+
+
 class CageTable(Table):
-    HINT = "give a table [cage], or leave it out: no cage term"
+    HINT = 'give a table [cage] of pocket_clearance, wall_thickness, mass and material, or cage = "none"'
     variant: Text | None = None  # of the cage in the catalog
     pocket_clearance: Gap | None = None  # pocket diameter minus ball diameter
     pocket_diameter: Length | None = None
@@ -462,7 +469,7 @@ class SceneTable(Table):
     operation: OperationTable
     mounting: MountingTable | None = None
     arrangement: ArrangementTable | None = None
-    cage: CageTable | None = None
+    cage: Annotated[CageTable | None, BeforeValidator(_no_cage)] = None  # "none": left out
     lubricant: LubricantTable | None = None
     thermal: ThermalTable | None = None
     surface: SurfaceTable | None = None

@@ -10,15 +10,11 @@ from analytic.catalog.seals import seal_torque
 from analytic.errors import InputError
 from analytic.scene import Origin
 from analytic.scenefile.choice import USUAL, Choice
+from analytic.scenefile.usual_cage import cage_sizes
 
 SCHEMA_NAME = "fembearing-scene.schema.json"  # of the file beside the scene
 RADIAL_SHARE, AXIAL_SHARE = 0.05, 0.02  # of C0: a light load on a deep groove, and on an angular contact bearing
-# A cage of two steel sheets, over the ball diameter: clearance and thickness of the 6205 of [Paper], and the width of
-# the sheets that gives its mass of 6.58 g. Each sheet follows the pitch circle and half of every ball.
-POCKET, SHEET, SHEET_WIDTH = 0.025, 0.113, 0.36
 SHOULDER = 0.2  # its height over the ball diameter, usual
-WEB = 0.8  # of the web between pockets: the thickest sheet
-STEEL, PEEK = 7850.0, 1300.0  # kg/m^3
 GROUPS = ("CN", "C3")  # whose spans are told beside the bearing's own group
 WIDTH = 118  # characters of a line
 COLUMN = 41  # where comments begin
@@ -197,17 +193,15 @@ def _oil(choice: Choice) -> str:
 
 def _cage(bearing: CatalogBearing) -> str:
     """The table of a cage in comments, scaled to the balls."""
-    ball, count, pitch = bearing.ball_diameter, bearing.ball_count, bearing.pitch_diameter
-    web = pitch * math.sin(math.pi / count) - (1 + POCKET) * ball
-    sheet = min(SHEET * ball, WEB * web)
-    around = math.pi * pitch + count * (math.pi / 2 - 1) * ball
-    volume = 2 * sheet * SHEET_WIDTH * ball * around
-    steel, peek = (f"{float(f'{1e3 * density * volume:.2g}'):g} g" for density in (STEEL, PEEK))
+    steel, peek = (cage_sizes(bearing, material=name) for name in ("steel", "peek"))
+    if not steel:
+        return ""
+    millimetres = {key: f"{1e3 * steel[key]:.2g} mm" for key in ("pocket_clearance", "wall_thickness")}
+    masses = [f"{float(f'{1e3 * each:.2g}'):g} g" for each in (steel["mass"], peek["mass"])]
     return (
-        _line("#[cage]", "for the friction of the cage; values scaled from the sheet cage of a 6205")
-        + f'#pocket_clearance = "{1e3 * POCKET * ball:.2g} mm"\n'
-        + f'#wall_thickness = "{1e3 * sheet:.2g} mm"\n'
-        + _line(f'#mass = "{steel}"', f"of PEEK {peek}")
+        _line("#[cage]", "your own in place of the assumed one, scaled from the sheet cage of a 6205")
+        + "".join(f'#{key} = "{length}"\n' for key, length in millimetres.items())
+        + _line(f'#mass = "{masses[0]}"', f"of PEEK {masses[1]}")
         + _line('#material = "steel"', 'or "peek"')
     )
 

@@ -398,7 +398,8 @@ def add_ball(
     j, count = place
     alike, slides = model.ring.bearing.ball_count / count, model.counted.spin or model.counted.conformity
     drives = max(ball.load[0], ball.load[1]) > 0.0
-    out.orbit_rate += motion.cage_speed if drives else np.nan  # nothing turns a ball without load
+    # Nothing turns a ball without load; a cage that gives way takes it along as it would roll.
+    out.orbit_rate += motion.cage_speed if drives or np.isinf(model.cage.room) else np.nan
     out.ball_rate += motion.ball_speed
     out.contact_angle += abs(ball.angle[0] + ball.angle[1]) / 2
     out.ball_lead += np.cos(2 * np.pi * j / count) / motion.cage_speed

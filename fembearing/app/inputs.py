@@ -105,7 +105,7 @@ class Inputs:
         self._fold("Seats and clearance", SEATS)
         panel = self._fold("Cage", {})
         with panel:
-            with_cage = ui.switch("Friction of a cage", on_change=lambda event: page.turn_cage(bool(event.value)))
+            with_cage = ui.switch("Cage of your own", on_change=lambda event: page.turn_cage(bool(event.value)))
             self.cage = with_cage.props("dense")
             self.pockets = ui.element("div").classes("stack")
         with self.pockets:

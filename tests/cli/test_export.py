@@ -21,7 +21,7 @@ def test_a_bearing_of_the_catalogue_needs_no_file(command, place: Path) -> None:
     line = ("6206", "--to", "csv", "--radial-load", "500 N to 2 kN in 3", "--speed", "0 rpm to 900 rpm in 4", *FAST)
     ended = command("export", *line, "--temperature", "55C")
     assert ended.status == 0
-    assert ended.err.startswith("fembearing: warning: the total is without the cage")
+    assert ended.err.startswith("fembearing: warning: creep is neglected")
     assert ended.out.splitlines()[0].startswith(
         "written: friction_6206.csv; speed 0 rpm to 900 rpm in 4, axial load 0 N in 1, "
     )

@@ -152,7 +152,7 @@ def test_a_speed_beyond_usual_practice_is_said() -> None:
 
 def test_pockets_that_are_not_given_are_estimated_by_usual_ones() -> None:
     """0.025 ball diameters of clearance and 0.11 of thickness, those of the cage of [Paper]."""
-    scene = replace(parse_scene(OILED, origin="here"), losses=Losses())
+    scene = replace(parse_scene(OILED, origin="here"), losses=Losses(), cage=None)  # it excludes losses.pockets
     found = friction_torque(scene)
     ball = scene.bearing.ball_diameter
     pockets = ShearedPockets(clearance=0.025 * ball, thickness=0.11 * ball)

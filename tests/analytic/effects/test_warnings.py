@@ -9,7 +9,7 @@ import pytest
 from analytic.effects.ledger import Ledger
 from analytic.effects.warnings import _film, torque_warnings
 from analytic.loads.ring import ring_equilibrium
-from analytic.scene import Bearing, Clearances, ContactAngle, Losses, Operation, Scene
+from analytic.scene import Bearing, Clearances, ContactAngle, Losses, Operation, Scene, ShearedPockets
 from analytic.solve.records import BALL, POINT
 from analytic.solve.solution import Solution
 from analytic.surface.roughness import GapRoughness
@@ -89,6 +89,8 @@ def tightened(operating: float) -> Clearances:
         ({"friction_coefficient": 0.07}, {}, "the friction coefficient 0.07 is from the scene"),
         ({"microslip": "as_printed"}, {}, '"as_printed" is no model'),
         ({"cage": None}, {}, "the total is without the cage"),
+        ({"cage": None, "effects": {"cage": "off"}}, {}, None),
+        ({"cage": None, "losses": Losses(pockets=ShearedPockets(clearance=2e-4, thickness=3e-3))}, {}, None),
         ({"lubricant": None}, {}, "without the hydrodynamic rolling resistance"),
         ({"lubricant": None, "effects": {"rolling": "off"}}, {}, None),
         ({}, SEALS, "without the drag of the seals (2RS1)"),
