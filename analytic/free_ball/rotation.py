@@ -6,8 +6,8 @@ contact, y across the groove and x along rolling, with the normal n out of the b
 the orbit, the ball slides against its race by
     s_phi = r_m (w_c - w_ring) + W_t (r - y^2/2R) - W_n y,  s_t = x (W_n + W_t y/R) - W_phi r,  W = w_ball - w_ring z
 along the curved surface, about whose normal it turns by W_n + W_t y/R. R differs from r by so little that a turn about
-the orbit slides all points alike. This is linear in v, s = A v - const, so one map gives force, spin, conformity and the moments: the ball feels
--int A^T stress dA. It turns steadily where
+the orbit slides all points alike. This is linear in v, s = A v - const, so one map gives force, spin, conformity and
+the moments: the ball feels -int A^T stress dA. It turns steadily where
     F_phi = 0,  M_rho = -J w_c w_phi,  M_phi = J w_c w_rho,  M_z = 0,  J = (2/5) m r^2
 The terms of balls that come round to another load are left out; the cage carries what is along the orbit.
 

@@ -47,7 +47,7 @@ def test_slip_is_the_balls_velocity_less_that_of_its_race(sign: float, velocity:
         across = given.across + (given.spin - 2 * given.along_bend * y) * ahead
         moved = (ball - race) @ np.array([0.0, found.side, 0.0]), (ball - race) @ (t - y / SURFACE * n)
         # That vector of the surface is longer than 1, by which a turn about the orbit would seem to slide more.
-        expected = np.array(moved) + [0.0, velocity[1] / R * y**2 / 2 / SURFACE]
+        expected = np.array(moved) + np.array([0.0, velocity[1] / R * y**2 / 2 / SURFACE])
         np.testing.assert_allclose(np.array([along, across]) * found.rolling_speed, expected, atol=1e-15)  # round-off
 
 

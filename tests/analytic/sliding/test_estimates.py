@@ -115,7 +115,8 @@ def test_nodes_agree_where_the_stress_is_smooth(bearing_6205: Bearing) -> None:
 def test_viscous_contacts_find_their_creep(bearing_6205: Bearing, method: int) -> None:
     """A Newtonian film without spin, tau = g v over the area A: each contact loses g A w_roll^2 b^4/(64 R^2).
 
-    With v_y it loses g A w_roll^2 a^2 b^2/(24 R^2) more. It rubs so little that a first step by a usual coefficient would be taken for the last.
+    With v_y it loses g A w_roll^2 a^2 b^2/(24 R^2) more. It rubs so little that a first step by a usual coefficient
+    would be taken for the last.
     """
     viscosity, speed = 0.9, 0.7  # Pa s, rad/s
     oil = oiled(viscosity=viscosity, pressure_viscosity=1e-13)
