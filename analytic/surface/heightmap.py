@@ -27,6 +27,7 @@ LARGEST_TEXT, LARGEST_BINARY = 100_000_000, 300_000_000  # bytes of .csv and .np
 LONGEST_LINE = 100 * MOST_POINTS  # bytes; a number has 25 at most
 BAND = 64  # rows of a map that are measured together
 HIGHEST = 1e-3  # m, from the lowest to the highest point: larger heights are not in metres, or the part is broken
+SMOOTHEST = 1e-9  # m, Sq: polished silicon has some 0.1 nm, finished races have 10 nm and more
 ROUND_OFF = 64 * np.finfo(np.float64).eps  # of the heights; means of 4096 and a slope over them leave a few eps
 WIDEST = 0.1  # correlation length over domain, and spacing over correlation length: more spoils statistics or summits
 MOST_UNEQUAL = 1.5  # ratio of the mean squared slopes along x and y: more is a lay, and the summits are no spheres
@@ -56,7 +57,8 @@ def read_height_map(path: str | os.PathLike[str], *, spacing: float) -> HeightMa
     spacing : of neighbouring points in both directions, m, > 0; of a .x3p file the one that it has
     A .npy file is never unpickled, and nothing is read that does not fit into memory.
     Raises InputError for a file that cannot be read, has another format, or holds no matrix of finite real numbers, for
-    fewer than 32 or more than 4096 points in a direction, and for heights that cannot be metres.
+    fewer than 32 or more than 4096 points in a direction, and for heights that cannot be metres: Sq below 1 nm, or a
+    span above 1 mm.
     """
     require_positive(spacing=spacing)
     origin = plain(os.fspath(path))
@@ -81,6 +83,12 @@ def read_height_map(path: str | os.PathLike[str], *, spacing: float) -> HeightMa
             "not in um"
         )
     _level(heights)
+    roughness = float(np.sqrt(_mean_square(heights, order=0)))
+    if roughness < SMOOTHEST:
+        raise InputError(
+            f"{origin}: heights have Sq {roughness * 1e9:.3g} nm, less than {SMOOTHEST * 1e9:g} nm, and no race is so "
+            "smooth; give them in m"
+        )
     return HeightMap(heights=heights, spacing=spacing)
 
 

@@ -15,6 +15,7 @@ from analytic.words import plain
 ENDING = ".x3p"
 EXTRA = "pip install 'fembearing[profilometer]'"
 LARGEST = 300_000_000  # bytes
+FLOATS = "F", "D"  # types of floating-point heights
 SAME_SPACING = 1e-6  # relative difference of two spacings: rounding of a text in the file
 
 
@@ -36,9 +37,18 @@ def x3p_shape_and_spacing(path: str | os.PathLike[str]) -> tuple[tuple[int, int]
 
 
 def x3p_heights(path: str | os.PathLike[str]) -> Array:
-    """The heights of an X3P file, (rows, columns), m; NaN where nothing was measured. Raises InputError likewise."""
-    heights = _channel(path).topography().heights()  # x first
-    return np.ascontiguousarray(np.ma.filled(np.ma.asarray(heights, dtype=np.float64), np.nan).T)
+    """The heights of an X3P file, (rows, columns), m; NaN where nothing was measured. Raises InputError likewise.
+
+    Floating-point numbers are metres as they stand: the increment of z is that of integers [ISO25178-72]. The reader
+    multiplies both by it.
+    """
+    channel = _channel(path)
+    heights = np.ma.filled(np.ma.asarray(channel.topography().heights(), dtype=np.float64), np.nan)  # x first
+    axis = channel.info["raw_metadata"]["Record1"]["Axes"]["CZ"]
+    increment = float(axis.get("Increment", 1.0))
+    if not increment > 0:
+        raise InputError(f"has heights in steps of {increment:g} m; export it again, or save heights in m as .npy")
+    return np.ascontiguousarray(heights.T) / (increment if axis["DataType"] in FLOATS else 1.0)
 
 
 def _channel(path: str | os.PathLike[str]):

@@ -24,6 +24,8 @@ from fembearing.mesh.footprint import UNCUT
 
 Array = NDArray[np.float64]
 UNBALANCED = 1e-8  # relative residual force; round-off leaves less than 1e-12
+RIGID = 6  # motions without deformation
+REMEDY = "Check that it is held, its modulus, Poisson ratio (below 0.5) and mesh."
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -142,14 +144,29 @@ class HeldBody:
                 raise SingularError(problem=f"{equations} do not fit into memory", remedy=remedy) from problem
             raise SingularError(
                 problem=f"{equations} have no single answer: {str(problem).rstrip('.')}",
-                remedy="Check that it is held, its modulus, Poisson ratio (below 0.5) and mesh.",
+                remedy=REMEDY,
             ) from problem
+
+
+def _rigid_motions(places: Array) -> Array:
+    """(3, n, 6): three translations and three rotations of nodes at (3, n), over the size of the body."""
+    x = places - places.mean(axis=1, keepdims=True)
+    x /= np.abs(x).max()
+    motions = np.zeros((*x.shape, RIGID))
+    for axis in range(3):
+        following, last = (axis + 1) % 3, (axis + 2) % 3
+        motions[axis, :, axis] = 1.0
+        motions[following, :, 3 + axis], motions[last, :, 3 + axis] = -x[last], x[following]
+    return motions
 
 
 def held_stiffness(
     body: BodyMesh, *, material: Material, semi_axes: tuple[float, float], shoulders: tuple[float, float] = UNCUT
 ) -> HeldBody:
-    """Assemble a body and hold its planes of symmetry and its far boundary."""
+    """Assemble a body and hold its planes of symmetry and its far boundary.
+
+    Raises SingularError for a body that can move without deformation: on some processors its factor exists by round-off.
+    """
     entries = cell_stiffness(body.mesh, material)
     cells, count = body.mesh.dofs.element_dofs, body.mesh.doflocs.shape[1]
     is_held = np.zeros((3, count), dtype=bool)
@@ -157,6 +174,12 @@ def held_stiffness(
         is_held[axis, plane] = True
     is_held[:, body.far] = True
     is_held[:, body.clamped] = True
+    if np.linalg.matrix_rank(_rigid_motions(body.mesh.doflocs)[is_held]) < RIGID:
+        raise SingularError(
+            problem=f"{body.name}: its {int(np.sum(~is_held))} equations have no single answer: it can move without "
+            "deformation",
+            remedy=REMEDY,
+        )
     x, y, z = body.mesh.doflocs[:, body.far]
     side = 1.0 if z.size and z.min() >= 0 else -1.0
     displacement = np.zeros((3, count))

@@ -114,7 +114,6 @@ NOTHING = np.array([], dtype=np.intp)
 
 
 @pytest.mark.usefixtures("solver")
-@pytest.mark.filterwarnings("ignore:PARDISO gave up a matrix")  # and SuperLU's answer is refused
 @pytest.mark.parametrize(
     ("fault", "words"),
     [

@@ -103,7 +103,10 @@ def test_a_file_comes_before_a_scene_of_that_name_and_before_a_bearing(
         ("x" * 300, ("give the path of a scene file",)),
     ],
 )
-def test_a_name_that_is_nothing_is_refused(name: str, words: tuple[str, ...]) -> None:
+def test_a_name_that_is_nothing_is_refused(
+    name: str, words: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)  # where README's commands may have left files
     with pytest.raises(InputError) as problem:
         load_scene(name)
     assert str(problem.value).isprintable()

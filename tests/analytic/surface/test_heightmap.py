@@ -77,15 +77,23 @@ def test_tilt_and_offset_are_removed() -> None:
     np.testing.assert_allclose(straight, expected, atol=1e-19)  # round-off of 1e-7
 
 
-@pytest.mark.parametrize("dtype", [np.float64, np.float32, np.int16])
+@pytest.mark.parametrize("dtype", [np.float64, np.float32])
 def test_a_binary_map_is_read(tmp_path: Path, dtype: type) -> None:
-    heights = (ROUGH if dtype is not np.int16 else np.zeros((40, 53))).astype(dtype)
+    heights = ROUGH.astype(dtype)
     np.save(tmp_path / "map.npy", np.asfortranarray(heights))
     computed = read_height_map(tmp_path / "map.npy", spacing=SPACING)
     np.testing.assert_allclose(
         computed.heights, levelled(HeightMap(heights=heights.astype(np.float64), spacing=SPACING)).heights, atol=1e-20
     )
     assert computed.spacing == SPACING
+
+
+def test_heights_that_no_race_has_are_refused(tmp_path: Path) -> None:
+    """Micrometres that were scaled once too often; and a map of zeros."""
+    for name, factor in (("pico.npy", 1e-6), ("zero.npy", 0.0)):
+        np.save(tmp_path / name, factor * ROUGH)
+        with pytest.raises(InputError, match=rf"{name}: heights have Sq .* nm, less than 1 nm"):
+            read_height_map(tmp_path / name, spacing=SPACING)
 
 
 def test_a_text_map_is_read(tmp_path: Path) -> None:

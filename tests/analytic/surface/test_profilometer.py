@@ -20,7 +20,7 @@ INDEX = """<?xml version="1.0" encoding="UTF-8"?>
 <Record1><Revision>ISO5436 - 2000</Revision><FeatureType>SUR</FeatureType><Axes>
 <CX><AxisType>I</AxisType><DataType>D</DataType><Increment>{x}</Increment><Offset>0</Offset></CX>
 <CY><AxisType>I</AxisType><DataType>D</DataType><Increment>{y}</Increment><Offset>0</Offset></CY>
-<CZ><AxisType>A</AxisType><DataType>D</DataType><Increment>1</Increment><Offset>0</Offset></CZ>
+<CZ><AxisType>A</AxisType><DataType>{kind}</DataType><Increment>{z}</Increment><Offset>0</Offset></CZ>
 </Axes></Record1>
 <Record3><MatrixDimension><SizeX>{columns}</SizeX><SizeY>{rows}</SizeY><SizeZ>1</SizeZ></MatrixDimension>
 <DataLink><PointDataLink>bindata/data.bin</PointDataLink></DataLink></Record3>
@@ -28,11 +28,13 @@ INDEX = """<?xml version="1.0" encoding="UTF-8"?>
 """
 
 
-def x3p(file: Path, heights: np.ndarray, *, x: float = SPACING, y: float = SPACING) -> Path:
+def x3p(
+    file: Path, heights: np.ndarray, *, x: float = SPACING, y: float = SPACING, z: float = 1.0, kind: str = "D"
+) -> Path:
     rows, columns = heights.shape
     with ZipFile(file, "w") as folder:
-        folder.writestr("main.xml", INDEX.format(x=x, y=y, rows=rows, columns=columns))
-        folder.writestr("bindata/data.bin", heights.astype("<f8").tobytes())
+        folder.writestr("main.xml", INDEX.format(x=x, y=y, z=z, kind=kind, rows=rows, columns=columns))
+        folder.writestr("bindata/data.bin", heights.astype({"D": "<f8", "F": "<f4", "L": "<i4"}[kind]).tobytes())
     return file
 
 
@@ -53,6 +55,19 @@ def test_heights_and_spacing_are_those_that_were_written(tmp_path: Path) -> None
     assert surface.height_map is not None
     assert surface.height_map.spacing == pytest.approx(SPACING, rel=1e-12)
     assert Path(surface.height_map.path) == tmp_path / "race.X3P"
+
+
+@pytest.mark.usefixtures("reader")
+def test_the_increment_of_z_is_that_of_integers(tmp_path: Path) -> None:
+    """Floating-point heights are metres whatever the increment; integers are steps of it."""
+    expected = levelled(HeightMap(heights=ROUGH, spacing=SPACING)).heights
+    for kind, rounding in (("D", 1e-20), ("F", 1e-13)):
+        found = read_height_map(x3p(tmp_path / f"{kind}.x3p", ROUGH, z=1e-6, kind=kind), spacing=SPACING)
+        np.testing.assert_allclose(found.heights, expected, atol=rounding)
+    steps = x3p(tmp_path / "steps.x3p", np.round(ROUGH / 2e-10), z=2e-10, kind="L")
+    np.testing.assert_allclose(read_height_map(steps, spacing=SPACING).heights, expected, atol=2e-10)  # a step
+    none = x3p(tmp_path / "none.x3p", np.round(ROUGH / 2e-10), z=0.0, kind="L")
+    refused(lambda: read_height_map(none, spacing=SPACING), "none.x3p", "steps of 0 m")
 
 
 @pytest.mark.usefixtures("reader")
