@@ -31,7 +31,7 @@ from analytic.oil.mixed import MixedContact
 from analytic.oil.viscosity import OilNumbers, oil_numbers, thickening_at
 from analytic.scene import Array, Lubricant
 
-LEAST_THICKENING = 1e-15  # 1/Pa, of alpha: an oil that does not thicken is Newtonian up to its limit
+LEAST_THICKENING = 1e-25  # 1/Pa, of alpha: an oil that does not thicken is Newtonian up to its limit
 
 
 class PointLaw(NamedTuple):

@@ -165,7 +165,7 @@ def held_stiffness(
 ) -> HeldBody:
     """Assemble a body and hold its planes of symmetry and its far boundary.
 
-    Raises SingularError for a body that can move without deformation: on some processors its factor exists by round-off.
+    Raises SingularError for a body that can move without deformation: on some processors round-off factors it.
     """
     entries = cell_stiffness(body.mesh, material)
     cells, count = body.mesh.dofs.element_dofs, body.mesh.doflocs.shape[1]

@@ -129,7 +129,7 @@ def test_a_loss_that_counts_once_is_taken(scene: Scene) -> None:
         (scene, Losses(oil_share=0.03)),
         (scene, Losses(oil_share=1.0)),
         (scene, Losses(drag=2e-3, oil_flow=1e-5)),
-        (scene, Losses(pockets=OIL.pockets, land=OIL.land)),
+        (replace(scene, cage=None), Losses(pockets=OIL.pockets, land=OIL.land)),
         (caged, Losses(land=OIL.land)),
         (braked, Losses(oil_share=0.03)),
     ):

@@ -91,7 +91,7 @@ def test_the_lines_of_pure_rolling_leave_no_force(eps: float) -> None:
 def test_the_slope_of_a_spin_moment_is_its_derivative(spin: float) -> None:
     """By central differences on both sides of 1/2 in spin_to_roll; the oil shears harder at a higher speed."""
     contact = ContactNumbers(Q, 0.13e-3, B, 310.0, 14.7, 1.1e11, R, 2.9, 8.3e-3)
-    law = PointLaw(boundary=0.021, eyring=5.3e6, fluidity=0.061, share=0.8, growth=9.1, exponent=0.62)
+    law = PointLaw(boundary=0.021, eyring=5.3e6, fluidity=0.061, share=0.8, alpha=9.1 * 0.62 * 5.1e-9, exponent=0.62)
     step = 1e-5 * (abs(spin) or 1e-3)
     (_, slope), (beyond, _), (before, _) = (line_slip(contact, law, 21.0, spin + d) for d in (0.0, step, -step))
     assert slope == pytest.approx(
