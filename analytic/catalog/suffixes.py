@@ -53,7 +53,7 @@ _COMMON: tuple[tuple[str, SuffixKind, str], ...] = (
     (r"JEM", "ignored", "pressed steel cage, polyurea grease"),
     (r"Y[AB]?", "ignored", "pressed brass cage"),
     (r"F1?", "ignored", "machined steel cage"),
-    (r"P(?:0|[24-6]A?|6X|A9[AB]?|N)|PA[579]A?|ABEC[13579]|A7?/9", "ignored", "precision class"),
+    (r"P(?:0|[24-6][AS]?|6X|A9[AB]?|N)|PA[579]A?|ABEC[13579]|A7?/9", "ignored", "precision class"),
     (r"N[RS]?[1-9]?|NB", "ignored", "snap-ring groove in the outer ring"),
     (r"S[0-4]", "ignored", "rings stabilised for high temperature"),
     (r"QE[56]?|Q[56]|E[QM]Q?|EMQ|Z[1-4]V?[1-4]?|V[1-4]", "ignored", "limits of noise and vibration"),
