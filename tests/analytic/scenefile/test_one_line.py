@@ -250,7 +250,7 @@ def test_the_drag_of_seals_is_told_as_assumed() -> None:
 
 
 def test_the_seals_of_a_fast_6204_are_in_its_torque() -> None:
-    """0.023 d_s^2.25 + 2 N mm by hand, with the shoulder of SKF's 6204, d_1 = 28.8 mm; half a per cent by its digits."""
+    """0.023 d_s^2.25 + 2 N mm by hand, on the shoulder of SKF's 6204, d_1 = 28.8 mm; 0.5 % by its digits."""
     found = friction_torque("6204-2RS", speed="10000 rpm", radial_load="0.3 kN")
     bare = friction_torque("6204-2RS", speed="10000 rpm", radial_load="0.3 kN", settings={"losses.seals": "off"})
     expected = 1e-3 * (0.023 * 28.8**2.25 + 2)
