@@ -362,9 +362,11 @@ def _unknown(designation: str) -> str:
     names = {plain_name(name).removeprefix(row["maker"]): name for name, row in _rows().items() if row["grade"] != "D"}
     if maker in ("GMN", "SNFA"):
         names = {plain: name for plain, name in names.items() if name.startswith(maker)}
-    bore = re.search(r"/\s*(\d+(?:[.,]\d+)?)(?![\d/])", body)
+    bore = re.match(r"\D*\d+[A-Z]*\s*/\s*(\d+(?:[.,]\d+)?)(?![\d/])", body)
     if bore is None:
-        near = [names[close] for close in difflib.get_close_matches(plain, names, n=3, cutoff=0.0)]
+        number = re.match(r"\D*\d+[^\s\-/]*", body)
+        like = plain if number is None else plain_name(number[0])
+        near = [names[close] for close in difflib.get_close_matches(like, names, n=3, cutoff=0.0)]
     else:  # those of the nearest bore, of them the most alike
         near = heapq.nsmallest(3, names.values(), key=partial(_distance, body, float(bore[1].replace(",", "."))))
     return f"bearing {designation!r} is not in the catalogue; nearest: {', '.join(near)}. Or give {BY_HAND} by hand"

@@ -38,6 +38,7 @@ _KIND = re.compile(  # words for what the number says itself
 )
 _HYPHEN_FOR_SLASH = re.compile(r"^(6[023]|61[89])\s*[-_]\s*(22|28|32|[4-9])(?!\d)")
 _CUT_NUMBER = re.compile(r"\d[\s\-._]+\d")  # 623-2RS is not 6232 RS
+_BEHIND_SLASH = re.compile(r"\s*/\s*([^\s\-./_,+]+)")
 _FILLER = re.compile(r"[\s\-._]+")
 LONGEST = 60  # characters
 
@@ -130,8 +131,11 @@ def _readings(body: str, names: Mapping[str, str]) -> list[tuple[str, list[Suffi
         rest = body[end:]
         angular = name[0] != "6" and name[:2] != "16"
         known, unknown = read_suffixes(rest, angular=angular)
-        if any(begins_with_a_number(part, angular=angular) for part in unknown):
-            continue  # a bore, as in 628/8 or 6202/15.875: another bearing
+        behind = _BEHIND_SLASH.match(rest)
+        if behind and behind[1] in unknown and begins_with_a_number(behind[1], angular=angular):
+            continue  # a bore, as in 628/8ZZ: another bearing
+        if any(part.isdigit() for part in unknown):
+            continue  # the same, as in 6202/15.875, 6203-12
         cut_inside = rest[:1].isalnum()  # no separator between number and suffix
         if cut_inside and body[end - 1].isalpha() and name[-1] == "R":
             continue  # the letter belongs to a seal, RS or RZ, and not to the number
