@@ -122,7 +122,7 @@ def known_inputs(scene: Scene) -> dict[str, StatedInput]:
 
 
 def _with_origin(scene: Scene) -> dict[str, StatedInput]:
-    tables = {name: getattr(scene, name) for name in ("bearing", "cage", "lubricant", "surface")}
+    tables = {name: getattr(scene, name) for name in ("bearing", "cage", "lubricant", "surface", "losses")}
     usual = {}
     loss = uncertain_value(scene, "friction.hysteresis_loss")
     if scene.hysteresis_loss is None and loss is not None:

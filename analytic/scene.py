@@ -392,11 +392,11 @@ class Losses(Noun):
 
     seals: float | None = None  # N m, >= 0
     drag: float | None = None  # of the oil that balls and cage move, N m, >= 0
-    seals_are_estimated: bool = False  # by SKF's formula, not declared
     oil_flow: float | None = None  # through the bearing, m^3/s, >= 0
     oil_share: float | None = None  # of the space between the rings that is oil, not air, 0 to 1
     land: ShearedLand | None = None
     pockets: ShearedPockets | None = None
+    origins: Mapping[str, Origin] = field(default_factory=nothing, compare=False)  # of what is assumed, by its key
 
     @property
     def total(self) -> float | None:

@@ -6,11 +6,12 @@ read at the first look-up.
 
 import csv
 import difflib
+import heapq
 import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from importlib.resources import files
 from typing import Literal, cast
 
@@ -26,6 +27,8 @@ Row = Mapping[str, str]
 Grade = Literal["printed", "A", "B", "C", "D"]
 GROUPS = ("C2", "CN", "C3", "C4", "C5")
 BY_HAND = "bearing.ball_count, ball_diameter, pitch_diameter, the conformity of both rings and the clearance"
+BEARING_STEEL = "100Cr6"  # of every bearing of the catalogue: through-hardened, as makers print it
+SILICON_NITRIDE = "Si3N4"
 SAME_SIZE = 0.05  # mm, many times what makers' tolerances are
 USABLE_SCORE = 10.0  # above, no ball fits the ratings
 
@@ -53,6 +56,7 @@ class CatalogBearing:
     static_load_rating: float  # C0, N
     f0: float | None  # the maker's factor for axial loads
     grade: Grade
+    ball_material: str  # by its name in the catalogue
     origins: Mapping[str, Origin]  # by scene key
     other_candidate: tuple[int, float] | None  # ball count and ball diameter (m) that fit the ratings second best
     seals: str | None  # what the suffix says
@@ -60,6 +64,7 @@ class CatalogBearing:
     clearance_group: str | None  # of ISO 5753-1, if the suffix names one
     suffixes: Mapping[str, str]  # each suffix that was understood, and its meaning
     warnings: tuple[str, ...]
+    ball_warnings: tuple[str, ...]  # those of them that are on its balls
 
 
 def find_bearing(designation: str) -> CatalogBearing:
@@ -228,6 +233,10 @@ def _bearing(found: Designation, main: Row, row: Row) -> CatalogBearing:
     groups = [*clearance_of(list(found.suffixes))] if not angle else []
     second = row["second_ball_count"]
     seals = tuple(suffix for suffix in found.suffixes if suffix.kind == "seals")
+    ceramic = [suffix.text for suffix in found.suffixes if suffix.kind == "ceramic"]
+    origins, doubts = origins_of(row, scaled=scale != 1.0), tuple(_doubts(found, row))
+    if ceramic:
+        origins["ball_material"] = Origin(status="derived", uncertainty=None, source=f"{ceramic[0]} of the designation")
     return CatalogBearing(
         designation=row["designation"] if found.maker is None else _with_maker(row),
         maker=row["maker"],
@@ -248,13 +257,15 @@ def _bearing(found: Designation, main: Row, row: Row) -> CatalogBearing:
         static_load_rating=float(row["static_rating_N"]),
         f0=float(row["f0"]) if row["f0"] else None,
         grade=cast(Grade, row["grade"]),
-        origins=read_only(origins_of(row, scaled=scale != 1.0)),
+        ball_material=SILICON_NITRIDE if ceramic else BEARING_STEEL,
+        origins=read_only(origins),
         other_candidate=(int(second), float(row["second_ball_diameter_mm"]) / 1e3) if second else None,
         seals="; ".join(f"{suffix.text}: {suffix.meaning}" for suffix in seals) or None,
         seal_suffixes=seals,
         clearance_group=groups[-1] if groups else None,
         suffixes=read_only({suffix.text: suffix.meaning for suffix in found.suffixes}),
-        warnings=tuple(_warnings(found, row)),
+        warnings=(*doubts, *_warnings(found, row)),
+        ball_warnings=doubts,
     )
 
 
@@ -271,7 +282,8 @@ def _balls(row: Row) -> str:
     return f"{row['ball_count']} x {float(row['ball_diameter_mm']):.3f} mm"
 
 
-def _warnings(found: Designation, row: Row) -> Iterator[str]:
+def _doubts(found: Designation, row: Row) -> Iterator[str]:
+    """Warnings on balls that may not be the maker's."""
     name = _with_maker(row) if found.maker else row["designation"]
     given = {suffix.text for suffix in found.suffixes}
     if found.maker is None:
@@ -285,6 +297,10 @@ def _warnings(found: Designation, row: Row) -> Iterator[str]:
     design = row["designation"].removeprefix(row["designation"][:6])
     if row["maker"] == "SKF" and row["contact_angle_deg"] and ("E" in design) != ("E" in given):
         yield f"{name}: SKF's inner design E and the one without it may differ in balls; {row['designation']} is taken"
+
+
+def _warnings(found: Designation, row: Row) -> Iterator[str]:
+    name = _with_maker(row) if found.maker else row["designation"]
     groups = {*clearance_of(list(found.suffixes))}
     if len(groups) > 1:
         yield f"{name}: suffixes name the clearance groups {', '.join(sorted(groups))}; the last one is taken"
@@ -346,5 +362,16 @@ def _unknown(designation: str) -> str:
     names = {plain_name(name).removeprefix(row["maker"]): name for name, row in _rows().items() if row["grade"] != "D"}
     if maker in ("GMN", "SNFA"):
         names = {plain: name for plain, name in names.items() if name.startswith(maker)}
-    near = [names[close] for close in difflib.get_close_matches(plain, names, n=3, cutoff=0.0)]
+    bore = re.match(r"\D*\d+[A-Z]*\s*/\s*(\d+(?:[.,]\d+)?)(?![\d/])", body)
+    if bore is None:
+        number = re.match(r"\D*\d+[^\s\-/]*", body)
+        like = plain if number is None else plain_name(number[0])
+        near = [names[close] for close in difflib.get_close_matches(like, names, n=3, cutoff=0.0)]
+    else:  # those of the nearest bore, of them the most alike
+        near = heapq.nsmallest(3, names.values(), key=partial(_distance, body, float(bore[1].replace(",", "."))))
     return f"bearing {designation!r} is not in the catalogue; nearest: {', '.join(near)}. Or give {BY_HAND} by hand"
+
+
+def _distance(body: str, bore: float, name: str) -> tuple[float, float]:
+    """How far a row is from a bore, mm, and how little its name is like the text."""
+    return abs(float(_rows()[name]["bore_mm"]) - bore), -difflib.SequenceMatcher(None, name, body).ratio()

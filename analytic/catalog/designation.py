@@ -4,7 +4,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from analytic.catalog.suffixes import PREFIXES, Suffix, read_suffixes
+from analytic.catalog.suffixes import PREFIXES, Suffix, begins_with_a_number, read_suffixes
 from analytic.errors import InputError
 
 MAKERS = ("NSK", "SKF", "KOYO", "GMN", "SNFA")  # whose bearings are in the catalogue
@@ -38,6 +38,7 @@ _KIND = re.compile(  # words for what the number says itself
 )
 _HYPHEN_FOR_SLASH = re.compile(r"^(6[023]|61[89])\s*[-_]\s*(22|28|32|[4-9])(?!\d)")
 _CUT_NUMBER = re.compile(r"\d[\s\-._]+\d")  # 623-2RS is not 6232 RS
+_BEHIND_SLASH = re.compile(r"\s*/\s*([^\s\-./_,+]+)")
 _FILLER = re.compile(r"[\s\-._]+")
 LONGEST = 60  # characters
 
@@ -88,6 +89,15 @@ def read_designation(text: str, names: Mapping[str, str]) -> Designation | None:
     return None
 
 
+def begins_as_number(text: str) -> bool:
+    """Whether a text, perhaps a path, begins as a designation does: maker, prefix, and a number of two to five digits.
+
+    Raises InputError as `read_maker`.
+    """
+    prefixes = "|".join(map(re.escape, PREFIXES))
+    return re.match(rf"(?:{prefixes})?[\s\-./]*\d{{2,5}}(?!\d)", read_maker(text.strip().upper())[1]) is not None
+
+
 def read_maker(text: str) -> tuple[str | None, str]:
     """(maker, number and suffixes) of a designation in capitals, without words for its kind.
 
@@ -119,7 +129,13 @@ def _readings(body: str, names: Mapping[str, str]) -> list[tuple[str, list[Suffi
         if name is None or _CUT_NUMBER.search(body[:end]):
             continue
         rest = body[end:]
-        known, unknown = read_suffixes(rest, angular=name[0] != "6" and name[:2] != "16")
+        angular = name[0] != "6" and name[:2] != "16"
+        known, unknown = read_suffixes(rest, angular=angular)
+        behind = _BEHIND_SLASH.match(rest)
+        if behind and behind[1] in unknown and begins_with_a_number(behind[1], angular=angular):
+            continue  # a bore, as in 628/8ZZ: another bearing
+        if any(part.isdigit() for part in unknown):
+            continue  # the same, as in 6202/15.875, 6203-12
         cut_inside = rest[:1].isalnum()  # no separator between number and suffix
         if cut_inside and body[end - 1].isalpha() and name[-1] == "R":
             continue  # the letter belongs to a seal, RS or RZ, and not to the number

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Literal
 
-SuffixKind = Literal["seals", "clearance", "ignored", "warned", "refused"]
+SuffixKind = Literal["seals", "clearance", "ceramic", "ignored", "warned", "refused"]
 SealContact = Literal["rubs", "rubs lightly", "none"]
 LONGEST = 8  # characters of a suffix
 SEPARATORS = re.compile(r"[\s\-./_,+]+")
@@ -29,12 +29,13 @@ _CONTACT = "rubber seal that rubs"
 _LIGHT = "rubber seal that rubs lightly"
 _FREE = "rubber seal that does not touch"
 _BOTH, _ONE = "on both sides", "on one side"
+_CERAMIC = "balls of silicon nitride"
 
 # (pattern, kind, meaning) for every bearing. A digit 2 or a doubled letter in front means both sides.
 _COMMON: tuple[tuple[str, SuffixKind, str], ...] = (
     (r"ZZ[AES]?|2Z[NRS]?", "seals", f"{_SHIELD}, {_BOTH}"),
     (r"Z[NR]?", "seals", f"{_SHIELD}, {_ONE}"),
-    (r"2RS[1-9HR]?|2HRS|DDU|LLU[AN]?|2NSE|EE|2LS", "seals", f"{_CONTACT}, {_BOTH}"),
+    (r"2RS[1-9HR]?|2HRS|DDU|LLU[AN]?|2NSE|EE|2LS|PP", "seals", f"{_CONTACT}, {_BOTH}"),
     (r"RS[1-9HR]?|HRS|DU|LU|NSE", "seals", f"{_CONTACT}, {_ONE}"),
     (r"DD", "seals", f"{_CONTACT}, {_BOTH} (shields with some makers)"),
     (r"2RSL|2RST|2RD|DDW|LLH|2ELS", "seals", f"{_LIGHT}, {_BOTH}"),
@@ -52,7 +53,7 @@ _COMMON: tuple[tuple[str, SuffixKind, str], ...] = (
     (r"JEM", "ignored", "pressed steel cage, polyurea grease"),
     (r"Y[AB]?", "ignored", "pressed brass cage"),
     (r"F1?", "ignored", "machined steel cage"),
-    (r"P(?:0|[24-6]A?|6X|A9[AB]?|N)|PA[579]A?|ABEC[13579]|A7?/9", "ignored", "precision class"),
+    (r"P(?:0|[24-6][AS]?|6X|A9[AB]?|N)|PA[579]A?|ABEC[13579]|A7?/9", "ignored", "precision class"),
     (r"N[RS]?[1-9]?|NB", "ignored", "snap-ring groove in the outer ring"),
     (r"S[0-4]", "ignored", "rings stabilised for high temperature"),
     (r"QE[56]?|Q[56]|E[QM]Q?|EMQ|Z[1-4]V?[1-4]?|V[1-4]", "ignored", "limits of noise and vibration"),
@@ -63,7 +64,7 @@ _COMMON: tuple[tuple[str, SuffixKind, str], ...] = (
         "grease",
     ),
     (r"K(?:12|30)?", "warned", "tapered bore; the grooves are taken to be those of the cylindrical bore"),
-    (r"HC\d?|HQ1?|/?HYB", "warned", "balls of silicon nitride: give bearing.ball_material"),
+    (r"HC\d?|HQ1?|HYB(?:RID)?|SN24|SI3N4|CERAMIC", "ceramic", _CERAMIC),
     (r"W64[A-Z]?|L4B|SO", "warned", "solid oil or coating: its friction is not computed"),
     (
         r"HV\d?|HN\d|SS|VA201|VA208|VA228",
@@ -90,12 +91,13 @@ _ANGULAR_CONTACT: tuple[tuple[str, SuffixKind, str], ...] = (
     (r"CE1|7CE1", "ignored", "phenolic cage, 15 degrees"),
     (r"7?CE[23]", "refused", "another contact angle than the printed 15 degrees"),
     (r"V1V?", "ignored", "accuracy of the maker"),
+    (r"NS", "ceramic", _CERAMIC),
 )
 PREFIXES: dict[str, tuple[SuffixKind, str]] = {
     "W": ("warned", "stainless steel; its balls are taken to be those of the bearing of bearing steel"),
     "SS": ("warned", "stainless steel; its balls are taken to be those of the bearing of bearing steel"),
     "S": ("warned", "stainless steel; its balls are taken to be those of the bearing of bearing steel"),
-    "HC": ("warned", "balls of silicon nitride: give bearing.ball_material"),
+    **dict.fromkeys(("HC", "HCB", "HCS", "HCRS", "HY", "XC", "XCB", "XCS", "3NC", "5S"), ("ceramic", _CERAMIC)),
     "F": ("warned", "flange on the outer ring; its structure is not that of the plain ring"),
     "E2.": ("refused", "an energy-saving inner design, which may have other balls"),
 }
@@ -136,6 +138,12 @@ def read_suffixes(text: str, *, angular: bool) -> tuple[list[Suffix], list[str]]
         else:
             known += suffixes
     return known, unknown
+
+
+def begins_with_a_number(part: str, *, angular: bool) -> bool:
+    """Whether a part that is not understood is a number alone, or one in front of known suffixes, as 8ZZ: a size."""
+    digits = re.match(r"\d+", part)
+    return digits is not None and _split(part[digits.end() :], angular) is not None
 
 
 def clearance_of(suffixes: list[Suffix]) -> Iterator[str]:

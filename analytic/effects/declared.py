@@ -41,8 +41,10 @@ def scene_losses(ledger: Ledger, computed: Array, speed: Array, factor: float) -
     total = sum(found.values(), start=computed)
     for name, value in given.items():
         share = None if value is None else share_in(np.full_like(total, value), total)
-        lacks = ENTRIES[name].lacks(scene)
-        given_by = "estimated" if name == "seals" and losses.seals_are_estimated else ENTRIES[name].given
+        if name == "seals" and value is None and scene.bearing.seals_rub:
+            share = np.full_like(total, np.inf)
+        lacks, origin = ENTRIES[name].lacks(scene), losses.origins.get(name)
+        given_by = ENTRIES[name].given if origin is None else f"{origin.status}: {origin.source}"
         ledger.settle(name, on=lacks is None, share=share, reason=lacks or given_by)
     for name in OIL_LOSSES:
         lacks, is_off = ENTRIES[name].lacks(scene), ledger.rules_out(name)

@@ -59,6 +59,11 @@ def torque_warnings(
             f"the total is without the drag of the seals ({scene.bearing.seals}): give losses.seals, for example "
             '"5 N mm" or "estimate"'
         )
+    if (seals := scene.losses.origins.get("seals")) is not None and scene.losses.seals is not None:
+        warnings.append(
+            f"the drag of the seals, {1e3 * scene.losses.seals:.3g} N mm, is assumed: {seals.source}; give "
+            "losses.seals by a measured torque"
+        )
     if scene.lubricant is None and not ledger.rules_out("rolling"):
         warnings.append("the total is without the hydrodynamic rolling resistance: add a table [lubricant]")
     if (speed := too_fast(scene)) is not None:

@@ -152,7 +152,7 @@ def _spread_of(scene: Scene, key: str, value: float) -> tuple[float, str]:
     if key in scene.uncertainty:
         return checked_deviation(key, value, scene.uncertainty[key]), "the scene"
     table, _, rest = key.partition(".")
-    part = getattr(scene, table) if table in ("bearing", "cage", "lubricant", "surface") else None
+    part = getattr(scene, table) if table in ("bearing", "cage", "lubricant", "surface", "losses") else None
     origin: Origin | None = None if part is None else part.origins.get(rest)
     if origin is not None and origin.uncertainty is not None:
         return origin.uncertainty, f"{origin.status}: {origin.source}"

@@ -79,6 +79,8 @@ def usual_values(found: SceneText, scene: Scene, *, given: Collection[str]) -> I
     if "temperature" in scene.lubricant.origins:  # friction settles it
         given.add("lubricant.temperature")
     document["bearing"] = {key: value for key, value in document["bearing"].items() if key == "clearance"}
-    for table in ("bearing", "operation", "lubricant", "surface", "friction"):
+    if "seals" in scene.losses.origins:
+        document.setdefault("losses", {}).setdefault("seals", "estimate")
+    for table in ("bearing", "operation", "lubricant", "surface", "friction", "losses"):
         values = {f"{table}.{key}": value for key, value in document.get(table, {}).items()}
         yield from (f"{path} = {value}" for path, value in values.items() if path not in given)

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from analytic import catalog
-from analytic.catalog.bearing_rows import CatalogBearing, clearance_group, find_bearing
+from analytic.catalog.bearing_rows import BEARING_STEEL, CatalogBearing, clearance_group, find_bearing
 from analytic.catalog.suffixes import seal_contact
 from analytic.errors import InputError
 from analytic.scene import Bearing, Groove, Material, Origin
@@ -30,7 +30,9 @@ RIVALS = (
 OF_RADIAL = ("bottom_radius", "shoulder_diameter", "far_shoulder_diameter")  # keys of rings that washers do not have
 MATERIALS = ("ball_material", *(f"{ring}.material" for ring in RINGS))
 NO_DIMENSIONS = ("catalog", "name", "kind")
-BEARING_STEEL = "100Cr6"  # of every bearing of the catalogue: through-hardened, as makers print it
+BALLS = ("ball_count", "ball_diameter")
+RATINGS = ("static_load_rating", "dynamic_load_rating")
+AS_PRINTED = 1e-5  # relative: `fembearing init` prints seven digits, and neighbouring sizes differ by 3e-3
 SPAN = 12**0.5  # of a uniform distribution, over its standard deviation
 ANGLE_SPREAD = np.radians(1.5)  # standard deviation of a nominal contact angle; judgement, no tolerance was read
 
@@ -175,23 +177,43 @@ def bearing_of(given: BearingTable, *, own: Mapping[str, Any], row: CatalogBeari
     if origin is not None and row is not None and row.clearance_group is None and isinstance(given.clearance, str):
         status = "printed" if "clearance" in own else "assumed"  # a designation without a group is that of CN
         origin = replace(origin, status=status)
+    is_own = row is not None and is_replaced(given, own, row)
+    lost = {*RATINGS} - {*own} if is_own else set()  # makers' values of the original bearing
+    name = given.name or given.catalog or "unnamed"
     ball = Material(**given.ball_material.model_dump())
     solid = ball.density * np.pi / 6 * given.ball_diameter**3
+    origins = _origins(own, row) | ({} if origin is None else {"clearance": origin})
     return Bearing(
         **given.model_dump(include={"ball_count", "ball_diameter", "bore_diameter", "outside_diameter", "width"}),
-        **given.model_dump(include={"static_load_rating", "dynamic_load_rating"}),
+        **given.model_dump(include={*RATINGS} - lost),
         kind=given.kind,
-        name=given.name or (given.catalog if row is None else row.designation) or "unnamed",
+        name=f"own bearing (from {name})" if is_own and "name" not in own else name,
         ball_mass=float(solid) if given.ball_mass is None else given.ball_mass,
         ball_material=ball,
         inner=_groove(given.inner, bottom=bottoms[0], profile=profiles["inner"], side=1),
         outer=_groove(given.outer, bottom=bottoms[1], profile=profiles["outer"], side=-1),
-        series=_series(given, row),
+        series=None if is_own else _series(given, row),
         seals=None if row is None else row.seals,
         seals_rub=row is not None and any(seal_contact(suffix) != "none" for suffix in row.seal_suffixes),
-        grade=None if row is None else row.grade,
-        origins=MappingProxyType(_origins(own, row) | ({} if origin is None else {"clearance": origin})),
+        grade=None if row is None or is_own else row.grade,
+        origins=MappingProxyType({key: each for key, each in origins.items() if key not in lost}),
     )
+
+
+def is_replaced(given: BearingTable, own: Mapping[str, Any], row: CatalogBearing) -> bool:
+    """Whether the scene gives the row's bearing other balls or other grooves: it is no longer the maker's.
+
+    own : the table as the scene has it, before the catalogue filled it
+    """
+    grooves = [_profile(given, getattr(given, ring)) / given.ball_diameter for ring in RINGS]
+    same_grooves = np.allclose(grooves, row.conformity, rtol=AS_PRINTED, atol=0)
+    return has_other_balls(given, own, row) or not same_grooves
+
+
+def has_other_balls(given: BearingTable, own: Mapping[str, Any], row: CatalogBearing) -> bool:
+    """The same of the balls alone."""
+    balls = (given.ball_count, given.ball_diameter), (row.ball_count, row.ball_diameter)
+    return bool({*BALLS} & {*own}) and not np.allclose(*balls, rtol=AS_PRINTED, atol=0)
 
 
 def _series(given: BearingTable, row: CatalogBearing | None) -> str | None:
@@ -203,7 +225,7 @@ def _series(given: BearingTable, row: CatalogBearing | None) -> str | None:
 def _entry(given: Mapping[str, Any], row: CatalogBearing | None) -> dict[str, Any]:
     """What the catalogue has on the table's bearing, in the form of a scene file."""
     if row is not None:
-        return _entry_of_row(row)
+        return _entry_of_row(row) | {"name": " ".join(given["catalog"].split())}
     return catalog.entry("bearings", given["catalog"]) if given.get("catalog") is not None else {}
 
 
@@ -230,9 +252,8 @@ def _entry_of_row(row: CatalogBearing) -> dict[str, Any]:
     }
     ratings = {"static_load_rating": row.static_load_rating, "dynamic_load_rating": row.dynamic_load_rating}
     return {
-        "name": row.designation,
         "ball_count": row.ball_count,
-        "ball_material": BEARING_STEEL,
+        "ball_material": row.ball_material,
         **{key: _length(value) for key, value in lengths.items() if value is not None},
         **{key: f"{value!r} N" for key, value in ratings.items() if value is not None},
         **rings,

@@ -12,7 +12,7 @@ class Choice:
     speed: object = "1000 rpm"
     oil: object = "ISO VG 68"
     temperature: object = "60 degC"
-    supply: object = None  # None: an oil bath, or grease where the lubricant is one
+    supply: object = None  # None: grease where the bearing is closed or the lubricant is one, else an oil bath
 
 
 USUAL = Choice()

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from analytic import catalog
+from analytic.catalog.designation import begins_as_number
 from analytic.errors import InputError
 from analytic.scenefile.choice import USUAL, Choice
 from analytic.scenefile.template import scene_text
@@ -54,7 +55,7 @@ def find_scene(name: str | os.PathLike[str], *, folder: Path = Path(), choice: C
             text = scene_text(given, choice)
             return SceneText(text=text, origin=f"scene of {given}", folder=folder, designation=given)
         except InputError as problem:
-            if os.path.basename(given) == given:
+            if os.path.basename(given) == given or (not path.parent.is_dir() and begins_as_number(given)):
                 raise InputError(f"{problem} (no scene file has this name either, nor a scene {known})") from None
     text = read_text(path, kind="scene", remedy=f"give the path of a scene file ({known}), or a bearing as 6206")
     return SceneText(text=text, origin=plain(os.fspath(path)), folder=path.parent)

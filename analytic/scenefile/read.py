@@ -30,7 +30,7 @@ from analytic.scene import (
 )
 from analytic.scenefile import fit
 from analytic.scenefile.assumption import usual_document
-from analytic.scenefile.bearing import bearing_faults, bearing_of, catalog_row, with_catalog
+from analytic.scenefile.bearing import BALLS, bearing_faults, bearing_of, catalog_row, has_other_balls, with_catalog
 from analytic.scenefile.by_temperature import SceneByTemperature, thermal_faults
 from analytic.scenefile.choice import KEYS
 from analytic.scenefile.find import SceneText, find_scene
@@ -57,7 +57,6 @@ AS_PRINTED = "as_printed"  # the cage of the paper: the only variant whose pocke
 # Thrust over radial load times tan(angle) at which all balls of a bearing whose ring stays straight, and half of them,
 # are loaded: 1.67 and 1.22 by the integrals of the load distribution [Harris2007], rounded up.
 SEATED, HALF_SEATED = 1.7, 1.25
-BALLS = ("ball_count", "ball_diameter")
 NOTHING_SET: Mapping[str, Any] = MappingProxyType({})
 MOST_FAULTS = 5  # in one message; the others are counted
 
@@ -269,13 +268,16 @@ def _by_temperature(
 
 
 def _put_catalog(document: dict[str, Any], row: CatalogBearing | None) -> list[str]:
-    """Put bearing and cage of the catalog into the document, whose own keys take precedence; return the faults."""
+    """Put bearing, grease and cage of the catalog into the document, whose own keys win; return the faults."""
     bearing, cage = document.get("bearing"), document.get("cage")
     catalog_cage: dict[str, Any] = {}
     if isinstance(bearing, dict):
         bearing = with_catalog(bearing, row)
         catalog_cage = bearing.pop("cage", {})
         document["bearing"] = bearing
+    oil, is_closed = document.get("lubricant"), row is not None and bool(row.seal_suffixes)
+    if is_closed and isinstance(oil, dict):
+        document["lubricant"] = {"supply": "grease"} | oil  # seals and shields hold grease for life
     variants = catalog_cage.pop("variants", {})
     if isinstance(cage, dict):
         own_pocket = [key for key in cage if key.startswith("pocket_")]
@@ -393,10 +395,10 @@ def _scene(
         misfits += unfit
     surface, unread = _surface(table.surface, folder)
     misfits += [*unread, *fit.surface_misfits(surface, bearing, cage, is_lubricated=table.lubricant is not None)]
-    losses, notes = Losses(), ()
+    losses = Losses()
     if not misfits:
         try:
-            losses, notes = losses_of(table.losses, delivered, row)
+            losses = losses_of(table.losses, delivered, row)
         except InputError as problem:
             misfits.append(("losses.seals", f"is refused: {problem}"))
     friction = table.friction or FrictionTable()
@@ -420,12 +422,19 @@ def _scene(
         effects=MappingProxyType(effects.model_dump()),
         calibration=table.calibration,
         report=ReportDetails(**table.report.model_dump()),
-        warnings=(*(() if row is None else row.warnings), *_loose(table, row), *fit.warnings(bearing, cage), *notes),
+        warnings=(*_of_designation(table.bearing, own, row), *_loose(table, row), *fit.warnings(bearing, cage)),
     )
     spreads, unfitting = given_spreads(table.uncertainty, scene)
     sources, unmatched = given_assumptions(table.assumed, scene)
     scene = replace(scene, uncertainty=MappingProxyType(spreads), assumed=MappingProxyType(sources))
     return scene, [*misfits, *unplaced, *unfitting, *unmatched]
+
+
+def _of_designation(given: BearingTable, own: Mapping[str, Any], row: CatalogBearing | None) -> Iterator[str]:
+    """The warnings of the catalogue's row, without those on balls that the scene replaces."""
+    if row is not None:
+        replaced = row.ball_warnings if has_other_balls(given, own, row) else ()
+        yield from (warning for warning in row.warnings if warning not in replaced)
 
 
 def _surface(given: SurfaceTable | None, folder: Path) -> tuple[Surface | None, list[tuple[str, str]]]:

@@ -122,8 +122,15 @@ Friction = Annotated[float, Dimension(unit="", low=0, high=5, example="0.1")]
 Loss = Annotated[float, Dimension(unit="N m", low=0, high=1e6, example='"5 N mm"')]
 Flow = Annotated[float, Dimension(unit="m^3/s", low=0, high=1, example='"0.8 l/min"')]
 SealLoss = Annotated[
-    float | Literal["estimate"],
-    QuantityOrWord(unit="N m", low=0, high=1e6, example='"5 N mm"', words=("estimate",), meaning="SKF's formula"),
+    float | Literal["estimate", "off"],
+    QuantityOrWord(
+        unit="N m",
+        low=0,
+        high=1e6,
+        example='"5 N mm"',
+        words=("estimate", "off"),
+        meaning="SKF's formula or no drag",
+    ),
 ]
 
 

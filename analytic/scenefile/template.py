@@ -6,7 +6,7 @@ import textwrap
 from collections.abc import Iterator
 
 from analytic.catalog.bearing_rows import CatalogBearing, clearance_group, find_bearing
-from analytic.catalog.seals import seal_torque
+from analytic.catalog.suffixes import seal_contact
 from analytic.errors import InputError
 from analytic.scene import Origin
 from analytic.scenefile.choice import USUAL, Choice
@@ -92,7 +92,7 @@ def scene_text(designation: str, choice: Choice = USUAL) -> str:
             head,
             f"[bearing]\ncatalog = {name}\n{warnings}{_play(bearing)}{_dimensions(bearing)}",
             f"[operation]\n{_operation(bearing, choice)}{OPERATION}",
-            f"[lubricant]\n{_oil(choice)}{REST}{_cage(bearing)}\n{_seals(bearing)}{_more(bearing)}",
+            f"[lubricant]\n{_oil(bearing, choice)}{REST}{_cage(bearing)}\n{_seals(bearing)}{_more(bearing)}",
         )
     )
 
@@ -182,8 +182,10 @@ def _operation(bearing: CatalogBearing, choice: Choice) -> str:
     )
 
 
-def _oil(choice: Choice) -> str:
-    supply = '#supply = "grease"' if choice.supply is None else f"supply = {_quoted(choice.supply)}"
+def _oil(bearing: CatalogBearing, choice: Choice) -> str:
+    default = "grease" if bearing.seal_suffixes else None  # for life
+    given = choice.supply or default
+    supply = '#supply = "grease"' if given is None else f"supply = {_quoted(given)}"
     return (
         _line(f"name = {_quoted(choice.oil)}", "names: `fembearing list oils`")
         + _line(f"temperature = {_quoted(choice.temperature)}", "at the inlets of the contacts")
@@ -208,13 +210,9 @@ def _cage(bearing: CatalogBearing) -> str:
 
 def _seals(bearing: CatalogBearing) -> str:
     """The head of the table of losses in comments, with its first key."""
-    try:
-        seal_torque(bearing, counterface=bearing.bore)
-    except InputError:
-        estimate = ""
-    else:
-        estimate = ', or "estimate" by SKF\'s formula'
-    return _line("#[losses]", "known losses, added to the torque") + _line('#seals = "5 N mm"', f"both seals{estimate}")
+    rub = any(seal_contact(suffix) != "none" for suffix in bearing.seal_suffixes)
+    words = 'both seals, in place of SKF\'s formula; "off": no drag' if rub else "both seals"
+    return _line("#[losses]", "known losses, added to the torque") + _line('#seals = "5 N mm"', words)
 
 
 def _more(bearing: CatalogBearing) -> str:

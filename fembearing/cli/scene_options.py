@@ -20,7 +20,7 @@ OPTIONS: dict[str, Any] = {  # by the fields of a choice
     "temperature": Annotated[str | None, typer.Option(help=f"Oil temperature (default: {USUAL.temperature}).")],
     "supply": Annotated[
         str | None,
-        typer.Option(help="Oil supply: oil_bath, oil_jet, oil_spot or grease (default: by the oil)."),
+        typer.Option(help="Oil supply: oil_bath, oil_jet, oil_spot or grease (default: by bearing and oil)."),
     ],
 }
 SETTINGS: dict[str, Any] = {

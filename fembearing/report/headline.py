@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from analytic.effects.table import DECLARED
 from analytic.result import COORDINATES, TorquePoint
 from analytic.scene import Scene
 from analytic.words import percent_of
@@ -112,7 +113,7 @@ def headline_table(scene: Scene, record: TorqueRecord, units: Units = METRIC) ->
             rounded(units.torque.number(points[place].torque.total), 4),
             ABSENT if (ends := record.interval[place]) is None else between(ends, units.torque),
             rounded(points[place].torque.total * abs(points[place].inner_speed), 3),
-            split_of(points[place]),
+            split_of(points[place], declared_by(record)),
         ]
         for place in places
     ]
@@ -180,7 +181,7 @@ def span_of(record: TorqueRecord, units: Units = METRIC) -> Span:
         torque=_span([units.torque.number(point.torque.total) for point in points], 4, "-"),
         interval=between((min(ends)[0], max(high for _, high in ends)), units.torque) if known else ABSENT,
         power=_span([point.torque.total * abs(point.inner_speed) for point in points], 3, "-"),
-        split=split_of(max(points, key=lambda point: point.torque.total)),
+        split=split_of(max(points, key=lambda point: point.torque.total), declared_by(record)),
     )
 
 
@@ -191,12 +192,17 @@ def torque_words(record: TorqueRecord, units: Units = METRIC) -> str:
     return f"torque {found.torque} {name}{series}, 95 % {found.interval}, {found.power} W: {found.split}"
 
 
-def split_of(point: TorquePoint) -> str:
-    """The parts of the torque, from the largest, in per cent."""
+def declared_by(record: TorqueRecord) -> str:
+    """What the declared part of the torque is of: seals, drag or both."""
+    return "+".join(each.name for each in record.effects if each.name in DECLARED and each.share)
+
+
+def split_of(point: TorquePoint, declared: str) -> str:
+    """The parts of the torque, from the largest, in per cent; declared : name of the declared part."""
     total = point.torque.total
     parts = {
         short: value
-        for name, short in PARTS.items()
+        for name, short in (PARTS | {"declared": declared}).items()
         if (value := getattr(point.torque, name)) is not None and value > RESIDUE * total
     }
     largest = sorted(parts, key=parts.__getitem__, reverse=True)[:MOST_PARTS]

@@ -12,6 +12,7 @@ from analytic.words import Unit
 from fembearing.quantities import shown_unit
 from fembearing.verify.torque.scene_torque import SceneTorque
 
+BEARING = "bearing"  # the last column: its name
 POINT = "point"  # the first column: the number of the operating point, from 1
 
 
@@ -35,15 +36,16 @@ def shown_columns(result: SceneTorque) -> dict[str, ShownColumn]:
 
 
 def csv_of(result: SceneTorque) -> str:
-    """The table as CSV, to 15 digits: names as in datasets and JSON, each with its unit in brackets.
+    """The table as CSV, to 15 digits: names as in datasets and JSON, each with its unit in brackets, then the bearing.
 
     A cell is empty where nothing is known.
     """
     columns = shown_columns(result)
     text = StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow([POINT, *(f"{name} [{each.unit.name or '1'}]" for name, each in columns.items())])
+    writer.writerow([POINT, *(f"{name} [{each.unit.name or '1'}]" for name, each in columns.items()), BEARING])
     rows = zip(*(each.values.tolist() for each in columns.values()), strict=True)
     for number, row in enumerate(rows, start=1):
-        writer.writerow([number, *("" if np.isnan(value) else f"{value:.15g}" for value in row)])
+        cells = ("" if np.isnan(value) else f"{value:.15g}" for value in row)
+        writer.writerow([number, *cells, result.scene.bearing.name])
     return text.getvalue()

@@ -11,6 +11,7 @@ from rich.console import Console
 
 from analytic.scenefile.read import load_scene
 from fembearing.report.headline import (
+    declared_by,
     film_words,
     headline_table,
     headline_title,
@@ -193,9 +194,22 @@ def test_the_parts_are_shares_of_the_total_from_the_largest_and_none_of_0_per_ce
         ({"rolling": 0.012, "hysteresis": 0.002, "conformity": 0.006}, "roll. 60 %, conf. 30 %, hyst. 10 %"),
         ({"rolling": 0.0199, "hysteresis": 0.00009}, "roll. 100 %"),
         ({"rolling": 0.0198, "hysteresis": 0.00012}, "roll. 99 %, hyst. 1 %"),
+        ({"rolling": 0.002, "declared": 0.018}, "seals 90 %, roll. 10 %"),
     ):
-        shares = split_of(replace(point, torque=replace(point.torque, **(parts | values | {"total": 0.02}))))
+        shares = split_of(replace(point, torque=replace(point.torque, **(parts | values | {"total": 0.02}))), "seals")
         assert shares == words
+
+
+@pytest.mark.parametrize(
+    ("losses", "words"),
+    [
+        *(({"seals": "5 N mm"}, "seals"), ({"drag": "2 N mm"}, "drag"), ({"seals": "off"}, "")),
+        ({"seals": "5 N mm", "drag": "2 N mm"}, "seals+drag"),
+    ],
+)
+def test_seals_and_drag_are_named_as_what_they_are(losses: dict[str, str], words: str) -> None:
+    scene = load_scene("6206", settings={f"losses.{key}": value for key, value in losses.items()})
+    assert declared_by(torque_record(torque_of_scene(scene))) == words
 
 
 def test_the_film_is_full_mixed_or_boundary_by_what_the_asperities_carry(result: SceneTorque) -> None:

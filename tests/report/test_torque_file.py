@@ -68,8 +68,9 @@ def in_json(content: dict[str, Any], point: int, name: str) -> float | None:
 
 def test_the_table_has_every_number_of_the_json_in_the_unit_of_its_head(result: SceneTorque) -> None:
     content = plain(torque_file(result))
-    (count, *heads), *rows = csv.reader(StringIO(csv_of(result)))
-    assert count == "point"
+    (count, *heads, last), *rows = csv.reader(StringIO(csv_of(result)))
+    assert (count, last) == ("point", "bearing")
+    assert {row[-1] for row in rows} == {result.scene.bearing.name}
     assert [row[0] for row in rows] == ["1", "2", "3"]
     names = []
     for column, head in enumerate(heads, start=1):

@@ -3,6 +3,7 @@
 import pytest
 
 from analytic.catalog.bearing_rows import find_bearing
+from tests.refusals import refused
 
 SPELLINGS = {
     "NSK 6206": ("NSK 6206-2RS/C3", "6206-2RS1/C3 NSK explorer", "6206 nsk/C3"),
@@ -93,7 +94,6 @@ def test_cages_precision_and_others_are_understood_and_change_nothing(suffix: st
         ("6205 C1", "CN is taken: give the length as bearing.clearance"),
         ("7205C C1", "follows from the contact angle"),
         ("6205 K", "tapered bore"),
-        ("6205/HC5", "bearing.ball_material"),
         ("W 6205", "stainless steel"),
         ("6205 C2 C4", "C2, C4"),
         ("7205C C3", "deep groove"),
@@ -109,3 +109,62 @@ def test_every_suffix_of_a_long_designation_is_explained() -> None:
     bearing = find_bearing("SKF 6205-2RSH/C3GJN TN9")
     assert {"2RSH", "TN9"} <= bearing.suffixes.keys()
     assert bearing.designation == "SKF 6205"
+
+
+@pytest.mark.parametrize(
+    ("text", "sign"),
+    [
+        *(("6205/HC5", "HC5"), ("6205 HC", "HC"), ("HC6205", "HC"), ("HC 6205-2RS/C3", "HC"), ("6205-HYB", "HYB")),
+        *(("7014C/HC", "HC"), ("7014C SN24 P4", "SN24"), ("5S-7014C", "5S"), ("HCB7014-C-T-P4S", "HCB")),
+        *(("3NC6205", "3NC"), ("XCB 7014 C", "XCB"), ("SNFA EX 25/NS 7CE1", "NS"), ("HY S 6205 C TA", "HY")),
+    ],
+)
+def test_ceramic_balls_are_of_silicon_nitride(text: str, sign: str) -> None:
+    bearing = find_bearing(text)
+    origin = bearing.origins["ball_material"]
+    assert (bearing.ball_material, origin.status) == ("Si3N4", "derived")
+    assert origin.source == f"{sign} of the designation"
+    assert not any("silicon" in warning or "understood" in warning for warning in bearing.warnings)
+
+
+def test_other_balls_are_of_steel() -> None:
+    for text in ("6205", "6205/C3", "W 6205", "7014C DB", "6205 2RSH"):
+        assert find_bearing(text).ball_material == "100Cr6"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        *("628/8", "628/8-2Z", "628/8ZZ", "W 628/8", "SKF 628/8-2RS1/C3", "638/8", "627/7-2Z", "NTN 628/8ZZ"),
+        *("6202/15.875", "6202/15,875-2RS", "6202-2RS/16", "6203-12", "6203 2RS 5/8", "6004/22", "6205/24C3", "607/8"),
+    ],
+)
+def test_a_bore_is_no_suffix(text: str) -> None:
+    refused(lambda: find_bearing(text), "is not in the catalogue; nearest: ")
+
+
+@pytest.mark.parametrize(
+    ("text", "nearest"), [("628/8-2Z", "628"), ("6202/15.875", "6202"), ("6202/15,875", "6202"), ("6205/24", "6205")]
+)
+def test_the_nearest_bore_is_named(text: str, nearest: str) -> None:
+    refused(lambda: find_bearing(text), f"nearest: {nearest}, ")
+
+
+@pytest.mark.parametrize("text", ["618/5", "618/8-2Z", "619/8", "W 619/4", "685"])
+def test_a_bore_of_the_catalogue_whose_balls_are_not_known_is_refused(text: str) -> None:
+    refused(lambda: find_bearing(text), "do not follow from its ratings")
+
+
+@pytest.mark.parametrize(
+    ("text", "bore", "seals"),
+    [
+        *(("62/28", 28, None), ("60/28-2RS", 28, "2RS"), ("62/22 2Z/C3", 22, "2Z"), ("63/32LLU", 32, "LLU")),
+        *(("6205/2RS", 25, "2RS"), ("6205/2ZC3", 25, "2Z"), ("628/2Z", 8, "2Z"), ("6205/5K", 25, None)),
+    ],
+)
+def test_a_number_after_a_slash_may_be_a_bore_of_the_catalogue_or_begin_a_suffix(
+    text: str, bore: int, seals: str | None
+) -> None:
+    bearing = find_bearing(text)
+    assert bearing.bore == pytest.approx(bore / 1e3, rel=1e-12)  # a division
+    assert [suffix.text for suffix in bearing.seal_suffixes] == ([] if seals is None else [seals])

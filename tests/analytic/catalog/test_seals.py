@@ -1,13 +1,17 @@
 """The drag of seals: SKF's formula by hand in printed units, and which constants a suffix takes."""
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import pytest
 
 from analytic.catalog.bearing_rows import find_bearing
-from analytic.catalog.seals import seal_torque
-from analytic.scene import Scene
+from analytic.catalog.seals import seal_spread, seal_torque
+from analytic.effects.ledger import Effect
+from analytic.inputs import stated_inputs
+from analytic.prediction.spreads import uncertain_inputs
+from analytic.scene import Losses, Scene
 from analytic.scenefile.read import scene_of
 from analytic.torque import friction_torque
 from tests.refusals import refused
@@ -38,11 +42,29 @@ def test_the_formula_by_hand(designation: str, diameter: float, expected: float)
 
 
 @pytest.mark.parametrize(
-    ("designation", "words"),
-    [("6205", "no seals"), ("6210-2RSH", "0 to 52 mm"), ("6310-2RSL", "25 to 52 mm"), ("7208 BEP-2RSH", "angular")],
+    ("designation", "alike"),
+    [
+        ("6210-2RSH", "6210-2RS1"),
+        ("6310-DDU", "6310-2RS1"),
+        ("7208 BEP-2RSH", "7208 BEP-2RS1"),
+        ("6310-LLH", "6310-2RSL"),
+    ],
 )
-def test_an_estimate_without_constants_is_refused(designation: str, words: str) -> None:
-    refused(lambda: seal_torque(find_bearing(designation), counterface=40e-3), words)
+def test_seals_without_constants_are_as_those_of_another_type(designation: str, alike: str) -> None:
+    found, other = (seal_torque(find_bearing(each), counterface=40e-3) for each in (designation, alike))
+    assert found == other > 0
+
+
+def test_light_seals_brake_less_and_scatter_more() -> None:
+    """A tenth of contact seals at any size, but for the smallest, where SKF has none."""
+    for number in ("6003", "6205", "6210", "6320"):
+        light, full = (find_bearing(f"{number}-{suffix}") for suffix in ("2RSL", "2RS1"))
+        assert seal_torque(light, counterface=1.2 * light.bore) < 0.1 * seal_torque(full, counterface=1.2 * full.bore)
+        assert seal_spread(light) > seal_spread(full)
+
+
+def test_a_bearing_without_seals_has_no_estimate() -> None:
+    refused(lambda: seal_torque(find_bearing("6205"), counterface=40e-3), "no seals")
 
 
 def sealed(designation: str, **more: Any) -> Scene:
@@ -60,19 +82,82 @@ def said_of_seals(scene: Scene) -> list[str]:
     return [warning for warning in friction_torque(scene).warnings if "seals" in warning]
 
 
-def test_seals_whose_drag_is_not_declared_are_warned_of() -> None:
-    words = "the total is without the drag of the seals (2RS1: rubber seal that rubs, on both sides): give losses.seals"
-    (warning,) = said_of_seals(sealed("6205-2RS1"))
-    assert warning.startswith(words)
-    assert not said_of_seals(sealed("6205-2RS1", losses={"seals": "3 N mm"}))
-    assert not said_of_seals(sealed("6205"))
-
-
-def test_shields_have_no_drag() -> None:
-    scene = sealed("6205-2Z")
-    assert not said_of_seals(scene)
+def effect_of(scene: Scene) -> Effect:
     (effect,) = (each for each in friction_torque(scene).effects if each.name == "seals")
-    assert effect.reason == "no drag: 2Z: sheet-metal shield that does not touch, on both sides"
+    return effect
+
+
+CONTACT = (
+    *("RS", "RS1", "2RS", "2RS1", "2RSH", "2RSR", "2HRS", "HRS", "DU", "DDU", "LU", "LLU", "EE", "PP"),
+    *("2RSL", "DDW", "LLH"),
+)
+FREE = ("Z", "ZZ", "2Z", "RZ", "2RZ", "V", "VV", "LB", "LLB", "2BRS")
+
+
+@pytest.mark.parametrize("suffix", CONTACT)
+def test_seals_that_rub_count_by_the_formula(suffix: str) -> None:
+    """The whole estimate, assumed, in the total and among the uncertain inputs."""
+    scene, plain = sealed(f"6205-{suffix}"), sealed("6205")
+    drag = scene.losses.seals
+    assert drag is not None
+    assert drag > 0
+    difference = friction_torque(scene).torque.total[0] - friction_torque(plain).torque.total[0]
+    assert math.isclose(difference, drag, rel_tol=1e-8)  # a small difference
+    effect, origin = effect_of(scene), scene.losses.origins["seals"]
+    assert (effect.decision, origin.status) == ("on", "assumed")
+    assert effect.reason.startswith("assumed: SKF's formula for RS")
+    (spread,) = (each for each in uncertain_inputs(scene) if each.key == "losses.seals")
+    assert spread.deviation == origin.uncertainty
+    (stated,) = (each for each in stated_inputs(scene) if each.key == "losses.seals")
+    assert (stated.value, stated.status) == (drag, "assumed")
+    (warning,) = said_of_seals(scene)
+    assert "is assumed: SKF's formula" in warning
+
+
+@pytest.mark.parametrize("suffix", FREE)
+def test_shields_and_seals_that_do_not_touch_say_nothing(suffix: str) -> None:
+    scene = sealed(f"6205-{suffix}")
+    assert scene.losses.seals is None
+    assert not said_of_seals(scene)
+    assert effect_of(scene).reason.startswith(f"no drag: {suffix}: ")
+
+
+@pytest.mark.parametrize(("given", "expected"), [("3 N mm", 3e-3), ("0 N mm", 0.0), ("off", 0.0)])
+def test_a_drag_that_is_given_wins(given: str, expected: float) -> None:
+    scene = sealed("6205-2RS1", losses={"seals": given})
+    assert scene.losses.seals == expected
+    assert not scene.losses.origins
+    assert not said_of_seals(scene)
+
+
+def test_an_estimate_that_is_asked_for_is_the_default() -> None:
+    assert sealed("6205-2RS1", losses={"seals": "estimate"}).losses == sealed("6205-2RS1").losses
+
+
+def test_seals_of_a_bearing_without_known_shoulders_count_too() -> None:
+    """NSK's 7014C has no shoulder in the catalogue: RS1 seals between the bore and the middle of the shoulder."""
+    scene = sealed("7014C-2RS")
+    bearing, drag = scene.bearing, scene.losses.seals
+    assert bearing.inner.shoulder_half_width is None
+    assert drag is not None
+    least, most = (0.014 * (1e3 * d) ** 2 + 10 for d in (0.070, bearing.pitch_diameter - 0.55 * bearing.ball_diameter))
+    assert least < 1e3 * drag < most
+
+
+def test_seals_of_unknown_drag_have_no_bound() -> None:
+    """A scene from Python may say that seals rub, and not how much."""
+    scene = sealed("6205-2RS1")
+    effect = effect_of(replace(scene, losses=Losses()))
+    assert (effect.decision, effect.share) == ("off", math.inf)
+
+
+def test_a_pair_has_the_seals_twice() -> None:
+    single = sealed("7208 BEP-2RS1")
+    pair = sealed("7208 BEP-2RS1", arrangement={"kind": "O", "preload": "300 N"})
+    found = friction_torque(pair).torque.declared
+    assert single.losses.seals is not None
+    assert found is not None
+    assert math.isclose(found[0], 2 * single.losses.seals, rel_tol=1e-12)  # one sum
 
 
 def test_an_estimate_takes_the_inner_shoulder() -> None:
@@ -82,8 +167,9 @@ def test_an_estimate_takes_the_inner_shoulder() -> None:
     expected = 1e-3 * (0.023 * 34**2.25 + 2)
     assert scene.losses.seals is not None
     assert math.isclose(scene.losses.seals, expected, rel_tol=1e-10)  # the shoulder passes through its half-width
-    assert "SKF's formula for RS1 seals on the inner shoulder of 34 mm" in said_of_seals(scene)[0]
-    found, without = friction_torque(scene).torque, friction_torque(sealed("6205", bearing=bearing)).torque
+    assert "SKF's formula for RS1 seals [SKFSeals], on a diameter of 34 mm" in said_of_seals(scene)[0]
+    without = friction_torque(sealed("6205", bearing=bearing, losses={"seals": "off"})).torque
+    found = friction_torque(scene).torque
     assert math.isclose(found.total[0] - without.total[0], expected, rel_tol=1e-9)  # a small difference
 
 

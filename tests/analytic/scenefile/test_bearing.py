@@ -291,3 +291,56 @@ def test_printed_groove_radii_stay_as_they_are() -> None:
     paper = analytic.load_scene("paper_6205").bearing
     assert (paper.inner.groove_radius, paper.outer.groove_radius) == (4.13e-3, 4.21e-3)
     assert {paper.origins[f"{ring}.conformity"].status for ring in ("inner", "outer")} == {"printed"}
+
+
+@pytest.mark.parametrize(
+    "keys",
+    [
+        *("ball_count = 11\n", 'ball_diameter = "7.144 mm"\n', "conformity = 0.53\n", "inner.conformity = 0.515\n"),
+        *('outer.groove_radius = "5.1 mm"\n', 'ball_count = 11\nball_diameter = "7.144 mm"\nconformity = 0.52\n'),
+    ],
+)
+def test_other_balls_or_grooves_are_those_of_an_own_bearing(keys: str) -> None:
+    """Its name says so, and ratings, series and grade of the maker's are gone; boundary dimensions stay."""
+    original, own = named("6206/C3"), named("6206/C3", keys)
+    assert (original.name, own.name) == ("6206/C3", "own bearing (from 6206/C3)")
+    assert (own.static_load_rating, own.dynamic_load_rating, own.series, own.grade) == (None, None, None, None)
+    assert not {"static_load_rating", "dynamic_load_rating"} & {*own.origins}
+    assert (own.bore_diameter, own.width) == (original.bore_diameter, original.width)
+
+
+def test_an_own_bearing_keeps_what_its_scene_says() -> None:
+    own = named("6206", 'name = "prototype"\nball_count = 11\nstatic_load_rating = "9 kN"\n')
+    assert (own.name, own.static_load_rating, own.dynamic_load_rating) == ("prototype", 9e3, None)
+    assert own.origins["static_load_rating"].status == "given"
+
+
+@pytest.mark.parametrize(
+    "keys", ['ball_count = 9\nball_diameter = "9.525 mm"\ninner.conformity = 0.519\n', 'clearance = "16 um"\n', ""]
+)
+def test_the_same_balls_and_grooves_are_those_of_the_maker(keys: str) -> None:
+    found = named("6206", keys)
+    assert (found.name, found.series, found.grade) == ("6206", "62", "A")
+    assert found.static_load_rating is not None
+
+
+def test_doubts_about_replaced_balls_are_not_told() -> None:
+    text = f'{HEAD}catalog = "6309"\n'
+    assert any("differs between makers" in warning for warning in scene(text).warnings)
+    assert not any("differs between makers" in warning for warning in scene(f"{text}ball_count = 7\n").warnings)
+
+
+@pytest.mark.parametrize(
+    "typed", ["6309", "6309/C3", "6309-2Z", "6309 M P5", "NSK 6309", "6309-2RS1/C3", "7208B", "6205/HC5", "62/28"]
+)
+def test_a_bearing_has_the_name_that_was_typed(typed: str) -> None:
+    assert named(typed).name == named(f"  {typed.replace(' ', '   ')} ").name == typed
+
+
+def test_ceramic_balls_are_lighter() -> None:
+    """3.2 g/cm3 of silicon nitride and 7.83 of steel; the material that a scene gives wins."""
+    steel, ceramic, given = named("6205"), named("6205/HC5"), named("6205/HC5", 'ball_material = "100Cr6"\n')
+    assert ceramic.ball_mass / steel.ball_mass == pytest.approx(3.2 / 7.83, rel=1e-12)  # quotients
+    assert (ceramic.ball_material.name, ceramic.inner.material.name) == ("Si3N4", "100Cr6")
+    assert ceramic.origins["ball_material"].status == "derived"
+    assert (given.ball_mass, given.origins["ball_material"].status) == (steel.ball_mass, "given")

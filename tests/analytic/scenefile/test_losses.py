@@ -59,10 +59,9 @@ def test_estimated_seals_touch_the_inner_shoulder() -> None:
     found = read(SEALED)
     expected = 1e-3 * (0.023 * 34**2.25 + 2)
     assert found.losses.seals == pytest.approx(expected, rel=1e-10)  # the shoulder passes through its half-width
-    assert found.losses.seals_are_estimated
-    (told,) = [each for each in found.warnings if "seals" in each]
-    assert told.startswith(f"the drag of the seals, {1e3 * expected:.3g} N mm, is SKF's formula for RS1 seals")
-    assert "on the inner shoulder of 34 mm: an estimate" in told
+    origin = found.losses.origins["seals"]
+    assert origin.status == "assumed"
+    assert origin.source == "SKF's formula for RS1 seals [SKFSeals], on a diameter of 34 mm"
 
 
 def test_estimated_shields_have_no_drag_and_no_warning() -> None:

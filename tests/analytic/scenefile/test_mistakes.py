@@ -295,7 +295,7 @@ def test_a_path_that_is_no_file_is_refused(path: str) -> None:
 def test_a_name_with_an_extension_is_a_file_and_no_bearing(name: str) -> None:
     with pytest.raises(InputError, match=f"^{name}: No such file"):
         load_scene(name)
-    assert load_scene("6205.C3").bearing.name == "6205"
+    assert load_scene("6205.C3").bearing.series == "62"
 
 
 def test_a_designation_without_quotes_is_refused() -> None:

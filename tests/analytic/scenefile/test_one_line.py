@@ -1,5 +1,6 @@
 """A bearing in one line: how its options are read, and that the scene is the one that `fembearing init` writes."""
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -209,3 +210,64 @@ def test_a_setting_needs_key_and_value(text: str) -> None:
 
 def test_a_setting_stands_once() -> None:
     refused(lambda: typed_settings(["tolerance=1%", "tolerance=2%"]), "tolerance is given twice")
+
+
+@pytest.mark.parametrize(
+    ("designation", "supply"),
+    [
+        *(("6206-2RS", "grease"), ("6206-2Z", "grease"), ("6206 VV", "grease"), ("6206-RZ/C3", "grease")),
+        *(("6206", "oil_bath"), ("6206/C3", "oil_bath"), ("7014C", "oil_bath")),
+    ],
+)
+def test_a_bearing_with_seals_or_shields_is_greased(designation: str, supply: str) -> None:
+    found = load_scene(designation)
+    assert found.lubricant is not None
+    assert (found.lubricant.supply, found.lubricant.name) == (supply, "ISO VG 68 mineral")
+    assert f"lubricant.supply = {supply}" in [*assumptions(designation, found)]
+
+
+def test_a_supply_that_is_given_wins_over_the_seals() -> None:
+    for given in ({"supply": "oil_jet"}, {"settings": {"lubricant.supply": "oil_jet"}}):
+        found = load_scene("6206-2RS", **given)
+        assert found.lubricant is not None
+        assert found.lubricant.supply == "oil_jet"
+    told = [*assumptions("6206-2RS", load_scene("6206-2RS", supply="oil_jet"), options={"supply": "oil_jet"})]
+    assert not any("supply" in each for each in told)
+
+
+def test_another_oil_thickened_is_the_grease() -> None:
+    found = load_scene("6206-2Z", oil="ISO VG 100").lubricant
+    assert found is not None
+    assert (found.supply, found.name) == ("grease", "ISO VG 100 mineral")
+
+
+def test_the_drag_of_seals_is_told_as_assumed() -> None:
+    told = "losses.seals = estimate"
+    assert told in [*assumptions("6206-2RS", load_scene("6206-2RS"))]
+    assert told not in [*assumptions("6206-2Z", load_scene("6206-2Z"))]
+    given = {"losses.seals": "5 N mm"}
+    assert told not in [*assumptions("6206-2RS", load_scene("6206-2RS", settings=given), settings=given)]
+
+
+def test_the_seals_of_a_fast_6204_are_in_its_torque() -> None:
+    """0.023 d_s^2.25 + 2 N mm by hand, on the shoulder of SKF's 6204, d_1 = 28.8 mm; 0.5 % by its digits."""
+    found = friction_torque("6204-2RS", speed="10000 rpm", radial_load="0.3 kN")
+    bare = friction_torque("6204-2RS", speed="10000 rpm", radial_load="0.3 kN", settings={"losses.seals": "off"})
+    expected = 1e-3 * (0.023 * 28.8**2.25 + 2)
+    assert found.torque.total[0] - bare.torque.total[0] == pytest.approx(expected, rel=5e-3)
+
+
+@pytest.mark.parametrize(
+    "name", ["628/8", "618/5", "6202/15.875", "W 628/8-2Z", "NSK/6399", "6399/C3", "6205/ETN9", "HC628/8", "60/99"]
+)
+def test_a_slash_in_a_designation_makes_no_path(name: str) -> None:
+    for read in (load_scene, friction_torque):
+        refused(lambda: read(name), f"bearing {name!r}" if name != "618/5" else "bearing 618/5")  # noqa: B023
+
+
+def test_a_file_with_a_name_like_a_designation_comes_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "628").mkdir()
+    (tmp_path / "628" / "8").write_text(scene_text("6205"), "utf-8")
+    assert load_scene("628/8").bearing.name == "6205"
+    refused(lambda: load_scene("628/9"), "628/9: No such file")

@@ -171,6 +171,11 @@ def test_the_sheet_of_the_cage_leaves_a_part_of_the_web(designation: str) -> Non
     assert (0.8 * web < 0.113 * row.ball_diameter) == (designation != "6206")
 
 
-def test_an_estimate_of_seals_is_offered_where_there_is_one() -> None:
-    for designation, is_offered in (("6206-2RS1", True), ("6206", False)):
-        assert ('or "estimate" by SKF' in scene_text(designation)) == is_offered
+@pytest.mark.parametrize(
+    ("designation", "rub", "closed"),
+    [("6206-2RS1", True, True), ("6206-2Z", False, True), ("6310-DDW", True, True), ("6206", False, False)],
+)
+def test_seals_and_grease_of_a_closed_bearing_are_written(designation: str, rub: bool, closed: bool) -> None:
+    text = scene_text(designation)
+    assert ("in place of SKF's formula" in text) == rub
+    assert ('\nsupply = "grease"' in text) == closed
