@@ -34,6 +34,8 @@ def _washer_faults(table: SceneTable) -> Iterator[tuple[str, str]]:
         for key in ("start", "land"):
             if getattr(table.cage, key) is not None:
                 yield f"cage.{key}", "is not modelled in a thrust bearing, whose cage rests on its balls; leave it out"
+    if table.operation.tilt not in (None, "free", 0.0):
+        yield "operation.tilt", "is not modelled for a thrust bearing, whose washers are parallel; leave it out"
     for key in ("radial_load", "moment"):
         if any(getattr(table.operation, key)):
             yield (

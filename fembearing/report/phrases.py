@@ -51,6 +51,7 @@ CHECKS = {  # the physical verdicts
     "sliding": "sliding number",
     "gyroscopic_hold": "gyroscopic hold",
     "cage_force": "cage force",
+    "tilt": "tilt of the inner ring",
     "replenishment": "starvation, -ln of the factor",
 }
 LONGEST_LIST = 12  # values in a cell of a table
@@ -218,6 +219,8 @@ def uncertainty_of(model: float | None, parts: Mapping[str, float]) -> str:
 
 def limit_of(value: float, unit: str, units: Units = METRIC) -> str:
     """A number of a physical verdict, SI, as it is shown: shares in per cent, those below 1e-6 as 0."""
+    if unit == "rad":
+        return f"{1e3 * value:.3g} mrad"
     return units.pressure.written(value, ".3g") if unit == "Pa" else percent_of(0.0 if abs(value) < 1e-6 else value)
 
 
