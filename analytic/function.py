@@ -263,7 +263,7 @@ class TorqueFunction(Brief):
         return (-np.inf, np.inf) if self.scene.lubricant is None else OIL_TEMPERATURES
 
     def _takes(self, point: Array) -> bool:
-        """Whether the kernel may answer: it refuses no thrust the wrong way, no oil that is none, no moment too many."""
+        """Whether the kernel may answer: it refuses neither a thrust the wrong way, nor a moment beside a tilt."""
         coldest, hottest = self._temperatures
         known = point[0] >= 0.0 and coldest <= point[4] <= hottest and np.isfinite(point).all()
         known = known and not (point[2] and self._is_held)

@@ -321,8 +321,8 @@ def _require_loads(scene: Scene, operation: Operation) -> None:
         _require_thrust(operation)
     elif abs(operation.held_tilt) > 0 and scene.contact_angle.rule == "given":
         raise InputError(
-            f"operation.tilt = {operation.held_tilt:g} rad changes the contact angles, which the rule 'given' holds: use "
-            "the rule 'solved', or leave the tilt out"
+            f"operation.tilt = {operation.held_tilt:g} rad changes the contact angles, which the rule 'given' holds: "
+            "use the rule 'solved', or leave the tilt out"
         )
     elif ENTRIES["load_distribution"].lacks(scene) is None and scene.effects.get("load_distribution") != "off":
         require_enough_balls(bearing)

@@ -462,7 +462,8 @@ class Operation(Noun):
         """
         if not isinstance(self.tilt, str | None) and np.any(self.moment):
             raise InputError(
-                f"operation.tilt = {self.tilt:g} rad holds the ring, and operation.moment tilts it: leave one of them out"
+                f"operation.tilt = {self.tilt:g} rad holds the ring, and operation.moment tilts it: leave one of them "
+                "out"
             )
         given = [np.atleast_1d(real_numbers(f"operation.{name}", values)) for name, values in self.points.items()]
         try:

@@ -97,7 +97,8 @@ def ring_equilibrium(
     ------
     InputError
         A number is not finite, the rule is `given`, a moment acts on a ring whose tilt is held, a radial load, moment
-        or tilt acts on fewer than three balls, a load drives a ball out of its groove (an angle beyond pi/2), and as `thrust_equilibrium` for the bearing.
+        or tilt acts on fewer than three balls, a load drives a ball out of its groove (an angle beyond pi/2), and as
+        `thrust_equilibrium` for the bearing.
     ConvergenceError
         The iteration stopped short.
 

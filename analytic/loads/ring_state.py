@@ -96,7 +96,9 @@ class RingState(Brief):
         RingState
             Of k points.
         """
-        rows = {name: getattr(self, name)[points] for name in ("load", "contact_angle", "approach", "sideways", "held_by")}
+        rows = {
+            name: getattr(self, name)[points] for name in ("load", "contact_angle", "approach", "sideways", "held_by")
+        }
         return replace(self, **rows)
 
     @property
@@ -132,6 +134,11 @@ class RingState(Brief):
                 travel = geometry.travel[balls].reshape(-1, 5)
                 place[row] = np.linalg.lstsq(travel, moved[row, balls].ravel(), rcond=1e-12)[0]
         return place / scale + self._aside
+
+    @property
+    def is_under_thrust(self) -> bool:
+        """Whether thrust alone loads a ring that nothing tilts, at every point."""
+        return self.load.strides[-1] == 0 and not np.any(self.sideways)
 
     @property
     def tilt(self) -> Array | None:
