@@ -215,18 +215,18 @@ class TorqueFunction(Brief):
         point = {name: _one_number(name, value) for name, value in given.items()}
         if self.scene.lubricant is None:
             point.pop("temperature")
-        if self._is_held:
-            point.pop("moment")
         free = self.model is not None and self.model.creep is not None
         load = float(np.hypot(point["axial_load"], point["radial_load"]))
         scales = {
             "axial_load": load,
             "radial_load": load,
-            "moment": max(abs(point["moment"]), load * self.scene.bearing.pitch_diameter / 2),
+            "moment": max(abs(moment), load * self.scene.bearing.pitch_diameter / 2),
             "inner_speed": abs(point["inner_speed"]) or 1.0,
             "temperature": 100.0,  # K, over which viscosity changes by much
         }
         slopes = {}
+        if self._is_held:
+            point.pop("moment")
         for name, value in point.items():
             step = (FREE_STEP if free else STEP) * scales[name]
             low, high = value - step, value + step

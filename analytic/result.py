@@ -323,7 +323,7 @@ class FrictionTorque(Brief):
     def columns(self) -> dict[str, Array]:
         """The values of COLUMNS, each (n,), SI; NaN where a part was left out or is not modelled."""
         values = {f"torque_{name}": part for name, part in vars(self.torque).items()}
-        ring = None if self.ring is None or self.ring.is_under_thrust else self.ring
+        ring = None if self.ring is None or self.ring.is_loaded_alike else self.ring
         values |= {
             "uncertainty_numerical": self.numerical_uncertainty,
             "uncertainty_model": self.model_uncertainty,

@@ -136,9 +136,9 @@ class RingState(Brief):
         return place / scale + self._aside
 
     @property
-    def is_under_thrust(self) -> bool:
-        """Whether thrust alone loads a ring that nothing tilts, at every point."""
-        return self.load.strides[-1] == 0 and not np.any(self.sideways)
+    def is_loaded_alike(self) -> bool:
+        """Whether all balls carry the same at every point, and nothing pushes the ring aside."""
+        return not (np.any(self.sideways) or np.any(np.ptp(self.load, axis=-1)))
 
     @property
     def tilt(self) -> Array | None:

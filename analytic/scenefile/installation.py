@@ -18,6 +18,8 @@ def installation_faults(table: SceneTable) -> Iterator[tuple[str, str]]:
         return
     if table.mounting is not None:
         yield from _mounting_faults(table.mounting, angle)
+    if table.arrangement is not None and table.operation.tilt not in (None, "free", 0.0):
+        yield "operation.tilt", "is of a single bearing, and the loads tilt the shaft of a pair; leave it out"
     if table.arrangement is not None and angle.rule == "given":
         yield (
             "bearing.contact_angle.rule",

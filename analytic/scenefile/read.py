@@ -306,6 +306,8 @@ def _conflicts(
     yield from installation_faults(table)
     if isinstance(loads.tilt, float) and "moment" in loads.model_fields_set:
         yield "operation.tilt", "holds the ring, and operation.moment tilts it; leave one of them out"
+    if loads.tilt not in (None, "free", 0.0) and angle.rule == "given":
+        yield "operation.tilt", 'changes the contact angles, which rule = "given" holds; use "solved", or leave it out'
     lists = {key: each for key, each in document["operation"].items() if isinstance(each, list) and key != "down"}
     if len({len(each) for each in lists.values()}) > 1:
         counts = " and ".join(f"operation.{key} has {len(each)}" for key, each in lists.items())
