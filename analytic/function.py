@@ -338,8 +338,9 @@ def torque_function(
     still = replace(scene, effects={**scene.effects, **AT_REST, **weight})
     if over is not None:
         still = replace(still, operation=_corners(scene.operation.as_series(), over))
-    held = still.operation.held_tilt  # once for all calls
-    still = replace(still, operation=replace(still.operation, tilt="free" if np.isnan(held) else held))
+    held = still.operation.held_tilt  # once for all calls; a pair tilts as its loads have it
+    is_free = still.arrangement is not None or np.isnan(held)
+    still = replace(still, operation=replace(still.operation, tilt="free" if is_free else held))
     result = friction_torque(still)
     settled = result.settled(still) if over is not None else _everything_on(still, result.sliding)
     model = None
