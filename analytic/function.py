@@ -87,7 +87,7 @@ class TorqueFunction(Brief):
         inner_speed : float
             In rad/s, of either sign.
         radial_load, moment : float
-            Along x, N, and about y, N m.
+            Along x, N, and about y, N m; no moment where the scene holds the tilt of the ring.
         temperature : float, optional
             Of the oil at the inlets, K; None: the scene's.
 
@@ -109,7 +109,7 @@ class TorqueFunction(Brief):
             for place, given in enumerate((axial_load, radial_load, moment, inner_speed, warm)):
                 point[place] = given if isinstance(given, float) else _one_number(GIVEN[place], given)
             if self.model is not None and self.work is not None and self._takes(point):
-                has_ring = True if point[1] or point[2] or self._weighs else None
+                has_ring = True if point[1] or point[2] or self._needs_ring else None
                 kernel = solve if self.model.creep is None else solve_free
                 kernel(self.model.numbers, self.model.tables, self.points, self.work, NO_BALLS, self.out, has_ring)
                 if self.out["status"][0] == SETTLED:
@@ -135,7 +135,7 @@ class TorqueFunction(Brief):
         inner_speed : array_like
             In rad/s, of either sign.
         radial_load, moment : array_like
-            Along x, N, and about y, N m.
+            Along x, N, and about y, N m; no moment where the scene holds the tilt of the ring.
         temperature : array_like, optional
             Of the oil at the inlets, K; None: the scene's.
 
@@ -195,7 +195,8 @@ class TorqueFunction(Brief):
         Returns
         -------
         dict of str to float
-            By the names of the arguments: N m per N, N, N m, rad/s and K; temperature is missing without an oil.
+            By the names of the arguments: N m per N, N, N m, rad/s and K; temperature is missing without an oil, moment
+            where the scene holds the tilt of the ring.
 
         Raises
         ------
@@ -219,11 +220,13 @@ class TorqueFunction(Brief):
         scales = {
             "axial_load": load,
             "radial_load": load,
-            "moment": max(abs(point["moment"]), load * self.scene.bearing.pitch_diameter / 2),
+            "moment": max(abs(moment), load * self.scene.bearing.pitch_diameter / 2),
             "inner_speed": abs(point["inner_speed"]) or 1.0,
             "temperature": 100.0,  # K, over which viscosity changes by much
         }
         slopes = {}
+        if self._is_held:
+            point.pop("moment")
         for name, value in point.items():
             step = (FREE_STEP if free else STEP) * scales[name]
             low, high = value - step, value + step
@@ -247,17 +250,23 @@ class TorqueFunction(Brief):
         return 0.0 if self.scene.lubricant is None else float(self.scene.lubricant.temperature)
 
     @cached_property
-    def _weighs(self) -> bool:
-        return self.model is not None and bool(self.model.numbers.counted.weight)
+    def _needs_ring(self) -> bool:
+        """Whether balls differ under thrust too."""
+        return self.model is not None and bool(self.model.numbers.counted.weight or abs(self.model.numbers.tilt) > 0)
+
+    @cached_property
+    def _is_held(self) -> bool:
+        return not np.isnan(self.scene.operation.held_tilt)
 
     @cached_property
     def _temperatures(self) -> tuple[float, float]:
         return (-np.inf, np.inf) if self.scene.lubricant is None else OIL_TEMPERATURES
 
     def _takes(self, point: Array) -> bool:
-        """Whether the kernel may answer: it does not refuse a thrust the wrong way, or an oil that is no oil."""
+        """Whether the kernel may answer: it refuses neither a thrust the wrong way, nor a moment beside a tilt."""
         coldest, hottest = self._temperatures
         known = point[0] >= 0.0 and coldest <= point[4] <= hottest and np.isfinite(point).all()
+        known = known and not (point[2] and self._is_held)
         return bool(known and (self._distributes or not (point[1] or point[2])))
 
     @cached_property
@@ -274,7 +283,8 @@ class TorqueFunction(Brief):
                     f"temperature must be {coldest:g} to {hottest:g} K, got {temperature:g}: give that of the oil in K"
                 )
             load = {"axial_load": axial, "radial_load": radial, "moment": moment, "inner_speed": speed}
-            operation = Operation(**{name: np.array([value]) for name, value in load.items()})
+            arrays = {name: np.array([value]) for name, value in load.items()}
+            operation = replace(self.scene.operation, **arrays)
             scene, oil = replace(self.scene, operation=operation), self.scene.lubricant
             if oil is not None and temperature != oil.temperature:
                 scene = replace(scene, lubricant=replace(oil, temperature=temperature))
@@ -294,7 +304,8 @@ def torque_function(
     ----------
     scene : Scene
         Its own operating points settle how balls turn and slide, and by how many nodes. Give
-        points that span the range of the calls: elsewhere, nothing bounds the error of the nodes.
+        points that span the range of the calls: elsewhere, nothing bounds the error of the nodes. A moment in them, or
+        in `over`, or a tilt "free", lets the ring tilt freely in every call; else its tilt is held.
     invalid : {"raise", "nan"}
         What a call gives for numbers without an answer: an error, or NaN.
     over : mapping of str to (float, float), optional
@@ -327,6 +338,9 @@ def torque_function(
     still = replace(scene, effects={**scene.effects, **AT_REST, **weight})
     if over is not None:
         still = replace(still, operation=_corners(scene.operation.as_series(), over))
+    held = still.operation.held_tilt  # once for all calls; a pair tilts as its loads have it
+    is_free = still.arrangement is not None or np.isnan(held)
+    still = replace(still, operation=replace(still.operation, tilt="free" if is_free else held))
     result = friction_torque(still)
     settled = result.settled(still) if over is not None else _everything_on(still, result.sliding)
     model = None
@@ -403,7 +417,7 @@ def _corners(operation: Operation, over: Mapping[str, tuple[float, float]]) -> O
     wide = sum(low < high for low, high in ranges)
     # More than FAR points: a trial then leaves out what hardly counts.
     each = [np.linspace(low, high, int(np.ceil((FAR + 1) ** (1 / wide))) if low < high else 1) for low, high in ranges]
-    return Operation(**dict(zip(names, np.array(list(product(*each))).T, strict=True)))
+    return replace(operation, **dict(zip(names, np.array(list(product(*each))).T, strict=True)))
 
 
 def _one_number(name: str, given: Any) -> float:

@@ -73,7 +73,7 @@ def pair_in_series(scene: Scene, arrangement: Arrangement, correction: ContactCo
     )
     if not found.is_pressed.any():
         raise InputError(
-            f"neither inner ring of the pair presses on its balls at {points_of(vars(operation))}: their centrifugal "
+            f"neither inner ring of the pair presses on its balls at {points_of(operation.points)}: their centrifugal "
             "force holds them in the outer races; raise the preload or the axial load, or lower the speed"
         )
     first, second = (np.flatnonzero(pressed) for pressed in found.is_pressed)
@@ -89,6 +89,7 @@ def pair_in_series(scene: Scene, arrangement: Arrangement, correction: ContactCo
         inner_speed=np.concatenate([operation.inner_speed[at] for at in points]),
         radial_load=loads(found.radial_load),
         moment=way * loads(found.moment),
+        tilt="free",
     )
     one = replace(scene, arrangement=None, operation=series, down=None if _is_weight_mirrored(scene) else scene.down)
     return PairSeries(scene=one, equilibrium=found, points=points)

@@ -312,13 +312,18 @@ def _require_room(bearing: Bearing) -> None:
 def _require_loads(scene: Scene, operation: Operation) -> None:
     """Raise InputError for loads that no method takes."""
     bearing = scene.bearing
-    require_finite(**{f"operation.{name}": values for name, values in vars(operation).items()})
+    require_finite(**{f"operation.{name}": values for name, values in operation.points.items()})
     require_positive(ball_count=bearing.ball_count)
     require_given_angle(bearing, scene.contact_angle)
     if operation.is_thrust:
         require_positive(axial_load=operation.axial_load)
     elif bearing.kind == "thrust":
         _require_thrust(operation)
+    elif abs(operation.held_tilt) > 0 and scene.contact_angle.rule == "given":
+        raise InputError(
+            f"operation.tilt = {operation.held_tilt:g} rad changes the contact angles, which the rule 'given' holds: "
+            "use the rule 'solved', or leave the tilt out"
+        )
     elif ENTRIES["load_distribution"].lacks(scene) is None and scene.effects.get("load_distribution") != "off":
         require_enough_balls(bearing)
 
@@ -332,6 +337,10 @@ def _require_thrust(operation: Operation) -> None:
             raise InputError(
                 f"operation.{name} = {largest}: a thrust bearing carries axial_load alone; leave {name} out"
             )
+    if abs(operation.held_tilt) > 0:
+        raise InputError(
+            f"operation.tilt = {operation.held_tilt:g} rad: washers are parallel in a thrust bearing; leave tilt out"
+        )
 
 
 def _base(scene: Scene, trial: Trial, operation: Operation) -> Solution:

@@ -46,6 +46,8 @@ COLUMNS: dict[str, Column] = {
     "uncertainty_model": Column("1", "uncertainty of the friction torque by the model's formulas, relative, 95 %"),
     "contact_angle": Column("rad", "contact angle of the heaviest ball", "al"),
     "ball_load": Column("N", "load of the heaviest ball on the race where it is larger", "Q"),
+    "tilt": Column("rad", "tilt of the inner ring about y under unequal loads"),
+    "holding_moment": Column("N m", "moment about y that holds the inner ring at its tilt"),
     **{
         f"{name}_{race}": Column(unit, f"{meaning}, {race} race", symbol)
         for name, unit, meaning, symbol in (
@@ -321,11 +323,14 @@ class FrictionTorque(Brief):
     def columns(self) -> dict[str, Array]:
         """The values of COLUMNS, each (n,), SI; NaN where a part was left out or is not modelled."""
         values = {f"torque_{name}": part for name, part in vars(self.torque).items()}
+        ring = None if self.ring is None or self.ring.is_loaded_alike else self.ring
         values |= {
             "uncertainty_numerical": self.numerical_uncertainty,
             "uncertainty_model": self.model_uncertainty,
             "contact_angle": self.contact_angle,
             "ball_load": self.ball_load,
+            "tilt": None if ring is None else ring.tilt,
+            "holding_moment": None if ring is None else ring.holding_moment,
         }
         for name in ("friction_coefficient", "film", "asperity_share", "boundary_share"):
             values |= {f"{name}_{place}": part for place, part in vars(getattr(self, name)).items()}

@@ -6,8 +6,8 @@ Axes of a contact from its centre: z along the load, x along rolling, y along th
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import InitVar, dataclass, field
-from typing import Literal
+from dataclasses import InitVar, dataclass, field, replace
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -418,25 +418,63 @@ class Operation(Noun):
     inner_speed: Array  # w, rad/s; the outer ring stands still
     radial_load: Array | float = 0.0  # N, along x, which points to the first ball
     moment: Array | float = 0.0  # N m, about y; it tilts the +x side of the inner ring against the axial load
+    # Of the inner ring about y at every point, rad. Free: it follows from the moment. None: free under a moment, else 0
+    tilt: float | Literal["free"] | None = None
 
     def _facts(self) -> Iterator[str]:
-        yield points_of(vars(self))
+        yield points_of(self.points)
+
+    @property
+    def points(self) -> dict[str, Any]:
+        """Loads, moment and speed by name."""
+        return {name: values for name, values in vars(self).items() if name != "tilt"}
+
+    def at(self, points: NDArray[np.intp]) -> "Operation":
+        """Some of the operating points of a series.
+
+        Parameters
+        ----------
+        points : ndarray, shape (k,)
+            Numbers of the points, from 0.
+
+        Returns
+        -------
+        Operation
+            Of k points.
+        """
+        tilt = "free" if np.isnan(self.held_tilt) else self.tilt  # also where no moment is among these points
+        return replace(self, tilt=tilt, **{name: values[points] for name, values in self.points.items()})
+
+    @property
+    def held_tilt(self) -> float:
+        """Tilt about y at which the inner ring is held, rad; NaN: it tilts freely."""
+        if isinstance(self.tilt, str):
+            return np.nan
+        return (np.nan if np.any(self.moment) else 0.0) if self.tilt is None else float(self.tilt)
 
     @property
     def is_thrust(self) -> bool:
-        """Whether no point has a radial load or a moment."""
-        return not (np.any(self.radial_load) or np.any(self.moment))
+        """Whether no point has a radial load, a moment or a tilt that is held."""
+        return not (np.any(self.radial_load) or np.any(self.moment) or abs(self.held_tilt) > 0)
 
     def as_series(self) -> "Operation":
-        """The same with every array (n,). Raises InputError for texts, no point, or shapes that do not fit."""
-        given = [np.atleast_1d(real_numbers(f"operation.{name}", values)) for name, values in vars(self).items()]
+        """The same with every array (n,).
+
+        Raises InputError for texts, no point, shapes that do not fit, and a moment beside a tilt.
+        """
+        if not isinstance(self.tilt, str | None) and np.any(self.moment):
+            raise InputError(
+                f"operation.tilt = {self.tilt:g} rad holds the ring, and operation.moment tilts it: leave one of them "
+                "out"
+            )
+        given = [np.atleast_1d(real_numbers(f"operation.{name}", values)) for name, values in self.points.items()]
         try:
             arrays = np.broadcast_arrays(*given)
         except ValueError as problem:
             raise InputError("the arrays of operation have shapes that do not fit: give equal lengths") from problem
         if arrays[0].size == 0:
             raise InputError("operation.axial_load is empty: give at least one operating point")
-        return Operation(**dict(zip(vars(self), arrays, strict=True)))
+        return replace(self, **dict(zip(self.points, arrays, strict=True)))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -493,7 +531,7 @@ class Scene(Noun):
             )
 
     def _facts(self) -> Iterator[str]:
-        yield from (self.name, self.bearing.name, points_of(vars(self.operation)), f"tolerance {self.tolerance:g}")
+        yield from (self.name, self.bearing.name, points_of(self.operation.points), f"tolerance {self.tolerance:g}")
 
     @property
     def loss_factor(self) -> float:

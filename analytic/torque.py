@@ -28,10 +28,10 @@ from analytic.effects.ledger import Ledger, share_in
 from analytic.effects.limits import check_limits
 from analytic.effects.table import ruled
 from analytic.effects.trial import of_methods, slip_by_weight
-from analytic.effects.warnings import freely_tilted, torque_warnings
+from analytic.effects.warnings import torque_warnings
 from analytic.effects.washers import held_in_the_middle
 from analytic.errors import InputError, require_non_negative
-from analytic.loads.ring_state import state_of_ring
+from analytic.loads.ring_state import RingState, state_of_ring
 from analytic.numerics.records import Records
 from analytic.oil.inlets import starvation_source
 from analytic.oil.variation import NOMINAL, Variation
@@ -191,7 +191,8 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
     unsure = _unsure(ledger, races, total, weight)
     cage_unsure, cage_unknown, cage_warnings = _unsure_of_cage(cage, drive, races, weight)
     heaviest = races.heaviest
-    ring = state_of_ring(scene.bearing, scene.contact_angle, races.found.balls, operation)
+    held_by = races.found.points["holding_moment"].copy()
+    ring = state_of_ring(scene.bearing, scene.contact_angle, races.found.balls, operation, held_by)
     return FrictionTorque(
         inner_speed=speed,
         axial_load=operation.axial_load,
@@ -214,6 +215,7 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
             sliding_number=races.sliding_number,
             gyroscopic_hold=races.gyroscopic_hold,
             cage_grip=None if cage is None or (scene.cage and scene.cage.gives_way) else cage.used_grip,
+            tilt=_tilt(ring),
         ),
         inner=_loaded(heaviest, 0),
         outer=_loaded(heaviest, 1),
@@ -225,12 +227,18 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
         warnings=(
             *torque_warnings(ledger, races.found, roughness=races.gap_roughness, limits=limits.warnings),
             *(*races.warnings, *_two_states(races), *_nearly_turned(races), *cage_warnings),
-            *freely_tilted(scene, operation, ring),
         ),
         unknown=limits.unknown + unsure.unknown + cage_unknown,
         provenance=_provenance(ledger, races, correction=correction, cage=cage),
         seconds=0.0,
     )
+
+
+def _tilt(ring: RingState) -> Array | None:
+    """(n,) of the ring against the outer one, rad; None where it is held straight or not known."""
+    if ring.held_tilt == 0 or ring.displacement is None or ring.bearing.kind == "thrust":
+        return None
+    return np.hypot(*ring.displacement[:, 3:].T)
 
 
 def _unsure(ledger: Ledger, races: RaceTorque, total: Array, weight: InAnyDirection) -> Unsure:

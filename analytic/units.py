@@ -20,7 +20,7 @@ UNITS: dict[str, str] = {
     **dict.fromkeys(("moment", "seals", "drag"), "N m"),
     **dict.fromkeys(("ball_mass", "mass"), "kg"),
     **dict.fromkeys(("inner_speed", "outer_speed"), "rad/s"),
-    **dict.fromkeys(("value", "free", "contact_angle"), "rad"),
+    **dict.fromkeys(("value", "free", "contact_angle", "tilt"), "rad"),
     **dict.fromkeys(("temperature", "reference_temperature", "mounting_temperature"), "K"),
     **dict.fromkeys(("inner_temperature", "outer_temperature", "ball_temperature"), "K"),
     **dict.fromkeys(("viscosity_temperature", "thermal_expansion"), "1/K"),

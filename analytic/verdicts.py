@@ -19,6 +19,7 @@ from analytic.result import FrictionTorque
 from analytic.rows import NotNegative, Positive
 from analytic.scene import Array
 
+LARGEST_TILT = 3e-3  # rad: the upper end of what is allowed in deep groove bearings [RBC]; Inventor has 6 arc minutes
 MOST_FRICTION = 1.0  # of what friction can hold at most: beyond, the surfaces slide
 YIELDS = (
     "Above the static limit of ISO 76 for steel the dent exceeds 1e-4 of the ball diameter, and the contact is not "
@@ -47,6 +48,10 @@ STARVES = (
     "Minus the logarithm of SKF's replenishment factor, the share of rolling that starvation leaves; above the limit "
     "less than a tenth is left, and the torque is uncertain by a factor of ten: give lubricant.starvation_degree."
 )
+LEANS = (
+    "Tilt of the inner ring. Catalogues allow 0.5 to 3 mrad (2 to 10 arc minutes) in deep groove bearings, by size, "
+    "clearance and load: hold the ring straight, or lower the moment."
+)
 UNKNOWN_GRIP = 'Friction of the races not computed, grip not known: set effects.spin to "auto".'
 
 
@@ -54,12 +59,12 @@ UNKNOWN_GRIP = 'Friction of the races not computed, grip not known: set effects.
 class PhysicalCheck:
     """One number against its limit, at the operating point where it is worst."""
 
-    name: Literal["peak_pressure", "shoulder", "sliding", "gyroscopic_hold", "cage_force", "replenishment"]
-    where: Literal["inner race", "outer race", "ball", "cage", "oil"]  # what it is of
+    name: Literal["peak_pressure", "shoulder", "sliding", "gyroscopic_hold", "cage_force", "tilt", "replenishment"]
+    where: Literal["inner race", "outer race", "ball", "cage", "ring", "oil"]  # what it is of
     point: Annotated[int, Ge(0)]  # number of the operating point, from 0
     value: float | None  # in the unit of the limit; None: infinite or not known
-    limit: float  # Pa, or a share
-    unit: Literal["Pa", "1"]  # of value and limit
+    limit: float  # Pa, rad, or a share
+    unit: Literal["Pa", "rad", "1"]  # of value and limit
     verdict: Literal["pass", "fail", "unknown"]  # whether the limit holds
     note: str  # in words; empty: nothing to add
 
@@ -113,6 +118,8 @@ def physical_checks(friction: FrictionTorque) -> tuple[PhysicalCheck, ...]:
         where balls turn and slide.
     cage_force
         Share of the races' grip that the cage uses, against 0.9; only with a cage.
+    tilt
+        Of the inner ring against the outer one, rad, against 0.003 [RBC]; only where it is not held straight.
     replenishment
         -ln of SKF's replenishment factor, against ln 10; "unknown" above it; only where this factor starves the inlets.
     """
@@ -139,6 +146,8 @@ def _checks(friction: FrictionTorque) -> Iterator[PhysicalCheck]:
     if numbers.cage_grip is not None:
         note = UNKNOWN_GRIP if np.isnan(numbers.cage_grip).any() else GRIP
         yield _check("cage_force", "cage", numbers.cage_grip, LARGEST_GRIP, note)
+    if numbers.tilt is not None:
+        yield _check("tilt", "ring", numbers.tilt, LARGEST_TILT, LEANS)
     if numbers.replenishment is not None:
         yield _check("replenishment", "oil", numbers.replenishment, MOST_STARVED, STARVES, is_known=False)
 
@@ -156,7 +165,7 @@ def _check(name: Any, where: Any, values: Array, limit: float, note: str, *, is_
         point=point,
         value=worst if np.isfinite(worst) else None,
         limit=limit,
-        unit="Pa" if name == "peak_pressure" else "1",
+        unit={"peak_pressure": "Pa", "tilt": "rad"}.get(name, "1"),
         verdict=verdict,
         note=note,
     )

@@ -24,7 +24,7 @@ from analytic.contact.hertz import contact_modulus
 from analytic.errors import InputError, require_non_negative, require_positive
 from analytic.loads.balls import LoadedBalls, LoadEffects
 from analytic.numerics.root import Sought, bracketed_root
-from analytic.scene import STANDARD_GRAVITY, Array, Bearing, Cage, Operation, Scene
+from analytic.scene import STANDARD_GRAVITY, Array, Bearing, Cage, Scene
 from analytic.words import speed_of
 
 # Of the grip number. Below, motions of balls and cage together give the forces of given balls within 2 %; beyond, balls
@@ -338,7 +338,7 @@ class CageDrive:
         if self.balls.method == "thrust":
             return thrust_raceways(self.bearing, self.balls, point=point, inner_speed=speed, friction=friction)
         whole = scene.operation.as_series()
-        operation = Operation(**{name: values[[point]] for name, values in vars(whole).items()})
+        operation = whole.at(np.array([point]))
         return ring_raceways(self.bearing, scene.contact_angle, operation, LoadEffects(), friction=friction)
 
     def pocket_friction(self, scene: Scene, force: Array) -> PocketFriction:

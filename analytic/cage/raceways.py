@@ -607,6 +607,7 @@ def ring_raceways(
     force, moment, speed = (
         float(np.squeeze(value)) for value in (operation.radial_load, operation.moment, operation.inner_speed)
     )
+    tilt = operation.held_tilt
     ring = ring_equilibrium(  # in directions that turn with the balls
         bearing,
         contact_angle,
@@ -615,6 +616,7 @@ def ring_raceways(
         radial_load_y=-force * np.sin(ahead),
         moment_x=moment * np.sin(ahead),
         moment_y=moment * np.cos(ahead),
+        tilts=None if np.isnan(tilt) else (tilt * np.sin(ahead), tilt * np.cos(ahead)),
         inner_speed=speed,
         turning=RuledTurning(
             bearing=bearing,

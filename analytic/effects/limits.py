@@ -33,6 +33,7 @@ class LimitNumbers:
     sliding_number: Array | None = None  # (2, n) rolling force of the oil over the most friction of each race
     gyroscopic_hold: Array | None = None  # (n,) ratio of gyroscopic moment to the most that friction holds
     cage_grip: Array | None = None  # (n,) share of the grip of the races that the cage uses; NaN: not known
+    tilt: Array | None = None  # (n,) of the inner ring, rad, where it is not held straight
     replenishment: Array | None = None  # (n,) -ln of the replenishment factor that starves the inlets
 
     def at(self, points: NDArray[np.intp]) -> "LimitNumbers":

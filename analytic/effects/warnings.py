@@ -8,11 +8,10 @@ from analytic.contact.geometry import RACES
 from analytic.effects.ledger import Ledger, size_of
 from analytic.effects.table import NO_CAGE
 from analytic.effects.washers import HELD
-from analytic.loads.ring_state import RingState
 from analytic.numerics.records import Records
 from analytic.oil.grease import MEASURED_SIZES
 from analytic.oil.lubrication import SHORTEST
-from analytic.scene import Operation, Scene, Supply
+from analytic.scene import Scene, Supply
 from analytic.solve.solution import Solution
 from analytic.surface.roughness import GapRoughness
 from analytic.words import MICROMETRE, MILLIMETRE, RPM, percent_of
@@ -21,7 +20,6 @@ LIGHT = 0.01  # of the heaviest ball's load: a film of a lighter ball hardly cha
 # Speed n d_m, mm/min, beyond which bearings need more than usual design; rules of thumb [BearingWorks], [Anderson1973]
 USUAL_SPEEDS: dict[Supply, float] = {"grease": 0.5e6, "oil_bath": 1e6, "oil_spot": 1e6, "oil_jet": 2e6}
 HYBRID_JET = 3e6  # with an oil jet and ceramic balls
-FREE_TILT = 1e-3  # rad: at 3 mrad the torque of a 6206 is 36 % above that of a ring held straight (docs/limits.md)
 LIGHTEST_STEEL = 6000.0  # kg/m^3: a lighter ball is a ceramic one
 
 
@@ -80,23 +78,6 @@ def torque_warnings(
                 f"rolling than along, and oil {SHORTEST:g} semi-axes ahead or more"
             )
     return [*warnings, *limits, *_decisions(ledger)]
-
-
-def freely_tilted(scene: Scene, operation: Operation, ring: RingState) -> Iterator[str]:
-    """That no moment holds the ring of a single bearing, where the other bearing of a shaft may hold it straight.
-
-    operation : every array (n,);  ring : at these points
-    """
-    free = (np.asarray(operation.moment) == 0) & (np.asarray(operation.radial_load) != 0)
-    if scene.arrangement is not None or not free.any() or ring.displacement is None:
-        return
-    tilt = np.hypot(*ring.displacement[free, 3:].T).max()
-    if tilt > FREE_TILT:
-        yield (
-            f"no moment holds the inner ring, and it tilts by {1e3 * tilt:.2g} mrad ({np.degrees(60 * tilt):.2g} arc "
-            "minutes): on a shaft that holds it straight the torque differs; give operation.moment, or both bearings "
-            "by [arrangement]"
-        )
 
 
 def _decisions(ledger: Ledger) -> Iterator[str]:

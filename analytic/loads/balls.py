@@ -170,7 +170,7 @@ def ring_balls(
     A ball that is pressed the other way spins the other way and has the same losses: its angles are given as if it
     were not.
     """
-    turning = _ruled(bearing, operation, effects)
+    turning, tilt = _ruled(bearing, operation, effects), operation.held_tilt if effects.load_distribution else 0.0
     weight = bearing.ball_mass * STANDARD_GRAVITY * np.array(effects.down or (0.0, 0.0, 0.0))
     ring = ring_equilibrium(
         bearing,
@@ -178,6 +178,7 @@ def ring_balls(
         axial_load=operation.axial_load,
         radial_load_x=operation.radial_load if effects.load_distribution else 0.0,
         moment_y=operation.moment if effects.load_distribution else 0.0,
+        tilts=None if np.isnan(tilt) else (0.0, tilt),
         inner_speed=operation.inner_speed,
         turning=turning,
         ball_weight=(float(weight[0]), float(weight[1]), float(weight[2])),

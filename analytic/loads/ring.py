@@ -34,6 +34,7 @@ class RingEquilibrium(Brief):
 
     free_angle: float | None  # al0, rad; None for a preloaded bearing
     azimuth: Array  # (Z,) psi, rad
+    moment: Array  # (..., 2) about x and y, N m: given, or what holds the ring at its tilts
     displacement: Array  # (..., 5) axial, x, y, m; tilt about x, about y, rad; from concentric rings, grooves in line
     stiffness: Array  # (..., 5, 5) dF/d displacement with each contact's K held, N/m, N, N m
     inner_load: Array  # (..., Z) Q_i, N
@@ -57,6 +58,7 @@ def ring_equilibrium(
     radial_load_y: ArrayLike = 0.0,
     moment_x: ArrayLike = 0.0,
     moment_y: ArrayLike = 0.0,
+    tilts: tuple[ArrayLike, ArrayLike] | None = None,
     inner_speed: ArrayLike = 0.0,
     turning: RuledTurning | None = None,
     ball_weight: tuple[float, float, float] = (0.0, 0.0, 0.0),
@@ -74,6 +76,8 @@ def ring_equilibrium(
         In N, any sign; loads and speed broadcast to (...).
     moment_x, moment_y : array_like
         About x and y, N m, any sign.
+    tilts : tuple of 2 array_like, optional
+        About x and y, rad, at which the ring is held, without moments; None: it tilts freely.
     inner_speed : array_like
         rad/s, any sign.
     turning : RuledTurning, optional
@@ -87,13 +91,14 @@ def ring_equilibrium(
     Returns
     -------
     RingEquilibrium
-        Displacements, m and rad, shape (...); loads, N, and angles, rad, shape (..., Z).
+        Displacements, m and rad, and moments, N m, shape (...); loads, N, and angles, rad, shape (..., Z).
 
     Raises
     ------
     InputError
-        A number is not finite, the rule is `given`, a radial load or moment acts on fewer than three balls, a load
-        drives a ball out of its groove (an angle beyond pi/2), and as `thrust_equilibrium` for the bearing.
+        A number is not finite, the rule is `given`, a moment acts on a ring whose tilt is held, a radial load, moment
+        or tilt acts on fewer than three balls, a load drives a ball out of its groove (an angle beyond pi/2), and as
+        `thrust_equilibrium` for the bearing.
     ConvergenceError
         The iteration stopped short.
 
@@ -123,6 +128,7 @@ def ring_equilibrium(
         "moment_x": moment_x,
         "moment_y": moment_y,
         "inner_speed": inner_speed,
+        **({} if tilts is None else {"tilt_x": tilts[0], "tilt_y": tilts[1]}),
     }
     require_finite(**given, ball_weight=ball_weight)
     require_positive(ball_count=bearing.ball_count)
@@ -132,7 +138,7 @@ def ring_equilibrium(
         )
     play, free = play_and_free_angle(bearing, contact_angle)
     arrays = np.broadcast_arrays(*(np.asarray(value, dtype=np.float64) for value in given.values()))
-    shape, (axial, x, y, about_x, about_y, speed) = arrays[0].shape, (array.ravel() for array in arrays)
+    shape, (axial, x, y, about_x, about_y, speed, *held) = arrays[0].shape, (array.ravel() for array in arrays)
     factors = (correction or ContactCorrection()).mapped(lambda array: array.reshape(-1, bearing.ball_count))
     if turning is None:
         turning = RuledTurning(bearing=bearing, inner_speed=speed, centrifugal=True, gyroscopic=True)
@@ -141,14 +147,17 @@ def ring_equilibrium(
     )
     arm = ring.travel.arm
     load = np.stack([axial, x, y, about_x / arm, about_y / arm], axis=-1)
-    if np.any(load[:, 1:]):
+    if held and np.any(load[:, 3:]):
+        raise InputError("tilts hold the ring, and a moment tilts it: leave one of them out")
+    if np.any(load[:, 1:]) or np.any(held):
         require_enough_balls(bearing)
-    state = settled_rings(ring, load, angle=free or 0.0)
+    state = settled_rings(ring, load, angle=free or 0.0, tilts=arm * np.stack(held, axis=-1) if held else None)
     unit = np.array([1.0, 1.0, 1.0, arm, arm])
     each, whole = (*shape, bearing.ball_count), (*shape, 5)
     return RingEquilibrium(
         free_angle=free,
         azimuth=ring.travel.azimuth,
+        moment=(state.load[:, 3:] * arm).reshape(*shape, 2),
         displacement=(state.place / unit).reshape(whole),
         stiffness=(state.tangent * np.outer(unit, unit)).reshape(*whole, 5),
         inner_load=state.inner_load.reshape(each),

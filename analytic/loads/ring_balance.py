@@ -154,7 +154,8 @@ def _balance_at(grooves: Grooves, ring: Record, balls: Records) -> Balance:
             has_own_force = True
         stiffness += 1.5 * cube_root(settled.inner_load) / softness[0]  # dQ/d delta, N/m
     for i in range(FREEDOMS):
-        left = max(left, abs(gradient[i]))
+        if i < FREEDOMS - ring.held:
+            left = max(left, abs(gradient[i]))
         trace += tangent[i, i]
     mirror(tangent)
     longest = max(distance, reach + farthest)
@@ -173,17 +174,22 @@ def _balance_at(grooves: Grooves, ring: Record, balls: Records) -> Balance:
 
 @compiled
 def settle_ring(grooves: Grooves, ring: Record, balls: Records) -> tuple[Balance, int]:
-    """Move a ring to the place of least energy of what is held; the balance there, and Newton's steps to it."""
-    place, origin, step = ring.place, ring.origin, ring.step
+    """Move a ring to the place of least energy of what is held; the balance there, and Newton's steps to it.
+
+    Freedoms of the ring that are held keep their place, and the gradient is what holds them.
+    """
+    moving = FREEDOMS - ring.held
+    place, origin, step = ring.place, ring.origin, ring.step[:moving]
+    tangent, gradient, factor = ring.tangent[:moving, :moving], ring.gradient[:moving], ring.factor[:moving, :moving]
     now = _balance_at(grooves, ring, balls)
     steps = 0
     while now.left > now.tolerance and steps < MOST_STEPS and not now.has_loose_ball:
-        promised = newton_step(ring.tangent, ring.gradient, now.longest_step, ring.factor, step)
-        for i in range(FREEDOMS):
+        promised = newton_step(tangent, gradient, now.longest_step, factor, step)
+        for i in range(moving):
             origin[i] = place[i]
         energy, rounding, share = now.energy, now.energy_rounding, 1.0
         while True:
-            for i in range(FREEDOMS):
+            for i in range(moving):
                 place[i] = origin[i] + share * step[i]
             now = _balance_at(grooves, ring, balls)
             if not is_too_long(energy, now.energy, share * promised, rounding):

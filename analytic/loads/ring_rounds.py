@@ -144,7 +144,7 @@ def _place_by_load(grooves: Grooves, ring: Record, balls: Records) -> None:
     parts = (abs(force[0]), np.hypot(force[1], force[2]), np.hypot(force[3], force[4]))
     largest = max(max(parts[0], parts[1]), parts[2])
     softness = balls[0].inner_unit.approach + balls[0].outer_unit.approach
-    for i in range(FREEDOMS):
+    for i in range(FREEDOMS - ring.held):
         part = parts[(i + 1) // 2]
         if part > 0:
             approach = softness * cube_root(part) ** 2

@@ -26,7 +26,7 @@ from analytic.loads.ring_rounds import (
     beyond_groove,
     settle_ruled_rings,
 )
-from analytic.loads.state import RING_STATE
+from analytic.loads.state import RING_STATE, TILTS
 from analytic.loads.turning import RuledTurning
 from analytic.numerics.newton import MOST_STEPS
 from analytic.numerics.records import Record, Records, as_record, record_of
@@ -98,6 +98,7 @@ def _known(number: float) -> float:
 class RingsAtRest:
     """n rings in equilibrium, with Z balls in all rows."""
 
+    load: Array  # (n, 5) that balances the balls, N, moments over R: given, or what holds the tilts
     place: Array  # (n, 5) m, tilts times R
     tangent: Array  # (n, 5, 5) N/m
     residual: Array  # (n,) largest unbalanced force, N
@@ -113,10 +114,13 @@ class RingsAtRest:
     gyroscopic_moment: Array  # (n, Z) N m
 
 
-def settled_rings(ring: RowsOfBalls, load: Array, *, angle: float, place: Array | None = None) -> RingsAtRest:
+def settled_rings(
+    ring: RowsOfBalls, load: Array, *, angle: float, place: Array | None = None, tilts: Array | None = None
+) -> RingsAtRest:
     """The rings at rest under loads (n, 5), N (moments over R).
 
     angle : near which the contact angles are, rad;  place : (n, 5) to begin at, where balls touch; None: by the load
+    tilts : (n, 2) about x and y at which the rings are held, without moments, m (times R); None: they are free
     Raises ConvergenceError where a ball, a ring or the rounds do not settle, and InputError where a ball leaves its
     groove (an angle beyond pi/2).
     """
@@ -124,6 +128,8 @@ def settled_rings(ring: RowsOfBalls, load: Array, *, angle: float, place: Array 
     numbers = record_of(RingNumbers(bearing_numbers(ring.bearing), ring.grooves, float(angle)))
     rings = np.zeros(count, RING_STATE)
     rings["load"], rings["place"] = load, 0.0 if place is None else place
+    if tilts is not None:
+        rings["held"], rings["place"][:, -TILTS:] = TILTS, tilts
     balls = np.repeat(placed_balls(ring.bearing, ring.rows, ring.ball_weight)[None], count, axis=0)
     correct_balls(balls, factors_of(ring.correction))
     ends, inertia = np.zeros(count, ROUND), (bool(turning.centrifugal), bool(turning.gyroscopic))
@@ -132,7 +138,10 @@ def settled_rings(ring: RowsOfBalls, load: Array, *, angle: float, place: Array 
     if ends["end"].any():
         worst = int(np.argmax(ends["end"]))
         raise unsettled_ring(ring.bearing, ring.grooves, float(speed[worst]), rings[worst], balls[worst], ends[worst])
+    if tilts is not None:
+        rings["load"][:, -TILTS:] = rings["gradient"][:, -TILTS:]
     return RingsAtRest(
+        load=rings["load"],
         place=rings["place"],
         tangent=rings["tangent"],
         residual=ends["left"],

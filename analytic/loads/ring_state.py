@@ -62,6 +62,7 @@ class RingPoint:
     displacement: Displacement | None
     stiffness: tuple[Five, Five, Five, Five, Five]  # N/m, N and N m
     balls: Balls
+    holding_moment: float | None  # about y, that holds the ring at its tilt, N m; None: it tilts freely
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -74,6 +75,8 @@ class RingState(Brief):
     contact_angle: Array  # (n, 2, Z) rad, negative where the ball is pressed towards -z
     approach: Array  # (n, 2, Z) delta, m
     sideways: Array  # (n, 5) load on the ring that the balls' equilibrium leaves out, N and N m: 0 where it has all
+    held_tilt: float  # about y, at which the ring is held, rad; NaN: it tilts freely
+    held_by: Array  # (n,) moment about y that holds it, by the balls' equilibrium, N m; 0 for a free ring
 
     def _facts(self) -> Iterator[str]:
         points, _, balls = self.load.shape
@@ -93,7 +96,9 @@ class RingState(Brief):
         RingState
             Of k points.
         """
-        rows = {name: getattr(self, name)[points] for name in ("load", "contact_angle", "approach", "sideways")}
+        rows = {
+            name: getattr(self, name)[points] for name in ("load", "contact_angle", "approach", "sideways", "held_by")
+        }
         return replace(self, **rows)
 
     @property
@@ -128,7 +133,35 @@ class RingState(Brief):
             if balls.any():
                 travel = geometry.travel[balls].reshape(-1, 5)
                 place[row] = np.linalg.lstsq(travel, moved[row, balls].ravel(), rcond=1e-12)[0]
-        return place / scale + (np.linalg.pinv(self.stiffness, hermitian=True) @ self.sideways[..., None])[..., 0]
+        return place / scale + self._aside
+
+    @property
+    def is_loaded_alike(self) -> bool:
+        """Whether all balls carry the same at every point, and nothing pushes the ring aside."""
+        return not (np.any(self.sideways) or np.any(np.ptp(self.load, axis=-1)))
+
+    @property
+    def tilt(self) -> Array | None:
+        """(n,) about y, rad; None as the displacement."""
+        if not np.isnan(self.held_tilt):
+            return np.full(len(self.load), self.held_tilt)
+        return None if self.displacement is None else self.displacement[:, 4]
+
+    @property
+    def holding_moment(self) -> Array | None:
+        """(n,) about y, that holds the ring at its tilt, N m; None for a ring that tilts freely."""
+        if np.isnan(self.held_tilt):
+            return None
+        return self.held_by + (self.stiffness[:, 4] * self._aside).sum(axis=-1)
+
+    @cached_property
+    def _aside(self) -> Array:
+        """(n, 5) displacement by what the balls' equilibrium leaves out, m and rad."""
+        moving = 5 if np.isnan(self.held_tilt) else 3
+        moved = np.zeros_like(self.sideways)
+        softness = np.linalg.pinv(self.stiffness[:, :moving, :moving], hermitian=True)
+        moved[:, :moving] = (softness @ self.sideways[:, :moving, None])[..., 0]
+        return moved
 
     @cached_property
     def stiffness(self) -> Array:
@@ -175,12 +208,14 @@ class RingState(Brief):
             load, angle = self.load[point, side], self.contact_angle[point, side]
             balls[f"{race}_load"] = tuple(load.tolist())
             balls[f"{race}_angle"] = tuple(float(a) if q > 0 else None for a, q in zip(angle, load, strict=True))
+        holding = self.holding_moment
         displaced = None if place is None else Displacement(**dict(zip(FREEDOMS, place[point].tolist(), strict=True)))
         first, second, third, fourth, fifth = (tuple(row) for row in self.stiffness[point].tolist())
         return RingPoint(
             displacement=displaced,
             stiffness=(first, second, third, fourth, fifth),
             balls=Balls(azimuth=tuple(self.azimuth.tolist()), **balls),  # pyright: ignore[reportArgumentType]
+            holding_moment=None if holding is None else float(holding[point]),
         )
 
     def to_dataset(self) -> Any:
@@ -229,10 +264,12 @@ def _stiffness(springs: Array, travel: Array) -> Array:
     return stiffness
 
 
-def state_of_ring(bearing: Bearing, angle: ContactAngle, balls: Records, operation: Operation) -> RingState:
+def state_of_ring(
+    bearing: Bearing, angle: ContactAngle, balls: Records, operation: Operation, held_by: Array
+) -> RingState:
     """The state of ring and balls; balls : (n, Z) with the fields of `analytic.solve.records.BALL`, or (n, 1)
 
-    operation : every array (n,)
+    operation : every array (n,);  held_by : (n,) moment that holds the ring, by the balls' equilibrium, N m
     """
     count = (len(balls), 2, bearing.ball_count)
     each = (np.swapaxes(balls[name], 1, 2) for name in ("load", "angle", "approach"))
@@ -242,5 +279,12 @@ def state_of_ring(bearing: Bearing, angle: ContactAngle, balls: Records, operati
         sideways[:, FREEDOMS.index("x")] = operation.radial_load
         sideways[:, FREEDOMS.index("tilt_y")] = operation.moment
     return RingState(
-        bearing=bearing, angle=angle, load=load, contact_angle=contact_angle, approach=approach, sideways=sideways
+        bearing=bearing,
+        angle=angle,
+        load=load,
+        contact_angle=contact_angle,
+        approach=approach,
+        sideways=sideways,
+        held_tilt=operation.held_tilt,
+        held_by=held_by,
     )

@@ -13,6 +13,7 @@ from analytic.loads.turning import ForcesOfTurning
 from analytic.numerics.records import Record, Records, dtype_of
 
 FREEDOMS = 5  # of a ring: along z, x and y, tilts about x and y
+TILTS = 2  # of these
 
 BALL_STATE = np.dtype(
     [
@@ -62,10 +63,11 @@ RING_STATE = np.dtype(
         ("force", "f8", FREEDOMS),  # load and friction of the balls, held by a round
         ("place", "f8", FREEDOMS),  # m; tilts times R
         ("tangent", "f8", (FREEDOMS, FREEDOMS)),  # second derivative of the energy, N/m
-        ("gradient", "f8", FREEDOMS),  # of the energy, N
+        ("gradient", "f8", FREEDOMS),  # of the energy, N: what holds a freedom that is held
         ("step", "f8", FREEDOMS),  # of Newton's method
         ("origin", "f8", FREEDOMS),  # place from which a step goes
         ("factor", "f8", (FREEDOMS, FREEDOMS)),  # of the tangent
+        ("held", "i8"),  # how many of the last freedoms are held at their place: 0, or TILTS
         ("passes", "i8"),  # quadrature in which free balls settled last; 0: no start is known
     ],
     align=True,

@@ -24,7 +24,7 @@ from analytic.prediction.first_order import MovedTotals, end_factors, moved_tota
 from analytic.prediction.steady import SteadyTemperature, steady_temperature, with_steady_oil
 from analytic.result import FrictionTorque
 from analytic.rows import NotNegative, OperatingPoint, Positive
-from analytic.scene import Array, Operation, Scene
+from analytic.scene import Array, Scene
 from analytic.scenefile.by_temperature import SceneByTemperature
 from analytic.scenefile.columns import operating_points, require_loads
 from analytic.scenefile.cycle import Cycle, read_cycle
@@ -202,11 +202,11 @@ def _computed(found: SceneByTemperature, steps: Steps, *, with_interval: bool) -
         names = tuple(steps.points)
         given = np.array([steps.points[name][places] for name in names])
         different, which = np.unique(given, axis=1, return_inverse=True)
-        at_them = replace(scene, operation=Operation(**dict(zip(names, different, strict=True))))
+        at_them = replace(scene, operation=replace(scene.operation, **dict(zip(names, different, strict=True))))
         result = friction_torque(at_them)
         torque[places] = result.torque.total[which]
         warnings += result.warnings
-        every = replace(scene, operation=Operation(**dict(zip(names, given, strict=True))))
+        every = replace(scene, operation=replace(scene.operation, **dict(zip(names, given, strict=True))))
         results.append((every, result.at(which)))
         totals = moved_totals(at_them, result) if with_interval else None
         if totals is not None:

@@ -131,7 +131,7 @@ def _turn_freely(
             work.balls[f"start_{name}"] = values[i]
         found = solved(model, point, work=work, keeps_balls=False).points[0]
         speed = pitch_diameter / 4  # of a ball along its orbit, nearly, per unit ring speed
-        alike = not (point[0, 1] or point[0, 2] or model.numbers.counted.weight)
+        alike = not (point[0, 1] or point[0, 2] or model.numbers.counted.weight or abs(model.numbers.tilt) > 0)
         moved = np.maximum(
             np.abs(work.balls["start_velocity"] - start.velocity[i]).max(axis=1) / speed,
             np.abs(work.balls["start_load"] - start.load[i]).max(axis=1),

@@ -85,7 +85,8 @@ def operation(
     inner_speed: Series,
     axial_load: Series = 0.0,
     radial_load: Series = 0.0,
-    moment: Series = 0.0,
+    moment: Series | None = None,
+    tilt: Given | None = None,
 ) -> Operation:
     """The operating points of a series: single values or (n,); a single value counts for the whole series.
 
@@ -95,8 +96,10 @@ def operation(
         Of the inner ring, rad/s, or texts with units, as "1000 rpm" or ["500 rpm", "1000 rpm"].
     axial_load, radial_load : array_like or str, shape (n,)
         N, or texts with units.
-    moment : array_like or str, shape (n,)
-        N m, as in `analytic.scene.Operation`, or texts with units.
+    moment : array_like or str, shape (n,), optional
+        N m, as in `analytic.scene.Operation`, or texts with units; the ring then tilts freely.
+    tilt : float or str, optional
+        At which the ring is held, rad, or a text as "0.3 mrad" or "free"; None: 0, or free under a given moment.
 
     Returns
     -------
@@ -106,10 +109,17 @@ def operation(
     Raises
     ------
     InputError
-        Lengths differ, or something is neither a number nor a quantity of that key.
+        Lengths differ, something is neither a number nor a quantity of that key, or a moment is given beside a tilt.
     """
     given = {"axial_load": axial_load, "inner_speed": inner_speed, "radial_load": radial_load, "moment": moment}
-    return Operation(**{key: _in_si(f"operation.{key}", value) for key, value in given.items()}).as_series()
+    arrays = {key: _in_si(f"operation.{key}", value) for key, value in given.items() if value is not None}
+    if tilt is None:
+        held = None if moment is None else "free"
+    else:
+        held = tilt if tilt == "free" else float(_in_si("operation.tilt", tilt))
+    if moment is not None and not isinstance(held, str):
+        raise InputError("operation.tilt holds the ring, and operation.moment tilts it: leave one of them out")
+    return Operation(tilt=held, **arrays).as_series()
 
 
 def _in_si(path: str, given: Series) -> Array:

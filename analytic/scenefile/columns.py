@@ -187,7 +187,7 @@ def operating_points(scene: Scene, file: str, columns: Mapping[str, Array | None
     Raises InputError for a quantity that the file lacks and of which the scene has several values.
     """
     points: dict[str, Array] = {}
-    for name, own in vars(scene.operation.as_series()).items():
+    for name, own in scene.operation.as_series().points.items():
         column = columns.get(name)
         if column is None and np.ptp(own):
             raise InputError(

@@ -18,6 +18,8 @@ def installation_faults(table: SceneTable) -> Iterator[tuple[str, str]]:
         return
     if table.mounting is not None:
         yield from _mounting_faults(table.mounting, angle)
+    if table.arrangement is not None and table.operation.tilt not in (None, "free", 0.0):
+        yield "operation.tilt", "is of a single bearing, and the loads tilt the shaft of a pair; leave it out"
     if table.arrangement is not None and angle.rule == "given":
         yield (
             "bearing.contact_angle.rule",
@@ -34,6 +36,8 @@ def _washer_faults(table: SceneTable) -> Iterator[tuple[str, str]]:
         for key in ("start", "land"):
             if getattr(table.cage, key) is not None:
                 yield f"cage.{key}", "is not modelled in a thrust bearing, whose cage rests on its balls; leave it out"
+    if table.operation.tilt not in (None, "free", 0.0):
+        yield "operation.tilt", "is not modelled for a thrust bearing, whose washers are parallel; leave it out"
     for key in ("radial_load", "moment"):
         if any(getattr(table.operation, key)):
             yield (

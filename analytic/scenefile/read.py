@@ -307,6 +307,10 @@ def _conflicts(
         yield "bearing.contact_angle.value", 'goes with rule = "given"; use free = ... or leave it out'
     yield from bearing_faults(table.bearing, own, row)
     yield from installation_faults(table)
+    if isinstance(loads.tilt, float) and "moment" in loads.model_fields_set:
+        yield "operation.tilt", "holds the ring, and operation.moment tilts it; leave one of them out"
+    if loads.tilt not in (None, "free", 0.0) and angle.rule == "given":
+        yield "operation.tilt", 'changes the contact angles, which rule = "given" holds; use "solved", or leave it out'
     lists = {key: each for key, each in document["operation"].items() if isinstance(each, list) and key != "down"}
     if len({len(each) for each in lists.values()}) > 1:
         counts = " and ".join(f"operation.{key} has {len(each)}" for key, each in lists.items())
@@ -357,11 +361,10 @@ def _apart(table: SceneTable, row: CatalogBearing | None) -> Iterator[str]:
 def _loose(table: SceneTable, row: CatalogBearing | None) -> Iterator[str]:
     """A warning where too little thrust loads fewer than half of the balls."""
     if any(thrust < HALF_SEATED * spread for thrust, spread in _seating(table, row)):
-        held = np.any(table.operation.moment)
         yield (
             f"the thrust loads fewer than half of the balls of this angular contact bearing: {HALF_SEATED:g} times the "
-            "radial load times tan(contact angle) loads half of them where operation.moment holds the ring straight, "
-            + (f"{SEATED:g} times all" if held else "and a ring that tilts freely needs more")
+            "radial load times tan(contact angle) loads half of them where the ring is held straight, "
+            + ("and a ring that tilts freely needs more" if table.operation.is_free else f"{SEATED:g} times all")
         )
 
 
@@ -513,9 +516,10 @@ def _cage(given: CageTable, bearing: Bearing, *, assumed: Collection[str]) -> Ca
 
 
 def _operation(given: OperationTable) -> Operation:
-    series = given.model_dump(exclude={"down"})
+    series = given.model_dump(exclude={"down", "tilt"})
     values = np.broadcast_arrays(*(np.array(value) for value in series.values()))
-    return Operation(**{key: _frozen(value) for key, value in zip(series, values, strict=True)})
+    tilt = "free" if given.is_free else given.tilt
+    return Operation(tilt=tilt, **{key: _frozen(value) for key, value in zip(series, values, strict=True)})
 
 
 def _frozen(values: Array) -> Array:

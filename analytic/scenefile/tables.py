@@ -103,6 +103,13 @@ HEAVIEST = 1e8  # N, and N m: beyond the static load rating of the largest ball 
 Force = Annotated[float, Dimension(unit="N", low=1e-15, high=HEAVIEST, example='"1 kN"')]
 Thrust = Annotated[float, Dimension(unit="N", low=0, high=HEAVIEST, example='"1 kN"')]
 Side = Annotated[float, Dimension(unit="N", low=-HEAVIEST, high=HEAVIEST, example='"0.5 kN"')]
+FARTHEST = 0.1  # rad: beyond it a tilt is not small
+Tilt = Annotated[
+    float | Literal["free"],
+    QuantityOrWord(
+        unit="rad", low=-FARTHEST, high=FARTHEST, example='"0.3 mrad"', words=("free",), meaning="by the loads"
+    ),
+]
 Moment = Annotated[float, Dimension(unit="N m", low=-HEAVIEST, high=HEAVIEST, example='"2 N m"')]
 ClearanceEntry = Annotated[
     float | ClearanceGroup,
@@ -273,7 +280,14 @@ class OperationTable(Table):
     inner_speed: Annotated[list[Speed], BeforeValidator(_series)] = Field(description='give for example "300 rpm"')
     radial_load: Annotated[list[Side], BeforeValidator(_series)] = Field(default=[0.0])
     moment: Annotated[list[Moment], BeforeValidator(_series)] = Field(default=[0.0])
+    # Of the inner ring about y, against which the moment acts; 0 by default, free where a moment is given
+    tilt: Tilt | None = None
     down: Annotated[tuple[float, float, float], BeforeValidator(_direction)] | None = None
+
+    @property
+    def is_free(self) -> bool:
+        """Whether the ring tilts as its loads and moment have it."""
+        return self.tilt == "free" or (self.tilt is None and "moment" in self.model_fields_set)
 
 
 @dataclass(frozen=True)

@@ -23,6 +23,7 @@ from analytic.loads.kinematics import BallMotion, ruled_motion
 from analytic.loads.race_contacts import contact_under
 from analytic.loads.ring_rounds import BY_LOAD, BY_POINT, Round, settle_ruled_ring
 from analytic.loads.ring_rounds import SETTLED as ROUNDS_SETTLED
+from analytic.loads.state import TILTS
 from analytic.loads.thrust_ball import first_contacts, settle_ruled_thrust, thrust_point
 from analytic.loads.turning import TurningRule
 from analytic.numerics.compilation import compiled
@@ -119,6 +120,7 @@ def solve(
             continue
         written = balls[min(i, balls.shape[0] - 1)]
         slide_by_rule(model, tables, load, work.balls[:count], written, of_point)
+        of_point.holding_moment = holding_moment(model, work.ring, count)
         finish(model, tables, load, count, written, of_point)
 
 
@@ -141,10 +143,17 @@ def solve_free(
             continue
         written = balls[min(i, balls.shape[0] - 1)]
         slide_freely(model, tables, load, work, has_ring, count, written, of_point)
+        of_point.holding_moment = holding_moment(model, work.ring, count)
         if of_point.status == SETTLED:
             finish(model, tables, load, count, written, of_point)
         else:
             spoil(of_point)
+
+
+@compiled
+def holding_moment(model: ModelNumbers, ring: Record, count: int) -> float:
+    """About y, which holds a ring at its tilt, N m; 0 for a free one; count : balls that differ"""
+    return model.arm * ring.gradient[4] if count > 1 and ring.held > 0 else 0.0
 
 
 @compiled
@@ -202,6 +211,7 @@ def reset(out: Record) -> None:
     """Begin the sums of a point."""
     out.total = out.spin = out.conformity = out.hysteresis = out.rolling = out.cage = out.sliding_error = 0.0
     out.orbit_rate = out.ball_rate = out.contact_angle = out.ball_lead = out.lead_across = out.slowness = 0.0
+    out.holding_moment = 0.0
     out.creep, out.passes, out.heaviest, out.gyroscopic_hold, out.coming_off = 0.0, 0, 0, 0.0, 0.0
     out.at_edge[:] = 0
     out.centrifugal_share = out.gyroscopic_share = out.weight_share = 0.0
@@ -303,7 +313,7 @@ def balance(
     start : of `settle_ruled_ring`
     """
     counted, ring = model.counted, work.ring
-    unequal = load.radial != 0.0 or load.moment != 0.0
+    unequal = load.radial != 0.0 or load.moment != 0.0 or abs(model.tilt) > 0.0
     is_ring = (unequal and counted.load_distribution) or counted.weight
     if not is_ring and not load.axial > 0.0:
         out.status = NO_DISTRIBUTION if unequal else NO_THRUST
@@ -314,6 +324,9 @@ def balance(
     ring.load[0] = load.axial
     if counted.load_distribution:
         ring.load[1], ring.load[4] = load.radial, load.moment / model.arm
+    ring.held = 0 if np.isnan(model.tilt) else TILTS
+    if ring.held > 0:
+        ring.place[3], ring.place[4] = 0.0, model.arm * model.tilt if counted.load_distribution else 0.0
     rule, count = TurningRule(load.speed, counted.centrifugal, gyroscopic), 1
     if is_ring and has_ring is not None:
         count = len(work.balls)

@@ -56,6 +56,7 @@ class ModelNumbers(NamedTuple):
     ring: RingNumbers
     arm: float  # R of the inner groove centres, m
     counted: Counted
+    tilt: float  # of the ring about y, at which it is held, rad; NaN: it tilts freely
     farthest: bool  # finite geometry by the factors at the far end of what is not known outside the fit's range
     oil: OilNumbers  # at the scene's temperature
     warm: OilNumbers  # at that of the last operating point
@@ -255,6 +256,7 @@ def model_of(
         ring=ring,
         arm=bearing.inner.bottom_radius + bearing.inner.groove_radius,
         counted=effects,
+        tilt=scene.operation.held_tilt,
         farthest=farthest,
         oil=oil,
         warm=oil,

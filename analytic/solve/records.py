@@ -50,6 +50,7 @@ POINT = np.dtype(
         ("heaviest", "i8"),  # ball
         ("orbit_rate", "f8"),  # w_c/w, mean over the balls; NaN: nothing turns a ball
         ("ball_rate", "f8"),  # w_b/w, mean over the balls
+        ("holding_moment", "f8"),  # about y, at the ring whose tilt is held, N m; 0 where one ball stands for all
         ("contact_angle", "f8"),  # |al|, mean over balls and races, rad
         ("ball_lead", "f8"),  # A, m, see `analytic.cage.drive`
         ("lead_across", "f8"),  # sum over the balls of sin(psi)/w_c

@@ -107,7 +107,7 @@ def solved(model: Model, points: Array, *, work: Workspace | None = None, keeps_
     """The kernel at n points, (n, 5); work : a state to begin with and to leave, for one thread; None: by rule."""
     count, points = len(points), np.ascontiguousarray(points)  # another layout would be compiled again, for seconds
     kernel = solve if model.creep is None else solve_free
-    counted, unequal = model.numbers.counted, bool(points[:, 1:3].any())
+    counted, unequal = model.numbers.counted, bool(points[:, 1:3].any() or abs(model.numbers.tilt) > 0)
     # Unequal loads, or weights, ask for a ring of all balls.
     has_ring = True if unequal or counted.weight else None
     columns = len(model.balls) if (unequal and counted.load_distribution) or counted.weight else 1

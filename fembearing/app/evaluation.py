@@ -95,7 +95,7 @@ def at_once(text: str) -> Evaluation:
     scene = parse_scene(text, origin=ORIGIN)
     result = torque_of_scene(scene, estimate=False)
     point, contacts, reason = int(np.argmax(result.friction.torque.total)), {}, ""
-    here = {name: values[[point]] for name, values in vars(scene.operation.as_series()).items()}
+    here = scene.operation.as_series().at(np.array([point])).points
     try:
         contacts = {race: contact_of(_at(scene, here), pair=race) for race in RACES}
     except FembearingError as problem:  # the torque is known all the same
@@ -116,7 +116,7 @@ def curve_scenes(found: Evaluation) -> list[Scene]:
     Of a series the series itself.
     """
     scene = found.result.scene
-    points = vars(scene.operation.as_series())
+    points = scene.operation.as_series().points
     if found.is_series:
         return [scene]
     if not np.any(points["inner_speed"]):

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from analytic.errors import InputError
-from analytic.scene import Array, Operation
+from analytic.scene import Array
 from analytic.scenefile.by_temperature import SceneByTemperature
 from analytic.torque import friction_torque
 from fembearing.formats.axes import Axes, axes_in_words
@@ -83,8 +83,9 @@ def stiffness_at(given: SceneByTemperature, axes: Axes) -> Array:
         raise InputError("a pair of bearings has no stiffness at one node; give the scene of each bearing by itself")
     speeds = axes["speed"]
     loads = {name: np.full(speeds.size, axes[name][0]) for name in ("axial_load", "radial_load")}
-    moment = np.full(speeds.size, np.ravel(scene.operation.as_series().moment)[0])
-    ring = friction_torque(replace(scene, operation=Operation(inner_speed=speeds, moment=moment, **loads))).ring
+    own = scene.operation.as_series()
+    moment = np.full(speeds.size, own.moment[0])
+    ring = friction_torque(replace(scene, operation=replace(own, inner_speed=speeds, moment=moment, **loads))).ring
     assert ring is not None
     least = np.linalg.eigvalsh(ring.stiffness[:, 1:3, 1:3]).min()
     if not least > 0:

@@ -140,7 +140,7 @@ def torques_at_nodes(found: SceneByTemperature, axes: Axes) -> list[tuple[Scene,
     moving = {**axes, "speed": moving_speeds(axes["speed"])}
     chosen = {name: moving[name][places] for name, places in _places(moving).items()}
     temperatures = chosen.pop("temperature", [None])
-    own = replace(found, scene=replace(found.scene, operation=_operation(chosen, _moment(found.scene))))
+    own = replace(found, scene=replace(found.scene, operation=_operation(chosen, found.scene.operation)))
     scenes = [own.scene if each is None else own.at(float(each)) for each in temperatures]
     return [(scene, _with_resting_cage(scene)) for scene in scenes]
 
@@ -170,10 +170,10 @@ def _places(axes: Axes) -> dict[str, NDArray[np.intp]]:
     }
 
 
-def _operation(axes: Axes, moment: float) -> Operation:
-    """Every product of speeds and loads, with one moment, N m."""
+def _operation(axes: Axes, own: Operation) -> Operation:
+    """Every product of speeds and loads, with the one moment or tilt of the scene's own operation."""
     points = {OF_OPERATION[name]: values for name, values in _product(axes).items()}
-    return Operation(**points, moment=np.full(points["inner_speed"].size, moment))
+    return replace(own, **points, moment=np.full(points["inner_speed"].size, np.ravel(own.moment)[0]))
 
 
 def _interval(law: TorqueOverAxes, axes: Axes, progress: Progress) -> Array:
@@ -185,7 +185,7 @@ def _interval(law: TorqueOverAxes, axes: Axes, progress: Progress) -> Array:
     settled = law.found.scene
     balanced = replace(
         settled,
-        operation=_operation(chosen, law.moment),
+        operation=_operation(chosen, settled.operation),
         spin_rule="balanced",
         sliding="single_coefficient",
         effects={**settled.effects, "creep": "off"},  # it goes with free balls alone

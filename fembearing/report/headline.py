@@ -12,7 +12,7 @@ from analytic.result import COORDINATES, TorquePoint
 from analytic.scene import Scene
 from analytic.words import percent_of
 from fembearing.quantities import METRIC, QUANTITIES, SYSTEMS, Units
-from fembearing.report.phrases import between, present_loads, rounded, speed_words, varying_loads
+from fembearing.report.phrases import between, present_loads, rounded, speed_words, tilt_of, varying_loads
 from fembearing.report.scene_view import SceneView
 from fembearing.report.tables.points import point_cells, point_heads
 from fembearing.report.tables.table import Head, Row, Table, table_of
@@ -84,6 +84,7 @@ def headline_title(scene: Scene | SceneView, record: TorqueRecord, units: Units 
     for name in fixed:
         load = QUANTITIES[name].in_units(units).shown.written(getattr(points[0], name), ".5g")
         words.append(f"{COORDINATES[name].meaning.removesuffix(' load')} {load}")
+    words += [tilt_of(points, units)] if tilt_of(points, units) else []
     speeds = {point.inner_speed for point in points}
     words += [speed_words(speeds.pop(), units)] if len(speeds) == 1 else []
     if oil is None:

@@ -14,7 +14,7 @@ from fembearing.verify.cost.ladder import Ladder
 
 if TYPE_CHECKING:
     from analytic.prediction.rows import PredictionRows
-    from analytic.result import PairRows
+    from analytic.result import PairRows, TorquePoint
     from analytic.rows import OperatingPoint
     from analytic.scene import Clearances
     from analytic.verdicts import NumericalCheck, PhysicalCheck
@@ -51,8 +51,10 @@ CHECKS = {  # the physical verdicts
     "sliding": "sliding number",
     "gyroscopic_hold": "gyroscopic hold",
     "cage_force": "cage force",
+    "tilt": "tilt of the inner ring",
     "replenishment": "starvation, -ln of the factor",
 }
+NO_TILT, NO_MOMENT = 1e-6, 1e-6  # rad and N m: less is rounding, or nobody's concern
 LONGEST_LIST = 12  # values in a cell of a table
 LOADS = ("axial_load", "radial_load", "moment")
 MEASURED_RANGE = "35 % too low to 10 % too high"  # of validation/measured/measured.csv, which a test compares
@@ -104,6 +106,20 @@ def loads_of(point: "OperatingPoint", names: Sequence[str], units: Units = METRI
     words = {"axial_load": "axial", "radial_load": "radial", "moment": "moment"}
     shown = {name: units.torque if name == "moment" else units.force for name in names}
     return ", ".join(f"{shown[name].written(getattr(point, name), '.6g')} {words[name]}" for name in names)
+
+
+def tilt_of(points: Sequence["TorquePoint"], units: Units = METRIC) -> str:
+    """How the inner ring of a single bearing is held or tilts, at most; empty: nothing tilts it."""
+    rings = [point.ring for point in points if point.ring is not None]
+    holding = [ring.holding_moment for ring in rings if ring.holding_moment is not None]
+    tilts = [ring.displacement.tilt_y for ring in rings if ring.displacement is not None]
+    tilt = max(tilts, key=abs, default=0.0)
+    leans = f"{1e3 * abs(tilt):.3g} mrad" if abs(tilt) > NO_TILT else ""
+    if not holding:
+        return f"ring tilts by {leans}" if leans else ""
+    moment = max(map(abs, holding))
+    held = f"ring held at {leans}" if leans else "ring held straight"
+    return f"{held} by {units.torque.written(moment, '.4g')}" if leans or moment > NO_MOMENT else ""
 
 
 def varying_loads(points: Sequence["OperatingPoint"]) -> list[str]:
@@ -218,6 +234,8 @@ def uncertainty_of(model: float | None, parts: Mapping[str, float]) -> str:
 
 def limit_of(value: float, unit: str, units: Units = METRIC) -> str:
     """A number of a physical verdict, SI, as it is shown: shares in per cent, those below 1e-6 as 0."""
+    if unit == "rad":
+        return f"{1e3 * value:.3g} mrad"
     return units.pressure.written(value, ".3g") if unit == "Pa" else percent_of(0.0 if abs(value) < 1e-6 else value)
 
 

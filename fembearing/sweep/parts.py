@@ -30,7 +30,7 @@ from fembearing.verify.contact import columns as of_contact
 MOST_THRUST = 1000  # points in one piece under thrust: about 3 s with free balls
 MOST_SCENES = 50  # in one piece: about 3 s
 MOST_RADIAL = 16  # points in one piece, where each ball carries another load: 10 s with free balls and a film
-RADIAL = ("operation.radial_load", "operation.moment")
+RADIAL = ("operation.radial_load", "operation.moment", "operation.tilt")
 REASON = "failure"
 FAILURE = {REASON: Column("", "why a point failed; empty where not")}  # without a unit: words
 VERDICT = {of_contact.VERDICT: Column("", "verdict on Hertz by the scene's tolerance")}
@@ -198,7 +198,7 @@ def _at(grid: Grid, scene: Scene, places: NDArray[np.intp]) -> Scene:
     if not series:
         return scene
     indices = np.unravel_index(places, tuple(len(axis.values) for axis in series))
-    values = {name: np.resize(value, places.size) for name, value in vars(scene.operation).items()}
+    values = {name: np.resize(value, places.size) for name, value in scene.operation.points.items()}
     for axis, index in zip(series, indices, strict=True):
         values[axis.key.rpartition(".")[2]] = np.array(axis.values, dtype=np.float64)[index]
     return replace(scene, operation=replace(scene.operation, **values))

@@ -27,8 +27,10 @@ LOADS = [(310.0, 0.0, 0.0), (120.0, 770.0, 0.0), (900.0, 130.0, 2.3), (45.0, 0.0
 
 
 def scene_of(name: str, **changed: object) -> Scene:
+    """Its ring tilts freely, so that calls may have a moment."""
     scene = load_scene(SCENES / f"{name}.toml" if (SCENES / f"{name}.toml").exists() else name)
-    return replace(scene, **changed)  # pyright: ignore[reportArgumentType]
+    free = replace(scene.operation, tilt="free")
+    return replace(scene, **({"operation": free} | changed))  # pyright: ignore[reportArgumentType]
 
 
 @pytest.fixture(scope="module")
@@ -39,7 +41,7 @@ def balanced() -> TorqueFunction:
 
 def by_series(function: TorqueFunction, *, temperature: float | None = None, **operation: float) -> float:
     points = {name: np.array([value]) for name, value in operation.items()}
-    scene = replace(function.scene, operation=Operation(**points))
+    scene = replace(function.scene, operation=Operation(tilt=function.scene.operation.tilt, **points))
     if temperature is not None:
         assert scene.lubricant is not None
         scene = replace(scene, lubricant=replace(scene.lubricant, temperature=temperature))

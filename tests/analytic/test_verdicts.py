@@ -131,7 +131,7 @@ def outer_control_hold(speed: float, angle: np.ndarray, load: np.ndarray) -> np.
 
 def test_the_hold_of_balls_at_the_edge_of_the_loaded_zone_does_not_count() -> None:
     given = scene(100.0, speed=23.0, contact_angle=ContactAngle(rule="solved"))
-    operation = replace(given.operation, radial_load=300.0)
+    operation = replace(given.operation, radial_load=300.0, tilt="free")
     ruled = PLAIN | {"creep": "off", "load_distribution": "on"}
     result = friction_torque(
         replace(given, operation=operation, friction_coefficient=0.083, effects=ruled, spin_rule="outer_control")

@@ -72,7 +72,7 @@ def test_the_scene_is_that_of_the_options_of_the_command_line() -> None:
     options = {"radial_load": "2,5 kN", "axial_load": "320N", "speed": "730", "oil": "ISO VG 46"}
     shown = parse_scene(text, origin="here")
     told = load_scene("6206", settings={}, **options, temperature="81C", supply="grease")
-    for name, values in vars(told.operation).items():
+    for name, values in told.operation.points.items():
         assert getattr(shown.operation, name).tolist() == values.tolist()
     # The note that a speed without a unit is read as rpm is a warning of the scene there, and stands beside the field.
     others = vars(told).keys() - {"operation", "warnings"}

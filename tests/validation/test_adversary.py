@@ -280,8 +280,7 @@ def test_a_series_that_jumps_to_another_steady_state_covers_both() -> None:
     found, operation, apart = friction_torque(scene), scene.operation.as_series(), []
     assert any("two steady states" in each for each in found.warnings)
     for point, total in enumerate(found.torque.total):
-        loads = {name: values[[point]] for name, values in vars(operation).items() if values is not None}
-        alone = friction_torque(replace(scene, operation=replace(operation, **loads)))
+        alone = friction_torque(replace(scene, operation=operation.at(np.array([point]))))
         apart.append(abs(alone.torque.total[0] / total - 1))
     assert max(apart) > 0.3  # at which point the balls jump may depend on last digits
     assert np.all(np.array(apart) <= found.numerical_uncertainty)

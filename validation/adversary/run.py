@@ -42,7 +42,7 @@ from analytic.cage.drive import SQUEEZE_SPREAD
 from analytic.effects.table import COMPUTED, ENTRIES, ruled
 from analytic.errors import FembearingError, InputError
 from analytic.result import FrictionTorque
-from analytic.scene import Array, Operation, Scene
+from analytic.scene import Array, Scene
 from analytic.scenefile.read import parse_scene
 from analytic.verdicts import physical_checks
 from validation.adversary.drawn import INPUTS, LONG_SERIES, scene_text
@@ -154,8 +154,7 @@ def compared(place: tuple[float, ...], scene: Scene, exact: FrictionTorque) -> I
 
 def last_of(scene: Scene) -> Scene:
     """The scene at its last operating point alone."""
-    series = vars(scene.operation.as_series())
-    return replace(scene, operation=Operation(**{name: values[LAST] for name, values in series.items()}))
+    return replace(scene, operation=scene.operation.as_series().at(LAST))
 
 
 def difference(auto: FrictionTorque, other: FrictionTorque) -> tuple[Array, Array]:

@@ -250,7 +250,7 @@ def measured_resistances() -> Iterator[tuple[str, str, float]]:
 
 def _contacts(scene: Scene) -> RollingContact:
     operation = scene.operation.as_series()
-    first = Operation(**{name: values[:1] for name, values in vars(operation).items()})
+    first = operation.at(np.array([0]))
     return thrust_balls(
         scene.bearing,
         scene.contact_angle,

@@ -18,7 +18,7 @@ from analytic.cage.pocket import friction_in_pocket
 from analytic.cage.statistics import CageStatistics, measured_motion
 from analytic.cage.steady import DrivenCage
 from analytic.loads.kinematics import ball_kinematics
-from analytic.scene import Array, Cage, CageStart, ContactAngle, Decision, Operation, Scene
+from analytic.scene import Array, Cage, CageStart, ContactAngle, Decision, Scene
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
 
@@ -118,7 +118,7 @@ def with_moving_cage(scene: Scene, cage: Cage, *, inner_speed: float) -> Scene:
     The readings were chosen with such balls. Above a grip number of 0.9 they would slide: `ball_dynamics` is off, and
     `traction_share` shows it.
     """
-    first = Operation(**{name: values[:1] for name, values in vars(scene.operation.as_series()).items()})
+    first = scene.operation.as_series().at(np.array([0]))
     operation = replace(first, inner_speed=np.array([inner_speed]))
     return replace(scene, cage=cage, operation=operation, effects={**scene.effects, **HELD_BALLS})
 

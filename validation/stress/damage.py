@@ -158,7 +158,7 @@ def read_scene(path: Path) -> None:
     """Read a scene, and compute the torque at its first point."""
     scene = load_scene(path)
     if scene.has_friction:
-        first = {name: np.atleast_1d(value)[:1] for name, value in vars(scene.operation).items() if name != "down"}
+        first = {name: np.atleast_1d(value)[:1] for name, value in scene.operation.points.items()}
         result = friction_torque(replace(scene, operation=replace(scene.operation, **first)))
         require_finite_numbers(plain(result.rows))
 

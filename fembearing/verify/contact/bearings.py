@@ -44,6 +44,5 @@ def _of_pair(scene: Scene) -> Iterator[OneBearing]:
     both = pair_in_series(by_hertz, scene.arrangement, None)
     for name, points, rows in zip(NAMES, both.points, both.rows, strict=True):
         if points.size:
-            loads = {load: values[rows] for load, values in vars(both.scene.operation.as_series()).items()}
-            operation = replace(both.scene.operation, **loads)
+            operation = both.scene.operation.as_series().at(rows)
             yield OneBearing(name=name, scene=replace(scene, arrangement=None, operation=operation), points=points)

@@ -9,7 +9,7 @@ from analytic.cage.statistics import CageStatistics, measured_motion
 from analytic.cage.torque import CagePart, cage_friction, driven_cage
 from analytic.errors import InputError
 from analytic.races import loaded_balls_of
-from analytic.scene import Array, Operation, Scene
+from analytic.scene import Array, Scene
 from analytic.words import speed_of
 from fembearing.verify.cost.ladder import UntimedLadder, UntimedMethod, deviation
 
@@ -31,7 +31,7 @@ def cage_methods(scene: Scene) -> UntimedLadder:
         raise InputError("neither friction.coefficient nor both [lubricant] and [surface] are given")
     series = scene.operation.as_series()
     fastest = int(np.argmax(np.abs(series.inner_speed)))
-    operation = Operation(**{name: values[[fastest]] for name, values in vars(series).items()})
+    operation = series.at(np.array([fastest]))
     turning = float(operation.inner_speed[0])
     if turning == 0:
         raise InputError("the bearing stands still, without friction of the cage")

@@ -240,7 +240,7 @@ def scene_at_heaviest(
         raise InputError(f"friction.coefficient = 0: {NO_FRICTION}; give one above 0, or --friction")
     operation = scene.operation.as_series()
     point, _ = heaviest_place(balls_of(scene))
-    alone = Operation(**{name: values[point : point + 1] for name, values in vars(operation).items()})
+    alone = operation.at(np.array([point]))
     if inner_speed is not None:
         alone = replace(alone, inner_speed=np.array([inner_speed]))
     if alone.inner_speed[0] == 0:

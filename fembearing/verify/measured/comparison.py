@@ -190,7 +190,7 @@ def _scenes(scene: Scene, measured: MeasuredTorque) -> Iterator[tuple[NDArray[np
                 "together, analytic.load_scene(scene, measured=data)"
             )
         places = np.flatnonzero(temperatures == temperature)
-        at_it = Operation(**{name: values[places] for name, values in vars(operation).items()})
+        at_it = operation.at(places)
         yield places, replace(scene, operation=at_it, lubricant=oil)
 
 
@@ -198,7 +198,7 @@ def _operation(scene: Scene, measured: MeasuredTorque) -> Operation:
     """The operating points of the rows; what the file lacks is that of the scene, if it has one value of it."""
     points = operating_points(scene, measured.file, vars(measured), measured.torque.size)
     require_loads(scene, measured.file, points)
-    return Operation(**points)
+    return replace(scene.operation, **points)
 
 
 def _leading(predictions: Sequence["Prediction"]) -> dict[str, float]:

@@ -112,6 +112,8 @@ def case_of(scene: Scene) -> CatalogueCase:
     series = bearing_series(bearing)
     if np.any(operation.moment):
         raise InputError("operation.moment is not 0: no model for moments")
+    if abs(operation.held_tilt) > 0:
+        raise InputError("operation.tilt is not 0: no model for tilted rings")
     axial, radial = np.asarray(operation.axial_load), np.abs(operation.radial_load)
     if np.any(axial < 0):
         raise InputError(f"operation.axial_load = {axial.min():g} N is below 0")

@@ -69,9 +69,7 @@ def torque_where_it_is(scene: Scene) -> tuple[Scene, FrictionTorque, tuple[LeftO
     problems: dict[int, FembearingError] = {}
 
     def at(points: NDArray[np.intp]) -> Scene:
-        return replace(
-            scene, operation=replace(operation, **{name: each[points] for name, each in vars(operation).items()})
-        )
+        return replace(scene, operation=operation.at(points))
 
     def try_out(points: NDArray[np.intp]) -> FrictionTorque | None:
         try:

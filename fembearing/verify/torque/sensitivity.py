@@ -179,5 +179,5 @@ def at_points(scene: Scene, points: list[int]) -> Scene:
     """The scene at some of its operating points, from 0."""
     operation = scene.operation
     shape = operation.inner_speed.shape
-    picked = {name: np.broadcast_to(values, shape)[points] for name, values in vars(operation).items()}
+    picked = {name: np.broadcast_to(values, shape)[points] for name, values in operation.points.items()}
     return replace(scene, operation=replace(operation, **picked))

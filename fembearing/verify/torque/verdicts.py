@@ -24,6 +24,7 @@ PHYSICAL = {
     "sliding": "the rolling force of the oil exceeds the driving friction",
     "gyroscopic_hold": "the gyroscopic moment of a ball exceeds the friction moment",
     "cage_force": "the force of the cage exceeds the grip of the races",
+    "tilt": "the inner ring tilts farther than catalogues allow",
     "replenishment": "the oil starves so far that the torque is uncertain by a factor of ten",
 }
 

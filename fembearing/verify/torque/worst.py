@@ -9,7 +9,7 @@ import numpy as np
 
 from analytic.effects.ledger import Effect
 from analytic.result import FrictionTorque, TorqueParts
-from analytic.scene import Array, Operation, Scene
+from analytic.scene import Array, Scene
 from analytic.verdicts import NumericalCheck, PhysicalCheck, numerical_check, physical_checks
 from fembearing.verify.torque.catalogue import beside_catalogue
 from fembearing.verify.torque.catalogue_models import CatalogueBand
@@ -102,9 +102,9 @@ def _largest_effects(effects: Iterable[Effect]) -> Iterable[Effect]:
 
 def _joined_scene(scenes: Sequence[Scene]) -> Scene:
     """The first scene with the operating points of all."""
-    series = [vars(scene.operation.as_series()) for scene in scenes]
+    series = [scene.operation.as_series().points for scene in scenes]
     joined = {name: np.concatenate([each[name] for each in series]) for name in series[0]}
-    return replace(scenes[0], operation=Operation(**joined))
+    return replace(scenes[0], operation=replace(scenes[0].operation, **joined))
 
 
 def _joined_band(bands: Sequence[CatalogueBand | None]) -> CatalogueBand | None:

@@ -518,7 +518,7 @@ def test_asperities_that_carry_load_count_whatever_they_change(bearing_6205: Bea
 
 
 def points_of(scene: Scene, chosen: NDArray[np.intp]) -> Operation:
-    return Operation(**{name: values[chosen] for name, values in vars(scene.operation.as_series()).items()})
+    return scene.operation.as_series().at(chosen)
 
 
 def spread(scene: Scene, seed: int, count: int) -> Scene:

@@ -8,13 +8,11 @@ import pytest
 
 from analytic.effects.ledger import Ledger
 from analytic.effects.warnings import _film, torque_warnings
-from analytic.loads.ring import ring_equilibrium
-from analytic.scene import Bearing, Clearances, ContactAngle, Losses, Operation, Scene, ShearedPockets
+from analytic.scene import Bearing, Clearances, Losses, Operation, Scene, ShearedPockets
 from analytic.solve.records import BALL, POINT
 from analytic.solve.solution import Solution
 from analytic.surface.roughness import GapRoughness
-from analytic.torque import friction_torque
-from tests.analytic.specimens import BEARING_6205, FINISH, OIL, STAMPED_CAGE, dry
+from tests.analytic.specimens import FINISH, OIL, STAMPED_CAGE, dry
 
 LOAD = np.array([[310.0, 325.0], [2.9, 3.4]])  # N: the second ball carries 0.94 % inside and 1.05 % outside
 
@@ -29,24 +27,6 @@ def test_the_film_of_a_ball_that_hardly_carries_is_not_warned_of(name: str, word
     (line,) = _film(balls, 1)
     assert words in line
     assert "outer race" in line
-
-
-def test_a_ring_that_no_moment_holds_tells_its_tilt() -> None:
-    """That of `ring_equilibrium`; not without a radial load, and not with a moment."""
-
-    def words(**loads: float) -> str:
-        at = {name: np.array([load]) for name, load in loads.items()}
-        operation = Operation(inner_speed=np.array([70.0]), axial_load=np.array([290.0]), **at)
-        scene = replace(dry(BEARING_6205), contact_angle=ContactAngle(rule="solved"), operation=operation)
-        return " ".join(line for line in friction_torque(scene).warnings if "tilts" in line)
-
-    found = ring_equilibrium(
-        BEARING_6205, ContactAngle(rule="solved"), axial_load=290.0, radial_load_x=730.0, inner_speed=70.0
-    )
-    tilt = float(np.linalg.norm(found.displacement[..., 3:]))
-    assert tilt > 1e-3
-    assert f"tilts by {1e3 * tilt:.2g} mrad ({np.degrees(tilt) * 60:.2g} arc minutes)" in words(radial_load=730.0)
-    assert words(radial_load=730.0, moment=-1.3) == words() == ""
 
 
 def told(scene: Scene, *, rolling: bool = False, starvation: bool = True, **points: Any) -> list[str]:

@@ -163,10 +163,10 @@ def test_thrust_that_seats_too_few_balls_is_named() -> None:
     assert sum("fewer than half" in warning for warning in few) == 1
     assert not any("fewer than half" in warning for warning in half)
     moment = scene(text.format(1040).replace("radial_load", 'moment = "-16 N m"\nradial_load')).warnings
-    (held,) = (each for each in moment if "fewer than half" in each)
-    (tilted,) = (each for each in few if "fewer than half" in each)
-    assert held.endswith("holds the ring straight, 1.7 times all")
-    assert tilted.endswith("holds the ring straight, and a ring that tilts freely needs more")
+    (tilted,) = (each for each in moment if "fewer than half" in each)
+    (held,) = (each for each in few if "fewer than half" in each)
+    assert held.endswith("the ring is held straight, 1.7 times all")
+    assert tilted.endswith("the ring is held straight, and a ring that tilts freely needs more")
 
 
 def test_a_deep_groove_bearing_carries_a_radial_load_at_any_nominal_angle() -> None:

@@ -53,6 +53,7 @@ def test_the_circle_of_the_balls_is_that_of_both_grooves() -> None:
         ("conformity = 0.53", 'conformity = 0.53\noutside_diameter = "38 mm"', "bearing.outside_diameter.*exceed"),
         ('"90 rpm"', '"90 rpm"\nradial_load = "2 N"', "operation.radial_load.*axial_load alone"),
         ('"90 rpm"', '"90 rpm"\nmoment = "-2 N m"', "operation.moment.*axial_load alone"),
+        ('"90 rpm"', '"90 rpm"\ntilt = "1 mrad"', "operation.tilt.*washers are parallel"),
         ("[friction]", '[mounting]\nshaft_interference = "5 um"\n[friction]', "mounting.*not modelled for a thrust"),
         ("[friction]", '[arrangement]\nkind = "O"\npreload = "5 N"\n[friction]', "arrangement.*not modelled for a"),
         ('kind = "thrust"', 'kind = "axial"', "bearing.kind"),

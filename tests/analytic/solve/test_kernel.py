@@ -60,8 +60,9 @@ def test_a_ring_of_equal_balls_is_one_ball_that_stands_for_all() -> None:
     for name in present(POINT.names):
         # Of one ball, of the way, and the number of the heaviest of equal balls, which rounding decides.
         if name not in ("lead_across", "slowness", "steps", "left", "tolerance", "heaviest"):
-            # The ring settles to 1e-11 of its forces; balls that are alike lead by rounding of the pitch diameter.
-            np.testing.assert_allclose(ring.points[name], alone.points[name], rtol=1e-7, atol=1e-15, err_msg=name)
+            # The ring settles to 1e-11 of its forces; balls that are alike lead by rounding of the pitch diameter, and
+            # hold the ring by that of their forces.
+            np.testing.assert_allclose(ring.points[name], alone.points[name], rtol=1e-7, atol=1e-14, err_msg=name)
     np.testing.assert_allclose(ring.points["slowness"], 9 * alone.points["slowness"], rtol=1e-9)
 
 
@@ -193,7 +194,7 @@ def test_a_ball_is_held_by_the_friction_of_both_races(unequal: Solution) -> None
 
 def test_balls_at_the_edge_of_the_loaded_zone_need_no_hold() -> None:
     """Of balls with less than a tenth of the heaviest load, which hardly anything holds, none decides."""
-    found = found_at(scene_of(axial_load=210.0, radial_load=150.0, inner_speed=400.0), ROLLING)
+    found = found_at(scene_of(axial_load=210.0, radial_load=150.0, inner_speed=400.0, tilt="free"), ROLLING)
     point, balls = found.points[0], found.balls[0]
     load = balls["load"].max(axis=1)
     light = load < 0.1 * load.max()

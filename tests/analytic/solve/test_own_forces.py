@@ -73,7 +73,9 @@ def test_own_forces_are_beside_the_load_of_the_lightest_ball(bearing_6205: Beari
 
 def test_a_ball_without_load_has_own_forces_alone(bearing_6205: Bearing) -> None:
     """Four of nine balls hang loose; at rest they weigh, and no more."""
-    scene = scene_of(bearing_6205, STEEP, axial_load=[10.0, 10.0], radial_load=[1.6, 1.6], inner_speed=[12.6, 0.0])
+    loads = {"axial_load": [10.0, 10.0], "radial_load": [1.6, 1.6], "inner_speed": [12.6, 0.0]}
+    scene = scene_of(bearing_6205, STEEP, **loads)
+    scene = replace(scene, operation=replace(scene.operation, tilt="free"))
     found = found_at(scene, "load_distribution")
     assert np.count_nonzero(found.balls["load"][0, :, 0] == 0) == 4
     np.testing.assert_array_equal([shares_of(point) for point in found.points], [[np.inf] * 3, [0.0, 0.0, np.inf]])
