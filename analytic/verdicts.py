@@ -45,7 +45,8 @@ GRIP = (
 )
 STARVES = (
     "Minus the logarithm of SKF's replenishment factor, the share of rolling that starvation leaves; above the limit "
-    "less than a tenth is left, and the torque is uncertain by a factor of ten: give lubricant.starvation_degree."
+    "less than half is left, and the interval reaches from the starved to the flooded torque: give "
+    "lubricant.starvation_degree."
 )
 UNKNOWN_GRIP = 'Friction of the races not computed, grip not known: set effects.spin to "auto".'
 
@@ -114,7 +115,7 @@ def physical_checks(friction: FrictionTorque) -> tuple[PhysicalCheck, ...]:
     cage_force
         Share of the races' grip that the cage uses, against 0.9; only with a cage.
     replenishment
-        -ln of SKF's replenishment factor, against ln 10; "unknown" above it; only where this factor starves the inlets.
+        -ln of SKF's replenishment factor, against ln 2; "unknown" above it; only where this factor starves the inlets.
     """
     return tuple(_checks(friction))
 
