@@ -43,7 +43,8 @@ STEP = Varied(unit="", example="0.5", floor=None)
 CONFORMITY = Varied(unit="", example="0.002", floor=TIGHTEST_GROOVE)
 ANGLE = Varied(unit="rad", example='"1.5 deg"', floor=None)
 # By the keys of [uncertainty]; `Scene.uncertainty` has standard deviations, SI, in place of the defaults. Those of
-# `model` are factors on formulas; those of `gap` and `elastic_rolling` are steps to the other law.
+# `model` are factors on formulas; those of `gap` and `elastic_rolling` are steps to the other law, that of `starvation`
+# is one from the running bearing to a flooded one.
 UNCERTAIN: dict[str, Varied] = {
     "bearing.ball_diameter": LENGTH,
     "bearing.pitch_diameter": LENGTH,
@@ -81,6 +82,7 @@ UNCERTAIN: dict[str, Varied] = {
     "model.surfaces": PURE,
     "model.rolling": PURE,
     "model.heating": PURE,
+    "model.starvation": STEP,
     "model.elastic_rolling": STEP,
     "model.grease_film": PURE,
     "model.unloaded_balls": PURE,
@@ -214,6 +216,9 @@ def _of_oil(scene: Scene, table: str, key: str) -> float | None:
             return None
         return 1.0 if table == "model" else oil.surface_tension
     if table == "model":
+        if key == "starvation":
+            starves = oil is not None and oil.starves_by_replenishment(scene.bearing)
+            return 0.0 if starves and scene.effects.get("starvation") != "off" else None
         if key == "gap":
             return 0.0 if mixed else None
         return 1.0 if (oil is not None if key in ("rolling", "heating") else mixed) else None

@@ -329,6 +329,22 @@ class Lubricant(Noun):
         """
         return self.supply == "grease" and self.starvation_degree is None and bearing.is_deep_groove
 
+    def starves_by_replenishment(self, bearing: Bearing) -> bool:
+        """Whether the replenishment factor of the supply starves the inlets, as nothing else is known of them.
+
+        Parameters
+        ----------
+        bearing : Bearing
+            That it lubricates.
+
+        Returns
+        -------
+        bool
+            Whether bore and outside diameter are known, which the factor needs, and no degree or measured film is.
+        """
+        known = bearing.bore_diameter is not None and bearing.outside_diameter is not None
+        return known and self.starvation_degree is None and not self.starves_as_measured(bearing)
+
 
 @dataclass(frozen=True, kw_only=True)
 class Autocorrelation(Noun):

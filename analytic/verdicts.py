@@ -46,7 +46,8 @@ GRIP = (
 )
 STARVES = (
     "Minus the logarithm of SKF's replenishment factor, the share of rolling that starvation leaves; above the limit "
-    "less than a tenth is left, and the torque is uncertain by a factor of ten: give lubricant.starvation_degree."
+    "less than half is left, and the interval reaches from the starved to the flooded torque: give "
+    "lubricant.starvation_degree."
 )
 LEANS = (
     "Tilt of the inner ring. Catalogues allow 0.5 to 3 mrad (2 to 10 arc minutes) in deep groove bearings, by size, "
@@ -121,7 +122,7 @@ def physical_checks(friction: FrictionTorque) -> tuple[PhysicalCheck, ...]:
     tilt
         Of the inner ring against the outer one, rad, against 0.003 [RBC]; only where it is not held straight.
     replenishment
-        -ln of SKF's replenishment factor, against ln 10; "unknown" above it; only where this factor starves the inlets.
+        -ln of SKF's replenishment factor, against ln 2; "unknown" above it; only where this factor starves the inlets.
     """
     return tuple(_checks(friction))
 

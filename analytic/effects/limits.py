@@ -138,8 +138,8 @@ def _starved(scene: Scene, exponent: Array | None) -> Iterator[str]:
     if exponent is not None and (worst := exponent.max(initial=0.0)) > MOST_STARVED:
         speed = speed_of(float(np.abs(scene.operation.as_series().inner_speed).max()))
         yield (
-            f"the oil hardly returns to the contacts at {speed}: SKF's replenishment factor leaves "
-            f"{percent_of(np.exp(-worst), 2)} of rolling, and below 10 % the torque is uncertain by a factor of 10; "
+            f"starved to flooded: SKF's replenishment factor leaves {percent_of(np.exp(-worst), 2)} of rolling at "
+            f"{speed}, a law for running bearings; at a start oil lies in the races, and the interval contains both; "
             "give lubricant.starvation_degree"
         )
 

@@ -45,9 +45,9 @@ PER_CONFORMITY, PER_ORBIT = 0.5, 2.0
 # (tests/fem/test_shoulder.py); the load's centroid moves as well, and with it the contact angle.
 MOST_CUT, PER_CUT_SHARE = 0.1, 4.0
 RULED = ("single_coefficient", "along_axis", "over_ellipse")  # methods of sliding with closed kinematics
-# -ln of the replenishment factor, ln 10: less than a tenth of rolling is left. A judgement, as [SKF2018] states no
-# range: its two constants for the supply of oil differ by a factor of 2, which is a factor of 10 in rolling here.
-MOST_STARVED = 2.303
+# -ln of the replenishment factor, ln 2: less than half of rolling is left, so the torque of a start is another one. A
+# judgement, as [SKF2018] states no range.
+MOST_STARVED = 0.693
 STATIC_LIMIT = 4.2e9  # Pa, peak pressure that leaves a dent of 1e-4 ball diameters (ISO 76, ball bearings)
 # What losses of the oil without their input are estimated by: share of oil between the rings, by supply, a judgement;
 # clearance and thickness of a cage in its pockets over the ball diameter, those of the cage of [Paper]; rise of the

@@ -119,12 +119,10 @@ def replenishment_of(bearing: Bearing, lubricant: Lubricant) -> float:
 
 def replenishment_exponent(bearing: Bearing, lubricant: Lubricant, ring_speed: Array) -> Array | None:
     """-ln phi_rs of `replenishment_factor` at each ring speed, rad/s; None: it does not decide on starvation."""
-    if lubricant.starvation_degree is not None or lubricant.starves_as_measured(bearing):
+    if not lubricant.starves_by_replenishment(bearing):
         return None
-    rate = replenishment_of(bearing, lubricant)
-    return (
-        None if np.isnan(rate) else rate * inlet_viscosity(lubricant).viscosity / lubricant.density * np.abs(ring_speed)
-    )
+    kinematic = inlet_viscosity(lubricant).viscosity / lubricant.density
+    return replenishment_of(bearing, lubricant) * kinematic * np.abs(ring_speed)
 
 
 def starvation_source(bearing: Bearing, lubricant: Lubricant) -> str | None:
@@ -133,6 +131,6 @@ def starvation_source(bearing: Bearing, lubricant: Lubricant) -> str | None:
         return f"degree {lubricant.starvation_degree:g}, given"
     if lubricant.starves_as_measured(bearing):
         return "degree by films measured in greased deep groove bearings"
-    if bearing.bore_diameter is None or bearing.outside_diameter is None:
-        return None
-    return f"degree by the replenishment factor of {lubricant.supply}"
+    if lubricant.starves_by_replenishment(bearing):
+        return f"degree by the replenishment factor of {lubricant.supply}"
+    return None

@@ -166,11 +166,12 @@ def lubrication_of(
 
     gap : of ball and race;  supply : of the bearing;  is_on : whether an effect counts
     """
+    still = 1.0 - min(max(variation.starvation, -1.0), 1.0)  # power of the replenishment factor
     known = supply.churned or not (np.isnan(supply.degree) and np.isnan(supply.rate))
     return Lubrication(
         gap=gap,
         boundary_friction=float(boundary_friction),
-        supply=supply._replace(grease_film=float(np.log(variation.grease_film))),
+        supply=supply._replace(grease_film=float(np.log(variation.grease_film)), rate=still * supply.rate),
         asperities=is_on("asperities"),
         heats=is_on("inlet_heating"),
         starves=is_on("starvation") and known,

@@ -14,7 +14,7 @@ from analytic.oil.ehl_fit import OilSupply, gap_force, gap_of_force
 from analytic.oil.inlets import oil_supply
 from analytic.oil.lubrication import Lubrication, lubricated_contact, lubrication_of
 from analytic.oil.mixed import MixedNumbers
-from analytic.oil.rolling import elastic_rolling
+from analytic.oil.rolling import elastic_rolling, replenished
 from analytic.oil.traction import PointLaw
 from analytic.oil.variation import Variation
 from analytic.oil.viscosity import OilNumbers
@@ -94,6 +94,19 @@ def resisted_contact(
 
 
 @compiled
+def left_of_unloaded(resistance: RaceResistance, oil: OilNumbers, race: int, ring_speed: float) -> float:
+    """Factor on the rolling of balls without load; the arguments are those of `torque_off_race`.
+
+    They starve by the replenishment factor like the others. A degree of starvation is that of a contact with load.
+    """
+    lubrication = resistance.inner if race == 0 else resistance.outer
+    supply = lubrication.supply
+    if not lubrication.starves or supply.churned or np.isnan(supply.rate) or not np.isnan(supply.degree):
+        return resistance.unloaded
+    return resistance.unloaded * replenished(supply.rate, abs(ring_speed), oil.viscosity / oil.density)
+
+
+@compiled
 def torque_off_race(
     resistance: RaceResistance,
     oil: OilNumbers,
@@ -111,7 +124,7 @@ def torque_off_race(
     supply, radius = (resistance.inner if race == 0 else resistance.outer).supply, 1 / contact.curvature_rolling
     shear = oil.viscosity * abs(ring_speed) * entrainment
     force = gap_force(shear, radius, contact.curvature_transverse * radius, gap, supply.ahead)
-    return resistance.unloaded * 2.0 * force * entrainment
+    return left_of_unloaded(resistance, oil, race, ring_speed) * 2.0 * force * entrainment
 
 
 @compiled
@@ -127,9 +140,10 @@ def gap_off_race(
     """The gap with the torque of `torque_off_race`, m; infinite without torque. The arguments are the same."""
     supply, radius = (resistance.inner if race == 0 else resistance.outer).supply, 1 / contact.curvature_rolling
     shear = oil.viscosity * abs(ring_speed) * entrainment
-    if torque == 0.0 or shear == 0.0:
+    left = left_of_unloaded(resistance, oil, race, ring_speed) * 2.0 * entrainment
+    if torque == 0.0 or shear * left == 0.0:
         return np.inf
-    force = torque / (resistance.unloaded * 2.0 * entrainment)
+    force = torque / left
     return gap_of_force(shear, radius, contact.curvature_transverse * radius, force, supply.ahead)
 
 

@@ -28,6 +28,10 @@ GREASE_SPREAD = 0.15
 # Standard deviation of ln(rolling of balls without load), a judgement. A ball of a 6205 that lies on a race, not in the
 # middle of its clearance, rolls against 1.4 times the force; its slip and the heat of its oil are not computed.
 UNLOADED_SPREAD = 0.25
+# Standard deviation of the step from a starved inlet to a flooded one: a judgement. SKF's factor holds for a running
+# bearing, and at a start the oil lies in the race. A sixth of all samples is flooded, so that the interval contains the
+# flooded torque whatever else varies; another sixth starves by twice the constant, as the source's own two differ.
+STARVATION_SPREAD = 1.0
 # Factors on the losses by oil outside the contacts, the ends of their range. Oil that flows through is driven by the
 # cage or by the inner race, which is twice as fast, and leaves with the speed of one of them. For shear and drag it is
 # a judgement: gaps are partly filled and not concentric, and a ball runs in the wake of the next one.
@@ -49,6 +53,8 @@ class Variation:
     rolling: float = 1.0  # factor on the hydrodynamic resistance to rolling
     rolling_error: float = 1.0  # likewise for the closed formula; the numerical fit has the power FIT_SHARE of it
     heating: float = 1.0  # power of the factors for heating of the inlets
+    # Step from the replenishment factor, 0, to a flooded inlet, 1, or to the square of the factor, -1; beyond, as there
+    starvation: float = 0.0
     # Step from the law of elastic rolling towards the other one, see `rolling.elastic_rolling`: any number
     elastic_rolling: float = 0.0
     grease_film: float = 1.0  # factor on the films that are measured with grease
@@ -56,7 +62,7 @@ class Variation:
     oil_losses: float = 1.0  # factor on the losses by oil outside the contacts
 
     def __post_init__(self) -> None:
-        steps = {name: getattr(self, name) for name in ("asperity_share", "elastic_rolling")}
+        steps = {name: getattr(self, name) for name in ("asperity_share", "elastic_rolling", "starvation")}
         require_finite(**steps)
         require_positive(**{name: value for name, value in vars(self).items() if name not in steps})
 

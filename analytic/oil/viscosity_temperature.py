@@ -12,10 +12,14 @@ from analytic.errors import InputError, require_positive
 
 MM2_PER_S = 1e-6  # m^2/s
 LOWEST_VISCOSITY = 0.21e-6  # m^2/s: the double logarithm has no value a little below
-# Of the distance between the two temperatures, on either side. Through viscosities at 40 and 100 degC that is 0 to
-# 140 degC. There the line and Vogel's law of the same oil, FVA 3 of [Schwarz2023], part by 10 % and 0.5 %; 20 K colder
-# they would part by 33 %.
-LARGEST_EXTRAPOLATION = 2 / 3
+# Of the distance between the two temperatures, on the cold and on the hot side. Through viscosities at 40 and 100 degC
+# that is -40 to 140 degC.
+COLDER, HOTTER = 4 / 3, 2 / 3
+# Standard deviation of ln nu as far below the colder temperature as the other one is above it; it grows with the fourth
+# power of the distance: a judgement. The line over Vogel's law of the same oil, FVA 3 of [Schwarz2023], is 0.90 at
+# 0 degC, 0.67 at -20 and 0.24 at -40 degC, where that law is extrapolated too; over makers' values of four PAO at
+# -40 degC, from memory, it is 1.5 to 2.2. At 140 degC the line and the law part by 0.5 %.
+COLD_SPREAD = 0.26
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -28,8 +32,21 @@ class ViscosityLine:
 
     intercept: float  # A
     slope: float  # B
-    coldest: float  # K: the line is refused outside
-    hottest: float  # K
+    known: tuple[float, float]  # temperatures of the points, K, the colder one first
+
+    @property
+    def coldest(self) -> float:
+        """K; the line is refused below."""
+        return self.known[0] - COLDER * (self.known[1] - self.known[0])
+
+    @property
+    def hottest(self) -> float:
+        """K; the line is refused above."""
+        return self.known[1] + HOTTER * (self.known[1] - self.known[0])
+
+    def deviation(self, temperature: float) -> float:
+        """Standard deviation of ln nu by the line, 0.26 [(T_1 - T)/(T_2 - T_1)]^4 below the colder point; T : K."""
+        return COLD_SPREAD * (max(self.known[0] - temperature, 0.0) / (self.known[1] - self.known[0])) ** 4
 
     def kinematic_viscosity(self, temperature: float) -> float:
         """nu, m^2/s; temperature : K. Raises InputError outside the range of the line."""
@@ -68,8 +85,7 @@ def viscosity_line(*, temperatures: tuple[float, float], viscosities: tuple[floa
         )
     high, low = (_double_logarithm(nu / MM2_PER_S) for nu in (thick, thin))
     slope = (high - low) / log10(hot / cold)
-    beyond = LARGEST_EXTRAPOLATION * (hot - cold)
-    return ViscosityLine(intercept=high + slope * log10(cold), slope=slope, coldest=cold - beyond, hottest=hot + beyond)
+    return ViscosityLine(intercept=high + slope * log10(cold), slope=slope, known=(cold, hot))
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -42,6 +42,7 @@ def with_model_uncertainty(scene: Scene, result: FrictionTorque) -> FrictionTorq
             that of the closed formula, as far as either counts
         reach: oil that reaches 0.5 and 1.1 times as far ahead of each contact
         heating: the factors for heating of the inlets by the powers 0.61 and 1.65
+        starvation: flooded inlets in place of those that the replenishment factor starves, and the square of the factor
         grease_film: the films measured with grease by 0.74 and 1.35, with the rolling that belongs to them
         unloaded_balls: their rolling by the factors 0.61 and 1.65
         oil_losses: the losses by oil outside the contacts by the factors 0.5 and 2
@@ -76,6 +77,8 @@ def with_model_uncertainty(scene: Scene, result: FrictionTorque) -> FrictionTorq
         if result.is_on("inlet_heating"):
             factors = [np.exp(sign * COVERAGE * HEATING_SPREAD) for sign in (-1, 1)]
             variations["heating"] = [(same, Variation(heating=factor)) for factor in factors]
+    if lubricant is not None and lubricant.starves_by_replenishment(scene.bearing) and result.is_on("starvation"):
+        variations["starvation"] = [(same, Variation(starvation=step)) for step in (-1.0, 1.0)]
     if lubricant is not None and lubricant.starves_as_measured(scene.bearing) and result.is_on("starvation"):
         factors = [np.exp(sign * COVERAGE * GREASE_SPREAD) for sign in (-1, 1)]
         variations["grease_film"] = [(same, Variation(grease_film=factor)) for factor in factors]

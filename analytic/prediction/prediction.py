@@ -47,8 +47,8 @@ INTERVAL = {
     **{f"{end}_error": f"standard error of the {words}" for end, words in ENDS_IN_WORDS.items()},
 }
 NOT_VARIED = (
-    "laws and formulas other than those of film, gap, surfaces, rolling and elastic rolling: traction, spin, creep, "
-    "starvation and viscosity over temperature",
+    "laws and formulas other than those of film, gap, surfaces, rolling, elastic rolling and starvation: traction, "
+    "spin and creep",
     "the number of balls, seats and their temperatures, the supply of oil, and neglected or missing effects",
     "the motion of a cage",
 )

@@ -16,6 +16,7 @@ from analytic.oil.variation import (
     HEATING_SPREAD,
     OIL_LOSS_FACTORS,
     ROLLING_SPREAD,
+    STARVATION_SPREAD,
     SURFACE_SPREAD,
     UNLOADED_SPREAD,
 )
@@ -71,6 +72,7 @@ DEFAULTS: dict[str, Default] = {
     "model.surfaces": Default(SURFACE_SPREAD, True, "computed: generated surfaces of equal statistics differ so"),
     "model.rolling": Default(ROLLING_SPREAD, True, "judgement: formulas, and torques of three balls [Balan2015]"),
     "model.heating": Default(HEATING_SPREAD, True, "judgement: laws of heating and of thinning by shear"),
+    "model.starvation": Default(STARVATION_SPREAD, False, "judgement: at a start the oil lies in the race"),
     "model.grease_film": Default(GREASE_SPREAD, True, "judgement: laws of films measured with grease [Shetty2024]"),
     "model.unloaded_balls": Default(UNLOADED_SPREAD, True, "judgement: where a ball lies in its clearance"),
     "model.oil_losses": Default(

@@ -47,6 +47,7 @@ def varied_scene(scene: Scene, values: Mapping[str, float]) -> tuple[Scene, Vari
         traction=model.get("traction", 1.0),
         rolling_error=model.get("rolling", 1.0),
         heating=model.get("heating", 1.0),
+        starvation=model.get("starvation", 0.0),
         asperity_pressure=model.get("surfaces", 1.0),
         asperity_share=model.get("gap", 0.0),
         elastic_rolling=model.get("elastic_rolling", 0.0),

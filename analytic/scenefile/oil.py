@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
-from math import hypot, log
+from math import hypot, log, sqrt
 from typing import Any
 
 from analytic.errors import InputError
@@ -36,6 +36,7 @@ EXAMPLES = {"density": '"900 kg/m^3"', "pressure_viscosity": '"2e-8 1/Pa"'}
 # Limits, over the value.
 CLASS_LIMIT = 0.10  # a class of ISO 3448, at 40 degC
 INDEX_LIMIT = 0.05  # at 100 degC: some ten points of an assumed viscosity index; in proportion at other temperatures
+FAR = 0.05  # limit by the line alone, of a temperature that is said to be beyond it
 GIVEN = Known(status="given", source="the scene")
 TYPICAL = Known(status="assumed", source="typical of mineral oils near 40 degC, no source seen")
 BLED_TENSION = 0.022  # N/m, between those of two greases
@@ -215,23 +216,30 @@ def _viscosity(
         nu = line.kinematic_viscosity(temperature)
     except InputError as problem:
         raise InputError(f"lubricant.{problem}") from problem
+    cold = sqrt(3) * line.deviation(temperature)  # a limit, as those of rectangular distributions
+    far = f"; extrapolated to {temperature - 273.15:.3g} degC" if cold > FAR else ""
     if viscosity is not None:
-        return Known(status="derived", source="two viscosities of the scene, ASTM D341").property(nu * density.value)
-    limit = None
+        known = Known(
+            status="derived",
+            source=f"two viscosities of the scene, ASTM D341{far}",
+            limit=hypot(CLASS_LIMIT, cold) if far else None,
+        )
+        return known.property(nu * density.value)
+    limit = hypot(CLASS_LIMIT, cold) if far else None
     source = f"{oil.name}: {oil.source}"
     away = log(temperature / COLD) / log(HOT / COLD)
     if oil.is_class:
-        limit = hypot(CLASS_LIMIT, INDEX_LIMIT * away, DENSITY_LIMIT)
+        limit = hypot(CLASS_LIMIT, INDEX_LIMIT * away, DENSITY_LIMIT, cold)
         source += "; the limits of the class are +-10 % at 40 degC"
     at_a_print = abs(temperature - COLD) < 0.01
     if oil.hot_is_assumed and not at_a_print:
-        limit = abs(HOT_LIMIT * away)
-        source += "; at 100 degC as mineral oils of a viscosity index of 95, assumed"
+        limit = hypot(HOT_LIMIT * away, cold)
+        source += f"; at 100 degC as mineral oils of a viscosity index of 95, assumed{far}"
         return Known(status="assumed", source=source, limit=limit).property(nu * density.value)
     at_a_print |= abs(temperature - HOT) < 0.01 and not oil.is_class and not oil.hot_is_assumed
     known = Known(status="printed", source=source, limit=limit)
     if not at_a_print:
-        known = Known(status="derived", source=f"{source}; ASTM D341", limit=limit)
+        known = Known(status="derived", source=f"{source}; ASTM D341{far}", limit=limit)
     return known.property(nu * density.value)
 
 

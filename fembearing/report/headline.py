@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from analytic.effects.table import DECLARED
+from analytic.effects.table import DECLARED, MOST_STARVED
 from analytic.result import COORDINATES, TorquePoint
 from analytic.scene import Scene
 from analytic.words import percent_of
@@ -226,7 +226,9 @@ def film_words(result: SceneTorque) -> str | None:
     regime = " to ".join(dict.fromkeys(names))
     most = float(carried.max())
     load = "no load" if most < UNLOADED else f"up to {percent_of(most, 2)}"
-    return f"film: lambda {', '.join(ratios)}; asperities carry {load}: {regime}"
+    starved = result.friction.limits.replenishment
+    state = "" if starved is None or starved.max(initial=0.0) <= MOST_STARVED else ", starved to flooded"
+    return f"film: lambda {', '.join(ratios)}; asperities carry {load}: {regime}{state}"
 
 
 def makers_words(record: TorqueRecord, units: Units = METRIC) -> str:

@@ -29,6 +29,7 @@ VARIED = {  # the parts of the model's uncertainty
     "rolling": "formula of rolling",
     "reach": "reach of the oil",
     "heating": "heating of the inlets",
+    "starvation": "starved or flooded inlets",
     "elastic_rolling": "law of elastic rolling",
     "grease_film": "films with grease",
     "unloaded_balls": "unloaded balls",

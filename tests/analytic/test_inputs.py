@@ -61,6 +61,7 @@ VALUES = {  # of this scene, typed in a second time; the clearance is 2 (23.48 -
     "model.surfaces": 1.0,
     "model.rolling": 1.0,
     "model.heating": 1.0,
+    "model.starvation": 0.0,
     "model.elastic_rolling": 0.0,
     "model.unloaded_balls": 1.0,
     "model.oil_losses": 1.0,
@@ -86,7 +87,8 @@ def test_a_scene_varies_what_its_torque_asks_for() -> None:
 
 
 SMOOTH_MIXED = none_of("model", *MIXED) | none_of("surface", *ROUGH) | none_of("lubricant", *LAW)
-STARVED = {"lubricant.surface_tension": 0.027, "model.grease_film": 1.0, "model.unloaded_balls": None}
+OTHERWISE = {"model.unloaded_balls": None, "model.starvation": None}  # in a grease, or by a degree
+STARVED = {"lubricant.surface_tension": 0.027, "model.grease_film": 1.0} | OTHERWISE
 NO_LOSS = {"friction.hysteresis_loss": None, "model.elastic_rolling": None}
 
 
@@ -129,8 +131,9 @@ NO_LOSS = {"friction.hysteresis_loss": None, "model.elastic_rolling": None}
         ({"surface": replace(FINISH, autocorrelation=None, rms_roughness=0.0)},
             none_of("surface", "autocorrelation.length", "rms_roughness")),
         ({"lubricant": GREASE}, STARVED),
-        ({"lubricant": replace(GREASE, starvation_degree=3.0)}, {"model.unloaded_balls": None}),
-        ({"lubricant": GREASE, "effects": {"starvation": "off"}}, {"model.unloaded_balls": None}),
+        ({"lubricant": replace(GREASE, starvation_degree=3.0)}, OTHERWISE),
+        ({"lubricant": GREASE, "effects": {"starvation": "off"}}, OTHERWISE),
+        ({"effects": {"starvation": "off"}}, {"model.starvation": None}),
         ({"lubricant": GREASE, "surface": None, "friction_coefficient": 0.07},
             SMOOTH_MIXED | STARVED | {"friction.coefficient": 0.07}),
     ],

@@ -56,6 +56,19 @@ def test_grease_starves_as_measured_in_a_deep_groove_bearing_alone() -> None:
         assert oil.starves_as_measured(bearing) == is_measured
 
 
+def test_the_supply_starves_where_nothing_else_is_known() -> None:
+    grease = replace(OIL, supply="grease")
+    for oil, bearing, starves in (
+        (OIL, BEARING_6205, True),
+        (grease, replace(BEARING_6205, series="72 B"), True),
+        (grease, BEARING_6205, False),
+        (replace(OIL, starvation_degree=3.0), BEARING_6205, False),
+        (OIL, replace(BEARING_6205, bore_diameter=None), False),
+        (OIL, replace(BEARING_6205, outside_diameter=None), False),
+    ):
+        assert oil.starves_by_replenishment(bearing) == starves
+
+
 def test_a_far_shoulder_is_as_far_as_the_near_one_unless_given() -> None:
     groove = Groove(bottom_radius=15e-3, groove_radius=4e-3, shoulder_half_width=3.1e-3, material=STEEL)
     assert groove.half_widths == (3.1e-3, 3.1e-3)

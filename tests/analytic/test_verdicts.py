@@ -173,21 +173,21 @@ def test_the_sliding_number_is_the_rolling_force_over_coulomb_friction() -> None
         assert check(slippery, "sliding", "inner race").verdict == verdict
 
 
-def test_the_oil_starves_beyond_its_formula_where_a_tenth_of_rolling_is_left() -> None:
-    """The speed at which SKF's factor is a tenth: beyond it the limit is not known, and a warning has the speed."""
+def test_the_oil_starves_to_flooded_where_half_of_rolling_is_left() -> None:
+    """The speed at which SKF's factor is a half: beyond it the limit is not known, and a warning has the speed."""
 
     def at(speed: float, **oil: Any) -> FrictionTorque:
         return friction_torque(scene(60.0, speed, lubricant=replace(OIL, **oil)))
 
     thick = {"viscosity": 1.3}
     first = check(at(150.0, **thick), "replenishment", "oil")
-    limit = 150.0 * np.log(10) / present(first.value)
+    limit = 150.0 * np.log(2) / present(first.value)
     for factor, verdict in ((0.99, "pass"), (1.01, "unknown")):
         found = at(factor * limit, **thick)
         assert check(found, "replenishment", "oil").verdict == verdict
-        said = [warning for warning in found.warnings if "hardly returns" in warning]
+        said = [warning for warning in found.warnings if "starved to flooded" in warning]
         assert len(said) == (verdict == "unknown")
-    assert "9.8 % of rolling" in said[0]  # 0.1 to the power of 1.01
+    assert "50 % of rolling" in said[0]  # 0.5 to the power of 1.01
     given = at(2 * limit, **thick, starvation_degree=1.4)
     assert "replenishment" not in {each.name for each in physical_checks(given)}
 

@@ -80,6 +80,15 @@ def test_the_lubrication_follows_from_the_share_of_the_asperities(result: SceneT
         assert f"{words} makers" in printed
 
 
+def test_a_headline_says_where_the_oil_returns_slowly(result: SceneTorque) -> None:
+    """Above ln 2, where less than half of rolling is left, at any point."""
+    for exponents, said in (([0.69], False), ([0.1, 0.7], True), (None, False)):
+        values = None if exponents is None else np.array(exponents)
+        limits = replace(result.friction.limits, replenishment=values)
+        found = film_words(replace(result, friction=replace(result.friction, limits=limits)))
+        assert present(found).endswith(", starved to flooded") == said
+
+
 def test_a_maker_with_two_constants_is_one_maker(result: SceneTorque) -> None:
     values = {"SKF": (0.031, 0.037), "Palmgren, z = 0.0004": (0.011, None), "Palmgren, z = 0.0006": (0.019, 0.023)}
     band = Band(low=(0.011, 0.023), high=(0.031, 0.037), values=values, note="")

@@ -25,7 +25,7 @@ PHYSICAL = {
     "gyroscopic_hold": "the gyroscopic moment of a ball exceeds the friction moment",
     "cage_force": "the force of the cage exceeds the grip of the races",
     "tilt": "the inner ring tilts farther than catalogues allow",
-    "replenishment": "the oil starves so far that the torque is uncertain by a factor of ten",
+    "replenishment": "starved to flooded: the oil returns slowly, and at a start it lies in the races",
 }
 
 

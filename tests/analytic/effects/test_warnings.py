@@ -8,7 +8,7 @@ import pytest
 
 from analytic.effects.ledger import Ledger
 from analytic.effects.warnings import _film, torque_warnings
-from analytic.scene import Bearing, Clearances, Losses, Operation, Scene, ShearedPockets
+from analytic.scene import Bearing, Clearances, Losses, Scene, ShearedPockets
 from analytic.solve.records import BALL, POINT
 from analytic.solve.solution import Solution
 from analytic.surface.roughness import GapRoughness

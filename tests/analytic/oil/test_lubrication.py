@@ -281,8 +281,24 @@ def test_each_kind_of_bearing_has_its_constant_of_replenishment(name: str, const
 
 def test_factors_are_positive_and_a_step_is_any_number() -> None:
     refuses(Variation, film=0.0, rolling=-1.0, heating=np.nan, oil_losses=np.inf)
-    refuses(Variation, elastic_rolling=np.nan, asperity_share=np.inf)
+    refuses(Variation, elastic_rolling=np.nan, asperity_share=np.inf, starvation=np.nan)
     assert Variation(elastic_rolling=-2.0).elastic_rolling == -2.0
+
+
+def test_a_step_leads_from_a_starved_inlet_to_a_flooded_one() -> None:
+    """As powers of the replenishment factor, from its square at -1 to none of it at 1."""
+    thick, flooded = replace(OIL, viscosity=0.9), {**ALL, "starves": False}
+
+    def at(step: float, **counts: bool) -> LubricatedContact:
+        return lubricated(BEARING_6205, 0, 2, thick, ROUGH, Variation(starvation=step), **(counts or ALL))[1]
+
+    whole, steps = at(0.0, **flooded), (-1.0, -0.3, 0.0, 0.6, 1.0)
+    left = [at(step).rolling_torque / whole.rolling_torque for step in steps]
+    np.testing.assert_allclose(left, np.array(left[2]) ** (1 - np.array(steps)), rtol=1e-9)
+    assert left[2] < 0.9
+    assert at(1.0).mixed.film_thickness == pytest.approx(whole.mixed.film_thickness, rel=1e-12)
+    for beyond, end in ((3.0, 1.0), (-3.0, -1.0)):
+        assert at(beyond).rolling_torque == at(end).rolling_torque
 
 
 def test_rings_of_unknown_diameter_are_flooded() -> None:

@@ -16,6 +16,7 @@ from analytic.oil.race_resistance import (
     RaceResistance,
     gap_law_of,
     gap_off_race,
+    left_of_unloaded,
     resistance_of,
     torque_off_race,
 )
@@ -76,7 +77,7 @@ def test_a_gap_law_is_that_of_rough_surfaces_in_oil() -> None:
 def test_a_ball_off_a_race_resists_by_the_force_in_its_gap(race: int) -> None:
     """2 f u/w at each surface, by the reach of its race; and the gap comes back from the torque."""
     found, oil, speed, entrainment, gap = (
-        resistance(variation=Variation(unloaded_balls=1.3)),
+        resistance(variation=Variation(unloaded_balls=1.3), starvation=0),
         oil_numbers(OIL),
         -74.0,
         9.1e-3,
@@ -91,3 +92,14 @@ def test_a_ball_off_a_race_resists_by_the_force_in_its_gap(race: int) -> None:
     assert gap_off_race(found, oil, race, contact, entrainment, torque, speed) == pytest.approx(gap, rel=1e-9)
     assert gap_off_race(found, oil, race, contact, entrainment, 0.0, speed) == np.inf
     assert gap_off_race(found, oil, race, contact, entrainment, torque, 0.0) == np.inf
+    starved, rate = resistance(variation=Variation(unloaded_balls=1.3)), getattr(found, RACES[race]).supply.rate
+    left = torque_off_race(starved, oil, race, contact, entrainment, gap, speed) / torque
+    assert left == pytest.approx(np.exp(-rate * 74.0 * oil.viscosity / oil.density), rel=1e-12)
+    assert gap_off_race(starved, oil, race, contact, entrainment, left * torque, speed) == pytest.approx(gap, rel=1e-9)
+
+
+def test_balls_without_load_do_not_starve_by_a_degree() -> None:
+    """It is the place of a meniscus ahead of a contact, and they have none."""
+    given = replace(SCENE, lubricant=replace(OIL, starvation_degree=1.4))
+    assert left_of_unloaded(resistance(given), oil_numbers(OIL), 0, 74.0) == 1.0
+    assert left_of_unloaded(resistance(), oil_numbers(replace(OIL, viscosity=1e4)), 0, 740.0) == 0.0

@@ -1,11 +1,13 @@
 """Balls without load that roll in oil: what they cost, and when they count."""
 
 from dataclasses import replace
+from typing import Literal
 
 import numpy as np
 import pytest
 
 from analytic.oil.ehl_fit import effective_reach
+from analytic.oil.rolling import replenishment_factor
 from analytic.scene import Scene, Supply
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
@@ -66,10 +68,30 @@ def test_the_balls_out_of_the_load_are_summed(scene: Scene) -> None:
             force = 6 * np.pi * viscosity * speed * entrainment * radius / ((3 + 2 * ellipticity) * ellipticity**0.5)
             force *= np.log(1 + ahead**2 / (7.5 * gap * radius))
             torque += 2 * force * entrainment
+    rings = {"bore_diameter": bearing.bore_diameter, "outside_diameter": bearing.outside_diameter}
+    torque *= replenishment_factor(
+        **rings, ring_speed=speed, kinematic_viscosity=viscosity / oil.density, supply="oil_bath"
+    )
     added = present(found.torque.rolling) - present(bare.torque.rolling)
     # The reach is that of the free contact angle, here 0.1 rad, whose cosine narrows the groove by 0.5 %.
     np.testing.assert_allclose(added, torque, rtol=5e-3)
     assert added / bare.torque.total > 0.02
+
+
+def test_they_starve_as_the_others_do(scene: Scene) -> None:
+    """A cold bath leaves them the same share of rolling as the loaded balls, whose share is the factor's own."""
+    thick = replace(scene, lubricant=replace(present(scene.lubricant), viscosity=1.9))
+
+    def rolling(each: Scene, **effects: Literal["on", "off"]) -> float:
+        counted = replace(each, effects={**each.effects, "inlet_heating": "off", **effects})
+        return float(present(friction_torque(counted).torque.rolling)[0])
+
+    flooded, starved = rolling(thick, starvation="off"), rolling(thick, starvation="on")
+    alone, loaded = rolling(thick, starvation="off", unloaded_balls="off"), rolling(thick, unloaded_balls="off")
+    assert flooded > 1.2 * alone  # they roll
+    assert starved < 0.6 * flooded
+    # Loads do not follow rolling, and both factors are one: to the digits of the sums.
+    assert starved / flooded == pytest.approx(loaded / alone, rel=1e-9)
 
 
 @pytest.mark.parametrize("supply", ["oil_jet", "oil_spot", "grease"])

@@ -6,9 +6,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from analytic.oil.variation import Variation
 from analytic.prediction.first_order import first_order_ends
 from analytic.prediction.prediction import predict
-from analytic.scene import Scene
+from analytic.scene import Array, Scene
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
 
@@ -61,6 +62,36 @@ def test_an_input_that_leaves_no_torque_leaves_no_interval(dry: Scene) -> None:
     """Conformity below a half is no groove: an end of its spread has no torque."""
     wild = replace(dry, uncertainty={"operation.axial_load": 900.0, "bearing.contact_angle.free": 0.6})
     assert first_order_ends(wild, friction_torque(dry)) is None
+
+
+def test_the_interval_of_a_cold_bearing_contains_the_starved_and_the_flooded_torque() -> None:
+    """At -20 degC the factor leaves a thousandth of rolling; the torque of a start is that of a flooded bearing."""
+    scene = load_scene("6206", radial_load="1.2 kN", speed="2400 rpm", oil="ISO VG 46", temperature="-20 degC")
+    nominal = friction_torque(scene)
+    ends = first_order_ends(scene, nominal)
+    assert ends is not None
+    starved, flooded = (
+        friction_torque(nominal.settled(scene), variation=Variation(starvation=step)).torque.total for step in (-1, 1)
+    )
+    assert np.all((ends[0] < starved) & (starved < nominal.torque.total) & (flooded < ends[1]))
+    assert np.all(flooded > 10 * nominal.torque.total)
+
+
+def test_the_interval_does_not_jump_over_the_temperature() -> None:
+    """From a bath that is all but flooded to one that starves: no threshold."""
+
+    def at(celsius: float) -> Array:
+        scene = load_scene(
+            "6206", axial_load="700 N", speed="1500 rpm", oil="ISO VG 150", temperature=f"{celsius} degC"
+        )
+        ends = first_order_ends(scene, friction_torque(scene))
+        assert ends is not None
+        return np.log(ends[:, 0])
+
+    for celsius in (40.0, 21.0, 5.0):  # the end of the oil's line, half of rolling, and less
+        below, here, above = (at(celsius + step) for step in (-0.1, 0.0, 0.1))
+        # 0.1 K changes the viscosity by a percent, and this change by far less.
+        np.testing.assert_allclose(below - here, here - above, atol=2e-3)
 
 
 def test_the_interval_of_a_catalogue_bearing_contains_tight_and_wide_grooves() -> None:

@@ -281,9 +281,15 @@ def test_an_input_takes_the_value_that_it_is_given(key: str) -> None:
 def test_the_formulas_take_their_factors() -> None:
     scene = parse_scene(OILED, origin="here")
     factors = {"model.film": 1.1, "model.rolling": 1.3, "model.gap": 0.7, "model.surfaces": 1.6, "model.heating": 0.8}
-    _, variation = varied_scene(scene, factors | {"model.elastic_rolling": -0.4})
+    _, variation = varied_scene(scene, factors | {"model.elastic_rolling": -0.4, "model.starvation": 0.9})
     assert variation == Variation(
-        film=1.1, rolling_error=1.3, heating=0.8, asperity_pressure=1.6, asperity_share=0.7, elastic_rolling=-0.4
+        film=1.1,
+        rolling_error=1.3,
+        heating=0.8,
+        asperity_pressure=1.6,
+        asperity_share=0.7,
+        elastic_rolling=-0.4,
+        starvation=0.9,
     )
 
 

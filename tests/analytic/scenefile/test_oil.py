@@ -229,6 +229,20 @@ def test_a_class_is_less_certain_away_from_40_degrees() -> None:
 
 
 @pytest.mark.parametrize(
+    "text", ['name = "ISO VG 46"', 'name = "FVA 3"', 'viscosity = ["46 cSt at 40 degC", "6.8 cSt at 100 degC"]\n'
+             'base_oil = "mineral"'],
+)  # fmt: skip
+def test_a_cold_oil_is_less_certain_the_colder_it_is(text: str) -> None:
+    """0.26 (4/3)^4 of the logarithm at -40 degC, and (3/4)^4 of it at -20 degC, beside at most 11 % of a limit."""
+    for celsius, line in ((-20.0, 0.26), (-40.0, 0.26 * (4 / 3) ** 4)):
+        read = oil(f'{text}\ntemperature = "{celsius} degC"')
+        origin = read.origins["viscosity"]
+        rest = (present(origin.uncertainty) / read.viscosity) ** 2 - line**2
+        assert 0 < rest < 0.13**2 / 3
+        assert f"extrapolated to {celsius:g} degC" in origin.source
+
+
+@pytest.mark.parametrize(
     ("name", "celsius", "status"),
     [
         ("FVA 3", 40.0, "printed"),
@@ -318,7 +332,7 @@ def test_the_viscosity_that_nobody_prints_is_that_between_two_classes() -> None:
 MESSAGES = [
     ('name = "ISO VG 48"', ("lubricant.name = 'ISO VG 48'", "near it are", "ISO VG 46 mineral")),
     ('name = "olive oil"', ("lubricant.name = 'olive oil'", "near it are")),
-    ('name = "vg46"\ntemperature = "160 degC"', ("lubricant.temperature must be 0 to 140 degC", "got 160 degC")),
+    ('name = "vg46"\ntemperature = "160 degC"', ("lubricant.temperature must be -40 to 140 degC", "got 160 degC")),
     ('name = "vg46"\nreference_temperature = "50 degC"', ("lubricant.reference_temperature", "lubricant.name")),
     ('name = "vg46"\nbase_oil = "PAO"', ("lubricant.base_oil", "leave it out")),
     ('base_oil = "PAO"', ("lubricant.viscosity is missing", 'name = "ISO VG 46"')),

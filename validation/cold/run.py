@@ -1,0 +1,105 @@
+"""The torque of a cold bearing between starved and flooded: python validation/cold/run.py [--out FOLDER]
+
+A 6206 in a bath of ISO VG 68 under a radial load, over the temperature of the oil: the torque with its quick 95 %
+interval, the torque with SKF's replenishment factor and without starvation, and makers' formulas. It prints a table,
+writes cold.md and draws cold.png into this folder.
+"""
+
+import argparse
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.figure import Figure
+
+from analytic.oil.variation import Variation
+from analytic.prediction.first_order import first_order_ends
+from analytic.scenefile.read import load_scene
+from analytic.torque import friction_torque
+from fembearing.verify.torque.catalogue_models import scene_band
+
+mpl.use("agg")
+
+HERE = Path(__file__).parent
+BEARING, OIL, LOAD, SPEED = "6206", "ISO VG 68", "2 kN", "1500 rpm"
+TEMPERATURES = (*range(-30, 40, 10), 40, 60, 80, 100)  # degC
+FLOODED = Variation(starvation=1.0)
+
+
+class Cold(NamedTuple):
+    """One temperature of the oil; torques in N mm."""
+
+    temperature: float  # degC
+    left: float  # of rolling, by the replenishment factor
+    torque: float
+    low: float  # ends of the 95 % interval
+    high: float
+    flooded: float
+    makers: dict[str, float]  # by formula; NaN where it does not hold
+
+
+def at(temperature: float) -> Cold:
+    """The bearing at one temperature, degC."""
+    scene = load_scene(BEARING, radial_load=LOAD, speed=SPEED, oil=OIL, temperature=f"{temperature} degC")
+    found = friction_torque(scene)
+    ends, exponent = first_order_ends(scene, found), found.limits.replenishment
+    low, high = (np.nan, np.nan) if ends is None else 1e3 * ends[:, 0]
+    makers: dict[str, float] = {}
+    for name, values in scene_band(scene).values.items():
+        makers.setdefault(name.partition(",")[0], 1e3 * float(values[0]))
+    return Cold(
+        temperature=temperature,
+        left=1.0 if exponent is None else float(np.exp(-exponent[0])),
+        torque=1e3 * float(found.torque.total[0]),
+        low=low,
+        high=high,
+        flooded=1e3 * float(friction_torque(found.settled(scene), variation=FLOODED).torque.total[0]),
+        makers=makers,
+    )
+
+
+def table(found: list[Cold]) -> Iterator[str]:
+    """Torques over the temperature, Markdown."""
+    makers = list(found[0].makers)
+    yield "| oil, degC | left of rolling | torque | 95 % | flooded | " + " | ".join(makers) + " |"
+    yield "| --- " * (5 + len(makers)) + "|"
+    for each in found:
+        torques = (each.torque, each.flooded, *each.makers.values())
+        torque, flooded, *others = (f"{value:.3g}" if value < 1e3 else f"{value:.0f}" for value in torques)
+        cells = [f"{each.temperature}", f"{each.left:.2g}", torque, f"{each.low:.3g} to {each.high:.4g}", flooded]
+        yield "| " + " | ".join([*cells, *others]) + " |"
+
+
+def draw(found: list[Cold], path: Path) -> None:
+    """Torques over the temperature, with the interval as a band."""
+    figure = Figure(figsize=(8, 4.6), layout="constrained")
+    axis, places = figure.subplots(), [each.temperature for each in found]
+    band = ([each.low for each in found], [each.high for each in found])
+    axis.fill_between(places, *band, color="0.88", label="95 % interval")
+    axis.plot(places, [each.torque for each in found], "k-", label="torque: starved as a running bearing")
+    axis.plot(places, [each.flooded for each in found], "k--", label="flooded, as at a start")
+    for name, colour in zip(found[0].makers, ("tab:blue", "tab:orange", "tab:green"), strict=False):
+        axis.plot(places, [each.makers[name] for each in found], ".-", color=colour, lw=1, label=name)
+    axis.set(xlabel="temperature of the oil, degC", ylabel="friction torque, N mm", yscale="log")
+    axis.grid(which="both", color="0.93")
+    axis.legend(fontsize=9)
+    axis.set_title(f"{BEARING}, {LOAD} radial, {SPEED}, {OIL}, oil bath", fontsize=10)
+    figure.savefig(path, dpi=120)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--out", type=Path, default=HERE, help="folder for cold.md and cold.png")
+    folder = parser.parse_args().out
+    found = [at(temperature) for temperature in TEMPERATURES]
+    lines = list(table(found))
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "cold.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
+    print("\n".join(lines))  # noqa: T201
+    draw(found, folder / "cold.png")
+
+
+if __name__ == "__main__":
+    main()
