@@ -6,8 +6,8 @@ contact, y across the groove and x along rolling, with the normal n out of the b
 the orbit, the ball slides against its race by
     s_phi = r_m (w_c - w_ring) + W_t (r - y^2/2R) - W_n y,  s_t = x (W_n + W_t y/R) - W_phi r,  W = w_ball - w_ring z
 along the curved surface, about whose normal it turns by W_n + W_t y/R. R differs from r by so little that a turn about
-the orbit slides all points alike. This is linear in v, s = A v - const, so one map gives force, spin, conformity and the moments: the ball feels
--int A^T stress dA. It turns steadily where
+the orbit slides all points alike. This is linear in v, s = A v - const, so one map gives force, spin, conformity and
+the moments: the ball feels -int A^T stress dA. It turns steadily where
     F_phi = 0,  M_rho = -J w_c w_phi,  M_phi = J w_c w_rho,  M_z = 0,  J = (2/5) m r^2
 The terms of balls that come round to another load are left out; the cage carries what is along the orbit.
 
@@ -19,7 +19,7 @@ flexibility L = 32 a/(3 pi^2 E*), that of a long ellipse in steady rolling at th
   Kalker's C23 of spin asks for, not C22 of an even slip: what pushes a ball across its groove is spin.
 - `closed`: stress = T f(k), k = s p/(T p0 u L/a), f(k) = (2/pi)[atan k + k/(1 + k^2)] with the law's T(p, s). With
   Coulomb friction this is Polach's law [Polach2005], exact for the force of an even slip on a strip. It has no memory:
-  the lateral push of spin is missing, which is 1 to 33 % of the torque.
+  the lateral push of spin is missing, which is up to 35 % of the torque.
 - `none`: the closed law with surfaces STIFFER times as stiff.
 Rates are per unit ring speed w, so slip is a length and all exists at standstill. Source: derived here.
 """

@@ -12,7 +12,6 @@ from tests.creep.bodies import (
     HYBRID,
     LIKE,
     LOAD,
-    RADIUS,
     ROLLING,
     TRANSVERSE,
     case,

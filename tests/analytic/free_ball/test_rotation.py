@@ -109,7 +109,9 @@ def test_a_slow_ball_without_creep_loses_the_least_power(bearing: tuple, load: f
     share = 1.5 * np.sqrt(1 - r**2) * r * weight[:, None] / 160 + 0 * angle
     parts = []
     for state in free.work.contacts[0]:
-        x, y = (state[f"semi_axis_{name}"] * r * turn(angle) for name, turn in (("rolling", np.cos), ("transverse", np.sin)))
+        x, y = (
+            state[f"semi_axis_{name}"] * r * turn(angle) for name, turn in (("rolling", np.cos), ("transverse", np.sin))
+        )
         parts.append((0.1 * state["load"] * share, *rigid_slip(state, ball["radius"], ball["orbit_radius"], x, y)))
 
     def power(change: Array) -> tuple[float, Array]:

@@ -115,7 +115,8 @@ def test_nodes_agree_where_the_stress_is_smooth(bearing_6205: Bearing) -> None:
 def test_viscous_contacts_find_their_creep(bearing_6205: Bearing, method: int) -> None:
     """A Newtonian film without spin, tau = g v over the area A: each contact loses g A w_roll^2 b^4/(64 R^2).
 
-    With v_y it loses g A w_roll^2 a^2 b^2/(24 R^2) more. It rubs so little that a first step by a usual coefficient would be taken for the last.
+    With v_y it loses g A w_roll^2 a^2 b^2/(24 R^2) more. It rubs so little that a first step by a usual coefficient
+    would be taken for the last.
     """
     viscosity, speed = 0.9, 0.7  # Pa s, rad/s
     oil = oiled(viscosity=viscosity, pressure_viscosity=1e-13)
@@ -183,9 +184,7 @@ class Judged:
         patch.setattr(judge, "slip_sums", sums)
         patch.setattr(judge, "slider_of", lambda contact: SimpleNamespace(race=contact.race, transverse=1e-3))
         patch.setattr(judge, "at_ring_speed", lambda law, _: law)
-        contacts: Any = tuple(
-            SimpleNamespace(race=race, rolling_rate=2.0 + race) for race in range(2)
-        )
+        contacts: Any = tuple(SimpleNamespace(race=race, rolling_rate=2.0 + race) for race in range(2))
         self.missed, self.whole = unwrap(judge.judged)(contacts, (law, law), SLIPS, 31.0, method, range(5))
 
     def off(self, own: int, other: int) -> Any:
