@@ -19,7 +19,7 @@ flexibility L = 32 a/(3 pi^2 E*), that of a long ellipse in steady rolling at th
   Kalker's C23 of spin asks for, not C22 of an even slip: what pushes a ball across its groove is spin.
 - `closed`: stress = T f(k), k = s p/(T p0 u L/a), f(k) = (2/pi)[atan k + k/(1 + k^2)] with the law's T(p, s). With
   Coulomb friction this is Polach's law [Polach2005], exact for the force of an even slip on a strip. It has no memory:
-  the lateral push of spin is missing, which is 1 to 33 % of the torque.
+  the lateral push of spin is missing, which is up to 35 % of the torque.
 - `none`: the closed law with surfaces STIFFER times as stiff.
 Rates are per unit ring speed w, so slip is a length and all exists at standstill. Source: derived here.
 """

@@ -1,11 +1,11 @@
 """Friction of one ball that rolls and spins between its races, by three methods from cheap to accurate.
 
 - `single_coefficient`: each contact slides with one coefficient, that of its mean pressure and mean sliding speed. Its
-  moments are the closed forms of `analytic.sliding.long_ellipse`. The error is 0.4 to 5 % where the stress follows the
-  pressure, and up to 16 % where the oil's stress is the same everywhere and asperities carry little
+  moments are the closed forms of `analytic.sliding.long_ellipse`. The error is 2 to 5 % of the torque by slip of a 6205
+  where asperities carry much, and up to 18 % where they carry little and the oil's stress is the same everywhere
   (`validation/benchmarks/friction.py`).
 - `along_axis`: the stress follows pressure and sliding from point to point, without the sliding transverse to the
-  direction of rolling. The error is 1 % of the torque by slip of a 6205.
+  direction of rolling. The error is 4 to 5 % of the torque by slip of a 6205.
 - `over_ellipse`: with sliding in both directions.
 Rates are per unit ring speed difference w and torques are slip power over w, as in `analytic.sliding.long_ellipse`. The
 law of traction takes the true sliding speeds, which are |w| times as large.

@@ -38,16 +38,15 @@ def surfaces(sign: float, velocity: Array, x: float, y: float) -> tuple[Array, A
 @pytest.mark.parametrize("sign", RACES)
 @pytest.mark.parametrize("velocity", VELOCITIES)
 def test_slip_is_the_balls_velocity_less_that_of_its_race(sign: float, velocity: Array) -> None:
-    found, t = slip(sign, velocity), frame(sign)[1]
-    n = frame(sign)[0]
+    found, (n, t) = slip(sign, velocity), frame(sign)
     for x, y in ((0.0, 0.0), (0.11e-3, -0.83e-3), (-0.07e-3, 0.42e-3)):
         ball, race = surfaces(sign, velocity, x, y)
         given, ahead = found.creepages, found.side * x  # x of the contact points to its leading edge
         along = given.along + given.along_bend * y**2 - given.spin * y
         across = given.across + (given.spin - 2 * given.along_bend * y) * ahead
-        moved = (ball - race) @ np.array([0.0, found.side, 0.0]), (ball - race) @ (t - y / SURFACE * n)
-        # That vector of the surface is longer than 1, by which a turn about the orbit would seem to slide more.
-        expected = np.array(moved) + np.array([0.0, velocity[1] / R * y**2 / 2 / SURFACE])
+        # That vector across the surface is longer than 1, by which a turn about the orbit would seem to slide more.
+        sideways = (ball - race) @ (t - y / SURFACE * n) + velocity[1] / R * y**2 / 2 / SURFACE
+        expected = (ball - race) @ np.array([0.0, found.side, 0.0]), sideways
         np.testing.assert_allclose(np.array([along, across]) * found.rolling_speed, expected, atol=1e-15)  # round-off
 
 

@@ -100,10 +100,14 @@ def spin_without_angle() -> float:
 
 
 def rolled(of: Bearing) -> FrictionTorque:
-    """A bearing whose clearance is taken away under 640 N aside: its balls roll at contact angle 0."""
-    tight = with_clearance(0.0, of=of)
+    """A bearing whose clearance is taken away under 640 N aside: its balls roll at contact angle 0, on long ellipses."""
     return torque_6205(
-        radial_load=640.0, contact_angle=ZERO, bearing=tight, friction_coefficient=0.1, spin_rule="balanced"
+        radial_load=640.0,
+        contact_angle=ZERO,
+        bearing=with_clearance(0.0, of=of),
+        friction_coefficient=0.1,
+        spin_rule="balanced",
+        sliding="single_coefficient",
     )
 
 
@@ -216,7 +220,7 @@ FRICTION_CASES: tuple[HardCase, ...] = (  # name, problem, answer, evaluation, e
     HardCase("torque: over the shoulder", "1e9 N of thrust", "a refusal: the contact leaves the groove",
         lambda: torque("total", 1e9), refusal="beyond the inner race's shoulder"),
     HardCase("torque: conformity 0.5005", "the conformity's torque of rolling balls that nearly fill their grooves",
-        "that of lines of pure rolling where each race exerts no force, by 40 digits",
+        "that of lines of pure rolling where each race exerts no force, on long ellipses, by 40 digits",
         lambda: conformity_torque(with_conformity(0.5005)), 0.084818372744513000993, tolerance=RING),
     HardCase("torque: Poisson ratio 0.49", "the same at Poisson ratio 0.49", "the same, by 40 digits",
         lambda: conformity_torque(of_materials(*[nearly_incompressible()] * 2)), 0.003842120914884810033,

@@ -171,8 +171,8 @@ def test_published_powers_of_the_turn_by_conformity(eps: float, more: float) -> 
 def test_a_newtonian_film_has_moments_in_closed_form(k: float, eps: float, g: float) -> None:
     """tau = g v over the area A: c = w_roll b^2/(8 R), M_s = g w_s A (a^2 + b^2)/4.
 
-    M_r = g A w_roll (b^4/64 + a^2 b^2/24)/R^2, whose second part is that of v_y. An Eyring stress far
-    above all stresses leaves tau/(g v) = 1 - (v/(5 km/s))^2/6.
+    M_r = g A w_roll (b^4/64 + a^2 b^2/24)/R^2, whose second part is that of v_y. An Eyring stress far above all
+    stresses leaves tau/(g v) = 1 - (v/(5 km/s))^2/6.
     """
     film, spin, a = PointLaw(limit=1e9, eyring=g * 5e3, fluidity=1 / 5e3), spin_of(eps), B / k
     per_rate = g * SPEED * np.pi * a * B
