@@ -21,7 +21,8 @@ COLUMN = 41  # where comments begin
 
 OPERATION = """\
 down = [1, 0, 0]                          # gravity along the radial load; [0, 0, 1]: along the thrust, vertical shaft
-#moment = "0 N m"                         # tilting moment on the rings
+#tilt = "free"                            # else the shaft holds the inner ring straight, or at "0.3 mrad"
+#moment = "0 N m"                         # on a ring that tilts freely
 """
 SUPPLIES = '"oil_bath", "oil_jet", "oil_spot" or "grease"'
 REST = """\

@@ -47,7 +47,7 @@ def test_a_root_finder_settles_loads_and_rotation_at_the_same_place(
         as_record(balls.work.balls[0]),
     )
     passing = np.array([kernel._passing(as_record(contacts[race]), ball, ball.velocity) for race in range(2)])
-    flows = np.zeros((2, nodes.strips, 2, nodes.nodes))  # Coulomb friction has none
+    flows = np.zeros((2, nodes.strips, 3, nodes.nodes))  # Coulomb friction has none
     found = np.array([*balls.angle, *balls.load, *ball.velocity])
     scale = np.array([1.0, 1.0, *balls.load, *np.full(4, np.abs(found[4:]).max())])
 
