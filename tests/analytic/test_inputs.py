@@ -56,6 +56,7 @@ VALUES = {  # of this scene, typed in a second time; the clearance is 2 (23.48 -
     "losses.oil_share": 0.03,
     "cage.friction_coefficient": 0.13,
     "model.film": 1.0,
+    "model.traction": 1.0,
     "model.gap": 0.0,
     "model.surfaces": 1.0,
     "model.rolling": 1.0,
@@ -65,7 +66,7 @@ VALUES = {  # of this scene, typed in a second time; the clearance is 2 (23.48 -
     "model.unloaded_balls": 1.0,
     "model.oil_losses": 1.0,
 }
-MIXED = ("film", "gap", "surfaces")  # factors on formulas of mixed lubrication
+MIXED = ("film", "traction", "gap", "surfaces")  # factors on formulas of mixed lubrication
 LAW = ("pressure_viscosity", "eyring_stress", "limiting_shear")  # of the oil, which traction alone asks for
 ROUGH = ("rms_roughness", "autocorrelation.length", "boundary_friction", "hardness")
 
