@@ -68,9 +68,12 @@ def test_the_balls_out_of_the_load_are_summed(scene: Scene) -> None:
             force = 6 * np.pi * viscosity * speed * entrainment * radius / ((3 + 2 * ellipticity) * ellipticity**0.5)
             force *= np.log(1 + ahead**2 / (7.5 * gap * radius))
             torque += 2 * force * entrainment
-    rings = {"bore_diameter": bearing.bore_diameter, "outside_diameter": bearing.outside_diameter}
     torque *= replenishment_factor(
-        **rings, ring_speed=speed, kinematic_viscosity=viscosity / oil.density, supply="oil_bath"
+        bore_diameter=present(bearing.bore_diameter),
+        outside_diameter=present(bearing.outside_diameter),
+        ring_speed=speed,
+        kinematic_viscosity=viscosity / oil.density,
+        supply="oil_bath",
     )
     added = present(found.torque.rolling) - present(bare.torque.rolling)
     # The reach is that of the free contact angle, here 0.1 rad, whose cosine narrows the groove by 0.5 %.

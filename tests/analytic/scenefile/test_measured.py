@@ -169,5 +169,5 @@ def test_temperatures_need_an_oil_that_is_known_there(tmp_path: Path) -> None:
     (tmp_path / "dry.toml").write_text(MINE)
     refused(lambda: load_scene(tmp_path / "dry.toml", measured=file), "data.csv", "no [lubricant]", "leave the column")
     (tmp_path / "oiled.toml").write_text(OILED)
-    with pytest.raises(InputError, match=r"data\.csv: row 2: temperature = 190 degC: .* 0 to 140 degC"):
+    with pytest.raises(InputError, match=r"data\.csv: row 2: temperature = 190 degC: .* -40 to 140 degC"):
         load_scene(tmp_path / "oiled.toml", measured=file)
