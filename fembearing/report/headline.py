@@ -91,7 +91,11 @@ def headline_title(scene: Scene | SceneView, record: TorqueRecord, units: Units 
         )
     else:
         steady = " (steady)" if "temperature" in oil.origins else ""
-        words.append(f"{oil.name or 'oil'} at {units.temperature.written(oil.temperature, '.4g')}{steady}")
+        named, at = oil.name, units.temperature.written(oil.temperature, ".4g")
+        if not named:
+            reference = units.temperature.written(oil.reference_temperature, ".4g")
+            named = f"oil of {oil.viscosity:.3g} Pa s{'' if reference == at else f' at {reference},'}"
+        words.append(f"{named} at {at}{steady}")
         words.append(oil.supply.replace("_", " "))
     return ", ".join(words)
 
