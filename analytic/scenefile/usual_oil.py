@@ -33,7 +33,7 @@ def usual_oil(*, mean_diameter: float, speed: object, temperature: object) -> st
     """The name of the oil.
 
     mean_diameter : of the ball centres, m
-    speed : of the inner ring, as a scene file has it; of a series the largest counts;  temperature : of the oil, likewise
+    speed, temperature : of inner ring and oil, as a scene file has them; of a series the largest speed counts
     """
     series = speed if isinstance(speed, list) else [speed]
     try:

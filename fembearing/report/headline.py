@@ -17,7 +17,7 @@ from fembearing.report.tables.points import point_cells, point_heads
 from fembearing.report.tables.table import Head, Row, Table, table_of
 from fembearing.report.tables.torque import PARTS, RESIDUE
 from fembearing.report.torque import TorqueRecord, torque_record
-from fembearing.verify.torque.catalogue import WITHOUT_LOSSES
+from fembearing.verify.torque.catalogue import NO_BAND, WITHOUT_LOSSES
 from fembearing.verify.torque.scene_torque import MOST_ESTIMATED, SceneTorque
 
 MOST_ROWS = 6  # points of a series in the headline
@@ -236,7 +236,8 @@ def makers_words(record: TorqueRecord, units: Units = METRIC) -> str:
     shown = {name: [units.torque.number(each) for each in known] for name, known in makers.items() if known}
     numbers = [f"{name} {_span(each, 3, '-')}" for name, each in shown.items()]
     if not numbers:
-        return "makers: no formula holds for this bearing or load"
+        why = band.note.removeprefix(NO_BAND) if band.note.startswith(NO_BAND) else "not for this load"
+        return f"makers: no formula: {why}"
     losses = any(point.torque.declared is not None or point.torque.oil is not None for point in record.points)
     return f"makers: {', '.join(numbers)} {units.torque.name}{f', {WITHOUT_LOSSES}' if losses else ''}"
 

@@ -223,7 +223,7 @@ def torque_of_scene(
     return SceneTorque(
         scene=scene,
         friction=friction,
-        catalogue=beside_catalogue(scene),
+        catalogue=beside_catalogue(scene, friction.pair),
         other_candidate=other,
         interval=interval,
         prediction=prediction,
