@@ -20,8 +20,9 @@ from analytic.scenefile.quantity import NUMBER, Dimension
 from analytic.scenefile.table import Table
 from analytic.scenefile.tables import SceneTable
 from analytic.units import has_unit
-from analytic.words import plain, shown
+from analytic.words import plain, shown, speed_of
 
+LIKE_RPM = 100  # rad/s: a whole number from here on is more often one of rpm
 SETTING = "give KEY=VALUE, for example --set lubricant.supply=grease"
 
 
@@ -124,6 +125,10 @@ def _in_context(path: str, dimension: Dimension, value: Any, *, notes: list[str]
         if not dimension.unit:
             return value
         if not is_typed:
+            if dimension.unit == "rad/s" and abs(value) >= LIKE_RPM and float(value).is_integer():
+                notes.append(
+                    f'{path} = {value!r} is in rad/s, {speed_of(value)}; write "{value!r} rpm" if it is in rpm'
+                )
             return f"{value!r} {dimension.unit}"
         if dimension.unit != "rad/s":
             return value

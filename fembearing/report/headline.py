@@ -213,8 +213,9 @@ def film_words(result: SceneTorque) -> str | None:
     films, roughness, shares = result.friction.film, result.friction.gap_roughness, result.friction.asperity_share
     if roughness is None or films.inner is None or films.outer is None or shares.inner is None or shares.outer is None:
         return None
+    runs = result.friction.inner_speed != 0
     thick = {race: film / roughness for race, film in vars(films).items()}
-    ratios = [f"{_span(np.where(each > THINNEST, each, 0.0))} {race}" for race, each in thick.items()]
+    ratios = [f"{_span(np.where(runs & (each > THINNEST), each, 0.0))} {race}" for race, each in thick.items()]
     carried = np.concatenate([shares.inner, shares.outer])
     names = [
         "full film" if each < FULL else "boundary" if each > BOUNDARY else "mixed"
@@ -223,6 +224,8 @@ def film_words(result: SceneTorque) -> str | None:
     regime = " to ".join(dict.fromkeys(names))
     most = float(carried.max())
     load = "no load" if most < UNLOADED else f"up to {percent_of(most, 2)}"
+    if not runs.any():
+        return "film: none at standstill, starting torque in boundary lubrication"
     return f"film: lambda {', '.join(ratios)}; asperities carry {load}: {regime}"
 
 

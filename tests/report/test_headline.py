@@ -243,7 +243,10 @@ def test_makers_without_a_number_are_not_named(result: SceneTorque) -> None:
     none = "makers: no formula: not for this load"
     assert makers_words(record) == none
     lacking = Band(low=None, high=None, values={}, note="no catalogue band: bearing.bore_diameter is not given")
-    assert makers_words(replace(record, catalogue_band=lacking)) == "makers: no formula: bearing.bore_diameter is not given"
+    assert (
+        makers_words(replace(record, catalogue_band=lacking))
+        == "makers: no formula: bearing.bore_diameter is not given"
+    )
     words_of: tuple[tuple[dict[str, tuple[float | None, ...]], str], ...] = (
         ({"SKF": (None,)}, none),
         ({"SKF": (0.031,)}, "makers: SKF 31 N mm"),

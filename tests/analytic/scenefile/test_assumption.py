@@ -150,3 +150,12 @@ def test_a_base_oil_alone_keeps_the_viscosities_of_the_assumed_class() -> None:
 def test_a_name_that_someone_gives_is_no_assumption() -> None:
     settings = {"lubricant.base_oil": "PAO", "lubricant.viscosity": PAIR_OF_VISCOSITIES}
     refused(lambda: load_scene("6309", radial_load="4 kN", oil="FVA 3", settings=settings), "base_oil goes with")
+
+
+def test_a_whole_number_of_radians_that_looks_like_rpm_is_told_once() -> None:
+    told = load_scene("6206", radial_load=700.0, speed=1500).warnings
+    assert [each for each in told if "rpm" in each] == [
+        'operation.inner_speed = 1500 is in rad/s, 14324 rpm; write "1500 rpm" if it is in rpm'
+    ]
+    for speed in (157.08, 62, "1500 rpm"):
+        assert not any("rad/s" in each for each in load_scene("6206", radial_load=700.0, speed=speed).warnings)
