@@ -166,7 +166,7 @@ def _check(name: Any, where: Any, values: Array, limit: float, note: str, *, is_
         point=point,
         value=worst if np.isfinite(worst) else None,
         limit=limit,
-        unit={"peak_pressure": "Pa", "tilt": "rad"}.get(name, "1"),
+        unit="Pa" if name == "peak_pressure" else "rad" if name == "tilt" else "1",
         verdict=verdict,
         note=note,
     )

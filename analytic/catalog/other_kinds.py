@@ -9,7 +9,7 @@ ONE_ROW = "fembearing computes ball bearings of one row; give one of those, for 
 BY_HAND = "give its dimensions by hand in [bearing]: ball_count, ball_diameter, pitch_diameter, conformity"
 PAIR = f"{BY_HAND} of one row, and an [arrangement] of two"
 THRUST = 'the catalogue does not have its balls: give kind = "thrust", ball_count, ball_diameter, pitch_diameter and '
-THRUST += "conformity in [bearing]"
+THRUST += "conformity in [bearing], with bore_diameter, outside_diameter and static_load_rating for makers' formulas"
 FOUR_POINTS = f'under thrust it is one of angular contact: {BY_HAND} and contact_angle = {{ nominal = "35 deg" }}'
 
 # (pattern from the beginning of the designation, kind, remedy); the first that fits counts.

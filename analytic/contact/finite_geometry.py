@@ -120,16 +120,7 @@ def race_geometry(bearing: Bearing, race: Race, *, contact_angle: ArrayLike, bal
     )
     if not np.isnan(numbers.near_shoulder):
         return found
-    least, typical, most = USUAL_SHOULDERS
-    return replace(
-        found,
-        covered=np.zeros_like(found.covered),
-        warnings=(
-            f"shoulder not known: correction for a height of {typical:g} ball diameters, with the uncertainty of "
-            f"{least:g} to {most:g}",
-            *found.warnings,
-        ),
-    )
+    return replace(found, covered=np.zeros_like(found.covered))
 
 
 def race_shape(bearing: Bearing, race: Race, *, contact_angle: ArrayLike, ball_load: ArrayLike) -> ContactShape:

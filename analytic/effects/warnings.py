@@ -20,19 +20,20 @@ LIGHT = 0.01  # of the heaviest ball's load: a film of a lighter ball hardly cha
 # Speed n d_m, mm/min, beyond which bearings need more than usual design; rules of thumb [BearingWorks], [Anderson1973]
 USUAL_SPEEDS: dict[Supply, float] = {"grease": 0.5e6, "oil_bath": 1e6, "oil_spot": 1e6, "oil_jet": 2e6}
 HYBRID_JET = 3e6  # with an oil jet and ceramic balls
+ENDLESS = "the formula is -8 to +1 % off for endless ellipses"  # `analytic.oil.film.FORMULA_UNCERTAINTY`
 LIGHTEST_STEEL = 6000.0  # kg/m^3: a lighter ball is a ceramic one
 
 
 def torque_warnings(
     ledger: Ledger, found: Solution, *, roughness: GapRoughness | None, limits: tuple[str, ...]
 ) -> list[str]:
-    """Every warning.
+    """Every warning, the worst first: limits, what the total is without, and how it was read and computed.
 
     roughness : of ball and race together, where film and asperities share the load
     limits : those of `analytic.effects.limits`
     """
     scene = ledger.scene
-    warnings = [*scene.warnings]
+    warnings = [*limits, *_lacking(ledger), *_decisions(ledger), *scene.warnings]
     if scene.clearances is not None and scene.clearances.operating < 0:
         warnings.append(
             f"no clearance in operation: {MICROMETRE.written(scene.clearances.unmounted, '.3g')} unmounted, "
@@ -50,20 +51,11 @@ def torque_warnings(
             "spin and from a spin-to-roll ratio of 1/2 on, equation 2 lacks its factor 0.322, and both moments jump "
             'there; "derived" is correct'
         )
-    if scene.cage is None and scene.losses.pockets is None and not ledger.rules_out("cage"):
-        warnings.append(f"the total is without the cage: {NO_CAGE}")
-    if scene.bearing.seals_rub and scene.losses.seals is None:
-        warnings.append(
-            f"the total is without the drag of the seals ({scene.bearing.seals}): give losses.seals, for example "
-            '"5 N mm" or "estimate"'
-        )
     if (seals := scene.losses.origins.get("seals")) is not None and scene.losses.seals is not None:
         warnings.append(
             f"the drag of the seals, {1e3 * scene.losses.seals:.3g} N mm, is assumed: {seals.source}; give "
             "losses.seals by a measured torque"
         )
-    if scene.lubricant is None and not ledger.rules_out("rolling"):
-        warnings.append("the total is without the hydrodynamic rolling resistance: add a table [lubricant]")
     if (speed := too_fast(scene)) is not None:
         warnings.append(speed)
     warnings += _greased(ledger)
@@ -77,7 +69,21 @@ def torque_warnings(
                 f"rolling on the {name} race is extrapolated: the law holds for slow rolling, contacts longer across "
                 f"rolling than along, and oil {SHORTEST:g} semi-axes ahead or more"
             )
-    return [*warnings, *limits, *_decisions(ledger)]
+    return warnings
+
+
+def _lacking(ledger: Ledger) -> Iterator[str]:
+    """Parts of unknown size that the total is without."""
+    scene = ledger.scene
+    if scene.bearing.seals_rub and scene.losses.seals is None:
+        yield (
+            f"the total is without the drag of the seals ({scene.bearing.seals}): give losses.seals, for example "
+            '"5 N mm" or "estimate"'
+        )
+    if scene.cage is None and scene.losses.pockets is None and not ledger.rules_out("cage"):
+        yield f"the total is without the cage: {NO_CAGE}"
+    if scene.lubricant is None and not ledger.rules_out("rolling"):
+        yield "the total is without the hydrodynamic rolling resistance: add a table [lubricant]"
 
 
 def _decisions(ledger: Ledger) -> Iterator[str]:
@@ -124,6 +130,8 @@ def _film(balls: Records, race: int) -> Iterator[str]:
     load = balls["load"][..., race]
     carries = load > LIGHT * np.max(load, axis=-1, keepdims=True, initial=0.0)
     if np.any((balls["film_extrapolated"][..., race] != 0) & carries):
-        yield f"the film on the {RACES[race]} race is extrapolated: contact ellipse outside the fitted shapes"
+        a, b = (balls[f"semi_axis_{way}"][..., race] for way in ("rolling", "transverse"))
+        error = "error not known: it is longer along rolling than across" if np.any(a > b) else ENDLESS
+        yield f"the film on the {RACES[race]} race is extrapolated: contact ellipse outside the fitted shapes; {error}"
     if np.any((balls["film_capped"][..., race] != 0) & carries):
         yield f"the film on the {RACES[race]} race is limited to the space between the bodies, less than the formula"

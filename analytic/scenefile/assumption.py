@@ -10,7 +10,8 @@ from analytic.scene import Scene
 from analytic.scenefile.choice import KEYS
 from analytic.scenefile.columns import OPERATING, key_of_column
 from analytic.scenefile.find import SceneText, find_scene
-from analytic.scenefile.setting import read_choice, with_loads
+from analytic.scenefile.known_oil import viscosities_of
+from analytic.scenefile.setting import as_text, read_choice, with_columns, with_settings
 from analytic.scenefile.text import parse_text
 
 NOTHING: Mapping[str, Any] = MappingProxyType({})
@@ -27,7 +28,7 @@ def assumptions(
     name: str | os.PathLike[str],
     scene: Scene,
     *,
-    settings: Collection[str] = (),
+    settings: Mapping[str, Any] = NOTHING,
     options: Mapping[str, Any] = NOTHING,
     columns: Mapping[str, Any] = NOTHING,
 ) -> Iterator[str]:
@@ -35,29 +36,55 @@ def assumptions(
 
     name, settings, options, columns : as for `load_by_temperature`, which gave the scene
     """
-    found = find_scene(name, choice=with_loads(read_choice(options)[0], columns))
-    given = {KEYS[option] for option, value in options.items() if value is not None} | {*settings}
-    given |= {key_of_column(column) for column in OPERATING if columns.get(column) is not None}
+    found = find_scene(name, choice=with_settings(with_columns(read_choice(options)[0], columns), settings))
+    given = {**{KEYS[option]: value for option, value in options.items() if value is not None}, **settings}
+    given |= {key_of_column(name): values for name in OPERATING if (values := columns.get(name)) is not None}
     yield from usual_values(found, scene, given=given)
 
 
-def usual_document(found: SceneText, given: Collection[str]) -> dict[str, Any]:
+def usual_document(found: SceneText, given: Mapping[str, Any]) -> dict[str, Any]:
     """The document of a scene; that of a bearing of the catalogue without assumptions that given keys replace.
 
-    given : keys that someone gives. What is below a given key, or a suffix of the designation, is no assumption.
+    given : values by key that someone gives. What is below a given key, or a suffix of the designation, is no
+        assumption.
     """
     document = parse_text(found.text, origin=found.origin)
     if found.designation is None:
         return document
-    given = _with_suffix(found.designation, given)
-    for path in {INSTEAD[key] for key in given if key in INSTEAD}:
-        if not any(f"{key}.".startswith(f"{path}.") for key in given):
+    keys = _with_suffix(found.designation, given)
+    for path in {INSTEAD[key] for key in keys if key in INSTEAD}:
+        if not any(f"{key}.".startswith(f"{path}.") for key in keys):
             *tables, last = path.split(".")
             inside = document
             for name in tables:
                 inside = inside.get(name, {})
             inside.pop(last, None)
+    if found.choice.oil is None:
+        document["lubricant"] = _oil_beside(document["lubricant"], given)
     return document
+
+
+def _oil_beside(usual: dict[str, Any], given: Mapping[str, Any]) -> dict[str, Any]:
+    """The table of the usual oil, without its name where given keys say another oil.
+
+    Beside a base oil alone stay the viscosities of its class. A viscosity that is given is one of mineral oil, and
+    without a temperature of its own that at the oil's.
+    """
+    keys = {key.partition(".")[2] for key in given if key.startswith("lubricant.")}
+    if "name" in keys or not keys & {"viscosity", "base_oil", "reference_temperature"}:
+        return usual
+    oil = {key: value for key, value in usual.items() if key != "name"}
+    if "viscosity" in keys:
+        parts = as_text(given["lubricant.viscosity"])
+        has_own = isinstance(parts, list) or " at " in str(parts)
+        return {
+            **({} if "base_oil" in keys else {"base_oil": "mineral"}),
+            **({} if has_own or "reference_temperature" in keys else {"reference_temperature": oil["temperature"]}),
+            **oil,
+        }
+    if "base_oil" in keys and "reference_temperature" not in keys:
+        return {"viscosity": viscosities_of(str(usual["name"])), **oil}
+    return oil
 
 
 def _with_suffix(designation: str, given: Collection[str]) -> set[str]:
@@ -65,22 +92,22 @@ def _with_suffix(designation: str, given: Collection[str]) -> set[str]:
     return {*given} | ({"bearing.clearance"} if find_bearing(designation).clearance_group is not None else set())
 
 
-def usual_values(found: SceneText, scene: Scene, *, given: Collection[str]) -> Iterator[str]:
+def usual_values(found: SceneText, scene: Scene, *, given: Mapping[str, Any]) -> Iterator[str]:
     """The same of a scene that is found.
 
-    found : the text of the scene;  given : keys whose values are no assumptions
+    found : the text of the scene;  given : values by key that are no assumptions
     """
     if found.designation is None:
         return
     document = usual_document(found, given)
     assert scene.lubricant is not None, "the usual scene has oil"
     document["lubricant"].setdefault("supply", scene.lubricant.supply)
-    given = _with_suffix(found.designation, given)
+    keys = _with_suffix(found.designation, given)
     if "temperature" in scene.lubricant.origins:  # friction settles it
-        given.add("lubricant.temperature")
+        keys.add("lubricant.temperature")
     document["bearing"] = {key: value for key, value in document["bearing"].items() if key == "clearance"}
     if "seals" in scene.losses.origins:
         document.setdefault("losses", {}).setdefault("seals", "estimate")
     for table in ("bearing", "operation", "lubricant", "surface", "friction", "losses"):
         values = {f"{table}.{key}": value for key, value in document.get(table, {}).items()}
-        yield from (f"{path} = {value}" for path, value in values.items() if path not in given)
+        yield from (f"{path} = {value}" for path, value in values.items() if path not in keys)

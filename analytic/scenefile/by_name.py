@@ -116,7 +116,7 @@ def operation(
     if tilt is None:
         held = None if moment is None else "free"
     else:
-        held = tilt if tilt == "free" else float(_in_si("operation.tilt", tilt))
+        held = "free" if isinstance(tilt, str) and tilt == "free" else float(_in_si("operation.tilt", tilt))
     if moment is not None and not isinstance(held, str):
         raise InputError("operation.tilt holds the ring, and operation.moment tilts it: leave one of them out")
     return Operation(tilt=held, **arrays).as_series()

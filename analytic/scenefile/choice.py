@@ -10,7 +10,7 @@ class Choice:
     axial_load: object = None  # None of both loads: a light load that suits the bearing
     radial_load: object = None
     speed: object = "1000 rpm"
-    oil: object = "ISO VG 68"
+    oil: object = None  # None: a mineral oil of the class that suits size, speed and temperature
     temperature: object = "60 degC"
     supply: object = None  # None: grease where the bearing is closed or the lubricant is one, else an oil bath
 
@@ -24,3 +24,6 @@ KEYS = {  # of a scene file, by the options
     "temperature": "lubricant.temperature",
     "supply": "lubricant.supply",
 }
+LOADS = ("axial_load", "radial_load")
+# What also takes the place of the usual load of a bearing.
+OTHER_LOADS = ("operation.moment", "arrangement.preload", "arrangement.offset")

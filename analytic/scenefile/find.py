@@ -28,6 +28,7 @@ class SceneText:
     origin: str  # names the text in messages
     folder: Path  # that the paths in the text start from
     designation: str | None = None  # of a bearing of the catalogue, whose usual scene it is
+    choice: Choice = USUAL  # what someone gave for this usual scene
 
 
 def find_scene(name: str | os.PathLike[str], *, folder: Path = Path(), choice: Choice = USUAL) -> SceneText:
@@ -53,7 +54,7 @@ def find_scene(name: str | os.PathLike[str], *, folder: Path = Path(), choice: C
     elif not os.path.isfile(path) and _may_be_a_bearing(given):
         try:
             text = scene_text(given, choice)
-            return SceneText(text=text, origin=f"scene of {given}", folder=folder, designation=given)
+            return SceneText(text=text, origin=f"scene of {given}", folder=folder, designation=given, choice=choice)
         except InputError as problem:
             if os.path.basename(given) == given or (not path.parent.is_dir() and begins_as_number(given)):
                 raise InputError(f"{problem} (no scene file has this name either, nor a scene {known})") from None

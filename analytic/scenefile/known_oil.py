@@ -139,6 +139,13 @@ def _usual_hot_viscosity(cold: float) -> float:
     return float(np.exp(np.interp(np.log(cold), *both.T)))
 
 
+def viscosities_of(name: str) -> list[str]:
+    """The viscosities of an oil of the catalog at 40 and 100 degC, as a scene file has them."""
+    line = named_oil(name).line
+    assert line is not None
+    return [f"{1e6 * line.kinematic_viscosity(at):.4g} cSt at {at - 273.15:g} degC" for at in (COLD, HOT)]
+
+
 def assumed_properties(name: str) -> tuple[str, ...]:
     """What of an oil of the catalog is assumed, of its coefficient and its viscosity at 100 degC."""
     oil = named_oil(name)

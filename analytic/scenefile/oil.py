@@ -97,7 +97,7 @@ def lubricant_of(table: LubricantTable, *, ball_radius: float) -> Lubricant:
         temperature=temperature,
         modulus_rise=oil.modulus_rise,
         traction_spread=oil.traction_spread,
-        name=oil.name if "name" in given else "",
+        name=oil.name if "name" in given and viscosity is None else "",
         origins=read_only({key: each.origin for key, each in properties.items()}),
         reach=_reach(table.reach, ball_radius),
         **choices,

@@ -39,7 +39,7 @@ from analytic.scenefile.keys import fault_at, faults_of, with_key
 from analytic.scenefile.losses import losses_of
 from analytic.scenefile.measured import read_measured, with_oils
 from analytic.scenefile.oil import lubricant_of
-from analytic.scenefile.setting import read_choice, read_setting, with_loads
+from analytic.scenefile.setting import read_choice, read_setting, with_columns, with_settings
 from analytic.scenefile.spread_tables import given_assumptions, given_spreads
 from analytic.scenefile.surface import surface_conflicts, surface_of
 from analytic.scenefile.tables import (
@@ -118,7 +118,7 @@ def load_by_temperature(
         refuse_options(options, os.fspath(scene))
     else:
         columns = columns if measured is None else vars(read_measured(measured))
-        found = find_scene(scene, choice=with_loads(choice, columns))
+        found = find_scene(scene, choice=with_settings(with_columns(choice, columns), settings))
     for name, given in options.items():
         if given is not None and KEYS[name] in settings:
             raise InputError(f"{name} = {shown(given)} and {KEYS[name]} are the same: leave one of them out")

@@ -13,15 +13,16 @@ from typing import Any
 import numpy as np
 
 from analytic.errors import InputError
-from analytic.scenefile.choice import KEYS, Choice
+from analytic.scenefile.choice import KEYS, LOADS, OTHER_LOADS, Choice
+from analytic.scenefile.columns import OPERATING
 from analytic.scenefile.keys import scene_key
 from analytic.scenefile.quantity import NUMBER, Dimension
 from analytic.scenefile.table import Table
 from analytic.scenefile.tables import SceneTable
 from analytic.units import has_unit
-from analytic.words import plain, shown
+from analytic.words import plain, shown, speed_of
 
-LOADS = ("axial_load", "radial_load")
+LIKE_RPM = 100  # rad/s: a whole number from here on is more often one of rpm
 SETTING = "give KEY=VALUE, for example --set lubricant.supply=grease"
 
 
@@ -39,16 +40,41 @@ def read_choice(options: Mapping[str, Any]) -> tuple[Choice, tuple[str, ...]]:
     return Choice(**values), tuple(notes)
 
 
-def with_loads(choice: Choice, columns: Mapping[str, Any]) -> Choice:
-    """The choice with the loads of the heaviest row of a file, so that no usual load is added to them.
+def with_settings(choice: Choice, settings: Mapping[str, Any]) -> Choice:
+    """The choice with what settings give by the keys of its fields; no usual load stands beside another load.
 
-    columns : by name, (n,), loads in N; None, or no entry: the file has no such column
+    Its usual oil then suits a speed and a temperature that settings give. settings : by key, as for `load_scene`
     """
-    loads = {name: columns[name] for name in LOADS if columns.get(name) is not None}
-    if not loads:
+    choice = replace(
+        choice, **{name: read_setting(key, settings[key])[0] for name, key in KEYS.items() if key in settings}
+    )
+    if has_load(choice) or not {*OTHER_LOADS} & settings.keys():
         return choice
-    row = int(np.argmax(np.sum(np.abs([*loads.values()]), axis=0)))
-    return replace(choice, **{name: f"{float(values[row])!r} N" for name, values in loads.items()})
+    return replace(choice, radial_load="0 N")
+
+
+def has_load(choice: Choice) -> bool:
+    """Whether the choice itself gives a load, so that there is no usual one."""
+    return any(getattr(choice, name) is not None for name in LOADS)
+
+
+def with_columns(choice: Choice, columns: Mapping[str, Any]) -> Choice:
+    """The choice with the loads of the heaviest row of a file, and speed and temperature of its fastest row.
+
+    No usual load is added to those of the file, and the usual oil suits its speed.
+    columns : by name, (n,), SI; None, or no entry: the file has no such column
+    """
+    given = {name: values for name in OPERATING if (values := columns.get(name)) is not None}
+    loads = {name: values for name, values in given.items() if name in LOADS}
+    if loads:
+        row = int(np.argmax(np.sum(np.abs([*loads.values()]), axis=0)))
+        choice = replace(choice, **{name: f"{float(values[row])!r} N" for name, values in loads.items()})
+    row = int(np.argmax(np.abs(given["inner_speed"]))) if "inner_speed" in given else 0
+    if "inner_speed" in given:
+        choice = replace(choice, speed=f"{float(given['inner_speed'][row])!r} rad/s")
+    if "temperature" in given:
+        choice = replace(choice, temperature=f"{float(given['temperature'][row])!r} K")
+    return choice
 
 
 def typed_settings(texts: list[str]) -> dict[str, str]:
@@ -99,6 +125,10 @@ def _in_context(path: str, dimension: Dimension, value: Any, *, notes: list[str]
         if not dimension.unit:
             return value
         if not is_typed:
+            if dimension.unit == "rad/s" and abs(value) >= LIKE_RPM and float(value).is_integer():
+                notes.append(
+                    f'{path} = {value!r} is in rad/s, {speed_of(value)}; write "{value!r} rpm" if it is in rpm'
+                )
             return f"{value!r} {dimension.unit}"
         if dimension.unit != "rad/s":
             return value

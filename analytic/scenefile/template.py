@@ -11,6 +11,7 @@ from analytic.errors import InputError
 from analytic.scene import Origin
 from analytic.scenefile.choice import USUAL, Choice
 from analytic.scenefile.usual_cage import cage_sizes
+from analytic.scenefile.usual_oil import usual_oil
 
 SCHEMA_NAME = "fembearing-scene.schema.json"  # of the file beside the scene
 RADIAL_SHARE, AXIAL_SHARE = 0.05, 0.02  # of C0: a light load on a deep groove, and on an angular contact bearing
@@ -184,11 +185,14 @@ def _operation(bearing: CatalogBearing, choice: Choice) -> str:
 
 
 def _oil(bearing: CatalogBearing, choice: Choice) -> str:
-    default = "grease" if bearing.seal_suffixes else None  # for life
-    given = choice.supply or default
+    name, words = choice.oil, "names: `fembearing list oils`"
+    if name is None:
+        name = usual_oil(mean_diameter=bearing.pitch_diameter, speed=choice.speed, temperature=choice.temperature)
+        words = f"kappa nearest 2; {words}"
+    given = choice.supply or ("grease" if bearing.seal_suffixes else None)  # for life
     supply = '#supply = "grease"' if given is None else f"supply = {_quoted(given)}"
     return (
-        _line(f"name = {_quoted(choice.oil)}", "names: `fembearing list oils`")
+        _line(f"name = {_quoted(name)}", words)
         + _line(f"temperature = {_quoted(choice.temperature)}", "at the inlets of the contacts")
         + _line(supply, SUPPLIES)
     )

@@ -15,7 +15,10 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 QUIET: dict[str, Any] = {
-    "quiet": Annotated[bool, typer.Option("--quiet", "-q", help="Print no warnings and no progress, errors only.")]
+    "quiet": Annotated[
+        bool,
+        typer.Option("--quiet", "-q", help="Print no progress, and no warnings but those of how the input was read."),
+    ]
 }
 VERBOSE: dict[str, Any] = {
     "verbose": Annotated[bool, typer.Option("--verbose", "-v", help="Print each step with its time on standard error.")]

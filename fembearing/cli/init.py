@@ -47,6 +47,6 @@ def init(
     if not os.path.lexists(schema):
         with new_file(schema) as apart:
             apart.write_text(json.dumps(scene_schema(), indent=1, ensure_ascii=False), "utf-8")
-    print_warnings(notes)
+    print_warnings(notes, read=notes)
     out.tell(f"written: {path}; schema for editors: {schema}")
     out.tell(f"next: fembearing torque {shlex.quote(str(path))}")

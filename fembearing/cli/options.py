@@ -228,5 +228,5 @@ def _read_option(option: str, given: str, key: str) -> float:
         number = dimension.read(value)
     except ValueError as problem:
         raise InputError(f"{option} {given!r} {problem}") from None
-    print_warnings(tuple(notes))
+    print_warnings(notes, read=notes)
     return number

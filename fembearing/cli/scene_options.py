@@ -15,7 +15,8 @@ OPTIONS: dict[str, Any] = {  # by the fields of a choice
     ],
     "speed": Annotated[str | None, typer.Option(help=f"Speed of the inner ring (default: {USUAL.speed}).")],
     "oil": Annotated[
-        str | None, typer.Option(help=f"Name of the oil, see `fembearing list oils` (default: {USUAL.oil}).")
+        str | None,
+        typer.Option(help="Name of the oil, see `fembearing list oils` (default: by size, speed and temperature)."),
     ],
     "temperature": Annotated[str | None, typer.Option(help=f"Oil temperature (default: {USUAL.temperature}).")],
     "supply": Annotated[

@@ -6,6 +6,7 @@ required accuracy, or a physical verdict is not known; 70, 71 and 74 are those o
 
 import os
 import sys
+from collections.abc import Collection
 from contextlib import suppress
 from contextvars import ContextVar
 from typing import Literal, TextIO
@@ -47,7 +48,9 @@ def complain(problem: object, status: int) -> int:
     return status
 
 
-def print_warnings(warnings: tuple[str, ...]) -> None:
-    """Say warnings, unless the command is to be quiet."""
-    for warning in () if TALK.get() == "quiet" else warnings:
+def print_warnings(warnings: Collection[str], *, read: Collection[str] = ()) -> None:
+    """Say warnings; a quiet command only those that say how the input was `read`, as they change the number."""
+    for warning in warnings:
+        if TALK.get() == "quiet" and warning not in read:
+            continue
         say(f"warning: {warning}")

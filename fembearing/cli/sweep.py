@@ -59,7 +59,7 @@ def _tell_assumed(path: Path) -> None:
 
     grid = load_grid(path)
     if grid.named is not None and grid.named.designation is not None:
-        keys = [axis.key for axis in grid.axes]
+        keys = {axis.key: axis.values for axis in grid.axes}
         change = in_a_file(grid.named.designation)
         tell_assumed(usual_values(grid.named, grid.first_scene(), given=keys), change=change)
 

@@ -48,7 +48,7 @@ def torque(
     """Friction torque of a scene with its 95 % interval and a verdict. Several scenes are compared.
 
     A bearing of the catalog needs no file: loads, speed, oil, temperature and supply are options. Missing options are
-    assumed and printed. Scene files take --set in place of these options.
+    assumed and printed. Scene files take --set in place of these options. --speed 0rpm gives the starting torque.
     """
     names = scenes or [BUILTIN]
     _require_fitting(names, target)
@@ -125,7 +125,8 @@ def _print(results: "Mapping[str, SceneTorque]", *, details: bool) -> None:
         if details:
             out.print()
             print_details(out, result)
-        print_warnings(tuple(f"{before}{warning}" for warning in result.friction.warnings))
+        said = {warning: f"{before}{warning}" for warning in result.friction.warnings}
+        print_warnings(said.values(), read=[said[each] for each in result.scene.warnings if each in said])
 
 
 def _status(results: "Collection[SceneTorque]") -> int:

@@ -84,7 +84,7 @@ def stiffness_at(given: SceneByTemperature, axes: Axes) -> Array:
     speeds = axes["speed"]
     loads = {name: np.full(speeds.size, axes[name][0]) for name in ("axial_load", "radial_load")}
     own = scene.operation.as_series()
-    moment = np.full(speeds.size, own.moment[0])
+    moment = np.full(speeds.size, np.atleast_1d(own.moment)[0])
     ring = friction_torque(replace(scene, operation=replace(own, inner_speed=speeds, moment=moment, **loads))).ring
     assert ring is not None
     least = np.linalg.eigvalsh(ring.stiffness[:, 1:3, 1:3]).min()

@@ -18,7 +18,7 @@ from fembearing.report.tables.points import point_cells, point_heads
 from fembearing.report.tables.table import Head, Row, Table, table_of
 from fembearing.report.tables.torque import PARTS, RESIDUE
 from fembearing.report.torque import TorqueRecord, torque_record
-from fembearing.verify.torque.catalogue import WITHOUT_LOSSES
+from fembearing.verify.torque.catalogue import NO_BAND, WITHOUT_LOSSES
 from fembearing.verify.torque.scene_torque import MOST_ESTIMATED, SceneTorque
 
 MOST_ROWS = 6  # points of a series in the headline
@@ -93,7 +93,11 @@ def headline_title(scene: Scene | SceneView, record: TorqueRecord, units: Units 
         )
     else:
         steady = " (steady)" if "temperature" in oil.origins else ""
-        words.append(f"{oil.name or 'oil'} at {units.temperature.written(oil.temperature, '.4g')}{steady}")
+        named, at = oil.name, units.temperature.written(oil.temperature, ".4g")
+        if not named:
+            reference = units.temperature.written(oil.reference_temperature, ".4g")
+            named = f"oil of {oil.viscosity:.3g} Pa s{'' if reference == at else f' at {reference},'}"
+        words.append(f"{named} at {at}{steady}")
         words.append(oil.supply.replace("_", " "))
     return ", ".join(words)
 
@@ -216,8 +220,9 @@ def film_words(result: SceneTorque) -> str | None:
     films, roughness, shares = result.friction.film, result.friction.gap_roughness, result.friction.asperity_share
     if roughness is None or films.inner is None or films.outer is None or shares.inner is None or shares.outer is None:
         return None
+    runs = result.friction.inner_speed != 0
     thick = {race: film / roughness for race, film in vars(films).items()}
-    ratios = [f"{_span(np.where(each > THINNEST, each, 0.0))} {race}" for race, each in thick.items()]
+    ratios = [f"{_span(np.where(runs & (each > THINNEST), each, 0.0))} {race}" for race, each in thick.items()]
     carried = np.concatenate([shares.inner, shares.outer])
     names = [
         "full film" if each < FULL else "boundary" if each > BOUNDARY else "mixed"
@@ -226,6 +231,8 @@ def film_words(result: SceneTorque) -> str | None:
     regime = " to ".join(dict.fromkeys(names))
     most = float(carried.max())
     load = "no load" if most < UNLOADED else f"up to {percent_of(most, 2)}"
+    if not runs.any():
+        return "film: none at standstill, starting torque in boundary lubrication"
     starved = result.friction.limits.replenishment
     state = "" if starved is None or starved.max(initial=0.0) <= MOST_STARVED else ", starved to flooded"
     return f"film: lambda {', '.join(ratios)}; asperities carry {load}: {regime}{state}"
@@ -241,7 +248,8 @@ def makers_words(record: TorqueRecord, units: Units = METRIC) -> str:
     shown = {name: [units.torque.number(each) for each in known] for name, known in makers.items() if known}
     numbers = [f"{name} {_span(each, 3, '-')}" for name, each in shown.items()]
     if not numbers:
-        return "makers: no formula holds for this bearing or load"
+        why = band.note.removeprefix(NO_BAND) if band.note.startswith(NO_BAND) else "not for this load"
+        return f"makers: no formula: {why}"
     losses = any(point.torque.declared is not None or point.torque.oil is not None for point in record.points)
     return f"makers: {', '.join(numbers)} {units.torque.name}{f', {WITHOUT_LOSSES}' if losses else ''}"
 

@@ -26,11 +26,12 @@ from pydantic import Field, ValidationError, create_model
 from analytic.errors import InputError
 from analytic.scene import Pair, Scene
 from analytic.scenefile.assumption import usual_document
-from analytic.scenefile.choice import USUAL, Choice
+from analytic.scenefile.choice import USUAL
 from analytic.scenefile.find import SceneText, find_scene
 from analytic.scenefile.keys import SceneKey, Value, faults_of, scene_key, with_key
 from analytic.scenefile.quantity import Dimension
 from analytic.scenefile.read import scene_of
+from analytic.scenefile.setting import with_settings
 from analytic.scenefile.table import Table, Whole
 from analytic.scenefile.text import parse_text, read_text
 from analytic.words import plain, shown
@@ -39,7 +40,6 @@ What = Literal["torque", "contact"]
 OF_AXES = ("pair", "ball_load", "geometry")  # keys of sweeps that may be axes
 OF_CONTACT = (*OF_AXES, "accuracy")
 LOADS = ("operation.axial_load", "operation.radial_load", "operation.moment")
-NO_USUAL_LOAD = Choice(radial_load="0 N")
 DIRECTION = "down"  # the key of [operation] whose list is one value
 BYTES_A_POINT = 400  # of the whole dataset in memory, or of a map while it is drawn
 SHARE_OF_MEMORY = 0.5
@@ -218,9 +218,9 @@ def _grid(text: str, *, origin: str, folder: Path) -> Grid:
         raise InputError('samples are of the interval of a torque; write what = "torque", or leave them out')
     document, named = table.scene, None
     if isinstance(document, str):
-        choice = NO_USUAL_LOAD if any(axis.key in LOADS for axis in axes) else USUAL
-        named = find_scene(document, folder=folder, choice=choice)
-        document, folder = usual_document(named, [axis.key for axis in axes]), named.folder
+        largest = {axis.key: max(axis.values) for axis in axes if axis.key not in OF_CONTACT}
+        named = find_scene(document, folder=folder, choice=with_settings(USUAL, largest))
+        document, folder = usual_document(named, largest), named.folder
     _require_one_point(document, axes)
     _require_memory(axes)
     return Grid(

@@ -263,8 +263,13 @@ def test_the_title_has_the_loads_and_the_speed_that_are_the_same_everywhere(resu
 
 def test_makers_without_a_number_are_not_named(result: SceneTorque) -> None:
     record = record_of(result, totals=[0.02])
-    none = "makers: no formula holds for this bearing or load"
+    none = "makers: no formula: not for this load"
     assert makers_words(record) == none
+    lacking = Band(low=None, high=None, values={}, note="no catalogue band: bearing.bore_diameter is not given")
+    assert (
+        makers_words(replace(record, catalogue_band=lacking))
+        == "makers: no formula: bearing.bore_diameter is not given"
+    )
     words_of: tuple[tuple[dict[str, tuple[float | None, ...]], str], ...] = (
         ({"SKF": (None,)}, none),
         ({"SKF": (0.031,)}, "makers: SKF 31 N mm"),

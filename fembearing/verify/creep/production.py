@@ -271,7 +271,7 @@ def _marched(contact: Record, slip: RigidSlip, quadrature: Record) -> RaceFricti
         areas[:, k] = width * float(contact.semi_axis_rolling) * cosines * weight * cosine
         for j in range(count):
             pressure = peak_pressure(contact) * cosines[j] * cosine
-            shear = shear_at(contact, pressure, flows[j, 0, k], flows[j, 1, k])
+            shear = shear_at(contact, pressure, *flows[j, :, k])
             least = shear.steady + (shear.limit if shear.most == 0.0 else 0.0)
             slips[j, k] = state[STRESS + j] >= (1 - SLIDES) * least
     forces = np.array([marched_strip(state, j)[0] for j in range(count)]).T * width

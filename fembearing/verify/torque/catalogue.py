@@ -6,11 +6,18 @@ import numpy as np
 
 from analytic.brief import Brief
 from analytic.errors import InputError
-from analytic.result import TorqueParts
+from analytic.result import PairPart, TorqueParts
 from analytic.scene import Array, Scene
-from fembearing.verify.torque.catalogue_models import CatalogueBand, bearing_series, scene_band
+from fembearing.verify.torque.catalogue_models import (
+    ANGULAR,
+    THRUST_BALL,
+    CatalogueBand,
+    bearing_series,
+    scene_band,
+)
 
 WITHOUT_LOSSES = "without seals and drag"
+NO_BAND = "no catalogue band: "  # how the reason begins for which there is none
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -21,18 +28,16 @@ class BesideCatalogue(Brief):
     note: str  # why there is no band, or what to know of it
 
 
-def beside_catalogue(scene: Scene) -> BesideCatalogue:
-    """The catalogue band of a scene."""
-    if scene.arrangement is not None:
-        return BesideCatalogue(
-            band=None, note="no catalogue band: the models of catalogues hold for one bearing, not for a pair"
-        )
+def beside_catalogue(scene: Scene, pair: PairPart | None = None) -> BesideCatalogue:
+    """The catalogue band of a scene; pair : the two bearings of its torque, where it has an arrangement."""
     try:
-        band = scene_band(scene)
+        band = scene_band(scene, None if pair is None else pair.equilibrium)
     except InputError as problem:
-        return BesideCatalogue(band=None, note=f"no catalogue band: {problem}")
+        return BesideCatalogue(band=None, note=f"{NO_BAND}{problem}")
+    kind = bearing_series(scene.bearing)
+    of = f"{kind} ball bearing" if kind in (ANGULAR, THRUST_BALL) else f"bearing of series {kind}"
     note = (
-        f"catalogue band: {_models(band)} for an open bearing of series {bearing_series(scene.bearing)}; empirical "
+        f"catalogue band: {_models(band)} for an open {of}{'' if pair is None else ', summed over both'}; empirical "
         "fits, an order of magnitude, not a reference"
     )
     return BesideCatalogue(band=band, note=note)

@@ -1,11 +1,12 @@
 """Three empirical models of friction torque from bearing catalogues: a band of values, not a reference.
 
-They hold for open bearings of one row, without seals: deep groove ones of the series of `SKF_DEEP_GROOVE`, and angular
-contact ones of the series 72 B and 73 B. All are fits to unpublished tests, and under pure thrust they differ by
-factors. They show the order of magnitude; none checks or validates anything.
+They hold for open bearings of one row, without seals: deep groove ones of the series of `SKF_DEEP_GROOVE`, angular
+contact ones, and thrust ball bearings. SKF's constants of angular contact bearings are those of 40 deg; spindle
+bearings of 15 to 25 deg take them too, as SKF prints no others. All are fits to unpublished tests, and under pure
+thrust they differ by factors. They show the order of magnitude; none checks or validates anything.
 The formulas take their printed units: mm, mm^2/s, rev/min, N and N mm.
-Sources: [SKF2018], chapter on friction (an older edition has 0.15 for mu_bl), with the constants of [SKF2016];
-[Palmgren1959], for angular contact bearings with the constants of [Jungnickel2010]; [ISO15312].
+Sources: [SKF2018], chapter on friction (an older edition has 0.15 for mu_bl), with the constants of [SKF2016], those of
+thrust bearings from memory; [Palmgren1959]; [ISO15312].
 """
 
 from collections.abc import Mapping
@@ -19,9 +20,11 @@ from numpy.typing import ArrayLike
 from analytic.brief import Brief
 from analytic.catalog.bearing_rows import series_of_size
 from analytic.errors import InputError, require_non_negative, require_positive
+from analytic.loads.pair import PairEquilibrium
 from analytic.oil.rolling import (
     ANGULAR_CONTACT,
     DEEP_GROOVE,
+    THRUST,
     inlet_shear_factor,
     per_minute,
     replenishment_factor,
@@ -42,7 +45,8 @@ SKF_DEEP_GROOVE = {  # R_1, R_2, S_1, S_2 by series
     "619": (4.3e-7, 1.7, 4.75e-3, 3.6),
 }
 SKF_ANGULAR_CONTACT = (5.03e-7, 1.97, 1.9e-12, 0.013, 0.68, 1.91e-12)  # R_1, R_2, R_3, S_1, S_2, S_3 of one row
-ANGULAR_SERIES = ("72 B", "73 B")
+SKF_THRUST = (1.03e-6, 0.016)  # R_1, S_1 of thrust ball bearings; from memory
+ANGULAR, THRUST_BALL = "angular contact", "thrust"  # in place of the series of bearings that have none
 ISO_15312 = {  # f_0r, f_1r by series; its table has dimension series, 02 for 62, and no 01 for 161
     "618": (1.7, 1.0e-4),
     "619": (1.7, 1.5e-4),
@@ -58,7 +62,15 @@ BOUNDARY_FRICTION = 0.12  # mu_bl
 FILM_FRICTION = 0.05  # mu_EHL, mineral oil
 PALMGREN_VISCOUS = 2.0  # f_0
 PALMGREN_LOAD = (4e-4, 6e-4)  # z of f_1 = z (P_0/C_0)^0.55
-PALMGREN_ANGULAR = (3.3, 4.6e-4)  # f_0, f_1 of angular contact bearings
+# f_0; that of an oil bath is in [Jungnickel2010], the others and those of thrust bearings after tables of Harris, from
+# memory.
+ANGULAR_VISCOUS: Mapping[Supply, float] = {"grease": 2.0, "oil_spot": 1.7, "oil_bath": 3.3, "oil_jet": 6.6}
+THRUST_VISCOUS: Mapping[Supply, float] = {"grease": 5.5, "oil_spot": 0.8, "oil_bath": 1.5, "oil_jet": 3.0}
+ANGULAR_LOAD, THRUST_LOAD = 1e-3, 8e-4  # z of f_1 = z (P_0/C_0)^0.33; the first in [FAG2002], the second from memory
+DEEP_GROOVE_THRUST = 3.3  # of P_1
+# Y_0 of P_0 = max(0.5 F_r + Y_0 F_a, F_r) by the contact angle in degrees, [ISO76], from memory but for 40 deg
+STATIC_ANGLES, STATIC_AXIAL = (15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0), (0.46, 0.42, 0.38, 0.33, 0.29, 0.26, 0.22)
+LEAST_ANGLE = 0.1  # rad: below, the thrust counts as in a deep groove bearing
 STEEPEST = np.radians(20.0)  # unloaded angle of a deep groove bearing with a large clearance; judgement
 
 
@@ -73,6 +85,11 @@ class CatalogueCase(NamedTuple):
     radial_load: ArrayLike  # F_r, N, >= 0
     ring_speed: ArrayLike  # |w|, rad/s, >= 0
     kinematic_viscosity: ArrayLike  # nu at running temperature, m^2/s, > 0
+    free_angle: float = np.radians(40.0)  # alpha of an angular contact bearing, unloaded, rad
+
+    @property
+    def is_angular(self) -> bool:
+        return self.series not in SKF_DEEP_GROOVE and self.series != THRUST_BALL
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -84,11 +101,20 @@ class CatalogueBand(Brief):
     values: Mapping[str, Array]  # by name of the model; NaN where a model does not hold
 
 
-def scene_band(scene: Scene) -> CatalogueBand:
-    """The band at every operating point of a scene; arrays (n,), errors as of `case_of`."""
-    case = case_of(scene)
-    assert scene.lubricant is not None
-    return catalogue_band(case, lubrication=scene.lubricant.supply)
+def scene_band(scene: Scene, loads: PairEquilibrium | None = None) -> CatalogueBand:
+    """The band at every operating point of a scene; arrays (n,), errors as of `case_of`.
+
+    loads : of a pair, whose band is the sum over both bearings at their own thrust and radial load; the moments with
+        which the shaft holds the rings straight are left out
+    """
+    case, oil = case_of(scene), scene.lubricant
+    assert oil is not None
+    if loads is None:
+        return catalogue_band(case, lubrication=oil.supply)
+    each = zip(np.abs(loads.axial_load), np.abs(loads.radial_load), strict=True)
+    cases = [case._replace(axial_load=thrust, radial_load=radial) for thrust, radial in each]
+    values = [catalogue_band(one, lubrication=oil.supply).values for one in cases]
+    return _band_of({name: np.sum([found[name] for found in values], axis=0) for name in values[0]})
 
 
 def case_of(scene: Scene) -> CatalogueCase:
@@ -98,8 +124,6 @@ def case_of(scene: Scene) -> CatalogueCase:
     bearings without constants, a moment or a thrust below 0.
     """
     bearing, operation, oil = scene.bearing, scene.operation, scene.lubricant
-    if bearing.kind == "thrust":
-        raise InputError("a thrust bearing: the constants are those of radial bearings")
     if oil is None:
         raise InputError("no lubricant is given: add a table [lubricant]")
     bore, outside, rating = bearing.bore_diameter, bearing.outside_diameter, bearing.static_load_rating
@@ -131,17 +155,22 @@ def case_of(scene: Scene) -> CatalogueCase:
         radial_load=radial,
         ring_speed=np.abs(operation.inner_speed),
         kinematic_viscosity=inlet_viscosity(oil).viscosity / oil.density,
+        free_angle=_free_angle(bearing),
     )
 
 
 def bearing_series(bearing: Bearing) -> str:
     """The series by which the constants are chosen: that of the designation, else of the boundary dimensions.
 
-    Of a bearing that is not of the catalogue the dimensions and the unloaded contact angle say whether it is a deep
-    groove one; angular contact bearings have the same dimensions.
+    Of a bearing that is not of the catalogue the unloaded contact angle says whether it is a deep groove one; angular
+    contact bearings have the same dimensions.
     Raises InputError in one line for a bearing without constants; its ring diameters must be known.
     """
+    if bearing.kind == "thrust":
+        return THRUST_BALL
     series = bearing.series
+    if series is None and _free_angle(bearing) > STEEPEST:
+        return ANGULAR
     if series is None:
         assert bearing.bore_diameter is not None
         assert bearing.outside_diameter is not None
@@ -149,31 +178,32 @@ def bearing_series(bearing: Bearing) -> str:
         series = series_of_size(bearing.bore_diameter, bearing.outside_diameter, bearing.width)
         if series is None:
             raise InputError(f"{sizes} fit no series of deep groove bearings with constants")
-        play = max(bearing.diametral_clearance, 0.0) / (2 * bearing.groove_centre_distance)
-        angle = np.arccos(max(1 - play, 0.0))
-        if angle > STEEPEST:
-            raise InputError(
-                f"an unloaded contact angle of {np.degrees(angle):.3g} deg means an angular contact bearing, with "
-                'constants by series: give its designation, for example catalog = "7208 B"'
-            )
-    if series not in SKF_DEEP_GROOVE and series not in ANGULAR_SERIES:
-        raise InputError(
-            f"{bearing.name} is a spindle bearing of series {series}: constants exist for deep groove bearings and for "
-            "angular contact bearings 72 B and 73 B"
-        )
     return series
+
+
+def _free_angle(bearing: Bearing) -> float:
+    """The unloaded contact angle, rad."""
+    if bearing.kind == "thrust":
+        return np.pi / 2
+    play = max(bearing.diametral_clearance, 0.0) / (2 * bearing.groove_centre_distance)
+    return float(np.arccos(max(1 - play, 0.0)))
 
 
 def catalogue_band(case: CatalogueCase, *, lubrication: Supply) -> CatalogueBand:
     """All models; of deep groove bearings Palmgren's with the least and the largest of his usual load factors."""
     values = {"SKF": skf_torque(case, lubrication=lubrication)}
-    if case.series in ANGULAR_SERIES:
-        values["Palmgren"] = palmgren_angular_torque(case)
+    if case.series not in SKF_DEEP_GROOVE:
+        values["Palmgren"] = palmgren_inclined_torque(case, lubrication=lubrication)
     else:
         for factor in PALMGREN_LOAD:
             values[f"Palmgren, z = {factor:g}"] = palmgren_torque(case, load_factor=factor)
     if case.series in ISO_15312:
         values["ISO 15312"] = iso_torque(case)
+    return _band_of(values)
+
+
+def _band_of(values: Mapping[str, Array]) -> CatalogueBand:
+    """Of the values of each model, which broadcast."""
     values = dict(zip(values, np.broadcast_arrays(*values.values()), strict=True))
     every = np.array(list(values.values()))
     return CatalogueBand(low=np.nanmin(every, axis=0), high=np.nanmax(every, axis=0), values=MappingProxyType(values))
@@ -199,14 +229,22 @@ def skf_parts(case: CatalogueCase, *, lubrication: Supply) -> tuple[Array, Array
     Angular contact bearings:
         G_rr = R_1 d_m^1.97 (F_r + R_3 d_m^4 n^2 + R_2 F_a)^0.54
         G_sl = S_1 d_m^0.26 [(F_r + S_3 d_m^4 n^2)^(4/3) + S_2 F_a^(4/3)]
+    Thrust ball bearings:
+        G_rr = R_1 d_m^1.83 F_a^0.54,  G_sl = S_1 d_m^0.05 F_a^(4/3)
     Raises InputError for an argument of the wrong sign or not finite, and for a bore no smaller than the outside.
     """
     load, thrust, oil, speed = _operation(case)
     mean = _mean(case)
-    if case.series in ANGULAR_SERIES:
+    if case.is_angular:
         rolling, sliding = _skf_angular_contact(load, thrust, mean=mean, speed=speed)
+        geometry = ANGULAR_CONTACT
+    elif case.series == THRUST_BALL:
+        first, sliding_first = SKF_THRUST
+        rolling = first * mean**1.83 * thrust**0.54
+        sliding, geometry = sliding_first * mean**0.05 * thrust ** (4 / 3), THRUST
     else:
         rolling, sliding = _skf_deep_groove(case, load, thrust, mean=mean)
+        geometry = DEEP_GROOVE
     rolling = rolling * (oil * speed) ** 0.6
     rolling = rolling * inlet_shear_factor(
         mean_diameter=mean / 1e3, ring_speed=case.ring_speed, kinematic_viscosity=case.kinematic_viscosity
@@ -217,7 +255,7 @@ def skf_parts(case: CatalogueCase, *, lubrication: Supply) -> tuple[Array, Array
         ring_speed=case.ring_speed,
         kinematic_viscosity=case.kinematic_viscosity,
         supply=lubrication,
-        geometry=ANGULAR_CONTACT if case.series in ANGULAR_SERIES else DEEP_GROOVE,
+        geometry=geometry,
     )
     boundary = np.exp(-2.6e-8 * (speed * oil) ** 1.4 * mean)
     friction = boundary * BOUNDARY_FRICTION + (1 - boundary) * FILM_FRICTION
@@ -258,21 +296,31 @@ def palmgren_torque(case: CatalogueCase, *, load_factor: ArrayLike) -> Array:
     load, thrust, oil, speed = _operation(case)
     mean = _mean(case)
     static = np.maximum(0.6 * load + 0.5 * thrust, load)
-    working = np.maximum(3.3 * thrust - 0.1 * load, load)
+    working = np.maximum(DEEP_GROOVE_THRUST * thrust - 0.1 * load, load)
     loaded = np.asarray(load_factor) * (static / np.asarray(case.static_rating)) ** 0.55 * working * mean
     return (_viscous(PALMGREN_VISCOUS, oil * speed, mean) + loaded) / 1e3  # N mm to N m
 
 
-def palmgren_angular_torque(case: CatalogueCase) -> Array:
-    """Palmgren's torque of angular contact bearings of one row, M_0 + M_1, N m.
+def palmgren_inclined_torque(case: CatalogueCase, *, lubrication: Supply) -> Array:
+    """Palmgren's torque of angular contact and of thrust ball bearings of one row, M_0 + M_1, N m.
 
-    M_0 as of deep groove bearings with f_0 = 3.3;  M_1 = f_1 P_1 d_m, P_1 = max(F_a - 0.1 F_r, F_r), f_1 = 4.6e-4
-    f_1 is for a load of 0.1 C; at other loads it is taken as the same. Source: [Jungnickel2010].
+    M_0 as of deep groove bearings with f_0 by the supply of oil;  M_1 = z (P_0/C_0)^0.33 P_1 d_m
+    Angular contact: z = 0.001, P_1 = max(0.9 F_a cot(alpha) - 0.1 F_r, F_r), 0.9 cot(alpha) at most 3.3, that of deep
+    groove bearings;  P_0 = max(0.5 F_r + Y_0 F_a, F_r).  Thrust: z = 0.0008, P_0 = P_1 = F_a.
     """
     load, thrust, oil, speed = _operation(case)
     mean = _mean(case)
-    viscous, factor = PALMGREN_ANGULAR
-    return (_viscous(viscous, oil * speed, mean) + factor * np.maximum(thrust - 0.1 * load, load) * mean) / 1e3
+    if case.is_angular:
+        viscous, factor = ANGULAR_VISCOUS[lubrication], ANGULAR_LOAD
+        lever = min(0.9 / np.tan(max(case.free_angle, LEAST_ANGLE)), DEEP_GROOVE_THRUST)
+        working = np.maximum(lever * thrust - 0.1 * load, load)
+        share = np.interp(np.degrees(case.free_angle), STATIC_ANGLES, STATIC_AXIAL)
+        static = np.maximum(0.5 * load + share * thrust, load)
+    else:
+        viscous, factor = THRUST_VISCOUS[lubrication], THRUST_LOAD
+        static = working = thrust
+    loaded = factor * (static / np.asarray(case.static_rating)) ** 0.33 * working * mean
+    return (_viscous(viscous, oil * speed, mean) + loaded) / 1e3
 
 
 def iso_torque(case: CatalogueCase) -> Array:
@@ -286,7 +334,7 @@ def iso_torque(case: CatalogueCase) -> Array:
     mean = _mean(case)
     viscous, factor = ISO_15312[case.series]
     torque = (1e-7 * viscous * (oil * speed) ** (2 / 3) * mean**3 + factor * load * mean) / 1e3
-    slope = 1.0 if case.series in ANGULAR_SERIES else 3.3
+    slope = 1.0 if case.is_angular else DEEP_GROOVE_THRUST
     return np.where((load > 0) & (slope * thrust - 0.1 * load <= load), torque, np.nan)
 
 

@@ -99,7 +99,8 @@ class SceneTorque(Brief):
 
     def _notes(self) -> Iterator[str]:
         films, roughness = self.friction.film, self.friction.gap_roughness
-        if roughness is not None and films.inner is not None and films.outer is not None:
+        runs = self.friction.inner_speed.any()  # no film at standstill
+        if runs and roughness is not None and films.inner is not None and films.outer is not None:
             ratios = [f"{_span(film / roughness, '.2g')} on the {race}" for race, film in vars(films).items()]
             yield (
                 f"Film ratio lambda, the film over the rms roughness of ball and race together, "
@@ -223,7 +224,7 @@ def torque_of_scene(
     return SceneTorque(
         scene=scene,
         friction=friction,
-        catalogue=beside_catalogue(scene),
+        catalogue=beside_catalogue(scene, friction.pair),
         other_candidate=other,
         interval=interval,
         prediction=prediction,

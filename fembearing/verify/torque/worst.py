@@ -55,7 +55,7 @@ def worst_standing(torques: Sequence[tuple[Scene, FrictionTorque]]) -> WorstStan
         torque=_joined_parts([friction.torque for _, friction in torques]),
         effects=_largest_effects(chain.from_iterable(friction.shares for _, friction in torques)),
         verdicts=together,
-        band=_joined_band([beside_catalogue(scene).band for scene, _ in torques]),
+        band=_joined_band([beside_catalogue(scene, friction.pair).band for scene, friction in torques]),
     )
     words = [
         _verdicts(scene, friction.at(np.array([point]))).overall

@@ -29,6 +29,21 @@ def test_the_film_of_a_ball_that_hardly_carries_is_not_warned_of(name: str, word
     assert "outer race" in line
 
 
+@pytest.mark.parametrize(("rolling", "transverse", "words"), [(0.3, 0.1, "not known"), (0.1, 1.7, "-8 to +1 %")])
+def test_an_extrapolated_film_says_by_how_much(rolling: float, transverse: float, words: str) -> None:
+    balls = np.zeros((1, 2), BALL)
+    balls["load"], balls["film_extrapolated"] = LOAD, True
+    balls["semi_axis_rolling"], balls["semi_axis_transverse"] = 1e-3 * rolling, 1e-3 * transverse
+    assert all(words in line for race in range(2) for line in _film(balls, race))
+
+
+def test_what_the_total_lacks_comes_before_how_it_was_read(complete: Scene) -> None:
+    scene = replace(complete, cage=None, warnings=("of the file",))
+    limit, lacking, read = told(scene)
+    assert "without the cage" in lacking
+    assert (limit, read) == ("a limit", "of the file")
+
+
 def told(scene: Scene, *, rolling: bool = False, starvation: bool = True, **points: Any) -> list[str]:
     """The warnings of a torque in which nothing was found but these fields of a point."""
     ledger = Ledger(scene, 1)
@@ -49,7 +64,7 @@ def complete(bearing_6205: Bearing) -> Scene:
 
 def test_a_complete_scene_has_no_warning_of_its_own(complete: Scene) -> None:
     assert told(complete) == ["a limit"]
-    assert told(replace(complete, warnings=("of the file",))) == ["of the file", "a limit"]
+    assert told(replace(complete, warnings=("of the file",))) == ["a limit", "of the file"]
 
 
 SEALS: dict[str, Any] = {"seals": "2RS1", "seals_rub": True}
@@ -85,7 +100,7 @@ def test_each_gap_of_a_scene_is_warned_of(
     complete: Scene, changed: dict[str, Any], bearing: dict[str, Any], words: str | None
 ) -> None:
     scene = replace(complete, bearing=replace(complete.bearing, **bearing), **changed)
-    *found, limit = told(scene)
+    limit, *found = told(scene)
     assert limit == "a limit"
     assert len(found) == (words is not None), found
     assert words is None or words in found[0]

@@ -55,8 +55,7 @@ def test_unknown_shoulders_are_typical_ones_and_their_spread_is_uncertain(bearin
     for name in NAMES:
         np.testing.assert_array_equal(getattr(found.inner.factors, name), getattr(known.inner.factors, name))
     assert not found.outer.covered.any()
-    (warning,) = found.warnings
-    assert warning.startswith("outer: shoulder not known: correction for a height of 0.19 ball diameters")
+    assert not found.warnings  # the uncertainty says it
     groove, spread = bearing_6205.outer.groove_radius, {name: np.zeros(2) for name in NAMES}
     for height in (0.12, 0.16, 0.19, 0.22, 0.25):
         width = float(np.sqrt(groove**2 - (groove - height * bearing_6205.ball_diameter) ** 2))

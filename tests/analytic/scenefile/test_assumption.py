@@ -1,11 +1,13 @@
 """Keys that someone gives beside a bearing of the catalogue replace what its usual scene assumes in another way."""
 
+import re
 from typing import Any
 
 import pytest
 
 from analytic import friction_torque
 from analytic.scenefile.assumption import assumptions
+from analytic.scenefile.choice import Choice
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.scenefile.template import scene_text
 from tests.refusals import refused
@@ -74,3 +76,86 @@ def test_what_someone_gives_stays(name: str, settings: dict[str, Any], words: st
 def test_a_coefficient_beside_a_given_surface_is_refused() -> None:
     scene = load_scene("6206", settings={"friction.coefficient": 0.1, "surface.boundary_friction": 0.13})
     refused(lambda: friction_torque(scene), "friction.coefficient = 0.1 and [surface] both determine the friction")
+
+
+PAIR = {"arrangement.kind": "O", "arrangement.preload": "300 N"}
+
+
+@pytest.mark.parametrize(
+    ("settings", "options", "loads"),
+    [
+        (PAIR, {}, (0.0, 0.0)),
+        (PAIR, {"axial_load": "200 N"}, (200.0, 0.0)),
+        (PAIR, {"radial_load": "150 N"}, (0.0, 150.0)),
+        ({"arrangement.kind": "X", "arrangement.offset": "9 um"}, {}, (0.0, 0.0)),
+        ({"operation.axial_load": "300 N"}, {}, (300.0, 0.0)),
+        ({"operation.radial_load": "70 N", "operation.axial_load": "310 N"}, {}, (310.0, 70.0)),
+    ],
+)
+def test_no_usual_load_stands_beside_a_given_one(
+    settings: dict[str, Any], options: dict[str, Any], loads: tuple[float, float]
+) -> None:
+    operation = load_scene("7014C", settings=settings, **options).operation
+    assert (float(operation.axial_load[0]), float(operation.radial_load[0])) == loads
+
+
+PAIR_OF_VISCOSITIES = ["120 cSt at 40 degC", "12 cSt at 100 degC"]
+
+
+@pytest.mark.parametrize(
+    ("settings", "table"),
+    [
+        (
+            {"lubricant.viscosity": PAIR_OF_VISCOSITIES, "lubricant.base_oil": "PAO"},
+            'viscosity = ["120 cSt at 40 degC", "12 cSt at 100 degC"]\nbase_oil = "PAO"',
+        ),
+        (
+            {"lubricant.viscosity": '["120 cSt at 40 degC", "12 cSt at 100 degC"]'},
+            'viscosity = ["120 cSt at 40 degC", "12 cSt at 100 degC"]\nbase_oil = "mineral"',
+        ),
+        (
+            {"lubricant.viscosity": 0.012},
+            'viscosity = "0.012 Pa s"\nreference_temperature = "80 degC"\nbase_oil = "mineral"',
+        ),
+        (
+            {"lubricant.viscosity": "33 cSt at 55 degC", "lubricant.base_oil": "PAO"},
+            'viscosity = "33 cSt at 55 degC"\nbase_oil = "PAO"',
+        ),
+        (
+            {"lubricant.viscosity": "0.03 Pa s", "lubricant.reference_temperature": "50 degC"},
+            'viscosity = "0.03 Pa s"\nreference_temperature = "50 degC"\nbase_oil = "mineral"',
+        ),
+    ],
+)
+def test_an_assumed_oil_makes_room_for_a_given_one(settings: dict[str, Any], table: str) -> None:
+    """The same as in a file that has these keys alone."""
+    text = scene_text("6309", Choice(radial_load="4 kN", temperature="80 degC", oil="FILE"))
+    file = parse_scene(re.sub(r'(?m)^name = "FILE".*$', table, text), origin="file")
+    given = load_scene("6309", radial_load="4 kN", temperature="80C", settings=settings)
+    assert given.lubricant == file.lubricant
+    assert given.lubricant is not None
+    assert not given.lubricant.name  # so that no headline names an oil that is not computed
+
+
+def test_a_base_oil_alone_keeps_the_viscosities_of_the_assumed_class() -> None:
+    mineral = load_scene("6309", radial_load="4 kN").lubricant
+    ester = load_scene("6309", radial_load="4 kN", settings={"lubricant.base_oil": "PAO"}).lubricant
+    assert mineral is not None
+    assert ester is not None
+    kinematic = mineral.viscosity / mineral.density
+    assert ester.viscosity / ester.density == pytest.approx(kinematic, rel=2e-3)  # four digits at 40 and 100 degC
+    assert ester.limiting_shear != mineral.limiting_shear
+
+
+def test_a_name_that_someone_gives_is_no_assumption() -> None:
+    settings = {"lubricant.base_oil": "PAO", "lubricant.viscosity": PAIR_OF_VISCOSITIES}
+    refused(lambda: load_scene("6309", radial_load="4 kN", oil="FVA 3", settings=settings), "base_oil goes with")
+
+
+def test_a_whole_number_of_radians_that_looks_like_rpm_is_told_once() -> None:
+    told = load_scene("6206", radial_load=700.0, speed=1500).warnings
+    assert [each for each in told if "rpm" in each] == [
+        'operation.inner_speed = 1500 is in rad/s, 14324 rpm; write "1500 rpm" if it is in rpm'
+    ]
+    for speed in (157.08, 62, "1500 rpm"):
+        assert not any("rad/s" in each for each in load_scene("6206", radial_load=700.0, speed=speed).warnings)
