@@ -257,7 +257,7 @@ def _marched(contact: Record, slip: RigidSlip, quadrature: Record) -> RaceFricti
     # Flow and leading edge: x of the reference points against the surfaces' velocity through the contact.
     length = float(contact.flexibility) * speed * float(contact.semi_axis_rolling)
     flow = (-slip.side, length, float(contact.lean))
-    flows = np.empty((count, 2, nodes))
+    flows = np.empty((count, 3, nodes))
     hold_flows(contact, as_record(quadrature), flows)
     areas, slips, state = np.zeros((count, nodes)), np.zeros((count, nodes), dtype=bool), strip_state(count)
     for k in range(nodes):
