@@ -68,7 +68,7 @@ DESIGN = {
     "contact": ["inner", "outer"],
     "uncertainty": ["numerical", "model", "model_parts"],
     "cage": ["mean_force", "max_force", "interval", "duration", "state", "signed_moment", *REGIME],
-    "ring": ["displacement", "stiffness", "balls"],
+    "ring": ["displacement", "stiffness", "balls", "holding_moment"],
 }
 
 

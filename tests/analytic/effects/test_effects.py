@@ -38,7 +38,8 @@ def loaded_aside(scene: Scene, radial_load: float) -> Scene:
 def same(found: FrictionTorque, other: FrictionTorque) -> None:
     """Bit for bit, in every number of the heaviest ball and of the torque."""
     ours, theirs = found.columns(), other.columns()
-    for name in ours.keys() - {"uncertainty_numerical"}:  # which counts the bounds of what is left out
+    # The first counts the bounds of what is left out; the others are of loads that balls do not feel.
+    for name in ours.keys() - {"uncertainty_numerical", "tilt", "holding_moment"}:
         np.testing.assert_array_equal(ours[name], theirs[name], err_msg=name)
 
 

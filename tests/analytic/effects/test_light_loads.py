@@ -64,7 +64,7 @@ def test_what_auto_leaves_out_is_within_the_uncertainty(loads: str, clearance: f
 
 def test_balls_that_a_slight_radial_load_lifts_roll_by_their_own_force() -> None:
     """A radial load of 0.16 of the thrust unloads four of nine balls of a steep contact angle."""
-    scene = under('axial_load = "10 N"\nradial_load = "1.6 N"')
+    scene = under('axial_load = "10 N"\nradial_load = "1.6 N"\ntilt = "free"')
     tall = {race: replace(getattr(scene.bearing, race), shoulder_half_width=3.9e-3) for race in ("inner", "outer")}
     scene = replace(
         scene,
@@ -149,6 +149,6 @@ def test_the_method_of_sliding_is_judged_by_what_counts() -> None:
 )
 def test_a_ball_that_its_weight_moves_too_far_is_told_by_its_weight(axial: float, free: float, told: str) -> None:
     """At 10 rpm the weight is a thousand times the centrifugal force, which the words blamed once."""
-    scene = replace(under(f'axial_load = "{axial} N"'), down=(0.561, -0.824, 0.073), spin_rule="balanced")
+    scene = replace(under(f'axial_load = "{axial} N"\ntilt = "free"'), down=(0.561, -0.824, 0.073), spin_rule="balanced")
     with pytest.raises(InputError, match=told):
         friction_torque(replace(scene, contact_angle=replace(scene.contact_angle, free=free)))

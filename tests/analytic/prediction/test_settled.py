@@ -173,7 +173,7 @@ def started(
         return Solution(points=found, balls=np.zeros((0, 0), BALL))
 
     start = FreeStart(np.array([5, passes]), *(np.zeros((2, len(moved), size)) for size in (4, 2, 2, 3)))
-    numbers = SimpleNamespace(counted=SimpleNamespace(weight=aside == "weight"))
+    numbers = SimpleNamespace(counted=SimpleNamespace(weight=aside == "weight"), tilt=np.nan)
     at = np.array([[300.0, float(aside == "radial_load"), float(aside == "moment"), 30.0, 0.0]])
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(of_samples, "solved", solve)
