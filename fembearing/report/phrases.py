@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 AT_THE_CENTRE = CONTACT["peak_pressure"]._replace(name="pressure at y = 0")
 VARIED = {  # the parts of the model's uncertainty
     "film": "film formula",
+    "traction": "traction of the oil",
     "gap": "law of the load on asperities",
     "surfaces": "spread of surfaces",
     "rolling": "formula of rolling",
