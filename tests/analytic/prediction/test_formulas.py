@@ -52,7 +52,7 @@ def test_films_moved_by_twice_the_standard_uncertainty_count() -> None:
     assert np.all((more > 0) & (less < 0))
     parts, whole = present(found.model_parts), present(found.model_uncertainty)
     np.testing.assert_allclose(parts["film"], np.maximum(more, -less), rtol=1e-12)
-    assert set(parts) == {"film", "traction", "gap", "surfaces", "elastic_rolling"}  # rolling in oil is left out there
+    assert set(parts) == {"film", "traction", "gap", "surfaces", "starvation", "elastic_rolling"}  # no rolling in oil
     np.testing.assert_allclose(whole**2, sum(part**2 for part in parts.values()), rtol=1e-12)
     told = found.row(2).uncertainty
     assert told.model == whole[2]
