@@ -20,8 +20,8 @@ from analytic.oil.viscosity import OilNumbers
 from analytic.scene import Array, Lubricant
 from analytic.surface.gap import SMOOTH, GapForm, GapNumbers
 
-# R_x/R_y of the numerical solutions. From 0.03 of the closed formula down to here they change its correction by 1.2 %
-# at most; below, its limit of an endless ellipse is known, see `analytic.oil.film.FORMULA_UNCERTAINTY`.
+# R_x/R_y of the numerical solutions. Their correction of the closed formula, whose range ends at 0.03, changes by 1.2 %
+# at most down to here; below, its limit of an endless ellipse is known: `analytic.oil.film.FORMULA_UNCERTAINTY`.
 LEAST_SOLVED = RANGES["ellipticity"][0]
 SHORTEST = 3.0  # semi-axes: with less oil ahead the elastic gap is below that of the fit's far field
 

@@ -10,6 +10,8 @@ from analytic.result import PairPart, TorqueParts
 from analytic.scene import Array, Scene
 from fembearing.verify.torque.catalogue_models import (
     ANGULAR,
+    ANGULAR_SERIES,
+    SKF_DEEP_GROOVE,
     THRUST_BALL,
     CatalogueBand,
     bearing_series,
@@ -36,9 +38,12 @@ def beside_catalogue(scene: Scene, pair: PairPart | None = None) -> BesideCatalo
         return BesideCatalogue(band=None, note=f"{NO_BAND}{problem}")
     kind = bearing_series(scene.bearing)
     of = f"{kind} ball bearing" if kind in (ANGULAR, THRUST_BALL) else f"bearing of series {kind}"
+    is_flat = scene.bearing.kind == "radial" and kind not in (*SKF_DEEP_GROOVE, *ANGULAR_SERIES)
+    both = "" if pair is None else ", summed over both"
+    constants = "; SKF's constants are of 40 deg and ordinary speeds" if is_flat else ""
     note = (
-        f"catalogue band: {_models(band)} for an open {of}{'' if pair is None else ', summed over both'}; empirical "
-        "fits, an order of magnitude, not a reference"
+        f"catalogue band: {_models(band)} for an open {of}{both}{constants}; empirical fits, "
+        "an order of magnitude, not a reference"
     )
     return BesideCatalogue(band=band, note=note)
 

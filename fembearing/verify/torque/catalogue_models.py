@@ -46,6 +46,7 @@ SKF_DEEP_GROOVE = {  # R_1, R_2, S_1, S_2 by series
 }
 SKF_ANGULAR_CONTACT = (5.03e-7, 1.97, 1.9e-12, 0.013, 0.68, 1.91e-12)  # R_1, R_2, R_3, S_1, S_2, S_3 of one row
 SKF_THRUST = (1.03e-6, 0.016)  # R_1, S_1 of thrust ball bearings; from memory
+ANGULAR_SERIES = ("72 B", "73 B")  # of 40 deg
 ANGULAR, THRUST_BALL = "angular contact", "thrust"  # in place of the series of bearings that have none
 ISO_15312 = {  # f_0r, f_1r by series; its table has dimension series, 02 for 62, and no 01 for 161
     "618": (1.7, 1.0e-4),

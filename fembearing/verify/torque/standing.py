@@ -89,7 +89,7 @@ def _standing(
 
 
 def _size(scene: Scene, effect: Effect) -> float:
-    """Its share of the torque; infinite: there, of unknown size; 0: not there, or counted elsewhere."""
+    """Its share of the torque; infinite: it is there, and its size is not known; 0: it is not there."""
     if effect.share is not None:
         return effect.share
     seals = effect.name == "seals" and scene.bearing.seals_rub

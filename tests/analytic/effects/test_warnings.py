@@ -126,7 +126,7 @@ def test_extrapolated_rolling_is_told_of_its_race_where_it_counts(complete: Scen
     for race, words in ((0, "rolling on the inner race"), (1, "rolling on the outer race")):
         beyond = np.arange(2) == race
         found = told(complete, rolling=True, rolling_extrapolated=beyond)
-        assert [words in each for each in found] == [True, False]
+        assert [words in each for each in found] == [False, True]
         assert told(complete, rolling=False, rolling_extrapolated=beyond) == ["a limit"]
 
 

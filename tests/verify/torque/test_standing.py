@@ -77,12 +77,12 @@ def test_each_cause_has_its_word_and_names_itself(scene: Scene) -> None:
 
 
 def test_an_estimated_loss_of_the_oil_is_named_and_decides_only_where_it_is_large() -> None:
-    """A 6206 in an oil bath: the oil around the balls takes some 5 % of the torque at 3.5 kN and 3700 rpm."""
+    """A 6206 in an oil bath: the oil around the balls takes some 3 % of the torque at 3.5 kN and 3700 rpm."""
     choice = Choice(radial_load="3.5 kN", speed="3700 rpm", oil="ISO VG 68")
-    scene = replace(parse_scene(scene_text("6206", choice), origin="here"), tolerance=0.03)
+    scene = replace(parse_scene(scene_text("6206", choice), origin="here"), tolerance=0.02)
     result = torque_of_scene(scene, estimate=False)
     assert result.standing.word == "check"
-    assert re.search(r"; without ball_drag, some [4-7](\.\d)? % by usual values; ", result.standing.reason)
+    assert re.search(r"; without ball_drag, some [23](\.\d)? % by usual values; ", result.standing.reason)
     assert any("ball_drag is neglected" in warning for warning in result.friction.warnings)  # says how to count it
     accepted = replace(result, scene=replace(scene, effects={**scene.effects, "ball_drag": "off"}))
     assert "ball_drag" not in accepted.standing.reason
