@@ -160,9 +160,8 @@ def slip_sums(slider: Slider, law: PointLaw, creep: float, spin: float, quadratu
         by_creep += jump
         mixed += jump * line
         by_spin += jump * line * line
-    near_power = power - far_power - middle_power
-    by = by_creep, mixed, by_spin
-    return SlipSums(force, moment, rolling, power, unit, friction, *by, far_power, middle_power, near_power)
+    rest = by_creep, mixed, by_spin, far_power, middle_power, power - far_power - middle_power
+    return SlipSums(force, moment, rolling, power, unit, friction, *rest)
 
 
 @compiled
