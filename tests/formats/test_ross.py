@@ -48,7 +48,7 @@ def test_the_stiffness_is_the_slope_of_the_load(scene: Scene, tmp_path: Path, mo
     # y of ROSS is x of the ring, x of ROSS is -y
     for name, right in {"kxx": whole[2, 2], "kyy": whole[1, 1], "kzz": whole[0, 0], "kxy": -whole[2, 1]}.items():
         np.testing.assert_allclose(element[name][2], right, rtol=1e-3, atol=1e-6 * whole[1, 1])
-    assert element["kyy"][2] > 2 * element["kxx"][2]  # stiffer along the load
+    assert abs(element["kyy"][2] / element["kxx"][2] - 1) > 0.02  # else exchanged axes would not show
     assert element["kyx"] == element["kxy"]
 
 
