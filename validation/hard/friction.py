@@ -100,11 +100,7 @@ def spin_without_angle() -> float:
 
 
 def rolled(of: Bearing) -> FrictionTorque:
-<<<<<<< HEAD
     """A bearing without clearance under 640 N aside: its balls roll at contact angle 0, on long ellipses."""
-=======
-    """A bearing whose clearance is taken away under 640 N aside: its balls roll at angle 0, on long ellipses."""
->>>>>>> slip
     return torque_6205(
         radial_load=640.0,
         contact_angle=ZERO,
