@@ -37,7 +37,7 @@ def assumptions(
     name, settings, options, columns : as for `load_by_temperature`, which gave the scene
     """
     found = find_scene(name, choice=with_settings(with_columns(read_choice(options)[0], columns), settings))
-    given = {KEYS[option]: value for option, value in options.items() if value is not None} | settings
+    given = {KEYS[option]: value for option, value in options.items() if value is not None} | dict(settings)
     given |= {key_of_column(name): values for name in OPERATING if (values := columns.get(name)) is not None}
     yield from usual_values(found, scene, given=given)
 

@@ -68,9 +68,7 @@ def duty(scene: SceneName, cycle: CycleFile, folder: Folder = None, as_json: AsJ
         show(out, cycle_table(result))
         out.tell(standing.line("turning steps"))
         if scene != STANDARD_INPUT:
-            settled = () if found.thermal is None else ("lubricant.temperature",)
-            keys = (*settings, *settled)
-            tell_assumed(assumptions(scene, found.scene, settings=keys, options=options, columns=vars(steps)))
+            tell_assumed(assumptions(scene, found.scene, settings=settings, options=options, columns=vars(steps)))
         if folder is not None:
             out.tell(f"folder: {folder}")
     print_warnings(result.warnings)

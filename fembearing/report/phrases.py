@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 AT_THE_CENTRE = CONTACT["peak_pressure"]._replace(name="pressure at y = 0")
 VARIED = {  # the parts of the model's uncertainty
     "film": "film formula",
+    "traction": "traction in the film",
     "gap": "law of the load on asperities",
     "surfaces": "spread of surfaces",
     "rolling": "formula of rolling",
@@ -211,8 +212,8 @@ def uncertainty_of(model: float | None, parts: Mapping[str, float]) -> str:
         return f"Model uncertainty: not known without oil. {MEASURED}"
     named = ", ".join(f"{VARIED[name]} {100 * part:.2g} %" for name, part in parts.items() if part > 0)
     return (
-        f"Model uncertainty, 95 %: up to {100 * model:.2g} % of the total, by {named}. Not included: oil data, "
-        f"traction and inputs. {MEASURED}"
+        f"Model uncertainty, 95 %: up to {100 * model:.2g} % of the total, by {named}. Not included: oil data "
+        f"and inputs. {MEASURED}"
     )
 
 

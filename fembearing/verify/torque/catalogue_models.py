@@ -115,7 +115,7 @@ def scene_band(scene: Scene, loads: PairEquilibrium | None = None) -> CatalogueB
     each = zip(np.abs(loads.axial_load), np.abs(loads.radial_load), strict=True)
     cases = [case._replace(axial_load=thrust, radial_load=radial) for thrust, radial in each]
     values = [catalogue_band(one, lubrication=oil.supply).values for one in cases]
-    return _band_of({name: sum(found[name] for found in values) for name in values[0]})
+    return _band_of({name: np.sum([found[name] for found in values], axis=0) for name in values[0]})
 
 
 def case_of(scene: Scene) -> CatalogueCase:
