@@ -44,8 +44,7 @@ def test_lists_are_axes_of_a_bearing_of_the_catalogue(command, place: Path) -> N
 
 def test_a_scene_file_takes_ranges_too(command, place: Path) -> None:
     ended = command("export", "scene.toml", "--to", "csv", "-o", "map.csv", "--speed", "0 rpm to 90 rpm in 3", *FAST)
-    assert ended.status == 3
-    assert ended.out.splitlines()[-1].startswith("incomplete: cage ")  # the scene has none, and does not say so
+    assert ended.status == 0
     assert (place / "map.csv").exists()
 
 
