@@ -22,7 +22,7 @@ from analytic.scenefile.tables import SceneTable
 from analytic.units import has_unit
 from analytic.words import plain, shown, speed_of
 
-LIKE_RPM = 100  # rad/s: a whole number from here on is more often one of rpm
+LIKE_RPM = 100  # rad/s: an integer from here on is more often one of rpm
 SETTING = "give KEY=VALUE, for example --set lubricant.supply=grease"
 
 
@@ -125,7 +125,7 @@ def _in_context(path: str, dimension: Dimension, value: Any, *, notes: list[str]
         if not dimension.unit:
             return value
         if not is_typed:
-            if dimension.unit == "rad/s" and abs(value) >= LIKE_RPM and float(value).is_integer():
+            if dimension.unit == "rad/s" and isinstance(value, int) and abs(value) >= LIKE_RPM:
                 notes.append(
                     f'{path} = {value!r} is in rad/s, {speed_of(value)}; write "{value!r} rpm" if it is in rpm'
                 )

@@ -68,10 +68,9 @@ def duty(scene: SceneName, cycle: CycleFile, folder: Folder = None, as_json: AsJ
         show(out, cycle_table(result))
         out.tell(standing.line("turning steps"))
         if scene != STANDARD_INPUT:
-            oil = found.scene.lubricant if found.thermal is not None else None
-            settled = {} if oil is None else {"lubricant.temperature": f"{oil.temperature} K"}
-            given = {**settings, **settled}
-            tell_assumed(assumptions(scene, found.scene, settings=given, options=options, columns=vars(steps)))
+            told = assumptions(scene, found.scene, settings=settings, options=options, columns=vars(steps))
+            settled = "lubricant.temperature = "  # by friction, with [thermal]
+            tell_assumed(each for each in told if found.thermal is None or not each.startswith(settled))
         if folder is not None:
             out.tell(f"folder: {folder}")
     print_warnings(result.warnings)

@@ -229,8 +229,8 @@ def uncertainty_of(model: float | None, parts: Mapping[str, float]) -> str:
         return f"Model uncertainty: not known without oil. {MEASURED}"
     named = ", ".join(f"{VARIED[name]} {100 * part:.2g} %" for name, part in parts.items() if part > 0)
     return (
-        f"Model uncertainty, 95 %: up to {100 * model:.2g} % of the total, by {named}. Not included: oil data, "
-        f"traction and inputs. {MEASURED}"
+        f"Model uncertainty, 95 %: up to {100 * model:.2g} % of the total, by {named}. Not included: oil data "
+        f"and inputs. {MEASURED}"
     )
 
 

@@ -91,7 +91,7 @@ def test_the_verdict_is_that_of_the_torque_at_the_worst_steps(
 ) -> None:
     head = "duration [s],inner_speed [rpm],axial_load [N],radial_load [N],temperature [degC]\n"
     (tmp_path / "cycle.csv").write_text(head + steps, "utf-8")
-    words = ("duty", "6206", str(tmp_path / "cycle.csv"), *QUICK[2:])
+    words = ("duty", "6206", str(tmp_path / "cycle.csv"), "--oil", "ISO VG 68", *QUICK[2:])
     ended = command(*words)
     assert ended.status == status
     assert [told for told in ended.out.splitlines() if told.startswith(line)]

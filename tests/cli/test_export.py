@@ -67,7 +67,7 @@ def test_the_verdict_is_that_of_the_torque(
     command, place: Path, options: tuple[str, ...], status: int, line: str
 ) -> None:
     """As `torque` has it at the last speed."""
-    common = ("--radial-load", "0 N", "--temperature", "60C")
+    common = ("--radial-load", "0 N", "--temperature", "60C", "--oil", "ISO VG 68")
     ended = command("export", "6206", "--to", "csv", "--out", "map.csv", *common, *options)
     assert (ended.status, ended.out.splitlines()[-1]) == (status, line)
     assert len((place / "map.csv").read_text("utf-8").splitlines()) == 1 + int(options[3][-1])

@@ -73,7 +73,7 @@ def test_both_bearings_have_their_rows() -> None:
     words = " ".join(said.split())
     assert "Friction torque of two 6205" in words
     assert "Preload 250 N at standstill, by closing" in words
-    assert "summed over both" in words
+    assert "no lubricant is given" in words  # so that no maker's formula holds
 
 
 def test_contacts_of_a_pair_are_refused() -> None:

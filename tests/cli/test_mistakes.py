@@ -7,10 +7,11 @@ from pathlib import Path
 
 import pytest
 
+from analytic.scenefile.choice import Choice
 from analytic.scenefile.template import scene_text
 from tests.analytic.scenefile.scene_texts import MINE
 
-USUAL = scene_text("6206")
+USUAL = scene_text("6206", Choice(oil="ISO VG 68"))
 RADIAL, SPEED, OIL, DOWN = '"560 N"', '"1000 rpm"', '"ISO VG 68"', "down = [1, 0, 0]"
 CATALOG = 'catalog = "6206"'
 CAGE = '\n[cage]\npocket_clearance = "0.2 mm"\nwall_thickness = "1 mm"\nmass = "9 g"\nmaterial = "steel"\n'

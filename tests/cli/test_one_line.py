@@ -79,7 +79,6 @@ def test_scenes_side_by_side(command, tmp_path: Path, monkeypatch: pytest.Monkey
         assert alone["standing"]["word"] in rows[name]
     assert "6308: assumed: " in ended.out
     assert "a.toml: assumed: " not in ended.out
-    assert "fembearing: warning: 6308: the film on the inner race" in ended.err
 
 
 def test_options_count_for_every_bearing(command) -> None:

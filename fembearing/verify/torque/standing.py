@@ -30,8 +30,8 @@ class Standing:
 
     - fail: a comparison or a physical limit fails
     - incomplete: an effect that `auto` cannot decide is neglected and could exceed the tolerance; a loss of the oil,
-        whose size is estimated, only from MOST_ESTIMATED on; seals that rub and a cage that nobody gives always, as
-        their size is not known
+        whose size is estimated, only from MOST_ESTIMATED on; seals that rub and that nobody declares always, as their
+        size is not known
     - undecided: the solver error exceeds the tolerance, or a limit is not known
     - check: none of these; the reason says where the torque lies by the makers' formulas
 
@@ -92,9 +92,7 @@ def _size(scene: Scene, effect: Effect) -> float:
     """Its share of the torque; infinite: it is there, and its size is not known; 0: it is not there."""
     if effect.share is not None:
         return effect.share
-    seals = effect.name == "seals" and scene.bearing.seals_rub
-    cage = effect.name == "cage" and scene.cage is None and scene.losses.pockets is None
-    return np.inf if seals or cage else 0.0
+    return np.inf if effect.name == "seals" and scene.bearing.seals_rub else 0.0
 
 
 def _lack(lacking: Sequence[tuple[float, Effect]], tolerance: float) -> str:

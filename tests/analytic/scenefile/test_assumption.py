@@ -3,6 +3,7 @@
 import re
 from typing import Any
 
+import numpy as np
 import pytest
 
 from analytic import friction_torque
@@ -95,8 +96,8 @@ PAIR = {"arrangement.kind": "O", "arrangement.preload": "300 N"}
 def test_no_usual_load_stands_beside_a_given_one(
     settings: dict[str, Any], options: dict[str, Any], loads: tuple[float, float]
 ) -> None:
-    operation = load_scene("7014C", settings=settings, **options).operation
-    assert (float(operation.axial_load[0]), float(operation.radial_load[0])) == loads
+    operation = load_scene("7014C", settings=settings, **options).operation.as_series()
+    assert (float(operation.axial_load[0]), float(np.asarray(operation.radial_load)[0])) == loads
 
 
 PAIR_OF_VISCOSITIES = ["120 cSt at 40 degC", "12 cSt at 100 degC"]

@@ -1,6 +1,7 @@
 """The oil that is assumed for a bearing of the catalogue: kappa = 2 by the reference viscosity of ISO 281."""
 
 import math
+from typing import Any
 
 import pytest
 
@@ -10,7 +11,7 @@ from analytic.scenefile.read import load_scene
 from analytic.scenefile.usual_oil import CLASSES, RATIO, reference_viscosity
 
 
-def oil_of(name: str, **given: str) -> Lubricant:
+def oil_of(name: str, **given: Any) -> Lubricant:
     oil = load_scene(name, **given).lubricant
     assert oil is not None
     return oil

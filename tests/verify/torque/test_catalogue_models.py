@@ -228,7 +228,7 @@ def test_every_series_of_deep_groove_bearings_has_constants() -> None:
 
 def test_a_pair_has_the_sum_over_both_bearings_at_their_own_loads() -> None:
     settings = {"arrangement.kind": "O", "arrangement.preload": "300 N"}
-    given = {"axial_load": "250 N", "speed": "1500 rpm", "supply": "grease"}
+    given: dict[str, Any] = {"axial_load": "250 N", "speed": "1500 rpm", "supply": "grease"}
     result = torque_of_scene(load_scene("7014C", settings=settings, **given), estimate=False)
     pair, found = result.friction.pair, result.catalogue.band
     assert pair is not None

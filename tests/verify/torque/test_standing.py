@@ -98,20 +98,14 @@ def test_the_size_of_an_estimate_decides(scene: Scene, share: float, word: str) 
 
 
 def test_what_is_there_and_of_unknown_size_makes_a_torque_incomplete(scene: Scene) -> None:
-    """Seals that rub and nobody declares, and a cage that nobody gives; not a shield, nor what the scene settles."""
-    unknown = {"shares": {"seals": None, "cage": None}}
-    settled = replace(scene, effects={"cage": "off"}, bearing=replace(scene.bearing, seals="2Z", seals_rub=False))
-    rubbing = replace(settled, bearing=replace(scene.bearing, seals="2RS1", seals_rub=True))
+    """Seals that rub and nobody declares; not a shield."""
+    shielded = replace(scene, bearing=replace(scene.bearing, seals="2Z", seals_rub=False))
+    rubbing = replace(scene, bearing=replace(scene.bearing, seals="2RS1", seals_rub=True))
     for changed, word, reason in (
-        (settled, "check", "inside"),
-        (
-            replace(settled, effects={}),
-            "incomplete",
-            'no bound known, tolerance 5 %: no cage; effects.cage = "off" acc',
-        ),
-        (rubbing, "incomplete", 'no seals; losses.seals = "0 N mm" accepts this'),
+        (shielded, "check", "inside"),
+        (rubbing, "incomplete", 'no bound known, tolerance 5 %: no seals; losses.seals = "0 N mm" accepts this'),
     ):
-        standing = found(replace(changed, cage=None), **unknown)
+        standing = found(changed, shares={"seals": None})
         assert standing.word == word
         assert reason in standing.reason
 
