@@ -149,6 +149,8 @@ def test_the_method_of_sliding_is_judged_by_what_counts() -> None:
 )
 def test_a_ball_that_its_weight_moves_too_far_is_told_by_its_weight(axial: float, free: float, told: str) -> None:
     """At 10 rpm the weight is a thousand times the centrifugal force, which the words blamed once."""
-    scene = replace(under(f'axial_load = "{axial} N"\ntilt = "free"'), down=(0.561, -0.824, 0.073), spin_rule="balanced")
+    scene = replace(
+        under(f'axial_load = "{axial} N"\ntilt = "free"'), down=(0.561, -0.824, 0.073), spin_rule="balanced"
+    )
     with pytest.raises(InputError, match=told):
         friction_torque(replace(scene, contact_angle=replace(scene.contact_angle, free=free)))
