@@ -34,6 +34,10 @@ def varied_scene(scene: Scene, values: Mapping[str, float]) -> tuple[Scene, Vari
     for name in ("arrangement", "lubricant", "losses", "cage"):
         if name in tables:
             changed[name] = replace(getattr(scene, name), **tables[name])
+    cage = changed.get("cage", scene.cage)
+    if cage is not None and cage.gives_way and "bearing" in changed:  # its pockets are sized by the balls
+        grown = changed["bearing"].ball_diameter / scene.bearing.ball_diameter
+        changed["cage"] = replace(cage, pocket_diameter=grown * cage.pocket_diameter)
     if ahead is not None:
         oil = changed.get("lubricant", scene.lubricant)
         changed["lubricant"] = replace(oil, reach=replace(oil.reach, ahead=ahead))

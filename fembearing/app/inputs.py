@@ -28,7 +28,10 @@ FEW = 8  # words that are shown as a list to choose from; more are searched
 ENDS = {"operation.inner_speed": (0.0, 10_000.0), "lubricant.temperature": (-20.0, 140.0)}  # of sliders, rpm and degC
 HEAVY, UNRATED = 0.5, 10_000.0  # end of the sliders of loads: share of C0, and N where C0 is not known
 STEPS = 200  # of a slider
-ELSEWHERE = "Pairs, tilt, moment, series of points, seals and oil losses have no field: write them into the scene."
+ELSEWHERE = (
+    "Pairs, tilt and moment of the ring, series of points, seals and oil losses have no field: write them into the "
+    "scene."
+)
 
 
 class Changed(Protocol):
