@@ -37,7 +37,8 @@ def varied_scene(scene: Scene, values: Mapping[str, float]) -> tuple[Scene, Vari
     cage = changed.get("cage", scene.cage)
     if cage is not None and cage.gives_way and "bearing" in changed:  # its pockets are sized by the balls
         grown = changed["bearing"].ball_diameter / scene.bearing.ball_diameter
-        changed["cage"] = replace(cage, pocket_diameter=grown * cage.pocket_diameter)
+        sizes = {name: grown * getattr(cage, name) for name in ("pocket_diameter", "pocket_depth")}
+        changed["cage"] = replace(cage, **sizes)
     if ahead is not None:
         oil = changed.get("lubricant", scene.lubricant)
         changed["lubricant"] = replace(oil, reach=replace(oil.reach, ahead=ahead))

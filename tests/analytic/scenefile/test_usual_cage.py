@@ -9,6 +9,7 @@ from analytic import catalog, friction_torque
 from analytic.catalog.bearing_rows import bearing_names, find_bearing
 from analytic.errors import InputError
 from analytic.inputs import stated_inputs
+from analytic.prediction.first_order import first_order_ends
 from analytic.prediction.spreads import uncertain_inputs
 from analytic.scenefile.read import load_scene
 from analytic.scenefile.usual_cage import cage_sizes
@@ -119,3 +120,11 @@ def test_another_word_than_none_is_refused() -> None:
         load_scene("6206", settings={"cage": "off"})
     with pytest.raises(InputError, match=r"effects\.cage = 'on' needs a table"):
         load_scene("6206", settings={"cage": "none", "effects.cage": "on"})
+
+
+def test_its_pockets_follow_balls_of_uncertain_size() -> None:
+    """The balls of a 7208B are known to 6 %, more than the clearance of a pocket."""
+    scene = load_scene("7208B", axial_load=2000.0)
+    ends = first_order_ends(scene, friction_torque(scene))
+    assert ends is not None
+    assert np.all(ends[0] < ends[1])
