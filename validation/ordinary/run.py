@@ -1,0 +1,66 @@
+"""The torque of ordinary bearings beside makers' formulas: python validation/ordinary/run.py [--out FOLDER]
+
+Each row is one command of fembearing torque, whose result in JSON fills it; ordinary.md goes into this folder. Makers'
+formulas are fits to unpublished tests: none is a measured torque of these bearings.
+"""
+
+import argparse
+import json
+import shlex
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+HERE = Path(__file__).parent
+CASES = (
+    ("6206 radial", '6206 --radial-load 2kN --speed 1500rpm --oil "ISO VG 46" --temperature 70C'),
+    ("6206 radial and axial", '6206 --radial-load 1kN --axial-load 300N --speed 1500rpm --oil "ISO VG 46" --temperature 70C'),
+    ("6204-2RS, sealed", "6204-2RS --speed 10000rpm --radial-load 0.3kN"),
+    ("6309 in a motor", "6309 --radial-load 3kN --speed 2900rpm"),
+    ("7208B pair", '7208B --axial-load 2kN --radial-load 2kN --speed 1500rpm --set arrangement.kind=O --set "arrangement.preload=300 N"'),
+    ("7014C pair, spindle", '7014C --speed 12000rpm --supply grease --set arrangement.kind=O --set "arrangement.preload=300 N"'),
+    ("608", "608 --radial-load 30N --speed 3000rpm"),
+    ("51105, thrust", str(HERE / "51105.toml")),
+    ("6206 at a cold start", '6206 --radial-load 2kN --speed 1500rpm --oil "ISO VG 68" --temperature=-20C'),
+)  # fmt: skip
+
+
+def computed(words: str) -> dict[str, Any]:
+    """What `fembearing torque ... --json` gives; its status may say that the verdict is not a pass."""
+    command = [sys.executable, "-m", "fembearing", "torque", *shlex.split(words), "--json"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)  # noqa: S603
+    if not done.stdout:
+        raise RuntimeError(done.stderr)
+    return json.loads(done.stdout)
+
+
+def rows() -> Iterator[str]:
+    """The table, Markdown."""
+    yield "| case | torque, N mm | 95 % | makers, N mm | verdict |"
+    yield "| --- | --- | --- | --- | --- |"
+    for name, words in CASES:
+        found = computed(words)
+        ends = found["interval"]
+        interval = "not known" if ends is None or ends[0] is None else " to ".join(f"{1e3 * end:.3g}" for end in ends[0])
+        band = (found["catalogue_band"] or {}).get("values") or {}
+        held = {maker: value[0] for maker, value in band.items() if value[0] is not None}
+        makers = ", ".join(f"{maker} {1e3 * value:.3g}" for maker, value in held.items()) or "no formula"
+        total = 1e3 * found["points"][0]["torque"]["total"]
+        standing = found["standing"]
+        yield f"| {name} | {total:.3g} | {interval} | {makers} | {standing['word']} |"
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--out", type=Path, default=HERE, help="folder of ordinary.md")
+    folder = parser.parse_args().out
+    folder.mkdir(parents=True, exist_ok=True)
+    text = "\n".join(rows()) + "\n"
+    (folder / "ordinary.md").write_text(text, encoding="utf-8")
+    print(text)  # noqa: T201
+
+
+if __name__ == "__main__":
+    main()
