@@ -1,4 +1,5 @@
 from .contact.hertz import hertz_contact as hertz_contact
+from .discs import traction_coefficient as traction_coefficient
 from .errors import InputError as InputError
 from .function import torque_function as torque_function
 from .oil.own_law import own_traction as own_traction
@@ -20,7 +21,6 @@ from .scenefile.read import load_scene as load_scene
 from .scenefile.read import parse_scene as parse_scene
 from .scenefile.template import scene_text as scene_text
 from .torque import friction_torque as friction_torque
-from .traction_coefficient import traction_coefficient as traction_coefficient
 from .verdicts import physical_checks as physical_checks
 
 __version__: str

@@ -10,7 +10,7 @@ from analytic.scenefile.keys import scene_key
 from analytic.scenefile.quantity import Dimension, QuantityOrWord
 from analytic.scenefile.spread_tables import Spread
 from analytic.scenefile.table import Table, table_of
-from analytic.scenefile.tables import MaterialTable, SceneTable
+from analytic.scenefile.tables import CageTable, MaterialTable, SceneTable
 from analytic.scenefile.viscosity import Viscosity
 from docs.extensions.annotations import with_parts, words_in
 from docs.extensions.tables import code, table
@@ -48,9 +48,9 @@ def sections(of: type[Table], path: str) -> Iterator[str]:
 
 
 def takes(field: FieldInfo) -> bool:
-    """Whether the key takes a value: a table of keys has rows of its own."""
+    """Whether the key takes a value: a table of keys has rows of its own, unless a word may stand in its place."""
     inside = table_of(field)
-    return inside is None or inside is MaterialTable
+    return inside is None or inside is MaterialTable or bool(field.metadata)
 
 
 def row(path: str, field: FieldInfo) -> list[str]:
@@ -93,6 +93,8 @@ def words_of(field: FieldInfo) -> str:
     """What a key takes that is no quantity."""
     if table_of(field) is MaterialTable:
         return "name of a material, or a table"
+    if table_of(field) is CageTable:
+        return "`none`, or a table"
     kind = field.rebuild_annotation()
     parts = list(with_parts(kind))
     if words := words_in(kind):

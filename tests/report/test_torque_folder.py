@@ -86,7 +86,7 @@ def test_without_a_moving_cage_there_are_numbers_and_the_reason(tmp_path: Path) 
     _, lacking = torque_with_files(load_scene("6205-dry"), out=tmp_path / "made")
     assert lacking is not None
     assert "the cage did not move" in lacking
-    assert "off in the scene" in lacking
+    assert "cage.start is not given" in lacking
     assert {path.name for path in (tmp_path / "made").iterdir()} == ALWAYS | {LISTING}
     content = json.loads((tmp_path / "made" / "torque.json").read_text("utf-8"))
     assert content["cage_motion"] == {"points": [], "lacking": lacking}

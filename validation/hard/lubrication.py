@@ -32,6 +32,7 @@ OIL = Lubricant(
     eyring_stress=5.3e6,
     limiting_shear=0.07,
     traction="eyring_sinh",
+    thickening="roelands",
 )
 
 # Tolerances, relative, with their reasons

@@ -224,9 +224,10 @@ def test_centre_lines_and_pockets_belong_to_their_ball(name: str) -> None:
         lengths = np.sort([np.ptp(ends, axis=0) for ends in own], axis=0)
         np.testing.assert_allclose(lengths, [[0, 0], [1.16 * diameter] * 2], rtol=1e-9, atol=1e-12)  # past the ball
     pockets = [points_of(line) for line in panel.get_lines() if line.get_linestyle() == ":"]
-    assert len(pockets) == (0 if scene.cage is None else 2)
-    for side, arc in zip((-1, 1), pockets, strict=False):
-        off = arc - section(scene).ball
+    assert len(pockets) == (0 if scene.cage is None else 2 * len(circles(panel, filled=True)))  # two arcs a ball
+    balls = [each.center for each in circles(panel, filled=True)]
+    for (ball, side), arc in zip(((ball, side) for ball in balls for side in (-1, 1)), pockets, strict=False):
+        off = arc - ball
         np.testing.assert_allclose(np.hypot(*off.T), present(scene.cage).pocket_diameter / 2, rtol=1e-12)
         assert np.all(side * off[:, 0] > 0)
         np.testing.assert_allclose(off[:, 1], -off[::-1, 1], atol=1e-12)  # as far up as down

@@ -38,7 +38,7 @@ ALIKE = Balls(
 
 
 def ring(balls: Balls = UNEQUAL, displacement: Displacement | None = PLACE) -> RingPoint:
-    return RingPoint(displacement=displacement, stiffness=STIFFNESS, balls=balls)
+    return RingPoint(displacement=displacement, stiffness=STIFFNESS, balls=balls, holding_moment=None)
 
 
 def tables(*points: TorquePoint, units: Units = METRIC) -> list[Any]:
