@@ -176,7 +176,7 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
     speed = operation.inner_speed
     ledger = Ledger(scene, speed.size)
     races = race_torque(ledger, operation, correction=correction, variation=variation)
-    parts, race = dict(races.parts), races.total
+    parts, race, heaviest = dict(races.parts), races.total, races.heaviest
     coefficient = races.coefficient if races.slides else scene.friction_coefficient
     drive = None if scene.cage is None else cage_drive(scene, races.balls, coefficient, speed)
     frees = decide_cage(scene, drive, ledger, race=race)
@@ -190,9 +190,8 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
     weight = _in_any_direction(races, total)
     unsure = _unsure(ledger, races, total, weight)
     cage_unsure, cage_unknown, cage_warnings = _unsure_of_cage(cage, drive, races, weight)
-    heaviest = races.heaviest
-    held_by = races.found.points["holding_moment"].copy()
-    ring = state_of_ring(scene.bearing, scene.contact_angle, races.found.balls, operation, held_by)
+    held_by = races.found.points["holding_moment"]
+    ring = state_of_ring(scene.bearing, scene.contact_angle, races.found.balls, operation, held_by.copy())
     return FrictionTorque(
         inner_speed=speed,
         axial_load=operation.axial_load,

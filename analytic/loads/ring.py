@@ -121,15 +121,9 @@ def ring_equilibrium(
     Fewer than three balls carry thrust alone: the other freedoms of the ring are then held, with stiffness 0.
     Source: [Jones1960] and [Harris2007b] sections 1 to 3; derived here.
     """
-    given = {
-        "axial_load": axial_load,
-        "radial_load_x": radial_load_x,
-        "radial_load_y": radial_load_y,
-        "moment_x": moment_x,
-        "moment_y": moment_y,
-        "inner_speed": inner_speed,
-        **({} if tilts is None else {"tilt_x": tilts[0], "tilt_y": tilts[1]}),
-    }
+    loads = {"axial_load": axial_load, "radial_load_x": radial_load_x, "radial_load_y": radial_load_y}
+    given = loads | {"moment_x": moment_x, "moment_y": moment_y, "inner_speed": inner_speed}
+    given |= {} if tilts is None else {"tilt_x": tilts[0], "tilt_y": tilts[1]}
     require_finite(**given, ball_weight=ball_weight)
     require_positive(ball_count=bearing.ball_count)
     if contact_angle.rule == "given":

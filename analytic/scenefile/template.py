@@ -11,7 +11,7 @@ from analytic.errors import InputError
 from analytic.scene import Origin
 from analytic.scenefile.choice import USUAL, Choice
 from analytic.scenefile.usual_cage import cage_sizes
-from analytic.scenefile.usual_oil import usual_oil
+from analytic.scenefile.usual_oil import suited_oil
 
 SCHEMA_NAME = "fembearing-scene.schema.json"  # of the file beside the scene
 RADIAL_SHARE, AXIAL_SHARE = 0.05, 0.02  # of C0: a light load on a deep groove, and on an angular contact bearing
@@ -187,7 +187,7 @@ def _operation(bearing: CatalogBearing, choice: Choice) -> str:
 def _oil(bearing: CatalogBearing, choice: Choice) -> str:
     name, words = choice.oil, "names: `fembearing list oils`"
     if name is None:
-        name = usual_oil(mean_diameter=bearing.pitch_diameter, speed=choice.speed, temperature=choice.temperature)
+        name = suited_oil(mean_diameter=bearing.pitch_diameter, speed=choice.speed, temperature=choice.temperature)
         words = f"kappa nearest 2; {words}"
     given = choice.supply or ("grease" if bearing.seal_suffixes else None)  # for life
     supply = '#supply = "grease"' if given is None else f"supply = {_quoted(given)}"

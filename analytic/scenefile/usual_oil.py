@@ -29,7 +29,7 @@ def reference_viscosity(*, ring_speed: float, mean_diameter: float) -> float:
     return 1e-6 * (slow if speed < 1000 else 4500 / np.sqrt(speed * diameter))
 
 
-def usual_oil(*, mean_diameter: float, speed: object, temperature: object) -> str:
+def suited_oil(*, mean_diameter: float, speed: object, temperature: object) -> str:
     """The name of the oil.
 
     mean_diameter : of the ball centres, m

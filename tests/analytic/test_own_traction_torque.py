@@ -100,7 +100,7 @@ def test_a_contact_that_slides_by_an_integral_of_its_definition(law: OwnTraction
 
     def power(r: float, angle: float) -> float:
         x, y = r * math.cos(angle), r * math.sin(angle)
-        speed = math.hypot((roll * y + spin) * y - creep, spin * a / b * x)
+        speed = math.hypot((roll * y + spin) * y - creep, (spin + 2 * roll * y) * a / b * x)
         stress = min(5e6 * functions[law.name](4e3 * speed), 0.055 * peak * math.sqrt(max(1 - r * r, 0.0)))
         return stress * speed * a * b * r
 

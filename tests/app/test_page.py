@@ -179,7 +179,7 @@ def test_a_pasted_scene_fills_the_fields(run_story, settled) -> None:
         page.fields["scene"].value = with_value(scene_text("7208B"), SPEED, "2200 rpm")
         await settled(page)
         assert (page.fields[CATALOG].value, page.fields[SPEED].value) == ("7208B", "2200 rpm")
-        assert page.lines["title"].text.startswith("7208 BEP, axial ")
+        assert page.lines["title"].text.startswith("7208B, axial ")
         page.fields["scene"].value = "[bearing"
         assert page.fields["scene"].error.startswith("scene: not TOML")
 

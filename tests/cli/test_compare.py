@@ -46,9 +46,9 @@ def test_the_example_misses_at_low_speed_and_says_so_first(command: Run) -> None
     assert [float(row[4]) for row in rows] == pytest.approx([0.0360, 0.0501, 0.0634, 0.0762, 0.0885, 0.1005], rel=3e-3)
     assert rows[0][-2:] == ["too", "low"]
     assert rows[-1][-1] == "inside"
-    assert lines[9].startswith("Missed: 1 of 6")
+    assert lines[9].startswith("Missed: 2 of 6")
     assert max(map(len, lines)) <= 80
-    assert lines[-1].startswith("fail: 5 of 6 inside, 64 samples")
+    assert lines[-1].startswith("fail: 4 of 6 inside, 64 samples")
 
 
 def test_the_scene_of_the_example_is_that_of_the_validation() -> None:

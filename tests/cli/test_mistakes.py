@@ -113,7 +113,6 @@ TABLE: dict[str, tuple[tuple[str, Change, tuple[str, ...]], ...]] = {
         ("torque s.toml", (f"name = {OIL}", f'name = {OIL}\nbase_oil = "PAO"'), ("lubricant.base_oil",)),
         ("torque s.toml", (RADIAL, '"0 N"'), ("leaves a point without any load",)),
         ("torque 7208B --radial-load 500N", None, ("slide apart", "thrust")),
-        ("torque 6206 --set effects.cage=on", None, ("effects.cage = 'on' needs a table [cage]",)),
     ),
     "number": (
         ("torque s.toml", (RADIAL, '"much"'), ("operation.radial_load = 'much' is not a number and a unit",)),

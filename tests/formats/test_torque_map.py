@@ -37,7 +37,7 @@ OWN_OILS = {
 
 @pytest.fixture(scope="module")
 def found() -> SceneByTemperature:
-    return load_by_temperature("6206", speed="1500 rpm", radial_load="900 N", settings=BALANCED)
+    return load_by_temperature("6206", speed="1500 rpm", radial_load="900 N", oil="ISO VG 68", settings=BALANCED)
 
 
 @pytest.fixture(scope="module")
@@ -66,6 +66,7 @@ def test_the_oil_is_that_of_the_catalogue_at_each_temperature(table: TorqueMap) 
         "6206",
         speed="1500 rpm",
         radial_load="900 N",
+        oil="ISO VG 68",
         temperature="75 degC",
         settings={"friction.spin_rule": "balanced"},
     )
@@ -176,7 +177,7 @@ def test_a_dry_bearing_has_a_map_without_a_temperature(tmp_path: Path) -> None:
 
 
 def test_free_balls_have_the_interval_of_balanced_ones() -> None:
-    """The ends over the torque, as the map has them: within 6 %, where they are 0.47 to 3.8 of it."""
+    """The ends over the torque, as the map has them: within 10 %, where they are 0.47 to 3.8 of it."""
     scene = load_scene("6206", speed="1500 rpm", radial_load="2 kN")
     made = any_by_temperature(scene)
     found = mapped_torque(made, axes_of(made, {"speed": [0.3, 3.0, 30.0]}, whole=False))
@@ -186,7 +187,7 @@ def test_free_balls_have_the_interval_of_balanced_ones() -> None:
     ends = first_order_ends(replace(scene, operation=point), nominal)
     assert ends is not None
     low, torque, high = found.curve[1][:, ::2]
-    np.testing.assert_allclose([low / torque, high / torque], ends / nominal.torque.total, rtol=0.06)
+    np.testing.assert_allclose([low / torque, high / torque], ends / nominal.torque.total, rtol=0.1)
     np.testing.assert_allclose(torque, nominal.torque.total, rtol=scene.tolerance)
 
 

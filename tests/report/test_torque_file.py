@@ -140,8 +140,7 @@ def test_the_page_has_the_verdict_the_interval_and_the_units_of_the_headline() -
     result = torque_of_scene(load_scene("6206", radial_load="2 kN", speed="12000 rpm"))
     inch = replace(result.scene, report=replace(result.scene.report, units="inch"))
     page = CONTENTS[".html"](replace(result, scene=inch)).decode()
-    assert result.standing.word == "incomplete"  # the drag of the balls is neglected
-    assert '<p class="overall incomplete">' in page
+    assert f'<p class="overall {result.standing.word}">' in page
     low, high = (float(end) / (4.4482216152605 * 0.0254) for (end,) in present(result.interval))
     assert f"{low:.3g}-{high:.3g}" in page
     assert "torque, lbf in" in page

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 PAIR = """
 name = "a pair"
 tolerance = "5 %"
+cage = "none"
 [bearing]
 catalog = "7205 BEP"
 [arrangement]

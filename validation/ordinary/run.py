@@ -43,7 +43,9 @@ def rows() -> Iterator[str]:
     for name, words in CASES:
         found = computed(words)
         ends = found["interval"]
-        interval = "not known" if ends is None or ends[0] is None else " to ".join(f"{1e3 * end:.3g}" for end in ends[0])
+        interval = (
+            "not known" if ends is None or ends[0] is None else " to ".join(f"{1e3 * end:.3g}" for end in ends[0])
+        )
         band = (found["catalogue_band"] or {}).get("values") or {}
         held = {maker: value[0] for maker, value in band.items() if value[0] is not None}
         makers = ", ".join(f"{maker} {1e3 * value:.3g}" for maker, value in held.items()) or "no formula"

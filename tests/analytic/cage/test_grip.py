@@ -101,7 +101,7 @@ def test_the_lead_is_that_of_a_ball_that_goes_round(
 ) -> None:
     """Against the orbit of one ball in time, with the orbital speed of the angles between the balls too."""
     operation = Operation(
-        axial_load=np.array([1000.0]), inner_speed=np.array([52.36]), radial_load=radial, moment=moment
+        axial_load=np.array([1000.0]), inner_speed=np.array([52.36]), radial_load=radial, moment=moment, tilt="free"
     ).as_series()
     balls = loaded_balls(BEARING_6205, SOLVED, operation, WITHOUT_INERTIA)
     lead = float(ball_lead(balls.motion.cage_speed, pitch_radius=PITCH_RADIUS)[0])

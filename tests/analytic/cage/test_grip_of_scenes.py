@@ -21,7 +21,7 @@ FAST = replace(CAGED, operation=Operation(axial_load=np.array([1000.0]), inner_s
 def pushed(radial: float, *, clearance: float, **cage: Any) -> Scene:
     """500 rpm and 1000 N of thrust with a radial load; clearance : of the pockets, m."""
     operation = Operation(
-        axial_load=np.array([1000.0]), inner_speed=np.array([500.0]) * RPM, radial_load=np.array([radial])
+        axial_load=np.array([1000.0]), inner_speed=np.array([500.0]) * RPM, radial_load=np.array([radial]), tilt="free"
     )
     diameter = FAST.bearing.ball_diameter + clearance
     scene = replace(

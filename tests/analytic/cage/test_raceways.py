@@ -46,7 +46,8 @@ def carried(k: Array) -> Array:
 
 
 def at(*, load: float, moment: float = 0.0, axial: float = 1000.0) -> Operation:
-    return Operation(axial_load=np.array([axial]), inner_speed=np.array([W]), radial_load=load, moment=moment)
+    speed, thrust = np.array([W]), np.array([axial])
+    return Operation(axial_load=thrust, inner_speed=speed, radial_load=load, moment=moment, tilt="free")
 
 
 def balance(races: Raceways, speeds: Array, strips: int, *, azimuth: int = 0) -> tuple[Array, float]:

@@ -152,7 +152,6 @@ def test_what_is_a_part_of_the_torque_and_left_out_is_absent(scene: Scene) -> No
     # auto: there is no oil
     assert parts(lubricant=None, surface=None, friction_coefficient=0.06) == (True, False, False, True)
     assert parts(effects={"spin": "off", "conformity": "off", "hysteresis": "off"}) == (False, True, False, False)
-    assert parts() == (True, True, False, False)  # auto: what slides is within half of the tolerance
     assert parts(operation=few(scene)) == (True, True, True, True)
 
 

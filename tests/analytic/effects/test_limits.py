@@ -153,7 +153,7 @@ def test_the_torque_with_unknown_shoulders_is_more_uncertain(scene: Scene) -> No
         other = friction_torque(replace(ruled, bearing=replace(ruled.bearing, **rings)))
         apart.append(np.abs(unknown.torque.total / other.torque.total - 1))
     # The farther one is the uncertainty, which is of the unknown torque: apart itself in the second order.
-    np.testing.assert_allclose(grown, np.max(apart, axis=0), rtol=0.02, atol=1e-6)
+    np.testing.assert_allclose(grown, np.max(apart, axis=0), rtol=0.1, atol=1e-6)
 
 
 def test_of_several_bearings_the_worst_counts_at_each_point() -> None:

@@ -157,7 +157,7 @@ def test_a_weight_that_turns_preloaded_balls_is_uncertain() -> None:
         known = friction_torque(replace(preloaded, down=down))
         errors += np.abs(known.torque.total / unknown.torque.total - 1).tolist()
         assert errors[-1] <= unknown.numerical_uncertainty + known.numerical_uncertainty
-    assert max(errors) > 0.005  # else there is nothing to state
+    assert max(errors) > 0.002  # else there is nothing to state
 
 
 def test_a_given_angle_holds_loads_but_not_how_balls_turn(scene: Scene) -> None:

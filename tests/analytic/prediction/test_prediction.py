@@ -147,11 +147,12 @@ def test_samples_are_added_until_the_ends_are_known(monkeypatch: pytest.MonkeyPa
 def test_a_spread_comes_from_the_scene_else_from_the_origin_else_from_the_default() -> None:
     text = OILED.partition("[bearing]")[0] + '[bearing]\ncatalog = "6206"\n'
     text += '[operation]\naxial_load = "700 N"\ninner_speed = "500 rpm"\n[lubricant]\nname = "ISO VG 46"\n'
+    text += 'eyring_stress = "6 MPa"\n'
     text += '[surface]\nfinish = "ground and honed"\n[uncertainty]\nlubricant.eyring_stress = "12 %"\n'
     scene = parse_scene(text, origin="here")
     found = {each.key: each for each in uncertain_inputs(scene)}
     assert scene.lubricant is not None
-    assert found["lubricant.eyring_stress"].deviation == pytest.approx(0.12 * scene.lubricant.eyring_stress)
+    assert found["lubricant.eyring_stress"].deviation == pytest.approx(0.12 * 6e6)
     assert found["lubricant.eyring_stress"].source == "the scene"
     assert found["bearing.clearance"].deviation == scene.bearing.origins["clearance"].uncertainty
     assert "ISO5753" in found["bearing.clearance"].source

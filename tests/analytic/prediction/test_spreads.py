@@ -32,7 +32,7 @@ def evenly(low: float, high: float) -> float:
 
 def test_every_input_with_a_spread_varies_by_default() -> None:
     found = by_key(SCENE)
-    assert set(found) <= set(DEFAULTS) <= set(UNCERTAIN)
+    assert set(found) - {"model.traction"} <= set(DEFAULTS) <= set(UNCERTAIN)  # that of traction is the oil's own
     assert "bearing.ball_diameter" not in found  # without an origin it is known
     for key, deviation in (
         ("operation.axial_load", 0.01 * 470.0),

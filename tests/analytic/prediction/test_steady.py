@@ -128,7 +128,7 @@ ambient = "25 degC"
         (('"0.4 K/W"', '"-1 K/W"'), ("thermal.resistance", "out of range")),
         (('ambient = "25 degC"\n', ""), ("thermal.ambient is missing",)),
         (('"900 rpm"', '["900 rpm", "500 rpm"]'), ("2 operating points", "fembearing duty")),
-        (('"25 degC"', '"-60 degC"'), ("oil at -60 degC", "temperature must be 0")),
+        (('"25 degC"', '"-60 degC"'), ("oil at -60 degC", "temperature must be -40")),
     ],
 )
 def test_what_does_not_fit_is_refused_in_one_line(tmp_path: Path, change: tuple[str, str], words: tuple[str]) -> None:

@@ -14,7 +14,7 @@ from analytic.contact.geometry import cut_off_share
 from analytic.loads.kinematics import ball_kinematics
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.scene import STANDARD_GRAVITY, Array, Bearing, ContactAngle, Losses, Operation, Scene
-from analytic.sliding.judge import OVER_ELLIPSE
+from analytic.sliding.judge import ALONG_AXIS, OVER_ELLIPSE
 from analytic.solve.model import model_of
 from analytic.solve.records import NO_CAGE_DRIVE, NO_DISTRIBUTION, NO_THRUST, POINT, SETTLED, THROWN, THROWN_WASHERS
 from analytic.solve.solution import Solution, points_of, solved
@@ -158,8 +158,8 @@ def test_spin_alone_is_the_pivoting_of_every_ball_on_its_inner_race() -> None:
 
 
 def test_conformity_alone_is_the_slip_of_curved_contacts_without_a_net_force() -> None:
-    """Heathcote's slip: mu p w_r |y^2 - y_0^2|/(2 R), where as much pulls forwards as backwards."""
-    found = found_at(scene_of(**UNEQUAL), {"conformity": True, "load_distribution": True}, method=OVER_ELLIPSE)
+    """Heathcote's slip of long ellipses: mu p w_r |y^2 - y_0^2|/(2 R), where as much pulls forwards as backwards."""
+    found = found_at(scene_of(**UNEQUAL), {"conformity": True, "load_distribution": True}, method=ALONG_AXIS)
     still = brentq(lambda share: share - share**3 / 3 - 1 / 3, 0.0, 1.0)  # y_0/b, which halves the load
     slides, _ = quad(lambda share: 1.5 * (1 - share**2) * abs(share**2 - still**2), 0.0, 1.0, points=[still])
     balls, power = found.balls[0], 0.0

@@ -160,8 +160,8 @@ def test_a_scene_with_a_height_map(tmp_path: Path) -> None:
     np.save(tmp_path / "tilted.npy", 3e-7 * np.arange(60) + 2e-7 * np.arange(50)[:, None] + 4e-6)
     flat, tilted = (HeightMapFile(path=str(tmp_path / name), spacing=1e-6) for name in ("flat.npy", "tilted.npy"))
     for surface, message in (
-        (Surface(height_map=flat), r"surface.height_map: .*flat.npy: flat"),
-        (Surface(height_map=tilted), r"surface.height_map: .*tilted.npy: flat"),
+        (Surface(height_map=flat), r"surface.height_map: .*flat.npy: heights have Sq 0 nm"),
+        (Surface(height_map=tilted), r"surface.height_map: .*tilted.npy: heights have Sq 0 nm"),
         (Surface(height_map=HeightMapFile(path="no.npy", spacing=1e-6)), r"surface.height_map: no.npy: .*give"),
         (Surface(rms_roughness=SQ), "surface needs rms_roughness and autocorrelation"),
     ):

@@ -91,7 +91,7 @@ def test_a_given_angle_is_kept(scene: Scene) -> None:
 
 
 def test_a_law_of_the_kernel_is_one_per_speed_of_the_ring() -> None:
-    law = PointLaw(boundary=0.02, limit=0.05, eyring=4e6, fluidity=3.2, share=0.9, growth=9.0, exponent=0.6)
+    law = PointLaw(boundary=0.02, limit=0.05, eyring=4e6, fluidity=3.2, share=0.9, alpha=2.7e-8, exponent=0.6)
     for speed in (80.0, -80.0):
         assert _law(law._asdict(), speed) == law._replace(fluidity=0.04)
 

@@ -31,6 +31,7 @@ inner_speed = "90 rpm"
 [friction]
 coefficient = 0.07
 hysteresis_loss = 0.006
+sliding = "single_coefficient"
 [effects]
 spin = "off"
 finite_geometry = "off"
