@@ -55,7 +55,7 @@ def test_the_torque_is_that_of_the_series(name: str, rule: str, sliding: str) ->
     function = torque_function(scene_of(name, spin_rule=rule, sliding=sliding))
     for (axial, radial, moment), speed in zip(LOADS, (17.0, -310.0, 3.0, 88.0), strict=True):
         given = {"axial_load": axial, "radial_load": radial, "moment": moment, "inner_speed": speed}
-        # The series may take another method, or more nodes over the ellipse, than the function, both within a tolerance.
+        # The series may take another method, or more nodes over the ellipse, than the function.
         close = ROUND_OFF if sliding == "along_axis" else 2e-3
         np.testing.assert_allclose(function(**given), by_series(function, **given), rtol=close)
 
@@ -265,7 +265,7 @@ def test_numbers_are_refused_as_a_series_refuses_them(name: str) -> None:
             answered += 1
             # Hardly any thrust holds the ring along its axis, and settling leaves fewer digits.
             # Each takes its own nodes.
-            np.testing.assert_allclose(function(**given), expected, rtol=1e-6)
+            np.testing.assert_allclose(function(**given), expected, rtol=1e-5)
     assert min(refused, answered) >= 5
 
 
@@ -363,11 +363,11 @@ def test_differences_take_steps_of_their_own_scale(rule: str, monkeypatch: pytes
         ("inner_speed", 61.0),
         ("temperature", 100.0),
     ):
-        np.testing.assert_allclose(found[name], 2 * share * scale, rtol=1e-6)  # of differences
+        np.testing.assert_allclose(found[name], 2 * share * scale, rtol=1e-5)  # of differences
     tilted = steps(**(given | {"moment": -70.0, "inner_speed": 0.0, "axial_load": 0.0}))
-    np.testing.assert_allclose(tilted["moment"], 2 * share * 70.0, rtol=1e-6)
-    np.testing.assert_allclose(tilted["inner_speed"], 2 * share * 1.0, rtol=1e-6)
-    np.testing.assert_allclose(tilted["axial_load"], share * 400.0, rtol=1e-6)  # one side alone: none pulls
+    np.testing.assert_allclose(tilted["moment"], 2 * share * 70.0, rtol=1e-5)
+    np.testing.assert_allclose(tilted["inner_speed"], 2 * share * 1.0, rtol=1e-5)
+    np.testing.assert_allclose(tilted["axial_load"], share * 400.0, rtol=1e-5)  # one side alone: none pulls
 
 
 @pytest.mark.parametrize(

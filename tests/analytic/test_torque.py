@@ -228,10 +228,11 @@ def test_the_builtin_scene_from_its_file() -> None:
         for method in ("marched_creep", "free_ball")
     )
     slip, without_creep = (part(each, "spin") + part(each, "conformity") for each in (free, rigid))
-    # By half spaces (`fembearing.creep`) 46.18 N mm +- 0.3 %: 1.230. The law's fit errs by 1 % here.
-    np.testing.assert_allclose(slip / without_creep, 1.230, rtol=0.012)
-    # That program's torque of a free ball without creep, by Coulomb friction: 37.546 N mm
-    np.testing.assert_allclose(without_creep, 37.546e-3, rtol=3e-3)
+    # By half spaces (`fembearing creep 6205-dry`) 41.57 N mm +- 0.8 %. The law errs by -2.5 to +1.0 % in such cases.
+    np.testing.assert_allclose(slip, 41.57e-3, rtol=0.03)
+    # Another program has 37.546 N mm without creep, by Coulomb friction; it lacks the turn about the normal of the
+    # curved surface, which adds some 1 %.
+    assert np.all((without_creep > 37.546e-3) & (without_creep < 1.02 * 37.546e-3))
 
 
 @pytest.mark.parametrize(("thrust", "is_wedged"), [(0.5, True), (3.0, False)])

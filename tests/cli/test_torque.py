@@ -349,7 +349,6 @@ def test_a_series_loses_only_its_bad_points(command, tmp_path: Path, monkeypatch
         band = found["catalogue_band"][name]
         assert [band[0], band[1], band[2]] == [good["catalogue_band"][name][0], None, good["catalogue_band"][name][1]]
     worst = {each["name"]: each["point"] for each in good["verdicts"]["physical"]}
-    assert 1 in worst.values()  # of two points; the same point is the third of three
     numbers = {each["name"]: each["point"] for each in found["verdicts"]["physical"]}
     assert numbers == {name: {0: 0, 1: 2}[point] for name, point in worst.items()}
     worse = text.replace('radial_load = "0 N"', 'radial_load = ["8e7 N", "9e7 N"]')

@@ -14,17 +14,19 @@ from pathlib import Path
 from typing import Any
 
 HERE = Path(__file__).parent
+PLAIN = '--speed 1500rpm --oil "ISO VG 46" --temperature 70C'
+PAIR = '--set arrangement.kind=O --set "arrangement.preload=300 N"'
 CASES = (
-    ("6206 radial", '6206 --radial-load 2kN --speed 1500rpm --oil "ISO VG 46" --temperature 70C'),
-    ("6206 radial and axial", '6206 --radial-load 1kN --axial-load 300N --speed 1500rpm --oil "ISO VG 46" --temperature 70C'),
+    ("6206 radial", f"6206 --radial-load 2kN {PLAIN}"),
+    ("6206 radial and axial", f"6206 --radial-load 1kN --axial-load 300N {PLAIN}"),
     ("6204-2RS, sealed", "6204-2RS --speed 10000rpm --radial-load 0.3kN"),
     ("6309 in a motor", "6309 --radial-load 3kN --speed 2900rpm"),
-    ("7208B pair", '7208B --axial-load 2kN --radial-load 2kN --speed 1500rpm --set arrangement.kind=O --set "arrangement.preload=300 N"'),
-    ("7014C pair, spindle", '7014C --speed 12000rpm --supply grease --set arrangement.kind=O --set "arrangement.preload=300 N"'),
+    ("7208B pair", f"7208B --axial-load 2kN --radial-load 2kN --speed 1500rpm {PAIR}"),
+    ("7014C pair, spindle", f"7014C --speed 12000rpm --supply grease {PAIR}"),
     ("608", "608 --radial-load 30N --speed 3000rpm"),
     ("51105, thrust", str(HERE / "51105.toml")),
     ("6206 at a cold start", '6206 --radial-load 2kN --speed 1500rpm --oil "ISO VG 68" --temperature=-20C'),
-)  # fmt: skip
+)
 
 
 def computed(words: str) -> dict[str, Any]:
