@@ -32,7 +32,7 @@ CASES = (
 def computed(words: str) -> dict[str, Any]:
     """What `fembearing torque ... --json` gives; its status may say that the verdict is not a pass."""
     command = [sys.executable, "-m", "fembearing", "torque", *shlex.split(words), "--json"]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)  # noqa: S603
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
     if not done.stdout:
         raise RuntimeError(done.stderr)
     return json.loads(done.stdout)
