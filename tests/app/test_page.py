@@ -281,7 +281,7 @@ def test_ten_users_at_once_have_their_own_numbers(run_story, settled) -> None:
             await settled(page)
         shown, intervals = set(), {page.lines["interval"].text for _, page in users}
         for (user, page), (name, (load, speed)) in zip(users, USERS.items(), strict=True):
-            scene = load_scene(name, radial_load=load, speed=speed)
+            scene = parse_scene(page.text, origin="page")  # whose oil is that of the speed at which it began
             torque = f"{1e3 * torque_of_scene(scene, estimate=False).friction.torque.total[0]:.4g}"
             shown.add(torque)
             assert (page.lines["torque"].text, page.text) == (torque, page.fields["scene"].value)
