@@ -1,9 +1,8 @@
 """The friction torque as a function for loops over time steps."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from itertools import product
 from threading import Lock
 from typing import Any, Literal
 
@@ -11,20 +10,16 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.brief import Brief
-from analytic.effects.table import ENTRIES
+from analytic.effects import ENTRIES, counted_effects, ruled
 from analytic.errors import FembearingError, InputError, real_numbers
-from analytic.free_ball.rotation import Creep
 from analytic.numerics.records import Records
 from analytic.oil.losses import StirredOil, stirred_oil
 from analytic.oil.viscosity import roelands_viscosity
-from analytic.scene import OIL_TEMPERATURES, Array, Operation, Scene, require_scene
-from analytic.sliding.judge import AS_PRINTED, METHODS, SINGLE_COEFFICIENT
-from analytic.solve.freely import METHODS as FREE_METHODS
-from analytic.solve.freely import settled_at_far_points
+from analytic.scene import OIL_TEMPERATURES, Array, Scene, require_scene
 from analytic.solve.kernel import solve, solve_free
-from analytic.solve.model import Counted, Model, Workspace, model_of, workspace
+from analytic.solve.model import Model, Workspace, model_of, workspace
 from analytic.solve.records import BALL, POINT, SETTLED
-from analytic.solve.solution import FAR, points_of, solved
+from analytic.solve.solution import solved
 from analytic.torque import friction_torque
 
 Invalid = Literal["raise", "nan"]
@@ -34,28 +29,27 @@ NO_BALLS = np.zeros((0, 0), BALL)
 # Steps of a central difference over the argument: the error of the difference goes with the square of the step, that by
 # the accuracy of the torque, 1e-12 by rule and 3e-7 for free balls, with its inverse.
 STEP, FREE_STEP = 1e-4, 1e-2
-NO_ERROR = float(np.finfo(np.float64).tiny)  # a tolerance for which every effect counts: one of 0 is refused
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class TorqueFunction(Brief):
     """The torque of a scene at any load, speed and oil temperature; `torque_function` makes it.
 
-    The balls of one call are the start of the next. Calls from several threads wait for each other: `copy` makes an
-    instance for each thread.
+    Calls from several threads wait for each other: `copy` makes an instance for each thread.
     """
 
-    scene: Scene  # with every effect settled
+    scene: Scene  # whose cage rests
     invalid: Invalid  # what a call gives for numbers without an answer
     model: Model | None  # None: of a pair, and each call is a `friction_torque`
-    work: Workspace | None  # the balls of the last call
+    work: Workspace | None  # of the kernel
     points: Array  # (1, 5) of one call: N, N, N m, rad/s, K
     out: Records  # (1,) `records.POINT` of one call
     stirred: StirredOil | None  # outside the contacts; None: the scene declares no loss of it
     lock: Lock = field(init=False, repr=False, default_factory=Lock)  # one call at a time writes balls and point
 
     def _facts(self) -> Iterator[str]:
-        yield from (self.scene.name, "two bearings" if self.model is None else self.scene.sliding)
+        turning = "free balls" if self.model is not None and self.model.is_free else "closed kinematics"
+        yield from (self.scene.name, "two bearings" if self.model is None else turning)
 
     def __getstate__(self) -> dict[str, Any]:
         return {name: value for name, value in vars(self).items() if name != "lock"}
@@ -64,7 +58,7 @@ class TorqueFunction(Brief):
         vars(self).update(state, lock=Lock())
 
     def copy(self) -> "TorqueFunction":
-        """Another instance, for another thread; it begins by rule, and shares all that does not change."""
+        """Another instance, for another thread, which shares all that does not change."""
         work = None if self.model is None else workspace(self.model)
         model = None if self.model is None else self.model.with_numbers()
         return replace(self, model=model, work=work, points=self.points.copy(), out=self.out.copy())
@@ -110,7 +104,7 @@ class TorqueFunction(Brief):
                 point[place] = given if isinstance(given, float) else _one_number(GIVEN[place], given)
             if self.model is not None and self.work is not None and self._takes(point):
                 has_ring = True if point[1] or point[2] or self._needs_ring else None
-                kernel = solve if self.model.creep is None else solve_free
+                kernel = solve_free if self.model.is_free else solve
                 kernel(self.model.numbers, self.model.tables, self.points, self.work, NO_BALLS, self.out, has_ring)
                 if self.out["status"][0] == SETTLED:
                     total = float(self.out["total"][0])
@@ -179,7 +173,7 @@ class TorqueFunction(Brief):
         moment: float = 0.0,
         temperature: float | None = None,
     ) -> dict[str, float]:
-        """Derivatives of the torque by each argument, by central differences that begin by rule.
+        """Derivatives of the torque by each argument, by central differences.
 
         Parameters
         ----------
@@ -207,15 +201,14 @@ class TorqueFunction(Brief):
 
         Notes
         -----
-        Neither this instance nor the history of its calls has a part in it. Where the torque has a kink, at a speed of
-        0, it is the mean of both sides.
+        Where the torque has a kink, at a speed of 0, it is the mean of both sides.
         """
         warm = self._temperature if temperature is None else temperature
         given = dict(zip(GIVEN, (axial_load, radial_load, moment, inner_speed, warm), strict=True))
         point = {name: _one_number(name, value) for name, value in given.items()}
         if self.scene.lubricant is None:
             point.pop("temperature")
-        free = self.model is not None and self.model.creep is not None
+        free = self.model is not None and self.model.is_free
         load = float(np.hypot(point["axial_load"], point["radial_load"]))
         scales = {
             "axial_load": load,
@@ -232,7 +225,7 @@ class TorqueFunction(Brief):
             low, high = value - step, value + step
             if name == "axial_load":
                 low = max(low, 0.0)
-            ends = [self.copy()(**{**point, name: end}) for end in (low, high)]
+            ends = [self(**{**point, name: end}) for end in (low, high)]
             slopes[name] = (ends[1] - ends[0]) / (high - low)
         return slopes
 
@@ -252,7 +245,10 @@ class TorqueFunction(Brief):
     @cached_property
     def _needs_ring(self) -> bool:
         """Whether balls differ under thrust too."""
-        return self.model is not None and bool(self.model.numbers.counted.weight or abs(self.model.numbers.tilt) > 0)
+        if self.model is None:
+            return False
+        numbers = self.model.numbers
+        return bool((numbers.counted.weight and numbers.weighs_alike) or abs(numbers.tilt) > 0)
 
     @cached_property
     def _is_held(self) -> bool:
@@ -288,29 +284,23 @@ class TorqueFunction(Brief):
             scene, oil = replace(self.scene, operation=operation), self.scene.lubricant
             if oil is not None and temperature != oil.temperature:
                 scene = replace(scene, lubricant=replace(oil, temperature=temperature))
-            return float(friction_torque(scene).torque.total[0])
+            return float(friction_torque(scene).settled().torque.total[0])
         except FembearingError:
             if self.invalid == "nan":
                 return np.nan
             raise
 
 
-def torque_function(
-    scene: Scene, *, invalid: Invalid = "raise", over: Mapping[str, tuple[float, float]] | None = None
-) -> TorqueFunction:
+def torque_function(scene: Scene, *, invalid: Invalid = "raise") -> TorqueFunction:
     """The friction torque of a scene as a function of load, speed and temperature, for a loop over time steps.
 
     Parameters
     ----------
     scene : Scene
-        Its own operating points settle how balls turn and slide, and by how many nodes. Give
-        points that span the range of the calls: elsewhere, nothing bounds the error of the nodes. A moment in them, or
-        in `over`, or a tilt "free", lets the ring tilt freely in every call; else its tilt is held.
+        A moment in its operating points, or a tilt "free", lets the ring tilt freely in every call; else its tilt is
+        held.
     invalid : {"raise", "nan"}
         What a call gives for numbers without an answer: an error, or NaN.
-    over : mapping of str to (float, float), optional
-        Ranges of axial_load, N, radial_load, N, moment, N m, and inner_speed, rad/s. Their corners settle how balls
-        turn and slide, and effects count that the scene's tolerance calls for there. None: every effect counts.
 
     Returns
     -------
@@ -320,12 +310,12 @@ def torque_function(
     Raises
     ------
     InputError
-        A scene whose cage has to move, ranges that are none, and as `friction_torque` does at the scene's points.
+        A scene whose cage has to move, and as `friction_torque` does at the scene's points.
 
     Notes
     -----
-    Nothing is decided from call to call. The cage rests on its balls. Of a pair of bearings each call is a
-    `friction_torque`; all others are compiled.
+    Every call computes the same effects as `friction_torque`, and depends on no other call. The cage rests on its
+    balls. Of a pair of bearings each call is a `friction_torque`; all others are compiled.
     Sources: those of `friction_torque`, whose formulas are compiled.
     """
     require_scene(scene)
@@ -334,90 +324,24 @@ def torque_function(
     for name in AT_REST:
         if scene.effects.get(name) == "on":
             raise InputError(f'effects.{name} = "on": a moving cage has no torque at one instant; give "auto" or "off"')
-    weight = {} if scene.down is not None else {"weight": "off"}  # its direction is not known
-    still = replace(scene, effects={**scene.effects, **AT_REST, **weight})
-    if over is not None:
-        still = replace(still, operation=_corners(scene.operation.as_series(), over))
-    held = still.operation.held_tilt  # once for all calls; a pair tilts as its loads have it
-    is_free = still.arrangement is not None or np.isnan(held)
-    still = replace(still, operation=replace(still.operation, tilt="free" if is_free else held))
-    result = friction_torque(still)
-    settled = result.settled(still) if over is not None else _everything_on(still, result.sliding)
-    model = None
+    held = scene.operation.held_tilt  # once for all calls; a pair tilts as its loads have it
+    is_free = scene.arrangement is not None or np.isnan(held)
+    operation = replace(scene.operation, tilt="free" if is_free else held)
+    still = replace(scene, effects={**scene.effects, **AT_REST}, operation=operation)
+    friction_torque(still).settled()  # raises what is wrong with the scene
+    counted, model = counted_effects(still), None
     if scene.arrangement is None:
-        # Half of the tolerance may be gone for effects that ranges leave out.
-        model = _model(settled, result.sliding, still.tolerance if over is None else still.tolerance / 2)
+        free = (counted["spin"] or counted["conformity"]) and ruled(still) is None
+        model = model_of(still, counted, free=free)
     return TorqueFunction(
-        scene=settled,
+        scene=still,
         invalid=invalid,
         model=model,
         work=None if model is None else workspace(model),
         points=np.zeros((1, 5)),
         out=np.zeros(1, POINT),
-        stirred=None if model is None else stirred_oil(settled, settled.losses),
+        stirred=None if model is None else stirred_oil(still, still.losses),
     )
-
-
-def _model(scene: Scene, sliding: str, allowed: float) -> Model:
-    """The model of a scene with fixed effects; allowed : error of the sliding of free balls."""
-    creeps: dict[str, Creep] = {method: creep for creep, method in FREE_METHODS.items()}
-    methods: tuple[str, ...] = METHODS
-    ruled = methods.index(sliding) if sliding in methods else SINGLE_COEFFICIENT
-    model = model_of(
-        scene,
-        _counted(scene),
-        method=AS_PRINTED if scene.microslip == "as_printed" else ruled,
-        judges=False,
-        creep=creeps.get(sliding),
-        allowed=allowed,
-    )
-    if model.creep is None:
-        return model
-    # One quadrature for all calls: the torque neither jumps from call to call nor depends on their order.
-    # A cage that leading balls squeeze has its torque from `friction_torque`.
-    bare = model.counting(_counted(scene) | {"cage": False})
-    at_far = settled_at_far_points(scene, bare, points_of(scene.operation.as_series(), model.temperature))
-    return model.with_numbers(passes=int(at_far.points["passes"].max()), cold=False)
-
-
-def _everything_on(scene: Scene, sliding: Any) -> Scene:
-    """The scene with its method of sliding settled, and a tolerance for which every effect counts."""
-    free = sliding in FREE_METHODS.values()
-    on = {name: "on" for name in Counted._fields if free and _acts(scene, name)}
-    return replace(
-        scene,
-        tolerance=scene.tolerance if free else NO_ERROR,
-        sliding=scene.sliding if sliding == "auto" else sliding,
-        spin_rule=scene.spin_rule if free or scene.spin_rule != "free" else "balanced",
-        effects={**scene.effects, **on},
-    )
-
-
-def _acts(scene: Scene, name: str) -> bool:
-    """Whether an effect has its input and is not ruled out."""
-    lacks = name in ENTRIES and ENTRIES[name].lacks(scene) is not None
-    return scene.effects.get(name) != "off" and not lacks
-
-
-def _counted(scene: Scene) -> dict[str, bool]:
-    """Every effect that the scene has the input for and does not rule out."""
-    on = {name: _acts(scene, name) for name in Counted._fields}
-    return on | {"weight": on["weight"] and scene.down is not None}
-
-
-def _corners(operation: Operation, over: Mapping[str, tuple[float, float]]) -> Operation:
-    """A grid over ranges, with their corners; what has no range has that of the scene."""
-    names = GIVEN[:4]
-    if wrong := set(over) - set(names):
-        raise InputError(f"over: {min(wrong)} is no range; known are {', '.join(names)}")
-    ranges = []
-    for name in names:
-        given = real_numbers(f"over: {name}", over.get(name, np.asarray(getattr(operation, name))))
-        ranges.append((float(given.min()), float(given.max())))
-    wide = sum(low < high for low, high in ranges)
-    # More than FAR points: a trial then leaves out what hardly counts.
-    each = [np.linspace(low, high, int(np.ceil((FAR + 1) ** (1 / wide))) if low < high else 1) for low, high in ranges]
-    return replace(operation, **dict(zip(names, np.array(list(product(*each))).T, strict=True)))
 
 
 def _one_number(name: str, given: Any) -> float:

@@ -1,9 +1,8 @@
 """The friction torque of two bearings on one shaft: the sum over both, each under the loads that it takes.
 
-Both are computed as one series of operating points, so that effects and methods are decided for both alike. Where a
-bearing is relieved, centrifugal force may still press its balls on the inner ring, which gives it the torque of that
-load. Where the inner ring presses on no ball, only what the scene declares is left: how far balls and cage are dragged
-along is not known.
+Both are computed as one series of operating points. Where a bearing is relieved, centrifugal force may still press its
+balls on the inner ring, which gives it the torque of that load. Where the inner ring presses on no ball, only what the
+scene declares is left: how far balls and cage are dragged along is not known.
 """
 
 from collections.abc import Iterator
@@ -15,10 +14,10 @@ from numpy.typing import NDArray
 
 from analytic.brief import points_of
 from analytic.contact.factors import ContactCorrection
-from analytic.effects.ledger import share_in
 from analytic.errors import InputError
 from analytic.loads.balls import LoadEffects
 from analytic.loads.pair import PairContacts, PairEquilibrium, pair_equilibrium
+from analytic.numerics.elements import share_in
 from analytic.result import FrictionTorque, PairPart, TorqueParts
 from analytic.scene import Arrangement, Array, Operation, Scene
 
@@ -121,11 +120,8 @@ def pair_torque(scene: Scene, both: PairSeries, each: FrictionTorque) -> Frictio
 
     parts = {name: summed(part) for name, part in vars(each.torque).items() if name not in ("total", "declared")}
     total = by_bearing.sum(axis=0)
-    unsure = each.numerical_uncertainty
-    finite = summed(np.where(np.isfinite(unsure), unsure, 0.0) * each.torque.total)
-    unknown = summed(np.where(np.isfinite(unsure), 0.0, 1.0))
-    assert finite is not None
-    assert unknown is not None
+    unsure = summed(each.numerical_uncertainty * each.torque.total)
+    assert unsure is not None
     # Where both bearings are pressed, the one with the heaviest ball stands for the pair.
     place = np.zeros((2, count), dtype=np.intp)
     for where, points, rows in zip(place, both.points, both.rows, strict=True):
@@ -142,7 +138,7 @@ def pair_torque(scene: Scene, both: PairSeries, each: FrictionTorque) -> Frictio
         torque=TorqueParts(
             **{**parts, "total": total, "declared": summed(each.torque.declared, at_rest or 0.0)},
         ),
-        numerical_uncertainty=np.where(unknown > 0, np.inf, share_in(finite, total)),
+        numerical_uncertainty=share_in(unsure, total),
         ring=None,
         pair=PairPart(
             kind=scene.arrangement.kind,
@@ -160,7 +156,7 @@ def _mirrored(scene: Scene) -> Iterator[str]:
     if _is_weight_mirrored(scene) and scene.effects.get("weight") != "off":
         yield (
             "operation.down is partly along the axis: there the balls' weight loads one bearing of the pair and "
-            "relieves the other; it is left out, and the uncertainty covers a weight in any direction"
+            "relieves the other; the weight is taken across the axis"
         )
 
 

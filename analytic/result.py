@@ -1,7 +1,7 @@
 """The result of a friction torque: its parts, contacts, effects and warnings, as arrays, JSON and named columns."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any, Generic
 
 import numpy as np
@@ -9,15 +9,14 @@ from numpy.typing import NDArray
 
 from analytic.brief import Brief, points_of, span
 from analytic.cage.torque import CagePart, CagePoint
-from analytic.effects.ledger import SWITCHED_OFF, Effect, Effects, ShareKind
-from analytic.effects.limits import LimitNumbers
-from analytic.effects.table import CHOSEN, DECLARED, OIL_LOSSES, TRIED
-from analytic.errors import InputError
+from analytic.effects import Effects
+from analytic.errors import FembearingError, InputError
 from analytic.labelled import Column, Labelled, dataset_of, frame_of, html_table
+from analytic.limits import LimitNumbers
 from analytic.loads.pair import PairEquilibrium
 from analytic.loads.ring_state import RingPoint, RingState
 from analytic.rows import NotNegative, OperatingPoint, T, row_of
-from analytic.scene import ArrangementKind, Array, Clearances, Scene, Sliding
+from analytic.scene import ArrangementKind, Array, Clearances, Operation, Sliding
 from analytic.words import NEWTON_MILLIMETRE, RPM
 
 POINT = "point"  # the dimension of a dataset
@@ -228,8 +227,8 @@ class FrictionTorque(Brief):
     contact_angle: Array  # al, loaded, the mean of both races, rad; this and what follows of the heaviest ball
     ball_load: Array  # Q, on the race where it is larger, N
     torque: TorqueParts[Array]
-    # Of the total, relative: what auto left out, the method of sliding, and what contacts past a limit or outside the
-    # fit for finite geometry change; infinite where it is not known.
+    # Of the total, relative: twice what doubling the nodes of sliding changes, the residual of the equilibrium, and the
+    # interval of a moving cage
     numerical_uncertainty: Array
     friction_coefficient: FrictionCoefficients[Array]
     film: OnRaces[Array | None]  # h, mean gap that the oil fills, m; None without a lubrication model
@@ -239,14 +238,16 @@ class FrictionTorque(Brief):
     outer: LoadedContact[Array]
     limits: LimitNumbers  # of the worst ball of all
     effects: Effects
-    sliding: Sliding  # the method that integrated it; auto: nothing slides
+    sliding: Sliding  # how the balls turn and slide
     warnings: tuple[str, ...]  # one line each
     provenance: Mapping[str, str]  # where decisions and numbers come from, by subject
     seconds: float  # that the computation took
     cage: CagePart | None = None  # what its torque comes from; None: left out
     model_uncertainty: Array | None = None  # of the total, relative, 95 %; see analytic.torque
     model_parts: Mapping[str, Array] | None = None  # of it, relative, 95 %, by the formula that is varied
-    unknown: tuple[str, ...] = ()  # why the numerical uncertainty is not known; empty: it is
+    failures: Mapping[int, FembearingError] = field(
+        default_factory=dict
+    )  # of points without a torque, by number from 0
     gap_roughness: float | None = None  # Sq of ball and race together, that the film is compared with, m
     clearances: Clearances | None = None  # how the bearing came to its clearance; None: its seats are not given
     pair: PairPart | None = None  # each bearing by itself; None: there is one
@@ -272,21 +273,38 @@ class FrictionTorque(Brief):
         """
         return replace(self, **{name: _rows(value, points) for name, value in vars(self).items() if name != "pair"})
 
-    def settled(self, scene: Scene) -> Scene:
-        """The scene with every effect and method fixed as it was decided here, so that a change of it keeps them.
+    def among(
+        self, operation: Operation, kept: NDArray[np.intp], failures: Mapping[int, FembearingError]
+    ) -> "FrictionTorque":
+        """The torque at all operating points of a series, of which this has those that have settled.
 
         Parameters
         ----------
-        scene : Scene
-            The one that this torque is of.
+        operation : Operation
+            All n points.
+        kept : ndarray, shape (k,)
+            Their numbers, from 0.
+        failures : mapping of int to FembearingError
+            Of the others.
 
         Returns
         -------
-        Scene
-            Without `auto`.
+        FrictionTorque
+            With arrays (n,), NaN where a point has no torque.
         """
-        decisions = {name: decision for name, decision in self.effects.decisions.items() if name in CHOSEN}
-        return replace(scene, effects={**scene.effects, **decisions}, sliding=self.sliding)
+        place = np.zeros(operation.inner_speed.size, dtype=np.intp)
+        place[kept] = np.arange(kept.size)
+        spread, at = self.at(place), np.array(sorted(failures))
+        lost = {name: _without(value, at) for name, value in vars(spread).items() if name not in ("pair", "ring")}
+        given = {name: np.asarray(getattr(operation, name)) for name in COORDINATES}
+        words = [f"operating point {1 + number} has no torque: {why}" for number, why in failures.items()]
+        return replace(spread, **{**lost, **given, "failures": failures, "warnings": (*self.warnings, *words)})
+
+    def settled(self) -> "FrictionTorque":
+        """The same; raises the first of `failures`, if there is one."""
+        for failure in self.failures.values():
+            raise failure
+        return self
 
     def is_on(self, name: str) -> bool:
         """Whether an effect counts.
@@ -307,18 +325,6 @@ class FrictionTorque(Brief):
     def rows(self) -> tuple[TorquePoint, ...]:
         """A row for each operating point."""
         return tuple(self.row(index) for index in range(self.inner_speed.size))
-
-    @property
-    def shares(self) -> tuple[Effect, ...]:
-        """Each effect, and what its share is: of its own part, by trial, a bound, unbounded or unknown (both None)."""
-        return tuple(
-            replace(
-                effect,
-                share=None if effect.share is None else _finite(effect.share),
-                share_is=self._kind_of(effect),
-            )
-            for effect in self.effects
-        )
 
     def columns(self) -> dict[str, Array]:
         """The values of COLUMNS, each (n,), SI; NaN where a part was left out or is not modelled."""
@@ -390,17 +396,6 @@ class FrictionTorque(Brief):
         more = self.inner_speed.size - shown
         return html_table(head, rows, f"friction torque, {more} more points" if more else "friction torque")
 
-    def _kind_of(self, effect: Effect) -> ShareKind:
-        if effect.share is None:
-            return "unknown"
-        if not np.isfinite(effect.share):
-            return "unbounded"
-        is_counted = effect.name in DECLARED or (effect.name in OIL_LOSSES and effect.decision == "on")
-        if is_counted or getattr(self.torque, effect.name, None) is not None:
-            return "part"
-        by_trial = effect.decision == "on" or effect.reason.startswith(SWITCHED_OFF)
-        return "trial" if by_trial and effect.name in TRIED else "bound"
-
     def row(self, point: int) -> TorquePoint:
         """One operating point.
 
@@ -437,7 +432,7 @@ class FrictionTorque(Brief):
 def require_numbers(result: FrictionTorque) -> FrictionTorque:
     """The result, of which every number is finite, or missing for a reason that it gives.
 
-    What was left out is None, and an effect says why; an uncertainty is infinite where `unknown` says why.
+    What was left out is None, and an effect says why; a point without a torque has NaN, and `failures` says why.
     Raises InputError for any other: the inputs lie beyond what can be computed.
     """
     groups = (result, *(getattr(result, name) for name in OF_POINTS))
@@ -446,8 +441,7 @@ def require_numbers(result: FrictionTorque) -> FrictionTorque:
         if not isinstance(values, np.ndarray) or values.dtype.kind != "f":
             continue
         good = np.isfinite(values)
-        if name == "numerical_uncertainty" and result.unknown:
-            good |= np.isposinf(values)
+        good[list(result.failures)] = True
         if not good.all():
             point = int(np.flatnonzero(~good)[0])
             given = ", ".join(f"{key} {getattr(result, key)[point]:g} {each.unit}" for key, each in COORDINATES.items())
@@ -468,6 +462,16 @@ def _rows(value: Any, points: NDArray[np.intp]) -> Any:
         return value.at(points)
     if isinstance(value, TorqueParts | FrictionCoefficients | OnRaces | LoadedContact):
         return replace(value, **{name: _rows(part, points) for name, part in vars(value).items()})
+    return value
+
+
+def _without(value: Any, at: NDArray[np.intp]) -> Any:
+    """The same with NaN in arrays of numbers, also within groups, at some operating points."""
+    if isinstance(value, np.ndarray) and value.dtype.kind == "f":
+        value = value.copy()
+        value[at] = np.nan
+    elif isinstance(value, TorqueParts | FrictionCoefficients | OnRaces | LoadedContact):
+        value = replace(value, **{name: _without(part, at) for name, part in vars(value).items()})
     return value
 
 

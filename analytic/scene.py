@@ -34,15 +34,13 @@ CageStart = Literal["rest", "ramp", "sudden", "whirl"]
 CageGravity = Literal["across", "along", "off"]
 GapModel = Literal["elastic", "truncated"]
 AsperityLaw = Literal["zhao_maietta_chang", "greenwood_williamson"]
-SlidingMethod = Literal[
-    "single_coefficient", "along_axis", "over_ellipse", "free_ball", "closed_creep", "marched_creep"
-]
 Status = Literal["given", "printed", "derived", "assumed", "not known"]
 ClearanceGroup = Literal["C2", "CN", "C3", "C4", "C5"]
 ArrangementKind = Literal["O", "X", "tandem"]
 Grade = Literal["printed", "A", "B", "C", "D"]
 BearingKind = Literal["radial", "thrust"]
-Sliding = Literal["auto"] | SlidingMethod
+# How balls turn and slide: as friction has it, with and without elastic creep, or by closed kinematics
+Sliding = Literal["marched_creep", "free_ball", "over_ellipse", "as_printed", "none"]
 
 STANDARD_GRAVITY = 9.80665  # m/s^2
 STEEPEST_DEEP_GROOVE = 20.0  # degrees: a larger unloaded contact angle is that of an angular contact bearing
@@ -526,7 +524,6 @@ class Scene(Noun):
     elastic_rolling: ElasticRolling = "hysteresis"  # law of the loss by elastic rolling, see `analytic.oil.rolling`
     losses: Losses = Losses()
     spin_rule: SpinRule = "free"  # how a ball turns; free: by mechanics, else its spin is shared by a rule
-    sliding: Sliding = "auto"  # method that integrates sliding; auto: chosen by the tolerance
     microslip: Microslip = "derived"  # moments of microslip; `as_printed`: of the paper with its misprints
     effects: Mapping[str, Decision] = field(default_factory=nothing)  # by their names; those left out are `auto`
     uncertainty: Mapping[str, float] = field(default_factory=nothing)  # SI, see `analytic.inputs`

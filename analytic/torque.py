@@ -6,37 +6,47 @@ and oppose the rotation: the other direction of rotation mirrors them.
 
 import os
 import platform
-from collections.abc import Mapping
-from dataclasses import replace
-from functools import cache
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import cache, cached_property
 from importlib.metadata import PackageNotFoundError, version
-from itertools import product
 from time import perf_counter
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from analytic.cage.drive import SQUEEZE_SPREAD, CageDrive, cage_drive
-from analytic.cage.torque import CagePart, cage_friction, may_squeeze, squeezed_torque
+from analytic.cage.drive import cage_drive
+from analytic.cage.torque import CageMoves, CagePart, cage_friction, cage_moves
 from analytic.contact.factors import ContactCorrection
 from analytic.contact.geometry import RACES
-from analytic.effects.cage import decide_cage
-from analytic.effects.declared import scene_losses
-from analytic.effects.ledger import Ledger, share_in
-from analytic.effects.limits import check_limits
-from analytic.effects.table import ruled
-from analytic.effects.trial import of_methods, slip_by_weight
-from analytic.effects.warnings import torque_warnings
-from analytic.effects.washers import held_in_the_middle
-from analytic.errors import InputError, require_non_negative
+from analytic.effects import (
+    CHOSEN,
+    DECLARED,
+    ENTRIES,
+    OIL_LOSSES,
+    SWITCHED_OFF,
+    Effect,
+    Effects,
+    counted_effects,
+    idle_reason,
+    require_known,
+    ruled,
+)
+from analytic.errors import InputError, require_finite, require_non_negative, require_positive
+from analytic.limits import limit_numbers, limit_reasons, torque_warnings
+from analytic.loads.balls import LoadedBalls
+from analytic.loads.finite_geometry import corrections_of
+from analytic.loads.ring_balance import require_enough_balls
 from analytic.loads.ring_state import RingState, state_of_ring
+from analytic.loads.thrust import require_given_angle
+from analytic.numerics.elements import share_in
 from analytic.numerics.records import Records
 from analytic.oil.inlets import starvation_source
+from analytic.oil.losses import estimated_loss, oil_parts, stirred_oil
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.pair import pair_in_series, pair_torque
-from analytic.races import WEDGED, RaceTorque, race_torque
 from analytic.result import (
     FrictionCoefficients,
     FrictionTorque,
@@ -45,54 +55,132 @@ from analytic.result import (
     TorqueParts,
     require_numbers,
 )
-from analytic.scene import Array, Decision, OwnTraction, Scene
-from analytic.solve.freely import BETWEEN
-from analytic.solve.solution import Solution, tried_points
+from analytic.scene import Array, Bearing, Decision, Operation, OwnTraction, Scene, Sliding
+from analytic.scenefile.fit import crowding
+from analytic.solve.failures import failures_of, require_settled, undistributed
+from analytic.solve.model import Model, model_of
+from analytic.solve.solution import Solution, points_of, solved
+from analytic.solve.steady_states import other_states
+from analytic.surface.roughness import GapRoughness, gap_roughness
 from analytic.units import Quantity
-from analytic.words import percent_of, speed_of, torque_of
+from analytic.words import NEWTON, NEWTON_MILLIMETRE, speed_of, torque_of
 
-# Directions of the weight. Thrust is alike all round: only the tilt against the axis counts.
-TILTS = np.array([(np.sin(tilt), 0.0, np.cos(tilt)) for tilt in np.linspace(0, np.pi, 25)])
-ALL_ROUND = np.array([each for each in product((1.0, 0.0, -1.0), repeat=3) if any(each)])
-ALONG_AXES = ALL_ROUND[np.abs(ALL_ROUND).sum(axis=1) == 1]
-ALL_ROUND /= np.linalg.norm(ALL_ROUND, axis=1, keepdims=True)
-MOST_FREE = 32  # points of a series whose free balls are computed in every direction, all of them
-LEAD_SPREAD = 1.05  # of how far balls lead, by what `auto` leaves out: 4 % at most in 46 scenes of the adversary's
-# Of the lead by weights in 26 directions: between them it is larger, and free balls led up to 1.73 times as far.
-LEAD_BY_WEIGHT = 2.0
-# Error of a lead over its difference by two quadratures: with the second of them, from the first one, it was up to 1.9.
-OF_QUADRATURES = 2.0
-LEAD_TRIED = 0.2  # of the free clearance of the pockets, from which on a lead is computed by other quadratures
-MOST_GROWTH = 2.0  # of changes of balls by rule where friction wedges free ones: beyond, directions are close together
-ASIDE = np.array([0.036, -0.048, 0.08])  # rad: turns these directions by 0.03 to 0.1, out of their symmetry
-NO_SOLUTION = (
-    "the direction of the balls' weight is not given, and some directions have no solution; give operation.down"
-)
 # Rises whenever a formula changes a torque; CHANGELOG.md then has the old and the new torque of each shipped scene.
 # `python validation/model_version.py` prints both.
-MODEL_VERSION = 13
-SQUEEZED_BY_WEIGHT = (
-    "the direction of the balls' weight is not given, and decides how balls squeeze the cage; give operation.down"
-)
-NO_EDGE = "balls at the edge of their load did not converge with every force on them"
-NO_CAGE: Mapping[str, Decision] = dict.fromkeys(("cage", "cage_dynamics", "ball_dynamics"), "off")
-LOSSES = ("oil", "declared")
-PARTS = ("spin", "conformity", "hysteresis", "rolling", "cage", *LOSSES)
+MODEL_VERSION = 14
+OF_RACES = ("spin", "conformity", "hysteresis", "rolling")
+PARTS = (*OF_RACES, "cage", "oil", "declared")
+LOADING = ("load_distribution", "weight", "centrifugal", "gyroscopic", "finite_geometry")
 
 
-class Unsure(NamedTuple):
-    """A part of the numerical uncertainty."""
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Races:
+    """Balls and races of a scene: which effects count, and the solution at the operating points."""
 
-    share: Array  # (n,) of the total, relative; infinite where it is not known
-    unknown: tuple[str, ...]  # why not
+    scene: Scene
+    counted: Mapping[str, bool]  # `counted_effects`
+    correction: ContactCorrection | None
+    variation: Variation
+    model: Model
+    points: Array  # (n, 5)
+    found: Solution
+
+    @property
+    def slides(self) -> bool:
+        """Whether spin or conformity counts."""
+        return self.counted["spin"] or self.counted["conformity"]
+
+    @property
+    def is_mixed(self) -> bool:
+        """Whether film and asperities share the load of the contacts."""
+        return self.slides and self.scene.friction_coefficient is None
+
+    @property
+    def sliding(self) -> Sliding:
+        """How the balls turn and slide."""
+        if not self.slides:
+            return "none"
+        if self.model.is_free:
+            return "marched_creep" if self.counted["creep"] else "free_ball"
+        return "as_printed" if self.scene.microslip == "as_printed" else "over_ellipse"
+
+    @cached_property
+    def balls(self) -> LoadedBalls:
+        """The loaded balls as arrays."""
+        return self.found.loaded_balls(self.scene.bearing)
+
+    @cached_property
+    def parts(self) -> dict[str, Array]:
+        """Each (n,), N m, of the effects that count."""
+        return {name: self.found.points[name].copy() for name in OF_RACES if self.counted[name]}
+
+    @cached_property
+    def heaviest(self) -> Records:
+        """(n,) `records.BALL`: the ball that presses hardest on a race at each operating point."""
+        balls = self.found.balls
+        return balls[np.arange(len(balls)), balls["load"].max(axis=2).argmax(axis=1)]
+
+    @cached_property
+    def roughness(self) -> GapRoughness | None:
+        """Of ball and race together; None: nothing slides, or its friction coefficient is given."""
+        surface = self.scene.surface
+        return gap_roughness(surface) if self.is_mixed and surface is not None else None
+
+    @property
+    def coefficient(self) -> Array | float | None:
+        """(2, n, m) friction coefficient of each contact, or the given one; None: not known."""
+        if not self.slides:
+            return self.scene.friction_coefficient
+        return np.moveaxis(self.found.balls["friction_coefficient"], -1, 0)
+
+    @property
+    def measured_points(self) -> NDArray[np.intp]:
+        """Up to three points at which shares of effects are measured: of least and most load, and the fastest."""
+        load, speed = np.abs(self.points[:, :3]).sum(axis=1), np.abs(self.points[:, 3])
+        return np.array(sorted({int(load.argmin()), int(load.argmax()), int(speed.argmax())}))
+
+    def change_without(self, name: str, total: Array) -> float:
+        """Largest change of the torque when an effect changes sides, over the torque, at `measured_points`.
+
+        total : (n,) N m. NaN where no point settles with the other choice.
+        """
+        scene, at = self.scene, self.measured_points
+        other = replace(scene, effects={**scene.effects, name: "off" if self.counted[name] else "auto"})
+        model = _model(other, counted_effects(other), self.correction, self.variation).at(at)
+        changed = np.abs(solved(model, self.points[at]).race_torque - self.found.race_torque[at])
+        known = np.isfinite(changed)
+        return float(share_in(changed[known], total[at][known]).max()) if known.any() else np.nan
 
 
-class InAnyDirection(NamedTuple):
-    """What the balls' weight may change, whose direction the scene does not give."""
+def _model(
+    scene: Scene, counted: Mapping[str, bool], correction: ContactCorrection | None, variation: Variation
+) -> Model:
+    slides = counted["spin"] or counted["conformity"]
+    free = slides and ruled(scene) is None
+    return model_of(scene, {**counted, "cage": False}, free=free, correction=correction, variation=variation)
 
-    share: Array  # (n,) of the race torque in the total, relative; infinite where it is not known
-    cage_rate: Array  # (n,) of the balls' rate at the cage, relative
-    ball_lead: Array  # (n,) largest one, m; 0 where the weight does not count
+
+def races_of(scene: Scene, correction: ContactCorrection | None = None, variation: Variation = NOMINAL) -> Races:
+    """Balls and races at the scene's operating points, those that do not settle included.
+
+    correction, variation : as in `friction_torque`. Raises InputError as that does.
+    """
+    require_known(scene)
+    operation, counted = scene.operation.as_series(), counted_effects(scene)
+    if variation is NOMINAL:  # balls of a sample may overlap: it varies their size and the pitch diameter apart
+        _require_room(scene.bearing)
+    _require_loads(scene, operation)
+    model = _model(scene, counted, correction, variation)
+    points = points_of(operation, model.temperature)
+    return Races(
+        scene=scene,
+        counted=counted,
+        correction=correction,
+        variation=variation,
+        model=model,
+        points=points,
+        found=solved(model, points),
+    )
 
 
 def friction_torque(
@@ -131,7 +219,7 @@ def friction_torque(
         The scene gives neither or both of coefficient and surface, demands an effect that lacks its input, or loads the
         balls beyond a shoulder; with a name, as `load_scene`.
     ConvergenceError
-        An equilibrium that did not settle.
+        No operating point has settled.
 
     Notes
     -----
@@ -145,8 +233,10 @@ def friction_torque(
     the surface: then sliding friction does not depend on speed, and at standstill it is that of the first motion.
     Rolling takes the oil at the inlet's temperature.
     With microslip "as_printed" the moments of [Paper] replace the derived ones, at the same spin and coefficients.
-    The scene's tolerance decides which effects are computed, and how (`analytic.effects.trial`,
-    `analytic.sliding.judge`); the result lists them all, with the numerical uncertainty that remains.
+    Every effect is computed that has its input, can act, and is not switched off (`analytic.effects`). Balls turn as
+    friction has it, or by the scene's spin rule. The numerical uncertainty is the solver's error: twice what doubling
+    the nodes of sliding changes, the residual of the equilibrium, and the interval of a moving cage. The tolerance
+    decides on the number of nodes alone. A point that does not settle has no torque (NaN), and `failures` says why.
     A scene with an arrangement has two bearings: the parts are sums over both, and `pair` has each of them.
     Sources: [Paper], and those of the modules named here.
     """
@@ -164,34 +254,49 @@ def friction_torque(
     _require_friction(scene)
     if scene.arrangement is not None:
         both = pair_in_series(scene, scene.arrangement, correction)
-        result = pair_torque(scene, both, friction_torque(both.scene, correction=correction, variation=variation))
-        return require_numbers(replace(result, seconds=perf_counter() - started))
-    result = _of_one_bearing(scene, correction, variation)
+        each = friction_torque(both.scene, correction=correction, variation=variation).settled()
+        result = pair_torque(scene, both, each)
+    else:
+        result = _of_one_bearing(scene, correction, variation)
     return require_numbers(replace(result, seconds=perf_counter() - started))
 
 
 def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variation: Variation) -> FrictionTorque:
     """As `friction_torque`, but for the seconds."""
+    races = races_of(scene, correction, variation)
+    failures = failures_of(scene, races.model, races.points, races.found)
+    if not failures:
+        return _torque_of(races)
     operation = scene.operation.as_series()
-    speed = operation.inner_speed
-    ledger = Ledger(scene, speed.size)
-    races = race_torque(ledger, operation, correction=correction, variation=variation)
-    parts, race, heaviest = dict(races.parts), races.total, races.heaviest
-    coefficient = races.coefficient if races.slides else scene.friction_coefficient
-    drive = None if scene.cage is None else cage_drive(scene, races.balls, coefficient, speed)
-    frees = decide_cage(scene, drive, ledger, race=race)
-    moves = ledger.is_on("cage_dynamics")
-    cage = cage_friction(scene, drive, moves=moves, frees=frees) if drive is not None and ledger.is_on("cage") else None
-    computed = race if cage is None else race + cage.torque
-    parts |= scene_losses(ledger, computed, speed, variation.oil_losses)
-    total = sum((parts[name] for name in LOSSES if name in parts), start=computed)
-    parts |= {} if cage is None else {"cage": cage.torque}
-    limits = check_limits(scene, races.found, ledger)
-    weight = _in_any_direction(races, total)
-    unsure = _unsure(ledger, races, total, weight)
-    cage_unsure, cage_unknown, cage_warnings = _unsure_of_cage(cage, drive, races, weight)
-    held_by = races.found.points["holding_moment"]
-    ring = state_of_ring(scene.bearing, scene.contact_angle, races.found.balls, operation, held_by.copy())
+    kept = np.array([number for number in range(len(races.points)) if number not in failures], dtype=np.intp)
+    if not kept.size:
+        raise next(iter(failures.values()))
+    rest = replace(
+        races,
+        scene=replace(scene, operation=operation.at(kept)),
+        model=races.model.at(kept),
+        points=races.points[kept],
+        found=races.found.at(kept),
+    )
+    return _torque_of(rest).among(operation, kept, failures)
+
+
+def _torque_of(races: Races) -> FrictionTorque:
+    """The torque where every operating point has settled."""
+    scene, found, counted = races.scene, races.found, races.counted
+    operation = scene.operation.as_series()
+    speed, race, parts = operation.inner_speed, found.race_torque, dict(races.parts)
+    drive = None if scene.cage is None else cage_drive(scene, races.balls, races.coefficient, speed)
+    moves = cage_moves(scene, drive)
+    cage = cage_friction(scene, drive, moves) if drive is not None and counted["cage"] else None
+    if cage is not None:
+        parts["cage"] = cage.torque
+    parts |= _losses(scene, speed, races.variation.oil_losses)
+    total = sum((parts[name] for name in ("cage", "oil", "declared") if name in parts), start=race)
+    numbers, heaviest, roughness = limit_numbers(scene, found, counted), races.heaviest, races.roughness
+    held_by = found.points["holding_moment"].copy()
+    ring = state_of_ring(scene.bearing, scene.contact_angle, found.balls, operation, held_by)
+    unsure = found.points["sliding_error"] + (0.0 if cage is None else cage.half_interval)
     return FrictionTorque(
         inner_speed=speed,
         axial_load=operation.axial_load,
@@ -200,7 +305,7 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
         contact_angle=np.abs(heaviest["angle"].mean(axis=1)),
         ball_load=heaviest["load"].max(axis=1),
         torque=TorqueParts(total=total, race=race, **{name: parts.get(name) for name in PARTS}),
-        numerical_uncertainty=unsure.share + limits.uncertainty + share_in(cage_unsure, total),
+        numerical_uncertainty=share_in(unsure, total) + found.points["residual"],
         friction_coefficient=FrictionCoefficients(
             **_on_races(heaviest, "friction_coefficient", races.slides),
             pocket=None if cage is None else cage.friction_coefficient,
@@ -210,27 +315,137 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
         asperity_share=OnRaces(**_on_races(heaviest, "asperity_share", races.is_mixed)),
         boundary_share=OnRaces(**_on_races(heaviest, "boundary_share", races.is_mixed)),
         limits=replace(
-            limits.numbers,
-            sliding_number=races.sliding_number,
-            gyroscopic_hold=races.gyroscopic_hold,
+            numbers,
+            sliding_number=found.sliding_number if races.slides and counted["rolling"] else None,
+            gyroscopic_hold=found.points["gyroscopic_hold"].copy() if races.slides and counted["gyroscopic"] else None,
             cage_grip=None if cage is None or (scene.cage and scene.cage.gives_way) else cage.used_grip,
             tilt=_tilt(ring),
         ),
         inner=_loaded(heaviest, 0),
         outer=_loaded(heaviest, 1),
         ring=ring,
-        effects=ledger.effects(parts, total, races.trial.measure(races.counted)),
-        sliding=races.method,
+        effects=_effects(races, parts, total, moves),
+        sliding=races.sliding,
         clearances=scene.clearances,
-        gap_roughness=None if races.gap_roughness is None else races.gap_roughness.rms_roughness,
+        gap_roughness=None if roughness is None else roughness.rms_roughness,
         warnings=(
-            *torque_warnings(ledger, races.found, roughness=races.gap_roughness, limits=limits.warnings),
-            *(*races.warnings, *_two_states(races), *_nearly_turned(races), *cage_warnings),
+            *torque_warnings(scene, found, counted, numbers=numbers, roughness=roughness),
+            *_beyond_the_fit(races),
+            *_two_states(races),
+            *(() if cage is None else cage.warnings),
         ),
-        unknown=limits.unknown + unsure.unknown + cage_unknown,
-        provenance=_provenance(ledger, races, correction=correction, cage=cage),
+        provenance=_provenance(races, cage),
         seconds=0.0,
     )
+
+
+def _losses(scene: Scene, speed: Array, factor: float) -> dict[str, Array]:
+    """Parts that there are, (n,) N m: "oil" outside the contacts, "declared" of seals and drag.
+
+    factor : on the losses of the oil. Raises InputError for a loss below 0, for an input of a loss of the oil that is
+    off, and as `stirred_oil`.
+    """
+    losses = scene.losses
+    given = {name: value for name in DECLARED if (value := getattr(losses, name)) is not None}
+    require_non_negative(**{f"losses.{name}": value for name, value in given.items()})
+    for name in OIL_LOSSES:
+        if scene.effects.get(name) == "off" and ENTRIES[name].lacks(scene) is None:
+            raise InputError(f'effects.{name} = "off" contradicts its input in [losses]: leave one of them out')
+    stirred, found = stirred_oil(scene, losses), {}
+    if stirred is not None:
+        found["oil"] = sum(oil_parts(scene, stirred, speed, factor).values(), start=np.zeros_like(speed))
+    if losses.total is not None:
+        found["declared"] = np.full_like(speed, losses.total)
+    return found
+
+
+def _effects(races: Races, parts: Mapping[str, Array], total: Array, moves: CageMoves) -> Effects:
+    """Every effect with its decision; shares that take another solution are measured when somebody reads them."""
+
+    def made() -> dict[str, Effect]:
+        found = {name: _chosen_effect(races, name, parts, total) for name in CHOSEN} | _loss_effects(races, total)
+        for name, reason in moves.reasons.items():
+            if found[name].decision == "on":
+                found[name] = replace(found[name], decision="on" if moves.on(name) else "off", reason=reason)
+        for name, reason in limit_reasons(races.scene, races.found).items():
+            found[name] = Effect(name=name, decision="off", share=None, reason=reason)
+        return {name: found[name] for name in ENTRIES}
+
+    measured = tuple(int(each) for each in races.measured_points)
+    return Effects(made, lambda name: races.change_without(name, total), measured)
+
+
+def _chosen_effect(races: Races, name: str, parts: Mapping[str, Array], total: Array) -> Effect:
+    """An effect that a scene may choose."""
+    scene, is_on = races.scene, races.counted[name]
+    if (lacks := ENTRIES[name].lacks(scene)) is not None:
+        return _without_input(name, lacks, _rough_share(races, name))
+    if scene.effects.get(name) == "off":
+        share_is = "measured" if ENTRIES[name].kind == "computed" else "unknown"
+        return Effect(name=name, decision="off", share=None, share_is=share_is, reason=SWITCHED_OFF)
+    if (idle := idle_reason(scene, name, counted=is_on)) is not None:
+        # Where the weights cancel to first order, about the square of their share is left.
+        left = _largest(races.found.points["weight_share"]) ** 2 if name == "weight" else 0.0
+        return Effect(name=name, decision="off", share=left, share_is="estimate", reason=idle)
+    if name in parts:
+        share = _largest(share_in(parts[name], total))
+        return Effect(name=name, decision="on", share=share, share_is="part", reason=ENTRIES[name].given)
+    if name == "finite_geometry":
+        if races.correction is not None:
+            reason = "factors on the contacts given in the call"
+            return Effect(name=name, decision="on", share=None, reason=reason)
+        points = races.found.points
+        if points["beyond_fit"].any() and not points["fit_applied"].any():
+            reason = f"not applied: {'; '.join(corrections_of(scene.bearing, races.balls).warnings)}"
+            return Effect(name=name, decision="off", share=0.0, share_is="part", reason=reason)
+    share_is = "measured" if ENTRIES[name].kind == "computed" else "unknown"
+    return Effect(name=name, decision="on", share=None, share_is=share_is, reason=ENTRIES[name].given)
+
+
+def _loss_effects(races: Races, total: Array) -> dict[str, Effect]:
+    """Losses that the scene declares, and those of the oil outside the contacts."""
+    scene, speed = races.scene, races.points[:, 3]
+    stirred, losses = stirred_oil(scene, scene.losses), scene.losses
+    given = {name: value for name in DECLARED if (value := getattr(losses, name)) is not None}
+    given |= {} if stirred is None else oil_parts(scene, stirred, speed, races.variation.oil_losses)
+    made = {}
+    for name in (*DECLARED, *OIL_LOSSES):
+        lacks, origin = ENTRIES[name].lacks(scene), losses.origins.get(name)
+        if lacks is None:
+            share = _largest(share_in(np.broadcast_to(given[name], total.shape), total))
+            reason = ENTRIES[name].given if origin is None else f"{origin.status}: {origin.source}"
+            made[name] = Effect(name=name, decision="on", share=share, share_is="part", reason=reason)
+            continue
+        usual = estimated_loss(scene, name, speed, total) if name in OIL_LOSSES else None
+        reason = SWITCHED_OFF if scene.effects.get(name) == "off" else lacks
+        made[name] = _without_input(name, f"{reason}{'' if usual is None else '; size from usual values'}", usual)
+    return made
+
+
+def _rough_share(races: Races, name: str) -> Array | None:
+    """(n,) rough size of an effect that lacks its input, over the torque, by one line of physics; None: not known."""
+    if name in ("centrifugal", "gyroscopic", "weight"):
+        return races.found.points[f"{name}_share"]
+    return _unequal(races.scene) if name == "load_distribution" else None
+
+
+def _unequal(scene: Scene) -> Array:
+    """(n,) (Fr tan(al) + 2 M/d_m)/Fa: how unequal radial load and moment make balls at a given contact angle."""
+    operation = scene.operation.as_series()
+    other = np.abs(operation.radial_load) * np.tan(scene.contact_angle.value or 0.0)
+    other = other + 2 * np.abs(operation.moment) / scene.bearing.pitch_diameter
+    axial = np.asarray(operation.axial_load)
+    return np.divide(other, axial, out=np.where(other > 0, np.inf, 0.0), where=axial > 0)
+
+
+def _without_input(name: str, reason: str, share: Array | None) -> Effect:
+    if share is None or not np.isfinite(share).all():
+        return Effect(name=name, decision="off", share=None, reason=reason)
+    return Effect(name=name, decision="off", share=_largest(share), share_is="estimate", reason=reason)
+
+
+def _largest(share: Array) -> float:
+    return float(np.max(share, initial=0.0))
 
 
 def _tilt(ring: RingState) -> Array | None:
@@ -240,186 +455,83 @@ def _tilt(ring: RingState) -> Array | None:
     return np.hypot(*ring.displacement[:, 3:].T)
 
 
-def _unsure(ledger: Ledger, races: RaceTorque, total: Array, weight: InAnyDirection) -> Unsure:
-    """What is left out, the method of sliding, contacts outside the fit, the direction of the weight, held balls."""
-    beyond = _beyond_the_fit(races, total)
-    held = held_in_the_middle(races.scene, races.found, parts=races.parts, total=total)
-    share = _uncertainty(ledger, races, total=total) + beyond.share + weight.share + held
-    if races.is_wedged:
-        return Unsure(np.full_like(share, np.inf), (WEDGED,))
-    edge = share_in(races.change_at_edge(), total)  # which the far points of a trial do not show
-    apart = np.nan_to_num(np.abs(races.other - races.total))
-    apart = apart if races.trial.is_of_all else np.full_like(apart, apart.max())
-    share = (share + edge) * (1 + races.brink) + share_in(apart, total)
-    off = () if np.isfinite(edge).all() else (NO_EDGE,)
-    off += () if np.isfinite(weight.share).all() else (NO_SOLUTION,)
-    return Unsure(share, _unknown_sliding(races) + beyond.unknown + off)
+def _beyond_the_fit(races: Races) -> tuple[str, ...]:
+    """What is said of contacts outside the fit for finite geometry."""
+    corrects = races.correction is None and races.counted["finite_geometry"]
+    if not corrects or not races.found.points["beyond_fit"].any():
+        return ()
+    return corrections_of(races.scene.bearing, races.balls).warnings
 
 
-def _unsure_of_cage(
-    cage: CagePart | None, drive: CageDrive | None, races: RaceTorque, weight: InAnyDirection
-) -> tuple[Array, tuple[str, ...], tuple[str, ...]]:
-    """(n,) half width of the cage's torque, N m: its motion, balls by rule, unknown weights and how far balls lead.
+def _two_states(races: Races) -> Iterator[str]:
+    """A warning for the operating point at which two steady states of the balls differ most."""
+    if not races.model.is_free:
+        return
+    other, race = other_states(races.model, races.points, races.found), races.found.race_torque
+    apart = np.nan_to_num(np.abs(share_in(other, race) - 1))
+    worst = int(apart.argmax())
+    if apart[worst] > races.scene.tolerance:
+        computed, second = (torque_of(each[worst]) for each in (race, other))
+        yield (
+            f"free balls have two steady states at {speed_of(float(races.points[worst, 3]))}: the races resist "
+            f"{computed} or {second}, by how the bearing came to this speed; the first is computed"
+        )
 
-    Infinite where it is not known, with the reasons why not, and the warnings of the cage. A weight in an unknown
-    direction decides on lead and load of the balls that squeeze a cage.
+
+def loaded_balls_of(scene: Scene) -> LoadedBalls:
+    """The loaded balls at every operating point, with every effect on their loads that the scene does not rule out.
+
+    They turn by closed kinematics. Raises InputError and ConvergenceError as `friction_torque` does.
     """
-    if cage is None or drive is None:
-        return np.zeros_like(races.total), (), ()
-    known = races.is_free or ruled(races.scene) is not None
-    by_axis = 0.0 if known else drive.spread_by_axis * cage.torque
-    unsure = cage.half_interval + cage.unsure + by_axis + weight.cage_rate * cage.torque
-    farthest = _farthest_lead(races, drive, weight)
-    if np.any(farthest >= drive.room):
-        more = squeezed_torque(races.scene, drive.leading(farthest)) - squeezed_torque(races.scene, drive)
-        unsure = unsure + (1 + SQUEEZE_SPREAD) * np.maximum(more, 0.0)
-    open_ = races.any_direction & (farthest >= drive.room)
-    unknown = cage.unknown + ((SQUEEZED_BY_WEIGHT,) if open_.any() else ())
-    return np.where(open_, np.inf, unsure), unknown, cage.warnings + may_squeeze(drive, farthest)
+    off: dict[str, Decision] = {name: "off" for name in CHOSEN if name not in LOADING}
+    # Loads are the same whatever resists sliding, which the scene may lack.
+    bare = replace(scene, lubricant=None, surface=None, effects={**scene.effects, **off})
+    races = races_of(bare)
+    require_settled(bare, races.model, races.points, races.found)
+    return races.balls
 
 
-def _farthest_lead(races: RaceTorque, drive: CageDrive, weight: InAnyDirection) -> Array:
-    """(n,) how far the balls may lead, m: a thousandth of their orbital speed decides whether they squeeze a cage."""
-    by_weight, at = weight.ball_lead.copy(), np.flatnonzero(weight.ball_lead > LEAD_TRIED / 2 * drive.room)
-    for x, y, z in ALL_ROUND.tolist() if at.size else ():  # along the axes weights make loads less unequal than between
-        found = races.with_weight(at, (x, y, z))
-        by_weight[at] = np.fmax(by_weight[at], np.abs(found.points["ball_lead"]))
-    lead = np.maximum(np.abs(drive.grip.ball_lead), LEAD_BY_WEIGHT * by_weight)
-    farthest = LEAD_SPREAD * lead
-    at = np.flatnonzero(lead > LEAD_TRIED * drive.room)
-    if at.size and races.slides and ruled(races.scene) is None:
-        tried = at if races.trial.is_of_all else np.intersect1d(at, races.trial.tried)
-        spread = races.lead_spread(tried) if tried.size else np.zeros(0)
-        farthest[at] += OF_QUADRATURES * (spread if tried.size == at.size else spread.max(initial=0.0))
-    return farthest
+def _require_room(bearing: Bearing) -> None:
+    """Raise InputError for more balls than fit, which a scene file cannot have."""
+    if crowded := crowding(bearing):
+        raise InputError(f"bearing.ball_count = {bearing.ball_count} {crowded}")
 
 
-def _beyond_the_fit(races: RaceTorque, total: Array) -> Unsure:
-    """What contacts outside the fit for finite geometry may change: the torque at their far end."""
-    if not races.beyond_fit:
-        return Unsure(np.zeros_like(total), ())
-    every = np.arange(total.size)
-    change = np.abs(races.by_rule(every, farthest=True).race_torque - races.by_rule(every).race_torque)
-    if np.isfinite(change).all():
-        return Unsure(share_in(change, total), ())
-    reason = "contacts outside the fit for finite geometry may have no solution"
-    return Unsure(np.where(np.isfinite(change), share_in(np.nan_to_num(change), total), np.inf), (reason,))
+def _require_loads(scene: Scene, operation: Operation) -> None:
+    """Raise InputError for loads that no method takes."""
+    bearing = scene.bearing
+    require_finite(**{f"operation.{name}": values for name, values in operation.points.items()})
+    require_positive(ball_count=bearing.ball_count)
+    require_given_angle(bearing, scene.contact_angle)
+    if operation.is_thrust:
+        require_positive(axial_load=operation.axial_load)
+    elif bearing.kind == "thrust":
+        _require_thrust(operation)
+    elif abs(operation.held_tilt) > 0 and scene.contact_angle.rule == "given":
+        raise InputError(
+            f"operation.tilt = {operation.held_tilt:g} rad changes the contact angles, which the rule 'given' holds: "
+            "use the rule 'solved', or leave the tilt out"
+        )
+    elif (lacks := ENTRIES["load_distribution"].lacks(scene)) is None:
+        if scene.effects.get("load_distribution") != "off":
+            require_enough_balls(bearing)
+    elif (unequal := float(_unequal(scene).max())) > scene.tolerance:
+        raise undistributed(unequal, lacks)
 
 
-def _in_any_direction(races: RaceTorque, total: Array) -> InAnyDirection:
-    """The largest change by the balls' weight over several directions.
-
-    Free balls show it themselves: where they are preloaded and hardly spin, those by rule change by a sixtieth of it.
-    Balls by rule that stand for free ones have factors for these, and for the slip under their weight.
-    """
-    unsure, rates, leads = np.zeros((3, total.size))
-    at = np.flatnonzero(races.any_direction)
-    if not at.size:
-        return InAnyDirection(unsure, rates, leads)
-    without = races.with_weight(at, None)
-    changes = np.zeros(at.size)
-    for x, y, z in ALONG_AXES.tolist():
-        found = races.with_weight(at, (x, y, z))
-        # The parts may cancel by one method of sliding, not by another.
-        change = np.abs(found.race_parts - without.race_parts).sum(axis=0) + found.points["coming_off"]
-        changes = np.maximum(changes, change)
-        rate, first = _rate_at_cage(races, found), _rate_at_cage(races, without)
-        turns = np.abs(np.divide(rate, first, out=np.ones_like(first), where=first > 0) - 1)
-        rates[at] = np.fmax(rates[at], turns)
-        leads[at] = np.fmax(leads[at], np.abs(found.points["ball_lead"]))
-    share = np.where(np.isfinite(changes), share_in(np.nan_to_num(changes), np.nan_to_num(without.race_torque)), np.inf)
-    if races.is_free:
-        unsure[at], rates[at], leads[at] = _change_of_free_balls(races, at, share, leads[at])
-    else:
-        unsure[at], rates = of_methods(races.scene) * share, of_methods(races.scene) * rates
-        if races.slides and ruled(races.scene) is None:
-            unsure[at] += slip_by_weight(races.scene.bearing, races.found)[at]
-    known = np.isfinite(unsure)
-    unsure = np.where(known, np.where(known, unsure, 0.0) * share_in(races.total, total), np.inf)
-    return InAnyDirection(unsure, rates, leads)
-
-
-def _change_of_free_balls(
-    races: RaceTorque, at: NDArray[np.intp], by_rule: Array, lead_by_rule: Array
-) -> tuple[Array, Array, Array]:
-    """(k,) change of the torque by the weight of free balls, over the smaller one, of their rate at the cage, and lead.
-
-    That of the torque is infinite where a direction has none.
-    by_rule, lead_by_rule : (k,) those of balls by rule; in a long series far points tell how much more free balls have
-    What lies between two directions is at most their difference beyond the farthest. A ball may come off in a narrow
-    range of directions, and its rolling then changes suddenly: each ball with little load counts as if it came off.
-    """
-    close = races.growth > MOST_GROWTH or not np.isfinite(by_rule).all()
-    every = not close and at.size <= MOST_FREE
-    far = np.arange(at.size) if every else tried_points(races.trial.points[at], float(races.trial.model.numbers.arm))
-    # Each with an angle, rad, a little more than neighbours are apart.
-    if races.scene.operation.is_thrust:
-        directions, apart = (TILTS, 0.14) if close else (TILTS[::6], 0.8)
-    else:
-        directions, apart = (ALL_ROUND, 0.96) if close else (ALONG_AXES, 1.6)
-    without, first_rate = _turning(races, races.freely_with_weight(at[far], None))[:2]
-    change, off, turns, leads = np.zeros((4, len(directions), far.size))
-    known = without > 0
-    for number, down in enumerate(directions):
-        if not (left := np.flatnonzero(known)).size:
-            break
-        torque, rate, more, lead = _with_weight_along(races, at[far[left]], down)
-        known[left] = settles = torque > 0
-        change[number, left[settles]] = np.log(torque[settles] / without[left[settles]])
-        turns[number, left[settles]] = np.log(rate[settles] / first_rate[left[settles]])
-        off[number, left[settles]] = np.log1p(more[settles] / torque[settles])
-        leads[number, left[settles]] = lead[settles]
-    first, second = np.nonzero(np.triu(directions @ directions.T > np.cos(apart), 1))
-
-    def largest(each: Array, beyond: Array) -> Array:
-        return np.expm1((np.abs(each) + beyond).max(axis=0) + np.abs(each[first] - each[second]).max(axis=0))
-
-    share, rates = np.where(known, largest(change, off), np.inf), largest(turns, np.zeros_like(off))
-    if far.size == at.size:
-        return share, rates, leads.max(axis=0)
-    farthest, rule = leads.max(axis=0), lead_by_rule[far]
-    longer = BETWEEN * np.divide(farthest, rule, out=np.zeros_like(rule), where=rule > 0).max() * lead_by_rule
-    longer[far] = farthest
-    both, everywhere = np.isfinite(by_rule[far]) & (by_rule[far] > 0), np.full_like(by_rule, np.inf)
-    more = np.divide(share, by_rule[far], out=np.full_like(share, np.inf), where=both).max()
-    if np.isfinite(more):
-        everywhere = BETWEEN * more * by_rule
-        everywhere[far] = share
-    return everywhere, np.full_like(by_rule, BETWEEN * rates.max()), longer
-
-
-def _with_weight_along(races: RaceTorque, at: NDArray[np.intp], down: Array) -> Array:
-    """(4, k) `_turning` of free balls with the weight in a direction.
-
-    The direction is a little aside where the balls do not settle; NaN where they do not settle there either.
-    Some directions do not settle among others that do: 1 to 8 of 60 in 6 of 18 scenes (validation/adversary/README.md).
-    """
-
-    def along(each: NDArray[np.intp], towards: Array) -> Array:
-        x, y, z = map(float, towards)
-        return _turning(races, races.freely_with_weight(each, (x, y, z)))
-
-    found = along(at, down)
-    if (open_ := np.isnan(found[0])).any():
-        turned = down + np.cross(ASIDE, down)
-        found[:, open_] = along(at[open_], turned / np.linalg.norm(turned))
-    return found
-
-
-def _turning(races: RaceTorque, found: Solution) -> Array:
-    """(4, n) race torque, N m, rate of the balls at the cage, change by balls that may come off, N m, and lead, m."""
-    points = found.points
-    return np.array([found.race_torque, _rate_at_cage(races, found), points["coming_off"], np.abs(points["ball_lead"])])
-
-
-def _rate_at_cage(races: RaceTorque, found: Solution) -> Array:
-    """(n,) rate of the balls over that of the ring, which the torque of a resting cage is in proportion to.
-
-    A cage whose axis is upright rests on flanks of its pockets, where the sine of the contact angle counts too.
-    """
-    cage, rate = races.scene.cage, found.points["ball_rate"]
-    is_upright = cage is not None and cage.gravity == "along"
-    return rate * np.sin(found.points["contact_angle"]) if is_upright else rate
+def _require_thrust(operation: Operation) -> None:
+    """Raise InputError for loads that a thrust bearing does not take."""
+    for name, unit in (("radial_load", NEWTON), ("moment", NEWTON_MILLIMETRE)):
+        values = np.asarray(getattr(operation, name))
+        if np.any(values):
+            largest = unit.written(values.flat[np.argmax(np.abs(values))], "g")
+            raise InputError(
+                f"operation.{name} = {largest}: a thrust bearing carries axial_load alone; leave {name} out"
+            )
+    if abs(operation.held_tilt) > 0:
+        raise InputError(
+            f"operation.tilt = {operation.held_tilt:g} rad: washers are parallel in a thrust bearing; leave tilt out"
+        )
 
 
 def _require_friction(scene: Scene) -> None:
@@ -444,63 +556,6 @@ def _require_friction(scene: Scene) -> None:
         )
 
 
-def _uncertainty(ledger: Ledger, races: RaceTorque, *, total: Array) -> Array:
-    """(n,) of the total: estimates of what auto left out of the race torque, and of the sliding method's error."""
-    unknown = np.isinf(races.error)
-    error = share_in(np.where(unknown, 0.0, races.error) * races.found.sliding_torque, total)
-    return ledger.left_out * share_in(races.total, total) + np.where(unknown, np.inf, error)
-
-
-def _two_states(races: RaceTorque) -> tuple[str, ...]:
-    """A warning for the operating point at which two steady states of the balls differ most."""
-    apart = np.nan_to_num(np.abs(races.other / races.total - 1))
-    worst = int(apart.argmax())
-    if not apart[worst]:
-        return ()
-    computed, other = (torque_of(each[worst]) for each in (races.total, races.other))
-    speed = speed_of(float(races.trial.points[worst, 3]))
-    return (
-        f"free balls have two steady states at {speed}: the races resist {computed} or {other}, by how the bearing "
-        "came to this speed; the first is computed, and the uncertainty covers both",
-    )
-
-
-def _nearly_turned(races: RaceTorque) -> tuple[str, ...]:
-    """A warning for the operating point whose balls are nearest to turning across their grooves."""
-    worst = int(races.brink.argmax())
-    if not races.brink[worst]:
-        return ()
-    used = races.found.points["gyroscopic_hold"][worst]
-    return (
-        f"the gyroscopic moment takes {percent_of(used, 3)} of the friction that holds the balls at "
-        f"{speed_of(float(races.trial.points[worst, 3]))}: small changes decide how far they slip, and the uncertainty "
-        "is wide; raise the load or lower the speed",
-    )
-
-
-def _unknown_sliding(races: RaceTorque) -> tuple[str, ...]:
-    if not np.any(np.isinf(races.error)):
-        return ()
-    return (f"no estimate of the error of sliding by the method {races.method} is known",)
-
-
-def _inlet_words(ledger: Ledger, races: RaceTorque) -> str:
-    scene = ledger.scene
-    if scene.lubricant is None:
-        return "no lubricant"
-    if not ledger.is_on("starvation"):
-        return "flooded"
-    degree = float(races.found.balls["starvation_degree"].min())
-    return f"starved, {starvation_source(scene.bearing, scene.lubricant)}, m = {degree:.4g} at least"
-
-
-def _sliding_words(races: RaceTorque) -> str:
-    if not races.slides:
-        return "nothing slides"
-    count = len(races.found.points)
-    return races.method if races.computed == count else f"{races.method} at {races.computed} of {count} points"
-
-
 def _on_races(balls: Records, name: str, is_known: bool) -> dict[str, Array | None]:
     """A field of balls, (n,), on inner and outer race; None where it is not known."""
     return {race: balls[name][:, index].copy() if is_known else None for index, race in enumerate(RACES)}
@@ -511,29 +566,38 @@ def _loaded(balls: Records, race: int) -> LoadedContact[Array]:
     return LoadedContact(**{name: balls[name][:, race].copy() for name in names})
 
 
-def _provenance(
-    ledger: Ledger, races: RaceTorque, *, correction: ContactCorrection | None, cage: CagePart | None
-) -> Mapping[str, str]:
+def _provenance(races: Races, cage: CagePart | None) -> Mapping[str, str]:
     """How each step was computed, and the versions."""
-    scene = ledger.scene
-    contacts = "Hertz, corrected for finite geometry" if ledger.is_on("finite_geometry") else "Hertz"
+    scene = races.scene
+    contacts = "Hertz, corrected for finite geometry" if races.counted["finite_geometry"] else "Hertz"
     return MappingProxyType(
         {
             "scene": scene.name,
             "contact_angle": scene.contact_angle.rule,
             "spin_rule": scene.spin_rule,
             "microslip": scene.microslip,
-            "loads": "thrust, all balls alike" if races.are_alike else "equilibrium of the ring",
-            "contacts": contacts if correction is None else "Hertz with given factors",
+            "loads": "thrust, all balls alike" if races.found.balls.shape[1] == 1 else "equilibrium of the ring",
+            "contacts": contacts if races.correction is None else "Hertz with given factors",
             "friction": "given coefficient" if scene.surface is None else "mixed lubrication",
             "traction": _law_in_words(scene),
-            "inlets": _inlet_words(ledger, races),
-            "sliding": _sliding_words(races),
+            "inlets": _inlet_words(races),
+            "sliding": races.sliding if races.slides else "nothing slides",
+            "kinematics": "free balls" if races.model.is_free else "closed",
             "cage": "left out" if cage is None else cage.provenance,
             "model_version": str(MODEL_VERSION),
             **_versions(),
         }
     )
+
+
+def _inlet_words(races: Races) -> str:
+    scene = races.scene
+    if scene.lubricant is None:
+        return "no lubricant"
+    if not races.counted["starvation"]:
+        return "flooded"
+    degree = float(races.found.balls["starvation_degree"].min())
+    return f"starved, {starvation_source(scene.bearing, scene.lubricant)}, m = {degree:.4g} at least"
 
 
 def _law_in_words(scene: Scene) -> str:

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from analytic.cage.drive import LARGEST_GRIP
 from analytic.contact.geometry import RACES, USUAL_SHOULDERS
-from analytic.effects.table import MOST_CUT, MOST_STARVED, STATIC_LIMIT
+from analytic.limits import MOST_CUT, MOST_STARVED, STATIC_LIMIT
 from analytic.result import FrictionTorque
 from analytic.rows import NotNegative, Positive
 from analytic.scene import Array
@@ -75,20 +75,15 @@ class NumericalCheck:
     """The numerical uncertainty of the torque against the tolerance, both relative, at the worst operating point."""
 
     verdict: Literal["pass", "not reached"]
-    uncertainty: NotNegative | None  # None: not known
+    uncertainty: NotNegative
     tolerance: Positive
-    reason: str  # why it is not known; empty: it is
 
 
 def numerical_check(friction: FrictionTorque, *, tolerance: float) -> NumericalCheck:
     """Whether every operating point is solved within the tolerance, relative."""
     worst = float(np.max(friction.numerical_uncertainty, initial=0.0))
-    is_known = bool(np.isfinite(worst))
     return NumericalCheck(
-        verdict="pass" if worst <= tolerance else "not reached",
-        uncertainty=worst if is_known else None,
-        tolerance=tolerance,
-        reason="" if is_known else "; ".join(friction.unknown),
+        verdict="pass" if worst <= tolerance else "not reached", uncertainty=worst, tolerance=tolerance
     )
 
 

@@ -10,7 +10,7 @@ whirl breaks down or the torque of the races rises several-fold, and only a moti
 Source: derived here.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -30,9 +30,6 @@ from analytic.words import speed_of
 # Of the grip number. Below, motions of balls and cage together give the forces of given balls within 2 %; beyond, balls
 # slide at the peaks of the force.
 LARGEST_GRIP = 0.9
-# Of the cage's torque at LARGEST_GRIP: there the races take up to this share of the sliding. Slip in the races is in
-# proportion to the force, so the share is too: at a grip number of 0.026 those motions differ by 0.7 %, this by 0.9 %.
-LOST_TO_RACES = 0.3
 # Of the torque of squeezed balls. Marched motions with creep that saturates have 0.62 to 1.32 of their forces (some of
 # them in tests/analytic/cage/test_grip.py), but only a rigid cage is squeezed so: one that bends, or whose pockets are
 # longer along the orbit, may rest. The whole of it is therefore uncertain.
@@ -260,18 +257,6 @@ class CageDrive:
         return float(np.linalg.norm(GRAVITY[self.cage.gravity]))
 
     @property
-    def spread_by_axis(self) -> Array:
-        """(n,) change of w_b by the axis of balls that turn by rule though friction would turn them, relative.
-
-        By rule balls have no spin on the outer race: the part w_c sin(al) of w_b is along the normal of the contact.
-        Friction leaves a part between this and that without spin on the inner race, (w - w_c) sin(al) the other way;
-        the part that rolls stays. The cage's torque is in proportion to w_b.
-        """
-        by_rule, by_inner = (rate * np.sin(self.contact_angle) for rate in (self.orbit_rate, 1 - self.orbit_rate))
-        rolling = np.sqrt(np.maximum(self.ball_rate**2 - by_rule**2, 0.0))
-        return np.maximum(1 - rolling / self.ball_rate, np.hypot(rolling, by_inner) / self.ball_rate - 1)
-
-    @property
     def whirling_force(self) -> Array:
         """Sum of the normal forces of all balls if the cage whirls, N."""
         speed, clearance = self.ball_speed, self.shape.half_clearance
@@ -290,10 +275,6 @@ class CageDrive:
     def is_squeezed(self) -> NDArray[np.bool_]:
         """(n,) whether balls lead farther than the pockets leave free."""
         return np.abs(self.grip.ball_lead) >= self.room
-
-    def leading(self, ball_lead: Array) -> "CageDrive":
-        """The same with balls that lead as far as this, (n,), m."""
-        return replace(self, grip=replace(self.grip, ball_lead=ball_lead))
 
     def grip_number(self, friction_coefficient: Array) -> Array:
         """(n,) rho of a whirl, see `analytic.cage.drive`; NaN where friction of the races or pockets are not known.

@@ -1,9 +1,11 @@
 """What the cage adds to the torque of a bearing: by the closed form of a cage at rest on its balls, or by its motion.
 
-`analytic.effects.cage` decides between the two. A cage whose pockets are too tight for balls that lead has a closed
-form of its own, whatever is decided.
+A cage moves where the scene says how its motion starts and it could whirl; balls and cage move together where the cage
+needs more grip than the races have, or balls lead farther than the pockets leave free. A cage whose pockets are too
+tight for balls that lead has a closed form of its own.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -14,7 +16,6 @@ from analytic.brief import Brief
 from analytic.cage.drive import (
     GRAVITY,
     LARGEST_GRIP,
-    LOST_TO_RACES,
     SQUEEZE_SPREAD,
     CageDrive,
     pocket_shape_of,
@@ -26,7 +27,7 @@ from analytic.cage.drive import (
 from analytic.cage.pocket import PocketFriction
 from analytic.cage.raceways import Raceways
 from analytic.cage.statistics import CageStatistics, measured_motion
-from analytic.cage.steady import DrivenCage, LandGuidance, resting_load, resting_torques, sliding_torque
+from analytic.cage.steady import DrivenCage, LandGuidance, resting_load, resting_torques, sliding_torque, whirl_number
 from analytic.contact.geometry import known_half_widths
 from analytic.numerics.compilation import rows_of
 from analytic.rows import Two
@@ -78,8 +79,6 @@ class CagePart(Brief):
     )
     grip_number: Array  # rho: the same of a whirl, by the ball with the least grip; NaN: unknown
     race_excess: Array  # part of `torque` that the races lose more because the cage drags the balls, N m; NaN: unknown
-    unsure: Array  # half width of what the balls' own motion may change in the torque, N m; infinite: unknown
-    unknown: tuple[str, ...]  # why, where it is infinite
     driven: tuple[DrivenCage | None, ...]  # the cage that moved; None: by a closed form
     motion: tuple[CageStatistics | None, ...]  # its motion; likewise
     races: tuple[Raceways | None, ...]  # on which the balls moved freely; None: their motion was given
@@ -156,27 +155,79 @@ class CagePart(Brief):
         )
 
 
-def cage_friction(scene: Scene, drive: CageDrive, *, moves: bool, frees: NDArray[np.bool_] | None = None) -> CagePart:
+@dataclass(frozen=True, kw_only=True)
+class CageMoves:
+    """Which motions of a cage are computed at n operating points, and why."""
+
+    given: NDArray[np.bool_]  # (n,) where the cage moves on balls whose motion is given
+    freely: NDArray[np.bool_]  # (n,) where balls and cage move together
+    reasons: Mapping[str, str]  # of the effects `cage_dynamics` and `ball_dynamics`, where they have their input
+
+    def on(self, name: str) -> bool:
+        """Whether an effect of `reasons` is computed at any point."""
+        return bool((self.given if name == "cage_dynamics" else self.freely).any())
+
+
+LEAST_WHIRL = 1.0  # of the whirl number: a cage cannot whirl below
+LEAST_FORCE = 1e-9  # N: at standstill too, no film is computed without a load
+
+
+def cage_moves(scene: Scene, drive: CageDrive | None) -> CageMoves:
+    """Where the cage of a scene moves; drive : None for a scene without a cage."""
+    points = scene.operation.as_series().inner_speed
+    nowhere = np.zeros(points.shape, dtype=bool)
+    is_off = scene.effects.get("cage") == "off" or scene.bearing.kind == "thrust"
+    if is_off or drive is None or drive.cage.start is None:
+        return CageMoves(given=nowhere, freely=nowhere, reasons={})
+    turns, squeezed = drive.inner_speed != 0, drive.is_squeezed
+    whirl = whirl_number(
+        ball_speed=drive.ball_speed,
+        ball_radius=drive.bearing.ball_radius,
+        half_clearance=drive.shape.half_clearance,
+        gravity=drive.gravity,
+    )
+    choice, free_choice = (scene.effects.get(name, "auto") for name in ("cage_dynamics", "ball_dynamics"))
+    may = turns & ~squeezed & (choice != "off")
+    given = may & ((whirl >= LEAST_WHIRL) | (choice == "on"))
+    mu = drive.pocket_friction(scene, np.maximum(drive.whirling_force, LEAST_FORCE)).coefficient
+    slides = turns & (squeezed | (given & drive.slides(mu)))
+    freely = turns & (slides | (free_choice == "on")) & (free_choice != "off")
+    if drive.friction_coefficient is None:
+        freely = nowhere
+    most = float(np.max(whirl, initial=0.0))
+    number = float(np.max(drive.grip_number(mu)))
+    lead = float(np.max(np.abs(drive.grip.ball_lead)))
+    return CageMoves(
+        given=given & ~freely,
+        freely=freely,
+        reasons={
+            "cage_dynamics": f"whirl number {most:.3g} at most, no whirl below {LEAST_WHIRL:g}",
+            "ball_dynamics": f"ball lead up to {length_of(lead)}, free clearance of the pockets {length_of(drive.room)}"
+            if squeezed.any()
+            else f"grip number {number:.3g} at most, balls slide above {LARGEST_GRIP:g}",
+        },
+    )
+
+
+def cage_friction(scene: Scene, drive: CageDrive, moves: CageMoves) -> CagePart:
     """Torque and forces of the cage, with what the races lose more because of it.
 
-    moves : by its motion from `cage.start`, where the bearing turns and the pockets have room for balls that lead;
-        else by a closed form
-    frees : (n,) where balls and cage move together instead; None: nowhere
+    moves : where it is by a motion from `cage.start`; elsewhere by a closed form
     Raises InputError for races or a ball without grip, MotionError if a motion diverges.
     """
     if not drive.cage.gives_way:
         drive.grip.require_grip(drive.inner_speed)
     points = drive.inner_speed.size
     weight, squeezing = resting_force(drive), _by_squeezing(drive, np.zeros(points))[1]
-    pressed = np.maximum(np.maximum(drive.whirling_force, weight) if moves else weight, squeezing)
+    whirling = np.where(moves.given | moves.freely, drive.whirling_force, 0.0)
+    pressed = np.maximum(np.maximum(whirling, weight), squeezing)
     friction = drive.pocket_friction(scene, pressed)
     torque, force = _by_closed_form(drive, friction.coefficient)
     moment = drive.cage.drag * drive.orbit_speed * np.sign(drive.inner_speed)
     driven: list[DrivenCage | None] = [None] * points
     motion: list[CageStatistics | None] = [None] * points
     excess = np.full(points, np.nan)
-    freely = np.zeros(points, dtype=bool) if frees is None else frees & (drive.inner_speed != 0)
-    given = moves & (drive.inner_speed != 0) & ~drive.is_squeezed  # at standstill the closed form is the limit
+    freely, given = moves.freely, moves.given  # at standstill the closed form is the limit
     races = tuple(drive.races(scene, point) if free else None for point, free in enumerate(freely))
     for point in map(int, np.flatnonzero(given | freely)):
         driven[point], moved = _moved(drive, point, float(friction.coefficient[point]), races[point])
@@ -197,37 +248,29 @@ def cage_friction(scene: Scene, drive: CageDrive, *, moves: bool, frees: NDArray
         is_squeezed=drive.is_squeezed & ~freely,
         grip_share=np.full(points, np.nan),
         grip_number=drive.grip_number(friction.coefficient),
-        # Balls that lead too far press harder for radians of the orbit, which motions may not last; the most is the
-        # closed form, three times where a 6205 ends.
-        unsure=np.where(drive.is_squeezed & freely, np.abs(torque - moved_torque), 0.0),
-        unknown=(),
         driven=tuple(driven),
         motion=tuple(motion),
         races=races,
         warnings=friction.warnings
         + _bistable(motion, drive.inner_speed)
         + _squeezed(drive, drive.is_squeezed & ~freely),
-        provenance=_provenance(drive, friction, moves=moves, freely=freely),
+        provenance=_provenance(drive, friction, moves),
     )
     return _with_grip(part, drive)
 
 
 def _with_grip(part: CagePart, drive: CageDrive) -> CagePart:
-    """The part with what it uses of the races' grip, and how unsure its torque is for that."""
+    """The part with what it uses of the races' grip, and a warning where that is too much for given balls."""
     carried = drive.grip.carried(part.friction_coefficient)
     if carried is not None:
         part = replace(part, grip_share=used_share(part.mean_force, drive.grip.alike * carried.sum(axis=1)))
-    given, moving, used = np.isnan(part.race_excess), part.is_moving_given_balls, part.used_grip
-    unsure = np.where(moving, LOST_TO_RACES * used / LARGEST_GRIP * part.torque, part.unsure)
-    slides = (
-        (not drive.cage.gives_way) & given & ~part.is_squeezed & ((used > LARGEST_GRIP) | (moving & np.isnan(used)))
-    )
-    unsure = np.where(part.is_squeezed, SQUEEZE_SPREAD * part.torque, np.where(slides, np.inf, unsure))
-    unknown: tuple[str, ...] = ()
-    if np.any(slides):
-        worst = int(np.argmax(np.where(slides, np.nan_to_num(used), -1.0)))
-        unknown = (_sliding_balls(drive, worst, float(used[worst])),)
-    return replace(part, unsure=unsure, unknown=unknown)
+    used = part.used_grip
+    past = (used > LARGEST_GRIP) | (part.is_moving_given_balls & np.isnan(used))
+    slides = (not drive.cage.gives_way) & np.isnan(part.race_excess) & ~part.is_squeezed & past
+    if not np.any(slides):
+        return part
+    worst = int(np.argmax(np.where(slides, np.nan_to_num(used), -1.0)))
+    return replace(part, warnings=(*part.warnings, _sliding_balls(drive, worst, float(used[worst]))))
 
 
 def _sliding_balls(drive: CageDrive, point: int, used: float) -> str:
@@ -250,33 +293,6 @@ def _by_closed_form(drive: CageDrive, friction_coefficient: Array) -> tuple[Arra
     torque, force = resting_torques(resting_cage(drive.bearing, drive.cage), friction_coefficient, rows)
     squeezed, squeezing = _by_squeezing(drive, friction_coefficient)
     return torque + squeezed, force + squeezing
-
-
-def may_squeeze(drive: CageDrive, farthest: Array) -> tuple[str, ...]:
-    """A warning where the uncertainty of how far balls lead lets them squeeze the cage; farthest : (n,), m."""
-    at = (farthest >= drive.room) & ~drive.is_squeezed
-    if not np.any(at):
-        return ()
-    worst = int(np.argmax(np.where(at, farthest, -1.0)))
-    lead = float(np.abs(drive.grip.ball_lead[worst]))
-    return (
-        f"at {speed_of(drive.inner_speed[worst])} balls lead by {length_of(lead)}, at most by "
-        f"{length_of(farthest[worst])}, free clearance of the pockets {length_of(drive.room)}: they may squeeze the "
-        "cage, and the uncertainty allows for it; wider pockets avoid this",
-    )
-
-
-def squeezed_torque(scene: Scene, drive: CageDrive) -> Array:
-    """(n,) torque of balls that lead farther than the pockets leave free, with the pocket friction under their force.
-
-    N m; 0 where there is room.
-    """
-    squeezing = _by_squeezing(drive, np.zeros(drive.inner_speed.size))[1]
-    torque = np.zeros_like(squeezing)
-    if np.any(squeezing > 0):
-        pressed = np.maximum(squeezing, resting_force(drive))
-        torque = _by_squeezing(drive, drive.pocket_friction(scene, pressed).coefficient)[0]
-    return torque
 
 
 def resting_force(drive: CageDrive) -> Array:
@@ -405,11 +421,12 @@ def _squeezed(drive: CageDrive, at: NDArray[np.bool_]) -> tuple[str, ...]:
     )
 
 
-def _provenance(drive: CageDrive, friction: PocketFriction, *, moves: bool, freely: NDArray[np.bool_]) -> str:
-    cage, tight = drive.cage, int(np.count_nonzero(drive.is_squeezed & ~freely))
+def _provenance(drive: CageDrive, friction: PocketFriction, moves: CageMoves) -> str:
+    freely, cage = moves.freely, drive.cage
+    tight = int(np.count_nonzero(drive.is_squeezed & ~freely))
     squeezed = f", squeezed by balls that lead at {tight} of {drive.inner_speed.size} points" if tight else ""
     squeezed += f", with balls that move freely at {freely.sum()} of {freely.size} points" if freely.any() else ""
-    if not moves and not freely.any():
+    if not moves.given.any() and not freely.any():
         land = ", without land" if cage.land is not None else ""
         return f"closed form at rest{land}{squeezed}, friction by {friction.source}"
     stiffness = "Hertz" if cage.pocket_stiffness is None else "given approach"

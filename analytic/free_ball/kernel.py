@@ -16,7 +16,6 @@ from analytic.free_ball.strips import (
     marched_strip,
     peak_pressure,
     shear_at,
-    strip_closed,
     strip_state,
 )
 from analytic.numerics.compilation import compiled
@@ -91,24 +90,18 @@ def _contact(contact, ball, velocity, passing, quadrature, flows, sums):
     sines, cosines, weights = quadrature.across[0], quadrature.across[1], quadrature.across[2]
     force, tangent, rows = sums
     a, b = contact.semi_axis_rolling, contact.semi_axis_transverse
-    peak = peak_pressure(contact)
     _, _, spin_at_middle = _slip(contact, ball, velocity, 0.0, rows)
     flow = 1.0 if passing >= 0.0 else -1.0
-    length = contact.flexibility * abs(passing) * (a if quadrature.marched else peak)
+    length = contact.flexibility * abs(passing) * a
     clear(contact)
     state = strip_state(quadrature.strips)
-    if quadrature.marched:
-        for j in range(quadrature.strips):
-            state[SLIDE + j], state[LATERAL + j], state[SPIN + j] = _slip(contact, ball, velocity, b * sines[j], rows)
-        march_strips(contact, (flow, length, contact.lean), quadrature, flows, state)
+    for j in range(quadrature.strips):
+        state[SLIDE + j], state[LATERAL + j], state[SPIN + j] = _slip(contact, ball, velocity, b * sines[j], rows)
+    march_strips(contact, (flow, length, contact.lean), quadrature, flows, state)
     for j in range(quadrature.strips):
         y = b * sines[j]
         slip = _slip(contact, ball, velocity, y, rows)
-        strip = (a * cosines[j], flow, peak * cosines[j], length)
-        if quadrature.marched:
-            forces, stiffness, friction = marched_strip(state, j)
-        else:
-            forces, stiffness, friction = strip_closed(contact, slip, strip, quadrature, flows[j])
+        forces, stiffness, friction = marched_strip(state, j)
         width = weights[j] * b * cosines[j]
         _add(width, forces, stiffness, rows, force, tangent)
         contact.along -= width * forces[0]
@@ -332,3 +325,18 @@ def add_law_powers(contacts: Records, ball: Record, quadrature: Record) -> None:
         if contacts[race].load > 0.0:
             hold_flows(contacts[race], quadrature, flows[race])
             _add_law_powers(contacts[race], ball, velocity, quadrature, flows[race], rows)
+
+
+@compiled
+def power_by(contacts: Records, ball: Record, quadrature: Record) -> float:
+    """Power by slip of a ball as it turns, N m, by any quadrature; writes what the contacts do by it."""
+    velocity, passing = np.empty(4), np.zeros(2)
+    _copy(ball.velocity, velocity)
+    flows = np.empty((2, quadrature.strips, 3, quadrature.nodes))
+    sums = (np.zeros(4), np.zeros((4, 4)), np.zeros((3, 4)))
+    for race in range(2):
+        passing[race] = _passing(contacts[race], ball, velocity)
+        if contacts[race].load > 0.0:
+            hold_flows(contacts[race], quadrature, flows[race])
+    _residual(contacts, ball, velocity, passing, quadrature, flows, sums)
+    return contacts[0].power + contacts[1].power

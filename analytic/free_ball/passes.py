@@ -1,8 +1,8 @@
 """A point whose balls turn freely: loads, rotation and friction settle together.
 
 Traction turns the balls and pushes them across their grooves, loads and angles follow, and where there is oil its film
-follows these. Each pass has the laws of traction of the last one, and more nodes. The change of the torque between two
-passes is what is left of both errors.
+follows these. Each pass has the laws of traction of the last one, until the torque stays. A level whose error is not
+allowed gives way to the next one, with twice the nodes.
 """
 
 from typing import NamedTuple
@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from analytic.contact.hertz import loaded_hertz
-from analytic.free_ball.kernel import turn_ball
+from analytic.free_ball.kernel import power_by, turn_ball
 from analytic.free_ball.rounds import ROUGHLY_STEADY, SKIDS, STEADY, settle_free_ring, settle_free_thrust
 from analytic.free_ball.turning import (
     ACCURACY,
@@ -35,18 +35,7 @@ from analytic.oil.unloaded_ball import more_in_clearance
 from analytic.oil.viscosity import OilNumbers
 from analytic.scene import Array
 
-# Times the change from one quadrature to the next: what is left of it, where the error falls at least as fast as the
-# nodes lie closer. Films follow loads with small powers, and settle faster.
-SAFETY = 2.0
-# Errors change sign with the load, and two quadratures may agree by chance: the change before then says more. What is
-# left was at most a ninth of that, and these shares of sliding and of the whole torque, in 270 drawn scenes with and
-# without creep (validation/adversary/run.py, seeds from 20000). The first quadrature is only a start.
-LEFT_OF_LAST = 0.25
-LEAST = (np.inf, 0.025, 0.004, 0.001, 0.0004)
-LEAST_OF_WHOLE = (np.inf, 5e-4, 2e-5, 5e-6, 2e-6)
 FIRST = 3e-2  # residual of the rotation, over all friction, that is enough for the first round
-# Likewise for every round of a rough pass: the torque errs as much as a force is lacking.
-NEARLY = 3e-4
 SAME = 3e-7  # relative, of the torque between two passes of one quadrature: no start can be told from another
 MOST_PASSES = 60  # 2 to 5 are usual; 25 of one quadrature where friction all but wedges light balls
 
@@ -59,16 +48,14 @@ class FreeModel(NamedTuple):
     rolls_off: bool  # whether balls without load roll in the oil of their clearance
     cubics: Array  # splines of the gap laws
     free: FreeNumbers
-    quadratures: Records  # (k,) of `state.QUADRATURE`: a coarse one, and that of each pass
+    quadratures: Records  # (k,) of `state.QUADRATURE`, as `rotation.free_quadratures` has them
 
 
 class FreeAccuracy(NamedTuple):
     """How accurately the balls of a point settle."""
 
-    allowed: float  # error of sliding, relative to the whole torque, where the quadratures are refined
-    passes: int  # number of the quadrature; 0: the first that is accurate enough, or that of a known start
-    nearly: bool  # one rough pass is enough from a known start: the torque errs by some 1e-3
-    spin_alone: bool  # conformity does not count, and the part by spin errs by more than both together
+    level: int  # of nodes, the first one, from 0
+    allowed: float  # error of sliding, relative to the whole torque, beyond which the next level follows
 
 
 class FreeEnd(NamedTuple):
@@ -77,7 +64,8 @@ class FreeEnd(NamedTuple):
     round: Round  # the last one; not SETTLED: there is no torque
     torque: float  # by what counts of sliding
     spin: float  # part of it
-    error: float  # of the torque
+    error: float  # of the torque, by the nodes
+    residual: float  # of the equilibrium, relative
 
 
 @compiled
@@ -107,63 +95,70 @@ def settle_freely(
         for race in range(2):
             by_rule[j, race], by_rule[j, 2 + race] = ball.angle[race], ball.load[race]
         _begin(model, ball, known > 0)
-    torque = spin = whole = before = error = last_change = decided = 0.0
-    judges = refines = alone = wanted.passes == 0 and known == 0
-    number = wanted.passes if wanted.passes > 0 else max(known, 1)
-    nearly, last, end = wanted.nearly and known > 0, len(model.quadratures) - 1, Round(SETTLED, 0, 0.0, 0.0)
-    for repeats in range(MOST_PASSES):
-        end, other = _one_pass(model, speed, oil, ring, balls, contacts, number, nearly, is_ring)
+    torque = spin = whole = before = error = 0.0
+    level = max(known - 1, wanted.level)
+    last, end = len(model.quadratures) // 3 - 1, Round(SETTLED, 0, 0.0, 0.0)
+    for number in range(level, last + 1):
+        level = number
+        for repeats in range(MOST_PASSES):
+            steady = ROUGHLY_STEADY if repeats == 0 else STEADY
+            end, other = _one_pass(model, speed, oil, ring, balls, contacts, 1 + 3 * level, steady, is_ring)
+            if end.end != SETTLED:
+                break
+            before = whole
+            torque, spin = _slid(bearing, balls, contacts)
+            whole = torque + other
+            if repeats > 0 and abs(whole - before) <= SAME * whole:
+                break
         if end.end != SETTLED:
             break
-        before = whole
-        torque, spin = _slid(bearing, balls, contacts, wanted.spin_alone)
-        whole = torque + other
-        if nearly:
+        error = _missed_share(model.quadratures, level, balls, contacts) * torque + abs(whole - before)
+        if error <= wanted.allowed * whole:
             break
-        least = LEAST[number - 1] * torque + LEAST_OF_WHOLE[number - 1] * whole
-        if refines:
-            if number > 1:
-                change = abs(whole - before)
-                error, last_change = max(SAFETY * change, LEFT_OF_LAST * last_change, least), change
-            if number == last or (number > 1 and error <= wanted.allowed * whole):
-                # The same quadrature again, until it holds the laws of its own loads and speeds.
-                refines, decided = False, whole
-                continue
-        else:
-            if repeats == 0 or abs(whole - before) > SAME * whole:
-                continue
-            if not judges or (alone and abs(whole - decided) <= error):
-                break
-            # It settles far from where its error was estimated: a second quadrature that settles shows the error.
-            error = max(SAFETY * abs(whole - decided), least)
-            if error <= wanted.allowed * whole or (number == last and not alone):
-                break
-            alone, decided = False, whole
-        number += 1 if number < last else -1
         for j in range(count):
-            balls[j].given[0] = np.nan  # the next quadrature begins on the nodes of this one
-    if judges and abs(whole - before) > SAME * whole:  # the passes have ended before it settles
-        error = max(error, SAFETY * abs(whole - decided))
+            balls[j].given[0] = np.nan  # the next level begins on coarse nodes
     ring.passes = 0
     if end.end == SETTLED:
-        ring.passes = number
+        ring.passes = 1 + level
         for j in range(count):
             _leave(model, balls[j], by_rule[j])
-    return FreeEnd(end, torque, spin, error)
+    loads = 0.0
+    for i in range(5):
+        loads += abs(ring.load[i])
+    return FreeEnd(end, torque, spin, error, end.left / loads if is_ring is not None and is_ring else end.left)
 
 
 @compiled
-def _slid(bearing: BearingNumbers, balls: Records, contacts: Records, spin_alone: bool) -> tuple[float, float]:
-    """Torque by what counts of sliding, and its part by spin, N m; writes how the balls move."""
+def _missed_share(quadratures: Records, level: int, balls: Records, contacts: Records) -> float:
+    """Error of the torque by slip, relative: of the ball that loses most, twice what doubling the nodes changes.
+
+    They are doubled across and along apart, so that their errors do not cancel, while the ball turns as it does.
+    """
+    worst, most = 0, 0.0
+    for j in range(len(balls)):
+        power = contacts[j, 0].power + contacts[j, 1].power
+        if power > most:
+            worst, most = j, power
+    if most == 0.0:
+        return 0.0
+    missed, first = 0.0, 1 + 3 * level
+    for doubled in (1, 2):
+        missed += 2.0 * abs(power_by(contacts[worst], balls[worst], quadratures[first + doubled]) - most)
+    power_by(contacts[worst], balls[worst], quadratures[first])  # writes what the contacts do again
+    return missed / most
+
+
+@compiled
+def _slid(bearing: BearingNumbers, balls: Records, contacts: Records) -> tuple[float, float]:
+    """Torque by sliding, and its part by spin, N m; writes how the balls move."""
     torque = spin = 0.0
     alike = bearing.ball_count / len(balls)
     for j in range(len(balls)):
         ball = balls[j]
         put_motion(ball, free_motion(bearing.ball_radius, angles_of(ball), ball.orbit_radius, ball.velocity))
         for race in range(2):
-            by_spin = contacts[j, race].spin_power
-            torque += alike * (by_spin if spin_alone else contacts[j, race].power)
-            spin += alike * by_spin
+            torque += alike * contacts[j, race].power
+            spin += alike * contacts[j, race].spin_power
     return torque, spin
 
 
@@ -176,19 +171,21 @@ def _one_pass(
     balls: Records,
     contacts: Records,
     number: int,
-    nearly: bool,
+    steady: float,
     is_ring: bool | None,
 ) -> tuple[Round, float]:
-    """Loads and rotation with the laws of traction of the last pass; how it ends, and all torque but sliding, N m."""
+    """Loads and rotation with the laws of traction of the last pass; how it ends, and all torque but sliding, N m.
+
+    number : of the quadrature;  steady : relative change of the forces on a ball that ends the rounds
+    """
     bearing, count, other = model.ring.bearing, len(balls), 0.0
     for j in range(count):
         ball = balls[j]
         other += bearing.ball_count / count * _hold_laws(model, speed, oil, ball, contacts[j])
         for k in range(3):
             ball.gave[k] = ball.left[k] = np.nan
-    fine, accuracy = model.quadratures[number], NEARLY if nearly else ACCURACY
-    steady = ROUGHLY_STEADY if nearly or number == 1 else STEADY
-    nodes = FreeNodes(model.quadratures[number - 1], fine, NEARLY if nearly else FIRST, steady)
+    fine = model.quadratures[number]
+    nodes = FreeNodes(model.quadratures[0], fine, FIRST, steady)
     if is_ring is not None and is_ring:
         end = settle_free_ring(model.ring, model.free, speed, ring, balls, contacts, nodes)
     else:
@@ -196,9 +193,9 @@ def _one_pass(
     for j in range(count):
         ball = balls[j]
         left = ball.residual
-        if not left <= accuracy:
-            left = turn_ball(contacts[j], ball, fine, accuracy)
-        if end.end == SETTLED and not left <= max(ENOUGH, accuracy):
+        if not left <= ACCURACY:
+            left = turn_ball(contacts[j], ball, fine, ACCURACY)
+        if end.end == SETTLED and not left <= ENOUGH:
             end = Round(SKIDS, end.steps, left, ENOUGH)
         ball.residual = left
     return end, other

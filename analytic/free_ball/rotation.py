@@ -13,19 +13,19 @@ The terms of balls that come round to another load are left out; the cage carrie
 
 The stress is that of the law of traction at the slip that the elasticity of the surfaces leaves. Both have the
 flexibility L = 32 a/(3 pi^2 E*), that of a long ellipse in steady rolling at the speed u.
-- `marched`: along rolling, from the leading edge, c L u d stress/d xi = s - g, and g slides against the law. With
-  Coulomb friction this is FASTSIM [Kalker1982] on strips. Spin then pushes the ball across the groove. c is MARCHED,
-  along and across: with it the torque by sliding is that of half spaces (`validation/creep/`). Across, it is near what
-  Kalker's C23 of spin asks for, not C22 of an even slip: what pushes a ball across its groove is spin.
-- `closed`: stress = T f(k), k = s p/(T p0 u L/a), f(k) = (2/pi)[atan k + k/(1 + k^2)] with the law's T(p, s). With
-  Coulomb friction this is Polach's law [Polach2005], exact for the force of an even slip on a strip. It has no memory:
-  the lateral push of spin is missing, which is up to 35 % of the torque.
-- `none`: the closed law with surfaces STIFFER times as stiff.
+Along rolling, from the leading edge, c L u d stress/d xi = s - g, and g slides against the law. With Coulomb friction
+this is FASTSIM [Kalker1982] on strips. Spin then pushes the ball across the groove. c is MARCHED, along and across:
+with it the torque by sliding is that of half spaces (`validation/creep/`). Across, it is near what Kalker's C23 of spin
+asks for, not C22 of an even slip: what pushes a ball across its groove is spin. Without creep the surfaces are STIFFER
+times as stiff, so that the force does not jump.
 Rates are per unit ring speed w, so slip is a length and all exists at standstill. Source: derived here.
+
+Nodes: each level has twice those of the one before in each direction, a first one follows from the tolerance
+(`analytic.solve.model.first_level`), and doubling them across and along apart gives its error.
 """
 
 from functools import cache
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -33,9 +33,8 @@ from analytic.free_ball.state import QUADRATURE
 from analytic.numerics.records import Record, Records
 from analytic.scene import Array
 
-Creep = Literal["none", "closed", "marched"]
 MARCHED = 1.35, 0.8  # L along and across rolling, over that of a long ellipse: fitted to `fembearing.creep`
-STIFFER = 1e3  # times: surfaces without creep, for a force that must not jump
+STIFFER = 1e3  # times: surfaces without creep
 
 
 class Nodes(NamedTuple):
@@ -46,27 +45,25 @@ class Nodes(NamedTuple):
 
 
 COARSE = Nodes(8, 6)  # for a start
-QUADRATURES = (Nodes(16, 12), Nodes(32, 20), Nodes(64, 36), Nodes(128, 72), Nodes(192, 108))  # of the passes
+LEVELS = (Nodes(16, 12), Nodes(32, 24), Nodes(64, 48), Nodes(128, 96))
 
 
 @cache
-def quadratures_of(creep: Creep) -> Records:
-    """(k,) of `state.QUADRATURE`: a coarse one, and that of each pass."""
-    each = (COARSE, *QUADRATURES)
+def free_quadratures() -> Records:
+    """(k,) of `state.QUADRATURE`: a coarse one, then of each level its own, and twice as many across and along."""
+    of_levels = (each for n, m in LEVELS for each in (Nodes(n, m), Nodes(2 * n, m), Nodes(n, 2 * m)))
+    each = (COARSE, *of_levels)
     quadratures = np.zeros(len(each), QUADRATURE)
     for quadrature, nodes in zip(quadratures, each, strict=True):
-        _write_nodes(quadrature, nodes, marched=creep == "marched")
+        _write_nodes(quadrature, nodes)
     return quadratures
 
 
-def _write_nodes(quadrature: Record, nodes: Nodes, *, marched: bool) -> None:
-    """Marched nodes lie at equal steps of the angle, without the ends."""
-    count = nodes.along - 1 if marched else nodes.along
-    quadrature["strips"], quadrature["nodes"], quadrature["marched"] = nodes.across, count, marched
+def _write_nodes(quadrature: Record, nodes: Nodes) -> None:
+    """Nodes along rolling lie at equal steps of the angle, without the ends."""
+    count = nodes.along - 1
+    quadrature["strips"], quadrature["nodes"] = nodes.across, count
     quadrature["across"][:, : nodes.across] = _gauss(nodes.across)
-    if not marched:
-        quadrature["along"][:, :count] = _gauss(count)
-        return
     angle = np.pi * (np.arange(1, nodes.along) / nodes.along - 0.5)
     step = np.diff(np.sin(angle), prepend=-1.0)
     ratio = np.append(0.0, step[1:] / step[:-1])

@@ -4,7 +4,7 @@ import numpy as np
 
 from analytic.numerics.records import Records
 
-MOST_STRIPS, MOST_NODES = 192, 108  # of a quadrature, across and along rolling
+MOST_STRIPS, MOST_NODES = 256, 192  # of a quadrature, across and along rolling
 
 CONTACT_STATE = np.dtype(
     [
@@ -16,7 +16,7 @@ CONTACT_STATE = np.dtype(
         ("normal_axial", "f8"),
         ("ring_rate", "f8"),  # of its ring
         ("flexibility", "f8"),  # L/a along rolling, 1/Pa
-        ("lean", "f8"),  # how much more it is across, where marched
+        ("lean", "f8"),  # how much more it is across
         # The law of traction, as `analytic.oil.traction.PointLaw` has it for speeds per unit ring speed
         ("boundary", "f8"),
         ("plain", "f8"),
@@ -45,7 +45,6 @@ QUADRATURE = np.dtype(
     [
         ("strips", "i8"),  # along rolling
         ("nodes", "i8"),  # of a strip, which is marched from its leading edge
-        ("marched", "?"),
         ("across", "f8", (3, MOST_STRIPS)),  # sines, cosines and weights of the angles at which the strips lie
         ("along", "f8", (3, MOST_NODES)),  # likewise of the nodes
         # Second-order backward differences between the nodes, times the half-length: how far stress at the node, at the

@@ -5,13 +5,13 @@ Rates are per unit ring speed w, so slip is a length. Contacts and nodes are rec
 
 import numpy as np
 
-from analytic.free_ball.stress import FAST, Shear, flow_at, sheared, sheared_by_own, yielding, yielding_by_own
+from analytic.free_ball.stress import FAST, Shear, flow_at, sheared, sheared_by_own
 from analytic.numerics.compilation import compiled
 from analytic.numerics.records import Record
 from analytic.oil.traction import PointLaw
 from analytic.scene import Array
 
-PITCH = 200  # between rows of numbers of strips, of which there are at most 192
+PITCH = 264  # between rows of numbers of strips, of which there are at most 256
 # Where the rows begin: of slip along, across and by spin, half-length and L u over it; stress at the last node and the
 # one before; reach of slip at a node, how much less stiff it is than along, and stress and slope there. Then sums of
 # three forces and of friction, and for each kind of slip four rows of what it does to both stresses, and three of its
@@ -24,45 +24,6 @@ BY_SLIDE, BY_LATERAL, BY_SPIN = range(19 * PITCH, 40 * PITCH, 7 * PITCH)
 ROWS = 40
 NO_SLIP = 1e-200  # m: keeps a direction where nothing slides
 NO_SQUARE = 1e-300  # m^2: likewise of its square
-
-
-@compiled(fastmath=FAST)
-def strip_closed(contact, slip, strip, quadrature, flows):
-    """One strip by the closed law: forces and stiffness by slip along it, across it and by spin, and all friction.
-
-    slip : (along, across, spin);  strip : half-length, direction of the flow, pressure at its middle, p0 L u/a
-    flows : (3, nodes) of `flow_at`
-    """
-    slide, lateral, spin = slip
-    half, flow, middle, length = strip
-    sines, cosines, weights = quadrature.along[0], quadrature.along[1], quadrature.along[2]
-    f_p = f_l = f_n = pp = pl = pn = ll = ln = nn = friction = 0.0
-    for k in range(quadrature.nodes):
-        pressure, area, x = middle * cosines[k], weights[k] * half * cosines[k], flow * half * sines[k]
-        across = lateral + spin * x
-        size = max(np.sqrt(slide * slide + across * across), NO_SLIP)
-        shear = shear_at(contact, pressure, flows[0, k], flows[1, k], flows[2, k])
-        stress, slope = yielding(size, shear) if contact.own == 0.0 else yielding_by_own(size, shear, contact.own)
-        if stress == 0.0:
-            continue
-        creep = size * pressure / (stress * length) if length > 0.0 else 1e100
-        square = 1.0 + creep * creep
-        share, steep = 2.0 / np.pi * (np.arctan(creep) + creep / square), 4.0 / np.pi / (square * square)
-        over = stress * share / size
-        rest = slope * (share - creep * steep) + stress * steep * creep / size - over
-        e_x, e_y = slide / size, across / size
-        xx, xy, yy = area * (over + rest * e_x * e_x), area * rest * e_x * e_y, area * (over + rest * e_y * e_y)
-        f_p += area * over * slide
-        f_l += area * over * across
-        f_n += area * over * across * x
-        pp += xx
-        pl += xy
-        pn += xy * x
-        ll += yy
-        ln += yy * x
-        nn += yy * x * x
-        friction += area * over * size
-    return (f_p, f_l, f_n), (pp, pl, pn, pl, ll, ln, pn, ln, nn), friction
 
 
 @compiled(fastmath=FAST)
@@ -101,7 +62,7 @@ def march_strips(contact, flow, quadrature, flows, state):
     """All strips, marched side by side from their leading edges; writes their forces, stiffness and friction.
 
     flow : its direction, L u along, and L across over L along
-    flows : (strips, 3, nodes) as in `strip_closed`;  state : of `strip_state`, with slip along, across and by spin
+    flows : (strips, 3, nodes) of `flow_at`;  state : of `strip_state`, with slip along, across and by spin
     Nodes of different strips do not wait for each other, as those of one strip do. Where nothing is decided a processor
     takes several at once, as the compiler knows how far apart the rows are.
     """
@@ -193,7 +154,7 @@ def strip_state(strips):
 
 @compiled
 def marched_strip(state, j):
-    """Results of `strip_closed` for a strip that is marched."""
+    """Forces and stiffness by slip along a strip, across it and by spin, and all friction."""
     slide, lateral, turn = BY_SLIDE + 4 * PITCH + j, BY_LATERAL + 4 * PITCH + j, BY_SPIN + 4 * PITCH + j
     stiffness = (
         state[slide],

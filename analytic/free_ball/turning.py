@@ -11,7 +11,7 @@ import numpy as np
 
 from analytic.contact.hertz import contact_modulus, loaded_hertz
 from analytic.free_ball.kernel import turn_ball
-from analytic.free_ball.rotation import MARCHED, STIFFER, Creep
+from analytic.free_ball.rotation import MARCHED, STIFFER
 from analytic.loads.kinematics import BallMotion, ruled_motion
 from analytic.loads.numbers import BearingNumbers
 from analytic.loads.thrust_ball import in_groove
@@ -183,13 +183,14 @@ def outer_groove_centres(bearing: Bearing, numbers: BearingNumbers) -> float:
     return float(bearing.pitch_diameter / 2 + bearing.ball_radius - bearing.outer.groove_radius + play / 2)
 
 
-def free_numbers(bearing: Bearing, *, orbit: float, creep: Creep, inertia: tuple[bool, bool]) -> FreeNumbers:
+def free_numbers(bearing: Bearing, *, orbit: float, creeps: bool, inertia: tuple[bool, bool]) -> FreeNumbers:
     """How the balls of a bearing turn freely.
 
-    orbit : of `outer_groove_centres`;  inertia : whether centrifugal force and gyroscopic moment count
+    orbit : of `outer_groove_centres`;  creeps : whether the surfaces do
+    inertia : whether centrifugal force and gyroscopic moment count
     """
-    along, across = MARCHED if creep == "marched" else (1.0, 1.0)
-    softer = 1 / STIFFER if creep == "none" else along
+    along, across = MARCHED
+    softer = along if creeps else along / STIFFER
     inner, outer = (
         softer * 32 / (3 * np.pi**2 * float(contact_modulus(bearing.ball_material, groove.material)))
         for groove in (bearing.inner, bearing.outer)

@@ -1,10 +1,12 @@
-"""Some elements of a dataclass whose fields are arrays or numbers: of a contact, a law of traction."""
+"""Elements of arrays: some of those of a dataclass, and their shares."""
 
 from collections.abc import Callable
 from dataclasses import fields
 from typing import Any, TypeVar
 
 import numpy as np
+
+from analytic.scene import Array
 
 Each = TypeVar("Each")
 
@@ -19,3 +21,8 @@ def elements_of(each: Each, choose: Callable[[Any], Any]) -> Each:
         value = getattr(each, field.name)
         vars(chosen)[field.name] = choose(value) if isinstance(value, np.ndarray | float) else value
     return chosen
+
+
+def share_in(part: Array, total: Array) -> Array:
+    """part/total, 0 where there is nothing to share; both broadcast."""
+    return np.divide(part, total, out=np.zeros(np.broadcast(part, total).shape), where=total > 0)

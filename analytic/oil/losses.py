@@ -9,14 +9,23 @@ v = w_c d_m/2, and w_b/w = (d_m/D) (1 - g^2)/2 of a ball about its own axis, rel
 at 2 v. Source: derived here; the law of shear is Petroff's, the coefficient of drag from [White2006].
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.errors import InputError, require_non_negative, require_positive
 from analytic.loads.numbers import play_and_free_angle
+from analytic.numerics.elements import share_in
+from analytic.oil.viscosity import oil_numbers
 from analytic.scene import Array, Bearing, Losses, Scene, ShearedLand, ShearedPockets
+
+# What losses of the oil without their input are estimated by: share of oil between the rings, by supply, a judgement;
+# clearance and thickness of a cage in its pockets over the ball diameter, those of the cage of [Paper]; rise of the
+# temperature of oil that a jet sends through, K, a judgement; and its specific heat, J/(kg K).
+USUAL_SHARE: dict[str, float] = {"oil_bath": 0.05, "oil_jet": 0.02}
+USUAL_POCKETS = (0.025, 0.11)
+JET_RISE, OIL_HEAT = 20.0, 2000.0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -205,3 +214,34 @@ def _require_on_ring(land: ShearedLand, bearing: Bearing) -> None:
             f"losses.land.diameter = {1e3 * land.diameter:.6g} mm is not on the {land.ring} ring; "
             f"give one {' and '.join(ends)}"
         )
+
+
+def oil_parts(scene: Scene, stirred: StirredOil, speed: Array, factor: float) -> dict[str, Array]:
+    """(n,) N m of each of OIL_LOSSES."""
+    assert scene.lubricant is not None
+    viscosity = oil_numbers(scene.lubricant).viscosity
+    return {
+        "through_flow": factor * stirred.through_flow(speed),
+        "cage_shear": factor * stirred.cage_shear(speed, viscosity),
+        "ball_drag": factor * stirred.ball_drag(speed, viscosity),
+    }
+
+
+def estimated_loss(scene: Scene, name: str, speed: Array, total: Array) -> Array | None:
+    """(n,) share of a loss of the oil that lacks its input, by usual values; None: not known, or counted elsewhere."""
+    oil, ball, losses = scene.lubricant, scene.bearing.ball_diameter, scene.losses
+    if oil is None or oil.supply not in USUAL_SHARE:
+        return None
+    if name == "cage_shear" and scene.cage is not None and not scene.cage.gives_way:
+        return None
+    if name == "ball_drag" and losses.drag is not None:
+        return None
+    pockets = ShearedPockets(clearance=USUAL_POCKETS[0] * ball, thickness=USUAL_POCKETS[1] * ball)
+    usual = stirred_oil(replace(scene, cage=None), Losses(oil_share=USUAL_SHARE[oil.supply], pockets=pockets))
+    assert usual is not None
+    if name != "through_flow":
+        return share_in(oil_parts(scene, usual, speed, 1.0)[name], total)
+    if oil.supply != "oil_jet":
+        return None
+    accelerated = (2 * usual.ball_rate * speed) ** 2 / (OIL_HEAT * JET_RISE)
+    return np.divide(accelerated, 1 - accelerated, out=np.full(total.shape, np.inf), where=accelerated < 1)

@@ -5,26 +5,26 @@ from time import perf_counter
 
 import numpy as np
 
+from analytic.effects import CAGE_OFF
 from analytic.errors import FembearingError
 from analytic.oil.variation import Variation
-from analytic.prediction.settled import FreeStart, settled_parts
+from analytic.prediction.settled import level_of, settled_parts
 from analytic.prediction.spreads import NUMERICAL, UncertainInput
-from analytic.prediction.starts import SampleStarts, starts_of
 from analytic.prediction.variants import varied_scene
 from analytic.result import FrictionTorque, TorqueParts
 from analytic.scene import Array, Scene
-from analytic.torque import NO_CAGE, friction_torque
+from analytic.torque import friction_torque
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Problem:
     """What is evaluated at every sample."""
 
-    scene: Scene  # with every effect and method fixed
+    scene: Scene  # whose cage does not move
     inputs: tuple[UncertainInput, ...]  # the numerical one last, if there is one
     numerical: Array  # (n,) relative standard deviation of the total by the numerical uncertainty
     parts: tuple[str, ...]  # of the torque that are there, "total" first
-    starts: SampleStarts | None  # of free balls
+    level: int  # of the nodes of sliding, in all samples
     held: Array  # (n,) N m that is added to the races' part in the total: a cage whose motion is not computed again
     seconds: float  # that one evaluation takes
 
@@ -32,17 +32,17 @@ class Problem:
 def problem_of(scene: Scene, nominal: FrictionTorque, inputs: tuple[UncertainInput, ...]) -> Problem:
     """The problem of a scene.
 
-    nominal : friction_torque(scene), at which effects and methods are decided once
-    A numerical uncertainty that is known counts as two standard deviations of a normal one. A cage that moves keeps its
-    torque, as each of its motions takes minutes.
+    nominal : friction_torque(scene)
+    The numerical uncertainty counts as two standard deviations of a normal one. A cage that moves keeps its torque, as
+    each of its motions takes minutes. Raises the error of an operating point without a torque.
     """
-    settled, torque = without_moving_cage(scene, nominal), nominal.torque
+    settled, torque = without_moving_cage(scene, nominal.settled()), nominal.torque
     held = np.zeros_like(torque.total)
     names = [field.name for field in fields(TorqueParts) if getattr(torque, field.name) is not None]
     if cage_moves(nominal):
         held = np.zeros_like(held) if torque.cage is None else torque.cage
         names.remove("cage")
-    numerical = np.where(np.isfinite(nominal.numerical_uncertainty), nominal.numerical_uncertainty / 2, 0.0)
+    numerical = nominal.numerical_uncertainty / 2
     if np.any(numerical > 0):
         source = "bound or estimate by the model of its own computation, as two standard deviations"
         largest = float(numerical.max())
@@ -53,7 +53,7 @@ def problem_of(scene: Scene, nominal: FrictionTorque, inputs: tuple[UncertainInp
         inputs=inputs,
         numerical=numerical,
         parts=tuple(names),
-        starts=starts_of(lambda score: moved_scene(settled, inputs, score), len(inputs)),
+        level=level_of(settled),
         held=held,
         seconds=0.0,
     )
@@ -68,9 +68,8 @@ def cage_moves(nominal: FrictionTorque) -> bool:
 
 
 def without_moving_cage(scene: Scene, nominal: FrictionTorque) -> Scene:
-    """The scene with the effects and methods of its torque, without a cage that moves."""
-    settled = nominal.settled(scene)
-    return replace(settled, effects={**settled.effects, **NO_CAGE}) if cage_moves(nominal) else settled
+    """The scene without a cage that moves; nominal : its torque"""
+    return replace(scene, effects={**scene.effects, **CAGE_OFF}) if cage_moves(nominal) else scene
 
 
 def evaluated(problem: Problem, scores: Array) -> tuple[Array, list[str], float]:
@@ -92,7 +91,7 @@ def evaluated(problem: Problem, scores: Array) -> tuple[Array, list[str], float]
 def torque_at(problem: Problem, score: Array) -> Array:
     """(parts, n) the torque of one sample, N m; score : (d,). Raises InputError and ConvergenceError of its scene."""
     scene, variation = moved_scene(problem.scene, problem.inputs, score)
-    parts = parts_of(scene, variation, problem.starts and problem.starts.at(score))
+    parts = parts_of(scene, variation, problem.level)
     named = (getattr(parts, name) for name in problem.parts)
     torque = np.stack([np.zeros_like(problem.held) if part is None else part for part in named])
     torque[0] += problem.held
@@ -101,13 +100,13 @@ def torque_at(problem: Problem, score: Array) -> Array:
     return torque
 
 
-def parts_of(scene: Scene, variation: Variation, start: FreeStart | None = None) -> TorqueParts[Array]:
-    """The parts of the torque, (n,) each, of a scene in which every effect and method is fixed.
+def parts_of(scene: Scene, variation: Variation, level: int) -> TorqueParts[Array]:
+    """The parts of the torque, (n,) each, of a scene whose cage does not move.
 
-    variation, start : as in `settled_parts`. Raises InputError and ConvergenceError as `friction_torque` does.
+    variation, level : as in `settled_parts`. Raises InputError, and ConvergenceError of a point that does not settle.
     """
-    parts = settled_parts(scene, variation, start)
-    return friction_torque(scene, variation=variation).torque if parts is None else parts
+    parts = settled_parts(scene, variation, level)
+    return friction_torque(scene, variation=variation).settled().torque if parts is None else parts
 
 
 def moved_scene(scene: Scene, inputs: tuple[UncertainInput, ...], score: Array) -> tuple[Scene, Variation]:

@@ -5,7 +5,7 @@ from types import MappingProxyType
 
 import numpy as np
 
-from analytic.effects.ledger import share_in
+from analytic.numerics.elements import share_in
 from analytic.oil.film import FILM_FACTORS
 from analytic.oil.variation import (
     COVERAGE,
@@ -19,7 +19,7 @@ from analytic.oil.variation import (
     Variation,
 )
 from analytic.prediction.evaluation import parts_of, without_moving_cage
-from analytic.prediction.settled import free_start
+from analytic.prediction.settled import level_of
 from analytic.result import FrictionTorque, require_numbers
 from analytic.scene import Array, Scene
 
@@ -53,7 +53,7 @@ def with_model_uncertainty(scene: Scene, result: FrictionTorque) -> FrictionTorq
     top, so the true uncertainty is larger.
     """
     variations: dict[str, list[tuple[Scene, Variation]]] = {}
-    same = without_moving_cage(scene, result)
+    same = without_moving_cage(scene, result.settled())
     lubricant = scene.lubricant
     if scene.surface is not None and result.film.inner is not None:
         variations["film"] = [(same, Variation(film=factor)) for factor in FILM_FACTORS]
@@ -91,11 +91,11 @@ def with_model_uncertainty(scene: Scene, result: FrictionTorque) -> FrictionTorq
         variations["elastic_rolling"] = [(same, Variation(elastic_rolling=step)) for step in (-1.0, 1.0)]
     if not variations:
         return result
-    start = free_start(same)
-    base = parts_of(same, NOMINAL, start).total
+    level = level_of(same)
+    base = parts_of(same, NOMINAL, level).total
 
     def change(varied: Scene, variation: Variation) -> Array:
-        return share_in(np.abs(parts_of(varied, variation, start).total - base), result.torque.total)
+        return share_in(np.abs(parts_of(varied, variation, level).total - base), result.torque.total)
 
     parts = {name: np.max([change(*each) for each in pairs], axis=0) for name, pairs in variations.items()}
     whole = np.sqrt(np.sum([part**2 for part in parts.values()], axis=0))

@@ -89,9 +89,7 @@ class Prediction(Brief):
     @property
     def not_varied(self) -> tuple[str, ...]:
         """What the interval does not know, in words."""
-        unknown = not np.all(np.isfinite(self.nominal.numerical_uncertainty))
-        words = ("the numerical uncertainty of the torque, which is not known",) if unknown else ()
-        return (*words, *NOT_VARIED)
+        return NOT_VARIED
 
     @property
     def rows(self) -> PredictionRows:

@@ -32,7 +32,6 @@ from analytic.scene import (
     Reach,
     RollingFormula,
     Scene,
-    Sliding,
     SpinRule,
     Supply,
     Surface,
@@ -410,7 +409,6 @@ class FrictionTable(Table):
     hysteresis_loss: Annotated[float, Dimension(unit="", low=0, high=1, example="0.007")] | None = None
     elastic_rolling: ElasticRolling = Scene.elastic_rolling
     spin_rule: SpinRule = Scene.spin_rule
-    sliding: Sliding = Scene.sliding
     microslip: Microslip = Scene.microslip  # "as_printed": equations 2 to 7 with the misprints of the paper
 
 

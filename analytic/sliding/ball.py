@@ -1,28 +1,37 @@
-"""Friction of one ball that rolls and spins between its races, by three methods from cheap to accurate.
+"""Friction of one ball that rolls and spins between its races by closed kinematics, integrated over both ellipses.
 
-- `single_coefficient`: each contact slides with one coefficient, that of its mean pressure and mean sliding speed. Its
-  moments are the closed forms of `analytic.sliding.long_ellipse`. The error is 2 to 5 % of the torque by slip of a 6205
-  where asperities carry much, and up to 18 % where they carry little and the oil's stress is the same everywhere
-  (`validation/benchmarks/friction.py`).
-- `along_axis`: the stress follows pressure and sliding from point to point, without the sliding transverse to the
-  direction of rolling. The error is 4 to 5 % of the torque by slip of a 6205.
-- `over_ellipse`: with sliding in both directions.
-Rates are per unit ring speed difference w and torques are slip power over w, as in `analytic.sliding.long_ellipse`. The
-law of traction takes the true sliding speeds, which are |w| times as large.
+The stress follows pressure and sliding from point to point, and both directions of sliding. Rates are per unit ring
+speed difference w and torques are slip power over w, as in `analytic.sliding.long_ellipse`. The law of traction takes
+the true sliding speeds, which are |w| times as large.
+
+Nodes: each level of LEVELS has twice those of the one before in each direction. A first level follows from the
+tolerance (`analytic.solve.model.first_level`), and `missed_power` gives the error of a level by doubling.
 """
 
 import numpy as np
 
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.numerics.compilation import compiled
-from analytic.numerics.records import Record
+from analytic.numerics.records import Record, Records
 from analytic.oil.traction import PointLaw, with_numbers
-from analytic.sliding.ellipse import BALANCED, NO_SUMS, Slider, SlipSums, forceless_slip, slider_of
+from analytic.sliding.ellipse import (
+    BALANCED,
+    NO_SUMS,
+    Slider,
+    SlipSums,
+    forceless_slip,
+    quadrature_of,
+    slider_of,
+    slip_sums,
+)
 from analytic.sliding.long_ellipse import Slip, balanced_line, line_laws, line_slip
 
-NEARLY_BALANCED = 1e-7  # net force over all friction while the share of spin is sought; the last search is exact
-LAST_STEP = 1e-6  # of the share of spin: the power is least at the balance, so its error is the square of this step
+NEARLY_BALANCED = 1e-5  # net force over all friction while the share of spin is sought; the last search is exact
+LAST_STEP = 1e-5  # of the share of spin: the power is least at the balance, so its error is the square of this step
 MOST_STEPS = 100  # of the share of spin; 3 to 6 are usual
+LEVELS = ((4, 4), (8, 8), (16, 16), (32, 32))  # nodes across a panel and along rolling
+# Of each level: its own nodes, and those with twice as many across and along.
+NODES = np.stack([quadrature_of(each) for n, m in LEVELS for each in ((n, m), (2 * n, m), (n, 2 * m))])
 
 
 @compiled
@@ -47,7 +56,6 @@ def slips_over_contacts(
     spin_difference: float,
     rule: int,
     quadrature: Record,
-    sideways: bool,
 ) -> tuple[Slip, Slip, int]:
     """The slip of a ball on both races by integrals; arguments as `long_ellipse.line_slips`, and `ellipse.slip_sums`.
 
@@ -66,10 +74,8 @@ def slips_over_contacts(
     for _ in range(MOST_STEPS):
         nearly = NEARLY_BALANCED if rule == 0 and abs(step) > LAST_STEP else BALANCED
         spin, other_spin = share * spin_difference * inner.transverse, rest * spin_difference * outer.transverse
-        creep, sums, number = forceless_slip(inner, inner_law, creep, spin, quadrature, sideways, nearly)
-        other_creep, other, more = forceless_slip(
-            outer, outer_law, other_creep, other_spin, quadrature, sideways, nearly
-        )
+        creep, sums, number = forceless_slip(inner, inner_law, creep, spin, quadrature, nearly)
+        other_creep, other, more = forceless_slip(outer, outer_law, other_creep, other_spin, quadrature, nearly)
         count += number + more
         if number == 0 or more == 0:
             count = 0
@@ -113,3 +119,28 @@ def _slip(
         ring_speed * sums.unit / contact.load if contact.load > 0.0 else 0.0,
         creep if contact.load > 0.0 else 0.0,
     )
+
+
+@compiled
+def missed_power(
+    contacts: tuple[ContactNumbers, ContactNumbers],
+    laws: tuple[PointLaw, PointLaw],
+    slips: tuple[Slip, Slip],
+    ring_speed: float,
+    nodes: Records,
+    level: int,
+) -> float:
+    """Estimate of what a level of nodes misses of a ball's power over the ring speed, N m: twice what doubling changes.
+
+    contacts, laws, slips : on inner and outer race, as `slips_over_contacts` found them;  nodes : NODES
+    Nodes across and along are doubled apart, so that their errors do not cancel, at the slip of the level: its error
+    counts in second order, as the power is least at the balance.
+    """
+    missed = 0.0
+    for race in range(2):
+        slip, law, slider = slips[race], at_ring_speed(laws[race], ring_speed), slider_of(contacts[race])
+        spin = abs(slip.spin_rate) * slider.transverse
+        own = slip_sums(slider, law, slip.creep, spin, nodes[3 * level]).power
+        for doubled in (1, 2):
+            missed += 2.0 * abs(slip_sums(slider, law, slip.creep, spin, nodes[3 * level + doubled]).power - own)
+    return missed

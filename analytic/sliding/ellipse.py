@@ -25,8 +25,8 @@ from analytic.numerics.records import Record
 from analytic.oil.traction import PointLaw, eyring_stress, own_stress
 from analytic.scene import Array
 
-BALANCED = 1e-14  # net force that counts as none, over all friction: round-off of the sum over a thousand nodes
-LAST_STEP = 1e-11  # of c, relative: Newton's steps converge so fast that the next one would be round-off
+BALANCED = 1e-9  # net force that counts as none, over all friction: the power errs by about its square
+LAST_STEP = 1e-9  # of c, relative: where a law with a kink leaves no better balance
 LEAST_GAIN = 0.25  # of a step: where the net force falls by less, the next slope is a secant
 ROUND_OFF = 1e-10  # of c, relative: a secant over less would be round-off
 RESOLVED = 1e-5  # a/b, from which nodes at the end of a panel see v_y
@@ -67,12 +67,9 @@ class SlipSums(NamedTuple):
     by_creep: float  # -d force/dc, N s/m, >= 0
     mixed: float  # d force/d spin = -d(spin moment)/dc
     by_spin: float  # d(spin moment)/d spin, >= 0
-    far_power: float  # W, of the panel at negative y
-    middle_power: float
-    near_power: float
 
 
-NO_SUMS = SlipSums(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+NO_SUMS = SlipSums(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 @compiled
@@ -95,24 +92,20 @@ def _edges(slider: Slider, creep: float, spin: float) -> tuple[float, float, flo
 
 
 @compiled
-def slip_sums(slider: Slider, law: PointLaw, creep: float, spin: float, quadrature: Record, sideways: bool) -> SlipSums:
+def slip_sums(slider: Slider, law: PointLaw, creep: float, spin: float, quadrature: Record) -> SlipSums:
     """The sums over three transverse panels, which meet where v_x = 0 on the axis.
 
-    creep : c, m/s;  spin : |w_s| b, m/s;  sideways : with v_y;  quadrature : `quadrature_of`
+    creep : c, m/s;  spin : |w_s| b, m/s;  quadrature : `quadrature_of`
     """
     places, widths, along, lengths = quadrature.places, quadrature.widths, quadrature.reaches, quadrature.lengths
     if slider.peak == 0.0:
         return NO_SUMS
     edges = _edges(slider, creep, spin)
     arm, own = slider.rolling / slider.transverse, law.own != 0.0
-    turns = sideways and arm > RESOLVED
-    force = moment = rolling = power = unit = friction = by_creep = mixed = by_spin = far_power = middle_power = 0.0
+    turns = arm > RESOLVED
+    force = moment = rolling = power = unit = friction = by_creep = mixed = by_spin = 0.0
     least = 1e-200 * (slider.roll + spin if slider.roll + spin > 0.0 else 1.0)
     for panel in range(3):
-        if panel == 1:
-            far_power = power
-        elif panel == 2:
-            middle_power = power - far_power
         low, length = edges[panel], edges[panel + 1] - edges[panel]
         if length <= 0.0:
             continue
@@ -160,8 +153,7 @@ def slip_sums(slider: Slider, law: PointLaw, creep: float, spin: float, quadratu
         by_creep += jump
         mixed += jump * line
         by_spin += jump * line * line
-    rest = by_creep, mixed, by_spin, far_power, middle_power, power - far_power - middle_power
-    return SlipSums(force, moment, rolling, power, unit, friction, *rest)
+    return SlipSums(force, moment, rolling, power, unit, friction, by_creep, mixed, by_spin)
 
 
 @compiled
@@ -183,7 +175,6 @@ def forceless_slip(
     start: float,
     spin: float,
     quadrature: Record,
-    sideways: bool,
     balanced: float,
 ) -> tuple[float, SlipSums, int]:
     """c that leaves no net force, the sums there, and the number of sums; 0 where none is found.
@@ -198,7 +189,7 @@ def forceless_slip(
     older, older_force, found, ends = creep, np.inf, 0, False
     sums = NO_SUMS
     for number in range(1, MOST_STEPS + 1):
-        sums = slip_sums(slider, law, creep, spin, quadrature, sideways)
+        sums = slip_sums(slider, law, creep, spin, quadrature)
         if ends or abs(sums.force) <= balanced * sums.friction:
             found = number
             break
@@ -234,14 +225,11 @@ def no_creep_speed() -> ConvergenceError:
 
 @cache
 def quadrature_of(nodes: tuple[int, int]) -> Record:
-    """So many transverse nodes in a panel, denser at its ends, and so many along rolling; at most MOST_NODES each."""
+    """So many transverse nodes in a panel, and so many along rolling, of Gauss; at most MOST_NODES each."""
     quadrature = np.zeros(1, QUADRATURE).view(np.recarray)[0]
     quadrature.across, quadrature.along = nodes
     (t, weight), (s, length) = (_unit_gauss(count) for count in nodes)
-    quadrature.places[: t.size], quadrature.widths[: t.size] = (
-        t**3 * (10 - 15 * t + 6 * t**2),
-        30 * t**2 * (1 - t) ** 2 * weight,
-    )
+    quadrature.places[: t.size], quadrature.widths[: t.size] = t, weight
     # Along rolling x = s (2 - s) makes the root of the pressure at the rim smooth.
     quadrature.reaches[: s.size], quadrature.lengths[: s.size] = s * (2 - s), 2 * (1 - s) * length
     return quadrature

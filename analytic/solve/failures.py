@@ -1,5 +1,7 @@
 """What is wrong at an operating point that has no torque: the words of each status, once."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from analytic.contact.geometry import RACES, shoulder_distances
@@ -9,7 +11,7 @@ from analytic.free_ball.turning import ENOUGH
 from analytic.loads.inertia import outward_force
 from analytic.loads.ring_series import unsettled_ring
 from analytic.loads.thrust import unsettled
-from analytic.numerics.records import Records
+from analytic.numerics.records import Records, copied, record_in
 from analytic.oil.mixed import no_shared_load
 from analytic.scene import Array, Bearing, Scene
 from analytic.sliding.ellipse import no_creep_speed
@@ -31,17 +33,40 @@ from analytic.solve.records import (
 from analytic.solve.solution import OF_POINT, Solution, solved
 from analytic.words import NEWTON, NEWTON_MILLIMETRE, angle_of, percent_of, speed_of
 
+OWN = ("weight", "centrifugal", "gyroscopic", "finite_geometry")  # effects by what acts on a ball alone, or changes it
 
-def require_settled(scene: Scene, model: Model, points: Array, found: Solution) -> None:
-    """Raise the error of the first operating point that has no torque.
+
+def failures_of(scene: Scene, model: Model, points: Array, found: Solution) -> dict[int, FembearingError]:
+    """The errors of the operating points that have no torque, by their numbers from 0.
 
     points : (n, 5) as the kernel takes them;  found : at these
+    What is wrong without the balls' own forces has the better words.
     """
     bad = np.flatnonzero(found.points["status"])
-    if bad.size:
-        first, work = bad[:1], workspace(model)
-        end = solved(model.at(first), points[first], work=work)
-        raise _failure(scene, model, points[first], end, work)
+    if not bad.size:
+        return {}
+    numbers, balls = copied(model.numbers), copied(model.balls)
+    for name in OWN:
+        numbers["counted"][name] = False
+    balls["weight"] = 0.0
+    still = replace(model, numbers=record_in(numbers), balls=balls)
+    return {each: _failure_at(scene, (still, model), points, each) for each in bad.tolist()}
+
+
+def _failure_at(scene: Scene, models: tuple[Model, Model], points: Array, number: int) -> FembearingError:
+    at = np.array([number])
+    for model in models:
+        work, one = workspace(model), model.at(at)
+        end = solved(one, points[at], work=work)
+        if end.points["status"][0]:
+            return _failure(scene, one, points[at], end, work)
+    raise AssertionError("a point settles the second time")
+
+
+def require_settled(scene: Scene, model: Model, points: Array, found: Solution) -> None:
+    """Raise the error of the first operating point that has no torque; arguments as of `failures_of`."""
+    if failures := failures_of(scene, model, points, found):
+        raise next(iter(failures.values()))
 
 
 def _failure(scene: Scene, model: Model, point: Array, found: Solution, work: Workspace) -> FembearingError:

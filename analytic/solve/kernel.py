@@ -30,23 +30,13 @@ from analytic.numerics.compilation import compiled
 from analytic.numerics.memory import address_of
 from analytic.numerics.records import Record, Records
 from analytic.oil.grease import axial_share_of
-from analytic.oil.race_resistance import ResistedContact, resisted_contact, torque_off_race
+from analytic.oil.race_resistance import ResistedContact, resisted_contact
 from analytic.oil.traction import PointLaw, mean_force
-from analytic.oil.unloaded_ball import clearance_of, more_in_clearance
+from analytic.oil.unloaded_ball import more_in_clearance
 from analytic.oil.viscosity import OilNumbers, oil_at
 from analytic.scene import STANDARD_GRAVITY, Array
 from analytic.sliding.as_printed import as_printed_slip
-from analytic.sliding.ball import slips_over_contacts
-from analytic.sliding.creep import creep_share
-from analytic.sliding.judge import (
-    AS_PRINTED,
-    OVER_ELLIPSE,
-    OWN_NODES,
-    SINGLE_COEFFICIENT,
-    error_of,
-    judged,
-    judged_spin,
-)
+from analytic.sliding.ball import missed_power, slips_over_contacts
 from analytic.sliding.long_ellipse import Slip, line_slips
 from analytic.solve.model import ModelNumbers, Tables, Workspace
 from analytic.solve.records import (
@@ -78,9 +68,6 @@ STRIBECK = 4.37
 PRESSED = 10.0
 # Of the heaviest ball's load, a judgement: a lighter ball is at the edge of the loaded zone, and its slip costs little.
 IN_LOADED_ZONE = 0.1
-# Times its weight, a judgement: a ball with less load may come off where the weight points a little elsewhere. Likewise
-# for another force of its own.
-NEARLY_OFF = 1.5
 STATUS_OF_ROUND = (SETTLED, OPEN_FORCES, LOOSE_BALL, LOOSE_RING, BEYOND_GROOVE, NO_STEADY_ROTATION)
 
 
@@ -212,8 +199,7 @@ def reset(out: Record) -> None:
     out.total = out.spin = out.conformity = out.hysteresis = out.rolling = out.cage = out.sliding_error = 0.0
     out.orbit_rate = out.ball_rate = out.contact_angle = out.ball_lead = out.lead_across = out.slowness = 0.0
     out.holding_moment = 0.0
-    out.creep, out.passes, out.heaviest, out.gyroscopic_hold, out.coming_off = 0.0, 0, 0, 0.0, 0.0
-    out.at_edge[:] = 0
+    out.residual, out.level, out.heaviest, out.gyroscopic_hold = 0.0, 0, 0, 0.0
     out.centrifugal_share = out.gyroscopic_share = out.weight_share = 0.0
     for race in range(2):
         out.peak_pressure[race] = out.cut_off[race] = out.rolling_force[race] = out.most_friction[race] = 0.0
@@ -288,10 +274,7 @@ def correct(model: ModelNumbers, tables: Tables, balls: Records, out: Record) ->
             numbers = bearing.inner if race == 0 else bearing.outer
             angle = abs(ball.angle[race]) if ball.load[race] > 0.0 else 0.0
             found = geometry_on(tables.fit, numbers, angle, ball.load[race])
-            put_factors(
-                ball.inner_factors if race == 0 else ball.outer_factors,
-                found.farthest if model.farthest else found.factors,
-            )
+            put_factors(ball.inner_factors if race == 0 else ball.outer_factors, found.factors)
             if found.beyond > 0.0 or np.isnan(numbers.near_shoulder):
                 out.beyond_fit = True
             if found.applied > 0.0:
@@ -314,7 +297,7 @@ def balance(
     """
     counted, ring = model.counted, work.ring
     unequal = load.radial != 0.0 or load.moment != 0.0 or abs(model.tilt) > 0.0
-    is_ring = (unequal and counted.load_distribution) or counted.weight
+    is_ring = (unequal and counted.load_distribution) or (counted.weight and (unequal or model.weighs_alike))
     if not is_ring and not load.axial > 0.0:
         out.status = NO_DISTRIBUTION if unequal else NO_THRUST
         spoil(out)
@@ -340,6 +323,7 @@ def balance(
         out.steps, out.left, out.tolerance = end.steps, end.left, end.tolerance
         spoil(out)
         return 0
+    out.residual = end.left / (abs(load.axial) + abs(load.radial) + abs(load.moment) / model.arm)
     return count
 
 
@@ -418,7 +402,7 @@ def add_ball(
     out.ball_lead += np.cos(2 * np.pi * j / count) / motion.cage_speed
     out.lead_across += np.sin(2 * np.pi * j / count) / motion.cage_speed
     out.slowness += 1 / motion.cage_speed
-    forces = note_own_forces(model, load.speed, min(ball.load[0], ball.load[1]), motion, out)
+    note_own_forces(model, load.speed, min(ball.load[0], ball.load[1]), motion, out)
     for race in range(2):
         found = contacts[race]
         resisted = found.resisted
@@ -429,63 +413,14 @@ def add_ball(
             out.rolling_force[race] += alike * resisted.rolling_torque / (2 * resisted.contact.entrainment)
         if slides:
             out.most_friction[race] += alike * friction_held(resisted, load.speed)
-            share = creep_share(resisted.contact, resisted.law, abs(load.speed), abs(motion.spin_difference))
-            out.creep = max(out.creep, share)
-    if model.resistance.rolls:
+    if model.resistance.rolls and model.counted.unloaded_balls and min(ball.load[0], ball.load[1]) == 0.0:
         resisted = contacts[0].resisted, contacts[1].resisted
-        for k in range(3):
-            out.at_edge[k] |= is_at_edge(model, ball, forces[k])
-        if min(ball.load[0], ball.load[1]) > 0.0:
-            out.coming_off += alike * change_without_load(model, load.speed, ball, resisted)
-        elif model.counted.unloaded_balls:
-            out.rolling += alike * more_in_clearance(
-                model.ring, model.resistance, model.warm, load.speed, ball, resisted
-            )
+        out.rolling += alike * more_in_clearance(model.ring, model.resistance, model.warm, load.speed, ball, resisted)
 
 
 @compiled
-def is_at_edge(model: ModelNumbers, ball: Record, force: float) -> bool:
-    """Whether a force of a ball's own, N, could take it off a race, or press it on both.
-
-    It moves the ball by the approach under it. Where another force holds the ball on one race, it also rolls up the
-    groove: nearer to the other race by how much their normals lean apart, and by the rise of the groove.
-    """
-    loads, most, bearing = (ball.load[0], ball.load[1]), NEARLY_OFF * force, model.ring.bearing
-    if min(loads[0], loads[1]) > 0.0:
-        return min(loads[0], loads[1]) < most
-    moved = loaded_hertz(ball.inner_unit, most).approach + loaded_hertz(ball.outer_unit, most).approach
-    if max(loads[0], loads[1]) > 0.0:
-        groove = bearing.inner.groove_radius if loads[0] > 0.0 else bearing.outer.groove_radius
-        lean = min(most / max(loads[0], loads[1]), 1.0)
-        moved += (groove - bearing.ball_radius) * lean * (abs(np.sin(ball.angle[0] - ball.angle[1])) + lean / 2)
-    return clearance_of(model.ring.grooves, ball) < moved
-
-
-@compiled
-def change_without_load(
-    model: ModelNumbers, speed: float, ball: Record, resisted: tuple[ResistedContact, ResistedContact]
-) -> float:
-    """Change of the torque by rolling if a ball comes off both races, N m; 0 for a ball with too much load for that.
-
-    The gap on each race is then the approach under the ball's weight.
-    """
-    weight, change = model.ring.bearing.ball_mass * STANDARD_GRAVITY, 0.0
-    if min(ball.load[0], ball.load[1]) > NEARLY_OFF * weight:
-        return 0.0
-    for race in range(2):
-        contact = resisted[race].contact
-        change -= resisted[race].rolling_torque
-        if model.counted.unloaded_balls:
-            gap = loaded_hertz(ball.inner_unit if race == 0 else ball.outer_unit, weight).approach
-            change += torque_off_race(model.resistance, model.warm, race, contact, contact.entrainment, gap, speed)
-    return abs(change)
-
-
-@compiled
-def note_own_forces(
-    model: ModelNumbers, ring_speed: float, least: float, motion: BallMotion, out: Record
-) -> tuple[float, float, float]:
-    """Each of OWN_FORCES, N; notes its share of the ball's load on the race that presses less, with an upright axis."""
+def note_own_forces(model: ModelNumbers, ring_speed: float, least: float, motion: BallMotion, out: Record) -> None:
+    """Note each force of a ball's own over its load on the race that presses less, with an upright axis."""
     bearing, orbit = model.ring.bearing, ring_speed * motion.cage_speed
     outward = outward_force(bearing.ball_mass, bearing.pitch_diameter, orbit)
     diameter = 2 * bearing.ball_radius
@@ -494,7 +429,6 @@ def note_own_forces(
     weight, turning = bearing.ball_mass * STANDARD_GRAVITY, abs(moment) / bearing.ball_radius
     out.gyroscopic_share = max(out.gyroscopic_share, over_load(turning, least))
     out.weight_share = max(out.weight_share, over_load(weight, least))
-    return weight, outward, turning * abs(np.sin(motion.pitch))
 
 
 @compiled
@@ -516,7 +450,7 @@ def write_ball(
     ball: Record,
 ) -> None:
     """Write the record of a ball."""
-    bearing, held, used = model.ring.bearing, 0.0, 0.0
+    bearing, held = model.ring.bearing, 0.0
     for race in range(2):
         resisted, hertz = contacts[race].resisted, contacts[race].hertz
         mixed = resisted.mixed
@@ -530,7 +464,6 @@ def write_ball(
         ball.film_extrapolated[race] = resisted.film_extrapolated
         ball.starvation_degree[race] = resisted.starvation_degree
         held += friction_held(resisted, load.speed)
-        used += coefficients[race] * state.load[race]
     turning = moment_of_turned_axis(
         bearing.ball_mass,
         2 * bearing.ball_radius,
@@ -539,10 +472,9 @@ def write_ball(
         motion.pitch,
     )
     both = state.load[0] > 0.0 and state.load[1] > 0.0
-    ball.gyroscopic_hold = ball.gyroscopic_use = 0.0
+    ball.gyroscopic_hold = 0.0
     if both and turning != 0.0:
         ball.gyroscopic_hold = abs(turning) / (bearing.ball_radius * held) if held > 0.0 else np.inf
-        ball.gyroscopic_use = abs(turning) / (bearing.ball_radius * used) if used > 0.0 else np.inf
     put_motion(ball, motion)
 
 
@@ -550,38 +482,46 @@ def write_ball(
 def slide_by_rule(
     model: ModelNumbers, tables: Tables, load: Load, states: Records, balls: Records, out: Record
 ) -> None:
-    """What the balls lose that turn by the spin rule; states : of the balls that differ"""
+    """What the balls lose that turn by the spin rule; states : of the balls that differ
+
+    Where the nodes of a level miss more than is allowed, the next one has twice as many.
+    """
     counted, count = model.counted, len(states)
     alike, slides = model.ring.bearing.ball_count / count, counted.spin or counted.conformity
-    missed = whole = 0.0
-    for j in range(count):
-        state = states[j]
-        motion = ruled_motion(model.ring.bearing, 1.0, state.angle[0], state.angle[1])
-        inner = contact_of_ball(model, tables, load.speed, 0, state, motion)
-        outer = contact_of_ball(model, tables, load.speed, 1, state, motion)
-        add_ball(model, load, state, (inner, outer), motion, (j, count), out)
-        coefficients = (np.nan, np.nan)
-        if slides:
-            difference = abs(motion.spin_difference) if counted.spin else 0.0
-            contacts = (inner.resisted.contact, outer.resisted.contact)
-            laws = (inner.resisted.law, outer.resisted.law)
-            slips = slips_of(model, tables, contacts, laws, abs(load.speed), difference, out)
-            coefficients = (slips[0].coefficient, slips[1].coefficient)
-            for race in range(2):
-                out.spin += alike * slips[race].spin_moment * slips[race].spin_rate
-                out.conformity += alike * slips[race].rolling_moment * contacts[race].rolling_rate
-            if model.judges and model.method != AS_PRINTED:
-                speed, method = abs(load.speed), model.method
-                if counted.conformity:
-                    of_ball, power = judged(contacts, laws, slips, speed, method, tables.nodes)
-                else:
-                    rule = model.spin_rule
-                    of_ball, power = judged_spin(contacts, laws, slips, speed, rule, method, tables.nodes)
-                missed += alike * of_ball
+    first, last = model.level, len(tables.nodes) // 3 - 1
+    for level in range(first, last + 1):
+        out.spin = out.conformity = 0.0
+        whole = most = missed = 0.0
+        for j in range(count):
+            state = states[j]
+            motion = ruled_motion(model.ring.bearing, 1.0, state.angle[0], state.angle[1])
+            inner = contact_of_ball(model, tables, load.speed, 0, state, motion)
+            outer = contact_of_ball(model, tables, load.speed, 1, state, motion)
+            if level == first:
+                add_ball(model, load, state, (inner, outer), motion, (j, count), out)
+            coefficients = (np.nan, np.nan)
+            if slides:
+                difference = abs(motion.spin_difference) if counted.spin else 0.0
+                contacts = (inner.resisted.contact, outer.resisted.contact)
+                laws = (inner.resisted.law, outer.resisted.law)
+                slips = slips_of(model, tables, contacts, laws, abs(load.speed), difference, level, out)
+                coefficients = (slips[0].coefficient, slips[1].coefficient)
+                power = 0.0
+                for race in range(2):
+                    spin = slips[race].spin_moment * slips[race].spin_rate
+                    conformity = slips[race].rolling_moment * contacts[race].rolling_rate
+                    out.spin += alike * spin
+                    out.conformity += alike * conformity
+                    power += spin + conformity
                 whole += alike * power
-        if j < len(balls):
-            write_ball(model, load, state, (inner, outer), coefficients, motion, balls[j])
-    out.sliding_error = np.inf if model.method == AS_PRINTED else error_of(missed, whole)
+                if power > most and not model.as_printed:
+                    most = power
+                    missed = missed_power(contacts, laws, slips, abs(load.speed), tables.nodes, level) / power
+            if j < len(balls):
+                write_ball(model, load, state, (inner, outer), coefficients, motion, balls[j])
+        out.level, out.sliding_error = level, missed * whole
+        if missed * whole <= model.allowed * (whole + out.hysteresis + out.rolling):
+            break
 
 
 @compiled
@@ -592,22 +532,18 @@ def slips_of(
     laws: tuple[PointLaw, PointLaw],
     ring_speed: float,
     spin_difference: float,
+    level: int,
     out: Record,
 ) -> tuple[Slip, Slip]:
-    """The slip of a ball on both races by the model's method."""
-    method = model.method
-    if method in (SINGLE_COEFFICIENT, AS_PRINTED):
+    """The slip of a ball on both races, over their ellipses or as [Paper] prints it; level : of nodes"""
+    if model.as_printed:
         inner, outer = line_slips(contacts, laws, ring_speed, spin_difference, model.spin_rule)
         if np.isnan(inner.spin_rate):
             out.status = NO_SPIN_BALANCE
-        if method == AS_PRINTED:
-            radius = model.ring.bearing.ball_radius
-            return as_printed_slip(contacts[0], inner, radius), as_printed_slip(contacts[1], outer, radius)
-        return inner, outer
-    nodes = tables.nodes[OWN_NODES[method]]
-    inner, outer, number = slips_over_contacts(
-        contacts, laws, ring_speed, spin_difference, model.spin_rule, nodes, method >= OVER_ELLIPSE
-    )
+        radius = model.ring.bearing.ball_radius
+        return as_printed_slip(contacts[0], inner, radius), as_printed_slip(contacts[1], outer, radius)
+    nodes = tables.nodes[3 * level]
+    inner, outer, number = slips_over_contacts(contacts, laws, ring_speed, spin_difference, model.spin_rule, nodes)
     if number == 0:
         out.status = NO_CREEP_SPEED
     return inner, outer
@@ -628,8 +564,11 @@ def slide_freely(
     states, contacts = work.balls[:count], work.contacts[:count]
     rolls_off = model.resistance.rolls and model.counted.unloaded_balls
     free = FreeModel(model.ring, model.resistance, rolls_off, tables.cubics, model.free, tables.quadratures)
-    wanted = FreeAccuracy(model.allowed, model.passes, model.nearly, not model.counted.conformity)
-    is_ring, end = None if has_ring is None else count > 1, FreeEnd(Round(ROUNDS_SETTLED, 0, 0.0, 0.0), 0.0, 0.0, 0.0)
+    wanted = FreeAccuracy(model.level, model.allowed)
+    is_ring, end = (
+        None if has_ring is None else count > 1,
+        FreeEnd(Round(ROUNDS_SETTLED, 0, 0.0, 0.0), 0.0, 0.0, 0.0, 0.0),
+    )
     if model.cold:
         work.ring.passes = 0
     for _ in range(2):  # by rule, where the point does not settle from a start that is known
@@ -641,7 +580,7 @@ def slide_freely(
         if end.round.end == ROUNDS_SETTLED or not known:
             break
     last = end.round
-    out.steps, out.left, out.tolerance, out.passes = last.steps, last.left, last.tolerance, work.ring.passes
+    out.steps, out.left, out.tolerance, out.level = last.steps, last.left, last.tolerance, work.ring.passes - 1
     if last.end != ROUNDS_SETTLED:
         out.status = STATUS_OF_ROUND[last.end]
         if count == 1 and out.status == OPEN_FORCES:
@@ -650,8 +589,9 @@ def slide_freely(
             if last.end == SKIDS and not states[j].residual <= states[out.worst_ball].residual:
                 out.worst_ball = j
         return
-    out.spin, out.conformity, out.sliding_error = end.spin, end.torque - end.spin, end.error
-    quadrature = tables.quadratures[work.ring.passes]
+    out.spin, out.conformity = end.spin, end.torque - end.spin
+    out.sliding_error, out.residual = end.error, end.residual
+    quadrature = tables.quadratures[1 + 3 * out.level]
     for j in range(count):
         state, of_ball = states[j], contacts[j]
         motion = motion_of(state)

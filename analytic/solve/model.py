@@ -13,8 +13,8 @@ from analytic.cage.steady import RestingCage
 from analytic.contact.factors import ContactCorrection
 from analytic.contact.finite_geometry_fit import FitNumbers, fit_record
 from analytic.errors import require_non_negative
-from analytic.free_ball.rotation import Creep, quadratures_of
-from analytic.free_ball.state import QUADRATURE, contact_states
+from analytic.free_ball.rotation import free_quadratures
+from analytic.free_ball.state import contact_states
 from analytic.free_ball.turning import FreeNumbers, free_numbers, outer_groove_centres
 from analytic.loads.ring_balance import placed_balls
 from analytic.loads.ring_rounds import RingNumbers
@@ -25,8 +25,8 @@ from analytic.oil.law_table import kept_table
 from analytic.oil.race_resistance import NO_OIL, RaceResistance, gap_law_of, resistance_of
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.oil.viscosity import OilNumbers, oil_numbers
-from analytic.scene import Array, Bearing, Cage, Lubricant, OwnTraction, Scene
-from analytic.sliding.judge import NODES, SINGLE_COEFFICIENT
+from analytic.scene import Array, Cage, Lubricant, OwnTraction, Scene
+from analytic.sliding.ball import NODES
 from analytic.sliding.long_ellipse import RULES
 from analytic.surface.gap import GapLaw, gap_forms
 
@@ -47,6 +47,7 @@ class Counted(NamedTuple):
     hysteresis: bool
     rolling: bool  # resistance of the oil to it
     unloaded_balls: bool  # in oil: they roll too
+    creep: bool  # of the surfaces of free balls
     cage: bool
 
 
@@ -57,19 +58,17 @@ class ModelNumbers(NamedTuple):
     arm: float  # R of the inner groove centres, m
     counted: Counted
     tilt: float  # of the ring about y, at which it is held, rad; NaN: it tilts freely
-    farthest: bool  # finite geometry by the factors at the far end of what is not known outside the fit's range
+    weighs_alike: bool  # the weights count under thrust alone too, where their direction is given
     oil: OilNumbers  # at the scene's temperature
     warm: OilNumbers  # at that of the last operating point
     has_oil: bool
     resistance: RaceResistance
     spin_rule: int  # of `long_ellipse.RULES`
-    method: int  # of sliding, as numbered in `analytic.sliding.judge`
-    judges: bool  # the error of the method is estimated
+    as_printed: bool  # moments of micro-slip as [Paper] prints them
     free: FreeNumbers
-    allowed: float  # error of the sliding of free balls, relative to the whole torque
-    passes: int  # quadrature of free balls; 0: the first that is accurate enough
+    level: int  # of nodes, the first one, from 0
+    allowed: float  # error of sliding, relative to the torque, beyond which the next level follows
     cold: bool  # free balls of every operating point begin by rule
-    nearly: bool  # one rough pass is enough for free balls whose start is known
     cage: RestingCage
     pocket: PocketNumbers
     declared: float  # torque of seals and drag, N m
@@ -77,8 +76,10 @@ class ModelNumbers(NamedTuple):
 
 NO_CAGE = RestingCage(0.0, 0.0, False, 0.0, np.inf, 1, 1.0, 1.0)
 
-
-NO_QUADRATURES: Records = np.zeros(0, QUADRATURE)
+# Along x, as a radial load: the direction of gravity where the scene gives none. Under thrust alone it is across the
+# axis, where the weights of balls that are alike cancel around the bearing to first order.
+ALONG_THE_LOAD = (1.0, 0.0, 0.0)
+LIMITS = (0.01, 0.001, 0.0001)  # tolerances, see `first_level`
 
 
 class Tables(NamedTuple):
@@ -86,8 +87,8 @@ class Tables(NamedTuple):
 
     fit: FitNumbers  # for finite geometry, a record
     cubics: Array  # splines of the gap laws
-    nodes: Records  # of contacts that balls by rule slide on, `judge.NODES`
-    quadratures: Records  # of contacts of free balls; none of balls by rule
+    nodes: Records  # of contacts that balls by rule slide on, `sliding.ball.NODES`
+    quadratures: Records  # of contacts of free balls, `free_ball.rotation.free_quadratures`
     law: Array  # table of a user's law of traction; (0, 0): none
     factors: Array  # (n or 1, 2, 4, Z or 1) given on Hertz's contacts; (0, 2, 4, 1): none
 
@@ -99,8 +100,7 @@ class Model:
     numbers: ModelNumbers  # a record
     tables: Tables
     balls: Records  # (Z,) of `state.BALL_STATE`, at rest
-    weights: Array  # (Z, 2) of the balls, radial and axial, N; 0 where their direction is not known
-    creep: Creep | None  # of freely turning balls; None: they turn by rule
+    is_free: bool  # whether the balls turn as friction has it; else by rule
     temperature: float  # of the oil, K; 0 without
 
     def at(self, points: NDArray[np.intp]) -> "Model":
@@ -137,75 +137,6 @@ class Model:
             numbers[name] = value
         return replace(self, numbers=record_in(numbers))
 
-    def counting(self, counted: Mapping[str, bool]) -> "Model":
-        """The model with other effects; those that are not named do not count.
-
-        Parameters
-        ----------
-        counted : mapping of str to bool
-            Whether each effect of `Counted` counts.
-
-        Returns
-        -------
-        Model
-            With a record of its own.
-        """
-        numbers, effects = copied(self.numbers), _counted_of(counted)
-        numbers["counted"] = effects
-        resistance = numbers["resistance"]
-        resistance["rolls"] = effects.rolling
-        resistance["elastic"] = effects.hysteresis
-        for race in ("inner", "outer"):
-            lubrication = resistance[race]
-            supply = lubrication["supply"]
-            lubrication["asperities"], lubrication["heats"] = effects.asperities, effects.inlet_heating
-            known = supply["churned"][0] or not (np.isnan(supply["degree"][0]) and np.isnan(supply["rate"][0]))
-            lubrication["starves"] = effects.starvation and known
-        return replace(self, numbers=record_in(numbers), balls=self._weighed(self.weights * effects.weight))
-
-    def turning_freely(self, bearing: Bearing, creep: Creep) -> "Model":
-        """The model with balls that turn as friction has it.
-
-        Parameters
-        ----------
-        bearing : Bearing
-            That of the model.
-        creep : str
-            How the surfaces creep: none, closed or marched.
-
-        Returns
-        -------
-        Model
-            With a record of its own.
-        """
-        numbers = copied(self.numbers)
-        counted = numbers["counted"]
-        inertia = bool(counted["centrifugal"][0]), bool(counted["gyroscopic"][0])
-        orbit = float(numbers["free"]["orbit"][0])
-        numbers["free"] = record_of(free_numbers(bearing, orbit=orbit, creep=creep, inertia=inertia))
-        tables = self.tables._replace(quadratures=quadratures_of(creep))
-        return replace(self, numbers=record_in(numbers), creep=creep, tables=tables)
-
-    def weighing(self, weights: Array) -> "Model":
-        """The model with balls of this weight.
-
-        Parameters
-        ----------
-        weights : ndarray, shape (Z, 2)
-            Radial and axial, N.
-
-        Returns
-        -------
-        Model
-            With balls of its own.
-        """
-        return replace(self, weights=weights, balls=self._weighed(weights))
-
-    def _weighed(self, weights: Array) -> Records:
-        balls = copied(self.balls)
-        balls["weight"] = weights
-        return balls
-
 
 class Workspace(NamedTuple):
     """The state of one operating point after the other: what one leaves is the start of the next."""
@@ -220,27 +151,28 @@ def workspace(model: Model) -> Workspace:
     return Workspace(ring_state(), copied(model.balls), contact_states(len(model.balls)))
 
 
+def first_level(tolerance: float) -> int:
+    """Level of nodes of `sliding.ball.LEVELS` and `free_ball.rotation.LEVELS` that a tolerance begins with, from 0.
+
+    tolerance : of the torque, relative
+    From 1 % on the first, from 0.1 % on the second, from 0.01 % on the third, else the fourth. The errors of these
+    were some 1, 0.3 and 0.1 % of the torque by sliding at most in ordinary bearings, of free balls.
+    """
+    return sum(tolerance < limit for limit in LIMITS)
+
+
 def model_of(
     scene: Scene,
     counted: Mapping[str, bool],
     *,
-    method: int = SINGLE_COEFFICIENT,
-    judges: bool = True,
-    creep: Creep | None = None,
-    allowed: float = 0.0,
-    passes: int = 0,
-    cold: bool = True,
-    nearly: bool = False,
+    free: bool,
     correction: ContactCorrection | None = None,
-    farthest: bool = False,
     variation: Variation = NOMINAL,
 ) -> Model:
     """The model of a scene.
 
     counted : whether each effect of `Counted` counts; those left out do not
-    method, judges : for balls that turn by rule, as in `ModelNumbers`
-    creep : how the surfaces of freely turning balls creep; None: the balls turn by the scene's spin rule
-    allowed, passes, cold, nearly, farthest : as in `ModelNumbers`
+    free : whether the balls turn as friction has it; else by the scene's spin rule
     correction : factors on Hertz's contacts in place of those of the fit;  variation : of the formulas
     Raises InputError as the formulas do that take the scene's numbers.
     """
@@ -257,42 +189,37 @@ def model_of(
         arm=bearing.inner.bottom_radius + bearing.inner.groove_radius,
         counted=effects,
         tilt=scene.operation.held_tilt,
-        farthest=farthest,
+        weighs_alike=scene.down is not None,
         oil=oil,
         warm=oil,
         has_oil=scene.lubricant is not None,
         resistance=resistance_of(scene, forms[:2], lambda name: getattr(effects, name), variation),
         spin_rule=RULES["balanced" if scene.spin_rule == "free" else scene.spin_rule],
-        method=method,
-        judges=judges,
-        free=free_numbers(bearing, orbit=orbit, creep=creep or "none", inertia=inertia),
-        allowed=allowed,
-        passes=passes,
-        cold=cold,
-        nearly=nearly,
+        as_printed=scene.microslip == "as_printed",
+        free=free_numbers(bearing, orbit=orbit, creeps=effects.creep, inertia=inertia),
+        level=first_level(scene.tolerance),
+        allowed=scene.tolerance / 2,
+        cold=True,
         cage=NO_CAGE if cage is None else resting_cage(bearing, cage),
         pocket=NO_POCKET if cage is None else pocket_numbers(scene, cage, forms[2]),
         declared=float(scene.losses.total or 0.0),
     )
-    balls, weights = placed_balls(bearing), weights_of(bearing, scene.down)
-    if effects.weight:
-        balls["weight"] = weights
+    weight = weight_of_ball(bearing, scene.down or ALONG_THE_LOAD) if effects.weight else (0.0, 0.0, 0.0)
     return Model(
         numbers=record_of(numbers),
-        tables=_tables_of(scene, cubics, creep, correction),
-        balls=balls,
-        weights=weights,
-        creep=creep,
+        tables=_tables_of(scene, cubics, correction),
+        balls=placed_balls(bearing, weight=weight),
+        is_free=free,
         temperature=0.0 if scene.lubricant is None else float(scene.lubricant.temperature),
     )
 
 
-def _tables_of(scene: Scene, cubics: Array, creep: Creep | None, correction: ContactCorrection | None) -> Tables:
+def _tables_of(scene: Scene, cubics: Array, correction: ContactCorrection | None) -> Tables:
     return Tables(
         fit=fit_record(),
         cubics=cubics,
         nodes=NODES,
-        quadratures=NO_QUADRATURES if creep is None else quadratures_of(creep),
+        quadratures=free_quadratures(),
         law=_law_of(scene.lubricant),
         factors=np.ones((0, 2, 4, 1)) if correction is None else factors_of(correction),
     )
@@ -305,13 +232,6 @@ def _law_of(lubricant: Lubricant | None) -> Array:
 
 def _counted_of(counted: Mapping[str, bool]) -> Counted:
     return Counted(*(bool(counted.get(name, False)) for name in Counted._fields))
-
-
-def weights_of(bearing: Bearing, down: tuple[float, float, float] | None) -> Array:
-    """(Z, 2) of the balls, radial and axial, N; down : direction of gravity, of length 1; None: not known"""
-    if down is None:
-        return np.zeros((bearing.ball_count, 2))
-    return placed_balls(bearing, weight=weight_of_ball(bearing, down))["weight"].copy()
 
 
 def _gap_laws(scene: Scene, cage: Cage | None) -> list[GapLaw | None]:

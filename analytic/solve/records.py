@@ -27,13 +27,11 @@ BALL = np.dtype(
         ("film_extrapolated", "u1", 2),  # the ellipse is not of a shape that the film formula was fitted to
         ("starvation_degree", "f8", 2),  # m of the inlet; 1: flooded
         ("gyroscopic_hold", "f8"),  # gyroscopic moment over the most that friction holds
-        ("gyroscopic_use", "f8"),  # the same over the friction at the ball's own slip
         ("motion", dtype_of(BallMotion)),
     ],
     align=True,
 )
 
-OWN_FORCES = "weight", "centrifugal", "gyroscopic"  # effects by what acts on a ball alone
 POINT = np.dtype(
     [
         ("total", "f8"),  # torques about the bearing axis, N m
@@ -42,11 +40,9 @@ POINT = np.dtype(
         ("hysteresis", "f8"),
         ("rolling", "f8"),
         ("cage", "f8"),
-        ("coming_off", "f8"),  # change of rolling if balls with little load come off, see `change_without_load`
-        ("at_edge", "u1", 3),  # whether each of OWN_FORCES could take a ball off a race, or press it on one
-        ("sliding_error", "f8"),  # of spin and conformity together, by the method that integrates them, N m
-        ("creep", "f8"),  # estimated share of sliding that elastic creep changes; infinite: of any size
-        ("passes", "i8"),  # number of the quadrature by which free balls have settled; 0: they turn by rule
+        ("sliding_error", "f8"),  # of spin and conformity together, by the nodes that integrate them, N m
+        ("residual", "f8"),  # of the equilibrium, relative
+        ("level", "i8"),  # of these nodes, from 0
         ("heaviest", "i8"),  # ball
         ("orbit_rate", "f8"),  # w_c/w, mean over the balls; NaN: nothing turns a ball
         ("ball_rate", "f8"),  # w_b/w, mean over the balls

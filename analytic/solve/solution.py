@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from analytic.contact.hertz import HertzContact, HertzNumbers
 from analytic.loads.balls import LoadedBalls, balls_between
 from analytic.loads.kinematics import BallKinematics, BallMotion
-from analytic.numerics.interpolated import far_points
 from analytic.numerics.records import Records
 from analytic.scene import Array, Bearing, Operation
 from analytic.solve.kernel import solve, solve_free
@@ -19,7 +18,6 @@ from analytic.solve.records import BALL, POINT
 
 OF_POINT = ("axial_load", "radial_load", "moment", "inner_speed", "temperature")  # columns of operating points, SI
 LEAST_SLICE = 64  # points for a thread of its own
-FAR = 8  # points of a series that decide for all
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -84,33 +82,15 @@ def points_of(operation: Operation, temperature: float) -> Array:
     return points
 
 
-def tried_points(points: Array, arm: float) -> NDArray[np.intp]:
-    """(k,) up to FAR of the operating points, (n, 5), which decide for all.
-
-    arm : of the moment that balls carry as a load, m
-    First come the ends of what effects follow: of load and speed, of how unequal the load is, and of inertia, speed
-    squared over load; then the points that differ most.
-    """
-    if len(points) <= FAR:
-        return np.arange(len(points))
-    axial, radial, moment, speed = np.abs(points[:, :4]).T
-    load = axial + radial + moment / arm
-    columns = np.stack([_logarithm(load), _logarithm(speed), (load - axial) / np.maximum(load, 1e-300)], axis=1)
-    inertia = 2 * columns[:, 1] - columns[:, 0]
-    ends = [inertia.argmax(), columns[:, 0].argmin(), columns[:, 1].argmin(), columns[:, 2].argmax(), inertia.argmin()]
-    extent = np.ptp(columns, axis=0)
-    far = far_points((columns - columns.min(axis=0)) / np.where(extent > 0, extent, 1.0), FAR)
-    return np.sort(np.array(list(dict.fromkeys([*map(int, ends), *far.tolist()]))[:FAR]))
-
-
 def solved(model: Model, points: Array, *, work: Workspace | None = None, keeps_balls: bool = True) -> Solution:
     """The kernel at n points, (n, 5); work : a state to begin with and to leave, for one thread; None: by rule."""
     count, points = len(points), np.ascontiguousarray(points)  # another layout would be compiled again, for seconds
-    kernel = solve if model.creep is None else solve_free
+    kernel = solve_free if model.is_free else solve
     counted, unequal = model.numbers.counted, bool(points[:, 1:3].any() or abs(model.numbers.tilt) > 0)
     # Unequal loads, or weights, ask for a ring of all balls.
-    has_ring = True if unequal or counted.weight else None
-    columns = len(model.balls) if (unequal and counted.load_distribution) or counted.weight else 1
+    weighs = counted.weight and (unequal or model.numbers.weighs_alike)
+    has_ring = True if unequal or weighs else None
+    columns = len(model.balls) if (unequal and counted.load_distribution) or weighs else 1
     out, balls = np.zeros(count, POINT), np.zeros((count, columns) if keeps_balls else (0, 0), BALL)
     threads = 1 if work is not None else min(os.cpu_count() or 1, max(count // LEAST_SLICE, 1))
 
@@ -129,9 +109,3 @@ def solved(model: Model, points: Array, *, work: Workspace | None = None, keeps_
         with ThreadPoolExecutor(threads) as pool:
             list(pool.map(solve_slice, np.array_split(np.arange(count), threads)))
     return Solution(points=out, balls=balls)
-
-
-def _logarithm(values: Array) -> Array:
-    """That of 0 is a tenth of the least."""
-    moving = values[values > 0]
-    return np.log(np.maximum(values, moving.min() / 10 if moving.size else 1.0))

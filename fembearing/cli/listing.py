@@ -84,7 +84,7 @@ def _scenes() -> list[Row]:
 
 
 def _effects() -> list[Row]:
-    from analytic.effects.table import TABLE
+    from analytic.effects import TABLE
 
     return [
         {

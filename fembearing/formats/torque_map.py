@@ -22,7 +22,6 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from analytic.effects.ledger import SWITCHED_OFF, Effects
 from analytic.errors import InputError
 from analytic.function import AT_REST, TorqueFunction, torque_function
 from analytic.prediction.first_order import first_order_ends
@@ -36,7 +35,6 @@ from fembearing.progress import Progress, silent
 OF_OPERATION = {"speed": "inner_speed", "axial_load": "axial_load", "radial_load": "radial_load"}
 CREEPING = 1e-6  # speed at which a bearing begins to turn, over the first speed of the axis above 0
 NODES = {"speed": 20, "axial_load": 3, "radial_load": 3, "temperature": 3}  # most of an axis, that have an interval
-RESTS = "the cage of a table rests on its balls"
 LOW, NOMINAL, HIGH = range(3)
 
 
@@ -44,12 +42,12 @@ class TorqueOverAxes:
     """Torques of a scene at points of its axes, by one torque function for each temperature of the oil."""
 
     def __init__(self, found: SceneByTemperature, axes: Axes) -> None:
-        """Settles effects and methods. Raises InputError and ConvergenceError as `torque_function`."""
+        """Raises InputError and ConvergenceError as `torque_function`."""
         scene = found.scene
         self.moment = _moment(scene)
-        ends = {OF_OPERATION[name]: (values[0], values[-1]) for name, values in axes.items() if name in OF_OPERATION}
-        own = torque_function(scene, over={**ends, "moment": (self.moment, self.moment)})
-        self.found = replace(found, scene=own.scene)  # with every effect settled
+        ends = {name: values[[0, -1]] for name, values in axes.items() if name in OF_OPERATION}
+        own = torque_function(replace(scene, operation=_operation(ends, scene.operation)))
+        self.found = replace(found, scene=own.scene)  # whose cage rests
         oil = own.scene.lubricant
         self._functions: dict[float, TorqueFunction] = {0.0 if oil is None else oil.temperature: own}
 
@@ -142,19 +140,8 @@ def torques_at_nodes(found: SceneByTemperature, axes: Axes) -> list[tuple[Scene,
     temperatures = chosen.pop("temperature", [None])
     own = replace(found, scene=replace(found.scene, operation=_operation(chosen, found.scene.operation)))
     scenes = [own.scene if each is None else own.at(float(each)) for each in temperatures]
-    return [(scene, _with_resting_cage(scene)) for scene in scenes]
-
-
-def _with_resting_cage(scene: Scene) -> FrictionTorque:
-    """The torque without motion of the cage, and that as the reason where the scene leaves it open."""
-    friction = friction_torque(replace(scene, effects={**scene.effects, **AT_REST}))
-    open_ones = tuple(name for name in AT_REST if scene.effects.get(name, "auto") == "auto")
-    effects = {
-        each.name: replace(each, reason=each.reason.replace(SWITCHED_OFF, RESTS)) if each.name in open_ones else each
-        for each in friction.effects
-    }
-    warnings = (each.replace(SWITCHED_OFF, RESTS) if each.startswith(open_ones) else each for each in friction.warnings)
-    return replace(friction, effects=Effects(effects, None), warnings=tuple(warnings))
+    still = [replace(scene, effects={**scene.effects, **AT_REST}) for scene in scenes]
+    return [(scene, friction_torque(scene)) for scene in still]
 
 
 def _moment(scene: Scene) -> float:
@@ -187,8 +174,6 @@ def _interval(law: TorqueOverAxes, axes: Axes, progress: Progress) -> Array:
         settled,
         operation=_operation(chosen, settled.operation),
         spin_rule="balanced",
-        sliding="single_coefficient",
-        effects={**settled.effects, "creep": "off"},  # it goes with free balls alone
     )
     found = []
     for number, temperature in enumerate(temperatures):

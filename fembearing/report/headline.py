@@ -7,7 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from analytic.effects.table import DECLARED, MOST_STARVED
+from analytic.effects import DECLARED
+from analytic.limits import MOST_STARVED
 from analytic.result import COORDINATES, TorquePoint
 from analytic.scene import Scene
 from analytic.words import percent_of

@@ -212,12 +212,12 @@ def value_of(value: float | str | None, uncertainty: float | None, unit: str, un
 def share_of(kind: str, share: float | None) -> str:
     """An effect's largest share of the total.
 
-    kind : what the share is: of a part of its own, by trial, a bound, unbounded or unknown
+    kind : what the share is: of a part of its own, measured, an estimate, or unknown
     """
     if share is None:
-        return "no known limit" if kind == "unbounded" else "not known"
-    seen = share if kind == "bound" or share > NOTHING else 0.0
-    return f"{'<= ' if kind == 'bound' else ''}{100 * seen:{'.0f' if share > 1 else '.3g'}} %"
+        return "not known"
+    seen = share if share > NOTHING else 0.0
+    return f"{'about ' if kind == 'estimate' and seen else ''}{100 * seen:{'.0f' if share > 1 else '.3g'}} %"
 
 
 def uncertainty_of(model: float | None, parts: Mapping[str, float]) -> str:
@@ -250,8 +250,6 @@ def worst_of(check: "PhysicalCheck", units: Units = METRIC) -> str:
 
 def numerical_words(check: "NumericalCheck") -> str:
     """Whether the torque is solved within the tolerance, in a sentence."""
-    if check.uncertainty is None:
-        return f"Numerical: not reached, the uncertainty of the torque is not known: {check.reason}."
     words = f"Numerical: {check.verdict}, the uncertainty of the torque is {100 * check.uncertainty:.2g} %"
     return f"{words}, {'within' if check.verdict == 'pass' else 'beyond'} the tolerance {100 * check.tolerance:.3g} %."
 

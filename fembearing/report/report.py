@@ -43,7 +43,7 @@ from fembearing.verify.validation import Validation
 if TYPE_CHECKING:
     from pydantic import TypeAdapter
 
-KIND, FORMAT = "fembearing validation", 6  # what the JSON is; the number rises when a key changes its name or meaning
+KIND, FORMAT = "fembearing validation", 7  # what the JSON is; the number rises when a key changes its name or meaning
 INSTANTS = 400  # of a cage's motion that are kept
 LARGEST = 1e200  # SI; a larger number is damage, and may be too large in the unit in which it is shown
 LARGEST_FILE = 256_000_000  # bytes: ten times a series of thousand points
@@ -185,7 +185,7 @@ class Report:
     __pydantic_config__: ClassVar[dict[str, Any]] = {"strict": True, "extra": "forbid", "allow_inf_nan": False}
 
     kind: Literal["fembearing validation"] = KIND
-    format: Literal[6] = FORMAT
+    format: Literal[7] = FORMAT
     verdict: Summary
     findings: Annotated[tuple[Finding, ...], MinLen(1)]
     physical: Annotated[tuple[PhysicalCheck, ...], MinLen(1)]

@@ -8,7 +8,7 @@ from annotated_types import MinLen
 
 from analytic.cage.statistics import OtherStart
 from analytic.cage.torque import CagePoint
-from analytic.effects.ledger import Effect
+from analytic.effects import Effect
 from analytic.inputs import StatedInput
 from analytic.prediction.rows import PredictionRows
 from analytic.result import PairRows, TorquePoint
@@ -20,7 +20,7 @@ from fembearing.verify.torque.scene_torque import SceneTorque
 from fembearing.verify.torque.standing import Standing
 from fembearing.verify.torque.verdicts import Verdicts
 
-KIND, FORMAT = "fembearing torque", 5  # what the JSON is; the number rises when a key changes its name or meaning
+KIND, FORMAT = "fembearing torque", 6  # what the JSON is; the number rises when a key changes its name or meaning
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -52,7 +52,7 @@ class TorqueRecord:
     pair: PairRows | None
     effects: tuple[Effect, ...]
     warnings: tuple[str, ...]
-    unknown: tuple[str, ...]  # why the numerical uncertainty is not known
+    measured_points: tuple[int, ...]  # at which shares of effects are measured, from 0
     provenance: Mapping[str, str]
     seconds: NotNegative
     tolerance: Positive
@@ -105,7 +105,7 @@ class TorqueFile(TorqueRecord):
     """What `torque --json` prints."""
 
     kind: Literal["fembearing torque"] = KIND
-    format: Literal[5] = FORMAT
+    format: Literal[6] = FORMAT
 
 
 def torque_record(result: SceneTorque) -> TorqueRecord:
@@ -122,11 +122,12 @@ def _content(result: SceneTorque) -> dict[str, Any]:
     friction, rows = result.friction, result.places.rows
     pair = None if friction.pair is None else friction.pair.rows
     prediction = None if result.prediction is None else result.prediction.rows
-    of_torque = ("gap_roughness", "clearances", "warnings", "unknown", "provenance", "seconds")
+    of_torque = ("gap_roughness", "clearances", "warnings", "provenance", "seconds")
     return {
         "points": rows(friction.rows),
         "pair": pair and replace(pair, points=rows(pair.points)),
-        "effects": friction.shares,
+        "effects": tuple(friction.effects),
+        "measured_points": friction.effects.points,
         **{name: getattr(friction, name) for name in of_torque},
         "tolerance": result.scene.tolerance,
         "catalogue_band": _band(result),

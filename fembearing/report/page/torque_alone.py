@@ -35,7 +35,7 @@ def torque_page(result: SceneTorque, figure: bytes) -> str:
         numerical=numerical_words(verdicts.numerical),
         physical=physical_table(verdicts.physical, units),
         warnings=friction.warnings,
-        effects=effects_table(friction.shares),
+        effects=effects_table(friction.effects, friction.effects.points),
         versions=friction.provenance,
         fingerprint=provenance_of(result.scene).scene_sha256,
     )

@@ -86,7 +86,7 @@ def _inputs(document: Report) -> list[Table]:
     if torque is None:
         return []
     named = [inputs_table("Sources of the inputs", torque.inputs, document.units)] if torque.inputs else []
-    return [*named, *([effects_table(torque.effects)] if torque.effects else [])]
+    return [*named, *([effects_table(torque.effects, torque.measured_points)] if torque.effects else [])]
 
 
 def _torque(document: Report) -> list[Table]:

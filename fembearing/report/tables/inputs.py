@@ -1,8 +1,8 @@
 """Which effects count, and where the inputs come from."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
-from analytic.effects.ledger import Effect
+from analytic.effects import Effect
 from analytic.inputs import StatedInput
 from fembearing.quantities import METRIC, Units
 from fembearing.report.phrases import share_of, value_of
@@ -10,8 +10,8 @@ from fembearing.report.tables.table import Head, Table, table_of
 
 EFFECTS = (Head("effect", "name"), Head("", "name"), Head("share", fixed=True), Head("reason", "text"))
 SHARES = (
-    "Share: of the total, the largest of all operating points; <=: upper bound of the change by neglecting the effect. "
-    "The uncertainty of the torque excludes effects that are off in the scene."
+    "Share: of the total, the largest of all operating points where the effect has a part of the torque; else the "
+    "change of the torque without it"
 )
 ORIGINS = (
     "Given: in the scene. Printed: in a catalogue or a paper. Derived: computed from printed values. Assumed: no "
@@ -20,10 +20,12 @@ ORIGINS = (
 INPUTS = (Head("input", "name"), Head("value", "name"), Head("status", "name"), Head("source", "text", wide=True))
 
 
-def effects_table(effects: Iterable[Effect]) -> Table:
-    """Each effect with its decision, share and reason."""
+def effects_table(effects: Iterable[Effect], points: Sequence[int] = ()) -> Table:
+    """Each effect with its decision, share and reason; points : at which shares are measured, from 0"""
     rows = [[each.name, each.decision, share_of(each.share_is, each.share), each.reason] for each in effects]
-    return table_of("Effects", EFFECTS, rows, [SHARES])
+    at = ", ".join(str(1 + point) for point in points)
+    where = f", at operating point{'s' if len(points) > 1 else ''} {at}" if points else ""
+    return table_of("Effects", EFFECTS, rows, [f"{SHARES}{where}. About: estimated, not computed."])
 
 
 def inputs_table(label: str, inputs: Iterable[StatedInput], units: Units = METRIC) -> Table:

@@ -43,9 +43,9 @@ def print_details(out: Console, result: SceneTorque) -> None:
     tables += cage_tables(cage_motion(result), torque, places, units)
     for table in (*([] if torque.pair is None else [pair_table(torque.pair, places, units)]), *tables):
         show(out, table)
-    show(out, effects_table(torque.effects))
+    show(out, effects_table(torque.effects, torque.measured_points))
     _print_inputs(out, result, units)
-    names = ("loads", "contacts", "sliding", *(() if result.friction.cage is None else ("cage",)))
+    names = ("loads", "contacts", "sliding", "kinematics", *(() if result.friction.cage is None else ("cage",)))
     methods = [f"{name} by {torque.provenance[name]}".replace("_", " ") for name in names]
     source = friction_of(coefficient=scene.friction_coefficient, is_lubricated=scene.has_friction)
     law = None if scene.lubricant is None else scene.lubricant.traction

@@ -11,8 +11,8 @@ import numpy as np
 from analytic.contact.geometry import RACES, Race, pocket_contact, race_contact
 from analytic.errors import InputError, require_non_negative
 from analytic.loads.balls import LoadedBalls
-from analytic.races import loaded_balls_of
 from analytic.scene import Contact, Pair, Scene
+from analytic.torque import loaded_balls_of
 from analytic.words import NEWTON, NEWTON_MILLIMETRE, shown
 from fembearing.mesh.recipe import Geometry, Recipe, load_recipe
 

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from analytic.effects.table import STATIC_LIMIT
+from analytic.limits import STATIC_LIMIT
 from analytic.scene import Contact
 from analytic.words import MILLIMETRE, percent_of, pressure_of
 from fembearing.fem.pixel_contact import PixelSolution

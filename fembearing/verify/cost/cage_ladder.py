@@ -6,10 +6,10 @@ import numpy as np
 
 from analytic.cage.drive import cage_drive
 from analytic.cage.statistics import CageStatistics, measured_motion
-from analytic.cage.torque import CagePart, cage_friction, driven_cage
+from analytic.cage.torque import CagePart, cage_friction, cage_moves, driven_cage
 from analytic.errors import InputError
-from analytic.races import loaded_balls_of
 from analytic.scene import Array, Scene
+from analytic.torque import loaded_balls_of
 from analytic.words import speed_of
 from fembearing.verify.cost.ladder import UntimedLadder, UntimedMethod, deviation
 
@@ -40,7 +40,7 @@ def cage_methods(scene: Scene) -> UntimedLadder:
     drive = cage_drive(resting, balls, scene.friction_coefficient, operation.inner_speed)
 
     def closed_form() -> CagePart:
-        return cage_friction(resting, drive, moves=False)
+        return cage_friction(resting, drive, cage_moves(resting, None))
 
     level = driven_cage(
         bearing,

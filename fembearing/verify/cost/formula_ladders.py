@@ -11,13 +11,15 @@ import numpy as np
 
 from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact, relative_curvatures
 from analytic.contact.hertz_fitted import fitted_error, hertz_contact_fitted
-from analytic.effects.table import COMPUTED, ruled
+from analytic.effects import ruled
 from analytic.errors import InputError
+from analytic.free_ball.rotation import LEVELS as FREE_NODES
 from analytic.loads.balls import LoadedBalls, LoadEffects, ring_balls, thrust_balls
 from analytic.loads.inertia import inertia_ratios
 from analytic.loads.numbers import free_angle
 from analytic.loads.thrust import ThrustEquilibrium, thrust_equilibrium, thrust_equilibrium_frozen
-from analytic.scene import Array, Autocorrelation, Contact, Decision, Operation, Scene, Sliding
+from analytic.scene import Array, Autocorrelation, Contact, Operation, Scene
+from analytic.sliding.ball import LEVELS as ELLIPSE_NODES
 from analytic.surface.heightmap import FEWEST_POINTS, WIDEST, measure
 from analytic.surface.moments import SpectralMoments
 from analytic.surface.roughness import generated_surface, spectral_moments
@@ -31,20 +33,8 @@ HERTZ_FIELDS = ("semi_axis_x", "semi_axis_y", "peak_pressure", "approach")
 PER_CENTRIFUGAL, PER_PULL = 1.5, 1.5
 HEAVIEST = 5.0  # times Fr/Z: load of the heaviest ball under a radial load; Stribeck's 4.37, rounded up for clearance
 SETTLED = 1e-10  # difference of two iterations to the same equilibrium
-# The methods for sliding; the tolerance sets the nodes of the quadrature.
-SLIDING: tuple[tuple[str, Sliding, float], ...] = (
-    ("single coefficient", "single_coefficient", 1.0),
-    ("along axis", "along_axis", 1.0),
-    ("over ellipse, few nodes", "over_ellipse", 1.0),
-    ("over ellipse", "over_ellipse", 1e-6),
-)
-# Ways in which balls turn: sliding method, whether surfaces creep, tolerance; after the rule, which has none of these.
-TURNING: tuple[tuple[str, Sliding, Decision, float], ...] = (
-    ("free ball without creep", "free_ball", "off", 1e-2),
-    ("with closed creep", "closed_creep", "on", 1e-2),
-    ("with marched creep, few nodes", "marched_creep", "on", 1.0),
-    ("with marched creep", "marched_creep", "on", 1e-6),
-)
+# Tolerances that begin with each level of nodes, from coarse to fine
+LEVELS = (0.05, 5e-3, 5e-4, 1e-6)
 LARGEST_MAP = 2048  # points along a side of a generated surface: takes 0.2 GB
 SEED = 20250  # of the generated surfaces: arbitrary, but the same every time
 # Deviation of one generated surface from its ensemble. On a square of side L the mean square height has the relative
@@ -138,86 +128,62 @@ def load_methods(scene: Scene) -> UntimedLadder:
 
 
 def friction_methods(scene: Scene) -> UntimedLadder:
-    """Torque of the races by the methods to integrate sliding, with the same effects, loads and closed kinematics."""
+    """Torque of the races by the nodes that integrate sliding over the ellipses, with closed kinematics."""
+    _require_sliding(scene)
     rule = "balanced" if scene.spin_rule == "free" else scene.spin_rule
-    settled = replace(_settled(scene), spin_rule=rule)
-    settled = replace(settled, effects={**settled.effects, "creep": "off"})
-
-    def method(name: str, sliding: Sliding, tolerance: float) -> UntimedMethod:
-        chosen = replace(settled, sliding=sliding, tolerance=tolerance)
-        return UntimedMethod(
-            name=name,
-            run=lambda: friction_torque(chosen).torque.race,
-            bound=lambda: float(np.max(friction_torque(chosen).numerical_uncertainty)),
-            may_refer=name == SLIDING[-1][0],
-        )
-
     points = scene.operation.as_series().axial_load.size
     return UntimedLadder(
         quantity="friction torque",
-        reference=f"sliding integrated over the ellipse; worst of {points} operating points",
-        methods=tuple(method(*each) for each in SLIDING),
-    )
-
-
-def turning_methods(scene: Scene) -> UntimedLadder:
-    """Torque of the races by how the balls turn, with the same other effects: by rule, or freely with or without creep.
-
-    What creep changes has the bound that `analytic.effects` decides by, and a law of creep without memory misses at
-    most that. Nothing bounds what a rule misses where the inertia of the balls counts.
-    """
-    settled = _settled(replace(scene, spin_rule="free", sliding="auto"))
-    if reason := ruled(settled):
-        raise InputError(f"the balls do not turn freely: {reason}")
-    without_creep = friction_torque(replace(settled, effects={**settled.effects, "creep": "off"}))
-    inert = without_creep.sliding == "free_ball"
-
-    def method(name: str, chosen: Scene) -> UntimedMethod:
-        def bound() -> float:
-            result = friction_torque(chosen)
-            left = 0.0
-            if chosen.spin_rule != "free":
-                left = np.inf if inert else float(np.max(without_creep.numerical_uncertainty))
-            if chosen.sliding != "marched_creep":
-                left += next(effect.share or 0.0 for effect in friction_torque(rigid).effects if effect.name == "creep")
-            return float(np.max(result.numerical_uncertainty)) + left
-
-        return UntimedMethod(
-            name=name,
-            run=lambda: friction_torque(chosen).torque.race,
-            bound=bound,
-            may_refer=name == TURNING[-1][0],
-        )
-
-    def turning(sliding: Sliding, creep: Decision, tolerance: float) -> Scene:
-        return replace(settled, sliding=sliding, tolerance=tolerance, effects={**settled.effects, "creep": creep})
-
-    rigid = turning(*TURNING[0][1:])
-    points = scene.operation.as_series().axial_load.size
-    rule = replace(rigid, spin_rule="balanced", sliding="over_ellipse")
-    return UntimedLadder(
-        quantity="how balls turn",
-        reference=f"torque of free balls, creep marched through many nodes; worst of {points} operating points",
-        methods=(
-            method("rule of balanced spin", rule),
-            *(method(name, turning(sliding, creep, tolerance)) for name, sliding, creep, tolerance in TURNING),
+        reference=f"sliding integrated over the ellipses; worst of {points} operating points",
+        methods=tuple(
+            _method(f"over ellipses, {n} by {m} nodes a panel", replace(scene, spin_rule=rule, tolerance=tolerance))
+            for (n, m), tolerance in zip(ELLIPSE_NODES, LEVELS, strict=True)
         ),
     )
 
 
-def _settled(scene: Scene) -> Scene:
-    """The scene without its cage, which has a ladder of its own, and with every other effect as it was decided."""
+def turning_methods(scene: Scene) -> UntimedLadder:
+    """Torque of the races by how the balls turn: by rule, or freely with or without creep.
+
+    Nothing bounds what a rule and rigid surfaces miss.
+    """
+    _require_sliding(scene)
+    free = replace(scene, spin_rule="free")
+    if reason := ruled(free):
+        raise InputError(f"the balls do not turn freely: {reason}")
+    points = scene.operation.as_series().axial_load.size
+    rigid = replace(free, effects={**scene.effects, "creep": "off"})
+    return UntimedLadder(
+        quantity="how balls turn",
+        reference=f"torque of free balls, creep marched through many nodes; worst of {points} operating points",
+        methods=(
+            _method("rule of balanced spin", replace(scene, spin_rule="balanced"), misses=np.inf),
+            _method("free balls without creep", rigid, misses=np.inf),
+            *(
+                _method(f"with marched creep, {n} by {m} nodes", replace(free, tolerance=tolerance))
+                for (n, m), tolerance in zip(FREE_NODES, LEVELS, strict=True)
+            ),
+        ),
+    )
+
+
+def _method(name: str, scene: Scene, misses: float = 0.0) -> UntimedMethod:
+    plain = replace(scene, effects={**scene.effects, "cage": "off"})
+    return UntimedMethod(
+        name=name,
+        run=lambda: friction_torque(plain).settled().torque.race,
+        bound=lambda: float(np.max(friction_torque(plain).numerical_uncertainty)) + misses,
+        may_refer=scene.tolerance == LEVELS[-1],
+    )
+
+
+def _require_sliding(scene: Scene) -> None:
     if not scene.has_friction:
         raise InputError("neither friction.coefficient nor both [lubricant] and [surface] are given")
     if scene.microslip == "as_printed":
         raise InputError('friction.microslip = "as_printed" has one method: the paper\'s moments')
-    plain = replace(scene, effects={**scene.effects, "cage": "off"})
-    effects: dict[str, Decision] = {
-        name: decision for name, decision in friction_torque(plain).effects.decisions.items() if name in COMPUTED
-    }
-    if "on" not in (effects.get("spin"), effects.get("conformity")):
+    if scene.effects.get("spin") == scene.effects.get("conformity") == "off":
         raise InputError("nothing slides: spin and conformity are off")
-    return replace(scene, effects={**plain.effects, **effects})
 
 
 def roughness_methods(scene: Scene) -> UntimedLadder:

@@ -11,7 +11,7 @@ import numpy as np
 
 from analytic.contact.geometry import RACES, race_curvatures, race_numbers
 from analytic.contact.rolling_contact import RollingContact
-from analytic.effects.trial import possible
+from analytic.effects import counted_effects
 from analytic.errors import InputError
 from analytic.free_ball.strips import (
     LATERAL,
@@ -38,7 +38,7 @@ from fembearing.creep.ball import TurningBall, race_motions
 from fembearing.creep.kinematics import RigidSlip, rigid_slip
 from fembearing.creep.place import HeldBall, free_lengths, unit_under
 
-PASSES = 3  # of free balls: 64 strips of 35 nodes
+LEVEL = 2  # of the nodes of free balls: 64 strips of 47
 ALIKE = 1e-6  # relative, of the loads of two balls that are each other's mirror images
 SLIDES = 1e-9  # relative to the limit of friction, below which a node sticks
 
@@ -97,7 +97,7 @@ def produced(scene: Scene) -> Production:
         balls=_distinct(scene, work.balls[: found.balls.shape[1]], work.contacts, speed, inertia=inertia),
         formula=float(by_rule.sliding_torque[0]),
         torque=float(found.sliding_torque[0]),
-        quadrature=free.tables.quadratures[PASSES],
+        quadrature=free.tables.quadratures[1 + 3 * LEVEL],
         heaviest=heaviest,
     )
 
@@ -106,11 +106,13 @@ def models_of(scene: Scene) -> tuple[Model, Model]:
     """Of the formula and of marched creep. Raises InputError where slip is left out."""
     if off := [name for name in ("spin", "conformity") if scene.effects.get(name) == "off"]:
         raise InputError(f'effects.{off[0]} = "off" neglects a part of the slip: use "auto"')
-    can = possible(scene)
+    can = counted_effects(scene)
     inertia = can["gyroscopic"] and (can["centrifugal"] or scene.bearing.kind == "thrust")
     counted = can | {"weight": False, "finite_geometry": False, "spin": True, "conformity": True}
     counted |= {"gyroscopic": inertia, "centrifugal": inertia and can["centrifugal"]}
-    return model_of(scene, counted, judges=False), model_of(scene, counted, creep="marched", passes=PASSES)
+    counted["cage"] = False
+    fine = model_of(scene, counted, free=True).with_numbers(level=LEVEL, allowed=np.inf)
+    return model_of(scene, counted, free=False), fine
 
 
 def _distinct(

@@ -17,7 +17,7 @@ from analytic.oil.film import FILM_FACTORS
 from analytic.oil.variation import COVERAGE, FIT_SHARE, NOMINAL, ROLLING_SPREAD, Variation
 from analytic.oil.viscosity import inlet_viscosity
 from analytic.prediction.evaluation import parts_of, without_moving_cage
-from analytic.prediction.settled import free_start
+from analytic.prediction.settled import level_of
 from analytic.result import FrictionTorque
 from analytic.scene import Array, Contact, Scene
 from fembearing.ehl.ball_on_race import lubricated_contact
@@ -177,9 +177,9 @@ def film_change(scene: Scene, friction: FrictionTorque, films: tuple[RaceFilm, .
 
     numerical = Variation(film=ratio("central_film"), rolling=ratio("rolling_force"))
     same = without_moving_cage(scene, friction)
-    start = free_start(same)
-    base = parts_of(same, NOMINAL, start).total
-    return (parts_of(same, numerical, start).total - base) / friction.torque.total
+    level = level_of(same)
+    base = parts_of(same, NOMINAL, level).total
+    return (parts_of(same, numerical, level).total - base) / friction.torque.total
 
 
 def _verdict(

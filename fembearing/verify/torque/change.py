@@ -13,10 +13,11 @@ import numpy as np
 from analytic.brief import Brief
 from analytic.contact.factors import ContactCorrection, ContactFactors
 from analytic.contact.finite_geometry import RaceCorrections
+from analytic.effects import CAGE_OFF
 from analytic.loads.finite_geometry import corrections_of
 from analytic.result import FrictionTorque
 from analytic.scene import Array, Scene
-from analytic.torque import NO_CAGE, friction_torque
+from analytic.torque import friction_torque
 from fembearing.verify.contact.discrepancy import ContactSolution
 from fembearing.verify.contact.scene_contact import balls_of
 from fembearing.verify.contact.verdict import Verdict, worst
@@ -119,8 +120,7 @@ def change_of_torque(
     The correction for finite geometry depends on the load of each ball, so its change is given at each operating point.
     Raises InputError as friction_torque does.
     """
-    races = production.settled(scene)
-    races = replace(races, effects={**races.effects, **NO_CAGE})
+    races = replace(scene, effects={**scene.effects, **CAGE_OFF})
     own, corrected = friction_torque(races), _corrected(races, factors(inner), factors(outer))
     solved = int(np.argmax(own.ball_load))
 

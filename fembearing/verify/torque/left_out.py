@@ -100,7 +100,7 @@ def torque_where_it_is(scene: Scene) -> tuple[Scene, FrictionTorque, tuple[LeftO
 
 
 def _torque(scene: Scene) -> FrictionTorque:
-    return with_model_uncertainty(scene, friction_torque(scene))
+    return with_model_uncertainty(scene, friction_torque(scene).settled())
 
 
 def _without_values(node: Any) -> Any:

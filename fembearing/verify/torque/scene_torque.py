@@ -84,7 +84,7 @@ class SceneTorque(Brief):
     @cached_property
     def standing(self) -> Standing:
         """How far it can be trusted, in one word."""
-        torque, effects = self.friction.torque, self.friction.shares
+        torque, effects = self.friction.torque, self.friction.effects
         return standing_of(self.scene, torque=torque, effects=effects, verdicts=self.verdicts, band=self.catalogue.band)
 
     @property
@@ -211,7 +211,7 @@ def torque_of_scene(
         reasons = (f"operating point {each.point + 1} of {size} is left out: {each.reason}" for each in left_out)
         friction = replace(friction, warnings=(*friction.warnings, *reasons))
     else:
-        friction = with_model_uncertainty(scene, friction_torque(scene))
+        friction = with_model_uncertainty(scene, friction_torque(scene).settled())
     other, friction = _with_other_balls(scene, friction)
     prediction, interval = None, None
     if samples is None:

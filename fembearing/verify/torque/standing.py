@@ -7,9 +7,8 @@ from typing import Literal
 
 import numpy as np
 
-from analytic.effects.ledger import Effect, size_of
-from analytic.effects.table import ENTRIES, OIL_LOSSES
-from analytic.effects.warnings import too_fast
+from analytic.effects import ENTRIES, OIL_LOSSES, Effect, size_of
+from analytic.limits import too_fast
 from analytic.result import TorqueParts
 from analytic.scene import Array, Scene
 from analytic.words import percent_of

@@ -67,8 +67,8 @@ class Verdicts:
             yield COMPARISON[self.comparison]
         numerical = self.numerical
         if numerical is not None and numerical.verdict in which:
-            error = "is not known" if numerical.uncertainty is None else f"is {percent_of(numerical.uncertainty, 2)}"
-            yield f"the solver error {error}, tolerance {percent_of(numerical.tolerance, 2)}"
+            error = percent_of(numerical.uncertainty, 2)
+            yield f"the solver error is {error}, tolerance {percent_of(numerical.tolerance, 2)}"
         for check in self.physical:
             if check.verdict in which:
                 limit = f"a physical limit is not known: {check.name.replace('_', ' ')}"

@@ -3,14 +3,15 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, fields, replace
 from itertools import chain
+from operator import attrgetter
 from typing import Literal
 
 import numpy as np
 
-from analytic.effects.ledger import Effect
+from analytic.effects import Effect
 from analytic.result import FrictionTorque, TorqueParts
 from analytic.scene import Array, Scene
-from analytic.verdicts import NumericalCheck, PhysicalCheck, numerical_check, physical_checks
+from analytic.verdicts import PhysicalCheck, numerical_check, physical_checks
 from fembearing.verify.torque.catalogue import beside_catalogue
 from fembearing.verify.torque.catalogue_models import CatalogueBand
 from fembearing.verify.torque.standing import Standing, standing_of
@@ -47,13 +48,15 @@ def worst_standing(torques: Sequence[tuple[Scene, FrictionTorque]]) -> WorstStan
     """The standing of at least one series of torques, each with its scene, which differ in oil and operating points."""
     verdicts = [_verdicts(scene, friction) for scene, friction in torques]
     together = Verdicts(
-        numerical=max((each.numerical for each in verdicts if each.numerical is not None), key=_error),
+        numerical=max(
+            (each.numerical for each in verdicts if each.numerical is not None), key=attrgetter("uncertainty")
+        ),
         physical=tuple(_worst_checks(chain.from_iterable(each.physical for each in verdicts))),
     )
     standing = standing_of(
         _joined_scene([scene for scene, _ in torques]),
         torque=_joined_parts([friction.torque for _, friction in torques]),
-        effects=_largest_effects(chain.from_iterable(friction.shares for _, friction in torques)),
+        effects=_largest_effects(chain.from_iterable(friction.effects for _, friction in torques)),
         verdicts=together,
         band=_joined_band([beside_catalogue(scene, friction.pair).band for scene, friction in torques]),
     )
@@ -82,10 +85,6 @@ def _joined_parts(series: Sequence[TorqueParts[Array]]) -> TorqueParts[Array]:
         else:
             joined[name] = None
     return TorqueParts(**joined)
-
-
-def _error(check: NumericalCheck) -> float:
-    return np.inf if check.uncertainty is None else check.uncertainty
 
 
 def _worst_checks(checks: Iterable[PhysicalCheck]) -> Iterable[PhysicalCheck]:

@@ -148,8 +148,6 @@ def _boxes(document: Report) -> list[Box]:
 
 
 def _numerical(check: NumericalCheck) -> str:
-    if check.uncertainty is None:
-        return f"The uncertainty of the torque is not known: {_shortened(check.reason)}."
     return f"Solver error of the torque at most {percent(check.uncertainty)}, tolerance {percent(check.tolerance)}."
 
 

@@ -1,60 +1,25 @@
-"""Every effect of the friction torque: what it is, what it needs, and what bounds its share where no trial shows it.
+"""Every effect of a friction torque: what it is, what it needs, and what it contributes to a torque.
 
-The order is that of the decisions: what costs most to compute comes first, so that leaving it out comes first too.
-The factors of the bounds stand here alone; docs/effects.md lists the entries and refers to these bounds.
+An effect is computed if its input is there (given, derived, or a default with the origin "assumed"), it can act, and
+the scene does not switch it off. Nothing is left out because it is small. What an effect contributes is measured when
+somebody reads it, by one more solution without it; docs/effects.md lists the entries.
 """
 
-from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Literal
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any, Literal
 
-from analytic.cage.drive import LARGEST_GRIP
-from analytic.contact.geometry import USUAL_SHOULDERS
+import numpy as np
+
+from analytic.errors import InputError
 from analytic.oil.inlets import starvation_source
-from analytic.scene import Scene
-from analytic.sliding.creep import PER_ROLL_CREEP, PER_SPIN_CREEP
-from analytic.words import pressure_of
+from analytic.scene import Decision, Scene
+from analytic.words import percent_of
 
-# Change of the torque over how unequal the balls' loads are: below 0.7 where they are little so, 1.13 at most.
-PER_DISTRIBUTION = 1.25
-# Change of the torque over the centrifugal force's share of the ball load: 4/3 to 5/3 by the outer race's load alone.
-# The contact angles change too: 4.0 at most (tests/analytic/effects/test_effect_bounds.py compares with measured ones).
-PER_CENTRIFUGAL = 4.5
-LEAST_WHIRL = 1.0  # of the whirl number: a cage cannot whirl below
-# Simulated time that `auto` allows, with start-up and all seeds, s: about ten minutes of computing in default steps
-LONGEST_MOTION = 500.0
-LONGEST_FREE_MOTION = 4.0  # s, the same of balls and cage together, at 4 to 10 us a step: minutes too
-# Change of the torque by sliding over the share of friction across the grooves that holds the gyroscopic moment: slip
-# across the groove comes with it, and near 1 the ball's axis follows.
-PER_GYROSCOPIC_SLIP = 3.0
-# Change of the torque over the weight's share of the ball load, of free balls that friction does not hold against it:
-# 0.16 at most of one that hardly slides, and 6 times the share of sliding besides (validation/adversary/run.py).
-PER_WEIGHT_SLIP, PER_WEIGHT_SLIDING = 0.5, 8.0
-# Power of the load with which friction across the grooves over the load grows, at most: 0.2 in marched creep with mixed
-# friction (0.022 of the load at 0.16 N, 0.035 at 1.7 N); that of a viscous oil would be near 1 at light load.
-WEDGING_POWER = 1.0
-# Change of the torque over the oil's force against rolling, in friction: a ball that lags behind rolls more slowly.
-# 1.45 at most (validation/adversary/run.py).
-PER_LAG = 3.0
-# Change of the torque of balls by rule over the change of their rolling speed by conformity and by the orbit's radius
-# (`analytic.effects.trial.rolls_otherwise`). Free balls differed by a third of this bound at most in 120 draws of
-# validation/adversary/drawn.py; tests/analytic/effects/test_trial.py has a scene for each part.
-PER_CONFORMITY, PER_ORBIT = 0.5, 2.0
-# Share of an ellipse's load beyond a shoulder, by Hertz, up to which its torque is known; and the change of the torque
-# over that share. By finite elements the loss by conformity falls by 1.6 shares at most, by spin by 0.7
-# (tests/fem/test_shoulder.py); the load's centroid moves as well, and with it the contact angle.
-MOST_CUT, PER_CUT_SHARE = 0.1, 4.0
-RULED = ("single_coefficient", "along_axis", "over_ellipse")  # methods of sliding with closed kinematics
-# -ln of the replenishment factor, ln 2: less than half of rolling is left, so the torque of a start is another one. A
-# judgement, as [SKF2018] states no range.
-MOST_STARVED = 0.693
-STATIC_LIMIT = 4.2e9  # Pa, peak pressure that leaves a dent of 1e-4 ball diameters (ISO 76, ball bearings)
-# What losses of the oil without their input are estimated by: share of oil between the rings, by supply, a judgement;
-# clearance and thickness of a cage in its pockets over the ball diameter, those of the cage of [Paper]; rise of the
-# temperature of oil that a jet sends through, K, a judgement; and its specific heat, J/(kg K).
-USUAL_SHARE: dict[str, float] = {"oil_bath": 0.05, "oil_jet": 0.02}
-USUAL_POCKETS = (0.025, 0.11)
-JET_RISE, OIL_HEAT = 20.0, 2000.0
+SWITCHED_OFF = "off in the scene"
+COMPUTED_WORDS = "computed"
+ShareKind = Literal["part", "measured", "estimate", "unknown"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -73,14 +38,87 @@ class Entry:
     meaning: str
     kind: Literal["computed", "cage", "declared", "oil", "limit"]
     needs: Need | None = None
-    # On its share of the torque where no trial shows it, or the limit that is checked; None: always tried or computed.
-    bound: str | None = None
     idle: str = ""  # why it is off in a scene that has what it needs
-    given: str = ""  # why it is on without a decision
+    given: str = COMPUTED_WORDS  # why it is on
 
     def lacks(self, scene: Scene) -> str | None:
         """What the scene lacks for it, in words; None: nothing."""
         return None if self.needs is None else self.needs.lacks(scene)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Effect:
+    """One physical contribution, of all operating points alike."""
+
+    name: str  # as in `scene.effects`
+    decision: Literal["on", "off"]  # whether it counts
+    # Of the total: the largest change of the torque without it at the points that are named; of its part of the torque
+    # where it has one; of what lacks its input by one line of physics. None: not known.
+    share: float | None
+    reason: str  # in words, or the limit
+    share_is: ShareKind = "unknown"  # what the share is
+
+    def __str__(self) -> str:
+        return f"{self.name}: {self.decision}, {self.reason}"
+
+
+class Effects(Sequence[Effect]):
+    """Every effect of a torque in the order of TABLE; their shares are measured when somebody reads them."""
+
+    def __init__(
+        self,
+        make: Callable[[], Mapping[str, Effect]],
+        measure: Callable[[str], float] | None = None,
+        points: tuple[int, ...] = (),
+    ) -> None:
+        """make : gives them by name;  measure : the share of one that is "measured";  points : at which, from 0"""
+        self._make, self._measure, self.points = make, measure, points
+
+    @cached_property
+    def _made(self) -> dict[str, Effect]:
+        return dict(self._make())
+
+    @property
+    def decisions(self) -> dict[str, Literal["on", "off"]]:
+        """Whether each effect counts, by its name."""
+        return {name: effect.decision for name, effect in self._made.items()}
+
+    def __str__(self) -> str:
+        """One line for each effect: name, decision and reason. It measures no share."""
+        return "\n".join(map(str, self._made.values()))
+
+    def __repr__(self) -> str:
+        on = [name for name, decision in self.decisions.items() if decision == "on"]
+        return f"Effects({len(on)} of {len(self)} on: {', '.join(on)})"
+
+    def __getitem__(self, index: Any) -> Any:
+        return self._all[index]
+
+    def __len__(self) -> int:
+        return len(TABLE)
+
+    def __getstate__(self) -> dict[str, Any]:
+        made = {effect.name: effect for effect in self._all}
+        return {"_made": made, "_make": None, "_measure": None, "points": self.points}
+
+    @cached_property
+    def _all(self) -> tuple[Effect, ...]:
+        measure = self._measure
+        if measure is None:
+            return tuple(self._made.values())
+        return tuple(
+            _measured(effect, measure(effect.name)) if effect.share_is == "measured" else effect
+            for effect in self._made.values()
+        )
+
+
+def _measured(effect: Effect, share: float) -> Effect:
+    return replace(effect, share_is="unknown") if np.isnan(share) else replace(effect, share=share)
+
+
+def size_of(share: float) -> str:
+    """How large an effect of this share of the torque is, in words."""
+    return "larger than the torque" if not share <= 1 else f"{percent_of(share, 2)} of the torque"
 
 
 def _lubricant(scene: Scene) -> str | None:
@@ -96,19 +134,13 @@ def _ring_diameters(scene: Scene) -> str | None:
 
 
 def ruled(scene: Scene) -> str | None:
-    """Why closed kinematics turn the balls, in words; None: they turn freely where that counts."""
+    """Why closed kinematics turn the balls, in words; None: they turn as friction has it."""
     if scene.spin_rule != "free":
         return f'friction.spin_rule = "{scene.spin_rule}" prescribes the rotation of the balls: use "free"'
     if scene.microslip != "derived":
         return f'friction.microslip = "{scene.microslip}" has no creep: use "derived"'
-    if scene.sliding in RULED:
-        return f'friction.sliding = "{scene.sliding}" has no creep: use "auto"'
     off = [name for name in ("spin", "conformity") if scene.effects.get(name) == "off"]
     return f'effects.{off[0]} = "off" neglects a part of the slip: use "auto"' if off else None
-
-
-def _no_creep(scene: Scene) -> str | None:
-    return 'friction.sliding = "free_ball" has no creep: use "auto"' if scene.sliding == "free_ball" else ruled(scene)
 
 
 NO_CAGE = 'give a table [cage] of pocket_clearance, wall_thickness, mass and material, or cage = "none"'
@@ -160,7 +192,7 @@ def _no_gaps(scene: Scene) -> str | None:
 
 def _held_angle(scene: Scene) -> str | None:
     if scene.bearing.kind == "thrust":
-        return "not modelled in a thrust bearing: balls in the middle of their grooves; bound in the uncertainty"
+        return "not modelled in a thrust bearing: balls in the middle of their grooves"
     if scene.contact_angle.rule == "given":
         return 'contact_angle.rule = "given" fixes the contact angle: use "solved"'
     return None
@@ -177,18 +209,7 @@ TURNING_BALL = Need(  # the moment moves no load of a ball at 90 degrees, and so
     keys='`contact_angle.rule = "solved"`, or a thrust bearing',
     lacks=lambda scene: None if scene.bearing.kind == "thrust" else _held_angle(scene),
 )
-DOWN = Need(
-    keys='`contact_angle.rule = "solved"` and `down`',
-    lacks=lambda scene: (
-        SOLVED_ANGLE.lacks(scene)
-        or (
-            "operation.down is needed: the direction of gravity along x, y and z, of a pair O or X across its axis"
-            if scene.down is None
-            else None
-        )
-    ),
-)
-FREE = Need(keys='`spin_rule = "free"`, `sliding = "auto"` or with creep', lacks=_no_creep)
+FREE = Need(keys='`spin_rule = "free"`', lacks=ruled)
 LUBRICANT = Need(keys="`[lubricant]`", lacks=_lubricant)
 LUBRICATED_SURFACE = Need(
     keys="`[lubricant]` and `[surface]`",
@@ -208,40 +229,29 @@ TABLE = (
         kind="computed",
         meaning="unequal ball loads by a radial load or a moment",
         needs=SOLVED_ANGLE,
-        bound=f"at a given angle {PER_DISTRIBUTION:g} (Fr tan al + 2 M/d_m)/Fa",
     ),
     Entry(
         name="centrifugal",
         kind="computed",
         meaning="centrifugal force on the balls",
         needs=SOLVED_ANGLE,
-        bound=f"at a given angle {PER_CENTRIFUGAL:g} times the force over the load of the lightest ball",
     ),
     Entry(
         name="gyroscopic",
         kind="computed",
         meaning="gyroscopic moment on the balls",
         needs=TURNING_BALL,
-        bound="at a given angle the friction that holds the moment, over the load of the lightest ball; for the slip "
-        f"across the grooves of balls by rule {PER_GYROSCOPIC_SLIP:g} times the moment over what friction holds",
     ),
     Entry(
         name="weight",
         kind="computed",
         meaning="weight of the balls",
-        needs=DOWN,
-        bound=f"without its direction {PER_CENTRIFUGAL:g} times the weight over the load of the lightest ball, or the "
-        "spread over several directions where that is too much; for free balls that slip under it "
-        f"{PER_WEIGHT_SLIP:g} times the weight over their mean load, and {PER_WEIGHT_SLIDING:g} times that of sliding. "
-        "Both, and that of a radial load, grow by "
-        f"1/(1 - {3 * WEDGING_POWER:g} X/delta) where friction across the grooves needs the part X of the approach "
-        "delta; beyond a growth of 2 the free balls themselves show what a weight in an unknown direction changes",
+        needs=SOLVED_ANGLE,
     ),
     Entry(
         name="finite_geometry",
         kind="computed",
         meaning="the true shapes of ball and groove, which are no half spaces",
-        given="factors on the contacts given in the call",
     ),
     Entry(
         name="asperities",
@@ -268,7 +278,6 @@ TABLE = (
         name="spin",
         kind="computed",
         meaning="spin of the balls about the contact normals",
-        given="always computed for free balls",
     ),
     Entry(
         name="conformity", kind="computed", meaning="sliding because the contact is curved in the transverse direction"
@@ -278,9 +287,6 @@ TABLE = (
         kind="computed",
         meaning="elastic creep of the surfaces, with balls that find their own axis and orbital speed",
         needs=FREE,
-        bound=f"{PER_SPIN_CREEP:g} and {PER_ROLL_CREEP:g} over the ratios of slip by spin and by conformity to "
-        f"the creep at which the surfaces slide everywhere, and {PER_LAG:g} times the oil's force against rolling over "
-        "the most friction",
         idle="nothing slides",
     ),
     Entry(
@@ -312,7 +318,6 @@ TABLE = (
         kind="cage",
         meaning="motion of a cage that does not rest on its balls",
         needs=Need(keys="`[cage]` with `start`", lacks=_moving_cage),
-        bound=f"the friction of a cage that whirls, against all its balls; 0 below a whirl number of {LEAST_WHIRL:g}",
         idle='the cage is neglected: give effects.cage = "auto"',
     ),
     Entry(
@@ -320,8 +325,6 @@ TABLE = (
         kind="cage",
         meaning="motion of balls that the cage brakes, together with the cage",
         needs=Need(keys="`[cage]` with `start`", lacks=_moving_cage),
-        bound=f"computed where the grip number of the cage exceeds {LARGEST_GRIP:g}, or balls lead farther than the "
-        "pockets leave free",
         idle="cage at rest, small forces on the balls",
     ),
     Entry(
@@ -345,8 +348,6 @@ TABLE = (
         kind="oil",
         meaning="torque that accelerates the oil flowing through the bearing to the speed of the cage",
         needs=Need(keys="`oil_flow` in `[losses]`", lacks=_not_given("oil_flow", "0.8 l/min")),
-        bound="with an oil jet x/(1 - x), x the square of the inner race's speed over the heat of a rise "
-        f"by {JET_RISE:g} K",
         given="from losses.oil_flow",
     ),
     Entry(
@@ -354,8 +355,6 @@ TABLE = (
         kind="oil",
         meaning="torque of the oil that is sheared in the gaps of the cage",
         needs=Need(keys="`land` or `pockets` in `[losses]`", lacks=_no_gaps),
-        bound="with an oil bath or jet and without `[cage]` pockets of "
-        f"{USUAL_POCKETS[0]:g} ball diameters clearance and {USUAL_POCKETS[1]:g} thickness",
         given="from losses.land or losses.pockets",
     ),
     Entry(
@@ -363,22 +362,17 @@ TABLE = (
         kind="oil",
         meaning="torque of balls that move through oil and air",
         needs=Need(keys="`oil_share` in `[losses]`", lacks=_not_given("oil_share", "2 %")),
-        bound="without `drag` a share of "
-        + ", ".join(f"{share:g} with `{supply}`" for supply, share in USUAL_SHARE.items()),
         given="from losses.oil_share",
     ),
     Entry(
         name="plasticity",
         kind="limit",
         meaning="plastic contact; not modelled",
-        bound=f"a peak pressure above {pressure_of(STATIC_LIMIT)}, the static limit of [ISO76]",
     ),
     Entry(
         name="shoulder",
         kind="limit",
         meaning="a contact ellipse cut off by a shoulder of its race; not modelled",
-        bound="a semi-axis that exceeds the distance to the nearer shoulder; an unknown one has a height of "
-        f"{USUAL_SHOULDERS[0]:g} ball diameters",
         idle="no ball is loaded",
     ),
 )
@@ -390,8 +384,51 @@ def _names(*kinds: str) -> tuple[str, ...]:
 
 
 COMPUTED = _names("computed")
-TRIED = tuple(name for name in COMPUTED if name != "creep")  # a trial shows their shares
 DECLARED = _names("declared")
 OIL_LOSSES = _names("oil")
 LIMITS = _names("limit")
 CHOSEN = _names("computed", "cage")  # a scene may say on or off
+CAGE_OFF: dict[str, Decision] = dict.fromkeys(("cage", "cage_dynamics", "ball_dynamics"), "off")
+
+
+def require_known(scene: Scene) -> None:
+    """Raise InputError for effects that nobody can choose, or that the scene demands without their input."""
+    known = (*CHOSEN, *OIL_LOSSES, *LIMITS)
+    if unknown := set(scene.effects) - {*known}:
+        raise InputError(f"effects.{min(unknown)} is not an effect to choose; known: {', '.join(known)}")
+    for name, choice in scene.effects.items():
+        if choice != "on":
+            continue
+        if name in LIMITS:
+            raise InputError(f'effects.{name} = "on" is refused: not modelled; give "auto" or "off"')
+        if (lacks := ENTRIES[name].lacks(scene)) is not None:
+            raise InputError(f'effects.{name} = "on" is refused: {lacks}')
+
+
+def counted_effects(scene: Scene) -> dict[str, bool]:
+    """Each effect of balls, races and cage: whether it has its input, and the scene does not switch it off."""
+    off = {name for name, choice in scene.effects.items() if choice == "off"}
+    on = {name: name not in off and ENTRIES[name].lacks(scene) is None for name in CHOSEN}
+    slides = scene.has_friction and (on["spin"] or on["conformity"])
+    on["asperities"] &= slides
+    on["creep"] &= slides
+    if not (on["rolling"] or (slides and scene.friction_coefficient is None)):
+        on["inlet_heating"] = on["starvation"] = False
+    on["unloaded_balls"] &= on["rolling"] and (on["load_distribution"] or on["weight"])
+    return on
+
+
+def idle_reason(scene: Scene, name: str, *, counted: bool) -> str | None:
+    """Why an effect with its input has nothing to act on at the scene's operating points, in words; None: it acts."""
+    if name == "load_distribution" and scene.operation.is_thrust:
+        return "pure thrust: equal ball loads"
+    if name in ("centrifugal", "gyroscopic") and not np.any(scene.operation.inner_speed):
+        return "no rotation"
+    if name == "weight" and scene.down is None and scene.operation.is_thrust:
+        return (
+            "under thrust the weights of balls that are alike cancel around a level axis to first order; give "
+            "operation.down, the direction of gravity along x, y and z, to compute each ball"
+        )
+    if name == "unloaded_balls" and scene.operation.is_thrust and scene.down is None:
+        return ENTRIES[name].idle
+    return None if counted else ENTRIES[name].idle
