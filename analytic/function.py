@@ -217,15 +217,18 @@ class TorqueFunction(Brief):
             "inner_speed": abs(point["inner_speed"]) or 1.0,
             "temperature": 100.0,  # K, over which viscosity changes by much
         }
-        slopes = {}
+        slopes, same = {}, self
         if self._is_held:
             point.pop("moment")
+        if self.model is not None:  # both ends by the nodes of the middle, so that their error is common
+            self(**point)
+            same = replace(self, model=self.model.with_numbers(level=int(self.out["level"][0]), allowed=np.inf))
         for name, value in point.items():
             step = (FREE_STEP if free else STEP) * scales[name]
             low, high = value - step, value + step
             if name == "axial_load":
                 low = max(low, 0.0)
-            ends = [self(**{**point, name: end}) for end in (low, high)]
+            ends = [same(**{**point, name: end}) for end in (low, high)]
             slopes[name] = (ends[1] - ends[0]) / (high - low)
         return slopes
 

@@ -529,7 +529,7 @@ class Scene(Noun):
     uncertainty: Mapping[str, float] = field(default_factory=nothing)  # SI, see `analytic.inputs`
     assumed: Mapping[str, str] = field(default_factory=nothing)  # sources, by key
     calibration: str | None = None  # which inputs were fitted to which numbers, in words; None: nothing declared
-    down: tuple[float, float, float] | None = None  # unit vector of gravity along x, y, z, dimensionless; None: unknown
+    down: tuple[float, float, float] | None = None  # unit vector of gravity along x, y, z; None: assumed along x
     warnings: tuple[str, ...] = ()  # from reading the scene
     measured: MeasuredTorque | None = None  # what to compare the torque with; None: nothing
     report: ReportDetails = field(default_factory=ReportDetails)
@@ -540,7 +540,7 @@ class Scene(Noun):
         if self.down is not None and not _is_unit_vector(self.down):
             raise InputError(
                 f"Scene.down must be a unit vector of three numbers along x, y, z, got {shown(self.down)}; give for "
-                "example (1.0, 0.0, 0.0), towards the radial load, or None where it is not known"
+                "example (1.0, 0.0, 0.0), towards the radial load, or None for that"
             )
 
     def _facts(self) -> Iterator[str]:

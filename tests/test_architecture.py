@@ -19,12 +19,11 @@ LONGER = {  # functions that may have more
     "ring_equilibrium": "a public face: bearing, loads and speeds as a user has them, each with its own shape",
     "advance": "a compiled kernel: numba takes arrays and numbers, no nouns",
     **dict.fromkeys(
-        ("settle_freely", "_one_pass", "slide_freely", "_loads", "_step_free_ball"),
+        ("settle_freely", "_one_pass", "slide_freely", "_loads", "_step_free_ball", "slips_of"),
         "part of a compiled kernel: records and arrays that one point works with",
     ),
     "validate": "the main job and its command: what a check computes besides, each by its name",
     **dict.fromkeys(("film", "creep", "torque"), "a command: its options, each by its name"),
-    "model_of": "what a model is made of, each with its default",
 }
 HEAVY = {"vtk", "vtkmodules", "pyvista", "skfem", "pint", "pydantic", "pymklpardiso", "numba", "xarray", "netCDF4"}
 REGISTRY = re.compile(

@@ -9,6 +9,7 @@ import pytest
 from pydantic import BaseModel
 
 from analytic.catalog.bearing_rows import bearing_names
+from analytic.effects import TABLE
 from analytic.scenefile.read import load_scene
 from analytic.scenefile.tables import EffectsTable, SceneTable
 from tests.executed_pages import BLOCK, Output, differences, renewed, run_in, same
@@ -104,6 +105,15 @@ def test_every_number_of_readme_is_run_or_stands_on_a_page() -> None:
     assert len(stated) > 20
     assert sorted(stated - known) == []
     assert f"[{len(bearing_names())} bearings]" in prose
+
+
+def test_the_page_of_effects_lists_those_of_the_code() -> None:
+    """By name, in order, each with what it needs."""
+    page = (ROOT / "docs/effects.md").read_text("utf-8").split("## The effects\n\n", 1)[1].split("\n\n", 1)[0]
+    items = [" ".join(item.split()) for item in re.split(r"^- ", page, flags=re.MULTILINE)[1:]]
+    assert [re.findall(r"`(\w+)`", item)[0] for item in items] == [entry.name for entry in TABLE]
+    for entry, item in zip(TABLE, items, strict=True):
+        assert entry.needs is None or entry.needs.keys in item, entry.name
 
 
 def has_long_block(page: Path) -> bool:

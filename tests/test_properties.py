@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 
 from analytic import friction_torque, load_scene
-from analytic.effects.table import COMPUTED
+from analytic.effects import COMPUTED
 from analytic.errors import InputError
 from analytic.scene import Autocorrelation, ContactAngle, Operation, Scene
 from tests.analytic.specimens import present
@@ -34,7 +34,7 @@ scenes = st.builds(
 def scene_of(load: float, speed: float, oil: float, finish: float, angle: float) -> Scene:
     """Every effect is computed, by the method that leaves nothing out; the correction covers races as wide as these."""
     inner, outer = (replace(ring, shoulder_half_width=3.6e-3) for ring in (BASE.bearing.inner, BASE.bearing.outer))
-    effects: dict[str, Literal["auto", "on", "off"]] = {name: "on" for name in COMPUTED if name != "weight"}
+    effects: dict[str, Literal["auto", "on", "off"]] = dict.fromkeys(COMPUTED, "on") | {"weight": "off"}
     return replace(
         BASE,
         bearing=replace(BASE.bearing, inner=inner, outer=outer),
@@ -43,7 +43,6 @@ def scene_of(load: float, speed: float, oil: float, finish: float, angle: float)
         surface=replace(present(BASE.surface), rms_roughness=finish),
         contact_angle=ContactAngle(rule="solved", free=angle),
         effects=effects,
-        sliding="marched_creep",
     )
 
 

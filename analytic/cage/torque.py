@@ -197,12 +197,15 @@ def cage_moves(scene: Scene, drive: CageDrive | None) -> CageMoves:
     most = float(np.max(whirl, initial=0.0))
     number = float(np.max(drive.grip_number(mu)))
     lead = float(np.max(np.abs(drive.grip.ball_lead)))
+    tight = f"ball lead up to {length_of(lead)}, free clearance of the pockets {length_of(drive.room)}"
     return CageMoves(
         given=given & ~freely,
         freely=freely,
         reasons={
-            "cage_dynamics": f"whirl number {most:.3g} at most, no whirl below {LEAST_WHIRL:g}",
-            "ball_dynamics": f"ball lead up to {length_of(lead)}, free clearance of the pockets {length_of(drive.room)}"
+            "cage_dynamics": f"{tight}: the balls squeeze the cage"
+            if squeezed.all()
+            else f"whirl number {most:.3g} at most, no whirl below {LEAST_WHIRL:g}",
+            "ball_dynamics": tight
             if squeezed.any()
             else f"grip number {number:.3g} at most, balls slide above {LARGEST_GRIP:g}",
         },

@@ -61,7 +61,6 @@ class CorrectedGeometry:
     """Factors on Hertz's contact, all of one shape; held at the border of the fit's range, and 1 far outside."""
 
     factors: ContactFactors
-    farthest: ContactFactors  # those that lie as far beyond Hertz's as the growth of the uncertainty outside allows
     uncertainty: Mapping[str, Array]  # of each factor, relative half-width, 95 %; grows outside the range
     covered: NDArray[np.bool_]  # where the shape lies within the range
     applied: Array  # share: 1 within the range and one step beyond, from there falling to 0
@@ -79,11 +78,6 @@ class RaceCorrections:
     def correction(self) -> ContactCorrection:
         """The factors of both races."""
         return ContactCorrection(inner=self.inner.factors, outer=self.outer.factors)
-
-    @property
-    def farthest(self) -> ContactCorrection:
-        """The factors of both races at the far end of what is uncertain."""
-        return ContactCorrection(inner=self.inner.farthest, outer=self.outer.farthest)
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -166,13 +160,10 @@ def shape_bases(shape: ContactShape) -> dict[str, Array]:
 def _corrected(fields: Array, shape: Callable[[], ContactShape]) -> CorrectedGeometry:
     """The correction from the fields of `_put`; shape : that it was applied to, of the same dimensions."""
     quantities, size = FactorNumbers._fields, len(FactorNumbers._fields)
-    factors, farthest, uncertainty = (
-        dict(zip(quantities, fields[first : first + size], strict=True)) for first in (0, size, 2 * size)
-    )
+    factors, uncertainty = (dict(zip(quantities, fields[first : first + size], strict=True)) for first in (0, size))
     beyond, applied = fields[-2:]
     return CorrectedGeometry(
         factors=ContactFactors(**factors),
-        farthest=ContactFactors(**farthest),
         uncertainty=MappingProxyType(uncertainty),
         covered=beyond == 0,
         applied=applied,
@@ -230,13 +221,13 @@ def _shape_at(rows: Array, i: int) -> ShapeNumbers:
 @compiled
 def _put(geometry: GeometryNumbers, fields: Array) -> None:
     for k in range(4):
-        fields[k], fields[4 + k], fields[8 + k] = geometry.factors[k], geometry.farthest[k], geometry.uncertainty[k]
-    fields[12], fields[13] = geometry.beyond, geometry.applied
+        fields[k], fields[4 + k] = geometry.factors[k], geometry.uncertainty[k]
+    fields[8], fields[9] = geometry.beyond, geometry.applied
 
 
 @compiled
 def _geometries(fit: FitNumbers, shapes: Array) -> Array:
-    fields = np.empty((14, shapes.shape[1]))
+    fields = np.empty((10, shapes.shape[1]))
     for i in range(shapes.shape[1]):
         _put(geometry_of(fit, _shape_at(shapes, i)), fields[:, i])
     return fields
@@ -244,7 +235,7 @@ def _geometries(fit: FitNumbers, shapes: Array) -> Array:
 
 @compiled
 def _geometries_on(fit: FitNumbers, race: RaceNumbers, rows: Array) -> Array:
-    fields = np.empty((14, rows.shape[1]))
+    fields = np.empty((10, rows.shape[1]))
     for i in range(rows.shape[1]):
         _put(geometry_on(fit, race, rows[0, i], rows[1, i]), fields[:, i])
     return fields

@@ -52,7 +52,6 @@ SMALL = 0.1  # b/r below which the uncertainty falls in proportion to b/r, as th
 EXPONENTS = 5  # of a base in a term: 0 to 4
 MOST_FACTORS = 4  # powers of bases in a term
 TINIEST = 1e-300  # replaces a size of 0 in the logarithm, which is multiplied by the size
-LEAST_FACTOR = 0.1  # of what the uncertainty allows
 
 
 class ShapeNumbers(NamedTuple):
@@ -109,7 +108,6 @@ class GeometryNumbers(NamedTuple):
     """The correction of one contact; `CorrectedGeometry` says what it is."""
 
     factors: FactorNumbers
-    farthest: FactorNumbers
     uncertainty: FactorNumbers
     beyond: float  # steps out of the range, see `steps_beyond`
     applied: float
@@ -263,16 +261,9 @@ def geometry_of(fit: FitNumbers, shape: ShapeNumbers) -> GeometryNumbers:
     beyond = steps_beyond(fit, shape)
     applied = min(max(2 - beyond, 0.0), 1.0)
     growth = HELD * min(beyond, 1.0) + FADED * (1 - applied)
-    most = applied + growth  # a contact far beyond the range may have any size, but no factor is negative
     small = min(1.0, shape.size / SMALL)
     return GeometryNumbers(
         FactorNumbers(1 + applied * rolling, 1 + applied * transverse, 1 + applied * approach, 1 + applied * pressure),
-        FactorNumbers(
-            max(1 + most * rolling, LEAST_FACTOR),
-            max(1 + most * transverse, LEAST_FACTOR),
-            max(1 + most * approach, LEAST_FACTOR),
-            max(1 + most * pressure, LEAST_FACTOR),
-        ),
         FactorNumbers(
             fit.uncertainty[0] * small + growth * abs(rolling),
             fit.uncertainty[1] * small + growth * abs(transverse),
@@ -323,20 +314,18 @@ def geometry_on(fit: FitNumbers, race: RaceNumbers, contact_angle: float, load: 
     Then the uncertainty reaches to the factors of a low and of a high shoulder.
     """
     known = not np.isnan(race.near_shoulder)
-    typical, farthest, reach = np.empty(4), np.empty(4), np.empty(4)
+    typical, reach = np.empty(4), np.empty(4)
     beyond = applied = 0.0
     for number in range(1 if known else 3):  # the typical height first
         height = USUAL_SHOULDERS[(1, 0, 2)[number]]
         found = geometry_of(fit, shape_on(race, shoulders_of(race, height), contact_angle, load))
         for k in range(4):
             if number == 0:
-                typical[k], farthest[k], reach[k] = found.factors[k], found.farthest[k], found.uncertainty[k]
+                typical[k], reach[k] = found.factors[k], found.uncertainty[k]
                 beyond, applied = found.beyond, found.applied
                 continue
-            if abs(found.farthest[k] - typical[k]) > abs(farthest[k] - typical[k]):
-                farthest[k] = found.farthest[k]
             reach[k] = max(reach[k], abs(found.factors[k] - typical[k]) + found.uncertainty[k])
-    return GeometryNumbers(_factors(typical), _factors(farthest), _factors(reach), beyond, applied)
+    return GeometryNumbers(_factors(typical), _factors(reach), beyond, applied)
 
 
 @compiled

@@ -1,8 +1,8 @@
 """A point whose balls turn freely: loads, rotation and friction settle together.
 
 Traction turns the balls and pushes them across their grooves, loads and angles follow, and where there is oil its film
-follows these. Each pass has the laws of traction of the last one, until the torque stays. A level whose error is not
-allowed gives way to the next one, with twice the nodes.
+follows these. Each pass has the laws of traction of the last one, until the torque stays. A level of nodes begins where
+the coarser one has settled, and the difference shows its error; where that is not allowed, the next level follows.
 """
 
 from typing import NamedTuple
@@ -37,6 +37,8 @@ from analytic.scene import Array
 
 FIRST = 3e-2  # residual of the rotation, over all friction, that is enough for the first round
 SAME = 3e-7  # relative, of the torque between two passes of one quadrature: no start can be told from another
+ROUGHLY_SAME = 1e-4  # likewise of the level that the first one is compared with
+ITERATED = 1e-4  # relative, of the torque: what rounds and passes leave, a judgement; no finer error is stated
 MOST_PASSES = 60  # 2 to 5 are usual; 25 of one quadrature where friction all but wedges light balls
 
 
@@ -54,8 +56,9 @@ class FreeModel(NamedTuple):
 class FreeAccuracy(NamedTuple):
     """How accurately the balls of a point settle."""
 
-    level: int  # of nodes, the first one, from 0
-    allowed: float  # error of sliding, relative to the whole torque, beyond which the next level follows
+    level: int  # of nodes, from 0: the coarsest one, with which the next is compared
+    # Error of sliding, relative to the whole torque, beyond which the next level follows; infinite: the level alone
+    allowed: float
 
 
 class FreeEnd(NamedTuple):
@@ -96,10 +99,11 @@ def settle_freely(
             by_rule[j, race], by_rule[j, 2 + race] = ball.angle[race], ball.load[race]
         _begin(model, ball, known > 0)
     torque = spin = whole = before = error = 0.0
-    level = max(known - 1, wanted.level)
     last, end = len(model.quadratures) // 3 - 1, Round(SETTLED, 0, 0.0, 0.0)
-    for number in range(level, last + 1):
-        level = number
+    level, coarser, is_alone = max(known - 1, wanted.level), 0.0, wanted.allowed == np.inf
+    first = level if is_alone else min(level, last - 1)
+    for number in range(first, last + 1):
+        level, is_start = number, number == first and not is_alone
         for repeats in range(MOST_PASSES):
             steady = ROUGHLY_STEADY if repeats == 0 else STEADY
             end, other = _one_pass(model, speed, oil, ring, balls, contacts, 1 + 3 * level, steady, is_ring)
@@ -108,13 +112,17 @@ def settle_freely(
             before = whole
             torque, spin = _slid(bearing, balls, contacts)
             whole = torque + other
-            if repeats > 0 and abs(whole - before) <= SAME * whole:
+            if repeats > 0 and abs(whole - before) <= (ROUGHLY_SAME if is_start else SAME) * whole:
                 break
         if end.end != SETTLED:
             break
-        error = _missed_share(model.quadratures, level, balls, contacts) * torque + abs(whole - before)
-        if error <= wanted.allowed * whole:
-            break
+        if not is_start:
+            # Frozen balls show both directions of the nodes apart; settled ones, what loads and angles make of them.
+            missed = _missed_share(model.quadratures, level, balls, contacts) * torque
+            error = ITERATED * whole + missed + (0.0 if is_alone else 2.0 * abs(whole - coarser))
+            if error <= wanted.allowed * whole:
+                break
+        coarser = whole
         for j in range(count):
             balls[j].given[0] = np.nan  # the next level begins on coarse nodes
     ring.passes = 0

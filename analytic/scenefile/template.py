@@ -21,7 +21,7 @@ WIDTH = 118  # characters of a line
 COLUMN = 41  # where comments begin
 
 OPERATION = """\
-down = [1, 0, 0]                          # gravity along the radial load; [0, 0, 1]: along the thrust, vertical shaft
+#down = [0, 0, 1]                         # gravity along the thrust; else along the radial load, across the axis
 #tilt = "free"                            # else the shaft holds the inner ring straight, or at "0.3 mrad"
 #moment = "0 N m"                         # on a ring that tilts freely
 """

@@ -16,6 +16,7 @@ from analytic.numerics.records import Record, Records
 from analytic.oil.traction import PointLaw, with_numbers
 from analytic.sliding.ellipse import (
     BALANCED,
+    LEAST_GAIN,
     NO_SUMS,
     Slider,
     SlipSums,
@@ -59,8 +60,8 @@ def slips_over_contacts(
 ) -> tuple[Slip, Slip, int]:
     """The slip of a ball on both races by integrals; arguments as `long_ellipse.line_slips`, and `ellipse.slip_sums`.
 
-    The last is the number of integrals, 0 where one has no c. Newton's method in a bracket finds the share of the spin
-    on the inner race. It begins at that of `long_ellipse.balanced_line`.
+    The last is the number of integrals, 0 where one has no c. Secants in a bracket find the share of the spin on
+    the inner race. It begins at that of `long_ellipse.balanced_line`.
     """
     inner, outer = slider_of(contacts[0]), slider_of(contacts[1])
     inner_law, outer_law = at_ring_speed(laws[0], ring_speed), at_ring_speed(laws[1], ring_speed)
@@ -69,10 +70,11 @@ def slips_over_contacts(
         share, rest = balanced_line(contacts, lines, ring_speed, spin_difference)
     creep = line_slip(contacts[0], lines[0], ring_speed, share * spin_difference)[0].creep
     other_creep = line_slip(contacts[1], lines[1], ring_speed, rest * spin_difference)[0].creep
-    low, high, step, before, count = 0.0, 1.0, 1.0, 1.0, 0
+    low, high, step, count = 0.0, 1.0, 1.0, 0
+    older, older_left, halved, shares = np.nan, np.inf, False, rule == 0 and spin_difference > 0.0
     sums = other = NO_SUMS
     for _ in range(MOST_STEPS):
-        nearly = NEARLY_BALANCED if rule == 0 and abs(step) > LAST_STEP else BALANCED
+        nearly = NEARLY_BALANCED if shares and abs(step) > LAST_STEP else BALANCED
         spin, other_spin = share * spin_difference * inner.transverse, rest * spin_difference * outer.transverse
         creep, sums, number = forceless_slip(inner, inner_law, creep, spin, quadrature, nearly)
         other_creep, other, more = forceless_slip(outer, outer_law, other_creep, other_spin, quadrature, nearly)
@@ -83,18 +85,21 @@ def slips_over_contacts(
         moment, slope = _moment_and_slope(inner, sums)
         other_moment, other_slope = _moment_and_slope(outer, other)
         left = moment - other_moment
-        if rule != 0 or abs(step) <= LAST_STEP or left == 0.0:
+        if not shares or abs(step) <= LAST_STEP or left == 0.0:
             break
         if left < 0.0:
             low = share
         else:
             high = share
         slopes = spin_difference * (slope + other_slope)
-        last = step
+        if not np.isnan(older) and share != older:
+            slopes = (left - older_left) / (share - older)
+        stalls = abs(left) > LEAST_GAIN * abs(older_left)
+        older, older_left = share, left
         step = -left / slopes if slopes > 0.0 else np.inf
-        if not (low <= share + step <= high and abs(step) <= abs(before) / 2):
+        halved = (stalls and not halved) or not low <= share + step <= high
+        if halved:
             step = (low + high) / 2 - share
-        before = last
         if sums.by_creep > 0.0:
             creep += sums.mixed / sums.by_creep * step * spin_difference * inner.transverse
         if other.by_creep > 0.0:

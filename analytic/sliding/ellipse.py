@@ -25,12 +25,11 @@ from analytic.numerics.records import Record
 from analytic.oil.traction import PointLaw, eyring_stress, own_stress
 from analytic.scene import Array
 
-BALANCED = 1e-9  # net force that counts as none, over all friction: the power errs by about its square
+BALANCED = 1e-8  # net force that counts as none, over all friction: the power errs by about its square
 LAST_STEP = 1e-9  # of c, relative: where a law with a kink leaves no better balance
-LEAST_GAIN = 0.25  # of a step: where the net force falls by less, the next slope is a secant
-ROUND_OFF = 1e-10  # of c, relative: a secant over less would be round-off
+LEAST_GAIN = 0.5  # of a step: where the net force falls by less, the next one halves the bracket
 RESOLVED = 1e-5  # a/b, from which nodes at the end of a panel see v_y
-MOST_STEPS = 200  # 3 to 8 are usual; halving the bracket alone takes 60
+MOST_STEPS = 200  # 4 to 8 are usual; halving the bracket alone takes 60
 MOST_NODES = 96  # in either direction
 
 QUADRATURE = np.dtype(
@@ -180,13 +179,14 @@ def forceless_slip(
     """c that leaves no net force, the sums there, and the number of sums; 0 where none is found.
 
     start : a guess of c, m/s;  balanced : net force that counts as none, over all friction; others as `slip_sums`
-    Newton's method in a bracket: at one end all friction points forwards, at the other backwards.
+    Secants in a bracket, at whose one end all friction points forwards and at the other backwards: with few nodes the
+    sums have another slope than `by_creep`, which begins.
     """
     roll = slider.roll
     vertex = -spin / (2.0 * roll) if spin < 2.0 * roll else -1.0
     low, high = (roll * vertex + spin) * vertex, roll + spin
-    creep, step, before = min(max(start, low), high), high - low, high - low
-    older, older_force, found, ends = creep, np.inf, 0, False
+    creep, step, older, older_force = min(max(start, low), high), high - low, np.nan, np.inf
+    found, ends, halved = 0, False, False
     sums = NO_SUMS
     for number in range(1, MOST_STEPS + 1):
         sums = slip_sums(slider, law, creep, spin, quadrature)
@@ -199,14 +199,14 @@ def forceless_slip(
             high = creep
         else:
             break
-        slope, moved = sums.by_creep, creep - older
-        if abs(sums.force) > LEAST_GAIN * abs(older_force) and abs(moved) > ROUND_OFF * abs(creep):
-            slope = (older_force - sums.force) / moved
-        older, older_force, last = creep, sums.force, step
+        slope = sums.by_creep if np.isnan(older) else (older_force - sums.force) / (creep - older)
+        stalls = abs(sums.force) > LEAST_GAIN * abs(older_force)
+        older, older_force = creep, sums.force
         step = sums.force / slope if slope > 0.0 else np.inf
-        if not (low <= creep + step <= high and abs(step) <= abs(before) / 2):
+        halved = (stalls and not halved) or not low <= creep + step <= high
+        if halved:
             step = (low + high) / 2.0 - creep
-        before, creep = last, creep + step
+        creep += step
         ends = abs(step) <= LAST_STEP * abs(creep)  # one more evaluation, of the sums there
     return creep, sums, found
 

@@ -11,7 +11,7 @@ import numpy as np
 from analytic.cage.pocket import pocket_coefficient
 from analytic.cage.steady import DrivingBalls, resting_load, resting_torque
 from analytic.contact.factors import CorrectionNumbers, FactorNumbers
-from analytic.contact.finite_geometry_fit import geometry_on, shoulders_of
+from analytic.contact.finite_geometry_fit import geometry_of, shape_on, shoulders_of
 from analytic.contact.geometry import USUAL_SHOULDERS, cut_off_share, distances_to_shoulders
 from analytic.contact.hertz import HertzNumbers, loaded_hertz
 from analytic.contact.rolling_contact import ContactNumbers
@@ -273,7 +273,8 @@ def correct(model: ModelNumbers, tables: Tables, balls: Records, out: Record) ->
         for race in range(2):
             numbers = bearing.inner if race == 0 else bearing.outer
             angle = abs(ball.angle[race]) if ball.load[race] > 0.0 else 0.0
-            found = geometry_on(tables.fit, numbers, angle, ball.load[race])
+            shoulders = shoulders_of(numbers, USUAL_SHOULDERS[1])
+            found = geometry_of(tables.fit, shape_on(numbers, shoulders, angle, ball.load[race]))
             put_factors(ball.inner_factors if race == 0 else ball.outer_factors, found.factors)
             if found.beyond > 0.0 or np.isnan(numbers.near_shoulder):
                 out.beyond_fit = True
@@ -298,7 +299,7 @@ def balance(
     counted, ring = model.counted, work.ring
     unequal = load.radial != 0.0 or load.moment != 0.0 or abs(model.tilt) > 0.0
     is_ring = (unequal and counted.load_distribution) or (counted.weight and (unequal or model.weighs_alike))
-    if not is_ring and not load.axial > 0.0:
+    if not load.axial > 0.0 and (not is_ring or (unequal and not counted.load_distribution)):
         out.status = NO_DISTRIBUTION if unequal else NO_THRUST
         spoil(out)
         return 0

@@ -2,7 +2,8 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from functools import lru_cache
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,7 +26,7 @@ from analytic.oil.law_table import kept_table
 from analytic.oil.race_resistance import NO_OIL, RaceResistance, gap_law_of, resistance_of
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.oil.viscosity import OilNumbers, oil_numbers
-from analytic.scene import Array, Cage, Lubricant, OwnTraction, Scene
+from analytic.scene import Array, Cage, Lubricant, Operation, OwnTraction, Scene
 from analytic.sliding.ball import NODES
 from analytic.sliding.long_ellipse import RULES
 from analytic.surface.gap import GapLaw, gap_forms
@@ -174,8 +175,53 @@ def model_of(
     counted : whether each effect of `Counted` counts; those left out do not
     free : whether the balls turn as friction has it; else by the scene's spin rule
     correction : factors on Hertz's contacts in place of those of the fit;  variation : of the formulas
-    Raises InputError as the formulas do that take the scene's numbers.
+    Models that differ in the operating points alone are one, which is kept. Raises InputError as the formulas do that
+    take the scene's numbers.
     """
+    parts = (*(Same(getattr(scene, name)) for name in OF_MODEL), Same(correction), Same(variation))
+    tilt = None if np.isnan(scene.operation.held_tilt) else scene.operation.held_tilt
+    return _kept_model(parts, tilt, tuple(counted.items()), free).with_numbers()
+
+
+@dataclass(frozen=True, eq=False)
+class Same:
+    """A key by identity, of something that does not change."""
+
+    it: Any
+
+    def __hash__(self) -> int:
+        return id(self.it)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Same) and other.it is self.it
+
+
+# What a model has of a scene besides the tilt and the effects that count.
+OF_MODEL = (
+    *("bearing", "contact_angle", "cage", "lubricant", "surface", "friction_coefficient", "hysteresis_loss"),
+    *("elastic_rolling", "losses", "spin_rule", "microslip", "down", "tolerance"),
+)
+
+
+@lru_cache(maxsize=16)
+def _kept_model(
+    parts: tuple[Same, ...], tilt: float | None, counted: tuple[tuple[str, bool], ...], free: bool
+) -> Model:
+    """As `model_of`; parts : of OF_MODEL, correction and variation, which the cache keeps alive."""
+    *values, correction, variation = (part.it for part in parts)
+    nowhere = Operation(axial_load=np.zeros(1), inner_speed=np.zeros(1), tilt="free" if tilt is None else tilt)
+    scene = Scene(operation=nowhere, **dict(zip(OF_MODEL, values, strict=True)))
+    return _new_model(scene, dict(counted), free=free, correction=correction, variation=variation)
+
+
+def _new_model(
+    scene: Scene,
+    counted: Mapping[str, bool],
+    *,
+    free: bool,
+    correction: ContactCorrection | None,
+    variation: Variation,
+) -> Model:
     effects, bearing = _counted_of(counted), scene.bearing
     boundary = 0.0 if scene.surface is None else scene.surface.boundary_friction
     require_non_negative(ball_mass=bearing.ball_mass, hysteresis_loss=scene.loss_factor, boundary_friction=boundary)

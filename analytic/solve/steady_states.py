@@ -25,7 +25,7 @@ def other_states(model: Model, points: Array, found: Solution) -> Array:
     pressed_out = model.numbers.counted.centrifugal & (outward >= balls["load"][..., 0].mean(axis=1))
     race = found.race_torque
     for i in map(int, np.flatnonzero((pressed_out | (found.sliding_number.max(axis=0) > 1)) & (race > 0))):
-        warm = model.at(np.array([i])).with_numbers(cold=False, level=int(found.points["level"][i]))
+        warm = model.at(np.array([i])).with_numbers(cold=False, level=int(found.points["level"][i]), allowed=np.inf)
         for run in RUNS:
             work, end = workspace(warm), found
             for share in run:

@@ -48,6 +48,7 @@ FORMATS: Mapping[str, Format] = {
     "ross": Format(".py", False, False, write_ross),
     "fmu": Format(".fmu", True, True, write_fmu),
 }
+MOVING_CAGE = "cage.start does not count: the cage of a table rests on its balls"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -139,6 +140,9 @@ def export_of(
     if not form.has_torque:  # nothing of it can exceed a tolerance
         torques = [(replace(scene, tolerance=ANY_ERROR), friction) for scene, friction in torques]
     warnings = dict.fromkeys(warning for _, friction in torques for warning in friction.warnings)
+    cage = found.scene.cage
+    if form.has_torque and cage is not None and cage.start and found.scene.effects.get("cage_dynamics") != "off":
+        warnings[MOVING_CAGE] = None
     return Exported(
         file=file,
         axes=axes_in_words(axes),

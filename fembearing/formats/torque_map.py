@@ -2,10 +2,9 @@
 
 The torque is that of `analytic.torque_function`, one for each temperature, with the oil that the scene's table has
 there.
-Effects and methods are settled once, by the corners of the axes at the scene's temperature, for its tolerance.
 
 The interval is an estimate, and its ends over the torque vary less than the torque. So they are computed with
-`spin_rule` "balanced" and one sliding coefficient a contact, at up to NODES values of each axis, and between these
+`spin_rule` "balanced", at up to NODES values of each axis, and between these
 their logarithms are linear. Of a 6206 in oil, 1 to 4 kN, 40 to 80 degC, the ends from 12 of 16 speeds, 3 of 5 loads and
 3 of 5 temperatures are up to 15 % off those of every node, 90 % of them less than 4.1 %. Free balls change them by up
 to 6 %.

@@ -9,7 +9,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from analytic.numerics.interpolated import SEED
 from fembearing.provenance import provenance_of
 from fembearing.quantities import QUANTITIES
 from fembearing.sweep.grid import Axis, Grid
@@ -83,7 +82,6 @@ def _provenance(grid: Grid, warnings: Counter[str]) -> dict[str, Any]:
         "fembearing": origin.versions["fembearing"],
         "grid": grid.text,
         "first_scene": json.dumps(origin.scene_content),
-        "seed": SEED,  # of the points at which a long series is sampled; a cage's seeds are numbered in the scene
         "warnings": "\n".join(most),
         **{name: value if isinstance(value, str | int) else json.dumps(value) for name, value in others.items()},
     }

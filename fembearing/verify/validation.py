@@ -196,7 +196,7 @@ def check_scene(
     jobs = _jobs(scene, bearings)  # refuses too
     moves = bool(np.any(scene.operation.inner_speed))
     films_too = film and scene.lubricant is not None and moves
-    creep_too = creep and moves and torque is not None and torque.friction.sliding != "auto"
+    creep_too = creep and moves and torque is not None and torque.friction.sliding != "none"
     spent = FILM_SECONDS * films_too * len(bearings), CREEP_SECONDS * creep_too * len(bearings)
     shares = np.cumsum([0.0, *(job.seconds for job in jobs), *spent])
     shares = shares / (shares[-1] + COST_SECONDS * cost)

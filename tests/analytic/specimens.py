@@ -6,8 +6,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from analytic.contact.rolling_contact import EllipticContact, RollingContact, elliptic_contact
-from analytic.effects.ledger import Effect
-from analytic.effects.table import COMPUTED
+from analytic.effects import COMPUTED, Effect
 from analytic.result import FrictionTorque, TorqueParts
 from analytic.scene import (
     Autocorrelation,
@@ -21,7 +20,6 @@ from analytic.scene import (
     Scene,
     Surface,
 )
-from analytic.solve.freely import FAR
 from tests.contacts import STEEL
 
 # Table 1 of the paper, typed in a second time, so that an error in the catalog shows.
@@ -138,23 +136,7 @@ def drawn(bearing: Bearing, random: np.random.Generator, points: int) -> Scene:
         friction_coefficient=10 ** random.uniform(-2.3, -0.9) if dry else None,
         hysteresis_loss=0.007,
         spin_rule=rule,
-        sliding="single_coefficient",
         effects=effects,
-    )
-
-
-def idling(bearing: Bearing) -> Scene:
-    """Load, speed and roughness so small that auto leaves out all that it may, of a series just long enough."""
-    return Scene(
-        name="effects",
-        tolerance=0.3,
-        bearing=bearing,
-        contact_angle=ContactAngle(rule="solved", free=0.02),
-        operation=Operation(axial_load=np.linspace(60.0, 45.0, FAR + 1), inner_speed=np.linspace(1.7, 2.3, FAR + 1)),
-        lubricant=OIL,
-        surface=replace(FINISH, rms_roughness=1e-9),
-        hysteresis_loss=0.006,
-        spin_rule="balanced",
     )
 
 

@@ -8,13 +8,34 @@ import pytest
 from analytic.function import torque_function
 from analytic.oil.variation import NOMINAL
 from analytic.prediction.formulas import with_model_uncertainty
-from analytic.prediction.settled import settled_parts
+from analytic.prediction.settled import level_of, settled_parts
 from analytic.prediction.spreads import uncertain_inputs
 from analytic.scene import Arrangement
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
-from tests.analytic.effects.test_losses import FLOW, LAND, OILED
 from tests.analytic.specimens import present
+
+OILED = """
+name = "oiled"
+tolerance = "5 %"
+[bearing]
+catalog = "7206 B"
+contact_angle = { nominal = "40 deg" }
+[operation]
+axial_load = ["320 N", "510 N"]
+inner_speed = ["7000 rpm", "9000 rpm"]
+[lubricant]
+name = "ISO VG 32"
+temperature = "63 degC"
+supply = "oil_jet"
+[friction]
+coefficient = 0.06
+spin_rule = "balanced"
+[losses]
+drag = "1.3 N mm"
+"""
+FLOW = 'oil_flow = "0.4 l/min"\n'
+LAND = 'land = { ring = "outer", diameter = "51 mm", clearance = "0.3 mm", width = "4 mm" }\n'
 
 
 def test_every_way_to_a_torque_has_the_losses_of_the_oil() -> None:
@@ -30,7 +51,7 @@ def test_every_way_to_a_torque_has_the_losses_of_the_oil() -> None:
     np.testing.assert_allclose(
         function(**one, temperature=oil.temperature + 21.0), friction_torque(warm).torque.total[1], rtol=1e-9
     )
-    parts = present(settled_parts(found.settled(scene), NOMINAL))
+    parts = present(settled_parts(scene, NOMINAL, level_of(scene)))
     np.testing.assert_allclose(parts.total, found.torque.total, rtol=1e-9)
     np.testing.assert_allclose(present(parts.oil), present(found.torque.oil), rtol=1e-14)
     pair = replace(scene, arrangement=Arrangement(kind="tandem", distance=0.02))

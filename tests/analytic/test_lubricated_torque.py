@@ -14,7 +14,7 @@ from analytic.errors import InputError
 from analytic.oil.film import central_film, inlet_heating_factor
 from analytic.oil.variation import Variation
 from analytic.scene import Bearing, ContactAngle, Decision, Operation, Reach, Scene
-from analytic.surface.asperity import asperity_contact, separation_at
+from analytic.surface.asperity import separation_at
 from analytic.surface.roughness import gap_roughness
 from analytic.torque import RACES, friction_torque
 from fembearing.plain_types import plain
@@ -37,13 +37,13 @@ CLOSED = replace(OIL, film_formula="nijenbanning", rolling_formula="biboulet", c
 def scene(bearing_6205: Bearing) -> Scene:
     return Scene(
         name="oiled",
-        tolerance=0.05,
+        tolerance=1e-5,  # the finest nodes at every point
         bearing=bearing_6205,
         contact_angle=ContactAngle(rule="solved", free=0.18),
+        spin_rule="balanced",
         operation=Operation(axial_load=np.array([300.0, 910.0, 620.0]), inner_speed=SPEEDS),
         lubricant=OIL,
         surface=FINISH,
-        sliding="single_coefficient",
         effects=PLAIN,
     )
 
@@ -96,15 +96,10 @@ def test_film_and_share_carry_the_load_together(scene: Scene, temperature: float
         d = separation_at(pressure=share * contact.load / area, summits=summits, modulus=modulus, hardness=7.3e9)
         mean_gap = sigma * norm.pdf(d / sigma) + d * norm.cdf(d / sigma)
         np.testing.assert_allclose(film, mean_gap, rtol=1e-6)
-        rough = asperity_contact(film_thickness=d, summits=summits, modulus=modulus, hardness=7.3e9)
-        # What resists: boundary friction on what asperities carry, the oil's stress on the rest of the area; a film of
-        # a molecule resists like the asperities.
+        # A film of a molecule resists like the asperities.
         molecular = np.exp(-film / 1e-9)
         boundary = share + (1 - share) * molecular
         np.testing.assert_allclose(getattr(found.boundary_share, race), boundary, rtol=1e-12)
-        force = 0.11 * boundary * contact.load + 4.7e6 * (1 - rough.area_fraction) * (1 - molecular) * area
-        mu = getattr(found.friction_coefficient, race)
-        np.testing.assert_allclose(mu, force / contact.load, rtol=1e-6)
     assert not any("is from the scene" in warning for warning in found.warnings)
 
 
@@ -119,15 +114,13 @@ def test_asperities_alone_are_a_given_coefficient(scene: Scene) -> None:
     assert found.warnings == friction_torque(replace(scene, operation=SLOWLY)).warnings  # none about standing still
 
 
-@pytest.mark.parametrize("method", ["single_coefficient", "along_axis", "over_ellipse"])
 @pytest.mark.parametrize("traction", ["eyring_sinh", "eyring_constant"])
-def test_the_torque_at_rest_is_that_of_slow_running(scene: Scene, traction: Any, method: Any) -> None:
+def test_the_torque_at_rest_is_that_of_slow_running(scene: Scene, traction: Any) -> None:
     speeds = np.concatenate([[0.0, 1e-100], np.geomspace(1e-9, 10.0, 1001)])
     slow = replace(
         scene,
         operation=Operation(axial_load=np.full(speeds.size, 730.0), inner_speed=speeds),
         lubricant=replace(OIL, traction=traction),
-        sliding=method,
         effects=PLAIN | {"rolling": "off"},
     )
     torque = friction_torque(slow).torque.total
@@ -140,7 +133,7 @@ def test_the_torque_at_rest_is_that_of_slow_running(scene: Scene, traction: Any,
 
 
 def test_a_smooth_surface_slides_on_oil_alone(scene: Scene) -> None:
-    """Under one load the force is tau_E times the area, whatever the speed: between both races' coefficients given."""
+    """Under one load the force is tau_E times the area, whatever the speed."""
     smooth = replace(
         scene,
         lubricant=replace(CLOSED, traction=present(scene.lubricant).traction),
@@ -152,14 +145,6 @@ def test_a_smooth_surface_slides_on_oil_alone(scene: Scene) -> None:
     assert np.all(found.asperity_share.inner == 0)
     assert np.all(present(found.film.inner) > 17e-9)  # e^-17 = 4e-8 of it is a film of a molecule
     np.testing.assert_allclose(found.torque.total, found.torque.total[0], rtol=1e-6)
-    both = []
-    for race in RACES:
-        contact = getattr(found, race)
-        area = np.pi * contact.semi_axis_rolling * contact.semi_axis_transverse
-        both.append(float(4.7e6 * area[0] / contact.load[0]))
-        np.testing.assert_allclose(getattr(found.friction_coefficient, race), both[-1], rtol=1e-6)
-    low, high = sorted(float(friction_torque(as_given(smooth, mu)).torque.total[0]) for mu in both)
-    assert low < found.torque.total[0] < high
 
 
 def test_what_does_not_slide_needs_no_film(scene: Scene) -> None:

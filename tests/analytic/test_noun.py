@@ -27,7 +27,6 @@ SCENE = Scene(bearing=BEARING_6205, operation=thrust(310.0, 89.0), friction_coef
         (BEARING_6205, {"kind": "roller"}, ('must be "radial" or "thrust"',)),
         (BEARING_6205, {"grade": "a"}, ('"C", "D" or None, got \'a\'',)),
         (SCENE, {"elastic_rolling": "Houpert"}, ('must be "hysteresis" or "houpert"',)),
-        (SCENE, {"sliding": "Auto"}, ('must be "auto", "single_coefficient"',)),
         (SCENE, {"spin_rule": {"free": 2}}, ("got {'free': 2}",)),
         (ReportDetails(), {"units": "imperial"}, ('must be "metric" or "inch"',)),
     ],

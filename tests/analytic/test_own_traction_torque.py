@@ -48,12 +48,10 @@ def loaded(scene: Scene, **loads: float) -> Scene:
 
 
 CASES: dict[str, dict[str, Any]] = {
-    "one coefficient": {"spin_rule": "balanced", "sliding": "single_coefficient"},
-    "along the axis": {"spin_rule": "outer_control", "sliding": "along_axis"},
-    "over the ellipse": {"spin_rule": "balanced", "sliding": "over_ellipse"},
-    "free": {"sliding": "free_ball"},
-    "creep, closed": {"sliding": "closed_creep"},
-    "creep, marched": {"sliding": "marched_creep"},
+    "over the ellipse": {"spin_rule": "balanced"},
+    "of one race": {"spin_rule": "outer_control"},
+    "free": {"effects": {"finite_geometry": "off", "creep": "off"}},
+    "creep, marched": {},
 }
 
 
@@ -96,7 +94,7 @@ def test_a_contact_that_slides_by_an_integral_of_its_definition(law: OwnTraction
     functions = {"carreau": lambda x: x * (1 + x * x) ** ((0.46 - 1) / 2), "newton": lambda x: x}
     a, b, peak, roll, spin, creep = 0.13e-3, 1.2e-3, 0.9e9, 0.8e-3, 2.1e-3, 0.9e-3
     point = PointLaw(limit=0.055, eyring=5e6, fluidity=4e3, own=law_address(law))
-    found = slip_sums(Slider(peak, a, b, roll), point, creep, spin, quadrature_of((96, 96)), True)
+    found = slip_sums(Slider(peak, a, b, roll), point, creep, spin, quadrature_of((96, 96)))
 
     def power(r: float, angle: float) -> float:
         x, y = r * math.cos(angle), r * math.sin(angle)

@@ -158,24 +158,6 @@ def test_factors_of_each_point_are_refused(scene: Scene) -> None:
     assert np.all(np.abs(changed - 1) > 1e-4)
 
 
-def test_weights_along_the_axis_of_a_pair_load_one_bearing_and_relieve_the_other(scene: Scene) -> None:
-    """Turned upside down, a pair without axial load is its own mirror image: the torque is that of both ways."""
-    slow = 5.0  # rad/s: a centrifugal force would press balls between clamped rings
-    light = paired(replace(scene, effects={"creep": "off"}), 0.0, speed=slow, preload=0.6)
-    up, down = (friction_torque(replace(light, down=(0.0, 0.0, way))) for way in (1.0, -1.0))
-    np.testing.assert_allclose(up.torque.total, down.torque.total, rtol=1e-9)  # round-off
-    first, second = (
-        alone(replace(scene, effects={"creep": "off"}, down=(0.0, 0.0, way)), 0.6, speed=slow).torque.total
-        for way in (1.0, -1.0)
-    )
-    apart = abs((first + second) / up.torque.total - 1)
-    assert abs(first / second - 1) > 0.01  # the weights matter
-    assert apart < up.numerical_uncertainty
-    assert any("operation.down" in warning for warning in up.warnings)
-    with pytest.raises(InputError, match=r"of a pair O or X across its axis"):  # a direction is given
-        friction_torque(replace(light, effects={"creep": "off", "weight": "on"}, down=(0.0, 0.0, 1.0)))
-
-
 def test_a_pair_whose_inner_rings_press_on_no_ball_is_refused(scene: Scene) -> None:
     with pytest.raises(InputError, match=r"neither inner ring .* raise the preload"):
         friction_torque(paired(scene, 1e-3, speed=900.0, kind="tandem"))

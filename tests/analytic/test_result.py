@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from analytic.effects.table import ENTRIES
+from analytic.effects import ENTRIES
 from analytic.errors import InputError
 from analytic.result import COLUMNS, FrictionTorque, require_numbers
-from analytic.scene import Bearing, ContactAngle, Losses, Scene
+from analytic.scene import Bearing, ContactAngle, Scene
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
 from fembearing.plain_types import plain
@@ -34,7 +34,7 @@ def test_what_is_left_out_is_none_and_said(scene: Scene) -> None:
     np.testing.assert_array_equal(found.torque.total, part(found.torque, "spin"))
     told = {effect.name: effect for effect in found.effects}
     assert list(told) == list(ENTRIES)
-    assert (told["spin"].decision, told["spin"].share, told["spin"].reason) == ("on", 1.0, "on in the scene")
+    assert (told["spin"].decision, told["spin"].share, told["spin"].reason) == ("on", 1.0, "computed")
     assert [found.is_on(name) for name in ("spin", "conformity", "no effect")] == [True, False, False]
     for name, words in (
         ("conformity", "off in the scene"),
@@ -42,7 +42,6 @@ def test_what_is_left_out_is_none_and_said(scene: Scene) -> None:
         ("rolling", "no lubricant"),
     ):
         assert words in told[name].reason
-    assert any("conformity is neglected" in warning for warning in found.warnings)
     nothing = friction_torque(without(scene, *DRY_PARTS)).torque
     assert nothing.total == 0
 
@@ -74,7 +73,7 @@ DESIGN = {
 
 def test_the_json_has_the_keys_of_the_design(scene: Scene) -> None:
     result = friction_torque(replace(scene, operation=thrust(500.0, 900.0)))
-    found = {"points": plain(result.rows), "effects": plain(result.shares)}
+    found = {"points": plain(result.rows), "effects": plain(list(result.effects))}
     assert len(found["points"]) == 2
     for index, point in enumerate(found["points"]):
         assert {key: list(value) if isinstance(value, dict) else None for key, value in point.items()} == DESIGN
@@ -105,7 +104,7 @@ def test_what_cannot_be_answered_is_refused(scene: Scene) -> None:
     refused(lambda: answered(operation=thrust(900.0, speed=float("nan"))), "operation.inner_speed")
     refused(lambda: answered(operation=thrust()), "operation.axial_load is empty")
     refused(lambda: answered(operation=thrust(0.0)), "axial_load")
-    refused(lambda: answered(operation=thrust(40.0, 1e7), contact_angle=SOLVED), "1e+07 N: ", "inner race's shoulder")
+    refused(lambda: answered(operation=thrust(1e7), contact_angle=SOLVED), "1e+07 N: ", "inner race's shoulder")
     refused(lambda: answered(effects={"seals": "off"}), "effects.seals")
 
 
@@ -118,16 +117,6 @@ def test_a_number_that_is_not_finite_never_becomes_a_result(name: str, value: fl
     values[-1] = value
     with pytest.raises(InputError, match=rf"is {value:g} at operating point {values.size} \(inner_speed"):
         require_numbers(replace(result, **{name: values}))
-
-
-def test_an_uncertainty_may_be_infinite_for_a_reason_alone() -> None:
-    result = friction_torque(load_scene("6205-dry"))
-    unsure = replace(result, numerical_uncertainty=np.full(result.inner_speed.shape, np.inf), unknown=("nobody knows",))
-    assert require_numbers(unsure) is unsure
-    with pytest.raises(InputError, match="numerical uncertainty is inf"):
-        require_numbers(replace(unsure, unknown=()))
-    with pytest.raises(InputError, match="total is nan"):
-        require_numbers(replace(unsure, torque=replace(result.torque, total=result.torque.total * np.nan)))
 
 
 @pytest.fixture(scope="module")
@@ -160,11 +149,9 @@ def test_a_table_in_a_notebook_has_the_units_of_engineers(series: FrictionTorque
     assert float(total) == pytest.approx(1e3 * series.torque.total[0], rel=1e-3)  # four digits
     assert float(unsure) == pytest.approx(100 * series.numerical_uncertainty[0], rel=0.05)  # two digits
     values = np.full(13, 0.031)
-    values[1] = np.inf
     aside = replace(series, radial_load=np.full(13, 7.0), numerical_uncertainty=values)
     assert cells_of(aside, 0)[2] == "radial load, N"
     assert (cells_of(aside, 1)[2], cells_of(aside, 1)[-1]) == ("7", "3.1")
-    assert cells_of(aside, 2)[-1] == "unknown"
 
 
 def test_columns_have_every_number_and_nan_for_what_is_left_out(series: FrictionTorque) -> None:
@@ -195,22 +182,3 @@ def test_some_points_of_a_result_are_those_of_the_whole(series: FrictionTorque) 
     assert some.torque.rolling is None
     assert some.rows[0].axial_load == series.axial_load[7]
     assert some.warnings == series.warnings
-
-
-def test_a_share_says_what_it_is_of(series: FrictionTorque, scene: Scene) -> None:
-    kinds = {each.name: each.share_is for each in series.shares}
-    assert kinds["spin"] == kinds["hysteresis"] == "part"
-    assert kinds["rolling"] == "unknown"  # without an oil
-    assert kinds["creep"] == "bound"
-    declared = friction_torque(replace(scene, losses=Losses(seals=3e-3)))
-    assert {each.name: each.share_is for each in declared.shares}["seals"] == "part"
-    solved = friction_torque(replace(scene, contact_angle=SOLVED, effects={"gyroscopic": "off", "spin": "on"}))
-    kinds = {each.name: each.share_is for each in solved.shares}
-    assert kinds["centrifugal"] == kinds["gyroscopic"] == "trial"
-    assert "weight" in kinds
-
-
-def test_what_has_no_bound_is_unbounded(series: FrictionTorque) -> None:
-    (creep,) = (each for each in series.effects if each.name == "creep")
-    assert series._kind_of(replace(creep, share=np.inf)) == "unbounded"
-    assert series._kind_of(replace(creep, share=None)) == "unknown"

@@ -82,17 +82,16 @@ def test_balls_roll_at_half_the_speed_of_the_washer() -> None:
         np.testing.assert_allclose(getattr(motion, name), expected, rtol=1e-12, err_msg=name)  # round-off
 
 
-@pytest.mark.parametrize("sliding", ["over_ellipse", "free_ball"])
-def test_pivoting_in_boundary_friction_is_the_closed_form(sliding: Any) -> None:
+@pytest.mark.parametrize("rule", ["balanced", "free"])
+def test_pivoting_in_boundary_friction_is_the_closed_form(rule: Any) -> None:
     """3/8 mu Q b E(m) at each contact of a ball, at the spin of half the speed."""
     mu, axial = 0.13, 770.0
     scene = scene_of(
         thrust(axial, speed=25.0),
         friction_coefficient=mu,
-        sliding=sliding,
-        spin_rule="balanced" if sliding == "over_ellipse" else "free",
+        spin_rule=rule,
         tolerance=1e-3,
-        effects={"finite_geometry": "off", "hysteresis": "off"},
+        effects={"finite_geometry": "off", "hysteresis": "off", "creep": "off" if rule == "free" else "auto"},
     )
     found = friction_torque(scene)
     contact, load = contact_by_hand(axial / COUNT), axial / COUNT
@@ -135,7 +134,7 @@ def test_free_balls_share_the_spin_by_symmetry() -> None:
     assert found.film.inner is not None
     assert found.film.outer is not None
     np.testing.assert_allclose(found.film.inner, found.film.outer, rtol=1e-5)  # the moment of inertia tells them apart
-    ruled = friction_torque(replace(scene, spin_rule="balanced", sliding="over_ellipse"))
+    ruled = friction_torque(replace(scene, spin_rule="balanced"))
     most = ruled.torque.race * (1 + found.numerical_uncertainty)  # creep takes slip off, here next to nothing
     assert np.all(found.torque.race < most)
     assert np.all(found.torque.race > 0.9 * ruled.torque.race)  # of spin many times the saturated one, little

@@ -156,7 +156,7 @@ def test_the_sliding_number_is_the_rolling_force_over_coulomb_friction() -> None
 
     At a held angle both loads are alike, and mu enters the friction alone: a number of 1 in between.
     """
-    ruled = replace(lubricated(190.0, 60.0), sliding="over_ellipse")  # balls that roll by closed kinematics
+    ruled = replace(lubricated(190.0, 60.0), spin_rule="balanced")  # balls that roll by closed kinematics
     found = friction_torque(ruled)
     numbers = [check(found, "sliding", f"{race} race") for race in ("inner", "outer")]
     values = np.array([one.value for one in numbers], dtype=float)
@@ -267,6 +267,3 @@ def test_accuracy_is_a_verdict_of_its_own() -> None:
     assert numerical_check(sure, tolerance=0.031).verdict == "pass"
     short = numerical_check(sure, tolerance=0.0309)
     assert (short.verdict, short.uncertainty) == ("not reached", 0.031)
-    lost = replace(found, numerical_uncertainty=np.array([0.01, np.inf]), unknown=("a reason",))
-    gone = numerical_check(lost, tolerance=0.5)
-    assert (gone.verdict, gone.uncertainty, gone.reason) == ("not reached", None, "a reason")

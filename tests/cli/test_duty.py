@@ -76,27 +76,18 @@ def test_what_is_assumed_is_told_but_for_the_columns_of_the_cycle(command: Run, 
 
 
 SLIPPING = "3,10000,5,0,60\n7,1000,600,0,60\n2,0,600,0,60\n4,10000,5,0,60\n"
-OPEN = "3,1000,25000,0,60\n7,1000,600,0,60\n4,1000,600,0,50\n"
 
 
-@pytest.mark.parametrize(
-    ("steps", "status", "line"),
-    [
-        (SLIPPING, 1, "fail at 2 of 3 turning steps: the rolling force of the oil exceeds the driving friction (inner"),
-        (OPEN, 3, "undecided at 1 of 3 turning steps: the solver error is 3"),
-    ],
-)
-def test_the_verdict_is_that_of_the_torque_at_the_worst_steps(
-    command: Run, tmp_path: Path, steps: str, status: int, line: str
-) -> None:
+def test_the_verdict_is_that_of_the_torque_at_the_worst_steps(command: Run, tmp_path: Path) -> None:
+    line = "fail at 2 of 3 turning steps: the rolling force of the oil exceeds the driving friction (inner"
     head = "duration [s],inner_speed [rpm],axial_load [N],radial_load [N],temperature [degC]\n"
-    (tmp_path / "cycle.csv").write_text(head + steps, "utf-8")
+    (tmp_path / "cycle.csv").write_text(head + SLIPPING, "utf-8")
     words = ("duty", "6206", str(tmp_path / "cycle.csv"), "--oil", "ISO VG 68", *QUICK[2:])
     ended = command(*words)
-    assert ended.status == status
+    assert ended.status == 1
     assert [told for told in ended.out.splitlines() if told.startswith(line)]
     found = command(*words, "--json")
-    assert found.status == status
+    assert found.status == 1
     standing = json.loads(found.out)["standing"]
     assert f"{standing['word']} at {standing['points']} of {standing['size']} turning steps" == line.split(":")[0]
 

@@ -17,7 +17,7 @@ from jsonschema import Draft7Validator
 import analytic
 from analytic import catalog
 from analytic.catalog.bearing_rows import bearing_names, find_bearing
-from analytic.effects.table import TABLE
+from analytic.effects import TABLE
 from analytic.scenefile.read import load_scene
 from fembearing import cli
 from fembearing.cli.options import bearing_names_like, scene_names_like

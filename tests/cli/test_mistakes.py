@@ -12,7 +12,7 @@ from analytic.scenefile.template import scene_text
 from tests.analytic.scenefile.scene_texts import MINE
 
 USUAL = scene_text("6206", Choice(oil="ISO VG 68"))
-RADIAL, SPEED, OIL, DOWN = '"560 N"', '"1000 rpm"', '"ISO VG 68"', "down = [1, 0, 0]"
+RADIAL, SPEED, OIL = '"560 N"', '"1000 rpm"', '"ISO VG 68"'
 CATALOG = 'catalog = "6206"'
 CAGE = '\n[cage]\npocket_clearance = "0.2 mm"\nwall_thickness = "1 mm"\nmass = "9 g"\nmaterial = "steel"\n'
 CSV = "inner_speed [rpm],torque [N mm]\n500,7\n"
@@ -68,7 +68,11 @@ TABLE: dict[str, tuple[tuple[str, Change, tuple[str, ...]], ...]] = {
         ("torque s.toml", ("radial_load =", "load ="), ("operation.load", "did you mean radial_load or axial_load?")),
         ("torque s.toml", ("inner_speed =", "rpm ="), ("operation.rpm", "did you mean inner_speed?")),
         ("torque s.toml", ("inner_speed =", "speed ="), ("operation.speed", "did you mean inner_speed?")),
-        ("torque s.toml", (DOWN, 'temperature = "60 C"'), ("operation.temperature", "did you mean lubricant.temp")),
+        (
+            "torque s.toml",
+            ("#down = [0, 0, 1]", 'temperature = "60 C"'),
+            ("operation.temperature", "did you mean lubricant.temp"),
+        ),
         ("torque 6206 --set speed=1500", None, ("speed is no key", "did you mean operation.inner_speed?")),
         ("torque 6206 --set oil=VG46", None, ("did you mean lubricant.name?",)),
         ("torque 6206 --set lubricant=VG46", None, ("is a table", "lubricant.name")),

@@ -1,19 +1,16 @@
 """A ball between two races: published torques of a separate program, limits, invariants, and oil."""
 
 from dataclasses import replace
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 
-from analytic.errors import ConvergenceError, InputError
+from analytic.errors import InputError
 from analytic.oil.traction import PointLaw
 from analytic.scene import Bearing
-from fembearing.creep import ball as module
 from fembearing.creep.ball import (
     ROLLS,
-    WAYS,
     Elasticity,
     Grid,
     TurnedBall,
@@ -115,7 +112,7 @@ def test_little_friction_has_the_torque_of_rigid_surfaces() -> None:
 def test_spin_parts_the_angles_and_friction_does_not_change_the_thrust() -> None:
     turned = turn_ball(thrust_ball(0.1, 1000.0), GRID)
     inner, outer = turned.races
-    strips = under_thrust(BEARING_6205, 0.18, load=1000.0, speed=52.36, friction=0.1, creep="marched")
+    strips = under_thrust(BEARING_6205, 0.18, load=1000.0, speed=52.36, friction=0.1)
     # Strips overrate the push by a quarter of this small rest of opposite pushes at both ends; a grid of 12 by 6
     assert inner.angle - outer.angle == pytest.approx(strips.angle[0] - strips.angle[1], rel=0.4)
     for race in (inner, outer):
@@ -284,90 +281,3 @@ def test_moments_and_forces_are_sums_over_the_maps(turned: TurnedBall) -> None:
         assert race.semi_axis_rolling == pytest.approx(size * unit.semi_axis_rolling, rel=2e-3)
         assert race.semi_axis_transverse == pytest.approx(np.sum(strips.width) / 2, rel=2e-2)
     assert turned.torque == pytest.approx(sum(race.torque for race in turned.races))
-
-
-@pytest.fixture
-def ways(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
-    """Ways that are tried; those before the one named last end short."""
-    tried: list[Any] = []
-
-    def along(way: tuple[float, ...], *_: Any) -> Any:
-        tried.append(way)
-        if len(tried) < tried[0]:
-            raise ConvergenceError(iterations=80, residual=0.1, tolerance=1e-6)
-        return way
-
-    monkeypatch.setattr(module, "_along", along)
-    return tried
-
-
-def test_a_ball_that_ends_short_is_tried_from_softer_surfaces(ways: list[Any], turned: TurnedBall) -> None:
-    """Without a start from the second way on; the last way's error is that of the ball."""
-    ball = thrust_ball(0.09, 600.0)
-    for start, possible in ((None, WAYS[1:]), (turned, WAYS)):
-        for works in range(1, len(possible) + 1):
-            ways[:] = [works + 1]
-            assert turn_ball(ball, ROUGH, start) == possible[works - 1]
-            assert ways[1:] == list(possible[:works])
-        ways[:] = [len(possible) + 2]
-        with pytest.raises(ConvergenceError):
-            turn_ball(ball, ROUGH, start)
-
-
-@pytest.mark.parametrize("law", [PointLaw(boundary=0.02), PointLaw(plain=3e6), PointLaw(limit=0.05)])
-@pytest.mark.parametrize("race", [0, 1])
-def test_any_friction_on_one_race_turns_a_ball(ways: list[Any], law: PointLaw, race: int) -> None:
-    laws = (law, PointLaw()) if race == 0 else (PointLaw(), law)
-    ways.append(0)
-    assert turn_ball(replace(thrust_ball(0.0, 600.0), laws=laws), ROUGH) == WAYS[1]
-
-
-@pytest.fixture
-def search(monkeypatch: pytest.MonkeyPatch) -> Any:
-    """What turns a ball, and the state from which it begins."""
-    told: list[Any] = []
-    monkeypatch.setattr(module, "_along", lambda _, search, state: told.append((search, state)))
-    turn_ball(thrust_ball(0.09, 600.0), ROUGH)
-    return told[0]
-
-
-def test_differences_are_small_against_the_groove_and_the_lighter_approach(search: Any) -> None:
-    """A millionth of the length moves the ball by a thousandth of an approach of 0.1 nm, and never by more than 1e-8
-    of the groove's length."""
-    units = [contact.unit.approach for contact in search[0].contacts]
-    for loads, expected in (
-        ((60.0, 70.0), free_lengths(BEARING_6205)[0] / 100),
-        ((1e-6, 2e-5), 1e3 * units[0] * 1e-4),
-        ((2e-5, 1e-6), 1e3 * units[1] * 1e-4),
-    ):
-        assert search[0]._length(SimpleNamespace(loads=loads)) == pytest.approx(expected, rel=1e-9)
-
-
-def test_a_ball_off_a_race_has_no_friction(search: Any) -> None:
-    found, state = search
-    off = state.copy()
-    off[4:6] *= 0.9  # towards the centre of the outer groove
-    with pytest.raises(ConvergenceError, match="a ball off its race"):
-        found.met(off, None)
-
-
-@pytest.mark.parametrize("number", [0, 2, 5])
-def test_a_step_changes_the_slip_of_a_contact_by_half_at_most(number: int, search: Any) -> None:
-    """Slip at the centre and, by spin and bends, at the ends of the contact; the contact that changes more counts."""
-    search, began = search
-    step = np.zeros(7)
-    step[number] = 1e-9  # m: so small that slip is linear in it
-    longest = search.longest(began, step)
-
-    def slips(state: Any) -> list[Any]:
-        lie = search.lie(state)
-        found = []
-        for k, slip in enumerate(search.slips(state, lie)):
-            unit = unit_under(BEARING_6205, ("inner", "outer")[k], search.ball.held.at_rest().angles[k])
-            end = unit.semi_axis_transverse * search.lie(began).loads[k] ** (1 / 3)
-            found.append(np.array(slip.creepages) * [1, end**2, 1, end])
-        return found
-
-    moved = slips(search.moved(began, step))
-    shares = [np.abs(now).sum() / np.abs(then - now).sum() / 2 for now, then in zip(slips(began), moved, strict=True)]
-    assert longest == pytest.approx(min(shares), rel=1e-6)

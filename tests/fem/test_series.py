@@ -11,18 +11,8 @@ import pytest
 from analytic.contact.hertz import contact_modulus, hertz_contact, relative_curvatures
 from analytic.errors import InputError
 from analytic.scene import Contact
-from fembearing.fem import series as bands
 from fembearing.fem import solution as module
 from fembearing.fem.series import (
-    AT_SHOULDER,
-    NARROWEST,
-    SLACK,
-    SMALLER,
-    WIDEST,
-    _bands,
-    _fits,
-    _is_cut_correctly,
-    _load_of_mesh,
     off_mesh,
     on_level,
     solve_series,
@@ -204,96 +194,3 @@ def test_a_series_far_from_its_shoulder_needs_no_further_mesh(
 def measured(ellipse: tuple[float, float], mesh: tuple[float, float], **parts: Any) -> Any:
     """A solution with this ellipse on a mesh for that one, mm."""
     return SimpleNamespace(semi_axes=ellipse, pair=SimpleNamespace(semi_axes=mesh, **parts))
-
-
-def test_the_deviation_from_a_mesh_is_that_of_the_worse_axis() -> None:
-    assert off_mesh(measured((0.24, 1.1), (0.3, 1.0))) == pytest.approx(0.2)
-    assert off_mesh(measured((0.27, 1.4), (0.3, 1.0))) == pytest.approx(0.4)
-
-
-@pytest.mark.parametrize("axis", [0, 1])
-@pytest.mark.parametrize(("limit", "inwards"), [(NARROWEST - SLACK, 1), (WIDEST + SLACK, -1)])
-def test_a_mesh_holds_ellipses_within_its_bounds_and_their_slack(axis: int, limit: float, inwards: int) -> None:
-    for off, holds in ((0.01 * inwards, True), (-0.01 * inwards, False)):
-        ellipse = [0.3, 1.7]
-        ellipse[axis] *= limit + off
-        assert _fits(measured((ellipse[0], ellipse[1]), (0.3, 1.7))) == holds
-
-
-@pytest.mark.parametrize("side", [0, 1])
-@pytest.mark.parametrize("cut", [True, False])
-def test_a_mesh_that_is_cut_off_a_little_before_its_ellipse_will_do(
-    contacts: dict[str, Contact], side: int, cut: bool
-) -> None:
-    """At the farther shoulder, y < 0, and at the nearer one: up to a hundredth on the wrong side of it."""
-    distances, cuts = [3.1, 3.1], [np.inf, np.inf]
-    distances[side], cuts[side] = 0.8, 0.8 if cut else np.inf
-    contact = replace(contacts["inner"], far_shoulder=distances[0], shoulder=distances[1])
-    towards = -1 if cut else 1
-    for share, correct in ((0.9, True), (1.1, False), (-20.0, True)):
-        ellipse = 0.1, 0.8 * (1 + towards * share * AT_SHOULDER)
-        footprint = SimpleNamespace(shoulders=tuple(cuts))
-        found = measured(ellipse, ellipse, footprint=footprint)
-        found.contact = contact
-        assert _is_cut_correctly(found) == correct
-
-
-def test_loads_share_a_mesh_as_long_as_their_ellipses_do() -> None:
-    """Semi-axes from 0.7 to 1.3 of the mesh: loads within their ratio cubed, 6.405, of the first one."""
-    assert list(_bands([2.0, 5.0, 12.8, 12.82, 31.0, 82.2])) == [(2.0, 5.0, 12.8), (12.82, 31.0), (82.2,)]
-
-
-def test_the_mesh_of_a_band_is_that_of_its_middle_load_where_it_holds_all() -> None:
-    """From 120 to 500 N meshes of 227.6 N, 500/1.3^3, to 349.9 N, 120/0.7^3, hold both ends; the middle is 273 N."""
-    assert _load_of_mesh((120.0, 200.0, 260.0, 340.0, 500.0)) == 260.0
-    assert _load_of_mesh((120.0, 210.0, 228.0, 290.0, 500.0)) == 290.0
-    assert _load_of_mesh((120.0, 227.0, 349.0, 500.0)) == 349.0  # 227 N is just too small
-    assert _load_of_mesh((120.0, 228.0, 351.0, 500.0)) == 228.0
-
-
-def test_the_mesh_of_a_band_without_such_a_load_is_equally_near_its_bounds_at_both_ends() -> None:
-    found = _load_of_mesh((100.0, 210.0, 330.0, 600.0))
-    ends = np.log(600.0 / found) / np.log(WIDEST), np.log(found / 100.0) / np.log(1 / NARROWEST)
-    assert ends[0] == pytest.approx(ends[1], rel=1e-9)
-
-
-def test_a_band_that_no_mesh_holds_is_halved(contacts: dict[str, Contact], monkeypatch: pytest.MonkeyPatch) -> None:
-    """Ellipses that grow as the power 0.6 of the load: 1.9 times from 100 to 290 N, 1.52 from 290 to 580 N."""
-
-    def under(meshed: Any, load: float) -> Any:
-        found = measured((0.1 * load**0.6, 1.2 * load**0.6), meshed.pair.semi_axes, footprint=meshed.pair.footprint)
-        found.contact = replace(contacts["inner"], load=load, shoulder=np.inf, far_shoulder=np.inf)
-        found.bodies = meshed.bodies
-        return found
-
-    def mesh(own: Contact, **_: Any) -> Any:
-        size = (0.1 * own.load**0.6, 1.2 * own.load**0.6)
-        pair = SimpleNamespace(semi_axes=size, footprint=SimpleNamespace(shoulders=(np.inf, np.inf)))
-        return under(SimpleNamespace(pair=pair, bodies=object()), own.load)
-
-    monkeypatch.setattr(bands, "_mesh_of_band", mesh)
-    monkeypatch.setattr(bands, "_under", under)
-    loads = [100.0, 200.0, 290.0, 410.0, 580.0]
-    series = solve_series(contacts["inner"], recipe=IDEAL, level=IDEAL.levels[1], loads=loads)
-    assert [part.contact.load for part in series] == loads
-    assert [part.bodies for part in series] == [series[0].bodies] * 2 + [series[2].bodies] * 3
-    assert series[0].bodies is not series[2].bodies
-
-
-def test_an_ellipse_too_wide_for_a_mesh_gets_the_mesh_of_a_smaller_one(
-    contacts: dict[str, Contact], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """An axis of 0.85, so that the larger ellipse still fits."""
-    contact, meshed = contacts["inner"], []
-
-    def fitted(own: Contact, **_: Any) -> Any:
-        meshed.append(own.load)
-        if own.load > 0.9 * contact.load:
-            raise InputError("too wide")
-        return "smaller"
-
-    monkeypatch.setattr(bands, "_fitted", fitted)
-    monkeypatch.setattr(bands, "_under", lambda *_: None)
-    monkeypatch.setattr(bands, "_is_cut_correctly", lambda _: True)
-    assert bands._mesh_of_band(contact, recipe=IDEAL, latest=None) == "smaller"
-    assert (meshed[1] / meshed[0]) ** (1 / 3) == pytest.approx(SMALLER)

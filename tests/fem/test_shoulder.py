@@ -9,7 +9,6 @@ import pytest
 from skfem import MeshHex2
 
 from analytic.contact.geometry import cut_off_share
-from analytic.effects.table import PER_CUT_SHARE
 from analytic.errors import InputError
 from analytic.scene import Contact
 from fembearing.fem.condensation import held_stiffness, middle_plane
@@ -174,8 +173,10 @@ def least_loss(y: np.ndarray, force: np.ndarray, semi_axis: float) -> float:
     return min(float(force @ np.abs((y / semi_axis) ** 2 - even)) for even in np.linspace(0, 1, 401)) / force.sum()
 
 
-def test_a_cut_contact_loses_less_within_what_is_stated_of_it(contacts: dict[str, Contact], cut: MeshSolution) -> None:
-    """The share beyond the shoulder by Hertz's parabola, and the factor on it in the torque's uncertainty."""
+def test_a_cut_contact_loses_less_by_one_to_two_shares_of_what_is_cut_off(
+    contacts: dict[str, Contact], cut: MeshSolution
+) -> None:
+    """The share beyond the shoulder by Hertz's parabola; with nothing cut off the loss does not change."""
     whole = solve_on_mesh(
         replace(contacts["inner"], contact_angle=0.0), recipe=load_recipe("race"), level=2, semi_axes=SEMI_AXES
     )
@@ -184,7 +185,7 @@ def test_a_cut_contact_loses_less_within_what_is_stated_of_it(contacts: dict[str
     y = np.linspace(0.8e-3, 0.946e-3, 2001) / 0.946e-3
     assert share == pytest.approx(0.75 * np.trapezoid(1 - y**2, y), rel=1e-5)  # a parabola of unit load
     change = least_loss(cut.y, cut.force, 0.946e-3) / before - 1
-    assert 0.5 * share < -change < PER_CUT_SHARE * share
+    assert 0.5 * share < -change < 2 * share
 
 
 def sided(contact: Contact, *, near: float, far: float, sides: Sides) -> MeshSolution:

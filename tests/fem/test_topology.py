@@ -225,15 +225,6 @@ def test_a_matrix_without_a_factor_stays_an_error() -> None:
         made.solution(csr_matrix([[4.0, 0.0], [0.0, 0.0]]), np.ones(2))
 
 
-@has_pardiso
-def test_a_failed_analysis_leaves_superlu_alone(monkeypatch: pytest.MonkeyPatch) -> None:
-    upper = csr_matrix([[4.0, 1.0], [0.0, 3.0]])
-    monkeypatch.setattr(factor, "PardisoSolver", failing(factor.ANALYSIS, "reordering problem"))
-    with pytest.warns(RuntimeWarning, match="reordering problem"):
-        made = new_factor(upper, csr_matrix((2, 0)))
-    np.testing.assert_allclose(made.solution(upper, np.ones(2)), [2 / 11, 3 / 11], rtol=1e-14)
-
-
 @pytest.mark.parametrize("threads", [1, 2])
 def test_threads_do_not_change_a_bit(
     contacts: dict[str, Contact], threads: int, monkeypatch: pytest.MonkeyPatch
@@ -278,19 +269,3 @@ def test_threads_are_those_that_the_environment_gives(
     assert factor.solver_threads() == (7 if threads is None else threads)
     monkeypatch.setattr(factor, "PardisoSolver", None)
     assert factor.solver_threads() == 1
-
-
-@has_pardiso
-def test_a_factor_counts_its_numbers_until_it_forgets_them() -> None:
-    """Of a full matrix of 300 rows: its factor is a triangle of doubles, and so are the numbers it was given."""
-    random = np.random.default_rng(2)
-    root = random.normal(size=(300, 300))
-    upper = csr_matrix(np.triu(root @ root.T + 300 * np.eye(300)))
-    made = factor.PardisoFactor(upper, csr_matrix((300, 0)))
-    triangle = 8 * 300 * 301 / 2
-    before = made.memory
-    made.solution(upper, np.ones(300))
-    assert 1.5 * triangle < before < 12 * triangle  # entries, their columns and places
-    assert triangle < made.memory - before < 12 * triangle
-    made.forget_numbers()
-    assert made.memory == pytest.approx(before, rel=0.3)

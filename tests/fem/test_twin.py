@@ -197,8 +197,3 @@ def test_an_ellipse_that_its_mesh_does_not_hold_has_no_twin(
     meshes.measured = measured
     found = twin_on_level(contacts["inner"], recipe=RECIPE, level=2, start=(0.1e-3, 0.9e-3))
     assert (found is not None) == told
-
-
-def test_an_ellipse_and_its_mesh_deviate_by_the_worse_axis() -> None:
-    assert twin._deviation((0.27, 1.2), (0.3, 1.0)) == pytest.approx(0.2)
-    assert twin._deviation((0.24, 1.1), (0.3, 1.0)) == pytest.approx(0.2)

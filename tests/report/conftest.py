@@ -7,8 +7,8 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from analytic.effects.ledger import Effect
-from analytic.effects.limits import LimitNumbers
+from analytic.effects import Effect, Effects
+from analytic.limits import LimitNumbers
 from analytic.result import FrictionTorque, TorqueParts
 from analytic.scene import Operation
 from analytic.scenefile.read import parse_scene
@@ -199,9 +199,11 @@ def torque_made(torque: FrictionTorque, *, angle: list[float], total: list[float
             conformity=np.array([11.4e-3, 14.3e-3, 19e-3]),
             hysteresis=np.array([2.5e-3, 3.2e-3, 4e-3]),
         ),
-        effects=(
-            Effect(name="spin", decision="on", share=0.562, reason="asked for"),
-            Effect(name="rolling", decision="off", share=None, reason="nobody knows it"),
+        effects=Effects(
+            lambda: {
+                "spin": Effect(name="spin", decision="on", share=0.562, reason="asked for", share_is="part"),
+                "rolling": Effect(name="rolling", decision="off", share=None, reason="nobody knows it"),
+            }
         ),
     )
 

@@ -7,13 +7,11 @@ from io import StringIO
 import pytest
 from rich.console import Console
 
-from analytic.verdicts import NumericalCheck, PhysicalCheck
 from fembearing.cli.status import STATUS
 from fembearing.plain_types import plain
 from fembearing.report.findings import Finding
 from fembearing.report.report import Report, report_in
 from fembearing.report.terminal.validation import print_headline
-from fembearing.verify.torque.verdicts import Verdicts
 from fembearing.verify.validation import Validation
 from tests.analytic.specimens import present
 from tests.report.test_measured import TWO
@@ -84,32 +82,3 @@ def test_the_command_prints_tables_with_details_alone(
     assert whole.out.startswith(short.out)
     assert "Hertz/FE-1" in whole.out
     assert "Hertz/FE-1" not in short.out
-
-
-def test_a_reason_names_what_is_open_or_fails() -> None:
-    """Contacts, the solver and limits, each by itself; nothing that was not compared is named."""
-    limit = PhysicalCheck(
-        name="peak_pressure", where="outer race", point=0, value=2.3e9, limit=4.2e9, unit="Pa", verdict="pass", note=""
-    )
-    solved = NumericalCheck(verdict="pass", uncertainty=0.013, tolerance=0.03, reason="")
-    loose = NumericalCheck(verdict="not reached", uncertainty=0.047, tolerance=0.03, reason="")
-    for given, reason in (
-        ({"comparison": "pass", "numerical": solved}, "contacts and solver error within the tolerance, no physical"),
-        ({"numerical": solved}, "solver error within the tolerance"),
-        (
-            {"comparison": "undecided", "numerical": loose},
-            "a contact is undecided by finite elements; the solver error is 4.7 %, tolerance 3 %",
-        ),
-        ({"comparison": "outside validity", "numerical": loose}, "a contact is outside the validity of Hertz"),
-        (
-            {"numerical": solved, "physical": (replace(limit, verdict="unknown"),)},
-            "a physical limit is not known: peak pressure (outer race)",
-        ),
-        (
-            {"numerical": loose, "physical": (replace(limit, verdict="fail"),)},
-            "the peak pressure exceeds the static limit (outer race)",
-        ),
-    ):
-        verdicts = Verdicts(**{"physical": (limit,)} | given)  # pyright: ignore[reportArgumentType]
-        assert reason in verdicts.reason
-        assert ("solver" in verdicts.reason) == ("solver" in reason)

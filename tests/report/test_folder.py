@@ -12,24 +12,19 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from matplotlib.figure import Figure
 
 from analytic.errors import InputError
 from analytic.scenefile.read import load_scene
 from analytic.writing import LISTING, new_folder
-from fembearing import cli
 from fembearing.cli.boundary import end
 from fembearing.plain_types import plain
-from fembearing.provenance import provenance_of
 from fembearing.report import folder as module
-from fembearing.report.figures import page_plots, style
-from fembearing.report.folder import validate, write_cost
+from fembearing.report.figures import page_plots
+from fembearing.report.folder import validate
 from fembearing.report.page import write as page
 from fembearing.report.pictures import draw as pictures
 from fembearing.report.report import report_of
-from fembearing.verify.cost.scene_cost import Cost, Spent
 from fembearing.verify.validation import Validation
-from tests.report.figures.test_cost import CONTACT, LOAD
 
 BROKEN = ("/nowhere/python",)  # a renderer that draws nothing; maps take the place of its pictures
 
@@ -57,23 +52,6 @@ def test_a_report_holds_page_numbers_pictures_and_meshes(solved: Validation, tmp
     assert {picture["file"] for picture in content["pictures"]} <= names
     assert content["renderer"] == "VTK"
     assert [step for _, step in steps] == ["report"]
-
-
-@pytest.mark.parametrize("count", [2, 5])
-def test_the_picture_of_a_cost_holds_all_of_its_panels(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, count: int
-) -> None:
-    """One for each quantity, and one for their memory."""
-    drawn: list[Figure] = []
-    monkeypatch.setattr(style, "png", lambda *figures: drawn.extend(figures) or b"a picture")
-    ladders = (CONTACT, LOAD, *(replace(LOAD, quantity=f"quantity {number}") for number in range(3)))[:count]
-    provenance = provenance_of(load_scene("6205-dry"))
-    spent = Spent(seconds=3.2, peak_memory=None)
-    cost = Cost(tolerance=0.04, ladders=ladders, cost=spent, warnings=(), provenance=provenance)
-    write_cost(cost, tmp_path)
-    (figure,) = drawn
-    assert len({panel.get_title() for panel in figure.axes}) == count + 1
-    assert {path.name for path in tmp_path.iterdir()} == {"cost.png", "cost.csv", "cost.json"}
 
 
 def test_the_folder_is_open_to_those_whom_the_umask_lets_in(tmp_path: Path) -> None:
@@ -154,30 +132,6 @@ def test_a_renderer_that_fails_is_told_in_the_result(
     result = validate(solved.scene, out=tmp_path / "report")
     assert "maps by matplotlib: the renderer could not be started" in result.warnings[-1]
     assert json.loads((tmp_path / "report" / "report.json").read_text("utf-8"))["warnings"] == list(result.warnings)
-
-
-@pytest.mark.parametrize("trouble", ["", "the renderer could not be started"])
-def test_a_report_lists_the_pictures_of_creep_only_if_they_are_drawn(
-    checked: Validation, solved: Validation, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, trouble: str
-) -> None:
-    sliding = replace(solved, contacts=checked.contacts[:2], creep=checked.creep[:1], creep_change=checked.creep_change)
-    monkeypatch.setattr(module, "check_scene", lambda *_, **__: sliding)
-    monkeypatch.setattr(pictures, "draw_pictures", lambda *_, **__: ((), trouble))
-    validate(solved.scene, out=tmp_path / "report")
-    listed = json.loads((tmp_path / "report" / "report.json").read_text("utf-8"))["pictures"]
-    assert [each["file"] for each in listed] == ([] if trouble else ["inner-creep.png", "outer-creep.png"])
-
-
-@pytest.mark.usefixtures("solved")
-def test_a_renderer_that_fails_is_told_on_the_terminal(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    monkeypatch.setattr(pictures.draw_pictures, "__kwdefaults__", {"renderer": BROKEN})
-    monkeypatch.setattr("sys.argv", ["fembearing", "validate", "--out", str(tmp_path / "report")])
-    with pytest.raises(SystemExit):
-        cli.main()
-    told = capsys.readouterr()
-    assert told.err.count("the pictures are maps by matplotlib: the renderer could not be started") == 1
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows ends a process without a signal")

@@ -15,7 +15,6 @@ from fembearing.report.headline import (
     film_words,
     headline_table,
     headline_title,
-    makers_words,
     side_by_side,
     span_of,
     split_of,
@@ -26,7 +25,6 @@ from fembearing.report.tables.table import Table
 from fembearing.report.terminal.table import show
 from fembearing.report.terminal.torque import print_headline
 from fembearing.report.torque import Band, TorqueRecord, torque_record
-from fembearing.verify.torque.left_out import LeftOut
 from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene, with_interval
 from tests.analytic.specimens import present
 
@@ -68,18 +66,6 @@ def test_the_interval_may_come_later(result: SceneTorque) -> None:
     np.testing.assert_allclose(present(with_interval(without).interval), present(result.interval), rtol=1e-6)  # solver
 
 
-def test_the_lubrication_follows_from_the_share_of_the_asperities(result: SceneTorque) -> None:
-    for inner, outer, words in (
-        (0.003, 0.006, ": full film"),
-        (0.004, 0.2, ": full film to mixed"),
-        (0.7, 0.95, ": mixed to boundary"),
-    ):
-        share = replace(result.friction.asperity_share, inner=np.array([inner]), outer=np.array([outer]))
-        lines = lines_of(replace(result, friction=replace(result.friction, asperity_share=share)))
-        printed = " ".join(" ".join(lines).split())
-        assert f"{words} makers" in printed
-
-
 def test_a_headline_says_where_the_oil_returns_slowly(result: SceneTorque) -> None:
     """Above ln 2, where less than half of rolling is left, at any point."""
     for exponents, said in (([0.69], False), ([0.1, 0.7], True), (None, False)):
@@ -87,22 +73,6 @@ def test_a_headline_says_where_the_oil_returns_slowly(result: SceneTorque) -> No
         limits = replace(result.friction.limits, replenishment=values)
         found = film_words(replace(result, friction=replace(result.friction, limits=limits)))
         assert present(found).endswith(", starved to flooded") == said
-
-
-def test_a_maker_with_two_constants_is_one_maker(result: SceneTorque) -> None:
-    values = {"SKF": (0.031, 0.037), "Palmgren, z = 0.0004": (0.011, None), "Palmgren, z = 0.0006": (0.019, 0.023)}
-    band = Band(low=(0.011, 0.023), high=(0.031, 0.037), values=values, note="")
-    record = torque_record(result)
-    two = replace(record, catalogue_band=band, points=2 * record.points, interval=2 * record.interval)
-    assert makers_words(two) == "makers: SKF 31-37, Palmgren 11-23 N mm"
-
-
-def test_makers_beside_a_torque_with_losses_are_without_them(result: SceneTorque) -> None:
-    for loss in ("oil", "declared"):
-        (point,) = torque_record(result).points
-        lossy = replace(point, torque=replace(point.torque, **{loss: 0.003}))
-        said = makers_words(replace(torque_record(result), points=(lossy,)))
-        assert said == f"{makers_words(torque_record(result))}, without seals and drag"
 
 
 def test_numbers_of_the_headline_have_no_power_of_ten_and_no_part_of_0_per_cent(result: SceneTorque) -> None:
@@ -115,27 +85,12 @@ def test_numbers_of_the_headline_have_no_power_of_ten_and_no_part_of_0_per_cent(
         assert "e-" not in " ".join(lines)
 
 
-def test_a_point_is_one_row_however_wide_its_numbers_are(result: SceneTorque) -> None:
-    wide = np.array([[0.000123], [0.00234]])  # N m: in lbf in 0.00109 to 0.0207
-    inch = replace(result.scene, report=replace(result.scene.report, units="inch"))
-    series = replace(result, scene=inch, interval=wide)
-    lines = lines_of(series)
-    assert lines[4] == ""  # title, heads, rule and one row
-    assert "roll. " in lines[3]
-
-
 def test_scenes_side_by_side_have_one_row_each(result: SceneTorque) -> None:
     names = ("spindle-6206.toml", "b.toml")
     table = side_by_side(dict.fromkeys(names, result))
     out = StringIO()
     show(Console(file=out, width=80), table)
     assert [line.split()[0] for line in out.getvalue().splitlines()[3:5]] == list(names)
-
-
-def test_without_an_interval_it_says_so(result: SceneTorque) -> None:
-    printed = " ".join(" ".join(lines_of(replace(result, interval=None))).split())
-    assert "not known" in printed
-    assert "try --interval" in printed
 
 
 def record_of(result: SceneTorque, *, totals: Sequence[float], **changed: Any) -> TorqueRecord:
@@ -168,22 +123,6 @@ def test_a_long_series_is_told_by_six_of_its_points_with_both_ends(result: Scene
         assert (f"6 of {count} operating points" in said) == (count > 6)
         assert "No interval" in said
         assert "skipped" not in said
-
-
-def test_points_without_a_torque_are_counted_and_one_interval_is_enough(result: SceneTorque) -> None:
-    lost = LeftOut(point=1, inner_speed=20.0, axial_load=0.0, radial_load=2e3, moment=0.0, reason="too fast")
-    record = record_of(result, totals=[0.02, 0.03, 0.05], left_out=(lost,), interval=((0.01, 0.03), None, None))
-    table = headline_table(result.scene, record)
-    assert len(cells_of(table)) == 2
-    said = " ".join(table.notes)
-    assert "1 points without a torque are skipped." in said
-    assert "No interval" not in said
-
-
-@pytest.mark.parametrize(("count", "why"), [(50, "no torque at the bound of an input"), (51, "more than 50 points")])
-def test_the_reason_why_there_is_no_interval_is_said(result: SceneTorque, count: int, why: str) -> None:
-    record = record_of(result, totals=[1e-3 * (20 + number) for number in range(count)])
-    assert headline_table(result.scene, record).notes[-1] == f"No interval: {why}; try --interval."
 
 
 def test_a_series_is_told_from_its_least_to_its_greatest(result: SceneTorque) -> None:
@@ -259,25 +198,3 @@ def test_the_title_has_the_loads_and_the_speed_that_are_the_same_everywhere(resu
     assert headline_title(replace(scene, lubricant=None), alike).endswith("95.493 rpm, dry")
     dry = replace(scene, lubricant=None, friction_coefficient=0.08)
     assert headline_title(dry, alike).endswith("95.493 rpm, friction coefficient 0.08")
-
-
-def test_makers_without_a_number_are_not_named(result: SceneTorque) -> None:
-    record = record_of(result, totals=[0.02])
-    none = "makers: no formula: not for this load"
-    assert makers_words(record) == none
-    lacking = Band(low=None, high=None, values={}, note="no catalogue band: bearing.bore_diameter is not given")
-    assert (
-        makers_words(replace(record, catalogue_band=lacking))
-        == "makers: no formula: bearing.bore_diameter is not given"
-    )
-    words_of: tuple[tuple[dict[str, tuple[float | None, ...]], str], ...] = (
-        ({"SKF": (None,)}, none),
-        ({"SKF": (0.031,)}, "makers: SKF 31 N mm"),
-        ({"SKF": (0.08412, 0.08414)}, "makers: SKF 84.1 N mm"),  # ends alike as they are printed
-        ({"SKF": (np.nan, 0.031)}, "makers: SKF 31 N mm"),  # a first point that was skipped
-    )
-    for values, words in words_of:
-        count = len(values["SKF"])
-        band = Band(low=count * (0.03,), high=count * (0.04,), values=values, note="")
-        points, interval = count * record.points, count * record.interval
-        assert makers_words(replace(record, catalogue_band=band, points=points, interval=interval)) == words

@@ -87,15 +87,6 @@ def test_the_table_has_every_number_of_the_json_in_the_unit_of_its_head(result: 
         assert {f"{name}_{race}" for name in first["contact"][race]} <= set(names)
 
 
-def test_what_is_not_known_is_an_empty_cell() -> None:
-    text = changed('"700 N"', '["700 N", "90 kN"]', OILED)
-    found = torque_of_scene(parse_scene(text, origin="here"))
-    assert np.isinf(found.friction.numerical_uncertainty).tolist() == [False, True]
-    _, first, second = csv.DictReader(StringIO("\n" + csv_of(found))), *csv.DictReader(StringIO(csv_of(found)))
-    assert float(first["uncertainty_numerical [%]"]) < 100
-    assert second["uncertainty_numerical [%]"] == ""
-
-
 def test_dataset_and_data_frame_hold_the_same_numbers(result: SceneTorque) -> None:
     dataset, frame = result.to_dataset(), result.to_dataframe()
     shown = shown_columns(result)

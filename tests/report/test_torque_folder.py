@@ -5,8 +5,7 @@ import subprocess
 import sys
 from dataclasses import dataclass
 from pathlib import Path
-from types import SimpleNamespace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import pytest
@@ -159,52 +158,6 @@ def test_a_torque_without_a_moving_cage_loads_nothing_that_packs_or_renders(tmp_
 def test_a_cage_in_a_bearing_at_rest_has_no_series_for_nothing_turns(tmp_path: Path) -> None:
     still = torque_of_scene(parse_scene(MOVING.replace('"500 rpm"', '"0 rpm"'), origin="here"))
     assert present(write_torque(still, tmp_path)).endswith("no series, plot or picture of it: nothing turns")
-
-
-def test_the_reason_for_a_cage_at_rest_is_its_effect_or_that_nothing_turns() -> None:
-    effects = [SimpleNamespace(name="spin", reason="on"), SimpleNamespace(name="cage_dynamics", reason="too slow")]
-
-    def reason(*, cage: Any, part: Any, speeds: list[float]) -> str | None:
-        friction = SimpleNamespace(effects=effects, cage=part, inner_speed=np.array(speeds))
-        result: Any = SimpleNamespace(scene=SimpleNamespace(cage=cage), friction=friction)
-        return module._why_at_rest(result)
-
-    assert reason(cage=None, part=None, speeds=[3.0]) is None
-    assert present(reason(cage="one", part="rests", speeds=[0.0, 3.0])).endswith("picture of it: too slow")
-    assert present(reason(cage="one", part="rests", speeds=[0.0, 0.0])).endswith("picture of it: nothing turns")
-    assert present(reason(cage="one", part=None, speeds=[0.0, 0.0])).endswith("picture of it: too slow")
-
-
-def test_motions_keep_the_numbers_of_their_points_and_tell_their_progress(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Of four points the second has no torque; the cage moved at the first and the last of the others."""
-    recorded: list[Any] = []
-    steps: list[tuple[float, str]] = []
-
-    def record(_scene: Any, _friction: Any, point: int) -> Any:
-        return None if point == 1 else Recorded(point + 1)
-
-    def motions(records: list[Any], *_: Any) -> tuple[list[Any], None]:
-        recorded.extend(each.point for each in records)
-        return [], None
-
-    monkeypatch.setattr(module, "record_cage", record)
-    monkeypatch.setattr(module, "_write_motions", motions)
-    for name in ("table_file", "figure_file", "vector_file", "numbers_file"):
-        monkeypatch.setattr(module, name, lambda *_, **__: b"a file")
-    result: Any = SimpleNamespace(
-        places=SimpleNamespace(computed=[0, 2, 3]),
-        friction=SimpleNamespace(inner_speed=np.array([10.0, 20.0, 30.0])),
-        scene=None,
-        prediction=None,
-    )
-    assert write_torque(result, tmp_path, progress=lambda *step: steps.append(step)) is None
-    assert recorded == [1, 4]
-    shares = [share for share, _ in steps]
-    np.testing.assert_allclose(shares, [0.4, 0.4 + 0.4 / 3, 0.4 + 0.8 / 3, 0.8], rtol=1e-12)
-    assert [words for _, words in steps] == [*(f"cage, point {number}" for number in (1, 2, 3)), "plots and pictures"]
-    assert {file.name for file in tmp_path.iterdir()} == ALWAYS
 
 
 @dataclass(frozen=True)

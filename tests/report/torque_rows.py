@@ -51,7 +51,7 @@ def lost(number: int) -> LeftOut:
 def record(*points: TorquePoint, **changed: Any) -> TorqueRecord:
     given: dict[str, Any] = {
         **dict.fromkeys(("gap_roughness", "clearances", "pair", "other_candidate", "prediction")),
-        **dict.fromkeys(("effects", "warnings", "unknown", "notes", "inputs", "left_out"), ()),
+        **dict.fromkeys(("effects", "measured_points", "warnings", "notes", "inputs", "left_out"), ()),
         "provenance": {},
         "seconds": 0.3,
         "tolerance": 0.02,

@@ -6,7 +6,6 @@ import sys
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -19,8 +18,7 @@ from analytic.prediction.prediction import predict
 from analytic.scenefile.law_packages import installed_law
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
-from fembearing.sweep import parts, run
-from fembearing.sweep.cluster import LostWorkerError
+from fembearing.sweep import parts
 from fembearing.sweep.grid import Grid, load_grid
 from fembearing.sweep.run import run_sweep
 from fembearing.sweep.store import opened_store
@@ -465,25 +463,3 @@ def test_progress_counts_points_that_are_done_and_failed(grid_file: Write, tmp_p
     told.clear()
     run_sweep(grid_file(axes), out=tmp_path / "out", progress=lambda share, words: told.append((share, words)))
     assert told == [(1.0, "6 of 6 points"), (1.0, "gathering")]
-
-
-def test_a_time_that_is_left_is_that_of_the_points_done_so_far(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Of 10 points 4 were kept before; the first 2 of the others take 30 s, so that the last 4 take 60 s."""
-    now = [0.0]
-    monkeypatch.setattr(run, "time", SimpleNamespace(perf_counter=lambda: now[0]))
-    gathered: Any = SimpleNamespace(grid=SimpleNamespace(size=10), add=lambda *_: None)
-    kept: list[Any] = []
-    store: Any = SimpleNamespace(save=lambda piece, _: kept.append(piece))
-    part = parts.Part(values={parts.REASON: np.array(["", ""], dtype=object)})
-
-    def results() -> Any:
-        now[0] = 30.0
-        yield range(4, 6), part
-        now[0] = 60.0
-        yield range(6, 10), LostWorkerError("killed")
-
-    told: list[tuple[float, str]] = []
-    lost = run._keep(store, gathered, [range(4, 6), range(6, 10)], results(), lambda *each: told.append(each))
-    assert told == [(0.4, "4 of 10 points"), (0.6, "6 of 10 points, about 60 s left"), (1.0, "10 of 10 points")]
-    assert lost == 4
-    assert kept == [range(4, 6)]  # a lost piece is computed again by the next run

@@ -1,9 +1,7 @@
 """The main job: which contacts a scene calls for, which of them reach the torque, and what is refused at once."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
-from types import SimpleNamespace
-from typing import Any
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,8 +9,6 @@ import pytest
 from analytic.errors import InputError
 from analytic.scene import Scene
 from analytic.scenefile.read import load_scene
-from fembearing.progress import silent
-from fembearing.verify import validation
 from fembearing.verify.torque.change import change_of_torque
 from fembearing.verify.validation import Validation, check_scene
 from tests.analytic.specimens import present
@@ -83,166 +79,6 @@ def test_the_data_frame_has_a_row_for_each_contact(checked: Validation) -> None:
         for name, value in contact.columns().items():
             assert frame[name][point] == pytest.approx(value, nan_ok=True, rel=0, abs=0)
     assert frame.attrs["units"]["peak_pressure"] == "Pa"
-
-
-def bearing(name: Any, points: list[int], tolerance: float = 0.05) -> Any:
-    """One of a pair, or the only one."""
-    return SimpleNamespace(name=name, points=np.array(points), scene=SimpleNamespace(tolerance=tolerance))
-
-
-@dataclass(frozen=True)
-class Numbers:
-    """What is read of a film or of creep."""
-
-    pair: str = ""
-    bearing: str | None = None
-    change: float = 0.0
-    races: dict[str, Any] = field(default_factory=dict)
-
-
-@dataclass(frozen=True)
-class Found:
-    numbers: Numbers
-    place: int = 0
-
-
-def test_films_that_cannot_be_solved_have_a_reason_and_the_others_their_bearing(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    first, second = bearing("first", [0]), bearing("second", [0])
-    shares: list[float] = []
-
-    def film(scene: Any, *, pair: str, progress: Any) -> Found:
-        progress(0.0, "begins")
-        progress(1.0, "ends")
-        if scene is second.scene and pair == "inner":
-            raise InputError("no oil there")
-        return Found(Numbers(pair=pair))
-
-    monkeypatch.setattr(validation, "film_of", film)
-    monkeypatch.setattr(validation, "film_change", lambda *_: np.array([0.03, -0.01]))
-    friction: Any = object()
-    scene: Any = object()
-
-    def films(of: Any = friction) -> Any:
-        return validation._films(scene, [first, second], of, lambda share, _: shares.append(share))
-
-    found, change, reasons = films()
-    assert [(each.numbers.bearing, each.numbers.pair) for each in found] == [
-        ("first", "inner"),
-        ("first", "outer"),
-        ("second", "outer"),
-    ]
-    assert change.tolist() == [0.03, -0.01]
-    assert reasons == ("no numerical film on the inner race of the second bearing: no oil there",)
-    np.testing.assert_allclose(shares, [0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1], rtol=1e-12)
-    assert films(None)[1] is None  # without a torque nothing changes
-
-    def refuse(*_: Any) -> None:
-        raise InputError("too thin")
-
-    monkeypatch.setattr(validation, "film_change", refuse)
-    _, change, reasons = films()
-    assert change is None
-    assert reasons[1:] == ("no torque with the numerical films: too thin",)
-
-
-def test_friction_changes_the_torque_by_the_share_that_slides_at_the_heaviest_ball(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    """At the point of the pair: of 20 N mm there 5 and 3 slide, and the numerical friction is 12 % more."""
-    first, second = bearing("first", [2, 0]), bearing("second", [1, 3], tolerance=1e-9)
-    loads = {"first": {"inner": 310.0, "outer": 330.0}, "second": {"inner": 250.0, "outer": 290.0}}
-    asked, shares = [], list[float]()
-
-    def creep(scene: Any, *, tolerance: float, progress: Any) -> Found:
-        progress(1.0, "ends")
-        name = "first" if scene is first.scene else "second"
-        asked.append(tolerance)
-        races = {race: SimpleNamespace(load=load) for race, load in loads[name].items()}
-        return Found(Numbers(change=0.12 if name == "first" else 0.3, races=races), place=0)
-
-    monkeypatch.setattr(validation, "creep_of", creep)
-    torque = SimpleNamespace(
-        spin=np.array([0.0, 0.0, 5e-3, 0.0]), conformity=np.array([0.0, 1e-3, 3e-3, 0.0]), total=np.full(4, 20e-3)
-    )
-    friction: Any = SimpleNamespace(torque=torque)
-    found, change, reasons = validation._creep([first, second], friction, lambda share, _: shares.append(share))
-    assert [(each.numbers.bearing, each.place) for each in found] == [("first", 2), ("second", 1)]
-    assert change == pytest.approx(0.12 * 8 / 20, rel=1e-12)
-    assert reasons == ()
-    assert asked == [0.05, validation.CREEP_TOLERANCE]
-    assert shares == [0.5, 1.0]
-    torque.spin = None
-    _, change, _ = validation._creep([first, second], friction, silent)
-    assert change == pytest.approx(0.12 * 3 / 20, rel=1e-12)
-
-    def refuse(*_: Any, **__: Any) -> None:
-        raise InputError("nothing slides")
-
-    monkeypatch.setattr(validation, "creep_of", refuse)
-    assert validation._creep([first], friction, silent) == (
-        (),
-        None,
-        ("no numerical friction of the first bearing: nothing slides",),
-    )
-
-
-def test_the_seeds_are_those_of_what_was_random() -> None:
-    cage, rough = SimpleNamespace(seeds=3), SimpleNamespace(autocorrelation=object())
-    scene: Any = SimpleNamespace(cage=cage, surface=rough)
-    moved: Any = SimpleNamespace(
-        friction=SimpleNamespace(cage=SimpleNamespace(motion=[None, object()])), prediction=SimpleNamespace(seed=11)
-    )
-    measured: Any = SimpleNamespace(seed=17)
-    assert validation._seeds(scene, moved, measured, cost=True) == {
-        "motion of the cage": range(3),
-        "samples of the interval": (11,),
-        "samples beside the measured torques": (17,),
-        "generated surface": (validation.SEED,),
-    }
-    assert validation._seeds(scene, None, None, cost=False) == {}
-    moved.prediction, moved.friction.cage.motion = None, [None, None]
-    rough.autocorrelation = None
-    assert validation._seeds(scene, moved, None, cost=True) == {}
-    moved.friction.cage = scene.surface = scene.cage = None
-    assert validation._seeds(scene, moved, None, cost=True) == {}
-
-
-@pytest.mark.parametrize(
-    ("motion", "points"),
-    [([None, "a", None, "b", "c"], [1, 4]), (["a", None, None, None, None], [0]), ([None] * 5, [])],
-)
-def test_motions_are_kept_of_the_slowest_and_the_fastest_point_whose_cage_moved(
-    monkeypatch: pytest.MonkeyPatch, motion: list[Any], points: list[int]
-) -> None:
-    monkeypatch.setattr(validation, "record_cage", lambda _scene, _friction, point: point)
-    friction: Any = SimpleNamespace(
-        cage=SimpleNamespace(motion=motion), inner_speed=np.array([50.0, 10.0, 5.0, -20.0, -30.0])
-    )
-    scene: Any = object()
-    assert validation._recorded(scene, friction) == tuple(points)
-    friction.cage = None
-    assert validation._recorded(scene, friction) == ()
-
-
-def test_the_contacts_of_the_torque_are_those_of_the_bearing_with_the_heaviest_ball() -> None:
-    def solved(pair: str, load: float) -> Any:
-        return SimpleNamespace(contact=SimpleNamespace(pair=pair, load=load))
-
-    light = [solved("inner", 200.0), solved("outer", 230.0)]
-    heavy = [solved("inner", 210.0), solved("outer", 240.0)]
-    for contacts in ([*light, *heavy], [*heavy, *light], [*heavy, solved("pocket", 900.0)]):
-        assert validation._heaviest(contacts) == dict(zip(("inner", "outer"), heavy, strict=True))
-
-
-def test_a_race_without_a_known_ring_has_a_warning(checked: Validation, monkeypatch: pytest.MonkeyPatch) -> None:
-    def refuse(_: Any) -> None:
-        raise InputError("no seats")
-
-    monkeypatch.setattr(validation, "with_ring", refuse)
-    contact = checked.contacts[0]
-    assert validation._with_ring_if_known(contact).warnings == (*contact.warnings, "no seats")
 
 
 def test_warnings_stand_once_and_those_of_a_bearing_name_it(checked: Validation) -> None:

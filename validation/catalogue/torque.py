@@ -53,7 +53,6 @@ KNOWN = ("maker", "kind", "series", "grade", "bore_mm", "outside_mm")
 BAND = ("band_low_N_mm", "band_high_N_mm")
 KINDS = {  # what a warning says: its kind; the first that fits
     "without a cage": "",  # no scene here has one
-    "unknown: ": "the numerical uncertainty is not known",
     "passes the": "an ellipse passes a shoulder",
     "the film on the": "the film is extrapolated, or limited to the gap",
     "shoulder not known": "a shoulder is not known",
@@ -125,7 +124,7 @@ def computed(task: tuple[str, str]) -> Row:
     return row | {
         "torque_N_mm": f"{1e3 * found.torque.total[0]:.5g}",
         "numerical_uncertainty": f"{found.numerical_uncertainty[0]:.3g}",
-        "warnings": kinds_of([*found.warnings, *(f"unknown: {each}" for each in found.unknown)]),
+        "warnings": kinds_of(found.warnings),
     }
 
 

@@ -55,7 +55,7 @@ def at(temperature: float) -> Cold:
         torque=1e3 * float(found.torque.total[0]),
         low=low,
         high=high,
-        flooded=1e3 * float(friction_torque(found.settled(scene), variation=FLOODED).torque.total[0]),
+        flooded=1e3 * float(friction_torque(scene, variation=FLOODED).torque.total[0]),
         makers=makers,
     )
 

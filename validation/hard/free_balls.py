@@ -28,7 +28,6 @@ def free_scene(*, load: float = 410.0, speed: float = 83.0, friction: float = 0.
         friction_coefficient=friction,
         hysteresis_loss=None,
         cage=None,
-        sliding="marched_creep",
         effects={"finite_geometry": "off", "weight": "off"},
     )
     return replace(scene, **changed)
@@ -46,7 +45,7 @@ def orbit_at_own_pitch() -> float:
     """Orbital speed under 90 N at the highest speed, over that of closed kinematics at the pitch of the ball's axis."""
     scene = free_scene(load=90.0, speed=HIGHEST_SPEED)
     counted: dict[str, bool] = dict.fromkeys(("centrifugal", "gyroscopic", "spin", "conformity"), True)
-    model = model_of(scene, counted, creep="marched", allowed=0.01)
+    model = model_of(scene, counted, free=True)
     ball = solved(model, points_of(scene.operation, 0.0)).balls[0, 0]
     (inner, outer), motion, size = ball["angle"], ball["motion"], scene.bearing.ball_diameter
     pitch_diameter = 2 * motion["inner_radius"] + size * np.cos(inner)

@@ -107,7 +107,6 @@ def rolled(of: Bearing) -> FrictionTorque:
         bearing=with_clearance(0.0, of=of),
         friction_coefficient=0.1,
         spin_rule="balanced",
-        sliding="single_coefficient",
     )
 
 

@@ -1,6 +1,6 @@
 """Scenes whose every value is admitted, and some of whose values are extreme.
 
-Each begins as a scene that ships, a bearing of the catalogue, or one of validation/adversary. Then a few keys get
+Each begins as a scene that ships, a bearing of the catalogue, or one of validation/promises. Then a few keys get
 values from the whole range that the reader admits, its ends among them, or a thousandth to a thousand times what they
 had. The reader refuses some of these scenes, because their values do not fit together. How long a cage is to be
 followed is left alone: that computing is what the user orders.
@@ -22,8 +22,8 @@ from analytic.scenefile.keys import SceneKey, paths, scene_key, with_key
 from analytic.scenefile.read import parse_scene
 from analytic.scenefile.template import scene_text as template
 from fembearing.plain_types import plain
-from validation.adversary.drawn import toml
-from validation.adversary.radial import RADIAL_INPUTS, radial_scene
+from validation.promises.drawn import toml
+from validation.promises.radial import RADIAL_INPUTS, radial_scene
 from validation.stress.watched import Input, SilentError
 
 SCENES = Path(__file__).resolve().parents[1] / "scenes"

@@ -33,7 +33,8 @@ HERTZ_FIELDS = ("semi_axis_x", "semi_axis_y", "peak_pressure", "approach")
 PER_CENTRIFUGAL, PER_PULL = 1.5, 1.5
 HEAVIEST = 5.0  # times Fr/Z: load of the heaviest ball under a radial load; Stribeck's 4.37, rounded up for clearance
 SETTLED = 1e-10  # difference of two iterations to the same equilibrium
-# Tolerances that begin with each level of nodes, from coarse to fine
+# Tolerances that begin with each level of nodes, from coarse to fine; a level that misses half of its tolerance is left
+# for the next one
 LEVELS = (0.05, 5e-3, 5e-4, 1e-6)
 LARGEST_MAP = 2048  # points along a side of a generated surface: takes 0.2 GB
 SEED = 20250  # of the generated surfaces: arbitrary, but the same every time
@@ -136,7 +137,7 @@ def friction_methods(scene: Scene) -> UntimedLadder:
         quantity="friction torque",
         reference=f"sliding integrated over the ellipses; worst of {points} operating points",
         methods=tuple(
-            _method(f"over ellipses, {n} by {m} nodes a panel", replace(scene, spin_rule=rule, tolerance=tolerance))
+            _method(f"over ellipses, from {n} by {m} nodes", replace(scene, spin_rule=rule, tolerance=tolerance))
             for (n, m), tolerance in zip(ELLIPSE_NODES, LEVELS, strict=True)
         ),
     )
@@ -160,7 +161,7 @@ def turning_methods(scene: Scene) -> UntimedLadder:
             _method("rule of balanced spin", replace(scene, spin_rule="balanced"), misses=np.inf),
             _method("free balls without creep", rigid, misses=np.inf),
             *(
-                _method(f"with marched creep, {n} by {m} nodes", replace(free, tolerance=tolerance))
+                _method(f"with marched creep, from {n} by {m} nodes", replace(free, tolerance=tolerance))
                 for (n, m), tolerance in zip(FREE_NODES, LEVELS, strict=True)
             ),
         ),

@@ -28,7 +28,7 @@ class Standing:
     """The first that applies of
 
     - fail: a comparison or a physical limit fails
-    - incomplete: an effect that `auto` cannot decide is neglected and could exceed the tolerance; a loss of the oil,
+    - incomplete: an effect lacks its input and could exceed the tolerance by its estimate; a loss of the oil,
         whose size is estimated, only from MOST_ESTIMATED on; seals that rub and that nobody declares always, as their
         size is not known
     - undecided: the solver error exceeds the tolerance, or a limit is not known

@@ -30,11 +30,11 @@ def test_a_whirl_beyond_the_grip_takes_what_the_balls_can_give() -> None:
     own = present(cage.motion[0]).torque
     np.testing.assert_allclose(cage.torque, own + cage.race_excess, rtol=1e-12)  # round-off
     assert np.isfinite(found.numerical_uncertainty[0])
-    assert found.unknown == ()
     assert "with balls that move freely at 1 of 1 points" in found.provenance["cage"]
     given = friction_torque(replace(running(100.0, 6000.0), effects={"ball_dynamics": "off"}))
     assert present(given.cage).mean_force[0] > 2000
-    assert np.isinf(given.numerical_uncertainty[0])
+    assert any("of the grip of the races" in warning for warning in given.warnings)
+    assert not any("of the grip of the races" in warning for warning in found.warnings)
 
 
 def test_balls_that_hold_their_motion_stay_given() -> None:
@@ -43,32 +43,3 @@ def test_balls_that_hold_their_motion_stay_given() -> None:
     assert not found.is_on("ball_dynamics")
     assert reason.startswith("grip number 0.0")
     assert np.isnan(present(found.cage).race_excess[0])
-
-
-def test_a_long_motion_of_balls_is_not_computed_unasked(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Four beginnings of 7 ms, started up as long, are 0.056 s of motion, beyond a limit of 0.05 s in place of 4 s."""
-    monkeypatch.setattr("analytic.effects.cage.LONGEST_FREE_MOTION", 0.05)
-    scene = running(1.0, 500.0, duration=0.007, seeds=3)
-    found = friction_torque(replace(scene, effects={"cage_dynamics": "on"}))
-    assert not found.is_on("ball_dynamics")
-    reason = next(effect.reason for effect in found.effects if effect.name == "ball_dynamics")
-    assert "1 points need 0.056 s of motion, limit 0.05 s" in reason
-
-
-@pytest.mark.slow
-def test_a_force_that_still_builds_up_is_uncertain_up_to_the_closed_form() -> None:
-    """118 um of lead in 0.1 mm: a motion of a fraction of a turn shows a small part of the squeezing."""
-    diameter = CAGED.bearing.ball_diameter + 0.1e-3
-    scene = running(1000.0, 500.0, pocket_diameter=diameter, pocket_depth=diameter / 2, start="rest")
-    pushed = replace(scene.operation, radial_load=np.array([500.0]), tilt="free")
-    scene = replace(scene, operation=pushed)
-    moved = friction_torque(scene)
-    squeezed = friction_torque(replace(scene, effects={"ball_dynamics": "off"}))
-    cage, end = present(moved.cage), present(squeezed.cage)
-    assert moved.is_on("ball_dynamics")
-    assert end.is_squeezed[0]
-    assert cage.torque[0] < 0.5 * end.torque[0]
-    np.testing.assert_allclose(cage.torque + cage.unsure, end.torque, rtol=1e-12)  # round-off
-    assert moved.numerical_uncertainty[0] * moved.torque.total[0] >= cage.unsure[0]
-    assert not any("squeeze the cage" in warning for warning in moved.warnings)
-    assert any("squeeze the cage" in warning for warning in squeezed.warnings)

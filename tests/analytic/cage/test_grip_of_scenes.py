@@ -1,4 +1,4 @@
-"""What the cage of a scene asks of its balls: numbers, regimes, uncertainty and refusals in the friction torque."""
+"""What the cage of a scene asks of its balls: numbers, regimes, warnings and refusals in the friction torque."""
 
 from dataclasses import replace
 from typing import Any
@@ -42,9 +42,7 @@ def test_a_whirl_states_its_share_of_the_grip() -> None:
     expected = 15.95 / (9 * 2 * 0.1 * load / 1.1)
     np.testing.assert_allclose(cage.grip_number, expected, rtol=1e-2)  # free balls turn 0.4 % faster
     np.testing.assert_allclose(cage.grip_share, cage.grip_number, rtol=0.02)  # the motion against its closed form
-    np.testing.assert_allclose(cage.unsure, 0.3 / 0.9 * cage.grip_number * cage.torque, rtol=1e-12)  # round-off
-    assert np.all(result.numerical_uncertainty >= (cage.half_interval + cage.unsure) / result.torque.total)
-    assert result.unknown == ()
+    assert np.all(result.numerical_uncertainty >= cage.half_interval / result.torque.total)
     point: Any = plain(result.row(0).cage)
     assert (point["grip_number"], point["grip_share"]) == (cage.grip_number[0], cage.grip_share[0])
     motion = present(cage.motion[0])
@@ -69,7 +67,7 @@ def test_the_grip_of_fast_and_light_bearings(
 
 
 @pytest.mark.parametrize(("start", "state"), [("whirl", "whirl"), ("rest", "rest")])
-def test_a_whirl_that_needs_more_grip_than_there_is_is_not_known(start: Any, state: str) -> None:
+def test_a_whirl_that_needs_more_grip_than_there_is_is_warned_of(start: Any, state: str) -> None:
     """With a race friction of 0.0015 the grip number above is 67 times as large; a cage at rest needs little."""
     result = friction_torque(
         with_cage(
@@ -81,13 +79,8 @@ def test_a_whirl_that_needs_more_grip_than_there_is_is_not_known(start: Any, sta
     assert present(present(result.cage).motion[0]).state == state
     number = float(present(result.cage).grip_number[0])
     assert 0.9 < number < 2
-    if state == "rest":
-        assert np.isfinite(result.numerical_uncertainty[0])
-        assert result.unknown == ()
-    else:
-        assert np.isinf(result.numerical_uncertainty[0])
-        (reason,) = result.unknown
-        assert f"uses {100 * number:.3g} % of the grip of the races at 500 rpm, limit 90 %" in reason
+    words = f"uses {100 * number:.3g} % of the grip of the races at 500 rpm, limit 90 %"
+    assert any(words in warning for warning in result.warnings) == (state == "whirl")
     assert effect_of(result, "ball_dynamics").reason.startswith("off in the scene")
 
 
@@ -142,7 +135,7 @@ def test_pockets_too_tight_for_the_lead_are_squeezed() -> None:
     result = friction_torque(scene)
     cage = present(result.cage)
     assert cage.motion == (None,)
-    assert "0.1167 mm, free clearance of the pockets 0.1 mm" in effect_of(result, "cage_dynamics").reason
+    assert not result.is_on("cage_dynamics")
     (warning,) = (warning for warning in result.warnings if "wider pockets avoid this" in warning)
     assert "at 500 rpm" in warning
     point: Any = plain(result.row(0).cage)
@@ -151,10 +144,7 @@ def test_pockets_too_tight_for_the_lead_are_squeezed() -> None:
     np.testing.assert_allclose(cage.grip_share, 1.0, rtol=2e-4)
     rate = 15.599e-3 * 23.411 / 39.01  # r w_b/w at 0.18 rad; here the angle is larger
     np.testing.assert_allclose(cage.torque, 0.1 * cage.mean_force * rate, rtol=0.01)
-    np.testing.assert_allclose(cage.unsure, cage.torque, rtol=1e-12)  # round-off
     assert ", squeezed by balls that lead at 1 of 1 points," in result.provenance["cage"]
-    with pytest.raises(InputError, match='cage_dynamics = "on" is refused: ball lead up to'):
-        friction_torque(replace(scene, effects={**scene.effects, "cage_dynamics": "on"}))
 
 
 def test_a_land_leaves_less_room() -> None:
@@ -184,7 +174,7 @@ def test_a_ball_without_load_drives_no_cage() -> None:
     """A large radial load and no thrust; without centrifugal force nothing holds the balls on the other side."""
     scene = pushed(800.0, clearance=0.2e-3)
     scene = replace(scene, operation=replace(scene.operation, axial_load=np.array([0.0])))
-    unheld = replace(scene, effects={**scene.effects, "centrifugal": "off"})
+    unheld = replace(scene, effects={**scene.effects, "centrifugal": "off", "weight": "off"})
     with pytest.raises(InputError, match=r"ball \d of 9 has a load of 0 N on both races at 500 rpm.*axial_load"):
         friction_torque(unheld)
     assert present(friction_torque(scene).cage).torque[0] > 0  # pressed outward by its own force
@@ -195,8 +185,6 @@ def test_a_ball_without_load_drives_no_cage() -> None:
 def test_ball_dynamics_is_settled_whatever_the_scene() -> None:
     assert effect_of(friction_torque(FAST), "ball_dynamics").reason.startswith("cage.start is not given: give")
     assert "no cage is given" in effect_of(friction_torque(replace(FAST, cage=None)), "ball_dynamics").reason
-    off = replace(with_cage(FAST, start="rest"), effects={**FAST.effects, "cage_dynamics": "off"})
-    assert "cage at rest" in effect_of(friction_torque(off), "ball_dynamics").reason
     wanted = replace(FAST, effects={**FAST.effects, "ball_dynamics": "on"})
     with pytest.raises(InputError, match=r'ball_dynamics = "on" is refused: cage\.start is not given'):
         friction_torque(wanted)

@@ -281,14 +281,3 @@ def test_the_range_is_that_of_the_solves() -> None:
         values = np.array([float(row[name]) for row in rows if row["set"] == "fit"])
         assert low <= values.min() < low + 0.05 * (high - low)
         assert high - 0.05 * (high - low) < values.max() <= high
-
-
-def test_the_far_end_of_what_is_not_known_lies_beyond_the_correction_on_its_side() -> None:
-    """Inside the range it is the correction; outside its uncertainty takes it farther from Hertz, never below 0."""
-    found = finite_geometry_factors(replace(SHAPE, size=np.array([0.23, 0.47, 0.51])))
-    for quantity in NAMES:
-        applied, far = (np.asarray(getattr(each, quantity)) - 1 for each in (found.factors, found.farthest))
-        assert far[0] == applied[0]
-        assert np.all(far[1:] * np.sign(applied[0]) > np.abs(applied[1:]))
-        grown = found.uncertainty[quantity] - found.uncertainty[quantity][0]
-        np.testing.assert_allclose(np.abs(far - applied), grown, rtol=1e-9, atol=1e-15)  # round-off

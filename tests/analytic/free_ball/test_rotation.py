@@ -1,29 +1,25 @@
 """Free balls against two other programs, closed forms of creep, limits, and the equations that define them."""
 
 import math
+import re
 from dataclasses import replace
-from inspect import unwrap
-from types import SimpleNamespace
-from typing import Any
 
 import numpy as np
 import pytest
 from scipy.optimize import minimize
 
 from analytic.errors import ConvergenceError
-from analytic.free_ball import kernel, passes, strips, turning
-from analytic.free_ball.rotation import Nodes, _write_nodes, quadratures_of
+from analytic.free_ball import kernel, strips, turning
+from analytic.free_ball.rotation import Nodes, _write_nodes, free_quadratures
 from analytic.free_ball.state import QUADRATURE, contact_states
 from analytic.free_ball.stress import flow_at
 from analytic.loads.kinematics import ball_kinematics
-from analytic.loads.numbers import bearing_numbers
 from analytic.loads.state import ball_states
 from analytic.numerics.records import Record, as_record
 from analytic.oil.law_table import law_address
 from analytic.oil.own_law import ACCURACY, own_traction
 from analytic.oil.traction import PointLaw, stress_and_slope
-from analytic.scene import Array, ContactAngle
-from analytic.sliding.judge import OVER_ELLIPSE
+from analytic.scene import Array
 from analytic.solve.model import model_of
 from analytic.solve.solution import points_of, solved
 from analytic.torque import friction_torque
@@ -31,18 +27,17 @@ from tests.analytic.free_ball.specimens import COUNTED, FINE, angular_contact, d
 from tests.analytic.specimens import BEARING_6205
 
 DEEP, STEEP = (BEARING_6205, 0.18), (angular_contact(), None)
-# Bearing, Fa N, w rad/s, mu; then Q_i, Q_o N, al_i, al_o rad, torque N mm by two programs that agree to 0.3 % in torque
-# and 1e-3 in loads, to 0.6 % in the last scene. Both leave out that conformity turns the ball about the normal, which
-# changes the torque of some by 1.2 to 4 %: those have none.
+# Bearing, Fa N, w rad/s, mu; then Q_i, Q_o N, al_i, al_o rad by two programs that agree to 1e-3 in loads, to 0.6 % in
+# the last scene.
 CLOSED = (
-    (DEEP, (1000.0, 1e-6, 0.1), (372.2196, 372.2196, 0.30313, 0.30313), None),
-    (DEEP, (1000.0, 523.6, 0.05), (370.89, 372.58, 0.30398, 0.30242), None),
-    (DEEP, (100.0, 1500.0, 0.05), (41.627, 55.682, 0.26572, 0.18160), 1.4810),
-    (DEEP, (20.0, 3000.0, 0.05), (6.7702, 67.616, 0.33351, 0.02381), None),
-    (DEEP, (20.0, 3000.0, 0.1), (6.7608, 67.589, 0.33351, 0.02381), None),
-    (DEEP, (100.0, 3000.0, 0.05), (33.299, 91.962, 0.33718, 0.09433), None),
-    (STEEP, (500.0, 628.3, 0.1), (51.394, 62.672, 0.8326, 0.6066), 18.475),
-    (STEEP, (50.0, 628.3, 0.1), (4.2258, 32.980, 1.14239, 0.08453), 2.0924),
+    (DEEP, (1000.0, 1e-6, 0.1), (372.2196, 372.2196, 0.30313, 0.30313)),
+    (DEEP, (1000.0, 523.6, 0.05), (370.89, 372.58, 0.30398, 0.30242)),
+    (DEEP, (100.0, 1500.0, 0.05), (41.627, 55.682, 0.26572, 0.18160)),
+    (DEEP, (20.0, 3000.0, 0.05), (6.7702, 67.616, 0.33351, 0.02381)),
+    (DEEP, (20.0, 3000.0, 0.1), (6.7608, 67.589, 0.33351, 0.02381)),
+    (DEEP, (100.0, 3000.0, 0.05), (33.299, 91.962, 0.33718, 0.09433)),
+    (STEEP, (500.0, 628.3, 0.1), (51.394, 62.672, 0.8326, 0.6066)),
+    (STEEP, (50.0, 628.3, 0.1), (4.2258, 32.980, 1.14239, 0.08453)),
 )
 MARCHED = (  # torque, N mm, to 1 %, of balls whose turn by conformity matters little
     (STEEP, (2000.0, 31.416, 0.1), 67.7),
@@ -52,16 +47,15 @@ MARCHED = (  # torque, N mm, to 1 %, of balls whose turn by conformity matters l
 )
 
 
-@pytest.mark.parametrize(("bearing", "running", "loads", "expected"), CLOSED)
-def test_the_closed_law_against_two_programs(
-    bearing: tuple, running: tuple[float, float, float], loads: tuple[float, ...], expected: float | None
+@pytest.mark.parametrize(("bearing", "running", "loads"), CLOSED)
+def test_loads_without_creep_against_two_programs(
+    bearing: tuple, running: tuple[float, float, float], loads: tuple[float, ...]
 ) -> None:
     load, speed, friction = running
-    balls = under_thrust(*bearing, load=load, speed=speed, friction=friction, creep="closed")
+    balls = under_thrust(*bearing, load=load, speed=speed, friction=friction, creeps=False)
     loose = 6e-3 if load == 50 else 1.5e-3  # what the programs agree to, and half as much by the turn
     np.testing.assert_allclose(balls.load, loads[:2], rtol=loose)
-    np.testing.assert_allclose(balls.angle, loads[2:], atol=1e-3)
-    assert expected is None or 1e3 * balls.torque == pytest.approx(expected, rel=5e-3)
+    np.testing.assert_allclose(balls.angle, loads[2:], atol=2e-3)  # those programs have some creep
 
 
 @pytest.mark.parametrize(("bearing", "running", "expected"), MARCHED)
@@ -71,15 +65,15 @@ def test_marched_creep_against_another_program(
     """That program marches one flexibility, that of a long ellipse."""
     monkeypatch.setattr(turning, "MARCHED", (1.0, 1.0))
     load, speed, friction = running
-    balls = under_thrust(*bearing, load=load, speed=speed, friction=friction, creep="marched")
+    balls = under_thrust(*bearing, load=load, speed=speed, friction=friction)
     assert 1e3 * balls.torque == pytest.approx(expected, rel=1e-2)
 
 
 def test_without_creep_a_slow_ball_balances_its_spin() -> None:
     """The rule `balanced`, each contact without net force, is the limit of low speed: 1e-4 by another program."""
-    free = under_thrust(*DEEP, load=1000.0, speed=1e-6, friction=0.1, creep="none")
+    free = under_thrust(*DEEP, load=1000.0, speed=1e-6, friction=0.1, creeps=False)
     scene = dry_scene(*DEEP, 0.1, load=np.array([1000.0]), speed=np.array([1e-6]))
-    ruled = model_of(replace(scene, spin_rule="balanced"), COUNTED, method=OVER_ELLIPSE)
+    ruled = model_of(replace(scene, spin_rule="balanced", tolerance=1e-4), COUNTED, free=False)
     expected = float(solved(ruled, points_of(scene.operation, 0.0)).points[0]["total"])
     assert free.torque == pytest.approx(expected, rel=1e-3)  # surfaces a thousand times as stiff still creep
 
@@ -102,7 +96,7 @@ def rigid_slip(state: Record, size: float, orbit: float, x: Array, y: Array) -> 
 @pytest.mark.parametrize(("bearing", "load"), [(DEEP, 1000.0), (DEEP, 100.0), (STEEP, 500.0)])
 def test_a_slow_ball_without_creep_loses_the_least_power(bearing: tuple, load: float) -> None:
     """Of two rigid bodies, over all four speeds of the ball; the turn by conformity is 1.3 % of it in the first."""
-    free = under_thrust(*bearing, load=load, speed=1e-6, friction=0.1, creep="none")
+    free = under_thrust(*bearing, load=load, speed=1e-6, friction=0.1, creeps=False)
     ball, balls = free.work.balls[0], bearing[0].ball_count
     r, weight = np.polynomial.legendre.leggauss(160)
     angle, r, weight = np.pi * (np.arange(320) + 0.5) / 160, (1 - ((1 - r) / 2) ** 2)[:, None], weight * (1 - r) / 2
@@ -135,7 +129,7 @@ def test_a_slow_ball_without_creep_loses_the_least_power(bearing: tuple, load: f
 def test_a_fast_ball_obeys_the_closed_kinematics_at_its_own_pitch(load: float, speed: float, friction: float) -> None:
     """It nearly obeys those of outer control too where one race presses far harder."""
     bearing, free = STEEP
-    balls = under_thrust(bearing, free, load=load, speed=speed, friction=friction, creep="closed")
+    balls = under_thrust(bearing, free, load=load, speed=speed, friction=friction)
     angles = {"inner_angle": balls.angle[0], "outer_angle": balls.angle[1]}
     radius = balls.motion["inner_radius"] + bearing.ball_radius * np.cos(balls.angle[0])
     sizes = {"pitch_diameter": 2 * float(radius), "ball_diameter": bearing.ball_diameter}
@@ -149,7 +143,7 @@ def test_a_fast_ball_obeys_the_closed_kinematics_at_its_own_pitch(load: float, s
 
 def test_a_ball_near_its_limit_pitches_down_and_does_not_turn_across() -> None:
     """Where friction cannot hold the gyroscopic moment the axis follows, below that of outer control."""
-    balls = under_thrust(*STEEP, load=50.0, speed=628.3, friction=0.02, creep="closed")
+    balls = under_thrust(*STEEP, load=50.0, speed=628.3, friction=0.02)
     angle, (bearing, _) = balls.angle[1], STEEP
     control = np.arctan2(np.sin(angle), np.cos(angle) + DIAMETER_OVER_PITCH)
     assert 0 < balls.motion["pitch"] < 0.5 * control
@@ -161,10 +155,10 @@ DIAMETER_OVER_PITCH = 11.906 / 60
 
 def test_any_start_leads_to_one_rotation() -> None:
     balls, contacts, random = (
-        *under_thrust(*STEEP, load=500.0, speed=628.3, friction=0.1, creep="marched").work[1:],
+        *under_thrust(*STEEP, load=500.0, speed=628.3, friction=0.1).work[1:],
         np.random.default_rng(8),
     )
-    ball, nodes = as_record(balls[0]), as_record(quadratures_of("marched")[FINE])
+    ball, nodes = as_record(balls[0]), as_record(free_quadratures()[1 + 3 * FINE])
     found = ball.velocity.copy()
     for _ in range(18):
         pitch, across = random.uniform(-0.3, 1.3), random.uniform(-0.3, 0.3)
@@ -184,11 +178,11 @@ def test_a_ball_without_a_steady_rotation_is_named() -> None:
         for some in (slice(None), slice(1, 2))
     )
     named = r"rotation of ball 0 under 7\d\.\d+ N on the inner and \d+ N on the outer race"
-    with pytest.raises(ConvergenceError, match=named) as of_series:
-        friction_torque(series)
+    told = str(friction_torque(series).failures[1])
+    assert re.search(named, told), told
     with pytest.raises(ConvergenceError) as of_point:
         friction_torque(alone)
-    assert str(of_series.value) == str(of_point.value)
+    assert told == str(of_point.value)
 
 
 def contact(**changed: float) -> Record:
@@ -211,15 +205,13 @@ def ball_of(velocity: tuple[float, ...], inertia: float = 0.0) -> Record:
     return ball
 
 
-def quadrature_of(nodes: Nodes, *, marched: bool) -> Record:
+def quadrature_of(nodes: Nodes) -> Record:
     quadrature = np.zeros(1, QUADRATURE)
-    _write_nodes(quadrature[0], nodes, marched=marched)
+    _write_nodes(quadrature[0], nodes)
     return as_record(quadrature[0])
 
 
-def one_contact(
-    state: Record, slip: tuple[float, float, float], *, passing: float, marched: bool, nodes: Nodes
-) -> Record:
+def one_contact(state: Record, slip: tuple[float, float, float], *, passing: float, nodes: Nodes) -> Record:
     """What a contact on a flat surface does that slides along rolling, across it and by spin.
 
     The ball does not turn else, and is so large that its own rotation does not matter.
@@ -227,7 +219,7 @@ def one_contact(
     along, across, spin = slip
     contact, size = as_record(state.copy()), 4e-3
     velocity = np.array([along, -across, size * spin * contact.normal_radial, size * spin * contact.normal_axial])
-    quadrature = quadrature_of(nodes, marched=marched)
+    quadrature = quadrature_of(nodes)
     flows = np.empty((quadrature.strips, 3, quadrature.nodes))
     strips.hold_flows(contact, quadrature, flows)
     sums = np.zeros(4), np.zeros((4, 4)), np.zeros((3, 4))
@@ -250,44 +242,26 @@ def test_a_ball_that_rolls_does_not_slide_at_the_middle_of_its_contact() -> None
     assert tuple(velocity[:2]) == before[:2]
 
 
-@pytest.mark.parametrize("marched", [False, True])
 @pytest.mark.parametrize("times", [0.3, 1.0, 4.0])
-def test_an_even_slip_gives_the_force_of_a_strip(times: float, marched: bool) -> None:
-    """mu Q f(k), f = (2/pi)[atan k + k/(1 + k^2)], k the slip over s_c = L p0 mu u/a: both laws, by Polach."""
+def test_an_even_slip_gives_the_force_of_a_strip(times: float) -> None:
+    """mu Q f(k), f = (2/pi)[atan k + k/(1 + k^2)], k the slip over s_c = L p0 mu u/a, by Polach."""
     row, passing = contact(radius=1e9), 0.01
     peak = 1.5 * row["load"] / (np.pi * row["semi_axis_rolling"] * row["semi_axis_transverse"])
     slip = times * row["flexibility"] * peak * row["boundary"] * passing
-    outcome = one_contact(row, (slip, 0.0, 0.0), passing=passing, marched=marched, nodes=Nodes(40, 60))
+    outcome = one_contact(row, (slip, 0.0, 0.0), passing=passing, nodes=Nodes(40, 60))
     share = 2 / np.pi * (np.arctan(times) + times / (1 + times**2))
     assert -outcome["along"] == pytest.approx(
         row["boundary"] * row["load"] * share, rel=2e-3
     )  # second order in 60 steps
 
 
-SPUN = {30.0: 0.374212, 10.0: 0.368666, 5.0: 0.353548, 3.0: 0.326983, 2.0: 0.291488, 1.0: 0.204930, 0.5: 0.119219}
-
-
-@pytest.mark.parametrize(("ratio", "expected"), SPUN.items())
-def test_spin_of_a_long_ellipse_by_the_closed_law(ratio: float, expected: float) -> None:
-    """M_spin/(mu Q b) over w_s b/s_c, from another program."""
-    row, passing = contact(radius=1e9), 0.01
-    peak = 1.5 * row["load"] / (np.pi * row["semi_axis_rolling"] * row["semi_axis_transverse"])
-    spin = ratio * row["flexibility"] * peak * row["boundary"] * passing / row["semi_axis_transverse"]
-    outcome = one_contact(row, (0.0, 0.0, spin), passing=passing, marched=False, nodes=Nodes(60, 12))
-    moment = outcome["spin_power"] / spin
-    # the ellipse is 55 times as long as wide, and not endless: 1e-3
-    assert moment / (row["boundary"] * row["load"] * row["semi_axis_transverse"]) == pytest.approx(expected, rel=2e-3)
-
-
-def test_slight_spin_pushes_across_the_groove_only_when_marched() -> None:
+def test_slight_spin_pushes_across_the_groove() -> None:
     """Where nothing slides the stress is int w_s x dx/(L u) from the leading edge, and its sum pi a^3 b w_s/(4 L u)."""
     row, passing, spin = contact(radius=1e9, semi_axis_rolling=2e-4), 0.01, 1e-6
-    marched = one_contact(row, (0.0, 0.0, spin), passing=passing, marched=True, nodes=Nodes(24, 48))
-    closed = one_contact(row, (0.0, 0.0, spin), passing=passing, marched=False, nodes=Nodes(24, 48))
+    marched = one_contact(row, (0.0, 0.0, spin), passing=passing, nodes=Nodes(24, 48))
     a, b = row["semi_axis_rolling"], row["semi_axis_transverse"]
     expected = np.pi / 4 * a**3 * b * spin / (row["lean"] * row["flexibility"] * a * passing)
     assert marched["across"] == pytest.approx(expected, rel=2e-3)  # second order in 48 steps
-    assert abs(closed["across"]) < 1e-10 * expected
 
 
 OILED = {
@@ -296,13 +270,12 @@ OILED = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("marched", [False, True])
 @pytest.mark.parametrize("law", [{}, OILED])
-def test_the_tangent_is_the_derivative_of_the_force(law: dict[str, float], marched: bool) -> None:
+def test_the_tangent_is_the_derivative_of_the_force(law: dict[str, float]) -> None:
     inner = contact(ring_rate=1.0, semi_axis_rolling=2e-4, **law)
     outer = contact(normal_radial=0.97, normal_axial=0.243, semi_axis_rolling=2.2e-4, load=340.0, **law)
     contacts, start = np.stack([inner, outer]), (8.03e-3, 2e-5, 1.7e-3, -8.2e-3)
-    ball, quadrature = ball_of(start, inertia=3.0), quadrature_of(Nodes(12, 10), marched=marched)
+    ball, quadrature = ball_of(start, inertia=3.0), quadrature_of(Nodes(12, 10))
     flows = np.empty((2, quadrature.strips, 3, quadrature.nodes))
     for race in range(2):
         strips.hold_flows(as_record(contacts[race]), quadrature, flows[race])
@@ -327,11 +300,11 @@ def test_a_slanting_slip_is_resisted_by_both_flexibilities_or_by_none() -> None:
     row, passing = contact(radius=1e9), 0.01
     a, b = row["semi_axis_rolling"], row["semi_axis_transverse"]
     stiffness = 8 / 3 * a**2 * b / (row["flexibility"] * a * passing)
-    slight = one_contact(row, (3e-10, 2e-10, 0.0), passing=passing, marched=True, nodes=Nodes(24, 48))
+    slight = one_contact(row, (3e-10, 2e-10, 0.0), passing=passing, nodes=Nodes(24, 48))
     found = -slight["along"] / 3e-10, -slight["across"] / 2e-10
     # Near the ends stress grows at once to its limit: of second order in 48 steps, and 0.3 % slides.
     assert found == pytest.approx((stiffness, stiffness / row["lean"]), rel=0.01)
-    large = one_contact(row, (3e-3, 2e-3, 0.0), passing=passing, marched=True, nodes=Nodes(24, 48))
+    large = one_contact(row, (3e-3, 2e-3, 0.0), passing=passing, nodes=Nodes(24, 48))
     whole = row["boundary"] * row["load"] / np.hypot(3, 2)
     assert (-large["along"], -large["across"]) == pytest.approx((3 * whole, 2 * whole), rel=3e-3)  # likewise
 
@@ -343,7 +316,7 @@ def test_oil_in_series_with_the_surfaces_is_softer_than_either() -> None:
         softened = row.copy()
         for key, value in changed.items():
             softened[key] = value
-        outcome = one_contact(softened, slip, passing=passing, marched=True, nodes=Nodes(16, 16))
+        outcome = one_contact(softened, slip, passing=passing, nodes=Nodes(16, 16))
         along[name] = -outcome["along"]
     assert 0 < along["both"] < min(along["oil"], along["surfaces"])
 
@@ -362,42 +335,37 @@ def point_law(state: Record) -> PointLaw:
 SLIPS = (2.3e-8, -1.1e-8, 1.7e-5), (3e-6, 2e-6, -4e-3), (2e-9, 1e-9, 3e-7)  # most of the oil at its limit, all, none
 
 
-@pytest.mark.parametrize("marched", [False, True])
 @pytest.mark.parametrize("slip", SLIPS)
-def test_eyrings_law_as_a_users_law_acts_as_the_built_in_one(slip: tuple[float, float, float], marched: bool) -> None:
+def test_eyrings_law_as_a_users_law_acts_as_the_built_in_one(slip: tuple[float, float, float]) -> None:
     row = contact(radius=1e9, semi_axis_rolling=2e-4, **OILED)
     own = with_fields(row, own=law_address(own_traction("eyring", math.asinh)))
-    built_in, users = (
-        one_contact(each, slip, passing=0.01, marched=marched, nodes=Nodes(12, 10)) for each in (row, own)
-    )
+    built_in, users = (one_contact(each, slip, passing=0.01, nodes=Nodes(12, 10)) for each in (row, own))
     for name in ("along", "across", "power", "spin_power", "friction"):
         assert users[name] == pytest.approx(built_in[name], rel=3 * ACCURACY), name
 
 
 def test_a_users_law_has_a_tangent_too() -> None:
-    """That of Eyring's law: a residual of forces and its slopes, by both kinds of creep."""
+    """That of Eyring's law: a residual of forces and its slopes."""
     own = law_address(own_traction("eyring", math.asinh))
-    for marched in (False, True):
-        found = []
-        for law in (0.0, own):
-            states = contact(ring_rate=1.0, semi_axis_rolling=2e-4, own=law, **OILED)
-            contacts = np.stack([states, with_fields(states, normal_radial=0.97, normal_axial=0.243, ring_rate=0.0)])
-            ball, quadrature = ball_of((8.03e-3, 2e-5, 1.7e-3, -8.2e-3)), quadrature_of(Nodes(12, 10), marched=marched)
-            flows = np.empty((2, quadrature.strips, 3, quadrature.nodes))
-            for race in range(2):
-                strips.hold_flows(as_record(contacts[race]), quadrature, flows[race])
-            tangent = np.zeros((4, 4))
-            sums, passing = (np.zeros(4), tangent, np.zeros((3, 4))), np.array([0.004, -0.005])
-            kernel._residual(contacts, ball, ball.velocity, passing, quadrature, flows, sums)
-            found.append(tangent)
-        # The table's slopes follow those of the function to 1e-3 (tests/analytic/oil/test_own_law.py).
-        np.testing.assert_allclose(found[1], found[0], rtol=0, atol=1e-3 * np.abs(found[0]).max())
+    found = []
+    for law in (0.0, own):
+        states = contact(ring_rate=1.0, semi_axis_rolling=2e-4, own=law, **OILED)
+        contacts = np.stack([states, with_fields(states, normal_radial=0.97, normal_axial=0.243, ring_rate=0.0)])
+        ball, quadrature = ball_of((8.03e-3, 2e-5, 1.7e-3, -8.2e-3)), quadrature_of(Nodes(12, 10))
+        flows = np.empty((2, quadrature.strips, 3, quadrature.nodes))
+        for race in range(2):
+            strips.hold_flows(as_record(contacts[race]), quadrature, flows[race])
+        tangent = np.zeros((4, 4))
+        sums, passing = (np.zeros(4), tangent, np.zeros((3, 4))), np.array([0.004, -0.005])
+        kernel._residual(contacts, ball, ball.velocity, passing, quadrature, flows, sums)
+        found.append(tangent)
+    # The table's slopes follow those of the function to 1e-3 (tests/analytic/oil/test_own_law.py).
+    np.testing.assert_allclose(found[1], found[0], rtol=0, atol=1e-3 * np.abs(found[0]).max())
 
 
 @pytest.mark.parametrize("nodes", [Nodes(7, 6), Nodes(8, 5)])
-@pytest.mark.parametrize("marched", [False, True])
-def test_the_oil_of_every_node_flows_by_its_own_pressure(nodes: Nodes, marched: bool) -> None:
-    row, quadrature = contact(**OILED), quadrature_of(nodes, marched=marched)
+def test_the_oil_of_every_node_flows_by_its_own_pressure(nodes: Nodes) -> None:
+    row, quadrature = contact(**OILED), quadrature_of(nodes)
     flows = np.full((quadrature.strips, 3, quadrature.nodes), np.nan)
     strips.hold_flows(as_record(row), quadrature, flows)
     peak = 1.5 * row["load"] / (np.pi * row["semi_axis_rolling"] * row["semi_axis_transverse"])
@@ -415,7 +383,7 @@ def test_the_powers_of_the_law_are_integrals_over_the_contact(law: dict[str, flo
     row = contact(ring_rate=1.0, semi_axis_rolling=3e-4, own=address, **law)
     contacts = np.stack([row, with_fields(row, load=0.0)]).view(np.recarray)
     velocity = np.array([8.03e-3, 2e-5, 1.7e-3, -8.2e-3])
-    kernel.add_law_powers(contacts, ball_of(tuple(velocity)), quadrature_of(Nodes(64, 48), marched=False))
+    kernel.add_law_powers(contacts, ball_of(tuple(velocity)), quadrature_of(Nodes(64, 48)))
     a, b, size = row["semi_axis_rolling"], row["semi_axis_transverse"], 4e-3
     r, angle = np.sqrt((np.arange(60) + 0.5) / 60)[:, None], 2 * np.pi * (np.arange(160) + 0.5) / 160
     x, y = np.broadcast_arrays(a * r * np.cos(angle), b * r * np.sin(angle))
@@ -430,11 +398,10 @@ def test_the_powers_of_the_law_are_integrals_over_the_contact(law: dict[str, flo
     assert contacts[1].law_power == contacts[1].unit_power == 0
 
 
-@pytest.mark.parametrize("marched", [False, True])
-def test_at_standstill_all_friction_opposes_the_slip_at_once(marched: bool) -> None:
+def test_at_standstill_all_friction_opposes_the_slip_at_once() -> None:
     """Surfaces that do not pass each other have no creep."""
     row = contact(radius=1e9)
-    outcome = one_contact(row, (3e-9, 4e-9, 0.0), passing=0.0, marched=marched, nodes=Nodes(24, 24))
+    outcome = one_contact(row, (3e-9, 4e-9, 0.0), passing=0.0, nodes=Nodes(24, 24))
     found = -outcome["along"], -outcome["across"]
     # 24 marched nodes at even angles are 1e-2 off the sum over a strip.
     assert found == pytest.approx((0.6 * 0.07 * 300.0, 0.8 * 0.07 * 300.0), rel=0.01)
@@ -462,7 +429,7 @@ def test_a_ball_on_one_race_rolls_there_and_keeps_its_orbit_and_its_spin(race: i
     contacts[race] = loaded
     before = (8.1e-3, 3e-5, 1.1e-3, -6e-3)
     ball = ball_of(before, inertia=3.0)
-    passing, quadrature = kernel._passing(as_record(loaded), ball, ball.velocity), quadrature_of(NODES, marched=False)
+    passing, quadrature = kernel._passing(as_record(loaded), ball, ball.velocity), quadrature_of(NODES)
     assert kernel.turn_ball(contacts, ball, quadrature, 1e-10) <= 1e-10
     assert contacts["across"].tolist() == [0.0, 0.0]
     assert contacts["friction"][1 - race] == contacts["power"][1 - race] == 0
@@ -477,42 +444,4 @@ def test_a_ball_on_one_race_rolls_there_and_keeps_its_orbit_and_its_spin(race: i
     assert across @ force[2:] == pytest.approx(gyroscopic, rel=0, abs=2e-10 * contacts["friction"][race])
     slide = before[0] + across @ ball.velocity[2:] - loaded["ring_rate"] * (0.02 + 4e-3 * normal[0])
     # It slides by more than nothing, and by less than the surface curves away at the ends.
-    assert 1e-3 < abs(slide) / abs(across @ ball.velocity[2:] / 4e-3 * 1.1e-3**2 / (2 * 4.1e-3)) < 1
-
-
-def test_a_start_leads_back_to_where_its_ball_settled() -> None:
-    """Given what balls do by rule: angles, loads, speeds and forces. A race without load has none to start from."""
-    numbers, angle = bearing_numbers(BEARING_6205, ContactAngle(rule="solved", free=0.18)), (0.31, 0.22)
-    free = turning.free_numbers(BEARING_6205, orbit=0.0195, creep="closed", inertia=(True, True))
-    model: Any = SimpleNamespace(ring=SimpleNamespace(bearing=numbers), free=free)
-    begin, leave = unwrap(passes._begin), unwrap(passes._leave)
-    for load in ((90.0, 120.0), (0.0, 120.0)):
-        ball = as_record(ball_states(1)[0])
-        ball.angle, ball.load, ball.given = angle, load, (3.1, -0.2, 0.4)
-        ball.orbit_radius = turning.orbit_at(numbers, free, ball)
-        velocity = (8.1e-3, 3e-5, 1.1e-3, -8e-3)
-        ball.velocity = velocity
-        leave(model, ball, np.array([0.29, 0.25, load[0] * 1.1, load[1] * 0.9]))
-        ball.angle, ball.load, ball.velocity, ball.given = (
-            (0.29, 0.25),
-            (load[0] * 1.1, load[1] * 0.9),
-            np.zeros(4),
-            np.zeros(3),
-        )
-        begin(model, ball, True)
-        np.testing.assert_allclose(ball.angle, angle, rtol=1e-12)
-        np.testing.assert_allclose(ball.load, load, rtol=1e-12)
-        np.testing.assert_allclose(ball.velocity, velocity, rtol=1e-9)
-        np.testing.assert_array_equal(ball.given, (3.1, -0.2, 0.4))
-        assert ball.motion.cage_speed == pytest.approx(velocity[0] / ball.orbit_radius, rel=1e-9)
-        begin(model, ball, False)
-        assert np.isnan(ball.velocity[0])
-        assert np.isnan(ball.given[0])
-        ruled = ball_kinematics(
-            inner_speed=1.0,
-            inner_angle=0.31,
-            outer_angle=0.22,
-            pitch_diameter=BEARING_6205.pitch_diameter,
-            ball_diameter=BEARING_6205.ball_diameter,
-        )
-        assert ball.motion.cage_speed == pytest.approx(float(ruled.cage_speed), rel=1e-9)
+    assert 0 < abs(slide) / abs(across @ ball.velocity[2:] / 4e-3 * 1.1e-3**2 / (2 * 4.1e-3)) < 1

@@ -1,15 +1,14 @@
 """The torque of free balls: limits, directions, hard corners, oil, and weight."""
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
 
 from analytic.errors import InputError
 from analytic.loads.balls import LoadEffects, ring_balls
-from analytic.scene import Bearing, ContactAngle, Operation, Scene, SlidingMethod
-from analytic.scenefile.read import load_scene, parse_scene
+from analytic.scene import Bearing, ContactAngle, Decision, Operation, Scene
+from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
 from tests.analytic.specimens import FINISH, OIL, present
 
@@ -36,38 +35,22 @@ def at(scene: Scene, **changed: float) -> Scene:
     return replace(scene, operation=Operation(**{name: np.array([value]) for name, value in values.items()}))
 
 
-@pytest.mark.parametrize("method", ["free_ball", "closed_creep", "marched_creep"])
-def test_the_coefficient_of_plain_friction_is_the_given_one(scene: Scene, method: SlidingMethod) -> None:
+@pytest.mark.parametrize("creep", ["off", "on"])
+def test_the_coefficient_of_plain_friction_is_the_given_one(scene: Scene, creep: Decision) -> None:
     """Power lost over the power at a coefficient of 1; creep spares slip and no power of the stress that acts."""
-    effects = {**scene.effects, "creep": "off" if method == "free_ball" else "on"}
-    found = friction_torque(replace(scene, sliding=method, effects=effects)).friction_coefficient
+    found = friction_torque(replace(scene, effects={**scene.effects, "creep": creep})).friction_coefficient
     for race in (found.inner, found.outer):
         np.testing.assert_allclose(present(race), 0.07, rtol=0.02)  # of a stress that is round near the slip of 0
-
-
-def test_creep_has_its_share_and_the_methods_are_ordered(scene: Scene) -> None:
-    """The closed law takes slip away; the push across the groove that it misses adds far more."""
-    free, closed, marched = (
-        friction_torque(replace(scene, sliding=method)) for method in ("free_ball", "closed_creep", "marched_creep")
-    )
-    assert closed.torque.total[0] < free.torque.total[0] < marched.torque.total[0]
-    auto = friction_torque(scene)
-    assert auto.sliding == "marched_creep"
-    assert auto.torque.total[0] == marched.torque.total[0]
-    ruled = friction_torque(replace(scene, spin_rule="balanced"))
-    assert not ruled.is_on("creep")
-    assert any("creep is neglected" in warning and "spin_rule" in warning for warning in ruled.warnings)
 
 
 def test_little_friction_creeps_little(scene: Scene) -> None:
     """Creep goes with friction: the torque over friction tends to that of balanced spin."""
     slight = replace(scene, friction_coefficient=3e-4)
-    marched = friction_torque(replace(slight, sliding="marched_creep"))
-    ruled = friction_torque(replace(slight, spin_rule="balanced", sliding="over_ellipse"))
+    marched = friction_torque(slight)
+    ruled = friction_torque(replace(slight, spin_rule="balanced"))
     error = abs(marched.torque.total / ruled.torque.total - 1)
     # 3/K and the two methods' errors: K is some 900 here
     assert error[0] < 4e-3 + marched.numerical_uncertainty[0] + ruled.numerical_uncertainty[0]
-    assert not friction_torque(slight).is_on("creep")
 
 
 @pytest.mark.parametrize("lubricated", [False, True])
@@ -132,34 +115,6 @@ def test_a_free_angle_that_does_not_fit_moves_both_grooves_alike(scene: Scene) -
     np.testing.assert_allclose(given, moved, rtol=1e-8)  # residuals of 1e-10
 
 
-def test_a_weight_without_a_direction_is_uncertain(scene: Scene) -> None:
-    """Its spread holds whatever the direction is; heavy loads need none."""
-    light = at(oiled(scene), axial_load=0.4, inner_speed=2.0)
-    unknown = friction_torque(light)
-    for down in ((1.0, 0.0, 0.0), (0.0, -0.8, 0.6), (0.0, 0.0, 1.0)):
-        known = friction_torque(replace(light, down=down))
-        assert known.is_on("weight")
-        error = np.abs(known.torque.total / unknown.torque.total - 1)
-        assert np.all(error <= unknown.numerical_uncertainty + known.numerical_uncertainty)
-    heavy = friction_torque(scene)
-    assert not heavy.is_on("weight")
-    assert np.all(heavy.numerical_uncertainty <= scene.tolerance)
-
-
-def test_a_weight_that_turns_preloaded_balls_is_uncertain() -> None:
-    """Thrust as small as the balls' weight, preload of 26 N: free balls spin otherwise, those by a rule hardly do."""
-    scene = load_scene("6210", axial_load="1 N", speed="0.6 rpm", settings={"tolerance": 0.001})
-    inner = scene.bearing.inner
-    tight = replace(inner, bottom_radius=inner.bottom_radius + 9e-6)
-    preloaded = replace(scene, bearing=replace(scene.bearing, inner=tight), down=None)
-    unknown, errors = friction_torque(preloaded), []
-    for down in ((0.0, 0.0, 1.0), (0.0, 0.0, -1.0), (0.6, 0.0, -0.8)):
-        known = friction_torque(replace(preloaded, down=down))
-        errors += np.abs(known.torque.total / unknown.torque.total - 1).tolist()
-        assert errors[-1] <= unknown.numerical_uncertainty + known.numerical_uncertainty
-    assert max(errors) > 0.002  # else there is nothing to state
-
-
 def test_a_given_angle_holds_loads_but_not_how_balls_turn(scene: Scene) -> None:
     held = friction_torque(replace(scene, contact_angle=ContactAngle(rule="given", value=0.33)))
     assert held.is_on("creep")
@@ -167,49 +122,9 @@ def test_a_given_angle_holds_loads_but_not_how_balls_turn(scene: Scene) -> None:
     assert present(held.torque.spin)[0] > 0
 
 
-@pytest.mark.parametrize(
-    ("sliding", "other", "reason"),
-    [
-        ("marched_creep", {"spin_rule": "outer_control"}, r'friction\.spin_rule = "outer_control" prescribes'),
-        ("free_ball", {"microslip": "as_printed"}, r'friction\.microslip = "as_printed" has no creep'),
-        ("closed_creep", {"effects": {"spin": "off"}}, r'effects\.spin = "off" neglects'),
-        ("marched_creep", {"effects": {"creep": "off"}}, r'effects\.creep = "off" neglects'),
-    ],
-)
-def test_a_method_for_free_balls_needs_free_balls(
-    scene: Scene, sliding: SlidingMethod, other: dict[str, Any], reason: str
-) -> None:
-    message = rf'friction\.sliding = "{sliding}" is refused: {reason}.*: use'
-    with pytest.raises(InputError, match=message):
-        friction_torque(replace(scene, sliding=sliding, **other))
-
-
 def test_creep_is_refused_with_a_rule(scene: Scene) -> None:
     with pytest.raises(InputError, match=r'effects\.creep = "on" is refused: friction\.spin_rule = "inner_control"'):
         friction_torque(replace(scene, spin_rule="inner_control", effects={"creep": "on"}))
-
-
-def test_the_error_of_few_nodes_is_stated(scene: Scene) -> None:
-    effects = {"finite_geometry": "off", "centrifugal": "on", "gyroscopic": "on", "creep": "on", "weight": "off"}
-    heavy = at(scene, axial_load=1500.0)
-    loose = friction_torque(replace(heavy, tolerance=0.05, effects=effects))
-    tight = friction_torque(replace(heavy, tolerance=1e-4, effects=effects))
-    error = abs(loose.torque.total / tight.torque.total - 1)
-    assert error[0] > 3 * tight.numerical_uncertainty[0]  # else there is nothing to state
-    assert error[0] <= loose.numerical_uncertainty[0]
-
-
-@pytest.mark.parametrize(("load", "rpm"), [(1000.0, 11832.0), (300.0, 6999.0), (3.0, 857.0)])
-def test_little_friction_hardly_holds_the_gyroscopic_moment(scene: Scene, load: float, rpm: float) -> None:
-    """The moment moves loads by next to nothing there, and the torque by a quarter to a half."""
-    slippery = at(replace(scene, friction_coefficient=0.002), axial_load=load, inner_speed=rpm * np.pi / 30)
-    slippery = replace(slippery, tolerance=0.05, effects={**scene.effects, "weight": "off"})
-    found = friction_torque(slippery)
-    assert found.is_on("gyroscopic")
-    full = dict.fromkeys(("centrifugal", "gyroscopic", "creep"), "on")
-    exact = friction_torque(replace(slippery, tolerance=0.01, effects={**slippery.effects, **full}))
-    error = np.abs(found.torque.total / exact.torque.total - 1)
-    assert np.all(error <= found.numerical_uncertainty + exact.numerical_uncertainty)
 
 
 def test_loads_that_the_scene_leaves_out_stay_out_beside_weight(scene: Scene) -> None:

@@ -9,6 +9,7 @@ from scipy.optimize import minimize
 
 from analytic.loads.balls import LoadedBalls, LoadEffects, loaded_balls, ring_balls
 from analytic.scene import (
+    Array,
     Autocorrelation,
     Bearing,
     ContactAngle,
@@ -17,7 +18,6 @@ from analytic.scene import (
     Material,
     Operation,
     Scene,
-    SlidingMethod,
 )
 from analytic.torque import friction_torque
 from tests.analytic.specimens import FINISH, OIL
@@ -29,6 +29,7 @@ ALL: dict = {
     "hysteresis": "off",
     **dict.fromkeys(("load_distribution", "centrifugal", "gyroscopic", "finite_geometry", "spin", "conformity"), "on"),
     "rolling": "off",
+    "weight": "off",
 }
 
 
@@ -45,12 +46,12 @@ def operation(axial: float, radial: float, speed: float, moment: float = 0.0) ->
 def scene(bearing_6205: Bearing) -> Scene:
     return Scene(
         name="unequal",
-        tolerance=1e-4,
+        tolerance=1e-5,  # the finest nodes at every point
+        spin_rule="balanced",
         bearing=bearing_6205,
         contact_angle=ContactAngle(rule="solved", free=FREE),
         operation=operation(310.0, 170.0, 900.0),
         friction_coefficient=MU,
-        sliding="single_coefficient",
         effects=ALL,
     )
 
@@ -65,24 +66,25 @@ def balls_of(scene: Scene, *, centrifugal: bool = True, gyroscopic: bool = True)
     return ring_balls(scene.bearing, scene.contact_angle, scene.operation, effects)
 
 
-def slip_power(load: np.ndarray, b: np.ndarray, radius: np.ndarray, roll: np.ndarray, spin: float) -> float:
+def slip_power(load: Array, axes: Array, radius: Array, roll: Array, spin: float) -> float:
     """Slip power of one ball on both races per mu, N m: the least over all creeps and shares of the spin.
 
+    axes : (2, 2) a and b of each race
     Force and moment of a Coulomb contact are the derivatives of its power. There is no net force where the power does
     not change with the creep, and no net spin moment on the ball where it does not change with the share.
     """
-    nodes = (np.arange(2000) + 0.5) / 1000 - 1
-    pressure = 0.75 * (1 - nodes**2) / 1000  # of a long ellipse
+    r, angle = np.sqrt((np.arange(60) + 0.5) / 60)[:, None], np.pi * ((np.arange(120) + 0.5) / 120 - 0.5)
+    pressure = 1.5 * np.sqrt(1 - r**2) / r.size / angle.size + 0 * angle
 
-    def power(unknown: np.ndarray) -> float:
+    def power(unknown: Array) -> float:
         total = 0.0
         for race, share in ((0, unknown[0]), (1, unknown[0] - 1)):
             if load[race] == 0:
                 continue
-            scale = roll[race] * b[race] ** 2 / (2 * radius[race])
-            y = nodes * b[race]
-            slide = roll[race] * y**2 / (2 * radius[race]) + share * spin * y - unknown[1 + race] * scale
-            total += load[race] * float(pressure @ np.abs(slide))
+            (a, b), curved = axes[race], roll[race] / radius[race]
+            x, y = a * r * np.cos(angle), b * r * np.sin(angle)
+            slide = curved * y**2 / 2 + share * spin * y - unknown[1 + race] * curved * b**2 / 2
+            total += load[race] * float(np.sum(pressure * np.hypot(slide, (share * spin + curved * y) * x)))
         return total
 
     found = minimize(
@@ -135,10 +137,10 @@ def test_the_torque_is_the_slip_power_of_every_ball(scene: Scene, axial: float, 
     for ball in range(bearing.ball_count):
         angle = balls.contact_angle[:, 0, ball]
         rolls, spin = motion(bearing, *angle)
-        b = balls.contact.semi_axis_y[:, 0, ball]
-        powers.append(slip_power(balls.load[:, 0, ball], b, deformed, rolls, spin))
+        axes = np.stack([balls.contact.semi_axis_x[:, 0, ball], balls.contact.semi_axis_y[:, 0, ball]], axis=1)
+        powers.append(slip_power(balls.load[:, 0, ball], axes, deformed, rolls, spin))
     assert max(powers) > 1.5 * min(powers)
-    np.testing.assert_allclose(torque(asked), MU * sum(powers), rtol=3e-5)  # kinks of |v| between 2000 nodes
+    np.testing.assert_allclose(torque(asked), MU * sum(powers), rtol=2e-3)  # kinks of |v| between 60 times 120 nodes
 
 
 @pytest.mark.parametrize("centrifugal", [False, True])
@@ -215,11 +217,10 @@ def oiled(scene: Scene) -> Scene:
     )
 
 
-@pytest.mark.parametrize("method", ["single_coefficient", "along_axis", "over_ellipse"])
-def test_balls_without_load_add_nothing(oiled: Scene, method: SlidingMethod) -> None:
+def test_balls_without_load_add_nothing(oiled: Scene) -> None:
     """One ball of nine carries the load in the clearance: the other balls add no torque but by rolling in oil."""
     still: dict[str, Decision] = {"centrifugal": "off", "gyroscopic": "off", "unloaded_balls": "off"}
-    alone = replace(oiled, sliding=method, effects={**oiled.effects, **still})
+    alone = replace(oiled, effects={**oiled.effects, **still})
     aside = replace(alone, operation=operation(0.0, 30.0, 40.0))
     found = friction_torque(aside)
     for values in (found.torque.total, found.ball_load, found.film.inner, found.asperity_share.outer):

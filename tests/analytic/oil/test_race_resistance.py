@@ -23,10 +23,16 @@ from analytic.oil.race_resistance import (
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.oil.viscosity import oil_numbers
 from analytic.scene import ContactAngle, Scene
-from tests.analytic.specimens import BEARING_6205, FINISH, OIL, idling
+from tests.analytic.specimens import BEARING_6205, FINISH, OIL, dry
 from tests.contacts import STEEL
 
-SCENE = replace(idling(BEARING_6205), contact_angle=ContactAngle(rule="given", value=0.31))
+SCENE = replace(
+    dry(BEARING_6205),
+    contact_angle=ContactAngle(rule="given", value=0.31),
+    friction_coefficient=None,
+    lubricant=OIL,
+    surface=FINISH,
+)
 RACES = ("inner", "outer")
 
 

@@ -88,7 +88,6 @@ def test_a_friction_coefficient_alone_gives_its_own_interval(tmp_path: Path) -> 
         uncertainty={**quiet, "bearing.contact_angle.free": 0.0, "friction.coefficient": 0.02},
         effects={"hysteresis": "off", "cage": "off", "cage_dynamics": "off", "creep": "off"},
         spin_rule="balanced",
-        sliding="along_axis",
     )
     found = duty_cycle(scene, cycle_file(tmp_path, HEAD + "3,600,700\n11,-2400,300\n"))
     assert found.energy.low is not None

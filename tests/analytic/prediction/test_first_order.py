@@ -33,7 +33,6 @@ def test_one_input_in_proportion_gives_its_own_interval(dry: Scene) -> None:
         uncertainty=ONE_INPUT | {"friction.coefficient": 0.02},  # a fifth of 0.1
         effects={"hysteresis": "off", "cage": "off", "cage_dynamics": "off", "creep": "off"},
         spin_rule="balanced",
-        sliding="along_axis",
     )
     nominal = friction_torque(scene)
     ends = first_order_ends(scene, nominal)
@@ -70,9 +69,7 @@ def test_the_interval_of_a_cold_bearing_contains_the_starved_and_the_flooded_tor
     nominal = friction_torque(scene)
     ends = first_order_ends(scene, nominal)
     assert ends is not None
-    starved, flooded = (
-        friction_torque(nominal.settled(scene), variation=Variation(starvation=step)).torque.total for step in (-1, 1)
-    )
+    starved, flooded = (friction_torque(scene, variation=Variation(starvation=step)).torque.total for step in (-1, 1))
     assert np.all((ends[0] < starved) & (starved < nominal.torque.total) & (flooded < ends[1]))
     assert np.all(flooded > 10 * nominal.torque.total)
 

@@ -31,7 +31,7 @@ def test_of_dry_balls_only_the_law_of_elastic_rolling_is_uncertain() -> None:
     scene = load_scene("6205-dry")
     found = friction_torque(scene)
     assert found.row(0).uncertainty.model is None
-    other = friction_torque(replace(found.settled(scene), elastic_rolling="houpert")).torque
+    other = friction_torque(replace(scene, elastic_rolling="houpert")).torque
     assert np.all(present(other.hysteresis) > 2 * present(found.torque.hysteresis))
     assert present(with_model_uncertainty(scene, found).model_parts).keys() == {"elastic_rolling"}
     told = present(with_model_uncertainty(scene, found).model_uncertainty)
@@ -63,7 +63,7 @@ def test_the_other_parts_are_the_changes_by_other_formulas() -> None:
     """Each is computed here by hand, at a speed where the two formulas of rolling differ little."""
     scene = with_reach(load_scene(SCENES / "6205_physical.toml"), 0.6)
     plain = friction_torque(scene)
-    parts, same = present(with_model_uncertainty(scene, plain).model_parts), plain.settled(scene)
+    parts, same = present(with_model_uncertainty(scene, plain).model_parts), scene
     total = plain.torque.total
     measured = friction_torque(same, variation=Variation(asperity_share=1.0)).torque.total
     # Free balls differ by the solver error: those of a variation start next to where they settle.
@@ -119,7 +119,7 @@ def test_films_of_grease_have_a_factor_of_their_own() -> None:
     grease = replace(present(scene.lubricant), supply="grease", surface_tension=0.027)
     scene = replace(scene, lubricant=grease)
     plain = friction_torque(scene)
-    parts, same = present(with_model_uncertainty(scene, plain).model_parts), plain.settled(scene)
+    parts, same = present(with_model_uncertainty(scene, plain).model_parts), scene
     changes = [
         np.abs(friction_torque(same, variation=Variation(grease_film=factor)).torque.total / plain.torque.total - 1)
         for factor in (np.exp(-2 * GREASE_SPREAD), np.exp(2 * GREASE_SPREAD))
@@ -139,16 +139,6 @@ def test_smooth_oil_of_constant_stress_does_not_care() -> None:
     thin = np.exp(-2 * FORMULA_UNCERTAINTY) * np.minimum(present(plain.film.inner), present(plain.film.outer)) / 1e-9
     assert np.all(parts["film"] <= 20 * np.exp(-thin))
     assert parts["film"][-1] < 1e-9
-
-
-def test_the_same_effects_are_taken_again() -> None:
-    """At a tolerance where asperities are left out they stay out, though a thinner film would call for them."""
-    scene = replace(load_scene(SCENES / "6205_physical.toml"), tolerance=0.5)
-    found = friction_torque(scene)
-    out = {effect.name for effect in found.effects if effect.decision == "off"}
-    again = friction_torque(found.settled(replace(scene, tolerance=1e-4)), variation=Variation(film=0.7))
-    assert {effect.name for effect in again.effects if effect.decision == "off"} == out
-    assert again.sliding == found.sliding
 
 
 def test_factors_within_which_a_loss_lies_evenly_have_the_deviation_of_an_even_logarithm() -> None:

@@ -44,7 +44,6 @@ def dry(**spreads: float) -> Scene:
         operation=analytic.operation(axial_load=[800.0], inner_speed=[30.0]),
         losses=Losses(seals=4e-3),
         spin_rule="inner_control",
-        sliding="single_coefficient",
         effects={**scene.effects, **off},
         tolerance=1.0,
         uncertainty={k: v for k, v in nothing.items() if "free" not in k}

@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from analytic.contact.rolling_contact import ContactNumbers, Pair, RollingContact
 from analytic.oil.traction import LAW, PointLaw
-from analytic.scene import Array, SlidingMethod, SpinRule
+from analytic.scene import Array, SpinRule
 from analytic.sliding.as_printed import as_printed_slip
 from analytic.sliding.ball import slips_over_contacts
 from analytic.sliding.ellipse import quadrature_of
@@ -33,17 +33,18 @@ class BallSlip(NamedTuple):
 def ball_slip(
     contacts: Pair,
     laws: tuple[PointLaw, PointLaw],
-    method: SlidingMethod,
     *,
     ring_speed: ArrayLike,
     spin_difference: ArrayLike,
     spin_rule: SpinRule = "balanced",
     nodes: tuple[int, int] = FINE,
+    line: bool = False,
     printed_radius: float | None = None,
 ) -> BallSlip:
     """Fields of contacts and laws broadcast with ring_speed, |w|, rad/s, and spin_difference, (w_s,i - w_s,o)/w, >= 0.
 
-    printed_radius : of the ball, m: the moments are those that are printed
+    line : by one friction coefficient along the axis;  printed_radius : of the ball, m: the moments are those that
+        are printed
     """
     given = (*contacts[0].fields, *contacts[1].fields, *laws[0], *laws[1], ring_speed, spin_difference)
     second, end = 18 + LAW, 18 + 2 * LAW
@@ -54,12 +55,10 @@ def ball_slip(
         pair = ContactNumbers(*n[:9]), ContactNumbers(*n[9:18])
         resist = PointLaw(*n[18:second]), PointLaw(*n[second:end])
         speed, difference = n[end:]
-        if method == "single_coefficient":
+        if line:
             slips, sums = line_slips(pair, resist, speed, difference, RULES[spin_rule]), 0
         else:
-            *slips, sums = slips_over_contacts(
-                pair, resist, speed, difference, RULES[spin_rule], quadrature_of(nodes), method == "over_ellipse"
-            )
+            *slips, sums = slips_over_contacts(pair, resist, speed, difference, RULES[spin_rule], quadrature_of(nodes))
         if printed_radius is not None:
             slips = [as_printed_slip(one, slip, printed_radius) for one, slip in zip(pair, slips, strict=True)]
         fields[(slice(None), *at)] = (*slips[0], *slips[1], sums)
@@ -69,8 +68,8 @@ def ball_slip(
     return BallSlip(inner, outer, spin, np.asarray(rolls), fields[12])
 
 
-def contact_slip(contact: RollingContact, law: PointLaw, method: SlidingMethod, spin_rate: float, **given: Any) -> Slip:
+def contact_slip(contact: RollingContact, law: PointLaw, spin_rate: float, **given: Any) -> Slip:
     """Of one contact that takes this spin, w_s/w, of either sign: one race of a ball whose other race does not spin."""
     rule: SpinRule = "inner_control" if spin_rate < 0 else "outer_control"
-    found = ball_slip((contact, contact), (law, law), method, spin_difference=abs(spin_rate), spin_rule=rule, **given)
+    found = ball_slip((contact, contact), (law, law), spin_difference=abs(spin_rate), spin_rule=rule, **given)
     return found.outer if spin_rate < 0 else found.inner

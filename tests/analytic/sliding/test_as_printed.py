@@ -16,7 +16,7 @@ from analytic.sliding.as_printed import as_printed_moments
 from analytic.sliding.long_ellipse import microslip_moments, microslip_torque
 from analytic.torque import friction_torque
 from tests.analytic.sliding.slips import BallSlip, ball_slip
-from tests.analytic.specimens import present, rolling_contact
+from tests.analytic.specimens import rolling_contact
 
 MU, Q, B, R = 0.083, 470.0, 1.27e-3, 4.05e-3
 LAST = np.nextafter(0.5, 0)
@@ -73,7 +73,7 @@ def races(radius: float) -> Pair:
 def printed_slip(spin_rule: SpinRule) -> BallSlip:
     laws = PointLaw(boundary=FRICTION[0]), PointLaw(boundary=FRICTION[1])
     given = {"ring_speed": 31.0, "spin_difference": 0.17, "spin_rule": spin_rule, "printed_radius": R}
-    return ball_slip(races(R), laws, "single_coefficient", **given)  # pyright: ignore[reportArgumentType]
+    return ball_slip(races(R), laws, line=True, **given)  # pyright: ignore[reportArgumentType]
 
 
 def test_where_both_contacts_spin_a_little_the_torque_is_the_derived_one() -> None:
@@ -100,24 +100,6 @@ def test_with_a_race_in_control_the_other_one_alone_resists() -> None:
     np.testing.assert_allclose(found.conformity, roll * 2.9, rtol=1e-12)
     np.testing.assert_allclose(abs(found.outer.spin_moment), 0.07 * 470.0 * 0.85e-3**2 / (4 * R), rtol=1e-14)
     assert found.outer.rolling_moment == 0
-
-
-def test_the_scene_loses_the_outer_race(scene: Scene) -> None:
-    """Its torque is short of the derived one by the whole conformity of the race that does not spin."""
-    found, derived = (
-        friction_torque(replace(scene, microslip=which, sliding="single_coefficient"))
-        for which in ("as_printed", "derived")
-    )
-    assert found.provenance["microslip"] == "as_printed"
-    assert derived.provenance["microslip"] == "derived"
-    mu, load, axis = derived.friction_coefficient.outer, derived.ball_load, derived.outer.semi_axis_transverse
-    balls, r, surface = 9, 7.94e-3 / 2, 2 * 4.21 * 7.94e-3 / (2 * 4.21 + 7.94)  # Table 1
-    whole = 0.0805711989 * present(mu) * load * axis**2 / surface  # of an independent calculation, ten digits
-    rolling_rate = (39.01e-3 / 2 - r * np.cos(0.18)) / (2 * r)
-    inner = present(derived.torque.conformity) - balls * whole * rolling_rate
-    # What is left is the inner race's, with the ball's radius for the surface's: R = 2 f D/(2 f + 1).
-    np.testing.assert_allclose(present(found.torque.conformity), inner * (2 * 4.13 * 2 / (2 * 4.13 + 7.94)), rtol=1e-8)
-    np.testing.assert_allclose(present(found.torque.spin), present(derived.torque.spin), rtol=1e-12)  # round-off
 
 
 def test_only_the_printed_variant_is_warned_of(scene: Scene) -> None:

@@ -1,4 +1,4 @@
-"""The friction of one ball by three methods: Coulomb's closed forms, exact sums, power, and another program."""
+"""The friction of one ball over both ellipses: Coulomb's closed forms, exact sums, power, and another program."""
 
 from dataclasses import dataclass, replace
 
@@ -14,7 +14,7 @@ from analytic.oil.film import film_asymptotes
 from analytic.oil.mixed import mixed_contact
 from analytic.oil.rolling import hysteresis_moment
 from analytic.oil.traction import CoulombTraction, MixedTraction, PointLaw, Traction, mixed_traction
-from analytic.scene import Array, Autocorrelation, SlidingMethod, SpinRule, Surface
+from analytic.scene import Array, Autocorrelation, SpinRule, Surface
 from analytic.sliding.ball import at_ring_speed
 from analytic.sliding.long_ellipse import microslip_torque
 from analytic.surface.gap import gap_law
@@ -24,8 +24,6 @@ from tests.analytic import specimens
 from tests.analytic.sliding.slips import BallSlip, ball_slip
 from tests.analytic.specimens import rolling_contact
 
-METHODS: tuple[SlidingMethod, ...] = ("single_coefficient", "along_axis", "over_ellipse")
-QUADRATURE = 1e-5  # the quadrature over a contact states 1e-6 for smooth laws; the kink at zeta p costs some more
 COULOMB = CoulombTraction(friction_coefficient=0.083)
 BALLS, BALL, PITCH = 9, 7.94e-3, 39.01e-3  # m, of a 6205
 STEEL, HARDNESS = 206e9 / (2 * (1 - 0.3**2)), 7.8e9  # Pa
@@ -39,10 +37,10 @@ class Running:
     ring_speed: Array
     spin_difference: Array
 
-    def friction(self, method: SlidingMethod, spin_rule: SpinRule = "balanced") -> BallSlip:
+    def friction(self, *, line: bool = False) -> BallSlip:
         laws = self.traction[0].point_law, self.traction[1].point_law
-        given = {"ring_speed": self.ring_speed, "spin_difference": self.spin_difference, "spin_rule": spin_rule}
-        return ball_slip(self.contacts, laws, method, **given)  # pyright: ignore[reportArgumentType]
+        given = {"ring_speed": self.ring_speed, "spin_difference": self.spin_difference, "line": line}
+        return ball_slip(self.contacts, laws, **given)  # pyright: ignore[reportArgumentType]
 
 
 def running(
@@ -88,12 +86,12 @@ def running(
     return Running((inner, outer), (inner_law, outer_law), speed, rates.spin_difference)
 
 
-def race_torque(case: Running, method: SlidingMethod, hysteresis_loss: float) -> Array:
+def race_torque(case: Running, hysteresis_loss: float) -> Array:
     """Slip and hysteresis of all balls, N mm."""
     hysteresis = sum(
         hysteresis_moment(contact, hysteresis_loss=hysteresis_loss) * contact.rolling_rate for contact in case.contacts
     )
-    return 1e3 * BALLS * (case.friction(method).torque + hysteresis)
+    return 1e3 * BALLS * (case.friction(line=True).torque + hysteresis)
 
 
 RING_SPEEDS = np.array([0.0, 1e-6, 1e-4, 0.01, 0.1, 1.0, 10.471976, 52.359878])  # rad/s; the last two are 100, 500 rpm
@@ -108,7 +106,7 @@ def test_the_race_torque_from_rest_to_the_film(sq: float) -> None:
     """The other program slides each contact by one coefficient, over the whole ellipse, without turn by conformity."""
     case = running(rpm=RING_SPEEDS * 30 / np.pi, sq=sq, length=165e-6)
     # A single coefficient on a long ellipse loses E(m) - 1 of the ellipse, with m = 1 - (a/b)^2: up to 1.1 % of all.
-    np.testing.assert_allclose(race_torque(case, "single_coefficient", 0.007), FROM_REST[sq], rtol=0.012)
+    np.testing.assert_allclose(race_torque(case, 0.007), FROM_REST[sq], rtol=0.012)
 
 
 def pair(**changed: object) -> Pair:
@@ -122,15 +120,15 @@ def pair(**changed: object) -> Pair:
     return rolling_contact(**changed), rolling_contact(**(outer | changed))
 
 
-def friction(contacts: Pair, law: Traction, method: SlidingMethod, **changed: object) -> BallSlip:
+def friction(contacts: Pair, law: Traction, **changed: object) -> BallSlip:
     given = {"ring_speed": 31.0, "spin_difference": 0.179} | changed
-    return ball_slip(contacts, (law.point_law, law.point_law), method, **given)  # pyright: ignore[reportArgumentType]
+    return ball_slip(contacts, (law.point_law, law.point_law), **given)  # pyright: ignore[reportArgumentType]
 
 
 @pytest.mark.parametrize("rule", ["balanced", "inner_control", "outer_control"])
 def test_coulomb_friction_is_that_of_the_closed_forms(rule: SpinRule) -> None:
     contacts = pair(load=np.array([3.0, 613.0]))
-    found = friction(contacts, COULOMB, "single_coefficient", spin_rule=rule)
+    found = friction(contacts, COULOMB, spin_rule=rule, line=True)
     forces = 0.083 * np.asarray(contacts[0].load), 0.083 * np.asarray(contacts[1].load)
     expected = microslip_torque(contacts, friction_force=forces, spin_difference=0.179, spin_rule=rule)
     for race in ("inner", "outer"):
@@ -138,17 +136,10 @@ def test_coulomb_friction_is_that_of_the_closed_forms(rule: SpinRule) -> None:
             closed = getattr(expected, f"{race}_{name}")
             np.testing.assert_allclose(getattr(getattr(found, race), name), closed, rtol=1e-13)  # round-off
     np.testing.assert_allclose(found.inner.coefficient, 0.083, rtol=1e-15)
-    # The integral over a line gives the same, and a long ellipse tends to it.
-    along = friction(contacts, COULOMB, "along_axis", spin_rule=rule)
-    np.testing.assert_allclose(along.torque, found.torque, rtol=QUADRATURE)
-    np.testing.assert_allclose(along.inner.spin_moment, expected.inner_spin_moment, rtol=QUADRATURE)
-    np.testing.assert_allclose([along.inner.coefficient, along.outer.coefficient], 0.083, rtol=1e-12)
-    np.testing.assert_allclose(along.inner.slip_speed, found.inner.slip_speed, rtol=QUADRATURE)
-    # c, which the line has in closed form; where one line of pure rolling has left the contact it is 0.
-    np.testing.assert_allclose(found.inner.creep, along.inner.creep, rtol=1e-4, atol=1e-9 * 1.1e-3)
-    np.testing.assert_allclose(found.outer.creep, along.outer.creep, rtol=1e-4, atol=1e-9 * 1.1e-3)
-    narrow, long = (friction(pair(semi_axis_rolling=1e-6), COULOMB, each) for each in ("over_ellipse", "along_axis"))
-    np.testing.assert_allclose(narrow.torque, long.torque, rtol=1e-4)  # as (a/b)^2 ln(b/a)
+    narrow, long = pair(semi_axis_rolling=1e-6), {"spin_rule": rule, "line": True}
+    over, closed = friction(narrow, COULOMB, spin_rule=rule), friction(narrow, COULOMB, **long)
+    np.testing.assert_allclose(over.torque, closed.torque, rtol=1e-4)  # a long ellipse tends to it as (a/b)^2 ln(b/a)
+    np.testing.assert_allclose([over.inner.coefficient, over.outer.coefficient], 0.083, rtol=1e-12)
 
 
 def test_oil_without_a_film_shears_at_its_limit_at_standstill_too() -> None:
@@ -159,11 +150,10 @@ def test_oil_without_a_film_shears_at_its_limit_at_standstill_too() -> None:
 
 
 @pytest.mark.parametrize("traction", ["eyring_constant", "eyring_sinh"])
-@pytest.mark.parametrize("method", ["along_axis", "over_ellipse"])
-def test_the_torque_is_the_power_lost_at_every_point(method: SlidingMethod, traction: str) -> None:
+def test_the_torque_is_the_power_lost_at_every_point(traction: str) -> None:
     """Against a midpoint sum over polar cells, with its own c of no net force."""
     case = running(rpm=230.0, sq=0.4e-6, traction=traction)
-    found = case.friction(method)
+    found = case.friction()
     # Equal areas of the half x > 0: the other half has the same speeds
     r, angle = np.sqrt((np.arange(400) + 0.5) / 400)[:, None], np.pi * ((np.arange(360) + 0.5) / 360 - 0.5)
     total = 0.0
@@ -173,7 +163,7 @@ def test_the_torque_is_the_power_lost_at_every_point(method: SlidingMethod, trac
         x, y = a * r * np.cos(angle), b * r * np.sin(angle)
         pressure = 1.5 * race.load / (np.pi * a * b) * np.sqrt(1 - r**2) + 0 * x
         turn = spin + race.rolling_rate * y / race.deformed_radius
-        across = -turn * x if method == "over_ellipse" else np.zeros_like(x)
+        across = -turn * x
         slide = race.rolling_rate * y**2 / (2 * race.deformed_radius) + spin * y
 
         def stress(c: float) -> tuple[Array, Array]:
@@ -191,17 +181,16 @@ def test_the_torque_is_the_power_lost_at_every_point(method: SlidingMethod, trac
     np.testing.assert_allclose(found.torque, total, rtol=2e-4)  # hundreds of cells across, kinks where slide turns
 
 
-@pytest.mark.parametrize("method", METHODS)
-def test_a_balanced_ball_feels_no_spin_moment(method: SlidingMethod) -> None:
-    found = running(rpm=[0.0, 90.0, 500.0], sq=0.3e-6, traction="eyring_sinh").friction(method)
-    np.testing.assert_allclose(found.inner.spin_moment, -found.outer.spin_moment, rtol=1e-6)  # 1e-9 of the share
+def test_a_balanced_ball_feels_no_spin_moment() -> None:
+    found = running(rpm=[0.0, 90.0, 500.0], sq=0.3e-6, traction="eyring_sinh").friction()
+    np.testing.assert_allclose(found.inner.spin_moment, -found.outer.spin_moment, rtol=2e-5)  # 1e-5 of the share
     np.testing.assert_allclose(found.inner.spin_rate - found.outer.spin_rate, np.sin(0.18), rtol=1e-14)
 
 
 @pytest.mark.parametrize("traction", ["eyring_constant", "eyring_sinh"])
-def test_the_single_coefficient_belongs_to_its_own_speed(traction: str) -> None:
+def test_a_coefficient_along_the_axis_belongs_to_its_own_speed(traction: str) -> None:
     case = running(rpm=[40.0, 400.0], sq=0.2e-6, traction=traction)
-    found = case.friction("single_coefficient")
+    found = case.friction(line=True)
     power = np.zeros(2)
     for race, law, mu, speed in zip(
         case.contacts,
@@ -216,28 +205,25 @@ def test_the_single_coefficient_belongs_to_its_own_speed(traction: str) -> None:
     np.testing.assert_allclose(found.torque * case.ring_speed, power, rtol=1e-12)
 
 
-@pytest.mark.parametrize("method", ["along_axis", "over_ellipse"])
-def test_the_balance_of_spin_takes_few_sums(method: SlidingMethod) -> None:
+def test_the_balance_of_spin_takes_few_sums() -> None:
     """By Newton's slopes, 4 to 19 for both contacts; by halves of a bracket alone each would take dozens."""
     oil = MixedTraction(
         lubricant=OIL, boundary_friction=0.11, asperity_share=0.2, boundary_share=0.21, oil_area=0.9, oil_thickness=9e-8
     )
     for law in (COULOMB, oil):
         for spin in (1e-9, 0.01, 0.179, 0.4, 0.9):
-            assert 2 <= friction(pair(), law, method, spin_difference=spin).sums <= 24
+            assert 2 <= friction(pair(), law, spin_difference=spin).sums <= 24
 
 
-@pytest.mark.parametrize("method", METHODS)
-def test_standstill(method: SlidingMethod) -> None:
+def test_standstill() -> None:
     """At rest there is only boundary friction, as oil with a stress that follows the speed has none in slow sliding."""
     still = running(rpm=np.array([0.0, 1e-9]), sq=0.3e-6, traction="eyring_sinh")
-    found = still.friction(method)
+    found = still.friction()
     np.testing.assert_allclose(found.inner.coefficient[0], 0.12, rtol=1e-12)
     assert np.all(np.isfinite(found.torque))
 
 
-@pytest.mark.parametrize("method", METHODS)
-def test_without_load_there_is_no_friction(method: SlidingMethod) -> None:
+def test_without_load_there_is_no_friction() -> None:
     point = {"load": np.array([0.0, 613.0]), "semi_axis_rolling": np.array([0.0, 0.12e-3])}
     point["semi_axis_transverse"] = np.array([0.0, 1.1e-3])
     law = MixedTraction(
@@ -248,13 +234,13 @@ def test_without_load_there_is_no_friction(method: SlidingMethod) -> None:
         oil_area=0.99,
         oil_thickness=90e-9,
     )
-    found = friction(pair(**point), law, method)
+    found = friction(pair(**point), law)
     assert found.torque[0] == found.inner.coefficient[0] == found.outer.slip_speed[0] == 0
     assert found.torque[1] > 0
     inner, outer = pair(**{name: values[1] for name, values in point.items()})
     lifted = replace(inner, load=0.0, semi_axis_rolling=0.0, semi_axis_transverse=0.0)
     # The ball follows the outer race, to the tolerance of the spin's share; the contact can hold 0.1 N mm.
-    assert friction((lifted, outer), law, method).outer.spin_moment == pytest.approx(0, abs=1e-8)
+    assert friction((lifted, outer), law).outer.spin_moment == pytest.approx(0, abs=1e-8)
 
 
 @settings(max_examples=25)
@@ -265,11 +251,8 @@ def test_without_load_there_is_no_friction(method: SlidingMethod) -> None:
     share=st.floats(0, 1),
     film=st.floats(-12, -4),
     traction=st.sampled_from(["eyring_constant", "eyring_sinh"]),
-    method=st.sampled_from(METHODS),
 )
-def test_always_a_number(
-    load: float, speed: float, spin: float, share: float, film: float, traction: str, method: SlidingMethod
-) -> None:
+def test_always_a_number(load: float, speed: float, spin: float, share: float, film: float, traction: str) -> None:
     law = MixedTraction(
         lubricant=replace(OIL, traction=traction),  # pyright: ignore[reportArgumentType]
         boundary_friction=0.12,
@@ -280,7 +263,7 @@ def test_always_a_number(
     )
     size = np.cbrt(10.0**load / 613.0)
     contacts = pair(load=10.0**load, semi_axis_rolling=0.13e-3 * size, semi_axis_transverse=1.04e-3 * size)
-    found = friction(contacts, law, method, ring_speed=10.0**speed, spin_difference=10.0**spin)
+    found = friction(contacts, law, ring_speed=10.0**speed, spin_difference=10.0**spin)
     assert np.all(np.isfinite([*found.inner, *found.outer]))
     balance = found.inner.spin_moment + found.outer.spin_moment
     assert abs(balance) <= 1e-5 * abs(found.inner.spin_moment) + 1e-300  # 1e-9 of a share, at up to 1e3 rad/s

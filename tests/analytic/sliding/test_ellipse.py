@@ -2,16 +2,13 @@
 
 from typing import Any
 
-import hypothesis.strategies as st
 import numpy as np
 import pytest
-from hypothesis import given, settings
 from scipy.optimize import brentq
 from scipy.special import ellipe
 
 from analytic.contact.rolling_contact import ContactNumbers, RollingContact
 from analytic.oil.traction import PointLaw
-from analytic.scene import SlidingMethod
 from analytic.sliding.ellipse import SlipSums, quadrature_of, slider_of, slip_sums
 from analytic.sliding.long_ellipse import Slip, microslip_moments
 from tests.analytic.sliding.slips import ball_slip, contact_slip
@@ -24,7 +21,6 @@ SPINS = [0.01, -0.1, 0.3, 0.49, -0.5, 0.6, 2.0]  # eps
 QUADRATURE = 1e-5
 COULOMB = PointLaw(boundary=MU)
 SINH = PointLaw(limit=0.06, eyring=5e6, fluidity=1e3)  # Eyring's law, capped by a share of the pressure
-METHODS: tuple[SlidingMethod, ...] = ("over_ellipse", "along_axis")
 
 
 def contact(k: float, **changed: Any) -> RollingContact:
@@ -42,10 +38,9 @@ def spin_of(eps: float) -> float:
     return eps * ROLL * B / R
 
 
-def slip(contact: RollingContact, law: PointLaw, spin_rate: float, nodes: int = 16, *, along: bool = False) -> Slip:
-    """With so many nodes a side; along : the axis alone."""
-    method: SlidingMethod = "along_axis" if along else "over_ellipse"
-    return contact_slip(contact, law, method, spin_rate, ring_speed=SPEED, nodes=(nodes, nodes))
+def slip(contact: RollingContact, law: PointLaw, spin_rate: float, nodes: int = 16) -> Slip:
+    """With so many nodes a side."""
+    return contact_slip(contact, law, spin_rate, ring_speed=SPEED, nodes=(nodes, nodes))
 
 
 def power(found: Slip, load: float = Q) -> float:
@@ -71,17 +66,6 @@ def test_a_long_ellipse_is_a_line(eps: float) -> None:
     gaps = [np.abs(scaled(slip(contact(k), COULOMB, spin_of(eps), 32)) - expected) for k in (1e2, 1e3, 1e4)]
     np.testing.assert_allclose(gaps[2], 0, atol=3e-5)  # falls with a/b where a line of pure rolling nears the end
     assert np.all(gaps[2] <= gaps[0] + QUADRATURE)
-
-
-@pytest.mark.parametrize("k", [0.7, 9.28])
-@given(eps=st.floats(-3, 3))
-@settings(max_examples=25)
-def test_along_the_axis_coulomb_friction_is_that_of_a_long_ellipse(k: float, eps: float) -> None:
-    """The panels meet where the slip changes its direction, so the quadrature meets no kink."""
-    found = slip(contact(k), COULOMB, spin_of(eps), along=True)
-    expected = of_long_ellipse(eps)
-    np.testing.assert_allclose(found.spin_moment, expected[0], rtol=0, atol=1e-9 * MU * Q * B)
-    np.testing.assert_allclose(found.rolling_moment, expected[1], rtol=0, atol=1e-9 * MU * Q * B**2 / R)
 
 
 @pytest.mark.parametrize(("k", "eps"), [(1.3, 0.3), (5.71, -0.1), (9.28, 0.45)])
@@ -176,32 +160,30 @@ def test_a_newtonian_film_has_moments_in_closed_form(k: float, eps: float, g: fl
     """
     film, spin, a = PointLaw(limit=1e9, eyring=g * 5e3, fluidity=1 / 5e3), spin_of(eps), B / k
     per_rate = g * SPEED * np.pi * a * B
-    for along, polar, turned in ((False, a**2 + B**2, a**2 * B**2 / 24), (True, B**2, 0.0)):
-        found = slip(contact(k), film, spin, along=along)
-        np.testing.assert_allclose(found.creep, ROLL * B**2 / (8 * R), rtol=1e-8)  # quadrature of the rim
-        np.testing.assert_allclose(found.spin_moment, per_rate * spin * polar / 4, rtol=1e-8)
-        np.testing.assert_allclose(found.rolling_moment, per_rate * ROLL * (B**4 / 64 + turned) / R**2, rtol=1e-8)
+    found = slip(contact(k), film, spin, 64)
+    np.testing.assert_allclose(found.creep, ROLL * B**2 / (8 * R), rtol=1e-5)  # of 64 nodes, whose rim is round
+    np.testing.assert_allclose(found.spin_moment, per_rate * spin * (a**2 + B**2) / 4, rtol=1e-5)
+    turned = B**4 / 64 + a**2 * B**2 / 24
+    np.testing.assert_allclose(found.rolling_moment, per_rate * ROLL * turned / R**2, rtol=1e-5)
 
 
 @pytest.mark.parametrize("law", [COULOMB, SINH])
-@pytest.mark.parametrize("along", [False, True])
 @pytest.mark.parametrize("k", [1.3, 9.28])
-def test_the_power_is_that_of_the_moments(along: bool, law: PointLaw, k: float) -> None:
+def test_the_power_is_that_of_the_moments(law: PointLaw, k: float) -> None:
     for spin in map(spin_of, (0.0, *SPINS)):
-        found = slip(contact(k), law, spin, along=along)
+        found = slip(contact(k), law, spin)
         done = found.spin_moment * spin + found.rolling_moment * ROLL
-        np.testing.assert_allclose(power(found), done, rtol=1e-12)  # the same nodes; c leaves 1e-14 of force
+        np.testing.assert_allclose(power(found), done, rtol=3e-9)  # the same nodes; c leaves 1e-9 of force
         assert found.spin_moment * spin >= 0
 
 
-@pytest.mark.parametrize("along", [False, True])
 @pytest.mark.parametrize("eps", [0.1, 0.3, -0.45])
-def test_the_moments_are_the_slopes_of_the_power(along: bool, eps: float) -> None:
+def test_the_moments_are_the_slopes_of_the_power(eps: float) -> None:
     """Coulomb friction does not depend on speed: the power's slope by spin is M_spin, and by rolling M_roll."""
     step = 1e-4
 
     def at(spin: float, roll: float) -> Slip:
-        return slip(contact(3.0, rolling_rate=roll), COULOMB, spin, 32, along=along)
+        return slip(contact(3.0, rolling_rate=roll), COULOMB, spin, 32)
 
     spin = spin_of(eps)
     found = at(spin, ROLL)
@@ -211,44 +193,42 @@ def test_the_moments_are_the_slopes_of_the_power(along: bool, eps: float) -> Non
     np.testing.assert_allclose(found.rolling_moment, slope, rtol=1e-4)
 
 
-@pytest.mark.parametrize("along", [False, True])
-def test_a_contact_that_neither_rolls_nor_spins_or_has_no_load_has_no_friction(along: bool) -> None:
-    still = slip(contact(3.0, rolling_rate=0.0), COULOMB, 0.0, along=along)
+def test_a_contact_that_neither_rolls_nor_spins_or_has_no_load_has_no_friction() -> None:
+    still = slip(contact(3.0, rolling_rate=0.0), COULOMB, 0.0)
     assert still.spin_moment == still.rolling_moment == still.slip_speed == still.creep == 0
-    unloaded = slip(contact(3.0, load=0.0), COULOMB, 2.0, along=along)
+    unloaded = slip(contact(3.0, load=0.0), COULOMB, 2.0)
     assert unloaded.spin_moment == unloaded.rolling_moment == unloaded.slip_speed == 0
 
 
-def sums_of(method: SlidingMethod, law: PointLaw, k: float, eps: float) -> float:
+def sums_of(law: PointLaw, k: float, eps: float) -> float:
     """Integrals of both contacts of a ball, one of which does not spin."""
     speeds = {"ring_speed": SPEED, "spin_difference": spin_of(eps), "spin_rule": "outer_control"}
-    found = ball_slip((contact(k), contact(k)), (law, law), method, **speeds)  # pyright: ignore[reportArgumentType]
+    found = ball_slip((contact(k), contact(k)), (law, law), **speeds)  # pyright: ignore[reportArgumentType]
     return float(found.sums)
 
 
 @pytest.mark.parametrize("law", [COULOMB, SINH])
 @pytest.mark.parametrize("k", [1.3, 9.28])
-@pytest.mark.parametrize("method", METHODS)
-def test_the_forceless_creep_takes_few_sums(method: SlidingMethod, law: PointLaw, k: float) -> None:
+def test_the_forceless_creep_takes_few_sums(law: PointLaw, k: float) -> None:
     """Newton's slopes double the digits each time; halving the bracket alone would take fifty in each contact."""
     for eps in (0.0, 1e-9, 1e-4, *map(abs, SPINS)):
-        assert 2 <= sums_of(method, law, k, eps) <= 24
+        assert 2 <= sums_of(law, k, eps) <= 24
 
 
 def test_a_law_that_is_not_a_number_does_not_converge() -> None:
-    assert sums_of("over_ellipse", PointLaw(boundary=np.nan), 3.0, 0.2) == 0
+    assert sums_of(PointLaw(boundary=np.nan), 3.0, 0.2) == 0
 
 
 @pytest.mark.parametrize("law", [COULOMB, PointLaw(boundary=0.03, limit=1e3, eyring=5e6, fluidity=1e3)])
-@pytest.mark.parametrize("sideways", [False, True])
-def test_the_slopes_of_the_sums_are_their_differences(law: PointLaw, sideways: bool) -> None:
+@pytest.mark.parametrize("narrow", [3.0, 3e5])
+def test_the_slopes_of_the_sums_are_their_differences(law: PointLaw, narrow: float) -> None:
     """Newton's slopes, with the jump of the stress where slip along one axis turns round."""
-    slider = slider_of(ContactNumbers(Q, B / 3, B, 0.0, 0.0, 0.0, R, ROLL, 0.0))
+    slider = slider_of(ContactNumbers(Q, B / narrow, B, 0.0, 0.0, 0.0, R, ROLL, 0.0))
     creep, spin, nodes = 0.4 * slider.roll, 0.055, quadrature_of((48, 48))
     step = 1e-5 * slider.roll
 
     def sums(c: float, w: float) -> SlipSums:
-        return slip_sums(slider, law, c, w, nodes, sideways)
+        return slip_sums(slider, law, c, w, nodes)
 
     at, close = sums(creep, spin), 2e-3  # of the nodes near the line where the slip turns round
     by_creep = [(a - b) / (2 * step) for a, b in zip(sums(creep + step, spin), sums(creep - step, spin), strict=True)]

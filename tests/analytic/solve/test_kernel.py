@@ -14,7 +14,6 @@ from analytic.contact.geometry import cut_off_share
 from analytic.loads.kinematics import ball_kinematics
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.scene import STANDARD_GRAVITY, Array, Bearing, ContactAngle, Losses, Operation, Scene
-from analytic.sliding.judge import ALONG_AXIS, OVER_ELLIPSE
 from analytic.solve.model import model_of
 from analytic.solve.records import NO_CAGE_DRIVE, NO_DISTRIBUTION, NO_THRUST, POINT, SETTLED, THROWN, THROWN_WASHERS
 from analytic.solve.solution import Solution, points_of, solved
@@ -42,8 +41,8 @@ def scene_of(bearing: Bearing = BEARING_6205, *, angle: ContactAngle = STEEP, **
     )
 
 
-def found_at(scene: Scene, counted: dict[str, bool], **options: Any) -> Solution:
-    model = model_of(scene, counted, **options)
+def found_at(scene: Scene, counted: dict[str, bool]) -> Solution:
+    model = model_of(scene, counted, free=False)
     return solved(model, points_of(scene.operation, model.temperature))
 
 
@@ -53,13 +52,23 @@ def unequal() -> Solution:
 
 
 def test_a_ring_of_equal_balls_is_one_ball_that_stands_for_all() -> None:
-    """Every sum and every limit; balls whose weight has no direction are a ring without forces of their own."""
+    """Every sum and every limit; a radial load that is nothing asks for the ring."""
     scene = scene_of(axial_load=np.array([430.0, 900.0]), inner_speed=np.array([61.0, -350.0]))
-    alone, ring = (found_at(scene, ROLLING | {"weight": is_ring}) for is_ring in (False, True))
+    slight = scene_of(axial_load=scene.operation.axial_load, inner_speed=scene.operation.inner_speed, radial_load=1e-12)
+    alone, ring = found_at(scene, ROLLING), found_at(slight, ROLLING)
     assert (alone.balls.shape, ring.balls.shape) == ((2, 1), (2, 9))
     for name in present(POINT.names):
         # Of one ball, of the way, and the number of the heaviest of equal balls, which rounding decides.
-        if name not in ("lead_across", "slowness", "steps", "left", "tolerance", "heaviest"):
+        if name not in (
+            "lead_across",
+            "slowness",
+            "steps",
+            "left",
+            "tolerance",
+            "residual",
+            "holding_moment",
+            "heaviest",
+        ):
             # The ring settles to 1e-11 of its forces; balls that are alike lead by rounding of the pitch diameter, and
             # hold the ring by that of their forces.
             np.testing.assert_allclose(ring.points[name], alone.points[name], rtol=1e-7, atol=1e-14, err_msg=name)
@@ -148,7 +157,7 @@ def test_the_oil_s_force_times_twice_the_entrainment_is_the_power_of_rolling() -
 
 def test_spin_alone_is_the_pivoting_of_every_ball_on_its_inner_race() -> None:
     """3/8 mu Q b E(m), at the whole difference of spin where the outer race controls the balls."""
-    found = found_at(scene_of(**UNEQUAL), {"spin": True, "load_distribution": True}, method=OVER_ELLIPSE)
+    found = found_at(scene_of(**UNEQUAL), {"spin": True, "load_distribution": True})
     balls = found.balls[0]
     a, b = balls["semi_axis_rolling"][:, 0], balls["semi_axis_transverse"][:, 0]
     moments = 3 / 8 * 0.07 * balls["load"][:, 0] * b * ellipe(1 - (a / b) ** 2)
@@ -159,7 +168,7 @@ def test_spin_alone_is_the_pivoting_of_every_ball_on_its_inner_race() -> None:
 
 def test_conformity_alone_is_the_slip_of_curved_contacts_without_a_net_force() -> None:
     """Heathcote's slip of long ellipses: mu p w_r |y^2 - y_0^2|/(2 R), where as much pulls forwards as backwards."""
-    found = found_at(scene_of(**UNEQUAL), {"conformity": True, "load_distribution": True}, method=ALONG_AXIS)
+    found = found_at(scene_of(**UNEQUAL), {"conformity": True, "load_distribution": True})
     still = brentq(lambda share: share - share**3 / 3 - 1 / 3, 0.0, 1.0)  # y_0/b, which halves the load
     slides, _ = quad(lambda share: 1.5 * (1 - share**2) * abs(share**2 - still**2), 0.0, 1.0, points=[still])
     balls, power = found.balls[0], 0.0
@@ -168,7 +177,8 @@ def test_conformity_alone_is_the_slip_of_curved_contacts_without_a_net_force() -
         rate = np.abs(balls["motion"][f"{'inner' if race == 0 else 'outer'}_rolling_rate"])
         slip = rate * balls["semi_axis_transverse"][:, race] ** 2 / (2 * radius) * slides
         power += np.sum(0.07 * balls["load"][:, race] * slip)
-    np.testing.assert_allclose(found.points["conformity"], power, rtol=1e-3)  # of the quadrature over the ellipse
+    # The turn by conformity adds 15 % at most where contacts are four times as long as wide (test_ellipse.py).
+    assert 1 < found.points["conformity"][0] / power < 1.15
 
 
 def moment_of(balls: Any, bearing: Bearing, speed: float) -> Array:
@@ -182,12 +192,9 @@ def test_a_ball_is_held_by_the_friction_of_both_races(unequal: Solution) -> None
     balls, bearing = unequal.balls[0], BEARING_6205
     arm = bearing.ball_radius * 0.07 * balls["load"].sum(axis=1)
     np.testing.assert_allclose(balls["gyroscopic_hold"], moment_of(balls, bearing, 210.0) / arm, rtol=1e-9)
-    used = bearing.ball_radius * np.sum(balls["friction_coefficient"] * balls["load"], axis=1)
-    np.testing.assert_allclose(balls["gyroscopic_use"], moment_of(balls, bearing, 210.0) / used, rtol=1e-9)
     smooth = replace(scene_of(**UNEQUAL), friction_coefficient=0.0)
     nothing = found_at(smooth, ROLLING).balls[0]
     assert np.all(np.isinf(nothing["gyroscopic_hold"]))
-    assert np.all(np.isinf(nothing["gyroscopic_use"]))
     still = found_at(replace(smooth, operation=replace(smooth.operation, inner_speed=np.zeros(1))), ROLLING).balls[0]
     assert not np.any(still["gyroscopic_hold"])
 
@@ -250,22 +257,6 @@ def test_unequal_loads_press_the_heaviest_ball_as_stribeck_has_it(factor: float,
     assert (point["status"] == THROWN) == (factor > 1)
 
 
-@pytest.mark.parametrize(("share", "is_near"), [(1.49, True), (1.51, False)])
-def test_a_ball_comes_off_below_one_and_a_half_times_its_weight(share: float, is_near: bool) -> None:
-    """Where balls off the races do not roll in oil, all of its resistance to rolling is then gone."""
-    angle = ContactAngle(rule="given", value=0.37)
-    weight = BEARING_6205.ball_mass * STANDARD_GRAVITY
-    axial = share * weight * BEARING_6205.ball_count * np.sin(0.37)
-    scene = scene_of(angle=angle, axial_load=axial, inner_speed=5.0)
-    point = found_at(scene, ROLLING).points[0]
-    assert bool(point["at_edge"][0]) == is_near
-    assert point["coming_off"] == pytest.approx(point["rolling"] if is_near else 0.0, rel=1e-12)
-    less = found_at(scene, ROLLING | {"unloaded_balls": True}).points[0]["coming_off"]
-    assert (0 < less < point["rolling"]) == is_near  # balls off the races roll in their clearance
-    still = found_at(scene, ROLLING | {"rolling": False}).points[0]
-    assert not np.any(still["at_edge"])
-
-
 def test_a_thrust_the_other_way_is_no_missing_load() -> None:
     """A thrust of 3000 N holds balls as well in both directions, beside a small radial load."""
     counted = ROLLING | {"centrifugal": True}
@@ -286,25 +277,6 @@ def test_a_ball_on_the_outer_race_alone_does_not_come_off() -> None:
     assert (outer > 0).all()
     assert (inner == 0).any()
     assert inner[inner > 0].min() > 1.5 * BEARING_6205.ball_mass * STANDARD_GRAVITY
-    assert found.points["coming_off"][0] == 0
-
-
-@pytest.mark.parametrize(("share", "is_near"), [(1.49, True), (1.51, False)])
-@pytest.mark.parametrize("force", ["centrifugal", "gyroscopic"])
-def test_a_ball_is_at_the_edge_below_one_and_a_half_times_a_force_of_its_own(
-    share: float, is_near: bool, force: str
-) -> None:
-    """A gyroscopic moment presses on both races as its part across the axis of rotation over the radius."""
-    angle, axial = ContactAngle(rule="given", value=0.37), 2.1
-    load = axial / (BEARING_6205.ball_count * np.sin(0.37))
-    balls = found_at(scene_of(angle=angle, axial_load=axial, inner_speed=1.0), {}).balls[0]
-    one = {
-        "centrifugal": BEARING_6205.ball_mass * BEARING_6205.pitch_diameter / 2 * balls["motion"]["cage_speed"][0] ** 2,
-        "gyroscopic": moment_of(balls, BEARING_6205, 1.0)[0] / BEARING_6205.ball_radius,
-    }[force]
-    speed = np.sqrt(load / (share * one))
-    point = found_at(scene_of(angle=angle, axial_load=axial, inner_speed=speed), ROLLING).points[0]
-    assert bool(point["at_edge"][{"centrifugal": 1, "gyroscopic": 2}[force]]) == is_near
 
 
 def test_a_temperature_belongs_to_its_point() -> None:
@@ -314,11 +286,14 @@ def test_a_temperature_belongs_to_its_point() -> None:
         surface=FINISH,
         friction_coefficient=None,
     )
-    model = model_of(scene, ROLLING | {"asperities": True})
+    model = model_of(scene, ROLLING | {"asperities": True}, free=False)
     points = points_of(scene.operation, model.temperature)
     points[1:, 4] += [21.0, -13.0]
     together = solved(model, points).points["total"]
-    apart = [solved(model_of(scene, ROLLING | {"asperities": True}), points[[i]]).points["total"][0] for i in range(3)]
+    apart = [
+        solved(model_of(scene, ROLLING | {"asperities": True}, free=False), points[[i]]).points["total"][0]
+        for i in range(3)
+    ]
     np.testing.assert_allclose(together, apart, rtol=1e-9)  # of fits that begin where the last point was
     assert together[0] != together[1]
 
@@ -344,10 +319,10 @@ def test_a_cage_at_rest_on_its_balls_is_that_beside_the_kernel(coefficient: floa
     light: dict[str, Any] = UNEQUAL | {"radial_load": 40.0, "moment": 0.3}
     cage = replace(STAMPED_CAGE, friction_coefficient=coefficient)
     scene = replace(scene_of(**light), cage=cage, friction_coefficient=None, surface=FINISH)
-    out = ("cage_dynamics", "ball_dynamics", "centrifugal", "gyroscopic", "finite_geometry")
+    out = ("cage_dynamics", "ball_dynamics", "centrifugal", "gyroscopic", "finite_geometry", "weight", "unloaded_balls")
     effects: dict[str, Any] = dict.fromkeys(out, "off")
     effects |= {"inlet_heating": "off", "starvation": "off", "creep": "off"}
-    series = friction_torque(replace(scene, sliding="single_coefficient", effects=effects))
+    series = friction_torque(replace(scene, effects=effects))
     counted = ROLLING | {"cage": True}
     point = found_at(scene, counted).points[0]
     np.testing.assert_allclose(point["cage"], present(series.torque.cage)[0], rtol=1e-8)  # of the ring's balance
@@ -388,37 +363,3 @@ def test_loads_of_no_thrust_are_told_apart(bearing_6205: Bearing) -> None:
         point = found_at(scene_of(bearing_6205, **loads, inner_speed=7.0), counted).points[0]
         assert point["status"] == status
         assert np.isnan(point["total"]) == (status != SETTLED)
-
-
-@pytest.mark.parametrize("orbits", [0.0, 5.0])
-def test_a_loose_ball_is_at_the_edge_where_its_weight_could_close_its_gap(orbits: float) -> None:
-    """A radial load in the plane of the balls: the gap at psi is P_d/2 - delta cos(psi), with delta of the first ball.
-
-    One and a half weights close the gap by the approach under them. A ball that its centrifugal force, here five
-    weights, holds in the outer groove also rolls up there: by the lean squared over 2 of the groove's radius less its
-    own. The third ball, at 80 deg, is the next one to be pressed.
-    """
-    weight, counted = BEARING_6205.ball_mass * STANDARD_GRAVITY, ROLLING | {"centrifugal": orbits > 0}
-    unit = BEARING_6205.ball_mass * BEARING_6205.pitch_diameter / 2 * 0.4**2  # nearly
-    loads = {"axial_load": 0.0, "radial_load": 900.0, "inner_speed": np.sqrt(orbits * weight / unit)}
-
-    def third(clearance: float) -> tuple[float, bool]:
-        """Its gap over what closes it, and whether a ball is at the edge by its weight."""
-        bearing = with_clearance(BEARING_6205, clearance)
-        found = found_at(scene_of(bearing, **{"angle": ContactAngle(rule="solved"), **loads}), counted)
-        point, first, ball = found.points[0], *found.balls[0, [0, 2]]
-        assert point["status"] == SETTLED
-        softness = first["approach"] / first["load"] ** (2 / 3)
-        held = ball["load"][1] if orbits else 0.0
-        way = clearance / 2 - (first["approach"].sum() + clearance / 2) * np.cos(np.radians(80))
-        lean = 1.5 * weight / held if orbits else 0.0
-        rise = (bearing.outer.groove_radius - bearing.ball_radius) * lean**2 / 2
-        closes = softness.sum() * (1.5 * weight) ** (2 / 3) + rise
-        return float((way + softness[1] * held ** (2 / 3)) / closes), bool(point["at_edge"][0])
-
-    limit = brentq(lambda clearance: third(clearance)[0] - 1, 4e-6, 60e-6, xtol=1e-12)
-    step = 0.02 * limit / (third(1.02 * limit)[0] - 1)  # by which the ratio grows by 1
-    for ratio in (0.3, 0.7, 0.97, 1.03, 1.4, 3.0):
-        found, is_near = third(limit + (ratio - 1) * step)
-        assert found == pytest.approx(ratio, rel=0.02)
-        assert is_near == (ratio < 1)

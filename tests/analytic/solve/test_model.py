@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from analytic.contact.factors import ContactCorrection, ContactFactors
-from analytic.free_ball.turning import FreeNumbers
 from analytic.scene import STANDARD_GRAVITY, ContactAngle, Losses, Scene
 from analytic.sliding.long_ellipse import RULES
-from analytic.solve.model import Counted, model_of, weights_of
+from analytic.solve.model import Counted, Model, first_level
+from analytic.solve.model import model_of as model_in
 from tests.analytic.specimens import BEARING_6205, FINISH, OIL, STAMPED_CAGE, thrust
 
 SCENE = Scene(
@@ -25,6 +25,10 @@ ALL = dict.fromkeys(Counted._fields, True)
 DOWN = (0.48, -0.64, 0.6)
 
 
+def model_of(scene: Scene, counted: dict[str, bool], *, free: bool = False, **options: Any) -> Model:
+    return model_in(scene, counted, free=free, **options)
+
+
 def counted_in(model: Any) -> set[str]:
     return {name for name in Counted._fields if bool(getattr(model.numbers.counted, name))}
 
@@ -35,8 +39,7 @@ def test_a_model_has_the_numbers_of_its_scene() -> None:
     assert float(model.numbers.arm) == pytest.approx(15.53e-3 + 4.13e-3, rel=1e-12)  # of the groove's centre
     assert float(model.numbers.declared) == pytest.approx(3.8e-3, rel=1e-12)
     assert (model.temperature, bool(model.numbers.has_oil)) == (313.15, True)
-    assert (model.creep, len(model.tables.quadratures), model.tables.law.size) == (None, 0, 0)
-    assert not np.any(model.weights)
+    assert (model.is_free, model.tables.law.size) == (False, 0)
     dry = model_of(replace(SCENE, lubricant=None, surface=None, friction_coefficient=0.07, losses=Losses()), {})
     assert (dry.temperature, bool(dry.numbers.has_oil), float(dry.numbers.declared)) == (0.0, False, 0.0)
 
@@ -47,39 +50,30 @@ def test_balls_by_rule_that_stand_for_free_ones_are_balanced(rule: Any) -> None:
     assert found == RULES["balanced" if rule == "free" else rule]
 
 
-def test_weights_point_down_on_every_ball() -> None:
-    """Radial and axial part; the balls stand at 2 pi j/Z from x on."""
-    psi = 2 * np.pi * np.arange(9) / 9
+@pytest.mark.parametrize("down", [DOWN, None])
+def test_weights_point_down_on_every_ball(down: Any) -> None:
+    """Radial and axial part; the balls stand at 2 pi j/Z from x on. Without a direction x is down."""
+    psi, (x, y, z) = 2 * np.pi * np.arange(9) / 9, down or (1.0, 0.0, 0.0)
     weight = BEARING_6205.ball_mass * STANDARD_GRAVITY
-    radial = weight * (DOWN[0] * np.cos(psi) + DOWN[1] * np.sin(psi))
-    expected = np.stack([radial, np.full(9, weight * DOWN[2])], axis=1)
-    np.testing.assert_allclose(weights_of(BEARING_6205, DOWN), expected, rtol=1e-12, atol=1e-12 * weight)
-    assert not np.any(weights_of(BEARING_6205, None))
-    scene = replace(SCENE, down=DOWN)
-    heavy, light = model_of(scene, {"weight": True}), model_of(scene, {})
+    expected = np.stack([weight * (x * np.cos(psi) + y * np.sin(psi)), np.full(9, weight * z)], axis=1)
+    heavy, light = (model_of(replace(SCENE, down=down), {"weight": on}) for on in (True, False))
     np.testing.assert_allclose(heavy.balls["weight"], expected, rtol=1e-12, atol=1e-12 * weight)
     assert not np.any(light.balls["weight"])
-    np.testing.assert_array_equal(light.counting({"weight": True}).balls["weight"], heavy.balls["weight"])
-    assert not np.any(heavy.counting({}).balls["weight"])
-    turned = heavy.weighing(2 * expected)
-    np.testing.assert_array_equal(turned.balls["weight"], 2 * expected)
-    np.testing.assert_allclose(heavy.balls["weight"], expected, rtol=1e-12, atol=1e-12 * weight)
 
 
 def test_a_model_with_other_numbers_leaves_the_first_one_alone() -> None:
     model = model_of(SCENE, ALL)
-    other = model.with_numbers(passes=3, allowed=0.02)
-    assert (int(other.numbers.passes), float(other.numbers.allowed)) == (3, 0.02)
-    assert (int(model.numbers.passes), float(model.numbers.allowed)) == (0, 0.0)
-    fewer = model.counting({"spin": True})
-    assert counted_in(fewer) == {"spin"}
-    assert counted_in(model) == set(Counted._fields)
-    assert (bool(fewer.numbers.resistance.rolls), bool(fewer.numbers.resistance.elastic)) == (False, False)
+    other = model.with_numbers(level=3, allowed=0.02)
+    assert (int(other.numbers.level), float(other.numbers.allowed)) == (3, 0.02)
+    assert (int(model.numbers.level), float(model.numbers.allowed)) == (
+        first_level(SCENE.tolerance),
+        SCENE.tolerance / 2,
+    )
 
 
 @pytest.mark.parametrize("name", ["rolling", "hysteresis", "asperities", "inlet_heating", "starvation"])
 def test_an_effect_of_the_oil_reaches_what_it_acts_on(name: str) -> None:
-    numbers = model_of(SCENE, {}).counting({name: True}).numbers
+    numbers = model_of(SCENE, {name: True}).numbers
     assert (bool(numbers.resistance.rolls), bool(numbers.resistance.elastic)) == (
         name == "rolling",
         name == "hysteresis",
@@ -112,8 +106,7 @@ def test_an_effect_of_the_oil_reaches_what_it_acts_on(name: str) -> None:
 )
 def test_inlets_starve_where_the_supply_of_oil_is_known(changed: dict[str, Any], starves: bool) -> None:
     model = model_of(replace(SCENE, **changed), ALL)
-    again = model.counting({}).counting(ALL)
-    for race in (again.numbers.resistance.inner, again.numbers.resistance.outer):
+    for race in (model.numbers.resistance.inner, model.numbers.resistance.outer):
         assert bool(race.starves) == starves
 
 
@@ -125,16 +118,6 @@ def test_factors_of_points_go_with_their_points() -> None:
     same = model_of(SCENE, {}, correction=ContactCorrection(outer=ContactFactors(approach=1.01)))
     assert same.at(np.array([2, 0])) is same
     assert len(model_of(SCENE, {}).tables.factors) == 0
-
-
-def test_balls_that_turn_freely_take_inertia_as_it_counts() -> None:
-    model = model_of(SCENE, {"centrifugal": True})
-    free = model.turning_freely(BEARING_6205, "closed")
-    assert (free.creep, model.creep) == ("closed", None)
-    assert len(free.tables.quadratures) > 1
-    own = model_of(SCENE, {"centrifugal": True}, creep="closed")
-    for name in FreeNumbers._fields:
-        np.testing.assert_array_equal(getattr(free.numbers.free, name), getattr(own.numbers.free, name), err_msg=name)
 
 
 def test_a_cage_counts_where_the_scene_has_one() -> None:

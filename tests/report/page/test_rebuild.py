@@ -153,7 +153,7 @@ def put(document: dict[str, Any], place: str | tuple[str, ...], value: object) -
         ("verdicts.3.verdict", "good", ["verdicts.3.verdict = 'good'", "outside validity"]),
         ("tolerance", float("inf"), ["Infinity is no number of JSON"]),
         ("tolerance", float("nan"), ["NaN is no number of JSON"]),
-        ("format", 7, ["format 7", "reads format 6", "is of fembearing 0.1.0"]),
+        ("format", 8, ["format 8", "reads format 7", "is of fembearing 0.1.0"]),
         ("kind", "sweep", ["no report of `fembearing validate`"]),
         ("pictures.0.file", "../secret.png", ["pictures.0 has a picture '../secret.png', which is no plain name"]),
         ("pictures.0.pair", "pocket", ["has no contact for the picture"]),
@@ -218,7 +218,7 @@ def test_a_missing_key_is_named_with_both_versions_where_they_differ(document: d
         (b"[1, 2]", "no report of"),
         (b'"text"', "no report of"),
         (b"{}", "no report of"),
-        (b'{"kind": "fembearing validation", "format": 6, "tolerance": 1e999}', "tolerance inf is larger than"),
+        (b'{"kind": "fembearing validation", "format": 7, "tolerance": 1e999}', "tolerance inf is larger than"),
         (None, "No such file or directory; give the report.json"),
     ],
 )

@@ -105,70 +105,6 @@ def test_every_total_of_the_page_is_that_of_the_numbers(document: Document, tmp_
     assert "Smallest</span> <strong>12.30 N mm</strong> <span>point 11: 630 N axial, 171 rpm" in headline
 
 
-def test_the_interval_and_the_standing_of_the_torque_come_before_the_check(document: Document, tmp_path: Path) -> None:
-    """To first order, by samples where there are any, or not known; the torque is named before anything passes."""
-    count = len(document["torque"]["points"])
-    document["torque"]["interval"] = [[0.0107, 0.0943]] * count
-    document["torque"]["standing"] = {"word": "check", "reason": "far below all makers"}
-    text = " ".join(unescape(summary_of(written(document, tmp_path))).split())
-    assert "95 % interval 10.7-94.3 N mm; " in text
-    assert text.index("<strong>check</strong> far below all makers") < text.index("References and limits")
-    document["torque"]["interval"] = [None] * count
-    assert "95 % interval not known; " in summary_of(written(document, tmp_path))
-    points = document["torque"]["points"]
-    document["torque"]["prediction"] = predicted(points, low=0.8, high=1.57)
-    largest = max(point["torque"]["total"] for point in points)
-    assert f"-{1.57e3 * largest:.3g} N mm; " in summary_of(written(document, tmp_path))
-
-
-def predicted(points: list[dict[str, Any]], *, low: float, high: float) -> dict[str, Any]:
-    """An interval of these shares of each total; all else is empty."""
-    loads = ("inner_speed", "axial_load", "radial_load", "moment")
-    return {
-        "covered": 0.95,
-        "points": [
-            {name: point[name] for name in loads}
-            | {
-                "nominal": (total := point["torque"]["total"]),
-                "total": {
-                    "low": low * total,
-                    "median": total,
-                    "high": high * total,
-                    "low_error": 0.0,
-                    "high_error": 0.0,
-                },
-                "parts": {},
-                "made_of": {},
-                "indices": {"first": [0.4], "total": [0.5], "first_error": [0.1], "total_error": [0.2]},
-                "explained": 0.9,
-            }
-            for point in points
-        ],
-        "inputs": [
-            {"key": "friction.coefficient", "value": 0.1, "unit": "", "deviation": 0.02, "source": "judgement"}
-            | {"floor": 0.0, "kind": "input"}
-        ],
-        "not_varied": ["all else"],
-        "samples": 512,
-        "failed": 0,
-        "reasons": [],
-        "seed": 3,
-        "seconds": 7.0,
-        "evaluation_seconds": 6.0,
-    }
-
-
-def test_the_contacts_stand_with_ball_load_point_and_verdict(made: Validation, tmp_path: Path) -> None:
-    tables = Tables(written(plain(report_of(made)), tmp_path))
-    inner, outer, pocket = tables.rows["Contacts: Hertz against finite elements"][1:]
-    assert inner[:2] == ("inner race", "371.5")
-    assert inner[3:5] == ("1.785", "1.700")
-    assert inner[5:] == ("+2.00 ± 1.14", "-2.00 ± 2.03", "+10.00 ± 1.80", "+5.00 ± 1.39", "-3.00 ± 1.41", "fail")
-    assert outer[-1] == "outside validity"
-    assert pocket[:3] == ("cage pocket", "28.50", "-")
-    assert "the heaviest ball, at point 3: 910 N axial, 600 rpm" in " ".join(tables.text.split())
-
-
 def test_who_signs_is_shown_as_text(document: Document, tmp_path: Path) -> None:
     people = {"author": "<img src=x onerror=alert(1)>", "checker": "B & <b>Chen</b>", "revision": '"C"', "date": "a<b"}
     document["report"] |= people
@@ -218,21 +154,6 @@ def test_green_is_the_box_of_all_verdicts_only_where_all_hold(
     assert box[1] == word.split()[0]
 
 
-def test_each_physical_limit_stands_with_number_place_and_point(document: Document, tmp_path: Path) -> None:
-    document["physical"] = [
-        {"name": "peak_pressure", "where": "inner race", "point": 1, "value": 4.71e9, "limit": 4.2e9, "unit": "Pa"}
-        | {"verdict": "fail", "note": "It yields."},
-        {"name": "shoulder", "where": "outer race", "point": 2, "value": None, "limit": 0.1, "unit": "1"}
-        | {"verdict": "unknown", "note": "The shoulder is not known."},
-    ]
-    text = written(document, tmp_path)
-    first, second = Tables(text).rows["Physical limits"][1:]
-    assert first == ("peak pressure", "inner race", "2", "4.71 GPa", "4.2 GPa", "fail")
-    assert second == ("load cut off", "outer race", "3", "unknown", "10 %", "unknown")
-    assert "It yields." in summary_of(text)
-    assert "The shoulder is not known." in summary_of(text)
-
-
 def test_long_words_of_a_scene_do_not_lengthen_the_summary(document: Document, tmp_path: Path) -> None:
     document["warnings"] = [f"{number} {'word ' * 400}" for number in range(50)]
     others = len({check["note"] for check in document["physical"] if check["verdict"] != "pass"})
@@ -249,20 +170,3 @@ def test_every_table_says_what_its_rows_and_columns_are(document: Document, tmp_
     assert not re.findall(r"<th(?![^>]*scope=)[ >]", text)  # thead is another tag
     assert all(re.findall(r"<th|<thead", table) for table in re.findall(r"<table.*?</table>", text, re.DOTALL))
     assert not re.findall(r"<img(?![^>]*alt=)", text)
-
-
-def test_the_page_says_why_the_ball_loads_of_contacts_and_torque_differ(document: Document, tmp_path: Path) -> None:
-    """Where the torque's contacts have the fit for finite geometry; those that are compared are Hertz's as they are."""
-    why = "The torque includes the fit for finite geometry"
-    assert document["torque_change"]["finite_geometry"] is not None  # beside the torque, and not in its contacts
-    assert why not in unescape(written(document, tmp_path))
-    document["torque_change"]["finite_geometry"] = None
-    assert why in unescape(summary_of(written(document, tmp_path)))
-
-
-def test_a_page_in_inches_says_that_its_notes_are_metric(document: Document, tmp_path: Path) -> None:
-    document["torque"]["notes"] = ["The combined roughness is 0.1 um."]
-    said = "Notes and warnings are in metric units"
-    assert said not in summary_of(written(document, tmp_path))
-    document["report"]["units"] = "inch"
-    assert said in summary_of(written(document, tmp_path))

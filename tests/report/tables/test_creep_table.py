@@ -71,21 +71,3 @@ def test_a_quantity_has_its_three_values_and_a_star_beyond_the_uncertainty() -> 
         ["power, W", "0.45", "0.25", "0.25", "+0.0%  ", "0.0%"],
     ]
     assert whole.rows == [["torque by sliding, N mm", "3.1", "2.9", "2.5", "+16.0% *", "4.9%"]]
-
-
-def test_notes_tell_what_a_creep_leaves_out() -> None:
-    """Balls that are not solved, a ring that stays where production places it, and a ball that does not spin."""
-
-    def said(**changed: Any) -> str:
-        return " ".join(creep_table(numbers(**changed)).notes)
-
-    spinning = CreepQuantity(formula=2600.0, production=2200.0, reference=2500.0, uncertainty=50.0)
-    plain = said()
-    assert "by -13.8%, -0.4 N mm, +- 4.9 %." in plain  # 2.5 of 2.9 N mm
-    assert "different balls" not in plain
-    assert "position of the ring" not in plain
-    assert "The ball does not spin" in plain
-    assert "does not spin" not in said(outer=race(spin_creepage=spinning))
-    assert "2 of 5 different balls are solved" in said(solved_balls=2, different_balls=5)
-    for load in ({"radial_load": 130.0}, {"moment": 2.5}):
-        assert "position of the ring" in said(point=replace(numbers().point, **load))

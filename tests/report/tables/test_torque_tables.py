@@ -88,22 +88,6 @@ def test_a_torque_alone_has_its_parts_and_the_solver_error() -> None:
     assert table.label == "Friction torque of two 6205, axial load 700 N, radial load 130 N"
 
 
-def test_notes_tell_each_formula_where_it_is_most_uncertain_and_how_many_points_are_shown() -> None:
-    torque = record(
-        point(0, uncertainty=uncertain(0.18, {"film": 0.13, "gap": 0.07})),
-        point(1, uncertainty=uncertain(0.21, {"film": 0.11, "rolling": 0.05})),
-        point(2, uncertainty=uncertain(None)),
-    )
-    some, *others = torque_table(torque, "6205", [0, 2]).notes
-    assert some.startswith("2 of 3 operating points")
-    assert others == torque_table(torque, "6205", range(3)).notes  # of all points, whatever is shown
-    by = "film formula 13 %, law of the load on asperities 7 %, formula of rolling 5 %"
-    assert f"up to 21 % of the total, by {by}." in others[1]
-    assert others[2] == "No maker's formula holds."
-    dry = record(point(0), point(1))
-    assert "Model uncertainty: not known without oil." in torque_table(dry, "6205", range(2)).notes[1]
-
-
 def pressed(number: int, angle: float, pocket: float | None) -> TorquePoint:
     return point(
         number,
@@ -139,12 +123,6 @@ def test_the_heaviest_ball_has_a_row_for_each_race() -> None:
         "transverse; asperities: their share of the load.",
         "Friction coefficient of ball on pocket: 0.11, 0.12.",
     ]
-
-
-def test_the_heaviest_ball_of_a_dry_bearing_has_no_film() -> None:
-    table = ball_table(record(point(0)), [0])
-    assert [head.text for head in table.heads][6:] == ["mu", "contact angle, deg (rad)"]
-    assert table.notes == ["Contact angle 17.26 deg (0.3013 rad), mean of both races. a along rolling, b transverse."]
 
 
 def test_each_bearing_of_a_pair_has_its_loads_and_the_first_one_the_stiffness() -> None:
@@ -185,10 +163,3 @@ def test_a_change_stands_beside_that_of_the_fit() -> None:
     assert verdict.endswith("not all within the tolerance: undecided.")
     fitted = ChangeByFit(change=(0.0267, 0.02), uncertainty=(0.0031, 0.0058))
     assert "+- 0.58 %" in change_table(points, replace(CHANGE, finite_geometry=fitted), [0]).notes[1]
-
-
-def test_a_change_with_the_fit_in_its_contacts_is_without_its_column() -> None:
-    table = change_table([point(0), point(1)], replace(CHANGE, finite_geometry=None, verdict="pass"), [0])
-    assert [head.text for head in table.heads][-1] == "change, %"
-    assert [len(row) for row in table.groups[0].rows] == [len(table.heads)]
-    assert len(table.notes) == 1

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from analytic.errors import InputError
+from analytic.errors import FembearingError
 from analytic.result import FrictionTorque
 from analytic.scene import ContactAngle, Operation
 from analytic.torque import friction_torque
@@ -59,7 +59,6 @@ def test_every_form_is_seen(text: str) -> None:
 
 def texts_of(found: FrictionTorque) -> Iterator[str]:
     yield from found.warnings
-    yield from found.unknown
     yield from (effect.reason for effect in found.effects)
     yield from map(str, found.provenance.values())
 
@@ -92,7 +91,7 @@ def check(result: SceneTorque) -> None:
     ],
 )
 def test_refusals_have_none_either(text: str) -> None:
-    with pytest.raises(InputError) as caught:
+    with pytest.raises(FembearingError) as caught:
         friction_torque(scene(text))
     for what, form in FORBIDDEN.items():
         assert not re.search(form, str(caught.value)), f"{what}: {caught.value}"

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import replace
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -11,7 +10,7 @@ import pytest
 from analytic.errors import InputError
 from analytic.scene import Contact
 from analytic.scenefile.read import load_scene
-from fembearing.grid_convergence import CAUTIOUS, LEAST, Estimate
+from fembearing.grid_convergence import CAUTIOUS, LEAST
 from fembearing.mesh.recipe import Geometry, Recipe, load_recipe
 from fembearing.progress import silent
 from fembearing.verify.contact import load_series as module
@@ -20,7 +19,6 @@ from fembearing.verify.contact.hertz import hertz_quantities
 from fembearing.verify.contact.load_series import LoadSeries, SolvedLoad, compare_series, solve_load_series
 from fembearing.verify.contact.power_law import StiffnessLaw
 from fembearing.verify.contact.reference import solve_reference
-from fembearing.verify.contact.uncertainty import OFF_MESH
 from tests.analytic.specimens import present
 
 LOADS = np.geomspace(11.0, 980.0, 13)  # a factor of 89: three meshes
@@ -207,89 +205,6 @@ def test_loads_above_the_static_limit_have_one_warning(
     assert peaks == [True, False, True]
     (message,) = (warning for warning in series.warnings if "static limit" in warning)
     assert "at 2250 N is above the static limit, 4.2 GPa" in message
-
-
-def part_of_series(contact: Contact, **changed: Any) -> SolvedLoad:
-    """A solved load, its approach uncertain by 0.3 %, of which the block has 0.05 %; Hertz is 2 % above it."""
-    value = hertz_quantities(contact).approach / 1.02
-    usual = {"shoulder": None, "mesh": 3e-3}
-    assert set(changed) <= set(usual)
-    how = usual | changed
-    mesh: Any = SimpleNamespace(contact=contact, shoulder=how["shoulder"])
-    part = Estimate(values=(value,), order=None, richardson=None, mesh=how["mesh"], domain=5e-4)
-    return SolvedLoad(mesh, {"approach": part}, 1e-3)
-
-
-@pytest.mark.parametrize(
-    ("accuracy", "tolerance", "changed", "geometry", "refined"),
-    [
-        (4e-3, 0.05, {}, "real", False),
-        (2e-3, 0.05, {}, "real", True),  # less certain than required
-        (4e-3, 0.021, {}, "real", True),  # 2 % against 2.1 %: the interval straddles the tolerance
-        (4e-3, 0.021, {}, "wall", False),  # a sheet is not judged
-        (4e-3, 0.021, {"shoulder": object()}, "real", False),  # nor is a contact at its shoulder
-        (2e-3, 0.021, {"shoulder": object()}, "real", True),
-        (1e-4, 0.05, {"mesh": 2e-4}, "real", False),  # what the block leaves hides the meshes
-    ],
-)
-def test_a_load_is_solved_on_its_own_meshes_where_these_could_say_more(
-    contacts: dict[str, Contact],
-    monkeypatch: pytest.MonkeyPatch,
-    accuracy: float,
-    tolerance: float,
-    changed: dict[str, Any],
-    geometry: Geometry,
-    refined: bool,
-) -> None:
-    contact, asked = contacts["inner"], []
-
-    def alone(own: Contact, **how: Any) -> Any:
-        asked.append((own.load, how["accuracy"], how["quantities"]))
-        return SimpleNamespace(meshes=("coarse", "fine"), estimates="estimates")
-
-    monkeypatch.setattr(module, "solve_reference", alone)
-    found = module._refined(
-        {372.0: part_of_series(contact, **changed)},
-        recipe=replace(load_recipe("race"), geometry=geometry),
-        tolerance=tolerance,
-        accuracy=accuracy,
-        progress=silent,
-    )
-    assert found == ({372.0: ("fine", "estimates", 0.0)} if refined else {})
-    assert asked == ([(contact.load, accuracy, ("approach",))] if refined else [])
-
-
-def test_refinement_tells_its_progress_and_keeps_what_is_too_wide_for_its_own_mesh(
-    contacts: dict[str, Contact], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    solved = {load: part_of_series(replace(contacts["inner"], load=load)) for load in (140.0, 290.0, 372.0, 650.0)}
-    shares: list[float] = []
-
-    def alone(own: Contact, *, undecided: Any, progress: Any, **_: Any) -> Any:
-        progress(0.0, "begins")
-        progress(1.0, "ends")
-        assert undecided(solved[own.load].estimates)  # 2 % against 2.1 % of this very load
-        if own.load == 290.0:
-            raise InputError("too wide")
-        return SimpleNamespace(meshes=(own.load,), estimates={})
-
-    monkeypatch.setattr(module, "solve_reference", alone)
-    found = module._refined(
-        solved,
-        recipe=load_recipe("race"),
-        tolerance=0.021,
-        accuracy=1e-3,
-        progress=lambda share, _: shares.append(share),
-    )
-    assert list(found) == [140.0, 372.0, 650.0]
-    np.testing.assert_allclose(shares, [0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1], rtol=1e-12)
-
-
-def test_an_ellipse_off_its_mesh_is_uncertain_in_proportion_up_to_a_tenth() -> None:
-    for off, share in ((0.0, 0.0), (0.04, 0.4), (-0.07, 0.7), (0.1, 1.0), (0.3, 1.0)):
-        pair = SimpleNamespace(semi_axes=(0.1e-3, 0.7e-3))
-        solution: Any = SimpleNamespace(pair=pair, semi_axes=(0.1e-3 * (1 + off), 0.7e-3 * (1 - off / 2)))
-        assert module.off_mesh_uncertainty(solution) == pytest.approx(share * OFF_MESH, rel=1e-9)  # round-off
 
 
 def test_a_series_as_a_table_has_a_row_for_each_load(ideal: LoadSeries) -> None:

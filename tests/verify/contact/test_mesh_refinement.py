@@ -10,18 +10,14 @@ import pytest
 from analytic.scene import Contact
 from fembearing.fem.measure import Quantities, ShoulderLoad
 from fembearing.fem.solution import solve_on_mesh
-from fembearing.grid_convergence import CAUTIOUS, FINEST, LEAST, Estimate
+from fembearing.grid_convergence import CAUTIOUS, FINEST, LEAST
 from fembearing.mesh.recipe import load_recipe
 from fembearing.progress import silent
-from fembearing.verify.contact import mesh_refinement as module
 from fembearing.verify.contact.mesh_refinement import (
-    FORMAL_ORDERS,
     STRIP_LEAST,
-    _predicted_level,
     estimates_of,
-    solve_by_levels,
 )
-from fembearing.verify.contact.meshed_region import Boundary, has_sides, sides_farther
+from fembearing.verify.contact.meshed_region import has_sides, sides_farther
 from fembearing.verify.contact.reference import solve_reference
 from fembearing.verify.contact.uncertainty import FARTHER_LEFT, SIDES_LEFT, SIDES_LEFT_IN_OTHERS
 
@@ -34,18 +30,6 @@ def coarse_and_fine(change: float) -> list[Any]:
         SimpleNamespace(level=1, shoulder=None, quantities=SimpleNamespace(semi_axis_rolling=0.7e-3 * (1 + change))),
         SimpleNamespace(level=2, shoulder=None, quantities=SimpleNamespace(semi_axis_rolling=0.7e-3)),
     ]
-
-
-@pytest.mark.parametrize(("missed_by", "level"), [(0.4, 3), (1.7, 3), (2.6, 4), (90.0, 4)])
-def test_a_level_is_skipped_where_it_would_miss_by_far(missed_by: float, level: int) -> None:
-    """With order 3 the third level has (2/3)^3 of the second one's error; half of that is its interval."""
-    limit = 1.3e-3
-    interval = missed_by * limit - 8e-5  # less the least uncertainty claimed
-    change = 2 * interval * (3 / 2) ** ORDER * (2**ORDER - 1)
-    predicted = _predicted_level(
-        coarse_and_fine(change), recipe=load_recipe("race"), allowed={"semi_axis_rolling": limit}
-    )
-    assert predicted == level
 
 
 @pytest.mark.parametrize(
@@ -140,80 +124,3 @@ def test_at_a_shoulder_nothing_is_extrapolated_and_the_strip_has_its_least_uncer
         assert found["approach"].richardson is None
         for name in strips:
             assert found[name].mesh == pytest.approx(share, rel=1e-9)  # round-off
-
-
-class Refined:
-    """Stand-ins for plain levels: what is solved, on which levels, and what is told of the progress."""
-
-    def __init__(self, patch: pytest.MonkeyPatch, meshes: dict[int, float], *, shoulder: Any = None) -> None:
-        self.shares: list[float] = []
-        self.shoulder = shoulder
-        names = [*FORMAL_ORDERS, *(("strip_share",) if shoulder else ())]
-
-        def estimated(levels: list[Any]) -> dict[str, Estimate]:
-            uncertain = meshes[levels[-1].level]
-            return dict.fromkeys(names, Estimate(values=(6.2e-6,), order=None, richardson=None, mesh=uncertain))
-
-        patch.setattr(module, "fitted_solution", lambda *_, **__: level_of(2, shoulder=shoulder))
-        patch.setattr(module, "solve_on_mesh", lambda *_, level, **__: level_of(level, shoulder=shoulder))
-        patch.setattr(module, "far_boundary", lambda *_, **__: dict.fromkeys(names, Boundary(domain=1e-3)))
-        patch.setattr(module, "has_sides", lambda *_, **__: False)
-        patch.setattr(module, "predicted_seconds", lambda *_, **__: 1.0)
-        patch.setattr(module, "estimates_of", estimated)
-        patch.setattr(module, "_predicted_level", lambda *_, **__: 3)
-
-    def solved(self, contact: Contact, **how: Any) -> Any:
-        return solve_by_levels(
-            contact,
-            recipe=load_recipe("race"),
-            progress=lambda share, _: self.shares.append(share),
-            **({"accuracy": 5e-3, "quantities": ("approach",)} | how),
-        )
-
-
-def test_plain_levels_follow_until_the_accuracy_is_reached_and_all_is_decided(
-    contacts: dict[str, Contact], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """The third and the fourth level are uncertain by 0.4 and 0.1 %; each is sure of its block within 0.1 %."""
-    found = Refined(monkeypatch, {3: 4e-3, 4: 1e-3})
-    assert load_recipe("race").levels == (1, 2, 3, 4)
-    for how, levels in (
-        ({}, [1, 2, 3]),
-        ({"accuracy": 3e-3}, [1, 2, 3, 4]),
-        ({"undecided": lambda _: True}, [1, 2, 3, 4]),
-        ({"accuracy": 3e-4}, [1, 2, 3, 4]),
-    ):
-        found.shares.clear()
-        reference = found.solved(contacts["inner"], **how)
-        assert [mesh.level for mesh in reference.meshes] == levels
-        assert list(reference.estimates) == list(FORMAL_ORDERS)
-        assert reference.shoulder == {}
-        assert reference.estimates["approach"].domain == 1e-3
-        assert found.shares == sorted(found.shares)
-        assert found.shares[0] == 0
-        assert found.shares[-1] < 1
-
-
-def test_a_contact_at_its_shoulder_is_not_judged_and_needs_no_decision(
-    contacts: dict[str, Contact], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    found = Refined(monkeypatch, {3: 4e-3, 4: 1e-3}, shoulder=object())
-    reference = found.solved(contacts["inner"], undecided=lambda _: True)
-    assert [mesh.level for mesh in reference.meshes] == [1, 2, 3]
-    assert list(reference.shoulder) == ["strip_share"]
-
-
-def test_at_a_shoulder_no_order_predicts_a_level() -> None:
-    coarse, fine = coarse_and_fine(0.3)
-    fine.shoulder = object()
-    assert _predicted_level([coarse, fine], recipe=load_recipe("race"), allowed={"semi_axis_rolling": 1e-9}) == 3
-
-
-@pytest.mark.parametrize(("missed_by", "level"), [(1.7, 3), (2.6, 4)])
-def test_the_level_of_a_pressure_is_predicted_without_a_share(missed_by: float, level: int) -> None:
-    """Order 3 is assumed, and the whole step counts, with 0.03 % more."""
-    limit = 1.3e-3
-    error = missed_by * limit - FINEST - LEAST
-    change = error * (3 / 2) ** 3 * (2**3 - 1)
-    meshes = [level_of(1, peak_pressure=2.1e9 * (1 - change)), level_of(2)]
-    assert _predicted_level(meshes, recipe=load_recipe("race"), allowed={"peak_pressure": limit}) == level

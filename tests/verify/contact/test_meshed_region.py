@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from analytic.errors import InputError
 from analytic.scene import Contact
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.measure import Quantities
@@ -22,19 +21,14 @@ from fembearing.verify.contact.meshed_region import (
     Boundary,
     boundary_effect,
     boundary_effect_with_twin,
-    sides_farther,
     with_effect_of_sides,
 )
 from fembearing.verify.contact.reference import solve_reference
 from fembearing.verify.contact.uncertainty import (
     LEFT_BY_MESHES,
-    LEFT_BY_TWIN,
-    LEFT_WITH_TWIN,
     SIDES_COARSE,
     SIDES_LEFT,
     SIDES_LEFT_IN_OTHERS,
-    STEEP,
-    STIFFNESS,
     UNCERTAIN,
 )
 from tests.contacts import INNER, STEEL
@@ -156,30 +150,6 @@ def test_at_forty_degrees_the_approach_has_its_lands_up_to_the_larger_block(pair
     assert abs((1 + found.beyond) * (1 + found.sides) / change - 1) < found.domain < 1e-3
 
 
-def test_lands_too_steep_for_the_larger_block_widen_the_interval(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The approach by the sine of the angle and the stiffness by its power; the pressure is that of the block."""
-    contact = steep("outer", size=0.2)
-
-    def refused_with_sides(*_: Any, sides: str = "even", **__: Any) -> Any:
-        if sides != "even":
-            raise InputError("inside out")
-        return SimpleNamespace(upper=None, quantities=ENDLESS)
-
-    monkeypatch.setattr(meshed_region, "solve_on_mesh", refused_with_sides)
-    assert sides_farther(contact, recipe=load_recipe("race"), level=1, semi_axes=(1e-4, 8e-4)) is None
-    boundary = dict.fromkeys(vars(ENDLESS), Boundary(domain=1e-4))
-    sides = dict.fromkeys(vars(ENDLESS), 2e-4)
-    known, unknown = (
-        with_effect_of_sides(boundary, sides, contact, transverse=8e-4, farther=farther) for farther in (0.0, None)
-    )
-    wider = {name: unknown[name].domain - known[name].domain for name in known}
-    for name, power in (("approach", 1.0), ("stiffness", STIFFNESS)):
-        square = (power * SIDES_LEFT["approach"] * 2e-4) ** 2
-        land = power * STEEP * np.sin(0.698)
-        assert wider[name] == pytest.approx(np.sqrt(square + land**2) - np.sqrt(square), rel=1e-9)
-    assert wider["peak_pressure"] == pytest.approx(0, abs=1e-15)
-
-
 def solved(**values: float) -> Any:
     """A mesh with these in place of the endless block's."""
     pair = SimpleNamespace(semi_axes=(0.12e-3, 0.7e-3))
@@ -216,46 +186,6 @@ def test_lands_on_the_larger_block_move_the_approach_and_the_stiffness_by_its_po
     for part, left in ((found, 0.25), (less, 0.125)):
         lands = np.hypot(SIDES_LEFT["approach"] * 2e-4, left * 3e-3)
         assert part["approach"].domain == pytest.approx(coarse + lands, rel=1e-9)
-
-
-def test_the_true_sides_change_the_larger_block_more(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Even sides 6 and 6.3 um; true ones 6.1 and 6.2, on the larger block 6.5 and 6.9: 6.7/6.3 over 6.15/6."""
-    approaches = {"even": (6.0, 6.3), "above": (6.1, 6.5), "below": (6.2, 6.9)}
-
-    def solve(*_: Any, sides: str = "even", extended: bool = False, **__: Any) -> Any:
-        return SimpleNamespace(upper="ball", quantities=SimpleNamespace(approach=1e-6 * approaches[sides][extended]))
-
-    monkeypatch.setattr(meshed_region, "solve_on_mesh", solve)
-    found = sides_farther(CONTACT, recipe=load_recipe("race"), level=1, semi_axes=(1e-4, 8e-4))
-    assert found == pytest.approx((6.7 / 6.3) / (6.15 / 6.0) - 1, rel=1e-9)  # round-off
-
-
-def test_a_block_has_a_far_boundary_and_half_spaces_and_sheets_have_none(monkeypatch: pytest.MonkeyPatch) -> None:
-    for geometry, far, bounded in (("real", 5, True), ("wall", 5, True), ("wall", 0, False), ("hertzian", 5, False)):
-        recipe: Any = replace(load_recipe("race"), geometry=geometry)
-        mesh: Any = SimpleNamespace(pair=SimpleNamespace(lower=SimpleNamespace(far=np.zeros(far))))
-        assert meshed_region.has_boundary(mesh, recipe=recipe) == bounded
-    near, larger = block(2.5), block(5.0)
-    monkeypatch.setattr(meshed_region, "_larger", lambda *_, **__: larger)
-    for bounded in (True, False):
-        monkeypatch.setattr(meshed_region, "has_boundary", lambda *_, bounded=bounded, **__: bounded)
-        found = meshed_region.far_boundary(near, recipe=load_recipe("race"))
-        assert found == (boundary_effect(near, larger) if bounded else dict.fromkeys(vars(ENDLESS), Boundary()))
-
-
-def test_a_twin_of_both_blocks_leaves_a_share_of_what_it_corrects(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Twins correct the approach of the block by 1 % and of the larger one by 1.2 %: so much less is beyond it."""
-    near, larger = block(2.5), block(5.0)
-    corrected = {"approach": 0.988 * larger.quantities.approach}
-    monkeypatch.setattr(meshed_region, "_larger", lambda *_, **__: larger)
-    monkeypatch.setattr(meshed_region, "twin_factors", lambda *_, **__: None)
-    monkeypatch.setattr(meshed_region, "TwinSolution", lambda **_: SimpleNamespace(corrected=corrected))
-    solution: Any = SimpleNamespace(mesh=near, corrected={"approach": 0.99 * near.quantities.approach})
-    found = boundary_effect_with_twin(solution, recipe=load_recipe("race"))["approach"]
-    plain = larger.quantities.approach / near.quantities.approach - 1
-    own = (1 + plain) * 0.988 / 0.99 - 1
-    assert found.beyond == pytest.approx(own, rel=1e-9)
-    assert found.domain == pytest.approx(LEFT_WITH_TWIN * abs(own) + LEFT_BY_TWIN * abs(own - plain), rel=1e-9)
 
 
 def test_an_effect_of_a_quantity_that_is_0_is_none() -> None:

@@ -7,21 +7,16 @@ from typing import Any
 import pytest
 
 from analytic.scene import Contact
-from fembearing.grid_convergence import Estimate
 from fembearing.mesh.recipe import Recipe, load_recipe
 from fembearing.progress import silent
 from fembearing.report.contact import contact_record
-from fembearing.verify.contact import twin_refinement as module
 from fembearing.verify.contact.discrepancy import ContactSolution, compare_contact
 from fembearing.verify.contact.mesh_refinement import COMPARED, FORMAL_ORDERS
-from fembearing.verify.contact.meshed_region import Boundary
 from fembearing.verify.contact.reference import solve_reference
 from fembearing.verify.contact.twin_refinement import ORDER, ORDERS, SHAPED, estimates_with_twin
 from fembearing.verify.contact.uncertainty import (
     BETWEEN,
     CURVED,
-    FARTHER_LEFT,
-    FARTHER_LEFT_ON_SECOND,
     LEAST_WITH_TWIN,
     LEFT,
     STIFFNESS,
@@ -121,98 +116,3 @@ def test_between_its_samples_a_compliance_is_less_certain() -> None:
     for name, part in between.items():
         factor = STIFFNESS if name == "stiffness" else 1.0
         assert part - sampled[name] == pytest.approx(factor * BETWEEN, rel=1e-9), name  # round-off of the difference
-
-
-class Levels:
-    """Stand-ins for solved levels, whose uncertainty falls from each to the next; and what was asked for."""
-
-    def __init__(self, patch: pytest.MonkeyPatch, *, meshes: list[float], domains: tuple[float, float]) -> None:
-        self.meshes, self.domains = meshes, domains
-        self.started: list[Any] = []
-        self.regions: list[tuple[int, float]] = []
-        self.shares: list[float] = []
-        for name in ("twin_on_level", "boundary_effect_with_twin", "estimates_with_twin", "with_sides"):
-            patch.setattr(module, name, getattr(self, name))
-        patch.setattr(module, "has_sides", lambda *_, **__: True)
-        patch.setattr(module, "each_side", lambda *_, **__: ("above", "below"))
-        patch.setattr(module, "sides_farther", lambda *_, level, **__: 0.1 * level)
-        patch.setattr(module, "predicted_seconds", lambda *_, **__: 1.0)
-
-    def twin_on_level(self, _: Any, *, level: int, start: Any, **__: Any) -> Any:
-        self.started.append(start)
-        pair = SimpleNamespace(semi_axes=(1e-4, 8e-4))
-        return SimpleNamespace(mesh=SimpleNamespace(level=level, pair=pair), ellipse=f"ellipse of level {level}")
-
-    def boundary_effect_with_twin(self, on: Any, **_: Any) -> dict[str, Boundary]:
-        return {"approach": Boundary(domain=self.domains[on.mesh.level - 1])}
-
-    def with_sides(
-        self, far: dict[str, Boundary], mesh: Any, *both: str, farther: float, left: float
-    ) -> dict[str, Boundary]:
-        assert (mesh.level, both) == (2, ("above", "below"))
-        self.regions.append((round(10 * farther), left))
-        return far
-
-    def estimates_with_twin(self, solutions: list[Any]) -> dict[str, Estimate]:
-        part = Estimate(values=(6.2e-6,), order=None, richardson=None, mesh=self.meshes[len(solutions) - 2])
-        return {"approach": part}
-
-    def solved(self, contact: Contact, *, accuracy: float, undecided: Callable[[Any], bool]) -> Any:
-        return module.solve_by_twin(
-            contact,
-            recipe=load_recipe("race"),
-            accuracy=accuracy,
-            quantities=("approach",),
-            undecided=undecided,
-            progress=lambda share, _: self.shares.append(share),
-        )
-
-
-def never(_: Any) -> bool:
-    return False
-
-
-@pytest.mark.parametrize(
-    ("accuracy", "undecided", "levels", "regions"),
-    [
-        (5e-3, never, [1, 2], [1]),  # 4 and 1 in thousand: reached, with the block of the first level
-        (3e-3, never, [1, 2, 3], [1, 2]),  # the block of the second one, and a finer mesh
-        (5e-3, lambda found: found["approach"].mesh > 2e-3, [1, 2, 3], [1, 2]),
-        (1e-6, never, [1, 2, 3, 4], [1, 2]),  # the last level, though it misses
-    ],
-)
-def test_levels_follow_until_the_accuracy_is_reached_and_all_is_decided(
-    contacts: dict[str, Contact],
-    monkeypatch: pytest.MonkeyPatch,
-    accuracy: float,
-    undecided: Callable[[Any], bool],
-    levels: list[int],
-    regions: list[int],
-) -> None:
-    """The meshes are uncertain by 0.4, 0.1 and 0.05 %, the block by 0.1 and by 0.001 %."""
-    found = Levels(monkeypatch, meshes=[4e-3, 1e-3, 5e-4], domains=(1e-3, 1e-5))
-    reference = found.solved(contacts["inner"], accuracy=accuracy, undecided=undecided)
-    assert [mesh.level for mesh in reference.meshes] == levels
-    assert [level for level, _ in found.regions] == regions
-    assert [left for _, left in found.regions] == [FARTHER_LEFT, FARTHER_LEFT_ON_SECOND][: len(regions)]
-    assert reference.estimates["approach"].domain == (1e-3, 1e-5)[len(regions) - 1]
-    assert found.started[1:] == [f"ellipse of level {level}" for level in levels[:-1]]
-    assert all(0 <= share <= 1 for share in found.shares)
-    later = found.shares[3:]  # the far boundary is told of between the first two
-    assert later == sorted(later)
-
-
-def test_a_contact_without_a_twin_is_left_to_plain_levels(
-    contacts: dict[str, Contact], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    for lost in (1, 2):
-        found = Levels(monkeypatch, meshes=[4e-3, 1e-3, 5e-4], domains=(1e-3, 1e-5))
-        twin = found.twin_on_level
-        monkeypatch.setattr(
-            module,
-            "twin_on_level",
-            lambda *given, level, twin=twin, lost=lost, **how: (
-                None if level == lost else twin(*given, level=level, **how)
-            ),
-        )
-        assert found.solved(contacts["inner"], accuracy=1e-6, undecided=never) is None

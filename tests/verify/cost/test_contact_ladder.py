@@ -1,21 +1,18 @@
 """The ladder of a contact: measured, taken from a solution, and predicted times of meshes."""
 
-import math
 from dataclasses import replace
 from types import SimpleNamespace
-from typing import Any, cast
+from typing import Any
 
 import pytest
 
 from analytic.scene import Contact
-from fembearing.grid_convergence import Estimate
 from fembearing.mesh.recipe import Recipe, load_recipe
 from fembearing.verify.contact import reference
 from fembearing.verify.contact.discrepancy import ContactSolution, compare_contact
 from fembearing.verify.contact.mesh_seconds import about, predicted_seconds
 from fembearing.verify.cost import contact_ladder
 from fembearing.verify.cost.contact_ladder import LEVEL_BOUNDS, contact_ladder_of
-from fembearing.verify.cost.ladder import TimedMethod
 from tests.analytic.specimens import present
 
 
@@ -102,14 +99,6 @@ def test_bounds_cover_the_errors_of_a_new_contact(solved: ContactSolution) -> No
     assert [method.bound for method in methods[2:5]] == [LEVEL_BOUNDS[level] for level in (1, 2, 3)]
 
 
-def test_pockets_and_cut_contacts_have_no_bound(solved: ContactSolution) -> None:
-    mesh = solved.meshes[0]
-    cut = cast(Any, SimpleNamespace(level=1, shoulder="cut off"))
-    assert contact_ladder.level_bound(solved.contact, mesh) == LEVEL_BOUNDS[1]
-    assert contact_ladder.level_bound(replace(solved.contact, pair="pocket"), mesh) is None
-    assert contact_ladder.level_bound(solved.contact, cut) is None
-
-
 def mesh_of(level: int, unknowns: int, seconds: float) -> Any:
     return SimpleNamespace(level=level, unknowns=unknowns, seconds=seconds)
 
@@ -134,56 +123,3 @@ def test_seconds_are_predicted_from_the_previous_mesh() -> None:
 )
 def test_a_time_has_one_digit(seconds: float, words: str) -> None:
     assert about(seconds) == words
-
-
-def test_a_compliance_is_of_a_true_shape_that_ends_before_its_shoulder(
-    contacts: dict[str, Contact], coarse: Recipe, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def never(*_: Any, **__: Any) -> None:
-        raise AssertionError("nothing is to be solved")
-
-    monkeypatch.setattr(contact_ladder, "pair_compliance", never)
-    monkeypatch.setattr(contact_ladder, "solve_by_twin", never)
-    contact, axes = contacts["inner"], (0.12e-3, 0.9e-3)
-    cut = replace(contact, shoulder=0.8e-3)
-    assert contact_ladder._by_compliance(cut, coarse, axes) == []
-    assert contact_ladder._by_compliance(contact, load_recipe("hertzian"), axes) == []
-    assert contact_ladder._with_twin(contact, load_recipe("hertzian")) == []
-    asked: list[Any] = []
-    monkeypatch.setattr(contact_ladder, "timed", lambda method: asked.append(method) or method)
-    for pair, bounds in (("inner", [0.008, 0.001]), ("pocket", [math.inf, math.inf])):
-        asked.clear()
-        contact_ladder._by_compliance(replace(contact, pair=pair), coarse, axes)
-        assert [each.bound() for each in asked] == bounds
-        assert not any(each.may_refer for each in asked)
-
-
-def test_a_dear_mesh_is_timed_once() -> None:
-    assert contact_ladder._repeats(9.9) == 3
-    assert contact_ladder._repeats(10.1) == 1
-
-
-def estimate(mesh: float, limit: float) -> Estimate:
-    return Estimate(values=(limit,), order=None, richardson=None, mesh=mesh)
-
-
-def test_an_extrapolation_costs_all_of_its_meshes_and_is_as_uncertain_as_its_worst_quantity() -> None:
-    names = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")
-    estimates = {name: estimate(0.001 * number, number) for number, name in enumerate(names, start=1)}
-    estimates["stiffness"] = estimate(0.9, 7.0)  # follows from the approach
-    meshes = [
-        TimedMethod(name="formula", answer=None, seconds=(100.0,), memory=9000),
-        TimedMethod(name="coarse", answer=None, seconds=(1.0, 9.0, 2.0), unknowns=10, memory=700),
-        TimedMethod(name="fine", answer=None, seconds=(5.0,), unknowns=90, memory=None),
-        TimedMethod(name="failed", answer=None, unknowns=500),
-    ]
-    (found,) = contact_ladder._extrapolated(estimates, meshes)
-    assert (found.seconds, found.memory, found.bound) == ((7.0,), 700, 0.004)
-    assert found.answer is not None
-    assert found.answer.tolist() == [1, 2, 3, 4]
-    assert contact_ladder._extrapolated(None, meshes) == []
-    solved: Any = [SimpleNamespace(level=2), SimpleNamespace(level=3)]
-    assert "uncertainty 0.4 %" in contact_ladder._reference(solved, estimates)
-    assert "level 3; " in contact_ladder._reference(solved, None)
-    assert "too few meshes" in contact_ladder._reference(solved, None)
-    assert contact_ladder._reference([], None).startswith("none")

@@ -12,14 +12,10 @@ from analytic.contact.geometry import RACES, race_numbers
 from analytic.errors import InputError
 from analytic.scene import ContactAngle, Scene
 from analytic.scenefile.read import parse_scene
-from fembearing.verify.creep import scene_creep as module
 from fembearing.verify.creep.production import by_formula, by_march, produced
 from fembearing.verify.creep.scene_creep import (
     CreepNumbers,
-    CreepQuantity,
-    SceneCreep,
     creep_of,
-    reference_torque,
     scene_at_heaviest,
 )
 
@@ -65,11 +61,11 @@ def test_spin_moment_times_spin_is_the_power_of_the_kernel() -> None:
 
 @pytest.mark.parametrize("operation", [THRUST, 'radial_load = "900 N"\naxial_load = "500 N"'])
 def test_the_formula_is_that_of_the_torque(operation: str) -> None:
-    """Moments of the heaviest ball, times its rates, are what the kernel adds up, of all balls where all are alike."""
+    """Of all balls where all are alike, within what slip across, by the width of the ellipse, adds to a long one."""
     production = produced(scene_of(operation))
     torque = sum(each.torque for each in by_formula(production))
     if production.balls[0].number > 1:
-        np.testing.assert_allclose(9 * torque, production.formula, rtol=1e-9)  # the same formula
+        np.testing.assert_allclose(9 * torque, production.formula, rtol=0.05)  # a/b is an eighth
     else:
         assert production.formula / 9 < torque < production.formula
 
@@ -220,106 +216,7 @@ def test_a_scene_needs_friction_and_motion() -> None:
     assert scene_at_heaviest(replace(scene, friction_coefficient=None), friction=0.04)[0].friction_coefficient == 0.04
 
 
-def test_a_load_that_no_factor_reaches_is_refused_with_it(monkeypatch: pytest.MonkeyPatch) -> None:
-    """As at a speed whose centrifugal force is above it."""
-    asked: list[float] = []
-
-    def balls(scene: Scene) -> Any:
-        asked.append(float(scene.operation.axial_load[0]))
-        return SimpleNamespace(load=np.full((2, 1, 1), 900.0))
-
-    monkeypatch.setattr(module, "balls_of", balls)
-    with pytest.raises(InputError, match=r"load = 812 N: no factor on the loads .* give a larger load, or less speed"):
-        scene_at_heaviest(scene_of(THRUST), load=812.0)
-    np.testing.assert_allclose(np.divide(asked[2:], asked[1:-1]), 812 / 900)
-
-
-@pytest.mark.parametrize(("off", "rounds"), [(0.9e-6, 0), (1.1e-6, 1)])
-def test_a_load_is_reached_to_a_millionth(off: float, rounds: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    def balls(scene: Scene) -> Any:
-        return SimpleNamespace(load=np.full((2, 1, 1), 812.0 / (1 + off) * scene.operation.axial_load[0] / 730.0))
-
-    monkeypatch.setattr(module, "balls_of", balls)
-    scaled, _ = scene_at_heaviest(scene_of(THRUST), load=812.0)
-    assert scaled.operation.axial_load[0] == pytest.approx(730.0 * (1 + off) ** rounds, rel=1e-9)
-
-
 def balls_of_torque(*torques: float, number: int = 1) -> Any:
     """Production with such balls, N m each, all alike in `number`s."""
     balls = tuple(SimpleNamespace(torque=torque, number=number, turning=torque) for torque in torques)
     return SimpleNamespace(scene=None, balls=balls, torque=number * sum(torques))
-
-
-@pytest.mark.parametrize(
-    ("torques", "solved"),
-    [
-        ((97.0, 2.1, 0.9), 2),  # 3 % are too much to leave, 0.9 % are not
-        ((98.1, 1.1, 0.8), 1),
-        ((5.0,) * 8, 6),  # at most
-    ],
-)
-def test_balls_are_solved_until_two_per_cent_are_left(
-    torques: tuple[float, ...], solved: int, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Each has 1.2 times the torque of production, and the last one 1.1 times, as what is left then has."""
-    found: list[float] = []
-    steps: list[tuple[float, str]] = []
-
-    def solve(torque: float, **_: float) -> Any:
-        found.append(torque)
-        factor = 1.1 if len(found) == solved else 1.2
-        return SimpleNamespace(torque=SimpleNamespace(value=factor * torque, uncertainty=0.03 * torque))
-
-    monkeypatch.setattr(module, "creep_reference", solve)
-    production = balls_of_torque(*torques, number=3)
-    torque, uncertainty, each = reference_torque(
-        production, tolerance=0.05, progress=lambda share, step: steps.append((share, step))
-    )
-    assert len(each) == len(found) == solved
-    left = 3 * sum(torques[solved:])
-    expected = 3 * (1.2 * sum(torques[: solved - 1]) + 1.1 * torques[solved - 1]) + 1.1 * left
-    assert torque == pytest.approx(expected, abs=1e-7)
-    assert uncertainty == pytest.approx(3 * 0.03 * sum(torques[:solved]) + 0.1 * left, abs=1e-7)
-    assert steps == [
-        (number / solved, f"friction of ball {number + 1} of {solved} by the reference") for number in range(solved)
-    ]
-
-
-def test_a_change_is_that_of_production_where_the_reference_is_not_0() -> None:
-    quantity = CreepQuantity(formula=3.0, production=-1.3, reference=-1.25, uncertainty=1.2)
-    assert quantity.change == pytest.approx(0.04)
-    assert replace(quantity, uncertainty=1.25).change is None
-
-
-def test_numbers_of_a_torque_are_relative_to_the_reference(thrust: CreepNumbers) -> None:
-    torque = CreepQuantity(formula=3.0, production=2.4, reference=-2.5, uncertainty=0.2)
-    found = replace(thrust, torque=torque)
-    assert found.relative_uncertainty == pytest.approx(0.08)
-    assert replace(thrust, torque=replace(torque, reference=2.5)).change == pytest.approx(2.5 / 2.4 - 1)
-    nothing: Any = None
-    brief = repr(SceneCreep(numbers=replace(found, torque=replace(torque, reference=2.5e-3, production=2.4e-3)),
-                            reference=nothing, ball=nothing, place=0))  # fmt: skip
-    assert f"{thrust.inner.load:.4g} N" in brief
-    assert "torque by sliding 2.5 N mm, production -4.0%" in brief
-
-
-def test_a_ball_spins_unless_its_spin_is_round_off(thrust: CreepNumbers) -> None:
-    """At the ends of the contact, against the slip of its centre."""
-    assert thrust.spins
-    inner, outer = (
-        replace(race, spin_creepage=replace(race.spin_creepage, production=0.0)) for race in thrust.races.values()
-    )
-    assert not replace(thrust, inner=inner, outer=outer).spins
-    assert replace(thrust, inner=inner).spins
-    for share, spins in ((2e-9, True), (0.5e-9, False)):
-        least = share * abs(inner.creepage_along.production) / inner.semi_axis_transverse
-        slight = replace(inner, spin_creepage=replace(inner.spin_creepage, production=least))
-        assert replace(thrust, inner=slight, outer=outer).spins == spins
-
-
-def test_what_unlike_materials_leave_out_is_told_with_the_friction() -> None:
-    hybrid = scene_of(THRUST, 'catalog = "6205"\nball_material = "silicon_nitride"')
-    # beta 0.037 as above; mu beta at 0.09 is 0.33 %
-    assert all("of the order of mu beta, 0.33 % of it" in words for words in module._warnings(hybrid))
-    given = replace(hybrid, friction_coefficient=None)
-    assert all("of the order of mu beta (beta = 0.037)" in words for words in module._warnings(given))

@@ -13,7 +13,7 @@ from analytic.scenefile.read import parse_scene
 from fembearing.grid_convergence import Estimate
 from fembearing.verify.film import scene_film
 from fembearing.verify.film.closed_forms import ClosedForms
-from fembearing.verify.film.scene_film import FilmQuantity, problem_of
+from fembearing.verify.film.scene_film import problem_of
 from tests.analytic.specimens import present
 from tests.verify.film.test_closed_forms import scene_text
 
@@ -100,32 +100,3 @@ def test_without_oil_or_motion_there_is_no_film(scene: Scene) -> None:
         problem_of(replace(scene, operation=still), "inner")
     with pytest.raises(InputError, match="at standstill"):
         problem_of(scene, "inner", inner_speed=0.0)
-
-
-def test_the_torque_changes_by_the_mean_ratios_of_all_contacts(scene: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The numerical film is 0.8 and 0.9 of the model's, the force 1.25 and 1.5 of it."""
-    varied: list[Any] = []
-
-    def parts(_: Any, variation: Any, start: Any) -> Any:
-        assert start == "start"
-        varied.append(variation)
-        return SimpleNamespace(total=np.array([5.0, 9.0]) if len(varied) == 2 else np.array([4.0, 8.0]))
-
-    def film(thin: float, strong: float) -> Any:
-        quantities = {"central_film": 1 / thin - 1, "rolling_force": 1 / strong - 1}
-        named = {name: SimpleNamespace(discrepancy=value) for name, value in quantities.items()}
-        return SimpleNamespace(numbers=SimpleNamespace(quantities=named))
-
-    monkeypatch.setattr(scene_film, "parts_of", parts)
-    monkeypatch.setattr(scene_film, "without_moving_cage", lambda *_: "same")
-    monkeypatch.setattr(scene_film, "free_start", lambda _: "start")
-    friction: Any = SimpleNamespace(torque=SimpleNamespace(total=np.array([10.0, 20.0])))
-    change = scene_film.film_change(scene, friction, (film(0.8, 1.25), film(0.9, 1.5)))
-    np.testing.assert_allclose(change, [0.1, 0.05], rtol=1e-12)
-    assert varied[1].film == pytest.approx(0.85, rel=1e-12)
-    assert varied[1].rolling == pytest.approx(1.375, rel=1e-12)
-
-
-def test_an_uncertainty_is_that_of_the_size_of_its_value() -> None:
-    quantity = FilmQuantity(formula=2.0, production=3.0, numerical=-4.0, uncertainty=0.2, discrepancy=0.1, order=None)
-    assert quantity.relative_uncertainty == 0.05

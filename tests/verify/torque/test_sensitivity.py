@@ -88,11 +88,11 @@ def test_parts_that_are_proportional_change_by_their_share(oiled: Scene, torques
     parts = friction_torque(replace(oiled, operation=ends)).torque
     assert parts.hysteresis is not None
     np.testing.assert_allclose([output.value for output in torques.outputs], parts.total, rtol=1e-9)
-    # 50 % and 30 % are the standard deviations of a loss factor and of seals, both lognormal. The total is that of a
-    # start next to where the balls settle, which moves it by 1e-5.
+    # 50 % and 30 % are the standard deviations of a loss factor and of seals, both lognormal. All samples
+    # have the nodes of the most demanding point, which move the other totals within their numerical uncertainty.
     for key, deviation, part in (("friction.hysteresis_loss", 0.5, parts.hysteresis), ("losses.seals", 0.3, 3e-3)):
         share = np.expm1(deviation * END * np.array([[-1], [1]])) * part / parts.total
-        np.testing.assert_allclose(changes(torques, key), share, rtol=1e-3)
+        np.testing.assert_allclose(changes(torques, key), share, rtol=2e-3)
 
 
 def test_inputs_stand_in_the_order_of_their_swing(torques: Sensitivity) -> None:

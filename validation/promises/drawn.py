@@ -1,7 +1,7 @@
 """The scene at a place: a radial bearing, and what a second row of numbers adds to it or changes in it.
 
 Thrust bearings, pairs, seats, given angles, series of unlike points, more oils, surfaces, laws and losses. Every number
-is taken whether it counts or not, so that a small step of a climb changes little.
+is taken whether it counts or not.
 """
 
 import json
@@ -15,24 +15,19 @@ import numpy as np
 
 from analytic.scene import Autocorrelation
 from analytic.surface.roughness import generated_surface
-from validation.adversary.radial import RADIAL_INPUTS, Draw, radial_scene
+from validation.promises.radial import RADIAL_INPUTS, Draw, radial_scene
 
-INPUTS = RADIAL_INPUTS + 78  # numbers of a place
-LONG_SERIES = 12  # operating points: effects are tried at eight of them
+INPUTS = RADIAL_INPUTS + 75  # numbers of a place
+LONG_SERIES = 12  # operating points
 LIGHT_CAGE = 2e-3  # kg/N, mass of a cage over the thrust: a fiftieth in weight
 MAP_LENGTH, MAP_SPACING, MAP_POINTS = 20e-6, 2e-6, 128  # m, m, a side
 SWITCHED = ("centrifugal", "gyroscopic", "asperities", "starvation", "inlet_heating", "hysteresis", "rolling", "weight",
             "finite_geometry", "unloaded_balls", "creep", "conformity", "cage")  # fmt: skip
 
 
-def scene_text(place: tuple[float, ...], *, tolerance: float, directed: bool = False) -> str:
-    """The scene at a place, as a scene file; a place of RADIAL_INPUTS numbers has none of the additions.
-
-    directed : with the direction of gravity, whether the scene gives it or not
-    """
-    text = radial_scene(place[:RADIAL_INPUTS], tolerance=tolerance, directed=directed)
-    if len(place) == RADIAL_INPUTS:
-        return text
+def scene_text(place: tuple[float, ...], *, tolerance: float) -> str:
+    """The scene at a place, as a scene file."""
+    text = radial_scene(place[:RADIAL_INPUTS], tolerance=tolerance)
     document, draw, late = tomllib.loads(text), Draw(place[RADIAL_INPUTS:-3]), Draw(place[-3:])
     only_thrust, upright, own_friction = late.chance(0.5), late.chance(0.2), late.chance(0.5)
     kind = draw.one_of(*5 * ("radial",), "thrust", "pair", "given", "seats")
@@ -77,7 +72,7 @@ def _as_kind(document: dict[str, Any], kind: str, draw: Draw) -> None:
     elif kind == "pair":
         document["arrangement"] = {"kind": arrangement, "distance": f"{apart * ball:.9g} m"}
         if "down" in operation:
-            operation["down"][2] = 0.0  # weights along the axis of a pair are in the uncertainty, not in the reference
+            operation["down"][2] = 0.0  # the axis of a pair is level
         if arrangement != "tandem":
             document["arrangement"]["preload"] = f"{preload:.9g} N"
     elif kind == "given":
@@ -165,16 +160,11 @@ def _surface(document: dict[str, Any], draw: Draw) -> None:
 
 
 def _laws(document: dict[str, Any], draw: Draw) -> None:
-    """Laws, methods and effects that a scene chooses."""
-    houpert, method, off = draw.chance(0.2), draw.one_of("free_ball", "closed_creep"), draw.one_of(*SWITCHED)
-    ruled = draw.one_of("single_coefficient", "along_axis")
-    by_method, switched = draw.chance(0.1), draw.chance(0.1)
-    friction = document["friction"]
+    """Laws and effects that a scene chooses."""
+    houpert, off, switched = draw.chance(0.2), draw.one_of(*SWITCHED), draw.chance(0.1)
     if houpert:
-        friction["elastic_rolling"] = "houpert"
-    if by_method:
-        friction["sliding"] = method if friction["spin_rule"] == "free" else ruled
-    elif switched:
+        document["friction"]["elastic_rolling"] = "houpert"
+    if switched:
         document["effects"] = {off: "off"}
 
 
@@ -188,7 +178,7 @@ def _losses(document: dict[str, Any], draw: Draw) -> None:
     caged, sealed, stirred, flows, sheared, pocketed = (draw.chance(each) for each in (0.25, 0.15, 0.3, 0.15, 0.2, 0.2))
     shares = draw.chance(0.5)
     oiled, bearing = "lubricant" in document, document["bearing"]
-    # Races that hardly grip their balls do not turn a heavy cage, and the uncertainty is unknown then.
+    # Races that hardly grip their balls do not turn a heavy cage.
     mass = heavy * min(count * size(document, "bearing.ball_mass"), LIGHT_CAGE * least(document))
     middle = bearing.get("pitch_diameter") or f"{2 * size(document, f'bearing.{ring}.bottom_radius'):.9g} m"
     losses: dict[str, Any] = {"seals": f"{seals:.9g} N m"} if sealed else {}

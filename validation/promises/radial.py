@@ -28,8 +28,8 @@ class Draw:
 RADIAL_INPUTS = 45  # numbers that `radial_scene` takes at most
 
 
-def radial_scene(place: Iterable[float], *, tolerance: float, directed: bool = False) -> str:
-    """The scene at a place, as a scene file; directed : with the direction of gravity, whether it gives it or not."""
+def radial_scene(place: Iterable[float], *, tolerance: float) -> str:
+    """The scene at a place, as a scene file."""
     draw = Draw(place)
     ball = draw.power(3e-3, 30e-3)
     inner, outer = (draw.between(0.505, 0.56) * ball for _ in range(2))
@@ -67,7 +67,7 @@ def radial_scene(place: Iterable[float], *, tolerance: float, directed: bool = F
     lines += [f'radial_load = "{radial:.9g} N"'] if draw.chance(0.35) else []
     lines += [f'moment = "{moment:.9g} N m"'] if draw.chance(0.2) else []
     down = [f"{draw.between(-1, 1):.6g}" for _ in range(3)]
-    lines += [f"down = [{', '.join(down)}]"] if draw.chance(0.5) or directed else []
+    lines += [f"down = [{', '.join(down)}]"] if draw.chance(0.5) else []
     oiled = draw.chance(0.8)
     oil = [
         "[lubricant]",

@@ -1,6 +1,6 @@
 """Do the balls settle on shafts of any direction?
 
-    python validation/adversary/shafts.py
+    python validation/promises/shafts.py
 
 Computes deep groove bearings of the catalogue under their usual light radial load, on level, leaning and upright
 shafts, at speeds around the one at which centrifugal force carries the weight of a ball. Prints each torque that is

@@ -1,0 +1,224 @@
+"""Does the stated numerical uncertainty hold?  python validation/promises/run.py [--scenes 2000] [--seed 1] [--jobs 2]
+
+Draws scenes over the valid range of scene files, usual and extreme ones, one seed each: bearings of several shapes,
+loads from 0.1 N up, creep to 20 000 rpm, oils up to 1 Pa s, smooth and rough surfaces, given coefficients, balls that
+turn freely or by a rule (radial.py); thrust bearings, pairs, seats, given contact angles, height maps, series of unlike
+points, cages that rest on their balls, losses of the oil (drawn.py).
+Computes each at a tolerance of 1 % and of 0.01 %, and one point of a series alone. Counts scenes with a point whose two
+torques differ by more than both state together, and prints these with the ratio; scenes with a point whose torque alone
+is another one; scenes that do not settle, each with its line; refused ones; and scenes of unknown uncertainty, of which
+there must be none.
+Exit status: 1 if more than 2 in 1000 scenes are outside, one by more than three times, an uncertainty is unknown, or a
+point alone differs; else 0.
+"""
+
+import os
+
+os.environ.setdefault("OMP_NUM_THREADS", "1")  # before numpy loads its threads
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+import re
+import signal
+import sys
+import time
+from collections import Counter
+from collections.abc import Callable, Iterator
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from dataclasses import dataclass, replace
+from typing import Annotated
+
+import numpy as np
+import typer
+from rich.console import Console
+from rich.progress import Progress, TimeElapsedColumn, TimeRemainingColumn
+
+from analytic import friction_torque
+from analytic.errors import FembearingError, InputError
+from analytic.result import FrictionTorque
+from analytic.scene import Array, Scene
+from analytic.scenefile.read import parse_scene
+from validation.promises.drawn import INPUTS, LONG_SERIES, scene_text
+
+TOLERANCE, FINE = 0.01, 0.0001
+MOST_OUTSIDE, MOST_TIMES = 0.002, 3.0  # of the scenes; of the stated uncertainty
+SAME = 1e-7  # relative: the same point alone and in a series ends within the residual of converged iterations
+ROUND_OFF = 1e-9  # relative: where nothing is left to be uncertain, two runs still round differently
+LONGEST = 60.0  # s of processor time for a scene at one tolerance
+MORE = 4  # of that for a long series
+LINE = 140  # characters of a reason
+PIECE = 100  # scenes between two lines in print, where the output is no terminal
+
+
+@dataclass(frozen=True, kw_only=True)
+class Drawn:
+    """What became of one scene."""
+
+    seed: int
+    ratio: float = 0.0  # largest of its points: difference of both torques over what both state; NaN: none
+    error: float = 0.0  # that difference, relative
+    stated: float = 0.0  # at the tolerance of 1 %, relative
+    alone: float = 0.0  # difference of a point alone, relative
+    unsettled: str = ""  # why a point has no torque, and how many
+    refused: str = ""
+    unknown: str = ""  # no number, or a crash
+    seconds: float = 0.0
+
+    @property
+    def is_computed(self) -> bool:
+        """Whether some point has both torques."""
+        return not self.refused and not self.unknown and not np.isnan(self.ratio)
+
+
+def place_of(seed: int) -> tuple[float, ...]:
+    """The numbers that a seed draws."""
+    return tuple(np.random.default_rng(seed).random(INPUTS).tolist())
+
+
+def drawn_scene(seed: int) -> Scene:
+    """The scene of a seed, at a tolerance of 1 %."""
+    return parse_scene(scene_text(place_of(seed), tolerance=TOLERANCE), origin=f"seed {seed}")
+
+
+def judged(seed: int, torque: Callable[[Scene], FrictionTorque] = friction_torque) -> Drawn:
+    """One scene; torque : of a scene."""
+    signal.signal(signal.SIGVTALRM, _give_up)
+    started = time.process_time()
+    try:
+        found = _compared(seed, drawn_scene(seed), torque)
+    except InputError as reason:
+        found = Drawn(seed=seed, refused=str(reason))
+    except (FembearingError, TimeoutError) as reason:
+        found = Drawn(seed=seed, unsettled=_line(reason), ratio=np.nan)
+    except Exception as fault:  # the run goes on
+        found = Drawn(seed=seed, unknown=_line(repr(fault)))
+    finally:
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0.0)
+    return replace(found, seconds=time.process_time() - started)
+
+
+def _give_up(*_: object) -> None:
+    raise TimeoutError("takes too long")
+
+
+def _line(reason: object) -> str:
+    return str(reason).splitlines()[0][:LINE]
+
+
+def _compared(seed: int, scene: Scene, torque: Callable[[Scene], FrictionTorque]) -> Drawn:
+    count = scene.operation.as_series().inner_speed.size
+    results = []
+    for tolerance in (TOLERANCE, FINE):
+        signal.setitimer(signal.ITIMER_VIRTUAL, LONGEST * (MORE if count == LONG_SERIES else 1))
+        results.append(torque(replace(scene, tolerance=tolerance)))
+    coarse, fine = results
+    failed = [_line(reason) for result in results for reason in result.failures.values()]
+    both = ~np.isin(np.arange(count), [*coarse.failures, *fine.failures])
+    stated = [result.numerical_uncertainty[both] for result in results]
+    if not all(np.isfinite(each).all() for each in stated):
+        return Drawn(seed=seed, unknown=f"numerical uncertainty {stated[0]} and {stated[1]}")
+    error, allowed = _apart(coarse.torque.total[both], fine.torque.total[both], *stated)
+    ratio = np.where(error > ROUND_OFF, error / np.maximum(allowed, ROUND_OFF), 0.0)
+    worst = int(ratio.argmax()) if ratio.size else None
+    return Drawn(
+        seed=seed,
+        ratio=np.nan if worst is None else float(ratio[worst]),
+        error=0.0 if worst is None else float(error[worst]),
+        stated=0.0 if worst is None else float(stated[0][worst]),
+        alone=_alone(scene, coarse, seed % count, torque) if count > 1 and both[seed % count] else 0.0,
+        unsettled=f"{len(failed)} of {2 * count} points: {failed[0]}" if failed else "",
+    )
+
+
+def _apart(one: Array, other: Array, stated_one: Array, stated_other: Array) -> tuple[Array, Array]:
+    """Difference of two torques, and what both state together, over the second one."""
+    size = np.where(other == 0, 1.0, other)  # a bearing at rest
+    return np.abs(one - other) / size, (stated_one * one + stated_other * other) / size
+
+
+def _alone(scene: Scene, series: FrictionTorque, point: int, torque: Callable[[Scene], FrictionTorque]) -> float:
+    """How far a point alone is from the same one in its series."""
+    one = torque(replace(scene, operation=scene.operation.as_series().at(np.array([point]))))
+    inside = series.torque.total[point]
+    return abs(float(one.torque.total[0] / inside - 1)) if inside else abs(float(one.torque.total[0]))
+
+
+def main(
+    scenes: Annotated[int, typer.Option(min=1, help="Scenes to draw.")] = 2000,
+    seed: Annotated[int, typer.Option(help="Of the first scene.")] = 1,
+    jobs: Annotated[int, typer.Option(min=1, help="Processes.")] = 2,
+) -> None:
+    """Count the scenes whose stated uncertainty does not hold."""
+    out, started = Console(width=110, soft_wrap=True), time.perf_counter()
+    friction_torque("6205-dry")  # compiles
+    with ProcessPoolExecutor(jobs) as pool:
+        drawn = sorted(_followed(pool, range(seed, seed + scenes), out), key=lambda each: each.seed)
+    for line in summary(drawn):
+        out.print(line, highlight=False, markup=False)
+    out.print(f"{time.perf_counter() - started:.0f} s, {jobs} processes, seeds {seed} to {seed + scenes - 1}.")
+    sys.exit(int(is_broken(drawn)))
+
+
+def _followed(pool: ProcessPoolExecutor, seeds: range, out: Console) -> Iterator[Drawn]:
+    """Each scene as it ends; progress and time left on a terminal, else a line for each piece."""
+    outside = 0
+    columns = (*Progress.get_default_columns()[:-1], TimeElapsedColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=out, disable=not out.is_terminal) as bar:
+        task = bar.add_task("scenes", total=len(seeds))
+        for number, done in enumerate(as_completed([pool.submit(judged, each) for each in seeds]), 1):
+            each = done.result()
+            outside += each.ratio > 1
+            bar.update(task, advance=1, description=f"scenes, {outside} outside")
+            if not out.is_terminal and number % PIECE == 0:
+                out.print(f"{number} scenes, {outside} outside")
+            yield each
+
+
+def is_broken(drawn: list[Drawn]) -> bool:
+    """Whether the promise is broken: too many scenes outside, one far outside, an unknown one, a point alone."""
+    ratios = np.array([each.ratio for each in drawn if each.is_computed])
+    return bool(
+        np.count_nonzero(ratios > 1) > MOST_OUTSIDE * ratios.size
+        or np.any(ratios > MOST_TIMES)
+        or any(each.unknown or each.alone > SAME for each in drawn)
+    )
+
+
+def summary(drawn: list[Drawn]) -> Iterator[str]:
+    """What is printed at the end."""
+    computed = [each for each in drawn if each.is_computed]
+    outside = sorted((each for each in computed if each.ratio > 1), key=lambda each: -each.ratio)
+    far = sum(each.error > TOLERANCE for each in computed)
+    yield (
+        f"outside the stated uncertainty: {len(outside)} of {len(computed)} scenes; largest ratio "
+        f"{max((each.ratio for each in computed), default=0.0):.3g}; {far} "
+        "are apart by more than the tolerance of 1 %"
+    )
+    for each in outside:
+        yield (
+            f"  seed {each.seed}: ratio {each.ratio:.3g}, apart {100 * each.error:.3g} %, stated "
+            f"{100 * each.stated:.3g} %"
+        )
+    apart = [each for each in computed if each.alone > SAME]
+    yield f"a point alone differs from its series by more than {SAME:g}: {len(apart)}"
+    yield from (f"  seed {each.seed}: {each.alone:.2g}" for each in apart)
+    for name, words in (("unknown", "unknown uncertainty, or a crash"), ("unsettled", "not settled at every point")):
+        some = [each for each in drawn if getattr(each, name)]
+        yield f"{words}: {len(some)}"
+        yield from (f"  seed {each.seed}: {getattr(each, name)}" for each in some)
+    reasons = Counter(re.sub(r"[0-9.]+( %| [GM]Pa)?", "#", each.refused)[:90] for each in drawn if each.refused)
+    yield f"refused: {sum(reasons.values())}"
+    yield from (f"  {count}: {reason}" for reason, count in reasons.most_common())
+    stated = np.array([each.stated for each in computed])
+    seconds = np.array([each.seconds for each in drawn if not each.refused])
+    if stated.size:
+        yield (
+            f"stated at 1 %: median {100 * np.median(stated):.2g} %, {100 * np.quantile(stated, 0.95):.2g} % in 95 of "
+            f"100, at most {100 * stated.max():.2g} %; above 1 % in {np.count_nonzero(stated > TOLERANCE)}"
+        )
+    yield (
+        f"processor time of a scene, both tolerances: median {np.median(seconds):.2g} s, at most {seconds.max():.3g} s"
+    )
+
+
+if __name__ == "__main__":
+    typer.run(main)
