@@ -54,7 +54,7 @@ MORE = """\
 #[measured]                               # measured torques for `fembearing compare`
 #file = "data.csv"                        # columns: inner_speed [rpm], torque [N mm], uncertainty [N mm]
 
-#[effects]                                # "auto": by the tolerance; or "on", "off"
+#[effects]                                # "auto": where its input is there; or "on", "off"
 #creep = "auto"
 #rolling = "auto"
 """

@@ -60,7 +60,7 @@ def _failure_at(scene: Scene, models: tuple[Model, Model], points: Array, number
         end = solved(one, points[at], work=work)
         if end.points["status"][0]:
             return _failure(scene, one, points[at], end, work)
-    raise AssertionError("a point settles the second time")
+    raise AssertionError("a point without a torque has one the second time")
 
 
 def require_settled(scene: Scene, model: Model, points: Array, found: Solution) -> None:
