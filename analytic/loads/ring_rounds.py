@@ -30,7 +30,7 @@ MOST_ROUNDS = 400
 # the more the less is left of a ball's own forces. Those of free balls keep to halfway: wedged ones would not arrive.
 STEADYING = 30
 MOST_HALVINGS = 4
-FLOATS = 1e-7  # of the heaviest ball's load: a change of forces that is enough after many rounds
+FLOATS = 1e-7  # of the heaviest ball's load: a change of forces that is enough in the last round
 # Of a ball's own force, over the largest: what is left where centrifugal force, weight and friction of another ball
 # cancel. Such a remainder presses nothing, and would lead a ball along its race for ever.
 FORCE_ROUND_OFF = 64 * np.finfo(np.float64).eps
@@ -224,7 +224,7 @@ def settle_round(grooves: Grooves, ring: Record, balls: Records, number: int, ac
     # The ring does not notice the force of a ball that floats or is wedged: that has to settle too.
     enough = max(balance.tolerance, accuracy * heaviest)
     # A ball whose forces all but cancel floats, and swings for ever by what no torque shows.
-    if accuracy == 0 and number > STEADYING:
+    if accuracy == 0 and number == MOST_ROUNDS:
         enough = max(enough, FLOATS * heaviest)
     # A step turns contacts, and the next round shows by how much that changes the forces. On the edge of a contact the
     # steps never end: after many rounds a small change is enough.

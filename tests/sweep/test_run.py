@@ -119,9 +119,7 @@ def test_the_dataset_has_units_and_its_origin(grid_file: Write, tmp_path: Path) 
     for name, variable in found.data_vars.items():
         assert variable.attrs["long_name"], name
     assert found.attrs["grid"] == path.read_text("utf-8")
-    assert {"title", "seed", "date", "command", "versions", "scene_sha256", "fembearing", "warnings"} <= set(
-        found.attrs
-    )
+    assert {"title", "date", "command", "versions", "scene_sha256", "fembearing", "warnings"} <= set(found.attrs)
 
 
 @pytest.mark.usefixtures("short_pieces")

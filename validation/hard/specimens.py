@@ -19,6 +19,7 @@ LOAD = 613.0  # N
 ANGLE, BALL_LOAD = 0.18, 620.0  # rad, N: the inner race contact of the 6205
 # The limits are those of the textbook formulas, under loads that inertia would exceed at any speed.
 AS_HERTZ: dict[str, Decision] = {
+    "weight": "off",
     "spin": "on",
     "finite_geometry": "off",
     "centrifugal": "off",

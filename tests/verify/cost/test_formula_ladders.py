@@ -110,7 +110,7 @@ def test_ways_to_turn_become_more_accurate(scene: Scene) -> None:
     )
     ladder = measured(turning_methods(dry), tolerance=0.03)
     rule, rigid, *marched = ladder.methods
-    assert present(rule.error) == pytest.approx(present(rigid.error), abs=2e-3)
+    assert present(rule.error) == pytest.approx(present(rigid.error), abs=5e-3)  # nodes of both
     assert rule.bound is rigid.bound is marched[-1].error is None
     assert present(marched[0].error) < present(rigid.error)
     assert ladder.chosen in marched
