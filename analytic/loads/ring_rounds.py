@@ -30,7 +30,7 @@ MOST_ROUNDS = 400
 # the more the less is left of a ball's own forces. Those of free balls keep to halfway: wedged ones would not arrive.
 STEADYING = 30
 MOST_HALVINGS = 4
-FLOATS = 1e-7  # of the heaviest ball's load: a change of forces that is enough in the last round
+FLOATS = 1e-5  # of the heaviest ball's load: a change of forces that is enough in the last round
 # Of a ball's own force, over the largest: what is left where centrifugal force, weight and friction of another ball
 # cancel. Such a remainder presses nothing, and would lead a ball along its race for ever.
 FORCE_ROUND_OFF = 64 * np.finfo(np.float64).eps
