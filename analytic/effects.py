@@ -418,6 +418,11 @@ def counted_effects(scene: Scene) -> dict[str, bool]:
     return on
 
 
+def turns_freely(scene: Scene, counted: Mapping[str, bool]) -> bool:
+    """Whether friction turns the balls, and no rule; counted : `counted_effects`"""
+    return (counted["spin"] or counted["conformity"]) and ruled(scene) is None
+
+
 def idle_reason(scene: Scene, name: str, *, counted: bool) -> str | None:
     """Why an effect with its input has nothing to act on at the scene's operating points, in words; None: it acts."""
     if name == "load_distribution" and scene.operation.is_thrust:

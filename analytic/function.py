@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.brief import Brief
-from analytic.effects import ENTRIES, counted_effects, ruled
+from analytic.effects import ENTRIES, counted_effects, turns_freely
 from analytic.errors import FembearingError, InputError, real_numbers
 from analytic.numerics.records import Records
 from analytic.oil.losses import StirredOil, stirred_oil
@@ -334,8 +334,7 @@ def torque_function(scene: Scene, *, invalid: Invalid = "raise") -> TorqueFuncti
     friction_torque(still).settled()  # raises what is wrong with the scene
     counted, model = counted_effects(still), None
     if scene.arrangement is None:
-        free = (counted["spin"] or counted["conformity"]) and ruled(still) is None
-        model = model_of(still, counted, free=free)
+        model = model_of(still, counted, free=turns_freely(still, counted))
     return TorqueFunction(
         scene=still,
         invalid=invalid,

@@ -32,7 +32,7 @@ from analytic.effects import (
     counted_effects,
     idle_reason,
     require_known,
-    ruled,
+    turns_freely,
 )
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
 from analytic.limits import limit_numbers, limit_reasons, torque_warnings
@@ -155,9 +155,8 @@ class Races:
 def _model(
     scene: Scene, counted: Mapping[str, bool], correction: ContactCorrection | None, variation: Variation
 ) -> Model:
-    slides = counted["spin"] or counted["conformity"]
-    free = slides and ruled(scene) is None
-    return model_of(scene, {**counted, "cage": False}, free=free, correction=correction, variation=variation)
+    free, races = turns_freely(scene, counted), {**counted, "cage": False}
+    return model_of(scene, races, free=free, correction=correction, variation=variation)
 
 
 def races_of(scene: Scene, correction: ContactCorrection | None = None, variation: Variation = NOMINAL) -> Races:

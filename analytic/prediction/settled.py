@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from analytic.effects import counted_effects, ruled
+from analytic.effects import counted_effects, turns_freely
 from analytic.oil.losses import stirred_oil
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.oil.viscosity import oil_numbers
@@ -52,5 +52,4 @@ def level_of(scene: Scene) -> int:
 
 def _model(scene: Scene, variation: Variation) -> Model:
     counted = counted_effects(scene)
-    free = (counted["spin"] or counted["conformity"]) and ruled(scene) is None
-    return model_of(scene, counted, free=free, variation=variation)
+    return model_of(scene, counted, free=turns_freely(scene, counted), variation=variation)

@@ -207,22 +207,11 @@ OF_MODEL = (
 def _kept_model(
     parts: tuple[Same, ...], tilt: float | None, counted: tuple[tuple[str, bool], ...], free: bool
 ) -> Model:
-    """As `model_of`; parts : of OF_MODEL, correction and variation, which the cache keeps alive."""
+    """As `model_of`; parts : of OF_MODEL, correction and variation, which the cache keeps alive;  tilt : None: free"""
     *values, correction, variation = (part.it for part in parts)
-    nowhere = Operation(axial_load=np.zeros(1), inner_speed=np.zeros(1), tilt="free" if tilt is None else tilt)
+    nowhere = Operation(axial_load=np.zeros(1), inner_speed=np.zeros(1))
     scene = Scene(operation=nowhere, **dict(zip(OF_MODEL, values, strict=True)))
-    return _new_model(scene, dict(counted), free=free, correction=correction, variation=variation)
-
-
-def _new_model(
-    scene: Scene,
-    counted: Mapping[str, bool],
-    *,
-    free: bool,
-    correction: ContactCorrection | None,
-    variation: Variation,
-) -> Model:
-    effects, bearing = _counted_of(counted), scene.bearing
+    effects, bearing = _counted_of(dict(counted)), scene.bearing
     boundary = 0.0 if scene.surface is None else scene.surface.boundary_friction
     require_non_negative(ball_mass=bearing.ball_mass, hysteresis_loss=scene.loss_factor, boundary_friction=boundary)
     oil = NO_OIL if scene.lubricant is None else oil_numbers(scene.lubricant)
@@ -234,7 +223,7 @@ def _new_model(
         ring=ring,
         arm=bearing.inner.bottom_radius + bearing.inner.groove_radius,
         counted=effects,
-        tilt=scene.operation.held_tilt,
+        tilt=np.nan if tilt is None else tilt,
         weighs_alike=scene.down is not None,
         oil=oil,
         warm=oil,

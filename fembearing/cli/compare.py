@@ -37,7 +37,7 @@ def compare(
     """Compare the computed torque with measured torques: error, uncertainty and verdict of each.
 
     Give the CSV file and the scene, or the scene alone if its table [measured] names the file. Exit status 0: every
-    measured torque lies in its 95 % interval; 1: at least one lies outside; 2: input error; 3: at least one undecided.
+    measured torque lies in its 95 % interval; 1: at least one lies outside; 2: input error.
     """
     require_folder_name(folder)
     data, scene = _data_and_scene(data, scene)

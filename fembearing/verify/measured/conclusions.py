@@ -19,8 +19,8 @@ def conclusions_of(
 
     mean_error, scatter : of E/D;  shares : of the variance of S, by input
     """
-    places = {verdict: [p for p, row in enumerate(rows) if row.verdict == verdict] for verdict in (*SIDES, "undecided")}
-    missed = sum(len(places[verdict]) for verdict in SIDES)
+    places = {verdict: [p for p, row in enumerate(rows) if row.verdict == verdict] for verdict in SIDES}
+    missed = sum(map(len, places.values()))
     if missed:
         where = "is outside its 95 % interval" if missed == 1 else "are outside their 95 % intervals"
         yield f"Missed: {missed} of {len(rows)} measured torques {where}."
@@ -28,12 +28,7 @@ def conclusions_of(
         if places[verdict]:
             off = _span([abs(rows[place].relative) for place in places[verdict]])
             yield f"The model is {side} at {_listed(places[verdict])}, by {off}."
-    if places["undecided"]:
-        yield (
-            f"Undecided: at {_listed(places['undecided'])} the measured torque is outside its interval, which does not "
-            "include the solver error (not known)."
-        )
-    if not missed and not places["undecided"]:
+    if not missed:
         all_rows = f"All {len(rows)} measured torques are inside their 95 % intervals."
         yield all_rows if len(rows) > 1 else "The measured torque is inside its 95 % interval."
     yield from _meaning(rows, missed=bool(missed))
@@ -52,20 +47,20 @@ def conclusions_of(
 
 
 def _meaning(rows: Sequence[MeasuredRow], *, missed: bool) -> Iterator[str]:
-    """What can be concluded; nothing of undecided rows, nor of |E| > 2 u_val without the solver error in u_val."""
+    """What can be concluded."""
     if missed:
         yield (
             "A 95 % interval misses one torque of 20 by chance. More misses mean that the error of an input, of the "
             "measurement or of a formula exceeds its stated uncertainty."
         )
         return
-    resolved = [place for place, row in enumerate(rows) if row.resolved and row.numerical is not None]
+    resolved = [place for place, row in enumerate(rows) if row.resolved]
     if resolved:
         yield (
             f"The formulas err at {_listed(resolved)}, |E| > 2 u_val, within their stated uncertainty; this holds if "
             "the uncertainties of inputs and measurement are right."
         )
-    elif not any(row.resolved or row.verdict == "undecided" for row in rows):
+    else:
         finest = max(COVERAGE * row.validation / row.measured for row in rows)
         yield (
             "Uncertainties of solver, inputs and measurement explain every difference, |E| < 2 u_val: these data show "
@@ -74,15 +69,12 @@ def _meaning(rows: Sequence[MeasuredRow], *, missed: bool) -> Iterator[str]:
 
 
 def notes_of(measured: MeasuredTorque, rows: Sequence[MeasuredRow]) -> Iterator[str]:
-    """What was taken from the scene, and what is not known."""
+    """What was taken from the scene, and what the file lacks."""
     taken = [name.replace("_", " ") for name in OPERATING if getattr(measured, name) is None and getattr(rows[0], name)]
     if taken:
         yield f"From the scene, without a column in {measured.file}: {', '.join(taken)}."
     if measured.uncertainty is None:
         yield f"{measured.file} has no column uncertainty: measured torques count as exact."
-    unknown = [place for place, row in enumerate(rows) if row.numerical is None]
-    if unknown:
-        yield f"The solver error is not known at {_listed(unknown)}, and not in u_val."
 
 
 def _listed(places: Sequence[int]) -> str:

@@ -25,7 +25,7 @@ if TYPE_CHECKING:  # with SciPy's statistics, which take half a second to import
     from analytic.prediction.prediction import Prediction
 
 COVERAGE = NormalDist().inv_cdf(0.975)  # standard uncertainties to a half-width of 95 %
-Inside = Literal["inside", "model too low", "model too high", "undecided"]
+Inside = Literal["inside", "model too low", "model too high"]
 COLUMNS: dict[str, Column] = {
     **COORDINATES,
     "temperature": Column("K", "temperature of the oil"),
@@ -53,7 +53,7 @@ class MeasuredRow(OperatingPoint):
     measured: Positive  # D, N m
     computed: float  # S, N m, with the inputs as they are
     error: float  # E = S - D, N m
-    numerical: NotNegative | None  # u_num, N m; None: not known
+    numerical: NotNegative  # u_num, N m
     input: NotNegative  # u_input, N m
     measurement: NotNegative | None  # u_D, N m; None: the file does not say it
     validation: NotNegative  # u_val, N m, of those that are known
@@ -63,7 +63,7 @@ class MeasuredRow(OperatingPoint):
     low: float  # lower end of the 95 % interval in which D should lie, that of S widened by u_D, N m
     high: float  # upper end, N m
     beyond: NotNegative  # distance of D from that interval, N m; 0 inside
-    verdict: Inside  # "undecided" outside, where the uncertainty of the solver is not known
+    verdict: Inside
 
     @property
     def relative(self) -> float:
@@ -81,8 +81,7 @@ def row_of(measured: MeasuredTorque, place: int, prediction: "Prediction", point
     total, nominal = prediction.total, prediction.nominal
     torque, computed = float(measured.torque[place]), float(nominal.torque.total[point])
     unsure = None if measured.uncertainty is None else float(measured.uncertainty[place])
-    solver = float(nominal.numerical_uncertainty[point]) / 2 * computed
-    numerical = solver if np.isfinite(solver) else None
+    numerical = float(nominal.numerical_uncertainty[point]) / 2 * computed
 
     def alone(cause: str) -> float:
         ends = prediction.made_of.get(cause)
@@ -94,7 +93,7 @@ def row_of(measured: MeasuredTorque, place: int, prediction: "Prediction", point
     beyond = max(low - torque, torque - high, 0.0)
     verdict: Inside = "inside"
     if beyond > 0:
-        verdict = "undecided" if numerical is None else "model too low" if torque > high else "model too high"
+        verdict = "model too low" if torque > high else "model too high"
     return MeasuredRow(
         **{name: float(getattr(nominal, name)[point]) for name in COORDINATES},
         temperature=None if scene.lubricant is None else scene.lubricant.temperature,

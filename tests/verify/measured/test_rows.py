@@ -85,13 +85,6 @@ def test_the_verdict_turns_where_the_measured_torque_leaves_the_interval(
     assert found.beyond == pytest.approx(beyond, abs=1e-6)
 
 
-def test_a_solver_of_unknown_error_leaves_undecided_what_is_outside() -> None:
-    outside, inside = (row(measured, solver=np.nan) for measured in (9.0, 5.5))
-    assert (outside.verdict, outside.numerical) == ("undecided", None)
-    assert inside.verdict == "inside"  # a wider interval holds it too
-    assert inside.validation == pytest.approx(np.hypot(0.459192, 0.3), abs=1e-6)
-
-
 def concluded(*measured: float, **kind: Any) -> list[str]:
     rows = [row(each, **kind) for each in measured]
     relative = np.array([each.relative for each in rows])
@@ -131,18 +124,3 @@ def test_agreement_is_worth_what_the_data_can_show() -> None:
 def test_one_row_of_several_is_in_the_singular() -> None:
     assert concluded(9.0, 5.0)[0] == "Missed: 1 of 2 measured torques is outside its 95 % interval."
     assert concluded(4.6, 5.0)[0] == "All 2 measured torques are inside their 95 % intervals."
-
-
-def test_an_undecided_row_is_said() -> None:
-    assert concluded(9.0, 5.5, solver=np.nan)[0].startswith("Undecided: at row 1 the measured torque is outside")
-
-
-def test_the_meaning_is_of_rows_whose_solver_error_is_known_and_of_none_that_is_undecided() -> None:
-    assert len(concluded(9.0, solver=np.nan)) == 1  # only that it is undecided
-    inside = concluded(3.88, solver=np.nan)  # |E| exceeds a u_val without the solver error
-    assert inside == ["The measured torque is inside its 95 % interval."]
-    rows = [row(9.0, solver=np.nan), row(3.88)]
-    _, meaning = conclusions_of(rows, 0.1, None, {})
-    assert meaning.startswith("The formulas err at row 2, |E| > 2 u_val, within their stated uncertainty;")
-    nothing = list(conclusions_of([row(9.0, solver=np.nan), row(5.0)], 0.1, None, {}))
-    assert [line.split(":")[0] for line in nothing] == ["Undecided"]
