@@ -142,14 +142,24 @@ class Races:
     def change_without(self, name: str, total: Array) -> float:
         """Largest change of the torque when an effect changes sides, over the torque, at `measured_points`.
 
-        total : (n,) N m. NaN where no point settles with the other choice.
+        total : (n,) N m. NaN where no point converges with the other choice.
         """
         scene, at = self.scene, self.measured_points
         other = replace(scene, effects={**scene.effects, name: "off" if self.counted[name] else "auto"})
-        model = _model(other, counted_effects(other), self.correction, self.variation).at(at)
-        changed = np.abs(solved(model, self.points[at]).race_torque - self.found.race_torque[at])
+        model = _model(other, counted_effects(other), self.correction, self.variation)
+        changed = np.abs(self._by_one_level(model) - self._measured)
         known = np.isfinite(changed)
         return float(share_in(changed[known], total[at][known]).max()) if known.any() else np.nan
+
+    @cached_property
+    def _measured(self) -> Array:
+        return self._by_one_level(self.model)
+
+    def _by_one_level(self, model: Model) -> Array:
+        """(k,) race torque at `measured_points` by the finest nodes there, N m: their error is common to a change."""
+        at = self.measured_points
+        level = int(self.found.points["level"][at].max())
+        return solved(model.at(at).with_numbers(level=level, allowed=np.inf), self.points[at]).race_torque
 
 
 def _model(

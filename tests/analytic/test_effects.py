@@ -111,7 +111,7 @@ def test_a_measured_share_is_the_change_of_the_torque_without_the_effect(name: s
     one, other = (effect_of(each, name) for each in (with_it, without_it))
     assert (one.decision, one.share_is, other.decision, other.share_is) == ("on", "measured", "off", "measured")
     change = np.abs(with_it.torque.race - without_it.torque.race)[list(with_it.effects.points)]
-    close = 1e-9  # of a change that is the difference of two settled torques, the same ones
+    close = 1e-6  # of the torque: passes end at 3e-7, and a share begins at its own level of nodes
     at = list(with_it.effects.points)
     assert one.share == pytest.approx(np.max(change / with_it.torque.total[at]), rel=1e-6, abs=close)
     assert other.share == pytest.approx(np.max(change / without_it.torque.total[at]), rel=1e-6, abs=close)
