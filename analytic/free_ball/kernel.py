@@ -325,18 +325,3 @@ def add_law_powers(contacts: Records, ball: Record, quadrature: Record) -> None:
         if contacts[race].load > 0.0:
             hold_flows(contacts[race], quadrature, flows[race])
             _add_law_powers(contacts[race], ball, velocity, quadrature, flows[race], rows)
-
-
-@compiled
-def power_by(contacts: Records, ball: Record, quadrature: Record) -> float:
-    """Power by slip of a ball as it turns, N m, by any quadrature; writes what the contacts do by it."""
-    velocity, passing = np.empty(4), np.zeros(2)
-    _copy(ball.velocity, velocity)
-    flows = np.empty((2, quadrature.strips, 3, quadrature.nodes))
-    sums = (np.zeros(4), np.zeros((4, 4)), np.zeros((3, 4)))
-    for race in range(2):
-        passing[race] = _passing(contacts[race], ball, velocity)
-        if contacts[race].load > 0.0:
-            hold_flows(contacts[race], quadrature, flows[race])
-    _residual(contacts, ball, velocity, passing, quadrature, flows, sums)
-    return contacts[0].power + contacts[1].power

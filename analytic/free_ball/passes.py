@@ -2,7 +2,8 @@
 
 Traction turns the balls and pushes them across their grooves, loads and angles follow, and where there is oil its film
 follows these. Each pass has the laws of traction of the last one, until the torque stays. A level of nodes begins where
-the coarser one has settled, and the difference shows its error; where that is not allowed, the next level follows.
+the coarser one has settled, by way of as many nodes across as it has itself; both differences show its error, and where
+that is not allowed, the next level follows.
 """
 
 from typing import NamedTuple
@@ -10,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from analytic.contact.hertz import loaded_hertz
-from analytic.free_ball.kernel import power_by, turn_ball
+from analytic.free_ball.kernel import turn_ball
 from analytic.free_ball.rounds import ROUGHLY_STEADY, SKIDS, STEADY, settle_free_ring, settle_free_thrust
 from analytic.free_ball.turning import (
     ACCURACY,
@@ -98,33 +99,36 @@ def settle_freely(
         for race in range(2):
             by_rule[j, race], by_rule[j, 2 + race] = ball.angle[race], ball.load[race]
         _begin(model, ball, known > 0)
-    torque = spin = whole = before = error = 0.0
-    last, end = len(model.quadratures) // 3 - 1, Round(SETTLED, 0, 0.0, 0.0)
-    level, coarser, is_alone = max(known - 1, wanted.level), 0.0, wanted.allowed == np.inf
-    first = level if is_alone else min(level, last - 1)
-    for number in range(first, last + 1):
-        level, is_start = number, number == first and not is_alone
+    torque = spin = whole = before = coarser = largest = error = 0.0
+    finest, end = len(model.quadratures) - 2, Round(SETTLED, 0, 0.0, 0.0)
+    level, is_alone = max(known - 1, wanted.level), wanted.allowed == np.inf
+    # Numbers of quadratures: a level has an odd one, the next even one has twice its nodes across.
+    first = 1 + 2 * level if is_alone else min(1 + 2 * level, finest - 2)
+    for number in range(first, finest + 1):
+        is_level = number % 2 == 1 and (number > first or is_alone)
         for repeats in range(MOST_PASSES):
             steady = ROUGHLY_STEADY if repeats == 0 else STEADY
-            end, other = _one_pass(model, speed, oil, ring, balls, contacts, 1 + 3 * level, steady, is_ring)
+            end, other = _one_pass(model, speed, oil, ring, balls, contacts, number, steady, is_ring)
             if end.end != SETTLED:
                 break
             before = whole
             torque, spin = _slid(bearing, balls, contacts)
             whole = torque + other
-            if repeats > 0 and abs(whole - before) <= (ROUGHLY_SAME if is_start else SAME) * whole:
+            if number % 2 == 0:  # its laws are those of the level before it: oil follows nodes little
+                break
+            if repeats > 0 and abs(whole - before) <= (SAME if is_level else ROUGHLY_SAME) * whole:
                 break
         if end.end != SETTLED:
             break
-        if not is_start:
-            # Frozen balls show both directions of the nodes apart; settled ones, what loads and angles make of them.
-            missed = _missed_share(model.quadratures, level, balls, contacts) * torque
-            error = ITERATED * whole + missed + (0.0 if is_alone else 2.0 * abs(whole - coarser))
+        largest = max(largest, abs(whole - coarser)) if number > first else 0.0
+        coarser = whole
+        if is_level:
+            level, error = number // 2, ITERATED * whole + 2.0 * largest
             if error <= wanted.allowed * whole:
                 break
-        coarser = whole
+            largest = 0.0
         for j in range(count):
-            balls[j].given[0] = np.nan  # the next level begins on coarse nodes
+            balls[j].given[0] = np.nan  # the next one begins on coarse nodes
     ring.passes = 0
     if end.end == SETTLED:
         ring.passes = 1 + level
@@ -134,26 +138,6 @@ def settle_freely(
     for i in range(5):
         loads += abs(ring.load[i])
     return FreeEnd(end, torque, spin, error, end.left / loads if is_ring is not None and is_ring else end.left)
-
-
-@compiled
-def _missed_share(quadratures: Records, level: int, balls: Records, contacts: Records) -> float:
-    """Error of the torque by slip, relative: of the ball that loses most, twice what doubling the nodes changes.
-
-    They are doubled across and along apart, so that their errors do not cancel, while the ball turns as it does.
-    """
-    worst, most = 0, 0.0
-    for j in range(len(balls)):
-        power = contacts[j, 0].power + contacts[j, 1].power
-        if power > most:
-            worst, most = j, power
-    if most == 0.0:
-        return 0.0
-    missed, first = 0.0, 1 + 3 * level
-    for doubled in (1, 2):
-        missed += 2.0 * abs(power_by(contacts[worst], balls[worst], quadratures[first + doubled]) - most)
-    power_by(contacts[worst], balls[worst], quadratures[first])  # writes what the contacts do again
-    return missed / most
 
 
 @compiled

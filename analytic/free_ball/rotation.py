@@ -20,8 +20,9 @@ asks for, not C22 of an even slip: what pushes a ball across its groove is spin.
 times as stiff, so that the force does not jump.
 Rates are per unit ring speed w, so slip is a length and all exists at standstill. Source: derived here.
 
-Nodes: each level has twice those of the one before in each direction, a first one follows from the tolerance
-(`analytic.solve.model.first_level`), and doubling them across and along apart gives its error.
+Nodes: each level has twice those of the one before in each direction, and a first one follows from the tolerance
+(`analytic.solve.model.first_level`). They are doubled across, then along: both changes have opposite signs where balls
+creep, and would cancel.
 """
 
 from functools import cache
@@ -50,8 +51,8 @@ LEVELS = (Nodes(16, 12), Nodes(32, 24), Nodes(64, 48), Nodes(128, 96))
 
 @cache
 def free_quadratures() -> Records:
-    """(k,) of `state.QUADRATURE`: a coarse one, then of each level its own, and twice as many across and along."""
-    of_levels = (each for n, m in LEVELS for each in (Nodes(n, m), Nodes(2 * n, m), Nodes(n, 2 * m)))
+    """(k,) of `state.QUADRATURE`: a coarse one, then of each level its own, and twice as many across."""
+    of_levels = (each for n, m in LEVELS for each in (Nodes(n, m), Nodes(2 * n, m)))
     each = (COARSE, *of_levels)
     quadratures = np.zeros(len(each), QUADRATURE)
     for quadrature, nodes in zip(quadratures, each, strict=True):

@@ -592,7 +592,7 @@ def slide_freely(
         return
     out.spin, out.conformity = end.spin, end.torque - end.spin
     out.sliding_error, out.residual = end.error, end.residual
-    quadrature = tables.quadratures[1 + 3 * out.level]
+    quadrature = tables.quadratures[1 + 2 * out.level]
     for j in range(count):
         state, of_ball = states[j], contacts[j]
         motion = motion_of(state)

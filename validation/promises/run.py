@@ -6,7 +6,7 @@ turn freely or by a rule (radial.py); thrust bearings, pairs, seats, given conta
 points, cages that rest on their balls, losses of the oil (drawn.py).
 Computes each at a tolerance of 1 % and of 0.01 %, and one point of a series alone. Counts scenes with a point whose two
 torques differ by more than both state together, and prints these with the ratio; scenes with a point whose torque alone
-is another one; scenes that do not settle, each with its line; refused ones; and scenes of unknown uncertainty, of which
+is another one; scenes with a point that does not converge, each with its line; refused ones; and scenes of unknown uncertainty, of which
 there must be none.
 Exit status: 1 if more than 2 in 1000 scenes are outside, one by more than three times, an uncertainty is unknown, or a
 point alone differs; else 0.
@@ -111,7 +111,10 @@ def _compared(seed: int, scene: Scene, torque: Callable[[Scene], FrictionTorque]
         signal.setitimer(signal.ITIMER_VIRTUAL, LONGEST * (MORE if count == LONG_SERIES else 1))
         results.append(torque(replace(scene, tolerance=tolerance)))
     coarse, fine = results
-    failed = [_line(reason) for result in results for reason in result.failures.values()]
+    failed = [reason for result in results for reason in result.failures.values()]
+    unsettled = [_line(reason) for reason in failed if not isinstance(reason, InputError)]
+    if count == len(coarse.failures) and not unsettled:
+        return Drawn(seed=seed, refused=str(failed[0]))
     both = ~np.isin(np.arange(count), [*coarse.failures, *fine.failures])
     stated = [result.numerical_uncertainty[both] for result in results]
     if not all(np.isfinite(each).all() for each in stated):
@@ -125,7 +128,7 @@ def _compared(seed: int, scene: Scene, torque: Callable[[Scene], FrictionTorque]
         error=0.0 if worst is None else float(error[worst]),
         stated=0.0 if worst is None else float(stated[0][worst]),
         alone=_alone(scene, coarse, seed % count, torque) if count > 1 and both[seed % count] else 0.0,
-        unsettled=f"{len(failed)} of {2 * count} points: {failed[0]}" if failed else "",
+        unsettled=f"{len(unsettled)} of {2 * count} points: {unsettled[0]}" if unsettled else "",
     )
 
 

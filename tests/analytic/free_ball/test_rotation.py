@@ -158,7 +158,7 @@ def test_any_start_leads_to_one_rotation() -> None:
         *under_thrust(*STEEP, load=500.0, speed=628.3, friction=0.1).work[1:],
         np.random.default_rng(8),
     )
-    ball, nodes = as_record(balls[0]), as_record(free_quadratures()[1 + 3 * FINE])
+    ball, nodes = as_record(balls[0]), as_record(free_quadratures()[1 + 2 * FINE])
     found = ball.velocity.copy()
     for _ in range(18):
         pitch, across = random.uniform(-0.3, 1.3), random.uniform(-0.3, 0.3)

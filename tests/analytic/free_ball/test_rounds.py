@@ -42,7 +42,7 @@ def test_a_root_finder_settles_loads_and_rotation_at_the_same_place(
     balls = under_thrust(bearing, free_angle, load=load, speed=speed, friction=friction)
     numbers = bearing_numbers(bearing, ContactAngle(rule="solved", free=free_angle))
     nodes, contacts, ball = (
-        as_record(free_quadratures()[1 + 3 * FINE]),
+        as_record(free_quadratures()[1 + 2 * FINE]),
         balls.work.contacts[0],
         as_record(balls.work.balls[0]),
     )
