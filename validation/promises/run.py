@@ -6,8 +6,8 @@ turn freely or by a rule (radial.py); thrust bearings, pairs, seats, given conta
 points, cages that rest on their balls, losses of the oil (drawn.py).
 Computes each at a tolerance of 1 % and of 0.01 %, and one point of a series alone. Counts scenes with a point whose two
 torques differ by more than both state together, and prints these with the ratio; scenes with a point whose torque alone
-is another one; scenes with a point that does not converge, each with its line; refused ones; and scenes of unknown uncertainty, of which
-there must be none.
+is another one; scenes with a point that does not converge, each with its line; refused ones; and scenes of unknown
+uncertainty, of which there must be none.
 Exit status: 1 if more than 2 in 1000 scenes are outside, one by more than three times, an uncertainty is unknown, or a
 point alone differs; else 0.
 """
