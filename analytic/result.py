@@ -227,8 +227,8 @@ class FrictionTorque(Brief):
     contact_angle: Array  # al, loaded, the mean of both races, rad; this and what follows of the heaviest ball
     ball_load: Array  # Q, on the race where it is larger, N
     torque: TorqueParts[Array]
-    # Of the total, relative: twice what doubling the nodes of sliding changes, the residual of the equilibrium, and the
-    # interval of a moving cage
+    # Of the total, relative: twice what doubling the nodes of sliding changes, the residual of the equilibrium, the
+    # interval of a moving cage, and a tenth of the tolerance
     numerical_uncertainty: Array
     friction_coefficient: FrictionCoefficients[Array]
     film: OnRaces[Array | None]  # h, mean gap that the oil fills, m; None without a lubrication model

@@ -70,6 +70,7 @@ from analytic.words import NEWTON, NEWTON_MILLIMETRE, speed_of, torque_of
 MODEL_VERSION = 14
 OF_RACES = ("spin", "conformity", "hysteresis", "rolling")
 PARTS = (*OF_RACES, "cage", "oil", "declared")
+TOLD = 0.1  # of the tolerance, a judgement: levels of nodes may agree by accident, so that no finer error is stated
 LOADING = ("load_distribution", "weight", "centrifugal", "gyroscopic", "finite_geometry")
 
 
@@ -244,9 +245,9 @@ def friction_torque(
     With microslip "as_printed" the moments of [Paper] replace the derived ones, at the same spin and coefficients.
     Every effect is computed that has its input, can act, and is not switched off (`analytic.effects`). Balls turn as
     friction has it, or by the scene's spin rule. The numerical uncertainty is the solver's error: twice what doubling
-    the nodes of sliding changes (of free balls also twice the difference to half as many nodes), the residual of the
-    equilibrium, and the interval of a moving cage. The tolerance decides on the number of nodes alone. A point that
-    does not settle has no torque (NaN), and `failures` says why.
+    the nodes of sliding changes, of race and cage alike, the residual of the equilibrium, the interval of a moving cage,
+    and a tenth of the tolerance. The tolerance decides on the number of nodes alone. A point that does not settle has
+    no torque (NaN), and `failures` says why.
     A scene with an arrangement has two bearings: the parts are sums over both, and `pair` has each of them.
     Sources: [Paper], and those of the modules named here.
     """
@@ -306,7 +307,10 @@ def _torque_of(races: Races) -> FrictionTorque:
     numbers, heaviest, roughness = limit_numbers(scene, found, counted), races.heaviest, races.roughness
     held_by = found.points["holding_moment"].copy()
     ring = state_of_ring(scene.bearing, scene.contact_angle, found.balls, operation, held_by)
-    unsure = found.points["sliding_error"] + (0.0 if cage is None else cage.half_interval)
+    unsure = found.points["sliding_error"]
+    if cage is not None:  # the balls that drive it slide on the same nodes
+        unsure = unsure + share_in(unsure, race) * cage.torque + cage.half_interval
+    unsure = share_in(unsure, total) + found.points["residual"] + (TOLD * scene.tolerance if races.slides else 0.0)
     return FrictionTorque(
         inner_speed=speed,
         axial_load=operation.axial_load,
@@ -315,7 +319,7 @@ def _torque_of(races: Races) -> FrictionTorque:
         contact_angle=np.abs(heaviest["angle"].mean(axis=1)),
         ball_load=heaviest["load"].max(axis=1),
         torque=TorqueParts(total=total, race=race, **{name: parts.get(name) for name in PARTS}),
-        numerical_uncertainty=share_in(unsure, total) + found.points["residual"],
+        numerical_uncertainty=unsure,
         friction_coefficient=FrictionCoefficients(
             **_on_races(heaviest, "friction_coefficient", races.slides),
             pocket=None if cage is None else cage.friction_coefficient,

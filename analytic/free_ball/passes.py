@@ -39,7 +39,6 @@ from analytic.scene import Array
 FIRST = 3e-2  # residual of the rotation, over all friction, that is enough for the first round
 SAME = 3e-7  # relative, of the torque between two passes of one quadrature: no start can be told from another
 ROUGHLY_SAME = 1e-4  # likewise of the level that the first one is compared with
-ITERATED = 1e-4  # relative, of the torque: what rounds and passes leave, a judgement; no finer error is stated
 MOST_PASSES = 60  # 2 to 5 are usual; 25 of one quadrature where friction all but wedges light balls
 
 
@@ -123,7 +122,7 @@ def settle_freely(
         largest = max(largest, abs(whole - coarser)) if number > first else 0.0
         coarser = whole
         if is_level:
-            level, error = number // 2, ITERATED * whole + 2.0 * largest
+            level, error = number // 2, 2.0 * largest
             if error <= wanted.allowed * whole:
                 break
             largest = 0.0
