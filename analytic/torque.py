@@ -245,9 +245,9 @@ def friction_torque(
     With microslip "as_printed" the moments of [Paper] replace the derived ones, at the same spin and coefficients.
     Every effect is computed that has its input, can act, and is not switched off (`analytic.effects`). Balls turn as
     friction has it, or by the scene's spin rule. The numerical uncertainty is the solver's error: twice what doubling
-    the nodes of sliding changes, of race and cage alike, the residual of the equilibrium, the interval of a moving cage,
-    and a tenth of the tolerance. The tolerance decides on the number of nodes alone. A point that does not settle has
-    no torque (NaN), and `failures` says why.
+    the nodes of sliding changes, of race and cage alike, the residual of the equilibrium, the interval of a moving
+    cage, and a tenth of the tolerance. The tolerance decides on the number of nodes alone. A point that does not settle
+    has no torque (NaN), and `failures` says why.
     A scene with an arrangement has two bearings: the parts are sums over both, and `pair` has each of them.
     Sources: [Paper], and those of the modules named here.
     """
