@@ -230,28 +230,11 @@ TABLE = (
         meaning="unequal ball loads by a radial load or a moment",
         needs=SOLVED_ANGLE,
     ),
+    Entry(name="centrifugal", kind="computed", meaning="centrifugal force on the balls", needs=SOLVED_ANGLE),
+    Entry(name="gyroscopic", kind="computed", meaning="gyroscopic moment on the balls", needs=TURNING_BALL),
+    Entry(name="weight", kind="computed", meaning="weight of the balls", needs=SOLVED_ANGLE),
     Entry(
-        name="centrifugal",
-        kind="computed",
-        meaning="centrifugal force on the balls",
-        needs=SOLVED_ANGLE,
-    ),
-    Entry(
-        name="gyroscopic",
-        kind="computed",
-        meaning="gyroscopic moment on the balls",
-        needs=TURNING_BALL,
-    ),
-    Entry(
-        name="weight",
-        kind="computed",
-        meaning="weight of the balls",
-        needs=SOLVED_ANGLE,
-    ),
-    Entry(
-        name="finite_geometry",
-        kind="computed",
-        meaning="the true shapes of ball and groove, which are no half spaces",
+        name="finite_geometry", kind="computed", meaning="the true shapes of ball and groove, which are no half spaces"
     ),
     Entry(
         name="asperities",
@@ -274,11 +257,7 @@ TABLE = (
         needs=RING_DIAMETERS,
         idle='nothing slides or rolls in oil: give effects.rolling = "auto"',
     ),
-    Entry(
-        name="spin",
-        kind="computed",
-        meaning="spin of the balls about the contact normals",
-    ),
+    Entry(name="spin", kind="computed", meaning="spin of the balls about the contact normals"),
     Entry(
         name="conformity", kind="computed", meaning="sliding because the contact is curved in the transverse direction"
     ),
@@ -364,11 +343,7 @@ TABLE = (
         needs=Need(keys="`oil_share` in `[losses]`", lacks=_not_given("oil_share", "2 %")),
         given="from losses.oil_share",
     ),
-    Entry(
-        name="plasticity",
-        kind="limit",
-        meaning="plastic contact; not modelled",
-    ),
+    Entry(name="plasticity", kind="limit", meaning="plastic contact; not modelled"),
     Entry(
         name="shoulder",
         kind="limit",

@@ -19,7 +19,8 @@ from numpy.typing import ArrayLike
 from analytic.cage.pocket import impact
 from analytic.contact.hertz import elliptic_integrals
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
-from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.compilation import compiled
+from analytic.numerics.elements import mapped
 from analytic.scene import STANDARD_GRAVITY, Array, PocketAxis
 from analytic.words import length_of
 
@@ -256,7 +257,13 @@ def hanging_torque(mu: float, weight: float, surface_rate: float, contact_angle:
 def braking_torque(
     drag: float, mu: float, cage_rate: float, orbit_speed: float, ball_surface_speed: float, pitch_radius: float
 ) -> float:
-    """The formula of `braked_torque`; ball_surface_speed : r w_b, m/s."""
+    """T = c (w_c/w) (w_c + mu r w_b/r_m), N m: a cage that oil brakes and balls push.
+
+    drag : c, torque over speed, N m s;  cage_rate : w_c/w;  orbit_speed : w_c, rad/s;  pitch_radius : r_m, m, > 0
+    ball_surface_speed : r w_b, m/s; all >= 0
+    The normal forces of the balls add up to c w_c/r_m, and the balls slide under them with w_b r. Added to
+    `rest_torque` this is an upper bound, as the same normal forces may both carry and push the cage.
+    """
     return drag * cage_rate * (orbit_speed + mu * ball_surface_speed / pitch_radius)
 
 
@@ -311,22 +318,6 @@ def resting_torques(cage: RestingCage, mu: Array, rows: Array) -> Array:
     return both
 
 
-@compiled
-def _hanging_torques(rows: Array) -> Array:
-    torques = np.empty(rows.shape[1])
-    for i in range(torques.size):
-        torques[i] = hanging_torque(rows[0, i], rows[1, i], rows[2, i], rows[3, i])
-    return torques
-
-
-@compiled
-def _braking_torques(rows: Array) -> Array:
-    torques = np.empty(rows.shape[1])
-    for i in range(torques.size):
-        torques[i] = braking_torque(rows[0, i], rows[1, i], rows[2, i], rows[3, i], rows[4, i], rows[5, i])
-    return torques
-
-
 def rest_torque(
     *,
     friction_coefficient: ArrayLike,
@@ -352,39 +343,7 @@ def rest_torque(
         gravity=gravity,
     )
     weight, rate = np.asarray(cage_mass) * np.asarray(gravity), np.asarray(ball_rate) * np.asarray(ball_radius)
-    rows, shape = rows_of(friction_coefficient, weight, rate, contact_angle)
-    return _hanging_torques(rows).reshape(shape)
-
-
-def braked_torque(
-    *,
-    drag: ArrayLike,
-    friction_coefficient: ArrayLike,
-    cage_rate: ArrayLike,
-    orbit_speed: ArrayLike,
-    pitch_radius: ArrayLike,
-    ball_speed: ArrayLike,
-    ball_radius: ArrayLike,
-) -> Array:
-    """T = c (w_c/w) (w_c + mu r w_b/r_m), N m: a cage that oil brakes and balls push; all broadcast.
-
-    drag : c, torque over speed, N m s;  friction_coefficient : mu;  cage_rate : w_c/w;  orbit_speed : w_c, rad/s
-    pitch_radius : r_m, m, > 0;  ball_speed : w_b, rad/s;  ball_radius : r, m; all >= 0
-    The normal forces of the balls add up to c w_c/r_m, and the balls slide under them with w_b r. Added to
-    `rest_torque` this is an upper bound, as the same normal forces may both carry and push the cage.
-    """
-    require_positive(pitch_radius=pitch_radius)
-    require_non_negative(
-        drag=drag,
-        friction_coefficient=friction_coefficient,
-        cage_rate=cage_rate,
-        orbit_speed=orbit_speed,
-        ball_speed=ball_speed,
-        ball_radius=ball_radius,
-    )
-    surface = np.asarray(ball_speed) * np.asarray(ball_radius)
-    rows, shape = rows_of(drag, friction_coefficient, cage_rate, orbit_speed, surface, pitch_radius)
-    return _braking_torques(rows).reshape(shape)
+    return mapped(hanging_torque, friction_coefficient, weight, rate, contact_angle)
 
 
 def whirl_speed(

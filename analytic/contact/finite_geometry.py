@@ -36,6 +36,7 @@ from analytic.contact.geometry import (
 )
 from analytic.contact.hertz import ball_share, contact_modulus, hertz_contact
 from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.elements import mapped
 from analytic.numerics.records import record_of
 from analytic.scene import Array, Bearing, Contact
 from analytic.words import DEGREE, Unit, percent_of
@@ -94,8 +95,13 @@ def finite_geometry_factors(shape: ContactShape) -> CorrectedGeometry:
     border, times b/r (approach) or (b/r)^2 over that there, and its uncertainty grows. Two steps of `steps_beyond` away
     the factors are 1, and the uncertainty holds all of that change. The warnings say which ratios lie outside.
     """
-    rows, of = _rows(shape)
-    return _corrected(_geometries(fit_record(), rows).reshape(-1, *of), lambda: shape)
+
+    def of_numbers(*ratios: float) -> Array:
+        fields = np.empty(10)
+        _put(geometry_of(fit_record(), ShapeNumbers(*ratios)), fields)
+        return fields
+
+    return _corrected(mapped(of_numbers, *_ratios(shape)), lambda: shape)
 
 
 def race_geometry(bearing: Bearing, race: Race, *, contact_angle: ArrayLike, ball_load: ArrayLike) -> CorrectedGeometry:
@@ -152,8 +158,14 @@ def contact_shape(contact: Contact) -> ContactShape:
 
 def shape_bases(shape: ContactShape) -> dict[str, Array]:
     """The bases of the terms by name, see `Bases`: those of a shoulder (2, ...), near and far, the others (...)."""
-    rows, of = _rows(shape)
-    bases = dict(zip(BASES, _bases(rows).reshape(-1, 2, *of), strict=True))
+
+    def of_numbers(*ratios: float) -> list[tuple[float, float]]:
+        each = ShapeNumbers(*ratios)
+        unit, slope = unit_of(each), float(np.tan(each.contact_angle))
+        near, far = bases_of(each, unit, each.shoulder, -slope), bases_of(each, unit, each.far_shoulder, slope)
+        return list(zip(near, far, strict=True))
+
+    bases = dict(zip(BASES, mapped(of_numbers, *_ratios(shape)), strict=True))
     return {name: sides if name in SIDES else sides[0] for name, sides in bases.items()}
 
 
@@ -171,11 +183,11 @@ def _corrected(fields: Array, shape: Callable[[], ContactShape]) -> CorrectedGeo
     )
 
 
-def _rows(shape: ContactShape) -> tuple[Array, tuple[int, ...]]:
-    """(9, n) the ratios in the order of `ShapeNumbers`, and the shape of the n contacts."""
+def _ratios(shape: ContactShape) -> list[ArrayLike]:
+    """The ratios in the order of `ShapeNumbers`."""
     if shape.far_shoulder is None:
         shape = replace(shape, far_shoulder=shape.shoulder)
-    return rows_of(*(getattr(shape, name) for name in ShapeNumbers._fields))
+    return [getattr(shape, name) for name in ShapeNumbers._fields]
 
 
 def _range(name: str, value: float, low: float, high: float) -> str:
@@ -187,8 +199,7 @@ def _range(name: str, value: float, low: float, high: float) -> str:
 
 def _outside(shape: ContactShape, applied: Array) -> Iterator[str]:
     """Which ratios lie outside the range, and what the correction does there."""
-    rows, of = _rows(shape)
-    values = dict(zip(ShapeNumbers._fields, rows.reshape(-1, *of), strict=True))
+    values = dict(zip(ShapeNumbers._fields, np.broadcast_arrays(*_ratios(shape)), strict=True))
 
     def done(least: float) -> str:
         if least == 1:
@@ -212,25 +223,10 @@ def _outside(shape: ContactShape, applied: Array) -> Iterator[str]:
 
 
 @compiled
-def _shape_at(rows: Array, i: int) -> ShapeNumbers:
-    return ShapeNumbers(
-        rows[0, i], rows[1, i], rows[2, i], rows[3, i], rows[4, i], rows[5, i], rows[6, i], rows[7, i], rows[8, i]
-    )
-
-
-@compiled
 def _put(geometry: GeometryNumbers, fields: Array) -> None:
     for k in range(4):
         fields[k], fields[4 + k] = geometry.factors[k], geometry.uncertainty[k]
     fields[8], fields[9] = geometry.beyond, geometry.applied
-
-
-@compiled
-def _geometries(fit: FitNumbers, shapes: Array) -> Array:
-    fields = np.empty((10, shapes.shape[1]))
-    for i in range(shapes.shape[1]):
-        _put(geometry_of(fit, _shape_at(shapes, i)), fields[:, i])
-    return fields
 
 
 @compiled
@@ -249,15 +245,3 @@ def _shapes_on(race: RaceNumbers, rows: Array) -> Array:
         for k in range(9):
             shapes[k, i] = shape[k]
     return shapes
-
-
-@compiled
-def _bases(shapes: Array) -> Array:
-    bases = np.empty((len(BASES), 2, shapes.shape[1]))
-    for i in range(shapes.shape[1]):
-        shape = _shape_at(shapes, i)
-        unit, slope = unit_of(shape), np.tan(shape.contact_angle)
-        near, far = bases_of(shape, unit, shape.shoulder, -slope), bases_of(shape, unit, shape.far_shoulder, slope)
-        for k in range(len(BASES)):
-            bases[k, 0, i], bases[k, 1, i] = near[k], far[k]
-    return bases

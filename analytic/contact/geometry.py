@@ -6,7 +6,7 @@ Source: [Harris2007] section 2.
 """
 
 from dataclasses import replace
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -15,7 +15,8 @@ from numpy.typing import ArrayLike
 from analytic.contact.hertz import ball_share, contact_modulus
 from analytic.contact.rolling_contact import deformed_radius
 from analytic.errors import InputError, require_non_negative
-from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.compilation import compiled
+from analytic.numerics.elements import mapped
 from analytic.numerics.records import record_of
 from analytic.scene import Array, Bearing, Cage, Contact, Groove, Ring, Wall
 from analytic.words import angle_of, length_of
@@ -136,10 +137,11 @@ def shoulder_distances(bearing: Bearing, race: Race, *, contact_angle: ArrayLike
     one is negative, the centre lies beyond that shoulder. NaN where the half-width is not known.
     Raises InputError as race_curvatures does.
     """
-    (signed,), shape = rows_of(contact_angle)
-    require_contact_angle(bearing, np.abs(signed))
-    towards, away = _shoulder_distances(record_of(race_numbers(bearing, race)), signed)
-    return towards.reshape(shape), away.reshape(shape)
+    require_contact_angle(bearing, np.abs(contact_angle))
+    numbers = race_numbers(bearing, race)
+    shoulders = numbers.near_shoulder, numbers.far_shoulder
+    towards, away = mapped(partial(distances_to_shoulders, record_of(numbers), shoulders), contact_angle)
+    return towards, away
 
 
 def with_shoulders(bearing: Bearing, height: float) -> Bearing:
@@ -242,15 +244,6 @@ def _rolling_curvatures(race: RaceNumbers, contact_angle: Array) -> Array:
     for i in range(contact_angle.size):
         curvature[i] = rolling_curvature(race, contact_angle[i])
     return curvature
-
-
-@compiled
-def _shoulder_distances(race: RaceNumbers, contact_angle: Array) -> Array:
-    distances = np.empty((2, contact_angle.size))
-    for i in range(contact_angle.size):
-        shoulders = race.near_shoulder, race.far_shoulder
-        distances[0, i], distances[1, i] = distances_to_shoulders(race, shoulders, contact_angle[i])
-    return distances
 
 
 def _ring(bearing: Bearing, race: Race, half_widths: tuple[float, float]) -> Ring | None:

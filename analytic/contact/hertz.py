@@ -155,23 +155,12 @@ def loaded_hertz(unit: HertzNumbers, load: float) -> HertzNumbers:
 
 
 @compiled
-def _unit_contacts(rows: Array) -> Array:
+def _contacts(rows: Array) -> Array:
     fields = np.empty((5, rows.shape[1]))
     for i in range(rows.shape[1]):
-        unit = unit_hertz(rows[0, i], rows[1, i], rows[2, i])
+        contact = loaded_hertz(unit_hertz(rows[0, i], rows[1, i], rows[2, i]), rows[3, i])
         for k in range(5):
-            fields[k, i] = unit[k]
-    return fields
-
-
-@compiled
-def _loaded_contacts(rows: Array) -> Array:
-    fields = np.empty((5, rows.shape[1]))
-    for i in range(rows.shape[1]):
-        unit = HertzNumbers(rows[0, i], rows[1, i], rows[2, i], rows[3, i], rows[4, i])
-        loaded = loaded_hertz(unit, rows[5, i])
-        for k in range(5):
-            fields[k, i] = loaded[k]
+            fields[k, i] = contact[k]
     return fields
 
 
@@ -211,13 +200,8 @@ def hertz_contact(
     Source: [Johnson1985] section 4.2.
     """
     contact_arguments(curvature_x=curvature_x, curvature_y=curvature_y, load=load, modulus=modulus)
-    return loaded_contact(unit_contact(curvature_x, curvature_y, modulus), load=load)
-
-
-def unit_contact(curvature_x: ArrayLike, curvature_y: ArrayLike, modulus: ArrayLike) -> HertzContact:
-    """The contact under 1 N, unchecked; the arguments of hertz_contact broadcast."""
-    rows, shape = rows_of(curvature_x, curvature_y, modulus)
-    return hertz_fields(_unit_contacts(rows), shape)
+    rows, shape = rows_of(curvature_x, curvature_y, modulus, load)
+    return hertz_fields(_contacts(rows), shape)
 
 
 def hertz_fields(fields: Array, shape: tuple[int, ...]) -> HertzContact:
@@ -242,8 +226,9 @@ def loaded_contact(unit: HertzContact, *, load: ArrayLike) -> HertzContact:
     Raises InputError if a load is negative or not finite.
     """
     require_non_negative(load=load)
-    rows, shape = rows_of(*vars(unit).values(), load)
-    return hertz_fields(_loaded_contacts(rows), shape)
+    root = np.cbrt(load)
+    growth = dict(zip(HertzNumbers._fields, (root, root, root, root**2, np.ones_like(root)), strict=True))
+    return HertzContact(**{name: getattr(unit, name) * by for name, by in growth.items()})
 
 
 def contact_arguments(

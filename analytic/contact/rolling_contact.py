@@ -12,7 +12,6 @@ from numpy.typing import ArrayLike
 
 from analytic.contact.hertz import hertz_contact
 from analytic.errors import InputError, require_non_negative, require_positive
-from analytic.numerics.compilation import compiled
 from analytic.scene import Array
 
 Numbers = Array | float
@@ -115,22 +114,6 @@ class ContactNumbers(NamedTuple):
     deformed_radius: float  # R, transverse radius of the contact surface, m
     rolling_rate: float  # w_roll/w
     entrainment: float  # u/w, of both surfaces relative to the contact, m
-
-
-@compiled
-def contact_at(rows: Array, first: int, index: int) -> ContactNumbers:
-    """The contact whose fields are nine rows from the first on, of the element at the index."""
-    return ContactNumbers(
-        rows[first, index],
-        rows[first + 1, index],
-        rows[first + 2, index],
-        rows[first + 3, index],
-        rows[first + 4, index],
-        rows[first + 5, index],
-        rows[first + 6, index],
-        rows[first + 7, index],
-        rows[first + 8, index],
-    )
 
 
 def elliptic_contact(

@@ -115,7 +115,9 @@ def settle_freely(
             whole = torque + other
             if number % 2 == 0:  # its laws are those of the level before it: oil follows nodes little
                 break
-            if repeats > 0 and abs(whole - before) <= (SAME if is_level else ROUGHLY_SAME) * whole:
+            change = max(largest, abs(whole - coarser)) if number > first else 0.0
+            ends = is_level and (number == finest or 2.0 * change <= wanted.allowed * whole)
+            if repeats > 0 and abs(whole - before) <= (SAME if ends else ROUGHLY_SAME) * whole:
                 break
         if end.end != SETTLED:
             break

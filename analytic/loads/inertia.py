@@ -8,9 +8,9 @@ from numpy.typing import ArrayLike
 
 from analytic.errors import require_non_negative, require_positive
 from analytic.loads.kinematics import ball_kinematics, ruled_motion
-from analytic.loads.numbers import BearingNumbers, bearing_numbers
-from analytic.numerics.compilation import compiled, rows_of
-from analytic.numerics.records import record_of
+from analytic.loads.numbers import BearingNumbers
+from analytic.numerics.compilation import compiled
+from analytic.numerics.elements import mapped
 from analytic.scene import Array, Bearing
 
 
@@ -32,7 +32,11 @@ def moment_of_turned_axis(
 def inertia_of_ball(
     bearing: BearingNumbers, inner_speed: float, inner_angle: float, outer_angle: float
 ) -> tuple[float, float]:
-    """`force_and_moment` of one ball."""
+    """(F_c, M_g) of a ball at its contact angles, N and N m; M_g has the sign of the ball's pitch.
+
+    inner_speed : w, rad/s, any sign, the outer ring stands still
+    inner_angle, outer_angle : al_i, al_o, rad, in [-pi/2, pi/2]
+    """
     motion = ruled_motion(bearing, inner_speed, inner_angle, outer_angle)
     force = outward_force(bearing.ball_mass, bearing.pitch_diameter, motion.cage_speed)
     moment = moment_of_turned_axis(
@@ -46,8 +50,7 @@ def centrifugal_force(*, ball_mass: ArrayLike, pitch_diameter: ArrayLike, cage_s
 
     ball_mass : m, kg;  pitch_diameter : d_m, m;  cage_speed : w_m, rad/s, any sign
     """
-    rows, shape = rows_of(ball_mass, pitch_diameter, cage_speed)
-    return _outward_forces(rows).reshape(shape)
+    return mapped(outward_force, ball_mass, pitch_diameter, cage_speed)
 
 
 def gyroscopic_moment(
@@ -63,21 +66,7 @@ def gyroscopic_moment(
     ball_mass : m, kg;  ball_diameter : D, m;  ball_speed, cage_speed : w_b, w_m, rad/s, any sign
     axis_angle : of w_b to the bearing axis, rad, any sign
     """
-    rows, shape = rows_of(ball_mass, ball_diameter, ball_speed, cage_speed, axis_angle)
-    return _moments_of_turned_axes(rows).reshape(shape)
-
-
-def force_and_moment(
-    bearing: Bearing, *, inner_speed: Array, inner_angle: Array, outer_angle: Array
-) -> tuple[Array, Array]:
-    """(F_c, M_g) of balls at their contact angles, N and N m; M_g has the sign of the ball's pitch.
-
-    inner_speed : w, rad/s, any sign, the outer ring stands still
-    inner_angle, outer_angle : al_i, al_o, rad, in [-pi/2, pi/2]
-    """
-    rows, shape = rows_of(inner_speed, inner_angle, outer_angle)
-    force, moment = _inertia_of_balls(record_of(bearing_numbers(bearing)), rows)
-    return force.reshape(shape), moment.reshape(shape)
+    return mapped(moment_of_turned_axis, ball_mass, ball_diameter, ball_speed, cage_speed, axis_angle)
 
 
 def centrifugal_ratio(
@@ -155,27 +144,3 @@ def ratio(part: ArrayLike, *, over: ArrayLike) -> Array:
     """part/over, both >= 0: 0 where the part is 0, infinite where only the part is not."""
     part, over = np.broadcast_arrays(np.asarray(part, dtype=np.float64), np.asarray(over, dtype=np.float64))
     return np.divide(part, over, out=np.where(part > 0, np.inf, 0.0), where=over > 0)
-
-
-@compiled
-def _outward_forces(rows: Array) -> Array:
-    force = np.empty(rows.shape[1])
-    for i in range(force.size):
-        force[i] = outward_force(rows[0, i], rows[1, i], rows[2, i])
-    return force
-
-
-@compiled
-def _moments_of_turned_axes(rows: Array) -> Array:
-    moment = np.empty(rows.shape[1])
-    for i in range(moment.size):
-        moment[i] = moment_of_turned_axis(rows[0, i], rows[1, i], rows[2, i], rows[3, i], rows[4, i])
-    return moment
-
-
-@compiled
-def _inertia_of_balls(bearing: BearingNumbers, rows: Array) -> Array:
-    inertia = np.empty((2, rows.shape[1]))
-    for i in range(rows.shape[1]):
-        inertia[0, i], inertia[1, i] = inertia_of_ball(bearing, rows[0, i], rows[1, i], rows[2, i])
-    return inertia

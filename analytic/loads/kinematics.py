@@ -17,7 +17,8 @@ from numpy.typing import ArrayLike
 
 from analytic.errors import InputError, require_finite, require_positive
 from analytic.loads.numbers import BearingNumbers
-from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.compilation import compiled
+from analytic.numerics.elements import mapped
 from analytic.scene import Array
 
 MOST_LEAN = np.pi / 2 - 0.01  # rad, of the ball's axis to the rolling direction's normal plane at a contact
@@ -147,20 +148,9 @@ def ball_kinematics(
             raise InputError(f"{name} must be at most pi/2 rad, got {largest!r}; is it in degrees?")
     if not ball_diameter < pitch_diameter:
         raise InputError(f"ball_diameter {ball_diameter!r} m must be below pitch_diameter {pitch_diameter!r} m")
-    rows, shape = rows_of(inner_speed, outer_speed, inner_angle, outer_angle, np.nan if pitch is None else pitch)
-    fields = _ball_motions(rows, float(pitch_diameter), float(ball_diameter)).reshape(-1, *shape)
+    if pitch is None:
+        pitch = mapped(outer_control_pitch, inner_angle, outer_angle, ball_diameter / pitch_diameter)
+    fields = mapped(
+        ball_motion, inner_speed, outer_speed, inner_angle, outer_angle, pitch, pitch_diameter, ball_diameter
+    )
     return BallKinematics(**dict(zip(BallMotion._fields, fields, strict=True)))
-
-
-@compiled
-def _ball_motions(rows: Array, pitch_diameter: float, ball_diameter: float) -> Array:
-    fields = np.empty((10, rows.shape[1]))
-    for i in range(rows.shape[1]):
-        inner_speed, outer_speed, inner_angle, outer_angle = rows[0, i], rows[1, i], rows[2, i], rows[3, i]
-        pitch = rows[4, i]
-        if np.isnan(pitch):
-            pitch = outer_control_pitch(inner_angle, outer_angle, ball_diameter / pitch_diameter)
-        motion = ball_motion(inner_speed, outer_speed, inner_angle, outer_angle, pitch, pitch_diameter, ball_diameter)
-        for k in range(10):
-            fields[k, i] = motion[k]
-    return fields

@@ -1,14 +1,11 @@
 """The contacts of balls with both races: by Hertz under 1 N, and one ball's under its loads."""
 
-import numpy as np
-
 from analytic.contact.factors import FactorNumbers, corrected
 from analytic.contact.geometry import RaceNumbers, rolling_curvature
 from analytic.contact.hertz import HertzNumbers, loaded_hertz, unit_hertz
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.numerics.compilation import compiled
 from analytic.numerics.records import Record
-from analytic.scene import Array
 
 
 @compiled
@@ -54,14 +51,3 @@ def contact_under(
         rolling_rate,
         entrainment,
     )
-
-
-@compiled
-def _unit_contacts(race: RaceNumbers, rows: Array) -> Array:
-    fields = np.empty((5, rows.shape[1]))
-    for i in range(rows.shape[1]):
-        factors = FactorNumbers(rows[1, i], rows[2, i], rows[3, i], rows[4, i])
-        unit = unit_contact_on(race, rows[0, i], factors)
-        for k in range(5):
-            fields[k, i] = unit[k]
-    return fields

@@ -9,8 +9,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from analytic.contact.rolling_contact import ContactNumbers, contact_at
-from analytic.numerics.compilation import compiled, rows_of
+from analytic.contact.rolling_contact import ContactNumbers
+from analytic.numerics.compilation import compiled
+from analytic.numerics.elements import mapped
 from analytic.scene import Array
 
 FITTED_ELLIPTICITY = (0.03, 1.0)  # approximate range of the numerical solutions that were fitted
@@ -49,8 +50,7 @@ class FilmAsymptotes(NamedTuple):
         stay. Compressible oil is squeezed by its share (1 - s_a) p0 of the peak pressure. A film that fills the
         clearance grows no more.
         """
-        rows, shape = rows_of(*self, log_remaining)
-        value, slope = _log_films(rows).reshape(2, *shape)
+        value, slope = mapped(lambda *given: log_film_of(FilmAsymptotes(*given[:-1]), given[-1]), *self, log_remaining)
         return value, slope
 
 
@@ -155,43 +155,3 @@ def thinned(film: FilmAsymptotes, log_factor: float) -> FilmAsymptotes:
         film.ellipticity,
         film.peak_pressure,
     )
-
-
-@compiled
-def film_at(rows: Array, index: int) -> FilmAsymptotes:
-    """The film whose fields are the first eight rows, of the element at the index."""
-    return FilmAsymptotes(
-        rows[0, index],
-        rows[1, index],
-        rows[2, index],
-        rows[3, index],
-        rows[4, index],
-        rows[5, index],
-        rows[6, index],
-        rows[7, index],
-    )
-
-
-@compiled
-def _log_films(rows: Array) -> Array:
-    both = np.empty((2, rows.shape[1]))
-    for i in range(rows.shape[1]):
-        both[0, i], both[1, i] = log_film_of(film_at(rows, i), rows[8, i])
-    return both
-
-
-@compiled
-def inflow_at(rows: Array, first: int, index: int) -> Inflow:
-    """The inflow whose fields are five rows from the first on, of the element at the index."""
-    speed, viscosity, pressure_viscosity = rows[first, index], rows[first + 1, index], rows[first + 2, index]
-    return Inflow(speed, viscosity, pressure_viscosity, rows[first + 3, index] != 0.0, rows[first + 4, index])
-
-
-@compiled
-def asymptotes_of_rows(rows: Array) -> Array:
-    films = np.empty((8, rows.shape[1]))
-    for i in range(rows.shape[1]):
-        film = asymptotes_of(contact_at(rows, 0, i), inflow_at(rows, 9, i))
-        for k in range(8):
-            films[k, i] = film[k]
-    return films

@@ -8,21 +8,18 @@ Source: [Nijenbanning1994]. The exponent s also appears with H_EI/H_RI in place 
 5 to 8 %.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from analytic.contact.rolling_contact import ContactNumbers, EllipticContact, contact_at
+from analytic.contact.rolling_contact import ContactNumbers, EllipticContact
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
-from analytic.numerics.compilation import compiled, rows_of
-from analytic.oil.asymptotes import (
-    FilmAsymptotes,
-    Inflow,
-    asymptotes_of_rows,
-    density_under,
-    inflow_at,
-)
+from analytic.numerics.compilation import compiled
+from analytic.numerics.elements import mapped
+from analytic.oil.asymptotes import FilmAsymptotes, Inflow, asymptotes_of, density_under
 from analytic.scene import Array
 
 # Standard deviation of ln(film). Measured films of circular contacts spread by 12 to 17 % in the logarithm; those of
@@ -57,7 +54,11 @@ def smallest_ratio(contact: ContactNumbers, inflow: Inflow) -> float:
 
 @compiled
 def shear_heat(viscosity: float, viscosity_temperature: float, speed: float, conductivity: float) -> float:
-    """L_t of `thermal_loading`."""
+    """L_t = eta_0 beta u^2/k_f: how much shear at the inlet heats the oil.
+
+    viscosity : eta_0, Pa s, > 0;  viscosity_temperature : beta = -d ln(eta)/dT, 1/K, >= 0
+    speed : u, of entrainment, m/s;  conductivity : k_f, of the oil, W/(m K), > 0
+    """
     return viscosity * viscosity_temperature * speed**2 / conductivity
 
 
@@ -67,35 +68,6 @@ def heated_part(peak_pressure: float, modulus: float, loading: float, slide_to_r
     log_loading = np.log(loading)
     shear = 0.213 * (1 + 2.23 * slide_to_roll**0.83) * np.exp(0.64 * log_loading)
     return max(1 - 13.2 * peak_pressure / (2 * modulus) * np.exp(0.42 * log_loading), 0.0) / (1 + shear)
-
-
-@compiled
-def _densities(pressure: Array) -> Array:
-    return np.array([density_under(each) for each in pressure])
-
-
-@compiled
-def _loadings(rows: Array) -> Array:
-    loadings = np.empty(rows.shape[1])
-    for i in range(rows.shape[1]):
-        loadings[i] = shear_heat(rows[0, i], rows[1, i], rows[2, i], rows[3, i])
-    return loadings
-
-
-@compiled
-def _smallest_ratios(rows: Array) -> Array:
-    ratios = np.empty(rows.shape[1])
-    for i in range(rows.shape[1]):
-        ratios[i] = smallest_ratio(contact_at(rows, 0, i), inflow_at(rows, 9, i))
-    return ratios
-
-
-@compiled
-def _heated_parts(rows: Array) -> Array:
-    parts = np.empty(rows.shape[1])
-    for i in range(rows.shape[1]):
-        parts[i] = heated_part(rows[0, i], rows[1, i], rows[2, i], rows[3, i])
-    return parts
 
 
 def central_film(
@@ -160,37 +132,32 @@ def film_asymptotes(
     Without speed all are -inf. Without load those of elastic bodies are inf. Without piezoviscosity the piezoviscous
     ones are -inf.
     """
-    rows, shape = _inflow_rows(
-        contact,
-        entrainment_speed=entrainment_speed,
-        viscosity=viscosity,
-        pressure_viscosity=pressure_viscosity,
-        largest_gap=largest_gap,
-        compressible=compressible,
-    )
-    return FilmAsymptotes(*asymptotes_of_rows(rows).reshape(8, *shape))
-
-
-def _inflow_rows(
-    contact: EllipticContact,
-    *,
-    entrainment_speed: ArrayLike,
-    viscosity: ArrayLike,
-    pressure_viscosity: ArrayLike,
-    largest_gap: ArrayLike | None = None,
-    compressible: bool = False,
-) -> tuple[Array, tuple[int, ...]]:
-    """Rows of `ContactNumbers` and of `Inflow`, and the shape; arguments and errors of central_film."""
-    require_positive(viscosity=viscosity)
-    require_non_negative(pressure_viscosity=pressure_viscosity)
-    require_finite(entrainment_speed=entrainment_speed)
     if largest_gap is not None:
         require_positive(largest_gap=largest_gap)
     limit = np.inf if largest_gap is None else largest_gap
+    inflow = entrainment_speed, viscosity, pressure_viscosity, float(compressible), limit
+    return FilmAsymptotes(*_of_inflow(asymptotes_of, contact, *inflow))
+
+
+def _of_inflow(
+    formula: Callable[[ContactNumbers, Inflow], Any],
+    contact: EllipticContact,
+    entrainment_speed: ArrayLike,
+    viscosity: ArrayLike,
+    pressure_viscosity: ArrayLike,
+    *others: ArrayLike,
+) -> Array:
+    """The formula of each contact; others : the last fields of `Inflow`; arguments and errors of central_film."""
+    require_positive(viscosity=viscosity)
+    require_non_negative(pressure_viscosity=pressure_viscosity)
+    require_finite(entrainment_speed=entrainment_speed)
+
+    def of_numbers(*given: float) -> Any:
+        speed, eta, alpha, compressible, limit = given[9:]
+        return formula(ContactNumbers(*given[:9]), Inflow(speed, eta, alpha, compressible != 0, limit))
+
     try:
-        return rows_of(
-            *contact.fields, np.abs(entrainment_speed), viscosity, pressure_viscosity, float(compressible), limit
-        )
+        return mapped(of_numbers, *contact.fields, np.abs(entrainment_speed), viscosity, pressure_viscosity, *others)
     except ValueError as problem:
         raise InputError(
             "the arguments of a film have shapes that do not fit together: give equal lengths"
@@ -203,8 +170,7 @@ def density_ratio(pressure: ArrayLike) -> Array:
     Source: [Dowson1966].
     """
     require_non_negative(pressure=pressure)
-    (each,), shape = rows_of(pressure)
-    return _densities(each).reshape(shape)
+    return mapped(density_under, pressure)
 
 
 def minimum_ratio(
@@ -217,10 +183,7 @@ def minimum_ratio(
         (3.63/2.69) U^0.01 G^-0.04 W^-0.006 [1 - exp(-0.68 k)]/[1 - 0.61 exp(-0.73 k)]
     Without load, speed or piezoviscosity, where the fits have no meaning, it is 1. Source: [Hamrock1977].
     """
-    rows, shape = _inflow_rows(
-        contact, entrainment_speed=entrainment_speed, viscosity=viscosity, pressure_viscosity=pressure_viscosity
-    )
-    return _smallest_ratios(rows).reshape(shape)
+    return _of_inflow(smallest_ratio, contact, entrainment_speed, viscosity, pressure_viscosity, 0.0, np.inf)
 
 
 def inlet_heating_factor(
@@ -229,7 +192,7 @@ def inlet_heating_factor(
     """Film whose inlet is heated by its own shear, over the isothermal film, 0 to 1; the arguments broadcast.
 
     peak_pressure : p0, Pa, >= 0;  modulus : E*, Pa, > 0
-    thermal_loading : L_t = eta_0 beta u^2/k_f, >= 0 (see `thermal_loading`)
+    thermal_loading : L_t = eta_0 beta u^2/k_f, >= 0 (see `shear_heat`)
     slide_to_roll : S, sliding over mean speed, >= 0
         [1 - 13.2 (p0/E') L_t^0.42]/[1 + 0.213 (1 + 2.23 S^0.83) L_t^0.64],  E' = 2 E*
     The numerator passes 0 near L_t = 160 at 2 GPa on steel; beyond that 0 is returned. The fit loses its meaning long
@@ -238,20 +201,4 @@ def inlet_heating_factor(
     """
     require_non_negative(peak_pressure=peak_pressure, thermal_loading=thermal_loading, slide_to_roll=slide_to_roll)
     require_positive(modulus=modulus)
-    rows, shape = rows_of(peak_pressure, modulus, thermal_loading, slide_to_roll)
-    return _heated_parts(rows).reshape(shape)
-
-
-def thermal_loading(
-    *, viscosity: ArrayLike, viscosity_temperature: ArrayLike, entrainment_speed: ArrayLike, conductivity: ArrayLike
-) -> Array:
-    """L_t = eta_0 beta u^2/k_f: how much shear at the inlet heats the oil; the arguments broadcast.
-
-    viscosity : eta_0, Pa s, > 0;  viscosity_temperature : beta = -d ln(eta)/dT, 1/K, >= 0
-    entrainment_speed : u, m/s;  conductivity : k_f, of the oil, W/(m K), > 0
-    """
-    require_positive(viscosity=viscosity, conductivity=conductivity)
-    require_non_negative(viscosity_temperature=viscosity_temperature)
-    require_finite(entrainment_speed=entrainment_speed)
-    rows, shape = rows_of(viscosity, viscosity_temperature, entrainment_speed, conductivity)
-    return _loadings(rows).reshape(shape)
+    return mapped(heated_part, peak_pressure, modulus, thermal_loading, slide_to_roll)

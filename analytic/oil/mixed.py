@@ -15,20 +15,18 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from analytic.contact.rolling_contact import ContactNumbers, EllipticContact, contact_at
+from analytic.contact.rolling_contact import ContactNumbers, EllipticContact
 from analytic.errors import ConvergenceError, InputError, require_finite, require_non_negative, require_positive
-from analytic.numerics.compilation import compiled, rows_of
-from analytic.numerics.elements import elements_of
-from analytic.numerics.records import record_of
-from analytic.oil.asymptotes import FilmAsymptotes, film_at, log_film_of, thinned
+from analytic.numerics.compilation import compiled
+from analytic.numerics.elements import elements_of, mapped
+from analytic.oil.asymptotes import FilmAsymptotes, log_film_of, thinned
 from analytic.scene import Array
 from analytic.surface.gap import (
     SMOOTH,
-    GapForm,
     GapLaw,
     GapNumbers,
     area_of,
-    gap_forms,
+    gap_numbers,
     log_gap_of,
     log_sigma_of,
     rough_log_pressure,
@@ -183,26 +181,6 @@ def oil_beside(area_fraction: float, film_thickness: float, without_film: bool) 
     return area, film_thickness / beside if beside > 0.0 else 0.0
 
 
-@compiled
-def _oils(rows: Array) -> Array:
-    both = np.empty((2, rows.shape[1]))
-    for i in range(rows.shape[1]):
-        both[0, i], both[1, i] = oil_beside(rows[0, i], rows[1, i], rows[2, i] != 0.0)
-    return both
-
-
-@compiled
-def _mixed(rows: Array, form: GapForm, cubics: Array, pressure_factor: float, share_step: float) -> Array:
-    gap = GapNumbers(form.kind, cubics, form.truncated, form.elastic)
-    fields = np.empty((6, rows.shape[1]))
-    for i in range(rows.shape[1]):
-        contact, film = contact_at(rows, 8, i), film_at(rows, i)
-        found = mixed_of(contact, film, gap, rows[17, i], pressure_factor, share_step)
-        fields[0, i], fields[1, i], fields[2, i] = found.asperity_share, found.boundary_share, found.film_thickness
-        fields[3, i], fields[4, i], fields[5, i] = found.area_fraction, found.capped, found.without_film
-    return fields
-
-
 @dataclass(frozen=True, kw_only=True, eq=False)
 class MixedContact:
     """One or many lubricated rough contacts; every field has the broadcast shape of the arguments."""
@@ -227,8 +205,10 @@ class MixedContact:
 
     @cached_property
     def _oil_beside(self) -> Array:
-        rows, shape = rows_of(self.area_fraction, self.film_thickness, self.without_film)
-        return _oils(rows).reshape(2, *shape)
+        def of_numbers(touched: float, thickness: float, without_film: float) -> tuple[float, float]:
+            return oil_beside(touched, thickness, without_film != 0)
+
+        return mapped(of_numbers, self.area_fraction, self.film_thickness, self.without_film)
 
     def race(self, race: int) -> "MixedContact":
         """The contacts of one race, where the first axis counts races."""
@@ -281,14 +261,18 @@ def mixed_contact(
         raise InputError(
             "semi_axis_rolling or semi_axis_transverse is 0 under load: give the semi-axes of the smooth contact"
         )
+    law = gap_numbers(gap)
+
+    def of_numbers(*given: float) -> MixedNumbers:
+        films, contacts, factor = FilmAsymptotes(*given[:8]), ContactNumbers(*given[8:17]), given[17]
+        return mixed_of(contacts, films, law, factor, float(pressure_factor), float(share_step))
+
     try:
-        rows, shape = rows_of(*film, *contact.fields, film_factor)
+        fields = mapped(of_numbers, *film, *contact.fields, film_factor)
     except ValueError as problem:
         raise InputError(
             "the arguments of a mixed contact have shapes that do not fit together: give equal lengths"
         ) from problem
-    (form,), cubics = gap_forms(gap)
-    fields = _mixed(rows, record_of(form), cubics, float(pressure_factor), float(share_step)).reshape(6, *shape)
     share, boundary_share, thickness, touched, capped, without_film = fields
     if np.isnan(share).any():
         raise no_shared_load()
@@ -298,6 +282,6 @@ def mixed_contact(
         film_thickness=thickness,
         area_fraction=touched,
         capped=capped != 0,
-        outside_range=np.broadcast_to(film.outside_range, shape),
+        outside_range=np.broadcast_to(film.outside_range, share.shape),
         without_film=without_film != 0,
     )

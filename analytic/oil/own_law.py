@@ -6,11 +6,13 @@ f(0) = 0, f has the slope 1 at 0 and never falls.
 
 import hashlib
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 
 from analytic.errors import InputError
 from analytic.numerics.cubic import Pieces, cubic_at, monotone_cubic
+from analytic.numerics.elements import mapped
 from analytic.oil.law_table import COLUMNS
 from analytic.scene import Array, OwnTraction
 
@@ -127,7 +129,7 @@ def _require_rising(name: str, known: dict[float, float]) -> None:
 
 
 def _at(cubic: Array, places: Array) -> Array:
-    return np.array([cubic_at(cubic, Pieces(0, len(cubic)), place)[0] for place in places.tolist()])
+    return mapped(partial(cubic_at, cubic, Pieces(0, len(cubic))), places)[0]
 
 
 def _with_ends(cubic: Array, last: float, log_stress: float) -> Array:

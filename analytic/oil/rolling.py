@@ -6,16 +6,18 @@ longer in the direction of rolling than transverse to it, and a speed so low tha
 ones. Heating and starvation of the inlet reduce it by the factors of [SKF2018].
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from analytic.contact.hertz import HertzNumbers, elliptic_integrals, unit_hertz
-from analytic.contact.rolling_contact import ContactNumbers, EllipticContact, RollingContact, contact_at
+from analytic.contact.rolling_contact import ContactNumbers, EllipticContact, RollingContact
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
-from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.compilation import compiled
+from analytic.numerics.elements import mapped
 from analytic.numerics.root import cube_root
 from analytic.scene import Array, Supply
 
@@ -118,41 +120,6 @@ def houpert_force(group: RollingGroups, pressure_viscosity: float) -> float:
 
 
 @compiled
-def groups_of_rows(rows: Array) -> list[RollingGroups]:
-    """Of contacts, viscosities and speeds in the first eleven rows. Neighbours of one shape share Hertz's ellipse."""
-    groups = []
-    rolling = transverse = modulus = np.nan
-    unit = HertzNumbers(0.0, 0.0, 0.0, 0.0, 0.0)
-    for i in range(rows.shape[1]):
-        contact = contact_at(rows, 0, i)
-        if (
-            contact.curvature_rolling != rolling
-            or contact.curvature_transverse != transverse
-            or contact.modulus != modulus
-        ):
-            rolling, transverse, modulus = contact.curvature_rolling, contact.curvature_transverse, contact.modulus
-            unit = unit_hertz(rolling, transverse, modulus)
-        groups.append(rolling_groups(contact, unit, rows[9, i], rows[10, i]))
-    return groups
-
-
-@compiled
-def _biboulet_forces(rows: Array) -> Array:
-    both = np.empty((2, rows.shape[1]))
-    for i, group in enumerate(groups_of_rows(rows)):
-        both[0, i], both[1, i] = biboulet_force(contact_at(rows, 0, i), group)
-    return both
-
-
-@compiled
-def _houpert_forces(rows: Array) -> Array:
-    forces = np.empty(rows.shape[1])
-    for i, group in enumerate(groups_of_rows(rows)):
-        forces[i] = houpert_force(group, rows[11, i])
-    return forces
-
-
-@compiled
 def heated_rolling(mean_diameter: float, ring_speed: float, kinematic_viscosity: float) -> float:
     """phi_ish of `inlet_shear_factor`; arguments in SI as there."""
     surface = PER_MINUTE * ring_speed * mean_diameter * 1e3  # n d_m, mm/min
@@ -192,38 +159,6 @@ def elastic_rolling(contact: ContactNumbers, loss: float, by_houpert: bool, step
     return min(own * (other / own) ** step, max(own, slow_rolling(contact, DRY_FRICTION)))
 
 
-@compiled
-def _slow_rolling_moments(rows: Array) -> Array:
-    moments = np.empty(rows.shape[1])
-    for i in range(rows.shape[1]):
-        moments[i] = slow_rolling(contact_at(rows, 0, i), rows[9, i])
-    return moments
-
-
-@compiled
-def _hysteresis_moments(rows: Array) -> Array:
-    moments = np.empty(rows.shape[1])
-    for i in range(rows.shape[1]):
-        moments[i] = hysteresis(contact_at(rows, 0, i), rows[9, i])
-    return moments
-
-
-@compiled
-def _replenished(rows: Array) -> Array:
-    factors = np.empty(rows.shape[1])
-    for i in range(rows.shape[1]):
-        factors[i] = replenished(rows[0, i], rows[1, i], rows[2, i])
-    return factors
-
-
-@compiled
-def _heated_rollings(rows: Array) -> Array:
-    factors = np.empty(rows.shape[1])
-    for i in range(rows.shape[1]):
-        factors[i] = heated_rolling(rows[0, i], rows[1, i], rows[2, i])
-    return factors
-
-
 def hydrodynamic_rolling(
     contact: RollingContact, *, viscosity: ArrayLike, entrainment_speed: ArrayLike
 ) -> RollingResistance:
@@ -247,8 +182,7 @@ def hydrodynamic_rolling(
     Raises InputError if an argument has the wrong sign or is not finite, or if shapes do not broadcast.
     Source: equations 32, 35 and 36 of [Biboulet2010].
     """
-    rows, shape = _rows(contact, viscosity, entrainment_speed)
-    force, too_fast = _biboulet_forces(rows).reshape(2, *shape)
+    force, too_fast = _of_groups(biboulet_force, contact, viscosity, entrainment_speed)
     return _resistance(contact, force, entrainment_speed, too_fast=too_fast != 0)
 
 
@@ -266,17 +200,32 @@ def houpert_rolling(
     Source: [Houpert1987], in the notation of [Biboulet2010].
     """
     require_positive(pressure_viscosity=pressure_viscosity)
-    rows, shape = _rows(contact, viscosity, entrainment_speed, pressure_viscosity)
-    return _resistance(contact, _houpert_forces(rows).reshape(shape), entrainment_speed)
+
+    def of_group(_: ContactNumbers, group: RollingGroups, alpha: float) -> float:
+        return houpert_force(group, alpha)
+
+    force = _of_groups(of_group, contact, viscosity, entrainment_speed, pressure_viscosity)
+    return _resistance(contact, force, entrainment_speed)
 
 
-def _rows(
-    contact: EllipticContact, viscosity: ArrayLike, entrainment_speed: ArrayLike, *others: ArrayLike
-) -> tuple[Array, tuple[int, ...]]:
+def _of_groups(
+    formula: Callable[..., Any],
+    contact: EllipticContact,
+    viscosity: ArrayLike,
+    entrainment_speed: ArrayLike,
+    *others: ArrayLike,
+) -> Array:
+    """The formula of each contact, of its groups and of others."""
     require_positive(viscosity=viscosity)
     require_finite(entrainment_speed=entrainment_speed)
+
+    def of_numbers(*given: float) -> Any:
+        each, (eta, speed, *rest) = ContactNumbers(*given[:9]), given[9:]
+        unit = unit_hertz(each.curvature_rolling, each.curvature_transverse, each.modulus)
+        return formula(each, rolling_groups(each, unit, eta, speed), *rest)
+
     try:
-        return rows_of(*contact.fields, viscosity, np.abs(entrainment_speed), *others)
+        return mapped(of_numbers, *contact.fields, viscosity, np.abs(entrainment_speed), *others)
     except ValueError as problem:
         raise InputError(
             "the arguments of a rolling resistance have shapes that do not fit together: give equal lengths"
@@ -313,8 +262,7 @@ def hysteresis_moment(contact: EllipticContact, *, hysteresis_loss: ArrayLike) -
     Source: equation 8 of [Paper], from [Johnson1985] p. 285.
     """
     require_non_negative(hysteresis_loss=hysteresis_loss)
-    rows, shape = rows_of(*contact.fields, hysteresis_loss)
-    return _hysteresis_moments(rows).reshape(shape)
+    return mapped(lambda *given: hysteresis(ContactNumbers(*given[:-1]), given[-1]), *contact.fields, hysteresis_loss)
 
 
 def slow_rolling_moment(contact: EllipticContact, *, friction_coefficient: ArrayLike) -> Array:
@@ -326,8 +274,11 @@ def slow_rolling_moment(contact: EllipticContact, *, friction_coefficient: Array
     Source: equation 8 of [Houpert2002].
     """
     require_non_negative(friction_coefficient=friction_coefficient)
-    rows, shape = rows_of(*contact.fields, friction_coefficient)
-    return _slow_rolling_moments(rows).reshape(shape)
+
+    def of_numbers(*given: float) -> float:
+        return slow_rolling(ContactNumbers(*given[:-1]), given[-1])
+
+    return mapped(of_numbers, *contact.fields, friction_coefficient)
 
 
 def inlet_shear_factor(*, mean_diameter: ArrayLike, ring_speed: ArrayLike, kinematic_viscosity: ArrayLike) -> Array:
@@ -338,8 +289,7 @@ def inlet_shear_factor(*, mean_diameter: ArrayLike, ring_speed: ArrayLike, kinem
     """
     require_positive(mean_diameter=mean_diameter, kinematic_viscosity=kinematic_viscosity)
     require_non_negative(ring_speed=ring_speed)
-    rows, shape = rows_of(mean_diameter, ring_speed, kinematic_viscosity)
-    return _heated_rollings(rows).reshape(shape)
+    return mapped(heated_rolling, mean_diameter, ring_speed, kinematic_viscosity)
 
 
 def replenishment_factor(
@@ -364,8 +314,7 @@ def replenishment_factor(
     rate = replenishment_rate(
         bore_diameter=bore_diameter, outside_diameter=outside_diameter, supply=supply, geometry=geometry
     )
-    rows, shape = rows_of(rate, ring_speed, kinematic_viscosity)
-    return _replenished(rows).reshape(shape)
+    return mapped(replenished, rate, ring_speed, kinematic_viscosity)
 
 
 def replenishment_rate(

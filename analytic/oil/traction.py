@@ -15,15 +15,16 @@ where sliding is fast.
 from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.contact.rolling_contact import ContactNumbers, EllipticContact, contact_at
+from analytic.contact.rolling_contact import ContactNumbers, EllipticContact
 from analytic.errors import InputError, require_non_negative
-from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.compilation import compiled
+from analytic.numerics.elements import mapped
 from analytic.numerics.memory import stay_apart
 from analytic.oil.law_table import FASTEST, flow_of
 from analytic.oil.law_table import flows_of as flows_of  # for the reference of friction
@@ -56,7 +57,7 @@ class PointLaw(NamedTuple):
     own: Any = 0.0  # address of the table of a user's law, see `analytic.oil.law_table`; 0: Eyring's law
 
 
-LAW = len(PointLaw._fields)  # rows of a law
+LAW = len(PointLaw._fields)  # numbers of a law
 
 
 @compiled
@@ -116,24 +117,6 @@ def own_stress(law: PointLaw, pressure: float, speed: float) -> tuple[float, flo
 
 
 @compiled
-def law_at(rows: Array, first: int, index: int) -> PointLaw:
-    """The law whose fields are LAW rows from the first on, of the element at the index."""
-    return PointLaw(
-        rows[first, index],
-        rows[first + 1, index],
-        rows[first + 2, index],
-        rows[first + 3, index],
-        rows[first + 4, index],
-        rows[first + 5, index],
-        rows[first + 6, index],
-        rows[first + 7, index],
-        rows[first + 8, index],
-        rows[first + 9, index],
-        rows[first + 10, index],
-    )
-
-
-@compiled
 def with_numbers(law: PointLaw, boundary: float, fluidity: float) -> PointLaw:
     """The law with another friction coefficient of its asperities, and another fluidity at ambient pressure, s/m."""
     oil = law.share, law.alpha, law.bend, law.exponent, law.rises, law.own
@@ -166,36 +149,9 @@ def law_of_oil(oil: OilNumbers, boundary: float, share: float, area: float, thic
     return PointLaw(boundary, 0.0, limit, stress * area, fluidity, share, alpha, bend, oil.exponent, rises, oil.own)
 
 
-@compiled
-def _stresses(rows: Array) -> Array:
-    stress = np.empty(rows.shape[1])
-    for i in range(rows.shape[1]):
-        stress[i] = stress_and_slope(law_at(rows, 0, i), rows[LAW, i], rows[LAW + 1, i])[0]
-    return stress
-
-
-@compiled
-def _forces(rows: Array) -> Array:
-    force = np.empty(rows.shape[1])
-    for i in range(rows.shape[1]):
-        force[i] = mean_force(law_at(rows, 0, i), contact_at(rows, LAW, i), rows[LAW + 9, i])
-    return force
-
-
-@compiled
-def _laws(oil: OilNumbers, rows: Array) -> Array:
-    laws = np.empty((LAW, rows.shape[1]))
-    for i in range(rows.shape[1]):
-        law = law_of_oil(oil, rows[0, i], rows[1, i], rows[2, i], rows[3, i])
-        for k in range(LAW):
-            laws[k, i] = law[k]
-    return laws
-
-
 def _stress(law: PointLaw, pressure: ArrayLike, speed: ArrayLike) -> Array:
     """Stress, Pa; numbers of the law, pressure and speed broadcast."""
-    rows, shape = rows_of(*law, pressure, speed)
-    return _stresses(rows).reshape(shape)
+    return mapped(lambda *given: stress_and_slope(PointLaw(*given[:LAW]), *given[LAW:])[0], *law, pressure, speed)
 
 
 class _Law(ABC):
@@ -214,11 +170,10 @@ class _Law(ABC):
         """
         law, fields = self.point_law, contact.fields
 
-        def force(speed: ArrayLike) -> Array:
-            rows, shape = rows_of(*law, *fields, speed)
-            return _forces(rows).reshape(shape)
+        def of_numbers(*given: float) -> float:
+            return mean_force(PointLaw(*given[:LAW]), ContactNumbers(*given[LAW:-1]), given[-1])
 
-        return force
+        return lambda speed: mapped(of_numbers, *law, *fields, speed)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -326,5 +281,4 @@ def _oiled(
     lubricant: Lubricant, *, boundary: ArrayLike, share: ArrayLike, area: ArrayLike, thickness: ArrayLike
 ) -> PointLaw:
     """`law_of_oil` of arguments that broadcast."""
-    rows, shape = rows_of(boundary, share, area, thickness)
-    return PointLaw(*_laws(oil_numbers(lubricant), rows).reshape(LAW, *shape))
+    return PointLaw(*mapped(partial(law_of_oil, oil_numbers(lubricant)), boundary, share, area, thickness))

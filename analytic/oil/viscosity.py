@@ -19,7 +19,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.errors import InputError, require_non_negative, require_positive
-from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.compilation import compiled
+from analytic.numerics.elements import mapped
 from analytic.oil.law_table import law_address
 from analytic.scene import Array, Lubricant
 
@@ -111,15 +112,12 @@ def oil_at(oil: OilNumbers, temperature: float) -> OilNumbers:
 
 
 @compiled
-def _viscosities(rows: Array) -> Array:
-    found = np.empty(rows.shape[1])
-    for i in range(rows.shape[1]):
-        pressure, temperature, viscosity, alpha, reference, beta = rows[:, i]
-        growth = np.log(viscosity) - LOG_POLE_VISCOSITY
-        exponent = alpha * POLE_PRESSURE / growth
-        ambient, left = warmed(viscosity, beta, reference, temperature)
-        found[i] = ambient * np.exp(thickening_at(alpha * left, 0.0, exponent, pressure)[0])
-    return found
+def _viscosity_at(
+    pressure: float, temperature: float, viscosity: float, alpha: float, reference: float, beta: float
+) -> float:
+    exponent = alpha * POLE_PRESSURE / (np.log(viscosity) - LOG_POLE_VISCOSITY)
+    ambient, left = warmed(viscosity, beta, reference, temperature)
+    return ambient * np.exp(thickening_at(alpha * left, 0.0, exponent, pressure)[0])
 
 
 def roelands_viscosity(
@@ -148,10 +146,8 @@ def roelands_viscosity(
         viscosity_temperature=viscosity_temperature,
     )
     require_non_negative(pressure_viscosity=pressure_viscosity)
-    rows, shape = rows_of(
-        *(pressure, temperature, viscosity, pressure_viscosity), reference_temperature, viscosity_temperature
-    )
-    return _viscosities(rows).reshape(shape)
+    others = pressure_viscosity, reference_temperature, viscosity_temperature
+    return mapped(_viscosity_at, pressure, temperature, viscosity, *others)
 
 
 @lru_cache(maxsize=64)
@@ -203,16 +199,9 @@ def viscosity_under_pressure(lubricant: Lubricant, *, pressure: ArrayLike) -> Ar
     pressure : p, Pa, >= 0, any shape. Raises InputError as `oil_numbers`.
     """
     require_non_negative(pressure=pressure)
-    oil, (rows, shape) = oil_numbers(lubricant), rows_of(pressure)
-    return oil.viscosity * np.exp(_thickenings(oil, rows[0])).reshape(shape)
-
-
-@compiled
-def _thickenings(oil: OilNumbers, pressures: Array) -> Array:
-    found, bend = np.empty(pressures.size), oil.rise * oil.pressure_viscosity
-    for i in range(pressures.size):
-        found[i] = thickening_at(oil.pressure_viscosity, bend, oil.exponent, pressures[i])[0]
-    return found
+    oil = oil_numbers(lubricant)
+    slopes = oil.pressure_viscosity, oil.rise * oil.pressure_viscosity, oil.exponent
+    return oil.viscosity * np.exp(mapped(thickening_at, *slopes, pressure)[0])
 
 
 def inlet_viscosity(lubricant: Lubricant) -> InletViscosity:

@@ -13,7 +13,8 @@ from numpy.typing import ArrayLike
 
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.errors import require_non_negative, require_positive
-from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.compilation import compiled
+from analytic.numerics.elements import mapped
 from analytic.scene import Array
 from analytic.sliding.long_ellipse import (
     FULL_SPIN,
@@ -79,14 +80,5 @@ def as_printed_moments(
         spin_to_roll=spin_to_roll,
     )
     require_positive(ball_radius=ball_radius)
-    rows, shape = rows_of(friction_force, semi_axis_transverse, ball_radius, spin_to_roll)
-    printed_z, printed_r = _printed(rows).reshape(2, *shape)
+    printed_z, printed_r = mapped(printed_moments, friction_force, semi_axis_transverse, ball_radius, spin_to_roll)
     return printed_z, printed_r
-
-
-@compiled
-def _printed(rows: Array) -> Array:
-    moments = np.empty((2, rows.shape[1]))
-    for i in range(rows.shape[1]):
-        moments[0, i], moments[1, i] = printed_moments(rows[0, i], rows[1, i], rows[2, i], rows[3, i])
-    return moments

@@ -19,10 +19,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.contact.rolling_contact import ContactNumbers, Pair, contact_at
+from analytic.contact.rolling_contact import ContactNumbers, Pair
 from analytic.errors import ConvergenceError, InputError, require_finite, require_non_negative, require_positive
-from analytic.numerics.compilation import compiled, rows_of
-from analytic.oil.traction import LAW, PointLaw, eyring_stress, law_at, own_stress, thickened
+from analytic.numerics.compilation import compiled
+from analytic.numerics.elements import mapped
+from analytic.oil.traction import PointLaw, eyring_stress, own_stress, thickened
 from analytic.scene import Array, SpinRule
 
 LARGEST = float(np.finfo(np.float64).max)
@@ -209,18 +210,6 @@ def line_slips(
     return inner, outer
 
 
-@compiled
-def _line_slips_of_each(rows: Array, rule: int) -> Array:
-    fields = np.empty((12, rows.shape[1]))
-    for i in range(rows.shape[1]):
-        contacts = contact_at(rows, 0, i), contact_at(rows, 9, i)
-        laws = law_at(rows, 18, i), law_at(rows, 18 + LAW, i)
-        inner, outer = line_slips(contacts, laws, rows[18 + 2 * LAW, i], rows[19 + 2 * LAW, i], rule)
-        for k in range(6):
-            fields[k, i], fields[6 + k, i] = inner[k], outer[k]
-    return fields
-
-
 def no_spin_balance() -> ConvergenceError:
     """Of a ball whose spin moments on both races find no balance."""
     return ConvergenceError(
@@ -316,11 +305,16 @@ def microslip_torque(
         raise InputError(f'spin_rule must be "balanced", "inner_control" or "outer_control", got {spin_rule!r}')
     inner, outer = (replace(contact, load=force) for contact, force in zip(contacts, friction_force, strict=True))
     law = PointLaw(boundary=1.0)
-    rows, shape = rows_of(*inner.fields, *outer.fields, *law, *law, 0.0, spin_difference)
-    found = _line_slips_of_each(rows, RULES[spin_rule]).reshape(12, *shape)
+
+    def of_numbers(*given: float) -> tuple[float, ...]:
+        numbers = ContactNumbers(*given[:9]), ContactNumbers(*given[9:18])
+        of_inner, of_outer = line_slips(numbers, (law, law), 0.0, given[18], RULES[spin_rule])
+        return *of_inner[:3], *of_outer[:3]
+
+    found = mapped(of_numbers, *inner.fields, *outer.fields, spin_difference)
     if np.isnan(found[0]).any():
         raise no_spin_balance()
-    inner_rate, inner_spin, inner_roll, outer_rate, outer_spin, outer_roll = found[[0, 1, 2, 6, 7, 8]]
+    inner_rate, inner_spin, inner_roll, outer_rate, outer_spin, outer_roll = found
     return MicroslipTorque(
         spin=inner_spin * inner_rate + outer_spin * outer_rate,
         conformity=inner_roll * inner.rolling_rate + outer_roll * outer.rolling_rate,
@@ -335,15 +329,10 @@ def microslip_torque(
 
 def _numbers(ratio: Array) -> tuple[Array, Array, Array]:
     """(spin moment over mu Q b, rolling moment R/(mu Q b^2), d) at |eps|."""
-    rows, shape = rows_of(np.abs(ratio))
-    spin, rolling, distance = _of_each_ratio(rows[0]).reshape(3, *shape)
+
+    def of_number(eps: float) -> tuple[float, float, float]:
+        d = half_distance(eps)
+        return spin_moment(eps, d), rolling_moment(eps, d), d
+
+    spin, rolling, distance = mapped(of_number, np.abs(ratio))
     return spin, rolling, distance
-
-
-@compiled
-def _of_each_ratio(ratios: Array) -> Array:
-    numbers = np.empty((3, ratios.size))
-    for i in range(ratios.size):
-        d = half_distance(ratios[i])
-        numbers[0, i], numbers[1, i], numbers[2, i] = spin_moment(ratios[i], d), rolling_moment(ratios[i], d), d
-    return numbers

@@ -6,15 +6,16 @@ is nearly linear in asinh(t) at both ends of the table. It is extrapolated there
 """
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.errors import InputError, require_positive
-from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.compilation import compiled
 from analytic.numerics.cubic import Pieces, cubic_at, smooth_cubic, together
+from analytic.numerics.elements import mapped
 from analytic.numerics.normal_distribution import log_upper_tail
 from analytic.scene import Array
 from analytic.surface.asperity import PLASTIC_RATIO, first_yield, summit_integrals
@@ -62,29 +63,6 @@ def summit_area(cubics: Array, table: SummitNumbers, film_thickness: float) -> f
     return np.exp(min(log_area, 0.0))
 
 
-@compiled
-def _log_pressures(cubics: Array, table: SummitNumbers, film_thickness: Array) -> Array:
-    return np.array([log_pressure_at(cubics, table, height) for height in film_thickness])
-
-
-@compiled
-def _separations(cubics: Array, table: SummitNumbers, log_pressure: Array) -> Array:
-    both = np.empty((2, log_pressure.size))
-    for i in range(log_pressure.size):
-        both[0, i], both[1, i] = separation_of(cubics, table, log_pressure[i])
-    return both
-
-
-@compiled
-def _log_upper_tails(t: Array) -> Array:
-    return np.array([log_upper_tail(each) for each in t])
-
-
-@compiled
-def _areas(cubics: Array, table: SummitNumbers, film_thickness: Array) -> Array:
-    return np.array([summit_area(cubics, table, height) for height in film_thickness])
-
-
 @dataclass(frozen=True, kw_only=True, eq=False)
 class AsperityTable:
     """Pressure and area of one rough surface; build it with `tabulated_asperities`."""
@@ -95,19 +73,16 @@ class AsperityTable:
 
     def log_pressure(self, film_thickness: ArrayLike) -> Array:
         """ln of p_a in Pa, also where p_a itself underflows to 0; film_thickness : m, any finite number."""
-        (height,), shape = rows_of(film_thickness)
-        return _log_pressures(self.cubics, self.numbers, height).reshape(shape)
+        return mapped(partial(log_pressure_at, self.cubics, self.numbers), film_thickness)
 
     def separation(self, log_pressure: ArrayLike) -> tuple[Array, Array]:
         """The inverse of log_pressure: h, m, and its derivative by ln p_a."""
-        (given,), shape = rows_of(log_pressure)
-        height, slope = _separations(self.cubics, self.numbers, given).reshape(2, *shape)
+        height, slope = mapped(partial(separation_of, self.cubics, self.numbers), log_pressure)
         return height, slope
 
     def area_fraction(self, film_thickness: ArrayLike) -> Array:
         """Real over nominal area, at most 1; film_thickness : m, any finite number."""
-        (height,), shape = rows_of(film_thickness)
-        return _areas(self.cubics, self.numbers, height).reshape(shape)
+        return mapped(partial(summit_area, self.cubics, self.numbers), film_thickness)
 
 
 @lru_cache(maxsize=64)
@@ -136,7 +111,7 @@ def tabulated_asperities(*, summits: Summits, modulus: float, hardness: float) -
     v = v[np.diff(v, prepend=-np.inf) > 1e-6]  # one of two knots that nearly coincide
     t = np.sinh(v)
     load, area, _ = summit_integrals(t, np.full_like(t, yielding))
-    higher, scaled = _log_upper_tails(t), np.maximum(t, 0.0) ** 2 / 2
+    higher, scaled = mapped(log_upper_tail, t), np.maximum(t, 0.0) ** 2 / 2
     log_load, log_area = np.log(load) - scaled, np.log(area) - scaled
     falling = np.arcsinh(log_load)
     log_area_scale = float(np.log(np.pi * summits.radius * summits.density * deviation))

@@ -9,7 +9,7 @@ Gaps are over sigma, the rms height; pressures over E* slope, with slope = sqrt(
 """
 
 from dataclasses import dataclass
-from functools import cache, cached_property, lru_cache
+from functools import cache, cached_property, lru_cache, partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -17,8 +17,9 @@ from numpy.typing import ArrayLike
 
 from analytic import catalog
 from analytic.errors import require_positive
-from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.compilation import compiled
 from analytic.numerics.cubic import Pieces, cubic_at, monotone_cubic, together
+from analytic.numerics.elements import mapped
 from analytic.scene import Array, Autocorrelation
 from analytic.surface.boundary_elements import NO_GAP, pressed
 from analytic.surface.heightmap import HeightMap, levelled, measure
@@ -74,19 +75,6 @@ def elastic_area(cubics: Array, law: ElasticNumbers, log_pressure: float) -> flo
     return -np.expm1(-np.exp(min(cubic_at(cubics, law.area, inside)[0] + outside, STEEPEST)))
 
 
-@compiled
-def _log_gaps(cubics: Array, law: ElasticNumbers, log_pressure: Array) -> Array:
-    both = np.empty((2, log_pressure.size))
-    for i in range(log_pressure.size):
-        both[0, i], both[1, i] = elastic_log_gap(cubics, law, log_pressure[i])
-    return both
-
-
-@compiled
-def _areas(cubics: Array, law: ElasticNumbers, log_pressure: Array) -> Array:
-    return np.array([elastic_area(cubics, law, each) for each in log_pressure])
-
-
 @dataclass(frozen=True, kw_only=True, eq=False)
 class GapCurve:
     """Mean gap and real area of a kind of rough surfaces over pressure; methods take and return arrays of any shape.
@@ -139,7 +127,7 @@ class GapCurve:
             start=start,
             offset=height - start,
         )
-        inverse = monotone_cubic(_log_gaps(cubics, numbers, INVERSE)[0, ::-1], INVERSE[::-1])
+        inverse = monotone_cubic(mapped(partial(elastic_log_gap, cubics, numbers), INVERSE)[0, ::-1], INVERSE[::-1])
         return np.concatenate([cubics, inverse]), numbers
 
 
@@ -161,14 +149,12 @@ class ElasticGap:
 
     def log_gap(self, log_pressure: ArrayLike) -> tuple[Array, Array]:
         """ln of the mean gap in m, and its derivative by ln p, below 0."""
-        (given,), shape = rows_of(log_pressure)
-        value, slope = _log_gaps(self.cubics, self.numbers, given).reshape(2, *shape)
+        value, slope = mapped(partial(elastic_log_gap, self.cubics, self.numbers), log_pressure)
         return value, slope
 
     def area_fraction(self, log_pressure: ArrayLike) -> Array:
         """Real over nominal area."""
-        (given,), shape = rows_of(log_pressure)
-        return _areas(self.cubics, self.numbers, given).reshape(shape)
+        return mapped(partial(elastic_area, self.cubics, self.numbers), log_pressure)
 
 
 def gap_between(curve: GapCurve, *, moments: SpectralMoments, modulus: float) -> ElasticGap:

@@ -7,14 +7,15 @@ Source: the average gap of [Patir1978].
 """
 
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, partial
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.compilation import compiled
 from analytic.numerics.cubic import Pieces, monotone_cubic
+from analytic.numerics.elements import mapped
 from analytic.numerics.normal_distribution import LOG_PEAK, mean_excess, mills_ratio
 from analytic.scene import Array
 from analytic.surface.asperity_table import AsperityTable, SummitNumbers, separation_of, summit_area
@@ -57,27 +58,6 @@ def truncated_area(cubics: Array, law: TruncatedNumbers, log_pressure: float) ->
     return summit_area(cubics, law.summits, separation_of(cubics, law.summits, log_pressure)[0])
 
 
-@compiled
-def _mean_gaps(separation: Array) -> Array:
-    both = np.empty((2, separation.size))
-    for i in range(separation.size):
-        both[0, i], both[1, i] = log_gap_at(separation[i])
-    return both
-
-
-@compiled
-def _log_gaps(cubics: Array, law: TruncatedNumbers, log_pressure: Array) -> Array:
-    both = np.empty((2, log_pressure.size))
-    for i in range(log_pressure.size):
-        both[0, i], both[1, i] = truncated_log_gap(cubics, law, log_pressure[i])
-    return both
-
-
-@compiled
-def _areas(cubics: Array, law: TruncatedNumbers, log_pressure: Array) -> Array:
-    return np.array([truncated_area(cubics, law, each) for each in log_pressure])
-
-
 @dataclass(frozen=True, kw_only=True, eq=False)
 class TruncatedGap:
     """The gap law of truncated surfaces whose summits deform independently."""
@@ -91,7 +71,7 @@ class TruncatedGap:
         own, log_pressure = self.asperities.cubics, self.asperities.numbers.log_scale + INVERSE
         inverse = Pieces(len(own), len(own) + INVERSE.size - 1)
         numbers = TruncatedNumbers(self.asperities.numbers, self.deviation, inverse)
-        log_gap = _log_gaps(own, numbers, log_pressure)[0]
+        log_gap = mapped(partial(truncated_log_gap, own, numbers), log_pressure)[0]
         return np.concatenate([own, monotone_cubic(log_gap[::-1], log_pressure[::-1])]), numbers
 
     @property
@@ -104,14 +84,12 @@ class TruncatedGap:
 
     def log_gap(self, log_pressure: ArrayLike) -> tuple[Array, Array]:
         """ln of the mean gap in m, and its derivative by ln p; log_pressure : ln of the asperities' pressure in Pa."""
-        (given,), shape = rows_of(log_pressure)
-        value, slope = _log_gaps(self.cubics, self.numbers, given).reshape(2, *shape)
+        value, slope = mapped(partial(truncated_log_gap, *self.splines), log_pressure)
         return value, slope
 
     def area_fraction(self, log_pressure: ArrayLike) -> Array:
         """Real over nominal area, 0 to 1."""
-        (given,), shape = rows_of(log_pressure)
-        return _areas(self.cubics, self.numbers, given).reshape(shape)
+        return mapped(partial(truncated_area, *self.splines), log_pressure)
 
 
 @lru_cache(maxsize=64)
@@ -126,6 +104,5 @@ def log_mean_gap(separation: ArrayLike) -> tuple[Array, Array]:
     separation : x = d/sigma, of the mean planes. The result is ln of <max(x - z, 0)> for a standard normal z, in
     logarithms throughout: the gap itself falls below the smallest number at x = -38.
     """
-    (given,), shape = rows_of(separation)
-    value, slope = _mean_gaps(given).reshape(2, *shape)
+    value, slope = mapped(log_gap_at, separation)
     return value, slope

@@ -7,7 +7,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from analytic.contact.geometry import RACES, Race, race_curvatures, race_numbers
-from analytic.contact.hertz import unit_contact
+from analytic.contact.hertz import hertz_contact
 from analytic.scene import Array, Bearing
 
 LEAST_ANGLE, MOST_ANGLE = 1e-5, 1.55  # rad, between which a thrust finds its angle
@@ -48,7 +48,8 @@ def unit_under(bearing: Bearing, race: Race, angle: float) -> UnitContact:
         Under 1 N.
     """
     along, across = race_curvatures(bearing, race, contact_angle=abs(angle))
-    unit = unit_contact(along, across, race_numbers(bearing, race).modulus)
+    modulus = race_numbers(bearing, race).modulus
+    unit = hertz_contact(curvature_x=along, curvature_y=across, load=1.0, modulus=modulus)
     return UnitContact(float(unit.semi_axis_x), float(unit.semi_axis_y), float(unit.approach))
 
 

@@ -169,11 +169,18 @@ def _followed(pool: ProcessPoolExecutor, seeds: range, out: Console) -> Iterator
         task = bar.add_task("scenes", total=len(seeds))
         for number, done in enumerate(as_completed([pool.submit(judged, each) for each in seeds]), 1):
             each = done.result()
-            outside += each.ratio > 1
+            if each.ratio > 1:
+                outside += 1
+                out.print(_outside(each), highlight=False)
             bar.update(task, advance=1, description=f"scenes, {outside} outside")
             if not out.is_terminal and number % PIECE == 0:
                 out.print(f"{number} scenes, {outside} outside")
             yield each
+
+
+def _outside(each: Drawn) -> str:
+    apart, stated = (f"{100 * share:.3g} %" for share in (each.error, each.stated))
+    return f"  seed {each.seed}: ratio {each.ratio:.3g}, apart {apart}, stated {stated}"
 
 
 def is_broken(drawn: list[Drawn]) -> bool:
@@ -196,11 +203,7 @@ def summary(drawn: list[Drawn]) -> Iterator[str]:
         f"{max((each.ratio for each in computed), default=0.0):.3g}; {far} "
         "are apart by more than the tolerance of 1 %"
     )
-    for each in outside:
-        yield (
-            f"  seed {each.seed}: ratio {each.ratio:.3g}, apart {100 * each.error:.3g} %, stated "
-            f"{100 * each.stated:.3g} %"
-        )
+    yield from map(_outside, outside)
     apart = [each for each in computed if each.alone > SAME]
     yield f"a point alone differs from its series by more than {SAME:g}: {len(apart)}"
     yield from (f"  seed {each.seed}: {each.alone:.2g}" for each in apart)

@@ -1,4 +1,4 @@
-"""Chosen elements of contacts and laws."""
+"""Chosen elements of contacts and laws, and formulas of each element."""
 
 from dataclasses import replace
 
@@ -7,7 +7,7 @@ import pytest
 
 from analytic.contact.rolling_contact import RollingContact
 from analytic.errors import InputError
-from analytic.numerics.elements import elements_of
+from analytic.numerics.elements import elements_of, mapped
 from analytic.oil.traction import MixedTraction
 from tests.analytic.specimens import OIL
 
@@ -48,3 +48,37 @@ def test_what_is_neither_array_nor_number_stays_and_nothing_known_of_the_whole_i
     assert chosen.lubricant is OIL
     for part, of_all in zip(chosen.point_law, whole, strict=True):
         np.testing.assert_array_equal(part, np.broadcast_to(of_all, (2, 1))[0])
+
+
+def test_a_function_of_numbers_is_called_for_each_element() -> None:
+    """Plain floats, so that a compiled function meets one type of them."""
+    given = []
+
+    def difference(a: float, b: float) -> float:
+        given.append((a, b))
+        return a - b
+
+    found = mapped(difference, [[7], [9]], np.array([2.0, 3.0, 5.0], np.float32))
+    np.testing.assert_array_equal(found, [[5, 4, 2], [7, 6, 4]])
+    assert found.dtype == np.float64
+    assert {type(number) for numbers in given for number in numbers} == {float}
+    assert np.shape(mapped(difference, 7, 2)) == ()
+
+
+def test_results_that_belong_together_are_the_first_axes() -> None:
+    halves, roots = mapped(lambda x: (x / 2, x**0.5), [[4.0, 9.0, 25.0]])
+    np.testing.assert_array_equal(halves, [[2.0, 4.5, 12.5]])
+    np.testing.assert_array_equal(roots, [[2.0, 3.0, 5.0]])
+    pairs = mapped(lambda x, y: ((x, 2 * x, 3 * x), (y, 2 * y, 3 * y)), [2.0, 7.0, 11.0, 13.0], 5.0)
+    np.testing.assert_array_equal(pairs[0, 2], [6.0, 21.0, 33.0, 39.0])
+    np.testing.assert_array_equal(pairs[1, 1], np.full(4, 10.0))
+
+
+def test_no_elements_give_none_of_each_result() -> None:
+    assert mapped(lambda x, y: x - y, np.empty((0, 3)), 2.0).shape == (0, 3)
+    assert mapped(lambda x: (x, 2 * x), []).shape == (2, 0)
+
+
+def test_shapes_that_do_not_fit_are_refused() -> None:
+    with pytest.raises(ValueError, match="broadcast"):
+        mapped(lambda x, y: x - y, [2.0, 3.0], [5.0, 7.0, 11.0])

@@ -12,7 +12,7 @@ from analytic.contact.rolling_contact import ContactNumbers, RollingContact
 from analytic.loads.balls import LoadEffects, thrust_balls
 from analytic.oil.asymptotes import Inflow
 from analytic.oil.ehl_fit import covered, film_correction, fitted_force, inlet_length, regime_of
-from analytic.oil.film import film_asymptotes, inlet_heating_factor, thermal_loading
+from analytic.oil.film import film_asymptotes, inlet_heating_factor, shear_heat
 from analytic.oil.inlets import InletNumbers, oil_supply, replenishment_exponent, starvation_source
 from analytic.oil.lubrication import (
     LubricatedContact,
@@ -98,9 +98,8 @@ def by_parts(
     film = film_asymptotes(contact, **thickens, compressible=oil.compressible)
     film_left, rolling_left = variation.film, variation.rolling
     if counts["heats"]:
-        loading = thermal_loading(
-            **flow, viscosity_temperature=inlet.viscosity_temperature, conductivity=oil.thermal_conductivity
-        )
+        slope, conductivity = inlet.viscosity_temperature, oil.thermal_conductivity
+        loading = shear_heat(inlet.viscosity, slope, float(speed * rate), conductivity)
         peak = 1.5 * contact.mean_pressure
         film_left = film_left * inlet_heating_factor(
             peak_pressure=peak, modulus=contact.modulus, thermal_loading=loading, slide_to_roll=0.0
