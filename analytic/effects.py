@@ -79,6 +79,15 @@ class Effects(Sequence[Effect]):
         return dict(self._make())
 
     @property
+    def unmeasured(self) -> tuple[Effect, ...]:
+        """The same without a solution: a share that takes one is None."""
+        return tuple(self._made.values())
+
+    def among(self, numbers: Sequence[int]) -> "Effects":
+        """The same where the points are some of a longer series; numbers : theirs in it, from 0"""
+        return Effects(self._make, self._measure, tuple(int(numbers[point]) for point in self.points))
+
+    @property
     def decisions(self) -> dict[str, Literal["on", "off"]]:
         """Whether each effect counts, by its name."""
         return {name: effect.decision for name, effect in self._made.items()}
@@ -105,10 +114,10 @@ class Effects(Sequence[Effect]):
     def _all(self) -> tuple[Effect, ...]:
         measure = self._measure
         if measure is None:
-            return tuple(self._made.values())
+            return self.unmeasured
         return tuple(
             _measured(effect, measure(effect.name)) if effect.share_is == "measured" else effect
-            for effect in self._made.values()
+            for effect in self.unmeasured
         )
 
 
@@ -168,13 +177,16 @@ def _moving_cage(scene: Scene) -> str | None:
     return 'cage.start is not given: give "rest", "ramp", "sudden" or "whirl"'
 
 
+LACKS_SEALS = 'losses.seals is not given: give for example "5 N mm"'
+
+
 def _seals(scene: Scene) -> str | None:
     if scene.losses.seals is not None:
         return None
     seals = scene.bearing.seals
     if seals is None:
-        return "not declared"
-    return f"not declared: {seals}" if scene.bearing.seals_rub else f"no drag: {seals}"
+        return LACKS_SEALS
+    return f"{LACKS_SEALS}; {seals}" if scene.bearing.seals_rub else f"no drag: {seals}"
 
 
 def _not_given(name: str, example: str) -> Callable[[Scene], str | None]:
@@ -284,7 +296,7 @@ TABLE = (
         kind="computed",
         meaning="hydrodynamic resistance to rolling of balls that carry no load",
         needs=Need(keys='`[lubricant]` with `supply = "oil_bath"`, `contact_angle.rule = "solved"`', lacks=_no_bath),
-        idle="every ball carries load",
+        idle='no ball without load rolls: give effects.rolling and effects.load_distribution "auto"',
     ),
     Entry(
         name="cage",
@@ -317,9 +329,7 @@ TABLE = (
         name="drag",
         kind="declared",
         meaning="torque of the oil that balls and cage stir",
-        needs=Need(
-            keys="`drag` in `[losses]`", lacks=lambda scene: "not declared" if scene.losses.drag is None else None
-        ),
+        needs=Need(keys="`drag` in `[losses]`", lacks=_not_given("drag", "2 N mm")),
         given="declared by the scene",
     ),
     Entry(
@@ -410,5 +420,5 @@ def idle_reason(scene: Scene, name: str, *, counted: bool) -> str | None:
             "operation.down, the direction of gravity along x, y and z, to compute each ball"
         )
     if name == "unloaded_balls" and scene.operation.is_thrust and scene.down is None:
-        return ENTRIES[name].idle
+        return "every ball carries load"
     return None if counted else ENTRIES[name].idle

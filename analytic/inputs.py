@@ -91,7 +91,7 @@ UNCERTAIN: dict[str, Varied] = {
 LARGEST = {"losses.oil_share": 1.0}  # at which the distribution of an input ends, in its unit
 
 USUAL_LOSS_ORIGIN = "usual in calculations for bearing steel; 0.003 to 0.025 are in use, none of them measured"
-USUAL_DOWN = "along the radial load, across the axis without one"
+USUAL_DOWN = "along x, as the radial load"
 
 # By the keys of [assumed].
 ASSUMABLE = (
@@ -131,7 +131,8 @@ def _with_origin(scene: Scene) -> dict[str, StatedInput]:
         origin = Origin(status="assumed", uncertainty=LOSS_SPREAD * loss, source=USUAL_LOSS_ORIGIN)
         key = "friction.hysteresis_loss"
         usual[key] = StatedInput(key=key, value=loss, unit=unit_of(key), **vars(origin))
-    if scene.down is None and scene.contact_angle.rule == "solved" and scene.effects.get("weight") != "off":
+    counts = scene.contact_angle.rule == "solved" and scene.effects.get("weight") != "off"
+    if scene.down is None and counts and not scene.operation.is_thrust:
         origin = Origin(status="assumed", uncertainty=None, source=USUAL_DOWN)
         usual["operation.down"] = StatedInput(key="operation.down", value="1, 0, 0", unit="", **vars(origin))
     return usual | {

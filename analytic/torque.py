@@ -34,7 +34,7 @@ from analytic.effects import (
     require_known,
     turns_freely,
 )
-from analytic.errors import InputError, require_finite, require_non_negative, require_positive
+from analytic.errors import FembearingError, InputError, require_finite, require_non_negative, require_positive
 from analytic.limits import limit_numbers, limit_reasons, torque_warnings
 from analytic.loads.balls import LoadedBalls
 from analytic.loads.finite_geometry import corrections_of
@@ -71,6 +71,7 @@ MODEL_VERSION = 14
 OF_RACES = ("spin", "conformity", "hysteresis", "rolling")
 PARTS = (*OF_RACES, "cage", "oil", "declared")
 TOLD = 0.1  # of the tolerance, a judgement: levels of nodes may agree by accident, so that no finer error is stated
+MOST_UNEQUAL = 0.01  # loads of balls by radial load and moment over the thrust, which a given angle neglects
 LOADING = ("load_distribution", "weight", "centrifugal", "gyroscopic", "finite_geometry")
 
 
@@ -137,8 +138,7 @@ class Races:
     @property
     def measured_points(self) -> NDArray[np.intp]:
         """Up to three points at which shares of effects are measured: of least and most load, and the fastest."""
-        load, speed = np.abs(self.points[:, :3]).sum(axis=1), np.abs(self.points[:, 3])
-        return np.array(sorted({int(load.argmin()), int(load.argmax()), int(speed.argmax())}))
+        return _telling_points(self.scene.bearing, self.points)
 
     def change_without(self, name: str, total: Array) -> float:
         """Largest change of the torque when an effect changes sides, over the torque, at `measured_points`.
@@ -161,6 +161,13 @@ class Races:
         at = self.measured_points
         level = int(self.found.points["level"][at].max())
         return solved(model.at(at).with_numbers(level=level, allowed=np.inf), self.points[at]).race_torque
+
+
+def _telling_points(bearing: Bearing, points: Array) -> NDArray[np.intp]:
+    """Those of least and of most load, and the fastest; points : (n, 5) as `points_of`"""
+    axial, radial, moment, speed = np.abs(points[:, :4]).T
+    load = axial + radial + 2 * moment / bearing.pitch_diameter
+    return np.array(sorted({int(load.argmin()), int(load.argmax()), int(speed.argmax())}))
 
 
 def _model(
@@ -267,9 +274,36 @@ def friction_torque(
         both = pair_in_series(scene, scene.arrangement, correction)
         each = friction_torque(both.scene, correction=correction, variation=variation).settled()
         result = pair_torque(scene, both, each)
+        result = replace(result, effects=_effects_of_pair(scene, result, correction, variation))
     else:
         result = _of_one_bearing(scene, correction, variation)
     return require_numbers(replace(result, seconds=perf_counter() - started))
+
+
+def _effects_of_pair(
+    scene: Scene, pair: FrictionTorque, correction: ContactCorrection | None, variation: Variation
+) -> Effects:
+    """Parts over the torque of both bearings; what takes another solution is measured of the whole pair."""
+    operation, of_bearings, total = scene.operation.as_series(), pair.effects, pair.torque.total
+    at = _telling_points(scene.bearing, points_of(operation, 0.0))
+
+    def made() -> dict[str, Effect]:
+        found = {each.name: each for each in of_bearings.unmeasured}
+        for name, part in vars(pair.torque).items():
+            if part is not None and name in found and found[name].share_is == "part":
+                found[name] = replace(found[name], share=_largest(share_in(part, total)))
+        return found
+
+    def measured(name: str) -> float:
+        choice: Decision = "off" if of_bearings.decisions[name] == "on" else "auto"
+        other = replace(scene, operation=operation.at(at), effects={**scene.effects, name: choice})
+        try:
+            race = friction_torque(other, correction=correction, variation=variation).torque.race
+        except FembearingError:
+            return np.nan
+        return _largest(share_in(np.abs(race - pair.torque.race[at]), total[at]))
+
+    return Effects(made, measured, tuple(at.tolist()))
 
 
 def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variation: Variation) -> FrictionTorque:
@@ -529,7 +563,7 @@ def _require_loads(scene: Scene, operation: Operation) -> None:
     elif (lacks := ENTRIES["load_distribution"].lacks(scene)) is None:
         if scene.effects.get("load_distribution") != "off":
             require_enough_balls(bearing)
-    elif (unequal := float(_unequal(scene).max())) > scene.tolerance:
+    elif (unequal := float(_unequal(scene).max())) > MOST_UNEQUAL:
         raise undistributed(unequal, lacks)
 
 
@@ -611,6 +645,8 @@ def _inlet_words(races: Races) -> str:
     if not races.counted["starvation"]:
         return "flooded"
     degree = float(races.found.balls["starvation_degree"].min())
+    if np.isinf(degree):
+        return "flooded"
     return f"starved, {starvation_source(scene.bearing, scene.lubricant)}, m = {degree:.4g} at least"
 
 

@@ -21,6 +21,8 @@ from analytic.scene import Array, Bearing
 
 # Of the load and the largest ball load: Newton's quadratic steps reach it at once, and rounding is a thousandth of it.
 TOLERANCE = 1e-12
+# Of the ring's load, a judgement: a ball that all but leaves a race swings by less, which no torque shows.
+UNLOADED = 1e-10
 # Of a displacement, in the balls' stiffness: what rounding of the ring's place leaves as force.
 PLACE_ROUND_OFF = 4 * np.finfo(np.float64).eps
 # Of A0, likewise: the place of a ball under a force of its own is computed from the grooves' centres.
@@ -138,7 +140,7 @@ def _balance_at(grooves: Grooves, ring: Record, balls: Records) -> Balance:
             axial += travel[1, i] * place[i]
         softness = (ball.inner_unit.approach, ball.outer_unit.approach)
         settled = settled_ball(grooves, (radial, axial), softness, own, (ball.moved[0], ball.moved[1]))
-        if not settled.left <= settled.tolerance:
+        if not settled.left <= max(settled.tolerance, UNLOADED * most):
             return Balance(energy, 0.0, settled.left, settled.tolerance, distance, True)
         for k in range(2):
             ball.force[k], ball.moved[k] = settled.force[k], settled.moved[k]

@@ -25,7 +25,7 @@ BALL = np.dtype(
         ("boundary_share", "f8", 2),  # s_b, of the load
         ("film_capped", "u1", 2),  # the film fills the space between the bodies
         ("film_extrapolated", "u1", 2),  # the ellipse is not of a shape that the film formula was fitted to
-        ("starvation_degree", "f8", 2),  # m of the inlet; 1: flooded
+        ("starvation_degree", "f8", 2),  # m of the inlet; infinite: flooded
         ("gyroscopic_hold", "f8"),  # gyroscopic moment over the most that friction holds
         ("motion", dtype_of(BallMotion)),
     ],

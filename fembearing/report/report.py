@@ -300,7 +300,7 @@ def report_of(result: Validation, *, pictures: Sequence[PictureFile] = (), rende
         verdicts=tuple(row for contact in result.contacts if contact.judged for row in _verdicts(contact)),
         uncertainties=Uncertainties(**WHY),
         contacts=contacts,
-        torque=None if torque is None else torque_record(torque),
+        torque=None if torque is None else torque_record(torque, measured=True),
         torque_change=None if change is None else change_record(change),
         cage_motion=None if torque is None else cage_motion(torque),
         cage_records=tuple(record.drawn(most=INSTANTS) for record in result.cage_records),

@@ -108,26 +108,26 @@ class TorqueFile(TorqueRecord):
     format: Literal[6] = FORMAT
 
 
-def torque_record(result: SceneTorque) -> TorqueRecord:
-    """The record of a torque."""
-    return TorqueRecord(**_content(result))
+def torque_record(result: SceneTorque, *, measured: bool = False) -> TorqueRecord:
+    """The record of a torque; measured : whether with the shares of effects that take another solution"""
+    return TorqueRecord(**_content(result, measured=measured))
 
 
 def torque_file(result: SceneTorque) -> TorqueFile:
     """The record with its kind and format."""
-    return TorqueFile(**_content(result))
+    return TorqueFile(**_content(result, measured=True))
 
 
-def _content(result: SceneTorque) -> dict[str, Any]:
-    friction, rows = result.friction, result.places.rows
+def _content(result: SceneTorque, *, measured: bool) -> dict[str, Any]:
+    friction, rows, effects = result.friction, result.places.rows, result.friction.effects
     pair = None if friction.pair is None else friction.pair.rows
     prediction = None if result.prediction is None else result.prediction.rows
     of_torque = ("gap_roughness", "clearances", "warnings", "provenance", "seconds")
     return {
         "points": rows(friction.rows),
         "pair": pair and replace(pair, points=rows(pair.points)),
-        "effects": tuple(friction.effects),
-        "measured_points": friction.effects.points,
+        "effects": tuple(effects) if measured else effects.unmeasured,
+        "measured_points": effects.among(result.places.computed).points,
         **{name: getattr(friction, name) for name in of_torque},
         "tolerance": result.scene.tolerance,
         "catalogue_band": _band(result),

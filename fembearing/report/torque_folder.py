@@ -160,7 +160,7 @@ def _why_at_rest(result: SceneTorque) -> str | None:
     """Why no cage moved; None for a scene that has none."""
     if result.scene.cage is None:
         return None
-    reason = next(effect.reason for effect in result.friction.effects if effect.name == "cage_dynamics")
+    reason = next(effect.reason for effect in result.friction.effects.unmeasured if effect.name == "cage_dynamics")
     if result.friction.cage is not None and not np.any(result.friction.inner_speed):
         reason = "nothing turns"
     return f"the cage did not move, so that there is no series, plot or picture of it: {reason}"

@@ -32,7 +32,7 @@ def loaded(scene: Scene, axial: Any, speed: Any, radial: Any = 0.0) -> Scene:
     return replace(scene, operation=Operation(axial_load=axial, inner_speed=speed, radial_load=radial))
 
 
-RADIAL = loaded(OILY, [300.0, 640.0], [220.0, 41.0], [700.0, 150.0])
+RADIAL = loaded(OILY, [30.0, 640.0], [220.0, 41.0], [700.0, 150.0])
 GIVEN = replace(OILY, contact_angle=ContactAngle(rule="given", value=0.3))
 BARE = replace(OILY, lubricant=None, surface=None, friction_coefficient=0.08)
 
@@ -115,6 +115,32 @@ def test_a_measured_share_is_the_change_of_the_torque_without_the_effect(name: s
     at = list(with_it.effects.points)
     assert one.share == pytest.approx(np.max(change / with_it.torque.total[at]), rel=1e-6, abs=close)
     assert other.share == pytest.approx(np.max(change / without_it.torque.total[at]), rel=1e-6, abs=close)
+
+
+def test_shares_of_a_pair_are_those_of_both_bearings() -> None:
+    """Measured by the pair without the effect, whose preload then shares the loads anew; a part is that of both."""
+    settings = {"arrangement.kind": "O", "arrangement.distance": "40 mm", "arrangement.preload": "500 N"}
+    pair = load_scene("7208B", axial_load=1000.0, radial_load=700.0, speed=157.0, settings=settings)
+    found, still = friction_torque(pair), friction_torque(without(pair, "gyroscopic"))
+    assert found.effects.points == (0,)
+    change = abs(found.torque.race - still.torque.race)[0] / found.torque.total[0]
+    assert effect_of(found, "gyroscopic").share == pytest.approx(change, rel=1e-9)
+    assert found.torque.rolling is not None
+    assert effect_of(found, "rolling").share == pytest.approx((found.torque.rolling / found.torque.total)[0], rel=1e-12)
+
+
+def test_a_share_names_points_of_the_whole_series_where_one_has_no_torque() -> None:
+    found = friction_torque(loaded(DRY, [6e5, 410.0, 300.0], 52.0))  # the first climbs over its shoulder
+    assert set(found.failures) == {0}
+    assert found.effects.points == (1, 2)
+
+
+def test_the_largest_load_may_be_a_moment() -> None:
+    """30 N m over half of 39 mm is more than 800 N."""
+    operation = Operation(
+        axial_load=np.array([500.0, 800.0, 600.0]), inner_speed=np.full(3, 90.0), moment=np.array([30.0, 0.0, 0.0])
+    )
+    assert friction_torque(replace(OILY, operation=operation)).effects.points == (0, 2)
 
 
 def test_a_part_has_its_share_and_its_loss_is_in_the_total() -> None:

@@ -18,7 +18,7 @@ def torque_page(result: SceneTorque, figure: bytes) -> str:
     """The page;  figure : SVG."""
     friction, verdicts = result.friction, result.verdicts
     assert verdicts.numerical is not None
-    torque, units = torque_record(result), SYSTEMS[result.scene.report.units]
+    torque, units = torque_record(result, measured=True), SYSTEMS[result.scene.report.units]
     tables = [torque_table(torque, result.scene.bearing.name, range(len(torque.points)), units)]
     tables += [] if torque.pair is None else [pair_table(torque.pair, torque.computed, units)]
     return filled(
@@ -35,7 +35,7 @@ def torque_page(result: SceneTorque, figure: bytes) -> str:
         numerical=numerical_words(verdicts.numerical),
         physical=physical_table(verdicts.physical, units),
         warnings=friction.warnings,
-        effects=effects_table(friction.effects, friction.effects.points),
+        effects=effects_table(torque.effects, torque.measured_points),
         versions=friction.provenance,
         fingerprint=provenance_of(result.scene).scene_sha256,
     )

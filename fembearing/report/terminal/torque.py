@@ -34,7 +34,7 @@ def print_headline(out: Console, result: SceneTorque) -> None:
 
 def print_details(out: Console, result: SceneTorque) -> None:
     """Print a friction torque: parts, contacts, cage and effects, and the verdicts, in the last line in a word each."""
-    scene, verdicts, torque = result.scene, result.verdicts, torque_record(result)
+    scene, verdicts, torque = result.scene, result.verdicts, torque_record(result, measured=True)
     places, units = shown_places(torque), SYSTEMS[scene.report.units]
     show(out, torque_table(torque, scene.bearing.name, places, units))
     if torque.clearances is not None:

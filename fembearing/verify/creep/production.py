@@ -97,7 +97,7 @@ def produced(scene: Scene) -> Production:
         balls=_distinct(scene, work.balls[: found.balls.shape[1]], work.contacts, speed, inertia=inertia),
         formula=float(by_rule.sliding_torque[0]),
         torque=float(found.sliding_torque[0]),
-        quadrature=free.tables.quadratures[1 + 3 * LEVEL],
+        quadrature=free.tables.quadratures[1 + 2 * LEVEL],
         heaviest=heaviest,
     )
 

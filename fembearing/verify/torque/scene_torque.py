@@ -84,7 +84,7 @@ class SceneTorque(Brief):
     @cached_property
     def standing(self) -> Standing:
         """How far it can be trusted, in one word."""
-        torque, effects = self.friction.torque, self.friction.effects
+        torque, effects = self.friction.torque, self.friction.effects.unmeasured
         return standing_of(self.scene, torque=torque, effects=effects, verdicts=self.verdicts, band=self.catalogue.band)
 
     @property

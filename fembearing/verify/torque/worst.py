@@ -56,7 +56,7 @@ def worst_standing(torques: Sequence[tuple[Scene, FrictionTorque]]) -> WorstStan
     standing = standing_of(
         _joined_scene([scene for scene, _ in torques]),
         torque=_joined_parts([friction.torque for _, friction in torques]),
-        effects=_largest_effects(chain.from_iterable(friction.effects for _, friction in torques)),
+        effects=_largest_effects(chain.from_iterable(friction.effects.unmeasured for _, friction in torques)),
         verdicts=together,
         band=_joined_band([beside_catalogue(scene, friction.pair).band for scene, friction in torques]),
     )
