@@ -298,7 +298,7 @@ class FrictionTorque(Brief):
         lost = {name: _without(value, at) for name, value in vars(spread).items() if name not in ("pair", "ring")}
         given = {name: np.asarray(getattr(operation, name)) for name in COORDINATES}
         words = [f"operating point {1 + number} has no torque: {why}" for number, why in failures.items()]
-        whole = {"effects": self.effects.among(kept), "failures": failures, "warnings": (*self.warnings, *words)}
+        whole = {"effects": self.effects.among(kept.tolist()), "failures": failures, "warnings": (*self.warnings, *words)}
         return replace(spread, **{**lost, **given, **whole})
 
     def settled(self) -> "FrictionTorque":
