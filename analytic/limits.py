@@ -186,8 +186,8 @@ def _light_balls(scene: Scene, found: Solution, counted: Mapping[str, bool]) -> 
     share = float((scene.bearing.ball_mass * STANDARD_GRAVITY / lightest).max(initial=0.0))
     if share > HEAVY:
         yield (
-            f"the weight of a ball is {percent_of(share, 2)} of its load, limit {percent_of(HEAVY)}, and its direction "
-            "is assumed, along the radial load or across the axis; give operation.down"
+            f"the weight of a ball is {percent_of(share, 2)} of its load, limit {percent_of(HEAVY)}, and the direction "
+            "of gravity is not given: give operation.down"
         )
 
 

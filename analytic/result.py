@@ -298,8 +298,8 @@ class FrictionTorque(Brief):
         lost = {name: _without(value, at) for name, value in vars(spread).items() if name not in ("pair", "ring")}
         given = {name: np.asarray(getattr(operation, name)) for name in COORDINATES}
         words = [f"operating point {1 + number} has no torque: {why}" for number, why in failures.items()]
-        whole = {"effects": self.effects.among(kept.tolist()), "failures": failures, "warnings": (*self.warnings, *words)}
-        return replace(spread, **{**lost, **given, **whole})
+        effects, warnings = self.effects.among(kept.tolist()), (*self.warnings, *words)
+        return replace(spread, **{**lost, **given, "effects": effects, "failures": failures, "warnings": warnings})
 
     def settled(self) -> "FrictionTorque":
         """The same; raises the first of `failures`, if there is one."""

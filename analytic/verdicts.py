@@ -50,7 +50,7 @@ STARVES = (
     "lubricant.starvation_degree."
 )
 LEANS = (
-    "Tilt of the inner ring. Catalogues allow 0.5 to 3 mrad (2 to 10 arc minutes) in deep groove bearings, by size, "
+    "Catalogues allow 0.5 to 3 mrad (2 to 10 arc minutes) in deep groove bearings, by size, "
     "clearance and load: hold the ring straight, or lower the moment."
 )
 UNKNOWN_GRIP = 'Friction of the races not computed, grip not known: set effects.spin to "auto".'

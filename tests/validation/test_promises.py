@@ -33,4 +33,5 @@ def test_a_torque_outside_its_uncertainty_is_counted() -> None:
     assert inside.ratio == 0
     assert is_broken([outside])
     assert not is_broken([inside])
+    assert is_broken([inside, replace(inside, unsettled="did not converge")])
     assert any(str(SEED) in line and "ratio" in line for line in summary([outside, inside]))

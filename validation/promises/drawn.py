@@ -22,7 +22,7 @@ LONG_SERIES = 12  # operating points
 LIGHT_CAGE = 2e-3  # kg/N, mass of a cage over the thrust: a fiftieth in weight
 MAP_LENGTH, MAP_SPACING, MAP_POINTS = 20e-6, 2e-6, 128  # m, m, a side
 SWITCHED = ("centrifugal", "gyroscopic", "asperities", "starvation", "inlet_heating", "hysteresis", "rolling", "weight",
-            "finite_geometry", "unloaded_balls", "creep", "conformity", "cage")  # fmt: skip
+            "finite_geometry", "unloaded_balls", "creep", "spin", "conformity", "cage")  # fmt: skip
 
 
 def scene_text(place: tuple[float, ...], *, tolerance: float) -> str:
