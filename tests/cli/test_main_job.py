@@ -60,10 +60,10 @@ def test_validate_judges_every_quantity_of_all_three_pairs(validated: dict[str, 
 
 @in_the_gate
 def test_the_answer_without_a_name_is_whole(validated: dict[str, Any]) -> None:
-    """Only the oil outside the contacts is missing, which is estimated; every assumption has its source."""
+    """Only losses outside the contacts are missing, of which the oil's are estimated; assumptions have a source."""
     torque = validated["torque"]
     missing = {each["name"] for each in torque["effects"] if "not given" in each["reason"] or "add a" in each["reason"]}
-    assert missing == {"through_flow", "cage_shear", "ball_drag"}
+    assert missing == {"seals", "drag", "through_flow", "cage_shear", "ball_drag"}
     assert not any("add a" in warning or "is neglected" in warning for warning in torque["warnings"])
     assumed = {each["key"]: each["source"] for each in torque["inputs"] if each["status"] == "assumed"}
     assert assumed["cage.start"]
