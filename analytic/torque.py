@@ -71,7 +71,7 @@ MODEL_VERSION = 14
 OF_RACES = ("spin", "conformity", "hysteresis", "rolling")
 PARTS = (*OF_RACES, "cage", "oil", "declared")
 TOLD = 0.1  # of the tolerance, a judgement: levels of nodes may agree by accident, so that no finer error is stated
-MOST_UNEQUAL = 0.01  # loads of balls by radial load and moment over the thrust, which a given angle neglects
+MOST_UNEQUAL = 0.01  # of the thrust: radial load and moment, as they load balls, that a given angle may neglect
 LOADING = ("load_distribution", "weight", "centrifugal", "gyroscopic", "finite_geometry")
 
 

@@ -38,7 +38,7 @@ from analytic.scene import Array
 
 FIRST = 3e-2  # residual of the rotation, over all friction, that is enough for the first round
 SAME = 3e-7  # relative, of the torque between two passes of one quadrature: no start can be told from another
-ROUGHLY_SAME = 1e-5  # likewise of the level that the first one is compared with
+ROUGHLY_SAME = 1e-5  # likewise of a level that another one follows
 MOST_PASSES = 60  # 2 to 5 are usual; 25 of one quadrature where friction all but wedges light balls
 
 
@@ -99,7 +99,7 @@ def settle_freely(
             by_rule[j, race], by_rule[j, 2 + race] = ball.angle[race], ball.load[race]
         _begin(model, ball, known > 0)
     torque = spin = whole = before = coarser = largest = error = 0.0
-    finest, end = len(model.quadratures) - 2, Round(SETTLED, 0, 0.0, 0.0)
+    finest, end = len(model.quadratures) - 1, Round(SETTLED, 0, 0.0, 0.0)
     level, is_alone = max(known - 1, wanted.level), wanted.allowed == np.inf
     # Numbers of quadratures: a level has an odd one, the next even one has twice its nodes across.
     first = 1 + 2 * level if is_alone else min(1 + 2 * level, finest - 2)

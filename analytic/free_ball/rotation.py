@@ -51,9 +51,9 @@ LEVELS = (Nodes(16, 12), Nodes(32, 24), Nodes(64, 48), Nodes(128, 96))
 
 @cache
 def free_quadratures() -> Records:
-    """(k,) of `state.QUADRATURE`: a coarse one, then of each level its own, and twice as many across."""
+    """(k,) of `state.QUADRATURE`: a coarse one, then the levels; between two, the former with twice as many across."""
     of_levels = (each for n, m in LEVELS for each in (Nodes(n, m), Nodes(2 * n, m)))
-    each = (COARSE, *of_levels)
+    each = (COARSE, *of_levels)[:-1]
     quadratures = np.zeros(len(each), QUADRATURE)
     for quadrature, nodes in zip(quadratures, each, strict=True):
         _write_nodes(quadrature, nodes)

@@ -112,10 +112,8 @@ def _compared(seed: int, scene: Scene, torque: Callable[[Scene], FrictionTorque]
         signal.setitimer(signal.ITIMER_VIRTUAL, LONGEST * (MORE if count == LONG_SERIES else 1))
         results.append(torque(replace(scene, tolerance=tolerance)))
     coarse, fine = results
-    failed = [reason for result in results for reason in result.failures.values()]
+    failed = (reason for result in results for reason in result.failures.values())
     unsettled = [_line(reason) for reason in failed if not isinstance(reason, InputError)]
-    if count == len(coarse.failures) and not unsettled:
-        return Drawn(seed=seed, refused=str(failed[0]))
     both = ~np.isin(np.arange(count), [*coarse.failures, *fine.failures])
     stated = [result.numerical_uncertainty[both] for result in results]
     if not all(np.isfinite(each).all() for each in stated):
