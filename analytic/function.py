@@ -1,6 +1,6 @@
 """The friction torque as a function for loops over time steps."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from threading import Lock
@@ -16,7 +16,7 @@ from analytic.numerics.records import Records
 from analytic.oil.losses import StirredOil, stirred_oil
 from analytic.oil.viscosity import roelands_viscosity
 from analytic.scene import OIL_TEMPERATURES, Array, Scene, require_scene
-from analytic.solve.kernel import solve, solve_free
+from analytic.solve.kernel import solve
 from analytic.solve.model import Model, Workspace, model_of, workspace
 from analytic.solve.records import BALL, POINT, SETTLED
 from analytic.solve.solution import solved
@@ -52,7 +52,7 @@ class TorqueFunction(Brief):
         yield from (self.scene.name, "two bearings" if self.model is None else turning)
 
     def __getstate__(self) -> dict[str, Any]:
-        return {name: value for name, value in vars(self).items() if name != "lock"}
+        return {name: value for name, value in vars(self).items() if name not in ("lock", "_solve")}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         vars(self).update(state, lock=Lock())
@@ -103,9 +103,7 @@ class TorqueFunction(Brief):
             for place, given in enumerate((axial_load, radial_load, moment, inner_speed, warm)):
                 point[place] = given if isinstance(given, float) else _one_number(GIVEN[place], given)
             if self.model is not None and self.work is not None and self._takes(point):
-                has_ring = True if point[1] or point[2] or self._needs_ring else None
-                kernel = solve_free if self.model.is_free else solve
-                kernel(self.model.numbers, self.model.tables, self.points, self.work, NO_BALLS, self.out, has_ring)
+                self._solve()
                 if self.out["status"][0] == SETTLED:
                     total = float(self.out["total"][0])
                     return total if self.stirred is None else total + float(self._stirring(point[3], point[4]))
@@ -246,12 +244,12 @@ class TorqueFunction(Brief):
         return 0.0 if self.scene.lubricant is None else float(self.scene.lubricant.temperature)
 
     @cached_property
-    def _needs_ring(self) -> bool:
-        """Whether balls differ under thrust too."""
-        if self.model is None:
-            return False
-        numbers = self.model.numbers
-        return bool((numbers.counted.weight and numbers.weighs_alike) or abs(numbers.tilt) > 0)
+    def _solve(self) -> Callable[[], int]:
+        """The kernel with what a call writes and reads."""
+        assert self.model is not None
+        assert self.work is not None
+        model = self.model
+        return solve.bound(model.numbers, model.tables, self.points, self.work, NO_BALLS, self.out, model.is_free)
 
     @cached_property
     def _is_held(self) -> bool:

@@ -21,7 +21,6 @@ PACKAGES = (
     "scipy",
     "scikit-fem",
     "meshio",
-    "numba",
     "py-mkl-pardiso",
     "pyvista",
     "vtk",

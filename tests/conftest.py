@@ -55,14 +55,6 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
     return SharedSolves(config, log)
 
 
-@pytest.fixture(scope="session", autouse=True)
-def compiled_in_silence() -> None:
-    """Tests of messages do not depend on whether the machine has compiled the loops before."""
-    from analytic.numerics import compilation  # it loads NumPy: not before the threads are set
-
-    compilation.said.add(compilation.COMPILING)
-
-
 @pytest.fixture(scope="session")
 def contacts() -> "dict[str, Contact]":
     """The race contacts of a 6205."""

@@ -16,7 +16,7 @@ import pytest
 
 import fembearing
 from analytic import friction_torque, load_scene, torque_function
-from analytic.numerics.compilation import FOLDER
+from analytic.numerics.machine_code import CACHE
 from tests.sweep.swept import SCENE
 
 THREADS = 4
@@ -74,7 +74,7 @@ def test_threads_that_load_and_compute_scenes_do_not_mix() -> None:
 
 def started(*words: str, folder: Path, cache: Path | None = None) -> subprocess.Popen[str]:
     """A command in a process of its own."""
-    kept = {} if cache is None else {FOLDER: str(cache)}
+    kept = {} if cache is None else {CACHE: str(cache)}
     return subprocess.Popen(
         [sys.executable, "-m", "fembearing", *words],
         env={**os.environ, "PYTHONPATH": str(Path(fembearing.__file__).parents[1]), **kept},

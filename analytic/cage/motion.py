@@ -27,7 +27,9 @@ import numpy as np
 
 from analytic.cage.pocket import FAST, BallInPocket, Body, Vector, impact, impact_damping, is_clear, pushed, rubbing
 from analytic.cage.raceways import (
+    AZIMUTH,
     BALL,
+    BALL_ON_RACEWAYS,
     SPEEDS,
     PocketPush,
     Raceways,
@@ -45,6 +47,7 @@ from analytic.errors import (
     require_positive,
 )
 from analytic.numerics.compilation import compiled
+from analytic.numerics.machine_code import entry
 from analytic.scene import Array, Cage, CageStart
 
 LEAST_IMPACT = 1e-3  # m/s: a contact that begins to close more slowly is damped as if it had closed with this speed
@@ -353,7 +356,7 @@ def _loads(cage, raceways, table, balls, body, orbit, step, is_first, is_last, t
     slip = damping = work = normal = turning = largest = 0.0
     for number in range(balls.shape[0]):
         ball = balls[number]
-        motion = _prescribed_ball(cage, orbit, ball) if raceways is None else _free_ball(cage, ball, span)
+        motion = _prescribed_ball(cage, orbit, ball) if table.size == 0 else _free_ball(cage, ball, span)
         offset, axis = _offset(cage, body, ball, motion)
         force, moment = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
         if is_clear(cage, offset, axis):
@@ -374,7 +377,7 @@ def _loads(cage, raceways, table, balls, body, orbit, step, is_first, is_last, t
             deepest = max(deepest, push.deepest)
         if is_last:
             ball.force[0], ball.force[1], ball.force[2] = force
-        if raceways is not None and not is_first:
+        if table.size > 0 and not is_first:
             _step_free_ball(cage, raceways, table, ball, body, (force, moment), step, orbit.speed_share, totals)
     if not is_first:
         totals.slip_power += step * slip
@@ -399,11 +402,23 @@ def _add_place(flight, body, step, totals):
     totals.tilt_square += step * (r[2] * r[2] + r[5] * r[5])
 
 
-@compiled(fastmath=FAST)
+@entry(
+    lambda: {
+        "cage": CAGE,
+        "raceways": BALL_ON_RACEWAYS,
+        "table": (AZIMUTH, 1),
+        "balls": (BALL, 1),
+        "state": STATE,
+        "totals": TOTALS,
+        "step": float,
+        "steps": int,
+    },
+    fastmath=FAST,
+)
 def advance(cage: Any, raceways: Any, table: Any, balls: Any, state: Any, totals: Any, step: float, steps: int) -> int:
     """Advance state and balls in place by steps of `step` seconds; returns the number of steps done, less if diverging.
 
-    cage : CAGE;  raceways : BALL_ON_RACEWAYS, table : (n,) of AZIMUTH over a turn; both None for prescribed balls
+    cage : CAGE;  raceways : BALL_ON_RACEWAYS;  table : (n,) of AZIMUTH over a turn, (0,) for prescribed balls
     balls : (Z,) of BALL;  state : STATE;  totals : TOTALS, to which those of the steps are added
     """
     turned, time, angle = state.orientation, state.time, state.orbit_angle
@@ -566,7 +581,7 @@ class CageMotion:
         self._balls = np.zeros(cage.ball_count, BALL)
         azimuth = 2 * np.pi * np.arange(cage.ball_count) / cage.ball_count
         self._balls["pocket_cosine"], self._balls["pocket_sine"] = np.cos(azimuth), np.sin(azimuth)
-        self._on_raceways = self._table = None
+        self._on_raceways, self._table = _record(BALL_ON_RACEWAYS), np.zeros(0, AZIMUTH)
         beginning = cage
         if raceways is not None:
             _require_free_balls(cage, raceways, steps_per_contact)

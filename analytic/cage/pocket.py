@@ -26,7 +26,8 @@ from analytic.contact.geometry import pocket_contact
 from analytic.contact.hertz import contact_modulus, loaded_hertz, unit_hertz
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.errors import ConvergenceError, InputError, require_non_negative, require_positive
-from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.compilation import compiled
+from analytic.numerics.elements import mapped
 from analytic.numerics.records import record_of
 from analytic.oil.asymptotes import Inflow, asymptotes_of
 from analytic.oil.mixed import LAST_STEP, MOST_STEPS, mixed_of, oil_beside
@@ -397,14 +398,6 @@ def pocket_coefficient(
     return mean_force(law, contact, surface_speed) / load, mixed.capped
 
 
-@compiled
-def _pocket_coefficients(pocket: PocketNumbers, cubics: Array, oil: OilNumbers, rows: Array) -> Array:
-    found = np.empty(rows.shape)
-    for i in range(rows.shape[1]):
-        found[0, i], found[1, i] = pocket_coefficient(pocket, cubics, oil, rows[0, i], rows[1, i])
-    return found
-
-
 def friction_in_pocket(scene: Scene, *, load: ArrayLike, surface_speed: ArrayLike) -> PocketFriction:
     """mu of ball on pocket, see `pocket_numbers`.
 
@@ -422,8 +415,9 @@ def friction_in_pocket(scene: Scene, *, load: ArrayLike, surface_speed: ArrayLik
     oil = NO_OIL if scene.lubricant is None else oil_numbers(scene.lubricant)
     (form,), cubics = gap_forms(pocket_gap(scene, scene.cage))
     pocket = record_of(pocket_numbers(scene, scene.cage, form))
-    rows, shape = rows_of(load, surface_speed)
-    coefficient, capped = _pocket_coefficients(pocket, cubics, record_of(oil), rows).reshape(2, *shape)
+    coefficient, capped = mapped(
+        lambda *running: pocket_coefficient(pocket, cubics, record_of(oil), *running), load, surface_speed
+    )
     if np.isnan(coefficient).any():
         raise ConvergenceError(
             iterations=MOST_STEPS,

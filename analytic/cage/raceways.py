@@ -37,6 +37,7 @@ from analytic.loads.kinematics import ball_kinematics
 from analytic.loads.ring import ring_equilibrium
 from analytic.loads.turning import RuledTurning
 from analytic.numerics.compilation import compiled
+from analytic.numerics.machine_code import entry
 from analytic.scene import Array, Bearing, ContactAngle, Operation
 
 # In a 6205 under 1000 N: 4 give 2.5 times the torque of a whirling cage. 24 leave 0.2 % of it, 0.8 % of the torque of
@@ -386,7 +387,10 @@ def step_ball(raceways: Any, ball: Any, push: PocketPush, span: float, speed_sha
     return BallStep(work, work - received, numerical, grip, settled)
 
 
-@compiled(fastmath=FAST)
+@entry(
+    lambda: {"raceways": BALL_ON_RACEWAYS, "table": (AZIMUTH, 1), "ball": BALL, "path": (PATH, 1), "step": float},
+    fastmath=FAST,
+)
 def roll_without_cage(raceways: Any, table: Any, ball: Any, path: Any, step: float) -> int:
     """Roll one ball at full speed of the ring; returns the number of steps that converged.
 

@@ -308,16 +308,6 @@ def resting_torque(cage: RestingCage, balls: DrivingBalls, mu: float, ring_speed
     return torque + braking, force + cage.drag * orbit_speed / cage.pitch_radius
 
 
-@compiled
-def resting_torques(cage: RestingCage, mu: Array, rows: Array) -> Array:
-    """(2, n) of `resting_torque`; rows : (4, n) of `DrivingBalls` and the ring's speed, rad/s."""
-    both = np.empty((2, mu.size))
-    for i in range(mu.size):
-        balls = DrivingBalls(rows[0, i], rows[1, i], rows[2, i])
-        both[0, i], both[1, i] = resting_torque(cage, balls, mu[i], rows[3, i])
-    return both
-
-
 def rest_torque(
     *,
     friction_coefficient: ArrayLike,

@@ -4,9 +4,9 @@ The factors come from a finite-element solution, where they are the same for eve
 `analytic.contact.finite_geometry`, which gives each load its own.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -107,7 +107,7 @@ def correction_fields(correction: ContactCorrection) -> tuple[float | Array, ...
 
 
 @compiled
-def correction_of(row: Array) -> CorrectionNumbers:
+def correction_of(row: Sequence[Any] | Array) -> CorrectionNumbers:
     """The factors of both races from the eight numbers of a row."""
     return CorrectionNumbers(
         FactorNumbers(row[0], row[1], row[2], row[3]), FactorNumbers(row[4], row[5], row[6], row[7])

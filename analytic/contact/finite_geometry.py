@@ -14,29 +14,27 @@ from analytic.contact.factors import ContactCorrection, ContactFactors, FactorNu
 from analytic.contact.finite_geometry_fit import (
     BASES,
     OFF_SHOULDER,
+    POWERS,
     SIDES,
-    FitNumbers,
-    GeometryNumbers,
     ShapeNumbers,
     bases_of,
     fit_record,
+    geometries_on,
     geometry_of,
-    geometry_on,
     limits,
+    put_geometry,
     shape_on,
     unit_of,
 )
 from analytic.contact.geometry import (
     USUAL_SHOULDERS,
     Race,
-    RaceNumbers,
     race_numbers,
     require_contact_angle,
     with_shoulders,
 )
 from analytic.contact.hertz import ball_share, contact_modulus, hertz_contact
-from analytic.numerics.compilation import compiled, rows_of
-from analytic.numerics.elements import mapped
+from analytic.numerics.elements import mapped, rows_of
 from analytic.numerics.records import record_of
 from analytic.scene import Array, Bearing, Contact
 from analytic.words import DEGREE, Unit, percent_of
@@ -98,7 +96,7 @@ def finite_geometry_factors(shape: ContactShape) -> CorrectedGeometry:
 
     def of_numbers(*ratios: float) -> Array:
         fields = np.empty(10)
-        _put(geometry_of(fit_record(), ShapeNumbers(*ratios)), fields)
+        put_geometry(geometry_of(fit_record(), ShapeNumbers(*ratios), np.empty(POWERS)), fields)
         return fields
 
     return _corrected(mapped(of_numbers, *_ratios(shape)), lambda: shape)
@@ -112,10 +110,11 @@ def race_geometry(bearing: Bearing, race: Race, *, contact_angle: ArrayLike, bal
     """
     require_contact_angle(bearing, np.abs(contact_angle))
     numbers = race_numbers(bearing, race)
-    rows, of = rows_of(contact_angle, ball_load)
-    taken = with_shoulders(bearing, USUAL_SHOULDERS[1])
+    given, of = rows_of(contact_angle, ball_load)
+    fields, taken = np.empty((10, given.shape[1])), with_shoulders(bearing, USUAL_SHOULDERS[1])
+    geometries_on(fit_record(), record_of(numbers), given, np.empty(POWERS), fields)
     found = _corrected(
-        _geometries_on(fit_record(), record_of(numbers), rows).reshape(-1, *of),
+        fields.reshape(len(fields), *of),
         lambda: race_shape(taken, race, contact_angle=contact_angle, ball_load=ball_load),
     )
     if not np.isnan(numbers.near_shoulder):
@@ -129,8 +128,9 @@ def race_shape(bearing: Bearing, race: Race, *, contact_angle: ArrayLike, ball_l
     contact_angle (al, rad, in [-pi/2, pi/2], see `shoulder_distances`) and ball_load (Q, N, >= 0) broadcast.
     """
     require_contact_angle(bearing, np.abs(contact_angle))
-    rows, of = rows_of(contact_angle, ball_load)
-    shapes = _shapes_on(record_of(race_numbers(bearing, race)), rows).reshape(-1, *of)
+    numbers = record_of(race_numbers(bearing, race))
+    shoulders = numbers.near_shoulder, numbers.far_shoulder
+    shapes = mapped(lambda angle, load: shape_on(numbers, shoulders, angle, load), contact_angle, ball_load)
     return ContactShape(**dict(zip(ShapeNumbers._fields, shapes, strict=True)))
 
 
@@ -220,28 +220,3 @@ def _outside(shape: ContactShape, applied: Array) -> Iterator[str]:
             f"the contact is nearer to the shoulder than {OFF_SHOULDER:g} semi-axes, outside the range of the fit: "
             f"{done(applied[near].min())}"
         )
-
-
-@compiled
-def _put(geometry: GeometryNumbers, fields: Array) -> None:
-    for k in range(4):
-        fields[k], fields[4 + k] = geometry.factors[k], geometry.uncertainty[k]
-    fields[8], fields[9] = geometry.beyond, geometry.applied
-
-
-@compiled
-def _geometries_on(fit: FitNumbers, race: RaceNumbers, rows: Array) -> Array:
-    fields = np.empty((10, rows.shape[1]))
-    for i in range(rows.shape[1]):
-        _put(geometry_on(fit, race, rows[0, i], rows[1, i]), fields[:, i])
-    return fields
-
-
-@compiled
-def _shapes_on(race: RaceNumbers, rows: Array) -> Array:
-    shapes = np.empty((9, rows.shape[1]))
-    for i in range(rows.shape[1]):
-        shape = shape_on(race, (race.near_shoulder, race.far_shoulder), rows[0, i], rows[1, i])
-        for k in range(9):
-            shapes[k, i] = shape[k]
-    return shapes

@@ -16,7 +16,7 @@ in. This is derived here; the sphere of [Sternberg1952] has such a logarithm.
 """
 
 from functools import cache
-from typing import Any, NamedTuple, cast
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +26,8 @@ from analytic.contact.factors import FactorNumbers
 from analytic.contact.geometry import USUAL_SHOULDERS, RaceNumbers, distances_to_shoulders, rolling_curvature
 from analytic.contact.hertz import HertzNumbers, unit_hertz
 from analytic.numerics.compilation import compiled
+from analytic.numerics.machine_code import entry
+from analytic.numerics.records import Record, dtype_of
 from analytic.numerics.root import cube_root
 from analytic.scene import Array
 
@@ -89,6 +91,8 @@ class Bases(NamedTuple):
 
 BASES, SIDES = Bases._fields, ("shoulder_curvature", "land_slope")  # the latter differ between the sides
 SIDED = len(BASES) * EXPONENTS  # where the products of these begin in the table of powers
+CHANGES = SIDED + EXPONENTS**2  # where what they add to the four factors begins
+POWERS = CHANGES + 4  # numbers in the table
 
 
 class FitNumbers(NamedTuple):
@@ -151,11 +155,11 @@ def fit_numbers() -> FitNumbers:
 
 
 @cache
-def fit_record() -> FitNumbers:
+def fit_record() -> Record:
     """The stored fit as a record."""
     fit = fit_numbers()
     kinds = [(name, table.dtype, table.shape) for name, table in zip(FitNumbers._fields, fit, strict=True)]
-    return cast(Any, np.array([tuple(fit)], dtype=np.dtype(kinds, align=True)).view(np.recarray)[0])
+    return np.array([tuple(fit)], dtype=np.dtype(kinds, align=True)).view(np.recarray)[0]
 
 
 @compiled
@@ -176,12 +180,20 @@ def steps_beyond(fit: FitNumbers, shape: ShapeNumbers) -> float:
 @compiled
 def held_shape(fit: FitNumbers, shape: ShapeNumbers) -> ShapeNumbers:
     """The nearest shape within the range."""
-    held = np.empty(9)
-    for k in range(9):
-        held[k] = min(max(shape[k], fit.low[k]), fit.high[k])
-    nearest = OFF_SHOULDER * held[2]
-    near, far = max(held[6], nearest), max(held[7], nearest)
-    return ShapeNumbers(held[0], held[1], held[2], held[3], held[4], held[5], near, far, held[8])
+    low, high = fit.low, fit.high
+    size = min(max(shape.size, low[2]), high[2])
+    nearest = OFF_SHOULDER * size
+    return ShapeNumbers(
+        min(max(shape.conformity, low[0]), high[0]),
+        min(max(shape.rolling_curvature, low[1]), high[1]),
+        size,
+        min(max(shape.ball_poisson_ratio, low[3]), high[3]),
+        min(max(shape.race_poisson_ratio, low[4]), high[4]),
+        min(max(shape.ball_share, low[5]), high[5]),
+        max(min(max(shape.shoulder, low[6]), high[6]), nearest),
+        max(min(max(shape.far_shoulder, low[7]), high[7]), nearest),
+        min(max(shape.contact_angle, low[8]), high[8]),
+    )
 
 
 @compiled
@@ -246,18 +258,17 @@ def _change(fit: FitNumbers, quantity: int, powers: Array) -> float:
 
 
 @compiled
-def geometry_of(fit: FitNumbers, shape: ShapeNumbers) -> GeometryNumbers:
-    """`finite_geometry_factors` of one contact."""
+def geometry_of(fit: FitNumbers, shape: ShapeNumbers, powers: Array) -> GeometryNumbers:
+    """`finite_geometry_factors` of one contact; powers : (POWERS,), overwritten"""
     held = held_shape(fit, shape)
     grown = shape.size / held.size if held.size > 0 else 1.0
     unit, slope = unit_of(held), np.tan(held.contact_angle)
     near, far = bases_of(held, unit, held.shoulder, -slope), bases_of(held, unit, held.far_shoulder, slope)
-    powers = np.empty(SIDED + EXPONENTS**2)
     _fill_powers(near, far, powers)
-    changes = np.empty(4)
     for quantity in range(4):
-        changes[quantity] = _change(fit, quantity, powers) * grown ** fit.size_power[quantity]
-    rolling, transverse, approach, pressure = changes[0], changes[1], changes[2], changes[3]
+        powers[CHANGES + quantity] = _change(fit, quantity, powers) * grown ** fit.size_power[quantity]
+    rolling, transverse = powers[CHANGES], powers[CHANGES + 1]
+    approach, pressure = powers[CHANGES + 2], powers[CHANGES + 3]
     beyond = steps_beyond(fit, shape)
     applied = min(max(2 - beyond, 0.0), 1.0)
     growth = HELD * min(beyond, 1.0) + FADED * (1 - applied)
@@ -308,26 +319,29 @@ def shoulders_of(race: RaceNumbers, height: float) -> tuple[float, float]:
 
 
 @compiled
-def geometry_on(fit: FitNumbers, race: RaceNumbers, contact_angle: float, load: float) -> GeometryNumbers:
-    """The correction of a ball on a race; of shoulders that are not known, that of a typical height.
+def put_geometry(found: GeometryNumbers, fields: Array) -> None:
+    """Write factors, their uncertainty, steps beyond the range and the share applied: (10,) numbers."""
+    for k in range(4):
+        fields[k], fields[4 + k] = found.factors[k], found.uncertainty[k]
+    fields[8], fields[9] = found.beyond, found.applied
 
-    Then the uncertainty reaches to the factors of a low and of a high shoulder.
+
+@entry(lambda: {"fit": fit_record().dtype, "race": dtype_of(RaceNumbers), "given": 2, "powers": 1, "fields": 2})
+def geometries_on(fit: FitNumbers, race: RaceNumbers, given: Array, powers: Array, fields: Array) -> None:
+    """Write the corrections of n balls on a race; of shoulders that are not known, those of a typical height.
+
+    given : (2, n) contact angles, rad, and loads, N;  powers : as `geometry_of`;  fields : (10, n) of `put_geometry`
+    The uncertainty of a typical height reaches to the factors of a low and of a high shoulder.
     """
     known = not np.isnan(race.near_shoulder)
-    typical, reach = np.empty(4), np.empty(4)
-    beyond = applied = 0.0
-    for number in range(1 if known else 3):  # the typical height first
-        height = USUAL_SHOULDERS[(1, 0, 2)[number]]
-        found = geometry_of(fit, shape_on(race, shoulders_of(race, height), contact_angle, load))
-        for k in range(4):
+    for i in range(given.shape[1]):
+        for number in range(1 if known else 3):  # the typical height first
+            height = USUAL_SHOULDERS[(1, 0, 2)[number]]
+            shape = shape_on(race, shoulders_of(race, height), given[0, i], given[1, i])
+            found = geometry_of(fit, shape, powers)
             if number == 0:
-                typical[k], reach[k] = found.factors[k], found.uncertainty[k]
-                beyond, applied = found.beyond, found.applied
+                put_geometry(found, fields[:, i])
                 continue
-            reach[k] = max(reach[k], abs(found.factors[k] - typical[k]) + found.uncertainty[k])
-    return GeometryNumbers(_factors(typical), _factors(reach), beyond, applied)
-
-
-@compiled
-def _factors(numbers: Array) -> FactorNumbers:
-    return FactorNumbers(numbers[0], numbers[1], numbers[2], numbers[3])
+            for k in range(4):
+                away = abs(found.factors[k] - fields[k, i])
+                fields[4 + k, i] = max(fields[4 + k, i], away + found.uncertainty[k])

@@ -123,7 +123,7 @@ def race_curvatures(bearing: Bearing, race: Race, *, contact_angle: ArrayLike) -
     """
     angle = require_contact_angle(bearing, contact_angle)
     numbers = race_numbers(bearing, race)
-    rolling = _rolling_curvatures(record_of(numbers), angle.ravel()).reshape(angle.shape)
+    rolling = mapped(lambda each: rolling_curvature(numbers, each), angle)
     return rolling, np.full_like(angle, numbers.curvature_transverse)
 
 
@@ -236,14 +236,6 @@ def pocket_contact(bearing: Bearing, cage: Cage, *, load: float) -> Contact:
         race_material=cage.material,
         wall=Wall(thickness=cage.wall_thickness, depth=cage.pocket_depth),
     )
-
-
-@compiled
-def _rolling_curvatures(race: RaceNumbers, contact_angle: Array) -> Array:
-    curvature = np.empty(contact_angle.size)
-    for i in range(contact_angle.size):
-        curvature[i] = rolling_curvature(race, contact_angle[i])
-    return curvature
 
 
 def _ring(bearing: Bearing, race: Race, half_widths: tuple[float, float]) -> Ring | None:

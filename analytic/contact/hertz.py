@@ -15,7 +15,9 @@ from numpy.typing import ArrayLike
 
 from analytic.brief import Brief
 from analytic.errors import ConvergenceError, InputError, require_non_negative, require_positive
-from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.compilation import compiled
+from analytic.numerics.elements import rows_of
+from analytic.numerics.machine_code import entry
 from analytic.numerics.root import cube_root
 from analytic.scene import Array, Contact, Material
 
@@ -154,14 +156,13 @@ def loaded_hertz(unit: HertzNumbers, load: float) -> HertzNumbers:
     )
 
 
-@compiled
-def _contacts(rows: Array) -> Array:
-    fields = np.empty((5, rows.shape[1]))
+@entry(lambda: {"rows": 2, "fields": 2})
+def put_contacts(rows: Array, fields: Array) -> None:
+    """Write (5, n) fields of contacts; rows : (4, n) curvatures along and across rolling, modulus and load"""
     for i in range(rows.shape[1]):
         contact = loaded_hertz(unit_hertz(rows[0, i], rows[1, i], rows[2, i]), rows[3, i])
         for k in range(5):
             fields[k, i] = contact[k]
-    return fields
 
 
 def hertz_contact(
@@ -201,11 +202,13 @@ def hertz_contact(
     """
     contact_arguments(curvature_x=curvature_x, curvature_y=curvature_y, load=load, modulus=modulus)
     rows, shape = rows_of(curvature_x, curvature_y, modulus, load)
-    return hertz_fields(_contacts(rows), shape)
+    fields = np.empty((5, rows.shape[1]))
+    put_contacts(rows, fields)
+    return hertz_fields(fields.reshape(len(fields), *shape))
 
 
-def hertz_fields(fields: Array, shape: tuple[int, ...]) -> HertzContact:
-    """Contacts from the rows (5, n) of a compiled loop over them. Raises ConvergenceError where the ellipse is NaN."""
+def hertz_fields(fields: Array) -> HertzContact:
+    """Contacts from the rows (5, ...) of `HertzNumbers`. Raises ConvergenceError where the ellipse is NaN."""
     if np.isnan(fields[0]).any():
         raise ConvergenceError(
             iterations=MOST_STEPS,
@@ -215,7 +218,7 @@ def hertz_fields(fields: Array, shape: tuple[int, ...]) -> HertzContact:
             problem="the ellipse",
             remedy="Check that the curvatures are of ordinary size.",
         )
-    return HertzContact(**dict(zip(HertzNumbers._fields, fields.reshape(len(fields), *shape), strict=True)))
+    return HertzContact(**dict(zip(HertzNumbers._fields, fields, strict=True)))
 
 
 def loaded_contact(unit: HertzContact, *, load: ArrayLike) -> HertzContact:

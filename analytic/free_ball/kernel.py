@@ -11,12 +11,12 @@ from analytic.free_ball.strips import (
     LATERAL,
     SLIDE,
     SPIN,
+    clear_strips,
     hold_flows,
     march_strips,
     marched_strip,
     peak_pressure,
     shear_at,
-    strip_state,
 )
 from analytic.numerics.compilation import compiled
 from analytic.numerics.records import Record, Records
@@ -82,19 +82,22 @@ def clear(contact):
 
 
 @compiled(fastmath=FAST)
-def _contact(contact, ball, velocity, passing, quadrature, flows, sums):
+def _contact(contact, ball, motion, quadrature, flows, sums, scratch):
     """Add one contact to sums: forces A^T stress and their tangent; write what it does, without the law's powers.
 
-    passing : velocity of the surfaces through the contact, m per unit w, with its sign;  flows : of `hold_flows`
+    motion : velocity of the ball, and that of the surfaces through the contact, m per unit w, with its sign
+    flows : of `hold_flows`
     """
+    velocity, passing = motion
     sines, cosines, weights = quadrature.across[0], quadrature.across[1], quadrature.across[2]
-    force, tangent, rows = sums
+    force, tangent = sums
+    rows, state = scratch.rows, scratch.strips
     a, b = contact.semi_axis_rolling, contact.semi_axis_transverse
     _, _, spin_at_middle = _slip(contact, ball, velocity, 0.0, rows)
     flow = 1.0 if passing >= 0.0 else -1.0
     length = contact.flexibility * abs(passing) * a
     clear(contact)
-    state = strip_state(quadrature.strips)
+    clear_strips(state, quadrature.strips)
     for j in range(quadrature.strips):
         state[SLIDE + j], state[LATERAL + j], state[SPIN + j] = _slip(contact, ball, velocity, b * sines[j], rows)
     march_strips(contact, (flow, length, contact.lean), quadrature, flows, state)
@@ -123,7 +126,7 @@ def _add_law_powers(contact, ball, velocity, quadrature, flows, rows):
             pressure = peak * cosines[j] * quadrature.along[1, k]
             across = lateral + spin * half * quadrature.along[0, k]
             size = np.sqrt(slide * slide + across * across)
-            shear = shear_at(contact, pressure, flows[j, 0, k], flows[j, 1, k], flows[j, 2, k])
+            shear = shear_at(contact, pressure, flows[k, 0, j], flows[k, 1, j], flows[k, 2, j])
             stress, _ = yielding(size, shear) if contact.own == 0.0 else yielding_by_own(size, shear, contact.own)
             area = width * half * quadrature.along[1, k] * quadrature.along[2, k]
             contact.law_power += area * stress * size
@@ -156,19 +159,20 @@ def _hold(contact, force, tangent):
 
 
 @compiled
-def _residual(contacts, ball, velocity, passing, quadrature, flows, sums):
+def _residual(contacts, ball, velocity, passing, quadrature, sums, scratch):
     """What the ball's equilibrium lacks and its tangent, into sums; returns the sum of all friction.
 
     A ball that one race alone touches only rolls on it: see `_hold`.
     """
-    force, tangent, _ = sums
+    force, tangent = sums
     for i in range(4):
         force[i] = 0.0
         for c in range(4):
             tangent[i, c] = 0.0
     for race in range(2):
         if contacts[race].load > 0.0:
-            _contact(contacts[race], ball, velocity, passing[race], quadrature, flows[race], sums)
+            motion = velocity, passing[race]
+            _contact(contacts[race], ball, motion, quadrature, scratch.flows[race], sums, scratch)
         else:
             clear(contacts[race])
     gyro = ball.inertia / ball.orbit_radius
@@ -225,79 +229,83 @@ def _copy(source, target):
 
 
 @compiled
-def _simplified_step(tangent, force, work, step):
-    """Write Newton's step, and return its length; work : (4, 4)"""
-    for i in range(4):
-        step[i] = -force[i]
-        for c in range(4):
-            work[i, c] = tangent[i, c]
-    _solved(work, step)
-    return np.sqrt(step[0] ** 2 + step[1] ** 2 + step[2] ** 2 + step[3] ** 2)
+def _size(vector):
+    """Of four numbers."""
+    return np.sqrt(vector[0] ** 2 + vector[1] ** 2 + vector[2] ** 2 + vector[3] ** 2)
 
 
 @compiled
-def _newton(contacts, ball, velocity, passing, nodes, tolerance):
+def _simplified_step(tangent, force, system, step):
+    """Write Newton's step, and return its length; system : (4, 4), overwritten"""
+    for i in range(4):
+        step[i] = -force[i]
+        for c in range(4):
+            system[i, c] = tangent[i, c]
+    _solved(system, step)
+    return _size(step)
+
+
+@compiled
+def _newton(contacts, ball, velocity, passing, quadrature, tolerance, scratch):
     """Damped Newton's method; the velocity is overwritten. Returns the residual over all friction.
 
-    nodes : the quadrature, and its flows on both races
+    scratch : with the flows on both races
     A step counts where the simplified Newton step from its end is shorter [Deuflhard2004]: forces along the orbit and
     moments of spin differ so much in stiffness that no norm of the residual serves both.
     """
-    quadrature, flows = nodes
-    force, tangent, rows, work = np.zeros(4), np.zeros((4, 4)), np.zeros((3, 4)), np.zeros((4, 4))
-    trial, trial_force, trial_tangent = np.zeros(4), np.zeros(4), np.zeros((4, 4))
-    step, next_step = np.zeros(4), np.zeros(4)
-    here, there = (force, tangent, rows), (trial_force, trial_tangent, rows)
-    friction = _residual(contacts, ball, velocity, passing, quadrature, flows, here)
+    force, tangent, trial = scratch.force, scratch.tangent, scratch.trial
+    trial_force, trial_tangent = scratch.trial_force, scratch.trial_tangent
+    system, step, next_step = scratch.system, scratch.step, scratch.next_step
+    here, there = (force, tangent), (trial_force, trial_tangent)
+    friction = _residual(contacts, ball, velocity, passing, quadrature, here, scratch)
     if friction == 0.0:
         return 0.0
-    share, left = 1.0, np.sqrt(np.sum(force * force))
+    share, left = 1.0, _size(force)
     for _ in range(MOST_STEPS):
         if left <= tolerance * friction:
             break
         held = LEAST_TANGENT * (tangent[0, 0] + tangent[1, 1] + tangent[2, 2] + tangent[3, 3])
         for c in range(4):
             tangent[c, c] += held
-        length = _simplified_step(tangent, force, work, step)
+        length = _simplified_step(tangent, force, system, step)
         if length <= ROUND_OFF * ball.orbit_radius:  # the size of any speed per unit ring speed
             return 0.0  # no double is nearer: contacts so small that they creep by less than a rounding of the speed
         share = min(1.0, 4.0 * share)
         while True:
             for i in range(4):
                 trial[i] = velocity[i] + share * step[i]
-            tried = _residual(contacts, ball, trial, passing, quadrature, flows, there)
-            next_length = _simplified_step(tangent, trial_force, work, next_step)
+            tried = _residual(contacts, ball, trial, passing, quadrature, there, scratch)
+            next_length = _simplified_step(tangent, trial_force, system, next_step)
             if next_length <= (1.0 - share / 4.0) * length or share < LEAST_SHARE:
                 break
             share *= 0.5
         if share < LEAST_SHARE:
-            _residual(contacts, ball, velocity, passing, quadrature, flows, here)  # not the trial's
+            _residual(contacts, ball, velocity, passing, quadrature, here, scratch)  # not the trial's
             break
         _copy(trial, velocity)
         _copy(trial_force, force)
         for i in range(4):
             for c in range(4):
                 tangent[i, c] = trial_tangent[i, c]
-        friction, left = tried, np.sqrt(np.sum(force * force))
-    return np.sqrt(np.sum(force * force)) / friction
+        friction, left = tried, _size(force)
+    return _size(force) / friction
 
 
 @compiled
-def turn_ball(contacts: Records, ball: Record, quadrature: Record, tolerance: float) -> float:
+def turn_ball(contacts: Records, ball: Record, quadrature: Record, tolerance: float, scratch: Record) -> float:
     """Turn a ball to where no moment and no force along the orbit is left on it; returns the residual.
 
     contacts : (2,) of `state.CONTACT_STATE`;  ball.velocity : start, overwritten
-    tolerance : on the residual, over all friction of the ball
+    tolerance : on the residual, over all friction of the ball;  scratch : of `state.SCRATCH`, overwritten
     The speed of the surfaces through each contact is that of the start. Where Newton's method stalls, softer surfaces
     come first: they creep as if the speed through the contact were higher.
     """
-    velocity, passing, start = np.empty(4), np.zeros(2), np.zeros(4)
+    velocity, passing, start = scratch.velocity, scratch.passing, scratch.start
     _copy(ball.velocity, velocity)
-    flows = np.empty((2, quadrature.strips, 3, quadrature.nodes))
     for race in range(2):
         passing[race] = _passing(contacts[race], ball, velocity)
         if contacts[race].load > 0.0:
-            hold_flows(contacts[race], quadrature, flows[race])
+            hold_flows(contacts[race], quadrature, scratch.flows[race])
     if contacts[0].load == 0.0 or contacts[1].load == 0.0:
         _roll(contacts[0] if contacts[0].load > 0.0 else contacts[1], ball, velocity)
     _copy(velocity, start)
@@ -308,7 +316,9 @@ def turn_ball(contacts: Records, ball: Record, quadrature: Record, tolerance: fl
             softer = HARDER**STAGES
         elif stage > 1:
             softer /= HARDER
-        left = _newton(contacts, ball, velocity, softer * passing, (quadrature, flows), tolerance)
+        for race in range(2):
+            scratch.softer[race] = softer * passing[race]
+        left = _newton(contacts, ball, velocity, scratch.softer, quadrature, tolerance, scratch)
         if stage == 0 and left <= tolerance:
             break
     _copy(velocity, ball.velocity)
@@ -316,12 +326,11 @@ def turn_ball(contacts: Records, ball: Record, quadrature: Record, tolerance: fl
 
 
 @compiled
-def add_law_powers(contacts: Records, ball: Record, quadrature: Record) -> None:
+def add_law_powers(contacts: Records, ball: Record, quadrature: Record, scratch: Record) -> None:
     """Add what the law of traction loses at the slip of a ball without creep; arguments of `turn_ball`."""
-    velocity, rows = np.empty(4), np.zeros((3, 4))
-    flows = np.empty((2, quadrature.strips, 3, quadrature.nodes))
+    velocity, flows = scratch.velocity, scratch.flows
     _copy(ball.velocity, velocity)
     for race in range(2):
         if contacts[race].load > 0.0:
             hold_flows(contacts[race], quadrature, flows[race])
-            _add_law_powers(contacts[race], ball, velocity, quadrature, flows[race], rows)
+            _add_law_powers(contacts[race], ball, velocity, quadrature, flows[race], scratch.rows)

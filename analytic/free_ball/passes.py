@@ -51,6 +51,7 @@ class FreeModel(NamedTuple):
     cubics: Array  # splines of the gap laws
     free: FreeNumbers
     quadratures: Records  # (k,) of `state.QUADRATURE`, as `rotation.free_quadratures` has them
+    scratch: Record  # of `state.SCRATCH`
 
 
 class FreeAccuracy(NamedTuple):
@@ -80,23 +81,22 @@ def settle_freely(
     balls: Records,
     contacts: Records,
     wanted: FreeAccuracy,
-    is_ring: bool | None,
+    is_ring: bool,
 ) -> FreeEnd:
     """Passes until the torque changes no more than it may; writes ring, balls and contacts.
 
     speed : w, rad/s;  oil : at its temperature
     balls : (m,), loaded by rule without the gyroscopic moment, which no friction may hold there; one for all that are
         alike
-    is_ring : whether they are balanced on a ring; None: they are not, and no ring is compiled
+    is_ring : whether they are balanced on a ring
     The balls begin by rule, or at the start that they hold where ring.passes is not 0. That of the next point is
     written.
     """
     bearing, count, known = model.ring.bearing, len(balls), ring.passes
-    by_rule = np.empty((count, 4))
     for j in range(count):
         ball = balls[j]
         for race in range(2):
-            by_rule[j, race], by_rule[j, 2 + race] = ball.angle[race], ball.load[race]
+            ball.ruled_angle[race], ball.ruled_load[race] = ball.angle[race], ball.load[race]
         _begin(model, ball, known > 0)
     torque = spin = whole = before = coarser = largest = error = 0.0
     finest, end = len(model.quadratures) - 1, Round(SETTLED, 0, 0.0, 0.0)
@@ -134,11 +134,11 @@ def settle_freely(
     if end.end == SETTLED:
         ring.passes = 1 + level
         for j in range(count):
-            _leave(model, balls[j], by_rule[j])
+            _leave(model, balls[j])
     loads = 0.0
     for i in range(5):
         loads += abs(ring.load[i])
-    return FreeEnd(end, torque, spin, error, end.left / loads if is_ring is not None and is_ring else end.left)
+    return FreeEnd(end, torque, spin, error, end.left / loads if is_ring else end.left)
 
 
 @compiled
@@ -165,7 +165,7 @@ def _one_pass(
     contacts: Records,
     number: int,
     steady: float,
-    is_ring: bool | None,
+    is_ring: bool,
 ) -> tuple[Round, float]:
     """Loads and rotation with the laws of traction of the last pass; how it ends, and all torque but sliding, N m.
 
@@ -178,8 +178,8 @@ def _one_pass(
         for k in range(3):
             ball.gave[k] = ball.left[k] = np.nan
     fine = model.quadratures[number]
-    nodes = FreeNodes(model.quadratures[0], fine, FIRST, steady)
-    if is_ring is not None and is_ring:
+    nodes = FreeNodes(model.quadratures[0], fine, FIRST, steady, model.scratch)
+    if is_ring:
         end = settle_free_ring(model.ring, model.free, speed, ring, balls, contacts, nodes)
     else:
         end = settle_free_thrust(bearing, model.free, speed, ring.load[0], balls[0], contacts[0], nodes)
@@ -187,7 +187,7 @@ def _one_pass(
         ball = balls[j]
         left = ball.residual
         if not left <= ACCURACY:
-            left = turn_ball(contacts[j], ball, fine, ACCURACY)
+            left = turn_ball(contacts[j], ball, fine, ACCURACY, model.scratch)
         if end.end == SETTLED and not left <= ENOUGH:
             end = Round(SKIDS, end.steps, left, ENOUGH)
         ball.residual = left
@@ -232,11 +232,11 @@ def _begin(model: FreeModel, ball: Record, is_known: bool) -> None:
 
 
 @compiled
-def _leave(model: FreeModel, ball: Record, by_rule: Array) -> None:
-    """Write how a ball settled as a start; by_rule : (4,) both angles and both loads by rule."""
+def _leave(model: FreeModel, ball: Record) -> None:
+    """Write how a ball settled as a start."""
     for race in range(2):
-        ball.start_angle[race] = ball.angle[race] - by_rule[race]
-        ball.start_load[race] = ball.load[race] / by_rule[2 + race] if by_rule[2 + race] > 0.0 else 1.0
+        ball.start_angle[race] = ball.angle[race] - ball.ruled_angle[race]
+        ball.start_load[race] = ball.load[race] / ball.ruled_load[race] if ball.ruled_load[race] > 0.0 else 1.0
     roll_by_rule(model.ring.bearing, angles_in_grooves(ball), ball.orbit_radius, ball.start_velocity)
     for k in range(4):
         ball.start_velocity[k] = ball.velocity[k] - ball.start_velocity[k]

@@ -87,7 +87,7 @@ def settle_free_thrust(
         if change <= nodes.steady:
             return Round(SETTLED, number, change, nodes.steady)
         last = found
-        now = FreeNodes(nodes.coarse, nodes.fine, _next_accuracy(nodes, change), nodes.steady)
+        now = FreeNodes(nodes.coarse, nodes.fine, _next_accuracy(nodes, change), nodes.steady, nodes.scratch)
     return Round(OPEN, MOST_ROUNDS, change, nodes.steady)
 
 
@@ -116,5 +116,5 @@ def settle_free_ring(
         if end.end != OPEN:
             break
         accuracy = _next_accuracy(nodes, nodes.steady * end.left / end.tolerance)
-        now = FreeNodes(nodes.coarse, nodes.fine, accuracy, nodes.steady)
+        now = FreeNodes(nodes.coarse, nodes.fine, accuracy, nodes.steady, nodes.scratch)
     return Round(end.end, steps, end.left, end.tolerance)

@@ -2,9 +2,11 @@
 
 import numpy as np
 
-from analytic.numerics.records import Records
+from analytic.numerics.records import Record, Records
 
-MOST_STRIPS, MOST_NODES = 256, 192  # of a quadrature, across and along rolling
+MOST_STRIPS, MOST_NODES = 128, 96  # of a quadrature, across and along rolling
+PITCH = MOST_STRIPS + 8  # between rows of numbers of strips: a power of two would share lines of a cache
+ROWS = 40  # of numbers of strips, see `strips`
 
 CONTACT_STATE = np.dtype(
     [
@@ -53,6 +55,33 @@ QUADRATURE = np.dtype(
     ],
     align=True,
 )
+
+# What the formulas of a free ball write and read again: arrays that would be made anew at each call
+SCRATCH = np.dtype(
+    [
+        ("velocity", "f8", 4),  # of the ball, as `analytic.free_ball.rotation` has it; where it began, and on trial
+        ("start", "f8", 4),
+        ("trial", "f8", 4),
+        ("passing", "f8", 2),  # speed of the surfaces through both contacts, m per unit w, and for softer ones
+        ("softer", "f8", 2),
+        ("force", "f8", 4),  # on the ball, and on trial
+        ("trial_force", "f8", 4),
+        ("tangent", "f8", (4, 4)),
+        ("trial_tangent", "f8", (4, 4)),
+        ("rows", "f8", (3, 4)),  # slip along a strip, across it and by spin, by the velocity
+        ("system", "f8", (4, 4)),
+        ("step", "f8", 4),  # of Newton's method, and the next one
+        ("next_step", "f8", 4),
+        ("strips", "f8", ROWS * PITCH),
+        ("flows", "f8", (2, MOST_NODES, 3, PITCH)),  # of `strips.flow_at` in the nodes of both contacts
+    ],
+    align=True,
+)
+
+
+def scratch() -> Record:
+    """For one thread."""
+    return np.zeros(1, SCRATCH).view(np.recarray)[0]
 
 
 def contact_states(balls: int) -> Records:

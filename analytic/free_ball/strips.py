@@ -5,13 +5,14 @@ Rates are per unit ring speed w, so slip is a length. Contacts and nodes are rec
 
 import numpy as np
 
+from analytic.free_ball.state import CONTACT_STATE, PITCH, QUADRATURE, ROWS
 from analytic.free_ball.stress import FAST, Shear, flow_at, sheared, sheared_by_own
 from analytic.numerics.compilation import compiled
+from analytic.numerics.machine_code import entry
 from analytic.numerics.records import Record
 from analytic.oil.traction import PointLaw
 from analytic.scene import Array
 
-PITCH = 264  # between rows of numbers of strips, of which there are at most 256
 # Where the rows begin: of slip along, across and by spin, half-length and L u over it; stress at the last node and the
 # one before; reach of slip at a node, how much less stiff it is than along, and stress and slope there. Then sums of
 # three forces and of friction, and for each kind of slip four rows of what it does to both stresses, and three of its
@@ -21,7 +22,6 @@ STRESS_X, STRESS_Y, OLDER_X, OLDER_Y = range(5 * PITCH, 9 * PITCH, PITCH)
 REACH_X, REACH_Y, REACH, STIFFER, STRESS, SLOPE = range(9 * PITCH, 15 * PITCH, PITCH)
 FORCES, ALL_FRICTION = 15 * PITCH, 18 * PITCH
 BY_SLIDE, BY_LATERAL, BY_SPIN = range(19 * PITCH, 40 * PITCH, 7 * PITCH)
-ROWS = 40
 NO_SLIP = 1e-200  # m: keeps a direction where nothing slides
 NO_SQUARE = 1e-300  # m^2: likewise of its square
 
@@ -57,12 +57,21 @@ def turned_stress(reach, sizes, stress, slope, compliance, lean):
     return stress * n_x, stress * n_y, slopes
 
 
-@compiled(fastmath=FAST)
+@entry(
+    lambda: {
+        "contact": CONTACT_STATE,
+        "flow": (float, float, float),
+        "quadrature": QUADRATURE,
+        "flows": 3,
+        "state": 1,
+    },
+    fastmath=FAST,
+)
 def march_strips(contact, flow, quadrature, flows, state):
     """All strips, marched side by side from their leading edges; writes their forces, stiffness and friction.
 
     flow : its direction, L u along, and L across over L along
-    flows : (strips, 3, nodes) of `flow_at`;  state : of `strip_state`, with slip along, across and by spin
+    flows : (nodes, 3, strips) of `flow_at`;  state : (ROWS * PITCH,) numbers, with slip along, across and by spin
     Nodes of different strips do not wait for each other, as those of one strip do. Where nothing is decided a processor
     takes several at once, as the compiler knows how far apart the rows are.
     """
@@ -90,11 +99,11 @@ def march_strips(contact, flow, quadrature, flows, state):
             state[STIFFER + j] = np.sqrt((square_x + square_y) / (square_x + square_y * stiffer))
         if contact.own == 0.0:
             for j in range(quadrature.strips):
-                shear = shear_at(contact, peak * across[j] * cosines[k], flows[j, 0, k], flows[j, 1, k], flows[j, 2, k])
+                shear = shear_at(contact, peak * across[j] * cosines[k], flows[k, 0, j], flows[k, 1, j], flows[k, 2, j])
                 even = state[PER_STEP + j] * to_here * state[STIFFER + j]
                 state[STRESS + j], state[SLOPE + j] = sheared(state[REACH + j], even, shear)
         else:
-            _shear_by_own(contact, (peak * cosines[k], to_here), across, flows[:, :, k], state)
+            _shear_by_own(contact, (peak * cosines[k], to_here), quadrature, flows[k], state)
         for j in range(quadrature.strips):
             soft, half, stress = state[PER_STEP + j], state[HALF + j], state[STRESS + j]
             reach, sizes = (state[REACH_X + j], state[REACH_Y + j]), (state[REACH + j], state[STIFFER + j])
@@ -112,13 +121,14 @@ def march_strips(contact, flow, quadrature, flows, state):
 
 
 @compiled
-def _shear_by_own(contact, node, across, flows, state):
+def _shear_by_own(contact, node, quadrature, flows, state):
     """Write stress and slope of all strips at a node by a user's law.
 
-    node : pressure there on the middle strip, and how far its stress pulls the slip;  flows : (strips, 3) of the node
+    node : pressure there on the middle strip, and how far its stress pulls the slip;  flows : (3, strips) of the node
     """
-    for j in range(flows.shape[0]):
-        shear = shear_at(contact, node[0] * across[j], flows[j, 0], flows[j, 1], flows[j, 2])
+    for j in range(quadrature.strips):
+        pressure = node[0] * quadrature.across[1, j]
+        shear = shear_at(contact, pressure, flows[0, j], flows[1, j], flows[2, j])
         even = state[PER_STEP + j] * node[1] * state[STIFFER + j]
         state[STRESS + j], state[SLOPE + j] = sheared_by_own(state[REACH + j], even, shear, contact.own)
 
@@ -144,12 +154,11 @@ def _respond(state, first, own, pulls, slopes, node):
 
 
 @compiled
-def strip_state(strips):
-    """Rows of numbers of strips, for `march_strips`."""
-    state = np.empty(ROWS * PITCH)
+def clear_strips(state, strips):
+    """Begin the numbers of strips, for `march_strips`."""
     for row in range(ROWS):
-        state[row * PITCH : row * PITCH + strips] = 0.0
-    return state
+        for j in range(strips):
+            state[row * PITCH + j] = 0.0
 
 
 @compiled
@@ -179,7 +188,7 @@ def shear_at(contact, pressure, eyring, fluidity, most):
 
 @compiled
 def hold_flows(contact: Record, quadrature: Record, flows: Array) -> None:
-    """Write (across, 3, along) the numbers of `flow_at` of the nodes, which do not change with the slip.
+    """Write (along, 3, across) the numbers of `flow_at` of the nodes, which do not change with the slip.
 
     The nodes lie in pairs about the middle of the ellipse, where the pressure is the same.
     """
@@ -203,8 +212,8 @@ def hold_flows(contact: Record, quadrature: Record, flows: Array) -> None:
         for k in range(last_node // 2 + 1):
             flow = flow_at(law, peak * strips[j] * nodes[k])
             for each in range(3):
-                flows[j, each, k] = flows[j, each, last_node - k] = flow[each]
-                flows[last_strip - j, each, k] = flows[last_strip - j, each, last_node - k] = flow[each]
+                flows[k, each, j] = flows[last_node - k, each, j] = flow[each]
+                flows[k, each, last_strip - j] = flows[last_node - k, each, last_strip - j] = flow[each]
 
 
 @compiled

@@ -45,6 +45,7 @@ class FreeNodes(NamedTuple):
     fine: Record
     accuracy: float  # of the residual force of this round, or of the first one, over all friction of the ball
     steady: float  # relative, of the forces on a ball from one round to the next
+    scratch: Record  # of `state.SCRATCH`
 
 
 @compiled
@@ -72,8 +73,8 @@ def turned(
     if np.isnan(velocity[0]) or min(ball.load[0], ball.load[1]) == 0.0:
         roll_by_rule(bearing, angles, orbit, velocity)
     if np.isnan(ball.given[0]):  # of this pass
-        turn_ball(contacts, ball, nodes.coarse, ROUGH)
-    ball.residual = turn_ball(contacts, ball, nodes.fine, nodes.accuracy)
+        turn_ball(contacts, ball, nodes.coarse, ROUGH, nodes.scratch)
+    ball.residual = turn_ball(contacts, ball, nodes.fine, nodes.accuracy, nodes.scratch)
     rate = velocity[0] / orbit
     centrifugal = bearing.ball_mass * orbit * (rate * speed) ** 2 if free.centrifugal else 0.0
     _mix(ball, (centrifugal, contacts[0].across, contacts[1].across))

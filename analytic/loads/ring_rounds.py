@@ -15,11 +15,12 @@ from analytic.loads.ball_balance import Grooves
 from analytic.loads.numbers import BearingNumbers
 from analytic.loads.race_contacts import put_unit
 from analytic.loads.ring_balance import settle_ring
-from analytic.loads.state import FREEDOMS
+from analytic.loads.state import BALL_STATE, FREEDOMS, RING_STATE
 from analytic.loads.turning import ForcesOfTurning, TurningRule, ruled_forces
 from analytic.numerics.compilation import compiled
+from analytic.numerics.machine_code import entry
 from analytic.numerics.newton import MOST_STEPS
-from analytic.numerics.records import Record, Records
+from analytic.numerics.records import Record, Records, dtype_of
 from analytic.numerics.root import cube_root
 from analytic.scene import Array
 
@@ -257,7 +258,17 @@ def settle_ruled_ring(numbers: RingNumbers, rule: TurningRule, ring: Record, bal
 ROUND = np.dtype([("end", "i8"), ("steps", "i8"), ("left", "f8"), ("tolerance", "f8")])  # `Round` as a record
 
 
-@compiled
+@entry(
+    lambda: {
+        "numbers": dtype_of(RingNumbers),
+        "speed": 1,
+        "inertia": (bool, bool),
+        "rings": (RING_STATE, 1),
+        "balls": (BALL_STATE, 2),
+        "ends": (ROUND, 1),
+        "start": int,
+    }
+)
 def settle_ruled_rings(
     numbers: RingNumbers,
     speed: Array,

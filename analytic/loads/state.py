@@ -53,6 +53,8 @@ BALL_STATE = np.dtype(
         ("start_angle", "f8", 2),  # more than that by rule, rad
         ("start_load", "f8", 2),  # factor on that by rule
         ("start_forces", "f8", 3),  # as `given`, N
+        ("ruled_angle", "f8", 2),  # by the rule, rad
+        ("ruled_load", "f8", 2),  # N
     ],
     align=True,
 )

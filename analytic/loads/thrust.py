@@ -8,6 +8,7 @@ Source: [Harris2007] section 7 at rest; at speed [Jones1960] and [Harris2007b] s
 forces on the ball.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -28,7 +29,7 @@ from analytic.loads.thrust_ball import (
     thrust_point,
 )
 from analytic.loads.turning import RuledTurning, TurningRule
-from analytic.numerics.compilation import compiled, rows_of
+from analytic.numerics.elements import mapped
 from analytic.numerics.records import record_of
 from analytic.scene import Array, Bearing, ContactAngle
 from analytic.words import length_of
@@ -107,8 +108,7 @@ def thrust_equilibrium(
     require_given_angle(bearing, contact_angle)
     numbers = record_of(bearing_numbers(bearing, contact_angle))
     factors = correction_fields(correction or ContactCorrection())
-    rows, shape = rows_of(axial_load, 0.0, *factors)
-    return _at_rest(numbers, _settled(_thrust_points(numbers, rows, False, False), rows[0] / bearing.ball_count), shape)
+    return _at_rest(numbers, _settled(_thrust_points(numbers, axial_load, 0.0, factors, (False, False))))
 
 
 def thrust_equilibrium_frozen(
@@ -136,8 +136,13 @@ def thrust_equilibrium_frozen(
             f"{length_of(-bearing.diametral_clearance, '.6g')} on the diameter does not leave: use thrust_equilibrium, "
             "or give contact_angle.free"
         )
-    rows, shape = rows_of(axial_load, *correction_fields(ContactCorrection()))
-    return _at_rest(numbers, _settled(_frozen_points(numbers, rows), rows[0] / bearing.ball_count), shape)
+    first, correction = first_contacts(numbers), correction_of(correction_fields(ContactCorrection()))
+
+    def of_number(load: float) -> tuple[float, ...]:
+        push = load / bearing.ball_count
+        return _fields_of(frozen_point(numbers, first, push, correction, LAST_STEP), push)
+
+    return _at_rest(numbers, _settled(mapped(of_number, axial_load)))
 
 
 def thrust_at_speed(
@@ -167,14 +172,13 @@ def thrust_at_speed(
     require_finite(inner_speed=inner_speed)
     require_positive(axial_load=axial_load, ball_count=bearing.ball_count)
     numbers, factors = record_of(bearing_numbers(bearing, contact_angle)), correction or ContactCorrection()
-    rows, shape = rows_of(axial_load, inner_speed, *correction_fields(factors))
     if turning is None:
-        turning = RuledTurning(bearing=bearing, inner_speed=rows[1], centrifugal=True, gyroscopic=True)
-    rows[1] = turning.inner_speed
-    points = _thrust_points(numbers, rows, turning.centrifugal, turning.gyroscopic)
-    fields = _settled(points, rows[0] / bearing.ball_count)
-    _, inner_angle, outer_angle, inner_load, outer_load = fields[:5].reshape(-1, *shape)
-    inner, outer = _loaded(fields, shape)
+        speed = np.asarray(inner_speed, dtype=np.float64)
+        turning = RuledTurning(bearing=bearing, inner_speed=speed, centrifugal=True, gyroscopic=True)
+    inertia = turning.centrifugal, turning.gyroscopic
+    fields = _settled(_thrust_points(numbers, axial_load, turning.inner_speed, correction_fields(factors), inertia))
+    _, inner_angle, outer_angle, inner_load, outer_load = fields[:5]
+    inner, outer = _loaded(fields)
     return ThrustAtSpeed(
         inner_load=inner_load,
         outer_load=outer_load,
@@ -198,28 +202,28 @@ def require_given_angle(bearing: Bearing, contact_angle: ContactAngle) -> None:
         raise InputError(f"a given contact angle must lie between 0 and pi/2 rad, got {contact_angle.value!r}")
 
 
-def _at_rest(numbers: BearingNumbers, fields: Array, shape: tuple[int, ...]) -> ThrustEquilibrium:
-    inner, outer = _loaded(fields, shape)
+def _at_rest(numbers: BearingNumbers, fields: Array) -> ThrustEquilibrium:
+    inner, outer = _loaded(fields)
     return ThrustEquilibrium(
         free_angle=None if np.isnan(numbers.free_angle) else numbers.free_angle,
-        contact_angle=fields[1].reshape(shape),
-        ball_load=fields[3].reshape(shape),
+        contact_angle=fields[1],
+        ball_load=fields[3],
         inner=inner,
         outer=outer,
     )
 
 
-def _loaded(fields: Array, shape: tuple[int, ...]) -> tuple[HertzContact, HertzContact]:
+def _loaded(fields: Array) -> tuple[HertzContact, HertzContact]:
     """The contacts of both races under their loads."""
-    return hertz_fields(fields[5:10], shape), hertz_fields(fields[10:15], shape)
+    return hertz_fields(fields[5:10]), hertz_fields(fields[10:15])
 
 
-def _settled(fields: Array, push: Array) -> Array:
-    """The fields of a loop without the last, the change; raises ConvergenceError where it is not 0."""
+def _settled(fields: Array) -> Array:
+    """The first 15 of `_fields_of`; raises ConvergenceError where the change is not 0."""
     open_rounds = ~(fields[-1] == 0)
     if open_rounds.any():
-        raise unsettled(push[open_rounds], float(np.max(fields[-1])), SETTLED)
-    return fields[:-1]
+        raise unsettled(fields[-2][open_rounds], float(np.max(fields[-1])), SETTLED)
+    return fields[:-2]
 
 
 def unsettled(push: Array, change: float, accuracy: float) -> ConvergenceError:
@@ -234,32 +238,20 @@ def unsettled(push: Array, change: float, accuracy: float) -> ConvergenceError:
     )
 
 
-@compiled
-def _put(point: ThrustPoint, fields: Array) -> None:
-    inner, outer = (
-        loaded_hertz(point.inner, point.ball.inner_load),
-        loaded_hertz(point.outer, point.ball.outer_load),
-    )
-    for k in range(5):
-        fields[k], fields[5 + k], fields[10 + k] = point.ball[k], inner[k], outer[k]
-    fields[15] = point.change
+def _fields_of(point: ThrustPoint, push: float) -> tuple[float, ...]:
+    """(17,) ball, contacts of inner and outer race, thrust on each ball, change."""
+    inner, outer = loaded_hertz(point.inner, point.ball.inner_load), loaded_hertz(point.outer, point.ball.outer_load)
+    return *point.ball, *inner, *outer, push, point.change
 
 
-@compiled
-def _thrust_points(bearing: BearingNumbers, rows: Array, centrifugal: bool, gyroscopic: bool) -> Array:
-    """(16, n): ball, contacts of inner and outer race, change; rows : load, speed, factors."""
-    fields, first = np.empty((16, rows.shape[1])), first_contacts(bearing)
-    for i in range(rows.shape[1]):
-        rule = TurningRule(rows[1, i], centrifugal, gyroscopic)
-        _put(thrust_point(bearing, first, rows[0, i], rule, correction_of(rows[2:, i])), fields[:, i])
-    return fields
+def _thrust_points(
+    numbers: BearingNumbers, load: ArrayLike, speed: ArrayLike, factors: Sequence[ArrayLike], inertia: tuple[bool, bool]
+) -> Array:
+    """(17, ...) of `_fields_of`; inertia : whether centrifugal force and gyroscopic moment count"""
+    first = first_contacts(numbers)
 
+    def of_numbers(load: float, speed: float, *factors: float) -> tuple[float, ...]:
+        rule = TurningRule(speed, *inertia)
+        return _fields_of(thrust_point(numbers, first, load, rule, correction_of(factors)), load / numbers.ball_count)
 
-@compiled
-def _frozen_points(bearing: BearingNumbers, rows: Array) -> Array:
-    """(16, n) likewise; rows : load, factors."""
-    fields, first = np.empty((16, rows.shape[1])), first_contacts(bearing)
-    for i in range(rows.shape[1]):
-        push, correction = rows[0, i] / bearing.ball_count, correction_of(rows[1:, i])
-        _put(frozen_point(bearing, first, push, correction, LAST_STEP), fields[:, i])
-    return fields
+    return mapped(of_numbers, load, speed, *factors)

@@ -74,7 +74,6 @@ def monotone_cubic(x: Array, y: Array) -> Array:
     return _rows(x, y, slopes)
 
 
-@compiled
 def _smooth_slopes(steps: Array, pieces: Array) -> Array:
     """(n + 1,) slopes at the points, by elimination; steps, pieces : (n,) in x, and their slopes."""
     last = steps.size

@@ -29,6 +29,15 @@ def share_in(part: Array, total: Array) -> Array:
     return np.divide(part, total, out=np.zeros(np.broadcast(part, total).shape), where=total > 0)
 
 
+def rows_of(*values: ArrayLike) -> tuple[Array, tuple[int, ...]]:
+    """(k, n) for a loop over n elements from k values that broadcast, and the shape of the elements."""
+    shape = np.broadcast(*values).shape
+    together = np.empty((len(values), *shape))
+    for row, value in enumerate(values):
+        together[row] = value
+    return together.reshape(len(values), -1), shape
+
+
 def mapped(function: Callable[..., Any], *values: ArrayLike) -> Array:
     """The results of a function of numbers for each element of values that broadcast.
 

@@ -33,6 +33,13 @@ def as_record(element: Any) -> Record:
     return element if isinstance(element, np.record) else element.reshape(1).view(np.recarray)[0]
 
 
+def as_records(value: Any) -> Any:
+    """A record, or an array of them, with fields as attributes; anything else as it is."""
+    if isinstance(value, np.void):
+        return as_record(value)
+    return value.view(np.recarray) if isinstance(value, np.ndarray) and value.dtype.names else value
+
+
 def copied(records: Any) -> Records:
     """A copy of an array of records, or an array of one from a record; `record_in` gives that back.
 

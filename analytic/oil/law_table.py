@@ -6,9 +6,9 @@ of x. Eyring's law is f = asinh; formulas have that in closed form, without a ta
 
 import numpy as np
 
-from analytic.numerics.compilation import compiled
+from analytic.numerics.compilation import compiled, rows_at
 from analytic.numerics.cubic import Pieces, cubic_at
-from analytic.numerics.memory import address_of, rows_at
+from analytic.numerics.elements import mapped
 from analytic.scene import Array, OwnTraction
 
 # Columns after the five of a cubic: rate x and stress f where a piece begins. The first row holds the number of rows.
@@ -83,13 +83,9 @@ def rate_of(law: float, share: float, softness: float, asked: float) -> float:
     return np.exp(at)
 
 
-@compiled
 def flows_of(law: float, rates: Array) -> Array:
     """(2, n) f and f' at rates (n,); law : address of a table"""
-    found = np.empty((2, rates.size))
-    for i in range(rates.size):
-        found[0, i], found[1, i] = flow_of(law, rates[i])
-    return found
+    return mapped(lambda rate: flow_of(law, rate), rates)
 
 
 def kept_table(law: OwnTraction) -> Array:
@@ -99,4 +95,4 @@ def kept_table(law: OwnTraction) -> Array:
 
 def law_address(law: object) -> float:
     """Address of the table of a law, for compiled formulas of this process; 0 for the name of a built-in law."""
-    return address_of(kept_table(law)) if isinstance(law, OwnTraction) else 0.0
+    return float(kept_table(law).ctypes.data) if isinstance(law, OwnTraction) else 0.0

@@ -25,7 +25,6 @@ from analytic.contact.rolling_contact import ContactNumbers, EllipticContact
 from analytic.errors import InputError, require_non_negative
 from analytic.numerics.compilation import compiled
 from analytic.numerics.elements import mapped
-from analytic.numerics.memory import stay_apart
 from analytic.oil.law_table import FASTEST, flow_of
 from analytic.oil.law_table import flows_of as flows_of  # for the reference of friction
 from analytic.oil.mixed import MixedContact
@@ -106,7 +105,6 @@ def eyring_stress(law: PointLaw, pressure: float, speed: float) -> tuple[float, 
 @compiled
 def own_stress(law: PointLaw, pressure: float, speed: float) -> tuple[float, float]:
     """`stress_and_slope` of a user's law. Oil without a film shears at the limit, or at the most that the law gives."""
-    stay_apart()
     steady, limit = law.boundary * pressure + law.plain, law.limit * pressure
     fluidity, eyring = flow_under(law, pressure)
     fluidity = min(fluidity, FASTEST)

@@ -6,10 +6,10 @@ lower it for the lower end. Products of two inputs are neglected; `analytic.pred
 """
 
 from collections.abc import Iterable, Mapping
+from statistics import NormalDist
 from typing import NamedTuple
 
 import numpy as np
-from scipy.special import ndtri
 
 from analytic.errors import FembearingError
 from analytic.prediction.evaluation import problem_of, torque_at
@@ -18,7 +18,7 @@ from analytic.prediction.spreads import uncertain_inputs
 from analytic.result import FrictionTorque
 from analytic.scene import Array, Scene
 
-SCORES = tuple(float(ndtri(end)) for end in ENDS)  # of a normal input at the ends of its 95 %
+SCORES = tuple(map(NormalDist().inv_cdf, ENDS))  # of a normal input at the ends of its 95 %
 
 
 class MovedTotals(NamedTuple):

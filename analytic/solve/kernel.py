@@ -11,24 +11,25 @@ import numpy as np
 from analytic.cage.pocket import pocket_coefficient
 from analytic.cage.steady import DrivingBalls, resting_load, resting_torque
 from analytic.contact.factors import CorrectionNumbers, FactorNumbers
-from analytic.contact.finite_geometry_fit import geometry_of, shape_on, shoulders_of
+from analytic.contact.finite_geometry_fit import fit_record, geometry_of, shape_on, shoulders_of
 from analytic.contact.geometry import USUAL_SHOULDERS, cut_off_share, distances_to_shoulders
 from analytic.contact.hertz import HertzNumbers, loaded_hertz
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.free_ball.kernel import add_law_powers
 from analytic.free_ball.passes import FreeAccuracy, FreeEnd, FreeModel, put_motion, settle_freely
 from analytic.free_ball.rounds import SKIDS
+from analytic.free_ball.state import CONTACT_STATE, QUADRATURE, SCRATCH
 from analytic.loads.inertia import moment_of_turned_axis, outward_force
 from analytic.loads.kinematics import BallMotion, ruled_motion
 from analytic.loads.race_contacts import contact_under
 from analytic.loads.ring_rounds import BY_LOAD, BY_POINT, Round, settle_ruled_ring
 from analytic.loads.ring_rounds import SETTLED as ROUNDS_SETTLED
-from analytic.loads.state import TILTS
+from analytic.loads.state import BALL_STATE, RING_STATE, TILTS
 from analytic.loads.thrust_ball import first_contacts, settle_ruled_thrust, thrust_point
 from analytic.loads.turning import TurningRule
 from analytic.numerics.compilation import compiled
-from analytic.numerics.memory import address_of
-from analytic.numerics.records import Record, Records
+from analytic.numerics.machine_code import Layout, entry
+from analytic.numerics.records import Record, Records, dtype_of
 from analytic.oil.grease import axial_share_of
 from analytic.oil.race_resistance import ResistedContact, resisted_contact
 from analytic.oil.traction import PointLaw, mean_force
@@ -36,10 +37,11 @@ from analytic.oil.unloaded_ball import more_in_clearance
 from analytic.oil.viscosity import OilNumbers, oil_at
 from analytic.scene import STANDARD_GRAVITY, Array
 from analytic.sliding.as_printed import as_printed_slip
-from analytic.sliding.ball import missed_power, slips_over_contacts
+from analytic.sliding.ball import NODES, missed_power, slips_over_contacts
 from analytic.sliding.long_ellipse import Slip, line_slips
 from analytic.solve.model import ModelNumbers, Tables, Workspace
 from analytic.solve.records import (
+    BALL,
     BEYOND_GROOVE,
     BEYOND_SHOULDER,
     LOOSE_BALL,
@@ -53,6 +55,7 @@ from analytic.solve.records import (
     NO_THRUST,
     OPEN_ANGLE,
     OPEN_FORCES,
+    POINT,
     SETTLED,
     THROWN,
     THROWN_WASHERS,
@@ -84,7 +87,14 @@ AS_HERTZ = FactorNumbers(1.0, 1.0, 1.0, np.nan)
 UNCORRECTED = CorrectionNumbers(AS_HERTZ, AS_HERTZ)
 
 
-@compiled
+def _layout() -> dict[str, Layout]:
+    tables = Tables._make((fit_record().dtype, 2, (NODES.dtype, 1), (QUADRATURE, 1), 2, 4))
+    work = Workspace._make((RING_STATE, (BALL_STATE, 1), (CONTACT_STATE, 2), SCRATCH, 1))
+    numbers = {"model": dtype_of(ModelNumbers), "tables": tables, "points": 2, "work": work}
+    return numbers | {"balls": (BALL, 2), "out": (POINT, 1), "is_free": bool}
+
+
+@entry(_layout)
 def solve(
     model: ModelNumbers,
     tables: Tables,
@@ -92,46 +102,27 @@ def solve(
     work: Workspace,
     balls: Records,
     out: Records,
-    has_ring: bool | None,
+    is_free: bool,
 ) -> None:
-    """Write the records of n operating points whose balls turn by rule.
+    """Write the records of n operating points.
 
     points : (n, 5) of `Load`, and the temperature of the oil, K
     balls : (n, Z) of `records.BALL`, or (0, 0) where nobody reads them;  out : (n,) of `records.POINT`
-    has_ring : None: all points are under thrust, and no ring is compiled
+    is_free : whether the balls turn freely, where each point begins where the last one has settled; else by rule
     """
     for i in range(points.shape[0]):
         load, of_point = begin(model, tables, points, i, work, out), out[i]
-        count = load_balls(model, tables, load, work, has_ring, of_point)
-        if count == 0:
-            continue
-        written = balls[min(i, balls.shape[0] - 1)]
-        slide_by_rule(model, tables, load, work.balls[:count], written, of_point)
-        of_point.holding_moment = holding_moment(model, work.ring, count)
-        finish(model, tables, load, count, written, of_point)
-
-
-@compiled
-def solve_free(
-    model: ModelNumbers,
-    tables: Tables,
-    points: Array,
-    work: Workspace,
-    balls: Records,
-    out: Records,
-    has_ring: bool | None,
-) -> None:
-    """The same for balls that turn freely; each point begins where the last one has settled."""
-    for i in range(points.shape[0]):
-        load, of_point = begin(model, tables, points, i, work, out), out[i]
-        count = load_balls(model, tables, load, work, has_ring, of_point)
+        count = load_balls(model, tables, load, work, of_point)
         if count == 0:
             work.ring.passes = 0
             continue
         written = balls[min(i, balls.shape[0] - 1)]
-        slide_freely(model, tables, load, work, has_ring, count, written, of_point)
+        if is_free:
+            slide_freely(model, tables, load, work, count, written, of_point)
+        else:
+            slide_by_rule(model, tables, load, work.balls[:count], written, of_point)
         of_point.holding_moment = holding_moment(model, work.ring, count)
-        if of_point.status == SETTLED:
+        if of_point.status == SETTLED or not is_free:
             finish(model, tables, load, count, written, of_point)
         else:
             spoil(of_point)
@@ -184,7 +175,7 @@ def put_oil(oil: Record, found: OilNumbers) -> None:
 @compiled
 def put_law(oil: Record, law: Array) -> None:
     """Write where a user's law is: in another place once a model has been copied or sent to another process."""
-    oil.own = address_of(law)
+    oil.own = float(law.ctypes.data) if law.size > 0 else 0.0
 
 
 @compiled
@@ -239,9 +230,7 @@ def thrown(model: ModelNumbers, load: Load) -> float:
 
 
 @compiled
-def load_balls(
-    model: ModelNumbers, tables: Tables, load: Load, work: Workspace, has_ring: bool | None, out: Record
-) -> int:
+def load_balls(model: ModelNumbers, tables: Tables, load: Load, work: Workspace, out: Record) -> int:
     """Load the balls by rule, with their finite geometry; the number of balls that differ, 0 where they do not settle.
 
     Under thrust one ball stands for all.
@@ -257,16 +246,16 @@ def load_balls(
         return 0
     count, corrects = 0, model.counted.finite_geometry and tables.factors.shape[0] == 0
     for start in (BY_LOAD, BY_POINT):
-        count = balance(model, load, work, has_ring, start, model.counted.gyroscopic, out)
+        count = balance(model, load, work, start, model.counted.gyroscopic, out)
         if count == 0 or not corrects or start == BY_POINT:
             break
-        correct(model, tables, work.balls[:count], out)
+        correct(model, tables, work.balls[:count], work.powers, out)
     return count
 
 
 @compiled
-def correct(model: ModelNumbers, tables: Tables, balls: Records, out: Record) -> None:
-    """Write the factors of the balls' finite geometry at their loads by Hertz."""
+def correct(model: ModelNumbers, tables: Tables, balls: Records, powers: Array, out: Record) -> None:
+    """Write the factors of the balls' finite geometry at their loads by Hertz; powers : of `geometry_of`"""
     bearing = model.ring.bearing
     for j in range(len(balls)):
         ball = balls[j]
@@ -274,7 +263,7 @@ def correct(model: ModelNumbers, tables: Tables, balls: Records, out: Record) ->
             numbers = bearing.inner if race == 0 else bearing.outer
             angle = abs(ball.angle[race]) if ball.load[race] > 0.0 else 0.0
             shoulders = shoulders_of(numbers, USUAL_SHOULDERS[1])
-            found = geometry_of(tables.fit, shape_on(numbers, shoulders, angle, ball.load[race]))
+            found = geometry_of(tables.fit, shape_on(numbers, shoulders, angle, ball.load[race]), powers)
             put_factors(ball.inner_factors if race == 0 else ball.outer_factors, found.factors)
             if found.beyond > 0.0 or np.isnan(numbers.near_shoulder):
                 out.beyond_fit = True
@@ -287,7 +276,6 @@ def balance(
     model: ModelNumbers,
     load: Load,
     work: Workspace,
-    has_ring: bool | None,
     start: int,
     gyroscopic: bool,
     out: Record,
@@ -312,7 +300,7 @@ def balance(
     if ring.held > 0:
         ring.place[3], ring.place[4] = 0.0, model.arm * model.tilt if counted.load_distribution else 0.0
     rule, count = TurningRule(load.speed, counted.centrifugal, gyroscopic), 1
-    if is_ring and has_ring is not None:
+    if is_ring:
         count = len(work.balls)
         end = settle_ruled_ring(model.ring, rule, ring, work.balls, start)
         out.status = STATUS_OF_ROUND[end.end]
@@ -556,7 +544,6 @@ def slide_freely(
     tables: Tables,
     load: Load,
     work: Workspace,
-    has_ring: bool | None,
     count: int,
     balls: Records,
     out: Record,
@@ -564,20 +551,19 @@ def slide_freely(
     """What the balls lose that turn freely; count : balls that differ"""
     states, contacts = work.balls[:count], work.contacts[:count]
     rolls_off = model.resistance.rolls and model.counted.unloaded_balls
-    free = FreeModel(model.ring, model.resistance, rolls_off, tables.cubics, model.free, tables.quadratures)
-    wanted = FreeAccuracy(model.level, model.allowed)
-    is_ring, end = (
-        None if has_ring is None else count > 1,
-        FreeEnd(Round(ROUNDS_SETTLED, 0, 0.0, 0.0), 0.0, 0.0, 0.0, 0.0),
+    free = FreeModel(
+        model.ring, model.resistance, rolls_off, tables.cubics, model.free, tables.quadratures, work.scratch
     )
+    wanted = FreeAccuracy(model.level, model.allowed)
+    end = FreeEnd(Round(ROUNDS_SETTLED, 0, 0.0, 0.0), 0.0, 0.0, 0.0, 0.0)
     if model.cold:
         work.ring.passes = 0
     for _ in range(2):  # by rule, where the point does not settle from a start that is known
         known = work.ring.passes > 0
-        if balance(model, load, work, has_ring, BY_LOAD, False, out) == 0:
+        if balance(model, load, work, BY_LOAD, False, out) == 0:
             work.ring.passes = 0
             return
-        end = settle_freely(free, load.speed, model.warm, work.ring, states, contacts, wanted, is_ring)
+        end = settle_freely(free, load.speed, model.warm, work.ring, states, contacts, wanted, count > 1)
         if end.round.end == ROUNDS_SETTLED or not known:
             break
     last = end.round
@@ -600,7 +586,7 @@ def slide_freely(
         outer = contact_of_ball(model, tables, load.speed, 1, state, motion)
         add_ball(model, load, state, (inner, outer), motion, (j, count), out)
         if j < len(balls):
-            add_law_powers(of_ball, state, quadrature)
+            add_law_powers(of_ball, state, quadrature, work.scratch)
             write_ball(model, load, state, (inner, outer), coefficients_of(of_ball), motion, balls[j])
 
 

@@ -12,10 +12,10 @@ from analytic.cage.drive import resting_cage
 from analytic.cage.pocket import NO_POCKET, PocketNumbers, pocket_gap, pocket_numbers
 from analytic.cage.steady import RestingCage
 from analytic.contact.factors import ContactCorrection
-from analytic.contact.finite_geometry_fit import FitNumbers, fit_record
+from analytic.contact.finite_geometry_fit import POWERS, FitNumbers, fit_record
 from analytic.errors import require_non_negative
 from analytic.free_ball.rotation import free_quadratures
-from analytic.free_ball.state import contact_states
+from analytic.free_ball.state import contact_states, scratch
 from analytic.free_ball.turning import FreeNumbers, free_numbers, outer_groove_centres
 from analytic.loads.ring_balance import placed_balls
 from analytic.loads.ring_rounds import RingNumbers
@@ -145,11 +145,14 @@ class Workspace(NamedTuple):
     ring: Record  # of `state.RING_STATE`
     balls: Records  # (Z,) of `state.BALL_STATE`
     contacts: Records  # (Z, 2) of `free_ball.state.CONTACT_STATE`
+    scratch: Record  # of `free_ball.state.SCRATCH`
+    powers: Array  # of `finite_geometry_fit.geometry_of`
 
 
 def workspace(model: Model) -> Workspace:
     """A state for one thread."""
-    return Workspace(ring_state(), copied(model.balls), contact_states(len(model.balls)))
+    contacts = contact_states(len(model.balls))
+    return Workspace(ring_state(), copied(model.balls), contacts, scratch(), np.zeros(POWERS))
 
 
 def first_level(tolerance: float) -> int:

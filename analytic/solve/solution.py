@@ -12,7 +12,7 @@ from analytic.loads.balls import LoadedBalls, balls_between
 from analytic.loads.kinematics import BallKinematics, BallMotion
 from analytic.numerics.records import Records
 from analytic.scene import Array, Bearing, Operation
-from analytic.solve.kernel import solve, solve_free
+from analytic.solve.kernel import solve
 from analytic.solve.model import Model, Workspace, workspace
 from analytic.solve.records import BALL, POINT
 
@@ -85,11 +85,9 @@ def points_of(operation: Operation, temperature: float) -> Array:
 def solved(model: Model, points: Array, *, work: Workspace | None = None, keeps_balls: bool = True) -> Solution:
     """The kernel at n points, (n, 5); work : a state to begin with and to leave, for one thread; None: by rule."""
     count, points = len(points), np.ascontiguousarray(points)  # another layout would be compiled again, for seconds
-    kernel = solve_free if model.is_free else solve
     counted, unequal = model.numbers.counted, bool(points[:, 1:3].any() or abs(model.numbers.tilt) > 0)
     # Unequal loads, or weights, ask for a ring of all balls.
     weighs = counted.weight and (unequal or model.numbers.weighs_alike)
-    has_ring = True if unequal or weighs else None
     columns = len(model.balls) if (unequal and counted.load_distribution) or weighs else 1
     out, balls = np.zeros(count, POINT), np.zeros((count, columns) if keeps_balls else (0, 0), BALL)
     threads = 1 if work is not None else min(os.cpu_count() or 1, max(count // LEAST_SLICE, 1))
@@ -101,7 +99,7 @@ def solved(model: Model, points: Array, *, work: Workspace | None = None, keeps_
             numbers = model.with_numbers().numbers
             if len(tables.factors) > 1:
                 tables = tables._replace(factors=tables.factors[at])
-        kernel(numbers, tables, points[at], work or workspace(model), balls[at], out[at], has_ring)
+        solve(numbers, tables, points[at], work or workspace(model), balls[at], out[at], model.is_free)
 
     if threads == 1:
         solve_slice(np.arange(count))

@@ -30,7 +30,6 @@ from fembearing.cli import (
     sweep,
     torque,
     validate,
-    warmup,
 )
 from fembearing.cli.app import app as page
 from fembearing.cli.boundary import COMMAND, DEBUG, guarded
@@ -38,7 +37,7 @@ from fembearing.cli.common_options import FORCE, QUIET, VERBOSE, with_common
 from fembearing.cli.report_options import UNITS
 
 # Commands with steps; with a new file or folder; with lengths, forces or torques and no report
-LONG = {"validate", "torque", "compare", "contact", "film", "creep", "cost", "duty", "export", "sweep", "warmup"}
+LONG = {"validate", "torque", "compare", "contact", "film", "creep", "cost", "duty", "export", "sweep"}
 WRITING = {"validate", "torque", "compare", "film", "creep", "cost", "draw", "duty", "export", "init"}
 SHOWING = {"torque", "compare", "contact", "film", "creep", "list"}
 
@@ -67,7 +66,6 @@ _FUNCTIONS: dict[str, tuple[Callable[..., None], str]] = {  # with an example of
     "init": (init.init, "6206 --out my-bearing.toml"),
     "list": (listing.listing, "bearings 62"),
     "schema": (schema.schema, "grid"),
-    "warmup": (warmup.warmup, ""),
 }
 COMMANDS = {
     name: (with_common(_common_options(name))(function), example) for name, (function, example) in _FUNCTIONS.items()

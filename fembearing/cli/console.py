@@ -28,7 +28,7 @@ out, err = Stream(highlight=False), Stream(stderr=True)
 
 @contextmanager
 def shown_progress() -> Iterator[Callable[[float, str], None]]:
-    """A bar with the time left on standard error, if that is a terminal. It also shows which formula is compiled.
+    """A bar with the time left on standard error, if that is a terminal.
 
     A verbose command says each step and its time instead, and a quiet one nothing.
     """
@@ -42,26 +42,14 @@ def shown_progress() -> Iterator[Callable[[float, str], None]]:
         return
     from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 
-    from analytic.numerics import compilation
-
     columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn(), TimeRemainingColumn())
     with Progress(*columns, console=err, transient=True) as bar:
         task = bar.add_task("starting", total=1.0)
-        at_hand, without_bar = ["starting"], compilation.show
 
         def update(share: float, step: str) -> None:
-            at_hand[0] = step
             bar.update(task, completed=share, description=step)
 
-        def show(count: int, most: int) -> None:
-            words = f"{compilation.COMPILING}: {count} of {most}" if count else at_hand[0]
-            bar.update(task, description=words)
-
-        compilation.show = show
-        try:
-            yield update
-        finally:
-            compilation.show = without_bar
+        yield update
 
 
 def _said_steps(begin: float) -> Progress:

@@ -3,46 +3,29 @@
 Love's integral of a rectangle. Source: [Johnson1985] section 3.8.
 """
 
-import math
-
 import numpy as np
 
-from analytic.numerics.compilation import compiled
 from analytic.scene import Array
 
 
-@compiled
-def _corner(x: float, y: float) -> float:
+def _corner(x: Array, y: Array) -> Array:
     """The integral of 1/r from the origin to (x, y)."""
-    u, v = abs(x), abs(y)
-    if u == 0.0 or v == 0.0:
-        return 0.0
-    r = math.sqrt(u * u + v * v)
-    value = u * math.log((v + r) / u) + v * math.log((u + r) / v)
-    return value if (x > 0.0) == (y > 0.0) else -value
+    u, v = np.broadcast_arrays(np.abs(x), np.abs(y))
+    value, inside = np.zeros(u.shape), (u > 0) & (v > 0)
+    value[inside] = u[inside] * np.arcsinh(v[inside] / u[inside]) + v[inside] * np.arcsinh(u[inside] / v[inside])
+    return np.sign(x) * np.sign(y) * value
 
 
-@compiled
 def half_space_integrals(x: Array, y: Array, x_faces: Array, y_faces: Array) -> Array:
     """(n, n) integrals of 1/r over each cell and its mirror image at y < 0, at the centre of each cell.
 
     x, y : centres;  x_faces, y_faces : limits of the cells, one more each, y_faces from 0; one unit of length
     The cells are counted along y first. The result has that unit; over pi E* it is the deflection under unit pressure.
     """
-    columns, rows = x.size, y.size
-    found = np.empty((columns * rows, columns * rows))
-    above = np.empty((columns + 1, 2 * rows + 1))  # corners of the cells and of their images
-    for i in range(columns):
-        for j in range(rows):
-            for k in range(columns + 1):
-                for m in range(rows + 1):
-                    above[k, rows + m] = _corner(x_faces[k] - x[i], y_faces[m] - y[j])
-                for m in range(1, rows + 1):
-                    above[k, rows - m] = _corner(x_faces[k] - x[i], -y_faces[m] - y[j])
-            for k in range(columns):
-                for m in range(rows):
-                    right, left = rows + m + 1, rows - m
-                    cell = above[k + 1, right] - above[k, right] - above[k + 1, right - 1] + above[k, right - 1]
-                    image = above[k + 1, left] - above[k, left] - above[k + 1, left - 1] + above[k, left - 1]
-                    found[i * rows + j, k * rows + m] = cell + image
-    return found
+    across = np.concatenate([-y_faces[:0:-1], y_faces]) - y[:, None]
+    found = np.empty((x.size, y.size, x.size, y.size))
+    for integrals, centre in zip(found, x, strict=True):  # one column after the other, for the memory
+        corners = _corner((x_faces - centre)[:, None], across[:, None])
+        cells = np.diff(np.diff(corners, axis=1), axis=2)
+        integrals[:] = cells[..., y.size :] + cells[..., y.size - 1 :: -1]
+    return found.reshape(x.size * y.size, -1)

@@ -19,7 +19,6 @@ from numpy.typing import NDArray
 
 from analytic.errors import FembearingError
 from analytic.labelled import Column
-from analytic.numerics.compilation import require_addresses
 from analytic.prediction.formulas import with_model_uncertainty
 from analytic.result import COLUMNS
 from analytic.scene import Scene
@@ -97,11 +96,7 @@ def blank(grid: Grid, size: int) -> dict[str, NDArray[Any]]:
 
 
 def compute_part(grid: Grid, piece: Piece) -> Part:
-    """Compute all points of a piece. Any failure at a point is recorded as its reason, and the others continue.
-
-    Raises MemoryError where a limit on this process leaves no room for any point.
-    """
-    require_addresses()
+    """Compute all points of a piece. Any failure at a point is recorded as its reason, and the others continue."""
     part = Part(values=blank(grid, len(piece)))
     for variant in range(piece.start // grid.length, ceil(piece.stop / grid.length)):
         first = variant * grid.length

@@ -82,13 +82,6 @@ def test_a_command_that_computes_nothing_does_not_import_numba(tmp_path: Path) -
     assert "numba" not in loaded
 
 
-def test_warmup_compiles_what_a_scene_needs(command) -> None:
-    told = command("warmup")
-    assert (told.status, told.err) == (0, "")
-    folder = Path(told.out.removeprefix("formulas are kept in ").strip())
-    assert any(folder.glob("analytic.solve.kernel.solve_free/*/*.nbc"))
-
-
 def test_a_shell_completes_commands_topics_and_scenes(tmp_path: Path) -> None:
     (tmp_path / "62-mine.toml").touch()
     (tmp_path / "62.txt").touch()

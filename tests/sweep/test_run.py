@@ -192,22 +192,6 @@ def test_a_full_disk_is_one_line_and_nothing_is_lost(
     assert run_sweep(path, out=out).kept == kept
 
 
-@pytest.mark.usefixtures("in_process")
-def test_a_process_without_room_for_any_point_keeps_none_as_failed(
-    grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def lack() -> None:
-        raise MemoryError("340 MB of addresses are needed")
-
-    path, out = grid_file(AXES), tmp_path / "out"
-    with monkeypatch.context() as cramped:
-        cramped.setattr(parts, "require_addresses", lack)
-        with pytest.raises(MemoryError, match="340 MB"):
-            run_sweep(path, out=out)
-    found = run_sweep(path, out=out)
-    assert (found.kept, found.failed) == (0, 0)
-
-
 @pytest.mark.usefixtures("short_pieces")
 def test_the_order_in_which_pieces_finish_does_not_matter(
     grid_file: Write, tmp_path: Path, in_process: list[Any], monkeypatch: pytest.MonkeyPatch

@@ -36,7 +36,7 @@ def main() -> None:
     parser.add_argument("--duration", type=float, default=0.2, help="measured time of each seed, s")
     parser.add_argument("--bounces", type=int, default=50, help="of the cage without losses")
     options = parser.parse_args()
-    out.print(f"{machine()}; {versions('numba', 'numpy')}")
+    out.print(f"{machine()}; {versions('numpy')}")
     cage = example()
     energy(cage, bounces=options.bounces)
     spread(cage, duration=options.duration)

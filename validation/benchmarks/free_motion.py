@@ -46,7 +46,7 @@ def main() -> None:
     parser.add_argument("--repeats", type=int, default=5, help="repeats of each timing; the median counts")
     parser.add_argument("--duration", type=float, default=0.05, help="measured time of a motion, s")
     options = parser.parse_args()
-    out.print(f"{machine()}; {versions('numba', 'numpy')}")
+    out.print(f"{machine()}; {versions('numpy')}")
     times(repeats=options.repeats)
     energy()
     steps(duration=options.duration)

@@ -290,7 +290,7 @@ def timed(row: Row, tree: Path) -> dict[str, Any]:
 
 def show(found: dict[str, dict[str, Any]], *, against: str) -> None:
     heads = ("row", "what", "this tree, s", f"{against[:12]}, s", "ratio", "goal, s", "result differs by")
-    table = Table(*heads, title=f"{machine()}; {versions('numpy', 'scipy', 'numba')}")
+    table = Table(*heads, title=f"{machine()}; {versions('numpy', 'scipy')}")
     for name, each in found.items():
         seconds = [f"{value:.3g}" for value in each.get("seconds", ())] + ["", ""]
         ratio, differs = each.get("ratio"), each.get("result_differs_by")

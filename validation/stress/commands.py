@@ -25,7 +25,7 @@ ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = ("-c", "from fembearing.cli import main; main()")
 DOCUMENTED = (0, 1, 2, 3)
 FAILURES = {2: "input", 3: "not solved", 71: "memory", 74: "input and output"}  # each in one line
-COMPILING, COMPILED_WITHIN = "fembearing: compiling formulas", 120.0  # s of the processor, once for a machine
+COMPILING, COMPILED_WITHIN = "fembearing: compiling ", 120.0  # s of the processor, once for a machine
 CHATTER = (COMPILING, "fembearing: compiled formulas cannot be kept", "fembearing: warning: ")
 CHATTER += (
     "fembearing: the cage did not move",

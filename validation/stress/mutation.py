@@ -24,7 +24,7 @@ from queue import SimpleQueue
 
 import numpy as np
 
-from analytic.numerics.compilation import FOLDER
+from analytic.numerics.machine_code import CACHE
 
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGES = ("analytic", "fembearing")
@@ -176,7 +176,7 @@ class Tree:
         limits = ("timeout", "--kill-after=10", DEAF, "bash", "-c", LIMITED, "limited")
         pytest = (sys.executable, "-B", "-m", "pytest", "-q", "-x", "-rfE", "-p", "no:cacheprovider", *tests)
         # Byte code is neither written nor read: that of a mutant could be as old and as long as another's.
-        own = {"PYTHONPATH": str(self.root), "CI": "true", "OMP_NUM_THREADS": "1", FOLDER: str(self.cache)}
+        own = {"PYTHONPATH": str(self.root), "CI": "true", "OMP_NUM_THREADS": "1", CACHE: str(self.cache)}
         start = time.monotonic()
         done = subprocess.run(
             [*self.before, *limits, *pytest], cwd=self.root, env=os.environ | own, stdin=subprocess.DEVNULL,

@@ -21,7 +21,7 @@ from typing import Any, cast
 import numpy as np
 
 from analytic.errors import ConvergenceError, FembearingError
-from analytic.numerics import compilation
+from analytic.numerics import machine_code
 from fembearing.verify.memory import peak_memory, peak_while
 
 ADDRESSES = 8_000_000_000  # bytes: a call that takes all memory becomes a fault and does not stop the machine
@@ -32,7 +32,7 @@ LONGEST = 1000  # characters of an error message
 FORBIDDEN = (
     *("os.system", "os.exec", "os.fork", "os.posix_spawn", "subprocess.Popen", "pickle.find_class", "socket.connect"),
 )
-FIRST_USES = (compilation.__file__, "<frozen importlib._bootstrap>")  # whose actions are not those of the call
+FIRST_USES = (machine_code.__file__, "<frozen importlib._bootstrap>")  # whose actions are not those of the call
 GOOD = ("done", "refused", "not solved")
 
 

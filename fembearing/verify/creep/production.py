@@ -13,6 +13,7 @@ from analytic.contact.geometry import RACES, race_curvatures, race_numbers
 from analytic.contact.rolling_contact import RollingContact
 from analytic.effects import counted_effects
 from analytic.errors import InputError
+from analytic.free_ball.state import PITCH, ROWS
 from analytic.free_ball.strips import (
     LATERAL,
     SLIDE,
@@ -23,7 +24,6 @@ from analytic.free_ball.strips import (
     marched_strip,
     peak_pressure,
     shear_at,
-    strip_state,
 )
 from analytic.free_ball.turning import outer_groove_centres
 from analytic.loads.numbers import bearing_numbers
@@ -259,13 +259,13 @@ def _marched(contact: Record, slip: RigidSlip, quadrature: Record) -> RaceFricti
     # Flow and leading edge: x of the reference points against the surfaces' velocity through the contact.
     length = float(contact.flexibility) * speed * float(contact.semi_axis_rolling)
     flow = (-slip.side, length, float(contact.lean))
-    flows = np.empty((count, 3, nodes))
+    flows = np.empty((nodes, 3, count))
     hold_flows(contact, as_record(quadrature), flows)
-    areas, slips, state = np.zeros((count, nodes)), np.zeros((count, nodes), dtype=bool), strip_state(count)
+    areas, slips, state = np.zeros((count, nodes)), np.zeros((count, nodes), dtype=bool), np.zeros(ROWS * PITCH)
     for k in range(nodes):
         part = copied(quadrature)
         part["nodes"] = k + 1
-        state = strip_state(count)
+        state[:] = 0.0
         state[SLIDE : SLIDE + count], state[SPIN : SPIN + count] = slide, spin
         state[LATERAL : LATERAL + count] = speed * given.across
         march_strips(contact, flow, as_record(part[0]), flows, state)
@@ -273,7 +273,7 @@ def _marched(contact: Record, slip: RigidSlip, quadrature: Record) -> RaceFricti
         areas[:, k] = width * float(contact.semi_axis_rolling) * cosines * weight * cosine
         for j in range(count):
             pressure = peak_pressure(contact) * cosines[j] * cosine
-            shear = shear_at(contact, pressure, *flows[j, :, k])
+            shear = shear_at(contact, pressure, *flows[k, :, j])
             least = shear.steady + (shear.limit if shear.most == 0.0 else 0.0)
             slips[j, k] = state[STRESS + j] >= (1 - SLIDES) * least
     forces = np.array([marched_strip(state, j)[0] for j in range(count)]).T * width

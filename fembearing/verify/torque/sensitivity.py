@@ -6,11 +6,11 @@ friction, the peak pressure of both races takes the torque's place. Inputs are n
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from statistics import NormalDist
 from typing import Annotated, Literal
 
 import numpy as np
 from annotated_types import MinLen
-from scipy.special import ndtri
 
 from analytic.contact.geometry import RACES
 from analytic.errors import FembearingError
@@ -26,7 +26,7 @@ from fembearing.verify.contact.hertz import hertz_quantities
 from fembearing.verify.contact.scene_contact import heaviest_contact
 
 SAME = 1e-9  # relative: torques at two points that differ by less are one
-END = float(ndtri(0.975))  # standard deviations from the value to an end of its 95 % range
+END = NormalDist().inv_cdf(0.975)  # standard deviations from the value to an end of its 95 % range
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -5,10 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from analytic.cage import pocket
 from analytic.cage.pocket import friction_in_pocket
 from analytic.contact.rolling_contact import elliptic_contact
-from analytic.errors import ConvergenceError
 from analytic.oil.film import central_film
 from analytic.scene import Bearing, ContactAngle, Operation, Scene
 from tests.analytic.specimens import FINISH, OIL, STAMPED_CAGE
@@ -103,12 +101,3 @@ def test_the_friction_of_a_pocket_needs_oil_and_surface_or_a_coefficient(scene: 
     refused(lambda: friction_in_pocket(replace(scene, cage=None), load=LOAD, surface_speed=0.3), "no [cage]")
     given = {"load": LOAD, "surface_speed": 0.3}
     refuses(lambda **wrong: friction_in_pocket(scene, **(given | wrong)), load=0.0, surface_speed=-0.1)
-
-
-def test_a_film_that_is_not_found_is_an_error(scene: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
-    found = np.array([[0.1, np.nan], [0.0, 0.0]])
-    monkeypatch.setattr(pocket, "_pocket_coefficients", lambda *_: found)
-    with pytest.raises(ConvergenceError, match="film and asperities in the cage pockets"):
-        friction_in_pocket(scene, load=LOAD, surface_speed=SPEED)
-    found[0, 1] = 0.09
-    np.testing.assert_array_equal(friction_in_pocket(scene, load=LOAD, surface_speed=SPEED).coefficient, [0.1, 0.09])

@@ -10,7 +10,7 @@ from scipy.optimize import brentq, root
 from analytic.contact.factors import FactorNumbers
 from analytic.free_ball import kernel, stress, turning
 from analytic.free_ball.rotation import free_quadratures
-from analytic.free_ball.state import contact_states
+from analytic.free_ball.state import contact_states, scratch
 from analytic.free_ball.stress import Shear, flow_at, sheared, yielding
 from analytic.loads.balls import LoadEffects, thrust_balls
 from analytic.loads.numbers import bearing_numbers
@@ -47,7 +47,7 @@ def test_a_root_finder_settles_loads_and_rotation_at_the_same_place(
         as_record(balls.work.balls[0]),
     )
     passing = np.array([kernel._passing(as_record(contacts[race]), ball, ball.velocity) for race in range(2)])
-    flows = np.zeros((2, nodes.strips, 3, nodes.nodes))  # Coulomb friction has none
+    work = scratch()
     found = np.array([*balls.angle, *balls.load, *ball.velocity])
     scale = np.array([1.0, 1.0, *balls.load, *np.full(4, np.abs(found[4:]).max())])
 
@@ -70,7 +70,7 @@ def test_a_root_finder_settles_loads_and_rotation_at_the_same_place(
         orbit = middle - between / 2 + outer_reach * np.cos(angle[1])
         ball.orbit_radius, ball.inertia = orbit, 0.4 * bearing.ball_mass * speed**2
         force = np.zeros(4)
-        kernel._residual(contacts, ball, velocity, passing, nodes, flows, (force, np.zeros((4, 4)), np.zeros((3, 4))))
+        kernel._residual(contacts, ball, velocity, passing, nodes, (force, np.zeros((4, 4))), work)
         across, push = contacts["across"], load / bearing.ball_count
         centrifugal = bearing.ball_mass * orbit * (velocity[0] / orbit * speed) ** 2
         axial = loads * np.sin(angle) - across * np.cos(angle) - push
@@ -227,13 +227,13 @@ def test_a_round_gives_a_ball_its_contacts_and_what_its_turning_does(
     ball.gave = ball.left = np.nan
     tried: list[tuple[object, float]] = []
 
-    def turn(_contacts: object, _ball: object, nodes: object, accuracy: float) -> float:
+    def turn(_contacts: object, _ball: object, nodes: object, accuracy: float, _work: object) -> float:
         tried.append((nodes, accuracy))
         contacts["across"] = (-0.7, 1.3)
         return 1e-9
 
     monkeypatch.setattr(turning, "turn_ball", turn)
-    nodes = turning.FreeNodes("coarse", "fine", 1e-5, 1e-6)
+    nodes = turning.FreeNodes("coarse", "fine", 1e-5, 1e-6, None)
     found = unwrap(turning.turned)(numbers, free, speed, ball, contacts, nodes)
     assert tried == [("coarse", turning.ROUGH)] * (not known) + [("fine", 1e-5)]
     outer = BEARING_6205.outer.groove_radius - 3.97e-3 + ball.outer_unit.approach * loads[1] ** (2 / 3)

@@ -10,7 +10,7 @@ import pytest
 from scipy.optimize import brentq
 
 from analytic.free_ball.stress import Shear, flow_at, sheared_by_own, yielding_by_own
-from analytic.numerics.memory import address_of, rows_at
+from analytic.numerics.compilation import rows_at
 from analytic.oil.law_table import flow_of, kept_table, law_address, rate_of
 from analytic.oil.own_law import ACCURACY, own_traction
 from analytic.oil.traction import PointLaw, oil_shear_stress, stress_and_slope
@@ -163,6 +163,4 @@ def test_laws_are_equal_where_their_numbers_are() -> None:
 
 def test_memory_is_read_where_an_array_is() -> None:
     rows = np.arange(12.0).reshape(3, 4)
-    assert address_of(rows) == rows.ctypes.data
-    np.testing.assert_array_equal(rows_at(address_of(rows), 3, 4), rows)
-    assert address_of(np.zeros((0, 0))) == 0.0
+    np.testing.assert_array_equal(rows_at(float(rows.ctypes.data), 3, 4), rows)

@@ -155,7 +155,7 @@ def test_the_torque_is_the_power_lost_at_every_point(traction: str) -> None:
     case = running(rpm=230.0, sq=0.4e-6, traction=traction)
     found = case.friction()
     # Equal areas of the half x > 0: the other half has the same speeds
-    r, angle = np.sqrt((np.arange(400) + 0.5) / 400)[:, None], np.pi * ((np.arange(360) + 0.5) / 360 - 0.5)
+    r, angle = np.sqrt((np.arange(130) + 0.5) / 130)[:, None], np.pi * ((np.arange(110) + 0.5) / 110 - 0.5)
     total = 0.0
     rates = (found.inner.spin_rate, found.outer.spin_rate)
     for race, law, spin in zip(case.contacts, case.traction, rates, strict=True):
@@ -178,7 +178,7 @@ def test_the_torque_is_the_power_lost_at_every_point(traction: str) -> None:
         # 1e-7 of the range moves the power by as little
         tau, speed = stress(brentq(force, slide.min(), slide.max(), xtol=1e-7 * np.ptp(slide)))  # pyright: ignore[reportArgumentType]
         total += np.pi * a * b * float(np.mean(tau * speed))
-    np.testing.assert_allclose(found.torque, total, rtol=2e-4)  # hundreds of cells across, kinks where slide turns
+    np.testing.assert_allclose(found.torque, total, rtol=6e-4)  # a hundred cells across, kinks where slide turns
 
 
 def test_a_balanced_ball_feels_no_spin_moment() -> None:
