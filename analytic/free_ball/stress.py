@@ -9,13 +9,13 @@ from typing import NamedTuple
 import numpy as np
 
 from analytic.numerics.compilation import compiled
+from analytic.numerics.exponential import exponential, roughly_log
 from analytic.oil.law_table import flow_of, rate_of
 from analytic.oil.traction import PointLaw, flow_under
 
 FAST = frozenset(("contract", "reassoc", "arcp", "nsz"))  # sums over the nodes may round in any order
 SOLID = 1e250  # fluidity from which oil does not flow: it shears at its limit
-NEARLY_LINEAR = 0.3  # sinh of it is 1.5 % larger: a start for what follows
-LAST_STEP = 1e-3  # of y, or of 1 where y is larger; the method leaves a sixth of its third power
+NEARLY_LINEAR = 0.3  # from here on the difference of two exponentials is as accurate as the series of sinh
 
 
 class Shear(NamedTuple):
@@ -60,41 +60,39 @@ def yielding_by_own(slip, shear, own):
 
 @compiled(fastmath=FAST)
 def _hyperbolic(y):
-    """sinh and cosh: near 0 by their series, whose next terms are below rounding, else from one exponential."""
-    if y <= NEARLY_LINEAR:
-        z = y * y
-        sinh = y * (1.0 + z / 6.0 * (1.0 + z / 20.0 * (1.0 + z / 42.0 * (1.0 + z / 72.0 * (1.0 + z / 110.0)))))
-        return sinh, 1.0 + z / 2.0 * (1.0 + z / 12.0 * (1.0 + z / 30.0 * (1.0 + z / 56.0 * (1.0 + z / 90.0))))
-    above = np.expm1(y)
-    below = above / (1.0 + above)  # 1 - exp(-y)
-    return (above + below) / 2.0, 1.0 + above * below / 2.0
+    """sinh and cosh: near 0 sinh by its series, whose next term is below rounding, else from one exponential."""
+    above = exponential(y)
+    below = 1.0 / above
+    z = y * y
+    small = y * (1.0 + z / 6.0 * (1.0 + z / 20.0 * (1.0 + z / 42.0 * (1.0 + z / 72.0 * (1.0 + z / 110.0)))))
+    return small if y <= NEARLY_LINEAR else (above - below) / 2.0, (above + below) / 2.0
+
+
+@compiled(fastmath=FAST)
+def _halley(y, asked, softness):
+    """The next y towards sinh(y) + softness y = asked, and about its cosh."""
+    sinh, cosh = _hyperbolic(y)
+    per_slope = 1.0 / (cosh + softness)
+    newton = (sinh + softness * y - asked) * per_slope
+    step = newton / (1.0 - newton * sinh * per_slope / 2.0)
+    return y - step, cosh - step * sinh
 
 
 @compiled(fastmath=FAST)
 def sheared(reach, compliance, shear):
     """Stress and slope of a point whose surfaces would slip by `reach` without stress: g + compliance T(g) = reach."""
     whole = shear.steady + shear.limit
-    if reach - compliance * whole >= shear.most:
-        return whole, 0.0
-    rest = reach - compliance * shear.steady
-    if rest <= 0.0 or shear.most == 0.0:
-        return reach / compliance, 1.0 / compliance
-    # sinh(y) + softness y = asked rises and is convex; the start lies on its right, and Halley's method goes down.
-    asked, softness = shear.fluidity * rest, compliance * shear.eyring * shear.fluidity
-    y = asked / (1.0 + softness)
-    if y > NEARLY_LINEAR:
-        y = min(y, np.arcsinh(asked))
-    cosh = 1.0
-    for _ in range(50):
-        sinh, cosh = _hyperbolic(y)
-        per_slope = 1.0 / (cosh + softness)
-        newton = (sinh + softness * y - asked) * per_slope
-        step = newton / (1.0 - newton * sinh * per_slope / 2.0)
-        y -= step
-        cosh -= step * sinh
-        if abs(step) <= LAST_STEP * min(y, 1.0):
-            break
-    return shear.steady + shear.eyring * y, shear.eyring * shear.fluidity / (cosh + softness)
+    rest, stiffness = reach - compliance * shear.steady, shear.eyring * shear.fluidity
+    # sinh(y) + softness y = asked rises and is convex; the start lies on its right, and Halley's method goes down: from
+    # any start to 3e-2, 3e-4 and 3e-10 of y.
+    asked, softness = shear.fluidity * max(rest, 0.0), compliance * stiffness
+    first, _ = _halley(min(asked / (1.0 + softness), roughly_log(1.0 + 2.0 * asked)), asked, softness)
+    second, _ = _halley(first, asked, softness)
+    y, cosh = _halley(second, asked, softness)
+    stress, slope = shear.steady + shear.eyring * y, stiffness / (cosh + softness)
+    sticks, is_solid = rest <= 0.0 or shear.most == 0.0, reach - compliance * whole >= shear.most
+    stress, slope = (reach / compliance, 1.0 / compliance) if sticks else (stress, slope)
+    return (whole, 0.0) if is_solid else (stress, slope)
 
 
 @compiled
