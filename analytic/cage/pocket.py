@@ -27,8 +27,9 @@ from analytic.contact.hertz import contact_modulus, loaded_hertz, unit_hertz
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.errors import ConvergenceError, InputError, require_non_negative, require_positive
 from analytic.numerics.compilation import compiled
-from analytic.numerics.elements import mapped
-from analytic.numerics.records import record_of
+from analytic.numerics.elements import rows_of
+from analytic.numerics.machine_code import entry
+from analytic.numerics.records import dtype_of, record_of
 from analytic.oil.asymptotes import Inflow, asymptotes_of
 from analytic.oil.mixed import LAST_STEP, MOST_STEPS, mixed_of, oil_beside
 from analytic.oil.race_resistance import NO_OIL, SMOOTH_FORM, gap_law_of
@@ -398,6 +399,13 @@ def pocket_coefficient(
     return mean_force(law, contact, surface_speed) / load, mixed.capped
 
 
+@entry(lambda: {"pocket": dtype_of(PocketNumbers), "cubics": 2, "oil": dtype_of(OilNumbers), "given": 2, "found": 2})
+def put_pocket_coefficients(pocket: PocketNumbers, cubics: Array, oil: OilNumbers, given: Array, found: Array) -> None:
+    """Write (2, n) of `pocket_coefficient`; given : (2, n) loads, N, and speeds, m/s"""
+    for i in range(given.shape[1]):
+        found[0, i], found[1, i] = pocket_coefficient(pocket, cubics, oil, given[0, i], given[1, i])
+
+
 def friction_in_pocket(scene: Scene, *, load: ArrayLike, surface_speed: ArrayLike) -> PocketFriction:
     """mu of ball on pocket, see `pocket_numbers`.
 
@@ -415,9 +423,10 @@ def friction_in_pocket(scene: Scene, *, load: ArrayLike, surface_speed: ArrayLik
     oil = NO_OIL if scene.lubricant is None else oil_numbers(scene.lubricant)
     (form,), cubics = gap_forms(pocket_gap(scene, scene.cage))
     pocket = record_of(pocket_numbers(scene, scene.cage, form))
-    coefficient, capped = mapped(
-        lambda *running: pocket_coefficient(pocket, cubics, record_of(oil), *running), load, surface_speed
-    )
+    given, shape = rows_of(load, surface_speed)
+    found = np.empty_like(given)
+    put_pocket_coefficients(pocket, cubics, record_of(oil), given, found)
+    coefficient, capped = found.reshape(2, *shape)
     if np.isnan(coefficient).any():
         raise ConvergenceError(
             iterations=MOST_STEPS,

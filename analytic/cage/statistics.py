@@ -14,15 +14,17 @@ is `irregular`.
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from analytic.cage.motion import CageMotion, MeanMotion
 from analytic.cage.raceways import Raceways
 from analytic.cage.steady import DrivenCage, whirl_number
 from analytic.errors import InputError, require_positive
 from analytic.scene import Cage, CageStart
+
+if TYPE_CHECKING:  # a motion is slow to import, and few cages move
+    from analytic.cage.motion import MeanMotion
 
 State = Literal["rest", "whirl", "irregular", "mixed"]
 CONFIDENCE = 0.95
@@ -92,7 +94,9 @@ def measured_motion(
     if not seeds >= 2:
         raise InputError(f"seeds must be at least 2, got {seeds!r}: one motion does not show the spread")
 
-    def blocks(begin: CageStart, seed: int) -> list[MeanMotion]:
+    from analytic.cage.motion import CageMotion
+
+    def blocks(begin: CageStart, seed: int) -> "list[MeanMotion]":
         """The measured time of one seed in blocks."""
         motion = CageMotion(cage, races, begin=begin, seed=seed, ramp=duration, steps_per_contact=steps_per_contact)
         motion.advance(duration)
@@ -133,12 +137,12 @@ def measured_motion(
     )
 
 
-def _torque(cage: DrivenCage, blocks: list[MeanMotion]) -> float:
+def _torque(cage: DrivenCage, blocks: "list[MeanMotion]") -> float:
     power = np.mean([block.slip_power + block.land_power + block.drag_power for block in blocks])
     return float(power) / abs(cage.ring_speed)
 
 
-def _state(cage: DrivenCage, blocks: list[MeanMotion]) -> State:
+def _state(cage: DrivenCage, blocks: "list[MeanMotion]") -> State:
     """The state of the blocks of one seed, all of one length."""
     places = np.array([block.place for block in blocks])
     around_place = np.array([block.place_deviation for block in blocks])
@@ -154,7 +158,7 @@ def _state(cage: DrivenCage, blocks: list[MeanMotion]) -> State:
     return whole if of_blocks == {whole} else "irregular"
 
 
-def _wobble(blocks: list[MeanMotion]) -> float:
+def _wobble(blocks: "list[MeanMotion]") -> float:
     """Root mean square deviation of the distance from the axis over blocks of one length, m."""
     within = np.mean([block.distance_deviation**2 for block in blocks])
     return float(np.sqrt(within + np.var([block.distance for block in blocks])))
@@ -168,7 +172,7 @@ def _steady_state(cage: DrivenCage, *, place_deviation: float, distance_deviatio
 
 
 def _other(
-    cage: DrivenCage, state: State, start: CageStart, blocks: Callable[[CageStart, int], list[MeanMotion]]
+    cage: DrivenCage, state: State, start: CageStart, blocks: "Callable[[CageStart, int], list[MeanMotion]]"
 ) -> OtherStart | None:
     """A motion from whirl for a cage that rests, else from rest; "sudden" if that is the given start already."""
     number = whirl_number(

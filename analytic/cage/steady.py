@@ -21,6 +21,8 @@ from analytic.contact.hertz import elliptic_integrals
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
 from analytic.numerics.compilation import compiled
 from analytic.numerics.elements import mapped
+from analytic.numerics.machine_code import entry
+from analytic.numerics.records import dtype_of
 from analytic.scene import STANDARD_GRAVITY, Array, PocketAxis
 from analytic.words import length_of
 
@@ -306,6 +308,14 @@ def resting_torque(cage: RestingCage, balls: DrivingBalls, mu: float, ring_speed
         torque = hanging_torque(mu, weight, surface_rate, balls.contact_angle)
     braking = braking_torque(cage.drag, mu, balls.orbit_rate, orbit_speed, surface_speed, cage.pitch_radius)
     return torque + braking, force + cage.drag * orbit_speed / cage.pitch_radius
+
+
+@entry(lambda: {"cage": dtype_of(RestingCage), "given": 2, "found": 2})
+def put_resting_torques(cage: RestingCage, given: Array, found: Array) -> None:
+    """Write (2, n) of `resting_torque`; given : (5, n) of `DrivingBalls`, mu and the ring's speed, rad/s"""
+    for i in range(given.shape[1]):
+        balls = DrivingBalls(given[0, i], given[1, i], given[2, i])
+        found[0, i], found[1, i] = resting_torque(cage, balls, given[3, i], given[4, i])
 
 
 def rest_torque(

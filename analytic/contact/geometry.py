@@ -17,7 +17,8 @@ from analytic.contact.rolling_contact import deformed_radius
 from analytic.errors import InputError, require_non_negative
 from analytic.numerics.compilation import compiled
 from analytic.numerics.elements import mapped
-from analytic.numerics.records import record_of
+from analytic.numerics.machine_code import entry
+from analytic.numerics.records import dtype_of, record_of
 from analytic.scene import Array, Bearing, Cage, Contact, Groove, Ring, Wall
 from analytic.words import angle_of, length_of
 
@@ -113,6 +114,13 @@ def cut_off_share(distance: float, semi_axis: float) -> float:
     return (1 - t) ** 2 * (2 + t) / 4
 
 
+@entry(lambda: {"race": dtype_of(RaceNumbers), "angles": 1, "curvatures": 1})
+def put_rolling_curvatures(race: RaceNumbers, angles: Array, curvatures: Array) -> None:
+    """Write (n,) of `rolling_curvature`."""
+    for i in range(angles.size):
+        curvatures[i] = rolling_curvature(race, angles[i])
+
+
 def race_curvatures(bearing: Bearing, race: Race, *, contact_angle: ArrayLike) -> tuple[Array, Array]:
     """Relative curvatures (rolling, transverse) of ball on race, 1/m, each with the shape of contact_angle.
 
@@ -123,8 +131,9 @@ def race_curvatures(bearing: Bearing, race: Race, *, contact_angle: ArrayLike) -
     """
     angle = require_contact_angle(bearing, contact_angle)
     numbers = race_numbers(bearing, race)
-    rolling = mapped(lambda each: rolling_curvature(numbers, each), angle)
-    return rolling, np.full_like(angle, numbers.curvature_transverse)
+    rolling = np.empty(angle.size)
+    put_rolling_curvatures(record_of(numbers), np.ravel(angle), rolling)
+    return rolling.reshape(angle.shape), np.full_like(angle, numbers.curvature_transverse)
 
 
 def shoulder_distances(bearing: Bearing, race: Race, *, contact_angle: ArrayLike) -> tuple[Array, Array]:

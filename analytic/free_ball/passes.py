@@ -1,9 +1,9 @@
 """A point whose balls turn freely: loads, rotation and friction settle together.
 
 Traction turns the balls and pushes them across their grooves, loads and angles follow, and where there is oil its film
-follows these. Each pass has the laws of traction of the last one, until the torque stays. Then the balls turn once more
-at their places, with twice the nodes across and then with twice along: loads and films hardly depend on nodes. Both
-changes show the error, and where that is not allowed, all settles with these nodes, and so on.
+follows these. Each pass has the laws of traction of the last one, until the torque stays. A level of nodes begins where
+the coarser one has settled, by way of as many nodes across as it has itself; both differences show its error, and where
+that is not allowed, the next level follows.
 """
 
 from typing import NamedTuple
@@ -37,7 +37,9 @@ from analytic.oil.viscosity import OilNumbers
 from analytic.scene import Array
 
 FIRST = 3e-2  # residual of the rotation, over all friction, that is enough for the first round
-SAME = 1e-5  # relative, of the torque between two passes of a level
+SAME = 3e-7  # relative, of the torque between two passes of one quadrature: no start can be told from another
+ROUGHLY_SAME = 1e-5  # likewise of a level that another one follows
+OF_ALLOWED = 500.0  # allowed error of sliding over the change between two passes that is enough
 MOST_PASSES = 60  # 2 to 5 are usual; 25 of one quadrature where friction all but wedges light balls
 
 
@@ -97,35 +99,37 @@ def settle_freely(
         for race in range(2):
             ball.ruled_angle[race], ball.ruled_load[race] = ball.angle[race], ball.load[race]
         _begin(model, ball, known > 0)
-    torque = spin = whole = error = 0.0
-    end, last, is_alone = Round(SETTLED, 0, 0.0, 0.0), len(model.quadratures) // 2 - 1, wanted.allowed == np.inf
-    level = max(known - 1, wanted.level)
-    if not is_alone:
-        level = min(level, last - 1)
-    while True:
-        other = before = 0.0
+    torque = spin = whole = before = coarser = largest = error = 0.0
+    finest, end = len(model.quadratures) - 1, Round(SETTLED, 0, 0.0, 0.0)
+    level, is_alone = max(known - 1, wanted.level), wanted.allowed == np.inf
+    same = SAME if is_alone else max(SAME, wanted.allowed / OF_ALLOWED)
+    # Numbers of quadratures: a level has an odd one, the next even one has twice its nodes across.
+    first = 1 + 2 * level if is_alone else min(1 + 2 * level, finest - 2)
+    for number in range(first, finest + 1):
+        is_level = number % 2 == 1 and (number > first or is_alone)
         for repeats in range(MOST_PASSES):
             steady = ROUGHLY_STEADY if repeats == 0 else STEADY
-            end, other = _one_pass(model, speed, oil, ring, balls, contacts, 1 + 2 * level, steady, is_ring)
+            end, other = _one_pass(model, speed, oil, ring, balls, contacts, number, steady, is_ring)
             if end.end != SETTLED:
                 break
+            before = whole
             torque, spin = _slid(bearing, balls, contacts)
-            before, whole = whole, torque + other
-            if repeats > 0 and abs(whole - before) <= SAME * whole:
+            whole = torque + other
+            if number % 2 == 0:  # its laws are those of the level before it: oil follows nodes little
                 break
-        if is_alone or end.end != SETTLED:
+            change = max(largest, abs(whole - coarser)) if number > first else 0.0
+            ends = is_level and (number == finest or 2.0 * change <= wanted.allowed * whole)
+            if repeats > 0 and abs(whole - before) <= (same if ends else max(same, ROUGHLY_SAME)) * whole:
+                break
+        if end.end != SETTLED:
             break
-        error = 0.0
-        for number in range(2 + 2 * level, 4 + 2 * level):
-            for j in range(count):
-                balls[j].residual = np.inf
-            end = _turned(model, balls, contacts, number, end)
-            torque, spin = _slid(bearing, balls, contacts)
-            before, whole = whole, torque + other
-            error = max(error, 2.0 * abs(whole - before))
-        level += 1
-        if end.end != SETTLED or error <= wanted.allowed * whole or level == last:
-            break
+        largest = max(largest, abs(whole - coarser)) if number > first else 0.0
+        coarser = whole
+        if is_level:
+            level, error = number // 2, 2.0 * largest
+            if error <= wanted.allowed * whole:
+                break
+            largest = 0.0
         for j in range(count):
             balls[j].given[0] = np.nan  # the next one begins on coarse nodes
     ring.passes = 0
@@ -181,19 +185,15 @@ def _one_pass(
         end = settle_free_ring(model.ring, model.free, speed, ring, balls, contacts, nodes)
     else:
         end = settle_free_thrust(bearing, model.free, speed, ring.load[0], balls[0], contacts[0], nodes)
-    return _turned(model, balls, contacts, number, end), other
-
-
-@compiled
-def _turned(model: FreeModel, balls: Records, contacts: Records, number: int, end: Round) -> Round:
-    """Turn the balls at their places until nothing is left on them; end : how these settled"""
-    for j in range(len(balls)):
+    for j in range(count):
         ball = balls[j]
-        if not ball.residual <= ACCURACY:
-            ball.residual = turn_ball(contacts[j], ball, model.quadratures[number], ACCURACY, model.scratch)
-        if end.end == SETTLED and not ball.residual <= ENOUGH:
-            end = Round(SKIDS, end.steps, ball.residual, ENOUGH)
-    return end
+        left = ball.residual
+        if not left <= ACCURACY:
+            left = turn_ball(contacts[j], ball, fine, ACCURACY, model.scratch)
+        if end.end == SETTLED and not left <= ENOUGH:
+            end = Round(SKIDS, end.steps, left, ENOUGH)
+        ball.residual = left
+    return end, other
 
 
 @compiled

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from analytic.numerics.compilation import compiled
-from analytic.numerics.exponential import exponential, roughly_log
+from analytic.numerics.exponentials import exponential, roughly_log
 from analytic.oil.law_table import flow_of, rate_of
 from analytic.oil.traction import PointLaw, flow_under
 

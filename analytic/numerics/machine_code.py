@@ -40,6 +40,9 @@ ENTRIES = (  # of a wheel, the longest one first
     "analytic.contact.finite_geometry_fit.geometries_on",
     "analytic.cage.raceways.roll_without_cage",
     "analytic.free_ball.strips.march_strips",
+    "analytic.cage.pocket.put_pocket_coefficients",
+    "analytic.cage.steady.put_resting_torques",
+    "analytic.contact.geometry.put_rolling_curvatures",
     "analytic.contact.hertz.put_contacts",
 )
 BUILDER = "analytic.numerics.building"

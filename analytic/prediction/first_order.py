@@ -6,6 +6,7 @@ lower it for the lower end. Products of two inputs are neglected; `analytic.pred
 """
 
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from statistics import NormalDist
 from typing import NamedTuple
 
@@ -14,6 +15,7 @@ import numpy as np
 from analytic.errors import FembearingError
 from analytic.prediction.evaluation import problem_of, torque_at
 from analytic.prediction.rows import ENDS
+from analytic.prediction.settled import level_of_changes
 from analytic.prediction.spreads import uncertain_inputs
 from analytic.result import FrictionTorque
 from analytic.scene import Array, Scene
@@ -50,6 +52,7 @@ def first_order_ends(scene: Scene, nominal: FrictionTorque) -> Array | None:
 def moved_totals(scene: Scene, nominal: FrictionTorque) -> MovedTotals | None:
     """The totals of a scene; arguments and errors of `first_order_ends`. None: an input at its end leaves no torque."""
     problem = problem_of(scene, nominal, uncertain_inputs(scene))
+    problem = replace(problem, level=level_of_changes(problem.scene))
     scores = np.eye(len(problem.inputs))
     try:
         base = torque_at(problem, np.zeros(len(problem.inputs)))[0]

@@ -19,7 +19,7 @@ from analytic.oil.variation import (
     Variation,
 )
 from analytic.prediction.evaluation import parts_of, without_moving_cage
-from analytic.prediction.settled import level_of
+from analytic.prediction.settled import level_of_changes
 from analytic.result import FrictionTorque, require_numbers
 from analytic.scene import Array, Scene
 
@@ -91,7 +91,7 @@ def with_model_uncertainty(scene: Scene, result: FrictionTorque) -> FrictionTorq
         variations["elastic_rolling"] = [(same, Variation(elastic_rolling=step)) for step in (-1.0, 1.0)]
     if not variations:
         return result
-    level = level_of(same)
+    level = level_of_changes(same)
     base = parts_of(same, NOMINAL, level).total
 
     def change(varied: Scene, variation: Variation) -> Array:

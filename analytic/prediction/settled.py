@@ -50,6 +50,11 @@ def level_of(scene: Scene) -> int:
     return int(solved(model, points, keeps_balls=False).points["level"].max())
 
 
+def level_of_changes(scene: Scene) -> int:
+    """The level of nodes for changes of a torque, to which their error is common: that on which free balls settle."""
+    return max(level_of(scene) - turns_freely(scene, counted_effects(scene)), 0)
+
+
 def _model(scene: Scene, variation: Variation) -> Model:
     counted = counted_effects(scene)
     return model_of(scene, counted, free=turns_freely(scene, counted), variation=variation)

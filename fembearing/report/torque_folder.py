@@ -17,11 +17,11 @@ from analytic.writing import being_written, new_file, new_folder, require_utf8, 
 from fembearing.progress import Progress, part_of, silent
 from fembearing.quantities import METRIC
 from fembearing.report.torque_file import content_of, figure_file, numbers_file, table_file, vector_file
-from fembearing.verify.torque.cage_record import CageRecord, record_cage
 from fembearing.verify.torque.scene_torque import Samples, SceneTorque, torque_of_scene
 
 if TYPE_CHECKING:
     from analytic.prediction.prediction import Prediction
+    from fembearing.verify.torque.cage_record import CageRecord
 
 COMPUTED, RECORDED = 0.4, 0.8  # of the whole job, when the torque is there, and when the series are
 WITHOUT_FIGURE = (".csv", ".json")  # endings of files
@@ -77,6 +77,8 @@ def write_torque(
     renderer : the command that draws; VTK's without it
     Gives what the folder lacks, as `torque_with_files`.
     """
+    from fembearing.verify.torque.cage_record import record_cage
+
     records, numbers = [], result.places.computed
     points = result.friction.inner_speed.size
     for point in range(points):
@@ -108,7 +110,7 @@ def _write_prediction(prediction: "Prediction", folder: Path) -> None:
 
 
 def _write_motions(
-    records: list[CageRecord], folder: Path, renderer: Sequence[str] | None
+    records: "list[CageRecord]", folder: Path, renderer: Sequence[str] | None
 ) -> tuple[list[dict[str, Any]], str | None]:
     """Write series, plot and picture of each motion; gives the entries of torque.json, and what is lacking."""
     from fembearing.report.figures.cage import cage_caption, orbit_figure  # with matplotlib: only a folder pays for it
@@ -138,11 +140,11 @@ def _write_motions(
     return written, "; ".join(filter(None, (unwritten, unpictured))) or None
 
 
-def _series_of(record: CageRecord, folder: Path) -> Path:
+def _series_of(record: "CageRecord", folder: Path) -> Path:
     return folder / f"{record.point}-cage.nc"
 
 
-def _write_series(records: list[CageRecord], folder: Path) -> str | None:
+def _write_series(records: "list[CageRecord]", folder: Path) -> str | None:
     """Write the series of each motion; gives why there is none where a package is missing."""
     try:
         require_packages("it", "xarray", "netCDF4")

@@ -35,8 +35,8 @@ def test_of_dry_balls_only_the_law_of_elastic_rolling_is_uncertain() -> None:
     assert np.all(present(other.hysteresis) > 2 * present(found.torque.hysteresis))
     assert present(with_model_uncertainty(scene, found).model_parts).keys() == {"elastic_rolling"}
     told = present(with_model_uncertainty(scene, found).model_uncertainty)
-    # Free balls of a variation start where they settle: the solver error is 1e-6 of the change.
-    np.testing.assert_allclose(told, other.total / found.torque.total - 1, rtol=1e-5)
+    # The change is that on coarser nodes, 3e-4 of it apart.
+    np.testing.assert_allclose(told, other.total / found.torque.total - 1, rtol=1e-3)
     lossless = replace(scene, hysteresis_loss=0.0)
     assert with_model_uncertainty(lossless, friction_torque(lossless)).model_uncertainty is None
 

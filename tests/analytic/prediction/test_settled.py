@@ -34,8 +34,7 @@ def require_the_series(scene: Scene) -> None:
         mine, its = getattr(own, name), getattr(series, name)
         assert (mine is None) == (its is None), name
         if its is not None:
-            # Free balls of a series begin at a coarser level, and passes end at 3e-7.
-            close = ROUND_OFF if scene.spin_rule != "free" else 1e-6
+            close = ROUND_OFF if scene.spin_rule != "free" else 1e-4  # free balls settle to 5e-5 at a tolerance of 5 %
             np.testing.assert_allclose(mine, its, rtol=close, atol=close * series.total.max(), err_msg=name)
 
 

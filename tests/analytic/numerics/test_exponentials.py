@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from mpmath import mp
 
-from analytic.numerics.exponential import exponential, roughly_log
+from analytic.numerics.exponentials import exponential, roughly_log
 
 
 @pytest.mark.parametrize("y", [0.0, 3e-9, -0.2, 0.34657, 0.3466, 5.1, -41.7, 300.3, -690.2, 699.4])
