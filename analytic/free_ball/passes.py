@@ -39,7 +39,7 @@ from analytic.scene import Array
 FIRST = 3e-2  # residual of the rotation, over all friction, that is enough for the first round
 SAME = 3e-7  # relative, of the torque between two passes of one quadrature: no start can be told from another
 ROUGHLY_SAME = 1e-5  # likewise of a level that another one follows
-OF_ALLOWED = 500.0  # allowed error of sliding over the change between two passes that is enough
+OF_ALLOWED = 10_000.0  # allowed error of sliding over the change between two passes that is enough
 MOST_PASSES = 60  # 2 to 5 are usual; 25 of one quadrature where friction all but wedges light balls
 
 

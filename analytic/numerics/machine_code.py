@@ -70,7 +70,7 @@ OF_C = (
 # both of these for an array of records, or a tuple of layouts with or without names.
 Layout = Any
 _loading = Lock()
-_engines: list[Any] = []  # they hold the code
+_kept: list[Any] = []  # what holds the code; LLVM frees nothing while signals may come
 
 
 class CompilerError(FembearingError):
@@ -215,9 +215,10 @@ def _address(entry: Entry, code: bytes) -> int:
             llvm.add_symbol(name, ctypes.cast(getattr(library, name), ctypes.c_void_p).value)
     machine = llvm.Target.from_default_triple().create_target_machine(jit=True)
     engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), machine)
-    engine.add_object_file(llvm.object_file.ObjectFileRef.from_data(code))
+    file = llvm.object_file.ObjectFileRef.from_data(code)
+    engine.add_object_file(file)
     engine.finalize_object()
-    _engines.append(engine)
+    _kept.extend((machine, engine, file))
     return engine.get_function_address(symbol(entry))
 
 

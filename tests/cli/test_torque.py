@@ -125,7 +125,7 @@ def test_a_mistake_is_one_line(command, tmp_path: Path, change: tuple[str, str],
 @pytest.mark.usefixtures("coarse")
 def test_validate_has_the_torque_of_the_command_torque(command, tmp_path: Path) -> None:
     """A moving cage, losses and two operating points: the same numbers, digit by digit, from both commands."""
-    cage = '[cage]\nstart = "whirl"\nfriction_coefficient = 0.08\nseeds = 2\nduration = "0.01 s"\n'
+    cage = '[cage]\nstart = "whirl"\nfriction_coefficient = 0.08\nseeds = 2\nduration = "0.011 s"\n'
     (tmp_path / "a.toml").write_text(SERIES + cage + '[losses]\nseals = "5 N mm"\ndrag = "2 N mm"\n', "utf-8")
     torque, validated = (
         json.loads(command(*words, str(tmp_path / "a.toml"), "--tolerance", "20 %", "--json").out)
