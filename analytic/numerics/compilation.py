@@ -78,8 +78,8 @@ class _FromMemory(Compiled):
     @cached_property
     def inside(self) -> Any:
         import numba
-        from numba.core import types
-        from numba.core.extending import intrinsic
+        from numba import types
+        from numba.extending import intrinsic
 
         def to_pointer(typing: Any, address: Any) -> Any:  # noqa: ARG001 - numba's signature
             def code(context: Any, builder: Any, signature: Any, given: Any) -> Any:

@@ -80,7 +80,7 @@ class CompilerError(FembearingError):
 def entry(layout: Callable[[], dict[str, Layout]], *, fastmath: Freedoms = EXACT) -> Callable[[Any], "Entry"]:
     """A formula that Python calls as machine code; it returns nothing or an integer.
 
-    layout : of each argument by name, once it is asked for. Arrays are given in one block of memory.
+    layout : gives the layout of each argument by its name, at the first use; arrays are contiguous
     """
     return lambda function: Entry(function, {"fastmath": {*fastmath}}, layout)
 
@@ -151,7 +151,9 @@ def _family() -> str:
     """The best one that this machine has; an unknown processor is of the last one."""
     import llvmlite.binding as llvm
 
-    has = llvm.get_host_cpu_features()
+    has: Any = {}
+    with suppress(RuntimeError):  # LLVM does not know the processor
+        has = llvm.get_host_cpu_features()
     of_machine = FAMILIES.get(platform.machine().lower(), GENERIC)
     return next(name for name, needs in of_machine if all(has.get(each) for each in needs))
 
