@@ -18,7 +18,7 @@ from analytic.oil.viscosity import roelands_viscosity
 from analytic.scene import OIL_TEMPERATURES, Array, Scene, require_scene
 from analytic.solve.kernel import solve
 from analytic.solve.model import Model, Workspace, model_of, workspace
-from analytic.solve.records import BALL, POINT, SETTLED
+from analytic.solve.records import BALL, POINT
 from analytic.solve.solution import solved
 from analytic.torque import friction_torque
 
@@ -104,8 +104,8 @@ class TorqueFunction(Brief):
                 point[place] = given if isinstance(given, float) else _one_number(GIVEN[place], given)
             if self.model is not None and self.work is not None and self._takes(point):
                 self._solve()
-                if self.out["status"][0] == SETTLED:
-                    total = float(self.out["total"][0])
+                total = float(self.out["total"][0])
+                if total == total:  # not NaN, as of a point that does not settle, or a cage that is squeezed
                     return total if self.stirred is None else total + float(self._stirring(point[3], point[4]))
             return self._slowly(point)
 

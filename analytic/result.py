@@ -1,8 +1,8 @@
 """The result of a friction torque: its parts, contacts, effects and warnings, as arrays, JSON and named columns."""
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
-from typing import Any, Generic
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, fields, replace
+from typing import TYPE_CHECKING, Any, Generic
 
 import numpy as np
 from numpy.typing import NDArray
@@ -210,7 +210,7 @@ class PairPart(Brief):
         )
 
 
-OF_POINTS = ("torque", "friction_coefficient", "film", "asperity_share", "boundary_share", "inner", "outer")
+OF_POINTS = ("torque", "film", "asperity_share", "boundary_share", "inner", "outer")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -238,20 +238,55 @@ class FrictionTorque(Brief):
     outer: LoadedContact[Array]
     limits: LimitNumbers  # of the worst ball of all
     effects: Effects
+    cage: CagePart | None  # what its torque comes from; None: left out
+    ring: RingState | None  # displacement and stiffness of the ring, every ball; None for a pair
+    gap_roughness: float | None  # Sq of ball and race together, that the film is compared with, m
     sliding: Sliding  # how the balls turn and slide
     warnings: tuple[str, ...]  # one line each
     provenance: Mapping[str, str]  # where decisions and numbers come from, by subject
-    seconds: float  # that the computation took
-    cage: CagePart | None = None  # what its torque comes from; None: left out
+    seconds: float = 0.0  # that the computation took, without what is computed when somebody reads it
     model_uncertainty: Array | None = None  # of the total, relative, 95 %; see analytic.torque
     model_parts: Mapping[str, Array] | None = None  # of it, relative, 95 %, by the formula that is varied
     failures: Mapping[int, FembearingError] = field(
         default_factory=dict
     )  # of points without a torque, by number from 0
-    gap_roughness: float | None = None  # Sq of ball and race together, that the film is compared with, m
     clearances: Clearances | None = None  # how the bearing came to its clearance; None: its seats are not given
     pair: PairPart | None = None  # each bearing by itself; None: there is one
-    ring: RingState | None = None  # displacement and stiffness of the ring, every ball; None for a pair
+
+    @classmethod
+    def with_later(cls, later: Mapping[str, Callable[[], Any]], **known: Any) -> "FrictionTorque":
+        """A result, some fields of which are computed when somebody reads them.
+
+        Parameters
+        ----------
+        later : mapping of str to callable
+            What computes a field, by its name.
+        **known : object
+            The other fields without a default.
+
+        Returns
+        -------
+        FrictionTorque
+            As by the constructor.
+        """
+        result = object.__new__(cls)
+        vars(result).update(known, _later=later, failures={})
+        return result
+
+    if not TYPE_CHECKING:  # a checker sees the declared fields alone
+
+        def __getattr__(self, name: str) -> Any:
+            compute = vars(self).get("_later", {}).get(name)
+            if compute is None:
+                raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+            vars(self)[name] = compute()
+            return vars(self)[name]
+
+    def __getstate__(self) -> dict[str, Any]:
+        return self._values()
+
+    def _values(self) -> dict[str, Any]:
+        return {each.name: getattr(self, each.name) for each in fields(self)}
 
     def _facts(self) -> Iterator[str]:
         yield self.provenance["scene"]
@@ -271,7 +306,7 @@ class FrictionTorque(Brief):
         FrictionTorque
             With arrays (k,).
         """
-        return replace(self, **{name: _rows(value, points) for name, value in vars(self).items() if name != "pair"})
+        return replace(self, **{name: _rows(value, points) for name, value in self._values().items() if name != "pair"})
 
     def among(
         self, operation: Operation, kept: NDArray[np.intp], failures: Mapping[int, FembearingError]
@@ -295,11 +330,42 @@ class FrictionTorque(Brief):
         place = np.zeros(operation.inner_speed.size, dtype=np.intp)
         place[kept] = np.arange(kept.size)
         spread, at = self.at(place), np.array(sorted(failures))
-        lost = {name: _without(value, at) for name, value in vars(spread).items() if name not in ("pair", "ring")}
+        lost = {name: _without(value, at) for name, value in spread._values().items() if name not in ("pair", "ring")}
         given = {name: np.asarray(getattr(operation, name)) for name in COORDINATES}
         words = [f"operating point {1 + number} has no torque: {why}" for number, why in failures.items()]
         effects, warnings = self.effects.among(kept.tolist()), (*self.warnings, *words)
         return replace(spread, **{**lost, **given, "effects": effects, "failures": failures, "warnings": warnings})
+
+    def checked(self) -> "FrictionTorque":
+        """The same, every number of which is finite, or missing for a reason that it gives.
+
+        What was left out is None, and an effect says why; a point without a torque has NaN, and `failures` says why.
+
+        Returns
+        -------
+        FrictionTorque
+            This object.
+
+        Raises
+        ------
+        InputError
+            For any other number: the inputs lie beyond what can be computed.
+        """
+        groups = (vars(self), *(vars(vars(self)[name]) for name in OF_POINTS))
+        for name, values in (each for group in groups for each in group.items()):
+            if isinstance(values, np.ndarray) and values.dtype.kind == "f" and not np.isfinite(values).all():
+                self._require_finite(name, values)
+        return self
+
+    def _require_finite(self, name: str, values: Array) -> None:
+        for point in map(int, np.flatnonzero(~np.isfinite(values))):
+            if point not in self.failures:
+                columns = COORDINATES.items()
+                given = ", ".join(f"{key} {getattr(self, key)[point]:g} {each.unit}" for key, each in columns)
+                raise InputError(
+                    f"{name.replace('_', ' ')} is {values[point]:g} at operating point {point + 1} ({given}): the "
+                    "numbers of the scene are outside the computable range; give usual ones"
+                )
 
     def settled(self) -> "FrictionTorque":
         """The same; raises the first of `failures`, if there is one."""
@@ -428,29 +494,6 @@ class FrictionTorque(Brief):
             cage=CagePoint() if self.cage is None else self.cage.row(point),
             ring=None if self.ring is None else self.ring.row(point),
         )
-
-
-def require_numbers(result: FrictionTorque) -> FrictionTorque:
-    """The result, of which every number is finite, or missing for a reason that it gives.
-
-    What was left out is None, and an effect says why; a point without a torque has NaN, and `failures` says why.
-    Raises InputError for any other: the inputs lie beyond what can be computed.
-    """
-    groups = (result, *(getattr(result, name) for name in OF_POINTS))
-    numbers = ((name, values) for group in groups for name, values in vars(group).items())
-    for name, values in numbers:
-        if not isinstance(values, np.ndarray) or values.dtype.kind != "f":
-            continue
-        good = np.isfinite(values)
-        good[list(result.failures)] = True
-        if not good.all():
-            point = int(np.flatnonzero(~good)[0])
-            given = ", ".join(f"{key} {getattr(result, key)[point]:g} {each.unit}" for key, each in COORDINATES.items())
-            raise InputError(
-                f"{name.replace('_', ' ')} is {values[point]:g} at operating point {point + 1} ({given}): the numbers "
-                "of the scene are outside the computable range; give usual ones"
-            )
-    return result
 
 
 def _rows(value: Any, points: NDArray[np.intp]) -> Any:

@@ -472,7 +472,7 @@ class Operation(Noun):
         return not (np.any(self.radial_load) or np.any(self.moment) or abs(self.held_tilt) > 0)
 
     def as_series(self) -> "Operation":
-        """The same with every array (n,).
+        """The same with every array (n,); itself, if it is that.
 
         Raises InputError for texts, no point, shapes that do not fit, and a moment beside a tilt.
         """
@@ -481,6 +481,8 @@ class Operation(Noun):
                 f"operation.tilt = {self.tilt:g} rad holds the ring, and operation.moment tilts it: leave one of them "
                 "out"
             )
+        if _is_series(list(self.points.values())):
+            return self
         given = [np.atleast_1d(real_numbers(f"operation.{name}", values)) for name, values in self.points.items()]
         try:
             arrays = np.broadcast_arrays(*given)
@@ -489,6 +491,14 @@ class Operation(Noun):
         if arrays[0].size == 0:
             raise InputError("operation.axial_load is empty: give at least one operating point")
         return replace(self, **dict(zip(self.points, arrays, strict=True)))
+
+
+def _is_series(values: list[Any]) -> bool:
+    """Whether all are arrays (n,) of floating-point numbers, n > 0."""
+    if not all(isinstance(each, np.ndarray) and each.dtype == float for each in values):
+        return False
+    shape = values[0].shape
+    return len(shape) == 1 and shape[0] > 0 and all(each.shape == shape for each in values)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

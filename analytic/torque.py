@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from analytic.cage.drive import cage_drive
+from analytic.cage.drive import CageDrive, cage_drive
 from analytic.cage.torque import CageMoves, CagePart, cage_friction, cage_moves
 from analytic.contact.factors import ContactCorrection
 from analytic.contact.geometry import RACES
@@ -35,7 +35,7 @@ from analytic.effects import (
     turns_freely,
 )
 from analytic.errors import FembearingError, InputError, require_finite, require_non_negative, require_positive
-from analytic.limits import limit_numbers, limit_reasons, torque_warnings
+from analytic.limits import LimitNumbers, limit_numbers, limit_reasons, torque_warnings
 from analytic.loads.balls import LoadedBalls
 from analytic.loads.finite_geometry import corrections_of
 from analytic.loads.ring_balance import require_enough_balls
@@ -53,7 +53,6 @@ from analytic.result import (
     LoadedContact,
     OnRaces,
     TorqueParts,
-    require_numbers,
 )
 from analytic.scene import Array, Bearing, Decision, Operation, OwnTraction, Scene, Sliding
 from analytic.scenefile.fit import crowding
@@ -79,7 +78,7 @@ LOADING = ("load_distribution", "weight", "centrifugal", "gyroscopic", "finite_g
 class Races:
     """Balls and races of a scene: which effects count, and the solution at the operating points."""
 
-    scene: Scene
+    scene: Scene  # its operating points as a series
     counted: Mapping[str, bool]  # `counted_effects`
     correction: ContactCorrection | None
     variation: Variation
@@ -115,6 +114,33 @@ class Races:
     def parts(self) -> dict[str, Array]:
         """Each (n,), N m, of the effects that count."""
         return {name: self.found.points[name].copy() for name in OF_RACES if self.counted[name]}
+
+    @cached_property
+    def drive(self) -> CageDrive | None:
+        """What drives the cage; None: there is none."""
+        scene, speed = self.scene, self.points[:, 3]
+        return None if scene.cage is None else cage_drive(scene, self.balls, self.coefficient, speed)
+
+    @cached_property
+    def moves(self) -> CageMoves:
+        """Where the cage moves."""
+        return cage_moves(self.scene, self.drive)
+
+    @cached_property
+    def cage(self) -> CagePart | None:
+        """What the cage adds; None: it does not count."""
+        drive = self.drive if self.counted["cage"] else None
+        return None if drive is None else cage_friction(self.scene, drive, self.moves)
+
+    @property
+    def cage_torque(self) -> tuple[Array, Array | float]:
+        """(n,) torque of a cage that counts, and half of its interval, N m."""
+        torque = self.found.points["cage"]
+        # By the kernel at rest; it has none of a cage that is squeezed, and does not refuse races without friction.
+        if self.model.numbers.counted.cage and self.scene.friction_coefficient != 0.0 and np.isfinite(torque).all():
+            return torque.copy(), 0.0
+        assert self.cage is not None
+        return self.cage.torque, self.cage.half_interval
 
     @cached_property
     def heaviest(self) -> Records:
@@ -173,8 +199,11 @@ def _telling_points(bearing: Bearing, points: Array) -> NDArray[np.intp]:
 def _model(
     scene: Scene, counted: Mapping[str, bool], correction: ContactCorrection | None, variation: Variation
 ) -> Model:
-    free, races = turns_freely(scene, counted), {**counted, "cage": False}
-    return model_of(scene, races, free=free, correction=correction, variation=variation)
+    at_rest = (
+        counted["cage"] and scene.cage is not None and (scene.cage.start is None or scene.bearing.kind == "thrust")
+    )
+    races = {**counted, "cage": at_rest}
+    return model_of(scene, races, free=turns_freely(scene, counted), correction=correction, variation=variation)
 
 
 def races_of(scene: Scene, correction: ContactCorrection | None = None, variation: Variation = NOMINAL) -> Races:
@@ -184,6 +213,8 @@ def races_of(scene: Scene, correction: ContactCorrection | None = None, variatio
     """
     require_known(scene)
     operation, counted = scene.operation.as_series(), counted_effects(scene)
+    if operation is not scene.operation:
+        scene = replace(scene, operation=operation)
     if variation is NOMINAL:  # balls of a sample may overlap: it varies their size and the pitch diameter apart
         _require_room(scene.bearing)
     _require_loads(scene, operation)
@@ -258,7 +289,6 @@ def friction_torque(
     A scene with an arrangement has two bearings: the parts are sums over both, and `pair` has each of them.
     Sources: [Paper], and those of the modules named here.
     """
-    started = perf_counter()
     if not isinstance(scene, Scene):
         from analytic.scenefile.read import load_scene  # with pydantic: only who asks for it pays
 
@@ -270,14 +300,16 @@ def friction_torque(
 
         scene = with_tolerance(scene, tolerance)
     _require_friction(scene)
+    started = perf_counter()
     if scene.arrangement is not None:
         both = pair_in_series(scene, scene.arrangement, correction)
         each = friction_torque(both.scene, correction=correction, variation=variation).settled()
         result = pair_torque(scene, both, each)
-        result = replace(result, effects=_effects_of_pair(scene, result, correction, variation))
+        effects = _effects_of_pair(scene, result, correction, variation)
+        result = replace(result, effects=effects, seconds=perf_counter() - started)
     else:
-        result = _of_one_bearing(scene, correction, variation)
-    return require_numbers(replace(result, seconds=perf_counter() - started))
+        result = _of_one_bearing(scene, correction, variation, started)
+    return result.checked()
 
 
 def _effects_of_pair(
@@ -306,12 +338,14 @@ def _effects_of_pair(
     return Effects(made, measured, tuple(at.tolist()))
 
 
-def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variation: Variation) -> FrictionTorque:
-    """As `friction_torque`, but for the seconds."""
+def _of_one_bearing(
+    scene: Scene, correction: ContactCorrection | None, variation: Variation, started: float
+) -> FrictionTorque:
+    """As `friction_torque`; started : a time by `perf_counter`, s"""
     races = races_of(scene, correction, variation)
     failures = failures_of(scene, races.model, races.points, races.found)
     if not failures:
-        return _torque_of(races)
+        return _torque_of(races, started)
     operation = scene.operation.as_series()
     kept = np.array([number for number in range(len(races.points)) if number not in failures], dtype=np.intp)
     if not kept.size:
@@ -323,67 +357,85 @@ def _of_one_bearing(scene: Scene, correction: ContactCorrection | None, variatio
         points=races.points[kept],
         found=races.found.at(kept),
     )
-    return _torque_of(rest).among(operation, kept, failures)
+    return _torque_of(rest, started).among(operation, kept, failures)
 
 
-def _torque_of(races: Races) -> FrictionTorque:
+def _torque_of(races: Races, started: float) -> FrictionTorque:
     """The torque where every operating point has settled."""
-    scene, found, counted = races.scene, races.found, races.counted
-    operation = scene.operation.as_series()
+    scene, found, counted, operation = races.scene, races.found, races.counted, races.scene.operation
     speed, race, parts = operation.inner_speed, found.race_torque, dict(races.parts)
-    drive = None if scene.cage is None else cage_drive(scene, races.balls, races.coefficient, speed)
-    moves = cage_moves(scene, drive)
-    cage = cage_friction(scene, drive, moves) if drive is not None and counted["cage"] else None
-    if cage is not None:
-        parts["cage"] = cage.torque
+    has_cage, half = scene.cage is not None and counted["cage"], 0.0
+    if has_cage:
+        parts["cage"], half = races.cage_torque
     parts |= _losses(scene, speed, races.variation.oil_losses)
     total = sum((parts[name] for name in ("cage", "oil", "declared") if name in parts), start=race)
-    numbers, heaviest, roughness = limit_numbers(scene, found, counted), races.heaviest, races.roughness
-    held_by = found.points["holding_moment"].copy()
-    ring = state_of_ring(scene.bearing, scene.contact_angle, found.balls, operation, held_by)
     unsure = found.points["sliding_error"]
-    if cage is not None:  # the balls that drive it slide on the same nodes
-        unsure = unsure + share_in(unsure, race) * cage.torque + cage.half_interval
+    if has_cage:  # the balls that drive it slide on the same nodes
+        unsure = unsure + share_in(unsure, race) * parts["cage"] + half
     unsure = share_in(unsure, total) + found.points["residual"] + (TOLD * scene.tolerance if races.slides else 0.0)
-    return FrictionTorque(
+    heaviest = races.heaviest
+    on_races = {
+        "film": OnRaces(**_on_races(heaviest, "film", races.is_mixed)),
+        "asperity_share": OnRaces(**_on_races(heaviest, "asperity_share", races.is_mixed)),
+        "boundary_share": OnRaces(**_on_races(heaviest, "boundary_share", races.is_mixed)),
+        "inner": _loaded(heaviest, 0),
+        "outer": _loaded(heaviest, 1),
+    }
+    return FrictionTorque.with_later(
+        later={
+            "friction_coefficient": lambda: _coefficients(races),
+            "cage": lambda: races.cage,
+            "effects": lambda: _effects(races, parts, total),
+            "limits": lambda: _limits(races),
+            "ring": lambda: _ring(races),
+            "warnings": lambda: _warnings(races),
+            "provenance": lambda: _provenance(races),
+            "gap_roughness": lambda: None if races.roughness is None else races.roughness.rms_roughness,
+        },
         inner_speed=speed,
         axial_load=operation.axial_load,
-        radial_load=np.asarray(operation.radial_load),
-        moment=np.asarray(operation.moment),
+        radial_load=operation.radial_load,
+        moment=operation.moment,
         contact_angle=np.abs(heaviest["angle"].mean(axis=1)),
         ball_load=heaviest["load"].max(axis=1),
         torque=TorqueParts(total=total, race=race, **{name: parts.get(name) for name in PARTS}),
         numerical_uncertainty=unsure,
-        friction_coefficient=FrictionCoefficients(
-            **_on_races(heaviest, "friction_coefficient", races.slides),
-            pocket=None if cage is None else cage.friction_coefficient,
-        ),
-        cage=cage,
-        film=OnRaces(**_on_races(heaviest, "film", races.is_mixed)),
-        asperity_share=OnRaces(**_on_races(heaviest, "asperity_share", races.is_mixed)),
-        boundary_share=OnRaces(**_on_races(heaviest, "boundary_share", races.is_mixed)),
-        limits=replace(
-            numbers,
-            sliding_number=found.sliding_number if races.slides and counted["rolling"] else None,
-            gyroscopic_hold=found.points["gyroscopic_hold"].copy() if races.slides and counted["gyroscopic"] else None,
-            cage_grip=None if cage is None or (scene.cage and scene.cage.gives_way) else cage.used_grip,
-            tilt=_tilt(ring),
-        ),
-        inner=_loaded(heaviest, 0),
-        outer=_loaded(heaviest, 1),
-        ring=ring,
-        effects=_effects(races, parts, total, moves),
+        **on_races,
         sliding=races.sliding,
         clearances=scene.clearances,
-        gap_roughness=None if roughness is None else roughness.rms_roughness,
-        warnings=(
-            *torque_warnings(scene, found, counted, numbers=numbers, roughness=roughness),
-            *_beyond_the_fit(races),
-            *_two_states(races),
-            *(() if cage is None else cage.warnings),
-        ),
-        provenance=_provenance(races, cage),
-        seconds=0.0,
+        seconds=perf_counter() - started,
+    )
+
+
+def _coefficients(races: Races) -> FrictionCoefficients[Array]:
+    of_races = _on_races(races.heaviest, "friction_coefficient", races.slides)
+    return FrictionCoefficients(**of_races, pocket=None if races.cage is None else races.cage.friction_coefficient)
+
+
+def _limits(races: Races) -> LimitNumbers:
+    scene, found, counted, cage = races.scene, races.found, races.counted, races.cage
+    return replace(
+        limit_numbers(scene, found, counted),
+        sliding_number=found.sliding_number if races.slides and counted["rolling"] else None,
+        gyroscopic_hold=found.points["gyroscopic_hold"].copy() if races.slides and counted["gyroscopic"] else None,
+        cage_grip=None if cage is None or (scene.cage and scene.cage.gives_way) else cage.used_grip,
+        tilt=_tilt(_ring(races)),
+    )
+
+
+def _ring(races: Races) -> RingState:
+    scene, found = races.scene, races.found
+    held_by = found.points["holding_moment"].copy()
+    return state_of_ring(scene.bearing, scene.contact_angle, found.balls, scene.operation, held_by)
+
+
+def _warnings(races: Races) -> tuple[str, ...]:
+    numbers = limit_numbers(races.scene, races.found, races.counted)
+    return (
+        *torque_warnings(races.scene, races.found, races.counted, numbers=numbers, roughness=races.roughness),
+        *_beyond_the_fit(races),
+        *_two_states(races),
+        *(() if races.cage is None else races.cage.warnings),
     )
 
 
@@ -407,20 +459,20 @@ def _losses(scene: Scene, speed: Array, factor: float) -> dict[str, Array]:
     return found
 
 
-def _effects(races: Races, parts: Mapping[str, Array], total: Array, moves: CageMoves) -> Effects:
+def _effects(races: Races, parts: Mapping[str, Array], total: Array) -> Effects:
     """Every effect with its decision; shares that take another solution are measured when somebody reads them."""
 
     def made() -> dict[str, Effect]:
         found = {name: _chosen_effect(races, name, parts, total) for name in CHOSEN} | _loss_effects(races, total)
-        for name, reason in moves.reasons.items():
+        for name, reason in races.moves.reasons.items():
             if found[name].decision == "on":
-                found[name] = replace(found[name], decision="on" if moves.on(name) else "off", reason=reason)
+                found[name] = replace(found[name], decision="on" if races.moves.on(name) else "off", reason=reason)
         for name, reason in limit_reasons(races.scene, races.found).items():
             found[name] = Effect(name=name, decision="off", share=None, reason=reason)
         return {name: found[name] for name in ENTRIES}
 
-    measured = tuple(int(each) for each in races.measured_points)
-    return Effects(made, lambda name: races.change_without(name, total), measured)
+    at = tuple(races.measured_points.tolist())
+    return Effects(made, lambda name: races.change_without(name, total), at)
 
 
 def _chosen_effect(races: Races, name: str, parts: Mapping[str, Array], total: Array) -> Effect:
@@ -614,9 +666,9 @@ def _loaded(balls: Records, race: int) -> LoadedContact[Array]:
     return LoadedContact(**{name: balls[name][:, race].copy() for name in names})
 
 
-def _provenance(races: Races, cage: CagePart | None) -> Mapping[str, str]:
+def _provenance(races: Races) -> Mapping[str, str]:
     """How each step was computed, and the versions."""
-    scene = races.scene
+    scene, cage = races.scene, races.cage
     contacts = "Hertz, corrected for finite geometry" if races.counted["finite_geometry"] else "Hertz"
     return MappingProxyType(
         {

@@ -1,14 +1,15 @@
 """The torque of one scene with many values of its uncertain inputs, in one process."""
 
+import os
 from dataclasses import dataclass, fields, replace
-from time import perf_counter
+from time import perf_counter, thread_time
 
 import numpy as np
 
 from analytic.effects import CAGE_OFF
 from analytic.errors import FembearingError
 from analytic.oil.variation import Variation
-from analytic.prediction.settled import level_of, settled_parts
+from analytic.prediction.settled import level_of_changes, settled_parts
 from analytic.prediction.spreads import NUMERICAL, UncertainInput
 from analytic.prediction.variants import varied_scene
 from analytic.result import FrictionTorque, TorqueParts
@@ -25,6 +26,7 @@ class Problem:
     numerical: Array  # (n,) relative standard deviation of the total by the numerical uncertainty
     parts: tuple[str, ...]  # of the torque that are there, "total" first
     level: int  # of the nodes of sliding, in all samples
+    scale: Array  # (parts, n) torque of the scene over that on these nodes: their error is common to all samples
     held: Array  # (n,) N m that is added to the races' part in the total: a cage whose motion is not computed again
     seconds: float  # that one evaluation takes
 
@@ -53,13 +55,17 @@ def problem_of(scene: Scene, nominal: FrictionTorque, inputs: tuple[UncertainInp
         inputs=inputs,
         numerical=numerical,
         parts=tuple(names),
-        level=level_of(settled),
+        level=level_of_changes(settled),
+        scale=np.ones((len(names), held.size)),
         held=held,
         seconds=0.0,
     )
-    nothing = np.zeros((1, len(inputs)))
-    evaluated(problem, nothing)  # the first one of a process takes longer, as it loads what it computes with
-    return replace(problem, seconds=evaluated(problem, nothing)[2])
+    # The first one of a process takes longer, as it loads what it computes with; the second one is timed.
+    base, begun = torque_at(problem, np.zeros(len(inputs))), perf_counter()
+    torque_at(problem, np.zeros(len(inputs)))
+    wanted = np.stack([getattr(torque, name) for name in names])
+    scale = np.divide(wanted, base, out=np.ones_like(base), where=base != 0)
+    return replace(problem, scale=scale, seconds=perf_counter() - begun)
 
 
 def cage_moves(nominal: FrictionTorque) -> bool:
@@ -73,11 +79,11 @@ def without_moving_cage(scene: Scene, nominal: FrictionTorque) -> Scene:
 
 
 def evaluated(problem: Problem, scores: Array) -> tuple[Array, list[str], float]:
-    """The torque at each sample, (N, parts, n), NaN where it has none; why; and the time.
+    """The torque at each sample, (N, parts, n), NaN where it has none; why; and the processor's time.
 
     scores : (N, d)
     """
-    begun = perf_counter()
+    begun = thread_time()
     torque = np.full((scores.shape[0], len(problem.parts), problem.held.size), np.nan)
     reasons = []
     for row, score in enumerate(scores):
@@ -85,7 +91,7 @@ def evaluated(problem: Problem, scores: Array) -> tuple[Array, list[str], float]
             torque[row] = torque_at(problem, score)
         except FembearingError as failure:
             reasons.append(str(failure))
-    return torque, reasons, perf_counter() - begun
+    return torque, reasons, thread_time() - begun
 
 
 def torque_at(problem: Problem, score: Array) -> Array:
@@ -95,6 +101,7 @@ def torque_at(problem: Problem, score: Array) -> Array:
     named = (getattr(parts, name) for name in problem.parts)
     torque = np.stack([np.zeros_like(problem.held) if part is None else part for part in named])
     torque[0] += problem.held
+    torque *= problem.scale
     if problem.inputs[-1].key == NUMERICAL:
         torque[0] *= np.exp(problem.numerical * score[-1])
     return torque
@@ -114,3 +121,8 @@ def moved_scene(scene: Scene, inputs: tuple[UncertainInput, ...], score: Array) 
     values = {each.key: float(each.at(part)) for each, part in zip(inputs, score, strict=True)}
     values.pop(NUMERICAL, None)
     return varied_scene(scene, values)
+
+
+def cores() -> int:
+    """Number of cores that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

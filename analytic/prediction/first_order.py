@@ -6,16 +6,15 @@ lower it for the lower end. Products of two inputs are neglected; `analytic.pred
 """
 
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
+from concurrent.futures import ThreadPoolExecutor
 from statistics import NormalDist
 from typing import NamedTuple
 
 import numpy as np
 
 from analytic.errors import FembearingError
-from analytic.prediction.evaluation import problem_of, torque_at
+from analytic.prediction.evaluation import cores, problem_of, torque_at
 from analytic.prediction.rows import ENDS
-from analytic.prediction.settled import level_of_changes
 from analytic.prediction.spreads import uncertain_inputs
 from analytic.result import FrictionTorque
 from analytic.scene import Array, Scene
@@ -52,17 +51,16 @@ def first_order_ends(scene: Scene, nominal: FrictionTorque) -> Array | None:
 def moved_totals(scene: Scene, nominal: FrictionTorque) -> MovedTotals | None:
     """The totals of a scene; arguments and errors of `first_order_ends`. None: an input at its end leaves no torque."""
     problem = problem_of(scene, nominal, uncertain_inputs(scene))
-    problem = replace(problem, level=level_of_changes(problem.scene))
-    scores = np.eye(len(problem.inputs))
+    count = len(problem.inputs)
+    scores = [np.zeros(count), *(end * score for score in np.eye(count) for end in SCORES)]
+    threads = ThreadPoolExecutor(cores())
     try:
-        base = torque_at(problem, np.zeros(len(problem.inputs)))[0]
-        moved = {
-            each.key: np.array([torque_at(problem, end * score)[0] for end in SCORES])
-            for each, score in zip(problem.inputs, scores, strict=True)
-        }
+        base, *ends = threads.map(lambda score: torque_at(problem, score)[0], scores)
     except FembearingError:
         return None
-    return MovedTotals(base, moved)
+    finally:
+        threads.shutdown(cancel_futures=True)
+    return MovedTotals(base, {each.key: np.array(ends[2 * k : 2 * k + 2]) for k, each in enumerate(problem.inputs)})
 
 
 def end_factors(base: Array, moved: Iterable[Array]) -> Array:

@@ -20,7 +20,7 @@ from analytic.oil.variation import (
 )
 from analytic.prediction.evaluation import parts_of, without_moving_cage
 from analytic.prediction.settled import level_of_changes
-from analytic.result import FrictionTorque, require_numbers
+from analytic.result import FrictionTorque
 from analytic.scene import Array, Scene
 
 # How far the oil may reach ahead of a contact, over the reach of the scene: a judgement. In a bath, whose oil is taken
@@ -99,4 +99,4 @@ def with_model_uncertainty(scene: Scene, result: FrictionTorque) -> FrictionTorq
 
     parts = {name: np.max([change(*each) for each in pairs], axis=0) for name, pairs in variations.items()}
     whole = np.sqrt(np.sum([part**2 for part in parts.values()], axis=0))
-    return require_numbers(replace(result, model_uncertainty=whole, model_parts=MappingProxyType(parts)))
+    return replace(result, model_uncertainty=whole, model_parts=MappingProxyType(parts)).checked()

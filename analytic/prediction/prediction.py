@@ -169,7 +169,7 @@ def predict(
     seed : int
         Number that fixes the points.
     workers : int, optional
-        Number of processes, with this one; None: one for each core that it may use. The result does not depend on it.
+        Number of threads; None: one for each core that the process may use. The result does not depend on it.
     progress : callable
         Called with the share done, 0 to 1 (dimensionless), and a text with the time left.
 

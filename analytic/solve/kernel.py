@@ -46,7 +46,6 @@ from analytic.solve.records import (
     BEYOND_SHOULDER,
     LOOSE_BALL,
     LOOSE_RING,
-    NO_CAGE_DRIVE,
     NO_CREEP_SPEED,
     NO_DISTRIBUTION,
     NO_SHARED_LOAD,
@@ -642,8 +641,6 @@ def finish(model: ModelNumbers, tables: Tables, load: Load, count: int, balls: R
         out.ball_lead = 0.0
     if model.counted.cage:
         out.cage = cage_torque(model, tables, load.speed, out)
-        if np.isnan(out.cage):
-            out.status = NO_CAGE_DRIVE
     if not model.counted.spin:
         out.spin = 0.0
     if not model.counted.conformity:

@@ -89,5 +89,4 @@ POINT = np.dtype(
     NO_SHARED_LOAD,
     NO_SPIN_BALANCE,
     NO_CREEP_SPEED,
-    NO_CAGE_DRIVE,
-) = range(16)
+) = range(15)

@@ -9,7 +9,7 @@ import pytest
 
 from analytic.effects import ENTRIES
 from analytic.errors import InputError
-from analytic.result import COLUMNS, FrictionTorque, require_numbers
+from analytic.result import COLUMNS, FrictionTorque
 from analytic.scene import Bearing, ContactAngle, Scene
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
@@ -112,11 +112,11 @@ def test_what_cannot_be_answered_is_refused(scene: Scene) -> None:
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
 def test_a_number_that_is_not_finite_never_becomes_a_result(name: str, value: float) -> None:
     result = friction_torque(load_scene("6205-dry"))
-    assert require_numbers(result) is result
+    assert result.checked() is result
     values = np.full(result.inner_speed.shape, 0.4)
     values[-1] = value
     with pytest.raises(InputError, match=rf"is {value:g} at operating point {values.size} \(inner_speed"):
-        require_numbers(replace(result, **{name: values}))
+        replace(result, **{name: values}).checked()
 
 
 @pytest.fixture(scope="module")

@@ -12,7 +12,7 @@ from analytic.errors import FembearingError, InputError
 from analytic.inputs import StatedInput, stated_inputs
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.prediction.formulas import with_model_uncertainty
-from analytic.result import COLUMNS, COORDINATES, POINT, FrictionTorque, require_numbers
+from analytic.result import COLUMNS, COORDINATES, POINT, FrictionTorque
 from analytic.scene import Array, Bearing, Scene, require_scene
 from analytic.torque import friction_torque
 from analytic.verdicts import numerical_check, physical_checks
@@ -54,7 +54,7 @@ class SceneTorque(Brief):
 
     def __post_init__(self) -> None:
         """Raises InputError for a number that is not finite, so that no face shows it: terminal, files or page."""
-        require_numbers(self.friction)
+        self.friction.checked()
         for name, values in self._beside():
             if not np.isfinite(values).all():
                 raise InputError(

@@ -1,13 +1,9 @@
 """The interval of real scenes: closed forms where the torque is linear, workers, spreads and messages."""
 
-import multiprocessing
 import re
-import subprocess
-import sys
 from collections.abc import Mapping
 from dataclasses import replace
 from math import ceil
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -103,33 +99,8 @@ def test_alone_the_parts_of_the_interval_are_those_of_their_inputs(predicted: Pr
     assert predicted.made_of["input"][0, 0] < low < nominal < high < predicted.made_of["input"][1, 0]
 
 
-def test_a_process_that_may_start_no_other_computes_alone(monkeypatch: pytest.MonkeyPatch) -> None:
-    # As a worker of multiprocessing.Pool, which is a daemon.
-    monkeypatch.setitem(multiprocessing.current_process()._config, "daemon", True)  # type: ignore[attr-defined]
-    found = predict(dry(**SPREADS), samples=60, seed=9, workers=2)
-    assert found.samples == 60
-
-
-UNGUARDED = """
-import analytic
-analytic.predict(analytic.load_scene("6206"), samples=4000, workers=2)
-"""
-
-
 @pytest.mark.slow
-def test_a_script_without_a_guard_ends_with_the_line_that_it_lacks(tmp_path: Path) -> None:
-    """The second process ends when this one has computed some samples."""
-    script = tmp_path / "script.py"
-    script.write_text(UNGUARDED, "utf-8")
-    done = subprocess.run([sys.executable, str(script)], capture_output=True, text=True, timeout=120)
-    assert done.returncode == 1
-    assert "InvalidStateError" not in done.stderr
-    last = done.stderr.splitlines()[-1]
-    assert 'a script without if __name__ == "__main__":; predict(..., workers=1) computes without processes' in last
-
-
-@pytest.mark.slow
-def test_the_number_of_processes_does_not_change_a_number() -> None:
+def test_the_number_of_threads_does_not_change_a_number() -> None:
     scene = dry(**SPREADS)
     alone, together = (plain(predict(scene, samples=60, seed=9, workers=workers).rows) for workers in (1, 2))
     times = ("seconds", "evaluation_seconds")

@@ -1,4 +1,4 @@
-"""Samples of uncertain inputs: the same for any number of processes, some of which may have no torque."""
+"""Samples of uncertain inputs: the same for any number of threads, some of which may have no torque."""
 
 from types import SimpleNamespace
 from typing import Any
@@ -38,13 +38,8 @@ def drawn(
         sizes.append(len(scores))
         return torque, why, 0.5
 
-    def alone(problem: Any, pieces: Any, width: int) -> Any:
-        sizes.append(-width)
-        yield from ((place, evaluated(problem, pieces[place])) for place in range(len(pieces)))
-
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(sampling, "_on_processes", alone)
-        patch.setattr(sampling, "_cores", lambda: 4)
+        patch.setattr(sampling, "evaluated", evaluated)
         found = sampled(
             problem_of(options.pop("seconds", 1e-3)),
             count=count,
@@ -67,26 +62,10 @@ def test_torques_belong_to_their_scores_however_they_are_shared_out() -> None:
     whole = drawn()[0]
     for workers, seconds in ((1, 0.05), (3, 0.05), (7, 1e-6), (1, 10.0)):
         found, sizes = drawn(workers=workers, seconds=seconds)
-        assert (-sizes[0], sum(sizes[1:])) == (workers, 200)
+        assert sum(sizes) == 200
         np.testing.assert_array_equal(found.scores, whole.scores)
         np.testing.assert_array_equal(found.torque[:, 1, 1], 2 * whole.scores[:, 0])
-        assert found.seconds == pytest.approx(0.5 * (len(sizes) - 1))
-
-
-@pytest.mark.parametrize(
-    ("workers", "seconds", "width", "each"),
-    [
-        (None, 0.0099, 1, 21),  # 2 s of work or less is not worth another process; a task takes 0.2 s
-        (None, 0.0101, 4, 20),
-        (2, 1e-4, 2, 100),  # no more tasks than processes where they are short
-        (3, 10.0, 3, 1),
-    ],
-)
-def test_tasks_are_short_and_long_work_has_every_core(
-    workers: int | None, seconds: float, width: int, each: int
-) -> None:
-    _, sizes = drawn(workers=workers, seconds=seconds)
-    assert (-sizes[0], sizes[1]) == (width, each)
+        assert found.seconds == pytest.approx(0.5 * len(sizes))
 
 
 def test_progress_ends_with_all_samples() -> None:
