@@ -23,7 +23,7 @@ LONGER = {  # functions that may have more
         "part of a compiled kernel: records and arrays that one point works with",
     ),
     "validate": "the main job and its command: what a check computes besides, each by its name",
-    **dict.fromkeys(("film", "creep", "torque"), "a command: its options, each by its name"),
+    **dict.fromkeys(("compare", "contact", "film", "creep", "torque"), "a command: its options, each by its name"),
 }
 HEAVY = {"vtk", "vtkmodules", "pyvista", "skfem", "pint", "pydantic", "pymklpardiso", "numba", "xarray", "netCDF4"}
 REGISTRY = re.compile(

@@ -12,7 +12,6 @@ from analytic import catalog
 from analytic.errors import InputError
 from analytic.oil.viscosity_temperature import PressureViscosityLaw, ViscosityLine, viscosity_line
 from analytic.scene import Lubricant, Origin, Status
-from analytic.scenefile.brand import instead_of_brand
 from analytic.scenefile.quantity import in_si
 from analytic.words import shown
 
@@ -93,9 +92,6 @@ def named_oil(given: str) -> KnownOil:
     """The oil or grease of that name. Raises InputError for an unknown name."""
     name = catalog.find("oils", given)
     if name is None:
-        brand = instead_of_brand(given)
-        if brand is not None:
-            raise InputError(f"lubricant.name = {shown(given)} {brand}")
         raise InputError(
             f"lubricant.name = {shown(given)} is not an oil of the catalog; near it are {', '.join(_near(given))}; or "
             'leave the name out and give its two viscosities and kind, for example viscosity = ["46 cSt at 40 degC", '

@@ -51,7 +51,7 @@ from analytic.scenefile.tables import (
     SurfaceTable,
 )
 from analytic.scenefile.usual_cage import FRICTION, ORIGINS, entry_of_cage
-from analytic.words import plain, shown
+from analytic.words import shown
 
 AS_PRINTED = "as_printed"  # the cage of the paper: the only variant whose pockets may overlap, with a warning
 # Thrust over radial load times tan(angle) at which all balls of a bearing whose ring stays straight, and half of them,
@@ -81,8 +81,8 @@ def load_scene(
         Values by keys of a scene, as {"lubricant.supply": "grease"}, in place of the scene's own: numbers in SI, texts
         as they are typed ("60C", "2,5 kN"), quantities, or lists.
     **options : float, str or list
-        Of a bearing of the catalog, likewise, with the names of the options of `fembearing torque`: axial_load and
-        radial_load, N, speed, rad/s, oil, temperature, K, and supply. A text without a unit for a speed is in rpm.
+        Likewise, with the names of the options of `fembearing torque`: axial_load and radial_load, N, speed, rad/s,
+        oil, temperature, K, and supply. A text without a unit for a speed is in rpm.
 
     Returns
     -------
@@ -93,8 +93,7 @@ def load_scene(
     ------
     InputError
         A name that is none of these; a file that cannot be read, is too large or is not TOML; a key that is unknown,
-        missing, without its unit, out of range or in conflict with other keys; measured torques likewise; options with
-        a scene that is no bearing of the catalog.
+        missing, without its unit, out of range or in conflict with other keys; measured torques likewise.
     """
     return load_by_temperature(scene, measured=measured, settings=settings, **options).fixed
 
@@ -115,16 +114,22 @@ def load_by_temperature(
     choice, notes = read_choice(options)
     found = find_scene(scene, choice=choice)
     if found.designation is None:
-        refuse_options(options, os.fspath(scene))
-    else:
-        columns = columns if measured is None else vars(read_measured(measured))
-        found = find_scene(scene, choice=with_settings(with_columns(choice, columns), settings))
-    for name, given in options.items():
-        if given is not None and KEYS[name] in settings:
-            raise InputError(f"{name} = {shown(given)} and {KEYS[name]} are the same: leave one of them out")
+        return _with_settings(found, _with_options(settings, options), measured)
+    columns = columns if measured is None else vars(read_measured(measured))
+    found = find_scene(scene, choice=with_settings(with_columns(choice, columns), settings))
+    _with_options(settings, options)
     read = _with_settings(found, settings, measured)
     _refuse_temperature(read, "temperature", options)
     return _warned(read, notes)
+
+
+def _with_options(settings: Mapping[str, Any], options: Mapping[str, Any]) -> dict[str, Any]:
+    """The settings with the keys of options. Raises InputError for a key that both give, or an unknown option."""
+    given = {KEYS[name]: value for name, value in options.items() if value is not None}
+    for name, value in options.items():
+        if value is not None and KEYS[name] in settings:
+            raise InputError(f"{name} = {shown(value)} and {KEYS[name]} are the same: leave one of them out")
+    return {**settings, **given}
 
 
 def any_by_temperature(
@@ -139,16 +144,6 @@ def any_by_temperature(
     if given:
         raise InputError(f"{min(given)} goes with a designation as 6308; change a Scene by dataclasses.replace")
     return SceneByTemperature(scene=scene, origin=scene.name, oil=None, thermal=None)
-
-
-def refuse_options(options: Mapping[str, Any], scene: str) -> None:
-    """Raises InputError for an option beside a scene that says everything itself."""
-    for name, given in options.items():
-        if given is not None:
-            raise InputError(
-                f"{name} = {shown(given)} goes with a bearing of the catalog, as 6206, and {plain(scene)} is a scene: "
-                f'set its key in place of it, --set "{KEYS[name]}={plain(str(given))}" (from Python by settings)'
-            )
 
 
 def parse_scene(
@@ -194,9 +189,16 @@ def parse_by_temperature(
     folder: Path = Path(),
     measured: str | os.PathLike[str] | None = None,
     settings: Mapping[str, Any] = NOTHING_SET,
+    **options: Any,
 ) -> SceneByTemperature:
-    """The scene at any temperature of its oil; arguments and errors of `parse_scene`, which refuses [thermal]."""
-    return _with_settings(SceneText(text=text, origin=origin, folder=folder), settings, measured)
+    """The scene at any temperature of its oil; arguments and errors of `parse_scene`, which refuses [thermal].
+
+    options : as of `load_scene`
+    """
+    read_choice(options)  # refuses unknown ones
+    return _with_settings(
+        SceneText(text=text, origin=origin, folder=folder), _with_options(settings, options), measured
+    )
 
 
 def _with_settings(

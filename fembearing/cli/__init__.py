@@ -24,35 +24,19 @@ from fembearing.cli import (
     film,
     init,
     listing,
-    mesh,
-    report,
-    schema,
     sweep,
     torque,
     validate,
 )
 from fembearing.cli.app import app as page
 from fembearing.cli.boundary import COMMAND, DEBUG, guarded
-from fembearing.cli.common_options import FORCE, QUIET, VERBOSE, with_common
-from fembearing.cli.report_options import UNITS
+from fembearing.cli.options import with_groups
 
-# Commands with steps; with a new file or folder; with lengths, forces or torques and no report
-LONG = {"validate", "torque", "compare", "contact", "film", "creep", "cost", "duty", "export", "sweep"}
-WRITING = {"validate", "torque", "compare", "film", "creep", "cost", "draw", "duty", "export", "init"}
-SHOWING = {"torque", "compare", "contact", "film", "creep", "list"}
-
-
-def _common_options(name: str) -> dict[str, Any]:
-    """The options of a command that mean the same in each."""
-    kinds = ((LONG, VERBOSE), (WRITING, FORCE), (SHOWING, UNITS))
-    return QUIET | {key: option for names, kind in kinds if name in names for key, option in kind.items()}
-
-
-_FUNCTIONS: dict[str, tuple[Callable[..., None], str]] = {  # with an example of what follows the name
+_COMMANDS: dict[str, tuple[Callable[..., None], str]] = {  # with an example of what follows the name
     "validate": (validate.validate, 'bearing.toml --tolerance "1 %" --out report-of-my-bearing'),
     "torque": (torque.torque, "6308 --radial-load 3kN --speed 3000rpm --oil 'ISO VG 68' --temperature 60C"),
     "app": (page, "--port 8081"),
-    "compare": (compare.compare, "data.csv bearing.toml --out comparison-of-my-bearing"),
+    "compare": (compare.compare, "bearing.toml data.csv --out comparison-of-my-bearing"),
     "duty": (duty.duty, "6308 cycle.csv --oil 'ISO VG 68' --out losses-of-my-cycle"),
     "contact": (contact.contact, '--pair inner --load "620 N" --tolerance "0.1 %"'),
     "film": (film.film, 'bearing.toml --pair inner --load "372 N" --speed "500 rpm" --tolerance "1 %"'),
@@ -61,15 +45,10 @@ _FUNCTIONS: dict[str, tuple[Callable[..., None], str]] = {  # with an example of
     "cost": (cost.cost, 'bearing.toml --tolerance "1 %" --out cost-of-my-bearing'),
     "sweep": (sweep.sweep, "map.toml --out map-of-my-bearing"),
     "export": (export.export, "6206 --to fmu --radial-load '500 N to 5 kN in 7' --out my-bearing.fmu"),
-    "report": (report.report, "report-of-my-bearing/report.json --out for-my-customer.html"),
-    "mesh": (mesh.mesh, "--pair inner --level 2 --out meshes-of-the-inner-race"),
     "init": (init.init, "6206 --out my-bearing.toml"),
     "list": (listing.listing, "bearings 62"),
-    "schema": (schema.schema, "grid"),
 }
-COMMANDS = {
-    name: (with_common(_common_options(name))(function), example) for name, (function, example) in _FUNCTIONS.items()
-}
+COMMANDS = {name: (with_groups(function), example) for name, (function, example) in _COMMANDS.items()}
 # Between two searches for garbage: imports make many objects, all of which stay. It saves a tenth of a second.
 OBJECTS = 100_000
 STATUSES = """Exit status: 0 done, no check failed; 1 a check failed; 2 input error; 3 required accuracy not reached, or

@@ -4,9 +4,9 @@ from typing import Annotated
 
 import typer
 
-from fembearing.cli.assumed import in_a_file, tell_assumed
-from fembearing.cli.options import AsJson, Folder, Samples, require_folder_name, scene_names_like, with_details
-from fembearing.cli.status import STATUS, print_warnings
+from fembearing.cli.assumed import tell_assumed
+from fembearing.cli.options import AsJson, Folder, Force, Given, Named, Samples, Talk, require_folder_name
+from fembearing.cli.status import STATUS
 
 Data = Annotated[
     str | None,
@@ -15,38 +15,32 @@ Data = Annotated[
         help="CSV file of measured torques, each column with its unit (default: from [measured] of the scene).",
     ),
 ]
-SceneName = Annotated[
-    str | None,
-    typer.Argument(
-        metavar="SCENE",
-        help="Scene file (TOML) or bearing of the catalog, for example 6206; sufficient alone with [measured].",
-        autocompletion=scene_names_like,
-    ),
-]
 Seed = Annotated[int, typer.Option(help="Seed of the samples of the intervals.")]
 
 
 def compare(
+    given: Given,
+    talk: Talk,
+    scene: Named,
     data: Data = None,
-    scene: SceneName = None,
     samples: Samples = None,
     seed: Seed = 1,
     folder: Folder = None,
+    force: Force = False,
     as_json: AsJson = False,
 ) -> None:
     """Compare the computed torque with measured torques: error, uncertainty and verdict of each.
 
-    Give the CSV file and the scene, or the scene alone if its table [measured] names the file. Exit status 0: every
+    Give the scene and the CSV file, or the scene alone if its table [measured] names the file. Exit status 0: every
     measured torque lies in its 95 % interval; 1: at least one lies outside; 2: input error.
     """
     require_folder_name(folder)
-    data, scene = _data_and_scene(data, scene)
+    _require_order(scene, data)
     from contextlib import nullcontext
 
-    from analytic.scenefile.assumption import assumptions
     from analytic.scenefile.read import load_scene
     from analytic.writing import new_folder
-    from fembearing.cli.console import out, print_json, shown_progress
+    from fembearing.cli.console import out, print_json
     from fembearing.plain_types import plain
     from fembearing.quantities import SYSTEMS
     from fembearing.report.measured_folder import ComparisonFile, write_comparison
@@ -54,18 +48,18 @@ def compare(
     from fembearing.report.terminal.table import show
     from fembearing.verify.measured.comparison import compare_measured
 
-    given = with_details(load_scene(scene, measured=data))
-    with shown_progress() as progress, nullcontext() if folder is None else new_folder(folder) as place:
-        result = compare_measured(given, samples=samples, seed=seed, progress=progress)
+    read = given.shown(load_scene(scene, measured=data, settings=given.settings, **given.options))
+    with talk.progress() as progress, nullcontext() if folder is None else new_folder(folder, force=force) as place:
+        result = compare_measured(read, samples=samples, seed=seed, progress=progress)
         if place is not None:
-            write_comparison(result, given, place)
+            write_comparison(result, read, place)
     if as_json:
         print_json(plain(ComparisonFile(**vars(result))))
     else:
-        show(out, measured_table(result, SYSTEMS[given.report.units]))
-        if given.measured is not None:
-            tell_assumed(assumptions(scene, given, columns=vars(given.measured)), change=in_a_file(scene))
-        print_warnings(result.warnings)
+        show(out, measured_table(result, SYSTEMS[read.report.units]))
+        if read.measured is not None:
+            tell_assumed(given.assumed(scene, read, columns=vars(read.measured)))
+        talk.warn(result.warnings)
         if folder is not None:
             out.tell(f"report: {folder / 'compare.html'}")
         count = f"{result.inside} of {len(result.rows)} inside"
@@ -73,14 +67,10 @@ def compare(
     raise typer.Exit(STATUS[result.verdict])
 
 
-def _data_and_scene(data: str | None, scene: str | None) -> tuple[str | None, str]:
-    """The two arguments; one alone is the scene. Raises InputError for none, and for one in the place of the other."""
-    from analytic.errors import InputError
+def _require_order(scene: str, data: str | None) -> None:
+    """Raises InputError for measured torques in the place of the scene."""
+    if scene.casefold().endswith(".csv"):
+        from analytic.errors import InputError
 
-    if data is None:
-        raise InputError("give the measured torques and the scene: fembearing compare data.csv bearing.toml")
-    if scene is None and data.casefold().endswith(".csv"):
-        raise InputError(f"{data!r} has the measured torques; give the scene after it: fembearing compare {data} SCENE")
-    if scene is not None and scene.casefold().endswith(".csv"):
-        raise InputError(f"give the measured torques first: fembearing compare {scene} {data}")
-    return (None, data) if scene is None else (data, scene)
+        order = f"fembearing compare {data or 'SCENE'} {scene}"
+        raise InputError(f"{scene!r} has the measured torques; give the scene first: {order}")

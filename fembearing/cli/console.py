@@ -8,7 +8,7 @@ from typing import Any
 
 from rich.console import Console
 
-from fembearing.cli.status import TALK, say
+from fembearing.cli.status import say
 from fembearing.progress import Progress, silent
 
 
@@ -27,17 +27,17 @@ out, err = Stream(highlight=False), Stream(stderr=True)
 
 
 @contextmanager
-def shown_progress() -> Iterator[Callable[[float, str], None]]:
+def shown_progress(*, quiet: bool, verbose: bool) -> Iterator[Callable[[float, str], None]]:
     """A bar with the time left on standard error, if that is a terminal.
 
     A verbose command says each step and its time instead, and a quiet one nothing.
     """
-    if TALK.get() == "verbose":
+    if verbose:
         begin = time.perf_counter()
         yield _said_steps(begin)
         say(f"{time.perf_counter() - begin:.1f} s in all")
         return
-    if TALK.get() == "quiet" or not err.is_terminal:
+    if quiet or not err.is_terminal:
         yield silent
         return
     from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn

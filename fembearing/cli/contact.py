@@ -1,71 +1,119 @@
 """`fembearing contact`."""
 
-from dataclasses import replace
+from dataclasses import asdict, replace
 from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from fembearing.cli.options import (
-    Accuracy,
     AsJson,
-    Geometry,
-    Loads,
+    GeometryName,
+    Given,
     PairName,
     SceneName,
+    Talk,
     read_load,
-    read_scene,
     read_tolerance,
+    require_folder_name,
 )
-from fembearing.cli.status import DONE, NOT_SOLVED, complain, print_warnings
+from fembearing.cli.status import DONE, NOT_SOLVED, complain
 
 if TYPE_CHECKING:
+    from analytic.scene import Scene
     from fembearing.quantities import Units
     from fembearing.verify.contact.discrepancy import ContactSolution
     from fembearing.verify.contact.load_series import LoadSeries
     from fembearing.verify.contact.subsurface import SubsurfaceComparison
 
 
+Loads = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--load",
+        help='Load of the ball, for example "620 N" (default: from the scene). Several give the stiffness law.',
+    ),
+]
+Geometry = Annotated[
+    GeometryName,
+    typer.Option(
+        help="Meshed shape. real: true shapes; hertzian: half spaces, with Hertz as exact solution; wall: sheet of a "
+        "pocket on its rim; ring: true shapes, and the ring on a rigid seat as a separate part."
+    ),
+]
+Accuracy = Annotated[
+    str | None,
+    typer.Option(
+        "--tolerance",
+        help='Required accuracy of the finite elements, for example "0.1 %" (default: from the scene). The limit for '
+        "Hertz is always the tolerance of the scene.",
+    ),
+]
+Meshes = Annotated[
+    Path | None,
+    typer.Option("--mesh", help="Folder for the meshes of ball and race (.vtu), which are written, and not solved."),
+]
+
+
 def contact(
+    given: Given,
+    talk: Talk,
     scene: SceneName = None,
     pair: Annotated[PairName, typer.Option(help="Contact of the ball.")] = "inner",
     load: Loads = None,
     geometry: Geometry = "real",
     accuracy: Accuracy = None,
+    mesh: Meshes = None,
+    level: Annotated[int | None, typer.Option(help="Level of the mesh with --mesh (default: the finest).")] = None,
     as_json: AsJson = False,
 ) -> None:
     """Solve one contact by finite elements and compare Hertz with it. Several --load give the stiffness law.
 
     Exit status 0: required accuracy reached, for any verdict on Hertz; 2: input error; 3: accuracy not reached.
     """
-    given = read_scene(scene)
-    limit = read_tolerance(accuracy, given)
-    loads = [read_load(text) for text in load or ()]
+    read = given.scene(scene)
+    limit = read_tolerance(accuracy, read)
+    loads = [force for text in load or () if (force := read_load(text)) is not None]
     from analytic.errors import InputError
-    from fembearing.cli.console import shown_progress
+
+    if mesh is not None:
+        if len(loads) > 1:
+            raise InputError(f"--mesh takes one --load, and there are {len(loads)}: give one")
+        meshes = _write_meshes(read, mesh, pair=pair, geometry=geometry, load=loads[0] if loads else None, level=level)
+        _show_meshes(meshes, read, talk, as_json=as_json)
+        return
+    if level is not None:
+        raise InputError(f"--level {level} goes with --mesh; --tolerance decides on the meshes of a solution")
     from fembearing.quantities import SYSTEMS
     from fembearing.verify.contact.discrepancy import solve_contact
     from fembearing.verify.contact.load_series import solve_load_series
     from fembearing.verify.contact.subsurface import compare_subsurface
 
-    units = SYSTEMS[given.report.units]
-    with shown_progress() as progress:
+    units = SYSTEMS[read.report.units]
+    with talk.progress() as progress:
         settings: dict[str, Any] = {"pair": pair, "accuracy": limit, "geometry": geometry, "progress": progress}
         if len(loads) > 1:
-            show = partial(_show_series, solve_load_series(given, loads=loads, **settings), units)
+            show = partial(_show_series, solve_load_series(read, loads=loads, **settings), units, talk)
         else:
-            result, below = solve_contact(given, load=loads[0] if loads else None, **settings), None
+            result, below = solve_contact(read, load=loads[0] if loads else None, **settings), None
             progress(0.8, f"{result.contact.pair}: stress under the contact")
             try:
                 below = compare_subsurface(result)
             except InputError as problem:  # a contact cut off at a shoulder: everything else is known
                 result = replace(result, warnings=(*result.warnings, str(problem)))
-            show = partial(_show_contact, result, below, limit, units)
+            show = partial(_show_contact, result, below, limit, units, talk)
     raise typer.Exit(_status(show(as_json=as_json), limit))
 
 
 def _show_contact(
-    result: "ContactSolution", below: "SubsurfaceComparison | None", accuracy: float, units: "Units", *, as_json: bool
+    result: "ContactSolution",
+    below: "SubsurfaceComparison | None",
+    accuracy: float,
+    units: "Units",
+    talk: Talk,
+    *,
+    as_json: bool,
 ) -> dict[str, float]:
     """The relative uncertainties of the quantities that are to be known to the accuracy, by their names."""
     from analytic.words import percent_of
@@ -86,11 +134,11 @@ def _show_contact(
             show(out, subsurface_table(below, units))
         if result.judged:
             out.print(f"Hertz, tolerance of the scene {percent_of(result.tolerance)}: {result.verdict}")
-        print_warnings(result.warnings)
+        talk.warn(result.warnings)
     return {name: result.estimates[name].total for name in (COMPARED if result.judged else SHOWN_OF_A_SHEET)}
 
 
-def _show_series(result: "LoadSeries", units: "Units", *, as_json: bool) -> dict[str, float]:
+def _show_series(result: "LoadSeries", units: "Units", talk: Talk, *, as_json: bool) -> dict[str, float]:
     from analytic.words import percent_of
     from fembearing.cli.console import out, print_json
     from fembearing.plain_types import plain
@@ -104,7 +152,7 @@ def _show_series(result: "LoadSeries", units: "Units", *, as_json: bool) -> dict
         show(out, series_table(result, units))
         verdict = result.verdict if result.judged else "no verdict"
         out.print(f"{verdict}: tolerance {percent_of(result.tolerance)}")
-        print_warnings(result.warnings)
+        talk.warn(result.warnings)
     return {f"approach at {part.load:g} N": part.approach.total for part in result.points}
 
 
@@ -120,3 +168,55 @@ def _status(uncertainties: dict[str, float], accuracy: float) -> int:
         f"{percent_of(uncertainties[name], 2)}; give a larger --tolerance",
         NOT_SOLVED,
     )
+
+
+def _write_meshes(
+    scene: "Scene", folder: Path, *, pair: PairName, geometry: GeometryName, load: float | None, level: int | None
+) -> dict[str, dict[str, Any]]:
+    """Write both meshes of a contact; the quality of each by its file."""
+    from analytic.errors import InputError
+    from fembearing.fem.guess import expected_semi_axes
+    from fembearing.mesh.meshfile import write_body
+    from fembearing.mesh.pair import pair_mesh
+    from fembearing.mesh.quality import mesh_quality
+    from fembearing.mesh.ring import ring_piece
+    from fembearing.verify.contact.scene_contact import as_meshed, contact_of, recipe_of, traced_to_load
+
+    require_folder_name(folder)
+    recipe = recipe_of(geometry, pair=pair)
+    chosen = recipe.levels[-1] if level is None else level
+    if chosen not in recipe.levels:
+        raise InputError(f"--level {chosen}: recipe {recipe.name} has levels {', '.join(map(str, recipe.levels))}")
+    meshed = as_meshed(contact_of(scene, pair=pair, load=load), recipe=recipe)
+    with traced_to_load(scene, pair=pair, load=load):
+        expected = expected_semi_axes(meshed, geometry=recipe.geometry)
+        bodies = pair_mesh(meshed, recipe=recipe, level=chosen, semi_axes=expected)
+        lower = ring_piece(meshed, recipe, chosen, expected).body if geometry == "ring" else bodies.lower
+    written = {}
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as problem:
+        raise InputError(f"--mesh {str(folder)!r}: {problem.strerror}; give a folder for the meshes") from problem
+    for end, body in (("upper", bodies.upper), ("lower", lower)):
+        file = folder / f"{pair}-{geometry}-{end}.vtu"
+        write_body(file, body)
+        written[str(file)] = asdict(mesh_quality(body.mesh)) | {"body": body.name, "level": chosen}
+    return written
+
+
+def _show_meshes(meshes: dict[str, dict[str, Any]], scene: "Scene", talk: Talk, *, as_json: bool) -> None:
+    from rich.box import SIMPLE_HEAD
+    from rich.table import Table
+
+    from fembearing.cli.console import out, print_json
+
+    if as_json:
+        print_json({"meshes": meshes, "warnings": scene.warnings})
+        return
+    talk.warn(scene.warnings)
+    table = Table("file", "body", "cells", "nodes", "least det J/mean", "there x, y, z, mm", box=SIMPLE_HEAD)
+    for path, quality in meshes.items():
+        place = ", ".join(f"{1e3 * part:.3g}" for part in quality["worst_place"])
+        share = f"{quality['least_determinant']:.3f}"
+        table.add_row(path, quality["body"], str(quality["cells"]), str(quality["nodes"]), share, place)
+    out.print(table)

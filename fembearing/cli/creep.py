@@ -4,20 +4,20 @@ from typing import Annotated
 
 import typer
 
-from fembearing.cli.film import Speed
 from fembearing.cli.options import (
     AsJson,
     Bodies,
     Folder,
+    Force,
+    Given,
     SceneName,
-    read_friction,
+    Talk,
     read_load,
-    read_scene,
-    read_speed,
+    read_option,
     read_tolerance,
     require_folder_name,
 )
-from fembearing.cli.status import DONE, NOT_SOLVED, complain, print_warnings
+from fembearing.cli.status import DONE, NOT_SOLVED, complain
 
 Tolerance = Annotated[
     str | None,
@@ -33,13 +33,15 @@ Friction = Annotated[
 
 
 def creep(
+    given: Given,
+    talk: Talk,
     scene: SceneName = None,
     load: Load = None,
-    speed: Speed = None,
     friction: Friction = None,
     tolerance: Tolerance = None,
     compliance: Bodies = "half-space",
     folder: Folder = None,
+    force: Force = False,
     as_json: AsJson = False,
 ) -> None:
     """Solve stick and slip of a ball on both races and compare the formulas for spin, conformity and creep.
@@ -48,16 +50,14 @@ def creep(
     reached.
     """
     require_folder_name(folder)
-    given = read_scene(scene)
-    limit = read_tolerance(tolerance, given)
-    force = None if load is None else read_load(load)
-    turning = None if speed is None else read_speed(speed)
-    coefficient = None if friction is None else read_friction(friction)
+    read = given.scene(scene)
+    limit = read_tolerance(tolerance, read)
+    coefficient = None if friction is None else read_option("--friction", friction, "friction.coefficient")
     from contextlib import nullcontext
 
     from analytic.words import percent_of
     from analytic.writing import new_folder
-    from fembearing.cli.console import out, print_json, shown_progress
+    from fembearing.cli.console import out, print_json
     from fembearing.quantities import SYSTEMS
     from fembearing.report.creep_folder import creep_content, write_creep
     from fembearing.report.tables.creep import creep_table
@@ -65,11 +65,10 @@ def creep(
     from fembearing.verify.creep.scene_creep import creep_of
 
     trouble = None
-    with shown_progress() as progress, nullcontext() if folder is None else new_folder(folder) as place:
+    with talk.progress() as progress, nullcontext() if folder is None else new_folder(folder, force=force) as place:
         result = creep_of(
-            given,
-            load=force,
-            inner_speed=turning,
+            read,
+            load=read_load(load),
             friction=coefficient,
             tolerance=limit,
             compliance=compliance,
@@ -81,8 +80,8 @@ def creep(
     if as_json:
         print_json(creep_content(numbers))
     else:
-        show(out, creep_table(numbers, SYSTEMS[given.report.units]))
-    print_warnings((*(() if as_json else numbers.warnings), *(() if trouble is None else (f"no pictures: {trouble}",))))
+        show(out, creep_table(numbers, SYSTEMS[read.report.units]))
+    talk.warn((*(() if as_json else numbers.warnings), *(() if trouble is None else (f"no pictures: {trouble}",))))
     if numbers.relative_uncertainty <= limit:
         raise typer.Exit(DONE)
     raise typer.Exit(

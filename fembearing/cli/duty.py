@@ -4,35 +4,25 @@ from typing import Annotated
 
 import typer
 
-from fembearing.cli.added_options import with_options
 from fembearing.cli.assumed import tell_assumed
-from fembearing.cli.options import (
-    STANDARD_INPUT,
-    AsJson,
-    Folder,
-    read_by_temperature,
-    require_folder_name,
-    scene_names_like,
-)
-from fembearing.cli.scene_options import OPTIONS, SETTINGS, given_options, given_settings
-from fembearing.cli.status import STANDING_STATUS, print_warnings
+from fembearing.cli.options import STANDARD_INPUT, AsJson, Folder, Force, Given, Named, Talk, require_folder_name
+from fembearing.cli.status import STANDING_STATUS
 
-SceneName = Annotated[
-    str,
-    typer.Argument(
-        metavar="SCENE",
-        help="Scene file (TOML), - for standard input, or a bearing of the catalog, for example 6206.",
-        autocompletion=scene_names_like,
-    ),
-]
 CycleFile = Annotated[
     str,
     typer.Argument(metavar="CYCLE", help="CSV file of the steps: duration and operating columns, each with its unit."),
 ]
 
 
-@with_options(OPTIONS | SETTINGS)
-def duty(scene: SceneName, cycle: CycleFile, folder: Folder = None, as_json: AsJson = False) -> None:
+def duty(
+    given: Given,
+    talk: Talk,
+    scene: Named,
+    cycle: CycleFile,
+    folder: Folder = None,
+    force: Force = False,
+    as_json: AsJson = False,
+) -> None:
     """Friction energy of a duty cycle, with mean and worst torque, each with its 95 % interval.
 
     Columns of the cycle: duration, and one or more of inner_speed, axial_load, radial_load and temperature. The scene
@@ -40,11 +30,9 @@ def duty(scene: SceneName, cycle: CycleFile, folder: Folder = None, as_json: AsJ
     [thermal] in the scene, the mean power determines the oil temperature.
     """
     require_folder_name(folder)
-    settings, options = given_settings(), given_options()
     from contextlib import nullcontext
 
     from analytic.prediction.duty import cycle_with_torques
-    from analytic.scenefile.assumption import assumptions
     from analytic.scenefile.cycle import read_cycle
     from analytic.writing import new_folder
     from fembearing.cli.console import out, print_json
@@ -55,8 +43,8 @@ def duty(scene: SceneName, cycle: CycleFile, folder: Folder = None, as_json: AsJ
     from fembearing.verify.torque.worst import worst_standing
 
     steps = read_cycle(cycle)
-    found = read_by_temperature(scene, settings=settings, options=options, columns=vars(steps))
-    with nullcontext() if folder is None else new_folder(folder) as place:
+    found = given.by_temperature(scene, columns=vars(steps))
+    with nullcontext() if folder is None else new_folder(folder, force=force) as place:
         result, torques = cycle_with_torques(found, steps)
         standing = worst_standing(torques)
         if place is not None:
@@ -68,10 +56,10 @@ def duty(scene: SceneName, cycle: CycleFile, folder: Folder = None, as_json: AsJ
         show(out, cycle_table(result))
         out.tell(standing.line("turning steps"))
         if scene != STANDARD_INPUT:
-            told = assumptions(scene, found.scene, settings=settings, options=options, columns=vars(steps))
+            told = given.assumed(scene, found.scene, columns=vars(steps))
             settled = "lubricant.temperature = "  # by friction, with [thermal]
             tell_assumed(each for each in told if found.thermal is None or not each.startswith(settled))
         if folder is not None:
             out.tell(f"folder: {folder}")
-    print_warnings(result.warnings)
+    talk.warn(result.warnings)
     raise typer.Exit(STANDING_STATUS[standing.word])

@@ -1,38 +1,43 @@
 """`fembearing export`."""
 
 import re
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 import typer
 
-from fembearing.cli.added_options import with_options
-from fembearing.cli.options import BUILTIN, STANDARD_INPUT, SceneName, read_by_temperature
-from fembearing.cli.scene_options import OPTIONS, SETTINGS, given_options, given_settings
-from fembearing.cli.status import STANDING_STATUS, print_warnings
+from fembearing.cli.options import BUILTIN, STANDARD_INPUT, Force, Given, SceneName, Talk
+from fembearing.cli.status import STANDING_STATUS
 
-RANGES: dict[str, Any] = {  # options that are a range here, in place of those of one torque
-    "axial_load": Annotated[
+RANGES = ("axial_load", "radial_load", "speed", "temperature")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Ranges(Given):
+    """The same options, of which loads, speed and temperature may be ranges."""
+
+    axial_load: Annotated[
         str | None, typer.Option(help='Axial load, for example "500 N", or a range "100 N to 1 kN in 5 log".')
-    ],
-    "radial_load": Annotated[
+    ] = None
+    radial_load: Annotated[
         str | None, typer.Option(help='Radial load, for example "2 kN", or a range "1 kN to 5 kN in 5".')
-    ],
-    "speed": Annotated[
+    ] = None
+    speed: Annotated[
         str | None,
         typer.Option(
             help='Speed of the inner ring, for example "0 rpm to 6000 rpm in 15" (default: 0 to twice the speed of the '
             "scene)."
         ),
-    ],
-    "temperature": Annotated[
+    ] = None
+    temperature: Annotated[
         str | None, typer.Option(help='Oil temperature, for example "70 degC", or a range "40 degC to 100 degC in 4".')
-    ],
-}
+    ] = None
 
 
-@with_options(OPTIONS | RANGES | SETTINGS)
 def export(
+    given: Ranges,
+    talk: Talk,
     to: Annotated[
         Literal["csv", "netcdf", "modelica", "simscape", "ross", "fmu"], typer.Option("--to", help="Output format.")
     ],
@@ -41,6 +46,7 @@ def export(
         Path | None,
         typer.Option("--out", "-o", help="New file (default: named after bearing and format)."),
     ] = None,
+    force: Force = False,
 ) -> None:
     """Write the torque over speed, load and temperature for another program, or the stiffness for rotor dynamics.
 
@@ -48,25 +54,22 @@ def export(
     compiler). ross: stiffness over speed. Loads and temperature are one value or a range.
     """
     from analytic.scenefile.find import find_scene
-    from fembearing.cli.console import out, shown_progress
+    from fembearing.cli.console import out
     from fembearing.formats.axes import end_of
     from fembearing.formats.choice import FORMATS, export_of
 
-    options = given_options()
-    over = {name: options[name] for name in RANGES if name in options}
+    over = {name: text for name, text in given.options.items() if name in RANGES}
     name = BUILTIN if scene is None else scene
     if name != STANDARD_INPUT and find_scene(name).designation is not None:
-        ends = {key: end_of(key, text) for key, text in over.items()}
-        found = read_by_temperature(name, settings=given_settings(), options=options | ends)
+        found = replace(given, **{key: end_of(key, text) for key, text in over.items()}).by_temperature(name)
     else:  # a scene that says its own loads: an option is an axis of the table alone
-        others = {key: text for key, text in options.items() if key not in RANGES}
-        found = read_by_temperature(scene, settings=given_settings(), options=others)
+        found = replace(given, **dict.fromkeys(over)).by_temperature(scene)
     if file is None:
         word = re.sub(r"\W+", "_", found.scene.bearing.name).strip("_")
         file = Path(f"friction_{word}{FORMATS[to].ending}")
-    with shown_progress() as progress:
-        done = export_of(found, to=to, out=file, over=over, progress=progress)
-    print_warnings(done.warnings)
+    with talk.progress() as progress:
+        done = export_of(found, to=to, out=file, force=force, over=over, progress=progress)
+    talk.warn(done.warnings)
     out.tell(f"written: {done.file}; {done.axes}")
     for note in done.notes:
         out.tell(f"note: {note}")

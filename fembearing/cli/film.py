@@ -8,34 +8,34 @@ from fembearing.cli.options import (
     AsJson,
     Bodies,
     Folder,
+    Force,
+    Given,
     Load,
     SceneName,
+    Talk,
     read_load,
-    read_scene,
-    read_speed,
     read_tolerance,
     require_folder_name,
 )
-from fembearing.cli.status import DONE, NOT_SOLVED, complain, print_warnings
+from fembearing.cli.status import DONE, NOT_SOLVED, complain
 
 Tolerance = Annotated[
     str | None,
     typer.Option(help='Required accuracy of film and rolling force, for example "1 %" (default: from the scene).'),
 ]
-Speed = Annotated[
-    str | None, typer.Option(help='Speed of the inner ring, for example "500 rpm" (default: from the scene).')
-]
 RaceName = Annotated[Literal["inner", "outer"], typer.Option("--pair", help="Race of the contact.")]
 
 
 def film(
+    given: Given,
+    talk: Talk,
     scene: SceneName = None,
     pair: RaceName = "inner",
     load: Load = None,
-    speed: Speed = None,
     tolerance: Tolerance = None,
     compliance: Bodies = "half-space",
     folder: Folder = None,
+    force: Force = False,
     as_json: AsJson = False,
 ) -> None:
     """Solve the lubricated contact of a ball on a race and compare the formulas for film and rolling.
@@ -44,27 +44,24 @@ def film(
     reached.
     """
     require_folder_name(folder)
-    given = read_scene(scene)
-    limit = read_tolerance(tolerance, given)
-    force = None if load is None else read_load(load)
-    turning = None if speed is None else read_speed(speed)
+    read = given.scene(scene)
+    limit = read_tolerance(tolerance, read)
     from contextlib import nullcontext
 
     from analytic.words import percent_of
     from analytic.writing import new_folder
-    from fembearing.cli.console import out, print_json, shown_progress
+    from fembearing.cli.console import out, print_json
     from fembearing.quantities import SYSTEMS
     from fembearing.report.film_folder import film_content, write_film
     from fembearing.report.tables.film import film_table
     from fembearing.report.terminal.table import show
     from fembearing.verify.film.scene_film import film_of
 
-    with shown_progress() as progress, nullcontext() if folder is None else new_folder(folder) as place:
+    with talk.progress() as progress, nullcontext() if folder is None else new_folder(folder, force=force) as place:
         result = film_of(
-            given,
+            read,
             pair=pair,
-            load=force,
-            inner_speed=turning,
+            load=read_load(load),
             tolerance=limit,
             compliance=compliance,
             progress=progress,
@@ -74,8 +71,8 @@ def film(
     if as_json:
         print_json(film_content(result.numbers))
     else:
-        show(out, film_table(result.numbers, SYSTEMS[given.report.units]))
-        print_warnings(result.numbers.warnings)
+        show(out, film_table(result.numbers, SYSTEMS[read.report.units]))
+        talk.warn(result.numbers.warnings)
     name, uncertainty = result.numbers.worst
     if uncertainty <= limit:
         raise typer.Exit(DONE)

@@ -9,14 +9,12 @@ from typing import Annotated
 
 import typer
 
-from fembearing.cli.added_options import with_options
-from fembearing.cli.options import bearing_names_like
-from fembearing.cli.scene_options import OPTIONS, given_options
-from fembearing.cli.status import print_warnings
+from fembearing.cli.options import Force, Talk, Usual, bearing_names_like
 
 
-@with_options(OPTIONS)
 def init(
+    given: Usual,
+    talk: Talk,
     designation: Annotated[
         str,
         typer.Argument(
@@ -28,6 +26,7 @@ def init(
     file: Annotated[
         Path | None, typer.Option("--out", "-o", help="New scene file (default: DESIGNATION.toml in this folder).")
     ] = None,
+    force: Force = False,
 ) -> None:
     """Write a scene file for a bearing of the catalog, ready to run and to edit."""
     from analytic.scenefile.read import parse_scene
@@ -37,16 +36,16 @@ def init(
     from analytic.writing import new_file
     from fembearing.cli.console import out
 
-    choice, notes = read_choice(given_options())
+    choice, notes = read_choice(given.options)
     text = scene_text(designation, choice)
     parse_scene(text, origin="init")  # so that a scene with a mistake in it is not written
     path = Path(re.sub(r"[^\w.+-]+", "-", designation.strip()) + ".toml") if file is None else file
-    with new_file(path) as apart:
+    with new_file(path, force=force) as apart:
         apart.write_text(text, "utf-8")
     schema = path.with_name(SCHEMA_NAME)
     if not os.path.lexists(schema):
         with new_file(schema) as apart:
             apart.write_text(json.dumps(scene_schema(), indent=1, ensure_ascii=False), "utf-8")
-    print_warnings(notes, read=notes)
+    talk.warn(notes, read=notes)
     out.tell(f"written: {path}; schema for editors: {schema}")
     out.tell(f"next: fembearing torque {shlex.quote(str(path))}")

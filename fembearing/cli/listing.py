@@ -1,5 +1,6 @@
 """`fembearing list`: what scene files may name."""
 
+import json
 import math
 from collections.abc import Callable, Sequence
 from typing import Annotated, Any, Literal, get_args
@@ -7,10 +8,10 @@ from typing import Annotated, Any, Literal, get_args
 import typer
 
 from analytic.units import UnitSystem
-from fembearing.cli.options import AsJson
-from fembearing.cli.report_options import shown_system
+from fembearing.cli.options import AsJson, Units
 
 Topic = Literal["bearings", "oils", "materials", "scenes", "effects"]
+Schema = Literal["scene", "grid", "report", "torque", "compare", "duty"]
 Row = dict[str, Any]  # SI
 OF_BEARING = (
     *("designation", "kind", "bore", "outside", "width", "ball_count", "ball_diameter", "nominal_angle"),
@@ -20,11 +21,29 @@ NARROW = 6  # columns; so many and more stand close together, to fit a screen of
 
 
 def listing(
-    topic: Annotated[Topic, typer.Argument(metavar="TOPIC", help=f"One of {', '.join(get_args(Topic))}.")],
+    topic: Annotated[
+        Topic | None, typer.Argument(metavar="TOPIC", help=f"One of {', '.join(get_args(Topic))}.")
+    ] = None,
     beginning: Annotated[str, typer.Argument(metavar="FILTER", help="Beginning of the names, for example 62.")] = "",
+    schema: Annotated[
+        Schema | None,
+        typer.Option(
+            help="Print the JSON Schema of a file in place of a list, for the completion of keys in editors. scene, "
+            "grid: input files; report, torque, compare, duty: JSON results."
+        ),
+    ] = None,
+    units: Units = None,
     as_json: AsJson = False,
 ) -> None:
     """List the names for scenes: bearings of the catalog, oils, materials, built-in scenes, effects."""
+    if (topic is None) == (schema is None):
+        from analytic.errors import InputError
+
+        raise InputError(f"give a topic, one of {', '.join(get_args(Topic))}, or --schema scene")
+    if topic is None:
+        assert schema is not None
+        typer.echo(json.dumps(_schema_of(schema), indent=1, ensure_ascii=False))
+        return
     wanted = _plain(beginning)
     rows = [row for row in ROWS[topic]() if _plain(next(iter(row.values()))).startswith(wanted)]
     if not rows:
@@ -36,7 +55,23 @@ def listing(
 
         print_json({topic: rows})
     else:
-        _print(_bearing_columns(shown_system()) if topic == "bearings" else COLUMNS[topic], rows)
+        _print(_bearing_columns(units or "metric") if topic == "bearings" else COLUMNS[topic], rows)
+
+
+def _schema_of(file: Schema) -> dict[str, Any]:
+    """Each import is slow, and needed by one file only."""
+    if file == "scene":
+        from analytic.scenefile.schema import scene_schema
+
+        return scene_schema()
+    if file == "grid":
+        from fembearing.sweep.schema import grid_schema
+
+        return grid_schema()
+    from fembearing.report.schema import comparison_schema, duty_schema, report_schema, torque_schema
+
+    results = {"report": report_schema, "torque": torque_schema, "compare": comparison_schema, "duty": duty_schema}
+    return results[file]()
 
 
 def _plain(name: str) -> str:

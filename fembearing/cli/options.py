@@ -1,14 +1,19 @@
 """Arguments and options that several commands take, each described once, and how their texts are read."""
 
+import inspect
 import sys
-from collections.abc import Mapping
-from dataclasses import replace
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from contextlib import AbstractContextManager
+from dataclasses import dataclass, fields, is_dataclass, replace
+from functools import wraps
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
+from analytic.scenefile.choice import USUAL
+from analytic.units import UnitSystem
 from fembearing.cli.status import print_warnings
 
 if TYPE_CHECKING:
@@ -17,10 +22,167 @@ if TYPE_CHECKING:
 
 BUILTIN = "paper_6205"
 STANDARD_INPUT = "-"  # as the name of a scene
-NOTHING_SET: Mapping[str, str] = MappingProxyType({})
+NO_COLUMNS: Mapping[str, Any] = MappingProxyType({})
 OF_FILES = (".csv", ".html", ".json", ".nc", ".pdf", ".png", ".svg", ".toml", ".vtu")  # endings
 PairName = Literal["inner", "outer", "pocket"]
 GeometryName = Literal["real", "hertzian", "wall", "ring"]
+Command = Callable[..., None]
+
+
+def with_groups(command: Command) -> Command:
+    """A command that has an option for each field of its dataclass parameters, in place of these."""
+    own = inspect.signature(command, eval_str=True).parameters
+    groups: dict[str, Any] = {name: each.annotation for name, each in own.items() if is_dataclass(each.annotation)}
+
+    @wraps(command)
+    def run(**arguments: Any) -> None:
+        made = {
+            name: group(**{field.name: arguments.pop(field.name) for field in fields(group)})
+            for name, group in groups.items()
+        }
+        command(**arguments, **made)
+
+    parameters = [each for name, each in own.items() if name not in groups]
+    for group in groups.values():
+        parameters += [
+            inspect.Parameter(field.name, inspect.Parameter.KEYWORD_ONLY, default=field.default, annotation=field.type)
+            for field in fields(group)
+        ]
+    vars(run)["__signature__"] = inspect.Signature(parameters)
+    return run
+
+
+@dataclass(frozen=True, kw_only=True)
+class Talk:
+    """What a command says on standard error beside errors."""
+
+    quiet: Annotated[
+        bool,
+        typer.Option("--quiet", "-q", help="Print no progress, and no warnings but those of how the input was read."),
+    ] = False
+    verbose: Annotated[
+        bool, typer.Option("--verbose", "-v", help="Print each step with its time on standard error.")
+    ] = False
+
+    def __post_init__(self) -> None:
+        if self.quiet and self.verbose:
+            from analytic.errors import InputError
+
+            raise InputError("--quiet and --verbose exclude each other: leave one of them out")
+
+    def warn(self, warnings: Iterable[str], *, read: Collection[str] = ()) -> None:
+        """Say warnings; a quiet command only those that say how the input was `read`, as they change the number."""
+        print_warnings(each for each in warnings if not self.quiet or each in read)
+
+    def progress(self) -> AbstractContextManager[Callable[[float, str], None]]:
+        """As `console.shown_progress`."""
+        from fembearing.cli.console import shown_progress
+
+        return shown_progress(quiet=self.quiet, verbose=self.verbose)
+
+
+Force = Annotated[
+    bool, typer.Option("--force", help="Replace an existing file, or a folder with files of fembearing only.")
+]
+Units = Annotated[
+    UnitSystem | None, typer.Option(help="Units of page and tables (default: from the scene, or metric).")
+]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Usual:
+    """What options say of the usual scene of a bearing."""
+
+    axial_load: Annotated[str | None, typer.Option(help='Axial load, for example "500 N".')] = None
+    radial_load: Annotated[
+        str | None,
+        typer.Option(
+            help='Radial load, for example "5 kN" (default for a bearing without any load: a light load for it).'
+        ),
+    ] = None
+    speed: Annotated[
+        str | None, typer.Option(help=f"Speed of the inner ring (default: from the scene, or {USUAL.speed}).")
+    ] = None
+    oil: Annotated[
+        str | None,
+        typer.Option(
+            help="Name of the oil, see `fembearing list oils` (default: from the scene, or by size, speed and "
+            "temperature)."
+        ),
+    ] = None
+    temperature: Annotated[
+        str | None, typer.Option(help=f"Oil temperature (default: from the scene, or {USUAL.temperature}).")
+    ] = None
+    supply: Annotated[
+        str | None,
+        typer.Option(
+            help="Oil supply: oil_bath, oil_jet, oil_spot or grease (default: from the scene, or by bearing and oil)."
+        ),
+    ] = None
+
+    @property
+    def options(self) -> dict[str, Any]:
+        """The texts of the options, by the names of `analytic.scenefile.choice.KEYS`."""
+        named = {each.name: getattr(self, each.name) for each in fields(Usual)}
+        return {name: text for name, text in named.items() if text is not None}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Given(Usual):
+    """What options say of a scene, in place of what it says itself."""
+
+    texts: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--set",
+            metavar="KEY=VALUE",
+            help="Key of the scene with a new value, for example lubricant.supply=grease; one option for each key.",
+        ),
+    ] = None
+    units: Units = None
+
+    @property
+    def settings(self) -> dict[str, str]:
+        """The texts of --set by key. Raises InputError for one that is no "key=value"."""
+        from analytic.scenefile.setting import typed_settings
+
+        return typed_settings(self.texts or [])
+
+    def scene(self, name: str | None) -> "Scene":
+        """The scene of that name, "-" that of standard input, None the built-in one.
+
+        Friction settles the temperature of its oil where it has [thermal].
+        """
+        found = self.by_temperature(name)
+        if found.thermal is None:
+            return found.scene
+        from analytic.prediction.steady import at_steady_temperature  # with the production model: few scenes need it
+
+        return at_steady_temperature(found)
+
+    def by_temperature(self, name: str | None, *, columns: Mapping[str, Any] = NO_COLUMNS) -> "SceneByTemperature":
+        """The same scene at any temperature of its oil; columns : as for `load_by_temperature`."""
+        from analytic.scenefile.read import load_by_temperature, parse_by_temperature
+
+        settings = self.settings
+        if name == STANDARD_INPUT:
+            text = _standard_input()
+            found = parse_by_temperature(text, origin="standard input", settings=settings, **self.options)
+        else:
+            found = load_by_temperature(
+                BUILTIN if name is None else name, settings=settings, columns=columns, **self.options
+            )
+        return replace(found, scene=self.shown(found.scene))
+
+    def shown(self, scene: "Scene") -> "Scene":
+        """The scene in the units of the option."""
+        return scene if self.units is None else replace(scene, report=replace(scene.report, units=self.units))
+
+    def assumed(self, name: str, scene: "Scene", *, columns: Mapping[str, Any] = NO_COLUMNS) -> Iterator[str]:
+        """As `analytic.scenefile.assumption.assumptions`."""
+        from analytic.scenefile.assumption import assumptions
+
+        return assumptions(name, scene, settings=self.settings, options=self.options, columns=columns)
 
 
 def bearing_names_like(incomplete: str) -> list[str]:
@@ -40,44 +202,25 @@ def scene_names_like(incomplete: str) -> list[str]:
     return [*files, *builtin, *bearing_names_like(incomplete)]
 
 
+OF_SCENE = "Scene file (TOML), - for standard input, or a bearing of the catalog, for example 6206"
+Named = Annotated[str, typer.Argument(metavar="SCENE", help=f"{OF_SCENE}.", autocompletion=scene_names_like)]
 SceneName = Annotated[
     str | None,
     typer.Argument(
-        metavar="SCENE",
-        help="Scene file (TOML), - for standard input, or a bearing of the catalog, for example 6206 (default: the "
-        "built-in paper_6205).",
-        autocompletion=scene_names_like,
+        metavar="SCENE", help=f"{OF_SCENE} (default: the built-in paper_6205).", autocompletion=scene_names_like
     ),
 ]
 SceneNames = Annotated[
     list[str] | None,
     typer.Argument(
         metavar="SCENE",
-        help="Scene file (TOML), - for standard input, or a bearing of the catalog, for example 6206 (default: the "
-        "built-in paper_6205). Several are compared.",
+        help=f"{OF_SCENE} (default: the built-in paper_6205). Several are compared.",
         autocompletion=scene_names_like,
     ),
 ]
 Tolerance = Annotated[str | None, typer.Option(help='Required accuracy, for example "1 %" (default: from the scene).')]
-Accuracy = Annotated[
-    str | None,
-    typer.Option(
-        "--tolerance",
-        help='Required accuracy of the finite elements, for example "0.1 %" (default: from the scene). The limit for '
-        "Hertz is always the tolerance of the scene.",
-    ),
-]
 Folder = Annotated[
     Path | None, typer.Option("--out", "-o", help="New folder for page or pictures, tables, time series and JSON.")
-]
-Target = Annotated[
-    Path | None,
-    typer.Option(
-        "--out",
-        "-o",
-        help="New folder for torque.json, torque.csv, torque.png and time series; or one file: .csv, .json, .png, "
-        ".svg, .pdf, .html.",
-    ),
 ]
 WithInterval = Annotated[
     bool,
@@ -89,21 +232,6 @@ Samples = Annotated[
 ]
 AsJson = Annotated[bool, typer.Option("--json", help="Print the result as JSON only.")]
 Load = Annotated[str | None, typer.Option(help='Load of the ball, for example "620 N" (default: from the scene).')]
-Loads = Annotated[
-    list[str] | None,
-    typer.Option(
-        "--load",
-        help='Load of the ball, for example "620 N" (default: from the scene). Several give the stiffness law.',
-    ),
-]
-Geometry = Annotated[
-    GeometryName,
-    typer.Option(
-        help="Meshed shape. real: true shapes; hertzian: half spaces, with Hertz as exact solution; wall: sheet of a "
-        "pocket on its rim; ring: true shapes, and the ring on a rigid seat as a separate part."
-    ),
-]
-
 Bodies = Annotated[
     Literal["half-space", "meshed"],
     typer.Option(
@@ -112,50 +240,6 @@ Bodies = Annotated[
         "shape by finite elements.",
     ),
 ]
-
-
-def read_scene(
-    name: str | None, *, settings: Mapping[str, str] = NOTHING_SET, options: Mapping[str, str] = NOTHING_SET
-) -> "Scene":
-    """The scene of that name, "-" that of standard input, None the built-in one; the others as for `load_scene`.
-
-    Friction settles the temperature of its oil where it has [thermal].
-    """
-    found = read_by_temperature(name, settings=settings, options=options)
-    if found.thermal is None:
-        return found.scene
-    from analytic.prediction.steady import at_steady_temperature  # with the production model: few scenes need it
-
-    return at_steady_temperature(found)
-
-
-def read_by_temperature(
-    name: str | None,
-    *,
-    settings: Mapping[str, str] = NOTHING_SET,
-    options: Mapping[str, str] = NOTHING_SET,
-    columns: Mapping[str, Any] = NOTHING_SET,
-) -> "SceneByTemperature":
-    """The same scene at any temperature of its oil; columns : as for `load_by_temperature`."""
-    from analytic.scenefile.read import load_by_temperature, parse_by_temperature, refuse_options
-
-    if name != STANDARD_INPUT:
-        found = load_by_temperature(BUILTIN if name is None else name, settings=settings, columns=columns, **options)
-    else:
-        refuse_options(options, "standard input")
-        found = parse_by_temperature(_standard_input(), origin="standard input", settings=settings)
-    return replace(found, scene=with_details(found.scene))
-
-
-def with_details(scene: "Scene") -> "Scene":
-    """The scene with the details of the report that options give, or the user's settings where it says none."""
-    from analytic.report_details import ReportDetails
-    from fembearing.cli.config import own_details
-    from fembearing.cli.report_options import given_details
-
-    usual = vars(ReportDetails())
-    own = {name: value for name, value in own_details().items() if getattr(scene.report, name) == usual[name]}
-    return replace(scene, report=replace(scene.report, **{**own, **given_details()}))
 
 
 def _standard_input() -> str:
@@ -185,22 +269,12 @@ def require_folder_name(folder: Path | None) -> None:
 
 def read_tolerance(given: str | None, scene: "Scene") -> float:
     """The tolerance of an option, or the scene's."""
-    return scene.tolerance if given is None else _read_option("--tolerance", given, "tolerance")
+    return scene.tolerance if given is None else read_option("--tolerance", given, "tolerance")
 
 
-def read_load(given: str) -> float:
-    """The load of an option in N."""
-    return _read_option("--load", given, "ball_load")
-
-
-def read_speed(given: str) -> float:
-    """The speed of an option in rad/s."""
-    return _read_option("--speed", given, "operation.inner_speed")
-
-
-def read_friction(given: str) -> float:
-    """The friction coefficient of an option."""
-    return _read_option("--friction", given, "friction.coefficient")
+def read_load(given: str | None) -> float | None:
+    """The load of an option in N; None: not given."""
+    return None if given is None else read_option("--load", given, "ball_load")
 
 
 def read_samples(given: int | None, *, with_interval: bool) -> int | Literal["enough"] | None:
@@ -212,7 +286,7 @@ def read_samples(given: int | None, *, with_interval: bool) -> int | Literal["en
     return "enough" if with_interval and given is None else given
 
 
-def _read_option(option: str, given: str, key: str) -> float:
+def read_option(option: str, given: str, key: str) -> float:
     """The value of an option in SI. Raises InputError for a text that this key of a scene or a grid does not take."""
     from analytic.errors import InputError
     from analytic.scenefile.keys import scene_key
@@ -228,5 +302,5 @@ def _read_option(option: str, given: str, key: str) -> float:
         number = dimension.read(value)
     except ValueError as problem:
         raise InputError(f"{option} {given!r} {problem}") from None
-    print_warnings(notes, read=notes)
+    print_warnings(notes)
     return number

@@ -6,10 +6,9 @@ required accuracy, or a physical verdict is not known; 70, 71 and 74 are those o
 
 import os
 import sys
-from collections.abc import Collection
+from collections.abc import Iterable
 from contextlib import suppress
-from contextvars import ContextVar
-from typing import Literal, TextIO
+from typing import TextIO
 
 import typer
 
@@ -23,7 +22,6 @@ STANDING_STATUS = {  # of the word that says how far a torque can be trusted
 }
 DEFECT, NO_MEMORY, NO_STORAGE = 70, 71, 74
 INTERRUPTED, PIPE_CLOSED = 130, 141  # what a shell makes of the two signals
-TALK: ContextVar[Literal["quiet", "usual", "verbose"]] = ContextVar("TALK", default="usual")  # what else is said
 
 
 def discard(stream: TextIO) -> None:
@@ -48,9 +46,7 @@ def complain(problem: object, status: int) -> int:
     return status
 
 
-def print_warnings(warnings: Collection[str], *, read: Collection[str] = ()) -> None:
-    """Say warnings; a quiet command only those that say how the input was `read`, as they change the number."""
+def print_warnings(warnings: Iterable[str]) -> None:
+    """Say warnings."""
     for warning in warnings:
-        if TALK.get() == "quiet" and warning not in read:
-            continue
         say(f"warning: {warning}")

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from fembearing.cli.assumed import in_a_file, tell_assumed
-from fembearing.cli.options import AsJson, require_folder_name
+from fembearing.cli.options import AsJson, Talk, require_folder_name
 from fembearing.cli.status import DONE, INTERRUPTED, NOT_SOLVED, complain, say
 
 if TYPE_CHECKING:
@@ -16,6 +16,7 @@ MAPS = "maps"
 
 
 def sweep(
+    talk: Talk,
     grid: Annotated[Path, typer.Argument(metavar="GRID", help="Grid file (TOML): a scene and axes.")],
     folder: Annotated[
         Path, typer.Option("--out", "-o", help="Folder of the sweep: new, or of a stopped sweep to continue.")
@@ -30,12 +31,12 @@ def sweep(
     operation.axial_load = { from = "100 N", to = "2 kN", count = 20, spacing = "log" } or conformity = [0.51, 0.52].
     """
     require_folder_name(folder)
-    from fembearing.cli.console import print_json, shown_progress
+    from fembearing.cli.console import print_json
     from fembearing.plain_types import plain
     from fembearing.sweep.run import run_sweep
 
     try:
-        with shown_progress() as progress:
+        with talk.progress() as progress:
             result = run_sweep(
                 grid, out=folder, workers=workers, scheduler=scheduler, progress=progress, announce=_announce
             )

@@ -8,33 +8,45 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from fembearing.cli.added_options import with_options
 from fembearing.cli.assumed import tell_assumed
 from fembearing.cli.options import (
     BUILTIN,
     STANDARD_INPUT,
     AsJson,
+    Force,
+    Given,
     Samples,
     SceneNames,
-    Target,
+    Talk,
     Tolerance,
     WithInterval,
     read_samples,
-    read_scene,
     read_tolerance,
 )
-from fembearing.cli.scene_options import OPTIONS, SETTINGS, given_options, given_settings
-from fembearing.cli.status import CHECK_FAILED, DONE, NOT_SOLVED, STANDING_STATUS, print_warnings, say
+from fembearing.cli.status import CHECK_FAILED, DONE, NOT_SOLVED, STANDING_STATUS, say
 
 if TYPE_CHECKING:
     from fembearing.verify.torque.scene_torque import SceneTorque
 
 
-@with_options(OPTIONS | SETTINGS)
+Target = Annotated[
+    Path | None,
+    typer.Option(
+        "--out",
+        "-o",
+        help="New folder for torque.json, torque.csv, torque.png and time series; or one file: .csv, .json, .png, "
+        ".svg, .pdf, .html.",
+    ),
+]
+
+
 def torque(
+    given: Given,
+    talk: Talk,
     scenes: SceneNames = None,
     tolerance: Tolerance = None,
     target: Target = None,
+    force: Force = False,
     with_interval: WithInterval = False,
     samples: Samples = None,
     keep_going: Annotated[
@@ -48,32 +60,31 @@ def torque(
     """Friction torque of a scene with its 95 % interval and a verdict. Several scenes are compared.
 
     A bearing of the catalog needs no file: loads, speed, oil, temperature and supply are options. Missing options are
-    assumed and printed. Scene files take --set in place of these options. --speed 0rpm gives the starting torque.
+    assumed and printed. --speed 0rpm gives the starting torque.
     """
     names = scenes or [BUILTIN]
     _require_fitting(names, target)
-    options, settings = given_options(), given_settings()
-    read = {name: read_scene(name, settings=settings, options=options) for name in names}
+    read = {name: given.scene(name) for name in names}
     read = {name: replace(scene, tolerance=read_tolerance(tolerance, scene)) for name, scene in read.items()}
     count = read_samples(samples, with_interval=with_interval)
-    from fembearing.cli.console import out, print_json, shown_progress
+    from fembearing.cli.console import out, print_json
     from fembearing.plain_types import plain
     from fembearing.report.torque import torque_file
     from fembearing.report.torque_folder import torque_with_files
 
     results: dict[str, SceneTorque] = {}
     lacking = None
-    with shown_progress() as progress:
+    with talk.progress() as progress:
         for name, scene in read.items():
             with _named(name if len(read) > 1 else None):
                 results[name], lacking = torque_with_files(
-                    scene, out=target, samples=count, keep_going=keep_going, progress=progress
+                    scene, out=target, force=force, samples=count, keep_going=keep_going, progress=progress
                 )
     if as_json:
         files = {name: plain(torque_file(result)) for name, result in results.items()}
         print_json(files if len(files) > 1 else files[names[0]])
     else:
-        _print(results, details=details)
+        _print(results, given, talk, details=details)
         if target is not None:
             out.tell(f"{'file' if target.suffix else 'folder'}: {target}")
     if lacking is not None:
@@ -105,8 +116,7 @@ def _named(name: str | None) -> Iterator[None]:
         raise problem if name is None else InputError(f"{name}: {problem}") from problem
 
 
-def _print(results: "Mapping[str, SceneTorque]", *, details: bool) -> None:
-    from analytic.scenefile.assumption import assumptions
+def _print(results: "Mapping[str, SceneTorque]", given: Given, talk: Talk, *, details: bool) -> None:
     from fembearing.cli.console import out
     from fembearing.quantities import SYSTEMS
     from fembearing.report.headline import side_by_side
@@ -120,13 +130,12 @@ def _print(results: "Mapping[str, SceneTorque]", *, details: bool) -> None:
         if not before:
             print_headline(out, result)
         if name != STANDARD_INPUT:
-            settings, options = given_settings(), given_options()
-            tell_assumed(assumptions(name, result.scene, settings=settings, options=options), before=before)
+            tell_assumed(given.assumed(name, result.scene), before=before)
         if details:
             out.print()
             print_details(out, result)
         said = {warning: f"{before}{warning}" for warning in result.friction.warnings}
-        print_warnings(said.values(), read=[said[each] for each in result.scene.warnings if each in said])
+        talk.warn(said.values(), read=[said[each] for each in result.scene.warnings if each in said])
 
 
 def _status(results: "Collection[SceneTorque]") -> int:

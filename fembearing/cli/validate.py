@@ -1,28 +1,60 @@
 """`fembearing validate`."""
 
-from typing import Annotated
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from fembearing.cli.options import (
     AsJson,
     Folder,
+    Force,
+    Given,
     SceneName,
+    Talk,
     Tolerance,
     WithInterval,
-    read_scene,
     read_tolerance,
     require_folder_name,
 )
-from fembearing.cli.report_options import with_report_options
-from fembearing.cli.status import STATUS, print_warnings
+from fembearing.cli.status import STATUS
+
+if TYPE_CHECKING:
+    from analytic.scene import Scene
 
 
-@with_report_options
+@dataclass(frozen=True, kw_only=True)
+class Signed:
+    """Who made the report, and when, in place of what [report] of the scene says."""
+
+    author: Annotated[str | None, typer.Option(help="Author of the report (default: from the scene).")] = None
+    checker: Annotated[str | None, typer.Option(help="Checker of the report (default: from the scene).")] = None
+    revision: Annotated[str | None, typer.Option(help="Revision of the report (default: from the scene).")] = None
+    date: Annotated[str | None, typer.Option(help="Date of the revision (default: from the scene).")] = None
+
+    def of(self, scene: "Scene") -> "Scene":
+        """The scene with these details. Raises InputError for a text that no key of [report] takes."""
+        from analytic.errors import InputError
+        from analytic.scenefile.keys import scene_key
+        from analytic.words import shown
+
+        details = {name: text for name, text in vars(self).items() if text is not None}
+        for name, text in details.items():
+            try:
+                scene_key(f"report.{name}").read(text)
+            except ValueError as problem:
+                raise InputError(f"--{name} {shown(text)} {problem}") from None
+        return replace(scene, report=replace(scene.report, **details))
+
+
 def validate(
+    given: Given,
+    signed: Signed,
+    talk: Talk,
     scene: SceneName = None,
     tolerance: Tolerance = None,
     folder: Folder = None,
+    force: Force = False,
     with_cost: Annotated[
         bool, typer.Option("--cost", help="Measure error and time of all methods, as `fembearing cost`.")
     ] = False,
@@ -39,18 +71,19 @@ def validate(
     One line per reference gives the largest difference; --details, --json and the report give all differences.
     """
     require_folder_name(folder)
-    given = read_scene(scene)
-    limit = read_tolerance(tolerance, given)
-    from fembearing.cli.console import out, print_json, shown_progress
+    read = signed.of(given.scene(scene))
+    limit = read_tolerance(tolerance, read)
+    from fembearing.cli.console import out, print_json
     from fembearing.plain_types import plain
     from fembearing.report.folder import validate as run
     from fembearing.report.report import report_of
     from fembearing.report.terminal.validation import print_details, print_headline
 
-    with shown_progress() as progress:
+    with talk.progress() as progress:
         result = run(
-            given,
+            read,
             out=folder,
+            force=force,
             tolerance=limit,
             cost=with_cost,
             samples="enough" if with_interval else None,
@@ -66,7 +99,7 @@ def validate(
         if details:
             out.print()
             print_details(out, document)
-        print_warnings(result.warnings)
+        talk.warn(result.warnings)
         if folder is not None:
             out.tell(f"report: {folder / 'report.html'}")
     raise typer.Exit(STATUS[result.verdict])

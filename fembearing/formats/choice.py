@@ -117,10 +117,11 @@ def export_of(
     *,
     to: FormatName,
     out: Path | str,
+    force: bool = False,
     over: Mapping[str, Any] | None = None,
     progress: Progress = silent,
 ) -> Exported:
-    """What `export` does, of a scene that is read."""
+    """What `export` does, of a scene that is read; force : as in `analytic.writing.new_file`"""
     if to not in FORMATS:
         raise InputError(f"to = {plain(str(to))!r} is no format; give {', '.join(get_args(FormatName))}")
     form, file = FORMATS[to], Path(out)
@@ -133,7 +134,7 @@ def export_of(
         for name, values in axes.items():
             if name != "speed" and values.size > 1:
                 raise InputError(f"{name} has {values.size} values, and {to} takes one; write a file for each")
-    with new_file(file) as apart:
+    with new_file(file, force=force) as apart:
         notes = form.write(found, axes, apart, progress)
         progress(1.0, "limits")
         torques = torques_at_nodes(found, axes)

@@ -13,13 +13,13 @@ import sys
 import zipfile
 from importlib.resources import files
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
 from analytic.errors import InputError
 from analytic.scene import Array
 from analytic.scenefile.by_temperature import SceneByTemperature
-from analytic.writing import scratch_folder
 from fembearing.formats.axes import SHOWN, Axes, axes_in_words
 from fembearing.formats.interpolation import table_error
 from fembearing.formats.torque_map import TorqueMap, from_standstill, mapped_torque
@@ -71,8 +71,8 @@ def write_fmu(given: SceneByTemperature, axes: Axes, file: Path, progress: Progr
     table = _table(found)
     guid = hashlib.sha256((source + table).encode()).hexdigest()[:32]
     table = f'#define GUID "{guid}"\n{table}'
-    with scratch_folder(file.parent) as folder:
-        library = _compiled(compiler, {"fmu.c": source, "table.h": table}, folder)
+    with TemporaryDirectory() as folder:
+        library = _compiled(compiler, {"fmu.c": source, "table.h": table}, Path(folder))
     name, ending = SYSTEMS.get(sys.platform, (sys.platform, ".so"))
     place = f"binaries/{name}{8 * struct.calcsize('P')}/{NAME}{ending}"
     contents = {

@@ -39,7 +39,7 @@ def write_body(path: Path, body: BodyMesh, **fields: Any) -> None:
 def read_body(path: Path, *, name: BodyName) -> BodyMesh:
     """Read what `write_body` wrote. Raises InputError for a file that is not such a mesh."""
     try:
-        require_regular(path, most=LARGEST, remedy="give a .vtu file of `fembearing mesh`")
+        require_regular(path, most=LARGEST, remedy="give a .vtu file of `fembearing contact --mesh`")
     except InputError as problem:
         raise InputError(f"{path}: {problem}") from problem
     try:

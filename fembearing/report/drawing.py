@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 ENDINGS = (".svg", ".png", ".pdf")
 
 
-def draw_bearing(scene: Scene, *, out: Path | str | None = None) -> "Figure":
+def draw_bearing(scene: Scene, *, out: Path | str | None = None, force: bool = False) -> "Figure":
     """Draw the bearing of a scene to scale, with its dimensions and where they come from.
 
     Parameters
@@ -23,7 +23,9 @@ def draw_bearing(scene: Scene, *, out: Path | str | None = None) -> "Figure":
     scene : Scene
         Of one bearing, or of a pair, which is drawn in its arrangement.
     out : str or path, optional
-        File that ends with .svg, .png or .pdf; it must not exist yet. None writes nothing.
+        File that ends with .svg, .png or .pdf. None writes nothing.
+    force : bool
+        The file takes the place of one that exists.
 
     Returns
     -------
@@ -61,7 +63,7 @@ def draw_bearing(scene: Scene, *, out: Path | str | None = None) -> "Figure":
     if figure is None:
         raise InputError(f"{scene.bearing.name}: {NOT_DRAWABLE} It takes at most 500 balls, and lengths in proportion")
     if out is not None and content is not None:
-        with new_file(Path(out)) as file:
+        with new_file(Path(out), force=force) as file:
             file.write_bytes(content(figure))
     return figure
 

@@ -26,6 +26,7 @@ def validate(
     scene: Scene,
     *,
     out: Path | str | None = None,
+    force: bool = False,
     tolerance: Given | None = None,
     cost: bool = False,
     samples: Samples = None,
@@ -40,7 +41,9 @@ def validate(
     scene : Scene
         Of one bearing or of a pair, of which both are checked.
     out : str or path, optional
-        Folder for report.html, report.json, pictures and meshes (.vtu); it must not exist yet. None writes nothing.
+        Folder for report.html, report.json, pictures and meshes (.vtu). None writes nothing.
+    force : bool
+        The folder takes the place of one with files of fembearing only; else it must not exist yet.
     tolerance : float or str, optional
         Relative (dimensionless); None: the scene's.
     cost : bool
@@ -71,7 +74,7 @@ def validate(
     Sources: those of `solve_contact` and of `analytic.friction_torque`; the comparison is in the terms of [ASME2009].
     """
     require_scene(scene)
-    with nullcontext() if out is None else new_folder(Path(out)) as folder:
+    with nullcontext() if out is None else new_folder(Path(out), force=force) as folder:
         checked = 1.0 if folder is None else CHECKED
         solving = part_of(progress, 0.0, checked)
         result = check_scene(

@@ -31,13 +31,15 @@ def torque_with_files(
     scene: Scene,
     *,
     out: Path | None = None,
+    force: bool = False,
     samples: Samples = None,
     keep_going: bool = False,
     progress: Progress = silent,
 ) -> tuple[SceneTorque, str | None]:
     """Compute the torque, and write it.
 
-    out : folder, or file whose ending says what it holds (`torque_file`); it must not exist yet. None writes nothing
+    out : folder, or file whose ending says what it holds (`torque_file`); None writes nothing
+    force : it takes the place of what fembearing wrote there; else it must not exist yet
     samples : of the 95 % interval, or "enough"; None: no interval
     keep_going : leave out the operating points that have no torque
     progress : called with the share done, 0 to 1, and a word on the step at hand
@@ -57,13 +59,13 @@ def torque_with_files(
     if out.suffix.casefold() not in WITHOUT_FIGURE:
         require_packages(f"--out {str(out)!r}", "matplotlib")
     if content is not None:
-        with new_file(out) as file:
+        with new_file(out, force=force) as file:
             result = computed(RECORDED)
             file.write_bytes(content(result))
         return result, None
     if scene.cage is not None:
         require_utf8(out)  # for the series of its motion
-    with new_folder(out) as folder:
+    with new_folder(out, force=force) as folder:
         result = computed(COMPUTED)
         return result, write_torque(result, folder, progress=progress)
 

@@ -24,7 +24,7 @@ from analytic.errors import InputError
 from analytic.reading import content_of, opened
 from analytic.scene import OwnTraction
 from analytic.scenefile.law_packages import BUILT_IN, installed_law
-from analytic.writing import remove_leftovers, replaced_file, require_utf8
+from analytic.writing import replaced_file, require_utf8
 from fembearing.sweep.grid import Grid
 from fembearing.sweep.parts import Part, Piece
 
@@ -37,7 +37,6 @@ GRID, RESULT = "sweep.json", "sweep.nc"
 WARNINGS = "warnings"  # beside the columns of a part
 MOST_WARNINGS = 20  # kept for a piece
 PARTS, LOCK = "parts", ".lock"
-KEPT = ": finished points are kept, and the same sweep continues"
 HEIGHT_MAP, TRACTION = "surface.height_map.path", "lubricant.traction"
 LARGEST = 400_000_000  # bytes of a height map, and of a file in the folder
 DIGITS = 32  # of a hash in a file name
@@ -89,7 +88,7 @@ class Store:
 
     def keep_result(self, write: Callable[[Path], Any]) -> None:
         """Write the result by a function that takes its path."""
-        with replaced_file(self.result, besides=KEPT) as file:
+        with replaced_file(self.result) as file:
             write(file)
 
 
@@ -121,8 +120,6 @@ def opened_store(folder: Path, grid: Grid) -> Iterator[Store]:
                 _write(description, text.encode())
             else:
                 _require_same(description, hashes, place)
-            for place_of_files in (folder, folder / PARTS):
-                remove_leftovers(place_of_files)
             yield Store(folder=folder, identity=json.dumps(hashes, sort_keys=True))
         except BaseException:
             if is_new and not (folder / PARTS).exists():
@@ -140,7 +137,7 @@ def _remove(folder: Path, *, whole: bool) -> None:
 
 
 def _write(path: Path, content: bytes) -> None:
-    with replaced_file(path, besides=KEPT) as file:
+    with replaced_file(path) as file:
         file.write_bytes(content)
 
 

@@ -157,7 +157,7 @@ def test_a_locale_without_letters_loses_letters_and_nothing_else(tmp_path: Path)
 @POSIX
 @pytest.mark.parametrize(
     "rest",
-    ["torque 6205-dry --out t", "mesh --level 1 --out m", "init 6206 --out s.toml"],  # two folders and a file
+    ["torque 6205-dry --out t", "contact --level 1 --mesh m", "init 6206 --out s.toml"],  # two folders and a file
 )
 def test_a_limit_of_file_sizes_leaves_nothing(tmp_path: Path, rest: str) -> None:
     done = in_shell(f"ulimit -f 1; {RUN} {rest}", cwd=tmp_path, FEMBEARING_CACHE=os.environ.get("FEMBEARING_CACHE", ""))
@@ -170,11 +170,11 @@ def test_a_limit_of_file_sizes_leaves_nothing(tmp_path: Path, rest: str) -> None
 @pytest.mark.parametrize(("number", "status"), [(signal.SIGTERM, 143), (signal.SIGHUP, 129)])
 def test_a_process_that_is_asked_to_end_cleans_up(tmp_path: Path, number: signal.Signals, status: int) -> None:
     held = (
-        "import signal, sys, time\nfrom analytic import writing\nfrom fembearing import cli\n"
+        "import signal, sys, time\nfrom pathlib import Path\nfrom fembearing import cli\n"
         f"signal.signal({int(number)}, signal.SIG_DFL)\n"  # nohup ignores it, and so would we
-        "def at_step(step, path):\n    if step == 'write':\n        print(step, flush=True)\n"
-        "        for _ in range(6000):\n            time.sleep(0.01)\n"  # a signal just before a long one waits for it
-        "writing.at_step = at_step\n"
+        "def write(*_):\n    print('write', flush=True)\n"
+        "    for _ in range(6000):\n        time.sleep(0.01)\n"  # a signal just before a long one waits for it
+        "Path.write_text = write\n"
         "sys.argv = ['fembearing', 'init', '6206']\ncli.main()"
     )
     running = subprocess.Popen([sys.executable, "-c", held], cwd=tmp_path, stdout=subprocess.PIPE, text=True)

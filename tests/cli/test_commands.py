@@ -169,12 +169,12 @@ def test_no_command_gives_the_idealisation_a_shoulder(command, tmp_path: Path) -
     scene.write_text(
         MINE.replace('catalog = "paper_6205"', 'catalog = "paper_6205"\ninner = { shoulder_half_width = "1.6 mm" }')
     )
-    for_mesh = ("mesh", str(scene), "--level", "1", "--load", "700 N", "--json", "--out")
+    for_mesh = ("contact", str(scene), "--level", "1", "--load", "700 N", "--json", "--mesh")
     cells = {}
     for geometry in ("real", "hertzian"):
         told = json.loads(command(*for_mesh, str(tmp_path / geometry), "--geometry", geometry).out)
         cells[geometry] = [part["cells"] for part in told["meshes"].values()]
-    wide = json.loads(command("mesh", "--geometry", "hertzian", *for_mesh[2:], str(tmp_path / "wide")).out)
+    wide = json.loads(command("contact", "--geometry", "hertzian", *for_mesh[2:], str(tmp_path / "wide")).out)
     assert cells["hertzian"] == [part["cells"] for part in wide["meshes"].values()]
     assert max(cells["real"]) > max(cells["hertzian"])  # half of the contact, not a quarter
     for loads in (["700 N"], ["700 N", "650 N", "610 N"]):
@@ -185,7 +185,7 @@ def test_no_command_gives_the_idealisation_a_shoulder(command, tmp_path: Path) -
 
 
 def test_mesh_files_are_written_and_their_worst_cells_reported(command, tmp_path: Path) -> None:
-    result = command("mesh", "--out", str(tmp_path / "made"), "--level", "1", "--json")
+    result = command("contact", "--mesh", str(tmp_path / "made"), "--level", "1", "--json")
     found = json.loads(result.out)
     assert result.status == 0
     assert {Path(path).name for path in found["meshes"]} == {"inner-real-upper.vtu", "inner-real-lower.vtu"}
@@ -261,5 +261,5 @@ def test_cost_shows_error_and_time_of_each_method(
 
 
 def test_help_shows_an_example(command) -> None:
-    for name in ("validate", "contact", "mesh", "cost"):
+    for name in ("validate", "contact", "duty", "cost"):
         assert "Example: fembearing" in command(name, "--help").out

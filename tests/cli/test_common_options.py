@@ -1,4 +1,4 @@
-"""--quiet, --verbose, --force, --units and the user's settings, in every command that has them."""
+"""--quiet, --verbose, --force, --units and the options of a scene, in every command that has them."""
 
 import json
 import re
@@ -6,34 +6,21 @@ from pathlib import Path
 
 import pytest
 
+from analytic.scenefile.choice import KEYS
 from analytic.scenefile.template import scene_text
-from fembearing.cli import COMMANDS, LONG, SHOWING, WRITING, command_of
-from fembearing.cli.common_options import FORCE, QUIET, VERBOSE
-from fembearing.cli.config import FILE, config_file
+from fembearing.cli import COMMANDS, command_of
 from fembearing.quantities import INCH, POUND
 
 
-@pytest.fixture
-def settings(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
-    """Writes the user's settings."""
-
-    def write(text: str) -> Path:
-        file = tmp_path / "settings.toml"
-        file.write_text(text, "utf-8")
-        monkeypatch.setenv(FILE, str(file))
-        return file
-
-    return write
-
-
-def test_every_command_has_the_options_that_it_can_use() -> None:
-    for name in COMMANDS:
-        options = {parameter.name for parameter in command_of(name).params}
-        assert QUIET.keys() <= options, name
-        for names, kind in ((LONG, VERBOSE), (WRITING, FORCE)):
-            assert (kind.keys() <= options) == (name in names), name
-        takes_units = "units" in options
-        assert takes_units == (name in {*SHOWING, "validate", "report"}), name
+def test_options_of_the_same_name_are_the_same_in_every_command() -> None:
+    """Ranges of `export` aside, which say more."""
+    seen: dict[str, set[str]] = {}
+    for name in {*COMMANDS} - {"export"}:
+        for option in command_of(name).params:
+            if option.name in {"quiet", "verbose", "force", "units", *KEYS}:
+                seen.setdefault(option.name, set()).add(f"{option.opts} {option.help}")
+    assert {name: len(texts) for name, texts in seen.items()} == dict.fromkeys(seen, 1)
+    assert {*KEYS} < seen.keys()
 
 
 def test_quiet_leaves_errors_alone_on_standard_error(command) -> None:
@@ -115,45 +102,3 @@ def test_a_list_in_inches(command) -> None:
         line for line in command("list", "bearings", "6205", "--units", "inch").out.splitlines() if "6205 " in line
     )
     assert line.split()[2:5] == ["0.9843", "2.047", "0.5906"]  # 25, 52 and 15 mm
-
-
-def test_settings_count_where_neither_scene_nor_option_says_more(command, settings) -> None:
-    settings('units = "inch"\nauthor = "Ada"')
-    assert "lbf in" in command("torque", "6206").out
-    assert "lbf in" not in command("torque", "6206", "--units", "metric").out
-    assert "Dw, in" in command("list", "bearings", "6205").out
-
-
-@pytest.mark.parametrize(
-    ("text", "words"),
-    [
-        ('unit = "inch"', ["unit is an unknown key", "author, checker, units"]),
-        ('units = "imperial"', ["units = 'imperial'", "metric", "inch"]),
-        ("author = 3", ["author = 3"]),
-        ("author = Ada", ["not TOML", 'in quotes: "Ada"']),
-    ],
-)
-def test_a_mistake_in_the_settings_is_one_line(command, settings, text: str, words: list[str]) -> None:
-    file = settings(text)
-    ended = command("torque", "6205-dry")
-    assert (ended.status, ended.out, ended.err.count("\n")) == (2, "", 1)
-    assert all(word in ended.err for word in [str(file), *words]), ended.err
-
-
-def test_settings_that_are_named_and_missing_are_an_error(command, tmp_path: Path, monkeypatch) -> None:
-    monkeypatch.setenv(FILE, str(tmp_path / "gone.toml"))
-    assert "gone.toml" in command("torque", "6205-dry").err
-
-
-@pytest.mark.parametrize(
-    ("platform", "folder"),
-    [("linux", ".config"), ("darwin", "Library/Application Support"), ("win32", "AppData/Roaming")],
-)
-def test_the_settings_lie_where_the_platform_keeps_them(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, platform: str, folder: str
-) -> None:
-    for name in (FILE, "XDG_CONFIG_HOME"):
-        monkeypatch.delenv(name, raising=False)
-    monkeypatch.setattr("sys.platform", platform)
-    monkeypatch.setenv("HOME", str(tmp_path))
-    assert config_file() == tmp_path / folder / "fembearing" / "config.toml"

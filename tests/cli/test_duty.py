@@ -39,7 +39,7 @@ def test_json_fits_its_schema_and_a_folder_has_everything(
     ended = command("duty", *QUICK, "--json", "--out", "found")
     found = json.loads(ended.out)
     jsonschema.validate(found, duty_schema())
-    assert json.loads(command("schema", "duty").out) == json.loads(json.dumps(duty_schema()))
+    assert json.loads(command("list", "--schema", "duty").out) == json.loads(json.dumps(duty_schema()))
     assert (found["kind"], found["format"]) == ("fembearing duty", 1)
     folder = tmp_path / "found"
     assert {file.name for file in folder.iterdir() if file.name[0] != "."} == {

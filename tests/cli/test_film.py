@@ -75,7 +75,7 @@ def test_true_shapes_change_a_film_by_parts_in_a_thousand(
         (("paper_6205", "--speed", "0 rpm"), "--speed"),
         (("paper_6205", "--load", "-3 N"), "--load"),
         (("paper_6205", "--load", "90 kN"), "GPa"),
-        (("paper_6205", "--speed", "3 mm"), "--speed"),
+        (("paper_6205", "--speed", "3 mm"), "operation.inner_speed"),
         (("paper_6205", "--pair", "pocket"), "pocket"),
         (("paper_6205", "--out", "film.png"), "--out"),
         (("paper_6205", "--load", "5 kN", "--compliance", "meshed"), "too wide for a ball"),

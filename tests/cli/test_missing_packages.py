@@ -97,7 +97,7 @@ REFUSED = {  # what lacks a package, with what it says
     "torque": [
         ("validate 6205-dry --out new", "validate needs scikit-fem: pip install fembearing"),
         ("contact 6205-dry --pair inner", "contact needs scikit-fem: pip install fembearing"),
-        ("mesh 6205-dry --out new", "mesh needs scikit-fem: pip install fembearing"),
+        ("contact 6205-dry --mesh new", "contact needs scikit-fem: pip install fembearing"),
         ("torque 6205-dry --out new", "--out 'new' needs matplotlib: pip install fembearing"),
         ("torque 6205-dry --out new.html", "--out 'new.html' needs matplotlib: pip install fembearing"),
     ],

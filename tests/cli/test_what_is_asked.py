@@ -9,10 +9,8 @@ import numpy as np
 import pytest
 
 from analytic.errors import InputError
-from fembearing.cli.compare import _data_and_scene
 from fembearing.cli.status import INPUT_AT_FAULT
 from fembearing.cli.sweep import _maps
-from tests.refusals import refused
 
 RPM = np.pi / 30
 
@@ -57,15 +55,44 @@ def test_a_check_has_what_its_options_say(asked, options: tuple[str, ...], expec
         ("creep", "fembearing.verify.creep.scene_creep.creep_of"),
     ],
 )
-def test_load_speed_and_tolerance_are_the_scenes_unless_they_are_given(asked, command_: str, target: str) -> None:
+def test_load_and_tolerance_are_the_scenes_unless_they_are_given(asked, command_: str, target: str) -> None:
     usual = asked(target, command_, "6205-dry")
-    assert (usual["load"], usual["inner_speed"], usual["compliance"]) == (None, None, "half-space")
-    given = asked(target, command_, "6205-dry", "--load", "0.31 kN", "--speed", "700 rpm", "--tolerance", "3 %")
+    assert (usual["load"], usual["compliance"]) == (None, "half-space")
+    given = asked(target, command_, "6205-dry", "--load", "0.31 kN", "--tolerance", "3 %")
     assert (given["load"], given["tolerance"]) == (pytest.approx(310.0), pytest.approx(0.03))
-    assert given["inner_speed"] == pytest.approx(700 * RPM, rel=1e-12)
     if command_ == "creep":
         assert usual["friction"] is None
         assert asked(target, command_, "6205-dry", "--friction", "0.07")["friction"] == 0.07
+
+
+@pytest.mark.parametrize(
+    ("arguments", "target"),
+    [
+        (["torque"], "fembearing.report.torque_folder.torque_with_files"),
+        (["film"], "fembearing.verify.film.scene_film.film_of"),
+        (["creep"], "fembearing.verify.creep.scene_creep.creep_of"),
+        (["contact"], "fembearing.verify.contact.discrepancy.solve_contact"),
+        (["validate"], "fembearing.report.folder.validate"),
+        (["cost"], "fembearing.verify.cost.scene_cost.measure_cost"),
+        (["draw"], "fembearing.report.drawing.draw_bearing"),
+    ],
+)
+def test_every_command_takes_the_options_of_a_scene(
+    command, monkeypatch: pytest.MonkeyPatch, arguments: list[str], target: str
+) -> None:
+    given: list[Any] = []
+
+    def note(scene: Any, **_: object) -> None:
+        given.append(scene)
+        raise InputError("enough")
+
+    monkeypatch.setattr(target, note)
+    options = ("--speed", "700 rpm", "--set", "tolerance=3%", "--units", "inch")
+    for name in ("6205-dry", "6206"):
+        assert command(*arguments, name, *options).err == "fembearing: enough\n"
+    for scene in given:
+        assert scene.operation.inner_speed == pytest.approx(700 * RPM, rel=1e-12)
+        assert (scene.tolerance, scene.report.units) == (pytest.approx(0.03), "inch")
 
 
 def test_one_load_is_a_contact_and_several_are_a_series(asked) -> None:
@@ -75,14 +102,6 @@ def test_one_load_is_a_contact_and_several_are_a_series(asked) -> None:
     assert asked(f"{place}.{single}", "contact", "6205-dry", "--load", "70 N")["load"] == 70.0
     found = asked(f"{place}.{series}", "contact", "6205-dry", "--load", "70 N", "--load", "90 N", "--pair", "outer")
     assert (found["loads"], found["pair"]) == ([70.0, 90.0], "outer")
-
-
-def test_measured_torques_come_before_their_scene() -> None:
-    assert _data_and_scene("data.csv", "own.toml") == ("data.csv", "own.toml")
-    assert _data_and_scene("own.toml", None) == (None, "own.toml")
-    refused(lambda: _data_and_scene(None, None), "give the measured torques and the scene")
-    refused(lambda: _data_and_scene("data.CSV", None), "give the scene after it")
-    refused(lambda: _data_and_scene("own.toml", "data.csv"), "give the measured torques first")
 
 
 def test_maps_are_drawn_again_where_the_dataset_is_newer(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

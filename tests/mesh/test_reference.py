@@ -40,7 +40,7 @@ def sets(body: BodyMesh) -> list[np.ndarray]:
 @pytest.mark.parametrize(("pair", "geometry"), CONTACTS)
 def test_the_recipes_still_make_them(pair: str, geometry: str, tmp_path: Path) -> None:
     """By the command that made them: a changed recipe, mesh or built-in scene must come with new files."""
-    wanted = ["mesh", "--pair", pair, "--geometry", geometry, "--level", "1", "--out", str(tmp_path)]
+    wanted = ["contact", "--pair", pair, "--geometry", geometry, "--level", "1", "--mesh", str(tmp_path)]
     result = CliRunner().invoke(app, wanted)
     assert result.exit_code == 0, result.output
     for side in ("upper", "lower"):

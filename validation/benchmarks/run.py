@@ -116,15 +116,16 @@ ROWS = {
         call="plain_torque(0.0, 2000.0, 300.0)"
     ),
     "radial_series": Row(
-        title="10 000 points, radial, closed", setup=f"one = at({BY_RULE}, points=10_000, radial=1e3)", call=POINT,
-        goal=2.0, first=True
+        title="10 000 points, radial, closed", setup=f"one = at({RULED.format(RADIAL)}, points=10_000, radial=1e3)",
+        call=POINT, goal=2.0, clock="wall", first=True
     ),
     "thrust_series": Row(
-        title="100 000 thrust points, closed", setup=f"one = at({BY_RULE}, points=100_000)", call=POINT, first=True
+        title="100 000 thrust points, closed", setup=f"one = at({RULED.format(THRUST)}, points=100_000)", call=POINT,
+        clock="wall", first=True
     ),
     "free_series": Row(
-        title="1000 points, radial, free", setup=f"one = at({PHYSICAL}, points=1000, radial=1e3, spin_rule='free')",
-        call=POINT, first=True
+        title="1000 points, radial, free", setup=f"one = at({FREE.format(RADIAL)}, points=1000, radial=1e3)",
+        call=POINT, clock="wall", first=True
     ),
     "short_series": Row(
         title="200 thrust points", setup=f"one = at({BY_RULE}, points=200)", call=POINT, short=True

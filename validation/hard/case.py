@@ -6,11 +6,10 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from tempfile import gettempdir
+from tempfile import TemporaryDirectory
 from typing import Literal
 
 from analytic.errors import ConvergenceError, FembearingError, InputError
-from analytic.writing import scratch_folder
 
 Outcome = Literal["right", "refused", "wrong"]
 ROUND_OFF = (1e-13, "a few hundred roundings of a double")
@@ -65,8 +64,8 @@ def outcome_of(case: HardCase) -> HardOutcome:
 @contextmanager
 def temporary_file(name: str) -> Iterator[Path]:
     """A path for one case's file. Error messages omit its folder, whose name differs every time."""
-    with scratch_folder(Path(gettempdir())) as folder:
+    with TemporaryDirectory() as folder:
         try:
-            yield folder / name
+            yield Path(folder) / name
         except InputError as refusal:
             raise InputError(str(refusal).replace(f"{folder}{os.sep}", "")) from refusal

@@ -6,15 +6,34 @@ missing; and what it was to write is whole or absent.
 
 import os
 import resource
-import shutil
 import tempfile
 from collections.abc import Callable, Generator, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from analytic.writing import HIDDEN
 from validation.stress.commands import FOLDER, FREE, Limits, fault_of, run
-from validation.stress.kills import GRID, SCENE, hidden_in
 
+SCENE = """
+name = "killed"
+tolerance = "5 %"
+[bearing]
+catalog = "paper_6205"
+[operation]
+axial_load = "300 N"
+inner_speed = ["250 rpm", "700 rpm"]
+[friction]
+coefficient = 0.09
+hysteresis_loss = 0.007
+spin_rule = "balanced"
+"""
+GRID = """
+scene = "scene.toml"
+[axes]
+operation.inner_speed = ["250 rpm", "700 rpm"]
+bearing.inner.conformity = [0.513, 0.517, 0.522]
+operation.axial_load = { from = "120 N", to = "900 N", count = 7, spacing = "log" }
+"""
 UNPRIVILEGED = ("setpriv", "--bounding-set", "-dac_override,-dac_read_search")  # permissions hold for root too
 SLOWEST = 30.0  # s of the processor: where compiled formulas cannot be kept, they are compiled
 COMMANDS = {
@@ -22,12 +41,11 @@ COMMANDS = {
     "torque --json": ("torque", "scene.toml", "--json"),
     "torque --out": ("torque", "scene.toml", "--out", "out"),
     "sweep": ("sweep", "grid.toml", "--out", "out", "--workers", "1"),
-    "report": ("report", "report/report.json", "--out", "out.html"),
     "init": ("init", "6206", "--out", "out.toml"),
 }
-WRITING = ("torque --out", "sweep", "report", "init")
-READING = {"scene.toml": "torque", "grid.toml": "sweep", "report/report.json": "report", "map.csv": "torque"}
-MOUNTED = "mkdir full && mount -t tmpfs -o size=60M none full && cp -r *.toml report full && cd full"
+WRITING = ("torque --out", "sweep", "init")
+READING = {"scene.toml": "torque", "grid.toml": "sweep", "map.csv": "torque"}
+MOUNTED = "mkdir full && mount -t tmpfs -o size=60M none full && cp *.toml full && cd full"
 FILLED = 'head -c "$(($(df --output=avail -B1 . | tail -n 1) - left))" /dev/zero >filling'
 
 
@@ -96,13 +114,12 @@ def situations() -> Iterator[Situation]:
 
 def torn(path: Path) -> str:
     """What is left of an output that is not whole; a whole one may be there whose announcement failed."""
-    whole = {".html": "</html>", ".toml": "#rolling"}
     if not path.exists() or (path / "sweep.json").exists():  # a sweep grows
         return ""
     if path.is_dir():
         lacking = FOLDER - {each.name for each in path.iterdir()}
         return f"{path.name} lacks {', '.join(lacking)}" if lacking else ""
-    return "" if whole[path.suffix] in path.read_text("utf-8")[-500:] else f"half of {path.name}"
+    return "" if "#rolling" in path.read_text("utf-8")[-500:] else f"half of {path.name}"
 
 
 def forbid(place: Path) -> None:
@@ -135,8 +152,8 @@ ODD_FILES: dict[str, Callable[[Path], object]] = {
 }
 
 
-def ended(report: Path, *, every: int = 1) -> Generator[Ended]:
-    """Every command in every situation; report : a folder with a report; every : take only every so many of them."""
+def ended(*, every: int = 1) -> Generator[Ended]:
+    """Every command in every situation; every : take only every so many of them."""
     number = 0
     for situation in situations():
         for command in situation.commands:
@@ -152,7 +169,6 @@ def ended(report: Path, *, every: int = 1) -> Generator[Ended]:
                 Path(folder).chmod(0o755)
                 (place / "scene.toml").write_text(SCENE, "utf-8")
                 (place / "grid.toml").write_text(GRID, "utf-8")
-                shutil.copytree(report, place / "report")
                 yield _ended(situation, command, place)
 
 
@@ -163,7 +179,8 @@ def _ended(situation: Situation, command: str, place: Path) -> Ended:
         done = replace(done, err="fembearing: what nobody can read\n")
     fault = fault_of(done, allowed=situation.statuses, slowest=SLOWEST)
     if not fault and done.status not in (0, 1, 3):
-        fault = torn(place / "out") or torn(place / "out.html") or torn(place / "out.toml")
-    if not fault and (hidden := hidden_in(place)):
+        fault = torn(place / "out") or torn(place / "out.toml")
+    hidden = [path.name for path in place.rglob(f"{HIDDEN}*")]
+    if not fault and hidden:
         fault = f"{', '.join(hidden)} is left"
     return Ended(situation.name, command, f"status {done.status}", fault)

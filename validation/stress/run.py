@@ -2,7 +2,6 @@
 
     scenes    extreme but valid scenes: their torque in this process, and through every command of a scene
     damaged   damaged scenes, grids, height maps, meshes, reports and pictures, in this process and through commands
-    kills     every command that writes, killed at named steps of its writing, and started again
     limits    memory, file size, full disk, permissions, home, locale, streams, files that are none
     page      extreme and damaged scenes in the page of `fembearing app`
     growth    memory of a process after many calls
@@ -20,7 +19,6 @@ os.environ.setdefault("OMP_NUM_THREADS", "1")  # before NumPy loads its threads
 import argparse
 import compileall
 import csv
-import pickle
 import shlex
 import sys
 import tempfile
@@ -41,7 +39,6 @@ from validation.stress.damage import Files, solved_contacts
 from validation.stress.extreme import scene_input
 from validation.stress.faces import damaged_through_commands, scenes_through_faces
 from validation.stress.growth import FUNCTIONS, growth_of
-from validation.stress.kills import kills
 from validation.stress.limits import ended
 from validation.stress.mutation import drawn, outcomes
 from validation.stress.tab import page_input
@@ -59,14 +56,13 @@ class Budget:
     inputs: int  # in one process, of each of scenes and damaged
     pages: int  # scenes pasted into the page
     commands: int  # runs of a command, likewise
-    kills: int
     every: int  # of the combinations of situation and command, one of so many
     calls: tuple[int, int, int]  # of friction_torque, solve_contact and each other function
     mutants: int
 
 
-LONG = Budget(inputs=20_000, pages=20_000, commands=500, kills=200, every=1, calls=(10_000, 300, 300), mutants=330)
-SHORT = Budget(inputs=20, pages=8, commands=2, kills=3, every=60, calls=(100, 6, 0), mutants=0)
+LONG = Budget(inputs=20_000, pages=20_000, commands=500, every=1, calls=(10_000, 300, 300), mutants=330)
+SHORT = Budget(inputs=20, pages=8, commands=2, every=60, calls=(100, 6, 0), mutants=0)
 
 
 @dataclass
@@ -88,7 +84,7 @@ class Row:
         return self.part, *tries, *worst, str(len(self.faults))
 
 
-COUNTS = ("inputs", "pages", "commands", "kills", "mutants")  # of a budget, which options change
+COUNTS = ("inputs", "pages", "commands", "mutants")  # of a budget, which options change
 HEAD = ("part", "first seed", "tries", "outcomes", "slowest, s", "largest, MB", "faults")
 
 
@@ -158,18 +154,12 @@ class Place:
         """So many inputs, each in the processes of --jobs."""
         return tried(make, self.seeds(count), jobs=self.options.jobs)
 
-    @property
-    def solved(self) -> Path:
-        """A file with solved contacts, pickled."""
-        return self.report.with_name("solved")
-
     @cached_property
     def report(self) -> Path:
         """A folder with a report, made once."""
-        made, contacts = self.folder / "report", solved_contacts()
+        made = self.folder / "report"
         made.mkdir()
-        write_report(contacts, made)
-        made.with_name("solved").write_bytes(pickle.dumps(contacts))
+        write_report(solved_contacts(), made)
         return made
 
     @cached_property
@@ -218,18 +208,9 @@ def gathered(part: str, results: Generator[Tried], place: Place) -> Row:
     return row
 
 
-def killed(place: Place) -> Iterator[Row]:
-    rows: dict[str, Row] = {}
-    for each in place.within_minutes(kills(place.budget.kills, place.options.seed, place.report, place.solved)):
-        row = rows.setdefault(each.command, Row(f"kills, {each.command}"))
-        row.outcomes[f"{each.what} at {each.step.split()[0]}"] += 1
-        row.faults += [f"{each.what} at {each.step}: {each.fault}"] if each.fault else []
-    yield from rows.values()
-
-
 def limited(place: Place) -> Iterator[Row]:
     row = Row("limits")
-    for each in place.within_minutes(ended(place.report, every=place.budget.every)):
+    for each in place.within_minutes(ended(every=place.budget.every)):
         row.outcomes[each.outcome] += 1
         row.faults += [f"{each.situation}, {each.command}: {each.fault}"] if each.fault else []
     yield row
@@ -267,7 +248,6 @@ def mutated(place: Place) -> Iterator[Row]:
 PARTS = {
     "scenes": scenes,
     "damaged": damaged,
-    "kills": killed,
     "page": paged,
     "limits": limited,
     "growth": growing,

@@ -186,16 +186,20 @@ def test_what_nobody_gave_is_assumed(tmp_path: Any) -> None:
         ("6308", {"settings": {"lubricant": "grease"}}, ("lubricant is a table", "lubricant.name")),
         ("6308", {"settings": {"bearing.ball_count": "many"}}, ("bearing.ball_count = 'many'", "whole number")),
         ("6308", {"settings": {"surface.Ra": "0,050 um", "surface.finish": 3}}, ("surface.finish = 3",)),
-        (
-            "paper_6205",
-            {"speed": "3 rpm"},
-            ("speed = '3 rpm'", "paper_6205 is a scene", "--set"),
-        ),
+        ("paper_6205", {"sped": "3 rpm"}, ("sped is no option of a bearing", "did you mean speed?")),
+        ("paper_6205", {"speed": "3 mm"}, ("operation.inner_speed = '3 mm'", "unit like rpm")),
     ],
 )
 def test_a_mistake_is_one_line(name: str, given: dict[str, Any], words: tuple[str, ...]) -> None:
     refused(lambda: load_scene(name, **given), *words)
     refused(lambda: friction_torque(name, **given), *words)
+
+
+def test_an_option_takes_the_place_of_its_key_in_any_scene() -> None:
+    given = load_scene("6205-dry", speed="700 rpm", axial_load="310 N")
+    set_ = load_scene("6205-dry", settings={"operation.inner_speed": "700 rpm", "operation.axial_load": "310 N"})
+    np.testing.assert_allclose(given.operation.inner_speed, 700 * np.pi / 30, rtol=1e-12)
+    np.testing.assert_array_equal(given.operation.axial_load, set_.operation.axial_load)
 
 
 def test_an_option_beside_a_scene_object_is_refused() -> None:
