@@ -1,21 +1,24 @@
 """The friction torque as a function for loops over time steps."""
 
+import os
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from threading import Lock
-from typing import Any, Literal
+from typing import Any, Literal, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from analytic.any_scene import scene_by
 from analytic.brief import Brief
 from analytic.effects import ENTRIES, counted_effects, turns_freely
 from analytic.errors import FembearingError, InputError, real_numbers
 from analytic.numerics.records import Records
 from analytic.oil.losses import StirredOil, stirred_oil
 from analytic.oil.viscosity import roelands_viscosity
-from analytic.scene import OIL_TEMPERATURES, Array, Scene, require_scene
+from analytic.scene import OIL_TEMPERATURES, Array, Scene
+from analytic.scenefile.choice import SceneOptions
 from analytic.solve.kernel import solve
 from analytic.solve.model import Model, Workspace, model_of, workspace
 from analytic.solve.records import BALL, POINT
@@ -292,12 +295,14 @@ class TorqueFunction(Brief):
             raise
 
 
-def torque_function(scene: Scene, *, invalid: Invalid = "raise") -> TorqueFunction:
+def torque_function(
+    scene: Scene | str | os.PathLike[str], *, invalid: Invalid = "raise", **given: Unpack[SceneOptions]
+) -> TorqueFunction:
     """The friction torque of a scene as a function of load, speed and temperature, for a loop over time steps.
 
     Parameters
     ----------
-    scene : Scene
+    scene : Scene, str or path
         A moment in its operating points, or a tilt "free", lets the ring tilt freely in every call; else its tilt is
         held.
     invalid : {"raise", "nan"}
@@ -319,7 +324,7 @@ def torque_function(scene: Scene, *, invalid: Invalid = "raise") -> TorqueFuncti
     balls. Of a pair of bearings each call is a `friction_torque`; all others are compiled.
     Sources: those of `friction_torque`, whose formulas are compiled.
     """
-    require_scene(scene)
+    scene = scene_by(scene, given)
     if invalid not in ("raise", "nan"):
         raise InputError(f'invalid must be "raise" or "nan", got {invalid!r}')
     for name in AT_REST:

@@ -12,11 +12,12 @@ from functools import cache, cached_property
 from importlib.metadata import PackageNotFoundError, version
 from time import perf_counter
 from types import MappingProxyType
-from typing import Any
+from typing import Unpack
 
 import numpy as np
 from numpy.typing import NDArray
 
+from analytic.any_scene import scene_by
 from analytic.cage.drive import CageDrive, cage_drive
 from analytic.cage.torque import CageMoves, CagePart, cage_friction, cage_moves
 from analytic.contact.factors import ContactCorrection
@@ -55,6 +56,7 @@ from analytic.result import (
     TorqueParts,
 )
 from analytic.scene import Array, Bearing, Decision, Operation, OwnTraction, Scene, Sliding
+from analytic.scenefile.choice import SceneOptions
 from analytic.scenefile.fit import crowding
 from analytic.solve.failures import failures_of, require_settled, undistributed
 from analytic.solve.model import Model, model_of
@@ -237,7 +239,7 @@ def friction_torque(
     tolerance: float | str | Quantity | None = None,
     correction: ContactCorrection | None = None,
     variation: Variation = NOMINAL,
-    **given: Any,
+    **given: Unpack[SceneOptions],
 ) -> FrictionTorque:
     """Friction torque at every operating point of the scene.
 
@@ -289,12 +291,7 @@ def friction_torque(
     A scene with an arrangement has two bearings: the parts are sums over both, and `pair` has each of them.
     Sources: [Paper], and those of the modules named here.
     """
-    if not isinstance(scene, Scene):
-        from analytic.scenefile.read import load_scene  # with pydantic: only who asks for it pays
-
-        scene = load_scene(scene, **given)
-    elif given:
-        raise InputError(f"{min(given)} goes with a designation as 6308; change a Scene by dataclasses.replace")
+    scene = scene_by(scene, given)
     if tolerance is not None:
         from analytic.scenefile.by_name import with_tolerance  # with pydantic and pint: only who asks for it pays
 

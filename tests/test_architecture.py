@@ -22,6 +22,7 @@ LONGER = {  # functions that may have more
         ("settle_freely", "_one_pass", "_loads", "_step_free_ball", "slips_of"),
         "part of a compiled kernel: records and arrays that one point works with",
     ),
+    **dict.fromkeys(("solve_contact", "solve_load_series"), "a public face: a contact and how it is solved"),
     "validate": "the main job and its command: what a check computes besides, each by its name",
     **dict.fromkeys(("compare", "contact", "film", "creep", "torque"), "a command: its options, each by its name"),
 }

@@ -53,7 +53,19 @@ CACHE = "FEMBEARING_CACHE"  # of the environment
 UNUSED = 30 * 24 * 3600.0  # s after which a file of another version is deleted
 # No formula imports these folders and files.
 ABOVE = frozenset(
-    {"discs", "effects", "function", "limits", "pair", "prediction", "result", "scenefile", "torque", "verdicts"}
+    {
+        "any_scene",
+        "discs",
+        "effects",
+        "function",
+        "limits",
+        "pair",
+        "prediction",
+        "result",
+        "scenefile",
+        "torque",
+        "verdicts",
+    }
 )
 # LLVM's names of families of processors, the better ones first, with what they have.
 Families = tuple[tuple[str, tuple[str, ...]], ...]

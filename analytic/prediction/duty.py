@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 from time import perf_counter
-from typing import Annotated, Any, NamedTuple
+from typing import Annotated, Any, NamedTuple, Unpack
 
 import numpy as np
 from annotated_types import MinLen
@@ -26,6 +26,7 @@ from analytic.result import FrictionTorque
 from analytic.rows import NotNegative, OperatingPoint, Positive
 from analytic.scene import Array, Scene
 from analytic.scenefile.by_temperature import SceneByTemperature
+from analytic.scenefile.choice import SceneOptions
 from analytic.scenefile.columns import operating_points, require_loads
 from analytic.scenefile.cycle import Cycle, read_cycle
 from analytic.scenefile.read import any_by_temperature
@@ -108,7 +109,9 @@ class Computed(NamedTuple):
     results: Torques
 
 
-def duty_cycle(scene: str | os.PathLike[str] | Scene, cycle: str | os.PathLike[str], **given: Any) -> DutyCycle:
+def duty_cycle(
+    scene: str | os.PathLike[str] | Scene, cycle: str | os.PathLike[str], **given: Unpack[SceneOptions]
+) -> DutyCycle:
     """Energy, torque and power of a bearing in a duty cycle, each with its 95 % interval.
 
     Parameters

@@ -1,15 +1,17 @@
 """A friction torque with its 95 % interval: what it is made of, and which inputs make it."""
 
+import os
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from math import ceil
 from time import perf_counter
 from types import MappingProxyType
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
 from scipy.special import ndtri
 
+from analytic.any_scene import scene_by
 from analytic.brief import Brief, span
 from analytic.errors import InputError
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
@@ -30,8 +32,9 @@ from analytic.prediction.sampling import Progress, sampled, silent
 from analytic.prediction.spreads import NUMERICAL, UncertainInput, uncertain_inputs
 from analytic.result import COORDINATES, POINT, FrictionTorque
 from analytic.rows import row_of
-from analytic.scene import Array, Scene, require_scene
+from analytic.scene import Array, Scene
 from analytic.scenefile.by_name import with_tolerance
+from analytic.scenefile.choice import SceneOptions
 from analytic.torque import friction_torque
 from analytic.units import Quantity
 from analytic.words import NEWTON_MILLIMETRE, shown
@@ -147,19 +150,20 @@ class Prediction(Brief):
 
 
 def predict(
-    scene: Scene,
+    scene: Scene | str | os.PathLike[str],
     *,
     tolerance: float | str | Quantity | None = None,
     samples: int | None = None,
     seed: int = SEED,
     workers: int | None = None,
     progress: Progress = silent,
+    **given: Unpack[SceneOptions],
 ) -> Prediction:
     """The friction torque of a scene with its 95 % interval by Latin hypercube sampling.
 
     Parameters
     ----------
-    scene : Scene
+    scene : Scene, str or path
         As in `friction_torque`.
     tolerance : float or str, optional
         Of the torque, relative (dimensionless), as in `friction_torque`.
@@ -191,7 +195,7 @@ def predict(
     Source: indices by [Saltelli2010]; the interval is derived here (`analytic.prediction.interval`).
     """
     begun = perf_counter()
-    require_scene(scene)
+    scene = scene_by(scene, given)
     if tolerance is not None:
         scene = with_tolerance(scene, tolerance)
     nominal = friction_torque(scene)

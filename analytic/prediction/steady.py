@@ -10,13 +10,14 @@ import os
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache
-from typing import Any
+from typing import Unpack
 
 from analytic.errors import InputError, SingularError
 from analytic.noun import read_only
 from analytic.scene import Origin, Scene
 from analytic.scenefile.by_temperature import ZERO_CELSIUS, SceneByTemperature
-from analytic.scenefile.read import load_by_temperature
+from analytic.scenefile.choice import SceneOptions
+from analytic.scenefile.read import any_by_temperature
 from analytic.scenefile.tables import ThermalTable
 from analytic.torque import friction_torque
 
@@ -43,7 +44,7 @@ class SteadyTemperature:
         )
 
 
-def steady_scene(scene: str | os.PathLike[str], **given: Any) -> Scene:
+def steady_scene(scene: str | os.PathLike[str] | Scene, **given: Unpack[SceneOptions]) -> Scene:
     """The scene of a file, with its oil at the steady temperature where the file has [thermal].
 
     Parameters
@@ -71,7 +72,7 @@ def steady_scene(scene: str | os.PathLike[str], **given: Any) -> Scene:
     resistance is that of the whole bearing in its place, and no formula here gives it.
     Source: the balance of heat.
     """
-    return at_steady_temperature(load_by_temperature(scene, **given))
+    return at_steady_temperature(any_by_temperature(scene, **given))
 
 
 def at_steady_temperature(found: SceneByTemperature) -> Scene:

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from analytic.errors import InputError
 from analytic.scene import Array, Bearing, Lubricant, Material, Operation, Scene, Surface
+from analytic.scenefile.choice import Given
 from analytic.scenefile.keys import scene_key
 from analytic.scenefile.material import catalog_material
 from analytic.scenefile.read import scene_of
@@ -20,7 +21,6 @@ from analytic.scenefile.setting import as_text
 from analytic.units import Quantity
 from analytic.words import shown
 
-Given = float | str | Quantity  # a number in SI, a text with a unit, or a quantity
 Series = ArrayLike | str | Sequence[str] | Quantity | Sequence[Quantity]
 # What a scene needs beside the table that is read.
 ANYTHING = {"name": "from Python", "tolerance": 0.05, "operation": {"axial_load": "1 N", "inner_speed": "0 rpm"}}

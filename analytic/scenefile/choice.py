@@ -1,6 +1,34 @@
 """What the scene of a bearing of the catalogue gives beside it. It imports little: the help of commands shows it."""
 
+import os
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, TypedDict
+
+from analytic.units import Quantity
+
+if TYPE_CHECKING:
+    from analytic.scene import Supply
+
+Given = float | str | Quantity  # a number in SI, a text with a unit, or a quantity
+
+
+class OperatingOptions(TypedDict, total=False):
+    """Values of a scene by the names of options: numbers in SI, texts with units, lists for a series."""
+
+    axial_load: Given | list[Any]
+    radial_load: Given | list[Any]
+    speed: Given | list[Any]
+    oil: str
+    temperature: Given
+    supply: "Supply"
+
+
+class SceneOptions(OperatingOptions, total=False):
+    """What `analytic.load_scene` takes beside a name."""
+
+    measured: str | os.PathLike[str]
+    settings: Mapping[str, Any]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -27,3 +55,11 @@ KEYS = {  # of a scene file, by the options
 LOADS = ("axial_load", "radial_load")
 # What also takes the place of the usual load of a bearing.
 OTHER_LOADS = ("operation.moment", "arrangement.preload", "arrangement.offset")
+
+
+def require_nothing_beside(given: SceneOptions) -> None:
+    """Raises InputError for anything that is given beside a Scene."""
+    if given:
+        from analytic.errors import InputError  # with NumPy
+
+        raise InputError(f"{min(given)} goes with a designation as 6308; change a Scene by dataclasses.replace")

@@ -14,8 +14,10 @@ from dataclasses import dataclass
 from decimal import Decimal
 from functools import cache, lru_cache
 from math import isclose, isfinite, prod
-from typing import Any
+from typing import Any, NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
 from pydantic_core import CoreSchema, core_schema
 
 NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,4})?"
@@ -308,3 +310,38 @@ class QuantityOrWord(Dimension):
     def read(self, given: object) -> Any:
         """The value in SI, or the word. Raises ValueError as `Dimension.read`."""
         return given if given in self.words else super().read(given)
+
+
+MOST = 100_000  # values of a range: more is a slip
+RANGE = re.compile(r"\s*(?P<first>.+?)\s+to\s+(?P<last>.+?)\s+in\s+(?P<count>[+-]?\d+)(?P<log>\s+log)?\s*")
+
+
+class Range(NamedTuple):
+    """The parts of a text "FIRST to LAST in COUNT", with " log" for equal ratios."""
+
+    first: str
+    last: str
+    size: int
+    log: bool
+
+    def values(self, first: float, last: float) -> NDArray[np.float64]:
+        """(size,) from one end to the other, which are exact. Raises ValueError for ends or a number without sense."""
+        if self.size < 2:
+            raise ValueError(f"has {self.size} values, and a range has 2 or more; give one alone as it is")
+        if self.size > MOST:
+            raise ValueError(f"has {self.size} values, more than {MOST}; give fewer")
+        if first == last:
+            raise ValueError(f"is one value {self.size} times; give two different ends")
+        if self.log and first * last <= 0:
+            raise ValueError("is a range from 0 or through 0, which has no equal ratios; leave out log")
+        values = (np.geomspace if self.log else np.linspace)(first, last, self.size)
+        values[[0, -1]] = first, last
+        return values
+
+
+def range_of(text: str) -> Range | None:
+    """The parts of a range; None for another text. Raises ValueError for a range without its number of values."""
+    found = RANGE.fullmatch(text)
+    if found is None and " to " in text:
+        raise ValueError('is no range; give FIRST to LAST in COUNT, as "0 rpm to 6000 rpm in 15"')
+    return found and Range(found["first"], found["last"], int(found["count"]), found["log"] is not None)

@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
 from pydantic import ValidationError
@@ -27,12 +27,13 @@ from analytic.scene import (
     Operation,
     Scene,
     Surface,
+    require_scene,
 )
 from analytic.scenefile import fit
 from analytic.scenefile.assumption import usual_document
 from analytic.scenefile.bearing import BALLS, bearing_faults, bearing_of, catalog_row, has_other_balls, with_catalog
 from analytic.scenefile.by_temperature import SceneByTemperature, thermal_faults
-from analytic.scenefile.choice import KEYS
+from analytic.scenefile.choice import KEYS, OperatingOptions, SceneOptions, require_nothing_beside
 from analytic.scenefile.find import SceneText, find_scene
 from analytic.scenefile.installation import arranged, in_operation, installation_faults
 from analytic.scenefile.keys import fault_at, faults_of, with_key
@@ -66,7 +67,7 @@ def load_scene(
     *,
     measured: str | os.PathLike[str] | None = None,
     settings: Mapping[str, Any] = NOTHING_SET,
-    **options: Any,
+    **options: Unpack[OperatingOptions],
 ) -> Scene:
     """The scene that a TOML file describes; or a built-in scene, or a bearing of the catalog, by its name.
 
@@ -104,7 +105,7 @@ def load_by_temperature(
     measured: str | os.PathLike[str] | None = None,
     settings: Mapping[str, Any] = NOTHING_SET,
     columns: Mapping[str, Any] = NOTHING_SET,
-    **options: Any,
+    **options: Unpack[OperatingOptions],
 ) -> SceneByTemperature:
     """The scene at any temperature of its oil; arguments and errors of `load_scene`, which refuses [thermal].
 
@@ -133,16 +134,16 @@ def _with_options(settings: Mapping[str, Any], options: Mapping[str, Any]) -> di
 
 
 def any_by_temperature(
-    scene: str | os.PathLike[str] | Scene, *, columns: Mapping[str, Any] = NOTHING_SET, **given: Any
+    scene: str | os.PathLike[str] | Scene, *, columns: Mapping[str, Any] = NOTHING_SET, **given: Unpack[SceneOptions]
 ) -> SceneByTemperature:
     """The scene of a name, by `load_by_temperature`; or a Scene, whose oil has one temperature.
 
     Raises InputError as that, and for an argument that goes with a name alone.
     """
-    if not isinstance(scene, Scene):
+    if isinstance(scene, str | os.PathLike):
         return load_by_temperature(scene, columns=columns, **given)
-    if given:
-        raise InputError(f"{min(given)} goes with a designation as 6308; change a Scene by dataclasses.replace")
+    require_scene(scene)
+    require_nothing_beside(given)
     return SceneByTemperature(scene=scene, origin=scene.name, oil=None, thermal=None)
 
 
@@ -189,7 +190,7 @@ def parse_by_temperature(
     folder: Path = Path(),
     measured: str | os.PathLike[str] | None = None,
     settings: Mapping[str, Any] = NOTHING_SET,
-    **options: Any,
+    **options: Unpack[OperatingOptions],
 ) -> SceneByTemperature:
     """The scene at any temperature of its oil; arguments and errors of `parse_scene`, which refuses [thermal].
 
@@ -313,7 +314,8 @@ def _conflicts(
         yield "operation.tilt", "holds the ring, and operation.moment tilts it; leave one of them out"
     if loads.tilt not in (None, "free", 0.0) and angle.rule == "given":
         yield "operation.tilt", 'changes the contact angles, which rule = "given" holds; use "solved", or leave it out'
-    lists = {key: each for key, each in document["operation"].items() if isinstance(each, list) and key != "down"}
+    given = {key: getattr(loads, key) for key in loads.model_fields_set - {"down", "tilt"}}
+    lists = {key: each for key, each in given.items() if len(each) > 1 or isinstance(document["operation"][key], list)}
     if len({len(each) for each in lists.values()}) > 1:
         counts = " and ".join(f"operation.{key} has {len(each)}" for key, each in lists.items())
         yield "", f"{counts} values; lists are paired: give equal lengths, or one quantity for the whole series"

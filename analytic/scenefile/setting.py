@@ -16,7 +16,7 @@ from analytic.errors import InputError
 from analytic.scenefile.choice import KEYS, LOADS, OTHER_LOADS, Choice
 from analytic.scenefile.columns import OPERATING
 from analytic.scenefile.keys import scene_key
-from analytic.scenefile.quantity import NUMBER, Dimension
+from analytic.scenefile.quantity import NUMBER, Dimension, Range, range_of
 from analytic.scenefile.table import Table
 from analytic.scenefile.tables import SceneTable
 from analytic.units import has_unit
@@ -104,9 +104,22 @@ def read_setting(path: str, given: Any, *, root: type[Table] = SceneTable) -> tu
     if key.dimension is None:
         return value, []
     notes: list[str] = []
+    if is_typed and key.in_series and (found := _range_at(path, value)) is not None:
+        first, last = (
+            _in_context(path, key.dimension, end, notes=notes, is_typed=True) for end in (found.first, found.last)
+        )
+        return f"{first} to {last} in {found.size}{' log' if found.log else ''}", notes
     parts = [*value] if isinstance(value, list | tuple) else [value]
     read = [_in_context(path, key.dimension, part, notes=notes, is_typed=is_typed) for part in parts]
     return (read if isinstance(value, list | tuple) else read[0]), notes
+
+
+def _range_at(path: str, value: Any) -> Range | None:
+    """The parts of a range. Raises InputError as `range_of` for one without its number of values."""
+    try:
+        return range_of(value) if isinstance(value, str) else None
+    except ValueError as problem:
+        raise InputError(f"{path} = {shown(value)} {problem}") from None
 
 
 def _toml_value(text: str) -> Any:

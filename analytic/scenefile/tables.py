@@ -40,7 +40,7 @@ from analytic.scene import (
 )
 from analytic.scenefile.law_packages import BUILT_IN, GROUP, installed_laws
 from analytic.scenefile.material import material_entry
-from analytic.scenefile.quantity import Dimension, QuantityOrWord
+from analytic.scenefile.quantity import Dimension, QuantityOrWord, range_of
 from analytic.scenefile.spread_tables import AssumedTable, UncertaintyTable
 from analytic.scenefile.table import Table, Text, Whole
 from analytic.scenefile.viscosity import OIL_VISCOSITY, GivenViscosity
@@ -53,10 +53,19 @@ def _switch(given: object) -> bool:
     return given
 
 
-def _series(given: object) -> list[object]:
-    if given == []:
-        raise ValueError("is empty; give a quantity or a list of them")
-    return given if isinstance(given, list) else [given]
+def _series_of(kind: Any) -> BeforeValidator:
+    """Accepts a quantity of this kind, a list of them, or a range "FIRST to LAST in COUNT"."""
+    dimension = get_args(kind)[1]
+
+    def read(given: object) -> list[Any]:
+        if given == []:
+            raise ValueError("is empty; give a quantity or a list of them")
+        if isinstance(given, str) and (parts := range_of(given)) is not None:
+            values = parts.values(dimension.read(parts.first), dimension.read(parts.last))
+            return [f"{value!r} {dimension.unit}" for value in values.tolist()]
+        return given if isinstance(given, list) else [given]
+
+    return BeforeValidator(read)
 
 
 def _direction(given: object) -> tuple[float, float, float]:
@@ -275,10 +284,10 @@ class CageTable(Table):
 
 class OperationTable(Table):
     HINT = "give a table [operation] with inner_speed and a load, axial_load for example"
-    axial_load: Annotated[list[Thrust], BeforeValidator(_series)] = Field(default=[0.0])
-    inner_speed: Annotated[list[Speed], BeforeValidator(_series)] = Field(description='give for example "300 rpm"')
-    radial_load: Annotated[list[Side], BeforeValidator(_series)] = Field(default=[0.0])
-    moment: Annotated[list[Moment], BeforeValidator(_series)] = Field(default=[0.0])
+    axial_load: Annotated[list[Thrust], _series_of(Thrust)] = Field(default=[0.0])
+    inner_speed: Annotated[list[Speed], _series_of(Speed)] = Field(description='give for example "300 rpm"')
+    radial_load: Annotated[list[Side], _series_of(Side)] = Field(default=[0.0])
+    moment: Annotated[list[Moment], _series_of(Moment)] = Field(default=[0.0])
     # Of the inner ring about y, against which the moment acts; 0 by default, free where a moment is given
     tilt: Tilt | None = None
     down: Annotated[tuple[float, float, float], BeforeValidator(_direction)] | None = None

@@ -9,6 +9,7 @@ import numpy as np
 
 from analytic.scenefile.keys import scene_key
 from analytic.scenefile.known_oil import named_oil
+from analytic.scenefile.quantity import range_of
 from analytic.words import MILLIMETRE, RPM
 
 CLASSES = (10, 15, 22, 32, 46, 68, 100, 150, 220, 320, 460)  # of ISO 3448
@@ -35,8 +36,9 @@ def suited_oil(*, mean_diameter: float, speed: object, temperature: object) -> s
     mean_diameter : of the ball centres, m
     speed, temperature : of inner ring and oil, as a scene file has them; of a series the largest speed counts
     """
-    series = speed if isinstance(speed, list) else [speed]
     try:
+        parts = range_of(speed) if isinstance(speed, str) else None
+        series = speed if isinstance(speed, list) else [speed] if parts is None else [parts.first, parts.last]
         speeds = [abs(_read("operation.inner_speed", each)) for each in series]
         wanted = RATIO * reference_viscosity(ring_speed=max(speeds), mean_diameter=mean_diameter)
         kelvin = _read("lubricant.temperature", temperature)

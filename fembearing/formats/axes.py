@@ -1,8 +1,7 @@
 """The axes of a table: speeds, loads and oil temperatures, as ranges "0 rpm to 6000 rpm in 15" or as lists."""
 
-import re
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -12,6 +11,7 @@ from analytic.scene import Array, Scene
 from analytic.scenefile.by_temperature import SceneByTemperature
 from analytic.scenefile.choice import KEYS
 from analytic.scenefile.keys import scene_key
+from analytic.scenefile.quantity import MOST, Range, range_of
 from analytic.scenefile.setting import as_text, read_setting
 from analytic.words import NEWTON, RPM, Unit, plain, shown
 from fembearing.quantities import METRIC
@@ -24,42 +24,21 @@ SHOWN: dict[str, Unit] = {
     "radial_load": NEWTON,
     "temperature": METRIC.temperature,
 }
-RANGE = re.compile(r"\s*(?P<first>.+?)\s+to\s+(?P<last>.+?)\s+in\s+(?P<count>[+-]?\d+)(?P<log>\s+log)?\s*")
 EXAMPLES = {
     "speed": "0 rpm to 6000 rpm in 15",
     "axial_load": "100 N to 1 kN in 5 log",
     "radial_load": "500 N to 5 kN in 5 log",
     "temperature": "40 degC to 100 degC in 4",
 }
-MOST = 100_000  # values of an axis: more is a slip
 SPEEDS, LOADS, TEMPERATURES = 31, 5, 3  # values of an axis that is not given
 SLOWEST = 1e-5  # first speed above standstill of such an axis, over the last one: slower, hardly any film forms
 AROUND = 2.0  # such an axis of load ends at the scene's load over and times this
 NEAR = 20.0  # K: and one of temperature so far from the scene's
 
 
-class Range(NamedTuple):
-    """The parts of a text "FIRST to LAST in COUNT", with " log" for equal ratios."""
-
-    first: str
-    last: str
-    size: int
-    log: bool
-
-
-def range_of(name: str, text: str) -> Range | None:
-    """The parts of a range; None for another text. Raises InputError for a range without its number of values."""
-    found = RANGE.fullmatch(text)
-    if found is None and " to " in text:
-        raise InputError(f"{name} = {shown(text)} is no range; give FIRST to LAST in COUNT, as {EXAMPLES[name]!r}")
-    if found is None:
-        return None
-    return Range(found["first"], found["last"], int(found["count"]), found["log"] is not None)
-
-
 def end_of(name: str, text: str) -> str:
-    """The last value of a range or a list, or the one value. Raises InputError as `range_of`."""
-    if (parts := range_of(name, text)) is not None:
+    """The last value of a range or a list, or the one value. Raises InputError as `axis_values`."""
+    if (parts := _range_of(name, text)) is not None:
         return parts.last
     value, _ = read_setting(KEYS[name], text)
     return str(value[-1]) if isinstance(value, list) and value else text
@@ -73,7 +52,7 @@ def axis_values(name: str, given: Any) -> Array:
     """
     if name not in OPTIONS:
         raise InputError(f"{plain(name)} is no axis of a table; give {', '.join(OPTIONS)}")
-    parts = range_of(name, given) if isinstance(given, str) else None
+    parts = _range_of(name, given) if isinstance(given, str) else None
     values = _listed(name, given) if parts is None else _stepped(name, given, parts)
     if values.ndim != 1 or not values.size or values.size > MOST:
         raise InputError(f"{name} = {shown(str(given))} is no list of 1 to {MOST} values; give {EXAMPLES[name]!r}")
@@ -85,21 +64,19 @@ def axis_values(name: str, given: Any) -> Array:
     return values
 
 
+def _range_of(name: str, text: str) -> Range | None:
+    try:
+        return range_of(text)
+    except ValueError as problem:
+        raise InputError(f"{name} = {shown(text)} {problem}") from None
+
+
 def _stepped(name: str, given: str, parts: Range) -> Array:
-    first, last = _one(name, parts.first), _one(name, parts.last)
-    if parts.size < 2:
-        raise InputError(
-            f"{name} = {given!r} has {parts.size} values, and an axis has 2 or more; give one alone as it is"
-        )
-    if parts.size > MOST:
-        raise InputError(f"{name} = {given!r} has {parts.size} values, more than {MOST}; give fewer")
-    if first == last:
-        raise InputError(f"{name} = {given!r} is one value {parts.size} times; give two different ends")
-    if parts.log and first * last <= 0:
-        raise InputError(f"{name} = {given!r}: a range from 0 or through 0 has no equal ratios; leave out log")
-    values = (np.geomspace if parts.log else np.linspace)(first, last, parts.size)
-    values[[0, -1]] = first, last  # exactly as written
-    return values
+    ends = _one(name, parts.first), _one(name, parts.last)
+    try:
+        return parts.values(*ends)
+    except ValueError as problem:
+        raise InputError(f"{name} = {shown(given)} {problem}") from None
 
 
 def _listed(name: str, given: Any) -> Array:

@@ -4,7 +4,7 @@ import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Literal, NamedTuple, get_args
+from typing import Any, Literal, NamedTuple, Unpack, get_args
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from analytic.errors import InputError
 from analytic.prediction.steady import at_steady_temperature
 from analytic.scene import Scene
 from analytic.scenefile.by_temperature import SceneByTemperature
+from analytic.scenefile.choice import SceneOptions
 from analytic.scenefile.read import any_by_temperature
 from analytic.words import plain
 from analytic.writing import new_file, require_utf8
@@ -69,7 +70,7 @@ def export(
     out: Path | str,
     over: Mapping[str, Any] | None = None,
     progress: Progress = silent,
-    **given: Any,
+    **given: Unpack[SceneOptions],
 ) -> Exported:
     """Write the friction torque of a scene, or its stiffness, in a form that another program reads.
 

@@ -1,11 +1,14 @@
 """A scene's bearing drawn to scale, and the drawing as a file."""
 
+import os
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Unpack
 
+from analytic.any_scene import scene_by
 from analytic.errors import InputError
-from analytic.scene import Scene, require_scene
+from analytic.scene import Scene
+from analytic.scenefile.choice import SceneOptions
 from analytic.writing import new_file
 from fembearing.quantities import SYSTEMS
 
@@ -15,17 +18,25 @@ if TYPE_CHECKING:
 ENDINGS = (".svg", ".png", ".pdf")
 
 
-def draw_bearing(scene: Scene, *, out: Path | str | None = None, force: bool = False) -> "Figure":
+def draw_bearing(
+    scene: Scene | str | os.PathLike[str],
+    *,
+    out: Path | str | None = None,
+    force: bool = False,
+    **options: Unpack[SceneOptions],
+) -> "Figure":
     """Draw the bearing of a scene to scale, with its dimensions and where they come from.
 
     Parameters
     ----------
-    scene : Scene
+    scene : Scene, str or path
         Of one bearing, or of a pair, which is drawn in its arrangement.
     out : str or path, optional
         File that ends with .svg, .png or .pdf. None writes nothing.
     force : bool
         The file takes the place of one that exists.
+    **options : float, str, list or mapping
+        With a name, the other arguments of `load_scene`: radial_load="3 kN", speed="3000 rpm", settings.
 
     Returns
     -------
@@ -44,7 +55,7 @@ def draw_bearing(scene: Scene, *, out: Path | str | None = None, force: bool = F
     angle al0, cos al0 = 1 - P_d/(2 A0), with the diametral clearance P_d and the distance A0 of the groove centres
     [Harris2007].
     """
-    require_scene(scene)
+    scene = scene_by(scene, options)
     content = None if out is None else _content_of(Path(out))
     from fembearing.report.figures.bearing_drawing import NOT_DRAWABLE, drawing_of, shown_bearing
 

@@ -1,13 +1,16 @@
 """The main job with its report in a folder."""
 
 import json
+import os
 from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Unpack
 
-from analytic.scene import Scene, require_scene
+from analytic.any_scene import scene_by
+from analytic.scene import Scene
 from analytic.scenefile.by_name import Given
+from analytic.scenefile.choice import SceneOptions
 from analytic.writing import new_folder, write
 from fembearing.plain_types import plain
 from fembearing.progress import Progress, part_of, silent
@@ -23,7 +26,7 @@ CHECKED = 0.75  # of the whole job, when the contacts are solved and the report 
 
 
 def validate(
-    scene: Scene,
+    scene: Scene | str | os.PathLike[str],
     *,
     out: Path | str | None = None,
     force: bool = False,
@@ -33,12 +36,13 @@ def validate(
     film: bool = True,
     creep: bool = True,
     progress: Progress = silent,
+    **given: Unpack[SceneOptions],
 ) -> Validation:
     """Check every contact of a scene, and write the report.
 
     Parameters
     ----------
-    scene : Scene
+    scene : Scene, str or path
         Of one bearing or of a pair, of which both are checked.
     out : str or path, optional
         Folder for report.html, report.json, pictures and meshes (.vtu). None writes nothing.
@@ -73,7 +77,7 @@ def validate(
     -----
     Sources: those of `solve_contact` and of `analytic.friction_torque`; the comparison is in the terms of [ASME2009].
     """
-    require_scene(scene)
+    scene = scene_by(scene, given)
     with nullcontext() if out is None else new_folder(Path(out), force=force) as folder:
         checked = 1.0 if folder is None else CHECKED
         solving = part_of(progress, 0.0, checked)

@@ -38,8 +38,8 @@ def test_one_value_and_lists_are_axes_too() -> None:
 @pytest.mark.parametrize(
     ("name", "given", "words"),
     [
-        ("speed", "1000 rpm to 2000 rpm", ["is no range", "FIRST to LAST in COUNT", "'0 rpm to 6000 rpm in 15'"]),
-        ("temperature", "40C to 50C in", ["is no range", "'40 degC to 100 degC in 4'"]),
+        ("speed", "1000 rpm to 2000 rpm", ["is no range", "FIRST to LAST in COUNT"]),
+        ("temperature", "40C to 50C in", ["is no range"]),
         ("speed", "0 rpm to 6000 rpm in 1", ["speed", "has 1 values", "2 or more"]),
         ("speed", "300 rpm to 300 rpm in 4", ["one value 4 times"]),
         ("speed", "0 rpm to 6000 rpm in 5 log", ["no equal ratios"]),
@@ -128,6 +128,4 @@ def test_a_list_has_at_most_so_many_values_and_the_speeds_begin_at_0_or_above() 
     refused(lambda: axis_values("speed", np.arange(100_001.0)), "no list of 1 to 100000 values")
     refused(lambda: axis_values("axial_load", np.ones((2, 2))), "no list")
     assert axis_values("speed", "0 rpm to 60 rpm in 2").tolist() == [0.0, 60 * RPM]
-    refused(
-        lambda: axis_values("axial_load", "0 N to 60 N in 3 log"), "a range from 0 or through 0 has no equal ratios"
-    )
+    refused(lambda: axis_values("axial_load", "0 N to 60 N in 3 log"), "from 0 or through 0, which has no equal ratios")

@@ -1,18 +1,21 @@
 """One contact by Hertz's closed forms and by finite elements on the meshed bodies, and how far Hertz is off."""
 
 import math
+import os
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
 
+from analytic.any_scene import scene_by
 from analytic.brief import Brief
 from analytic.errors import require_non_negative
-from analytic.scene import Contact, Pair, Scene, require_scene
+from analytic.scene import Contact, Pair, Scene
 from analytic.scenefile.by_name import Given, with_tolerance
+from analytic.scenefile.choice import SceneOptions
 from fembearing.fem.measure import STRIP, Quantities
 from fembearing.fem.nodal_stress import stress_at_nodes, von_mises
 from fembearing.fem.solution import MeshSolution
@@ -237,7 +240,7 @@ class ContactSolution(Brief):
 
 
 def solve_contact(
-    scene: Scene,
+    scene: Scene | str | os.PathLike[str],
     *,
     pair: Pair,
     load: float | None = None,
@@ -245,12 +248,13 @@ def solve_contact(
     accuracy: float | None = None,
     geometry: Shape = "real",
     progress: Progress = silent,
+    **given: Unpack[SceneOptions],
 ) -> ContactSolution:
     """Solve one contact of a scene by finite elements and compare Hertz with it.
 
     Parameters
     ----------
-    scene : Scene
+    scene : Scene, str or path
         With a cage for the pair "pocket".
     pair : {"inner", "outer", "pocket"}
         What the ball touches.
@@ -284,7 +288,7 @@ def solve_contact(
     -----
     Sources: linear elasticity [Timoshenko1970]; uncertainty of the meshes [Roache1998], [Celik2008].
     """
-    require_scene(scene)
+    scene = scene_by(scene, given)
     contact = contact_of(scene, pair=pair, load=load)
     tolerance = scene.tolerance if tolerance is None else with_tolerance(scene, tolerance).tolerance
     require_non_negative(accuracy=tolerance if accuracy is None else accuracy)

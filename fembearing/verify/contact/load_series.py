@@ -7,19 +7,22 @@ from that of its mesh is more uncertain: see `OFF_MESH`. A load whose approach i
 accuracy is solved again on its own meshes.
 """
 
+import os
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from analytic.any_scene import scene_by
 from analytic.brief import Brief, span
 from analytic.errors import InputError, require_non_negative
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
-from analytic.scene import Contact, Pair, Scene, require_scene
+from analytic.scene import Contact, Pair, Scene
 from analytic.scenefile.by_name import Given, with_tolerance
+from analytic.scenefile.choice import SceneOptions
 from fembearing.fem.pixel_contact import PixelSolution
 from fembearing.fem.series import checked_loads, off_mesh, on_level, solve_series
 from fembearing.fem.solution import MeshSolution
@@ -160,7 +163,7 @@ class LoadSeries(Brief):
 
 
 def solve_load_series(
-    scene: Scene,
+    scene: Scene | str | os.PathLike[str],
     *,
     pair: Pair,
     loads: ArrayLike,
@@ -168,12 +171,13 @@ def solve_load_series(
     accuracy: float | None = None,
     geometry: Shape = "real",
     progress: Progress = silent,
+    **options: Unpack[SceneOptions],
 ) -> LoadSeries:
     """Solve one contact of a scene under each of `loads` and compare Hertz with it.
 
     Parameters
     ----------
-    scene : Scene
+    scene : Scene, str or path
         With a cage for the pair "pocket".
     pair : {"inner", "outer", "pocket"}
         What the ball touches.
@@ -187,6 +191,8 @@ def solve_load_series(
         As in `solve_contact`.
     progress : callable
         Called with the share done, 0 to 1 (dimensionless), and the name of the current step.
+    **options : float, str, list or mapping
+        With a name, the other arguments of `load_scene`: radial_load="3 kN", speed="3000 rpm", settings.
 
     Returns
     -------
@@ -204,7 +210,7 @@ def solve_load_series(
     -----
     Sources: those of `solve_contact`; the fit of the law is derived here (`fembearing.verify.contact.power_law`).
     """
-    require_scene(scene)
+    scene = scene_by(scene, options)
     given = checked_loads(loads)
     tolerance = scene.tolerance if tolerance is None else with_tolerance(scene, tolerance).tolerance
     require_non_negative(accuracy=tolerance if accuracy is None else accuracy)

@@ -5,18 +5,20 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from statistics import fmean, stdev
 from time import perf_counter
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Unpack
 
 import numpy as np
 from annotated_types import MinLen
 from numpy.typing import NDArray
 
+from analytic.any_scene import scene_by
 from analytic.brief import Brief
 from analytic.errors import InputError
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.result import COORDINATES
 from analytic.rows import Count, NotNegative
-from analytic.scene import MeasuredTorque, Operation, Scene, require_scene
+from analytic.scene import MeasuredTorque, Operation, Scene
+from analytic.scenefile.choice import SceneOptions
 from analytic.scenefile.columns import operating_points, require_loads
 from analytic.scenefile.measured import read_measured
 from fembearing.progress import Progress, part_of, silent
@@ -83,18 +85,19 @@ class MeasuredComparison(Brief):
 
 
 def compare_measured(
-    scene: Scene,
+    scene: Scene | str | os.PathLike[str],
     data: str | os.PathLike[str] | None = None,
     *,
     samples: int | None = None,
     seed: int = SEED,
     progress: Progress = silent,
+    **given: Unpack[SceneOptions],
 ) -> MeasuredComparison:
     """Compare the torque of a scene with measured torques.
 
     Parameters
     ----------
-    scene : Scene
+    scene : Scene, str or path
         What a row of the measured torques does not say is that of the scene.
     data : str or path, optional
         CSV file, each column with its unit (docs/how-to/compare-with-measurements.md); None: the measured torques of
@@ -122,7 +125,9 @@ def compare_measured(
     Source: [ASME2009]; the intervals are those of `analytic.predict`.
     """
     begun = perf_counter()
-    require_scene(scene)
+    if data is not None and not isinstance(scene, Scene):  # a bearing has no usual load beside loads of the file
+        given = {**given, "measured": data}
+    scene = scene_by(scene, given)
     measured = scene.measured if data is None else read_measured(data)
     if measured is None:
         raise InputError(

@@ -1,19 +1,22 @@
 """The friction torque of a scene, as the command `torque` computes it, with what is shown next to it."""
 
+import os
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, Unpack
 
 import numpy as np
 
+from analytic.any_scene import scene_by
 from analytic.brief import Brief, span
 from analytic.errors import FembearingError, InputError
 from analytic.inputs import StatedInput, stated_inputs
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.prediction.formulas import with_model_uncertainty
 from analytic.result import COLUMNS, COORDINATES, POINT, FrictionTorque
-from analytic.scene import Array, Bearing, Scene, require_scene
+from analytic.scene import Array, Bearing, Scene
+from analytic.scenefile.choice import SceneOptions
 from analytic.torque import friction_torque
 from analytic.verdicts import numerical_check, physical_checks
 from analytic.words import MICROMETRE, NEWTON_MILLIMETRE
@@ -171,18 +174,19 @@ def _span(values: Array, form: str) -> str:
 
 
 def torque_of_scene(
-    scene: Scene,
+    scene: Scene | str | os.PathLike[str],
     *,
     samples: Samples = None,
     estimate: bool = True,
     keep_going: bool = False,
     progress: Progress = silent,
+    **given: Unpack[SceneOptions],
 ) -> SceneTorque:
     """The torque of a scene as `fembearing torque` computes it, with interval, verdict and the makers' formulas.
 
     Parameters
     ----------
-    scene : Scene
+    scene : Scene, str or path
         As in `friction_torque`.
     samples : int or "enough", optional
         Of the 95 % interval, as in `predict`; None: an estimate to first order, for at most 50 operating points.
@@ -203,7 +207,7 @@ def torque_of_scene(
     InputError
         As `friction_torque`, and with samples as `predict`; with keep_going where no point has a torque.
     """
-    require_scene(scene)
+    scene = scene_by(scene, given)
     left_out: tuple[LeftOut, ...] = ()
     if keep_going:
         size = scene.operation.as_series().inner_speed.size

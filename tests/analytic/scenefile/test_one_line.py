@@ -202,6 +202,22 @@ def test_an_option_takes_the_place_of_its_key_in_any_scene() -> None:
     np.testing.assert_array_equal(given.operation.axial_load, set_.operation.axial_load)
 
 
+def test_a_range_is_the_list_that_it_stands_for() -> None:
+    by_range = load_scene("6206", speed="2 rpm to 200 rpm in 3 log", axial_load="100 N to 500 N in 3")
+    by_list = load_scene("6206", speed=["2 rpm", "20 rpm", "200 rpm"], axial_load=["100 N", "300 N", "500 N"])
+    for name in ("inner_speed", "axial_load", "radial_load"):
+        found, expected = (getattr(scene.operation, name) for scene in (by_range, by_list))
+        np.testing.assert_allclose(found, expected, rtol=1e-14)
+    assert by_range.lubricant is not None
+    assert by_list.lubricant is not None
+    assert by_range.lubricant.name == by_list.lubricant.name  # that of the highest speed
+    file = parse_scene(scene_text("6206").replace('"1000 rpm"', '"2 rpm to 200 rpm in 3 log"'), origin="here")
+    np.testing.assert_array_equal(file.operation.inner_speed, by_range.operation.inner_speed)
+    refused(lambda: load_scene("6206", speed="30 rpm to 300 rpm"), "is no range", "FIRST to LAST in COUNT")
+    refused(lambda: load_scene("6206", speed="0 rpm to 300 rpm in 4 log"), "no equal ratios")
+    refused(lambda: load_scene("6206", speed="1 rpm to 9 rpm in 3", axial_load="1 N to 9 N in 4"), "equal lengths")
+
+
 def test_an_option_beside_a_scene_object_is_refused() -> None:
     scene = load_scene("6308")
     refused(lambda: friction_torque(scene, speed="3 rpm"), "speed", "designation", "replace")
