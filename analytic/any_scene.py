@@ -2,7 +2,7 @@
 
 import os
 
-from analytic.scene import Scene, require_scene
+from analytic.scene import Scene
 from analytic.scenefile.choice import SceneOptions, require_nothing_beside
 
 
@@ -11,10 +11,9 @@ def scene_by(scene: Scene | str | os.PathLike[str], given: SceneOptions) -> Scen
 
     Raises InputError as that, and for anything given beside a Scene.
     """
-    if isinstance(scene, str | os.PathLike):
+    if not isinstance(scene, Scene):
         from analytic.scenefile.read import load_scene  # with pydantic: only who asks for it pays
 
         return load_scene(scene, **given)
-    require_scene(scene)
     require_nothing_beside(given)
     return scene

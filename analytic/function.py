@@ -307,6 +307,8 @@ def torque_function(
         held.
     invalid : {"raise", "nan"}
         What a call gives for numbers without an answer: an error, or NaN.
+    **given : float, str, list or mapping
+        With a name, the other arguments of `load_scene`: radial_load="3 kN", speed="3000 rpm", settings.
 
     Returns
     -------

@@ -567,15 +567,6 @@ class Scene(Noun):
         return self.friction_coefficient is not None or (self.lubricant is not None and self.surface is not None)
 
 
-def require_scene(given: object) -> None:
-    """Raise InputError unless this is a Scene: from Python, a name is easily given in its place."""
-    if not isinstance(given, Scene):
-        raise InputError(
-            f"scene must be a Scene, got {shown(given)}; load_scene makes one of the name of a bearing or a file, "
-            'for example load_scene("6206")'
-        )
-
-
 def _is_unit_vector(given: object) -> bool:
     numbers = given if isinstance(given, tuple | list) else ()
     if len(numbers) != 3 or not all(isinstance(each, int | float) for each in numbers):

@@ -137,9 +137,12 @@ class Races:
     @property
     def cage_torque(self) -> tuple[Array, Array | float]:
         """(n,) torque of a cage that counts, and half of its interval, N m."""
-        torque = self.found.points["cage"]
+        torque, mu = self.found.points["cage"], self.coefficient
+        assert self.scene.cage is not None
         # By the kernel at rest; it has none of a cage that is squeezed, and does not refuse races without friction.
-        if self.model.numbers.counted.cage and self.scene.friction_coefficient != 0.0 and np.isfinite(torque).all():
+        grips = mu is None or bool(np.all(mu if np.isscalar(mu) else np.max(mu, axis=0)))
+        has_grip = self.scene.cage.gives_way or grips
+        if self.model.numbers.counted.cage and has_grip and np.isfinite(torque).all():
             return torque.copy(), 0.0
         assert self.cage is not None
         return self.cage.torque, self.cage.half_interval
@@ -162,6 +165,12 @@ class Races:
         if not self.slides:
             return self.scene.friction_coefficient
         return np.moveaxis(self.found.balls["friction_coefficient"], -1, 0)
+
+    @cached_property
+    def ring(self) -> RingState:
+        """Displacement and stiffness of the ring, and every ball."""
+        scene, held_by = self.scene, self.found.points["holding_moment"].copy()
+        return state_of_ring(scene.bearing, scene.contact_angle, self.found.balls, scene.operation, held_by)
 
     @property
     def measured_points(self) -> NDArray[np.intp]:
@@ -371,20 +380,13 @@ def _torque_of(races: Races, started: float) -> FrictionTorque:
         unsure = unsure + share_in(unsure, race) * parts["cage"] + half
     unsure = share_in(unsure, total) + found.points["residual"] + (TOLD * scene.tolerance if races.slides else 0.0)
     heaviest = races.heaviest
-    on_races = {
-        "film": OnRaces(**_on_races(heaviest, "film", races.is_mixed)),
-        "asperity_share": OnRaces(**_on_races(heaviest, "asperity_share", races.is_mixed)),
-        "boundary_share": OnRaces(**_on_races(heaviest, "boundary_share", races.is_mixed)),
-        "inner": _loaded(heaviest, 0),
-        "outer": _loaded(heaviest, 1),
-    }
     return FrictionTorque.with_later(
         later={
             "friction_coefficient": lambda: _coefficients(races),
             "cage": lambda: races.cage,
             "effects": lambda: _effects(races, parts, total),
             "limits": lambda: _limits(races),
-            "ring": lambda: _ring(races),
+            "ring": lambda: races.ring,
             "warnings": lambda: _warnings(races),
             "provenance": lambda: _provenance(races),
             "gap_roughness": lambda: None if races.roughness is None else races.roughness.rms_roughness,
@@ -397,7 +399,11 @@ def _torque_of(races: Races, started: float) -> FrictionTorque:
         ball_load=heaviest["load"].max(axis=1),
         torque=TorqueParts(total=total, race=race, **{name: parts.get(name) for name in PARTS}),
         numerical_uncertainty=unsure,
-        **on_races,
+        film=OnRaces(**_on_races(heaviest, "film", races.is_mixed)),
+        asperity_share=OnRaces(**_on_races(heaviest, "asperity_share", races.is_mixed)),
+        boundary_share=OnRaces(**_on_races(heaviest, "boundary_share", races.is_mixed)),
+        inner=_loaded(heaviest, 0),
+        outer=_loaded(heaviest, 1),
         sliding=races.sliding,
         clearances=scene.clearances,
         seconds=perf_counter() - started,
@@ -416,14 +422,8 @@ def _limits(races: Races) -> LimitNumbers:
         sliding_number=found.sliding_number if races.slides and counted["rolling"] else None,
         gyroscopic_hold=found.points["gyroscopic_hold"].copy() if races.slides and counted["gyroscopic"] else None,
         cage_grip=None if cage is None or (scene.cage and scene.cage.gives_way) else cage.used_grip,
-        tilt=_tilt(_ring(races)),
+        tilt=_tilt(races.ring),
     )
-
-
-def _ring(races: Races) -> RingState:
-    scene, found = races.scene, races.found
-    held_by = found.points["holding_moment"].copy()
-    return state_of_ring(scene.bearing, scene.contact_angle, found.balls, scene.operation, held_by)
 
 
 def _warnings(races: Races) -> tuple[str, ...]:

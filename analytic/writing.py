@@ -53,7 +53,7 @@ def new_folder(target: Path, *, force: bool = False) -> Iterator[Path]:
             target.replace(before)
         try:
             apart.rename(target)
-        except OSError:
+        except BaseException:  # Ctrl-C too: the hidden folder goes with what is in it
             if before.exists():
                 before.replace(target)
             raise
@@ -95,7 +95,7 @@ def being_written(path: Path, *, only: Path | None = None) -> Iterator[None]:
     try:
         yield
     except OSError as problem:
-        named = problem.filename2 or problem.filename
+        named = problem.filename
         if only is not None and named is not None and not Path(os.fsdecode(named)).is_relative_to(only):
             raise
         raise StorageError(_unwritten(path, problem)) from problem

@@ -11,8 +11,8 @@ import matplotlib.pyplot as plt
 import analytic
 
 # %%
-# 512 torques with inputs drawn from their distributions. The seed makes the result repeatable. `workers=1` keeps all in
-# this process; without it every core takes part.
+# 512 torques with inputs drawn from their distributions. The seed makes the result repeatable. `workers=1` takes one
+# core; without it every core takes part.
 
 scene = analytic.Scene(
     bearing=analytic.bearing("6206"),

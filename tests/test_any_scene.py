@@ -28,11 +28,19 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)
+@pytest.mark.parametrize("given", [None, {"bearing": "6206"}, b"6206"], ids=repr)
+def test_what_is_no_name_is_refused(name: str, given: Any) -> None:
+    refused(lambda: FUNCTIONS[name](given), f"{given!r} is not the name of a bearing or a file", 'example "6206"')
+    refused(lambda: FUNCTIONS[name](6206), "6206 is a number, not the name of a bearing or a file; write it in quotes")
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
 def test_a_name_is_read_and_nothing_goes_beside_a_scene(name: str) -> None:
     scene = analytic.load_scene("6206")
     refused(lambda: FUNCTIONS[name]("62067"), "'62067' is not in the catalogue")
     refused(lambda: FUNCTIONS[name]("6206", sped="3 rpm"), "sped is no option of a bearing", "did you mean speed?")
     refused(lambda: FUNCTIONS[name](scene, speed="3 rpm"), "speed goes with a designation")
+    refused(lambda: FUNCTIONS[name](scene, tolernce=0.1), "tolernce is no argument")
 
 
 def test_a_name_gives_what_its_scene_gives() -> None:

@@ -52,15 +52,17 @@ def moved_totals(scene: Scene, nominal: FrictionTorque) -> MovedTotals | None:
     """The totals of a scene; arguments and errors of `first_order_ends`. None: an input at its end leaves no torque."""
     problem = problem_of(scene, nominal, uncertain_inputs(scene))
     count = len(problem.inputs)
-    scores = [np.zeros(count), *(end * score for score in np.eye(count) for end in SCORES)]
+    scores = [end * score for score in np.eye(count) for end in SCORES]
     threads = ThreadPoolExecutor(cores())
     try:
-        base, *ends = threads.map(lambda score: torque_at(problem, score)[0], scores)
+        ends = list(threads.map(lambda score: torque_at(problem, score)[0], scores))
     except FembearingError:
         return None
     finally:
         threads.shutdown(cancel_futures=True)
-    return MovedTotals(base, {each.key: np.array(ends[2 * k : 2 * k + 2]) for k, each in enumerate(problem.inputs)})
+    return MovedTotals(
+        nominal.torque.total, {each.key: np.array(ends[2 * k : 2 * k + 2]) for k, each in enumerate(problem.inputs)}
+    )
 
 
 def end_factors(base: Array, moved: Iterable[Array]) -> Array:

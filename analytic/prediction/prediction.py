@@ -75,7 +75,7 @@ class Prediction(Brief):
     reasons: tuple[str, ...]  # why
     seed: int
     seconds: float  # that all took
-    evaluation_seconds: float  # of it, in torques alone, summed over the processes
+    evaluation_seconds: float  # of it, in torques alone, of the processor
 
     def _facts(self) -> Iterator[str]:
         shown = NEWTON_MILLIMETRE
@@ -176,6 +176,8 @@ def predict(
         Number of threads; None: one for each core that the process may use. The result does not depend on it.
     progress : callable
         Called with the share done, 0 to 1 (dimensionless), and a text with the time left.
+    **given : float, str, list or mapping
+        With a name, the other arguments of `load_scene`: radial_load="3 kN", speed="3000 rpm", settings.
 
     Returns
     -------

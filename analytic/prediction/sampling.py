@@ -18,7 +18,7 @@ from analytic.scene import Array
 
 Progress = Callable[[float, str], None]  # share done, 0 to 1, and what is being done
 LARGEST_FAILURE = 0.01  # share of samples without a torque, beyond which the interval would be that of the others
-EACH = 0.2  # s: of a task
+PIECES = 16  # of each thread: progress is told after every one
 SHOWN_REASONS = 3
 
 
@@ -61,7 +61,7 @@ def sampled(problem: Problem, *, count: int, seed: Sequence[int], workers: int |
     cube = qmc.LatinHypercube(len(problem.inputs), rng=np.random.default_rng(list(seed)))
     scores = ndtri(cube.random(count))
     width = cores() if workers is None else workers
-    each = max(1, min(ceil(count / width), ceil(EACH / problem.seconds)))
+    each = ceil(count / (PIECES * width))
     pieces = [scores[start : start + each] for start in range(0, count, each)]
     done, seconds, begun = 0, 0.0, perf_counter()
     torque = np.full((count, len(problem.parts), problem.held.size), np.nan)

@@ -18,14 +18,14 @@ def settled_parts(scene: Scene, variation: Variation, level: int) -> TorqueParts
     """The torque at the operating points of the scene; each part (n,), N m.
 
     variation : of the formulas;  level : of the nodes of sliding, one for all scenes, so that their error is common
-    None: `friction_torque` has to compute it: a point does not settle, or there are two bearings.
+    None: `friction_torque` has to compute it: a point does not settle, a cage is squeezed, or there are two bearings.
     Raises InputError as the formulas do that take the scene's numbers.
     """
     if scene.arrangement is not None:
         return None
     model = _model(scene, variation).with_numbers(level=level, allowed=np.inf)
     parts = solved(model, points_of(scene.operation.as_series(), model.temperature), keeps_balls=False).points
-    if parts["status"].any():
+    if np.isnan(parts["total"]).any():
         return None
     counted, declared, stirred = counted_effects(scene), scene.losses.total, stirred_oil(scene, scene.losses)
     oil = None

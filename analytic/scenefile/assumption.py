@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Collection, Iterator, Mapping
+from copy import deepcopy
 from types import MappingProxyType
 from typing import Any
 
@@ -9,10 +10,9 @@ from analytic.catalog.bearing_rows import find_bearing
 from analytic.scene import Scene
 from analytic.scenefile.choice import KEYS
 from analytic.scenefile.columns import OPERATING, key_of_column
-from analytic.scenefile.find import SceneText, find_scene
+from analytic.scenefile.find import FoundScene, find_scene
 from analytic.scenefile.known_oil import viscosities_of
 from analytic.scenefile.setting import as_text, read_choice, with_columns, with_settings
-from analytic.scenefile.text import parse_text
 
 NOTHING: Mapping[str, Any] = MappingProxyType({})
 INSTEAD = {  # by key: the key or table of the usual scene in whose place it stands
@@ -42,13 +42,13 @@ def assumptions(
     yield from usual_values(found, scene, given=given)
 
 
-def usual_document(found: SceneText, given: Mapping[str, Any]) -> dict[str, Any]:
+def usual_document(found: FoundScene, given: Mapping[str, Any]) -> dict[str, Any]:
     """The document of a scene; that of a bearing of the catalogue without assumptions that given keys replace.
 
     given : values by key that someone gives. What is below a given key, or a suffix of the designation, is no
         assumption.
     """
-    document = parse_text(found.text, origin=found.origin)
+    document = deepcopy(found.document)
     if found.designation is None:
         return document
     keys = _with_suffix(found.designation, given)
@@ -92,10 +92,10 @@ def _with_suffix(designation: str, given: Collection[str]) -> set[str]:
     return {*given} | ({"bearing.clearance"} if find_bearing(designation).clearance_group is not None else set())
 
 
-def usual_values(found: SceneText, scene: Scene, *, given: Mapping[str, Any]) -> Iterator[str]:
+def usual_values(found: FoundScene, scene: Scene, *, given: Mapping[str, Any]) -> Iterator[str]:
     """The same of a scene that is found.
 
-    found : the text of the scene;  given : values by key that are no assumptions
+    found : the document of the scene;  given : values by key that are no assumptions
     """
     if found.designation is None:
         return

@@ -59,7 +59,11 @@ OTHER_LOADS = ("operation.moment", "arrangement.preload", "arrangement.offset")
 
 def require_nothing_beside(given: SceneOptions) -> None:
     """Raises InputError for anything that is given beside a Scene."""
-    if given:
-        from analytic.errors import InputError  # with NumPy
+    if not given:
+        return
+    from analytic.errors import InputError  # with NumPy
 
-        raise InputError(f"{min(given)} goes with a designation as 6308; change a Scene by dataclasses.replace")
+    unknown = sorted({*given} - SceneOptions.__optional_keys__)
+    if unknown:
+        raise InputError(f"{unknown[0]} is no argument of this function, nor one that goes with a designation")
+    raise InputError(f"{min(given)} goes with a designation as 6308; change a Scene by dataclasses.replace")

@@ -3,13 +3,15 @@
 import os
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from analytic import catalog
+from analytic.catalog.bearing_rows import find_bearing
 from analytic.catalog.designation import begins_as_number
 from analytic.errors import InputError
 from analytic.scenefile.choice import USUAL, Choice
-from analytic.scenefile.template import scene_text
-from analytic.scenefile.text import read_text
+from analytic.scenefile.text import parse_text, read_text
+from analytic.scenefile.usual_bearing import usual_scene
 from analytic.words import plain, shown
 
 LONGEST_NAME = 60  # characters of a designation
@@ -20,31 +22,31 @@ EXTENSIONS = (
 )
 
 
-@dataclass(frozen=True, kw_only=True)
-class SceneText:
-    """The text of a scene, before it is read."""
+@dataclass(frozen=True, kw_only=True, eq=False)
+class FoundScene:
+    """The document of a scene, before it is read."""
 
-    text: str
-    origin: str  # names the text in messages
+    document: dict[str, Any]
+    origin: str  # names it in messages
     folder: Path  # that the paths in the text start from
     designation: str | None = None  # of a bearing of the catalogue, whose usual scene it is
     choice: Choice = USUAL  # what someone gave for this usual scene
 
 
-def find_scene(name: str | os.PathLike[str], *, folder: Path = Path(), choice: Choice = USUAL) -> SceneText:
+def find_scene(name: str | os.PathLike[str], *, folder: Path = Path(), choice: Choice = USUAL) -> FoundScene:
     """The scene that a name means.
 
     folder : that a relative path starts from;  choice : for the scene of a bearing of the catalogue
 
     A file that exists comes first, then a built-in scene, then a bearing of the catalogue, whose scene is the one that
-    `fembearing init` writes. A name that ends like one of a file, with .toml or .txt,
-    is a file. Raises InputError for a name that is none of these.
+    `fembearing init` writes. A name that ends like one of a file, with .toml or .txt, is a file.
+    Raises InputError for a name that is none of these, and for a file that is not TOML.
     """
     if isinstance(name, int | float):  # a designation from Python without its quotes
         raise InputError(f'{name} is a number, not the name of a bearing or a file; write it in quotes: "{name}"')
     if not isinstance(name, str | os.PathLike):
         raise InputError(
-            f'{shown(name)} is not the name of a bearing or a file; give one as a text, for example "6206"'
+            f'{shown(name)} is not the name of a bearing or a file, nor a Scene; give one, for example "6206"'
         )
     given = os.fspath(name)
     path, builtin = folder / given, catalog.names("scenes")
@@ -53,13 +55,19 @@ def find_scene(name: str | os.PathLike[str], *, folder: Path = Path(), choice: C
         path = catalog.path("scenes", given)
     elif not os.path.isfile(path) and _may_be_a_bearing(given):
         try:
-            text = scene_text(given, choice)
-            return SceneText(text=text, origin=f"scene of {given}", folder=folder, designation=given, choice=choice)
+            return FoundScene(
+                document=usual_scene(given, find_bearing(given), choice),
+                origin=f"scene of {given}",
+                folder=folder,
+                designation=given,
+                choice=choice,
+            )
         except InputError as problem:
             if os.path.basename(given) == given or (not path.parent.is_dir() and begins_as_number(given)):
                 raise InputError(f"{problem} (no scene file has this name either, nor a scene {known})") from None
     text = read_text(path, kind="scene", remedy=f"give the path of a scene file ({known}), or a bearing as 6206")
-    return SceneText(text=text, origin=plain(os.fspath(path)), folder=path.parent)
+    origin = plain(os.fspath(path))
+    return FoundScene(document=parse_text(text, origin=origin), origin=origin, folder=path.parent)
 
 
 def _may_be_a_bearing(name: str) -> bool:

@@ -327,7 +327,7 @@ class Range(NamedTuple):
     def values(self, first: float, last: float) -> NDArray[np.float64]:
         """(size,) from one end to the other, which are exact. Raises ValueError for ends or a number without sense."""
         if self.size < 2:
-            raise ValueError(f"has {self.size} values, and a range has 2 or more; give one alone as it is")
+            raise ValueError(f"has {self.size} values: a range takes 2 or more, and one value stands alone")
         if self.size > MOST:
             raise ValueError(f"has {self.size} values, more than {MOST}; give fewer")
         if first == last:

@@ -27,14 +27,13 @@ from analytic.scene import (
     Operation,
     Scene,
     Surface,
-    require_scene,
 )
 from analytic.scenefile import fit
 from analytic.scenefile.assumption import usual_document
 from analytic.scenefile.bearing import BALLS, bearing_faults, bearing_of, catalog_row, has_other_balls, with_catalog
 from analytic.scenefile.by_temperature import SceneByTemperature, thermal_faults
 from analytic.scenefile.choice import KEYS, OperatingOptions, SceneOptions, require_nothing_beside
-from analytic.scenefile.find import SceneText, find_scene
+from analytic.scenefile.find import FoundScene, find_scene
 from analytic.scenefile.installation import arranged, in_operation, installation_faults
 from analytic.scenefile.keys import fault_at, faults_of, with_key
 from analytic.scenefile.losses import losses_of
@@ -51,6 +50,7 @@ from analytic.scenefile.tables import (
     SceneTable,
     SurfaceTable,
 )
+from analytic.scenefile.text import parse_text
 from analytic.scenefile.usual_cage import FRICTION, ORIGINS, entry_of_cage
 from analytic.words import shown
 
@@ -59,6 +59,7 @@ AS_PRINTED = "as_printed"  # the cage of the paper: the only variant whose pocke
 # are loaded: 1.67 and 1.22 by the integrals of the load distribution [Harris2007], rounded up.
 SEATED, HALF_SEATED = 1.7, 1.25
 NOTHING_SET: Mapping[str, Any] = MappingProxyType({})
+LEAST_CAGED = 1e-4  # m: the assumed cage of a smaller ball would be thinner than a scene may say
 MOST_FAULTS = 5  # in one message; the others are counted
 
 
@@ -140,9 +141,8 @@ def any_by_temperature(
 
     Raises InputError as that, and for an argument that goes with a name alone.
     """
-    if isinstance(scene, str | os.PathLike):
+    if not isinstance(scene, Scene):
         return load_by_temperature(scene, columns=columns, **given)
-    require_scene(scene)
     require_nothing_beside(given)
     return SceneByTemperature(scene=scene, origin=scene.name, oil=None, thermal=None)
 
@@ -198,12 +198,14 @@ def parse_by_temperature(
     """
     read_choice(options)  # refuses unknown ones
     return _with_settings(
-        SceneText(text=text, origin=origin, folder=folder), _with_options(settings, options), measured
+        FoundScene(document=parse_text(text, origin=origin), origin=origin, folder=folder),
+        _with_options(settings, options),
+        measured,
     )
 
 
 def _with_settings(
-    found: SceneText, settings: Mapping[str, Any], measured: str | os.PathLike[str] | None
+    found: FoundScene, settings: Mapping[str, Any], measured: str | os.PathLike[str] | None
 ) -> SceneByTemperature:
     document, notes = usual_document(found, settings), []
     for path, given in settings.items():
@@ -314,7 +316,7 @@ def _conflicts(
         yield "operation.tilt", "holds the ring, and operation.moment tilts it; leave one of them out"
     if loads.tilt not in (None, "free", 0.0) and angle.rule == "given":
         yield "operation.tilt", 'changes the contact angles, which rule = "given" holds; use "solved", or leave it out'
-    given = {key: getattr(loads, key) for key in loads.model_fields_set - {"down", "tilt"}}
+    given = {key: getattr(loads, key) for key in document["operation"] if key not in ("down", "tilt")}
     lists = {key: each for key, each in given.items() if len(each) > 1 or isinstance(document["operation"][key], list)}
     if len({len(each) for each in lists.values()}) > 1:
         counts = " and ".join(f"operation.{key} has {len(each)}" for key, each in lists.items())
@@ -486,11 +488,11 @@ def _cage_of(
 ) -> tuple[Cage | None, list[tuple[str, str]]]:
     """The cage of a bearing as it is delivered, and (key, problem) for what does not fit; own : the scene's own table.
 
-    One that is assumed fits, and rests on its balls; None where the balls leave no web.
+    One that is assumed fits, and rests on its balls; None where the balls leave no web, or are tiny.
     """
     if _assumes_cage(table, row):
         entry = entry_of_cage(bearing, () if row is None else row.suffixes.values())
-        if not entry:
+        if not entry or bearing.ball_diameter < LEAST_CAGED:
             return None, []
         usual = CageTable.model_validate(entry | {"friction_coefficient": FRICTION})
         return replace(_cage(usual, bearing, assumed=ORIGINS), gives_way=True), []

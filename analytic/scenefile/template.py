@@ -1,20 +1,19 @@
 """The scene of a bearing of the catalogue, as a file to edit: `fembearing init` writes it."""
 
 import json
-import math
 import textwrap
 from collections.abc import Iterator
+from typing import Any
 
 from analytic.catalog.bearing_rows import CatalogBearing, clearance_group, find_bearing
 from analytic.catalog.suffixes import seal_contact
 from analytic.errors import InputError
 from analytic.scene import Origin
 from analytic.scenefile.choice import USUAL, Choice
+from analytic.scenefile.usual_bearing import is_light, light_share, usual_scene
 from analytic.scenefile.usual_cage import cage_sizes
-from analytic.scenefile.usual_oil import suited_oil
 
 SCHEMA_NAME = "fembearing-scene.schema.json"  # of the file beside the scene
-RADIAL_SHARE, AXIAL_SHARE = 0.05, 0.02  # of C0: a light load on a deep groove, and on an angular contact bearing
 SHOULDER = 0.2  # its height over the ball diameter, usual
 GROUPS = ("CN", "C3")  # whose spans are told beside the bearing's own group
 WIDTH = 118  # characters of a line
@@ -25,15 +24,14 @@ OPERATION = """\
 #tilt = "free"                            # else the shaft holds the inner ring straight, or at "0.3 mrad"
 #moment = "0 N m"                         # on a ring that tilts freely
 """
+NAMES = "names: `fembearing list oils`"
 SUPPLIES = '"oil_bath", "oil_jet", "oil_spot" or "grease"'
 REST = """\
 
 [surface]
-finish = "ground and honed"               # or Ra = "0.05 um" of each surface
-
+FINISH
 [friction]
-hysteresis_loss = 0.007                   # assumed; usual 0.003 to 0.025, not measured
-#elastic_rolling = "houpert"              # Houpert's law of slow rolling in place of hysteresis
+LOSS#elastic_rolling = "houpert"              # Houpert's law of slow rolling in place of hysteresis
 
 # Optional tables: remove the # of each line.
 
@@ -81,20 +79,19 @@ def scene_text(designation: str, choice: Choice = USUAL) -> str:
         A designation that the catalog does not have.
     """
     bearing = find_bearing(designation)
+    usual = usual_scene(designation, bearing, choice)
     name = _quoted(designation)
-    head = (
-        f"#:schema {SCHEMA_NAME}\n"
-        f"{_prose(_headline(bearing))}"
-        f"name = {name}\n"
-        'tolerance = "5 %"                         # required accuracy of the torque, limit for Hertz\n'
-    )
+    light = light_share(bearing) if is_light(choice) else None
+    accuracy = _line(f"tolerance = {_quoted(usual['tolerance'])}", "required accuracy of the torque, limit for Hertz")
     warnings = "".join(_prose(f"Note: {warning}") for warning in bearing.warnings)
+    inside = f"{_play(bearing, usual['bearing'])}{_dimensions(bearing)}"
+    oil = _oil(usual["lubricant"], is_given=choice.oil is not None)
     return "\n".join(
         (
-            head,
-            f"[bearing]\ncatalog = {name}\n{warnings}{_play(bearing)}{_dimensions(bearing)}",
-            f"[operation]\n{_operation(bearing, choice)}{OPERATION}",
-            f"[lubricant]\n{_oil(bearing, choice)}{REST}{_cage(bearing)}\n{_seals(bearing)}{_more(bearing)}",
+            f"#:schema {SCHEMA_NAME}\n{_prose(_headline(bearing))}name = {name}\n{accuracy}",
+            f"[bearing]\ncatalog = {name}\n{warnings}{inside}",
+            f"[operation]\n{_operation(usual['operation'], light)}{OPERATION}",
+            f"[lubricant]\n{oil}{_rest(usual)}{_cage(bearing)}\n{_seals(bearing)}{_more(bearing)}",
         )
     )
 
@@ -106,14 +103,14 @@ def _headline(bearing: CatalogBearing) -> str:
     return f"{bearing.designation}, {bearing.kind} ball bearing, {sizes} mm, {ratings} ({bearing.maker}).{seals}"
 
 
-def _play(bearing: CatalogBearing) -> str:
+def _play(bearing: CatalogBearing, table: dict[str, Any]) -> str:
     """The line that says how far the rings are apart."""
-    if bearing.nominal_angle is not None:
-        angle = f'contact_angle = {{ nominal = "{math.degrees(bearing.nominal_angle):g} deg" }}'
+    if "contact_angle" in table:
+        angle = f"contact_angle = {{ nominal = {_quoted(table['contact_angle']['nominal'])} }}"
         return _line(angle, "unloaded; the clearance follows from it")
-    own = bearing.clearance_group or "CN"
+    own = table["clearance"]
     spans = "; ".join(_span(bearing, group) for group in dict.fromkeys((own, *GROUPS)))
-    return _line(f'clearance = "{own}"', f"{spans}; or a length, unmounted")
+    return _line(f"clearance = {_quoted(own)}", f"{spans}; or a length, unmounted")
 
 
 def _span(bearing: CatalogBearing, group: str) -> str:
@@ -165,37 +162,34 @@ def _standing(origin: Origin, unit: str) -> str:
     return f"{origin.status}, +- {origin.uncertainty * (1e3 if unit else 1):.2g} {unit}".rstrip()
 
 
-def _operation(bearing: CatalogBearing, choice: Choice) -> str:
-    """Loads and speed."""
-    radial, axial = ("0 N" if load is None else load for load in (choice.radial_load, choice.axial_load))
+def _operation(table: dict[str, Any], light: float | None) -> str:
+    """Loads and speed; light : the usual load over C0, where nobody gave one."""
     words = "along x, normal to the shaft"
-    if choice.radial_load is None and choice.axial_load is None:
-        share = RADIAL_SHARE if bearing.nominal_angle is None else AXIAL_SHARE
-        load = f"{float(f'{share * bearing.static_load_rating:.2g}'):g} N"
-        radial, axial = (load, axial) if bearing.nominal_angle is None else (radial, load)
-        words = f"{'0' if radial == '0 N' else f'{share:g} C0, a light load'}; along x, normal to the shaft"
+    if light is not None:
+        words = f"{'0' if table['radial_load'] == '0 N' else f'{light:g} C0, a light load'}; {words}"
     return (
-        _line(f"radial_load = {_quoted(radial)}", words)
-        + _line(f"axial_load = {_quoted(axial)}", "along the shaft, at least 0")
-        + _line(
-            f"inner_speed = {_quoted(choice.speed)}",
-            'inner ring; a series: ["500 rpm", "1000 rpm"]',
-        )
+        _line(f"radial_load = {_quoted(table['radial_load'])}", words)
+        + _line(f"axial_load = {_quoted(table['axial_load'])}", "along the shaft, at least 0")
+        + _line(f"inner_speed = {_quoted(table['inner_speed'])}", 'inner ring; a series: ["500 rpm", "1000 rpm"]')
     )
 
 
-def _oil(bearing: CatalogBearing, choice: Choice) -> str:
-    name, words = choice.oil, "names: `fembearing list oils`"
-    if name is None:
-        name = suited_oil(mean_diameter=bearing.pitch_diameter, speed=choice.speed, temperature=choice.temperature)
-        words = f"kappa nearest 2; {words}"
-    given = choice.supply or ("grease" if bearing.seal_suffixes else None)  # for life
-    supply = '#supply = "grease"' if given is None else f"supply = {_quoted(given)}"
+def _oil(table: dict[str, Any], *, is_given: bool) -> str:
+    supply = f"supply = {_quoted(table['supply'])}" if "supply" in table else '#supply = "grease"'
     return (
-        _line(f"name = {_quoted(name)}", words)
-        + _line(f"temperature = {_quoted(choice.temperature)}", "at the inlets of the contacts")
+        _line(f"name = {_quoted(table['name'])}", f"{'' if is_given else 'kappa nearest 2; '}{NAMES}")
+        + _line(f"temperature = {_quoted(table['temperature'])}", "at the inlets of the contacts")
         + _line(supply, SUPPLIES)
     )
+
+
+def _rest(usual: dict[str, Any]) -> str:
+    """The tables of surfaces and friction, and optional ones in comments."""
+    finish = _line(f"finish = {_quoted(usual['surface']['finish'])}", 'or Ra = "0.05 um" of each surface')
+    loss = _line(
+        f"hysteresis_loss = {usual['friction']['hysteresis_loss']}", "assumed; usual 0.003 to 0.025, not measured"
+    )
+    return REST.replace("FINISH", finish).replace("LOSS", loss)
 
 
 def _cage(bearing: CatalogBearing) -> str:

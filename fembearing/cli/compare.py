@@ -38,7 +38,6 @@ def compare(
     _require_order(scene, data)
     from contextlib import nullcontext
 
-    from analytic.scenefile.read import load_scene
     from analytic.writing import new_folder
     from fembearing.cli.console import out, print_json
     from fembearing.plain_types import plain
@@ -48,7 +47,7 @@ def compare(
     from fembearing.report.terminal.table import show
     from fembearing.verify.measured.comparison import compare_measured
 
-    read = given.shown(load_scene(scene, measured=data, settings=given.settings, **given.options))
+    read = given.scene(scene, measured=data)
     with talk.progress() as progress, nullcontext() if folder is None else new_folder(folder, force=force) as place:
         result = compare_measured(read, samples=samples, seed=seed, progress=progress)
         if place is not None:
@@ -59,7 +58,7 @@ def compare(
         show(out, measured_table(result, SYSTEMS[read.report.units]))
         if read.measured is not None:
             tell_assumed(given.assumed(scene, read, columns=vars(read.measured)))
-        talk.warn(result.warnings)
+        talk.warn(result.warnings, read=read.warnings)
         if folder is not None:
             out.tell(f"report: {folder / 'compare.html'}")
         count = f"{result.inside} of {len(result.rows)} inside"

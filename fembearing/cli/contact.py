@@ -22,7 +22,6 @@ from fembearing.cli.status import DONE, NOT_SOLVED, complain
 
 if TYPE_CHECKING:
     from analytic.scene import Scene
-    from fembearing.quantities import Units
     from fembearing.verify.contact.discrepancy import ContactSolution
     from fembearing.verify.contact.load_series import LoadSeries
     from fembearing.verify.contact.subsurface import SubsurfaceComparison
@@ -85,16 +84,14 @@ def contact(
         return
     if level is not None:
         raise InputError(f"--level {level} goes with --mesh; --tolerance decides on the meshes of a solution")
-    from fembearing.quantities import SYSTEMS
     from fembearing.verify.contact.discrepancy import solve_contact
     from fembearing.verify.contact.load_series import solve_load_series
     from fembearing.verify.contact.subsurface import compare_subsurface
 
-    units = SYSTEMS[read.report.units]
     with talk.progress() as progress:
         settings: dict[str, Any] = {"pair": pair, "accuracy": limit, "geometry": geometry, "progress": progress}
         if len(loads) > 1:
-            show = partial(_show_series, solve_load_series(read, loads=loads, **settings), units, talk)
+            show = partial(_show_series, solve_load_series(read, loads=loads, **settings), read, talk)
         else:
             result, below = solve_contact(read, load=loads[0] if loads else None, **settings), None
             progress(0.8, f"{result.contact.pair}: stress under the contact")
@@ -102,7 +99,7 @@ def contact(
                 below = compare_subsurface(result)
             except InputError as problem:  # a contact cut off at a shoulder: everything else is known
                 result = replace(result, warnings=(*result.warnings, str(problem)))
-            show = partial(_show_contact, result, below, limit, units, talk)
+            show = partial(_show_contact, result, below, limit, read, talk)
     raise typer.Exit(_status(show(as_json=as_json), limit))
 
 
@@ -110,7 +107,7 @@ def _show_contact(
     result: "ContactSolution",
     below: "SubsurfaceComparison | None",
     accuracy: float,
-    units: "Units",
+    read: "Scene",
     talk: Talk,
     *,
     as_json: bool,
@@ -119,6 +116,7 @@ def _show_contact(
     from analytic.words import percent_of
     from fembearing.cli.console import out, print_json
     from fembearing.plain_types import plain
+    from fembearing.quantities import SYSTEMS
     from fembearing.report.contact import contact_record
     from fembearing.report.tables.contacts import contact_table, subsurface_table
     from fembearing.report.terminal.table import show
@@ -129,19 +127,21 @@ def _show_contact(
         added = {"tolerance": result.tolerance, "accuracy": accuracy, "subsurface": plain(below)}
         print_json(plain(contact_record(result)) | added)
     else:
+        units = SYSTEMS[read.report.units]
         show(out, contact_table([(contact_record(result), result.verdicts)], units))
         if below is not None:
             show(out, subsurface_table(below, units))
         if result.judged:
             out.print(f"Hertz, tolerance of the scene {percent_of(result.tolerance)}: {result.verdict}")
-        talk.warn(result.warnings)
+        talk.warn(result.warnings, read=read.warnings)
     return {name: result.estimates[name].total for name in (COMPARED if result.judged else SHOWN_OF_A_SHEET)}
 
 
-def _show_series(result: "LoadSeries", units: "Units", talk: Talk, *, as_json: bool) -> dict[str, float]:
+def _show_series(result: "LoadSeries", read: "Scene", talk: Talk, *, as_json: bool) -> dict[str, float]:
     from analytic.words import percent_of
     from fembearing.cli.console import out, print_json
     from fembearing.plain_types import plain
+    from fembearing.quantities import SYSTEMS
     from fembearing.report.load_series import series_record
     from fembearing.report.tables.contacts import series_table
     from fembearing.report.terminal.table import show
@@ -149,10 +149,10 @@ def _show_series(result: "LoadSeries", units: "Units", talk: Talk, *, as_json: b
     if as_json:
         print_json(plain(series_record(result)))
     else:
-        show(out, series_table(result, units))
+        show(out, series_table(result, SYSTEMS[read.report.units]))
         verdict = result.verdict if result.judged else "no verdict"
         out.print(f"{verdict}: tolerance {percent_of(result.tolerance)}")
-        talk.warn(result.warnings)
+        talk.warn(result.warnings, read=read.warnings)
     return {f"approach at {part.load:g} N": part.approach.total for part in result.points}
 
 
@@ -182,7 +182,7 @@ def _write_meshes(
     from fembearing.mesh.ring import ring_piece
     from fembearing.verify.contact.scene_contact import as_meshed, contact_of, recipe_of, traced_to_load
 
-    require_folder_name(folder)
+    require_folder_name(folder, option="--mesh")
     recipe = recipe_of(geometry, pair=pair)
     chosen = recipe.levels[-1] if level is None else level
     if chosen not in recipe.levels:
@@ -213,7 +213,7 @@ def _show_meshes(meshes: dict[str, dict[str, Any]], scene: "Scene", talk: Talk, 
     if as_json:
         print_json({"meshes": meshes, "warnings": scene.warnings})
         return
-    talk.warn(scene.warnings)
+    talk.warn(scene.warnings, read=scene.warnings)
     table = Table("file", "body", "cells", "nodes", "least det J/mean", "there x, y, z, mm", box=SIMPLE_HEAD)
     for path, quality in meshes.items():
         place = ", ".join(f"{1e3 * part:.3g}" for part in quality["worst_place"])

@@ -43,4 +43,4 @@ def cost(
         print_json(plain(result))
     else:
         print_cost(out, result)
-        talk.warn(read.warnings)
+        talk.warn(read.warnings, read=read.warnings)

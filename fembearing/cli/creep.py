@@ -81,7 +81,8 @@ def creep(
         print_json(creep_content(numbers))
     else:
         show(out, creep_table(numbers, SYSTEMS[read.report.units]))
-    talk.warn((*(() if as_json else numbers.warnings), *(() if trouble is None else (f"no pictures: {trouble}",))))
+    pictures = () if trouble is None else (f"no pictures: {trouble}",)
+    talk.warn((*(() if as_json else numbers.warnings), *pictures), read=read.warnings)
     if numbers.relative_uncertainty <= limit:
         raise typer.Exit(DONE)
     raise typer.Exit(

@@ -26,5 +26,5 @@ def draw(
 
     target = Path(re.sub(r"[^\w.+-]+", "-", read.bearing.name.strip()) + ".svg") if file is None else file
     draw_bearing(read, out=target, force=force)
-    talk.warn(read.warnings)
+    talk.warn(read.warnings, read=read.warnings)
     out.tell(f"file: {target}")

@@ -61,5 +61,5 @@ def duty(
             tell_assumed(each for each in told if found.thermal is None or not each.startswith(settled))
         if folder is not None:
             out.tell(f"folder: {folder}")
-    talk.warn(result.warnings)
+    talk.warn(result.warnings, read=found.scene.warnings)
     raise typer.Exit(STANDING_STATUS[standing.word])

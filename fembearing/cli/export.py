@@ -3,12 +3,15 @@
 import re
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
 from fembearing.cli.options import BUILTIN, STANDARD_INPUT, Force, Given, SceneName, Talk
 from fembearing.cli.status import STANDING_STATUS
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
 
 RANGES = ("axial_load", "radial_load", "speed", "temperature")
 
@@ -69,9 +72,19 @@ def export(
         file = Path(f"friction_{word}{FORMATS[to].ending}")
     with talk.progress() as progress:
         done = export_of(found, to=to, out=file, force=force, over=over, progress=progress)
-    talk.warn(done.warnings)
+    read = dict.fromkeys((*found.scene.warnings, *_notes(over)))
+    talk.warn(dict.fromkeys((*read, *done.warnings)), read=[*read])
     out.tell(f"written: {done.file}; {done.axes}")
     for note in done.notes:
         out.tell(f"note: {note}")
     out.tell(done.standing.line("points"))
     raise typer.Exit(STANDING_STATUS[done.standing.word])
+
+
+def _notes(over: "Mapping[str, str]") -> "Iterator[str]":
+    """How the axes were read."""
+    from analytic.scenefile.choice import KEYS
+    from analytic.scenefile.setting import read_setting
+
+    for name, text in over.items():
+        yield from read_setting(KEYS[name], text)[1]

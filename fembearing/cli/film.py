@@ -72,7 +72,7 @@ def film(
         print_json(film_content(result.numbers))
     else:
         show(out, film_table(result.numbers, SYSTEMS[read.report.units]))
-        talk.warn(result.numbers.warnings)
+        talk.warn(result.numbers.warnings, read=read.warnings)
     name, uncertainty = result.numbers.worst
     if uncertainty <= limit:
         raise typer.Exit(DONE)

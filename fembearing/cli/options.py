@@ -148,30 +148,29 @@ class Given(Usual):
 
         return typed_settings(self.texts or [])
 
-    def scene(self, name: str | None) -> "Scene":
-        """The scene of that name, "-" that of standard input, None the built-in one.
+    def scene(self, name: str | None, *, measured: str | None = None) -> "Scene":
+        """The scene of that name, "-" that of standard input, None the built-in one; measured : as for `load_scene`.
 
         Friction settles the temperature of its oil where it has [thermal].
         """
-        found = self.by_temperature(name)
+        found = self.by_temperature(name, measured=measured)
         if found.thermal is None:
             return found.scene
         from analytic.prediction.steady import at_steady_temperature  # with the production model: few scenes need it
 
         return at_steady_temperature(found)
 
-    def by_temperature(self, name: str | None, *, columns: Mapping[str, Any] = NO_COLUMNS) -> "SceneByTemperature":
+    def by_temperature(
+        self, name: str | None, *, columns: Mapping[str, Any] = NO_COLUMNS, measured: str | None = None
+    ) -> "SceneByTemperature":
         """The same scene at any temperature of its oil; columns : as for `load_by_temperature`."""
         from analytic.scenefile.read import load_by_temperature, parse_by_temperature
 
-        settings = self.settings
+        given = self.options | {"settings": self.settings, "measured": measured}
         if name == STANDARD_INPUT:
-            text = _standard_input()
-            found = parse_by_temperature(text, origin="standard input", settings=settings, **self.options)
+            found = parse_by_temperature(_standard_input(), origin="standard input", **given)
         else:
-            found = load_by_temperature(
-                BUILTIN if name is None else name, settings=settings, columns=columns, **self.options
-            )
+            found = load_by_temperature(BUILTIN if name is None else name, columns=columns, **given)
         return replace(found, scene=self.shown(found.scene))
 
     def shown(self, scene: "Scene") -> "Scene":
@@ -256,14 +255,14 @@ def _standard_input() -> str:
         raise InputError(f"standard input: byte {problem.start} is not UTF-8; give the scene as UTF-8") from problem
 
 
-def require_folder_name(folder: Path | None) -> None:
+def require_folder_name(folder: Path | None, *, option: str = "--out") -> None:
     """Raises InputError for a folder whose name would be one of a file."""
     if folder is not None and folder.suffix.casefold() in OF_FILES:
         from analytic.errors import InputError
 
         raise InputError(
-            f"--out {str(folder)!r} ends with {folder.suffix!r}, and this command writes a folder; give a name without "
-            "it"
+            f"{option} {str(folder)!r} ends with {folder.suffix!r}, and this command writes a folder; give a name "
+            "without it"
         )
 
 

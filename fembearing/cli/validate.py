@@ -99,7 +99,7 @@ def validate(
         if details:
             out.print()
             print_details(out, document)
-        talk.warn(result.warnings)
+        talk.warn(result.warnings, read=read.warnings)
         if folder is not None:
             out.tell(f"report: {folder / 'report.html'}")
     raise typer.Exit(STATUS[result.verdict])

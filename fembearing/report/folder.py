@@ -60,6 +60,8 @@ def validate(
         Solve stick and slip of the heaviest ball on both races too, where something slides.
     progress : callable
         Called with the share done, 0 to 1 (dimensionless), and a word on the step at hand.
+    **given : float, str, list or mapping
+        With a name, the other arguments of `load_scene`: radial_load="3 kN", speed="3000 rpm", settings.
 
     Returns
     -------

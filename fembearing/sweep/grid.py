@@ -27,7 +27,7 @@ from analytic.errors import InputError
 from analytic.scene import Pair, Scene
 from analytic.scenefile.assumption import usual_document
 from analytic.scenefile.choice import USUAL
-from analytic.scenefile.find import SceneText, find_scene
+from analytic.scenefile.find import FoundScene, find_scene
 from analytic.scenefile.keys import SceneKey, Value, faults_of, scene_key, with_key
 from analytic.scenefile.quantity import Dimension
 from analytic.scenefile.read import scene_of
@@ -104,7 +104,7 @@ class Grid:
     axes: tuple[Axis, ...]
     text: str  # of the grid file
     origin: str  # the file that it was read from
-    named: SceneText | None = None  # the scene that the grid file names; None: it is a table there
+    named: FoundScene | None = None  # the scene that the grid file names; None: it is a table there
 
     @property
     def order(self) -> tuple[Axis, ...]:

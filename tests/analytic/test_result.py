@@ -1,6 +1,9 @@
 """What the result of a friction torque says: parts, effects, JSON, warnings, and what is refused."""
 
+import pickle
 import re
+from collections.abc import Callable
+from copy import copy, deepcopy
 from dataclasses import replace
 from typing import Any
 
@@ -182,3 +185,36 @@ def test_some_points_of_a_result_are_those_of_the_whole(series: FrictionTorque) 
     assert some.torque.rolling is None
     assert some.rows[0].axial_load == series.axial_load[7]
     assert some.warnings == series.warnings
+
+
+@pytest.mark.parametrize("copied", [lambda each: pickle.loads(pickle.dumps(each)), deepcopy, copy, replace])
+def test_what_is_computed_when_it_is_read_is_in_every_copy(copied: Callable[[FrictionTorque], FrictionTorque]) -> None:
+    """Cage, limits, ring, warnings and effects of a result that nobody has read."""
+    scene = load_scene("6206", radial_load="2 kN")
+    own, other = friction_torque(scene), copied(friction_torque(scene))
+    assert own.cage is not None
+    assert other.cage is not None
+    assert (other.warnings, other.provenance) == (own.warnings, own.provenance)
+    assert [effect.decision for effect in other.effects] == [effect.decision for effect in own.effects]
+    assert plain(other.row(0)) == plain(own.row(0))
+    np.testing.assert_array_equal(other.limits.peak_pressure, own.limits.peak_pressure)
+    with pytest.raises(AttributeError, match="'FrictionTorque' object has no attribute 'torqe'"):
+        other.torqe  # type: ignore[attr-defined]  # noqa: B018
+
+
+def test_the_cage_of_a_result_is_that_of_its_torque() -> None:
+    """The kernel has the total, and the closed form the part that is computed when it is read."""
+    for result in (friction_torque("6206", radial_load="2 kN"), friction_torque("7208B", axial_load="900 N")):
+        assert result.cage is not None
+        np.testing.assert_allclose(result.torque.cage, result.cage.torque, rtol=1e-8)  # of the ring's balance
+
+
+def test_races_without_friction_refuse_a_cage_at_once() -> None:
+    scene = load_scene("paper_6205", speed="0 rpm")
+    assert scene.surface is not None
+    assert scene.cage is not None
+    still = replace(scene, cage=replace(scene.cage, start=None))
+    refused(
+        lambda: friction_torque(replace(still, surface=replace(scene.surface, boundary_friction=0.0))),
+        "races with a friction of 0 drive no cage",
+    )

@@ -98,17 +98,20 @@ def test_force_replaces_what_is_of_fembearing_alone(tmp_path: Path) -> None:
     assert names(tmp_path) == ["made", "other"]
 
 
+@pytest.mark.parametrize("stop", [OSError(errno.EIO, "broken", "new", None, "made"), KeyboardInterrupt()])
 def test_a_folder_comes_back_if_the_new_one_cannot_take_its_name(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, stop: BaseException
 ) -> None:
     fill(tmp_path / "made")
     (tmp_path / "made/b.txt").write_text("old")
 
-    def fails(self: Path, _: Path) -> Path:
-        raise OSError(errno.EIO, os.strerror(errno.EIO), str(self))
+    def fails(self: Path, target: Path) -> Path:
+        if isinstance(stop, OSError):
+            stop.filename, stop.filename2 = str(self), str(target)
+        raise stop
 
     monkeypatch.setattr(Path, "rename", fails)
-    with pytest.raises(StorageError):
+    with pytest.raises(StorageError if isinstance(stop, OSError) else KeyboardInterrupt):
         fill(tmp_path / "made", force=True)
     assert names(tmp_path) == ["made"]
     assert (tmp_path / "made/b.txt").read_text() == "old"

@@ -271,6 +271,8 @@ def solve_contact(
         seat adds to the approach.
     progress : callable
         Called with the share done, 0 to 1 (dimensionless), and the name of the current step.
+    **given : float, str, list or mapping
+        With a name, the other arguments of `load_scene`: radial_load="3 kN", speed="3000 rpm", settings.
 
     Returns
     -------

@@ -108,6 +108,8 @@ def compare_measured(
         Number that fixes the samples. All rows have the same ones, where their number is the same.
     progress : callable
         Called with the share done, 0 to 1 (dimensionless), and a word on the step at hand.
+    **given : float, str, list or mapping
+        With a name, the other arguments of `load_scene`: radial_load="3 kN", speed="3000 rpm", settings.
 
     Returns
     -------

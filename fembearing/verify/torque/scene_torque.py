@@ -196,6 +196,8 @@ def torque_of_scene(
         Skip operating points without a torque, with the reason.
     progress : callable
         Called with the share of the samples done, 0 to 1 (dimensionless), and a text.
+    **given : float, str, list or mapping
+        With a name, the other arguments of `load_scene`: radial_load="3 kN", speed="3000 rpm", settings.
 
     Returns
     -------

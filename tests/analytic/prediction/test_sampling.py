@@ -15,9 +15,9 @@ from tests.refusals import refused
 INPUTS = 3
 
 
-def problem_of(seconds: float = 1e-3) -> Any:
+def problem_of() -> Any:
     """Two parts of the torque at two points."""
-    return SimpleNamespace(inputs=(None,) * INPUTS, parts=("total", "spin"), held=np.zeros(2), seconds=seconds)
+    return SimpleNamespace(inputs=(None,) * INPUTS, parts=("total", "spin"), held=np.zeros(2))
 
 
 def drawn(
@@ -41,7 +41,7 @@ def drawn(
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(sampling, "evaluated", evaluated)
         found = sampled(
-            problem_of(options.pop("seconds", 1e-3)),
+            problem_of(),
             count=count,
             seed=(seed, 0),
             workers=options.pop("workers", 1),
@@ -60,8 +60,8 @@ def test_scores_are_a_latin_hypercube_of_normal_numbers() -> None:
 
 def test_torques_belong_to_their_scores_however_they_are_shared_out() -> None:
     whole = drawn()[0]
-    for workers, seconds in ((1, 0.05), (3, 0.05), (7, 1e-6), (1, 10.0)):
-        found, sizes = drawn(workers=workers, seconds=seconds)
+    for workers in (1, 3, 7):
+        found, sizes = drawn(workers=workers)
         assert sum(sizes) == 200
         np.testing.assert_array_equal(found.scores, whole.scores)
         np.testing.assert_array_equal(found.torque[:, 1, 1], 2 * whole.scores[:, 0])
@@ -70,11 +70,12 @@ def test_torques_belong_to_their_scores_however_they_are_shared_out() -> None:
 
 def test_progress_ends_with_all_samples() -> None:
     told: list[Any] = []
-    drawn(told=told, seconds=0.004)
+    drawn(told=told)
     shares = [share for share, _ in told]
-    np.testing.assert_allclose(shares, np.arange(50, 201, 50) / 200, rtol=1e-12)
-    assert told[0][1].startswith("50 of 200 samples, ")
-    assert told[-1][1] == "200 of 200 samples, 0 s left"
+    assert shares == sorted(shares)
+    assert len(shares) > 10
+    assert told[0][1].startswith("13 of 200 samples, ")
+    assert told[-1] == (1.0, "200 of 200 samples, 0 s left")
 
 
 def test_a_hundredth_of_the_samples_may_have_no_torque() -> None:

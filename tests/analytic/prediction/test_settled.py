@@ -10,6 +10,8 @@ import pytest
 from analytic import friction_torque, load_scene
 from analytic.function import AT_REST
 from analytic.oil.variation import Variation
+from analytic.prediction.first_order import first_order_ends
+from analytic.prediction.formulas import with_model_uncertainty
 from analytic.prediction.settled import level_of, settled_parts
 from analytic.result import TorqueParts
 from analytic.scene import Arrangement, Losses, Operation, Scene
@@ -62,3 +64,18 @@ def test_what_only_the_series_computes_has_no_answer() -> None:
     far = Operation(axial_load=np.array([300.0, 9e6]), inner_speed=np.array([40.0, 40.0]))
     assert settled_parts(replace(scene, operation=far), OTHER, 0) is None  # off its race
     assert settled_parts(replace(scene, arrangement=Arrangement(kind="tandem", distance=0.02)), OTHER, 0) is None
+
+
+def test_a_squeezed_cage_has_an_interval_by_the_series() -> None:
+    """Balls that lead farther than the pockets leave free: the kernel has no torque of such a cage."""
+    scene = load_scene("6205-dry", radial_load="700 N", axial_load="300 N", speed="900 rpm")
+    assert scene.cage is not None
+    tight = replace(scene, cage=replace(scene.cage, pocket_diameter=7.96e-3, pocket_depth=3.975e-3))
+    assert settled_parts(tight, OTHER, 0) is None
+    nominal = friction_torque(tight)
+    assert nominal.cage is not None
+    assert nominal.cage.is_squeezed.all()
+    ends = first_order_ends(tight, nominal)
+    assert ends is not None
+    assert np.all((ends[0] < 0.99 * nominal.torque.total) & (nominal.torque.total < ends[1] / 1.01))
+    assert np.all(present(with_model_uncertainty(tight, nominal).model_uncertainty) > 0)

@@ -292,7 +292,7 @@ def test_a_cage_that_moved_has_its_table(checked: Validation, tmp_path: Path) ->
     content = plain(report_of(moved).cage_motion)
     assert [point["state"] for point in content] == ["whirl"]
     assert report_of(checked).cage_motion is None
-    document_of(moved)  # what `fembearing report` reads
+    document_of(moved)  # it can be read back
 
 
 def test_a_contact_cut_off_at_a_shoulder_can_be_read_back(
