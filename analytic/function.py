@@ -69,8 +69,8 @@ class TorqueFunction(Brief):
     def __call__(
         self,
         *,
-        axial_load: float,
         inner_speed: float,
+        axial_load: float = 0.0,
         radial_load: float = 0.0,
         moment: float = 0.0,
         temperature: float | None = None,
@@ -79,10 +79,10 @@ class TorqueFunction(Brief):
 
         Parameters
         ----------
-        axial_load : float
-            Along z, N.
         inner_speed : float
             In rad/s, of either sign.
+        axial_load : float
+            Along z, N.
         radial_load, moment : float
             Along x, N, and about y, N m; no moment where the scene holds the tilt of the ring.
         temperature : float, optional
@@ -115,8 +115,8 @@ class TorqueFunction(Brief):
     def series(
         self,
         *,
-        axial_load: ArrayLike,
         inner_speed: ArrayLike,
+        axial_load: ArrayLike = 0.0,
         radial_load: ArrayLike = 0.0,
         moment: ArrayLike = 0.0,
         temperature: ArrayLike | None = None,
@@ -125,10 +125,10 @@ class TorqueFunction(Brief):
 
         Parameters
         ----------
-        axial_load : array_like
-            Along z, N.
         inner_speed : array_like
             In rad/s, of either sign.
+        axial_load : array_like
+            Along z, N.
         radial_load, moment : array_like
             Along x, N, and about y, N m; no moment where the scene holds the tilt of the ring.
         temperature : array_like, optional
@@ -168,8 +168,8 @@ class TorqueFunction(Brief):
     def gradient(
         self,
         *,
-        axial_load: float,
         inner_speed: float,
+        axial_load: float = 0.0,
         radial_load: float = 0.0,
         moment: float = 0.0,
         temperature: float | None = None,
@@ -178,10 +178,10 @@ class TorqueFunction(Brief):
 
         Parameters
         ----------
-        axial_load : float
-            Along z, N.
         inner_speed : float
             In rad/s, of either sign.
+        axial_load : float
+            Along z, N.
         radial_load, moment : float
             Along x, N, and about y, N m.
         temperature : float, optional

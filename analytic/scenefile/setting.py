@@ -94,11 +94,15 @@ def read_setting(path: str, given: Any, *, root: type[Table] = SceneTable) -> tu
     """The value of a key as a scene file has it, and notes on how it was read.
 
     root : whose key it is
-    given : a text, as it is typed; or from Python a number in SI, a quantity, a switch, or a list
+    given : a text, as it is typed; or from Python a number in SI, a quantity, a switch, a list, or a table
     Raises InputError for an unknown key; the value itself is checked with the scene.
     """
-    key, value = scene_key(path, root=root), as_text(given)
+    value = as_text(given)
     is_typed = isinstance(value, str)
+    table = _toml_value(value) if is_typed and value.lstrip().startswith("{") else value
+    if isinstance(table, dict):
+        return table, []
+    key = scene_key(path, root=root)
     if is_typed and not key.takes_text:
         value = _toml_value(value)
     if key.dimension is None:
@@ -123,12 +127,14 @@ def _range_at(path: str, value: Any) -> Range | None:
 
 
 def _toml_value(text: str) -> Any:
-    """The text as a value of TOML: a number, a switch, a text in quotes or a list of them; else the text itself."""
+    """The text as a value of TOML: a number, a switch, a text in quotes, a list of them, a table; else the text."""
     try:
         value = tomllib.loads(f"value = {text}")["value"]
     except (ValueError, RecursionError):
         return text
     parts = value if isinstance(value, list) else [value]
+    if isinstance(value, dict):
+        return value
     return value if all(isinstance(part, str | int | float) for part in parts) else text
 
 

@@ -13,8 +13,31 @@ from analytic.words import plain, shown
 BARE_VALUE = re.compile(r"""[=\[,]\s*([^\s"'=,\[\]{}#][^"'=,\[\]{}#]*)""")
 IN_WORDS = re.compile(r"[^\W\d_]|[°%]")
 COMMENT = re.compile(r"""^((?:[^#"']|"[^"]*"|'[^']*')*)#.*""")  # the line before it, and the comment
-NO_KEY = re.compile(r"([A-Za-z_][\w-]*(?:[ \t]+[\w-]+)*)[ \t]*([:=]?)")  # words that may be meant as a key
-CURLED = re.compile("[\N{LEFT DOUBLE QUOTATION MARK}\N{RIGHT DOUBLE QUOTATION MARK}\N{DOUBLE LOW-9 QUOTATION MARK}]")
+NO_KEY = re.compile(r"([A-Za-z_][\w-]*(?:[ \t]+[\w-]+)*)[ \t]*(?:[:=]|$)", re.ASCII)  # words meant as a key
+VALUE = r"""(?:"[^"]*"|'[^']*'|[^\s"'=,\[\]{}#]+)"""
+# What the parser says, what the line has, and what to write, with the groups of the line: the first that fits.
+SLIPS = tuple(
+    (re.compile(reason), re.compile(line), remedy)
+    for reason, line, remedy in (
+        (r"Cannot declare", r"(.*)", r"\1 is given twice: put its keys into one table"),
+        (r"Cannot overwrite", r"\s*([^=]*?)\s*=.*", r"\1 is given twice: leave one of them out"),
+        (r"Illegal character '\\n'|Unterminated|Expected \"['\"]", r".*", r"close the quotes"),
+        (r"", ".*[\N{LEFT DOUBLE QUOTATION MARK}\N{RIGHT DOUBLE QUOTATION MARK}\N{DOUBLE LOW-9 QUOTATION MARK}].*",
+         'write straight quotes, "'),
+        (r"Unescaped|Invalid hex", r""".*"([^"']*\\[^"']*)".*""", r"write text with \\ in single quotes: '\1'"),
+        (r"", r"\s*(?:(?://|;|%|!|--).*|[^\"'#]*?\s(?://|;|--)\s.*)", r"a comment begins with #"),
+        (r"", r".*;\s*", r"leave out the semicolon at the end"),
+        (r"", r".*[^=<>!]==[^=].*", r"write one ="),
+        (r"Invalid initial", r"[^\[{]*\{[^}]*,\s*", r"write a table in { } in one line"),
+        (r"Unclosed inline", rf".*=\s*{VALUE}\s+[\w-]+\s*=.*", r"write a comma between the keys"),
+        (r"Expected newline", rf"[^\[{{]*=\s*{VALUE}\s+[A-Za-z_][\w.-]*\s*=.*", r"write each key in a line of its own"),
+        (r"", r"[^\"'#]*[=\[,]\s*([+-]?\d+),(\d+)\s*", r"write a decimal point: \1.\2"),
+        (r"", r"[^\"'#]*[=\[,]\s*([+-]?)\.(\d+)\b.*", r"write \g<1>0.\2"),
+        (r"", r"[^\"'#]*[=\[,]\s*([+-]?\d+)\.(?!\d)([eE][+-]?\d+)?.*", r"write \1.0\2"),
+        (r"Unclosed array \(at end", r"[^\[]*\[[^\]]*", r"close the list: ]"),
+        (r"Expected '\]'", r"\s*(\[[^\]]*?)\s*", r"close the bracket: \1]"),
+    )
+)  # fmt: skip
 LONGEST_LINE = 200  # that is searched for a slip
 LARGEST_FILE = 256_000  # bytes: a series of 20 000 points
 # Keys of a scene have at most four parts. The memory of the TOML parser grows with the square of the number of parts.
@@ -48,31 +71,31 @@ def parse_text(text: str, *, origin: str) -> dict[str, Any]:
             reason = "nested too deep"
         elif "set_int_max_str_digits" in reason:
             reason = "a number of thousands of digits"
-        raise InputError(f"{origin}: not TOML: {reason}{_remedy(text, reason)}") from problem
+        raise InputError(f"{origin}: not TOML: {reason}{_place(text, reason)}") from problem
 
 
-def _remedy(text: str, reason: str) -> str:
-    """What to write instead, where the parser stopped at a line with a usual slip."""
-    place = re.search(r"\(at line (\d+), column \d+\)", reason)
+def _place(text: str, reason: str) -> str:
+    """The line at which the parser stopped, and what to write instead of a usual slip, where that is sure."""
+    place = re.search(r"\(at (?:line (\d+), column \d+|end of document)\)", reason)
     if place is None:
         return ""
-    line = text.split("\n")[int(place[1]) - 1].strip()[:LONGEST_LINE]
-    if reason.startswith("Cannot declare"):
-        return f"; {plain(line)} is given twice: put its keys into one table"
-    if reason.startswith("Cannot overwrite"):
-        return f"; {plain(line.partition('=')[0].strip())} is given twice: leave one of them out"
-    if reason.startswith("Illegal character '\\n'"):
-        return "; close the quotes"
-    if CURLED.search(line):
-        return '; write straight quotes, "'
-    line = COMMENT.sub(r"\1", line)
-    if reason.startswith("Expected ']'") and line.startswith("["):
-        return f"; close the bracket: {plain(line.strip())}]"
+    lines = text.rstrip().split("\n")
+    line = (lines[int(place[1]) - 1] if place[1] else lines[-1]).strip()[:LONGEST_LINE]
+    remedy = _remedy(COMMENT.sub(r"\1", line).rstrip(), reason)
+    return f", in {plain(line)}{remedy and f'; {remedy}'}"
+
+
+def _remedy(line: str, reason: str) -> str:
+    for said, slip, remedy in SLIPS:
+        if said.match(reason) and (found := slip.fullmatch(line)):
+            return plain(found.expand(remedy))
     if reason.startswith("Expected '=' after a key") and (key := NO_KEY.match(line)):
-        return f"; write {plain('_'.join(key[1].split()))} = and the value: letters, digits and _ make a key, = follows"
+        return f"write {plain('_'.join(key[1].split()))} = and the value: letters, digits and _ make a key, = follows"
+    if line.startswith("["):
+        return ""
     value = next((found.strip() for found in BARE_VALUE.findall(line) if IN_WORDS.search(found)), None)
     if value is None:
-        return ""
+        return "write a comma between the values" if reason.startswith("Unclosed array (at line") else ""
     if value.lower() in ("true", "false"):
-        return f"; write {value.lower()} in small letters"
-    return f'; write the value in quotes: "{plain(value)}"'
+        return f"write {value.lower()} in small letters"
+    return f'write the value in quotes: "{plain(value)}"'

@@ -104,6 +104,10 @@ def status_of(problem: BaseException) -> int:
             return complain(MissingPackageError(COMMAND.get(), problem.name), INPUT_AT_FAULT)
         case TyperException():
             words = problem.format_message().replace(PYDANTICS, "")
+            if words.startswith("Missing argument"):
+                from fembearing.cli import COMMANDS
+
+                words = f"{words.rstrip('.')}; for example fembearing {COMMAND.get()} {COMMANDS[COMMAND.get()][1]}"
             nothing_near = words.startswith("No such option") and "ossible" not in words and "ean" not in words
             return complain(
                 f"{words}; the command with -h lists its options" if nothing_near else words, INPUT_AT_FAULT

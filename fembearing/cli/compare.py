@@ -5,7 +5,17 @@ from typing import Annotated
 import typer
 
 from fembearing.cli.assumed import tell_assumed
-from fembearing.cli.options import AsJson, Folder, Force, Given, Named, Samples, Talk, require_folder_name
+from fembearing.cli.options import (
+    AsJson,
+    Folder,
+    Force,
+    Given,
+    Named,
+    Samples,
+    Talk,
+    require_folder_name,
+    require_scene_first,
+)
 from fembearing.cli.status import STATUS
 
 Data = Annotated[
@@ -35,7 +45,7 @@ def compare(
     measured torque lies in its 95 % interval; 1: at least one lies outside; 2: input error.
     """
     require_folder_name(folder)
-    _require_order(scene, data)
+    require_scene_first("compare", scene, data)
     from contextlib import nullcontext
 
     from analytic.writing import new_folder
@@ -64,12 +74,3 @@ def compare(
         count = f"{result.inside} of {len(result.rows)} inside"
         out.tell(f"{result.verdict}: {count}, {result.samples} samples, {result.seconds:.1f} s")
     raise typer.Exit(STATUS[result.verdict])
-
-
-def _require_order(scene: str, data: str | None) -> None:
-    """Raises InputError for measured torques in the place of the scene."""
-    if scene.casefold().endswith(".csv"):
-        from analytic.errors import InputError
-
-        order = f"fembearing compare {data or 'SCENE'} {scene}"
-        raise InputError(f"{scene!r} has the measured torques; give the scene first: {order}")

@@ -5,7 +5,17 @@ from typing import Annotated
 import typer
 
 from fembearing.cli.assumed import tell_assumed
-from fembearing.cli.options import STANDARD_INPUT, AsJson, Folder, Force, Given, Named, Talk, require_folder_name
+from fembearing.cli.options import (
+    STANDARD_INPUT,
+    AsJson,
+    Folder,
+    Force,
+    Given,
+    Named,
+    Talk,
+    require_folder_name,
+    require_scene_first,
+)
 from fembearing.cli.status import STANDING_STATUS
 
 CycleFile = Annotated[
@@ -30,6 +40,7 @@ def duty(
     [thermal] in the scene, the mean power determines the oil temperature.
     """
     require_folder_name(folder)
+    require_scene_first("duty", scene, cycle)
     from contextlib import nullcontext
 
     from analytic.prediction.duty import cycle_with_torques

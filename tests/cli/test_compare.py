@@ -118,7 +118,7 @@ def test_a_folder_has_page_numbers_table_and_figure(command: Run, place: Path) -
 @pytest.mark.parametrize(
     ("words", "parts"),
     [
-        (("data.csv", "bare.toml"), ("the scene first", "fembearing compare bare.toml data.csv")),
+        (("data.csv", "bare.toml"), ("give the scene first", "fembearing compare bare.toml data.csv")),
         (("data.csv",), ("'data.csv'", "fembearing compare SCENE data.csv")),
         (("bare.toml",), ("no table [measured]",)),
         (("bare.toml", "gone.csv"), ("gone.csv", "No such file")),

@@ -44,6 +44,7 @@ TABLE: dict[str, tuple[tuple[str, Change, tuple[str, ...]], ...]] = {
         ("torque 51105", None, ("thrust ball bearing", 'kind = "thrust"')),
         ("torque 6299", None, ("'6299' is not in the catalogue", "nearest: ")),
         ("torque 7208", None, ("does not say its contact angle", "7208")),
+        ("duty d.csv 6206", CSV, ("give the scene first: fembearing duty 6206 d.csv",)),
         ("init 6399", None, ("'6399' is not in the catalogue", "nearest: ")),
         ("torque 6206 --oil 'SAE 30'", None, ("is not an oil of the catalog", "viscosity = [")),
         ("torque 6206 --oil 'ISO VG 47'", None, ("near it are ISO VG 46",)),
@@ -233,7 +234,8 @@ def test_a_mistake_gets_one_line_and_status_2(
     [
         (["contact", "--pair", "left"], ["--pair", "left", "inner", "outer"]),
         (["contact", "--frobnicate"], ["--frobnicate"]),
-        (["compare"], ["SCENE"]),
+        (["compare"], ["Missing argument 'SCENE'; for example fembearing compare bearing.toml data.csv"]),
+        (["init"], ["for example fembearing init 6206"]),
         (["judge"], ["judge"]),
         (["list", "foo"], ["TOPIC", "'foo' is not one of 'bearings', 'oils', 'materials', 'scenes', 'effects'"]),
         (["validate", "a.toml", "b.toml"], ["b.toml"]),

@@ -202,6 +202,18 @@ def test_an_option_takes_the_place_of_its_key_in_any_scene() -> None:
     np.testing.assert_array_equal(given.operation.axial_load, set_.operation.axial_load)
 
 
+def test_a_table_is_set_as_a_remedy_writes_it() -> None:
+    given = {"surface.rms_roughness": "0.06um"}
+    refused(lambda: load_scene("6206", settings=given), '{ kind = "gaussian", length = "60 um", spacing = "2 um" }')
+    given["surface.autocorrelation"] = '{ kind = "gaussian", length = "60 um", spacing = "2 um" }'
+    surface = load_scene("6206", settings=given).surface
+    assert surface is not None
+    np.testing.assert_allclose(surface.rms_roughness, 0.06e-6, rtol=1e-12)
+    ring = load_scene("6206", settings={"bearing.inner.material": {"name": "own", "youngs_modulus": "190 GPa",
+                                        "poisson_ratio": 0.3, "density": "7800 kg/m^3"}}).bearing.inner  # fmt: skip
+    assert (ring.material.name, ring.material.youngs_modulus) == ("own", 190e9)
+
+
 def test_a_range_is_the_list_that_it_stands_for() -> None:
     by_range = load_scene("6206", speed="2 rpm to 200 rpm in 3 log", axial_load="100 N to 500 N in 3")
     by_list = load_scene("6206", speed=["2 rpm", "20 rpm", "200 rpm"], axial_load=["100 N", "300 N", "500 N"])
