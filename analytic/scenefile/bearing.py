@@ -368,7 +368,7 @@ def _origins(own: Mapping[str, Any], row: CatalogBearing | None) -> dict[str, Or
     if "inner.bottom_radius" in said:
         said |= {"pitch_diameter", "clearance"}
     given = Origin(status="given", uncertainty=None, source="the scene")
-    return origins | {key: given for key in said if key not in MATERIALS or key in origins}
+    return origins | {key: given for key in sorted(said) if key not in MATERIALS or key in origins}
 
 
 def _said_by(key: str) -> str:
