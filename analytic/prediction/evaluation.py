@@ -16,8 +16,6 @@ from analytic.result import FrictionTorque, TorqueParts
 from analytic.scene import Array, Scene
 from analytic.torque import friction_torque
 
-LEAST_PART = 1e-3  # of the torque: the ratio of smaller parts on two sets of nodes is that of their errors
-
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Problem:
@@ -28,7 +26,7 @@ class Problem:
     numerical: Array  # (n,) relative standard deviation of the total by the numerical uncertainty
     parts: tuple[str, ...]  # of the torque that are there, "total" first
     level: int  # of the nodes of sliding, in all samples
-    scale: Array  # (parts, n) torque of the scene over that on these nodes: their error is common to all samples
+    scale: Array  # (n,) torque of the scene over that on these nodes: their error is common to all samples and parts
     held: Array  # (n,) N m that is added to the races' part in the total: a cage whose motion is not computed again
 
 
@@ -57,13 +55,11 @@ def problem_of(scene: Scene, nominal: FrictionTorque, inputs: tuple[UncertainInp
         numerical=numerical,
         parts=tuple(names),
         level=level_of_changes(settled),
-        scale=np.ones((len(names), held.size)),
+        scale=np.ones_like(held),
         held=held,
     )
-    base = torque_at(problem, np.zeros(len(inputs)))
-    wanted = np.stack([getattr(torque, name) for name in names])
-    known = np.abs(base) > LEAST_PART * base[0]
-    return replace(problem, scale=np.divide(wanted, base, out=np.ones_like(base), where=known))
+    base = torque_at(problem, np.zeros(len(inputs)))[0]
+    return replace(problem, scale=np.divide(torque.total, base, out=np.ones_like(base), where=base > 0))
 
 
 def cage_moves(nominal: FrictionTorque) -> bool:

@@ -18,7 +18,7 @@ from analytic.scene import Array
 
 Progress = Callable[[float, str], None]  # share done, 0 to 1, and what is being done
 LARGEST_FAILURE = 0.01  # share of samples without a torque, beyond which the interval would be that of the others
-PIECES = 16  # of each thread: progress is told after every one
+PIECES = 16  # of work for each thread; progress is told after each piece
 SHOWN_REASONS = 3
 
 

@@ -119,7 +119,7 @@ def load_by_temperature(
         return _with_settings(found, _with_options(settings, options), measured)
     columns = columns if measured is None else vars(read_measured(measured))
     found = find_scene(scene, choice=with_settings(with_columns(choice, columns), settings))
-    _with_options(settings, options)
+    _with_options(settings, options)  # refuses a key that both give
     read = _with_settings(found, settings, measured)
     _refuse_temperature(read, "temperature", options)
     return _warned(read, notes)

@@ -1,7 +1,7 @@
 """`fembearing export`."""
 
 import re
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -16,30 +16,8 @@ if TYPE_CHECKING:
 RANGES = ("axial_load", "radial_load", "speed", "temperature")
 
 
-@dataclass(frozen=True, kw_only=True)
-class Ranges(Given):
-    """The same options, of which loads, speed and temperature may be ranges."""
-
-    axial_load: Annotated[
-        str | None, typer.Option(help='Axial load, for example "500 N", or a range "100 N to 1 kN in 5 log".')
-    ] = None
-    radial_load: Annotated[
-        str | None, typer.Option(help='Radial load, for example "2 kN", or a range "1 kN to 5 kN in 5".')
-    ] = None
-    speed: Annotated[
-        str | None,
-        typer.Option(
-            help='Speed of the inner ring, for example "0 rpm to 6000 rpm in 15" (default: 0 to twice the speed of the '
-            "scene)."
-        ),
-    ] = None
-    temperature: Annotated[
-        str | None, typer.Option(help='Oil temperature, for example "70 degC", or a range "40 degC to 100 degC in 4".')
-    ] = None
-
-
 def export(
-    given: Ranges,
+    given: Given,
     talk: Talk,
     to: Annotated[
         Literal["csv", "netcdf", "modelica", "simscape", "ross", "fmu"], typer.Option("--to", help="Output format.")
@@ -54,7 +32,8 @@ def export(
     """Write the torque over speed, load and temperature for another program, or the stiffness for rotor dynamics.
 
     csv, netcdf: maps with 95 % interval. modelica, simscape: friction over speed. fmu: a unit of FMI 2.0 (needs a C
-    compiler). ross: stiffness over speed. Loads and temperature are one value or a range.
+    compiler). ross: stiffness over speed. Loads and temperature are one value or a range;
+    without --speed the table goes from 0 to twice the speed of the scene.
     """
     from analytic.scenefile.find import find_scene
     from fembearing.cli.console import out

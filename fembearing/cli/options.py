@@ -93,15 +93,21 @@ Units = Annotated[
 class Usual:
     """What options say of the usual scene of a bearing."""
 
-    axial_load: Annotated[str | None, typer.Option(help='Axial load, for example "500 N".')] = None
+    axial_load: Annotated[
+        str | None, typer.Option(help='Axial load, for example "500 N", or a range "100 N to 1 kN in 5".')
+    ] = None
     radial_load: Annotated[
         str | None,
         typer.Option(
-            help='Radial load, for example "5 kN" (default for a bearing without any load: a light load for it).'
+            help='Radial load, for example "5 kN", or a range (default for a bearing without any load: a light one).'
         ),
     ] = None
     speed: Annotated[
-        str | None, typer.Option(help=f"Speed of the inner ring (default: from the scene, or {USUAL.speed}).")
+        str | None,
+        typer.Option(
+            help='Speed of the inner ring, or a range "1 rpm to 8000 rpm in 15 log" '
+            f"(default: from the scene, or {USUAL.speed})."
+        ),
     ] = None
     oil: Annotated[
         str | None,

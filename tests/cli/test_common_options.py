@@ -13,14 +13,26 @@ from fembearing.quantities import INCH, POUND
 
 
 def test_options_of_the_same_name_are_the_same_in_every_command() -> None:
-    """Ranges of `export` aside, which say more."""
     seen: dict[str, set[str]] = {}
-    for name in {*COMMANDS} - {"export"}:
+    for name in COMMANDS:
         for option in command_of(name).params:
             if option.name in {"quiet", "verbose", "force", "units", *KEYS}:
                 seen.setdefault(option.name, set()).add(f"{option.opts} {option.help}")
     assert {name: len(texts) for name, texts in seen.items()} == dict.fromkeys(seen, 1)
     assert {*KEYS} < seen.keys()
+
+
+@pytest.mark.parametrize("name", sorted({*COMMANDS} - {"app", "init", "list", "sweep"}))
+def test_every_command_of_a_scene_takes_its_options(name: str) -> None:
+    assert {*KEYS, "texts", "units"} <= {option.name for option in command_of(name).params}
+
+
+def test_an_option_changes_the_scene_of_a_contact(command) -> None:
+    """Its load is that of the heaviest ball."""
+    solve = ("contact", "6205-dry", "--geometry", "hertzian", "--tolerance", "90 %", "--json")
+    options = ((), ("--axial-load", "90 N"), ("--set", "operation.axial_load=90N"))
+    usual, by_option, by_key = (json.loads(command(*solve, *given).out)["load"] for given in options)
+    assert usual > by_option == by_key
 
 
 def test_quiet_leaves_errors_alone_on_standard_error(command) -> None:

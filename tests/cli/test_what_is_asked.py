@@ -65,36 +65,6 @@ def test_load_and_tolerance_are_the_scenes_unless_they_are_given(asked, command_
         assert asked(target, command_, "6205-dry", "--friction", "0.07")["friction"] == 0.07
 
 
-@pytest.mark.parametrize(
-    ("arguments", "target"),
-    [
-        (["torque"], "fembearing.report.torque_folder.torque_with_files"),
-        (["film"], "fembearing.verify.film.scene_film.film_of"),
-        (["creep"], "fembearing.verify.creep.scene_creep.creep_of"),
-        (["contact"], "fembearing.verify.contact.discrepancy.solve_contact"),
-        (["validate"], "fembearing.report.folder.validate"),
-        (["cost"], "fembearing.verify.cost.scene_cost.measure_cost"),
-        (["draw"], "fembearing.report.drawing.draw_bearing"),
-    ],
-)
-def test_every_command_takes_the_options_of_a_scene(
-    command, monkeypatch: pytest.MonkeyPatch, arguments: list[str], target: str
-) -> None:
-    given: list[Any] = []
-
-    def note(scene: Any, **_: object) -> None:
-        given.append(scene)
-        raise InputError("enough")
-
-    monkeypatch.setattr(target, note)
-    options = ("--speed", "700 rpm", "--set", "tolerance=3%", "--units", "inch")
-    for name in ("6205-dry", "6206"):
-        assert command(*arguments, name, *options).err == "fembearing: enough\n"
-    for scene in given:
-        assert scene.operation.inner_speed == pytest.approx(700 * RPM, rel=1e-12)
-        assert (scene.tolerance, scene.report.units) == (pytest.approx(0.03), "inch")
-
-
 def test_one_load_is_a_contact_and_several_are_a_series(asked) -> None:
     single, series = "discrepancy.solve_contact", "load_series.solve_load_series"
     place = "fembearing.verify.contact"

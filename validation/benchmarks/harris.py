@@ -11,7 +11,7 @@ from numba import njit
 
 BALLS, BALL, PITCH, CURVATURE = 9, 9.525e-3, 46e-3, 0.04  # curvature: r_i/D + r_o/D - 1
 STIFFNESS, FREE_ANGLE = 8.0e9, 0.18  # of both contacts in series, N/m^1.5; rad
-FRICTION, PATH = 0.06, 0.4  # of spin; rolling moment over load and ball diameter, 1e-3
+FRICTION, ROLLING = 0.06, 0.4e-3  # of spin; rolling friction over the load, at the pitch circle
 ENOUGH = 1e-12
 
 
@@ -56,4 +56,4 @@ def of_ball(load: float, angle: float, speed: float) -> float:
     ratio = BALL * np.cos(angle) / PITCH
     spin = (1.0 - ratio) / (2.0 * ratio) * np.sin(angle) if speed != 0.0 else 0.0
     semi_axis = 0.012 * load ** (1.0 / 3.0) * BALL
-    return 0.375 * FRICTION * load * semi_axis * spin + PATH * 1e-3 * load * PITCH / 2.0
+    return 0.375 * FRICTION * load * semi_axis * spin + ROLLING * load * PITCH / 2.0
