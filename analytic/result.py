@@ -337,7 +337,7 @@ class FrictionTorque(Brief):
         return replace(spread, **{**lost, **given, "effects": effects, "failures": failures, "warnings": warnings})
 
     def checked(self) -> "FrictionTorque":
-        """The same, every number of which that is computed already is finite, or missing for a reason that it gives.
+        """The same. Every number that is computed already is finite, or missing for a reason that it gives.
 
         What was left out is None, and an effect says why; a point without a torque has NaN, and `failures` says why.
 
