@@ -12,11 +12,11 @@ from .result import FrictionTorque as FrictionTorque
 from .scene import Cage as Cage
 from .scene import ContactAngle as ContactAngle
 from .scene import Scene as Scene
-from .scenefile.by_name import bearing as bearing
-from .scenefile.by_name import lubricant as lubricant
-from .scenefile.by_name import material as material
-from .scenefile.by_name import operation as operation
-from .scenefile.by_name import surfaces as surfaces
+from .scenefile.parts import bearing as bearing
+from .scenefile.parts import lubricant as lubricant
+from .scenefile.parts import material as material
+from .scenefile.parts import operation as operation
+from .scenefile.parts import surfaces as surfaces
 from .scenefile.read import load_scene as load_scene
 from .scenefile.read import parse_scene as parse_scene
 from .scenefile.template import scene_text as scene_text

@@ -2,8 +2,8 @@
 
 import os
 
+from analytic.given import SceneOptions
 from analytic.scene import Scene
-from analytic.scenefile.choice import SceneOptions, require_nothing_beside
 
 
 def scene_by(scene: Scene | str | os.PathLike[str], given: SceneOptions) -> Scene:
@@ -11,9 +11,6 @@ def scene_by(scene: Scene | str | os.PathLike[str], given: SceneOptions) -> Scen
 
     Raises InputError as that, and for anything given beside a Scene.
     """
-    if not isinstance(scene, Scene):
-        from analytic.scenefile.read import load_scene  # with pydantic: only who asks for it pays
+    from analytic.scenefile.read import any_by_temperature  # only who asks for it pays
 
-        return load_scene(scene, **given)
-    require_nothing_beside(given)
-    return scene
+    return scene if isinstance(scene, Scene) and not given else any_by_temperature(scene, **given).fixed

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from analytic.errors import InputError, require_non_negative, require_positive
 from analytic.oil.traction import oil_shear_stress
 from analytic.scene import Array, Lubricant
-from analytic.scenefile.by_name import lubricant
+from analytic.scenefile.parts import lubricant
 
 NODES = 48  # of Gauss in the contact; half as many change the coefficient by less than 1e-5
 

@@ -5,7 +5,7 @@ from importlib.util import find_spec
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from analytic.units import UNITS, has_unit, why_no_unit
+from analytic.given import has_unit, why_no_unit
 
 # Modules that not every installation has: the package of each, and the extra of fembearing that has it.
 BROUGHT_BY = {
@@ -121,7 +121,7 @@ def real_numbers(name: str, value: ArrayLike) -> NDArray[np.float64]:
     if type(value) is float or (isinstance(value, np.ndarray) and value.dtype == np.float64):
         return np.asarray(value)
     if has_unit(value):
-        raise InputError(why_no_unit(name, value, UNITS.get(name.rpartition(".")[2])))
+        raise InputError(why_no_unit(name, value))
     try:
         given = np.asarray(value)
         if given.dtype.kind in "US":  # "5" would be read as 5

@@ -14,11 +14,11 @@ from analytic.any_scene import scene_by
 from analytic.brief import Brief
 from analytic.effects import ENTRIES, counted_effects, turns_freely
 from analytic.errors import FembearingError, InputError, real_numbers
+from analytic.given import SceneOptions
 from analytic.numerics.records import Records
 from analytic.oil.losses import StirredOil, stirred_oil
 from analytic.oil.viscosity import roelands_viscosity
 from analytic.scene import OIL_TEMPERATURES, Array, Scene
-from analytic.scenefile.choice import SceneOptions
 from analytic.solve.kernel import solve
 from analytic.solve.model import Model, Workspace, model_of, workspace
 from analytic.solve.records import BALL, POINT

@@ -1,21 +1,22 @@
 """A bearing problem: what the bearing is made of, how it is run, and how accurate the result has to be.
 
-Every quantity is a float in SI (m, kg, N, Pa, rad, rad/s); `analytic.scenefile.quantity` reads other units.
+Every quantity is a float in SI (m, kg, N, Pa, rad, rad/s); `analytic.quantity` reads other units.
 Axes of a contact from its centre: z along the load, x along rolling, y along the groove's profile. Convex radii: > 0.
 """
 
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import InitVar, dataclass, field, replace
-from typing import Any, Literal
+from typing import Annotated, Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
 from analytic.brief import points_of
+from analytic.declared import DERIVED, At, Hint, Noun, Switch, Text, Whole, nothing
 from analytic.errors import InputError, real_numbers, require_positive
-from analytic.noun import Noun, nothing
-from analytic.report_details import ReportDetails
+from analytic.given import Supply, UnitSystem
+from analytic.quantity import Dimension, QuantityOrWord, Series
 from analytic.words import shown
 
 Array = NDArray[np.float64]
@@ -24,11 +25,15 @@ SpinRule = Literal["free", "balanced", "inner_control", "outer_control"]
 Microslip = Literal["derived", "as_printed"]
 Traction = Literal["eyring_sinh", "eyring_constant"]
 Thickening = Literal["modulus", "roelands"]
-Supply = Literal["oil_bath", "oil_jet", "oil_spot", "grease"]
 FilmFormula = Literal["numerical", "nijenbanning"]
 RollingFormula = Literal["numerical", "biboulet", "houpert"]
 ElasticRolling = Literal["hysteresis", "houpert"]
 Decision = Literal["auto", "on", "off"]
+EffectName = Literal[
+    *("load_distribution", "centrifugal", "gyroscopic", "weight", "finite_geometry", "asperities", "inlet_heating"),
+    *("starvation", "spin", "conformity", "creep", "hysteresis", "rolling", "unloaded_balls", "cage", "cage_dynamics"),
+    *("ball_dynamics", "through_flow", "cage_shear", "ball_drag"),
+]
 PocketAxis = Literal["axial", "radial"]
 CageStart = Literal["rest", "ramp", "sudden", "whirl"]
 CageGravity = Literal["across", "along", "off"]
@@ -52,17 +57,82 @@ MINERAL_RISE = -68.20e-3, 27.68e-5  # 1, 1/K: b1 and b2 of M100, a paraffinic oi
 LOSS_SPREAD = 0.5  # standard deviation of its logarithm, a judgement: 0.003 to 0.025 are in use
 
 
+def _quantity(unit: str, low: float, high: float, example: str) -> Dimension:
+    return Dimension(unit=unit, low=low, high=high, example=example)
+
+
+HEAVIEST = 1e8  # N, and N m: beyond the static load rating of the largest ball bearings that are made
+FASTEST = 1e7 * math.pi / 30  # rad/s: 1e7 rpm
+FARTHEST = 0.1  # rad: beyond it a tilt is not small
+COLDEST, HOTTEST = OIL_TEMPERATURES
+CATALOGUE = 'catalogue: catalog = "6206"'
+# What fields take: unit in SI, least and largest value in it, and an example.
+Count = Annotated[int, Whole(things="balls", low=1, high=1000, example=9)]
+Length = Annotated[float, _quantity("m", 1e-5, 10, '"7.94 mm"')]
+Gap = Annotated[float, _quantity("m", 1e-9, 10, '"0.2 mm"')]
+Width = Annotated[float, _quantity("m", 0, 10, '"2 mm"')]
+Interference = Annotated[float, _quantity("m", -1e-2, 1e-2, '"12 um"')]  # on the diameter
+Roughness = Annotated[float, _quantity("m", 0, 1e-4, '"0.1 um"')]
+Spacing = Annotated[float, _quantity("m", 1e-10, 1e-2, '"2 um"')]
+Mass = Annotated[float, _quantity("kg", 1e-12, 1e4, '"2.04 g"')]
+Angle = Annotated[float, _quantity("rad", 0, 1.5, '"0.18 rad"')]
+Force = Annotated[float, _quantity("N", 1e-15, HEAVIEST, '"1 kN"')]
+Thrust = Annotated[float, _quantity("N", 0, HEAVIEST, '"1 kN"')]
+Side = Annotated[float, _quantity("N", -HEAVIEST, HEAVIEST, '"0.5 kN"')]
+Moment = Annotated[float, _quantity("N m", -HEAVIEST, HEAVIEST, '"2 N m"')]
+Speed = Annotated[float, _quantity("rad/s", -FASTEST, FASTEST, '"300 rpm"')]
+Tilt = Annotated[
+    float | Literal["free"],
+    QuantityOrWord(
+        unit="rad", low=-FARTHEST, high=FARTHEST, example='"0.3 mrad"', words=("free",), meaning="by the loads"
+    ),
+]
+Modulus = Annotated[float, _quantity("Pa", 1e3, 1e13, '"206 GPa"')]
+PoissonRatio = Annotated[float, _quantity("", 0, 0.49999, "0.3")]
+MaterialDensity = Annotated[float, _quantity("kg/m^3", 1, 3e4, '"7850 kg/m^3"')]
+Hardness = Annotated[float, _quantity("Pa", 1e3, 1e12, '"7.8 GPa"')]
+Expansion = Annotated[float, _quantity("1/K", 0, 1e-3, '"12.5e-6 1/K"')]
+Stiffness = Annotated[float, _quantity("N/m", 1e3, 1e12, '"130 N/um"')]
+Friction = Annotated[float, _quantity("", 0, 5, "0.1")]
+Restitution = Annotated[float, _quantity("", 0.05, 1, "0.8")]
+Seeds = Annotated[int, Whole(things="seeds", low=2, high=1000, example=4)]
+Steps = Annotated[int, Whole(things="steps", low=10, high=1000, example=40)]
+Duration = Annotated[float, _quantity("s", 1e-4, 1e3, '"0.2 s"')]
+CageDrag = Annotated[float, _quantity("N m s", 0, 1, '"1e-6 N m s"')]
+Temperature = Annotated[float, _quantity("K", COLDEST, HOTTEST, '"40 degC"')]
+DynamicViscosity = Annotated[float, _quantity("Pa s", 1e-4, 1e4, '"0.06 Pa s"')]
+PressureViscosity = Annotated[float, _quantity("1/Pa", 0, 1e-7, '"2e-8 1/Pa"')]
+ThermalSlope = Annotated[float, _quantity("1/K", 0, 0.2, '"0.045 1/K"')]
+Conductivity = Annotated[float, _quantity("W/m/K", 1e-3, 100, '"0.14 W/m/K"')]
+OilDensity = Annotated[float, _quantity("kg/m^3", 100, 5000, '"870 kg/m^3"')]
+LimitingShear = Annotated[float, _quantity("", 0, 1, "0.065")]
+EyringStress = Annotated[float, _quantity("Pa", 1e3, 1e9, '"5 MPa"')]
+SurfaceTension = Annotated[float, _quantity("N/m", 1e-3, 1.0, '"0.022 N/m"')]
+StarvationDegree = Annotated[float, _quantity("", 1, 1e9, "2")]
+Cavitation = Annotated[float, _quantity("Pa", -1e8, 0, '"-0.1 MPa"')]
+Reaching = Annotated[float, _quantity("", 0.05, 1, "0.9")]
+Asperity = Annotated[float, _quantity("", 0, 5, "0.12")]
+LossFactor = Annotated[float, _quantity("", 0, 1, "0.007")]
+Loss = Annotated[float, _quantity("N m", 0, 1e6, '"5 N mm"')]
+Flow = Annotated[float, _quantity("m^3/s", 0, 1, '"0.8 l/min"')]
+Share = Annotated[float, _quantity("", 0, 1, '"2 %"')]
+Tolerance = Annotated[float, _quantity("", 1e-6, 1, '"5 %"')]
+Resistance = Annotated[float, _quantity("K/W", 0, 1e6, '"0.5 K/W"')]
+OnOff = Annotated[bool, Switch()]
+THRUSTS, SIDES, MOMENTS, SPEEDS = (Series(of=get_args(kind)[1]) for kind in (Thrust, Side, Moment, Speed))
+
+
 @dataclass(frozen=True, kw_only=True)
 class Material(Noun):
     """An isotropic elastic solid."""
 
-    name: str  # of the catalog, or any other
-    youngs_modulus: float  # E, Pa
-    poisson_ratio: float  # nu
-    density: float  # kg/m^3
-    source: str  # where the numbers come from
-    hardness: float | None = None  # H, of indentation, Pa; None: unknown
-    thermal_expansion: float | None = None  # of length, 1/K; None: unknown
+    name: Annotated[Text, "of the catalog, or any other"]
+    youngs_modulus: Annotated[Modulus, "E"]
+    poisson_ratio: Annotated[PoissonRatio, "nu"]
+    density: Annotated[MaterialDensity, "rho"]
+    source: Annotated[Text, "where the numbers come from"]
+    hardness: Annotated[Hardness | None, "H, of indentation; None: unknown"] = None
+    thermal_expansion: Annotated[Expansion | None, "of length; None: unknown"] = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -82,11 +152,14 @@ class Groove(Noun):
     on, as in a counterbored outer ring. Half-widths of a thrust washer lie along the radius, the near one outside.
     """
 
-    bottom_radius: float  # bearing axis to the bottom of the groove, m
-    groove_radius: float  # r_g, of the profile of the groove, m
-    shoulder_half_width: float | None  # bottom of the groove to the near shoulder, along the axis, m; None: not known
+    HINT = "give a table of conformity, bottom_radius ..."
+    bottom_radius: Annotated[Length, "bearing axis to the bottom of the groove"]
+    groove_radius: Annotated[Length, "r_g, of the profile of the groove"]
+    shoulder_half_width: Annotated[
+        Length | None, "bottom of the groove to the near shoulder, along the axis; None: not known"
+    ]
     material: Material
-    far_shoulder_half_width: float | None = None  # likewise to the far shoulder, m, >= 0; None: as the near one
+    far_shoulder_half_width: Annotated[Width | None, "likewise to the far shoulder, >= 0; None: as the near one"] = None
 
     @property
     def half_widths(self) -> tuple[float | None, float | None]:
@@ -99,33 +172,47 @@ class Groove(Noun):
 class Land(Noun):
     """The ring whose shoulders guide the cage: the rims of the cage touch them before its pockets touch the balls."""
 
-    ring: Literal["inner", "outer"]  # to which the shoulders belong
-    clearance: float  # on the diameter, m
-    width: float  # of the cage, from rim to rim, m
+    HINT = 'give { ring = "outer", clearance = "0.3 mm", width = "10 mm" }'
+    ring: Annotated[Literal["inner", "outer"], "to which the shoulders belong"]
+    clearance: Annotated[Gap, "on the diameter"]
+    width: Annotated[Length, "of the cage, from rim to rim"]
 
 
 @dataclass(frozen=True, kw_only=True)
 class Cage(Noun):
     """The ball cage: a sheet with a spherical pocket around each ball, and how it moves."""
 
-    pocket_diameter: float  # D_p, m
-    pocket_depth: float  # k, m
-    wall_thickness: float  # m
-    mass: float  # kg
+    HINT = 'give a table [cage] of pocket_clearance, wall_thickness, mass and material, or cage = "none"'
+    pocket_diameter: Annotated[Length, "D_p"]
+    pocket_depth: Annotated[Length, "k"]
+    wall_thickness: Annotated[Length, "of the sheet"]
+    mass: Annotated[Mass, "of the whole cage"]
     material: Material
-    pocket_axis: PocketAxis = "axial"  # line through the centres of both half-shells; axial in a stamped cage
-    pocket_stiffness: float | None = None  # K_pb, N/m^1.5, by finite elements or a test; None: by Hertz
-    sheet_stiffness: float | None = None  # k, N/m, of the sheet in series with the pocket's contact; None: rigid
-    friction_coefficient: float | None = None  # of ball on pocket; None: that of the races
-    restitution: float = 0.8  # share of the speed that remains after an impact; assumed
-    start: CageStart | None = None  # how the motion begins; None: no motion
-    seeds: int = 4  # motions from slightly different beginnings
-    duration: float = 0.2  # measured time of each, s: ten swings of a cage at rest, a hundred turns of a whirl
-    steps_per_contact: int = 40  # number of time steps in the shortest impact to expect
-    gravity: CageGravity = "across"  # of the axis: "across" is -y, "along" is -z
-    drag: float = 0.0  # braking torque of the surrounding oil over the speed of the cage, N m s
+    pocket_axis: Annotated[PocketAxis, "line through the centres of both half-shells; axial in a stamped cage"] = (
+        "axial"
+    )
+    pocket_stiffness: Annotated[float | None, DERIVED] = (
+        None  # K_pb, N/m^1.5, by finite elements or a test; None: by Hertz
+    )
+    sheet_stiffness: Annotated[Stiffness | None, "k, of the sheet in series with the pocket's contact; None: rigid"] = (
+        None
+    )
+    friction_coefficient: Annotated[Friction | None, "of ball on pocket; None: that of the races"] = None
+    restitution: Annotated[Restitution, "share of the speed that remains after an impact; assumed"] = 0.8
+    start: Annotated[CageStart | None, "how the motion begins; None: no motion"] = None
+    seeds: Annotated[Seeds, "motions from slightly different beginnings"] = 4
+    duration: Annotated[
+        Duration, "measured time of each, s: ten swings of a cage at rest, a hundred turns of a whirl"
+    ] = 0.2
+    steps_per_contact: Annotated[Steps, "number of time steps in the shortest impact to expect"] = 40
+    gravity: Annotated[CageGravity, "against the axis: across is -y, along is -z"] = (
+        "across"  # of the axis: "across" is -y, "along" is -z
+    )
+    drag: Annotated[CageDrag, "braking torque of the surrounding oil over the speed of the cage"] = 0.0
     land: Land | None = None
-    gives_way: bool = False  # at rest to balls that lead and lag: they do not squeeze it, as nobody knows its pockets
+    gives_way: Annotated[bool, DERIVED] = (
+        False  # at rest to balls that lead and lag: they do not squeeze it, as nobody knows its pockets
+    )
     origins: Mapping[str, Origin] = field(default_factory=nothing, compare=False)  # by key; empty: not noted
 
 
@@ -133,25 +220,30 @@ class Cage(Noun):
 class Bearing(Noun):
     """A ball bearing: radial, or a thrust bearing of two equal washers at 90 degrees, of which `inner` turns."""
 
-    name: str  # shown with results
-    ball_count: int  # Z
-    ball_diameter: float  # D, m
-    ball_mass: float  # kg
+    HINT = 'give a table [bearing] with catalog = "paper_6205" or every dimension'
+    name: Annotated[Text, "shown with results"]
+    ball_count: Annotated[Count, Hint("give a whole number, for example 9, or a bearing of the " + CATALOGUE), "Z"]
+    ball_diameter: Annotated[Length, Hint('give for example "7.94 mm", or a bearing of the ' + CATALOGUE), "D"]
+    ball_mass: Annotated[Mass, "of one ball"]
     ball_material: Material
     inner: Groove
     outer: Groove
-    bore_diameter: float | None = None  # m: where the inner ring sits on its shaft
-    outside_diameter: float | None = None  # m: where the outer ring sits in its housing
-    width: float | None = None  # of both rings, m; where one of these three is None the rings' structure is unknown
-    kind: BearingKind = "radial"  # radial, or thrust of two washers
-    static_load_rating: float | None = None  # C0 by a catalogue, N; None: unknown
-    dynamic_load_rating: float | None = None  # C by a catalogue, N; None: unknown
-    series: str | None = None  # by its designation, "62" or "72 B"; None: not of the catalogue
-    seals: str | None = None  # in words; None: open, or not known
-    seals_rub: bool = False  # whether they touch the inner ring and brake it
-    grade: Grade | None = None  # of what the catalogue derives; None: not of the catalogue
+    bore_diameter: Annotated[Length | None, "where the inner ring sits on its shaft"] = None
+    outside_diameter: Annotated[Length | None, "where the outer ring sits in its housing"] = None
+    width: Annotated[
+        Length | None, "of both rings; where one of these three is None the rings' structure is unknown"
+    ] = None
+    kind: Annotated[BearingKind, "radial, or thrust of two washers"] = "radial"
+    static_load_rating: Annotated[Force | None, "C0 by a catalogue; None: unknown"] = None
+    dynamic_load_rating: Annotated[Force | None, "C by a catalogue; None: unknown"] = None
+    series: Annotated[str | None, DERIVED] = None  # by its designation, "62" or "72 B"; None: not of the catalogue
+    seals: Annotated[str | None, DERIVED] = None  # in words; None: open, or not known
+    seals_rub: Annotated[bool, DERIVED] = False  # whether they touch the inner ring and brake it
+    grade: Annotated[Grade | None, DERIVED] = None  # of what the catalogue derives; None: not of the catalogue
     origins: Mapping[str, Origin] = field(default_factory=nothing, compare=False)  # of the dimensions, by their keys
-    other_candidate: "Bearing | None" = None  # that the ratings fit nearly as well; None: the catalogue is sure
+    other_candidate: Annotated["Bearing | None", DERIVED] = (
+        None  # that the ratings fit nearly as well; None: the catalogue is sure
+    )
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -216,10 +308,11 @@ class Arrangement(Noun):
     both carry thrust in the same direction, without preload.
     """
 
-    kind: ArrangementKind  # see above
-    preload: float | None = None  # axial force in the mounted pair at standstill, N
-    offset: float | None = None  # axial distance that clamping closes, of the pair, m
-    distance: float | None = None  # between the middles of both bearings, m; None: the bearing's width
+    HINT = 'give a table [arrangement] of kind = "O" and preload = "100 N", or leave it out'
+    kind: Annotated[ArrangementKind, Hint('give "O" (back to back, DB), "X" (face to face, DF) or "tandem" (DT)')]
+    preload: Annotated[Force | None, "axial force in the mounted pair at standstill"] = None
+    offset: Annotated[Gap | None, "axial distance that clamping closes, of the pair"] = None
+    distance: Annotated[Length | None, "between the middles of both bearings; None: the bearing's width"] = None
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -241,17 +334,19 @@ class ContactAngle(Noun):
     None: the angle that the clearance allows.
     """
 
-    rule: Literal["solved", "given"]  # see above
-    value: float | None = None  # rad
-    free: float | None = None  # rad
+    HINT = 'give { rule = "solved" }, { nominal = "15 deg" } or { rule = "given", value = "0.18 rad" }'
+    rule: Annotated[Literal["solved", "given"], "solved: it follows from the load"]
+    value: Annotated[Angle | None, "under load"] = None
+    free: Annotated[Angle | None, "unloaded, whatever the clearance is"] = None
 
 
 @dataclass(frozen=True, kw_only=True)
 class Reach(Noun):
     """How far the oil reaches from the centre of a contact, along rolling, in radii of the ball."""
 
-    ahead: float = 0.9  # in the inlet; a bath fills the gap about up to the ball's outline
-    behind: float = 0.9  # in the outlet, which counts where cavitation_pressure is below 0
+    HINT = "give { ahead = 0.9 }, of the ball's radius, or a length"
+    ahead: Annotated[Reaching, "in the inlet; a bath fills the gap about up to the ball's outline"] = 0.9
+    behind: Annotated[Reaching, "in the outlet, which counts where cavitation_pressure is below 0"] = 0.9
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -287,29 +382,38 @@ class OwnTraction(Noun):
 class Lubricant(Noun):
     """The oil at the inlets of the contacts."""
 
-    viscosity: float  # eta_0, at the reference temperature and ambient pressure, Pa s
-    pressure_viscosity: float  # alpha_p = d ln(eta)/dp there, 1/Pa
-    viscosity_temperature: float  # beta = -d ln(eta)/dT there, 1/K
-    reference_temperature: float  # K
-    temperature: float  # of the oil at the inlet of a contact, K
-    thermal_conductivity: float  # k_f, W/(m K)
-    density: float  # kg/m^3
-    limiting_shear: float  # Lambda, ratio of the largest shear stress to the pressure
-    traction: Traction | OwnTraction  # law of the shear stress, see `analytic.oil.traction`
-    eyring_stress: float | None = None  # tau_E, Pa, at any pressure; None: 2 Lambda/alpha at the pressure of each point
-    thickening: Thickening = "modulus"  # law of the viscosity under pressure in the shear stress
+    HINT = 'give a table [lubricant] with name = "ISO VG 46", or with viscosity and pressure_viscosity'
+    name: Annotated[Text, "under which its numbers were looked up; empty: they are given"] = field(
+        default="", compare=False
+    )
+    viscosity: Annotated[DynamicViscosity, "eta_0, at the reference temperature and ambient pressure"]
+    pressure_viscosity: Annotated[PressureViscosity, "alpha_p = d ln(eta)/dp there"]
+    viscosity_temperature: Annotated[ThermalSlope, "beta = -d ln(eta)/dT there"]
+    reference_temperature: Temperature
+    temperature: Annotated[Temperature, "of the oil at the inlet of a contact"]
+    thermal_conductivity: Annotated[Conductivity, "k_f"]
+    density: OilDensity
+    limiting_shear: Annotated[LimitingShear, "Lambda, ratio of the largest shear stress to the pressure"]
+    traction: Annotated[Traction | OwnTraction, "law of the shear stress, see `analytic.oil.traction`"]
+    eyring_stress: Annotated[
+        EyringStress | None, "tau_E, at any pressure; None: 2 Lambda/alpha at the pressure of each point"
+    ] = None
+    thickening: Annotated[Thickening, "law of the viscosity under pressure in the shear stress"] = "modulus"
     modulus_rise: tuple[float, float] = MINERAL_RISE  # b1, 1, and b2, 1/K, of the modulus equation
     # Standard deviation of the logarithm of the shear stress; 0.5: the kind of oil is not known
     traction_spread: float = field(default=0.5, compare=False)
-    supply: Supply = "oil_bath"  # how oil returns to the track
-    surface_tension: float = 0.022  # of the oil that bleeds from a grease, N/m
-    starvation_degree: float | None = None  # m, see `analytic.oil.starvation`, >= 1; None: by the supply
+    supply: Annotated[Supply, "how oil returns to the track"] = "oil_bath"
+    surface_tension: Annotated[SurfaceTension, "of the oil that bleeds from a grease"] = 0.022
+    starvation_degree: Annotated[
+        StarvationDegree | None, "see `analytic.oil.starvation`, >= 1; None: by the supply"
+    ] = None
     reach: Reach = Reach()  # of the oil, to where a flooded inlet begins
-    cavitation_pressure: float = 0.0  # gauge, Pa, <= 0, at which oil in the outlet breaks; 0: the outlet is ventilated
-    compressible: bool = True  # whether pressure squeezes the oil in the film
-    film_formula: FilmFormula = "numerical"  # see `analytic.oil.ehl_fit` and `analytic.oil.film`
-    rolling_formula: RollingFormula = "numerical"  # see `analytic.oil.ehl_fit` and `analytic.oil.rolling`
-    name: str = field(default="", compare=False)  # under which its numbers were looked up; empty: they are given
+    cavitation_pressure: Annotated[
+        Cavitation, "gauge, <= 0, at which oil in the outlet breaks; 0: the outlet is ventilated"
+    ] = 0.0
+    compressible: Annotated[OnOff, "whether pressure squeezes the oil in the film"] = True
+    film_formula: Annotated[FilmFormula, "see `analytic.oil.ehl_fit` and `analytic.oil.film`"] = "numerical"
+    rolling_formula: Annotated[RollingFormula, "see `analytic.oil.ehl_fit` and `analytic.oil.rolling`"] = "numerical"
     origins: Mapping[str, Origin] = field(default_factory=nothing, compare=False)  # by field; empty: not noted
 
     def starves_as_measured(self, bearing: Bearing) -> bool:
@@ -348,17 +452,21 @@ class Lubricant(Noun):
 class Autocorrelation(Noun):
     """Autocorrelation rho(r) of the heights of a random surface at the distance r; rho(0) = 1."""
 
-    kind: Literal["gaussian", "exponential"]  # exp(-(r/length)^2), exp(-r/length)
-    length: float  # where rho is 1/e, m
-    spacing: float  # of the points of the surface, m
+    HINT = 'give { kind = "gaussian", length = "60 um", spacing = "2 um" }'
+    kind: Annotated[Literal["gaussian", "exponential"], "exp(-(r/length)^2), exp(-r/length)"]
+    length: Annotated[Spacing, "where rho is 1/e"]
+    spacing: Annotated[Spacing, "of the points of the surface"]
 
 
 @dataclass(frozen=True, kw_only=True)
 class HeightMapFile(Noun):
     """A measured surface."""
 
-    path: str  # .npy or .csv, heights in m
-    spacing: float  # of neighbouring points in both directions, m
+    HINT = 'give { path = "race.npy", spacing = "2 um" }'
+    path: Annotated[
+        Text, Hint("give the path of a .npy, .csv (heights in m) or .x3p file, from the scene file's folder")
+    ]
+    spacing: Annotated[Spacing, "of neighbouring points in both directions"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -368,14 +476,19 @@ class Surface(Noun):
     Give `height_map`, or `rms_roughness` and `autocorrelation`. The ball has the same, scaled to `ball_rms_roughness`.
     """
 
-    rms_roughness: float | None = None  # Sq, of each surface, m
+    HINT = "give a table [surface] with rms_roughness and autocorrelation, finish, Ra or height_map"
+    rms_roughness: Annotated[Roughness | None, "Sq, of each surface"] = None
     autocorrelation: Autocorrelation | None = None
     height_map: HeightMapFile | None = None
-    ball_rms_roughness: float | None = None  # Sq of the ball, m; None: as the race
-    hardness: float | None = None  # H, Pa; None: that of the softer material
-    boundary_friction: float = 0.12  # mu_b, coefficient of asperities in contact
-    gap: GapModel = "elastic"  # room for the oil: between surfaces that deform, or that are cut off where they overlap
-    asperities: AsperityLaw = "zhao_maietta_chang"  # of truncated surfaces; greenwood_williamson: they never yield
+    ball_rms_roughness: Annotated[Roughness | None, "Sq of the ball; None: as the race"] = None
+    hardness: Annotated[Hardness | None, "H; None: that of the softer material"] = None
+    boundary_friction: Annotated[Asperity, "mu_b, coefficient of asperities in contact"] = 0.12
+    gap: Annotated[
+        GapModel, "room for the oil: between surfaces that deform, or that are cut off where they overlap"
+    ] = "elastic"
+    asperities: Annotated[AsperityLaw, "of truncated surfaces; greenwood_williamson: they never yield"] = (
+        "zhao_maietta_chang"
+    )
     origins: Mapping[str, Origin] = field(default_factory=nothing, compare=False)  # by field; empty: not noted
 
 
@@ -383,18 +496,20 @@ class Surface(Noun):
 class ShearedLand(Noun):
     """The gap between a shoulder and the cage that it guides, full of oil."""
 
-    ring: Literal["inner", "outer"]  # to which the shoulder belongs
-    diameter: float  # of the shoulder, m
-    clearance: float  # on the diameter, m
-    width: float  # of all lands of the cage together, m
+    HINT = 'give { ring = "inner", diameter = "31 mm", clearance = "0.3 mm", width = "4 mm" }'
+    ring: Annotated[Literal["inner", "outer"], "to which the shoulder belongs"]
+    diameter: Annotated[Length, "of the shoulder"]
+    clearance: Annotated[Gap, "on the diameter"]
+    width: Annotated[Length, "of all lands of the cage together"]
 
 
 @dataclass(frozen=True, kw_only=True)
 class ShearedPockets(Noun):
     """The gaps between the balls and their pockets, which are bores along the radius, full of oil."""
 
-    clearance: float  # on the diameter, m
-    thickness: float  # of the cage there, m
+    HINT = 'give { clearance = "0.2 mm", thickness = "2 mm" }'
+    clearance: Annotated[Gap, "on the diameter"]
+    thickness: Annotated[Length, "of the cage there"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -404,10 +519,11 @@ class Losses(Noun):
     None: not declared. `analytic.oil.losses` has the formulas.
     """
 
-    seals: float | None = None  # N m, >= 0
-    drag: float | None = None  # of the oil that balls and cage move, N m, >= 0
-    oil_flow: float | None = None  # through the bearing, m^3/s, >= 0
-    oil_share: float | None = None  # of the space between the rings that is oil, not air, 0 to 1
+    HINT = 'give a table [losses] of seals = "5 N mm", drag, oil_flow, oil_share, land, pockets'
+    seals: Annotated[Loss | None, ">= 0"] = None
+    drag: Annotated[Loss | None, "of the oil that balls and cage move, >= 0"] = None
+    oil_flow: Annotated[Flow | None, "through the bearing, >= 0"] = None
+    oil_share: Annotated[Share | None, "of the space between the rings that is oil, not air, 0 to 1"] = None
     land: ShearedLand | None = None
     pockets: ShearedPockets | None = None
     origins: Mapping[str, Origin] = field(default_factory=nothing, compare=False)  # of what is assumed, by its key
@@ -428,12 +544,15 @@ class Losses(Noun):
 class Operation(Noun):
     """The operating points of a series; every array has the same shape (n,)."""
 
-    axial_load: Array  # N
-    inner_speed: Array  # w, rad/s; the outer ring stands still
-    radial_load: Array | float = 0.0  # N, along x, which points to the first ball
-    moment: Array | float = 0.0  # N m, about y; it tilts the +x side of the inner ring against the axial load
+    HINT = "give a table [operation] with inner_speed and a load, axial_load for example"
+    axial_load: Annotated[Array, THRUSTS, "along the shaft"]
+    inner_speed: Annotated[Array, SPEEDS, Hint('give for example "300 rpm"'), "w; the outer ring stands still"]
+    radial_load: Annotated[Array | float, SIDES, "along x, which points to the first ball"] = 0.0
+    moment: Annotated[
+        Array | float, MOMENTS, "about y; it tilts the +x side of the inner ring against the axial load"
+    ] = 0.0
     # Of the inner ring about y at every point, rad. Free: it follows from the moment. None: free under a moment, else 0
-    tilt: float | Literal["free"] | None = None
+    tilt: Annotated[Tilt | None, "about y, at which the inner ring is held"] = None
 
     def _facts(self) -> Iterator[str]:
         yield points_of(self.points)
@@ -515,33 +634,66 @@ class MeasuredTorque(Noun):
     oils: Mapping[float, Lubricant] = field(default_factory=nothing)  # by temperature, K, as the scene's file has them
 
 
+@dataclass(frozen=True, kw_only=True)
+class Thermal(Noun):
+    """Heat flow from the bearing to its surroundings; in the steady state it equals the power of friction."""
+
+    HINT = 'give { resistance = "0.5 K/W", ambient = "20 degC" }'
+    resistance: Annotated[Resistance, "from the oil to the surroundings"]
+    ambient: Annotated[Temperature, "of the surroundings"]
+
+
+@dataclass(frozen=True, kw_only=True)
+class ReportDetails(Noun):
+    """What a report says beside its numbers: names and dates are texts; None: a blank to fill in by hand."""
+
+    HINT = 'give a table [report] of author = "N. N.", date ...'
+    author: Annotated[Text | None, "who made it"] = None
+    checker: Annotated[Text | None, "who checked it"] = None
+    revision: Annotated[Text | None, "of the report"] = None
+    date: Annotated[Text | None, "of the revision, in quotes, in any form"] = None
+    units: Annotated[UnitSystem, "that pages and tables show"] = "metric"
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Scene(Noun):
     """A bearing, its operating points, and the accuracy of the result."""
 
     bearing: Bearing
     operation: Operation
-    name: str = "scene"  # shown with results
-    tolerance: float = 0.05  # of the torque, relative
-    contact_angle: ContactAngle = ContactAngle(rule="solved")
-    clearances: Clearances | None = None  # on the way to `bearing`, which is in operation; None: no seats are given
+    name: Annotated[Text, "shown with results"] = "scene"
+    tolerance: Annotated[Tolerance, "of the torque, relative"] = 0.05
+    contact_angle: Annotated[ContactAngle, At("bearing.contact_angle")] = ContactAngle(rule="solved")
+    clearances: Annotated[Clearances | None, DERIVED] = (
+        None  # on the way to `bearing`, which is in operation; None: no seats are given
+    )
     arrangement: Arrangement | None = None  # of two such bearings, which share the loads; None: one bearing
     cage: Cage | None = None  # None: no cage term and no pocket contact
     lubricant: Lubricant | None = None  # None: unknown
     surface: Surface | None = None  # None: unknown
-    friction_coefficient: float | None = None  # mu of every race contact, given instead of a surface
-    hysteresis_loss: float | None = None  # alpha', share of the elastic energy lost in each cycle; None: USUAL_LOSS
-    elastic_rolling: ElasticRolling = "hysteresis"  # law of the loss by elastic rolling, see `analytic.oil.rolling`
+    friction_coefficient: Annotated[
+        Friction | None, At("friction.coefficient"), "mu of every race contact, in place of oil and surface"
+    ] = None
+    hysteresis_loss: Annotated[
+        LossFactor | None, At("friction.hysteresis_loss"), "alpha', share of the elastic energy lost in each cycle"
+    ] = None  # None: USUAL_LOSS
+    elastic_rolling: Annotated[ElasticRolling, At("friction.elastic_rolling"), "law of the loss by elastic rolling"] = (
+        "hysteresis"  # see `analytic.oil.rolling`
+    )
     losses: Losses = Losses()
-    spin_rule: SpinRule = "free"  # how a ball turns; free: by mechanics, else its spin is shared by a rule
-    microslip: Microslip = "derived"  # moments of microslip; `as_printed`: of the paper with its misprints
+    spin_rule: Annotated[SpinRule, At("friction.spin_rule"), "how a ball turns; free: by mechanics"] = "free"
+    microslip: Annotated[Microslip, At("friction.microslip"), "as_printed: of the paper with its misprints"] = "derived"
     effects: Mapping[str, Decision] = field(default_factory=nothing)  # by their names; those left out are `auto`
-    uncertainty: Mapping[str, float] = field(default_factory=nothing)  # SI, see `analytic.inputs`
+    uncertainty: Mapping[str, float] = field(default_factory=nothing)  # SI, see `analytic.scenefile.inputs`
     assumed: Mapping[str, str] = field(default_factory=nothing)  # sources, by key
-    calibration: str | None = None  # which inputs were fitted to which numbers, in words; None: nothing declared
-    down: tuple[float, float, float] | None = None  # unit vector of gravity along x, y, z; None: assumed along x
+    calibration: Annotated[Text | None, Hint("give the inputs that were fitted, and to which numbers")] = None
+    down: Annotated[tuple[float, float, float] | None, DERIVED] = (
+        None  # unit vector of gravity along x, y, z; None: assumed along x
+    )
     warnings: tuple[str, ...] = ()  # from reading the scene
-    measured: MeasuredTorque | None = None  # what to compare the torque with; None: nothing
+    # Values of a bearing of the catalogue that nobody gave, by key, as a file has them
+    usual: Mapping[str, str] = field(default_factory=nothing, compare=False)
+    measured: Annotated[MeasuredTorque | None, DERIVED] = None  # what to compare the torque with; None: nothing
     report: ReportDetails = field(default_factory=ReportDetails)
 
     def __post_init__(self) -> None:

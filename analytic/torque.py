@@ -36,6 +36,7 @@ from analytic.effects import (
     turns_freely,
 )
 from analytic.errors import FembearingError, InputError, require_finite, require_non_negative, require_positive
+from analytic.given import Quantity, SceneOptions
 from analytic.limits import LimitNumbers, limit_numbers, limit_reasons, torque_warnings
 from analytic.loads.balls import LoadedBalls
 from analytic.loads.finite_geometry import corrections_of
@@ -56,14 +57,12 @@ from analytic.result import (
     TorqueParts,
 )
 from analytic.scene import Array, Bearing, Decision, Operation, OwnTraction, Scene, Sliding
-from analytic.scenefile.choice import SceneOptions
 from analytic.scenefile.fit import crowding
 from analytic.solve.failures import failures_of, require_settled, undistributed
 from analytic.solve.model import Model, model_of
 from analytic.solve.solution import Solution, points_of, solved
 from analytic.solve.steady_states import other_states
 from analytic.surface.roughness import GapRoughness, gap_roughness
-from analytic.units import Quantity
 from analytic.words import NEWTON, NEWTON_MILLIMETRE, speed_of, torque_of
 
 # Rises whenever a formula changes a torque; CHANGELOG.md then has the old and the new torque of each shipped scene.
@@ -302,7 +301,7 @@ def friction_torque(
     """
     scene = scene_by(scene, given)
     if tolerance is not None:
-        from analytic.scenefile.by_name import with_tolerance  # with pydantic and pint: only who asks for it pays
+        from analytic.scenefile.parts import with_tolerance  # with pydantic and pint: only who asks for it pays
 
         scene = with_tolerance(scene, tolerance)
     _require_friction(scene)

@@ -19,8 +19,8 @@ from analytic.catalog.designation import Designation, plain_name, read_designati
 from analytic.catalog.origins import INNER_CONFORMITY, OUTER_CONFORMITY, half_width, origins_of
 from analytic.catalog.other_kinds import other_kind
 from analytic.catalog.suffixes import Suffix, clearance_of
+from analytic.declared import read_only
 from analytic.errors import InputError
-from analytic.noun import read_only
 from analytic.scene import Origin
 
 Row = Mapping[str, str]

@@ -172,9 +172,11 @@ def known_half_widths(bearing: Bearing, race: Race) -> tuple[float, float]:
     near, far = _groove(bearing, race).half_widths
     if near is None or far is None:
         low, high = (round(1e3 * share * bearing.ball_diameter, 2) for share in (0.15, 0.25))
+        unknown = [each for each in RACES if None in _groove(bearing, each).half_widths]
+        keys = " and ".join(f"bearing.{each}.shoulder_height" for each in unknown)
         raise InputError(
-            f"the height of the {race} ring's shoulders is not known: give bearing.{race}.shoulder_height, usual are "
-            f'0.15 to 0.25 of the ball diameter, "{low:g} mm" to "{high:g} mm"'
+            f"the heights of the shoulders of the {' and the '.join(unknown)} ring are not known: give {keys}, usual "
+            f'are 0.15 to 0.25 of the ball diameter, "{low:g} mm" to "{high:g} mm"'
         )
     return near, far
 

@@ -13,16 +13,16 @@ Source: the steps are those of [Harris2007] section 3; the formulas are Lame's.
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
 from analytic.contact.geometry import RACES, race_curvatures
 from analytic.contact.hertz import contact_modulus, hertz_contact
+from analytic.declared import Noun
 from analytic.errors import InputError, require_finite
 from analytic.mounting.thick_ring import ThickRing, fit_pressure
-from analytic.noun import Noun
-from analytic.scene import Bearing, Clearances, Groove, Material
+from analytic.scene import Bearing, Clearances, Groove, Interference, Length, Material, Temperature, Width
 
 REFERENCE_TEMPERATURE = 293.15  # K: 20 degC, at which lengths are measured
 LARGEST_STRAIN = 0.005  # interference over diameter: rings of hardened steel burst or yield before
@@ -36,16 +36,17 @@ class Mounting(Noun):
     They and the clearance of the bearing belong to `mounting_temperature`.
     """
 
+    HINT = "give a table [mounting] of seats and temperatures"
     shaft_material: Material
     housing_material: Material
-    shaft_interference: float = 0.0  # on the diameter, m; negative: loose
-    housing_interference: float = 0.0  # likewise, on the diameter, m
-    shaft_bore: float = 0.0  # diameter, m; 0: a solid shaft
-    housing_outside_diameter: float | None = None  # m; None: far away
-    inner_temperature: float = REFERENCE_TEMPERATURE  # of inner ring and shaft, K
-    outer_temperature: float = REFERENCE_TEMPERATURE  # of outer ring and housing, K
-    ball_temperature: float | None = None  # K; None: the mean of both rings
-    mounting_temperature: float = REFERENCE_TEMPERATURE  # K
+    shaft_interference: Annotated[Interference, "on the diameter; negative: loose"] = 0.0
+    housing_interference: Annotated[Interference, "likewise"] = 0.0
+    shaft_bore: Annotated[Width, "diameter; 0: a solid shaft"] = 0.0
+    housing_outside_diameter: Annotated[Length | None, "without one the housing has no end"] = None
+    inner_temperature: Annotated[Temperature, "of inner ring and shaft"] = REFERENCE_TEMPERATURE
+    outer_temperature: Annotated[Temperature, "of outer ring and housing"] = REFERENCE_TEMPERATURE
+    ball_temperature: Annotated[Temperature | None, "None: the mean of both rings"] = None
+    mounting_temperature: Temperature = REFERENCE_TEMPERATURE
 
     @property
     def temperatures(self) -> "Temperatures":

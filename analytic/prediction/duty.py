@@ -20,13 +20,13 @@ from numpy.typing import NDArray
 
 from analytic.brief import Brief
 from analytic.errors import InputError
+from analytic.given import SceneOptions
 from analytic.prediction.first_order import MovedTotals, end_factors, moved_totals
 from analytic.prediction.steady import SteadyTemperature, steady_temperature, with_steady_oil
 from analytic.result import FrictionTorque
 from analytic.rows import NotNegative, OperatingPoint, Positive
 from analytic.scene import Array, Scene
 from analytic.scenefile.by_temperature import SceneByTemperature
-from analytic.scenefile.choice import SceneOptions
 from analytic.scenefile.columns import operating_points, require_loads
 from analytic.scenefile.cycle import Cycle, read_cycle
 from analytic.scenefile.read import any_by_temperature

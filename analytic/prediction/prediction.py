@@ -14,6 +14,7 @@ from scipy.special import ndtri
 from analytic.any_scene import scene_by
 from analytic.brief import Brief, span
 from analytic.errors import InputError
+from analytic.given import Quantity, SceneOptions
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.prediction.evaluation import Problem, problem_of
 from analytic.prediction.indices import indices_of
@@ -33,10 +34,8 @@ from analytic.prediction.spreads import NUMERICAL, UncertainInput, uncertain_inp
 from analytic.result import COORDINATES, POINT, FrictionTorque
 from analytic.rows import row_of
 from analytic.scene import Array, Scene
-from analytic.scenefile.by_name import with_tolerance
-from analytic.scenefile.choice import SceneOptions
+from analytic.scenefile.parts import with_tolerance
 from analytic.torque import friction_torque
-from analytic.units import Quantity
 from analytic.words import NEWTON_MILLIMETRE, shown
 
 SAMPLES, MOST_SAMPLES = 512, 4096  # by default: more until the ends are known well enough, and beyond this no more

@@ -7,7 +7,6 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from analytic.errors import InputError
-from analytic.inputs import LARGEST, UNCERTAIN, checked_deviation, uncertain_value
 from analytic.oil.film import FORMULA_UNCERTAINTY
 from analytic.oil.variation import (
     ELASTIC_SPREAD,
@@ -22,6 +21,8 @@ from analytic.oil.variation import (
 )
 from analytic.rows import Positive
 from analytic.scene import LOSS_SPREAD, Array, Origin, Scene
+from analytic.scenefile.inputs import LARGEST, checked_deviation, uncertain_value, unit_of
+from analytic.scenefile.keys import UNCERTAIN
 
 
 class Default(NamedTuple):
@@ -87,15 +88,13 @@ NUMERICAL = "numerical"
 class UncertainInput:
     """One input that a prediction varies, SI."""
 
-    key: str  # of `analytic.inputs.UNCERTAIN`; "numerical" of the numerical uncertainty
+    key: str  # of `analytic.scenefile.keys.UNCERTAIN`; "numerical" of the numerical uncertainty
     kind: Literal["numerical", "input", "model"]  # which of the three parts of the interval it belongs to
     value: float  # nominal, SI
     unit: str  # "" for a pure number
-    deviation: (
-        Positive  # standard deviation, in the unit of the value, or of its logarithm: see `analytic.inputs.Varied`
-    )
+    deviation: Positive  # standard deviation, in the unit of the value
     source: str  # of the deviation
-    floor: float | None = 0.0  # in the unit of the value, see `analytic.inputs.Varied`
+    floor: float | None = 0.0  # in the unit of the value; the logarithm of what is above it is normal, None: the value
 
     def at(self, score: Array) -> Array:
         """The values of the input at some scores.
@@ -118,7 +117,7 @@ class UncertainInput:
 
 
 def uncertain_inputs(scene: Scene) -> tuple[UncertainInput, ...]:
-    """The inputs of a scene that are uncertain, in the order of `analytic.inputs.UNCERTAIN`.
+    """The inputs of a scene that are uncertain, in the order of `analytic.scenefile.keys.UNCERTAIN`.
 
     Raises InputError for a standard deviation that is negative, too large, or of an input that the scene does not have.
     """
@@ -131,7 +130,7 @@ def uncertain_inputs(scene: Scene) -> tuple[UncertainInput, ...]:
 
 
 def _varying(scene: Scene) -> Iterator[UncertainInput]:
-    for key, varied in UNCERTAIN.items():
+    for key, floor in UNCERTAIN.items():
         value = uncertain_value(scene, key)
         if value is None:
             continue
@@ -142,10 +141,10 @@ def _varying(scene: Scene) -> Iterator[UncertainInput]:
                 key=key,
                 kind="model" if key.startswith("model.") else "input",
                 value=value,
-                unit=varied.unit,
+                unit="" if unit_of(key) == "1" else unit_of(key),
                 deviation=deviation,
                 source=source,
-                floor=varied.floor,
+                floor=floor,
             )
 
 

@@ -12,13 +12,12 @@ from dataclasses import dataclass, replace
 from functools import cache
 from typing import Unpack
 
+from analytic.declared import read_only
 from analytic.errors import InputError, SingularError
-from analytic.noun import read_only
-from analytic.scene import Origin, Scene
+from analytic.given import SceneOptions
+from analytic.scene import Origin, Scene, Thermal
 from analytic.scenefile.by_temperature import ZERO_CELSIUS, SceneByTemperature
-from analytic.scenefile.choice import SceneOptions
 from analytic.scenefile.read import any_by_temperature
-from analytic.scenefile.tables import ThermalTable
 from analytic.torque import friction_torque
 
 STEP = 10.0  # K: two steady temperatures that lie nearer to each other than this may be missed together
@@ -99,19 +98,18 @@ def with_steady_oil(found: SceneByTemperature, steady: SteadyTemperature) -> Sce
     assert warm.lubricant is not None  # its temperature was found
     origin = Origin(status="derived", uncertainty=None, source=steady.words)
     origins = read_only({**warm.lubricant.origins, "temperature": origin})
-    return replace(warm, lubricant=replace(warm.lubricant, origins=origins))
+    told = {key: value for key, value in warm.usual.items() if key != "lubricant.temperature"}
+    return replace(warm, lubricant=replace(warm.lubricant, origins=origins), usual=read_only(told))
 
 
-def steady_temperature(
-    power: Callable[[float], float], thermal: ThermalTable, *, tolerance: float
-) -> SteadyTemperature:
+def steady_temperature(power: Callable[[float], float], thermal: Thermal, *, tolerance: float) -> SteadyTemperature:
     """The lowest temperature at which heat in and heat out are equal.
 
     Parameters
     ----------
     power : callable
         Of friction, W, at a temperature of the oil, K; it raises InputError where the oil is not known.
-    thermal : ThermalTable
+    thermal : Thermal
         Resistance, K/W, and ambient temperature, K.
     tolerance : float
         Of the power, relative (dimensionless): by so much it may jump where effects begin to count.
@@ -163,7 +161,7 @@ def steady_temperature(
     )
 
 
-def _none(power: float, temperature: float, thermal: ThermalTable, problem: InputError) -> SingularError:
+def _none(power: float, temperature: float, thermal: Thermal, problem: InputError) -> SingularError:
     """No steady temperature up to the one where the oil's data end."""
     balanced = thermal.ambient + thermal.resistance * power
     return SingularError(

@@ -5,15 +5,15 @@ from dataclasses import replace
 from typing import Any
 
 from analytic.contact.geometry import RACES
-from analytic.inputs import uncertain_value
 from analytic.oil.variation import Variation
 from analytic.scene import Bearing, Scene, Surface
+from analytic.scenefile.inputs import uncertain_value
 
 
 def varied_scene(scene: Scene, values: Mapping[str, float]) -> tuple[Scene, Variation]:
     """The scene with these values, and the variation of the formulas.
 
-    values : by the keys of `analytic.inputs.UNCERTAIN`, SI
+    values : by the keys of `analytic.scenefile.inputs.UNCERTAIN`, SI
     An angle below 0 leans to the other side of the groove and counts by its size.
     """
     tables: dict[str, dict[str, float]] = {}

@@ -4,25 +4,22 @@ The catalogue fills what the scene leaves open. The bottom radii of the grooves 
 clearance, the clearance from its group or from the unloaded contact angle.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import replace
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
 from analytic import catalog
-from analytic.catalog.bearing_rows import BEARING_STEEL, CatalogBearing, clearance_group, find_bearing
+from analytic.catalog.bearing_rows import BEARING_STEEL, CatalogBearing, find_bearing
 from analytic.catalog.suffixes import seal_contact
-from analytic.errors import InputError
-from analytic.scene import Bearing, Groove, Material, Origin
-from analytic.scenefile.tables import BearingTable, ContactAngleTable, GrooveTable
-from analytic.scenefile.usual_cage import entry_of_cage
-from analytic.words import shown
+from analytic.declared import read_only
+from analytic.scene import Bearing, Groove, Origin
+from analytic.scenefile.fill import BALL, BOTTOMS, GAP
+from analytic.scenefile.keys import RINGS, Values, catalog_solid, read_document, scene_table
+from analytic.scenefile.usual_cage import assumed_cage
 
-RINGS = ("inner", "outer")
-# Keys of a ring; each says the same as the others of its line.
-RIVALS = (
+RIVALS = (  # keys of a ring that say the same
     ("groove_radius", "conformity"),
     ("shoulder_half_width", "shoulder_height", "shoulder_diameter"),
     ("far_shoulder_half_width", "far_shoulder_height", "far_shoulder_diameter"),
@@ -33,338 +30,275 @@ NO_DIMENSIONS = ("catalog", "name", "kind")
 BALLS = ("ball_count", "ball_diameter")
 RATINGS = ("static_load_rating", "dynamic_load_rating")
 AS_PRINTED = 1e-5  # relative: `fembearing init` prints seven digits, and neighbouring sizes differ by 3e-3
-SPAN = 12**0.5  # of a uniform distribution, over its standard deviation
-ANGLE_SPREAD = np.radians(1.5)  # standard deviation of a nominal contact angle; judgement, no tolerance was read
 
 
-def catalog_row(given: Mapping[str, Any]) -> CatalogBearing | None:
-    """The catalogue's row of the table's bearing; None where the table names none, or one that has its own file.
+def instead_of(key: str) -> tuple[tuple[str, ...], ...]:
+    """The keys of a bearing or its cage that say the same as this one; of each group all have to be given."""
+    table, _, name = key.rpartition(".")
+    if table in ("bearing.inner", "bearing.outer") and name != "bottom_radius":
+        same = next((keys for keys in RIVALS if name in keys), ())
+        both = ("bearing.conformity",) if "conformity" in same else ()
+        return tuple((each,) for each in (*(f"{table}.{other}" for other in same if other != name), *both))
+    angles = ("bearing.contact_angle.nominal",), ("bearing.contact_angle.free",)
+    return {
+        "bearing.clearance": (*angles, BOTTOMS),
+        "bearing.contact_angle.nominal": (("bearing.clearance",), angles[1], BOTTOMS),
+        "bearing.pitch_diameter": (BOTTOMS,),
+        **dict.fromkeys(BOTTOMS, (("bearing.clearance",), angles[0], ("bearing.pitch_diameter",))),
+        "cage.pocket_clearance": (("cage.pocket_diameter",),),
+    }.get(key, ())
 
-    Raises InputError for a designation that the catalogue does not have.
-    """
-    name = given.get("catalog")
-    if name is not None and not isinstance(name, str):
-        raise InputError(f'{shown(name)} is no designation; give it in quotes, for example "6206"')
+
+def catalog_row(values: Values) -> CatalogBearing | None:
+    """The catalogue's row of the scene's bearing; None where the scene names none, or one that has its own file."""
+    name = values["bearing.catalog"]
     return None if name is None or name in catalog.names("bearings") else find_bearing(name)
 
 
-def with_catalog(given: Mapping[str, Any], row: CatalogBearing | None) -> dict[str, Any]:
-    """The table [bearing] filled from the catalogue; its own keys replace those of the entry that say the same."""
-    entry = {key: value for key, value in _entry(given, row).items() if key != "origins"}
-    angle = given.get("contact_angle")
-    bottoms_given = all("bottom_radius" in _dict(given, ring) for ring in RINGS)
-    if bottoms_given or "clearance" in given or (isinstance(angle, dict) and "free" in angle):
-        entry.pop("contact_angle", None)
-    if bottoms_given or (isinstance(angle, dict) and ("nominal" in angle or "free" in angle)):
-        entry.pop("clearance", None)
-    if bottoms_given:
-        entry.pop("pitch_diameter", None)
-    merged = {**entry, **given}
-    for name in (*RINGS, "contact_angle"):
-        inside, own = entry.get(name), given.get(name)
-        if isinstance(inside, dict) and (own is None or isinstance(own, dict)):
-            merged[name] = _without_rivals(inside, {**given, **(own or {})}) | (own or {})
-    return merged
+def fill_from_catalog(values: Values, row: CatalogBearing | None) -> Iterator[tuple[str, str]]:
+    """Put what the catalogue has on bearing and cage into the values; (path, problem) of a cage that it does not have.
 
-
-def bearing_faults(
-    given: BearingTable, own: Mapping[str, Any], row: CatalogBearing | None
-) -> Iterator[tuple[str, str]]:
-    """(path of the key, problem) for what the table of a bearing lacks, says twice, or cannot be.
-
-    own : the table as the scene has it, before the catalogue filled it;  row : of the catalogue
+    A key that the document gives, or whose rivals it gives, stays.
     """
-    faults = [*_gaps_and_doubles(given, own, row)]
-    yield from faults or _shoulder_faults(given)
+    entry = {} if values["bearing.catalog"] is None else _file_entry(values) if row is None else row_entry(row)
+    variants: dict[str, Any] = entry.pop("variants", {})
+    variant = values["cage.variant"]
+    if variant is not None and variant not in variants:
+        known = f"give one of {', '.join(variants)}" if variants else "this bearing has none"
+        yield "cage.variant", f"is not a variant of the cage; {known}"
+    elif variant is not None:
+        pockets = [f"cage.{key}" for key in ("pocket_clearance", "pocket_diameter", "pocket_depth", "pocket_approach")]
+        own = [key for key in pockets if key in values.said]
+        if own and any(key in pockets for key in variants[variant]):
+            yield own[0], "comes with cage.variant; leave out one of them"
+        if "cage.pocket_diameter" in variants[variant]:
+            entry.pop("cage.pocket_clearance", None)
+        entry |= variants[variant]
+    name = values["bearing.catalog"]
+    if row is not None:
+        entry |= {"bearing.name": " ".join(name.split())} | row_cage(row)
+    for path, value in entry.items():
+        is_ours = path not in values and (not path.startswith("cage.") or "cage" in values.said)
+        if is_ours and not any(all(key in values.said for key in keys) for keys in instead_of(path)):
+            values[path] = value
+    if row is not None and row.seal_suffixes and "lubricant" in values.said:
+        values.setdefault("lubricant.supply", "grease")  # seals and shields hold grease for life
 
 
-def _gaps_and_doubles(
-    given: BearingTable, own: Mapping[str, Any], row: CatalogBearing | None
-) -> Iterator[tuple[str, str]]:
+def _file_entry(values: Values) -> dict[str, Any]:
+    """The same of a bearing that has its own file, with the variants of its cage."""
+    document = catalog.entry("bearings", values["bearing.catalog"])
+    document.pop("origins", None)
+    cage = document.pop("cage", {})
+    variants = cage.pop("variants", {})
+    entry = read_document({"bearing": document, "cage": cage}, scene_table())
+    inner, outer = (entry[key] for key in BOTTOMS)
+    if inner is not None and outer is not None:
+        entry["bearing.pitch_diameter"] = inner + outer
+        if "bearing.pitch_diameter" in values.said:
+            entry["bearing.clearance"] = 2 * (outer - inner - values.get(BALL, entry[BALL]))
+    return {
+        **entry,
+        "variants": {name: {**read_document({"cage": keys}, scene_table())} for name, keys in variants.items()},
+    }
+
+
+def row_entry(row: CatalogBearing) -> dict[str, Any]:
+    """The values of a bearing of the catalogue by their keys, SI."""
+    entry: dict[str, Any] = {
+        "bearing.ball_count": row.ball_count,
+        "bearing.ball_material": catalog_solid(row.ball_material),
+        "bearing.ball_diameter": row.ball_diameter,
+        "bearing.pitch_diameter": row.pitch_diameter,
+        "bearing.bore_diameter": row.bore,
+        "bearing.outside_diameter": row.outside,
+        "bearing.width": row.width,
+        "bearing.static_load_rating": row.static_load_rating,
+        "bearing.dynamic_load_rating": row.dynamic_load_rating,
+    }
+    for name, conformity, height, far in zip(
+        RINGS, row.conformity, row.shoulder_height, row.far_half_width, strict=True
+    ):
+        ring = f"bearing.{name}"
+        entry |= {f"{ring}.conformity": conformity, f"{ring}.material": catalog_solid(BEARING_STEEL)}
+        if height is not None:  # the height, which stays what it is with other balls
+            entry[f"{ring}.shoulder_height"] = height
+            if far is not None:
+                entry[f"{ring}.far_shoulder_height"] = height if far else 0.0
+    if row.nominal_angle is None:
+        entry["bearing.clearance"] = row.clearance_group or "CN"
+    else:
+        entry["bearing.contact_angle.nominal"] = row.nominal_angle
+    return {key: value for key, value in entry.items() if value is not None}
+
+
+def row_cage(row: CatalogBearing) -> dict[str, Any]:
+    """The usual cage of a bearing of the catalogue by its keys, SI; empty: its balls leave no web."""
+    sizes = assumed_cage(row, row.suffixes.values())
+    return {f"cage.{key}": catalog_solid(value) if key == "material" else value for key, value in sizes.items()}
+
+
+def bearing_faults(v: Values, row: CatalogBearing | None) -> Iterator[tuple[str, str]]:
+    """(path of the key, problem) for what [bearing] lacks, or says twice."""
+    both = v["bearing.conformity"]
     for name in RINGS:
-        ring: GrooveTable = getattr(given, name)
+        ring = f"bearing.{name}"
         for keys in RIVALS:
-            said = [key for key in keys if getattr(ring, key) is not None]
+            said = [key for key in keys if v[f"{ring}.{key}"] is not None]
             if len(said) > 1:
                 yield f"bearing.{name}.{said[1]}", f"says the same as {said[0]}; leave one of them out"
-        if given.conformity is not None and (ring.groove_radius is not None or ring.conformity is not None):
+        has_own = v[f"{ring}.groove_radius"] is not None or v[f"{ring}.conformity"] is not None
+        if both is not None and has_own:
             yield "bearing.conformity", f"is of both rings, and the {name} ring has its own; leave one of them out"
-        if ring.groove_radius is None and ring.conformity is None and given.conformity is None:
-            yield (
-                f"bearing.{name}.groove_radius",
-                "is missing; give it, or for both rings conformity = 0.52 of [bearing]",
-            )
-    if given.kind == "thrust":
-        yield from _thrust_faults(given)
+        if both is None and not has_own:
+            yield f"{ring}.groove_radius", "is missing; give it, or for both rings conformity = 0.52 of [bearing]"
+    if v["bearing.kind"] == "thrust":
+        yield from _thrust_faults(v)
         return
-    bottoms = [name for name in RINGS if getattr(given, name).bottom_radius is not None]
+    bottoms = [key for key in BOTTOMS if v[key] is not None]
     if len(bottoms) == 1:
-        (other,) = set(RINGS) - set(bottoms)
-        yield f"bearing.{other}.bottom_radius", "is missing; give it for both rings, or pitch_diameter and clearance"
-    elif not bottoms and given.pitch_diameter is None:
+        (other,) = {*BOTTOMS} - {*bottoms}
+        yield other, "is missing; give it for both rings, or pitch_diameter and clearance"
+    elif not bottoms and v["bearing.pitch_diameter"] is None:
         yield "bearing.pitch_diameter", 'is missing; give for example "39 mm", or the bottom_radius of both rings'
-    angle = given.contact_angle
-    angles = [name for name in ("nominal", "free") if getattr(angle, name) is not None]
-    if given.clearance is not None and angles:
+    clearance = v["bearing.clearance"]
+    angles = [name for name in ("nominal", "free") if v[f"bearing.contact_angle.{name}"] is not None]
+    if clearance is not None and angles:
         problem = f"and contact_angle.{angles[0]} both determine the clearance; leave one of them out"
         yield "bearing.clearance", problem
     if len(angles) == 2:
         yield "bearing.contact_angle.nominal", "and free both give the unloaded angle; leave one of them out"
-    if not bottoms and given.clearance is None and not angles and angle.value is None:
+    if not bottoms and clearance is None and not angles and v["bearing.contact_angle.value"] is None:
         yield (
             "bearing.clearance",
             'is missing; give a length like "10 um", a group like "CN", or contact_angle = { nominal = "15 deg" }',
         )
-    if all("bottom_radius" in _dict(own, ring) for ring in RINGS):
-        for key in (key for key in ("pitch_diameter", "clearance") if key in own):
-            yield f"bearing.{key}", "follows from the bottom_radius of both rings; leave one of them out"
-    if isinstance(given.clearance, str) and row is not None and row.nominal_angle is not None:
+    if {*BOTTOMS} <= v.said:
+        rivals = ("bearing.pitch_diameter", "bearing.clearance", "bearing.contact_angle.nominal")
+        for key in (key for key in rivals if key in v.said):
+            yield key, "follows from the bottom_radius of both rings; leave one of them out"
+    if isinstance(clearance, str) and row is not None and row.nominal_angle is not None:
         angle_of_row = f'contact_angle = {{ nominal = "{np.degrees(row.nominal_angle):g} deg" }}'
         yield "bearing.clearance", f"is a group of deep groove bearings; give {angle_of_row}, or a length"
-    elif isinstance(given.clearance, str) and given.bore_diameter is None:
+    elif isinstance(clearance, str) and v["bearing.bore_diameter"] is None:
         yield "bearing.clearance", "is a group, which depends on the bore: give bore_diameter, or a length"
 
 
-def _shoulder_faults(given: BearingTable) -> Iterator[tuple[str, str]]:
-    """Shoulders that do not stand between the bottom of their groove and the middle of its profile."""
-    bottoms = _bottoms_of(given)
-    for name, side, bottom in zip(RINGS, (1, -1), bottoms, strict=True):
-        ring: GrooveTable = getattr(given, name)
-        profile = _profile(given, ring)
+def shoulder_faults(v: Values) -> Iterator[tuple[str, str]]:
+    """The same, after the rules, for shoulders that are not between groove bottom and middle of the profile."""
+    for name, side, key in zip(RINGS, (1, -1), BOTTOMS, strict=True):
+        ring, profile, bottom = f"bearing.{name}", v[f"bearing.{name}.groove_radius"], v[key]
         for side_name, lowest in (("", "above"), ("far_", "at least")):
-            for key, height in (
-                ("shoulder_diameter", _height_of(getattr(ring, f"{side_name}shoulder_diameter"), bottom, side)),
-                ("shoulder_height", getattr(ring, f"{side_name}shoulder_height")),
-            ):
-                if height is None or (height < profile and (height >= 0 if side_name else height > 0)):
-                    continue
-                if key == "shoulder_height":
-                    limits = f"{lowest} 0 and below the groove radius {1e3 * profile:.5g} mm"
-                else:
-                    ends = (1e3 * 2 * (bottom + side * part) for part in (0.0, profile))
-                    limits = "between that of the groove's bottom, {:.6g} mm, and {:.6g} mm".format(*ends)
-                yield f"bearing.{name}.{side_name}{key}", f"must be {limits}"
+            height, diameter = (v[f"{ring}.{side_name}shoulder_{each}"] for each in ("height", "diameter"))
+            if height is None or (height < profile and (height >= 0 if side_name else height > 0)):
+                continue
+            if diameter is None:
+                limits = f"{lowest} 0 and below the groove radius {1e3 * profile:.5g} mm"
+            else:
+                ends = (1e3 * 2 * (bottom + side * part) for part in (0.0, profile))
+                limits = "between that of the groove's bottom, {:.6g} mm, and {:.6g} mm".format(*ends)
+            yield f"{ring}.{side_name}shoulder_{'height' if diameter is None else 'diameter'}", f"must be {limits}"
 
 
-def _thrust_faults(given: BearingTable) -> Iterator[tuple[str, str]]:
+def _thrust_faults(v: Values) -> Iterator[tuple[str, str]]:
     """The same for what only a thrust bearing lacks, or does not take."""
-    if given.pitch_diameter is None:
+    if v["bearing.pitch_diameter"] is None:
         yield "bearing.pitch_diameter", 'is missing; give the circle of the ball centres, for example "36 mm"'
-    radial = [("clearance", given.clearance is not None), ("contact_angle", given.contact_angle != ContactAngleTable())]
-    for name in RINGS:
-        ring: GrooveTable = getattr(given, name)
-        radial += [(f"{name}.{key}", getattr(ring, key) is not None) for key in OF_RADIAL]
-    for key, said in radial:
-        if said:
+    angle = [f"contact_angle.{name}" for name in ("value", "free", "nominal")]
+    for key in ("clearance", *angle, *(f"{ring}.{key}" for ring in RINGS for key in OF_RADIAL)):
+        if v[f"bearing.{key}"] is not None:
             yield (
-                f"bearing.{key}",
+                f"bearing.{key.partition('.')[0] if key in angle else key}",
                 'goes with kind = "radial": the balls of a thrust bearing touch at 90 deg; leave it out',
             )
-    profiles = {_profile(given, getattr(given, name)) for name in RINGS}
+    profiles = {_conformity(v, name) for name in RINGS}
     if len(profiles) > 1 and not np.isnan([*profiles]).any():
         yield "bearing.outer.groove_radius", "must be that of the inner ring: a thrust bearing has two equal grooves"
 
 
-def bearing_of(given: BearingTable, *, own: Mapping[str, Any], row: CatalogBearing | None) -> Bearing:
-    """The bearing of a table without faults.
-
-    own : the table as the scene has it, before the catalogue filled it;  row : of the catalogue
-    Raises InputError for a bore that the groups of clearance do not cover.
-    """
-    profiles = {name: _profile(given, getattr(given, name)) for name in RINGS}
-    bottoms = _bottoms_of(given)
-    origin = None if given.kind == "thrust" else _clearance(given)[1]
-    if origin is not None and row is not None and row.clearance_group is None and isinstance(given.clearance, str):
-        status = "printed" if "clearance" in own else "assumed"  # a designation without a group is that of CN
+def bearing_of(v: Values, row: CatalogBearing | None) -> Bearing:
+    """The bearing of values that the rules have filled; row : of the catalogue"""
+    origin = v.origins.get(GAP)
+    if (
+        origin is not None
+        and row is not None
+        and row.clearance_group is None
+        and isinstance(v["bearing.clearance"], str)
+    ):
+        status = (
+            "printed" if "bearing.clearance" in v.said else "assumed"
+        )  # a designation without a group is that of CN
         origin = replace(origin, status=status)
-    is_own = row is not None and is_replaced(given, own, row)
-    lost = {*RATINGS} - {*own} if is_own else set()  # makers' values of the original bearing
-    name = given.name or given.catalog or "unnamed"
-    ball = Material(**given.ball_material.model_dump())
-    solid = ball.density * np.pi / 6 * given.ball_diameter**3
-    origins = _origins(own, row) | ({} if origin is None else {"clearance": origin})
+    is_own = row is not None and is_replaced(v, row)
+    lost = {key for key in RATINGS if f"bearing.{key}" not in v.said} if is_own else set()  # of the original bearing
+    name = v["bearing.name"] or v["bearing.catalog"] or "unnamed"
+    origins = _origins(v, row) | ({} if origin is None else {"clearance": origin})
+    grooves = {
+        ring: Groove(**v.fields(Groove, f"bearing.{ring}", material=v[f"bearing.{ring}.material"])) for ring in RINGS
+    }
     return Bearing(
-        **given.model_dump(include={"ball_count", "ball_diameter", "bore_diameter", "outside_diameter", "width"}),
-        **given.model_dump(include={*RATINGS} - lost),
-        kind=given.kind,
-        name=f"own bearing (from {name})" if is_own and "name" not in own else name,
-        ball_mass=float(solid) if given.ball_mass is None else given.ball_mass,
-        ball_material=ball,
-        inner=_groove(given.inner, bottom=bottoms[0], profile=profiles["inner"], side=1),
-        outer=_groove(given.outer, bottom=bottoms[1], profile=profiles["outer"], side=-1),
-        series=None if is_own else _series(given, row),
-        seals=None if row is None else row.seals,
-        seals_rub=row is not None and any(seal_contact(suffix) != "none" for suffix in row.seal_suffixes),
-        grade=None if row is None or is_own else row.grade,
-        origins=MappingProxyType({key: each for key, each in origins.items() if key not in lost}),
+        **v.fields(
+            Bearing,
+            "bearing",
+            **dict.fromkeys(lost),
+            **grooves,
+            name=f"own bearing (from {name})" if is_own and "bearing.name" not in v.said else name,
+            ball_material=v["bearing.ball_material"],
+            series=None if is_own else _series(v, row),
+            seals=None if row is None else row.seals,
+            seals_rub=row is not None and any(seal_contact(suffix) != "none" for suffix in row.seal_suffixes),
+            grade=None if row is None or is_own else row.grade,
+            origins=read_only({key: each for key, each in origins.items() if key not in lost}),
+        )
     )
 
 
-def is_replaced(given: BearingTable, own: Mapping[str, Any], row: CatalogBearing) -> bool:
-    """Whether the scene gives the row's bearing other balls or other grooves: it is no longer the maker's.
-
-    own : the table as the scene has it, before the catalogue filled it
-    """
-    grooves = [_profile(given, getattr(given, ring)) / given.ball_diameter for ring in RINGS]
+def is_replaced(v: Values, row: CatalogBearing) -> bool:
+    """Whether the scene gives the row's bearing other balls or other grooves: it is no longer the maker's."""
+    grooves = [_conformity(v, ring) for ring in RINGS]
     same_grooves = np.allclose(grooves, row.conformity, rtol=AS_PRINTED, atol=0)
-    return has_other_balls(given, own, row) or not same_grooves
+    return has_other_balls(v, row) or not same_grooves
 
 
-def has_other_balls(given: BearingTable, own: Mapping[str, Any], row: CatalogBearing) -> bool:
-    """The same of the balls alone."""
-    balls = (given.ball_count, given.ball_diameter), (row.ball_count, row.ball_diameter)
-    return bool({*BALLS} & {*own}) and not np.allclose(*balls, rtol=AS_PRINTED, atol=0)
+def has_own_balls(v: Values) -> bool:
+    """Whether the document says how many balls there are, or how large."""
+    return any(f"bearing.{key}" in v.said for key in BALLS)
 
 
-def _series(given: BearingTable, row: CatalogBearing | None) -> str | None:
+def has_other_balls(v: Values, row: CatalogBearing) -> bool:
+    """Whether the scene gives the row's bearing other balls."""
+    balls = (v["bearing.ball_count"], v["bearing.ball_diameter"]), (row.ball_count, row.ball_diameter)
+    return has_own_balls(v) and not np.allclose(*balls, rtol=AS_PRINTED, atol=0)
+
+
+def _series(v: Values, row: CatalogBearing | None) -> str | None:
     """That of the row, unless the scene gives the bearing other boundary dimensions."""
-    sizes = (given.bore_diameter, given.outside_diameter, given.width)
+    sizes = tuple(v[f"bearing.{key}"] for key in ("bore_diameter", "outside_diameter", "width"))
     return row.series if row is not None and sizes == (row.bore, row.outside, row.width) else None
 
 
-def _entry(given: Mapping[str, Any], row: CatalogBearing | None) -> dict[str, Any]:
-    """What the catalogue has on the table's bearing, in the form of a scene file."""
-    if row is not None:
-        return _entry_of_row(row) | {"name": " ".join(given["catalog"].split())}
-    return catalog.entry("bearings", given["catalog"]) if given.get("catalog") is not None else {}
+def _conformity(v: Values, ring: str) -> float:
+    """Groove radius over ball diameter; NaN: not given."""
+    radius, conformity = v[f"bearing.{ring}.groove_radius"], v[f"bearing.{ring}.conformity"]
+    if radius is not None:
+        return radius / v[BALL]
+    known = v["bearing.conformity"] if conformity is None else conformity
+    return np.nan if known is None else known
 
 
-def _entry_of_row(row: CatalogBearing) -> dict[str, Any]:
-    rings: dict[str, dict[str, Any]] = {}
-    for name, conformity, height, far in zip(
-        RINGS, row.conformity, row.shoulder_height, row.far_half_width, strict=True
-    ):
-        rings[name] = {"conformity": conformity, "material": BEARING_STEEL}
-        if height is not None:  # the height, which stays what it is with other balls
-            rings[name]["shoulder_height"] = _length(height)
-            if far is not None:
-                rings[name]["far_shoulder_height"] = _length(height if far else 0.0)
-    if row.nominal_angle is None:
-        play: dict[str, Any] = {"clearance": row.clearance_group or "CN"}
-    else:
-        play = {"contact_angle": {"rule": "solved", "nominal": f"{row.nominal_angle!r} rad"}}
-    lengths = {
-        "ball_diameter": row.ball_diameter,
-        "pitch_diameter": row.pitch_diameter,
-        "bore_diameter": row.bore,
-        "outside_diameter": row.outside,
-        "width": row.width,
-    }
-    ratings = {"static_load_rating": row.static_load_rating, "dynamic_load_rating": row.dynamic_load_rating}
-    return {
-        "ball_count": row.ball_count,
-        "ball_material": row.ball_material,
-        **{key: _length(value) for key, value in lengths.items() if value is not None},
-        **{key: f"{value!r} N" for key, value in ratings.items() if value is not None},
-        **rings,
-        **play,
-        "cage": entry_of_cage(row, row.suffixes.values()),
-    }
-
-
-def _length(value: float) -> str:
-    return f"{value!r} m"
-
-
-def _without_rivals(entry: Mapping[str, Any], own: Mapping[str, Any]) -> dict[str, Any]:
-    """The keys of a ring's entry that the given keys do not replace by others that say the same."""
-    replaced = {key for keys in RIVALS if any(each in own for each in keys) for key in keys}
-    return {key: value for key, value in entry.items() if key not in replaced}
-
-
-def _profile(given: BearingTable, ring: GrooveTable) -> float:
-    """Radius of the groove's profile, m."""
-    if ring.groove_radius is not None:
-        return ring.groove_radius
-    conformity = given.conformity if ring.conformity is None else ring.conformity
-    return conformity * given.ball_diameter if conformity is not None else np.nan
-
-
-def _clearance(given: BearingTable) -> tuple[float | None, Origin | None]:
-    """The clearance that keys other than the bottom radii give, m, and where it comes from."""
-    if isinstance(given.clearance, str) and given.bore_diameter is not None:
-        low, high = clearance_group(given.bore_diameter, given.clearance)
-        group = f"middle of the group {given.clearance} of [ISO5753], {low * 1e6:g} to {high * 1e6:g} um, unmounted"
-        return (low + high) / 2, Origin(status="printed", uncertainty=(high - low) / SPAN, source=group)
-    if isinstance(given.clearance, float):
-        return given.clearance, None
-    angle = given.contact_angle
-    bottoms_known = given.inner.bottom_radius is not None
-    unloaded = angle.nominal if angle.nominal is not None or bottoms_known else angle.free or angle.value
-    if unloaded is None:
-        return None, None
-    distance = sum(_profile(given, getattr(given, name)) for name in RINGS) - given.ball_diameter  # A_0
-    spread = 2 * distance * np.sin(unloaded) * ANGLE_SPREAD
-    words = f"closes at the unloaded contact angle of {np.degrees(unloaded):.4g} deg"
-    return float(2 * distance * (1 - np.cos(unloaded))), Origin(
-        status="derived", uncertainty=float(spread), source=words
-    )
-
-
-def _bottoms_of(given: BearingTable) -> tuple[float, float]:
-    """Bottom radii of the inner and outer groove, m; those of a thrust bearing are the circle of its ball centres."""
-    if given.kind == "thrust":
-        assert given.pitch_diameter is not None, "bearing_faults says so before"
-        return given.pitch_diameter / 2, given.pitch_diameter / 2
-    clearance, _ = _clearance(given)
-    inner, outer = given.inner.bottom_radius, given.outer.bottom_radius
-    if inner is not None and outer is not None:
-        if clearance is None and given.pitch_diameter is None:
-            return inner, outer
-        if clearance is None:
-            clearance = 2 * (outer - inner - given.ball_diameter)
-        pitch = inner + outer if given.pitch_diameter is None else given.pitch_diameter
-    else:
-        assert clearance is not None, "bearing_faults says so before"
-        assert given.pitch_diameter is not None, "bearing_faults says so before"
-        pitch = given.pitch_diameter
-    opening = given.ball_diameter + clearance / 2
-    return (pitch - opening) / 2, (pitch + opening) / 2
-
-
-def _groove(given: GrooveTable, *, bottom: float, profile: float, side: int) -> Groove:
-    """side : 1 for the inner ring, whose shoulders are larger than its groove; -1 for the outer ring."""
-
-    def half_width(half: float | None, height: float | None, diameter: float | None) -> float | None:
-        height = _height_of(diameter, bottom, side) if height is None else height
-        return half if height is None else float(np.sqrt(height * (2 * profile - height)))
-
-    return Groove(
-        bottom_radius=bottom,
-        groove_radius=profile,
-        shoulder_half_width=half_width(given.shoulder_half_width, given.shoulder_height, given.shoulder_diameter),
-        far_shoulder_half_width=half_width(
-            given.far_shoulder_half_width, given.far_shoulder_height, given.far_shoulder_diameter
-        ),
-        material=Material(**given.material.model_dump()),
-    )
-
-
-def _height_of(diameter: float | None, bottom: float, side: int) -> float | None:
-    """Height of a shoulder of this diameter above the bottom of its groove, m; side as in `_groove`."""
-    return None if diameter is None else side * (diameter / 2 - bottom)
-
-
-def _dict(table: Mapping[str, Any], key: str) -> Mapping[str, Any]:
-    """The table inside; empty if there is none."""
-    inside = table.get(key)
-    return inside if isinstance(inside, dict) else {}
-
-
-def _origins(own: Mapping[str, Any], row: CatalogBearing | None) -> dict[str, Origin]:
+def _origins(v: Values, row: CatalogBearing | None) -> dict[str, Origin]:
     """Where each dimension comes from: the catalogue's row, or the scene where it gives its own."""
-    if row is None:
-        entry = _entry(own, None).get("origins", {})
+    origins = dict(row.origins) if row is not None else {}
+    if row is None and v["bearing.catalog"] is not None:
+        entry = catalog.entry("bearings", v["bearing.catalog"]).get("origins", {})
         origins = {key: Origin(uncertainty=None, **origin) for key, origin in entry.items()}
-    else:
-        origins = dict(row.origins)
-    said = {key for key, value in own.items() if not isinstance(value, dict) and key not in NO_DIMENSIONS}
-    for ring in RINGS:
-        inside = own.get(ring)
-        keys = {*inside} - {*NO_DIMENSIONS} if isinstance(inside, dict) else ()
-        said |= {f"{ring}.{_said_by(key)}" for key in keys}
-    if "conformity" in said:
-        said = said - {"conformity"} | {f"{ring}.conformity" for ring in RINGS}
+    said = set()
+    for path in v.said:
+        table, _, name = path.rpartition(".")
+        if name not in NO_DIMENSIONS and table == "bearing" and name not in (*RINGS, "contact_angle"):
+            said |= {f"{ring}.conformity" for ring in RINGS} if name == "conformity" else {name}
+        elif table in ("bearing.inner", "bearing.outer"):
+            said.add(f"{table.partition('.')[2]}.{_said_by(name)}")
     if "inner.bottom_radius" in said:
         said |= {"pitch_diameter", "clearance"}
     given = Origin(status="given", uncertainty=None, source="the scene")

@@ -8,9 +8,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from analytic.errors import InputError
-from analytic.scene import Scene
+from analytic.scene import Scene, Thermal
+from analytic.scenefile.keys import Values
 from analytic.scenefile.oil import lubricant_of
-from analytic.scenefile.tables import LubricantTable, SceneTable, ThermalTable
+from analytic.scenefile.viscosity import GivenViscosity
 
 ZERO_CELSIUS = 273.15  # K
 
@@ -21,13 +22,18 @@ class SceneByTemperature:
 
     scene: Scene  # with the oil at the temperature of its file
     origin: str  # names the file in messages
-    oil: LubricantTable | None  # None: the scene has none
-    thermal: ThermalTable | None  # None: the temperature of the oil is given
+    values: Values | None = None  # of its keys; None: a Scene of Python
+    thermal: Thermal | None = None  # None: the temperature of the oil is given
 
     @property
     def is_known_elsewhere(self) -> bool:
         """Whether the oil is known at other temperatures than that of the scene."""
-        return self.oil is not None and not _is_known_at_one(self.oil)
+        return self._oil is not None and not _is_known_at_one(self._oil)
+
+    @property
+    def _oil(self) -> Values | None:
+        """The values of a scene with oil."""
+        return self.values if self.values is not None and "lubricant" in self.values.said else None
 
     @property
     def fixed(self) -> Scene:
@@ -47,37 +53,39 @@ class SceneByTemperature:
         """
         if self.scene.lubricant is not None and temperature == self.scene.lubricant.temperature:
             return self.scene
-        if self.oil is None:
+        oil = self._oil
+        if oil is None:
             if self.scene.lubricant is None:
                 raise InputError(f"{self.origin}: the scene has no [lubricant]; give the file of a scene with one")
             raise InputError(f"{self.origin}: a Scene holds its oil at one temperature; give the file of the scene")
-        if _is_known_at_one(self.oil):
-            assert self.oil.viscosity is not None
+        if _is_known_at_one(oil):
+            text = oil["lubricant.viscosity"].text
             raise InputError(
-                f"{self.origin}: oil at {temperature - ZERO_CELSIUS:.4g} degC: lubricant.viscosity = "
-                f"{self.oil.viscosity.text} beside lubricant.name holds at lubricant.temperature alone; give two "
+                f"{self.origin}: oil at {temperature - ZERO_CELSIUS:.4g} degC: lubricant.viscosity = {text} beside "
+                "lubricant.name holds at lubricant.temperature alone; give two "
                 'viscosities, as ["46 cSt at 40 degC", "6.8 cSt at 100 degC"]'
             )
-        table = self.oil.model_copy(update={"temperature": temperature})
         try:
-            oil = lubricant_of(table, ball_radius=self.scene.bearing.ball_radius)
+            warm = lubricant_of(oil.at(temperature), ball_radius=self.scene.bearing.ball_radius)
         except InputError as problem:
             raise InputError(f"{self.origin}: oil at {temperature - ZERO_CELSIUS:.4g} degC: {problem}") from problem
-        return replace(self.scene, lubricant=oil)
+        return replace(self.scene, lubricant=warm)
 
 
-def _is_known_at_one(oil: LubricantTable) -> bool:
+def _is_known_at_one(oil: Values) -> bool:
     """Whether one viscosity replaces that of a named oil, which then has no law over the temperature."""
-    return oil.name is not None and oil.viscosity is not None and not oil.viscosity.is_pair
+    viscosity: GivenViscosity | None = oil["lubricant.viscosity"]
+    return oil["lubricant.name"] is not None and viscosity is not None and not viscosity.is_pair
 
 
-def thermal_faults(table: SceneTable) -> Iterator[tuple[str, str]]:
+def thermal_faults(v: Values) -> Iterator[tuple[str, str]]:
     """(key, problem) of a scene with [thermal] whose oil is not known at other temperatures."""
-    if table.thermal is None:
+    viscosity: GivenViscosity | None = v["lubricant.viscosity"]
+    if "thermal" not in v.said:
         return
-    if table.lubricant is None:
+    if "lubricant" not in v.said:
         yield "thermal", "warms the oil, and the scene has no [lubricant]; add one, or leave [thermal] out"
-    elif table.lubricant.viscosity is not None and not table.lubricant.viscosity.is_pair:
+    elif viscosity is not None and not viscosity.is_pair:
         yield (
             "lubricant.viscosity",
             "is known at one temperature alone, and [thermal] changes the temperature; give two viscosities, as "

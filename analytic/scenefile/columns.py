@@ -17,11 +17,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from analytic.declared import nothing
 from analytic.errors import InputError
-from analytic.noun import nothing
+from analytic.quantity import NUMBER, Dimension
 from analytic.scene import Array, Scene
 from analytic.scenefile.keys import scene_key
-from analytic.scenefile.quantity import NUMBER, Dimension
 from analytic.scenefile.text import read_text
 from analytic.words import plain, shown
 

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from analytic.quantity import Dimension
 from analytic.scene import Array
 from analytic.scenefile.columns import OPERATING, Columns, operating_column
-from analytic.scenefile.quantity import Dimension
 from analytic.words import plain
 
 COLUMNS = Columns(

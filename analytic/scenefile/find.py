@@ -6,12 +6,10 @@ from pathlib import Path
 from typing import Any
 
 from analytic import catalog
-from analytic.catalog.bearing_rows import find_bearing
+from analytic.catalog.bearing_rows import CatalogBearing, find_bearing
 from analytic.catalog.designation import begins_as_number
 from analytic.errors import InputError
-from analytic.scenefile.choice import USUAL, Choice
 from analytic.scenefile.text import parse_text, read_text
-from analytic.scenefile.usual_bearing import usual_scene
 from analytic.words import plain, shown
 
 LONGEST_NAME = 60  # characters of a designation
@@ -24,19 +22,19 @@ EXTENSIONS = (
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class FoundScene:
-    """The document of a scene, before it is read."""
+    """The document of a scene, before it is read; that of a bearing of the catalogue is empty."""
 
     document: dict[str, Any]
     origin: str  # names it in messages
     folder: Path  # that the paths in the text start from
-    designation: str | None = None  # of a bearing of the catalogue, whose usual scene it is
-    choice: Choice = USUAL  # what someone gave for this usual scene
+    bearing: CatalogBearing | None = None  # of the catalogue, whose usual scene it is
+    designation: str = ""  # as it was given
 
 
-def find_scene(name: str | os.PathLike[str], *, folder: Path = Path(), choice: Choice = USUAL) -> FoundScene:
+def find_scene(name: str | os.PathLike[str], *, folder: Path = Path()) -> FoundScene:
     """The scene that a name means.
 
-    folder : that a relative path starts from;  choice : for the scene of a bearing of the catalogue
+    folder : that a relative path starts from
 
     A file that exists comes first, then a built-in scene, then a bearing of the catalogue, whose scene is the one that
     `fembearing init` writes. A name that ends like one of a file, with .toml or .txt, is a file.
@@ -56,11 +54,11 @@ def find_scene(name: str | os.PathLike[str], *, folder: Path = Path(), choice: C
     elif not os.path.isfile(path) and _may_be_a_bearing(given):
         try:
             return FoundScene(
-                document=usual_scene(given, find_bearing(given), choice),
+                document={},
                 origin=f"scene of {given}",
                 folder=folder,
+                bearing=find_bearing(given),
                 designation=given,
-                choice=choice,
             )
         except InputError as problem:
             if os.path.basename(given) == given or (not path.parent.is_dir() and begins_as_number(given)):

@@ -24,7 +24,10 @@ def bearing_misfits(bearing: Bearing, *, gap_key: str = BOTTOM, own: Container[s
     gap_key : path of the key that says how far the rings are apart
     own : keys of [bearing] that the scene gives itself; the others come from the catalogue
     """
-    ball = bearing.ball_diameter
+    ball, bore, outside = bearing.ball_diameter, bearing.bore_diameter, bearing.outside_diameter
+    if bore is not None and outside is not None and not bore < outside:
+        yield "bearing.bore_diameter", f"must be below outside_diameter {_mm(outside)}: exchange them"
+        return
     if "ball_diameter" in own and (room := _room(bearing, own)) <= ball:
         yield "bearing.ball_diameter", f"does not fit: rings and neighbouring balls leave {_mm(room)}"
         return

@@ -11,8 +11,8 @@ import numpy as np
 from analytic import catalog
 from analytic.errors import InputError
 from analytic.oil.viscosity_temperature import PressureViscosityLaw, ViscosityLine, viscosity_line
+from analytic.quantity import in_si
 from analytic.scene import Lubricant, Origin, Status
-from analytic.scenefile.quantity import in_si
 from analytic.words import shown
 
 COLD, HOT = 313.15, 373.15  # K: where the catalog's viscosities are given

@@ -4,30 +4,29 @@ import math
 
 from analytic.catalog.bearing_rows import CatalogBearing
 from analytic.catalog.seals import seal_spread, seal_torque, seal_type
+from analytic.declared import read_only
 from analytic.errors import InputError
-from analytic.noun import read_only
 from analytic.scene import Bearing, Losses, Origin, ShearedLand, ShearedPockets
-from analytic.scenefile.tables import LossesTable
+from analytic.scenefile.keys import Values
 
 SHOULDER = 0.2  # height over the ball diameter, where the catalogue has none: usual
 
 
-def losses_of(given: LossesTable, bearing: Bearing, row: CatalogBearing | None) -> Losses:
-    """The losses of the table; row : of the catalogue, whose designation names the seals.
+def losses_of(v: Values, bearing: Bearing, row: CatalogBearing | None) -> Losses:
+    """The losses of [losses]; row : of the catalogue, whose designation names the seals.
 
     Raises InputError for an estimate of seals that nobody names.
     """
+    seals = v["losses.seals"]
     oil = {
-        "drag": given.drag,
-        "oil_flow": given.oil_flow,
-        "oil_share": given.oil_share,
-        "land": given.land and ShearedLand(**given.land.model_dump()),
-        "pockets": given.pockets and ShearedPockets(**given.pockets.model_dump()),
+        **{key: v[f"losses.{key}"] for key in ("drag", "oil_flow", "oil_share")},
+        "land": v.noun(ShearedLand, "losses.land"),
+        "pockets": v.noun(ShearedPockets, "losses.pockets"),
     }
-    if given.seals == "off":
+    if seals == "off":
         return Losses(seals=0.0, **oil)
-    if isinstance(given.seals, float) or (given.seals is None and not bearing.seals_rub):
-        return Losses(seals=given.seals, **oil)
+    if isinstance(seals, float) or (seals is None and not bearing.seals_rub):
+        return Losses(seals=seals, **oil)
     if row is None:
         raise InputError('it needs seals by a designation of the catalogue, for example catalog = "6205-2RS1"')
     inner = bearing.inner

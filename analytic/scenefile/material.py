@@ -7,7 +7,7 @@ from analytic import catalog
 NEEDED = {"youngs_modulus": '"206 GPa"', "poisson_ratio": "0.29", "density": '"7850 kg/m^3"'}  # and examples
 
 
-def material_entry(given: object) -> object:
+def material_entry(given: object) -> dict[str, Any]:
     """The table of a material that a scene names or gives; what a table with a catalog's name leaves out is filled in.
 
     Raises ValueError for an unknown name, and for a name whose entry lacks what a material needs.

@@ -9,13 +9,13 @@ from typing import Any
 
 import numpy as np
 
+from analytic.declared import read_only
 from analytic.errors import InputError
-from analytic.noun import read_only
+from analytic.quantity import Dimension
 from analytic.scene import Lubricant, MeasuredTorque
 from analytic.scenefile.columns import OPERATING, Columns, Row, operating_column
+from analytic.scenefile.keys import Values
 from analytic.scenefile.oil import lubricant_of
-from analytic.scenefile.quantity import Dimension
-from analytic.scenefile.tables import LubricantTable
 from analytic.words import plain, torque_of
 
 
@@ -72,16 +72,14 @@ def _require_fit(row: Row, file: str) -> None:
         )
 
 
-def with_oils(
-    measured: MeasuredTorque, table: LubricantTable | None, own: Lubricant | None, *, ball_radius: float
-) -> MeasuredTorque:
+def with_oils(measured: MeasuredTorque, values: Values, own: Lubricant | None, *, ball_radius: float) -> MeasuredTorque:
     """The same, with the oil that the scene describes at the temperature of each row.
 
-    table, own : of the scene;  ball_radius : m. Raises InputError for temperatures without an oil, or beyond its data.
+    values, own : of the scene;  ball_radius : m. Raises InputError for temperatures without an oil, or beyond its data.
     """
     if measured.temperature is None:
         return measured
-    if table is None or own is None:
+    if own is None:
         raise InputError(
             f"{measured.file}: the column temperature is that of the oil, and the scene has no [lubricant]; "
             "leave the column out"
@@ -89,9 +87,8 @@ def with_oils(
     oils = {own.temperature: own}
     for temperature in np.unique(measured.temperature).tolist():
         if temperature not in oils:
-            at_it = table.model_copy(update={"temperature": temperature})
             try:
-                oils[temperature] = lubricant_of(at_it, ball_radius=ball_radius)
+                oils[temperature] = lubricant_of(values.at(temperature), ball_radius=ball_radius)
             except InputError as problem:
                 row = int(np.flatnonzero(measured.temperature == temperature)[0]) + 1
                 raise InputError(

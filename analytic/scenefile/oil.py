@@ -5,10 +5,11 @@ from dataclasses import replace
 from math import hypot, log, sqrt
 from typing import Any
 
+from analytic.declared import read_only
 from analytic.errors import InputError
-from analytic.noun import read_only
 from analytic.oil.viscosity_temperature import ViscosityLine, viscosity_line
 from analytic.scene import Lubricant, Reach
+from analytic.scenefile.keys import GivenLength, Values
 from analytic.scenefile.known_oil import (
     COLD,
     DENSITY_LIMIT,
@@ -22,7 +23,6 @@ from analytic.scenefile.known_oil import (
     named_oil,
 )
 from analytic.scenefile.law_packages import BUILT_IN, installed_law
-from analytic.scenefile.tables import GivenLength, LubricantTable, ReachTable
 from analytic.scenefile.viscosity import GivenViscosity, ViscosityPoint
 from analytic.words import length_of
 
@@ -44,13 +44,13 @@ BLED = Known(status="assumed", source="between 0.017 and 0.028 N/m of two grease
 PROPERTIES = (*EXAMPLES, "viscosity", "limiting_shear", "thermal_conductivity")
 
 
-def lubricant_of(table: LubricantTable, *, ball_radius: float) -> Lubricant:
+def lubricant_of(values: Values, *, ball_radius: float) -> Lubricant:
     """The lubricant of a scene; ball_radius : m, over which lengths of the reach become shares.
 
     Raises InputError, in one line, for an unknown name, for keys in conflict, for a temperature beyond the oil's data,
     and for what neither the keys nor the catalog gives.
     """
-    given = {key: getattr(table, key) for key in table.model_fields_set}
+    given = {key.partition(".")[2]: value for key, value in values.items() if key.startswith("lubricant.")}
     _refuse_conflicts(given)
     if "name" in given:
         oil = named_oil(given["name"])
@@ -99,13 +99,14 @@ def lubricant_of(table: LubricantTable, *, ball_radius: float) -> Lubricant:
         traction_spread=oil.traction_spread,
         name=oil.name if "name" in given and viscosity is None else "",
         origins=read_only({key: each.origin for key, each in properties.items()}),
-        reach=_reach(table.reach, ball_radius),
+        reach=_reach(values, ball_radius),
         **choices,
     )
 
 
-def _reach(table: ReachTable, ball_radius: float) -> Reach:
-    def share(key: str, given: float | GivenLength) -> float:
+def _reach(values: Values, ball_radius: float) -> Reach:
+    def share(key: str) -> float:
+        given: float | GivenLength = values[f"lubricant.reach.{key}"]
         if not isinstance(given, GivenLength):
             return given
         if given.metres > ball_radius:
@@ -115,7 +116,7 @@ def _reach(table: ReachTable, ball_radius: float) -> Reach:
             )
         return given.metres / ball_radius
 
-    return Reach(ahead=share("ahead", table.ahead), behind=share("behind", table.behind))
+    return Reach(ahead=share("ahead"), behind=share("behind"))
 
 
 def _refuse_conflicts(given: Mapping[str, Any]) -> None:

@@ -1,57 +1,65 @@
 """Scene files in TOML: `ball_diameter = "7.94 mm"` is 0.00794 (m) in Python.
 
-`analytic.scenefile.tables` lists the keys. Every message is one line with the key, the value and what is accepted.
+`analytic.scenefile.keys` has the keys. File, options, settings and keywords make one document; the usual values of a
+bearing fill what nobody gives, its keys are read into SI, and the catalogue fills what is still open. Every message is
+one line with the key, the value and what is accepted.
 """
 
 import os
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, Unpack
+from typing import Any, Unpack, get_args
 
 import numpy as np
-from pydantic import ValidationError
 
 from analytic.catalog.bearing_rows import CatalogBearing
+from analytic.declared import read_only
 from analytic.errors import InputError
-from analytic.report_details import ReportDetails
+from analytic.given import OperatingOptions, SceneOptions
+from analytic.quantity import SI
 from analytic.scene import (
     Array,
     Bearing,
     Cage,
     ContactAngle,
+    Decision,
+    EffectName,
     Land,
     Losses,
-    Material,
     Operation,
+    ReportDetails,
     Scene,
     Surface,
+    Thermal,
 )
 from analytic.scenefile import fit
-from analytic.scenefile.assumption import usual_document
-from analytic.scenefile.bearing import BALLS, bearing_faults, bearing_of, catalog_row, has_other_balls, with_catalog
+from analytic.scenefile.bearing import (
+    BALLS,
+    bearing_faults,
+    bearing_of,
+    catalog_row,
+    fill_from_catalog,
+    has_other_balls,
+    has_own_balls,
+    shoulder_faults,
+)
 from analytic.scenefile.by_temperature import SceneByTemperature, thermal_faults
-from analytic.scenefile.choice import KEYS, OperatingOptions, SceneOptions, require_nothing_beside
+from analytic.scenefile.columns import OPERATING, key_of_column, operating_column
+from analytic.scenefile.fill import BALL, apply_rules
 from analytic.scenefile.find import FoundScene, find_scene
+from analytic.scenefile.inputs import given_assumptions, given_spreads
 from analytic.scenefile.installation import arranged, in_operation, installation_faults
-from analytic.scenefile.keys import fault_at, faults_of, with_key
+from analytic.scenefile.keys import Values, fault_at, faults_of, read_document, scene_table, with_key
 from analytic.scenefile.losses import losses_of
 from analytic.scenefile.measured import read_measured, with_oils
 from analytic.scenefile.oil import lubricant_of
-from analytic.scenefile.setting import read_choice, read_setting, with_columns, with_settings
-from analytic.scenefile.spread_tables import given_assumptions, given_spreads
+from analytic.scenefile.setting import given_values, in_si, require_nothing_beside
 from analytic.scenefile.surface import surface_conflicts, surface_of
-from analytic.scenefile.tables import (
-    BearingTable,
-    CageTable,
-    FrictionTable,
-    OperationTable,
-    SceneTable,
-    SurfaceTable,
-)
 from analytic.scenefile.text import parse_text
-from analytic.scenefile.usual_cage import FRICTION, ORIGINS, entry_of_cage
+from analytic.scenefile.usual import told_values, usual_values
+from analytic.scenefile.usual_cage import FRICTION, ORIGINS, assumed_cage
 from analytic.words import shown
 
 AS_PRINTED = "as_printed"  # the cage of the paper: the only variant whose pockets may overlap, with a warning
@@ -60,6 +68,9 @@ AS_PRINTED = "as_printed"  # the cage of the paper: the only variant whose pocke
 SEATED, HALF_SEATED = 1.7, 1.25
 NOTHING_SET: Mapping[str, Any] = MappingProxyType({})
 LEAST_CAGED = 1e-4  # m: the assumed cage of a smaller ball would be thinner than a scene may say
+NO_CAGE = "cage = none"
+OF_FRICTION = ("hysteresis_loss", "elastic_rolling", "spin_rule", "microslip")
+SERIES = ("axial_load", "inner_speed", "radial_load", "moment")
 MOST_FAULTS = 5  # in one message; the others are counted
 
 
@@ -113,25 +124,10 @@ def load_by_temperature(
     columns : of a file of operating points, by name, SI; with `measured` those of that file. A bearing of the catalog
         then has no usual load beside theirs.
     """
-    choice, notes = read_choice(options)
-    found = find_scene(scene, choice=choice)
-    if found.designation is None:
-        return _with_settings(found, _with_options(settings, options), measured)
-    columns = columns if measured is None else vars(read_measured(measured))
-    found = find_scene(scene, choice=with_settings(with_columns(choice, columns), settings))
-    _with_options(settings, options)  # refuses a key that both give
-    read = _with_settings(found, settings, measured)
-    _refuse_temperature(read, "temperature", options)
-    return _warned(read, notes)
-
-
-def _with_options(settings: Mapping[str, Any], options: Mapping[str, Any]) -> dict[str, Any]:
-    """The settings with the keys of options. Raises InputError for a key that both give, or an unknown option."""
-    given = {KEYS[name]: value for name, value in options.items() if value is not None}
-    for name, value in options.items():
-        if value is not None and KEYS[name] in settings:
-            raise InputError(f"{name} = {shown(value)} and {KEYS[name]} are the same: leave one of them out")
-    return {**settings, **given}
+    given, notes = given_values(settings, options)
+    found = find_scene(scene)
+    points = columns if measured is None or found.bearing is None else vars(read_measured(measured))
+    return _read(found, given, notes, measured, columns=points)
 
 
 def any_by_temperature(
@@ -144,7 +140,7 @@ def any_by_temperature(
     if not isinstance(scene, Scene):
         return load_by_temperature(scene, columns=columns, **given)
     require_nothing_beside(given)
-    return SceneByTemperature(scene=scene, origin=scene.name, oil=None, thermal=None)
+    return SceneByTemperature(scene=scene, origin=scene.name)
 
 
 def parse_scene(
@@ -196,38 +192,60 @@ def parse_by_temperature(
 
     options : as of `load_scene`
     """
-    read_choice(options)  # refuses unknown ones
-    return _with_settings(
-        FoundScene(document=parse_text(text, origin=origin), origin=origin, folder=folder),
-        _with_options(settings, options),
-        measured,
-    )
+    given, notes = given_values(settings, options)
+    found = FoundScene(document=parse_text(text, origin=origin), origin=origin, folder=folder)
+    return _read(found, given, notes, measured)
 
 
-def _with_settings(
-    found: FoundScene, settings: Mapping[str, Any], measured: str | os.PathLike[str] | None
+def _read(
+    found: FoundScene,
+    given: Mapping[str, Any],
+    notes: tuple[str, ...],
+    measured: str | os.PathLike[str] | None,
+    *,
+    columns: Mapping[str, Any] = NOTHING_SET,
 ) -> SceneByTemperature:
-    document, notes = usual_document(found, settings), []
-    for path, given in settings.items():
-        value, told = read_setting(path, given)
-        document = with_key(document, path, value)
-        notes += told
+    """The scene of a document with what is given beside it."""
+    document, usual = whole_document(found, given, columns)
     read = _by_temperature(document, origin=found.origin, folder=found.folder, measured=measured)
-    _refuse_temperature(read, KEYS["temperature"], settings)
-    return _warned(read, notes)
-
-
-def _refuse_temperature(read: SceneByTemperature, name: str, given: Mapping[str, Any]) -> None:
-    """Raises InputError for a temperature that someone gives beside a scene whose file may have one unused."""
-    if read.thermal is not None and given.get(name) is not None:
+    if read.thermal is not None and given.get("lubricant.temperature") is not None:
+        temperature = shown(given["lubricant.temperature"])
         raise InputError(
-            f"{read.origin}: {name} = {shown(given[name])} and [thermal] both determine the oil temperature: leave one "
-            "of them out"
+            f"{read.origin}: lubricant.temperature = {temperature} and [thermal] both determine the oil temperature: "
+            "leave one of them out"
         )
+    told = {} if found.bearing is None else told_values(usual, found.bearing, read.scene, given)
+    scene = replace(read.scene, usual=read_only(told), warnings=(*read.scene.warnings, *notes))
+    return replace(read, scene=scene)
 
 
-def _warned(read: SceneByTemperature, notes: Iterable[str]) -> SceneByTemperature:
-    return replace(read, scene=replace(read.scene, warnings=(*read.scene.warnings, *notes)))
+def whole_document(
+    found: FoundScene, given: Mapping[str, Any], columns: Mapping[str, Any] = NOTHING_SET
+) -> tuple[dict[str, Any], dict[str, Any]]:
+    """The document with what is given beside it, and the values of a bearing of the catalogue that nobody gave, by key.
+
+    given : by key, as a scene file has it;  columns : as of `load_by_temperature`
+    """
+    if found.bearing is None:
+        document, usual = found.document, {}
+    else:
+        given = {**given, **_point(columns, given)}
+        usual = usual_values(found.designation, found.bearing, given)
+        document = {}
+    for path, value in (*usual.items(), *given.items()):
+        document = with_key(document, path, value)
+    return document, usual
+
+
+def _point(columns: Mapping[str, Any], given: Mapping[str, Any]) -> dict[str, Any]:
+    """Loads of the heaviest row, speed and temperature of the fastest one, by key; what is given stays."""
+    known = {name: values for name in OPERATING if (values := columns.get(name)) is not None}
+    loads = [np.abs(known[name]) for name in ("axial_load", "radial_load") if name in known]
+    heaviest = int(np.argmax(np.sum(loads, axis=0))) if loads else 0
+    fastest = int(np.argmax(np.abs(known["inner_speed"]))) if "inner_speed" in known else 0
+    rows = {name: heaviest if name in ("axial_load", "radial_load") else fastest for name in known}
+    point = {key_of_column(name): SI(known[name][row], operating_column(name).unit) for name, row in rows.items()}
+    return {key: value for key, value in point.items() if key not in given}
 
 
 def scene_of(
@@ -237,221 +255,199 @@ def scene_of(
     folder: Path = Path(),
     measured: str | os.PathLike[str] | None = None,
 ) -> Scene:
-    """The scene that a parsed TOML document describes; the arguments and errors of load_scene and parse_scene.
-
-    The entries of the catalog are put into the document.
-    """
+    """The scene that a parsed TOML document describes; the arguments and errors of load_scene and parse_scene."""
     return _by_temperature(document, origin=origin, folder=folder, measured=measured).fixed
 
 
 def _by_temperature(
     document: dict[str, Any], *, origin: str, folder: Path, measured: str | os.PathLike[str] | None
 ) -> SceneByTemperature:
-    bearing, cage, row = document.get("bearing"), document.get("cage"), None
-    own, own_cage = (table if isinstance(table, dict) else {} for table in (bearing, cage))
-    try:
-        row = catalog_row(own)
-    except InputError as problem:
-        faults = [f"bearing.catalog: {problem}"]
-    else:
-        faults = _put_catalog(document, row)
+    table = scene_table()
+    v = read_document(document, table)
+    row, misfits = None, []
+    if not any(path == "bearing.catalog" for path, _, _ in v.faults):
+        row = catalog_row(v)
+        misfits = [*fill_from_catalog(v, row)]
+    faults = [*faults_of(table, v), *(fault_at(document, *misfit) for misfit in misfits)]
     if not faults:
-        try:
-            table = SceneTable.model_validate(document)
-        except ValidationError as problem:
-            faults = faults_of(document, problem.errors(include_url=False))
-        else:
-            scene, found = None, list(_conflicts(document, table, own, row))
-            if not found:
-                scene, found = _scene(table, (own, own_cage), row, folder)
-            if scene is not None and not found:
-                read = _with_measured(scene, table, folder, measured)
-                return SceneByTemperature(scene=read, origin=origin, oil=table.lubricant, thermal=table.thermal)
-            faults = [fault_at(document, key, problem) for key, problem in found]
+        scene, found = None, list(_conflicts(document, v, row))
+        if not found:
+            apply_rules(v)
+            found = [*shoulder_faults(v)]
+        if not found:
+            scene, found = _scene(document, v, row, folder)
+        if scene is not None and not found:
+            read = _with_measured(scene, v, folder, measured)
+            return SceneByTemperature(scene=read, origin=origin, values=v, thermal=v.noun(Thermal, "thermal"))
+        faults = [fault_at(document, key, problem) for key, problem in found]
     more = f"; and {len(faults) - MOST_FAULTS} more" if len(faults) > MOST_FAULTS else ""
     raise InputError(f"{origin}: " + "; ".join(faults[:MOST_FAULTS]) + more)
 
 
-def _put_catalog(document: dict[str, Any], row: CatalogBearing | None) -> list[str]:
-    """Put bearing, grease and cage of the catalog into the document, whose own keys win; return the faults."""
-    bearing, cage = document.get("bearing"), document.get("cage")
-    catalog_cage: dict[str, Any] = {}
-    if isinstance(bearing, dict):
-        bearing = with_catalog(bearing, row)
-        catalog_cage = bearing.pop("cage", {})
-        document["bearing"] = bearing
-    oil, is_closed = document.get("lubricant"), row is not None and bool(row.seal_suffixes)
-    if is_closed and isinstance(oil, dict):
-        document["lubricant"] = {"supply": "grease"} | oil  # seals and shields hold grease for life
-    variants = catalog_cage.pop("variants", {})
-    if isinstance(cage, dict):
-        own_pocket = [key for key in cage if key.startswith("pocket_")]
-        if "variant" in cage:
-            if cage["variant"] not in tuple(variants):
-                known = f"give one of {', '.join(variants)}" if variants else "this bearing has none"
-                return [fault_at(document, "cage.variant", f"is not a variant of the cage; {known}")]
-            if own_pocket and any(key.startswith("pocket_") for key in variants[cage["variant"]]):
-                return [fault_at(document, f"cage.{own_pocket[0]}", "comes with cage.variant; leave out one of them")]
-            cage = variants[cage["variant"]] | cage
-        if "pocket_clearance" in cage or "pocket_diameter" in cage:
-            catalog_cage.pop("pocket_clearance", None)
-        document["cage"] = catalog_cage | cage
-    return []
-
-
-def _conflicts(
-    document: dict[str, Any], table: SceneTable, own: Mapping[str, Any], row: CatalogBearing | None
-) -> Iterator[tuple[str, str]]:
-    """(key, problem) of keys that are valid on their own and in conflict with each other; own, row : as for _scene."""
-    angle, cage, loads = table.bearing.contact_angle, table.cage, table.operation
-    if angle.rule == "given" and not angle.value:
+def _conflicts(document: dict[str, Any], v: Values, row: CatalogBearing | None) -> Iterator[tuple[str, str]]:
+    """(key, problem) of keys that are valid on their own and in conflict with each other."""
+    rule, value, tilt = (
+        v[key] for key in ("bearing.contact_angle.rule", "bearing.contact_angle.value", "operation.tilt")
+    )
+    if rule == "given" and not value:
         yield "bearing.contact_angle.value", 'must be above 0 with rule = "given", for example "0.18 rad"'
-    elif angle.rule == "given" and angle.free is not None:
+    elif rule == "given" and v["bearing.contact_angle.free"] is not None:
         yield "bearing.contact_angle.free", 'goes with rule = "solved"; leave it out'
-    if angle.rule == "solved" and angle.value is not None:
+    if rule == "solved" and value is not None:
         yield "bearing.contact_angle.value", 'goes with rule = "given"; use free = ... or leave it out'
-    yield from bearing_faults(table.bearing, own, row)
-    yield from installation_faults(table)
-    if isinstance(loads.tilt, float) and "moment" in loads.model_fields_set:
+    yield from bearing_faults(v, row)
+    yield from installation_faults(v)
+    if isinstance(tilt, float) and "operation.moment" in v.said:
         yield "operation.tilt", "holds the ring, and operation.moment tilts it; leave one of them out"
-    if loads.tilt not in (None, "free", 0.0) and angle.rule == "given":
+    if tilt not in (None, "free", 0.0) and rule == "given":
         yield "operation.tilt", 'changes the contact angles, which rule = "given" holds; use "solved", or leave it out'
-    given = {key: getattr(loads, key) for key in document["operation"] if key not in ("down", "tilt")}
-    lists = {key: each for key, each in given.items() if len(each) > 1 or isinstance(document["operation"][key], list)}
+    given = {name: v[f"operation.{name}"] for name in document["operation"] if name not in ("down", "tilt")}
+    lists = {
+        name: each for name, each in given.items() if len(each) > 1 or isinstance(document["operation"][name], list)
+    }
     if len({len(each) for each in lists.values()}) > 1:
-        counts = " and ".join(f"operation.{key} has {len(each)}" for key, each in lists.items())
+        counts = " and ".join(f"operation.{name} has {len(each)}" for name, each in lists.items())
         yield "", f"{counts} values; lists are paired: give equal lengths, or one quantity for the whole series"
     else:
-        is_preloaded = table.arrangement is not None and table.arrangement.kind != "tandem"
-        points = np.broadcast(loads.axial_load, loads.radial_load, loads.moment)
+        is_preloaded = v["arrangement.kind"] not in (None, "tandem")
+        points = np.broadcast(v["operation.axial_load"], v["operation.radial_load"], v["operation.moment"])
         if not is_preloaded and not all(any(point) for point in points):
             problem = 'leaves a point without any load; give for example "1000 N", or a radial load or a moment'
             yield "operation.axial_load", problem
-        yield from (("operation.axial_load", problem) for problem in _apart(table, row))
-    if cage is not None and (cage.pocket_clearance is None) == (cage.pocket_diameter is None):
+        yield from (("operation.axial_load", problem) for problem in _apart(v, row))
+    has_cage = "cage" in v.said
+    if has_cage and (v["cage.pocket_clearance"] is None) == (v["cage.pocket_diameter"] is None):
         yield "", "cage needs exactly one of pocket_clearance and pocket_diameter"
-    if table.friction is not None and table.friction.coefficient is None and table.lubricant is None:
+    if "friction" in v.said and v["friction.coefficient"] is None and "lubricant" not in v.said:
         problem = "is missing; give for example 0.1, or the tables [lubricant] and [surface] instead"
         yield "friction.coefficient", problem
-    if table.surface is not None:
-        yield from surface_conflicts(table.surface)
-    yield from thermal_faults(table)
-    if table.lubricant is not None:
+    if "surface" in v.said:
+        yield from surface_conflicts(v)
+    yield from thermal_faults(v)
+    if "lubricant" in v.said:
         try:
-            lubricant_of(table.lubricant, ball_radius=table.bearing.ball_diameter / 2)
+            lubricant_of(v, ball_radius=v["bearing.ball_diameter"] / 2)
         except InputError as problem:
             yield "", str(problem)
     for name in ("cage", "cage_dynamics", "ball_dynamics"):
-        has_cage = cage is not None or _assumes_cage(table, row)
-        if not has_cage and getattr(table.effects, name) == "on":
+        if not (has_cage or _assumes_cage(v, row)) and v[f"effects.{name}"] == "on":
             yield f"effects.{name}", "needs a table [cage]; give one, or leave the effect out"
 
 
-def _seating(table: SceneTable, row: CatalogBearing | None) -> Iterator[tuple[float, float]]:
+def _seating(v: Values, row: CatalogBearing | None) -> Iterator[tuple[float, float]]:
     """(thrust, radial load times tan(angle)), N, of each point of a single angular contact bearing of the catalogue."""
-    if row is None or row.nominal_angle is None or table.arrangement is not None:
+    if row is None or row.nominal_angle is None or "arrangement" in v.said:
         return
     tangent = float(np.tan(row.nominal_angle))
-    for thrust, side in np.broadcast(table.operation.axial_load, table.operation.radial_load):
+    for thrust, side in np.broadcast(v["operation.axial_load"], v["operation.radial_load"]):
         yield float(thrust), abs(float(side)) * tangent
 
 
-def _apart(table: SceneTable, row: CatalogBearing | None) -> Iterator[str]:
+def _apart(v: Values, row: CatalogBearing | None) -> Iterator[str]:
     """Why a radial load alone is none that a single angular contact bearing carries."""
-    alone = [spread for thrust, spread in _seating(table, row) if spread and not thrust]
+    alone = [spread for thrust, spread in _seating(v, row) if spread and not thrust]
     if alone:
         needed = float(f"{SEATED * max(alone):.3g}")
         yield f"lets an angular contact bearing slide apart; give some {needed:g} N of thrust, or an [arrangement]"
 
 
-def _loose(table: SceneTable, row: CatalogBearing | None) -> Iterator[str]:
+def _loose(v: Values, row: CatalogBearing | None) -> Iterator[str]:
     """A warning where too little thrust loads fewer than half of the balls."""
-    if any(thrust < HALF_SEATED * spread for thrust, spread in _seating(table, row)):
+    if any(thrust < HALF_SEATED * spread for thrust, spread in _seating(v, row)):
         yield (
             f"the thrust loads fewer than half of the balls of this angular contact bearing: {HALF_SEATED:g} times the "
             "radial load times tan(contact angle) loads half of them where the ring is held straight, "
-            + ("and a ring that tilts freely needs more" if table.operation.is_free else f"{SEATED:g} times all")
+            + ("and a ring that tilts freely needs more" if _is_free(v) else f"{SEATED:g} times all")
         )
 
 
-def _scene(
-    table: SceneTable, tables: tuple[Mapping[str, Any], Mapping[str, Any]], row: CatalogBearing | None, folder: Path
-) -> tuple[Scene, list[tuple[str, str]]]:
-    """The scene, and (key, problem) for everything in it that does not fit together.
+def _is_free(v: Values) -> bool:
+    """Whether the ring tilts as its loads and moment have it."""
+    tilt = v["operation.tilt"]
+    return tilt == "free" or (tilt is None and "operation.moment" in v.said)
 
-    tables, row : the scene's own tables of bearing and cage, and the bearing's row of the catalogue
-    """
-    own, own_cage = tables
-    bearing = bearing_of(table.bearing, own=own, row=row)
-    if row is not None and row.other_candidate is not None and row.grade == "C" and not {*BALLS} & {*own}:
-        others = table.bearing.model_copy(update=dict(zip(BALLS, row.other_candidate, strict=True)))
-        bearing = replace(bearing, other_candidate=bearing_of(others, own=own, row=row))
-    angle = ContactAngle(**table.bearing.contact_angle.model_dump(exclude={"nominal"}))
+
+def _scene(
+    document: dict[str, Any], v: Values, row: CatalogBearing | None, folder: Path
+) -> tuple[Scene, list[tuple[str, str]]]:
+    """The scene, and (key, problem) for everything in it that does not fit together."""
+    bearing = bearing_of(v, row)
+    if row is not None and row.other_candidate is not None and row.grade == "C" and not has_own_balls(v):
+        others = read_document(document, scene_table())
+        others |= dict(zip((f"bearing.{key}" for key in BALLS), row.other_candidate, strict=True))
+        list(fill_from_catalog(others, row))
+        apply_rules(others)
+        bearing = replace(bearing, other_candidate=bearing_of(others, row))
+    angle = ContactAngle(**v.fields(ContactAngle, "bearing.contact_angle"))
     if bearing.kind == "thrust":
         angle = ContactAngle(rule="given", value=np.pi / 2)
-    misfits = list(fit.bearing_misfits(bearing, gap_key=_gap_key(table.bearing), own=own))
+    own = {path.removeprefix("bearing.") for path in v.said if path.startswith("bearing.")}
+    misfits = list(fit.bearing_misfits(bearing, gap_key=_gap_key(v), own=own))
     delivered, clearances = bearing, None
-    if table.mounting is not None and not misfits:
-        bearing, clearances, problems = in_operation(bearing, table.mounting)
+    if "mounting" in v.said and not misfits:
+        bearing, clearances, problems = in_operation(bearing, v)
         misfits += problems
     arrangement, unplaced = None, []
-    if table.arrangement is not None and not misfits:
-        arrangement, unplaced = arranged(table.arrangement, bearing, angle)
+    if "arrangement" in v.said and not misfits:
+        arrangement, unplaced = arranged(v, bearing, angle)
     cage = None
     if not misfits:
         misfits += fit.angle_misfits(bearing, angle) if bearing.kind == "radial" else ()
-        cage, unfit = _cage_of(table, delivered, own_cage, row)
+        cage, unfit = _cage_of(v, delivered, row)
         misfits += unfit
-    surface, unread = _surface(table.surface, folder)
-    misfits += [*unread, *fit.surface_misfits(surface, bearing, cage, is_lubricated=table.lubricant is not None)]
+    surface, unread = _surface(v, folder)
+    is_lubricated = "lubricant" in v.said
+    misfits += [*unread, *fit.surface_misfits(surface, bearing, cage, is_lubricated=is_lubricated)]
     losses = Losses()
     if not misfits:
         try:
-            losses = losses_of(table.losses, delivered, row)
+            losses = losses_of(v, delivered, row)
         except InputError as problem:
             misfits.append(("losses.seals", f"is refused: {problem}"))
-    friction = table.friction or FrictionTable()
-    is_left_out = cage is None and (row is not None or "cage" in table.model_fields_set)
-    effects = table.effects.model_copy(update={"cage": "off"}) if is_left_out else table.effects
     scene = Scene(
-        name=table.name,
-        tolerance=table.tolerance,
+        name=v["name"],
+        tolerance=v["tolerance"],
         bearing=bearing,
         contact_angle=angle,
         clearances=clearances,
         arrangement=arrangement,
-        operation=_operation(table.operation),
-        down=table.operation.down,
+        operation=_operation(v),
+        down=v["operation.down"],
         cage=cage,
-        lubricant=table.lubricant and lubricant_of(table.lubricant, ball_radius=bearing.ball_diameter / 2),
+        lubricant=lubricant_of(v, ball_radius=bearing.ball_diameter / 2) if is_lubricated else None,
         surface=surface,
-        friction_coefficient=friction.coefficient,
-        **friction.model_dump(exclude={"coefficient"}),
+        friction_coefficient=v["friction.coefficient"],
+        **{name: v[f"friction.{name}"] for name in OF_FRICTION},
         losses=losses,
-        effects=MappingProxyType(effects.model_dump()),
-        calibration=table.calibration,
-        report=ReportDetails(**table.report.model_dump()),
-        warnings=(*_of_designation(table.bearing, own, row), *_loose(table, row), *fit.warnings(bearing, cage)),
+        effects=_effects(v, has_no_cage=cage is None and (row is not None or NO_CAGE in v.said)),
+        calibration=v["calibration"],
+        report=ReportDetails(**v.fields(ReportDetails, "report")),
+        warnings=(*_of_designation(v, row), *_loose(v, row), *fit.warnings(bearing, cage)),
     )
-    spreads, unfitting = given_spreads(table.uncertainty, scene)
-    sources, unmatched = given_assumptions(table.assumed, scene)
-    scene = replace(scene, uncertainty=MappingProxyType(spreads), assumed=MappingProxyType(sources))
+    spreads, unfitting = given_spreads(v, scene)
+    sources, unmatched = given_assumptions(v, scene)
+    scene = replace(scene, uncertainty=read_only(spreads), assumed=read_only(sources))
     return scene, [*misfits, *unplaced, *unfitting, *unmatched]
 
 
-def _of_designation(given: BearingTable, own: Mapping[str, Any], row: CatalogBearing | None) -> Iterator[str]:
+def _effects(v: Values, *, has_no_cage: bool) -> Mapping[str, Decision]:
+    effects = {name: v[f"effects.{name}"] for name in get_args(EffectName)}
+    return read_only(effects | ({"cage": "off"} if has_no_cage else {}))
+
+
+def _of_designation(v: Values, row: CatalogBearing | None) -> Iterator[str]:
     """The warnings of the catalogue's row, without those on balls that the scene replaces."""
     if row is not None:
-        replaced = row.ball_warnings if has_other_balls(given, own, row) else ()
+        replaced = row.ball_warnings if has_other_balls(v, row) else ()
         yield from (warning for warning in row.warnings if warning not in replaced)
 
 
-def _surface(given: SurfaceTable | None, folder: Path) -> tuple[Surface | None, list[tuple[str, str]]]:
+def _surface(v: Values, folder: Path) -> tuple[Surface | None, list[tuple[str, str]]]:
     """The surface, and (key, problem) for a height map that cannot be read."""
-    if given is None:
+    if "surface" not in v.said:
         return None, []
     try:
-        surface = surface_of(given, folder)
+        surface = surface_of(v, folder)
     except InputError as problem:
         return None, [("surface.height_map.path", str(problem))]
     if surface.height_map is None or os.path.isfile(surface.height_map.path):
@@ -459,73 +455,68 @@ def _surface(given: SurfaceTable | None, folder: Path) -> tuple[Surface | None, 
     return None, [("surface.height_map.path", "is not a file; give its path from the scene file's folder")]
 
 
-def _with_measured(scene: Scene, table: SceneTable, folder: Path, given: str | os.PathLike[str] | None) -> Scene:
+def _with_measured(scene: Scene, v: Values, folder: Path, given: str | os.PathLike[str] | None) -> Scene:
     """The scene with its measured torques, if there are any; given : their file, in place of that of [measured]."""
-    if given is None and table.measured is not None:
-        given = folder / table.measured.file
+    if given is None and v["measured.file"] is not None:
+        given = folder / v["measured.file"]
     if given is None:
         return scene
-    found = read_measured(given)
-    radius = scene.bearing.ball_radius
-    return replace(scene, measured=with_oils(found, table.lubricant, scene.lubricant, ball_radius=radius))
+    measured = with_oils(read_measured(given), v, scene.lubricant, ball_radius=scene.bearing.ball_radius)
+    return replace(scene, measured=measured)
 
 
-def _gap_key(given: BearingTable) -> str:
+def _gap_key(v: Values) -> str:
     """The path of the key that says how far the rings are apart."""
-    if given.clearance is not None:
-        return "bearing.clearance"
-    said = given.contact_angle.nominal is not None
-    return "bearing.contact_angle.nominal" if said else fit.BOTTOM
+    keys = ("bearing.clearance", "bearing.contact_angle.nominal")
+    return next((key for key in keys if v[key] is not None), fit.BOTTOM)
 
 
-def _assumes_cage(table: SceneTable, row: CatalogBearing | None) -> bool:
+def _assumes_cage(v: Values, row: CatalogBearing | None) -> bool:
     """Whether the scene says nothing of the cage of a bearing of the catalogue, nor of its pockets."""
-    return row is not None and "cage" not in table.model_fields_set and table.losses.pockets is None
+    return row is not None and not {"cage", NO_CAGE, "losses.pockets"} & v.said
 
 
-def _cage_of(
-    table: SceneTable, bearing: Bearing, own: Mapping[str, Any], row: CatalogBearing | None
-) -> tuple[Cage | None, list[tuple[str, str]]]:
-    """The cage of a bearing as it is delivered, and (key, problem) for what does not fit; own : the scene's own table.
+def _cage_of(v: Values, bearing: Bearing, row: CatalogBearing | None) -> tuple[Cage | None, list[tuple[str, str]]]:
+    """The cage of a bearing as it is delivered, and (key, problem) for what does not fit.
 
     One that is assumed fits, and rests on its balls; None where the balls leave no web, or are tiny.
     """
-    if _assumes_cage(table, row):
-        entry = entry_of_cage(bearing, () if row is None else row.suffixes.values())
-        if not entry or bearing.ball_diameter < LEAST_CAGED:
+    if _assumes_cage(v, row):
+        sizes = assumed_cage(bearing, () if row is None else row.suffixes.values())
+        if not sizes or bearing.ball_diameter < LEAST_CAGED:
             return None, []
-        usual = CageTable.model_validate(entry | {"friction_coefficient": FRICTION})
-        return replace(_cage(usual, bearing, assumed=ORIGINS), gives_way=True), []
-    if table.cage is None:
+        usual = read_document({"cage": in_si(sizes | {"friction_coefficient": FRICTION}, "cage")}, scene_table())
+        usual[BALL] = bearing.ball_diameter
+        apply_rules(usual)
+        return replace(_cage(usual, assumed=ORIGINS), gives_way=True), []
+    if "cage" not in v.said:
         return None, []
-    cage = _cage(table.cage, bearing, assumed=() if row is None else {*ORIGINS} - {*own})
-    pocket = "pocket_clearance" if table.cage.pocket_diameter is None else "pocket_diameter"
-    overlaps = table.cage.variant == AS_PRINTED
+    own = {path.removeprefix("cage.") for path in v.said}
+    cage = _cage(v, assumed=() if row is None else {*ORIGINS} - own)
+    pocket = "pocket_clearance" if "cage.pocket_clearance" in v else "pocket_diameter"
+    overlaps = v["cage.variant"] == AS_PRINTED
     return cage, [*fit.cage_misfits(bearing, cage, pocket=pocket, pockets_may_overlap=overlaps)]
 
 
-def _cage(given: CageTable, bearing: Bearing, *, assumed: Collection[str]) -> Cage:
+def _cage(v: Values, *, assumed: Collection[str]) -> Cage:
     """assumed : keys that the scene leaves to the catalogue, as far as they are given"""
-    diameter = given.pocket_diameter or bearing.ball_diameter + (given.pocket_clearance or 0.0)
-    approach = given.pocket_approach
-    derived = {"variant", "pocket_clearance", "pocket_diameter", "pocket_depth", "pocket_approach", "material", "land"}
-    said = {key for key in ORIGINS if getattr(given, key) is not None}
     return Cage(
-        **given.model_dump(exclude=derived),
-        origins=MappingProxyType({key: ORIGINS[key] for key in assumed if key in said}),
-        pocket_diameter=diameter,
-        pocket_depth=diameter / 2 if given.pocket_depth is None else given.pocket_depth,
-        pocket_stiffness=None if approach is None else approach.load / approach.approach**1.5,
-        material=Material(**given.material.model_dump()),
-        land=None if given.land is None else Land(**given.land.model_dump()),
+        **v.fields(
+            Cage,
+            "cage",
+            origins=read_only({key: ORIGINS[key] for key in assumed if v[f"cage.{key}"] is not None}),
+            pocket_stiffness=v["cage.pocket_stiffness"],
+            material=v["cage.material"],
+            land=v.noun(Land, "cage.land"),
+        )
     )
 
 
-def _operation(given: OperationTable) -> Operation:
-    series = given.model_dump(exclude={"down", "tilt"})
-    values = np.broadcast_arrays(*(np.array(value) for value in series.values()))
-    tilt = "free" if given.is_free else given.tilt
-    return Operation(tilt=tilt, **{key: _frozen(value) for key, value in zip(series, values, strict=True)})
+def _operation(v: Values) -> Operation:
+    series = {name: np.array(v[f"operation.{name}"]) for name in SERIES}
+    values = np.broadcast_arrays(*series.values())
+    tilt = "free" if _is_free(v) else v["operation.tilt"]
+    return Operation(tilt=tilt, **{name: _frozen(value) for name, value in zip(series, values, strict=True)})
 
 
 def _frozen(values: Array) -> Array:

@@ -1,98 +1,99 @@
-"""The JSON Schema of a scene file, by which an editor completes keys and marks mistakes; made from the tables.
+"""The JSON Schema of a scene file, by which an editor completes keys and marks mistakes; made from the declared keys.
 
-An editor knows less than the reader: of a quantity it sees that a number
-and a unit are there, not whether the unit fits.
+An editor knows less than the reader: of a quantity it sees that a number and a unit are there, not whether they fit.
 """
 
-from types import NoneType, UnionType
-from typing import Annotated, Any, Literal, Union, get_args, get_origin
-
-from pydantic import BeforeValidator
-from pydantic.fields import FieldInfo
+from typing import Any
 
 from analytic import catalog
-from analytic.scenefile.keys import accepted
-from analytic.scenefile.quantity import NUMBER, Dimension
-from analytic.scenefile.spread_tables import Spread
-from analytic.scenefile.table import Table, Whole
-from analytic.scenefile.tables import BearingTable, CageTable, GrooveTable, MaterialTable, SceneTable
+from analytic.declared import REQUIRED, Key, Kind, Switch, Table, Whole, Word
+from analytic.quantity import NUMBER, Dimension, QuantityOrWord, Series
+from analytic.scenefile.keys import Direction, Extent, RowOf, Solid, Spread, scene_table
 from analytic.scenefile.viscosity import Viscosity
 
 DIALECT = "http://json-schema.org/draft-07/schema#"  # that editors of TOML know
-FILLED = (BearingTable, GrooveTable, CageTable)  # by the catalog: no key of these tables is required
+FILLED = ("bearing", "bearing.inner", "bearing.outer", "cage")  # by the catalog: no key of these tables is required
 WITH_UNIT = rf'^ *{NUMBER} *(?:1? */ *)?[A-Za-zµμ°Ω"][^,]*$'
 PERCENT = rf"^ *{NUMBER} *%$"
-WORDS = {str: "string", bool: "boolean", int: "integer", float: "number"}
 Schema = dict[str, Any]
 
 
 def scene_schema() -> Schema:
     """The schema of a whole scene file."""
-    return {"$schema": DIALECT, "title": "fembearing scene", **table_schema(SceneTable)}
+    return {"$schema": DIALECT, "title": "fembearing scene", **table_schema(scene_table())}
 
 
-def table_schema(table: type[Table], *, whole: bool = True) -> Schema:
+def table_schema(table: Table, *, whole: bool = True) -> Schema:
     """The schema of a table; whole : whether keys without a default must be there."""
-    properties = {name: field_schema(field, whole=whole) for name, field in table.model_fields.items()}
-    required = [name for name, field in table.model_fields.items() if field.is_required()]
-    result: Schema = {"type": "object", "additionalProperties": False, "properties": properties}
-    return result | {"required": required} if whole and required and table not in FILLED else result
+    result: Schema = {
+        "type": "object",
+        "additionalProperties": False,
+        "properties": {name: entry_schema(entry, whole=whole) for name, entry in table.keys.items()},
+    }
+    needed = [
+        name for name, entry in table.keys.items() if getattr(entry, "default", None) is REQUIRED or _is_needed(entry)
+    ]
+    return result | {"required": needed} if whole and needed and table.path not in FILLED else result
 
 
-def field_schema(field: FieldInfo, *, whole: bool = True) -> Schema:
-    """The schema of what a key takes, with range and example in words."""
-    words = accepted(field)
-    default = field.default
-    result = {"description": words} if words else {}
-    result |= _value(field.rebuild_annotation(), whole)
+def entry_schema(entry: Key | Table, *, whole: bool = True) -> Schema:
+    """The schema of what a key or a table takes, with range and example in words."""
+    if isinstance(entry, Table):
+        inside = table_schema(entry, whole=whole)
+        words = {"description": entry.hint} if entry.hint else {}
+        return words | (_any_of([{"enum": [entry.word]}, inside]) if entry.word else inside)
+    dimension = entry.dimension
+    words = (entry.meaning, entry.accepted, "" if dimension is None else f"from {dimension.span}")
+    result = {"description": "; ".join(filter(None, words))} | _value(entry.kind, whole)
+    default = entry.default
     plain = isinstance(default, str | bool) or (isinstance(default, int) and result.get("type") == "integer")
     return result | ({"default": default} if plain else {})
 
 
-def _value(kind: Any, whole: bool) -> Schema:
-    """The schema of a value of this annotation."""
-    origin, parts = get_origin(kind), get_args(kind)
-    if origin is Annotated:
-        for note in kind.__metadata__:
-            if isinstance(note, Viscosity):
-                one = _quantity(note)
-                return _one_of([one, {"type": "array", "items": one, "minItems": 2, "maxItems": 2}])
-            if isinstance(note, Dimension):
-                words = [part for part in get_args(parts[0]) if get_origin(part) is Literal]
-                return _one_of([_quantity(note), *(_value(part, whole) for part in words)])
-            if isinstance(note, Whole):
-                return {"type": "integer", "minimum": note.low, "maximum": note.high}
-        inside = _value(parts[0], whole)
-        by_name = parts[0] is MaterialTable and any(isinstance(note, BeforeValidator) for note in kind.__metadata__)
-        names = [{"enum": list(catalog.names("materials"))}, {"type": "string"}]  # each has other spellings too
-        if CageTable in get_args(parts[0]):
-            return _one_of([{"enum": ["none"]}, inside])
-        return _one_of([*names, inside]) if by_name else inside
-    if origin in (Union, UnionType):
-        return _one_of([_value(part, whole) for part in parts if part is not NoneType])
-    if origin is list:
-        inside = _value(parts[0], whole)
-        return _one_of([inside, {"type": "array", "items": inside, "minItems": 1}])
-    if origin is tuple:
-        inside = [_value(part, whole) for part in parts]
-        return {"type": "array", "items": inside, "minItems": len(inside), "maxItems": len(inside)}
-    if origin is dict:
-        return {"type": "object"}
-    if origin is Literal:
-        return {"enum": list(parts)}
-    if issubclass(kind, Table):
-        return table_schema(kind, whole=whole)
-    return {"type": WORDS[kind]}
+def _is_needed(entry: Key | Table) -> bool:
+    return isinstance(entry, Table) and entry.is_required
 
 
-def _one_of(choices: list[Schema]) -> Schema:
+def _value(kind: Kind, whole: bool) -> Schema:
+    """The schema of a value of this kind."""
+    match kind:
+        case Solid():
+            names = [{"enum": list(catalog.names("materials"))}, {"type": "string"}]  # each has other spellings too
+            return _any_of([*names, table_schema(kind.inside, whole=whole)])
+        case Viscosity():
+            one = _quantity(kind.of)
+            return _any_of([one, {"type": "array", "items": one, "minItems": 2, "maxItems": 2}])
+        case Series():
+            one = _quantity(kind.of)
+            return _any_of([one, {"type": "array", "items": one, "minItems": 1}])
+        case Spread():
+            one = _quantity(kind.of)
+            takes_share = kind.takes_share and kind.of.unit
+            return _any_of([one, {"type": "string", "pattern": PERCENT}]) if takes_share else one
+        case QuantityOrWord():
+            return _any_of([_quantity(kind), {"enum": list(kind.words)}])
+        case Extent():
+            return _any_of([_quantity(kind), {"type": "string", "pattern": WITH_UNIT}])
+        case Dimension():
+            return _quantity(kind)
+        case Word() | RowOf():
+            return {"enum": list(kind.words)}
+        case Whole():
+            return {"type": "integer", "minimum": kind.low, "maximum": kind.high}
+        case Switch():
+            return {"type": "boolean"}
+        case Direction():
+            return {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3}
+        case _:
+            return {"type": "string"}
+
+
+def _any_of(choices: list[Schema]) -> Schema:
     return choices[0] if len(choices) == 1 else {"anyOf": choices}
 
 
 def _quantity(dimension: Dimension) -> Schema:
     if dimension.unit:
-        quantity = {"type": "string", "pattern": WITH_UNIT}
-        takes_share = isinstance(dimension, Spread) and dimension.takes_share
-        return _one_of([quantity, {"type": "string", "pattern": PERCENT}]) if takes_share else quantity
+        return {"type": "string", "pattern": WITH_UNIT}
     number = {"type": "number", "minimum": dimension.low, "maximum": dimension.high}
     return {"anyOf": [number, {"type": "string", "pattern": PERCENT}]}

@@ -1,4 +1,4 @@
-"""Values of keys that are given beside a scene: by options of a bearing of the catalogue, and by settings of any key.
+"""Values of keys that are given beside a scene, by options or by settings of any key, in the form of a scene file.
 
 People type them, so a speed without a unit is in rpm, which it is not in a scene file. Numbers from Python are SI.
 """
@@ -6,75 +6,53 @@ People type them, so a speed without a unit is in rpm, which it is not in a scen
 import re
 import tomllib
 from collections.abc import Mapping
-from dataclasses import replace
 from difflib import get_close_matches
 from typing import Any
 
 import numpy as np
 
+from analytic.declared import Table
 from analytic.errors import InputError
-from analytic.scenefile.choice import KEYS, LOADS, OTHER_LOADS, Choice
-from analytic.scenefile.columns import OPERATING
+from analytic.given import KEYS, SceneOptions, has_unit
+from analytic.quantity import NUMBER, SI, Dimension, range_of
 from analytic.scenefile.keys import scene_key
-from analytic.scenefile.quantity import NUMBER, Dimension, Range, range_of
-from analytic.scenefile.table import Table
-from analytic.scenefile.tables import SceneTable
-from analytic.units import has_unit
 from analytic.words import plain, shown, speed_of
 
 LIKE_RPM = 100  # rad/s: an integer from here on is more often one of rpm
 SETTING = "give KEY=VALUE, for example --set lubricant.supply=grease"
 
 
-def read_choice(options: Mapping[str, Any]) -> tuple[Choice, tuple[str, ...]]:
-    """What options give, and notes on how it was read; None: not given. Raises InputError for an unknown option."""
-    values, notes = {}, []
-    for name, given in options.items():
+def given_values(settings: Mapping[str, Any], options: Mapping[str, Any]) -> tuple[dict[str, Any], tuple[str, ...]]:
+    """What settings and options give, by key, in the form of a scene file, and notes on how it was read.
+
+    Raises InputError for an unknown option, an unknown key, and a key that both give.
+    """
+    asked = dict(settings)
+    for name, value in options.items():
         if name not in KEYS:
             near = get_close_matches(name, KEYS, n=1)
             remedy = f"did you mean {near[0]}?" if near else f"give {', '.join(KEYS)}, or the key in settings"
             raise InputError(f"{plain(name)} is no option of a bearing; {remedy}")
-        if given is not None:
-            values[name], note = read_setting(KEYS[name], given)
-            notes += note
-    return Choice(**values), tuple(notes)
+        if value is None:
+            continue
+        if KEYS[name] in settings:
+            raise InputError(f"{name} = {shown(value)} and {KEYS[name]} are the same: leave one of them out")
+        asked[KEYS[name]] = value
+    values, notes = {}, []
+    for path, value in asked.items():
+        values[path], told = read_setting(path, value)
+        notes += told
+    return values, tuple(notes)
 
 
-def with_settings(choice: Choice, settings: Mapping[str, Any]) -> Choice:
-    """The choice with what settings give by the keys of its fields; no usual load stands beside another load.
-
-    Its usual oil then suits a speed and a temperature that settings give. settings : by key, as for `load_scene`
-    """
-    choice = replace(
-        choice, **{name: read_setting(key, settings[key])[0] for name, key in KEYS.items() if key in settings}
-    )
-    if has_load(choice) or not {*OTHER_LOADS} & settings.keys():
-        return choice
-    return replace(choice, radial_load="0 N")
-
-
-def has_load(choice: Choice) -> bool:
-    """Whether the choice itself gives a load, so that there is no usual one."""
-    return any(getattr(choice, name) is not None for name in LOADS)
-
-
-def with_columns(choice: Choice, columns: Mapping[str, Any]) -> Choice:
-    """The choice with the loads of the heaviest row of a file, and speed and temperature of its fastest row.
-
-    No usual load is added to those of the file, and the usual oil suits its speed.
-    columns : by name, (n,), SI; None, or no entry: the file has no such column
-    """
-    given = {name: values for name in OPERATING if (values := columns.get(name)) is not None}
-    loads = {name: values for name, values in given.items() if name in LOADS}
-    if loads:
-        row = int(np.argmax(np.sum(np.abs([*loads.values()]), axis=0)))
-        choice = replace(choice, **{name: f"{float(values[row])!r} N" for name, values in loads.items()})
-    row = int(np.argmax(np.abs(given["inner_speed"]))) if "inner_speed" in given else 0
-    if "inner_speed" in given:
-        choice = replace(choice, speed=f"{float(given['inner_speed'][row])!r} rad/s")
-    if "temperature" in given:
-        choice = replace(choice, temperature=f"{float(given['temperature'][row])!r} K")
-    return choice
+def require_nothing_beside(given: SceneOptions) -> None:
+    """Raises InputError for anything that is given beside a Scene."""
+    if not given:
+        return
+    unknown = sorted({*given} - SceneOptions.__optional_keys__)
+    if unknown:
+        raise InputError(f"{unknown[0]} is no argument of this function, nor one that goes with a designation")
+    raise InputError(f"{min(given)} goes with a designation as 6308; change a Scene by dataclasses.replace")
 
 
 def typed_settings(texts: list[str]) -> dict[str, str]:
@@ -90,40 +68,40 @@ def typed_settings(texts: list[str]) -> dict[str, str]:
     return settings
 
 
-def read_setting(path: str, given: Any, *, root: type[Table] = SceneTable) -> tuple[Any, list[str]]:
+def read_setting(path: str, given: Any, *, root: Table | None = None) -> tuple[Any, list[str]]:
     """The value of a key as a scene file has it, and notes on how it was read.
 
     root : whose key it is
     given : a text, as it is typed; or from Python a number in SI, a quantity, a switch, a list, or a table
     Raises InputError for an unknown key; the value itself is checked with the scene.
     """
-    value = as_text(given)
+    value = as_plain(given)
     is_typed = isinstance(value, str)
     table = _toml_value(value) if is_typed and value.lstrip().startswith("{") else value
     if isinstance(table, dict):
-        return table, []
+        return (table if is_typed else in_si(table, path)), []
     key = scene_key(path, root=root)
     if is_typed and not key.takes_text:
         value = _toml_value(value)
     if key.dimension is None:
         return value, []
     notes: list[str] = []
-    if is_typed and key.in_series and (found := _range_at(path, value)) is not None:
-        first, last = (
-            _in_context(path, key.dimension, end, notes=notes, is_typed=True) for end in (found.first, found.last)
-        )
-        return f"{first} to {last} in {found.size}{' log' if found.log else ''}", notes
+    if is_typed and key.in_series and isinstance(value, str) and " to " in value:
+        return _in_range(path, key.dimension, value, notes), notes
     parts = [*value] if isinstance(value, list | tuple) else [value]
     read = [_in_context(path, key.dimension, part, notes=notes, is_typed=is_typed) for part in parts]
     return (read if isinstance(value, list | tuple) else read[0]), notes
 
 
-def _range_at(path: str, value: Any) -> Range | None:
-    """The parts of a range. Raises InputError as `range_of` for one without its number of values."""
+def _in_range(path: str, dimension: Dimension, text: str, notes: list[str]) -> str:
+    """A range as a scene file has it. Raises InputError for one without its number of values."""
     try:
-        return range_of(value) if isinstance(value, str) else None
+        found = range_of(text)
     except ValueError as problem:
-        raise InputError(f"{path} = {shown(value)} {problem}") from None
+        raise InputError(f"{path} = {shown(text)} {problem}") from None
+    assert found is not None
+    first, last = (_in_context(path, dimension, end, notes=notes, is_typed=True) for end in (found.first, found.last))
+    return f"{first} to {last} in {found.size}{' log' if found.log else ''}"
 
 
 def _toml_value(text: str) -> Any:
@@ -140,16 +118,15 @@ def _toml_value(text: str) -> Any:
 
 def _in_context(path: str, dimension: Dimension, value: Any, *, notes: list[str], is_typed: bool) -> Any:
     """A quantity as a scene file has it; what is none is left for the scene to refuse."""
+    is_speed = dimension.unit == "rad/s"
     if isinstance(value, int | float) and not isinstance(value, bool):
-        if not dimension.unit:
-            return value
         if not is_typed:
-            if dimension.unit == "rad/s" and isinstance(value, int) and abs(value) >= LIKE_RPM:
+            if is_speed and isinstance(value, int) and abs(value) >= LIKE_RPM:
                 notes.append(
                     f'{path} = {value!r} is in rad/s, {speed_of(value)}; write "{value!r} rpm" if it is in rpm'
                 )
-            return f"{value!r} {dimension.unit}"
-        if dimension.unit != "rad/s":
+            return SI(value, dimension.unit) if dimension.unit else value
+        if not is_speed:
             return value
         value = repr(value)
     if not isinstance(value, str):
@@ -158,7 +135,7 @@ def _in_context(path: str, dimension: Dimension, value: Any, *, notes: list[str]
         text = dimension.tidy(value)
     except ValueError:
         return value
-    if dimension.unit not in ("", "rad/s") or not re.fullmatch(NUMBER, text, re.ASCII):
+    if (dimension.unit and not is_speed) or not re.fullmatch(NUMBER, text, re.ASCII):
         return text
     if not dimension.unit:
         return float(text)
@@ -166,7 +143,7 @@ def _in_context(path: str, dimension: Dimension, value: Any, *, notes: list[str]
     return f"{text} rpm"
 
 
-def as_text(value: Any) -> Any:
+def as_plain(value: Any) -> Any:
     """A value of Python as a scene has it.
 
     A quantity of pint is a text, "20.0 degree_Celsius", numbers of NumPy are those of Python, and arrays are lists.
@@ -174,10 +151,25 @@ def as_text(value: Any) -> Any:
     if isinstance(value, np.ndarray | np.generic):
         return value.tolist()
     if isinstance(value, list | tuple):
-        return [as_text(each) for each in value]
+        return [as_plain(each) for each in value]
+    if isinstance(value, Mapping):
+        return {key: as_plain(each) for key, each in value.items()}
     if not has_unit(value):
         return value
     numbers, unit = np.asarray(value.magnitude), f"{value.units:C}"
     if numbers.ndim > 1 or numbers.dtype.kind not in "fiu":
         return value
     return [f"{number!r} {unit}" for number in numbers.tolist()] if numbers.ndim else f"{numbers.item()!r} {unit}"
+
+
+def in_si(value: Any, path: str) -> Any:
+    """A value of Python as a scene has it, or a table of them, with the numbers of quantities in SI; path : its key."""
+    value = as_plain(value)
+    if isinstance(value, Mapping):
+        return {key: in_si(each, f"{path}.{key}") for key, each in value.items()}
+    if isinstance(value, list):
+        return [in_si(each, path) for each in value]
+    if not isinstance(value, int | float) or isinstance(value, bool):
+        return value
+    dimension = scene_key(path).dimension
+    return SI(value, dimension.unit) if dimension is not None and dimension.unit else value

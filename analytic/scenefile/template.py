@@ -2,15 +2,17 @@
 
 import json
 import textwrap
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Iterator, Mapping
+from typing import Any, Unpack
 
 from analytic.catalog.bearing_rows import CatalogBearing, clearance_group, find_bearing
 from analytic.catalog.suffixes import seal_contact
 from analytic.errors import InputError
+from analytic.given import OperatingOptions
+from analytic.quantity import SI
 from analytic.scene import Origin
-from analytic.scenefile.choice import USUAL, Choice
-from analytic.scenefile.usual_bearing import is_light, light_share, usual_scene
+from analytic.scenefile.setting import given_values
+from analytic.scenefile.usual import is_light, light_share, usual_values
 from analytic.scenefile.usual_cage import cage_sizes
 
 SCHEMA_NAME = "fembearing-scene.schema.json"  # of the file beside the scene
@@ -58,15 +60,15 @@ MORE = """\
 """
 
 
-def scene_text(designation: str, choice: Choice = USUAL) -> str:
+def scene_text(designation: str, **options: Unpack[OperatingOptions]) -> str:
     """The scene of a bearing of the catalog, in TOML with comments, as `fembearing init` writes it.
 
     Parameters
     ----------
     designation : str
         As in the catalog, "6206", or with suffixes, "6305-2RS/C3".
-    choice : Choice
-        Loads, speed, oil, temperature and supply, in place of the usual ones. They are not checked here.
+    **options : float, str or list
+        As of `load_scene`, in place of the usual values. They are not checked here.
 
     Returns
     -------
@@ -79,18 +81,19 @@ def scene_text(designation: str, choice: Choice = USUAL) -> str:
         A designation that the catalog does not have.
     """
     bearing = find_bearing(designation)
-    usual = usual_scene(designation, bearing, choice)
+    given, _ = given_values({}, options)
+    usual = usual_values(designation, bearing, given) | {key: _written(value) for key, value in given.items()}
     name = _quoted(designation)
-    light = light_share(bearing) if is_light(choice) else None
+    light = light_share(bearing) if is_light({*given}) else None
     accuracy = _line(f"tolerance = {_quoted(usual['tolerance'])}", "required accuracy of the torque, limit for Hertz")
     warnings = "".join(_prose(f"Note: {warning}") for warning in bearing.warnings)
-    inside = f"{_play(bearing, usual['bearing'])}{_dimensions(bearing)}"
-    oil = _oil(usual["lubricant"], is_given=choice.oil is not None)
+    inside = f"{_play(bearing, usual)}{_dimensions(bearing)}"
+    oil = _oil(usual, is_given="lubricant.name" in given)
     return "\n".join(
         (
             f"#:schema {SCHEMA_NAME}\n{_prose(_headline(bearing))}name = {name}\n{accuracy}",
             f"[bearing]\ncatalog = {name}\n{warnings}{inside}",
-            f"[operation]\n{_operation(usual['operation'], light)}{OPERATION}",
+            f"[operation]\n{_operation(usual, light)}{OPERATION}",
             f"[lubricant]\n{oil}{_rest(usual)}{_cage(bearing)}\n{_seals(bearing)}{_more(bearing)}",
         )
     )
@@ -103,12 +106,12 @@ def _headline(bearing: CatalogBearing) -> str:
     return f"{bearing.designation}, {bearing.kind} ball bearing, {sizes} mm, {ratings} ({bearing.maker}).{seals}"
 
 
-def _play(bearing: CatalogBearing, table: dict[str, Any]) -> str:
+def _play(bearing: CatalogBearing, usual: Mapping[str, Any]) -> str:
     """The line that says how far the rings are apart."""
-    if "contact_angle" in table:
-        angle = f"contact_angle = {{ nominal = {_quoted(table['contact_angle']['nominal'])} }}"
+    if bearing.nominal_angle is not None:
+        angle = f"contact_angle = {{ nominal = {_quoted(usual['bearing.contact_angle.nominal'])} }}"
         return _line(angle, "unloaded; the clearance follows from it")
-    own = table["clearance"]
+    own = usual["bearing.clearance"]
     spans = "; ".join(_span(bearing, group) for group in dict.fromkeys((own, *GROUPS)))
     return _line(f"clearance = {_quoted(own)}", f"{spans}; or a length, unmounted")
 
@@ -162,32 +165,34 @@ def _standing(origin: Origin, unit: str) -> str:
     return f"{origin.status}, +- {origin.uncertainty * (1e3 if unit else 1):.2g} {unit}".rstrip()
 
 
-def _operation(table: dict[str, Any], light: float | None) -> str:
+def _operation(usual: Mapping[str, Any], light: float | None) -> str:
     """Loads and speed; light : the usual load over C0, where nobody gave one."""
     words = "along x, normal to the shaft"
     if light is not None:
-        words = f"{'0' if table['radial_load'] == '0 N' else f'{light:g} C0, a light load'}; {words}"
+        words = f"{'0' if usual['operation.radial_load'] == '0 N' else f'{light:g} C0, a light load'}; {words}"
     return (
-        _line(f"radial_load = {_quoted(table['radial_load'])}", words)
-        + _line(f"axial_load = {_quoted(table['axial_load'])}", "along the shaft, at least 0")
-        + _line(f"inner_speed = {_quoted(table['inner_speed'])}", 'inner ring; a series: ["500 rpm", "1000 rpm"]')
+        _line(f"radial_load = {_quoted(usual['operation.radial_load'])}", words)
+        + _line(f"axial_load = {_quoted(usual['operation.axial_load'])}", "along the shaft, at least 0")
+        + _line(
+            f"inner_speed = {_quoted(usual['operation.inner_speed'])}", 'inner ring; a series: ["500 rpm", "1000 rpm"]'
+        )
     )
 
 
-def _oil(table: dict[str, Any], *, is_given: bool) -> str:
-    supply = f"supply = {_quoted(table['supply'])}" if "supply" in table else '#supply = "grease"'
+def _oil(usual: Mapping[str, Any], *, is_given: bool) -> str:
+    supply = f"supply = {_quoted(usual['lubricant.supply'])}" if "lubricant.supply" in usual else '#supply = "grease"'
     return (
-        _line(f"name = {_quoted(table['name'])}", f"{'' if is_given else 'kappa nearest 2; '}{NAMES}")
-        + _line(f"temperature = {_quoted(table['temperature'])}", "at the inlets of the contacts")
+        _line(f"name = {_quoted(usual['lubricant.name'])}", f"{'' if is_given else 'kappa nearest 2; '}{NAMES}")
+        + _line(f"temperature = {_quoted(usual['lubricant.temperature'])}", "at the inlets of the contacts")
         + _line(supply, SUPPLIES)
     )
 
 
-def _rest(usual: dict[str, Any]) -> str:
+def _rest(usual: Mapping[str, Any]) -> str:
     """The tables of surfaces and friction, and optional ones in comments."""
-    finish = _line(f"finish = {_quoted(usual['surface']['finish'])}", 'or Ra = "0.05 um" of each surface')
+    finish = _line(f"finish = {_quoted(usual['surface.finish'])}", 'or Ra = "0.05 um" of each surface')
     loss = _line(
-        f"hysteresis_loss = {usual['friction']['hysteresis_loss']}", "assumed; usual 0.003 to 0.025, not measured"
+        f"hysteresis_loss = {usual['friction.hysteresis_loss']}", "assumed; usual 0.003 to 0.025, not measured"
     )
     return REST.replace("FINISH", finish).replace("LOSS", loss)
 
@@ -218,6 +223,13 @@ def _more(bearing: CatalogBearing) -> str:
     """The other losses and tables, in comments, with the shoulder of the inner ring."""
     land = bearing.pitch_diameter - (1 - 2 * SHOULDER) * bearing.ball_diameter
     return MORE.replace("LAND mm", f"{1e3 * land:.3g} mm")
+
+
+def _written(value: object) -> Any:
+    """A value as a scene file has it: a number in SI with its unit."""
+    if isinstance(value, list):
+        return [_written(each) for each in value]
+    return repr(value) if isinstance(value, SI) else value
 
 
 def _quoted(value: object) -> str:

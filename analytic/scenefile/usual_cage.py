@@ -56,12 +56,11 @@ def cage_sizes(bearing: Balls, *, material: str) -> dict[str, float]:
     return {"pocket_clearance": POCKET * ball, "wall_thickness": sheet, "mass": mass}
 
 
-def entry_of_cage(bearing: Balls, suffixes: Collection[str]) -> dict[str, Any]:
-    """The same with the material, in the form of a scene file.
+def assumed_cage(bearing: Balls, suffixes: Collection[str]) -> dict[str, Any]:
+    """The same with the name of the material.
 
     suffixes : meanings of those of the designation: a plastic is moulded; all others count as pressed steel
     """
     material = "peek" if any(word in meaning for meaning in suffixes for word in PLASTIC) else "steel"
     sizes = cage_sizes(bearing, material=material)
-    written = {key: f"{1e3 * value!r} {'g' if key == 'mass' else 'mm'}" for key, value in sizes.items()}
-    return written | {"material": material} if written else {}
+    return sizes | {"material": material} if sizes else {}

@@ -1,13 +1,14 @@
 """Viscosities as a scene gives them: dynamic or kinematic, one, or two at two temperatures."""
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, get_args
 
-from analytic.scenefile.quantity import Dimension
+from analytic.quantity import Dimension
+from analytic.scene import Temperature
 from analytic.words import shown
 
 KINEMATIC = Dimension(unit="m^2/s", low=1e-7, high=10, example='"46 cSt"')
-TEMPERATURE = Dimension(unit="K", low=200, high=600, example='"40 degC"')
+_, TEMPERATURE = get_args(Temperature)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -40,12 +41,19 @@ class GivenViscosity:
         return any(point.is_kinematic for point in self.points)
 
 
-@dataclass(frozen=True, kw_only=True)
-class Viscosity(Dimension):
-    """What the viscosity of an oil accepts; `read` accepts only a dynamic one, as a sweep steps through them."""
+@dataclass(frozen=True)
+class Viscosity:
+    """What the viscosity of an oil accepts; `of` accepts only a dynamic one, as a sweep steps through them."""
 
-    def field_value(self, given: object) -> GivenViscosity:
-        """Raises ValueError that says what is wrong and what is accepted."""
+    of: Dimension
+
+    @property
+    def accepted(self) -> str:
+        """The end of every message."""
+        return f'{self.of.accepted}, or two at two temperatures, ["46 cSt at 40 degC", "6.8 cSt at 100 degC"]'
+
+    def read(self, given: object) -> GivenViscosity:
+        """One or two viscosities. Raises ValueError that says what is wrong and what is accepted."""
         if not isinstance(given, list):
             points = (self._point(given),)
         elif len(given) == 2:
@@ -61,18 +69,10 @@ class Viscosity(Dimension):
         kelvin = TEMPERATURE.read(temperature.strip()) if at else None
         kinematic = _kinematic(value)
         return ViscosityPoint(
-            value=self.read(value) if kinematic is None else kinematic,
+            value=self.of.read(value) if kinematic is None else kinematic,
             is_kinematic=kinematic is not None,
             temperature=kelvin,
         )
-
-
-OIL_VISCOSITY = Viscosity(
-    unit="Pa*s",
-    low=1e-4,
-    high=1e4,
-    example='"0.06 Pa s", or two at two temperatures, ["46 cSt at 40 degC", "6.8 cSt at 100 degC"]',
-)
 
 
 def _kinematic(given: Any) -> float | None:

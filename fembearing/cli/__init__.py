@@ -29,7 +29,7 @@ from fembearing.cli import (
     validate,
 )
 from fembearing.cli.app import app as page
-from fembearing.cli.boundary import COMMAND, DEBUG, guarded
+from fembearing.cli.boundary import guarded
 from fembearing.cli.options import with_groups
 
 _COMMANDS: dict[str, tuple[Callable[..., None], str]] = {  # with an example of what follows the name
@@ -80,20 +80,18 @@ def about(
     _version: Annotated[
         bool, typer.Option("--version", is_eager=True, callback=print_version, help="Print the version and exit.")
     ] = False,
-    debug: Annotated[bool, typer.Option("--debug", help="Print a traceback on failure.")] = False,
+    _debug: Annotated[bool, typer.Option("--debug", help="Print a traceback on failure.")] = False,
 ) -> None:
     """Friction and contact of a ball bearing: closed forms, checked by finite elements."""
-    DEBUG.set(debug)
     if context.invoked_subcommand is None:
         typer.echo(context.get_help())
-    else:
-        COMMAND.set(context.invoked_subcommand)
 
 
 def main() -> None:
     """Run the command line; `boundary` has what becomes of failures."""
     gc.set_threshold(OBJECTS)
-    sys.exit(guarded(lambda: app(standalone_mode=False)))
+    examples = {name: example for name, (_, example) in COMMANDS.items()}
+    sys.exit(guarded(lambda: app(standalone_mode=False), examples=examples))
 
 
 def command_of(name: str) -> Any:

@@ -6,13 +6,11 @@ exception is a defect of ours.
 
 import errno
 import os
-import select
 import signal
 import sys
 import traceback
 import warnings
-from collections.abc import Callable
-from contextvars import ContextVar
+from collections.abc import Callable, Mapping
 from io import TextIOWrapper
 from pathlib import Path
 from typing import Any
@@ -31,33 +29,38 @@ from fembearing.cli.status import (
     discard,
 )
 
-DEBUG = ContextVar("DEBUG", default=False)  # whether a failure shows where in the code it is
-COMMAND = ContextVar("COMMAND", default="fembearing")  # name of the one that runs
 TyperException: Any = BadParameter.__mro__[-4]  # base of typer's errors; older versions take that of click
 ENDED = ("SIGTERM", "SIGHUP")  # signals by which a process is asked to end
-PYDANTICS = "Value error, "  # how typer's message about a word begins where pydantic reads it
-OURS = ("analytic", "fembearing")
-REPORT = "fembearing --debug shows where it is; please report that, as docs/commands.md says"
+# How libraries say that memory is short: the loader, and Python where a thread has no stack.
+SHORT = ("failed to map segment", "annot allocate memory", "can't start new thread")
+OURS = tuple(str(Path(__file__).parents[2] / name) + os.sep for name in ("analytic", "fembearing"))
 
 
-def guarded(run: Callable[[], int | None]) -> int:
-    """The exit status of a command. Whatever fails in it, standard error gets one line for it."""
+def guarded(run: Callable[[], int | None], *, examples: Mapping[str, str]) -> int:
+    """The exit status of a command. Whatever fails in it, standard error gets one line for it.
+
+    examples : what may follow each command
+    """
     if not _streams_are_open():
         return complain("standard output is closed; redirect it to a file or a pipe", NO_STORAGE)
     if not sys.warnoptions:
         warnings.simplefilter("ignore")  # of libraries, about what nobody but us can mend; ours are lines of the result
-    for name in ENDED:
-        if hasattr(signal, name) and signal.getsignal(getattr(signal, name)) != signal.SIG_IGN:  # as nohup leaves it
-            signal.signal(getattr(signal, name), end)
+    for number in (getattr(signal, name) for name in ENDED if hasattr(signal, name)):
+        if signal.getsignal(number) != signal.SIG_IGN:  # as nohup leaves it
+            signal.signal(number, end)
     try:
         status = run() or 0
         sys.stdout.flush()
     except SystemExit as stop:
-        if not isinstance(stop.__context__, BrokenPipeError):
+        if not isinstance(
+            stop.__context__, BrokenPipeError
+        ):  # for which Typer leaves with the status of a failed check
             raise
-        status = _failed(stop.__context__)  # Typer leaves with 1, which means that a check failed
+        status = PIPE_CLOSED
     except BaseException as problem:  # some libraries have failures that are no Exception
-        status = _failed(problem)
+        if "--debug" in sys.argv and not isinstance(problem, BrokenPipeError):
+            traceback.print_exception(problem)
+        status = status_of(problem, examples)
     for stream in (sys.stdout, sys.stderr):
         try:
             stream.flush()
@@ -72,59 +75,53 @@ def end(number: int, _frame: object) -> None:
     sys.exit(128 + number)  # what a shell makes of the signal
 
 
-def _failed(problem: BaseException) -> int:
-    """The exit status of a problem, which is said; with --debug, where it is too."""
-    is_quiet = isinstance(problem, BrokenPipeError) and _reader_is_gone()
-    if DEBUG.get() and not is_quiet:
-        traceback.print_exception(problem)
-    return PIPE_CLOSED if is_quiet else status_of(problem)
-
-
-def status_of(problem: BaseException) -> int:
+def status_of(problem: BaseException, examples: Mapping[str, str]) -> int:
     """The exit status of a problem, which is said in one line."""
-    from analytic.errors import (  # with NumPy
-        BROUGHT_BY,
-        ConvergenceError,
-        FembearingError,
-        MissingPackageError,
-        ResourceError,
-        StorageError,
-    )
+    from analytic import errors  # with NumPy
 
+    command = next((word for word in sys.argv[1:] if word in examples), "")
+    said = f"{type(problem).__name__}: {problem}".removesuffix(": ")
     match problem:
-        case ConvergenceError():
-            return complain(problem, NOT_SOLVED)
-        case StorageError():
-            return complain(problem, NO_STORAGE)
-        case ResourceError():
-            return complain(problem, NO_MEMORY)
-        case FembearingError():
-            return complain(problem, INPUT_AT_FAULT)
-        case ModuleNotFoundError() if problem.name in BROUGHT_BY:
-            return complain(MissingPackageError(COMMAND.get(), problem.name), INPUT_AT_FAULT)
-        case TyperException():
-            words = problem.format_message().replace(PYDANTICS, "")
-            if words.startswith("Missing argument"):
-                from fembearing.cli import COMMANDS
-
-                words = f"{words.rstrip('.')}; for example fembearing {COMMAND.get()} {COMMANDS[COMMAND.get()][1]}"
-            nothing_near = words.startswith("No such option") and "ossible" not in words and "ean" not in words
-            return complain(
-                f"{words}; the command with -h lists its options" if nothing_near else words, INPUT_AT_FAULT
-            )
+        case BrokenPipeError():
+            return PIPE_CLOSED
         case Abort() | KeyboardInterrupt():
             return INTERRUPTED
-        case _ if _lacks_memory(problem):
-            return complain(
-                f"out of memory ({_words(problem)}): free some, raise its limit (ulimit -v), or give fewer points at a "
-                "time",
-                NO_MEMORY,
-            )
-        case TimeoutError() | ConnectionError() if problem.filename is None:  # no file, but another process
-            return complain(f"another process does not answer ({_words(problem)}): start the command again", NO_STORAGE)
+        case errors.FembearingError():
+            kinds = ((errors.ConvergenceError, NOT_SOLVED), (errors.StorageError, NO_STORAGE))
+            kinds += ((errors.ResourceError, NO_MEMORY), (errors.FembearingError, INPUT_AT_FAULT))
+            return complain(problem, next(status for kind, status in kinds if isinstance(problem, kind)))
+        case ModuleNotFoundError() if problem.name in errors.BROUGHT_BY:
+            return complain(errors.MissingPackageError(command, problem.name), INPUT_AT_FAULT)
+        case TyperException():
+            return complain(_of_typer(problem.format_message(), command, examples), INPUT_AT_FAULT)
+        case _ if (
+            isinstance(problem, MemoryError)
+            or getattr(problem, "errno", 0) == errno.ENOMEM
+            or any(words in f"{problem} {problem.__context__}" for words in SHORT)
+        ):
+            remedy = "free some, raise its limit (ulimit -v), or give fewer points at a time"
+            return complain(f"out of memory ({said}): {remedy}", NO_MEMORY)
         case OSError():
-            return complain(_of_the_system(problem), NO_STORAGE)
-    return complain(f"a defect of fembearing, not of your input: {_words(problem)}{_place(problem)}; {REPORT}", DEFECT)
+            place = "the result or another process" if problem.filename is None else repr(str(problem.filename))
+            reason = problem.strerror or said
+            return complain(
+                f"{place} cannot be read or written: {reason}; check disk, folder and permissions", NO_STORAGE
+            )
+    frames = [frame for frame in traceback.extract_tb(problem.__traceback__) if frame.filename.startswith(OURS)]
+    place = (
+        f" ({Path(frames[-1].filename).relative_to(Path(__file__).parents[2])}:{frames[-1].lineno})" if frames else ""
+    )
+    report = "fembearing --debug shows where it is; please report that, as docs/commands.md says"
+    return complain(f"a defect of fembearing, not of your input: {said}{place}; {report}", DEFECT)
+
+
+def _of_typer(words: str, command: str, examples: Mapping[str, str]) -> str:
+    """What typer says of arguments and options, with a remedy where it has none."""
+    words = words.replace("Value error, ", "")  # how typer begins where pydantic reads a word
+    if words.startswith("Missing argument"):
+        return f"{words.rstrip('.')}; for example fembearing {command} {examples[command]}"
+    nothing_near = words.startswith("No such option") and "ossible" not in words and "ean" not in words
+    return f"{words}; the command with -h lists its options" if nothing_near else words
 
 
 def _streams_are_open() -> bool:
@@ -136,53 +133,6 @@ def _streams_are_open() -> bool:
             os.open(os.devnull, os.O_RDWR)  # takes the lowest number that is free
     if sys.stderr is None:
         sys.stderr = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115 - as long as the process
-    if sys.stdout is None:
-        return False
     if isinstance(sys.stdout, TextIOWrapper):
         sys.stdout.reconfigure(errors="backslashreplace")  # what the locale has no letter for
-    return True
-
-
-def _reader_is_gone() -> bool:
-    """Whether standard output or error is a pipe that nobody reads any more; True where the system does not say."""
-    if not hasattr(select, "poll"):
-        return True
-    streams = select.poll()
-    for number in (1, 2):
-        streams.register(number, 0)  # what is wrong is said always
-    return any(said & (select.POLLERR | select.POLLHUP) for _, said in streams.poll(0))
-
-
-def _lacks_memory(problem: BaseException) -> bool:
-    if isinstance(problem, MemoryError) or (isinstance(problem, OSError) and problem.errno == errno.ENOMEM):
-        return True
-    said = f"{problem} {problem.__context__}"  # of the loader of libraries, and of Python where a thread has no stack
-    return isinstance(problem, ImportError | RuntimeError | OSError) and (
-        "failed to map segment" in said or "cannot allocate memory" in said.lower() or "can't start new thread" in said
-    )
-
-
-def _of_the_system(problem: OSError) -> str:
-    reason = problem.strerror or _words(problem)
-    if problem.filename is not None:
-        return f"{str(problem.filename)!r} cannot be read or written: {reason}; check its disk, folder and permissions"
-    try:
-        Path.cwd()
-    except OSError:
-        return "the working folder no longer exists; run the command in another one"
-    return f"cannot write the result: {reason}; check the place of the output"
-
-
-def _words(problem: BaseException) -> str:
-    """The class and the text of an exception."""
-    return f"{type(problem).__name__}: {problem}" if str(problem) else type(problem).__name__
-
-
-def _place(problem: BaseException) -> str:
-    """Where in our own files an exception comes from."""
-    root = Path(__file__).parents[2]
-    for frame in reversed(traceback.extract_tb(problem.__traceback__)):
-        file = Path(frame.filename)
-        if file.is_relative_to(root) and file.relative_to(root).parts[0] in OURS:
-            return f" ({file.relative_to(root).as_posix()}:{frame.lineno})"
-    return ""
+    return sys.stdout is not None

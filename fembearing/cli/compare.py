@@ -4,16 +4,13 @@ from typing import Annotated
 
 import typer
 
-from fembearing.cli.assumed import tell_assumed
 from fembearing.cli.options import (
     AsJson,
-    Folder,
-    Force,
     Given,
     Named,
+    Output,
     Samples,
     Talk,
-    require_folder_name,
     require_scene_first,
 )
 from fembearing.cli.status import STATUS
@@ -30,13 +27,12 @@ Seed = Annotated[int, typer.Option(help="Seed of the samples of the intervals.")
 
 def compare(
     given: Given,
+    output: Output,
     talk: Talk,
     scene: Named,
     data: Data = None,
     samples: Samples = None,
     seed: Seed = 1,
-    folder: Folder = None,
-    force: Force = False,
     as_json: AsJson = False,
 ) -> None:
     """Compare the computed torque with measured torques: error, uncertainty and verdict of each.
@@ -44,12 +40,8 @@ def compare(
     Give the scene and the CSV file, or the scene alone if its table [measured] names the file. Exit status 0: every
     measured torque lies in its 95 % interval; 1: at least one lies outside; 2: input error.
     """
-    require_folder_name(folder)
     require_scene_first("compare", scene, data)
-    from contextlib import nullcontext
-
-    from analytic.writing import new_folder
-    from fembearing.cli.console import out, print_json
+    from fembearing.cli.console import out, print_json, tell_assumed
     from fembearing.plain_types import plain
     from fembearing.quantities import SYSTEMS
     from fembearing.report.measured_folder import ComparisonFile, write_comparison
@@ -58,7 +50,7 @@ def compare(
     from fembearing.verify.measured.comparison import compare_measured
 
     read = given.scene(scene, measured=data)
-    with talk.progress() as progress, nullcontext() if folder is None else new_folder(folder, force=force) as place:
+    with talk.progress() as progress, output.opened() as place:
         result = compare_measured(read, samples=samples, seed=seed, progress=progress)
         if place is not None:
             write_comparison(result, read, place)
@@ -66,11 +58,10 @@ def compare(
         print_json(plain(ComparisonFile(**vars(result))))
     else:
         show(out, measured_table(result, SYSTEMS[read.report.units]))
-        if read.measured is not None:
-            tell_assumed(given.assumed(scene, read, columns=vars(read.measured)))
+        tell_assumed(read.usual)
         talk.warn(result.warnings, read=read.warnings)
-        if folder is not None:
-            out.tell(f"report: {folder / 'compare.html'}")
+        if output.folder is not None:
+            out.tell(f"report: {output.folder / 'compare.html'}")
         count = f"{result.inside} of {len(result.rows)} inside"
         out.tell(f"{result.verdict}: {count}, {result.samples} samples, {result.seconds:.1f} s")
     raise typer.Exit(STATUS[result.verdict])

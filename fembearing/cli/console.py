@@ -2,7 +2,7 @@
 
 import json
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
 
@@ -62,6 +62,13 @@ def _said_steps(begin: float) -> Progress:
             say(f"{time.perf_counter() - begin:.1f} s, {share:.0%} done: {step}")
 
     return tell
+
+
+def tell_assumed(assumed: Mapping[str, str], *, before: str = "", change: str = "with --set KEY=VALUE") -> None:
+    """Print what the scene of a bearing assumes, and how to change it; nothing where it assumes nothing."""
+    if assumed:
+        words = ", ".join(f"{key} = {value}" for key, value in assumed.items())
+        out.tell(f"{before}assumed: {words}; change {change}")
 
 
 def print_json(content: dict[str, Any]) -> None:

@@ -7,17 +7,15 @@ import typer
 from fembearing.cli.options import (
     AsJson,
     Bodies,
-    Folder,
-    Force,
     Given,
+    Output,
     SceneName,
     Talk,
     read_load,
     read_option,
     read_tolerance,
-    require_folder_name,
 )
-from fembearing.cli.status import DONE, NOT_SOLVED, complain
+from fembearing.cli.status import reached
 
 Tolerance = Annotated[
     str | None,
@@ -34,14 +32,13 @@ Friction = Annotated[
 
 def creep(
     given: Given,
+    output: Output,
     talk: Talk,
     scene: SceneName = None,
     load: Load = None,
     friction: Friction = None,
     tolerance: Tolerance = None,
     compliance: Bodies = "half-space",
-    folder: Folder = None,
-    force: Force = False,
     as_json: AsJson = False,
 ) -> None:
     """Solve stick and slip of a ball on both races and compare the formulas for spin, conformity and creep.
@@ -49,14 +46,9 @@ def creep(
     Exit status 0: required accuracy reached, for any difference of the formulas; 2: input error; 3: accuracy not
     reached.
     """
-    require_folder_name(folder)
     read = given.scene(scene)
     limit = read_tolerance(tolerance, read)
     coefficient = None if friction is None else read_option("--friction", friction, "friction.coefficient")
-    from contextlib import nullcontext
-
-    from analytic.words import percent_of
-    from analytic.writing import new_folder
     from fembearing.cli.console import out, print_json
     from fembearing.quantities import SYSTEMS
     from fembearing.report.creep_folder import creep_content, write_creep
@@ -65,7 +57,7 @@ def creep(
     from fembearing.verify.creep.scene_creep import creep_of
 
     trouble = None
-    with talk.progress() as progress, nullcontext() if folder is None else new_folder(folder, force=force) as place:
+    with talk.progress() as progress, output.opened() as place:
         result = creep_of(
             read,
             load=read_load(load),
@@ -83,12 +75,4 @@ def creep(
         show(out, creep_table(numbers, SYSTEMS[read.report.units]))
     pictures = () if trouble is None else (f"no pictures: {trouble}",)
     talk.warn((*(() if as_json else numbers.warnings), *pictures), read=read.warnings)
-    if numbers.relative_uncertainty <= limit:
-        raise typer.Exit(DONE)
-    raise typer.Exit(
-        complain(
-            f"not solved to {percent_of(limit, 2)}: the torque by sliding has an uncertainty of "
-            f"{percent_of(numbers.relative_uncertainty, 2)}; give a larger --tolerance",
-            NOT_SOLVED,
-        )
-    )
+    raise typer.Exit(reached(limit, "torque by sliding", numbers.relative_uncertainty))

@@ -4,16 +4,12 @@ from typing import Annotated
 
 import typer
 
-from fembearing.cli.assumed import tell_assumed
 from fembearing.cli.options import (
-    STANDARD_INPUT,
     AsJson,
-    Folder,
-    Force,
     Given,
     Named,
+    Output,
     Talk,
-    require_folder_name,
     require_scene_first,
 )
 from fembearing.cli.status import STANDING_STATUS
@@ -26,11 +22,10 @@ CycleFile = Annotated[
 
 def duty(
     given: Given,
+    output: Output,
     talk: Talk,
     scene: Named,
     cycle: CycleFile,
-    folder: Folder = None,
-    force: Force = False,
     as_json: AsJson = False,
 ) -> None:
     """Friction energy of a duty cycle, with mean and worst torque, each with its 95 % interval.
@@ -39,14 +34,10 @@ def duty(
     gives the values without a column; a bearing of the catalog has no usual load beside a column of loads. With
     [thermal] in the scene, the mean power determines the oil temperature.
     """
-    require_folder_name(folder)
     require_scene_first("duty", scene, cycle)
-    from contextlib import nullcontext
-
     from analytic.prediction.duty import cycle_with_torques
     from analytic.scenefile.cycle import read_cycle
-    from analytic.writing import new_folder
-    from fembearing.cli.console import out, print_json
+    from fembearing.cli.console import out, print_json, tell_assumed
     from fembearing.plain_types import plain
     from fembearing.report.duty_folder import duty_file, write_duty
     from fembearing.report.tables.duty import cycle_table, steps_table
@@ -55,7 +46,7 @@ def duty(
 
     steps = read_cycle(cycle)
     found = given.by_temperature(scene, columns=vars(steps))
-    with nullcontext() if folder is None else new_folder(folder, force=force) as place:
+    with output.opened() as place:
         result, torques = cycle_with_torques(found, steps)
         standing = worst_standing(torques)
         if place is not None:
@@ -66,11 +57,9 @@ def duty(
         show(out, steps_table(result))
         show(out, cycle_table(result))
         out.tell(standing.line("turning steps"))
-        if scene != STANDARD_INPUT:
-            told = given.assumed(scene, found.scene, columns=vars(steps))
-            settled = "lubricant.temperature = "  # by friction, with [thermal]
-            tell_assumed(each for each in told if found.thermal is None or not each.startswith(settled))
-        if folder is not None:
-            out.tell(f"folder: {folder}")
+        settled = {"lubricant.temperature"} if found.thermal else set()  # by friction
+        tell_assumed({key: value for key, value in found.scene.usual.items() if key not in settled})
+        if output.folder is not None:
+            out.tell(f"folder: {output.folder}")
     talk.warn(result.warnings, read=found.scene.warnings)
     raise typer.Exit(STANDING_STATUS[standing.word])

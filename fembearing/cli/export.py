@@ -42,7 +42,7 @@ def export(
 
     over = {name: text for name, text in given.options.items() if name in RANGES}
     name = BUILTIN if scene is None else scene
-    if name != STANDARD_INPUT and find_scene(name).designation is not None:
+    if name != STANDARD_INPUT and find_scene(name).bearing is not None:
         found = replace(given, **{key: end_of(key, text) for key, text in over.items()}).by_temperature(name)
     else:  # a scene that says its own loads: an option is an axis of the table alone
         found = replace(given, **dict.fromkeys(over)).by_temperature(scene)
@@ -62,7 +62,7 @@ def export(
 
 def _notes(over: "Mapping[str, str]") -> "Iterator[str]":
     """How the axes were read."""
-    from analytic.scenefile.choice import KEYS
+    from analytic.given import KEYS
     from analytic.scenefile.setting import read_setting
 
     for name, text in over.items():

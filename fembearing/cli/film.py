@@ -7,17 +7,15 @@ import typer
 from fembearing.cli.options import (
     AsJson,
     Bodies,
-    Folder,
-    Force,
     Given,
     Load,
+    Output,
     SceneName,
     Talk,
     read_load,
     read_tolerance,
-    require_folder_name,
 )
-from fembearing.cli.status import DONE, NOT_SOLVED, complain
+from fembearing.cli.status import reached
 
 Tolerance = Annotated[
     str | None,
@@ -28,14 +26,13 @@ RaceName = Annotated[Literal["inner", "outer"], typer.Option("--pair", help="Rac
 
 def film(
     given: Given,
+    output: Output,
     talk: Talk,
     scene: SceneName = None,
     pair: RaceName = "inner",
     load: Load = None,
     tolerance: Tolerance = None,
     compliance: Bodies = "half-space",
-    folder: Folder = None,
-    force: Force = False,
     as_json: AsJson = False,
 ) -> None:
     """Solve the lubricated contact of a ball on a race and compare the formulas for film and rolling.
@@ -43,13 +40,8 @@ def film(
     Exit status 0: required accuracy reached, for any difference of the formulas; 2: input error; 3: accuracy not
     reached.
     """
-    require_folder_name(folder)
     read = given.scene(scene)
     limit = read_tolerance(tolerance, read)
-    from contextlib import nullcontext
-
-    from analytic.words import percent_of
-    from analytic.writing import new_folder
     from fembearing.cli.console import out, print_json
     from fembearing.quantities import SYSTEMS
     from fembearing.report.film_folder import film_content, write_film
@@ -57,7 +49,7 @@ def film(
     from fembearing.report.terminal.table import show
     from fembearing.verify.film.scene_film import film_of
 
-    with talk.progress() as progress, nullcontext() if folder is None else new_folder(folder, force=force) as place:
+    with talk.progress() as progress, output.opened() as place:
         result = film_of(
             read,
             pair=pair,
@@ -73,13 +65,4 @@ def film(
     else:
         show(out, film_table(result.numbers, SYSTEMS[read.report.units]))
         talk.warn(result.numbers.warnings, read=read.warnings)
-    name, uncertainty = result.numbers.worst
-    if uncertainty <= limit:
-        raise typer.Exit(DONE)
-    raise typer.Exit(
-        complain(
-            f"not solved to {percent_of(limit, 2)}: the {name.replace('_', ' ')} has an uncertainty of "
-            f"{percent_of(uncertainty, 2)}; give a larger --tolerance",
-            NOT_SOLVED,
-        )
-    )
+    raise typer.Exit(reached(limit, *result.numbers.worst))

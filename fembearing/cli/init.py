@@ -31,13 +31,13 @@ def init(
     """Write a scene file for a bearing of the catalog, ready to run and to edit."""
     from analytic.scenefile.read import parse_scene
     from analytic.scenefile.schema import scene_schema
-    from analytic.scenefile.setting import read_choice
+    from analytic.scenefile.setting import given_values
     from analytic.scenefile.template import SCHEMA_NAME, scene_text
     from analytic.writing import new_file
     from fembearing.cli.console import out
 
-    choice, notes = read_choice(given.options)
-    text = scene_text(designation, choice)
+    _, notes = given_values({}, given.options)
+    text = scene_text(designation, **given.options)
     parse_scene(text, origin="init")  # so that a scene with a mistake in it is not written
     path = Path(re.sub(r"[^\w.+-]+", "-", designation.strip()) + ".toml") if file is None else file
     with new_file(path, force=force) as apart:

@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal, get_args
 
 import typer
 
-from analytic.units import UnitSystem
+from analytic.given import UnitSystem
 from fembearing.cli.options import AsJson, Units
 
 Topic = Literal["bearings", "oils", "materials", "scenes", "effects"]

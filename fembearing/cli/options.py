@@ -3,7 +3,7 @@
 import inspect
 import sys
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
-from contextlib import AbstractContextManager
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from dataclasses import dataclass, fields, is_dataclass, replace
 from functools import wraps
 from pathlib import Path
@@ -12,8 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
-from analytic.scenefile.choice import USUAL
-from analytic.units import UnitSystem
+from analytic.given import USUAL_SPEED, USUAL_TEMPERATURE, UnitSystem
 from fembearing.cli.status import print_warnings
 
 if TYPE_CHECKING:
@@ -90,6 +89,27 @@ Units = Annotated[
 
 
 @dataclass(frozen=True, kw_only=True)
+class Output:
+    """Where a command writes its files."""
+
+    folder: Annotated[
+        Path | None, typer.Option("--out", "-o", help="New folder for page or pictures, tables, time series and JSON.")
+    ] = None
+    force: Force = False
+
+    def __post_init__(self) -> None:
+        require_folder_name(self.folder, option="--out")
+
+    @contextmanager
+    def opened(self) -> Iterator[Path | None]:
+        """A folder that takes its place when everything is in it; None: nothing is to be written."""
+        from analytic.writing import new_folder
+
+        with nullcontext() if self.folder is None else new_folder(self.folder, force=self.force) as place:
+            yield place
+
+
+@dataclass(frozen=True, kw_only=True)
 class Usual:
     """What options say of the usual scene of a bearing."""
 
@@ -106,7 +126,7 @@ class Usual:
         str | None,
         typer.Option(
             help='Speed of the inner ring, or a range "1 rpm to 8000 rpm in 15 log" '
-            f"(default: from the scene, or {USUAL.speed})."
+            f"(default: from the scene, or {USUAL_SPEED})."
         ),
     ] = None
     oil: Annotated[
@@ -117,7 +137,7 @@ class Usual:
         ),
     ] = None
     temperature: Annotated[
-        str | None, typer.Option(help=f"Oil temperature (default: from the scene, or {USUAL.temperature}).")
+        str | None, typer.Option(help=f"Oil temperature (default: from the scene, or {USUAL_TEMPERATURE}).")
     ] = None
     supply: Annotated[
         str | None,
@@ -128,7 +148,7 @@ class Usual:
 
     @property
     def options(self) -> dict[str, Any]:
-        """The texts of the options, by the names of `analytic.scenefile.choice.KEYS`."""
+        """The texts of the options, by the names of `analytic.given.KEYS`."""
         named = {each.name: getattr(self, each.name) for each in fields(Usual)}
         return {name: text for name, text in named.items() if text is not None}
 
@@ -183,12 +203,6 @@ class Given(Usual):
         """The scene in the units of the option."""
         return scene if self.units is None else replace(scene, report=replace(scene.report, units=self.units))
 
-    def assumed(self, name: str, scene: "Scene", *, columns: Mapping[str, Any] = NO_COLUMNS) -> Iterator[str]:
-        """As `analytic.scenefile.assumption.assumptions`."""
-        from analytic.scenefile.assumption import assumptions
-
-        return assumptions(name, scene, settings=self.settings, options=self.options, columns=columns)
-
 
 def bearing_names_like(incomplete: str) -> list[str]:
     """Designations of the catalogue that begin so, for the completion of a shell."""
@@ -224,9 +238,6 @@ SceneNames = Annotated[
     ),
 ]
 Tolerance = Annotated[str | None, typer.Option(help='Required accuracy, for example "1 %" (default: from the scene).')]
-Folder = Annotated[
-    Path | None, typer.Option("--out", "-o", help="New folder for page or pictures, tables, time series and JSON.")
-]
 WithInterval = Annotated[
     bool,
     typer.Option("--interval", help="Compute the 95 % interval of the torque from 512 or more samples, on all cores."),
@@ -261,7 +272,7 @@ def _standard_input() -> str:
         raise InputError(f"standard input: byte {problem.start} is not UTF-8; give the scene as UTF-8") from problem
 
 
-def require_folder_name(folder: Path | None, *, option: str = "--out") -> None:
+def require_folder_name(folder: Path | None, *, option: str) -> None:
     """Raises InputError for a folder whose name would be one of a file."""
     if folder is not None and folder.suffix.casefold() in OF_FILES:
         from analytic.errors import InputError
@@ -302,19 +313,12 @@ def read_samples(given: int | None, *, with_interval: bool) -> int | Literal["en
 
 def read_option(option: str, given: str, key: str) -> float:
     """The value of an option in SI. Raises InputError for a text that this key of a scene or a grid does not take."""
-    from analytic.errors import InputError
     from analytic.scenefile.keys import scene_key
     from analytic.scenefile.setting import read_setting
-    from analytic.scenefile.tables import SceneTable
-    from fembearing.sweep.grid import OF_AXES, GridTable
+    from fembearing.sweep.grid import GRID, OF_AXES
 
-    root = GridTable if key in OF_AXES else SceneTable
+    root = GRID if key in OF_AXES else None
     value, notes = read_setting(key, given, root=root)
-    dimension = scene_key(key, root=root).dimension
-    assert dimension is not None, key
-    try:
-        number = dimension.read(value)
-    except ValueError as problem:
-        raise InputError(f"{option} {given!r} {problem}") from None
+    number = scene_key(key, root=root).read_as(option, value)
     print_warnings(notes)
     return number

@@ -46,6 +46,19 @@ def complain(problem: object, status: int) -> int:
     return status
 
 
+def reached(accuracy: float, quantity: str, uncertainty: float) -> int:
+    """Whether a relative uncertainty is within the accuracy; a line on standard error says if it is not."""
+    if uncertainty <= accuracy:
+        return DONE
+    from analytic.words import percent_of
+
+    return complain(
+        f"not solved to {percent_of(accuracy, 2)}: the {quantity.replace('_', ' ')} has an uncertainty of "
+        f"{percent_of(uncertainty, 2)}; give a larger --tolerance",
+        NOT_SOLVED,
+    )
+
+
 def print_warnings(warnings: Iterable[str]) -> None:
     """Say warnings."""
     for warning in warnings:

@@ -1,11 +1,11 @@
 """`fembearing sweep`: it computes a grid, draws maps of the dataset, and prints a summary."""
 
+import shlex
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from fembearing.cli.assumed import in_a_file, tell_assumed
 from fembearing.cli.options import AsJson, Talk, require_folder_name
 from fembearing.cli.status import DONE, INTERRUPTED, NOT_SOLVED, complain, say
 
@@ -30,7 +30,7 @@ def sweep(
     GRID holds scene = "bearing.toml", what = "torque" or "contact", and a table of axes, with lines as
     operation.axial_load = { from = "100 N", to = "2 kN", count = 20, spacing = "log" } or conformity = [0.51, 0.52].
     """
-    require_folder_name(folder)
+    require_folder_name(folder, option="--out")
     from fembearing.cli.console import print_json
     from fembearing.plain_types import plain
     from fembearing.sweep.run import run_sweep
@@ -55,14 +55,20 @@ def sweep(
 
 
 def _tell_assumed(path: Path) -> None:
-    from analytic.scenefile.assumption import usual_values
+    from analytic.catalog.bearing_rows import find_bearing
+    from analytic.scenefile.usual import told_values
+    from fembearing.cli.console import tell_assumed
     from fembearing.sweep.grid import load_grid
 
     grid = load_grid(path)
-    if grid.named is not None and grid.named.designation is not None:
-        keys = {axis.key: axis.values for axis in grid.axes}
-        change = in_a_file(grid.named.designation)
-        tell_assumed(usual_values(grid.named, grid.first_scene(), given=keys), change=change)
+    if grid.designation:
+        told = told_values(
+            grid.usual,
+            find_bearing(grid.designation),
+            grid.first_scene(),
+            {axis.key: axis.values for axis in grid.axes},
+        )
+        tell_assumed(told, change=f"in a scene file: fembearing init {shlex.quote(grid.designation)}")
 
 
 def _announce(dashboard: str) -> None:

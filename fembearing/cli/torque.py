@@ -8,10 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from fembearing.cli.assumed import tell_assumed
 from fembearing.cli.options import (
     BUILTIN,
-    STANDARD_INPUT,
     AsJson,
     Force,
     Given,
@@ -84,7 +82,7 @@ def torque(
         files = {name: plain(torque_file(result)) for name, result in results.items()}
         print_json(files if len(files) > 1 else files[names[0]])
     else:
-        _print(results, given, talk, details=details)
+        _print(results, talk, details=details)
         if target is not None:
             out.tell(f"{'file' if target.suffix else 'folder'}: {target}")
     if lacking is not None:
@@ -116,8 +114,8 @@ def _named(name: str | None) -> Iterator[None]:
         raise problem if name is None else InputError(f"{name}: {problem}") from problem
 
 
-def _print(results: "Mapping[str, SceneTorque]", given: Given, talk: Talk, *, details: bool) -> None:
-    from fembearing.cli.console import out
+def _print(results: "Mapping[str, SceneTorque]", talk: Talk, *, details: bool) -> None:
+    from fembearing.cli.console import out, tell_assumed
     from fembearing.quantities import SYSTEMS
     from fembearing.report.headline import side_by_side
     from fembearing.report.terminal.table import show
@@ -129,8 +127,7 @@ def _print(results: "Mapping[str, SceneTorque]", given: Given, talk: Talk, *, de
         before = f"{name}: " if len(results) > 1 else ""
         if not before:
             print_headline(out, result)
-        if name != STANDARD_INPUT:
-            tell_assumed(given.assumed(name, result.scene), before=before)
+        tell_assumed(result.scene.usual, before=before)
         if details:
             out.print()
             print_details(out, result)

@@ -7,15 +7,13 @@ import typer
 
 from fembearing.cli.options import (
     AsJson,
-    Folder,
-    Force,
     Given,
+    Output,
     SceneName,
     Talk,
     Tolerance,
     WithInterval,
     read_tolerance,
-    require_folder_name,
 )
 from fembearing.cli.status import STATUS
 
@@ -49,12 +47,11 @@ class Signed:
 
 def validate(
     given: Given,
+    output: Output,
     signed: Signed,
     talk: Talk,
     scene: SceneName = None,
     tolerance: Tolerance = None,
-    folder: Folder = None,
-    force: Force = False,
     with_cost: Annotated[
         bool, typer.Option("--cost", help="Measure error and time of all methods, as `fembearing cost`.")
     ] = False,
@@ -70,7 +67,6 @@ def validate(
 
     One line per reference gives the largest difference; --details, --json and the report give all differences.
     """
-    require_folder_name(folder)
     read = signed.of(given.scene(scene))
     limit = read_tolerance(tolerance, read)
     from fembearing.cli.console import out, print_json
@@ -82,8 +78,8 @@ def validate(
     with talk.progress() as progress:
         result = run(
             read,
-            out=folder,
-            force=force,
+            out=output.folder,
+            force=output.force,
             tolerance=limit,
             cost=with_cost,
             samples="enough" if with_interval else None,
@@ -100,6 +96,6 @@ def validate(
             out.print()
             print_details(out, document)
         talk.warn(result.warnings, read=read.warnings)
-        if folder is not None:
-            out.tell(f"report: {folder / 'report.html'}")
+        if output.folder is not None:
+            out.tell(f"report: {output.folder / 'report.html'}")
     raise typer.Exit(STATUS[result.verdict])

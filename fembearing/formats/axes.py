@@ -6,13 +6,13 @@ from typing import Any
 import numpy as np
 
 from analytic.errors import InputError, real_numbers
+from analytic.given import KEYS
+from analytic.quantity import MOST, Range, range_of
 from analytic.result import COORDINATES
 from analytic.scene import Array, Scene
 from analytic.scenefile.by_temperature import SceneByTemperature
-from analytic.scenefile.choice import KEYS
 from analytic.scenefile.keys import scene_key
-from analytic.scenefile.quantity import MOST, Range, range_of
-from analytic.scenefile.setting import as_text, read_setting
+from analytic.scenefile.setting import as_plain, read_setting
 from analytic.words import NEWTON, RPM, Unit, plain, shown
 from fembearing.quantities import METRIC
 
@@ -80,7 +80,7 @@ def _stepped(name: str, given: str, parts: Range) -> Array:
 
 
 def _listed(name: str, given: Any) -> Array:
-    given = as_text(given)
+    given = as_plain(given)
     if not isinstance(given, str):
         numbers = given if isinstance(given, list) and any(isinstance(each, str) for each in given) else None
         return (

@@ -9,10 +9,10 @@ from typing import Any, Literal, NamedTuple, Unpack, get_args
 import numpy as np
 
 from analytic.errors import InputError
+from analytic.given import SceneOptions
 from analytic.prediction.steady import at_steady_temperature
 from analytic.scene import Scene
 from analytic.scenefile.by_temperature import SceneByTemperature
-from analytic.scenefile.choice import SceneOptions
 from analytic.scenefile.read import any_by_temperature
 from analytic.words import plain
 from analytic.writing import new_file, require_utf8

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Unpack
 
 from analytic.any_scene import scene_by
 from analytic.errors import InputError
+from analytic.given import SceneOptions
 from analytic.scene import Scene
-from analytic.scenefile.choice import SceneOptions
 from analytic.writing import new_file
 from fembearing.quantities import SYSTEMS
 

@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Unpack
 
 from analytic.any_scene import scene_by
+from analytic.given import SceneOptions
 from analytic.scene import Scene
-from analytic.scenefile.by_name import Given
-from analytic.scenefile.choice import SceneOptions
+from analytic.scenefile.parts import Given
 from analytic.writing import new_folder, write
 from fembearing.plain_types import plain
 from fembearing.progress import Progress, part_of, silent

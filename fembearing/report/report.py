@@ -14,9 +14,8 @@ from annotated_types import Len, MinLen
 
 from analytic.errors import InputError
 from analytic.reading import content_of
-from analytic.report_details import ReportDetails
 from analytic.rows import Count, NotNegative, Positive
-from analytic.scene import Array, Pair
+from analytic.scene import Array, Pair, ReportDetails
 from analytic.verdicts import PhysicalCheck
 from fembearing.provenance import Provenance
 from fembearing.quantities import CONTACT, SYSTEMS, Units

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, Literal
 
-from analytic.noun import nothing
+from analytic.declared import nothing
 from analytic.rows import Positive
 from analytic.scene import Autocorrelation, Groove, HeightMapFile, Material, Origin
 

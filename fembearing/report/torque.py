@@ -9,11 +9,11 @@ from annotated_types import MinLen
 from analytic.cage.statistics import OtherStart
 from analytic.cage.torque import CagePoint
 from analytic.effects import Effect
-from analytic.inputs import StatedInput
 from analytic.prediction.rows import PredictionRows
 from analytic.result import PairRows, TorquePoint
 from analytic.rows import NotNegative, Positive, Two
 from analytic.scene import CageStart, Clearances
+from analytic.scenefile.inputs import StatedInput
 from fembearing.plain_types import plain
 from fembearing.verify.torque.left_out import LeftOut, Places
 from fembearing.verify.torque.scene_torque import SceneTorque

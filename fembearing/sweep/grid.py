@@ -14,25 +14,21 @@ contact, `pair`, `ball_load`, `geometry` and `accuracy` may stand above [axes] t
 
 import os
 from collections import Counter
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from math import prod
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Any, Literal, get_args
 
 import numpy as np
-from pydantic import Field, ValidationError, create_model
 
+from analytic.declared import Key, Table, Whole, Word, nothing
 from analytic.errors import InputError
+from analytic.quantity import SI, Dimension
 from analytic.scene import Pair, Scene
-from analytic.scenefile.assumption import usual_document
-from analytic.scenefile.choice import USUAL
-from analytic.scenefile.find import FoundScene, find_scene
-from analytic.scenefile.keys import SceneKey, Value, faults_of, scene_key, with_key
-from analytic.scenefile.quantity import Dimension
-from analytic.scenefile.read import scene_of
-from analytic.scenefile.setting import with_settings
-from analytic.scenefile.table import Table, Whole
+from analytic.scenefile.find import find_scene
+from analytic.scenefile.keys import Values, faults_of, read_document, scene_key, with_key
+from analytic.scenefile.read import scene_of, whole_document
 from analytic.scenefile.text import parse_text, read_text
 from analytic.words import plain, shown
 
@@ -47,35 +43,66 @@ MEMORY_UNKNOWN = 8e9  # bytes, taken where the system does not say
 EXAMPLE = 'give for example operation.axial_load = ["100 N", "200 N"]'
 
 
-class GridTable(Table):
-    """What a grid file holds."""
-
-    what: What = "torque"
-    scene: str | dict[str, Any] = Field(description="give its path, a bearing of the catalog, or a table [scene]")
-    samples: Annotated[int, Whole(things="samples", low=1, high=10**9, example=512)] | None = Field(
-        default=None, description="of the 95 % interval of the torque"
-    )
-    pair: Pair | None = None
-    ball_load: Annotated[float, Dimension(unit="N", low=1e-12, high=1e7, example='"620 N"')] | None = None
-    geometry: Literal["real", "hertzian", "wall"] | None = None
-    accuracy: Annotated[float, Dimension(unit="", low=1e-6, high=1, example='"1 %"')] | None = None
-    axes: dict[str, Any] = Field(min_length=1, description=EXAMPLE)
+Value = float | int | str | bool
 
 
-# A class statement cannot name a field "from".
-StepsTable: type[Table] = create_model(
-    "StepsTable",
-    __base__=Table,
-    **{
-        "from": (str | float, Field(description='give the first value, for example "100 N"')),
-        "to": (str | float, Field(description='give the last value, for example "2 kN"')),
-        "count": (
-            Annotated[int, Whole(things="values", low=2, high=1_000_000, example=20)],
-            Field(description="give how many values, for example 20"),
-        ),
-        "spacing": (Literal["linear", "log"], "linear"),
-    },
-)  # pyright: ignore[reportCallIssue, reportArgumentType]
+@dataclass(frozen=True)
+class AnyTable:
+    """A table whose keys are read elsewhere, or a text in its place."""
+
+    accepted: str
+    takes_text: bool = False
+
+    def read(self, given: object) -> Any:
+        """The table, or the text. Raises ValueError for what is neither, and for an empty table."""
+        if isinstance(given, dict) and not given:
+            raise ValueError(f"is empty; {self.accepted}")
+        if not isinstance(given, dict | str) or (isinstance(given, str) and not self.takes_text):
+            raise ValueError(f"is not a table; {self.accepted}")
+        return given
+
+
+@dataclass(frozen=True)
+class End:
+    """The first or the last value of an axis of steps, which the axis itself reads."""
+
+    accepted: str
+
+    def read(self, given: object) -> Any:
+        """The text or number. Raises ValueError for what is neither."""
+        if not isinstance(given, str | int | float) or isinstance(given, bool):
+            raise ValueError(f"is not a quantity; {self.accepted}")
+        return given
+
+
+GRID = Table(path="", hint="")
+STEPS = Table(path="", hint="")
+for _entry in (
+    Key(path="what", kind=Word(get_args(What)), default="torque"),
+    Key(
+        path="scene",
+        kind=AnyTable("give its path, a bearing of the catalog, or a table [scene]", takes_text=True),
+    ),
+    Key(
+        path="samples",
+        kind=Whole(things="samples", low=1, high=10**9, example=512),
+        default=None,
+        meaning="of the 95 % interval of the torque",
+    ),
+    Key(path="pair", kind=Word(get_args(Pair)), default=None),
+    Key(path="ball_load", kind=Dimension(unit="N", low=1e-12, high=1e7, example='"620 N"'), default=None),
+    Key(path="geometry", kind=Word(("real", "hertzian", "wall")), default=None),
+    Key(path="accuracy", kind=Dimension(unit="", low=1e-6, high=1, example='"1 %"'), default=None),
+    Key(path="axes", kind=AnyTable(EXAMPLE)),
+):
+    GRID.add(_entry)
+for _entry in (
+    Key(path="from", kind=End('give the first value, for example "100 N"')),
+    Key(path="to", kind=End('give the last value, for example "2 kN"')),
+    Key(path="count", kind=Whole(things="values", low=2, high=1_000_000, example=20)),
+    Key(path="spacing", kind=Word(("linear", "log")), default="linear"),
+):
+    STEPS.add(_entry)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -104,7 +131,8 @@ class Grid:
     axes: tuple[Axis, ...]
     text: str  # of the grid file
     origin: str  # the file that it was read from
-    named: FoundScene | None = None  # the scene that the grid file names; None: it is a table there
+    usual: Mapping[str, Any] = field(default_factory=nothing)  # by key: values of a bearing that nobody gave
+    designation: str = ""  # of a bearing of the catalogue that the grid file names
 
     @property
     def order(self) -> tuple[Axis, ...]:
@@ -164,10 +192,10 @@ class Grid:
         InputError
             As `load_scene`.
         """
-        document = dict(self.document)  # a copy, since the reader adds entries of the catalog to it
+        document = self.document
         for axis, value in (*self._chosen(variant), *((axis, axis.values[0]) for axis in self.series)):
             if axis.key not in OF_CONTACT:
-                document = with_key(document, axis.key, f"{value!r} {axis.unit}" if axis.unit else value)
+                document = with_key(document, axis.key, _in_document(axis, value))
         return scene_of(document, origin=self.origin, folder=Path(self.folder))
 
     def first_scene(self) -> Scene:
@@ -203,45 +231,48 @@ def load_grid(path: str | os.PathLike[str]) -> Grid:
 
 
 def _grid(text: str, *, origin: str, folder: Path) -> Grid:
-    table: Any = _validated(GridTable, parse_text(text, origin=origin))
-    axes = tuple(_axis(key, values) for key, values in _listed(table.axes))
-    fixed = {key: getattr(table, key) for key in OF_CONTACT if getattr(table, key) is not None}
+    v = _validated(GRID, parse_text(text, origin=origin))
+    axes = tuple(_axis(key, values) for key, values in _listed(v["axes"]))
+    fixed = {key: v[key] for key in OF_CONTACT if key in v}
     for key, count in Counter(axis.key for axis in axes).items():  # a coordinate would not be the value in the scene
         if count > 1:
             raise InputError(f"axes.{key} is there twice, with quotes and without; leave one of them out")
         if key in fixed:
             raise InputError(f"{key} is an axis and has one value for the whole sweep; leave one of them out")
+    what, samples = v.get("what", "torque"), v.get("samples")
     for key in (*fixed, *(axis.key for axis in axes)):
-        if key in OF_CONTACT and table.what != "contact":
+        if key in OF_CONTACT and what != "contact":
             raise InputError(f'{key} is of a contact; write what = "contact", or leave it out')
-    if table.samples is not None and table.what != "torque":
+    if samples is not None and what != "torque":
         raise InputError('samples are of the interval of a torque; write what = "torque", or leave them out')
-    document, named = table.scene, None
+    document, usual, designation = v["scene"], {}, ""
     if isinstance(document, str):
-        largest = {axis.key: max(axis.values) for axis in axes if axis.key not in OF_CONTACT}
-        named = find_scene(document, folder=folder, choice=with_settings(USUAL, largest))
-        document, folder = usual_document(named, largest), named.folder
+        largest = {axis.key: _in_document(axis, max(axis.values)) for axis in axes if axis.key not in OF_CONTACT}
+        named = find_scene(document, folder=folder)
+        folder, designation = named.folder, named.designation
+        document, usual = whole_document(named, largest if designation else {})
     _require_one_point(document, axes)
     _require_memory(axes)
     return Grid(
-        what=table.what,
+        what=what,
         document=document,
         folder=str(folder),
         fixed=fixed,
-        samples=table.samples,
+        samples=samples,
         axes=axes,
         text=text,
         origin=origin,
-        named=named,
+        usual=usual,
+        designation=designation,
     )
 
 
-def _validated(kind: type[Table], given: dict[str, Any], before: str = "") -> Table:
-    """The table; before : path of its keys. Raises InputError for the first of its faults."""
-    try:
-        return kind.model_validate(given)
-    except ValidationError as problem:
-        raise InputError(before + faults_of(given, problem.errors(include_url=False), root=kind)[0]) from None
+def _validated(table: Table, given: dict[str, Any], before: str = "") -> Values:
+    """The values; before : path of its keys. Raises InputError for the first of its faults."""
+    values = read_document(given, table)
+    for fault in faults_of(table, values):
+        raise InputError(before + fault)
+    return values
 
 
 def _listed(given: dict[str, Any], before: str = "") -> Iterator[tuple[str, object]]:
@@ -256,7 +287,7 @@ def _listed(given: dict[str, Any], before: str = "") -> Iterator[tuple[str, obje
 def _axis(key: str, given: object) -> Axis:
     name = f"axes.{plain(key)}"
     try:
-        entry = scene_key(key, root=GridTable) if key in OF_AXES else scene_key(key)
+        entry = scene_key(key, root=GRID) if key in OF_AXES else scene_key(key)
     except InputError as problem:
         raise InputError(f"axes: {problem} (or one of the sweep's own: {', '.join(OF_AXES)})") from None
     if isinstance(given, dict):
@@ -279,9 +310,9 @@ def _axis(key: str, given: object) -> Axis:
     return Axis(key=key, unit=entry.dimension.unit, values=values, in_series=entry.in_series)
 
 
-def _steps(name: str, given: dict[str, Any], entry: SceneKey) -> tuple[float, ...]:
+def _steps(name: str, given: dict[str, Any], entry: Key) -> tuple[float, ...]:
     """Values of an axis given by from, to, count and spacing."""
-    table = _validated(StepsTable, given, f"{name}.").model_dump()
+    table: dict[str, Any] = {"spacing": "linear"} | _validated(STEPS, given, f"{name}.")
     begin, end = (entry.read_as(f"{name}.{key}", table[key]) for key in ("from", "to"))
     if isinstance(begin, str) or isinstance(end, str):
         raise InputError(f"{name} steps through quantities, not words; give a list of its values")
@@ -292,6 +323,11 @@ def _steps(name: str, given: dict[str, Any], entry: SceneKey) -> tuple[float, ..
     steps = (np.geomspace if table["spacing"] == "log" else np.linspace)(begin, end, table["count"])
     steps[[0, -1]] = begin, end  # exactly as written
     return tuple(steps.tolist())
+
+
+def _in_document(axis: Axis, value: Value) -> Value:
+    """A value of an axis as a scene has it."""
+    return SI(value, axis.unit) if axis.unit and isinstance(value, float) else value
 
 
 def _require_one_point(document: dict[str, Any], axes: tuple[Axis, ...]) -> None:

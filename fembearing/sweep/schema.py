@@ -1,25 +1,24 @@
 """The JSON Schema of the grid file of a sweep, made from the tables of a grid and of a scene file."""
 
-from analytic.scenefile.keys import scene_key
-from analytic.scenefile.schema import DIALECT, Schema, field_schema, table_schema
-from analytic.scenefile.tables import SceneTable
-from fembearing.sweep.grid import EXAMPLE, OF_AXES, GridTable, StepsTable
+from analytic.scenefile.keys import scene_key, scene_table
+from analytic.scenefile.schema import DIALECT, Schema, entry_schema, table_schema
+from fembearing.sweep.grid import EXAMPLE, GRID, OF_AXES, STEPS
 
 BY_STEPS: Schema = {"$ref": "#/definitions/steps"}
 
 
 def grid_schema() -> Schema:
     """The schema of a whole grid file."""
-    grid = table_schema(GridTable)
-    scene = table_schema(SceneTable, whole=False)  # axes may set what it lacks
+    grid = table_schema(GRID)
+    scene = table_schema(scene_table(), whole=False)  # axes may set what it lacks
     axes = _axes(scene) | {"patternProperties": {r"\.": {"anyOf": [_list({}), BY_STEPS]}}}  # a whole key in quotes
-    axes["properties"] |= {key: _axis(field_schema(scene_key(key, root=GridTable).field)) for key in OF_AXES}
+    axes["properties"] |= {key: _axis(entry_schema(scene_key(key, root=GRID))) for key in OF_AXES}
     words = {"description": grid["properties"]["scene"]["description"]}
     grid["properties"] |= {
         "scene": words | {"anyOf": [{"type": "string"}, scene]},
         "axes": axes | {"description": EXAMPLE, "minProperties": 1},
     }
-    return {"$schema": DIALECT, "title": "fembearing grid", **grid, "definitions": {"steps": table_schema(StepsTable)}}
+    return {"$schema": DIALECT, "title": "fembearing grid", **grid, "definitions": {"steps": table_schema(STEPS)}}
 
 
 def _axes(table: Schema) -> Schema:

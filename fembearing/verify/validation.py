@@ -16,7 +16,7 @@ from analytic.errors import FembearingError, InputError
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.result import FrictionTorque
 from analytic.scene import Array, Pair, Scene
-from analytic.scenefile.by_name import Given, with_tolerance
+from analytic.scenefile.parts import Given, with_tolerance
 from analytic.verdicts import pressure_check
 from fembearing.mesh.recipe import Geometry
 from fembearing.progress import Progress, part_of, silent

@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from analytic.brief import Brief, points_of, span
+from analytic.declared import Noun
 from analytic.labelled import Column, Labelled, dataset_of, frame_of, html_table
-from analytic.noun import Noun
 from analytic.rows import require_one_length, row_of
+from analytic.scene import Length
 from tests.refusals import refused
 
 
@@ -42,7 +43,7 @@ def test_a_series_is_told_by_its_speeds_and_by_loads_that_are_not_0() -> None:
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Shaft(Noun):
     name: str
-    length: float = 2.0
+    length: Length = 2.0
     holes: int = 3
     is_hollow: bool = False
     heights: np.ndarray | None = None

@@ -96,7 +96,7 @@ def test_a_number_with_a_unit_is_refused_with_the_one_that_is_read() -> None:
             return "3.0 kN"
 
     given: Any = Quantity()
-    refused(lambda: real_numbers("operation.axial_load", given), "= 3.0 kN has a unit", "a plain number in N")
+    refused(lambda: real_numbers("operation.axial_load", given), "= 3.0 kN has a unit", "give its number in SI")
     refused(lambda: real_numbers("anything", given), "give its number in SI")
 
 

@@ -11,7 +11,7 @@ from analytic.function import torque_function
 from analytic.loads.ring import ring_equilibrium
 from analytic.result import FrictionTorque
 from analytic.scene import ContactAngle, Operation, Scene
-from analytic.scenefile.by_name import operation
+from analytic.scenefile.parts import operation
 from analytic.torque import friction_torque
 from analytic.verdicts import PhysicalCheck, physical_checks
 from tests.analytic.scenefile.scene_texts import MINE, changed, refusal, scene

@@ -75,7 +75,7 @@ def test_the_scene_is_that_of_the_options_of_the_command_line() -> None:
     for name, values in told.operation.points.items():
         assert getattr(shown.operation, name).tolist() == values.tolist()
     # The note that a speed without a unit is read as rpm is a warning of the scene there, and stands beside the field.
-    others = vars(told).keys() - {"operation", "warnings"}
+    others = vars(told).keys() - {"operation", "usual", "warnings"}
     assert {name: getattr(shown, name) for name in others} == {name: getattr(told, name) for name in others}
 
 

@@ -12,7 +12,7 @@ import pytest
 
 from analytic.scenefile.read import load_scene
 from analytic.writing import LISTING
-from fembearing.cli import contact as contact_command
+from fembearing.cli.status import reached
 from fembearing.fem import solution
 from fembearing.mesh.recipe import Recipe
 from fembearing.provenance import provenance_of
@@ -98,9 +98,8 @@ def test_a_sweep_that_is_stopped_says_what_is_kept(
 
 
 def test_an_uncertainty_just_beyond_the_accuracy_is_not_solved(capsys: pytest.CaptureFixture[str]) -> None:
-    uncertainties = {"peak_pressure": 0.0013, "approach": 0.0002}
-    assert contact_command._status(uncertainties, 0.0014) == 0
-    assert contact_command._status(uncertainties, 0.0012) == 3
+    assert reached(0.0014, "peak_pressure", 0.0013) == 0
+    assert reached(0.0012, "peak_pressure", 0.0013) == 3
     assert "not solved to 0.12 %: the peak pressure has an uncertainty of 0.13 %" in capsys.readouterr().err
 
 

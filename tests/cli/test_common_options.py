@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from analytic.scenefile.choice import KEYS
+from analytic.given import KEYS
 from analytic.scenefile.template import scene_text
 from fembearing.cli import COMMANDS, command_of
 from fembearing.quantities import INCH, POUND

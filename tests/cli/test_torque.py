@@ -10,8 +10,7 @@ import pytest
 from pydantic import TypeAdapter
 from rich.console import Console
 
-from analytic.scenefile.choice import Choice
-from analytic.scenefile.read import parse_scene
+from analytic.scenefile.read import load_scene, parse_scene
 from analytic.scenefile.template import scene_text
 from fembearing.cli.status import CHECK_FAILED, DONE, INPUT_AT_FAULT, NOT_SOLVED
 from fembearing.plain_types import plain
@@ -174,7 +173,7 @@ def test_wrong_samples_give_one_line(command, options: tuple[str, ...], complain
 def test_a_series_loses_only_its_bad_points(command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The torque of the others is that of a series without the bad one."""
     monkeypatch.chdir(tmp_path)
-    text = scene_text("6206", Choice(axial_load="700 N"))
+    text = scene_text("6206", axial_load="700 N")
     text = text.replace("[friction]\n", '[friction]\nspin_rule = "balanced"\n')  # free balls take seconds
     assert 'spin_rule = "balanced"' in text
     for name, loads in (("bad", ["100 N", "-9e7 N", "300 N"]), ("good", ["100 N", "300 N"])):
@@ -227,7 +226,7 @@ def test_several_scenes_stand_side_by_side_and_each_line_names_its_own(
     command, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """With the torque of one bearing for both: only words are looked at."""
-    result = computed(scene_text("6206"))
+    result = torque_of_scene(load_scene("6206"))
     monkeypatch.setattr(torque_folder, "torque_with_files", lambda *_, **__: (result, None))
     one, two = command("torque", "6206"), command("torque", "6206", "6308")
     assert one.out.startswith("6206, ")

@@ -37,7 +37,7 @@ def test_solver_and_meshes_load_only_the_nouns() -> None:
     *parts, loaded = run(IMPORTS)
     assert {"fembearing.fem.solution", "fembearing.fem.guess", "fembearing.mesh.bodies"} <= set(parts)
     # The nouns with their units, words, and how files are read and written; none of them has a formula.
-    nouns = ("brief", "errors", "noun", "reading", "report_details", "scene", "units", "words", "writing")
+    nouns = ("brief", "declared", "errors", "given", "quantity", "reading", "scene", "words", "writing")
     assert loaded.split() == [f"analytic.{name}" for name in nouns]
 
 
@@ -51,7 +51,7 @@ from analytic.scene import Contact, Material
 from fembearing.verify.contact.hertz import hertz_quantities
 from fembearing.mesh.recipe import load_recipe
 
-NOUNS = ("analytic.scene", "analytic.errors", "analytic.noun", "analytic.units")  # none of them has a formula
+NOUNS = tuple(f"analytic.{name}" for name in ("scene", "errors", "declared", "given"))  # none of them has a formula
 for part in pkgutil.walk_packages(analytic.__path__, "analytic."):
     importlib.import_module(part.name)
 steel = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7850.0, source="test")

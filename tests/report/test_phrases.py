@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import pytest
 
-from analytic.inputs import UNCERTAIN
 from analytic.rows import OperatingPoint
+from analytic.scenefile.keys import UNCERTAIN
 from analytic.verdicts import PhysicalCheck
 from fembearing.quantities import METRIC
 from fembearing.report.phrases import (

@@ -10,15 +10,15 @@ import tomllib
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
-from typing import Any, Literal, get_args, get_origin
+from typing import Any
 
 import numpy as np
 
 from analytic import catalog, friction_torque
 from analytic.catalog.bearing_rows import bearing_names
+from analytic.declared import Key, Switch, Word
 from analytic.errors import InputError
-from analytic.scenefile.choice import Choice
-from analytic.scenefile.keys import SceneKey, paths, scene_key, with_key
+from analytic.scenefile.keys import scene_key, scene_table, with_key
 from analytic.scenefile.read import parse_scene
 from analytic.scenefile.template import scene_text as template
 from fembearing.plain_types import plain
@@ -94,7 +94,7 @@ def base(rng: np.random.Generator) -> dict[str, Any]:
         return tomllib.loads(radial_scene(rng.random(RADIAL_INPUTS), tolerance=TOLERANCE))
     if kind == 1:
         names = bearing_names()
-        return tomllib.loads(template(names[rng.integers(len(names))], Choice()))
+        return tomllib.loads(template(names[rng.integers(len(names))]))
     shipped = [catalog.path("scenes", name) for name in catalog.names("scenes")] + sorted(SCENES.glob("*.toml"))
     document = tomllib.loads(shipped[rng.integers(len(shipped))].read_text("utf-8"))
     if "cage" in document:
@@ -103,21 +103,24 @@ def base(rng: np.random.Generator) -> dict[str, Any]:
 
 
 @cache
-def keys() -> list[SceneKey]:
+def keys() -> list[Key]:
     """The keys that take a quantity, a number or one of some words."""
-    known = [scene_key(path) for path in paths() if path not in LEFT_ALONE and not path.startswith(WITHOUT_MEANING)]
+    known = [
+        scene_key(path)
+        for path in scene_table().paths()
+        if path not in LEFT_ALONE and not path.startswith(WITHOUT_MEANING)
+    ]
     return [key for key in known if key.dimension is not None or words_of(key) or key.path == "bearing.ball_count"]
 
 
-def words_of(key: SceneKey) -> list[object]:
+def words_of(key: Key) -> list[object]:
     """The words that a key takes."""
-    if key.field.annotation is bool:
+    if isinstance(key.kind, Switch):
         return [True, False]
-    kinds = [key.field.annotation, *get_args(key.field.annotation)]
-    return [word for kind in kinds if get_origin(kind) is Literal for word in get_args(kind)]
+    return [*key.kind.words] if isinstance(key.kind, Word) else []
 
 
-def value_of(key: SceneKey, given: object, rng: np.random.Generator) -> object:
+def value_of(key: Key, given: object, rng: np.random.Generator) -> object:
     """A value that the reader admits for this key."""
     if key.dimension is None:
         words = words_of(key)

@@ -20,7 +20,6 @@ import fembearing
 from analytic import friction_torque, load_scene
 from analytic.prediction.duty import cycle_with_torques
 from analytic.scene import Scene
-from analytic.scenefile.choice import Choice
 from analytic.scenefile.cycle import read_cycle
 from analytic.scenefile.read import any_by_temperature
 from analytic.scenefile.template import scene_text as template
@@ -130,7 +129,7 @@ def _page(calls: int) -> Call:
 
     def call(number: int) -> None:
         tab.open()
-        tab.shows(template("6206", Choice(radial_load=f"{drawn[number]} N")))
+        tab.shows(template("6206", radial_load=f"{drawn[number]} N"))
 
     return call
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 
 from analytic.effects import Effect
-from analytic.inputs import StatedInput
+from analytic.scenefile.inputs import StatedInput
 from fembearing.quantities import METRIC, Units
 from fembearing.report.phrases import share_of, value_of
 from fembearing.report.tables.table import Head, Table, table_of

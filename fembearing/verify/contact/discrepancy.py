@@ -13,9 +13,9 @@ import numpy as np
 from analytic.any_scene import scene_by
 from analytic.brief import Brief
 from analytic.errors import require_non_negative
+from analytic.given import SceneOptions
 from analytic.scene import Contact, Pair, Scene
-from analytic.scenefile.by_name import Given, with_tolerance
-from analytic.scenefile.choice import SceneOptions
+from analytic.scenefile.parts import Given, with_tolerance
 from fembearing.fem.measure import STRIP, Quantities
 from fembearing.fem.nodal_stress import stress_at_nodes, von_mises
 from fembearing.fem.solution import MeshSolution

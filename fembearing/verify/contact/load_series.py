@@ -19,10 +19,10 @@ from numpy.typing import ArrayLike
 from analytic.any_scene import scene_by
 from analytic.brief import Brief, span
 from analytic.errors import InputError, require_non_negative
+from analytic.given import SceneOptions
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.scene import Contact, Pair, Scene
-from analytic.scenefile.by_name import Given, with_tolerance
-from analytic.scenefile.choice import SceneOptions
+from analytic.scenefile.parts import Given, with_tolerance
 from fembearing.fem.pixel_contact import PixelSolution
 from fembearing.fem.series import checked_loads, off_mesh, on_level, solve_series
 from fembearing.fem.solution import MeshSolution

@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 from analytic.any_scene import scene_by
 from analytic.brief import Brief
 from analytic.errors import InputError
+from analytic.given import SceneOptions
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.result import COORDINATES
 from analytic.rows import Count, NotNegative
 from analytic.scene import MeasuredTorque, Operation, Scene
-from analytic.scenefile.choice import SceneOptions
 from analytic.scenefile.columns import operating_points, require_loads
 from analytic.scenefile.measured import read_measured
 from fembearing.progress import Progress, part_of, silent

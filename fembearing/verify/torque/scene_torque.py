@@ -11,12 +11,12 @@ import numpy as np
 from analytic.any_scene import scene_by
 from analytic.brief import Brief, span
 from analytic.errors import FembearingError, InputError
-from analytic.inputs import StatedInput, stated_inputs
+from analytic.given import SceneOptions
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.prediction.formulas import with_model_uncertainty
 from analytic.result import COLUMNS, COORDINATES, POINT, FrictionTorque
 from analytic.scene import Array, Bearing, Scene
-from analytic.scenefile.choice import SceneOptions
+from analytic.scenefile.inputs import StatedInput, stated_inputs
 from analytic.torque import friction_torque
 from analytic.verdicts import numerical_check, physical_checks
 from analytic.words import MICROMETRE, NEWTON_MILLIMETRE

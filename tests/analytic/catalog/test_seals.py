@@ -9,9 +9,9 @@ import pytest
 from analytic.catalog.bearing_rows import find_bearing
 from analytic.catalog.seals import seal_spread, seal_torque
 from analytic.effects import Effect
-from analytic.inputs import stated_inputs
 from analytic.prediction.spreads import uncertain_inputs
 from analytic.scene import Losses, Scene
+from analytic.scenefile.inputs import stated_inputs
 from analytic.scenefile.read import scene_of
 from analytic.torque import friction_torque
 from tests.refusals import refused

@@ -163,7 +163,8 @@ def test_unknown_shoulders_are_asked_for_in_one_line(bearing_6205: Bearing) -> N
         race_contact(unknown, "outer", contact_angle=0.1, ball_load=LOAD)
     words = str(refusal.value)
     assert "\n" not in words
-    assert 'bearing.outer.shoulder_height, usual are 0.15 to 0.25 of the ball diameter, "1.19 mm" to "1.98 mm"' in words
+    keys = "give bearing.inner.shoulder_height and bearing.outer.shoulder_height, usual are 0.15 to 0.25"
+    assert f'{keys} of the ball diameter, "1.19 mm" to "1.98 mm"' in words  # both at once
     typical = with_shoulders(unknown, USUAL_SHOULDERS[1])
     near, far = known_half_widths(typical, "outer")
     rise = 4.21e-3 - np.sqrt(4.21e-3**2 - near**2)

@@ -15,7 +15,7 @@ from analytic.oil.film import film_asymptotes
 from analytic.oil.mixed import mixed_contact
 from analytic.oil.traction import CoulombTraction, MixedTraction, mixed_traction, oil_shear_stress, thickened
 from analytic.oil.viscosity import oil_numbers, viscosity_under_pressure
-from analytic.scenefile.by_name import lubricant
+from analytic.scenefile.parts import lubricant
 from analytic.surface.gap import gap_law
 from analytic.surface.roughness import gap_roughness
 from tests.analytic import specimens

@@ -10,7 +10,6 @@ import pytest
 
 import analytic
 from analytic.errors import InputError
-from analytic.inputs import UNCERTAIN, uncertain_value
 from analytic.oil.variation import Variation
 from analytic.prediction import evaluation
 from analytic.prediction import prediction as module
@@ -19,6 +18,8 @@ from analytic.prediction.rows import largest_error
 from analytic.prediction.spreads import UncertainInput, uncertain_inputs
 from analytic.prediction.variants import varied_scene
 from analytic.scene import Arrangement, ContactAngle, Losses, Scene
+from analytic.scenefile.inputs import uncertain_value
+from analytic.scenefile.keys import UNCERTAIN
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.torque import friction_torque
 from fembearing.plain_types import plain

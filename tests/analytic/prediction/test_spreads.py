@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from analytic.inputs import UNCERTAIN
 from analytic.prediction.spreads import DEFAULTS, UncertainInput, uncertain_inputs
 from analytic.scene import Losses, Operation, Origin, Scene
+from analytic.scenefile.keys import UNCERTAIN
 from tests.analytic.specimens import BEARING_6205, FINISH, OIL
 from tests.refusals import refused
 

@@ -9,7 +9,7 @@ import pytest
 import analytic
 from analytic.errors import ConvergenceError, InputError
 from analytic.prediction.steady import steady_temperature
-from analytic.scenefile.tables import ThermalTable
+from analytic.scene import Thermal
 from tests.refusals import refused
 
 RUN = {"radial_load": 2500.0, "speed": 250.0, "oil": "ISO VG 68"}  # N, rad/s
@@ -42,10 +42,10 @@ def test_friction_and_resistance_give_the_temperature() -> None:
 
 def test_a_temperature_beside_a_resistance_is_refused() -> None:
     heat = {"thermal.resistance": 0.7, "thermal.ambient": AMBIENT}
-    words = "333.0 and [thermal] both determine the oil temperature: leave one of them out"
-    refused(lambda: analytic.steady_scene("6308", settings=heat, temperature=333.0), f"of 6308: temperature = {words}")
+    words = "lubricant.temperature = 333.0 K and [thermal] both determine the oil temperature: leave one of them out"
+    refused(lambda: analytic.steady_scene("6308", settings=heat, temperature=333.0), f"of 6308: {words}")
     both = {**heat, "lubricant.temperature": 333.0}
-    refused(lambda: analytic.steady_scene("6308", settings=both), f"lubricant.temperature = {words}")
+    refused(lambda: analytic.steady_scene("6308", settings=both), words)
 
 
 def test_without_resistance_the_oil_has_the_ambient_temperature() -> None:
@@ -67,7 +67,7 @@ def test_a_power_of_known_form_has_its_known_temperature(decay: float, resistanc
     from scipy.special import lambertw
 
     initial = 37.0
-    thermal = ThermalTable.model_construct(resistance=resistance, ambient=AMBIENT)
+    thermal = Thermal(resistance=resistance, ambient=AMBIENT)
     found = steady_temperature(lambda t: initial * math.exp(-decay * (t - AMBIENT)), thermal, tolerance=0.01)
     heat = resistance * initial
     rise = heat if decay == 0 else float(lambertw(decay * heat).real) / decay
@@ -76,7 +76,7 @@ def test_a_power_of_known_form_has_its_known_temperature(decay: float, resistanc
 
 def test_of_several_temperatures_the_lowest_is_found() -> None:
     """Power that grows: R P = 0.4 + (T - Ta)^2/50 meets T - Ta at 0.403... and again at 49.6."""
-    thermal = ThermalTable.model_construct(resistance=2.0, ambient=AMBIENT)
+    thermal = Thermal(resistance=2.0, ambient=AMBIENT)
     found = steady_temperature(lambda t: 0.2 + (t - AMBIENT) ** 2 / 100, thermal, tolerance=0.01)
     assert found.temperature - AMBIENT == pytest.approx(25 - math.sqrt(625 - 20), abs=2e-4)
 
@@ -92,7 +92,7 @@ def test_a_thermal_runaway_and_the_end_of_the_data_are_said_in_one_line() -> Non
 
 
 def test_a_jump_that_exceeds_the_tolerance_is_no_balance() -> None:
-    thermal = ThermalTable.model_construct(resistance=2.0, ambient=AMBIENT)
+    thermal = Thermal(resistance=2.0, ambient=AMBIENT)
     with pytest.raises(ConvergenceError, match="jumps by"):
         steady_temperature(lambda t: 9.0 if t < AMBIENT + 13 else 3.0, thermal, tolerance=0.05)
     found = steady_temperature(lambda t: 9.0 if t < AMBIENT + 17.9 else 8.8, thermal, tolerance=0.05)

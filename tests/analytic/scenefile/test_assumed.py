@@ -2,7 +2,7 @@
 
 import pytest
 
-from analytic.inputs import stated_inputs
+from analytic.scenefile.inputs import stated_inputs
 from analytic.scenefile.read import load_scene
 from tests.analytic.scenefile.scene_texts import OILED, refusal, scene
 

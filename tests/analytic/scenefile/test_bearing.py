@@ -252,7 +252,7 @@ def test_grade_d_is_refused_with_what_to_measure() -> None:
             + 'catalog = "7205 BEP"\n', ("axial_load has 2 and operation.radial_load has 3", "equal lengths")),
         (HAND + PLAY + 'inner.bottom_radius = "20 mm"\n', ("bearing.outer.bottom_radius is missing", "both rings")),
         (HAND.replace('pitch_diameter = "50 mm"\n', PLAY), ("bearing.pitch_diameter is missing", '"39 mm"')),
-        (HEAD + "catalog = 6206\n", ("bearing.catalog: 6206", "in quotes")),
+        (HEAD + "catalog = 6206\n", ("bearing.catalog = 6206", "in quotes")),
     ],
 )  # fmt: skip
 def test_what_is_missing_or_said_twice_is_named(text: str, words: tuple[str, ...]) -> None:

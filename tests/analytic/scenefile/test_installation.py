@@ -6,7 +6,7 @@ import pytest
 from analytic.errors import InputError
 from analytic.mounting.clearance import Mounting, mounted
 from analytic.scene import Arrangement, Scene
-from analytic.scenefile.by_name import material
+from analytic.scenefile.parts import material
 from analytic.scenefile.read import parse_scene
 
 SCENE = """\

@@ -73,7 +73,7 @@ def test_a_head_reads_its_unit_by_its_quantity(tmp_path: Path) -> None:
         ("inner_speed [~rpm],torque [N mm]\n60,5", ("inner_speed [~rpm] has the unknown unit '~rpm'",)),
         ("inner_speed [rmp],torque [N mm]\n60,5", ("inner_speed [rmp]", "unknown unit 'rmp'", "inner_speed [rpm]")),
         ("inner_speed [rp\x10],torque [N mm]\n60,5", (r"inner_speed ['rp\x10'] has the unknown unit 'rp\x10'",)),
-        (f"{HEAD}\n60,{'9' * 2000}", ("torque = '999", "...999", "give 1e-09 to 1e+09 N mm")),
+        (f"{HEAD}\n60,{'9' * 2000}", ("torque = '999", "...999", '"35.1 N mm"')),
         ("inner_speed [N],torque [N mm]\n60,5", ("inner_speed [N] is not in a unit like rpm",)),
         ("inner_speed [Hz],torque [N mm]\n60,5", ("Hz may count turns or radians", "inner_speed [rpm]")),
         ("inner_speed [rpm],torque [Nmm]\n60,5", ("torque [Nmm]", "write N mm")),

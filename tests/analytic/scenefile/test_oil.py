@@ -192,7 +192,7 @@ def test_python_takes_units_and_an_oil_of_ones_own() -> None:
     assert analytic.lubricant(viscosity=pair, base_oil="PAO") == oil(f'viscosity = {pair}\nbase_oil = "PAO"')
     with pytest.raises(InputError, match=r"lubricant\.viscosity is missing"):
         analytic.lubricant(base_oil="mineral")
-    with pytest.raises(InputError, match=r"temperature = '70.0 K' is out of range.*40 degC"):
+    with pytest.raises(InputError, match=r"temperature = 70.0 K is out of range.*40 degC"):
         analytic.lubricant("vg46", temperature=70)
     with pytest.raises(InputError, match=r"lubricant\.temperature = '70' .*unit is missing"):
         analytic.lubricant("vg46", temperature="70")
@@ -373,9 +373,7 @@ def test_a_mistake_is_named_in_one_line(text: str, words: tuple[str, ...]) -> No
 
 
 def test_mistakes_from_python_are_named_too() -> None:
-    with pytest.raises(
-        InputError, match=r"lubricant\.density = '87.0 kg/m\^3' is out of range; give 100 to 5000 kg/m\^3"
-    ):
+    with pytest.raises(InputError, match=r"lubricant\.density = 87.0 kg/m\^3 is out of range, 100 to 5000 kg/m\^3"):
         analytic.lubricant("vg46", density=87.0)
     with pytest.raises(InputError, match=r"lubricant\.viscositty is no key.*did you mean"):
         analytic.lubricant("vg46", viscositty=0.03)
@@ -435,7 +433,7 @@ def test_an_oil_survives_pickling_and_compares_by_its_values() -> None:
 
 def test_a_sweep_steps_through_dynamic_viscosities() -> None:
     key = scene_key("lubricant.viscosity")
-    assert present(key.dimension).unit == "Pa*s"
+    assert present(key.dimension).unit == "Pa s"
     assert key.read("20 mPa s") == 0.02
     with pytest.raises(ValueError, match="in a unit like Pa"):
         key.read("46 cSt")  # its dynamic viscosity would depend on another key

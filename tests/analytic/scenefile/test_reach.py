@@ -4,7 +4,7 @@ import pytest
 
 from analytic.errors import InputError
 from analytic.scene import Lubricant, Reach
-from analytic.scenefile.by_name import lubricant
+from analytic.scenefile.parts import lubricant
 from analytic.scenefile.read import scene_of
 
 BALL_RADIUS = 3.969e-3  # m, of a 6205

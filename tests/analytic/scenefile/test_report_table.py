@@ -2,7 +2,7 @@
 
 import pytest
 
-from analytic.report_details import ReportDetails
+from analytic.scene import ReportDetails
 from analytic.torque import friction_torque
 from fembearing.provenance import provenance_of
 from tests.analytic.scenefile.scene_texts import MINE, refusal, scene

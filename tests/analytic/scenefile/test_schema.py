@@ -11,7 +11,7 @@ import pytest
 from jsonschema import Draft7Validator
 
 from analytic import catalog
-from analytic.scenefile.keys import paths
+from analytic.scenefile.keys import scene_table
 from analytic.scenefile.schema import scene_schema
 from fembearing.sweep.schema import grid_schema
 from tests.analytic.scenefile.scene_texts import INLINE, OILED, PLAIN, changed
@@ -84,7 +84,7 @@ def keys(table: dict[str, Any], before: str = "") -> Iterator[str]:
 
 
 def test_the_schema_has_the_keys_of_the_reader() -> None:
-    assert sorted(keys(SCENE)) == sorted(paths())
+    assert sorted(keys(SCENE)) == sorted(scene_table().paths())
 
 
 def test_a_grid_is_valid_and_its_mistakes_are_marked() -> None:

@@ -8,9 +8,9 @@ import pytest
 from analytic import catalog, friction_torque
 from analytic.catalog.bearing_rows import bearing_names, find_bearing
 from analytic.errors import InputError
-from analytic.inputs import stated_inputs
 from analytic.prediction.first_order import first_order_ends
 from analytic.prediction.spreads import uncertain_inputs
+from analytic.scenefile.inputs import stated_inputs
 from analytic.scenefile.read import load_scene
 from analytic.scenefile.usual_cage import cage_sizes
 from tests.analytic.specimens import BEARING_6205, effect_of, present

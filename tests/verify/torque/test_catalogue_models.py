@@ -13,7 +13,6 @@ import pytest
 from analytic.catalog.bearing_rows import bearing_names, find_bearing, series_of_size
 from analytic.errors import InputError
 from analytic.scene import Bearing, Operation, Scene
-from analytic.scenefile.choice import Choice
 from analytic.scenefile.read import load_scene, parse_scene, scene_of
 from analytic.scenefile.template import scene_text
 from fembearing.plain_types import plain
@@ -366,9 +365,7 @@ def test_a_scene_without_a_band_says_why() -> None:
 @pytest.mark.parametrize(("rating", "has_band"), [("0.1 N", False), ("899 N", False), ("901 N", True)])
 def test_beyond_the_static_rating_there_is_no_band(rating: str, has_band: bool) -> None:
     """The loaded contact angle of the models would pass 90 deg, and their forces would have no root."""
-    text = scene_text("6206", Choice(axial_load="900 N")).replace(
-        "[bearing]", f'[bearing]\nstatic_load_rating = "{rating}"', 1
-    )
+    text = scene_text("6206", axial_load="900 N").replace("[bearing]", f'[bearing]\nstatic_load_rating = "{rating}"', 1)
     result = torque_of_scene(parse_scene(text, origin="here"))
     assert (result.catalogue.band is not None) == has_band
     if not has_band:

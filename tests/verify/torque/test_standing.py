@@ -11,7 +11,6 @@ import pytest
 from analytic.effects import Effect
 from analytic.result import TorqueParts
 from analytic.scene import Scene
-from analytic.scenefile.choice import Choice
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.scenefile.template import scene_text
 from analytic.verdicts import NumericalCheck, PhysicalCheck
@@ -77,8 +76,8 @@ def test_each_cause_has_its_word_and_names_itself(scene: Scene) -> None:
 
 def test_an_estimated_loss_of_the_oil_is_named_and_decides_only_where_it_is_large() -> None:
     """A 6206 in an oil bath: the oil around the balls takes some 3 % of the torque at 3.5 kN and 3700 rpm."""
-    choice = Choice(radial_load="3.5 kN", speed="3700 rpm", oil="ISO VG 68")
-    scene = replace(parse_scene(scene_text("6206", choice), origin="here"), tolerance=0.02)
+    choice: Any = {"radial_load": "3.5 kN", "speed": "3700 rpm", "oil": "ISO VG 68"}
+    scene = replace(parse_scene(scene_text("6206", **choice), origin="here"), tolerance=0.02)
     result = torque_of_scene(scene, estimate=False)
     assert result.standing.word == "check"
     assert re.search(r"; without ball_drag, some [23](\.\d)? % by usual values; ", result.standing.reason)

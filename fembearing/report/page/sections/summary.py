@@ -4,7 +4,7 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from analytic.inputs import StatedInput
+from analytic.scenefile.inputs import StatedInput
 from analytic.verdicts import NumericalCheck
 from fembearing.quantities import CONTACT, Units
 from fembearing.report.contact import ContactRecord

@@ -12,19 +12,23 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.errors import InputError
+from analytic.given import Given, Quantity
 from analytic.scene import Array, Bearing, Lubricant, Material, Operation, Scene, Surface
-from analytic.scenefile.choice import Given
 from analytic.scenefile.keys import scene_key
 from analytic.scenefile.material import catalog_material
 from analytic.scenefile.read import scene_of
-from analytic.scenefile.setting import as_text
-from analytic.units import Quantity
+from analytic.scenefile.setting import as_plain, in_si
 from analytic.words import shown
 
 Series = ArrayLike | str | Sequence[str] | Quantity | Sequence[Quantity]
 # What a scene needs beside the table that is read.
 ANYTHING = {"name": "from Python", "tolerance": 0.05, "operation": {"axial_load": "1 N", "inner_speed": "0 rpm"}}
 BEARING = {"catalog": "paper_6205"}
+
+
+def _scene_with(name: str, keys: Mapping[str, Any]) -> Scene:
+    """A scene with this table; the errors of a scene file, which begin with its name."""
+    return scene_of({**ANYTHING, "bearing": BEARING, name: in_si(keys, name)}, origin=name)
 
 
 def bearing(designation: str | None = None, **dimensions: Any) -> Bearing:
@@ -53,31 +57,10 @@ def bearing(designation: str | None = None, **dimensions: Any) -> Bearing:
     UserWarning
         Makers differ, or a suffix is not understood.
     """
-    scene = _read_table("bearing", dimensions if designation is None else {**dimensions, "catalog": designation})
+    scene = _scene_with("bearing", dimensions if designation is None else {**dimensions, "catalog": designation})
     for warning in scene.warnings:
         warn(warning, stacklevel=2)
     return scene.bearing
-
-
-def _read_table(name: str, keys: Mapping[str, Any]) -> Scene:
-    """A scene with this table; the errors of a scene file, which begin with its name."""
-    return scene_of({**ANYTHING, "bearing": BEARING, name: _with_units(keys, name)}, origin=name)
-
-
-def _with_units(table: Mapping[str, Any], path: str) -> dict[str, Any]:
-    """The table with numbers in SI as the texts that a scene has in their place."""
-    written = {}
-    for key, given in table.items():
-        place, value = f"{path}.{key}", as_text(given)
-        if isinstance(value, Mapping):
-            written[key] = _with_units(value, place)
-        elif isinstance(value, float | int) and not isinstance(value, bool):
-            dimension = scene_key(place).dimension
-            unit = "" if dimension is None else dimension.unit
-            written[key] = f"{float(value)!r} {unit}" if unit else value
-        else:
-            written[key] = [*value] if isinstance(value, tuple) else value
-    return written
 
 
 def operation(
@@ -124,7 +107,7 @@ def operation(
 
 def _in_si(path: str, given: Series) -> Array:
     """Numbers, which are in SI already, or quantities in texts: one or a list."""
-    given = as_text(given)
+    given = as_plain(given)
     if isinstance(given, str):
         return np.asarray(scene_key(path).read_as(path, given))
     if isinstance(given, list | tuple) and any(isinstance(each, str) for each in given):
@@ -153,7 +136,7 @@ def surfaces(**keys: Any) -> Surface:
     InputError
         A key is unknown, missing or in conflict, or a value is out of range.
     """
-    found = _read_table("surface", keys).surface
+    found = _scene_with("surface", keys).surface
     assert found is not None, "the document has the table"
     return found
 
@@ -199,7 +182,7 @@ def lubricant(
     if lengths:
         raise InputError(f"lubricant.reach = {lengths[0]!r}: no ball is given; give a share of its radius, as 0.9")
     keys = {"name": name, "temperature": temperature, "viscosity": viscosity, **overrides}
-    found = _read_table("lubricant", {key: value for key, value in keys.items() if value is not None}).lubricant
+    found = _scene_with("lubricant", {key: value for key, value in keys.items() if value is not None}).lubricant
     assert found is not None, "the document has the table"
     return found
 
@@ -228,9 +211,9 @@ def material(name: str, **overrides: Given) -> Material:
         entry = catalog_material(name, overrides)
     except ValueError as problem:
         raise InputError(f"material {shown(name)} {problem}") from None
-    return _read_table("bearing", {**BEARING, "ball_material": entry}).bearing.ball_material
+    return _scene_with("bearing", {**BEARING, "ball_material": entry}).bearing.ball_material
 
 
 def with_tolerance(scene: Scene, tolerance: Given) -> Scene:
     """The scene with another tolerance: a number, a text as "1 %", or a quantity. Raises InputError as a scene file."""
-    return replace(scene, tolerance=scene_key("tolerance").read_as("tolerance", as_text(tolerance)))
+    return replace(scene, tolerance=scene_key("tolerance").read_as("tolerance", as_plain(tolerance)))

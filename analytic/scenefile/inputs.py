@@ -5,13 +5,11 @@ from typing import Any
 
 import numpy as np
 
+from analytic.declared import Whole
 from analytic.errors import InputError
 from analytic.rows import NotNegative
 from analytic.scene import LOSS_SPREAD, Bearing, Cage, Groove, Material, Origin, Scene, Status
-from analytic.units import unit_of
-
-LARGEST_SHARE = 3.0  # of a value: a standard deviation beyond it says that the value is not known
-TIGHTEST_GROOVE = 0.5  # conformity of a groove that fits the ball
+from analytic.scenefile.keys import ASSUMABLE, LARGEST_SHARE, UNCERTAIN, GivenSpread, Values, scene_key
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -26,78 +24,21 @@ class StatedInput:
     source: str  # in words
 
 
-@dataclass(frozen=True, kw_only=True)
-class Varied:
-    """How an input with a standard deviation is distributed."""
-
-    unit: str  # SI; "" for a pure number
-    example: str  # of a standard deviation, as in a scene file
-    # What lies above the floor is lognormal, and its median is the value; None: the value itself is normal.
-    floor: float | None = 0.0
-
-
-LENGTH = Varied(unit="m", example='"0.02 mm", or "5 %"')
-FORCE = Varied(unit="N", example='"10 N", or "1 %"')
-PURE = Varied(unit="", example="0.01")
-STEP = Varied(unit="", example="0.5", floor=None)
-CONFORMITY = Varied(unit="", example="0.002", floor=TIGHTEST_GROOVE)
-ANGLE = Varied(unit="rad", example='"1.5 deg"', floor=None)
-# By the keys of [uncertainty]; `Scene.uncertainty` has standard deviations, SI, in place of the defaults. Those of
-# `model` are factors on formulas; those of `gap` and `elastic_rolling` are steps to the other law, that of `starvation`
-# is one from the running bearing to a flooded one.
-UNCERTAIN: dict[str, Varied] = {
-    "bearing.ball_diameter": LENGTH,
-    "bearing.pitch_diameter": LENGTH,
-    "bearing.clearance": Varied(unit="m", example='"2 um"', floor=None),
-    "bearing.inner.conformity": CONFORMITY,
-    "bearing.outer.conformity": CONFORMITY,
-    "bearing.contact_angle.free": ANGLE,
-    "bearing.contact_angle.value": ANGLE,
-    "arrangement.preload": FORCE,
-    "arrangement.offset": LENGTH,
-    "operation.axial_load": FORCE,
-    "operation.radial_load": FORCE,
-    "operation.moment": Varied(unit="N m", example='"0.1 N m", or "1 %"'),
-    "lubricant.viscosity": Varied(unit="Pa*s", example='"0.004 Pa s", or "6 %"'),
-    "lubricant.temperature": Varied(unit="K", example='"2 K"', floor=None),
-    "lubricant.pressure_viscosity": Varied(unit="1/Pa", example='"2e-9 1/Pa", or "10 %"'),
-    "lubricant.eyring_stress": Varied(unit="Pa", example='"1.5 MPa", or "30 %"'),
-    "lubricant.limiting_shear": PURE,
-    "lubricant.surface_tension": Varied(unit="N/m", example='"0.003 N/m", or "12 %"'),
-    "lubricant.reach.ahead": PURE,
-    "surface.rms_roughness": LENGTH,
-    "surface.autocorrelation.length": LENGTH,
-    "surface.boundary_friction": PURE,
-    "surface.hardness": Varied(unit="Pa", example='"0.4 GPa", or "5 %"'),
-    "friction.coefficient": PURE,
-    "friction.hysteresis_loss": PURE,
-    "losses.seals": Varied(unit="N m", example='"1 N mm", or "20 %"'),
-    "losses.drag": Varied(unit="N m", example='"1 N mm", or "20 %"'),
-    "losses.oil_flow": Varied(unit="m^3/s", example='"0.05 l/min", or "5 %"'),
-    "losses.oil_share": PURE,
-    "cage.friction_coefficient": PURE,
-    "model.film": PURE,
-    "model.traction": PURE,
-    "model.gap": STEP,
-    "model.surfaces": PURE,
-    "model.rolling": PURE,
-    "model.heating": PURE,
-    "model.starvation": STEP,
-    "model.elastic_rolling": STEP,
-    "model.grease_film": PURE,
-    "model.unloaded_balls": PURE,
-    "model.oil_losses": PURE,
-}
 LARGEST = {"losses.oil_share": 1.0}  # at which the distribution of an input ends, in its unit
 
 USUAL_LOSS_ORIGIN = "usual in calculations for bearing steel; 0.003 to 0.025 are in use, none of them measured"
 USUAL_DOWN = "along x, as the radial load"
 
-# By the keys of [assumed].
-ASSUMABLE = (
-    *(key for key in UNCERTAIN if not key.startswith("model.")),
-    *("cage.pocket_clearance", "cage.wall_thickness", "cage.material", "cage.start"),
-)
+
+def unit_of(key: str) -> str:
+    """The SI unit of an input; "1" of a pure number, empty of a word."""
+    if key.startswith("model."):
+        return "1"
+    entry = scene_key(key)
+    dimension = entry.dimension
+    if dimension is None:
+        return "1" if isinstance(entry.kind, Whole) else ""
+    return dimension.unit or "1"
 
 
 def stated_inputs(scene: Scene) -> tuple[StatedInput, ...]:
@@ -137,7 +78,7 @@ def _with_origin(scene: Scene) -> dict[str, StatedInput]:
         usual["operation.down"] = StatedInput(key="operation.down", value="1, 0, 0", unit="", **vars(origin))
     return usual | {
         f"{name}.{key}": StatedInput(
-            key=f"{name}.{key}", value=_stated(scene, table, key), unit=unit_of(key), **vars(origin)
+            key=f"{name}.{key}", value=_stated(scene, table, key), unit=unit_of(f"{name}.{key}"), **vars(origin)
         )
         for name, table in tables.items()
         if table is not None
@@ -187,18 +128,46 @@ def checked_deviation(key: str, value: float, deviation: float) -> float:
 
     value : of the input
     """
-    varied = UNCERTAIN[key]
-    unit = f" {varied.unit}" if varied.unit else ""
+    floor = UNCERTAIN[key]
+    unit = "" if unit_of(key) == "1" else f" {unit_of(key)}"
     if not 0 <= deviation < np.inf:
         raise InputError(f"uncertainty.{key} = {deviation:g}{unit}: give a standard deviation of at least 0")
-    if varied.floor is not None and deviation > LARGEST_SHARE * (value - varied.floor):
-        most = LARGEST_SHARE * (value - varied.floor)
-        above = f" above {varied.floor:g}" if varied.floor else ""
+    if floor is not None and deviation > LARGEST_SHARE * (value - floor):
+        most = LARGEST_SHARE * (value - floor)
+        above = f" above {floor:g}" if floor else ""
         raise InputError(
             f"uncertainty.{key} = {deviation:.4g}{unit}: is more than {100 * LARGEST_SHARE:g} % of the value{above}, "
             f"{most:.4g}{unit}; an input that is so uncertain is not known, give a smaller one"
         )
     return deviation
+
+
+def given_spreads(values: Values, scene: Scene) -> tuple[dict[str, float], list[tuple[str, str]]]:
+    """Standard deviations by key, SI, and (key, problem) for those that do not fit the scene."""
+    spreads, misfits = {}, []
+    for key in UNCERTAIN:
+        given: GivenSpread | None = values[f"uncertainty.{key}"]
+        if given is None:
+            continue
+        value = uncertain_value(scene, key)
+        if value is None:
+            problem = "is of an input that this scene lacks or its torque does not depend on; leave it out"
+            misfits.append((f"uncertainty.{key}", problem))
+            continue
+        try:
+            deviation = given.value * value if given.is_share else given.value
+            spreads[key] = checked_deviation(key, value, deviation)
+        except InputError as problem:
+            misfits.append((f"uncertainty.{key}", str(problem).partition(": ")[2]))
+    return spreads, misfits
+
+
+def given_assumptions(values: Values, scene: Scene) -> tuple[dict[str, str], list[tuple[str, str]]]:
+    """Sources by key, and (key, problem) for those of an input that the scene does not have."""
+    sources = {key: source for key in ASSUMABLE if (source := values[f"assumed.{key}"]) is not None}
+    known = known_inputs(scene)
+    problem = "is of an input that this scene does not have; leave it out"
+    return sources, [(f"assumed.{key}", problem) for key in sources if key not in known]
 
 
 def _stated(scene: Scene, table: object, key: str) -> float | str | None:

@@ -6,7 +6,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from analytic.inputs import UNCERTAIN, checked_deviation, known_inputs, stated_inputs, uncertain_value
 from analytic.scene import (
     Arrangement,
     Clearances,
@@ -17,6 +16,8 @@ from analytic.scene import (
     Scene,
     ShearedPockets,
 )
+from analytic.scenefile.inputs import checked_deviation, known_inputs, stated_inputs, uncertain_value
+from analytic.scenefile.keys import UNCERTAIN
 from tests.analytic.specimens import BEARING_6205, FINISH, OIL, STAMPED_CAGE, present
 from tests.analytic.test_thrust_bearing import BEARING as THRUST_BEARING
 from tests.refusals import refused

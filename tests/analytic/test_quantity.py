@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from analytic import catalog
-from analytic.scenefile.keys import paths, scene_key
-from analytic.scenefile.quantity import COMMON, Dimension, looked_up
+from analytic.quantity import COMMON, Dimension, looked_up
+from analytic.scenefile.keys import scene_key, scene_table
 
 MINUTE, INCH, POUND = 2 * math.pi / 60, 0.0254, 0.45359237 * 9.80665  # rad/s, m, N: by definition
 KEYS = {
@@ -134,14 +134,14 @@ def test_a_unit_is_called_mistaken_only_where_another_is_meant() -> None:
 
 
 def test_every_example_is_within_its_range_and_names_the_unit_of_the_range() -> None:
-    dimensions = [key.dimension for key in map(scene_key, paths()) if key.dimension is not None]
+    dimensions = [key.dimension for key in map(scene_key, scene_table().paths()) if key.dimension is not None]
     assert len(dimensions) > 40
     for dimension in dimensions:
         quoted = re.match('"([^"]*)"', dimension.example)
         value = dimension.read(quoted[1] if quoted else float(dimension.example))
         assert dimension.low <= value <= dimension.high
         unbounded, unit = replace(dimension, low=-math.inf, high=math.inf), dimension.shown_unit
-        ends = re.match(r"give (\S+) to (\S+) ?", dimension.accepted)
-        assert ends, dimension.accepted
+        ends = re.match(r"(\S+) to (\S+) ?", dimension.span)
+        assert ends, dimension.span
         told = [unbounded.read(f"{end} {unit}" if unit else float(end.rstrip(","))) for end in ends.groups()]
         assert told == pytest.approx([dimension.low, dimension.high], rel=1e-5)  # messages show six digits

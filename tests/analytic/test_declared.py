@@ -6,9 +6,8 @@ from typing import Any, Literal
 
 import pytest
 
-from analytic.noun import Noun, nothing, worded_fields
-from analytic.report_details import ReportDetails
-from analytic.scene import Autocorrelation, Scene, Surface
+from analytic.declared import Noun, declarations, nothing
+from analytic.scene import Autocorrelation, ReportDetails, Scene, Surface
 from tests.analytic.specimens import BEARING_6205, FINISH, OIL, thrust
 from tests.refusals import refused
 
@@ -72,8 +71,7 @@ class Painted(Noun):
 
 
 def test_annotations_may_be_texts() -> None:
-    assert [each.name for each in worded_fields(Painted)] == ["colour", "coats", "finish"]
-    assert worded_fields(Painted) is worded_fields(Painted)  # found once for a class
+    assert [name for name, said in declarations(Painted).items() if said.kind] == ["colour", "coats", "finish"]
     assert Painted(colour="red", coats={"first": "green"}, name="other").colour == "red"
     wrong: Any = "blue"
     refused(lambda: Painted(colour=wrong), 'Painted.colour must be "red", "green" or None, got \'blue\'')

@@ -1,7 +1,6 @@
 """Quantities of pint: read where texts with units are, else refused in one line that names field, value and unit."""
 
 from collections.abc import Callable
-from dataclasses import fields
 from typing import Any
 
 import numpy as np
@@ -10,9 +9,7 @@ import pytest
 
 import analytic
 from analytic.errors import InputError
-from analytic.scene import Arrangement, Bearing, Cage, Groove, Losses, Lubricant, Operation, Scene, Surface
-from analytic.scenefile.keys import scene_key
-from analytic.units import unit_of
+from analytic.scene import Operation, Scene
 
 UNIT = pint.UnitRegistry()
 Q: Any = UNIT.Quantity  # what is refused fits no annotation either
@@ -76,30 +73,3 @@ def test_what_does_not_fit_is_refused_in_one_line(call: Callable[[], Any], field
     assert f"{field} = " in line
     assert value in line
     assert unit in line.partition(value)[2]
-
-
-@pytest.mark.parametrize(
-    ("noun", "table"),
-    [
-        (Bearing, "bearing"),
-        (Groove, "bearing.inner"),
-        (Cage, "cage"),
-        (Lubricant, "lubricant"),
-        (Surface, "surface"),
-        (Losses, "losses"),
-        (Arrangement, "arrangement"),
-        (Operation, "operation"),
-    ],
-)
-def test_the_units_of_fields_are_those_of_scene_files(noun: type, table: str) -> None:
-    compared = 0
-    for field in fields(noun):
-        try:
-            dimension = scene_key(f"{table}.{field.name}").dimension
-        except InputError:  # derived, or in another form
-            continue
-        if dimension is not None:
-            said = unit_of(f"{noun.__name__}.{field.name}")
-            assert UNIT.Unit("" if said == "1" else said) == UNIT.Unit(dimension.unit.replace("^1.5", "^(3/2)"))
-            compared += 1
-    assert compared

@@ -8,7 +8,7 @@ import pytest
 from analytic.catalog.bearing_rows import find_bearing
 from analytic.scene import Lubricant
 from analytic.scenefile.read import load_scene
-from analytic.scenefile.usual_oil import CLASSES, RATIO, reference_viscosity
+from analytic.scenefile.usual import CLASSES, RATIO, reference_viscosity
 
 
 def oil_of(name: str, **given: Any) -> Lubricant:

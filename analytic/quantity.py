@@ -13,12 +13,11 @@ from collections import Counter
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cache, lru_cache
-from math import isclose, isfinite, prod
+from math import inf, isclose, isfinite, prod
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic_core import CoreSchema, core_schema
 
 NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,4})?"
 FACTOR = r"(?:[A-Za-zµμ°Ω][A-Za-z_µμ°Ω]{0,29}|%)(?:(?:\^|\*\*)?-?\d)?"
@@ -54,6 +53,27 @@ MISTAKEN = {
 
 
 Powers = frozenset[tuple[str, int]]  # of root units by their names in pint
+
+
+class SI(float):
+    """A number of Python in SI, in a document in place of a text; a whole number too large for one is infinite."""
+
+    unit: str
+
+    def __new__(cls, value: float, unit: str) -> "SI":
+        """unit : in SI"""
+        try:
+            made = super().__new__(cls, value)
+        except OverflowError:
+            made = super().__new__(cls, inf)
+        made.unit = unit
+        return made
+
+    def __getnewargs__(self) -> tuple[float, str]:
+        return float(self), self.unit
+
+    def __repr__(self) -> str:
+        return f"{float(self)!r} {self.unit}"
 
 
 @dataclass(frozen=True)
@@ -111,8 +131,8 @@ class Dimension:
 
     @property
     def accepted(self) -> str:
-        """The end of every message: range, in the unit of the example, and example."""
-        return f"give {self.span}, for example {self.example}"
+        """The end of every message: an example."""
+        return f"give for example {self.example}"
 
     @property
     def span(self) -> str:
@@ -137,14 +157,6 @@ class Dimension:
     def _kind(self) -> str:
         return f"in a unit like {self.shown_unit}" if self.unit else "a pure number"
 
-    def __get_pydantic_core_schema__(self, _source: object, _handler: object) -> CoreSchema:
-        """Makes `Annotated[float, Dimension(...)]` a field of a table."""
-        return core_schema.no_info_plain_validator_function(self.field_value)
-
-    def field_value(self, given: object) -> Any:
-        """What a field of a table holds; the errors of read."""
-        return self.read(given)
-
     def read(self, given: object) -> float:
         """The value in SI. Raises ValueError that says what is wrong and what is accepted."""
         return self.checked(self._in_si(given))
@@ -154,7 +166,7 @@ class Dimension:
         if not isfinite(value):
             raise ValueError(f"is not finite; {self.accepted}")
         if not self.low <= value <= self.high:
-            raise ValueError(f"is out of range; {self.accepted}")
+            raise ValueError(f"is out of range, {self.span}; {self.accepted}")
         return value
 
     def tidy(self, given: str) -> str:
@@ -182,7 +194,7 @@ class Dimension:
         if isinstance(given, bool) or not isinstance(given, str | int | float):
             raise ValueError(f"is not a quantity; {self.accepted}")
         if isinstance(given, int | float):
-            if self.unit:
+            if self.unit and not isinstance(given, SI):
                 raise ValueError(f"has no unit; {self.accepted}")
             try:
                 return float(given)
@@ -310,6 +322,26 @@ class QuantityOrWord(Dimension):
     def read(self, given: object) -> Any:
         """The value in SI, or the word. Raises ValueError as `Dimension.read`."""
         return given if given in self.words else super().read(given)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Series:
+    """A quantity, a list of them, or a range "FIRST to LAST in COUNT"."""
+
+    of: Dimension
+
+    @property
+    def accepted(self) -> str:
+        """The end of every message."""
+        return self.of.accepted
+
+    def read(self, given: object) -> Any:
+        """The values in SI, a list. Raises ValueError as `Dimension.read`, and for an empty list."""
+        if given == []:
+            raise ValueError("is empty; give a quantity or a list of them")
+        if isinstance(given, str) and (parts := range_of(given)) is not None:
+            return parts.values(self.of.read(parts.first), self.of.read(parts.last)).tolist()
+        return [self.of.read(each) for each in (given if isinstance(given, list) else [given])]
 
 
 MOST = 100_000  # values of a range: more is a slip
