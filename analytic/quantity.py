@@ -69,8 +69,8 @@ class SI(float):
         made.unit = unit
         return made
 
-    def __getnewargs__(self) -> tuple[float, str]:
-        return float(self), self.unit
+    def __reduce__(self) -> tuple[Any, ...]:
+        return SI, (float(self), self.unit)
 
     def __repr__(self) -> str:
         return f"{float(self)!r} {self.unit}"
