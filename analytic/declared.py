@@ -300,6 +300,13 @@ class Table:
         within = inside if isinstance(inside, Table) else getattr(inside.kind, "inside", None)
         return None if within is None else within.find(rest)
 
+    def tables(self) -> Iterator[str]:
+        """The paths of all tables inside."""
+        for entry in self.keys.values():
+            if isinstance(entry, Table):
+                yield entry.path
+                yield from entry.tables()
+
     def paths(self) -> Iterator[str]:
         """Of all keys."""
         for entry in self.keys.values():

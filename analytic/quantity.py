@@ -65,7 +65,7 @@ class SI(float):
         try:
             made = super().__new__(cls, value)
         except OverflowError:
-            made = super().__new__(cls, inf)
+            made = super().__new__(cls, inf if value > 0 else -inf)
         made.unit = unit
         return made
 

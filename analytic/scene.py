@@ -205,9 +205,7 @@ class Cage(Noun):
         Duration, "measured time of each, s: ten swings of a cage at rest, a hundred turns of a whirl"
     ] = 0.2
     steps_per_contact: Annotated[Steps, "number of time steps in the shortest impact to expect"] = 40
-    gravity: Annotated[CageGravity, "against the axis: across is -y, along is -z"] = (
-        "across"  # of the axis: "across" is -y, "along" is -z
-    )
+    gravity: Annotated[CageGravity, "against the axis: across is -y, along is -z"] = "across"
     drag: Annotated[CageDrag, "braking torque of the surrounding oil over the speed of the cage"] = 0.0
     land: Land | None = None
     gives_way: Annotated[bool, DERIVED] = (

@@ -301,7 +301,7 @@ def friction_torque(
     """
     scene = scene_by(scene, given)
     if tolerance is not None:
-        from analytic.scenefile.parts import with_tolerance  # with pydantic and pint: only who asks for it pays
+        from analytic.scenefile.parts import with_tolerance  # only who asks for it pays
 
         scene = with_tolerance(scene, tolerance)
     _require_friction(scene)

@@ -15,15 +15,10 @@ from analytic.catalog.bearing_rows import BEARING_STEEL, CatalogBearing, find_be
 from analytic.catalog.suffixes import seal_contact
 from analytic.declared import read_only
 from analytic.scene import Bearing, Groove, Origin
-from analytic.scenefile.fill import BALL, BOTTOMS, GAP
+from analytic.scenefile.fill import BALL, BOTTOMS, GAP, PITCH, RIVALS, rivals_of
 from analytic.scenefile.keys import RINGS, Values, catalog_solid, read_document, scene_table
 from analytic.scenefile.usual_cage import assumed_cage
 
-RIVALS = (  # keys of a ring that say the same
-    ("groove_radius", "conformity"),
-    ("shoulder_half_width", "shoulder_height", "shoulder_diameter"),
-    ("far_shoulder_half_width", "far_shoulder_height", "far_shoulder_diameter"),
-)
 OF_RADIAL = ("bottom_radius", "shoulder_diameter", "far_shoulder_diameter")  # keys of rings that washers do not have
 MATERIALS = ("ball_material", *(f"{ring}.material" for ring in RINGS))
 NO_DIMENSIONS = ("catalog", "name", "kind")
@@ -33,20 +28,17 @@ AS_PRINTED = 1e-5  # relative: `fembearing init` prints seven digits, and neighb
 
 
 def instead_of(key: str) -> tuple[tuple[str, ...], ...]:
-    """The keys of a bearing or its cage that say the same as this one; of each group all have to be given."""
-    table, _, name = key.rpartition(".")
-    if table in ("bearing.inner", "bearing.outer") and name != "bottom_radius":
-        same = next((keys for keys in RIVALS if name in keys), ())
-        both = ("bearing.conformity",) if "conformity" in same else ()
-        return tuple((each,) for each in (*(f"{table}.{other}" for other in same if other != name), *both))
-    angles = ("bearing.contact_angle.nominal",), ("bearing.contact_angle.free",)
-    return {
-        "bearing.clearance": (*angles, BOTTOMS),
-        "bearing.contact_angle.nominal": (("bearing.clearance",), angles[1], BOTTOMS),
-        "bearing.pitch_diameter": (BOTTOMS,),
-        **dict.fromkeys(BOTTOMS, (("bearing.clearance",), angles[0], ("bearing.pitch_diameter",))),
-        "cage.pocket_clearance": (("cage.pocket_diameter",),),
-    }.get(key, ())
+    """The keys that stand in the place of one of the catalogue; of each group all have to be given."""
+    angle = ("bearing.contact_angle.nominal",)
+    same = tuple((other,) for other in rivals_of(key))
+    if key in ("bearing.clearance", *angle):
+        return (*same, BOTTOMS)
+    if key == "bearing.pitch_diameter":
+        return (BOTTOMS,)
+    if key in BOTTOMS:
+        return ("bearing.clearance",), angle, ("bearing.pitch_diameter",)
+    both = (("bearing.conformity",),) if key.endswith(("conformity", "groove_radius")) else ()
+    return same + both
 
 
 def catalog_row(values: Values) -> CatalogBearing | None:
@@ -76,7 +68,9 @@ def fill_from_catalog(values: Values, row: CatalogBearing | None) -> Iterator[tu
         entry |= variants[variant]
     name = values["bearing.catalog"]
     if row is not None:
-        entry |= {"bearing.name": " ".join(name.split())} | row_cage(row)
+        entry |= {"bearing.name": " ".join(name.split())} | row_cage(values, row)
+    if values["bearing.kind"] == "thrust":  # whose balls touch at 90 degrees
+        entry = {key: value for key, value in entry.items() if key not in RIVALS[0]}
     for path, value in entry.items():
         is_ours = path not in values and (not path.startswith("cage.") or "cage" in values.said)
         if is_ours and not any(all(key in values.said for key in keys) for keys in instead_of(path)):
@@ -132,9 +126,15 @@ def row_entry(row: CatalogBearing) -> dict[str, Any]:
     return {key: value for key, value in entry.items() if value is not None}
 
 
-def row_cage(row: CatalogBearing) -> dict[str, Any]:
-    """The usual cage of a bearing of the catalogue by its keys, SI; empty: its balls leave no web."""
-    sizes = assumed_cage(row, row.suffixes.values())
+def row_cage(v: Values, row: CatalogBearing) -> dict[str, Any]:
+    """The usual cage of the scene's balls by its keys, SI; empty: they leave no web."""
+    balls = replace(
+        row,
+        ball_count=v["bearing.ball_count"] or row.ball_count,
+        ball_diameter=v[BALL] or row.ball_diameter,
+        pitch_diameter=v[PITCH] or row.pitch_diameter,
+    )
+    sizes = assumed_cage(balls, row.suffixes.values(), material=v["cage.material"])
     return {f"cage.{key}": catalog_solid(value) if key == "material" else value for key, value in sizes.items()}
 
 
@@ -143,10 +143,10 @@ def bearing_faults(v: Values, row: CatalogBearing | None) -> Iterator[tuple[str,
     both = v["bearing.conformity"]
     for name in RINGS:
         ring = f"bearing.{name}"
-        for keys in RIVALS:
-            said = [key for key in keys if v[f"{ring}.{key}"] is not None]
+        for keys in (keys for keys in RIVALS if keys[0].startswith(ring)):
+            said = [key for key in keys if v[key] is not None]
             if len(said) > 1:
-                yield f"bearing.{name}.{said[1]}", f"says the same as {said[0]}; leave one of them out"
+                yield said[1], f"says the same as {said[0].rpartition('.')[2]}; leave one of them out"
         has_own = v[f"{ring}.groove_radius"] is not None or v[f"{ring}.conformity"] is not None
         if both is not None and has_own:
             yield "bearing.conformity", f"is of both rings, and the {name} ring has its own; leave one of them out"
@@ -158,7 +158,7 @@ def bearing_faults(v: Values, row: CatalogBearing | None) -> Iterator[tuple[str,
     bottoms = [key for key in BOTTOMS if v[key] is not None]
     if len(bottoms) == 1:
         (other,) = {*BOTTOMS} - {*bottoms}
-        yield other, "is missing; give it for both rings, or pitch_diameter and clearance"
+        yield other, f"is missing; give it too, or leave out {bottoms[0]}, and give pitch_diameter and clearance"
     elif not bottoms and v["bearing.pitch_diameter"] is None:
         yield "bearing.pitch_diameter", 'is missing; give for example "39 mm", or the bottom_radius of both rings'
     clearance = v["bearing.clearance"]
@@ -298,13 +298,16 @@ def _origins(v: Values, row: CatalogBearing | None) -> dict[str, Origin]:
         if name not in NO_DIMENSIONS and table == "bearing" and name not in (*RINGS, "contact_angle"):
             said |= {f"{ring}.conformity" for ring in RINGS} if name == "conformity" else {name}
         elif table in ("bearing.inner", "bearing.outer"):
-            said.add(f"{table.partition('.')[2]}.{_said_by(name)}")
+            said.add(f"{table.partition('.')[2]}.{_said_by(table, name)}")
     if "inner.bottom_radius" in said:
         said |= {"pitch_diameter", "clearance"}
     given = Origin(status="given", uncertainty=None, source="the scene")
     return origins | {key: given for key in sorted(said) if key not in MATERIALS or key in origins}
 
 
-def _said_by(key: str) -> str:
-    """The key that stands for this one and its rivals."""
-    return next((keys[0] if "conformity" not in keys else "conformity" for keys in RIVALS if key in keys), key)
+def _said_by(ring: str, key: str) -> str:
+    """The key of a ring that stands for this one and its rivals."""
+    if key in ("groove_radius", "conformity"):
+        return "conformity"
+    keys = next((keys for keys in RIVALS if f"{ring}.{key}" in keys), (key,))
+    return keys[0].rpartition(".")[2]

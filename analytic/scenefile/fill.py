@@ -27,6 +27,28 @@ PROFILES = tuple(f"bearing.{ring}.groove_radius" for ring in RINGS)
 GAP = "bearing.diametral_clearance"  # no key of a file: the length that clearance, its group or an angle gives
 
 
+# Keys that say the same: the scene has one of each line. A value that is given takes the place of the others.
+RIVALS = (
+    ("bearing.clearance", "bearing.contact_angle.nominal", "bearing.contact_angle.free"),
+    *(
+        tuple(f"bearing.{ring}.{key}" for key in keys)
+        for ring in RINGS
+        for keys in (
+            ("groove_radius", "conformity"),
+            ("shoulder_half_width", "shoulder_height", "shoulder_diameter"),
+            ("far_shoulder_half_width", "far_shoulder_height", "far_shoulder_diameter"),
+        )
+    ),
+    ("cage.pocket_clearance", "cage.pocket_diameter"),
+    ("surface.rms_roughness", "surface.Ra", "surface.finish", "surface.height_map.path"),
+)
+
+
+def rivals_of(key: str) -> tuple[str, ...]:
+    """The keys that say the same as this one."""
+    return tuple(other for keys in RIVALS if key in keys for other in keys if other != key)
+
+
 class Rule(NamedTuple):
     """One way to a value."""
 

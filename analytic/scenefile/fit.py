@@ -26,7 +26,12 @@ def bearing_misfits(bearing: Bearing, *, gap_key: str = BOTTOM, own: Container[s
     """
     ball, bore, outside = bearing.ball_diameter, bearing.bore_diameter, bearing.outside_diameter
     if bore is not None and outside is not None and not bore < outside:
-        yield "bearing.bore_diameter", f"must be below outside_diameter {_mm(outside)}: exchange them"
+        both = "bore_diameter" in own and "outside_diameter" in own
+        if "outside_diameter" in own and not both:
+            yield "bearing.outside_diameter", f"must exceed bore_diameter {_mm(bore)}"
+        else:
+            remedy = ": exchange them" if both else ""
+            yield "bearing.bore_diameter", f"must be below outside_diameter {_mm(outside)}{remedy}"
         return
     if "ball_diameter" in own and (room := _room(bearing, own)) <= ball:
         yield "bearing.ball_diameter", f"does not fit: rings and neighbouring balls leave {_mm(room)}"

@@ -43,7 +43,7 @@ def _washer_faults(v: Values) -> Iterator[tuple[str, str]]:
 def in_operation(bearing: Bearing, v: Values) -> tuple[Bearing, Clearances | None, list[tuple[str, str]]]:
     """The bearing on its seats, its clearances, and (path of the key, problem) for what cannot be.
 
-    Rings without a temperature stay as they were mounted
+    Rings without a temperature stay as they were mounted.
     """
     mounting = _mounting(v)
     problems = list(mounting_faults(bearing, mounting))

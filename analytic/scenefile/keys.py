@@ -42,7 +42,6 @@ from analytic.words import plain, shown
 
 CATALOG = "bearing.catalog"
 RINGS = ("inner", "outer")
-NOTHING = "leave it out"  # where a key is not known
 SAME_AS: dict[str, tuple[str, ...]] = {  # other words for keys and tables, as people write them
     **dict.fromkeys(("designation", "catalogue", "bearing_type", "type"), (CATALOG,)),
     **dict.fromkeys(("oil", "lubricant_name", "grease", "vg", "iso_vg"), ("lubricant.name",)),
@@ -150,6 +149,7 @@ class Direction:
 
     def read(self, given: object) -> Any:
         """The unit vector. Raises ValueError for what has no direction."""
+        given = [*given] if isinstance(given, tuple) else given
         numbers = isinstance(given, list) and all(isinstance(each, int | float) for each in given)
         length = math.hypot(*given) if isinstance(given, list) and numbers and len(given) == 3 else 0.0
         if not isinstance(given, list) or not 0 < length < math.inf:
@@ -201,7 +201,7 @@ class Spread:
     @property
     def accepted(self) -> str:
         """The end of every message."""
-        return self.of.accepted
+        return f'{self.of.accepted}, or "5 %"' if self.takes_share and self.of.unit else self.of.accepted
 
     def read(self, given: object) -> GivenSpread:
         """The deviation, or the share of the value. Raises ValueError that says what is wrong and what is accepted."""
@@ -388,8 +388,7 @@ def _spread(key: str, floor: float | None, root: Table) -> Spread:
     dimension = entry.dimension if isinstance(entry, Key) else None
     unit = "" if dimension is None else dimension.unit
     high, example = DEVIATIONS[unit]
-    share = ', or "5 %"' if floor == FACTOR and unit else ""
-    return Spread(of=Dimension(unit=unit, low=0.0, high=high, example=f"{example}{share}"), takes_share=floor == FACTOR)
+    return Spread(of=Dimension(unit=unit, low=0.0, high=high, example=example), takes_share=floor == FACTOR)
 
 
 class Values(dict[str, Any]):
@@ -456,9 +455,11 @@ def _read_key(key: Key, given: Any, values: Values) -> None:
         if isinstance(key.kind, Solid):
             solid = material_entry(given)
             inside = read_document(solid, key.kind.inside)
-            values.faults += [*inside.faults, *missing_keys(key.kind.inside, inside)]
+            failed = {path for path, _, _ in inside.faults}
+            lacking = [each for each in missing_keys(key.kind.inside, inside) if each[0] not in failed]
+            values.faults += [*inside.faults, *lacking]
             values.unknown += inside.unknown
-            if not (inside.faults or inside.unknown):
+            if not (inside.faults or lacking or inside.unknown):
                 values[key.path] = Material(**inside.fields(Material, key.path))
         elif isinstance(key.kind, Series) and isinstance(given, list) and given:
             values[key.path] = [_element(key, number, each, values) for number, each in enumerate(given)]
@@ -541,7 +542,8 @@ def _instead(root: Table, table: Table, name: str, given: object) -> str:
     same = SAME_AS.get(name.casefold(), ())
     if isinstance(given, dict):
         same = tuple(dict.fromkeys(path.partition(".")[0] for path in same))
-    elsewhere = [path for path in root.paths() if path.rpartition(".")[2] == name and not path.startswith(BESIDE)]
+    known = [*root.paths(), *root.tables()]
+    elsewhere = [path for path in known if path.rpartition(".")[2] == name and not path.startswith(BESIDE)]
     meant = _meant(table, name)
     meant = (meant or same or elsewhere[:2]) if table.path else (same or meant or elsewhere[:2])
     if not meant:
@@ -558,7 +560,7 @@ def _some(names: Sequence[str]) -> str:
 def scene_key(path: str, *, root: Table | None = None) -> Key:
     """The key with that path; root : of another file. Raises InputError for an unknown key and for that of a table."""
     table = scene_table() if root is None else root
-    found = table.find(path)
+    found = table.find(path) if all(path.split(".")) else None
     if found is None:
         raise InputError(f"{plain(path)} is no key of a scene file{_hint(table, path)}")
     if isinstance(found, Table) and found.word is not None:
@@ -586,8 +588,19 @@ def with_key(document: Mapping[str, Any], path: str, value: object) -> dict[str,
         return {**document, first: value}
     inside = document.get(first, {})
     if not isinstance(inside, dict):
-        raise InputError(f"{first} = {shown(inside)} is no table in the scene, so {rest} cannot be set; write it out")
+        raise InputError(
+            f"{first} = {shown(inside)} is no table in the scene, so {rest} in it cannot be set; write it out"
+        )
     return {**document, first: with_key(inside, rest, value)}
+
+
+def without_key(document: Mapping[str, Any], path: str) -> dict[str, Any]:
+    """A copy of the document without that key."""
+    first, _, rest = path.partition(".")
+    inside = document.get(first)
+    if rest and isinstance(inside, Mapping):
+        return {**document, first: without_key(inside, rest)}
+    return {key: value for key, value in document.items() if rest or key != first}
 
 
 def value_at(document: Mapping[str, Any], path: str) -> Any:

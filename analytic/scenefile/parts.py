@@ -11,7 +11,7 @@ from warnings import warn
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.errors import InputError
+from analytic.errors import InputError, require_finite
 from analytic.given import Given, Quantity
 from analytic.scene import Array, Bearing, Lubricant, Material, Operation, Scene, Surface
 from analytic.scenefile.keys import scene_key
@@ -96,10 +96,11 @@ def operation(
     """
     given = {"axial_load": axial_load, "inner_speed": inner_speed, "radial_load": radial_load, "moment": moment}
     arrays = {key: _in_si(f"operation.{key}", value) for key, value in given.items() if value is not None}
+    held: Any
     if tilt is None:
         held = None if moment is None else "free"
     else:
-        held = "free" if isinstance(tilt, str) and tilt == "free" else float(_in_si("operation.tilt", tilt))
+        held = scene_key("operation.tilt").read_as("operation.tilt", in_si(tilt, "operation.tilt"))
     if moment is not None and not isinstance(held, str):
         raise InputError("operation.tilt holds the ring, and operation.moment tilts it: leave one of them out")
     return Operation(tilt=held, **arrays).as_series()
@@ -109,11 +110,16 @@ def _in_si(path: str, given: Series) -> Array:
     """Numbers, which are in SI already, or quantities in texts: one or a list."""
     given = as_plain(given)
     if isinstance(given, str):
-        return np.asarray(scene_key(path).read_as(path, given))
+        key = scene_key(path)
+        return np.asarray(key.kind.read(given) if " to " in given else key.read_as(path, given))
     if isinstance(given, list | tuple) and any(isinstance(each, str) for each in given):
         return np.array([scene_key(path).read_as(path, each) for each in given])
     try:
-        return np.asarray(given, dtype=np.float64)
+        numbers = np.asarray(given, dtype=np.float64)
+        require_finite(**{path: numbers})
+        return numbers
+    except InputError:
+        raise
     except (TypeError, ValueError):
         raise InputError(f"{path} = {shown(given)} is neither numbers in SI nor texts with units") from None
 
@@ -177,9 +183,9 @@ def lubricant(
     -----
     Sources: [ASTMD341] for the viscosity over the temperature, [Arana2019] for the stresses; see docs/oils.md.
     """
-    reach = overrides.get("reach")
-    lengths = [each for each in reach.values() if not isinstance(each, int | float)] if isinstance(reach, dict) else []
-    if lengths:
+    reach = as_plain(overrides.get("reach"))
+    lengths = [each for each in (reach.values() if isinstance(reach, dict) else ()) if isinstance(each, str)]
+    if lengths := [each for each in lengths if not each.rstrip().endswith("%")]:
         raise InputError(f"lubricant.reach = {lengths[0]!r}: no ball is given; give a share of its radius, as 0.9")
     keys = {"name": name, "temperature": temperature, "viscosity": viscosity, **overrides}
     found = _scene_with("lubricant", {key: value for key, value in keys.items() if value is not None}).lubricant

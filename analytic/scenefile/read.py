@@ -47,11 +47,20 @@ from analytic.scenefile.bearing import (
 )
 from analytic.scenefile.by_temperature import SceneByTemperature, thermal_faults
 from analytic.scenefile.columns import OPERATING, key_of_column, operating_column
-from analytic.scenefile.fill import BALL, apply_rules
+from analytic.scenefile.fill import BALL, apply_rules, rivals_of
 from analytic.scenefile.find import FoundScene, find_scene
 from analytic.scenefile.inputs import given_assumptions, given_spreads
 from analytic.scenefile.installation import arranged, in_operation, installation_faults
-from analytic.scenefile.keys import Values, fault_at, faults_of, read_document, scene_table, with_key
+from analytic.scenefile.keys import (
+    BESIDE,
+    Values,
+    fault_at,
+    faults_of,
+    read_document,
+    scene_table,
+    with_key,
+    without_key,
+)
 from analytic.scenefile.losses import losses_of
 from analytic.scenefile.measured import read_measured, with_oils
 from analytic.scenefile.oil import lubricant_of
@@ -207,7 +216,9 @@ def _read(
 ) -> SceneByTemperature:
     """The scene of a document with what is given beside it."""
     document, usual = whole_document(found, given, columns)
-    read = _by_temperature(document, origin=found.origin, folder=found.folder, measured=measured)
+    read = _by_temperature(
+        document, origin=found.origin, folder=found.folder, measured=measured, given={*given} if given else None
+    )
     if read.thermal is not None and given.get("lubricant.temperature") is not None:
         temperature = shown(given["lubricant.temperature"])
         raise InputError(
@@ -228,8 +239,15 @@ def whole_document(
     """
     if found.bearing is None:
         document, usual = found.document, {}
+        for rival in (rival for path in given for rival in rivals_of(path) if rival not in given):
+            document = without_key(document, rival.removesuffix(".path"))  # of a height map, with its spacing
     else:
         given = {**given, **_point(columns, given)}
+        if "bearing.catalog" in given:
+            name = shown(given["bearing.catalog"])
+            raise InputError(
+                f"{found.designation} and bearing.catalog = {name} both name the bearing: give one of them"
+            )
         usual = usual_values(found.designation, found.bearing, given)
         document = {}
     for path, value in (*usual.items(), *given.items()):
@@ -260,8 +278,14 @@ def scene_of(
 
 
 def _by_temperature(
-    document: dict[str, Any], *, origin: str, folder: Path, measured: str | os.PathLike[str] | None
+    document: dict[str, Any],
+    *,
+    origin: str,
+    folder: Path,
+    measured: str | os.PathLike[str] | None,
+    given: Collection[str] | None = None,
 ) -> SceneByTemperature:
+    """given : keys that are given beside the document, whose spreads and sources need not fit the changed scene"""
     table = scene_table()
     v = read_document(document, table)
     row, misfits = None, []
@@ -276,6 +300,7 @@ def _by_temperature(
             found = [*shoulder_faults(v)]
         if not found:
             scene, found = _scene(document, v, row, folder)
+            found = [fault for fault in found if given is None or fault[0] in given or not fault[0].startswith(BESIDE)]
         if scene is not None and not found:
             read = _with_measured(scene, v, folder, measured)
             return SceneByTemperature(scene=read, origin=origin, values=v, thermal=v.noun(Thermal, "thermal"))
@@ -424,10 +449,15 @@ def _scene(
         report=ReportDetails(**v.fields(ReportDetails, "report")),
         warnings=(*_of_designation(v, row), *_loose(v, row), *fit.warnings(bearing, cage)),
     )
+    return (scene, [*misfits, *unplaced]) if misfits or unplaced else _with_spreads(v, scene)
+
+
+def _with_spreads(v: Values, scene: Scene) -> tuple[Scene, list[tuple[str, str]]]:
+    """The scene with its [uncertainty] and [assumed], and what in these does not fit."""
     spreads, unfitting = given_spreads(v, scene)
     sources, unmatched = given_assumptions(v, scene)
     scene = replace(scene, uncertainty=read_only(spreads), assumed=read_only(sources))
-    return scene, [*misfits, *unplaced, *unfitting, *unmatched]
+    return scene, [*unfitting, *unmatched]
 
 
 def _effects(v: Values, *, has_no_cage: bool) -> Mapping[str, Decision]:

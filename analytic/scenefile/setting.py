@@ -5,7 +5,7 @@ People type them, so a speed without a unit is in rpm, which it is not in a scen
 
 import re
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from difflib import get_close_matches
 from typing import Any
 
@@ -15,10 +15,10 @@ from analytic.declared import Table
 from analytic.errors import InputError
 from analytic.given import KEYS, SceneOptions, has_unit
 from analytic.quantity import NUMBER, SI, Dimension, range_of
-from analytic.scenefile.keys import scene_key
+from analytic.scenefile.keys import scene_key, scene_table
 from analytic.words import plain, shown, speed_of
 
-LIKE_RPM = 100  # rad/s: an integer from here on is more often one of rpm
+LIKE_RPM = 100  # rad/s: a whole number from here on is more often one of rpm
 SETTING = "give KEY=VALUE, for example --set lubricant.supply=grease"
 
 
@@ -27,7 +27,12 @@ def given_values(settings: Mapping[str, Any], options: Mapping[str, Any]) -> tup
 
     Raises InputError for an unknown option, an unknown key, and a key that both give.
     """
-    asked = dict(settings)
+    asked: dict[str, Any] = {}
+    for path, value in settings.items():
+        for key, inside in _flat(path, value):
+            if key in asked:
+                raise InputError(f"{plain(key)} is given twice: leave one of them out")
+            asked[key] = inside
     for name, value in options.items():
         if name not in KEYS:
             near = get_close_matches(name, KEYS, n=1)
@@ -35,14 +40,30 @@ def given_values(settings: Mapping[str, Any], options: Mapping[str, Any]) -> tup
             raise InputError(f"{plain(name)} is no option of a bearing; {remedy}")
         if value is None:
             continue
-        if KEYS[name] in settings:
+        if KEYS[name] in asked:
             raise InputError(f"{name} = {shown(value)} and {KEYS[name]} are the same: leave one of them out")
         asked[KEYS[name]] = value
     values, notes = {}, []
     for path, value in asked.items():
+        above = next((other for other in asked if path.startswith(f"{other}.")), None)
+        if above is not None:
+            raise InputError(f"{above} = {shown(asked[above])} and {path} exclude each other: leave one of them out")
         values[path], told = read_setting(path, value)
         notes += told
     return values, tuple(notes)
+
+
+def _flat(path: object, given: Any) -> Iterator[tuple[str, Any]]:
+    """The keys of a setting: itself, or those of the table that is given for it."""
+    if not isinstance(path, str) or not all(path.split(".")):
+        raise InputError(f"{shown(path)} is no key of a scene file; give its path, as 'operation.axial_load'")
+    is_text = isinstance(given, str) and given.lstrip().startswith("{")
+    table = _toml_value(given) if is_text else as_plain(given)
+    if not isinstance(table, Mapping) or not isinstance(scene_table().find(path), Table):
+        yield path, given
+        return
+    for name, inside in table.items():
+        yield from _flat(f"{path}.{name}" if isinstance(name, str) else name, inside)
 
 
 def require_nothing_beside(given: SceneOptions) -> None:
@@ -106,6 +127,8 @@ def _in_range(path: str, dimension: Dimension, text: str, notes: list[str]) -> s
 
 def _toml_value(text: str) -> Any:
     """The text as a value of TOML: a number, a switch, a text in quotes, a list of them, a table; else the text."""
+    if "\n" in text or ("#" in text and text.lstrip()[:1] not in ("'", '"', "[", "{")):
+        return text
     try:
         value = tomllib.loads(f"value = {text}")["value"]
     except (ValueError, RecursionError):
@@ -121,9 +144,9 @@ def _in_context(path: str, dimension: Dimension, value: Any, *, notes: list[str]
     is_speed = dimension.unit == "rad/s"
     if isinstance(value, int | float) and not isinstance(value, bool):
         if not is_typed:
-            if is_speed and isinstance(value, int) and abs(value) >= LIKE_RPM:
+            if is_speed and float(value).is_integer() and abs(value) >= LIKE_RPM and not notes:
                 notes.append(
-                    f'{path} = {value!r} is in rad/s, {speed_of(value)}; write "{value!r} rpm" if it is in rpm'
+                    f'{path} = {value!r} is in rad/s, {speed_of(value)}; write "{value:g} rpm" if it is in rpm'
                 )
             return SI(value, dimension.unit) if dimension.unit else value
         if not is_speed:

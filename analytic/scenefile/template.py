@@ -11,12 +11,12 @@ from analytic.errors import InputError
 from analytic.given import OperatingOptions
 from analytic.quantity import SI
 from analytic.scene import Origin
+from analytic.scenefile.losses import SHOULDER
 from analytic.scenefile.setting import given_values
 from analytic.scenefile.usual import is_light, light_share, usual_values
 from analytic.scenefile.usual_cage import cage_sizes
 
 SCHEMA_NAME = "fembearing-scene.schema.json"  # of the file beside the scene
-SHOULDER = 0.2  # its height over the ball diameter, usual
 GROUPS = ("CN", "C3")  # whose spans are told beside the bearing's own group
 WIDTH = 118  # characters of a line
 COLUMN = 41  # where comments begin

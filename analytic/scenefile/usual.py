@@ -6,7 +6,7 @@ bearings end at VG 460, very fast ones at VG 10, and cold or hot oil at the ends
 """
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -14,7 +14,8 @@ import numpy as np
 from analytic.catalog.bearing_rows import CatalogBearing
 from analytic.given import USUAL_SPEED, USUAL_TEMPERATURE
 from analytic.quantity import range_of
-from analytic.scene import Scene
+from analytic.scene import USUAL_LOSS, Scene
+from analytic.scenefile.fill import BOTTOMS, rivals_of
 from analytic.scenefile.keys import scene_key
 from analytic.scenefile.known_oil import named_oil, viscosities_of
 from analytic.words import MILLIMETRE, RPM
@@ -26,13 +27,6 @@ THICKEST = 1.0  # m^2/s: at standstill nu_1 is infinite
 WITHOUT_SPEED = "ISO VG 68"  # beside a speed or a temperature that the scene will refuse
 LOADS = ("operation.radial_load", "operation.axial_load")
 OTHER_LOADS = ("operation.moment", "arrangement.preload", "arrangement.offset")  # beside which there is no usual load
-# Keys that are given, and the usual one in whose place they stand.
-INSTEAD: Mapping[str, str] = {
-    **dict.fromkeys(("surface.Ra", "surface.rms_roughness", "surface.height_map.path"), "surface.finish"),
-    **dict.fromkeys(("bearing.contact_angle.nominal", "bearing.contact_angle.free"), "bearing.clearance"),
-    **dict.fromkeys(("bearing.inner.bottom_radius", "bearing.outer.bottom_radius"), "bearing.clearance"),
-    "bearing.clearance": "bearing.contact_angle.nominal",
-}
 TOLD = (
     "bearing.clearance",
     "operation.",
@@ -47,7 +41,7 @@ def usual_values(designation: str, bearing: CatalogBearing, given: Mapping[str, 
 
     designation : as it was given;  given : what someone gave, by key, as a scene file has it
     """
-    keys = {*paths_in(given)}
+    keys, is_thrust = {*given}, given.get("bearing.kind") == "thrust"
     speed, temperature = (
         _asked(given, "operation.inner_speed", USUAL_SPEED),
         _asked(given, "lubricant.temperature", USUAL_TEMPERATURE),
@@ -55,13 +49,13 @@ def usual_values(designation: str, bearing: CatalogBearing, given: Mapping[str, 
     radial = axial = "0 N"
     if is_light(keys):
         load = f"{float(f'{light_share(bearing) * bearing.static_load_rating:.2g}'):g} N"
-        radial, axial = (load, axial) if bearing.nominal_angle is None else (radial, load)
+        radial, axial = (load, axial) if bearing.nominal_angle is None and not is_thrust else (radial, load)
     name = suited_oil(mean_diameter=bearing.pitch_diameter, speed=speed, temperature=temperature)
     usual = {
         "name": designation,
         "tolerance": "5 %",
         "bearing.catalog": designation,
-        **_play(bearing),
+        **({} if is_thrust else _play(bearing)),
         "operation.radial_load": radial,
         "operation.axial_load": axial,
         "operation.inner_speed": USUAL_SPEED,
@@ -69,14 +63,16 @@ def usual_values(designation: str, bearing: CatalogBearing, given: Mapping[str, 
         "lubricant.temperature": USUAL_TEMPERATURE,
         **({"lubricant.supply": "grease"} if bearing.seal_suffixes else {}),  # for life
         "surface.finish": "ground and honed",
-        "friction.hysteresis_loss": 0.007,
+        "friction.hysteresis_loss": USUAL_LOSS,
     }
-    replaced = {*keys, *(INSTEAD[key] for key in keys if key in INSTEAD)}
+    replaced = keys | {rival for key in keys for rival in rivals_of(key)}
+    if {*BOTTOMS} & keys:
+        replaced.add("bearing.clearance")
     if bearing.clearance_group is not None and "bearing.clearance" not in keys:
         replaced.discard("bearing.clearance")  # the designation gives it
     if "friction.coefficient" in keys and not any(key.startswith("surface.") for key in keys):
         replaced.add("surface.finish")
-    return {key: value for key, value in usual.items() if key not in replaced and not _is_inside(key, given)}
+    return {key: value for key, value in usual.items() if key not in replaced}
 
 
 def told_values(
@@ -86,31 +82,16 @@ def told_values(
     told = {key: str(value) for key, value in usual.items() if key.startswith(TOLD)}
     if bearing.clearance_group is not None:  # the designation says it
         told.pop("bearing.clearance", None)
-    if scene.lubricant is not None and "lubricant.supply" not in {*paths_in(given)}:
+    if scene.lubricant is not None and "lubricant.supply" not in given:
         told.setdefault("lubricant.supply", scene.lubricant.supply)
     if "seals" in scene.losses.origins:
         told["losses.seals"] = "estimate"
     return told
 
 
-def paths_in(given: Mapping[str, Any], before: str = "") -> Iterator[str]:
-    """The keys of all values, those in tables too."""
-    for key, value in given.items():
-        if isinstance(value, Mapping):
-            yield from paths_in(value, f"{before}{key}.")
-        else:
-            yield before + key
-
-
 def _asked(given: Mapping[str, Any], key: str, usual: Any) -> Any:
     value = given.get(key)
     return usual if value is None else value
-
-
-def _is_inside(key: str, given: Mapping[str, Any]) -> bool:
-    """Whether a whole table or a word is given in the place of the key's table."""
-    parts = key.split(".")
-    return any(".".join(parts[:count]) in given for count in range(1, len(parts)))
 
 
 def is_light(keys: set[str]) -> bool:
@@ -140,7 +121,7 @@ def _oil(name: str, temperature: Any, given: Mapping[str, Any], keys: set[str]) 
     if "name" in own or not own:
         return {"lubricant.name": name}
     if "viscosity" in own:
-        parts = given.get("lubricant.viscosity", given.get("lubricant", {}).get("viscosity"))
+        parts = given["lubricant.viscosity"]
         has_own = isinstance(parts, list) or " at " in str(parts)
         usual = {"lubricant.base_oil": "mineral"}
         return usual if has_own else usual | {"lubricant.reference_temperature": temperature}

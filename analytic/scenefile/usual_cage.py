@@ -4,7 +4,7 @@ import math
 from collections.abc import Collection
 from typing import Any, Protocol
 
-from analytic.scene import Origin
+from analytic.scene import Material, Origin
 
 # Over the ball diameter, of the 6205 of [Paper]: clearance in the pockets; thickness of two steel sheets and of a
 # moulded cage; and the width of the sheets that gives their mass of 6.58 g. Each sheet follows the pitch circle and
@@ -12,6 +12,7 @@ from analytic.scene import Origin
 POCKET, SHEET, MOULDED, SHEET_WIDTH = 0.025, 0.113, 0.189, 0.36
 WEB = 0.8  # of the web between pockets: the thickest sheet
 DENSITY = {"steel": 7850.0, "peek": 1300.0}  # kg/m^3
+LIGHT = 2000.0  # kg/m^3: plastics are lighter
 PLASTIC = ("plastic", "polyamide", "phenolic")  # in the meaning of a suffix
 FRICTION = (
     0.1  # of ball on pocket: below the boundary friction of steel, 0.09 to 0.15, as films carry a part; judgement
@@ -56,11 +57,16 @@ def cage_sizes(bearing: Balls, *, material: str) -> dict[str, float]:
     return {"pocket_clearance": POCKET * ball, "wall_thickness": sheet, "mass": mass}
 
 
-def assumed_cage(bearing: Balls, suffixes: Collection[str]) -> dict[str, Any]:
+def assumed_cage(bearing: Balls, suffixes: Collection[str], *, material: Material | None = None) -> dict[str, Any]:
     """The same with the name of the material.
 
     suffixes : meanings of those of the designation: a plastic is moulded; all others count as pressed steel
+    material : that is given, in place of the usual one; one as light as a plastic is moulded
     """
-    material = "peek" if any(word in meaning for meaning in suffixes for word in PLASTIC) else "steel"
-    sizes = cage_sizes(bearing, material=material)
-    return sizes | {"material": material} if sizes else {}
+    by_suffix = any(word in meaning for meaning in suffixes for word in PLASTIC)
+    is_moulded = by_suffix if material is None else material.density < LIGHT
+    kind = "peek" if is_moulded else "steel"
+    sizes = cage_sizes(bearing, material=kind)
+    if sizes and material is not None:
+        sizes["mass"] *= material.density / DENSITY[kind]
+    return sizes | {"material": kind} if sizes else {}

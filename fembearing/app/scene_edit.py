@@ -5,12 +5,11 @@ import re
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import Any, get_args
+from typing import Any
 
 from analytic import catalog, scene_text
 from analytic.errors import InputError
-from analytic.scene import Supply
-from analytic.scenefile.keys import with_key
+from analytic.scenefile.keys import scene_key, with_key
 from analytic.scenefile.setting import read_setting
 from analytic.scenefile.template import COLUMN
 from analytic.scenefile.text import parse_text
@@ -36,41 +35,57 @@ class Field:
     words: tuple[str, ...] = ()  # to choose from; empty: any text
 
 
-OPERATION: Mapping[str, Field] = {
-    "operation.radial_load": Field(label="Radial load", example="2 kN", unit=NEWTON),
-    "operation.axial_load": Field(label="Axial load", example="500 N", unit=NEWTON),
-    "operation.inner_speed": Field(label="Speed of the inner ring", example="1500 rpm", unit=RPM),
-    "lubricant.name": Field(label="Oil or grease", example="ISO VG 68", words=catalog.oil_names()),
-    "lubricant.temperature": Field(label="Oil temperature", example="60 degC", unit=METRIC.temperature),
-    "lubricant.supply": Field(label="Supply", example="oil bath, or grease of a grease", words=get_args(Supply)),
-    "surface.finish": Field(label="Finish", example="as the scene has it", words=tuple(catalog.rows("finishes"))),
-}
-DIMENSIONS: Mapping[str, Field] = {
-    "bearing.ball_count": Field(label="Number of balls", example="9"),
-    "bearing.ball_diameter": Field(label="Ball diameter", example="9.525 mm"),
-    "bearing.pitch_diameter": Field(label="Pitch diameter", example="46 mm"),
-    "bearing.inner.conformity": Field(label="Conformity of the inner groove", example="0.52"),
-    "bearing.outer.conformity": Field(label="Conformity of the outer groove", example="0.53"),
-    "bearing.inner.shoulder_half_width": Field(label="Half width of the inner groove", example="3.9 mm"),
-    "bearing.outer.shoulder_half_width": Field(label="Half width of the outer groove", example="4.0 mm"),
-}
-SEATS: Mapping[str, Field] = {
-    "bearing.clearance": Field(label="Clearance, unmounted", example="CN, C3 or 12 um"),
-    "mounting.shaft_interference": Field(
-        label="Interference of the shaft seat", example="none, as 5 um; negative: loose"
-    ),
-    "mounting.housing_interference": Field(label="Interference of the housing seat", example="none, as -5 um"),
-    "mounting.inner_temperature": Field(label="Temperature of inner ring and shaft", example="as mounted, or 65 degC"),
-    "mounting.outer_temperature": Field(
-        label="Temperature of outer ring and housing", example="as mounted, or 60 degC"
-    ),
-}
-POCKETS: Mapping[str, Field] = {
-    "cage.pocket_clearance": Field(label="Pocket clearance", example="0.24 mm"),
-    "cage.wall_thickness": Field(label="Wall thickness", example="1.1 mm"),
-    "cage.mass": Field(label="Mass", example="11 g"),
-    "cage.material": Field(label="Material", example="steel, peek, brass", words=("steel", "peek", "brass")),
-}
+SLIDERS = {"N": NEWTON, "rad/s": RPM, "K": METRIC.temperature}  # by the SI unit of what a slider sets
+
+
+def _fields(*rows: tuple[str, str, str], sliders: Mapping[str, Unit] | None = None) -> Mapping[str, Field]:
+    """Fields by key, of rows of key, label and example; empty: that of the key's declaration."""
+    made = {}
+    for path, label, example in rows:
+        key = scene_key(path)
+        dimension, words = key.dimension, () if key.dimension else getattr(key.kind, "words", ())
+        shown = example or (dimension.example.strip('"') if dimension else "")
+        unit = sliders.get(dimension.unit) if dimension and sliders else None
+        made[path] = Field(label=label, example=shown, unit=unit, words=LISTED.get(path, words))
+    return made
+
+
+LISTED = {
+    "lubricant.name": catalog.oil_names(),
+    "cage.material": ("steel", "peek", "brass"),
+}  # other names are taken too
+OPERATION = _fields(
+    ("operation.radial_load", "Radial load", ""),
+    ("operation.axial_load", "Axial load", ""),
+    ("operation.inner_speed", "Speed of the inner ring", ""),
+    ("lubricant.name", "Oil or grease", "ISO VG 68"),
+    ("lubricant.temperature", "Oil temperature", ""),
+    ("lubricant.supply", "Supply", "oil bath, or grease of a grease"),
+    ("surface.finish", "Finish", "as the scene has it"),
+    sliders=SLIDERS,
+)
+DIMENSIONS = _fields(
+    ("bearing.ball_count", "Number of balls", "9"),
+    ("bearing.ball_diameter", "Ball diameter", ""),
+    ("bearing.pitch_diameter", "Pitch diameter", "46 mm"),
+    ("bearing.inner.conformity", "Conformity of the inner groove", ""),
+    ("bearing.outer.conformity", "Conformity of the outer groove", ""),
+    ("bearing.inner.shoulder_half_width", "Half width of the inner groove", "3.9 mm"),
+    ("bearing.outer.shoulder_half_width", "Half width of the outer groove", "4.0 mm"),
+)
+SEATS = _fields(
+    ("bearing.clearance", "Clearance, unmounted", "CN, C3 or 12 um"),
+    ("mounting.shaft_interference", "Interference of the shaft seat", "none, as 5 um; negative: loose"),
+    ("mounting.housing_interference", "Interference of the housing seat", "none, as -5 um"),
+    ("mounting.inner_temperature", "Temperature of inner ring and shaft", "as mounted, or 65 degC"),
+    ("mounting.outer_temperature", "Temperature of outer ring and housing", "as mounted, or 60 degC"),
+)
+POCKETS = _fields(
+    ("cage.pocket_clearance", "Pocket clearance", ""),
+    ("cage.wall_thickness", "Wall thickness", "1.1 mm"),
+    ("cage.mass", "Mass", "11 g"),
+    ("cage.material", "Material", "steel, peek, brass"),
+)
 FIELDS: Mapping[str, Field] = {**OPERATION, **DIMENSIONS, **SEATS, **POCKETS}
 
 

@@ -247,7 +247,7 @@ def _grid(text: str, *, origin: str, folder: Path) -> Grid:
         raise InputError('samples are of the interval of a torque; write what = "torque", or leave them out')
     document, usual, designation = v["scene"], {}, ""
     if isinstance(document, str):
-        largest = {axis.key: _in_document(axis, max(axis.values)) for axis in axes if axis.key not in OF_CONTACT}
+        largest = {axis.key: _in_document(axis, _largest(axis)) for axis in axes if axis.key not in OF_CONTACT}
         named = find_scene(document, folder=folder)
         folder, designation = named.folder, named.designation
         document, usual = whole_document(named, largest if designation else {})
@@ -295,7 +295,7 @@ def _axis(key: str, given: object) -> Axis:
             raise InputError(f"{name} has no order to step through; give a list of its values")
         values: tuple[Value, ...] = _steps(name, given, entry)
     elif isinstance(given, list) and given:
-        values = tuple(entry.read_as(f"{name}[{number}]", value) for number, value in enumerate(given))
+        values = tuple(_value(entry, f"{name}[{number}]", value) for number, value in enumerate(given))
     elif given == []:
         raise InputError(f"{name} is empty; give at least one value, or leave the axis out")
     else:
@@ -310,10 +310,20 @@ def _axis(key: str, given: object) -> Axis:
     return Axis(key=key, unit=entry.dimension.unit, values=values, in_series=entry.in_series)
 
 
+def _value(entry: Key, name: str, given: object) -> Value:
+    """One value of an axis. Raises InputError for what the key does not take, and for a table, a list or a length."""
+    if isinstance(given, dict | list):
+        raise InputError(f"{name} = {shown(given)} is no number and no text; give one")
+    value = entry.read_as(name, given)
+    if not isinstance(value, Value):
+        raise InputError(f"{name} = {shown(given)} makes no axis; give shares of the ball's radius, as 0.9")
+    return value
+
+
 def _steps(name: str, given: dict[str, Any], entry: Key) -> tuple[float, ...]:
     """Values of an axis given by from, to, count and spacing."""
     table: dict[str, Any] = {"spacing": "linear"} | _validated(STEPS, given, f"{name}.")
-    begin, end = (entry.read_as(f"{name}.{key}", table[key]) for key in ("from", "to"))
+    begin, end = (_value(entry, f"{name}.{key}", table[key]) for key in ("from", "to"))
     if isinstance(begin, str) or isinstance(end, str):
         raise InputError(f"{name} steps through quantities, not words; give a list of its values")
     if begin == end:
@@ -323,6 +333,11 @@ def _steps(name: str, given: dict[str, Any], entry: Key) -> tuple[float, ...]:
     steps = (np.geomspace if table["spacing"] == "log" else np.linspace)(begin, end, table["count"])
     steps[[0, -1]] = begin, end  # exactly as written
     return tuple(steps.tolist())
+
+
+def _largest(axis: Axis) -> Value:
+    """The value of the largest magnitude; of words any."""
+    return max(axis.values, key=lambda value: abs(value) if isinstance(value, float) else 0.0)
 
 
 def _in_document(axis: Axis, value: Value) -> Value:

@@ -193,29 +193,6 @@ def test_init_replaces_nothing(command, tmp_path: Path, monkeypatch: pytest.Monk
     assert (tmp_path / "fembearing-scene.schema.json").read_text() == "{}"
 
 
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        (["init", "6299"], ["6299", "nearest: "]),
-        (["init", "7208"], ["7208", "contact angle", "7208A5"]),
-        (["init", "6206", "--out", "no/6206.toml"], ["no/6206.toml", "cannot be made in"]),
-        (["list", "bearings", "xx"], ["bearings", "'xx'", "fembearing list bearings"]),
-        (["list", "balls"], ["balls", "bearings"]),
-        (["torque", "6299"], ["6299", "nearest: ", "paper_6205"]),
-        (["torque", "6206.toml"], ["6206.toml", "No such file", "paper_6205", "6206"]),
-        (["torque", "no/scene"], ["no/scene", "No such file"]),
-    ],
-)
-def test_a_mistake_gets_one_line(
-    command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, arguments: list[str], words: list[str]
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    result = command(*arguments)
-    assert (result.status, result.out, result.err.count("\n")) == (2, "", 1)
-    assert all(word in result.err for word in words), result.err
-    assert list(tmp_path.iterdir()) == []
-
-
 def test_draw_writes_the_bearing_to_scale(command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     told = command("draw", "6305/C3", "--set", "bearing.ball_count=7")

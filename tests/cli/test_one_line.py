@@ -121,31 +121,3 @@ def test_without_a_command_there_is_help(command) -> None:
     assert bare == command("--help")
     assert (bare.status, bare.err) == (0, "")
     assert "torque" in bare.out
-
-
-@pytest.mark.parametrize(
-    ("words", "told"),
-    [
-        (["6399", "--radial-load", "3 kN"], ["6399", "nearest: "]),
-        (["6308", "--radial-load", "3"], ["operation.radial_load = 3 has no unit"]),
-        (["6308", "--speed", "3 mm"], ["operation.inner_speed = '3 mm' is not in a unit like rpm"]),
-        (["6308", "--radial-load", "2,500 N"], ["ambiguous", "write 2500 N or 2.5 N"]),
-        (["6308", "--supply", "butter"], ["lubricant.supply = 'butter'", "grease"]),
-        (["a.toml", "--radial-load", "3 mm"], ["a.toml: operation.radial_load = '3 mm'", "unit like kN"]),
-        (["a.toml", "--set", "lubricant.suply=grease"], ["lubricant.suply", "did you mean lubricant.supply"]),
-        (["a.toml", "--set", "lubricant.supply"], ["--set 'lubricant.supply'", "KEY=VALUE"]),
-        (["a.toml", "--set", "tolerance=much"], ["a.toml: tolerance = 'much'", '"5 %"']),
-        (["a.toml", "--set", "tolerance=1%", "--set", "tolerance=2%"], ["tolerance is given twice"]),
-        (["a.toml", "6308", "-o", "new"], ["--out 'new'", "there are 2"]),
-        (["6308", "6308"], ["'6308' is given twice"]),
-        (["6308", "a.toml", "--set", "operation.radial_load=90000 kN"], ["6308: the radial load", "lower the load"]),
-    ],
-)
-def test_a_mistake_is_one_line(
-    command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, words: list[str], told: list[str]
-) -> None:
-    monkeypatch.chdir(tmp_path)
-    Path("a.toml").write_text(scene_text("6206"), "utf-8")
-    ended = command("torque", *words)
-    assert (ended.status, ended.out, ended.err.count("\n")) == (2, "", 1), ended.err
-    assert all(each in ended.err for each in told), ended.err

@@ -107,7 +107,7 @@ def keys() -> list[Key]:
     """The keys that take a quantity, a number or one of some words."""
     known = [
         scene_key(path)
-        for path in scene_table().paths()
+        for path in sorted(scene_table().paths())  # not in the order of declarations, which may change
         if path not in LEFT_ALONE and not path.startswith(WITHOUT_MEANING)
     ]
     return [key for key in known if key.dimension is not None or words_of(key) or key.path == "bearing.ball_count"]

@@ -250,7 +250,7 @@ def test_grade_d_is_refused_with_what_to_measure() -> None:
             ("operation.axial_load", "slide apart", "1430 N", "[arrangement]")),
         (HEAD.replace('axial_load = "700 N"', 'axial_load = ["0 N", "1 N"]\nradial_load = ["1 N", "2 N", "3 N"]')
             + 'catalog = "7205 BEP"\n', ("axial_load has 2 and operation.radial_load has 3", "equal lengths")),
-        (HAND + PLAY + 'inner.bottom_radius = "20 mm"\n', ("bearing.outer.bottom_radius is missing", "both rings")),
+        (HAND + PLAY + 'inner.bottom_radius = "20 mm"\n', ("outer.bottom_radius is missing", "leave out bearing")),
         (HAND.replace('pitch_diameter = "50 mm"\n', PLAY), ("bearing.pitch_diameter is missing", '"39 mm"')),
         (HEAD + "catalog = 6206\n", ("bearing.catalog = 6206", "in quotes")),
     ],
