@@ -127,12 +127,12 @@ class Material(Noun):
     """An isotropic elastic solid."""
 
     name: Annotated[Text, "of the catalog, or any other"]
-    youngs_modulus: Annotated[Modulus, "E"]
-    poisson_ratio: Annotated[PoissonRatio, "nu"]
-    density: Annotated[MaterialDensity, "rho"]
+    youngs_modulus: Annotated[Modulus, "E, of elasticity"]
+    poisson_ratio: Annotated[PoissonRatio, "nu, transverse strain over axial strain"]
+    density: Annotated[MaterialDensity, "mass over volume"]
     source: Annotated[Text, "where the numbers come from"]
-    hardness: Annotated[Hardness | None, "H, of indentation; None: unknown"] = None
-    thermal_expansion: Annotated[Expansion | None, "of length; None: unknown"] = None
+    hardness: Annotated[Hardness | None, "of indentation, H"] = None
+    thermal_expansion: Annotated[Expansion | None, "of length"] = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -155,11 +155,9 @@ class Groove(Noun):
     HINT = "give a table of conformity, bottom_radius ..."
     bottom_radius: Annotated[Length, "bearing axis to the bottom of the groove"]
     groove_radius: Annotated[Length, "r_g, of the profile of the groove"]
-    shoulder_half_width: Annotated[
-        Length | None, "bottom of the groove to the near shoulder, along the axis; None: not known"
-    ]
+    shoulder_half_width: Annotated[Length | None, "bottom of the groove to the near shoulder, along the axis"]
     material: Material
-    far_shoulder_half_width: Annotated[Width | None, "likewise to the far shoulder, >= 0; None: as the near one"] = None
+    far_shoulder_half_width: Annotated[Width | None, "likewise to the far shoulder; without it as the near one"] = None
 
     @property
     def half_widths(self) -> tuple[float | None, float | None]:
@@ -183,8 +181,8 @@ class Cage(Noun):
     """The ball cage: a sheet with a spherical pocket around each ball, and how it moves."""
 
     HINT = 'give a table [cage] of pocket_clearance, wall_thickness, mass and material, or cage = "none"'
-    pocket_diameter: Annotated[Length, "D_p"]
-    pocket_depth: Annotated[Length, "k"]
+    pocket_diameter: Annotated[Length, "of the sphere of a pocket, D_p"]
+    pocket_depth: Annotated[Length, "pole of a half pocket to the plane of both halves, k"]
     wall_thickness: Annotated[Length, "of the sheet"]
     mass: Annotated[Mass, "of the whole cage"]
     material: Material
@@ -194,12 +192,12 @@ class Cage(Noun):
     pocket_stiffness: Annotated[float | None, DERIVED] = (
         None  # K_pb, N/m^1.5, by finite elements or a test; None: by Hertz
     )
-    sheet_stiffness: Annotated[Stiffness | None, "k, of the sheet in series with the pocket's contact; None: rigid"] = (
-        None
-    )
-    friction_coefficient: Annotated[Friction | None, "of ball on pocket; None: that of the races"] = None
+    sheet_stiffness: Annotated[
+        Stiffness | None, "of the sheet in series with the pocket's contact; without it rigid"
+    ] = None
+    friction_coefficient: Annotated[Friction | None, "of ball on pocket; without it that of the races"] = None
     restitution: Annotated[Restitution, "share of the speed that remains after an impact; assumed"] = 0.8
-    start: Annotated[CageStart | None, "how the motion begins; None: no motion"] = None
+    start: Annotated[CageStart | None, "how the motion begins; without it the cage rests on its balls"] = None
     seeds: Annotated[Seeds, "motions from slightly different beginnings"] = 4
     duration: Annotated[
         Duration, "measured time of each, s: ten swings of a cage at rest, a hundred turns of a whirl"
@@ -220,20 +218,24 @@ class Bearing(Noun):
 
     HINT = 'give a table [bearing] with catalog = "paper_6205" or every dimension'
     name: Annotated[Text, "shown with results"]
-    ball_count: Annotated[Count, Hint("give a whole number, for example 9, or a bearing of the " + CATALOGUE), "Z"]
-    ball_diameter: Annotated[Length, Hint('give for example "7.94 mm", or a bearing of the ' + CATALOGUE), "D"]
+    ball_count: Annotated[
+        Count, Hint("give a whole number, for example 9, or a bearing of the " + CATALOGUE), "number of balls, Z"
+    ]
+    ball_diameter: Annotated[
+        Length, Hint('give for example "7.94 mm", or a bearing of the ' + CATALOGUE), "of every ball, D"
+    ]
     ball_mass: Annotated[Mass, "of one ball"]
     ball_material: Material
     inner: Groove
     outer: Groove
     bore_diameter: Annotated[Length | None, "where the inner ring sits on its shaft"] = None
     outside_diameter: Annotated[Length | None, "where the outer ring sits in its housing"] = None
-    width: Annotated[
-        Length | None, "of both rings; where one of these three is None the rings' structure is unknown"
-    ] = None
+    width: Annotated[Length | None, "of both rings; with bore and outside diameter for the structure of the rings"] = (
+        None
+    )
     kind: Annotated[BearingKind, "radial, or thrust of two washers"] = "radial"
-    static_load_rating: Annotated[Force | None, "C0 by a catalogue; None: unknown"] = None
-    dynamic_load_rating: Annotated[Force | None, "C by a catalogue; None: unknown"] = None
+    static_load_rating: Annotated[Force | None, "static load rating C0 of a catalogue"] = None
+    dynamic_load_rating: Annotated[Force | None, "dynamic load rating C of a catalogue"] = None
     series: Annotated[str | None, DERIVED] = None  # by its designation, "62" or "72 B"; None: not of the catalogue
     seals: Annotated[str | None, DERIVED] = None  # in words; None: open, or not known
     seals_rub: Annotated[bool, DERIVED] = False  # whether they touch the inner ring and brake it
@@ -310,7 +312,7 @@ class Arrangement(Noun):
     kind: Annotated[ArrangementKind, Hint('give "O" (back to back, DB), "X" (face to face, DF) or "tandem" (DT)')]
     preload: Annotated[Force | None, "axial force in the mounted pair at standstill"] = None
     offset: Annotated[Gap | None, "axial distance that clamping closes, of the pair"] = None
-    distance: Annotated[Length | None, "between the middles of both bearings; None: the bearing's width"] = None
+    distance: Annotated[Length | None, "between the middles of both bearings; without it the width"] = None
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -387,14 +389,14 @@ class Lubricant(Noun):
     viscosity: Annotated[DynamicViscosity, "eta_0, at the reference temperature and ambient pressure"]
     pressure_viscosity: Annotated[PressureViscosity, "alpha_p = d ln(eta)/dp there"]
     viscosity_temperature: Annotated[ThermalSlope, "beta = -d ln(eta)/dT there"]
-    reference_temperature: Temperature
+    reference_temperature: Annotated[Temperature, "of a viscosity without a temperature of its own"]
     temperature: Annotated[Temperature, "of the oil at the inlet of a contact"]
-    thermal_conductivity: Annotated[Conductivity, "k_f"]
-    density: OilDensity
+    thermal_conductivity: Annotated[Conductivity, "of the oil, k_f"]
+    density: Annotated[OilDensity, "mass over volume"]
     limiting_shear: Annotated[LimitingShear, "Lambda, ratio of the largest shear stress to the pressure"]
-    traction: Annotated[Traction | OwnTraction, "law of the shear stress, see `analytic.oil.traction`"]
+    traction: Annotated[Traction | OwnTraction, "law of the shear stress"]
     eyring_stress: Annotated[
-        EyringStress | None, "tau_E, at any pressure; None: 2 Lambda/alpha at the pressure of each point"
+        EyringStress | None, "tau_E, at any pressure; without it 2 Lambda/alpha at the pressure of each point"
     ] = None
     thickening: Annotated[Thickening, "law of the viscosity under pressure in the shear stress"] = "modulus"
     modulus_rise: tuple[float, float] = MINERAL_RISE  # b1, 1, and b2, 1/K, of the modulus equation
@@ -403,15 +405,15 @@ class Lubricant(Noun):
     supply: Annotated[Supply, "how oil returns to the track"] = "oil_bath"
     surface_tension: Annotated[SurfaceTension, "of the oil that bleeds from a grease"] = 0.022
     starvation_degree: Annotated[
-        StarvationDegree | None, "see `analytic.oil.starvation`, >= 1; None: by the supply"
+        StarvationDegree | None, "meniscus to centre over the semi-axis along rolling; without it by the supply"
     ] = None
     reach: Reach = Reach()  # of the oil, to where a flooded inlet begins
     cavitation_pressure: Annotated[
-        Cavitation, "gauge, <= 0, at which oil in the outlet breaks; 0: the outlet is ventilated"
+        Cavitation, "gauge, at which oil in the outlet breaks; 0: the outlet is ventilated"
     ] = 0.0
     compressible: Annotated[OnOff, "whether pressure squeezes the oil in the film"] = True
-    film_formula: Annotated[FilmFormula, "see `analytic.oil.ehl_fit` and `analytic.oil.film`"] = "numerical"
-    rolling_formula: Annotated[RollingFormula, "see `analytic.oil.ehl_fit` and `analytic.oil.rolling`"] = "numerical"
+    film_formula: Annotated[FilmFormula, "formula of the film"] = "numerical"
+    rolling_formula: Annotated[RollingFormula, "formula of hydrodynamic rolling"] = "numerical"
     origins: Mapping[str, Origin] = field(default_factory=nothing, compare=False)  # by field; empty: not noted
 
     def starves_as_measured(self, bearing: Bearing) -> bool:
@@ -478,8 +480,8 @@ class Surface(Noun):
     rms_roughness: Annotated[Roughness | None, "Sq, of each surface"] = None
     autocorrelation: Autocorrelation | None = None
     height_map: HeightMapFile | None = None
-    ball_rms_roughness: Annotated[Roughness | None, "Sq of the ball; None: as the race"] = None
-    hardness: Annotated[Hardness | None, "H; None: that of the softer material"] = None
+    ball_rms_roughness: Annotated[Roughness | None, "Sq of the ball; without it as the race"] = None
+    hardness: Annotated[Hardness | None, "H; without it that of the softer material"] = None
     boundary_friction: Annotated[Asperity, "mu_b, coefficient of asperities in contact"] = 0.12
     gap: Annotated[
         GapModel, "room for the oil: between surfaces that deform, or that are cut off where they overlap"

@@ -45,7 +45,7 @@ class Mounting(Noun):
     housing_outside_diameter: Annotated[Length | None, "without one the housing has no end"] = None
     inner_temperature: Annotated[Temperature, "of inner ring and shaft"] = REFERENCE_TEMPERATURE
     outer_temperature: Annotated[Temperature, "of outer ring and housing"] = REFERENCE_TEMPERATURE
-    ball_temperature: Annotated[Temperature | None, "None: the mean of both rings"] = None
+    ball_temperature: Annotated[Temperature | None, "without it the mean of both rings"] = None
     mounting_temperature: Temperature = REFERENCE_TEMPERATURE
 
     @property

@@ -362,7 +362,7 @@ def scene_table() -> Table:
         else:
             told, own = declared_of(hint), getattr(said, "default", REQUIRED)
             assert told.kind is not None, path
-            default = None if own is REQUIRED else own
+            default = None if own in (REQUIRED, "") else own
             root.add(Key(path=path, kind=told.kind, default=default, meaning=told.meaning, hint=told.hint))
     for key, floor in UNCERTAIN.items():
         root.add(Key(path=f"uncertainty.{key}", kind=_spread(key, floor, root), default=None))
