@@ -5,7 +5,7 @@ A quantity of pint, in its own registry, stands for the text that it prints.
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, cast
 from warnings import warn
 
 import numpy as np
@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from analytic.errors import InputError, require_finite
 from analytic.given import Given, Quantity
-from analytic.scene import Array, Bearing, Lubricant, Material, Operation, Scene, Surface
+from analytic.scene import Array, Bearing, Lubricant, Material, Operation, Scene, Surface, Tilt
 from analytic.scenefile.keys import scene_key
 from analytic.scenefile.material import catalog_material
 from analytic.scenefile.read import scene_of
@@ -96,14 +96,13 @@ def operation(
     """
     given = {"axial_load": axial_load, "inner_speed": inner_speed, "radial_load": radial_load, "moment": moment}
     arrays = {key: _in_si(f"operation.{key}", value) for key, value in given.items() if value is not None}
-    held: Any
     if tilt is None:
         held = None if moment is None else "free"
     else:
         held = scene_key("operation.tilt").read_as("operation.tilt", in_si(tilt, "operation.tilt"))
     if moment is not None and not isinstance(held, str):
         raise InputError("operation.tilt holds the ring, and operation.moment tilts it: leave one of them out")
-    return Operation(tilt=held, **arrays).as_series()
+    return Operation(tilt=cast(Tilt | None, held), **arrays).as_series()
 
 
 def _in_si(path: str, given: Series) -> Array:
