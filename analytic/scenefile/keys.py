@@ -603,15 +603,9 @@ def without_key(document: Mapping[str, Any], path: str) -> dict[str, Any]:
     return {key: value for key, value in document.items() if rest or key != first}
 
 
-def value_at(document: Mapping[str, Any], path: str) -> Any:
-    """The value of a key as the document has it; None: it has none."""
+def fault_at(document: Mapping[str, Any], path: str, problem: str) -> str:
+    """The key, its value in the document, and the problem, in one line; path : empty of several."""
     value: Any = document
     for part in path.split("."):
         value = value.get(part) if isinstance(value, Mapping) else None
-    return value
-
-
-def fault_at(document: Mapping[str, Any], path: str, problem: str) -> str:
-    """The key, its value in the document, and the problem, in one line; path : empty of several."""
-    value = value_at(document, path) if path else None
-    return f"{path} {problem}".lstrip() if value is None else f"{path} = {shown(value)} {problem}"
+    return f"{path} {problem}".lstrip() if value is None or not path else f"{path} = {shown(value)} {problem}"

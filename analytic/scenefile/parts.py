@@ -115,12 +115,10 @@ def _in_si(path: str, given: Series) -> Array:
         return np.array([scene_key(path).read_as(path, each) for each in given])
     try:
         numbers = np.asarray(given, dtype=np.float64)
-        require_finite(**{path: numbers})
-        return numbers
-    except InputError:
-        raise
     except (TypeError, ValueError):
         raise InputError(f"{path} = {shown(given)} is neither numbers in SI nor texts with units") from None
+    require_finite(**{path: numbers})
+    return numbers
 
 
 def surfaces(**keys: Any) -> Surface:
