@@ -3,12 +3,15 @@
 A process that is killed leaves that folder, `.fembearing-NAME`, and nothing else.
 """
 
+import atexit
 import errno
 import os
 import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from functools import partial
 from pathlib import Path
+from secrets import token_hex
 from tempfile import TemporaryDirectory
 
 from analytic.errors import InputError, StorageError
@@ -73,8 +76,11 @@ def replaced_file(target: Path) -> Iterator[Path]:
 @contextmanager
 def _beside(target: Path) -> Iterator[Path]:
     """What will be the target, in a hidden folder beside it."""
+    place = target.parent / f"{HIDDEN}{token_hex(4)}"
+    remove = partial(shutil.rmtree, place, ignore_errors=True)
+    atexit.register(remove)  # for a signal between two lines, the folder's making and its removal included
     try:
-        folder = TemporaryDirectory(prefix=HIDDEN, dir=target.parent, ignore_cleanup_errors=True)
+        place.mkdir(mode=0o700)
     except OSError as problem:
         if problem.errno in (errno.ENOSPC, errno.EDQUOT, errno.EIO):
             raise StorageError(_unwritten(target, problem)) from problem
@@ -82,8 +88,12 @@ def _beside(target: Path) -> Iterator[Path]:
             f"{_place(target)} cannot be made in {str(target.parent)!r}: {problem.strerror}; give a name in a folder "
             "that you may write"
         ) from problem
-    with folder as place, being_written(target, only=Path(place)):
-        yield Path(place) / target.name
+    try:
+        with being_written(target, only=place):
+            yield place / target.name
+    finally:
+        remove()
+        atexit.unregister(remove)
 
 
 @contextmanager

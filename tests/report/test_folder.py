@@ -154,6 +154,28 @@ def test_a_second_signal_does_not_stop_the_clearing_up(tmp_path: Path, monkeypat
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows ends a process without a signal")
+def test_a_signal_as_the_folder_is_made_leaves_nothing(tmp_path: Path) -> None:
+    """It comes before any block that clears up is entered."""
+    program = """
+import os, signal, sys
+from pathlib import Path
+from analytic.writing import new_folder
+from fembearing.cli.boundary import end
+signal.signal(signal.SIGTERM, end)
+make = os.mkdir
+def mkdir(*given, **how):
+    make(*given, **how)
+    os.kill(os.getpid(), signal.SIGTERM)
+os.mkdir = mkdir
+with new_folder(Path(sys.argv[1])):
+    pass
+"""
+    run = subprocess.run([sys.executable, "-c", program, str(tmp_path / "report")])
+    assert run.returncode == 143
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows ends a process without a signal")
 def test_a_process_that_is_told_to_end_leaves_nothing(tmp_path: Path) -> None:
     run = subprocess.Popen([sys.executable, "-m", "fembearing", "validate", "--out", str(tmp_path / "report")])
     try:
