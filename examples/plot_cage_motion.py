@@ -11,7 +11,7 @@ import numpy as np
 
 import analytic
 from analytic.scene import Cage
-from fembearing.verify.torque.cage_record import record_cage
+from fembearing.check.cage_record import record_cage
 
 # %%
 # A 6205 with a sheet-steel cage

@@ -14,9 +14,9 @@ from hypothesis import settings
 
 if TYPE_CHECKING:
     from analytic.scene import Contact
+    from fembearing.check.contact.discrepancy import ContactSolution
+    from fembearing.check.validation import Validation
     from fembearing.mesh.recipe import Recipe
-    from fembearing.verify.contact.discrepancy import ContactSolution
-    from fembearing.verify.validation import Validation
 
 # Before NumPy loads: workers already use all cores, and last digits of a page depend on the number of threads.
 os.environ.setdefault("OMP_NUM_THREADS", "1")
@@ -25,9 +25,9 @@ SHARE_CHECKED = (  # files and folders of tests that use `checked` or `cut_conta
     "tests/report/",
     "tests/fem/test_shoulder.py",
     "tests/test_brief.py",
-    "tests/verify/contact/test_discrepancy.py",
-    "tests/verify/contact/test_twin_refinement.py",
-    "tests/verify/test_validation.py",
+    "tests/check/contact/test_discrepancy.py",
+    "tests/check/contact/test_twin_refinement.py",
+    "tests/check/test_validation.py",
 )
 PROFILE = "gate" if os.environ.get("CI") else "explore"
 
@@ -66,7 +66,7 @@ def contacts() -> "dict[str, Contact]":
 @pytest.fixture(scope="session")
 def cut_contact(contacts: "dict[str, Contact]") -> "ContactSolution":
     """Half a contact on three meshes: its shoulder cuts it off, Hertz's semi-axis would be 0.946 mm."""
-    from fembearing.verify.contact.discrepancy import compare_contact
+    from fembearing.check.contact.discrepancy import compare_contact
 
     narrow = replace(contacts["inner"], shoulder=0.8e-3)
     return compare_contact(narrow, recipe=shallow_recipe("race"), tolerance=0.9)
@@ -89,7 +89,7 @@ def shallow() -> "Callable[[str], Recipe]":
 
 def quickly_timed(patch: pytest.MonkeyPatch) -> None:
     """The fewest timings of formulas, for tests that do not depend on their spread."""
-    from fembearing.verify.cost import ladder
+    from fembearing.check.cost import ladder
 
     patch.setattr(ladder, "FORMULA_REPEATS", 3)
     patch.setattr(ladder, "SAMPLE", 0.0)
@@ -104,8 +104,8 @@ class Checked(NamedTuple):
 def checked_with_progress(shallow: "Callable[[str], Recipe]") -> Checked:
     """The built-in scene, checked on coarse meshes with a tolerance that needs no finer one."""
     from analytic.scenefile.read import load_scene
-    from fembearing.verify.contact import scene_contact
-    from fembearing.verify.validation import check_scene
+    from fembearing.check.contact import scene_contact
+    from fembearing.check.validation import check_scene
 
     shares: list[float] = []
     with pytest.MonkeyPatch.context() as patch:

@@ -8,9 +8,9 @@ import pytest
 
 import analytic
 from analytic.brief import LONGEST, Brief, span
+from analytic.scene_torque import torque_of_scene
 from analytic.scenefile.read import parse_scene
-from fembearing.verify.torque.scene_torque import torque_of_scene
-from fembearing.verify.validation import Validation
+from fembearing.check.validation import Validation
 from tests.analytic.scenefile.scene_texts import OILED, SPEEDS, changed
 
 TEXT = changed(SPEEDS, '["500 rpm", "2000 rpm"]', OILED)

@@ -2,7 +2,7 @@
 
 import pytest
 
-from fembearing.progress import part_of
+from analytic.progress import part_of
 
 
 def test_a_part_runs_from_its_begin_to_its_end_also_within_a_part() -> None:

@@ -4,6 +4,7 @@ import re
 
 import analytic
 import fembearing
+from analytic.scene_torque import torque_of_scene
 from analytic.scenefile.keys import scene_table
 from docs.extensions.api_page import api_page
 from docs.extensions.commands_page import commands_page
@@ -12,7 +13,6 @@ from docs.extensions.keys_page import keys_page
 from fembearing.cli import COMMANDS
 from fembearing.plain_types import plain
 from fembearing.report.torque import torque_record
-from fembearing.verify.torque.scene_torque import torque_of_scene
 
 
 def cells(page: str, heading: str) -> dict[str, list[str]]:

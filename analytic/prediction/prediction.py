@@ -29,8 +29,9 @@ from analytic.prediction.rows import (
     SobolIndices,
     largest_error,
 )
-from analytic.prediction.sampling import Progress, sampled, silent
+from analytic.prediction.sampling import sampled
 from analytic.prediction.spreads import NUMERICAL, UncertainInput, uncertain_inputs
+from analytic.progress import Progress, silent
 from analytic.result import COORDINATES, POINT, FrictionTorque
 from analytic.rows import row_of
 from analytic.scene import Array, Scene

@@ -1,7 +1,7 @@
 """The torque of many scenes: Latin hypercube points of the uncertain inputs, computed on all cores."""
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from itertools import chain
@@ -14,16 +14,12 @@ from scipy.stats import qmc
 
 from analytic.errors import InputError
 from analytic.prediction.evaluation import Problem, cores, evaluated
+from analytic.progress import Progress
 from analytic.scene import Array
 
-Progress = Callable[[float, str], None]  # share done, 0 to 1, and what is being done
 LARGEST_FAILURE = 0.01  # share of samples without a torque, beyond which the interval would be that of the others
 PIECES = 16  # of work for each thread; progress is told after each piece
 SHOWN_REASONS = 3
-
-
-def silent(_share: float, _step: str) -> None:
-    """Progress that is not shown."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

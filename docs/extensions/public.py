@@ -10,8 +10,8 @@ from typing import Any
 from matplotlib.figure import Figure
 
 import analytic
+import analytic.scene_torque as scene_torque
 import fembearing
-import fembearing.verify.torque.scene_torque as scene_torque
 from analytic import errors
 from analytic.prediction.prediction import Prediction
 

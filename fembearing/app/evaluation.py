@@ -13,14 +13,14 @@ from analytic import parse_scene
 from analytic.errors import FembearingError
 from analytic.result import TorquePoint
 from analytic.scene import Array, Contact, Scene
+from analytic.scene_torque import with_interval
 from analytic.words import pressure_of
 from fembearing import SceneTorque, draw_bearing, torque_content, torque_headline, torque_of_scene
 from fembearing.app.scene_edit import ORIGIN
+from fembearing.check.contact.scene_contact import contact_of
 from fembearing.quantities import SYSTEMS, Units
 from fembearing.report.tables.points import point_name
 from fembearing.report.torque import TorqueRecord, torque_record
-from fembearing.verify.contact.scene_contact import contact_of
-from fembearing.verify.torque.scene_torque import with_interval
 
 SPEEDS = np.array([0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1.0, 1.2, 1.4, 1.6, 1.8, 2.0])  # of the curve, over the scene's own
 SLICES = 6  # of the curve: between two of them it ends where the scene has changed

@@ -41,13 +41,13 @@ def compare(
     measured torque lies in its 95 % interval; 1: at least one lies outside; 2: input error.
     """
     require_scene_first("compare", scene, data)
+    from fembearing.check.measured.comparison import compare_measured
     from fembearing.cli.console import out, print_json, tell_assumed
     from fembearing.plain_types import plain
     from fembearing.quantities import SYSTEMS
     from fembearing.report.measured_folder import ComparisonFile, write_comparison
     from fembearing.report.tables.measured import measured_table
     from fembearing.report.terminal.table import show
-    from fembearing.verify.measured.comparison import compare_measured
 
     read = given.scene(scene, measured=data)
     with talk.progress() as progress, output.opened() as place:

@@ -8,8 +8,8 @@ from typing import Any
 
 from rich.console import Console
 
+from analytic.progress import Progress, silent
 from fembearing.cli.status import say
-from fembearing.progress import Progress, silent
 
 
 class Stream(Console):

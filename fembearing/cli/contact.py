@@ -22,9 +22,9 @@ from fembearing.cli.status import reached
 
 if TYPE_CHECKING:
     from analytic.scene import Scene
-    from fembearing.verify.contact.discrepancy import ContactSolution
-    from fembearing.verify.contact.load_series import LoadSeries
-    from fembearing.verify.contact.subsurface import SubsurfaceComparison
+    from fembearing.check.contact.discrepancy import ContactSolution
+    from fembearing.check.contact.load_series import LoadSeries
+    from fembearing.check.contact.subsurface import SubsurfaceComparison
 
 
 Loads = Annotated[
@@ -86,9 +86,9 @@ def contact(
         return
     if level is not None:
         raise InputError(f"--level {level} goes with --mesh; --tolerance decides on the meshes of a solution")
-    from fembearing.verify.contact.discrepancy import solve_contact
-    from fembearing.verify.contact.load_series import solve_load_series
-    from fembearing.verify.contact.subsurface import compare_subsurface
+    from fembearing.check.contact.discrepancy import solve_contact
+    from fembearing.check.contact.load_series import solve_load_series
+    from fembearing.check.contact.subsurface import compare_subsurface
 
     with talk.progress() as progress:
         settings: dict[str, Any] = {"pair": pair, "accuracy": limit, "geometry": geometry, "progress": progress}
@@ -118,14 +118,14 @@ def _show_contact(
 ) -> dict[str, float]:
     """The relative uncertainties of the quantities that are to be known to the accuracy, by their names."""
     from analytic.words import percent_of
+    from fembearing.check.contact.discrepancy import SHOWN_OF_A_SHEET
+    from fembearing.check.contact.mesh_refinement import COMPARED
     from fembearing.cli.console import out, print_json
     from fembearing.plain_types import plain
     from fembearing.quantities import SYSTEMS
     from fembearing.report.contact import contact_record
     from fembearing.report.tables.contacts import contact_table, subsurface_table
     from fembearing.report.terminal.table import show
-    from fembearing.verify.contact.discrepancy import SHOWN_OF_A_SHEET
-    from fembearing.verify.contact.mesh_refinement import COMPARED
 
     if as_json:
         added = {"tolerance": result.tolerance, "accuracy": accuracy, "subsurface": plain(below)}
@@ -165,12 +165,12 @@ def _write_meshes(
 ) -> dict[str, dict[str, Any]]:
     """Write both meshes of a contact; the quality of each by its file."""
     from analytic.errors import InputError
+    from fembearing.check.contact.scene_contact import as_meshed, contact_of, recipe_of, traced_to_load
     from fembearing.fem.guess import expected_semi_axes
     from fembearing.mesh.meshfile import write_body
     from fembearing.mesh.pair import pair_mesh
     from fembearing.mesh.quality import mesh_quality
     from fembearing.mesh.ring import ring_piece
-    from fembearing.verify.contact.scene_contact import as_meshed, contact_of, recipe_of, traced_to_load
 
     require_folder_name(folder, option="--mesh")
     recipe = recipe_of(geometry, pair=pair)

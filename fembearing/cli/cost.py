@@ -22,11 +22,11 @@ def cost(
     """Measure error and time of all methods for the same quantity on this machine, from cheap to exact."""
     read = given.scene(scene)
     limit = read_tolerance(tolerance, read)
+    from fembearing.check.cost.scene_cost import measure_cost
     from fembearing.cli.console import out, print_json
     from fembearing.plain_types import plain
     from fembearing.report.folder import write_cost
     from fembearing.report.terminal.cost import print_cost
-    from fembearing.verify.cost.scene_cost import measure_cost
 
     with talk.progress() as progress, output.opened() as place:
         result = measure_cost(read, tolerance=limit, progress=progress)

@@ -49,12 +49,12 @@ def creep(
     read = given.scene(scene)
     limit = read_tolerance(tolerance, read)
     coefficient = None if friction is None else read_option("--friction", friction, "friction.coefficient")
+    from fembearing.check.creep.scene_creep import creep_of
     from fembearing.cli.console import out, print_json
     from fembearing.quantities import SYSTEMS
     from fembearing.report.creep_folder import creep_content, write_creep
     from fembearing.report.tables.creep import creep_table
     from fembearing.report.terminal.table import show
-    from fembearing.verify.creep.scene_creep import creep_of
 
     trouble = None
     with talk.progress() as progress, output.opened() as place:

@@ -37,12 +37,12 @@ def duty(
     require_scene_first("duty", scene, cycle)
     from analytic.prediction.duty import cycle_with_torques
     from analytic.scenefile.cycle import read_cycle
+    from analytic.standing import worst_standing
     from fembearing.cli.console import out, print_json, tell_assumed
     from fembearing.plain_types import plain
     from fembearing.report.duty_folder import duty_file, write_duty
     from fembearing.report.tables.duty import cycle_table, steps_table
     from fembearing.report.terminal.table import show
-    from fembearing.verify.torque.worst import worst_standing
 
     steps = read_cycle(cycle)
     found = given.by_temperature(scene, columns=vars(steps))

@@ -42,12 +42,12 @@ def film(
     """
     read = given.scene(scene)
     limit = read_tolerance(tolerance, read)
+    from fembearing.check.film.scene_film import film_of
     from fembearing.cli.console import out, print_json
     from fembearing.quantities import SYSTEMS
     from fembearing.report.film_folder import film_content, write_film
     from fembearing.report.tables.film import film_table
     from fembearing.report.terminal.table import show
-    from fembearing.verify.film.scene_film import film_of
 
     with talk.progress() as progress, output.opened() as place:
         result = film_of(

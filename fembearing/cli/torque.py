@@ -24,7 +24,7 @@ from fembearing.cli.options import (
 from fembearing.cli.status import CHECK_FAILED, DONE, NOT_SOLVED, STANDING_STATUS, say
 
 if TYPE_CHECKING:
-    from fembearing.verify.torque.scene_torque import SceneTorque
+    from analytic.scene_torque import SceneTorque
 
 
 Target = Annotated[

@@ -11,9 +11,11 @@ import numpy as np
 from analytic.errors import InputError
 from analytic.given import SceneOptions
 from analytic.prediction.steady import at_steady_temperature
+from analytic.progress import Progress, silent
 from analytic.scene import Scene
 from analytic.scenefile.by_temperature import SceneByTemperature
 from analytic.scenefile.read import any_by_temperature
+from analytic.standing import WorstStanding, worst_standing
 from analytic.words import plain
 from analytic.writing import new_file, require_utf8
 from fembearing.formats.axes import Axes, axes_in_words, axes_of
@@ -24,8 +26,6 @@ from fembearing.formats.netcdf import write_netcdf
 from fembearing.formats.ross import write_ross
 from fembearing.formats.simscape import write_simscape
 from fembearing.formats.torque_map import torques_at_nodes
-from fembearing.progress import Progress, silent
-from fembearing.verify.torque.worst import WorstStanding, worst_standing
 
 ANY_ERROR = float(np.finfo(np.float64).max)  # a tolerance that no error exceeds
 FormatName = Literal["csv", "netcdf", "modelica", "simscape", "ross", "fmu"]

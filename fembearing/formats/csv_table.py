@@ -5,11 +5,11 @@ from pathlib import Path
 
 import numpy as np
 
+from analytic.progress import Progress
 from analytic.scenefile.by_temperature import SceneByTemperature
 from analytic.words import NEWTON_MILLIMETRE
 from fembearing.formats.axes import SHOWN, Axes
 from fembearing.formats.torque_map import OF_OPERATION, mapped_torque
-from fembearing.progress import Progress
 
 TORQUES = ("torque_low", "torque", "torque_high")  # in the order of a map
 

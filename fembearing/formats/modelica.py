@@ -9,12 +9,12 @@ import re
 from pathlib import Path
 
 from analytic.errors import InputError
+from analytic.progress import Progress
 from analytic.scene import Array
 from analytic.scenefile.by_temperature import SceneByTemperature
 from fembearing.formats.axes import Axes, axes_in_words
 from fembearing.formats.interpolation import table_error
 from fembearing.formats.torque_map import TorqueMap, from_standstill, mapped_torque
-from fembearing.progress import Progress
 
 IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 MODELS = {  # in the order of a map

@@ -4,11 +4,11 @@ import json
 from pathlib import Path
 
 from analytic.labelled import Column, Labelled, dataset_of
+from analytic.progress import Progress
 from analytic.result import COORDINATES
 from analytic.scenefile.by_temperature import SceneByTemperature
 from fembearing.formats.axes import Axes
 from fembearing.formats.torque_map import OF_OPERATION, mapped_torque
-from fembearing.progress import Progress
 from fembearing.provenance import provenance_of
 
 TORQUES = {  # in the order of a map

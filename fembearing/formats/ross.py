@@ -13,11 +13,11 @@ from pathlib import Path
 import numpy as np
 
 from analytic.errors import InputError
+from analytic.progress import Progress
 from analytic.scene import Array
 from analytic.scenefile.by_temperature import SceneByTemperature
 from analytic.torque import friction_torque
 from fembearing.formats.axes import Axes, axes_in_words
-from fembearing.progress import Progress
 
 COEFFICIENTS = {  # sign and place in the stiffness of the ring: z, x, y and tilts
     "kxx": (1, 2, 2),

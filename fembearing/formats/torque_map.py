@@ -24,12 +24,12 @@ from numpy.typing import NDArray
 from analytic.errors import InputError
 from analytic.function import AT_REST, TorqueFunction, torque_function
 from analytic.prediction.first_order import first_order_ends
+from analytic.progress import Progress, silent
 from analytic.result import FrictionTorque
 from analytic.scene import Array, Operation, Scene
 from analytic.scenefile.by_temperature import SceneByTemperature
 from analytic.torque import friction_torque
 from fembearing.formats.axes import SLOWEST, Axes
-from fembearing.progress import Progress, silent
 
 OF_OPERATION = {"speed": "inner_speed", "axial_load": "axial_load", "radial_load": "radial_load"}
 CREEPING = 1e-6  # speed at which a bearing begins to turn, over the first speed of the axis above 0

@@ -7,15 +7,15 @@ from annotated_types import MinLen
 
 from analytic.rows import Count, NotNegative, Positive, T
 from analytic.scene import Pair
+from analytic.verdicts import Verdict
+from fembearing.check.contact.approach_curve import ApproachCurve
+from fembearing.check.contact.bearings import OfPair
+from fembearing.check.contact.discrepancy import ContactSolution
+from fembearing.check.contact.mesh_refinement import Refinement
+from fembearing.check.contact.pressure_profile import Profiles
+from fembearing.check.contact.ring import RingStructure
+from fembearing.check.contact.scene_contact import Shape
 from fembearing.grid_convergence import Estimate
-from fembearing.verify.contact.approach_curve import ApproachCurve
-from fembearing.verify.contact.bearings import OfPair
-from fembearing.verify.contact.discrepancy import ContactSolution
-from fembearing.verify.contact.mesh_refinement import Refinement
-from fembearing.verify.contact.pressure_profile import Profiles
-from fembearing.verify.contact.ring import RingStructure
-from fembearing.verify.contact.scene_contact import Shape
-from fembearing.verify.contact.verdict import Verdict
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -5,8 +5,8 @@ from pathlib import Path
 from typing import Any
 
 from analytic.writing import write
+from fembearing.check.creep.scene_creep import CreepNumbers, SceneCreep
 from fembearing.plain_types import plain
-from fembearing.verify.creep.scene_creep import CreepNumbers, SceneCreep
 
 KIND, FORMAT = "fembearing creep", 1
 

@@ -9,11 +9,11 @@ from typing import Literal
 
 from analytic.prediction.duty import DutyCycle
 from analytic.scene import Scene
+from analytic.standing import WorstStanding
 from analytic.writing import write
 from fembearing.plain_types import plain
 from fembearing.provenance import provenance_of
 from fembearing.quantities import SYSTEMS, unit_for
-from fembearing.verify.torque.worst import WorstStanding
 
 KIND, FORMAT = "fembearing duty", 1  # what the JSON is; the number rises when a key changes its name or meaning
 COLUMNS = {  # of a step, with the SI unit

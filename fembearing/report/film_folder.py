@@ -5,8 +5,8 @@ from pathlib import Path
 from typing import Any
 
 from analytic.writing import write
+from fembearing.check.film.scene_film import FilmNumbers, RaceFilm
 from fembearing.plain_types import plain
-from fembearing.verify.film.scene_film import FilmNumbers, RaceFilm
 
 KIND, FORMAT = "fembearing film", 1
 

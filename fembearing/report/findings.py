@@ -8,13 +8,13 @@ import numpy as np
 
 from analytic.rows import NotNegative
 from analytic.words import PERCENT, percent_of
+from fembearing.check.contact.bearings import which_bearing
+from fembearing.check.contact.verdict import Verdict, worst
+from fembearing.check.creep.scene_creep import CreepNumbers
+from fembearing.check.film.scene_film import JUDGED, FilmNumbers
+from fembearing.check.torque_change import TorqueChange
 from fembearing.quantities import CONTACT
 from fembearing.report.contact import ContactRecord
-from fembearing.verify.contact.bearings import which_bearing
-from fembearing.verify.contact.verdict import Verdict, worst
-from fembearing.verify.creep.scene_creep import CreepNumbers
-from fembearing.verify.film.scene_film import JUDGED, FilmNumbers
-from fembearing.verify.torque.change import TorqueChange
 
 OFF = {  # what is compared with a reference
     "contacts": "contacts: Hertz",

@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING, Unpack
 
 from analytic.any_scene import scene_by
 from analytic.given import SceneOptions
+from analytic.progress import Progress, part_of, silent
 from analytic.scene import Scene
+from analytic.scene_torque import Samples
 from analytic.scenefile.parts import Given
 from analytic.writing import new_folder, write
+from fembearing.check.cost.scene_cost import Cost
+from fembearing.check.film.scene_film import RaceFilm
+from fembearing.check.validation import Validation, check_scene
 from fembearing.plain_types import plain
-from fembearing.progress import Progress, part_of, silent
-from fembearing.verify.cost.scene_cost import Cost
-from fembearing.verify.film.scene_film import RaceFilm
-from fembearing.verify.torque.scene_torque import Samples
-from fembearing.verify.validation import Validation, check_scene
 
 if TYPE_CHECKING:
     from fembearing.report.report import PictureFile

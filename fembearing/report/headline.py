@@ -9,8 +9,10 @@ import numpy as np
 
 from analytic.effects import DECLARED
 from analytic.limits import MOST_STARVED
+from analytic.makers import NO_BAND, WITHOUT_LOSSES
 from analytic.result import COORDINATES, TorquePoint
 from analytic.scene import Scene
+from analytic.scene_torque import MOST_ESTIMATED, SceneTorque
 from analytic.words import percent_of
 from fembearing.quantities import METRIC, QUANTITIES, SYSTEMS, Units
 from fembearing.report.phrases import between, present_loads, rounded, speed_words, tilt_of, varying_loads
@@ -19,8 +21,6 @@ from fembearing.report.tables.points import point_cells, point_heads
 from fembearing.report.tables.table import Head, Row, Table, table_of
 from fembearing.report.tables.torque import PARTS, RESIDUE
 from fembearing.report.torque import TorqueRecord, torque_record
-from fembearing.verify.torque.catalogue import NO_BAND, WITHOUT_LOSSES
-from fembearing.verify.torque.scene_torque import MOST_ESTIMATED, SceneTorque
 
 MOST_ROWS = 6  # points of a series in the headline
 FULL, BOUNDARY = 0.01, 0.9  # share of the load on asperities: below a full film, above boundary lubrication

@@ -5,13 +5,13 @@ from typing import Literal
 
 from analytic.rows import Count, NotNegative, Positive
 from analytic.scene import Pair
+from analytic.verdicts import Verdict
+from fembearing.check.contact.hertz import hertz_quantities
+from fembearing.check.contact.load_series import LoadPoint, LoadSeries
+from fembearing.check.contact.pocket_law import PocketLaw
+from fembearing.check.contact.power_law import StiffnessLaw
 from fembearing.grid_convergence import Estimate
 from fembearing.mesh.recipe import Geometry
-from fembearing.verify.contact.hertz import hertz_quantities
-from fembearing.verify.contact.load_series import LoadPoint, LoadSeries
-from fembearing.verify.contact.pocket_law import PocketLaw
-from fembearing.verify.contact.power_law import StiffnessLaw
-from fembearing.verify.contact.verdict import Verdict
 
 KIND, FORMAT = "fembearing load series", 1  # the number rises when a key changes its name or meaning
 

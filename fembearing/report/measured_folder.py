@@ -11,10 +11,10 @@ import numpy as np
 
 from analytic.scene import Scene
 from analytic.writing import write
+from fembearing.check.measured.comparison import ROW, MeasuredComparison
 from fembearing.plain_types import plain
 from fembearing.provenance import provenance_of
 from fembearing.quantities import SYSTEMS, unit_for
-from fembearing.verify.measured.comparison import ROW, MeasuredComparison
 
 KIND, FORMAT = "fembearing compare", 1  # what the JSON is; the number rises when a key changes its name or meaning
 

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from analytic.words import Unit, angle_of, percent_of
+from fembearing.check.contact.bearings import which_bearing
+from fembearing.check.cost.ladder import Ladder
 from fembearing.quantities import CONTACT, METRIC, Quantity, Units
-from fembearing.verify.contact.bearings import which_bearing
-from fembearing.verify.cost.ladder import Ladder
 
 if TYPE_CHECKING:
     from analytic.prediction.rows import PredictionRows
@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from analytic.rows import OperatingPoint
     from analytic.scene import Clearances
     from analytic.verdicts import NumericalCheck, PhysicalCheck
+    from fembearing.check.contact.ring import RingStructure
     from fembearing.report.contact import ContactRecord
-    from fembearing.verify.contact.ring import RingStructure
 
 AT_THE_CENTRE = CONTACT["peak_pressure"]._replace(name="pressure at y = 0")
 VARIED = {  # the parts of the model's uncertainty

@@ -16,28 +16,27 @@ from analytic.errors import InputError
 from analytic.reading import content_of
 from analytic.rows import Count, NotNegative, Positive
 from analytic.scene import Array, Pair, ReportDetails
-from analytic.verdicts import PhysicalCheck
+from analytic.verdicts import PhysicalCheck, Summary
+from fembearing.check.cage_record import DrawnMotion
+from fembearing.check.contact.bearings import OfPair
+from fembearing.check.contact.comparison_error import WHY, Comparison
+from fembearing.check.contact.discrepancy import ContactSolution
+from fembearing.check.contact.scene_contact import Shape
+from fembearing.check.contact.verdict import Verdict, worst
+from fembearing.check.cost.ladder import Ladder
+from fembearing.check.creep.scene_creep import CreepNumbers
+from fembearing.check.film.scene_film import FilmNumbers
+from fembearing.check.hard_record import HardRecord
+from fembearing.check.measured.comparison import MeasuredComparison
+from fembearing.check.sensitivity import Sensitivity
+from fembearing.check.torque_change import OF_RACES, TorqueChange
+from fembearing.check.validation import Validation
 from fembearing.provenance import Provenance
 from fembearing.quantities import CONTACT, SYSTEMS, Units
 from fembearing.report.contact import ContactRecord, contact_record
 from fembearing.report.findings import Finding, findings_of
 from fembearing.report.scene_view import SceneView
 from fembearing.report.torque import CageMotionPoint, TorqueRecord, cage_motion, torque_record
-from fembearing.verify.contact.bearings import OfPair
-from fembearing.verify.contact.comparison_error import WHY, Comparison
-from fembearing.verify.contact.discrepancy import ContactSolution
-from fembearing.verify.contact.scene_contact import Shape
-from fembearing.verify.contact.verdict import Verdict, worst
-from fembearing.verify.cost.ladder import Ladder
-from fembearing.verify.creep.scene_creep import CreepNumbers
-from fembearing.verify.film.scene_film import FilmNumbers
-from fembearing.verify.hard_record import HardRecord
-from fembearing.verify.measured.comparison import MeasuredComparison
-from fembearing.verify.torque.cage_record import DrawnMotion
-from fembearing.verify.torque.change import OF_RACES, TorqueChange
-from fembearing.verify.torque.sensitivity import Sensitivity
-from fembearing.verify.torque.verdicts import Summary
-from fembearing.verify.validation import Validation
 
 if TYPE_CHECKING:
     from pydantic import TypeAdapter

@@ -9,16 +9,16 @@ from annotated_types import MinLen
 from analytic.cage.statistics import OtherStart
 from analytic.cage.torque import CagePoint
 from analytic.effects import Effect
+from analytic.left_out import LeftOut, Places
 from analytic.prediction.rows import PredictionRows
 from analytic.result import PairRows, TorquePoint
 from analytic.rows import NotNegative, Positive, Two
 from analytic.scene import CageStart, Clearances
+from analytic.scene_torque import SceneTorque
 from analytic.scenefile.inputs import StatedInput
+from analytic.standing import Standing
+from analytic.verdicts import Verdicts
 from fembearing.plain_types import plain
-from fembearing.verify.torque.left_out import LeftOut, Places
-from fembearing.verify.torque.scene_torque import SceneTorque
-from fembearing.verify.torque.standing import Standing
-from fembearing.verify.torque.verdicts import Verdicts
 
 KIND, FORMAT = "fembearing torque", 6  # what the JSON is; the number rises when a key changes its name or meaning
 

@@ -6,11 +6,11 @@ from pathlib import Path
 from typing import Any
 
 from analytic.errors import InputError
+from analytic.scene_torque import SceneTorque
 from fembearing.plain_types import plain
 from fembearing.provenance import provenance_of
 from fembearing.report.torque import torque_file
 from fembearing.report.torque_table import csv_of
-from fembearing.verify.torque.scene_torque import SceneTorque
 
 Content = Callable[[SceneTorque], bytes]
 

@@ -12,16 +12,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from analytic.errors import MissingPackageError, require_packages
+from analytic.progress import Progress, part_of, silent
 from analytic.scene import Scene
+from analytic.scene_torque import Samples, SceneTorque, torque_of_scene
 from analytic.writing import being_written, new_file, new_folder, require_utf8, write
-from fembearing.progress import Progress, part_of, silent
 from fembearing.quantities import METRIC
 from fembearing.report.torque_file import content_of, figure_file, numbers_file, table_file, vector_file
-from fembearing.verify.torque.scene_torque import Samples, SceneTorque, torque_of_scene
 
 if TYPE_CHECKING:
     from analytic.prediction.prediction import Prediction
-    from fembearing.verify.torque.cage_record import CageRecord
+    from fembearing.check.cage_record import CageRecord
 
 COMPUTED, RECORDED = 0.4, 0.8  # of the whole job, when the torque is there, and when the series are
 WITHOUT_FIGURE = (".csv", ".json")  # endings of files
@@ -79,7 +79,7 @@ def write_torque(
     renderer : the command that draws; VTK's without it
     Gives what the folder lacks, as `torque_with_files`.
     """
-    from fembearing.verify.torque.cage_record import record_cage
+    from fembearing.check.cage_record import record_cage
 
     records, numbers = [], result.places.computed
     points = result.friction.inner_speed.size

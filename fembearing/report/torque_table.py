@@ -8,9 +8,9 @@ import numpy as np
 
 from analytic.labelled import Column
 from analytic.scene import Array
+from analytic.scene_torque import SceneTorque
 from analytic.words import Unit
 from fembearing.quantities import shown_unit
-from fembearing.verify.torque.scene_torque import SceneTorque
 
 BEARING = "bearing"  # the last column: its name
 POINT = "point"  # the first column: the number of the operating point, from 1

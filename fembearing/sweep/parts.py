@@ -23,8 +23,8 @@ from analytic.prediction.formulas import with_model_uncertainty
 from analytic.result import COLUMNS
 from analytic.scene import Scene
 from analytic.torque import friction_torque
+from fembearing.check.contact import columns as of_contact
 from fembearing.sweep.grid import Grid
-from fembearing.verify.contact import columns as of_contact
 
 MOST_THRUST = 1000  # points in one piece under thrust: about 3 s with free balls
 MOST_SCENES = 50  # in one piece: about 3 s
@@ -158,7 +158,7 @@ def _is_radial(grid: Grid) -> bool:
 
 def _contact(grid: Grid, scene: Scene, variant: int, _places: NDArray[np.intp]) -> dict[str, Any]:
     """The columns of a contact, and its warnings."""
-    from fembearing.verify.contact.discrepancy import solve_contact
+    from fembearing.check.contact.discrepancy import solve_contact
 
     settings: dict[str, Any] = grid.settings(variant)
     solution = solve_contact(

@@ -14,14 +14,14 @@ from numpy.typing import NDArray
 
 from analytic.brief import Brief
 from analytic.errors import InputError, require_packages
+from analytic.progress import Progress, silent
 from analytic.scene import Scene
-from fembearing.progress import Progress, silent
+from fembearing.check.contact.mesh_seconds import about
 from fembearing.sweep.cluster import LostWorkerError, each_done
 from fembearing.sweep.dataset import is_readable, write_dataset
 from fembearing.sweep.grid import Grid, load_grid
 from fembearing.sweep.parts import REASON, Part, Piece, blank, compute_part, pieces
 from fembearing.sweep.store import Store, opened_store
-from fembearing.verify.contact.mesh_seconds import about
 
 SHOWN_REASONS = 5
 

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from analytic.left_out import LeftOut
 from analytic.scenefile.template import scene_text
 from fembearing.app import evaluation
 from fembearing.app.charts import curve_options, ellipse_options, part_legend, part_options, ring_options
@@ -18,7 +19,6 @@ from fembearing.app.evaluation import Evaluation, at_once, completed, curve_scen
 from fembearing.app.scene_edit import with_value
 from fembearing.quantities import METRIC, SYSTEMS
 from fembearing.report.torque import Band
-from fembearing.verify.torque.left_out import LeftOut
 from tests.analytic.specimens import present
 
 DRY = """

@@ -13,6 +13,7 @@ from nicegui import background_tasks
 from rich.console import Console
 
 from analytic.errors import InputError
+from analytic.scene_torque import torque_of_scene
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.scenefile.template import scene_text
 from fembearing.app import evaluation
@@ -23,7 +24,6 @@ from fembearing.app.page import Page
 from fembearing.app.scene_edit import CATALOG, with_value
 from fembearing.app.server import add_report
 from fembearing.report.terminal.torque import print_headline
-from fembearing.verify.torque.scene_torque import torque_of_scene
 
 LOAD, SPEED = "operation.radial_load", "operation.inner_speed"
 

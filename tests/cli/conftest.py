@@ -4,8 +4,8 @@ from collections.abc import Callable
 
 import pytest
 
+from fembearing.check.contact import scene_contact
 from fembearing.mesh.recipe import Recipe
-from fembearing.verify.contact import scene_contact
 from tests.sweep.conftest import grid_file, in_process
 
 __all__ = ["coarse", "grid_file", "in_process"]

@@ -12,15 +12,15 @@ import pytest
 
 from analytic.scenefile.read import load_scene
 from analytic.writing import LISTING
+from fembearing.check import validation
+from fembearing.check.contact import scene_contact
+from fembearing.check.cost import contact_ladder, ladder
+from fembearing.check.cost import scene_cost as cost
 from fembearing.cli.status import reached
 from fembearing.fem import solution
 from fembearing.mesh.recipe import Recipe
 from fembearing.provenance import provenance_of
 from fembearing.sweep import run as sweep_run
-from fembearing.verify import validation
-from fembearing.verify.contact import scene_contact
-from fembearing.verify.cost import contact_ladder, ladder
-from fembearing.verify.cost import scene_cost as cost
 from tests.analytic.scenefile.scene_texts import MINE
 
 COMPARED = {"semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach"}  # held to the asked accuracy
@@ -231,7 +231,7 @@ def test_cost_shows_error_and_time_of_each_method(
     monkeypatch.setattr(contact_ladder, "MESH_REPEATS", 1)
     monkeypatch.setattr(ladder, "FORMULA_REPEATS", 1)
     monkeypatch.setattr(ladder, "SAMPLE", 0.0)
-    # Those of rotation, creep and cage take four seconds; tests/verify/cost runs them.
+    # Those of rotation, creep and cage take four seconds; tests/check/cost runs them.
     formulas = [each for each in cost.FORMULA_LADDERS if each[0] in SHOWN]
     monkeypatch.setattr(cost, "FORMULA_LADDERS", formulas)
     kept: list[cost.Cost] = []

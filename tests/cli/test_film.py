@@ -8,7 +8,7 @@ import pytest
 
 from analytic.scenefile.read import load_scene
 from fembearing import cli
-from fembearing.verify.contact.scene_contact import contact_of
+from fembearing.check.contact.scene_contact import contact_of
 
 LOAD, SPEED = 83.0, 740.0  # N, rpm: a small contact, quick to solve
 

@@ -6,11 +6,11 @@ import pytest
 from rich.console import Console
 
 from analytic.errors import InputError
+from analytic.scene_torque import SceneTorque, torque_of_scene
 from analytic.scenefile.read import parse_scene
+from fembearing.check.contact.discrepancy import solve_contact
 from fembearing.report.terminal.torque import print_details
 from fembearing.report.torque import torque_record
-from fembearing.verify.contact.discrepancy import solve_contact
-from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene
 
 SCENE = """\
 name = "installed"

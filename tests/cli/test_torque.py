@@ -10,14 +10,14 @@ import pytest
 from pydantic import TypeAdapter
 from rich.console import Console
 
+from analytic.scene_torque import SceneTorque, torque_of_scene
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.scenefile.template import scene_text
+from analytic.verdicts import Verdicts
 from fembearing.cli.status import CHECK_FAILED, DONE, INPUT_AT_FAULT, NOT_SOLVED
 from fembearing.plain_types import plain
 from fembearing.report import torque_folder
 from fembearing.report.terminal.torque import print_details
-from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene
-from fembearing.verify.torque.verdicts import Verdicts
 from tests.analytic.scenefile.scene_texts import MINE, OILED, SPEEDS, changed
 
 SCENES = Path(__file__).parents[2] / "validation" / "scenes"

@@ -51,8 +51,8 @@ def test_a_check_has_what_its_options_say(asked, options: tuple[str, ...], expec
 @pytest.mark.parametrize(
     ("command_", "target"),
     [
-        ("film", "fembearing.verify.film.scene_film.film_of"),
-        ("creep", "fembearing.verify.creep.scene_creep.creep_of"),
+        ("film", "fembearing.check.film.scene_film.film_of"),
+        ("creep", "fembearing.check.creep.scene_creep.creep_of"),
     ],
 )
 def test_load_and_tolerance_are_the_scenes_unless_they_are_given(asked, command_: str, target: str) -> None:
@@ -67,7 +67,7 @@ def test_load_and_tolerance_are_the_scenes_unless_they_are_given(asked, command_
 
 def test_one_load_is_a_contact_and_several_are_a_series(asked) -> None:
     single, series = "discrepancy.solve_contact", "load_series.solve_load_series"
-    place = "fembearing.verify.contact"
+    place = "fembearing.check.contact"
     assert asked(f"{place}.{single}", "contact", "6205-dry")["load"] is None
     assert asked(f"{place}.{single}", "contact", "6205-dry", "--load", "70 N")["load"] == 70.0
     found = asked(f"{place}.{series}", "contact", "6205-dry", "--load", "70 N", "--load", "90 N", "--pair", "outer")

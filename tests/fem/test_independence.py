@@ -29,7 +29,7 @@ for package in ("fembearing.mesh", "fembearing.fem"):
     for part in pkgutil.iter_modules(importlib.import_module(package).__path__, package + "."):
         importlib.import_module(part.name)
         print(part.name)
-print(*sorted(name for name in sys.modules if name.startswith(("analytic.", "fembearing.verify"))))
+print(*sorted(name for name in sys.modules if name.startswith(("analytic.", "fembearing.check"))))
 """
 
 
@@ -48,7 +48,7 @@ from dataclasses import astuple
 import analytic, fembearing.fem.solution as solver
 import fembearing.fem.compliance as compliances, fembearing.fem.pixel_contact as pixels, fembearing.fem.twin as twins
 from analytic.scene import Contact, Material
-from fembearing.verify.contact.hertz import hertz_quantities
+from fembearing.check.contact.hertz import hertz_quantities
 from fembearing.mesh.recipe import load_recipe
 
 NOUNS = tuple(f"analytic.{name}" for name in ("scene", "errors", "declared", "given"))  # none of them has a formula

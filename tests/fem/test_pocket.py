@@ -9,11 +9,11 @@ from analytic.contact.geometry import pocket_contact
 from analytic.contact.hertz import contact_modulus
 from analytic.errors import InputError
 from analytic.scene import Contact
+from fembearing.check.contact.hertz import hertz_quantities
 from fembearing.fem.condensation import held_stiffness
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
 from fembearing.mesh.pair import pair_mesh
 from fembearing.mesh.recipe import load_recipe
-from fembearing.verify.contact.hertz import hertz_quantities
 from tests.analytic.specimens import BEARING_6205, STAMPED_CAGE
 from tests.contacts import STEEL
 

@@ -9,13 +9,13 @@ from numpy.typing import NDArray
 from scipy.integrate import quad
 
 from analytic.scene import Contact, Material, Ring
+from fembearing.check.contact.meshed_region import boundary_effect
+from fembearing.check.contact.ring import structure_of_ring
 from fembearing.fem.ring_structure import _on_both_sides, block_compression, ring_compression
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
 from fembearing.grid_convergence import Estimate
 from fembearing.mesh.recipe import load_recipe
 from fembearing.mesh.ring import ring_piece
-from fembearing.verify.contact.meshed_region import boundary_effect
-from fembearing.verify.contact.ring import structure_of_ring
 from tests import contacts
 from tests.contacts import INNER_RING, OUTER_RING, STEEL
 

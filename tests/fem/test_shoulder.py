@@ -11,6 +11,7 @@ from skfem import MeshHex2
 from analytic.contact.geometry import cut_off_share
 from analytic.errors import InputError
 from analytic.scene import Contact
+from fembearing.check.contact.discrepancy import ContactSolution
 from fembearing.fem.condensation import held_stiffness, middle_plane
 from fembearing.fem.farfield import point_load, pressed_ellipse
 from fembearing.fem.measure import STRIP
@@ -21,7 +22,6 @@ from fembearing.mesh import pair as pair_module
 from fembearing.mesh.bodies import BodyMesh
 from fembearing.mesh.footprint import Footprint, Sides
 from fembearing.mesh.recipe import load_recipe
-from fembearing.verify.contact.discrepancy import ContactSolution
 from tests.fem.assembly import stiffness
 
 NAMES = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")

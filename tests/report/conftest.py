@@ -13,18 +13,18 @@ from analytic.result import FrictionTorque, TorqueParts
 from analytic.scene import Operation
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
+from fembearing.check.cage_record import CageRecord, record_cage
+from fembearing.check.contact.discrepancy import ContactSolution
+from fembearing.check.contact.hertz import CorrectedHertz
+from fembearing.check.cost.contact_ladder import contact_ladder_of
+from fembearing.check.torque_change import FittedChange, TorqueChange
+from fembearing.check.validation import Validation
 from fembearing.fem.measure import Quantities
 from fembearing.grid_convergence import Estimate
 from fembearing.provenance import provenance_of
 from fembearing.report.pictures.creep import CreepPicture, creep_pictures
 from fembearing.report.pictures.draw import Picture, draw_pictures
 from fembearing.report.report import Report, report_of
-from fembearing.verify.contact.discrepancy import ContactSolution
-from fembearing.verify.contact.hertz import CorrectedHertz
-from fembearing.verify.cost.contact_ladder import contact_ladder_of
-from fembearing.verify.torque.cage_record import CageRecord, record_cage
-from fembearing.verify.torque.change import FittedChange, TorqueChange
-from fembearing.verify.validation import Validation
 from tests.analytic.scenefile.scene_texts import MOVING
 from tests.analytic.specimens import present
 from tests.report.pictures.odd_contacts import OddPicture, odd_pictures

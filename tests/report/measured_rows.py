@@ -4,8 +4,8 @@ from typing import Any
 
 import numpy as np
 
-from fembearing.verify.measured.comparison import MeasuredComparison
-from fembearing.verify.measured.rows import MeasuredRow
+from fembearing.check.measured.comparison import MeasuredComparison
+from fembearing.check.measured.rows import MeasuredRow
 
 
 def row(**changed: Any) -> MeasuredRow:

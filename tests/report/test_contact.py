@@ -6,9 +6,9 @@ from typing import Any
 
 import pytest
 
+from fembearing.check.contact import discrepancy
+from fembearing.check.contact.discrepancy import ContactSolution
 from fembearing.report.contact import sheet_in_series
-from fembearing.verify.contact import discrepancy
-from fembearing.verify.contact.discrepancy import ContactSolution
 from tests.analytic.specimens import present
 
 

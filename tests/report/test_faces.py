@@ -13,15 +13,15 @@ from rich.console import Console
 from analytic.errors import InputError
 from analytic.result import COORDINATES, FrictionTorque
 from analytic.scene import Array
+from analytic.scene_torque import SceneTorque, torque_of_scene
+from fembearing.check.torque_change import TorqueChange
+from fembearing.check.validation import Validation
 from fembearing.plain_types import plain
 from fembearing.provenance import provenance_of
 from fembearing.report.tables.torque import RESIDUE
 from fembearing.report.terminal.torque import print_details
 from fembearing.report.torque import torque_file
 from fembearing.report.torque_table import csv_of
-from fembearing.verify.torque.change import TorqueChange
-from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene
-from fembearing.verify.validation import Validation
 from tests.analytic.specimens import present
 from tests.drawn_scenes import drawn_scene
 from tests.report.page.page_writer import document_of, written_page

@@ -7,12 +7,12 @@ from io import StringIO
 import pytest
 from rich.console import Console
 
+from fembearing.check.validation import Validation
 from fembearing.cli.status import STATUS
 from fembearing.plain_types import plain
 from fembearing.report.findings import Finding
 from fembearing.report.report import Report, report_in
 from fembearing.report.terminal.validation import print_headline
-from fembearing.verify.validation import Validation
 from tests.analytic.specimens import present
 from tests.report.test_measured import TWO
 

@@ -16,6 +16,7 @@ import pytest
 from analytic.errors import InputError
 from analytic.scenefile.read import load_scene
 from analytic.writing import LISTING, new_folder
+from fembearing.check.validation import Validation
 from fembearing.cli.boundary import end
 from fembearing.plain_types import plain
 from fembearing.report import folder as module
@@ -24,7 +25,6 @@ from fembearing.report.folder import validate
 from fembearing.report.page import write as page
 from fembearing.report.pictures import draw as pictures
 from fembearing.report.report import report_of
-from fembearing.verify.validation import Validation
 
 BROKEN = ("/nowhere/python",)  # a renderer that draws nothing; maps take the place of its pictures
 

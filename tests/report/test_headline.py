@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from rich.console import Console
 
+from analytic.scene_torque import SceneTorque, torque_of_scene, with_interval
 from analytic.scenefile.read import load_scene
 from fembearing.report.headline import (
     declared_by,
@@ -25,7 +26,6 @@ from fembearing.report.tables.table import Table
 from fembearing.report.terminal.table import show
 from fembearing.report.terminal.torque import print_headline
 from fembearing.report.torque import Band, TorqueRecord, torque_record
-from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene, with_interval
 from tests.analytic.specimens import present
 
 

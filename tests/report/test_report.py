@@ -13,6 +13,8 @@ import pytest
 from analytic.prediction.prediction import predict
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
+from fembearing.check.cage_record import record_cage
+from fembearing.check.validation import Validation
 from fembearing.plain_types import plain
 from fembearing.report.figures.approach import approach_plot
 from fembearing.report.figures.cage import cage_plot
@@ -25,8 +27,6 @@ from fembearing.report.figures.sensitivity import sensitivity_plot
 from fembearing.report.figures.torque import torque_plot
 from fembearing.report.page.write import page_of
 from fembearing.report.report import report_in, report_of
-from fembearing.verify.torque.cage_record import record_cage
-from fembearing.verify.validation import Validation
 from tests.analytic.scenefile.scene_texts import MOVING
 from tests.report.test_measured import TWO
 
@@ -92,8 +92,8 @@ def test_writing_computes_nothing(checked: Validation, monkeypatch: pytest.Monke
         "torque.catalogue.scene_band",
         "contact.hertz.corrected_hertz",
     ):
-        monkeypatch.setattr(f"fembearing.verify.{name}", None)
-    monkeypatch.setattr("fembearing.verify.memory.peak_memory", None)
+        monkeypatch.setattr(f"fembearing.check.{name}", None)
+    monkeypatch.setattr("fembearing.check.memory.peak_memory", None)
     assert plain(built) == before == plain(report_of(checked))
 
 

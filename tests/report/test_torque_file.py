@@ -13,6 +13,7 @@ import pytest
 from matplotlib.image import imread
 
 from analytic.errors import InputError
+from analytic.scene_torque import SceneTorque, torque_of_scene
 from analytic.scenefile.read import load_scene, parse_scene
 from fembearing import cli
 from fembearing.plain_types import plain
@@ -22,7 +23,6 @@ from fembearing.report.torque import torque_file, torque_record
 from fembearing.report.torque_file import CONTENTS, torque_content
 from fembearing.report.torque_folder import torque_with_files
 from fembearing.report.torque_table import csv_of, shown_columns
-from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene
 from tests.analytic.scenefile.scene_texts import OILED, SPEEDS, changed
 from tests.analytic.specimens import present
 

@@ -13,6 +13,7 @@ import xarray
 
 from analytic.errors import InputError
 from analytic.scene import Scene
+from analytic.scene_torque import SceneTorque, torque_of_scene
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.writing import LISTING
 from fembearing import cli
@@ -20,7 +21,6 @@ from fembearing.plain_types import plain
 from fembearing.provenance import provenance_of
 from fembearing.report import torque_folder as module
 from fembearing.report.torque_folder import torque_with_files, write_torque
-from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene
 from tests.analytic.scenefile.scene_texts import MOVING
 from tests.analytic.specimens import present
 

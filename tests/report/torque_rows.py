@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 
 from analytic.cage.torque import CagePoint
+from analytic.left_out import LeftOut
 from analytic.result import FrictionCoefficients, LoadedContact, OnRaces, TorqueParts, TorquePoint, TorqueUncertainty
+from analytic.standing import Standing
+from analytic.verdicts import Verdicts
 from fembearing.report.torque import Band, TorqueRecord
-from fembearing.verify.torque.left_out import LeftOut
-from fembearing.verify.torque.standing import Standing
-from fembearing.verify.torque.verdicts import Verdicts
 
 RPM = np.pi / 30  # rad/s
 

@@ -9,10 +9,10 @@ import pytest
 
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
+from fembearing.check.contact import discrepancy, scene_contact
+from fembearing.check.contact.discrepancy import ContactSolution
 from fembearing.mesh.recipe import Recipe
 from fembearing.sweep.run import run_sweep
-from fembearing.verify.contact import discrepancy, scene_contact
-from fembearing.verify.contact.discrepancy import ContactSolution
 
 QUANTITIES = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")
 

@@ -5,8 +5,8 @@ import pytest
 
 from analytic.catalog.bearing_rows import find_bearing
 from analytic.errors import InputError
+from analytic.makers import CatalogueCase
 from analytic.torque import friction_torque
-from fembearing.verify.torque.catalogue_models import CatalogueCase
 from validation.catalogue.torque import scene_at
 from validation.intervals.makers import MAKERS, makers_torques
 from validation.measured.anchor import Anchor, first_what_is_missed, published_columns, published_rows

@@ -2,7 +2,7 @@
 
 Each line names a constant, its value and the new measurement, on random contacts of `intervals.py` as half spaces,
 where Hertz is exact, or against boundary elements. Not repeated here: `HALF`, `FINEST`, `UNSTEADY` and `LEAST`, which
-`intervals.py` tests, and `FADING`, which tests/verify/contact/test_discrepancy.py tests.
+`intervals.py` tests, and `FADING`, which tests/check/contact/test_discrepancy.py tests.
 """
 
 from dataclasses import replace
@@ -17,15 +17,15 @@ from analytic.contact.geometry import race_contact
 from analytic.contact.hertz import contact_modulus, relative_curvatures
 from analytic.scene import Contact
 from analytic.scenefile.read import load_scene
+from fembearing.check.contact.hertz import hertz_quantities
+from fembearing.check.contact.mesh_refinement import COMPARED, FORMAL_ORDERS, STRIP_LEAST
+from fembearing.check.contact.uncertainty import OFF_MESH
 from fembearing.fem.guess import MAJOR_SHRINKS, MINOR_GROWS, expected_semi_axes
 from fembearing.fem.measure import STRIP
 from fembearing.fem.series import NARROWEST, WIDEST
 from fembearing.fem.solution import GOOD_GUESS, condensed_pair, fitted_solution, pressed, solve_on_mesh
 from fembearing.grid_convergence import FINEST, HALF
 from fembearing.mesh.recipe import load_recipe
-from fembearing.verify.contact.hertz import hertz_quantities
-from fembearing.verify.contact.mesh_refinement import COMPARED, FORMAL_ORDERS, STRIP_LEAST
-from fembearing.verify.contact.uncertainty import OFF_MESH
 from validation.benchmarks.intervals import random_contact
 
 SIZES = np.linspace(0.65, 1.35, 33)  # size of an ellipse over the size for which its mesh is made

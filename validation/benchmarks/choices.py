@@ -27,11 +27,11 @@ from rich.table import Table
 
 from analytic.errors import FembearingError, InputError
 from analytic.scene import Scene
+from fembearing.check.contact.scene_contact import RECIPES, contact_of
+from fembearing.check.cost import contact_ladder, formula_ladders, ladder
+from fembearing.check.cost.ladder import Ladder
+from fembearing.check.cost.scene_cost import FORMULA_LADDERS
 from fembearing.mesh.recipe import load_recipe
-from fembearing.verify.contact.scene_contact import RECIPES, contact_of
-from fembearing.verify.cost import contact_ladder, formula_ladders, ladder
-from fembearing.verify.cost.ladder import Ladder
-from fembearing.verify.cost.scene_cost import FORMULA_LADDERS
 from validation.benchmarks.machine import machine, versions
 from validation.benchmarks.random_scenes import random_scene, with_cage
 

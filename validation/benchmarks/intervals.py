@@ -21,13 +21,13 @@ from rich.progress import track
 from rich.table import Table
 
 from analytic.errors import FembearingError
+from analytic.progress import silent
 from analytic.scene import Contact
+from fembearing.check.contact.hertz import hertz_quantities
+from fembearing.check.contact.mesh_refinement import COMPARED
+from fembearing.check.contact.reference import solve_reference
 from fembearing.fem.solution import fitted_solution, solve_on_mesh
 from fembearing.mesh.recipe import Cells, Depth, Domain, Patch, Recipe, load_recipe
-from fembearing.progress import silent
-from fembearing.verify.contact.hertz import hertz_quantities
-from fembearing.verify.contact.mesh_refinement import COMPARED
-from fembearing.verify.contact.reference import solve_reference
 from validation.intervals.twin import MATERIALS
 
 ACCURACIES = (2e-3, 1e-3)

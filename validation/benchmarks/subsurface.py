@@ -16,11 +16,11 @@ from rich.table import Table
 
 from analytic.scene import Contact
 from analytic.scenefile.read import load_scene
+from fembearing.check.contact.discrepancy import ContactSolution, compare_contact
+from fembearing.check.contact.scene_contact import contact_of
+from fembearing.check.contact.subsurface import NAMES, compare_subsurface
 from fembearing.fem.solution import solve_on_mesh
 from fembearing.mesh.recipe import load_recipe
-from fembearing.verify.contact.discrepancy import ContactSolution, compare_contact
-from fembearing.verify.contact.scene_contact import contact_of
-from fembearing.verify.contact.subsurface import NAMES, compare_subsurface
 
 LEVELS = (2, 3, 4)
 TOLERANCE = 0.05

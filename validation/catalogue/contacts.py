@@ -23,14 +23,14 @@ from rich.table import Table
 from analytic.contact.finite_geometry import ContactShape, contact_shape, finite_geometry_factors
 from analytic.contact.geometry import RACES, Race, with_shoulders
 from analytic.errors import FembearingError
+from analytic.progress import silent
 from analytic.scene import Scene
 from analytic.scenefile.read import parse_scene
+from fembearing.check.contact.hertz import hertz_quantities
+from fembearing.check.contact.mesh_refinement import COMPARED
+from fembearing.check.contact.reference import solve_reference
+from fembearing.check.contact.scene_contact import heaviest_contact
 from fembearing.mesh.recipe import load_recipe
-from fembearing.progress import silent
-from fembearing.verify.contact.hertz import hertz_quantities
-from fembearing.verify.contact.mesh_refinement import COMPARED
-from fembearing.verify.contact.reference import solve_reference
-from fembearing.verify.contact.scene_contact import heaviest_contact
 from validation.rows import Row, read, write
 
 mpl.use("agg")

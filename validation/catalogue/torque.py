@@ -31,10 +31,10 @@ from rich.table import Table
 
 from analytic.catalog.bearing_rows import CatalogBearing, bearing_names, find_bearing
 from analytic.errors import FembearingError, InputError
+from analytic.makers import scene_band
 from analytic.scene import Scene
 from analytic.scenefile.read import scene_of
 from analytic.torque import friction_torque
-from fembearing.verify.torque.catalogue_models import scene_band
 
 mpl.use("agg")
 

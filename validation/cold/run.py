@@ -14,11 +14,11 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
+from analytic.makers import scene_band
 from analytic.oil.variation import Variation
 from analytic.prediction.first_order import first_order_ends
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
-from fembearing.verify.torque.catalogue_models import scene_band
 
 mpl.use("agg")
 

@@ -4,7 +4,7 @@ Random contacts of true shape are solved on the second level, each with its twin
 blocks 2, 4 and 8 times as large, as far as the ring is large enough to be meshed. The table has the change of each
 quantity from the first block. Semi-axes and pressure approach a limit; the approach changes with the logarithm of the
 size until the block is as large as the ball, and is therefore defined as that of the block twice as large. The powers
-in `fembearing.verify.contact.meshed_region` were chosen on seeds 300 to 344. Takes four minutes.
+in `fembearing.check.contact.meshed_region` were chosen on seeds 300 to 344. Takes four minutes.
 """
 
 import argparse
@@ -15,12 +15,12 @@ from rich.table import Table
 
 from analytic.errors import FembearingError
 from analytic.scene import Contact
+from fembearing.check.contact.mesh_refinement import COMPARED
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.solution import solve_on_mesh
 from fembearing.fem.twin import TwinSolution, twin_factors, twin_on_level
 from fembearing.mesh import race
 from fembearing.mesh.recipe import load_recipe
-from fembearing.verify.contact.mesh_refinement import COMPARED
 from validation.intervals.twin import random_contact
 
 RECIPE, TIMES = load_recipe("race"), (2.0, 4.0, 8.0)

@@ -32,11 +32,11 @@ from scipy.stats import qmc
 from analytic.contact.finite_geometry_fit import OFF_SHOULDER
 from analytic.contact.hertz import contact_modulus
 from analytic.errors import FembearingError
+from analytic.progress import silent
 from analytic.scene import Contact, Material
+from fembearing.check.contact.hertz import hertz_quantities
+from fembearing.check.contact.reference import solve_reference
 from fembearing.mesh.recipe import load_recipe
-from fembearing.progress import silent
-from fembearing.verify.contact.hertz import hertz_quantities
-from fembearing.verify.contact.reference import solve_reference
 from validation.rows import Row, read, write
 
 HERE = Path(__file__).parent
@@ -73,7 +73,7 @@ CATALOGUE = (0.01, 0.0217)  # p0/E* on steel at 0.02 to 0.2 C0, where 4.2 GPa ar
 # Parts of fembearing on which a solve depends
 SOLVER = (
     *("fem", "mesh", "grid_convergence.py"),
-    *(f"verify/contact/{part}.py" for part in ("reference", "twin_refinement", "mesh_refinement", "meshed_region")),
+    *(f"check/contact/{part}.py" for part in ("reference", "twin_refinement", "mesh_refinement", "meshed_region")),
 )
 MATERIALS = {  # E, nu; typical values
     "steel": (206e9, 0.3),

@@ -18,10 +18,10 @@ from rich.console import Console
 
 from analytic.scene import Scene
 from analytic.scenefile.read import parse_scene
+from fembearing.check.creep.production import produced
+from fembearing.check.creep.scene_creep import reference_torque
 from fembearing.creep.ball import turn_ball
 from fembearing.creep.reference import GRIDS, estimate
-from fembearing.verify.creep.production import produced
-from fembearing.verify.creep.scene_creep import reference_torque
 from validation.creep.random_balls import random_ball
 
 HERE = Path(__file__).parent

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from analytic.scenefile.read import load_scene
 from analytic.words import RPM
-from fembearing.verify.film.scene_film import film_of
+from fembearing.check.film.scene_film import film_of
 
 TABLE = Path(__file__).parent / "bearings.csv"
 POINTS = ((30, 500, 0.0125), (372, 500, 0.0125), (372, 3000, 0.0125), (372, 500, 0.059), (1000, 500, 0.059))

@@ -16,12 +16,12 @@ from analytic.contact.geometry import RACES
 from analytic.scene import Scene
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.words import RPM
+from fembearing.check.contact.elastic_bodies import meshed_pair
+from fembearing.check.creep.scene_creep import creep_of
+from fembearing.check.film.scene_film import problem_of
 from fembearing.ehl.contact import LubricatedContact
 from fembearing.ehl.film import numerical_film
 from fembearing.grid_convergence import Estimate
-from fembearing.verify.contact.elastic_bodies import meshed_pair
-from fembearing.verify.creep.scene_creep import creep_of
-from fembearing.verify.film.scene_film import problem_of
 
 TABLE = Path(__file__).parent / "true_shapes.csv"
 LOAD, SPEED, REFINEMENT = 372.0, 500 / RPM.factor, 0.95  # N, rad/s, of the middle grid

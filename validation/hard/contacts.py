@@ -12,15 +12,15 @@ import numpy as np
 from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact, relative_curvatures
 from analytic.contact.subsurface import SubsurfaceMaximum, subsurface_maximum
 from analytic.loads.thrust import thrust_equilibrium, thrust_equilibrium_frozen
+from analytic.progress import silent
 from analytic.scene import Bearing, Contact, ContactAngle
+from fembearing.check.contact.hertz import hertz_quantities
+from fembearing.check.contact.reference import solve_reference
+from fembearing.check.contact.scene_contact import as_meshed
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.measure import Quantities
 from fembearing.fem.solution import fitted_on_level, fitted_solution
 from fembearing.mesh.recipe import load_recipe
-from fembearing.progress import silent
-from fembearing.verify.contact.hertz import hertz_quantities
-from fembearing.verify.contact.reference import solve_reference
-from fembearing.verify.contact.scene_contact import as_meshed
 from validation.hard.case import HardCase
 from validation.hard.specimens import (
     LARGE,

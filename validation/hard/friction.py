@@ -10,10 +10,10 @@ from analytic.contact.rolling_contact import RollingContact
 from analytic.loads.ring import ring_equilibrium
 from analytic.result import FrictionTorque
 from analytic.scene import Bearing, ContactAngle, Operation
+from analytic.scene_torque import torque_of_scene
 from analytic.scenefile.read import load_scene
 from analytic.sliding.long_ellipse import MicroslipTorque, microslip_moments, microslip_torque
 from analytic.torque import friction_torque
-from fembearing.verify.torque.scene_torque import torque_of_scene
 from validation.hard.case import HardCase
 from validation.hard.specimens import (
     AS_HERTZ,

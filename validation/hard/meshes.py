@@ -10,6 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from analytic.scene import Contact
+from fembearing.check.contact.hertz import hertz_quantities
 from fembearing.fem.condensation import condense
 from fembearing.fem.contact import press
 from fembearing.fem.guess import expected_semi_axes
@@ -18,7 +19,6 @@ from fembearing.fem.solution import condensed_pair, fitted_solution, pressed, so
 from fembearing.mesh.meshfile import SETS, read_body
 from fembearing.mesh.pair import pair_mesh
 from fembearing.mesh.recipe import load_recipe
-from fembearing.verify.contact.hertz import hertz_quantities
 from validation.hard.case import HardCase, temporary_file
 from validation.hard.contacts import AS_REQUIRED, LEVEL, SECOND_LEVEL, meshed, referenced
 from validation.hard.specimens import bronze, ceramic, incompressible, inner, peek

@@ -8,6 +8,7 @@ import numpy as np
 
 from analytic.scene import Material, Operation, Reach, Scene
 from analytic.scenefile.read import load_scene
+from fembearing.check.film.scene_film import film_of
 from fembearing.ehl.contact import LubricatedContact
 from fembearing.ehl.contact import Reach as OilReach
 from fembearing.ehl.film import numerical_film
@@ -15,7 +16,6 @@ from fembearing.ehl.oil import Oil
 from fembearing.ehl.shape import BallOnRace, Paraboloid
 from fembearing.ehl.solver import Solution, solve_on_grids
 from fembearing.fem.half_space import contact_modulus, hertz_ellipse
-from fembearing.verify.film.scene_film import film_of
 from validation.hard.case import HardCase
 from validation.hard.specimens import (
     bearing,

@@ -8,13 +8,13 @@ import numpy as np
 from analytic.oil.traction import PointLaw
 from analytic.scene import Lubricant, Operation, Reach, Scene
 from analytic.scenefile.read import load_scene
+from fembearing.check.creep.scene_creep import CreepNumbers, creep_of
 from fembearing.creep.ball import Grid, TurnedBall, TurningBall, turn_ball
 from fembearing.creep.friction import sliding_law
 from fembearing.creep.half_space import HalfSpaces
 from fembearing.creep.place import HeldBall
 from fembearing.creep.rolling import Creepages, RollingFriction, rolling_friction, rolling_surfaces
 from fembearing.creep.strips import ellipse_strips, hertz_pressure
-from fembearing.verify.creep.scene_creep import CreepNumbers, creep_of
 from validation.hard.case import HardCase
 from validation.hard.specimens import (
     bearing,

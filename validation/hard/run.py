@@ -1,6 +1,6 @@
 """Every hard case: right, refused or wrong. python -m validation.hard.run [--write]
 
---write stores the record that reports cite, fembearing/verify/hard_cases.json.
+--write stores the record that reports cite, fembearing/check/hard_cases.json.
 """
 
 import argparse
@@ -13,8 +13,8 @@ from rich.console import Console
 from rich.progress import track
 
 from analytic.torque import MODEL_VERSION
+from fembearing.check.hard_record import RECORD
 from fembearing.plain_types import plain
-from fembearing.verify.hard_record import RECORD
 from validation.hard.case import outcome_of
 from validation.hard.table import HARD_CASES
 

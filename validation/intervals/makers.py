@@ -23,10 +23,10 @@ from rich.table import Table
 
 from analytic.catalog.bearing_rows import CatalogBearing, bearing_names, find_bearing
 from analytic.errors import InputError
+from analytic.makers import case_of, scene_band
 from analytic.prediction.first_order import first_order_ends
 from analytic.scene import Array, Scene
 from analytic.torque import friction_torque
-from fembearing.verify.torque.catalogue_models import case_of, scene_band
 from validation.catalogue.torque import CASES, GRADES, scene_at
 from validation.measured import run as measured
 from validation.measured.fag import fag_torque

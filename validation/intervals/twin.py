@@ -9,7 +9,7 @@ whose approach has no limit and is left out; of the others, half have a shoulder
 angles up to 40 degrees. The effect of the far boundary is the same in both and is not tested here:
 validation/benchmarks/intervals.py does that. An interrupted run continues where it stopped.
 
-The constants of `fembearing.verify.contact.uncertainty` were chosen on seeds 100 to 118 and 50000 to 50037; all
+The constants of `fembearing.check.contact.uncertainty` were chosen on seeds 100 to 118 and 50000 to 50037; all
 others test them. Plain levels are themselves uncertain by some 0.02 %.
 """
 
@@ -27,14 +27,14 @@ from rich.table import Table
 
 from analytic.errors import FembearingError
 from analytic.scene import Contact, Material
+from fembearing.check.contact.hertz import hertz_quantities
+from fembearing.check.contact.mesh_refinement import COMPARED
+from fembearing.check.contact.twin_refinement import estimates_with_twin
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.solution import MeshSolution, solve_on_mesh
 from fembearing.fem.twin import TwinSolution, twin_on_level
 from fembearing.grid_convergence import UNSTEADY, observed_order
 from fembearing.mesh.recipe import load_recipe
-from fembearing.verify.contact.hertz import hertz_quantities
-from fembearing.verify.contact.mesh_refinement import COMPARED
-from fembearing.verify.contact.twin_refinement import estimates_with_twin
 from validation.rows import Row, read, write
 
 HERE = Path(__file__).parent

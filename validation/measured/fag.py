@@ -3,9 +3,9 @@
 import numpy as np
 
 from analytic.errors import InputError
+from analytic.makers import ANGULAR_SERIES, CatalogueCase
 from analytic.oil.rolling import per_minute, ring_diameters, square_millimetres
 from analytic.scene import Array
-from fembearing.verify.torque.catalogue_models import ANGULAR_SERIES, CatalogueCase
 from validation.measured.anchor import published_rows
 
 LEAST_STIRRED = 2000.0  # nu n, mm2/s 1/min: below, M_0 has another form

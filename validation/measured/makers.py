@@ -6,9 +6,9 @@ from dataclasses import replace
 import numpy as np
 
 from analytic.catalog.bearing_rows import find_bearing
+from analytic.makers import case_of, skf_parts
 from analytic.scene import Array, Scene
 from analytic.torque import friction_torque
-from fembearing.verify.torque.catalogue_models import case_of, skf_parts
 from validation.catalogue.torque import scene_at
 from validation.measured.anchor import Anchor
 from validation.measured.fag import fag_torque

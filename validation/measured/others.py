@@ -8,6 +8,7 @@ import numpy as np
 
 from analytic.contact.rolling_contact import RollingContact
 from analytic.loads.balls import LoadEffects, thrust_balls
+from analytic.makers import scene_band
 from analytic.oil.rolling import (
     OILED_FRICTION,
     hysteresis_moment,
@@ -20,7 +21,6 @@ from analytic.oil.viscosity import inlet_viscosity
 from analytic.scene import Array, Operation, Scene
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.torque import friction_torque
-from fembearing.verify.torque.catalogue_models import scene_band
 from validation.benchmarks.equilibrium import GROOVES, axial_rigidity_of_pair
 from validation.film import run as film
 from validation.measured.anchor import Anchor, published_columns, published_rows

@@ -9,9 +9,9 @@ from validation.peers.peer import Solve, serve
 
 
 def load() -> Solve:
+    from analytic.progress import silent
+    from fembearing.check.contact.reference import solve_reference
     from fembearing.mesh.recipe import load_recipe
-    from fembearing.progress import silent
-    from fembearing.verify.contact.reference import solve_reference
     from validation.peers.idealised import idealised_contact
 
     def solve(case: dict[str, Any], digits: int) -> dict[str, Any]:

@@ -25,7 +25,11 @@ from analytic import catalog, friction_torque, load_scene
 from analytic.prediction.duty import cycle_with_torques
 from analytic.scenefile.cycle import read_cycle
 from analytic.scenefile.read import load_by_temperature
+from analytic.standing import worst_standing
 from analytic.surface.heightmap import measure, read_height_map
+from fembearing.check.contact import scene_contact
+from fembearing.check.measured.comparison import compare_measured
+from fembearing.check.validation import Validation, check_scene
 from fembearing.mesh.meshfile import read_body
 from fembearing.mesh.recipe import Recipe, load_recipe
 from fembearing.plain_types import plain
@@ -34,10 +38,6 @@ from fembearing.report.page.pictures import shown_pictures
 from fembearing.report.page.write import page_of
 from fembearing.report.report import read_report
 from fembearing.sweep.grid import load_grid
-from fembearing.verify.contact import scene_contact
-from fembearing.verify.measured.comparison import compare_measured
-from fembearing.verify.torque.worst import worst_standing
-from fembearing.verify.validation import Validation, check_scene
 from validation.stress.extreme import require_finite_numbers
 from validation.stress.watched import Input
 

@@ -23,13 +23,13 @@ from analytic.scene import Scene
 from analytic.scenefile.cycle import read_cycle
 from analytic.scenefile.read import any_by_temperature
 from analytic.scenefile.template import scene_text as template
+from analytic.standing import worst_standing
+from fembearing.check.creep.scene_creep import creep_of
+from fembearing.check.film.scene_film import film_of
 from fembearing.report.creep_folder import write_creep
 from fembearing.report.duty_folder import write_duty
 from fembearing.report.film_folder import write_film
 from fembearing.report.measured_folder import write_comparison
-from fembearing.verify.creep.scene_creep import creep_of
-from fembearing.verify.film.scene_film import film_of
-from fembearing.verify.torque.worst import worst_standing
 from validation.stress.damage import CYCLE, MEASURED
 from validation.stress.tab import Tab
 

@@ -22,7 +22,7 @@ import numpy as np
 
 from analytic.errors import ConvergenceError, FembearingError
 from analytic.numerics import machine_code
-from fembearing.verify.memory import peak_memory, peak_while
+from fembearing.check.memory import peak_memory, peak_while
 
 ADDRESSES = 8_000_000_000  # bytes: a call that takes all memory becomes a fault and does not stop the machine
 SLOWEST = 10.0  # s of the processor

@@ -7,10 +7,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from fembearing.check.cage_record import DrawnMotion
 from fembearing.quantities import MILLISECOND, Units
 from fembearing.report.figures.style import BLACK, BLUE, LETTERS, ORANGE, RED, TITLE, WIDTH, lettered, plain_numbers
 from fembearing.report.report import Report
-from fembearing.verify.torque.cage_record import DrawnMotion
 
 STARTING, MEASURED, BLOCKS, LIMIT = "silver", BLUE, RED, BLACK
 HIGH, CAPTION_HIGH = 2.7, 1.0  # inches

@@ -11,9 +11,9 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import LogLocator, NullFormatter
 
+from fembearing.check.cost.ladder import Ladder, Method
 from fembearing.report.figures.style import BLUE, LETTERS, SIDE_BY_SIDE, WIDTH, lettered
 from fembearing.report.phrases import capital, short_name
-from fembearing.verify.cost.ladder import Ladder, Method
 
 LEAST, MOST = 1e-4, 500.0  # %: what is nearer to the reference, or farther off, is drawn here
 COLUMNS = (

@@ -7,9 +7,9 @@ from matplotlib.patches import Ellipse
 from matplotlib.ticker import MaxNLocator
 
 from analytic.scene import Array
+from fembearing.check.film.scene_film import RaceFilm
 from fembearing.quantities import METRIC, Units
 from fembearing.report.figures.style import BLACK, BLUE, GREY, LETTERS, RED, WIDTH, lettered
-from fembearing.verify.film.scene_film import RaceFilm
 
 SEEN = 1.45  # semi-axes that a map shows to each side
 HEIGHT = 5.6  # inches

@@ -10,6 +10,8 @@ from matplotlib.figure import Figure
 from analytic.scene import Array
 from analytic.scenefile.measured import OPERATING
 from analytic.words import Unit
+from fembearing.check.measured.comparison import MeasuredComparison
+from fembearing.check.measured.rows import COVERAGE, MeasuredRow
 from fembearing.quantities import METRIC, QUANTITIES, Units
 from fembearing.report.figures.style import (
     BLACK,
@@ -25,8 +27,6 @@ from fembearing.report.figures.style import (
     scaled,
 )
 from fembearing.report.report import Report
-from fembearing.verify.measured.comparison import MeasuredComparison
-from fembearing.verify.measured.rows import COVERAGE, MeasuredRow
 
 COLOURS = (BLUE, GREEN, ORANGE, PURPLE)  # of curves; more of them are drawn as points
 HEIGHT = 4.8  # inches

@@ -6,11 +6,11 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from fembearing.check.sensitivity import Input, Output, Sensitivity
 from fembearing.quantities import CONTACT, Units
 from fembearing.report.figures.style import BLACK, BLUE, LETTERS, ORANGE, WIDTH, lettered
 from fembearing.report.phrases import loads_of, present_loads
 from fembearing.report.report import Report
-from fembearing.verify.torque.sensitivity import Input, Output, Sensitivity
 
 NAMES = {"total_torque": "total torque", "peak_pressure": CONTACT["peak_pressure"].name}
 LEAST = 1e-6  # relative: inputs that move nothing by as much are named in the caption alone

@@ -9,6 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from analytic.result import TorquePoint
+from analytic.scene_torque import SceneTorque
 from fembearing.quantities import QUANTITIES, SYSTEMS, Units
 from fembearing.report.figures.series_axis import SeriesAxis, axis_of
 from fembearing.report.figures.style import BLACK
@@ -28,7 +29,6 @@ from fembearing.report.figures.torque import (
 from fembearing.report.phrases import LOADS, between, loads_of, rounded, speed_words
 from fembearing.report.tables.torque import RESIDUE
 from fembearing.report.torque import torque_record
-from fembearing.verify.torque.scene_torque import SceneTorque
 
 WIDTH = 4.6  # inches: letters of 10 points are 12 pixels high where the figure is 390 pixels wide
 BAR = 0.32  # inches of height for a bar with its name

@@ -1,6 +1,7 @@
 """Measured torques beside the computed ones as one small HTML page: conclusions, figure and table."""
 
 from analytic.scene import Scene
+from fembearing.check.measured.comparison import MeasuredComparison
 from fembearing.provenance import provenance_of
 from fembearing.quantities import SYSTEMS
 from fembearing.report.figures.measured import caption_of
@@ -8,7 +9,6 @@ from fembearing.report.figures.page_plots import PIXELS, ShownPlot, embedded
 from fembearing.report.figures.style import WIDTH
 from fembearing.report.page.template import filled
 from fembearing.report.tables.measured import COLUMNS, measured_table
-from fembearing.verify.measured.comparison import MeasuredComparison
 
 
 def comparison_page(comparison: MeasuredComparison, scene: Scene, figure: bytes) -> str:

@@ -1,5 +1,6 @@
 """A torque as one small HTML page: headline, figure, tables, verdicts and effects. It needs no other file."""
 
+from analytic.scene_torque import SceneTorque
 from fembearing.provenance import provenance_of
 from fembearing.quantities import SYSTEMS
 from fembearing.report.figures.page_plots import embedded
@@ -11,7 +12,6 @@ from fembearing.report.tables.prediction import prediction_tables
 from fembearing.report.tables.torque import pair_table, torque_table
 from fembearing.report.tables.verdicts import physical_table
 from fembearing.report.torque import torque_record
-from fembearing.verify.torque.scene_torque import SceneTorque
 
 
 def torque_page(result: SceneTorque, figure: bytes) -> str:

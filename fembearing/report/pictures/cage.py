@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from fembearing.check.cage_record import CageRecord
 from fembearing.quantities import MILLI, MILLISECOND, RPM
 from fembearing.report.pictures.framing import round_length
-from fembearing.verify.torque.cage_record import CageRecord
 
 SIDE, LINE, FOOT = 900, 28, 90  # pixels of the cage, of a line of the words above, and of those below
 TITLE_LONG, LONG = 66, 80  # letters of the first line and of the others that fit the width

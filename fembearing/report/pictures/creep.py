@@ -13,14 +13,14 @@ from matplotlib.ticker import MaxNLocator
 from analytic.contact.geometry import RACES, Race
 from analytic.errors import ConvergenceError
 from analytic.words import Unit
+from fembearing.check.contact.bearings import OfPair
+from fembearing.check.creep.scene_creep import SceneCreep
 from fembearing.creep.ball import Grid, RaceCreep, turn_ball
 from fembearing.creep.rolling import STICKS
 from fembearing.quantities import MILLI, unit_for
 from fembearing.report.phrases import title_of
 from fembearing.report.pictures.framing import round_length
 from fembearing.report.report import PictureFile
-from fembearing.verify.contact.bearings import OfPair
-from fembearing.verify.creep.scene_creep import SceneCreep
 
 SEEN = Grid(28, 14)  # in a picture
 WIDTH, HEIGHT = 1400, 900  # pixels

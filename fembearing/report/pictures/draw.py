@@ -19,6 +19,7 @@ from typing import Any, Literal
 from matplotlib.ticker import MaxNLocator
 
 from analytic.writing import being_written, write
+from fembearing.check.contact.discrepancy import ContactSolution
 from fembearing.quantities import MILLI, unit_for
 from fembearing.report.contact import contact_record
 from fembearing.report.page.view import read_view, view_page
@@ -26,7 +27,6 @@ from fembearing.report.phrases import AXES, place_of, shoulder_lines, title_of
 from fembearing.report.pictures.framing import Frame, PressureScale, frame_of
 from fembearing.report.pictures.plain_map import DOTS, pressure_map
 from fembearing.report.report import PictureFile
-from fembearing.verify.contact.discrepancy import ContactSolution
 
 RENDERER = (sys.executable, "-m", "fembearing.report.pictures.render")
 COLOURS = re.compile(r"\x1b\[[0-9;]*m")  # of a terminal, in what VTK says

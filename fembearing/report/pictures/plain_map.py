@@ -8,9 +8,9 @@ from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.tri import Triangulation
 
+from fembearing.check.contact.discrepancy import ContactSolution
 from fembearing.quantities import MILLI
 from fembearing.report.pictures.framing import Frame, PressureScale
-from fembearing.verify.contact.discrepancy import ContactSolution
 
 DOTS = 100  # per inch
 LEVELS = 60

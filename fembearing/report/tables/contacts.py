@@ -2,6 +2,9 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from fembearing.check.contact.load_series import LoadSeries
+from fembearing.check.contact.pocket_law import PocketLaw
+from fembearing.check.contact.subsurface import SubsurfaceComparison
 from fembearing.quantities import METRIC, MICRO, STIFFNESS, STRESSES, TANGENT, Units
 from fembearing.report.contact import ContactRecord, sheet_in_series
 from fembearing.report.phrases import (
@@ -18,9 +21,6 @@ from fembearing.report.phrases import (
 )
 from fembearing.report.report import Report
 from fembearing.report.tables.table import Group, Head, Row, Table, table_of
-from fembearing.verify.contact.load_series import LoadSeries
-from fembearing.verify.contact.pocket_law import PocketLaw
-from fembearing.verify.contact.subsurface import SubsurfaceComparison
 
 OFF = "Hertz/FE-1"  # Hertz's over finite elements, less one
 UNCERTAIN = "FE: finite elements; +-: their numerical uncertainty, 95 %; *: the difference exceeds it"

@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator, Sequence
 
+from fembearing.check.cost.ladder import Ladder
 from fembearing.report.phrases import capital, choices_line, short_name, shown
 from fembearing.report.tables.table import Group, Head, Row, Table
-from fembearing.verify.cost.ladder import Ladder
 
 HEADS = (
     Head("method", "name"),

@@ -3,11 +3,11 @@
 from collections.abc import Iterator
 
 from analytic.words import Unit, percent_of
+from fembearing.check.contact.bearings import which_bearing
+from fembearing.check.creep.scene_creep import CreepNumbers, CreepQuantity, RaceNumbers
 from fembearing.quantities import METRIC, Units
 from fembearing.report.phrases import speed_words
 from fembearing.report.tables.table import Group, Head, Table
-from fembearing.verify.contact.bearings import which_bearing
-from fembearing.verify.creep.scene_creep import CreepNumbers, CreepQuantity, RaceNumbers
 
 BODIES = {"half-space": "half spaces", "meshed": "ball and race of true shape by finite elements"}
 ONE, WATT = Unit("", 1.0), Unit("W", 1.0)

@@ -1,11 +1,11 @@
 """The film of a ball on a race, by formula and by numerical solution."""
 
 from analytic.words import MILLINEWTON
+from fembearing.check.contact.bearings import which_bearing
+from fembearing.check.film.scene_film import FilmNumbers
 from fembearing.quantities import METRIC, Units
 from fembearing.report.phrases import speed_words
 from fembearing.report.tables.table import Head, Table, table_of
-from fembearing.verify.contact.bearings import which_bearing
-from fembearing.verify.film.scene_film import FilmNumbers
 
 BODIES = {"half-space": "elastic half spaces", "meshed": "ball and race of true shape, by finite elements"}
 

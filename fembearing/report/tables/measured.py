@@ -1,12 +1,12 @@
 """Measured torques beside the computed ones."""
 
 from analytic.scenefile.measured import OPERATING
+from fembearing.check.measured.comparison import MeasuredComparison
+from fembearing.check.measured.rows import MeasuredRow
 from fembearing.quantities import METRIC, Units
 from fembearing.report.phrases import between, digits, speed_words
 from fembearing.report.tables.points import fixed_loads, point_cells, point_heads
 from fembearing.report.tables.table import Head, Row, Table, table_of
-from fembearing.verify.measured.comparison import MeasuredComparison
-from fembearing.verify.measured.rows import MeasuredRow
 
 MOST_VARYING = 2  # operating columns beside which a terminal has room for the uncertainty of the measured torque
 COLUMNS = (

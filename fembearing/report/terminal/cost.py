@@ -3,9 +3,9 @@
 from rich.console import Console
 
 from analytic.words import percent_of
+from fembearing.check.cost.scene_cost import Cost
 from fembearing.report.tables.cost import cost_table
 from fembearing.report.terminal.table import show
-from fembearing.verify.cost.scene_cost import Cost
 
 
 def print_cost(out: Console, cost: Cost) -> None:

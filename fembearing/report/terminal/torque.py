@@ -7,6 +7,7 @@ from rich.markup import escape
 from rich.padding import Padding
 
 from analytic.scene import OwnTraction
+from analytic.scene_torque import SceneTorque
 from analytic.verdicts import PhysicalCheck
 from fembearing.quantities import METRIC, SYSTEMS, Units
 from fembearing.report.headline import film_words, headline_table, makers_words
@@ -19,7 +20,6 @@ from fembearing.report.tables.torque import ball_table, pair_table, torque_table
 from fembearing.report.tables.verdicts import physical_table
 from fembearing.report.terminal.table import show
 from fembearing.report.torque import TorqueRecord, cage_motion, torque_record
-from fembearing.verify.torque.scene_torque import SceneTorque
 
 
 def print_headline(out: Console, result: SceneTorque) -> None:

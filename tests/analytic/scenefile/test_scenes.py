@@ -8,10 +8,10 @@ from scipy.optimize import brentq
 
 from analytic.contact.geometry import race_curvatures
 from analytic.contact.hertz import contact_modulus, hertz_contact
+from analytic.makers import scene_band
 from analytic.scene import ContactAngle
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
-from fembearing.verify.torque.catalogue_models import scene_band
 from tests.analytic.specimens import present
 
 SCENES = Path(__file__).parents[3] / "validation" / "scenes"

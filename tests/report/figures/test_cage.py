@@ -13,11 +13,11 @@ from matplotlib.patches import Rectangle
 from matplotlib.text import Annotation
 from matplotlib.transforms import BboxBase
 
+from fembearing.check.cage_record import CageRecord, DrawnMotion, exceedance
 from fembearing.plain_types import plain
 from fembearing.quantities import METRIC
 from fembearing.report.figures.cage import cage_plot, orbit_figure
 from fembearing.report.report import Report
-from fembearing.verify.torque.cage_record import CageRecord, DrawnMotion, exceedance
 from tests.analytic.specimens import present
 from tests.report.figures.figure_reader import as_document, line_of, points_of, require_legible
 

@@ -11,6 +11,8 @@ from matplotlib.collections import PolyCollection
 from matplotlib.container import ErrorbarContainer
 from matplotlib.lines import Line2D
 
+from fembearing.check.contact.discrepancy import ContactSolution
+from fembearing.check.validation import Validation
 from fembearing.quantities import METRIC
 from fembearing.report.contact import ContactRecord, contact_record
 from fembearing.report.figures.approach import approach_plot
@@ -18,8 +20,6 @@ from fembearing.report.figures.convergence import convergence_plot
 from fembearing.report.figures.pressure import pressure_plot
 from fembearing.report.figures.style import BLACK
 from fembearing.report.report import Report, report_of
-from fembearing.verify.contact.discrepancy import ContactSolution
-from fembearing.verify.validation import Validation
 from tests.analytic.specimens import present
 from tests.report.conftest import INNER
 from tests.report.figures.figure_reader import labels_of, line_of, points_of, require_legible

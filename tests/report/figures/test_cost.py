@@ -10,9 +10,9 @@ import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from fembearing.check.cost.ladder import Ladder, Method, with_choices
 from fembearing.report.figures.cost import LEAST, MOST, cost_figures, cost_table
 from fembearing.report.phrases import choices_line
-from fembearing.verify.cost.ladder import Ladder, Method, with_choices
 from tests.analytic.specimens import present
 from tests.report.figures.figure_reader import require_legible
 

@@ -12,10 +12,10 @@ from matplotlib.patches import Rectangle
 from matplotlib.text import Annotation
 from pydantic import TypeAdapter
 
+from fembearing.check.sensitivity import Sensitivity
 from fembearing.quantities import METRIC
 from fembearing.report.figures.sensitivity import sensitivity_plot
 from fembearing.report.report import Report
-from fembearing.verify.torque.sensitivity import Sensitivity
 from tests.analytic.specimens import present
 from tests.report.figures.figure_reader import require_legible
 

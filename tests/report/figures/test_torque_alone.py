@@ -8,6 +8,7 @@ import pytest
 from matplotlib.patches import Rectangle
 from matplotlib.text import Annotation
 
+from analytic.scene_torque import torque_of_scene
 from analytic.scenefile.read import parse_scene
 from fembearing.quantities import METRIC
 from fembearing.report.figures.series_axis import axis_of
@@ -15,7 +16,6 @@ from fembearing.report.figures.torque import PARTS, Beside, beside_of
 from fembearing.report.figures.torque_alone import BAR, MOST_NAMES, _bars, _one_point, figure_of_torque
 from fembearing.report.tables.torque import RESIDUE
 from fembearing.report.torque import torque_record
-from fembearing.verify.torque.scene_torque import torque_of_scene
 from tests.analytic.scenefile.scene_texts import OILED, SPEEDS, changed
 from tests.analytic.specimens import present
 from tests.report.figures.figure_reader import bars_of, require_legible

@@ -4,12 +4,12 @@ from collections.abc import Sequence
 from pathlib import Path
 from unittest.mock import patch
 
+from fembearing.check.validation import Validation
 from fembearing.plain_types import plain
 from fembearing.report.figures.page_plots import Plot
 from fembearing.report.page import write as page
 from fembearing.report.pictures.draw import Picture
 from fembearing.report.report import Report, report_in, report_of
-from fembearing.verify.validation import Validation
 
 
 def document_of(result: Validation, pictures: Sequence[Picture] = (), trouble: str | None = None) -> Report:

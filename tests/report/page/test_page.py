@@ -14,7 +14,12 @@ from rich.console import Console
 
 from analytic.oil.own_law import own_traction
 from analytic.scene import Scene
+from analytic.scene_torque import torque_of_scene
 from analytic.scenefile.read import load_scene, parse_scene
+from fembearing.check.contact.discrepancy import ContactSolution
+from fembearing.check.hard_record import HardRecord
+from fembearing.check.torque_change import change_of_torque
+from fembearing.check.validation import Validation
 from fembearing.grid_convergence import CAUTIOUS, FINEST, HALF, LEAST, UNSTEADY
 from fembearing.plain_types import plain
 from fembearing.provenance import provenance_of
@@ -23,11 +28,6 @@ from fembearing.report.figures.page_plots import PLOTS
 from fembearing.report.pictures.draw import Picture
 from fembearing.report.report import report_of
 from fembearing.report.terminal.validation import print_details
-from fembearing.verify.contact.discrepancy import ContactSolution
-from fembearing.verify.hard_record import HardRecord
-from fembearing.verify.torque.change import change_of_torque
-from fembearing.verify.torque.scene_torque import torque_of_scene
-from fembearing.verify.validation import Validation
 from tests.analytic.scenefile.scene_texts import MOVING
 from tests.analytic.specimens import present
 from tests.report.page.page_writer import document_of, written_page

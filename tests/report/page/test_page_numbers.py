@@ -5,7 +5,7 @@ from html.parser import HTMLParser
 
 import pytest
 
-from fembearing.verify.validation import Validation
+from fembearing.check.validation import Validation
 from tests.report.page.page_writer import written_page
 
 Row = tuple[str, ...]

@@ -7,13 +7,13 @@ from typing import Any
 
 import pytest
 
+from fembearing.check.contact import scene_contact
+from fembearing.check.validation import Validation
 from fembearing.mesh.recipe import Recipe
 from fembearing.plain_types import plain
 from fembearing.provenance import MEMORY, ORIGIN, TIMES, VARYING, repeatable
 from fembearing.report.folder import validate
 from fembearing.report.report import report_of
-from fembearing.verify.contact import scene_contact
-from fembearing.verify.validation import Validation
 from tests.analytic.scenefile.scene_texts import MINE, scene
 
 pytestmark = pytest.mark.slow  # two checks of a scene

@@ -9,13 +9,13 @@ from typing import Any
 
 import pytest
 
+from fembearing.check.validation import Validation
 from fembearing.plain_types import plain
 from fembearing.report.page import write as page
 from fembearing.report.page.running_header import css_string
 from fembearing.report.page.write import page_of
 from fembearing.report.report import report_in, report_of
 from fembearing.report.tables.points import shown_places
-from fembearing.verify.validation import Validation
 from tests.analytic.specimens import present
 from tests.report.page.test_page_numbers import Tables
 

@@ -4,10 +4,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from fembearing.check.contact.discrepancy import ContactSolution
+from fembearing.check.validation import Validation
 from fembearing.report.pictures import draw
 from fembearing.report.pictures.draw import Kind, Picture
-from fembearing.verify.contact.discrepancy import ContactSolution
-from fembearing.verify.validation import Validation
 
 
 @dataclass(frozen=True)

@@ -6,10 +6,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from fembearing.check.cage_record import CageRecord
 from fembearing.report.pictures.cage import cage_job, picture_caption, view_of
 from fembearing.report.pictures.draw import RENDERER, rendered
 from fembearing.report.pictures.render_cage import cage_parts
-from fembearing.verify.torque.cage_record import CageRecord
 from tests.report.pictures.picture_reader import Pixels, half_sizes, is_red, longest_run, pixels_of
 
 FORCES = {1: (0.0, 3.0, 0.0), 6: (-1.5, 0.0, 0.0)}  # N, of two balls at the instant that is drawn

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from matplotlib.image import imread
 
+from fembearing.check.validation import Validation
 from fembearing.creep.strips import Strips
 from fembearing.report.pictures import creep as module
 from fembearing.report.pictures.creep import WIDTH, CreepPicture, creep_pictures
 from fembearing.report.pictures.draw import Picture
-from fembearing.verify.validation import Validation
 
 BLUE, CLOSE = np.array([65, 105, 225]) / 255, 0.12  # royal blue, but for lines between rectangles and smoothed edges
 LEGEND = 60  # pixels from the left, with a blue square of its own

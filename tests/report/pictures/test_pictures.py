@@ -11,13 +11,13 @@ import pytest
 import pyvista as pv
 from scipy.spatial import cKDTree
 
+from fembearing.check.contact.discrepancy import ContactSolution
+from fembearing.check.validation import Validation
 from fembearing.report.pictures import draw as module
 from fembearing.report.pictures.draw import Picture, draw_pictures
 from fembearing.report.pictures.framing import BAR, PressureScale, frame_of
 from fembearing.report.pictures.plain_map import pressure_map
 from fembearing.report.pictures.render_mesh import ROUND, cell_edges, loaded_face, scaled
-from fembearing.verify.contact.discrepancy import ContactSolution
-from fembearing.verify.validation import Validation
 from tests.analytic.specimens import present
 from tests.report.figures.figure_reader import require_legible
 from tests.report.pictures.odd_contacts import with_ellipses

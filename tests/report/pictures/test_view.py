@@ -17,11 +17,11 @@ import pytest
 import pyvista as pv
 from numpy.typing import NDArray
 
+from fembearing.check.contact.discrepancy import ContactSolution
+from fembearing.check.validation import Validation
 from fembearing.report.page.view import script_hash
 from fembearing.report.pictures.draw import Picture, draw_pictures
 from fembearing.report.pictures.render_mesh import cell_edges, loaded_face, mirrored
-from fembearing.verify.contact.discrepancy import ContactSolution
-from fembearing.verify.validation import Validation
 from tests.report.page.page_writer import written_page
 from tests.report.pictures.picture_reader import Pixels, half_sizes, is_red, pixels_of
 

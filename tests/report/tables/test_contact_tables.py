@@ -9,16 +9,16 @@ import numpy as np
 import pytest
 from rich.console import Console
 
+from fembearing.check.contact.load_series import LoadPoint, LoadSeries
+from fembearing.check.contact.power_law import StiffnessLaw
+from fembearing.check.contact.subsurface import NAMES, comparison_below
+from fembearing.check.validation import Validation
 from fembearing.grid_convergence import Estimate
 from fembearing.plain_types import plain
 from fembearing.report.report import report_of
 from fembearing.report.tables.contacts import pocket_table, series_table, subsurface_table
 from fembearing.report.terminal.table import show
 from fembearing.report.terminal.validation import print_details
-from fembearing.verify.contact.load_series import LoadPoint, LoadSeries
-from fembearing.verify.contact.power_law import StiffnessLaw
-from fembearing.verify.contact.subsurface import NAMES, comparison_below
-from fembearing.verify.validation import Validation
 from tests.analytic.specimens import present
 from tests.report.figures.figure_reader import as_document
 

@@ -3,8 +3,8 @@
 from dataclasses import replace
 from typing import Any
 
+from fembearing.check.cost.ladder import Choice, Ladder, Method
 from fembearing.report.tables.cost import cost_table
-from fembearing.verify.cost.ladder import Choice, Ladder, Method
 
 
 def method(name: str, **changed: Any) -> Method:

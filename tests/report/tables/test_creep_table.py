@@ -6,8 +6,8 @@ from typing import Any
 import pytest
 
 from analytic.rows import OperatingPoint
+from fembearing.check.creep.scene_creep import CreepNumbers, CreepQuantity, RaceNumbers
 from fembearing.report.tables.creep import creep_table
-from fembearing.verify.creep.scene_creep import CreepNumbers, CreepQuantity, RaceNumbers
 from tests.report.torque_rows import RPM
 
 NOTHING = CreepQuantity(formula=0.0, production=0.0, reference=0.0, uncertainty=2e-6)

@@ -2,10 +2,10 @@
 
 from typing import Any
 
+from fembearing.check.film.scene_film import FilmNumbers, FilmQuantity
 from fembearing.ehl.contact import Reach
 from fembearing.quantities import INCH_POUND
 from fembearing.report.tables.film import film_table
-from fembearing.verify.film.scene_film import FilmNumbers, FilmQuantity
 from tests.report.torque_rows import RPM
 
 

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from rich.console import Console
 
+from fembearing.check.measured.rows import MeasuredRow
 from fembearing.quantities import INCH_POUND
 from fembearing.report.tables.measured import measured_table
 from fembearing.report.terminal.table import show
-from fembearing.verify.measured.rows import MeasuredRow
 from tests.report.measured_rows import FASTER, comparison, row
 
 

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from rich.console import Console
 
+from fembearing.check.validation import Validation
 from fembearing.report.page.template import environment
 from fembearing.report.report import Report, report_of
 from fembearing.report.tables.contacts import contacts_of, pocket_table
@@ -16,7 +17,6 @@ from fembearing.report.tables.table import Group, Head, Table, table_of
 from fembearing.report.tables.torque import ball_table, change_table, torque_table
 from fembearing.report.terminal.table import MANY, printed, show
 from fembearing.report.terminal.validation import print_details
-from fembearing.verify.validation import Validation
 from tests.analytic.specimens import present
 from tests.report.page.page_writer import written_page
 from tests.report.page.test_page_numbers import Tables

@@ -12,10 +12,10 @@ from rich.console import Console
 from analytic.errors import FembearingError
 from analytic.result import FrictionTorque
 from analytic.scene import ContactAngle, Operation
+from analytic.scene_torque import SceneTorque, torque_of_scene
 from analytic.torque import friction_torque
 from analytic.verdicts import pressure_check
 from fembearing.report.terminal.torque import print_details, print_verdicts
-from fembearing.verify.torque.scene_torque import SceneTorque, torque_of_scene
 from tests.analytic.cage.specimens import CAGED, with_cage
 from tests.analytic.scenefile.scene_texts import OILED, SPEEDS, changed, scene
 

@@ -9,7 +9,7 @@ from mpmath import mpf
 
 from analytic.errors import InputError
 from analytic.torque import MODEL_VERSION
-from fembearing.verify.hard_record import RECORD, last_run
+from fembearing.check.hard_record import RECORD, last_run
 from tests.validation.hard.cage_exact import CAGE
 from tests.validation.hard.contact_exact import CONTACT
 from tests.validation.hard.lubrication_exact import LUBRICATION

@@ -5,7 +5,9 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from analytic.scenefile.inputs import StatedInput
+from analytic.standing import Standing
 from analytic.verdicts import NumericalCheck
+from fembearing.check.contact.bearings import which_bearing
 from fembearing.quantities import CONTACT, Units
 from fembearing.report.contact import ContactRecord
 from fembearing.report.page.sections.bearing import Facts, facts_of
@@ -22,8 +24,6 @@ from fembearing.report.tables.table import Head, Table, table_of
 from fembearing.report.tables.torque import torque_table
 from fembearing.report.tables.verdicts import POINT, failures, physical_table
 from fembearing.report.torque import TorqueRecord
-from fembearing.verify.contact.bearings import which_bearing
-from fembearing.verify.torque.standing import Standing
 
 MOST_NAMED = 8  # assumed inputs that the summary names
 OTHER_LOADS = (

@@ -1,0 +1,262 @@
+"""The friction torque of a scene, as the command `torque` computes it, with what is shown next to it."""
+
+import os
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Literal, Unpack
+
+import numpy as np
+
+from analytic.any_scene import scene_by
+from analytic.brief import Brief, span
+from analytic.errors import FembearingError, InputError
+from analytic.given import SceneOptions
+from analytic.labelled import Column, Labelled, dataset_of, frame_of
+from analytic.left_out import LeftOut, Places, torque_where_it_is
+from analytic.makers import BesideCatalogue, CatalogueBand, beside_catalogue, of_open_bearing
+from analytic.prediction.formulas import with_model_uncertainty
+from analytic.progress import Progress, silent
+from analytic.result import COLUMNS, COORDINATES, POINT, FrictionTorque
+from analytic.scene import Array, Bearing, Scene
+from analytic.scenefile.inputs import StatedInput, stated_inputs
+from analytic.standing import Standing, standing_of
+from analytic.torque import friction_torque
+from analytic.verdicts import Verdicts, numerical_check, physical_checks
+from analytic.words import MICROMETRE, NEWTON_MILLIMETRE
+
+if TYPE_CHECKING:  # with SciPy's statistics, which take half a second to import
+    from analytic.prediction.prediction import Prediction
+
+BESIDE: dict[str, Column] = {  # what stands beside the torque, one number at each operating point
+    "interval_low": Column("N m", "lower end of the 95 % interval of the friction torque"),
+    "interval_high": Column("N m", "upper end of the 95 % interval of the friction torque"),
+    "catalogue_low": Column("N m", "lower end of the catalogue band"),
+    "catalogue_high": Column("N m", "upper end of the catalogue band"),
+}
+MOST_ESTIMATED = 50  # operating points with an interval to first order, which costs some 40 torques
+Samples = int | Literal["enough"] | None  # of an interval: a number, until its ends are known well enough, or none
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class SceneTorque(Brief):
+    """Torque, uncertainties and catalogue band of one scene."""
+
+    scene: Scene
+    friction: FrictionTorque
+    catalogue: BesideCatalogue
+    other_candidate: FrictionTorque | None = (
+        None  # with the balls that the ratings fit nearly as well, if there are any
+    )
+    # Both ends of the 95 % interval at each operating point, N m, (2, n), by samples or to first order; None: not known
+    interval: Array | None = None
+    prediction: "Prediction | None" = None  # the samples of the interval; None: not asked for
+    left_out: tuple[LeftOut, ...] = ()  # operating points of the scene that have no torque; warnings say it too
+
+    def __post_init__(self) -> None:
+        """Raises InputError for a number that is not finite, so that no face shows it: terminal, files or page."""
+        self.friction.checked()
+        for name, values in self._beside():
+            if not np.isfinite(values).all():
+                raise InputError(
+                    f"the {BESIDE[name].meaning} is {values[~np.isfinite(values)][0]:g} N m: the numbers of the scene "
+                    "are outside the computable range; give usual ones"
+                )
+
+    def _facts(self) -> Iterator[str]:
+        yield self.scene.name
+        yield f"{span(self.friction.torque.total, NEWTON_MILLIMETRE.factor)} {NEWTON_MILLIMETRE.name}"
+        yield f"+- {span(self.friction.numerical_uncertainty, 100.0)} %, tolerance {100 * self.scene.tolerance:g} %"
+
+    @property
+    def inputs(self) -> tuple[StatedInput, ...]:
+        """Where the inputs come from."""
+        return stated_inputs(self.scene)
+
+    @cached_property
+    def verdicts(self) -> Verdicts:
+        """Whether it is solved within the tolerance, and the bearing within its physical limits."""
+        numbers = self.places.computed
+        return Verdicts(
+            numerical=numerical_check(self.friction, tolerance=self.scene.tolerance),
+            physical=tuple(replace(each, point=numbers[each.point]) for each in physical_checks(self.friction)),
+        )
+
+    @cached_property
+    def standing(self) -> Standing:
+        """How far it can be trusted, in one word."""
+        torque, effects = self.friction.torque, self.friction.effects.unmeasured
+        return standing_of(self.scene, torque=torque, effects=effects, verdicts=self.verdicts, band=self.catalogue.band)
+
+    @property
+    def places(self) -> Places:
+        """The operating points of the scene as it was given, with those that have no torque."""
+        return Places(size=self.friction.inner_speed.size + len(self.left_out), left_out=self.left_out)
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What else to know of the torque, a sentence each: film ratio, catalogue band, other balls. None is judged."""
+        return tuple(self._notes())
+
+    def _notes(self) -> Iterator[str]:
+        films, roughness = self.friction.film, self.friction.gap_roughness
+        runs = self.friction.inner_speed.any()  # no film at standstill
+        if runs and roughness is not None and films.inner is not None and films.outer is not None:
+            ratios = [f"{_span(film / roughness, '.2g')} on the {race}" for race, film in vars(films).items()]
+            yield (
+                f"Film ratio lambda, the film over the rms roughness of ball and race together, "
+                f"{MICROMETRE.written(roughness, '.3g')}: {' and '.join(ratios)} race, of the heaviest ball."
+            )
+        band, total = self.catalogue.band, self.friction.torque.total
+        if band is not None:
+            compared, words = of_open_bearing(self.friction.torque)
+            yield f"The torque {f'{words} ' if words else ''}is {_place(compared, band)}."
+        other, given = self.scene.bearing.other_candidate, self.scene.bearing
+        if other is not None and self.other_candidate is not None:
+            first, second = total, self.other_candidate.torque.total
+            yield (
+                f"The ratings of {given.name} fit {_balls(other)} nearly as well as {_balls(given)}: the torque is "
+                f"then {_span(second * 1e3, '.4g')} N mm, not {_span(first * 1e3, '.4g')} N mm "
+                f"({_span(100 * (second / first - 1), '+.2g')} %)."
+            )
+
+    def columns(self) -> dict[str, Labelled]:
+        """Every number that stands at each operating point, SI: the points, and what is computed and known there.
+
+        NaN at the points that have no torque.
+        """
+        given = {name: (getattr(self.friction, name), column) for name, column in COORDINATES.items()}
+        computed = {name: (values, COLUMNS[name]) for name, values in self.friction.columns().items()}
+        beside = {name: (values, BESIDE[name]) for name, values in self._beside()}
+        every = given | computed | beside
+        whole = self.places.columns({name: values for name, (values, _) in every.items()})
+        return {name: Labelled((POINT,), whole[name], column) for name, (_, column) in every.items()}
+
+    def _beside(self) -> Iterator[tuple[str, Array]]:
+        if self.interval is not None:
+            yield from zip(("interval_low", "interval_high"), self.interval, strict=True)
+        if (band := self.catalogue.band) is not None:
+            yield from (("catalogue_low", band.low), ("catalogue_high", band.high))
+
+    def to_dataset(self) -> Any:
+        """An xarray.Dataset over the operating points, SI, with units and meanings as attributes."""
+        columns = self.columns()
+        coordinates = {name: columns.pop(name) for name in COORDINATES}
+        return dataset_of(columns, coordinates=coordinates, attributes=self.friction.attributes())
+
+    def to_dataframe(self) -> Any:
+        """A pandas.DataFrame of `to_dataset`: a row for each operating point, SI."""
+        return frame_of(self.to_dataset(), POINT)
+
+
+def _balls(bearing: Bearing) -> str:
+    return f"{bearing.ball_count} balls of {bearing.ball_diameter * 1e3:.4g} mm"
+
+
+def _place(total: Array, band: CatalogueBand) -> str:
+    """Where the torque lies by the catalogue band, in words."""
+    places = {"below": total < band.low, "above": total > band.high}
+    outside = {side: np.count_nonzero(points) for side, points in places.items() if points.any()}
+    if not outside:
+        return "within the catalogue band"
+    if total.size == 1:
+        return f"{next(iter(outside))} the catalogue band"
+    where = " and ".join(f"{side} it at {count}" for side, count in outside.items())
+    return f"outside the catalogue band: {where} of {total.size} operating points"
+
+
+def _span(values: Array, form: str) -> str:
+    """The values at every operating point, in words."""
+    low, high = (format(float(end), form) for end in (np.min(values), np.max(values)))
+    return low if low == high else f"{low} to {high}"
+
+
+def torque_of_scene(
+    scene: Scene | str | os.PathLike[str],
+    *,
+    samples: Samples = None,
+    estimate: bool = True,
+    keep_going: bool = False,
+    progress: Progress = silent,
+    **given: Unpack[SceneOptions],
+) -> SceneTorque:
+    """The torque of a scene as `fembearing torque` computes it, with interval, verdict and the makers' formulas.
+
+    Parameters
+    ----------
+    scene : Scene, str or path
+        As in `friction_torque`.
+    samples : int or "enough", optional
+        Of the 95 % interval, as in `predict`; None: an estimate to first order, for at most 50 operating points.
+    estimate : bool
+        Whether to estimate the interval without samples. It takes most of the time; `with_interval` does it later.
+    keep_going : bool
+        Skip operating points without a torque, with the reason.
+    progress : callable
+        Called with the share of the samples done, 0 to 1 (dimensionless), and a text.
+    **given : float, str, list or mapping
+        With a name, the other arguments of `load_scene`: radial_load="3 kN", speed="3000 rpm", settings.
+
+    Returns
+    -------
+    SceneTorque
+        Torque and interval, N m, at the operating points.
+
+    Raises
+    ------
+    InputError
+        As `friction_torque`, and with samples as `predict`; with keep_going where no point has a torque.
+    """
+    scene = scene_by(scene, given)
+    left_out: tuple[LeftOut, ...] = ()
+    if keep_going:
+        size = scene.operation.as_series().inner_speed.size
+        scene, friction, left_out = torque_where_it_is(scene)
+        reasons = (f"operating point {each.point + 1} of {size} is left out: {each.reason}" for each in left_out)
+        friction = replace(friction, warnings=(*friction.warnings, *reasons))
+    else:
+        friction = with_model_uncertainty(scene, friction_torque(scene).settled())
+    other, friction = _with_other_balls(scene, friction)
+    prediction, interval = None, None
+    if samples is None:
+        interval = _estimated(scene, friction) if estimate else None
+    else:
+        from analytic.prediction.prediction import predict
+
+        prediction = predict(scene, samples=None if samples == "enough" else samples, progress=progress)
+        interval = np.array(prediction.total.ends)
+    return SceneTorque(
+        scene=scene,
+        friction=friction,
+        catalogue=beside_catalogue(scene, friction.pair),
+        other_candidate=other,
+        interval=interval,
+        prediction=prediction,
+        left_out=left_out,
+    )
+
+
+def with_interval(result: SceneTorque) -> SceneTorque:
+    """The same torque with its 95 % interval to first order, as `torque_of_scene` has it without samples."""
+    return replace(result, interval=_estimated(result.scene, result.friction))
+
+
+def _estimated(scene: Scene, friction: FrictionTorque) -> Array | None:
+    """Both ends of the interval to first order; None for too many operating points, or where it is not known."""
+    if friction.inner_speed.size > MOST_ESTIMATED:
+        return None
+    from analytic.prediction.first_order import first_order_ends
+
+    return first_order_ends(scene, friction)
+
+
+def _with_other_balls(scene: Scene, friction: FrictionTorque) -> tuple[FrictionTorque | None, FrictionTorque]:
+    """The torque of the other candidate, if there is one; where it has none, a warning says why."""
+    bearing = scene.bearing.other_candidate
+    if bearing is None:
+        return None, friction
+    try:
+        return friction_torque(replace(scene, bearing=bearing)), friction
+    except FembearingError as problem:
+        warning = f"with {_balls(bearing)}, which the ratings fit nearly as well, there is no torque: {problem}"
+        return None, replace(friction, warnings=(*friction.warnings, warning))

@@ -1,0 +1,216 @@
+"""The region that is meshed: a block of finite size, and a quarter whose sides are alike.
+
+What the true contact differs in is computed once, on one level, and corrects every quantity.
+"""
+
+import math
+from dataclasses import asdict, dataclass, replace
+from functools import partial
+
+import numpy as np
+
+from analytic.errors import InputError
+from analytic.scene import Contact
+from fembearing.check.contact.uncertainty import (
+    FARTHER_LEFT,
+    LEFT_BY_MESHES,
+    LEFT_BY_TWIN,
+    LEFT_WITH_TWIN,
+    SIDES_COARSE,
+    SIDES_LEFT,
+    SIDES_LEFT_IN_OTHERS,
+    STEEP,
+    STIFFNESS,
+    UNCERTAIN,
+)
+from fembearing.fem.solution import MeshSolution, solve_on_mesh
+from fembearing.fem.twin import TwinSolution, twin_factors
+from fembearing.grid_convergence import FINEST
+from fembearing.mesh.footprint import is_symmetric
+from fembearing.mesh.recipe import Recipe
+
+# The effect of the far boundary on the pressure falls with this power of the block's size: a block twice as large shows
+# 0.45 to 0.85 of it, over blocks up to eight times as large (validation/correction/far_boundary.py).
+FADING = 1.6
+# The approach has no limit: it changes with the logarithm of the size, in a seat too. It is that of the larger block,
+# about 8 major semi-axes wide.
+UP_TO_LARGER = ("approach", "stiffness")
+# Bound on that effect over (b/r)^2 b/s, where s is the distance of the nearer shoulder; below a tenth of the least
+# uncertainty claimed it is not computed.
+SIDES_BOUND, SIDES_LEAST = 0.1, 0.1 * FINEST
+
+
+@dataclass(frozen=True, kw_only=True)
+class Boundary:
+    """The fields of an `Estimate` that the meshed region sets: its size, and that it is symmetric."""
+
+    beyond: float = 0.0
+    sides: float = 0.0
+    domain: float = 0.0
+
+
+def far_boundary(mesh: MeshSolution, *, recipe: Recipe) -> dict[str, Boundary]:
+    """The remaining effect of a block's far boundary on each quantity.
+
+    It is 0 for half spaces: their far boundary is given the displacement of the half space, exact to the second moments
+    of the pressure. It is 0 for a sheet, which has no such boundary.
+    """
+    if not has_boundary(mesh, recipe=recipe):
+        return dict.fromkeys(measured(mesh), Boundary())
+    return boundary_effect(mesh, _larger(mesh, recipe=recipe))
+
+
+def has_sides(mesh: MeshSolution, *, recipe: Recipe) -> bool:
+    """Whether a quarter stands for a contact whose sides differ, by more than a tenth of the least uncertainty."""
+    if mesh.pair.footprint.half or recipe.geometry != "real":
+        return False
+    return sides_matter(mesh.contact, transverse=mesh.pair.semi_axes[1])
+
+
+def sides_matter(contact: Contact, *, transverse: float) -> bool:
+    """Whether the sides of an uncut contact of a transverse semi-axis, m, change it by more than that tenth."""
+    if is_symmetric(contact):
+        return False
+    return SIDES_BOUND * (transverse / contact.ball_radius) ** 2 * transverse > SIDES_LEAST * contact.nearer_shoulder
+
+
+def each_side(mesh: MeshSolution, *, recipe: Recipe) -> list[MeshSolution]:
+    """A quarter with the true side y > 0, and one with the true side y < 0."""
+    return [
+        solve_on_mesh(
+            mesh.contact, recipe=recipe, level=mesh.level, semi_axes=mesh.pair.semi_axes, sides=side, upper=mesh.upper
+        )
+        for side in ("above", "below")
+    ]
+
+
+def sides_farther(contact: Contact, *, recipe: Recipe, level: int, semi_axes: tuple[float, float]) -> float | None:
+    """Relative change of the approach by the true sides on the larger block, over that on the block of an ellipse, m.
+
+    None where the larger block cannot be meshed with them.
+    """
+    solved = partial(solve_on_mesh, contact, recipe=recipe, level=level, semi_axes=semi_axes)
+    even = solved()
+    try:
+        larger, *both = (
+            [solved(sides=side, extended=extended, upper=even.upper).quantities.approach for extended in (False, True)]
+            for side in ("even", "above", "below")
+        )
+    except InputError:
+        return None
+    by_sides = np.mean(both, axis=0) / larger
+    return float(by_sides[1] / by_sides[0] - 1)
+
+
+def with_sides(
+    boundary: dict[str, Boundary],
+    mesh: MeshSolution,
+    above: MeshSolution,
+    below: MeshSolution,
+    *,
+    farther: float | None,
+    left: float = FARTHER_LEFT,
+) -> dict[str, Boundary]:
+    """The same with the effect of the true sides, from a quarter with each of them on the cells of `mesh`.
+
+    Shoulders and lands of both sides change the contact by less than 0.3 %, and to first order each by itself: half of
+    the contact gives the mean of the two quarters to 0.0015 % (validation/correction/sides.py).
+    farther : from `sides_farther`
+    left : share of it that stays as uncertainty
+    """
+    even, *both = (measured(part) for part in (mesh, above, below))
+    sides = {name: (both[0][name] + both[1][name]) / (2 * value) - 1 if value else 0.0 for name, value in even.items()}
+    return with_effect_of_sides(
+        boundary, sides, mesh.contact, transverse=mesh.pair.semi_axes[1], farther=farther, left=left
+    )
+
+
+def with_effect_of_sides(
+    boundary: dict[str, Boundary],
+    sides: dict[str, float],
+    contact: Contact,
+    *,
+    transverse: float,
+    farther: float | None,
+    left: float = FARTHER_LEFT,
+) -> dict[str, Boundary]:
+    """The same with a known effect of the true sides, relative, on a contact of a transverse semi-axis, m."""
+    largest = max(abs(sides[name]) for name in SIDES_LEFT)
+    coarse = SIDES_COARSE * (transverse / contact.ball_radius) ** 2
+    unknown = STEEP * abs(math.sin(contact.contact_angle)) if farther is None else left * abs(farther)
+    found = {}
+    for name, part in boundary.items():
+        power = {"approach": 1.0, "stiffness": -STIFFNESS}.get(name, 0.0)  # the other quantities are those of the block
+        of_block = SIDES_LEFT.get(name, SIDES_LEFT_IN_OTHERS) * largest
+        found[name] = replace(
+            part,
+            sides=(1 + sides[name]) * (1 + (farther or 0.0)) ** power - 1,
+            # Sides and lands come from different blocks and levels: their errors are independent.
+            domain=part.domain + math.hypot(of_block, power * unknown) + coarse,
+        )
+    return found
+
+
+def has_boundary(mesh: MeshSolution, *, recipe: Recipe) -> bool:
+    """Whether the lower body ends in a prescribed displacement that is only approximate."""
+    return recipe.geometry != "hertzian" and mesh.pair.lower.far.size > 0
+
+
+def boundary_effect(mesh: MeshSolution, larger: MeshSolution) -> dict[str, Boundary]:
+    """The effect of the far boundary on each quantity, from a larger block with more cells all round.
+
+    The larger block shows a part of the effect on the pressure; the rest follows from the power with which it falls.
+    The approach is defined as that of the larger block.
+    """
+    return effects(changes(measured(mesh), measured(larger)), growth=_growth(mesh, larger), left=LEFT_BY_MESHES)
+
+
+def boundary_effect_with_twin(solution: TwinSolution, *, recipe: Recipe) -> dict[str, Boundary]:
+    """The same with twins of both blocks: the added cells change the error of the mesh."""
+    mesh, larger = solution.mesh, _larger(solution.mesh, recipe=recipe)
+    after = TwinSolution(mesh=larger, factors=twin_factors(larger, recipe=recipe, extended=True)).corrected
+    growth = _growth(mesh, larger)
+    found = effects(changes(solution.corrected, after), growth=growth, left=LEFT_WITH_TWIN)
+    plain = effects(changes(measured(mesh), measured(larger)), growth=growth, left=LEFT_WITH_TWIN)
+    return {
+        name: replace(part, domain=part.domain + LEFT_BY_TWIN * abs(part.beyond - plain[name].beyond))
+        for name, part in found.items()
+    }
+
+
+def _larger(mesh: MeshSolution, *, recipe: Recipe) -> MeshSolution:
+    return solve_on_mesh(
+        mesh.contact, recipe=recipe, level=mesh.level, semi_axes=mesh.pair.semi_axes, extended=True, upper=mesh.upper
+    )
+
+
+def changes(before: dict[str, float], after: dict[str, float]) -> dict[str, float]:
+    """Relative, of each quantity."""
+    return {name: after[name] / value - 1 if value else 0.0 for name, value in before.items()}
+
+
+def _growth(mesh: MeshSolution, larger: MeshSolution) -> float:
+    """Size of the larger block over that of the other."""
+    size, further = (float(part.pair.lower.mesh.doflocs[0].max()) for part in (mesh, larger))
+    return further / size
+
+
+def effects(relative: dict[str, float], *, growth: float, left: float) -> dict[str, Boundary]:
+    """The effect of the far boundary from relative changes between two blocks.
+
+    growth : size of the larger block over that of the other
+    left : share of the change in the approach that stays as uncertainty
+    """
+    found = {}
+    for name, change in relative.items():
+        if name in UP_TO_LARGER:
+            found[name] = Boundary(beyond=change, domain=left * abs(change))
+        else:
+            whole = change / (1 - growth**-FADING)
+            found[name] = Boundary(beyond=whole, domain=UNCERTAIN * abs(whole))
+    return found
+
+
+def measured(mesh: MeshSolution) -> dict[str, float]:
+    """All quantities of a solved mesh, with those at its shoulder."""
+    return asdict(mesh.quantities) | ({} if mesh.shoulder is None else asdict(mesh.shoulder))

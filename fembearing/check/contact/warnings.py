@@ -1,0 +1,150 @@
+"""Warnings about a solved contact, one line each, the same under one load and in a series."""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from analytic.limits import STATIC_LIMIT
+from analytic.scene import Contact
+from analytic.words import MILLIMETRE, percent_of, pressure_of
+from fembearing.check.contact.mesh_refinement import Estimates, Reference
+from fembearing.fem.pixel_contact import PixelSolution
+from fembearing.fem.solution import MeshSolution
+
+EDGE_OF_GROOVE = 1.05  # distance to the shoulder, in semi-axes, below which Hertz no longer applies
+ANNULAR = 0.5  # peak pressure over Hertz's, below which a contact on a sheet is near to a ring
+# A load on its finest mesh or on pixels, and the estimates from all levels
+Solved = tuple[MeshSolution | PixelSolution, Estimates]
+
+
+def near_shoulder(mesh: MeshSolution | PixelSolution, contact: Contact) -> bool:
+    """Whether a solved contact reaches its shoulder, or nearly, where Hertz does not apply."""
+    return mesh.shoulder is not None or EDGE_OF_GROOVE * mesh.quantities.semi_axis_transverse > contact.nearer_shoulder
+
+
+def solve_warnings(
+    solved: Sequence[Solved], *, accuracy: float, quantities: Sequence[str], thin: bool
+) -> tuple[str, ...]:
+    """Missed accuracy, meshes that do not converge, and yielding, of one contact under one load or several.
+
+    accuracy : required of the `quantities`, which are names, relative half-width
+    thin : a sheet takes the place of the race
+    """
+    missed = _missed(solved, accuracy=accuracy, quantities=quantities)
+    warnings = (missed, _unsettled(solved, thin=thin), _plastic(solved))
+    return tuple(warning for warning in warnings if warning)
+
+
+def sheet_warning(contact: Contact) -> str:
+    """Why a sheet is shown and not judged."""
+    assert contact.wall is not None  # otherwise it would not have been meshed
+    return (
+        f"{contact.pair}: the sheet of {MILLIMETRE.written(contact.wall.thickness, '.3g')} bends on its rim; Hertz "
+        "ignores this, so there is no verdict"
+    )
+
+
+def annular_warning(mesh: MeshSolution, *, hertz: float) -> str:
+    """The warning for a sheet that yields under the centre of the contact, where the pressure moves to a ring.
+
+    hertz : peak pressure by Hertz, Pa
+    It is empty where the centre bears half of Hertz's pressure or more.
+    """
+    peak = mesh.quantities.peak_pressure
+    if peak >= ANNULAR * hertz:
+        return ""
+    pressure = np.where(mesh.force > 0, mesh.pressure, 0.0)
+    most = int(np.argmax(pressure))
+    radius = MILLIMETRE.written(float(np.hypot(mesh.x[most], mesh.y[most])), ".3g")
+    return (
+        f"{mesh.contact.pair}: under {mesh.contact.load:g} N the sheet yields at the centre, where "
+        f"{pressure_of(peak)} are {percent_of(peak / hertz, 2)} of Hertz's; the largest pressure, "
+        f"{pressure_of(float(pressure[most]))}, is {radius} from there: a ring, outside these quantities"
+    )
+
+
+def shoulder_warning(contact: Contact, reference: Reference) -> str:
+    """The warning for a contact that reaches its shoulder, or nearly."""
+    near, remedy = MILLIMETRE.written(contact.nearer_shoulder, ".3f"), "lower the load or the contact angle"
+    finest = reference.meshes[-1]
+    if finest.shoulder is None:
+        across = f"the contact reaches {MILLIMETRE.written(finest.quantities.semi_axis_transverse, '.3f')} across"
+        return f"{contact.pair}: {across}, the shoulder is at {near}: outside Hertz; {remedy}"
+    below, above = finest.pair.footprint.shoulders
+    if math.isinf(max(below, above)):
+        across = MILLIMETRE.written(finest.semi_axes[1], ".3f")
+        cut = f"an ellipse of {across} across is cut off by the shoulder at {near}"
+    else:
+        cut = (
+            f"the contact is cut off on both sides by the shoulders at y = {MILLIMETRE.written(-below, '.3f')} and "
+            f"{MILLIMETRE.written(above, '.3f')}"
+        )
+    share = reference.shoulder["strip_share"]
+    return (
+        f"{contact.pair}: {cut}: outside Hertz. The tenth of {near} beside the nearer one carries {share.value:.2%} of "
+        "the load. The meshed shoulder is sharp, with an unbounded pressure; a real one is rounded. Its pressure may "
+        f"exceed the one at the centre and is not computed; {remedy}"
+    )
+
+
+def series_shoulder_warning(contact: Contact, *, load: float) -> str:
+    """The warning for a series that reaches its shoulder, or nearly, from `load` (N) on."""
+    return (
+        f"{contact.pair}: from {load:g} N on the contact reaches its shoulder, "
+        f"{MILLIMETRE.written(contact.nearer_shoulder, '.3f')} away: outside Hertz"
+    )
+
+
+def two_loads_warning(contact: Contact) -> str:
+    """Why the law of two loads has no uncertainty."""
+    return f"{contact.pair}: two loads fit any power law: K, n and tangents have no uncertainty; give a third load"
+
+
+def _missed(solved: Sequence[Solved], *, accuracy: float, quantities: Sequence[str]) -> str | None:
+    """The most uncertain of all quantities and loads, if it misses the required accuracy."""
+    mesh, name, part = max(
+        ((mesh, name, estimates[name]) for mesh, estimates in solved for name in quantities),
+        key=lambda each: each[2].total,
+    )
+    if part.total <= accuracy:
+        return None
+    return (
+        f"{mesh.contact.pair}: required accuracy {percent_of(accuracy, 2)} not reached: uncertainty of {_words(name)} "
+        f"at {mesh.contact.load:g} N {percent_of(part.total, 2)} on level {mesh.level}, "
+        f"{percent_of(part.domain, 2)} from the block"
+    )
+
+
+def _unsettled(solved: Sequence[Solved], *, thin: bool) -> str | None:
+    """All quantities in which the meshes of some load do not converge."""
+    loose = [
+        (mesh.contact, _words(name))
+        for mesh, estimates in solved
+        for name, part in estimates.items()
+        if not part.settled
+    ]
+    if not loose:
+        return None
+    names = ", ".join(dict.fromkeys(name for _, name in loose))
+    loads = ", ".join(f"{load:g}" for load in dict.fromkeys(contact.load for contact, _ in loose))
+    place = f"{loose[0][0].pair}, sheet" if thin else loose[0][0].pair
+    return f"{place}: the meshes do not converge in {names} at {loads} N"
+
+
+def _plastic(solved: Sequence[Solved]) -> str | None:
+    """The smallest load under which bearing steel would yield."""
+    over = [mesh for mesh, _ in solved if mesh.quantities.peak_pressure > STATIC_LIMIT]
+    if not over:
+        return None
+    least = min(over, key=lambda mesh: mesh.contact.load)
+    what = "peak pressure" if least.shoulder is None else "the pressure at y = 0,"
+    return (
+        f"{least.contact.pair}: {what} {pressure_of(least.quantities.peak_pressure)} at {least.contact.load:g} N is "
+        f"above the static limit, {pressure_of(STATIC_LIMIT)}, of bearing steel: both models are elastic, the real "
+        "contact is not; lower the load"
+    )
+
+
+def _words(quantity: str) -> str:
+    return quantity.replace("_", " ")

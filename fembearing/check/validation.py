@@ -1,0 +1,349 @@
+"""The main job: every contact of a scene, formula against finite elements, and its friction torque."""
+
+import time
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from analytic.brief import Brief
+from analytic.contact.geometry import RACES as RACE_NAMES
+from analytic.contact.geometry import Race
+from analytic.errors import FembearingError, InputError
+from analytic.labelled import Column, Labelled, dataset_of, frame_of
+from analytic.progress import Progress, part_of, silent
+from analytic.result import FrictionTorque
+from analytic.scene import Array, Pair, Scene
+from analytic.scene_torque import Samples, SceneTorque, torque_of_scene
+from analytic.scenefile.parts import Given, with_tolerance
+from analytic.verdicts import Overall, Verdicts, pressure_check
+from fembearing.check.cage_record import CageRecord, record_cage
+from fembearing.check.contact.bearings import OneBearing, bearings_of, which_bearing
+from fembearing.check.contact.columns import COLUMNS, VERDICT
+from fembearing.check.contact.discrepancy import ContactSolution, solve_contact, with_ring
+from fembearing.check.contact.scene_contact import balls_of, contact_of
+from fembearing.check.contact.verdict import Verdict, worst
+from fembearing.check.cost.contact_ladder import contact_ladder_of
+from fembearing.check.cost.formula_ladders import SEED
+from fembearing.check.cost.ladder import Ladder
+from fembearing.check.cost.scene_cost import measure_cost
+from fembearing.check.creep.scene_creep import SceneCreep, creep_of
+from fembearing.check.film.scene_film import RaceFilm, film_change, film_of
+from fembearing.check.hard_record import HardRecord, last_run
+from fembearing.check.measured.comparison import MeasuredComparison, compare_measured
+from fembearing.check.memory import peak_memory
+from fembearing.check.sensitivity import Sensitivity, sensitivity_of
+from fembearing.check.torque_change import TorqueChange, change_of_torque
+from fembearing.mesh.recipe import Geometry
+from fembearing.provenance import Provenance, provenance_of
+
+# Contacts with the seconds that they took on one machine, for the progress alone.
+RACES: tuple[tuple[Pair, Geometry, float], ...] = (("inner", "real", 5.0), ("outer", "real", 4.0))
+POCKET: tuple[tuple[Pair, Geometry, float], ...] = (("pocket", "real", 11.0), ("pocket", "wall", 10.0))  # seat, sheet
+FILM_SECONDS, CREEP_SECONDS, COST_SECONDS = 8.0, 3.0, 45.0
+CREEP_TOLERANCE = 0.02  # the least that the check asks of numerical friction: half of it takes four times as long
+ENOUGH = 0.2  # uncertainty that a reference must reach, as a share of the tolerance that it is to judge
+
+
+class _Job(NamedTuple):
+    """A contact that is solved."""
+
+    of: OneBearing
+    pair: Pair
+    geometry: Geometry
+    seconds: float
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Validation(Brief):
+    """A scene that was checked.
+
+    Contacts are the inner and the outer race, of a pair those of each bearing, and then the pocket, seat and sheet.
+    """
+
+    scene: Scene  # with the tolerance of the check
+    contacts: tuple[ContactSolution, ...]
+    torque: SceneTorque | None  # that of the command `torque`; None where the scene gives no friction
+    torque_change: TorqueChange | None  # what finite-element contacts change; likewise
+    hard: HardRecord  # of the hard cases of this version
+    ladders: tuple[Ladder, ...]  # all of the scene's where they were measured, else the methods that the check ran
+    measured: bool  # whether every ladder was measured, with repeats
+    seconds: float  # wall time of all
+    peak_memory: int | None  # of the process, bytes
+    provenance: Provenance
+    films: tuple[RaceFilm, ...] = ()  # lubricated contacts of the heaviest balls, inner and outer; none without oil
+    film_change: Array | None = None  # (n,) of the torque by numerical films, relative; None without films or torque
+    no_film: tuple[str, ...] = ()  # why there is no numerical film
+    creep: tuple[SceneCreep, ...] = ()  # numerical friction of the heaviest ball of each bearing; none: nothing slides
+    # Of the torque at the point of the heaviest ball by its numerical friction, relative; None without it
+    creep_change: float | None = None
+    no_creep: tuple[str, ...] = ()  # why there is no numerical friction
+    measured_torques: MeasuredComparison | None = None  # beside the computed ones; None: the scene has none
+    sensitivity: Sensitivity | None = None  # None: not computed
+    cage_records: tuple[CageRecord, ...] = ()  # of the slowest and the fastest point whose cage moved
+    trouble: tuple[str, ...] = ()  # met while the report was written
+
+    def _facts(self) -> Iterator[str]:
+        yield from (self.scene.name, f"{len(self.contacts)} contacts", self.verdict)
+        yield f"tolerance {self.tolerance:g}, {self.seconds:.3g} s"
+
+    @property
+    def tolerance(self) -> float:
+        """Relative."""
+        return self.scene.tolerance
+
+    @property
+    def comparison(self) -> Verdict:
+        """The worst of all quantities that are judged."""
+        return worst(verdict for contact in self.contacts if contact.judged for verdict in contact.verdicts.values())
+
+    @property
+    def verdicts(self) -> Verdicts:
+        """Comparison, numerical and physical; without a torque the physical ones are peak pressures of contacts."""
+        if self.torque is not None:
+            return replace(self.torque.verdicts, comparison=self.comparison)
+        races = (contact for contact in self.contacts if contact.contact.pair != "pocket")
+        checks = [(race.bearing, pressure_check(race.contact.pair, race.hertz.peak_pressure)) for race in races]
+        physical = tuple(replace(check, where=f"{check.where}{which_bearing(of)}") for of, check in checks)
+        return Verdicts(numerical=None, physical=physical, comparison=self.comparison)
+
+    @property
+    def verdict(self) -> Overall:
+        """ "pass" where comparison, numerical accuracy and physical limits all hold; "fail" where the first or the last
+        fails; else "undecided"."""
+        return self.verdicts.overall
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Those of the scene, of all contacts, of the torque and of the report, each once."""
+        own = self.scene.warnings
+        contacts = (
+            f"{contact.bearing} bearing, {warning}" if contact.bearing and warning not in own else warning
+            for contact in self.contacts
+            for warning in contact.warnings
+        )
+        torque = () if self.torque is None else self.torque.friction.warnings
+        fitted = () if self.torque_change is None else self.torque_change.fitting_warnings
+        films = (warning for film in self.films for warning in film.numbers.warnings)
+        creep = (warning for creep in self.creep for warning in creep.numbers.warnings)
+        missing = (*self.no_film, *self.no_creep, *self.trouble)
+        return tuple(dict.fromkeys([*contacts, *torque, *fitted, *films, *creep, *missing]))
+
+    def to_dataset(self) -> Any:
+        """The contacts as an xarray.Dataset over `contact`, SI, with units and meanings; `torque` has its own."""
+        rows = [contact.columns() for contact in self.contacts]
+        words = {
+            "pair": ("body that the ball presses", [contact.contact.pair for contact in self.contacts]),
+            "geometry": ("shape of the meshes", [contact.geometry for contact in self.contacts]),
+            **({} if self.scene.arrangement is None else {"bearing": ("of the pair", self._bearings)}),
+            VERDICT: ("on uncorrected Hertz", [contact.shown_verdict for contact in self.contacts]),
+        }
+        return dataset_of(
+            {name: Labelled(("contact",), [row[name] for row in rows], each) for name, each in COLUMNS.items()},
+            coordinates={
+                name: Labelled(("contact",), values, Column("", meaning)) for name, (meaning, values) in words.items()
+            },
+            attributes={"scene": self.scene.name, "tolerance": self.tolerance, VERDICT: self.verdict},
+        )
+
+    @property
+    def _bearings(self) -> list[str]:
+        return [contact.bearing or "both" for contact in self.contacts]
+
+    def to_dataframe(self) -> Any:
+        """A pandas.DataFrame of `to_dataset`: a row for each contact, SI."""
+        return frame_of(self.to_dataset(), "contact")
+
+
+def check_scene(
+    scene: Scene,
+    *,
+    tolerance: Given | None = None,
+    cost: bool = False,
+    samples: Samples = None,
+    film: bool = True,
+    creep: bool = True,
+    progress: Progress = silent,
+) -> Validation:
+    """Check each race contact of a scene, and where it has a cage the pocket, in a thick seat and in its sheet.
+
+    Of a pair the races of both bearings are checked, and the pocket once, as both have the same.
+
+    tolerance : relative; the scene's unless given
+    cost : measure every method of every ladder too
+    samples : of the 95 % interval of the torque, or "enough"; None: no interval
+    film : solve the lubricated contacts too, where there is oil and motion
+    creep : solve the friction of the heaviest ball too, where something slides
+    progress : called with the share done, 0 to 1, and a word on the step at hand
+    Raises InputError for a scene that cannot be solved, ConvergenceError for a contact that does not settle.
+    """
+    start = time.perf_counter()
+    scene = scene if tolerance is None else with_tolerance(scene, tolerance)
+    if cost:
+        balls_of(scene)  # refuses a pair: each method is measured on one bearing
+    torque = None
+    if scene.has_friction or "on" in scene.effects.values():
+        # Refuses what it cannot model before anything is solved.
+        torque = torque_of_scene(scene, samples=samples, progress=lambda _share, step: progress(0.0, step))
+    measured_torques = None
+    if scene.measured is not None:
+        measured_torques = compare_measured(scene, progress=lambda _share, step: progress(0.0, step))
+    bearings = bearings_of(scene)
+    jobs = _jobs(scene, bearings)  # refuses too
+    moves = bool(np.any(scene.operation.inner_speed))
+    films_too = film and scene.lubricant is not None and moves
+    creep_too = creep and moves and torque is not None and torque.friction.sliding != "none"
+    spent = FILM_SECONDS * films_too * len(bearings), CREEP_SECONDS * creep_too * len(bearings)
+    shares = np.cumsum([0.0, *(job.seconds for job in jobs), *spent])
+    shares = shares / (shares[-1] + COST_SECONDS * cost)
+    contacts = _contacts(jobs, shares[: -len(spent)], progress)
+    friction = None if torque is None else torque.friction
+    films, change, no_film = (), None, ()
+    if films_too:
+        films, change, no_film = _films(scene, bearings, friction, part_of(progress, shares[-3], shares[-2]))
+    slipping, creep_change, no_creep = (), None, ()
+    if creep_too and friction is not None:
+        slipping, creep_change, no_creep = _creep(bearings, friction, part_of(progress, shares[-2], shares[-1]))
+    return Validation(
+        scene=scene,
+        contacts=contacts,
+        torque=torque,
+        torque_change=None if friction is None else change_of_torque(scene, friction, **_heaviest(contacts)),
+        films=films,
+        film_change=change,
+        no_film=no_film,
+        creep=slipping,
+        creep_change=creep_change,
+        no_creep=no_creep,
+        hard=last_run(),
+        ladders=measure_cost(scene, tolerance=scene.tolerance, progress=part_of(progress, shares[-1], 1.0)).ladders
+        if cost
+        else tuple(contact_ladder_of(contact) for contact in contacts if contact.judged),
+        measured=cost,
+        measured_torques=measured_torques,
+        sensitivity=sensitivity_of(scene),
+        cage_records=() if friction is None else _recorded(scene, friction),
+        seconds=time.perf_counter() - start,
+        peak_memory=peak_memory(),
+        provenance=provenance_of(scene, seeds=_seeds(scene, torque, measured_torques, cost=cost)),
+    )
+
+
+def _jobs(scene: Scene, bearings: Sequence[OneBearing]) -> list[_Job]:
+    """Both races of each bearing, and the pocket, which is the same in both. Raises InputError as contact_of does."""
+    jobs = [_Job(each, *race) for each in bearings for race in RACES]
+    jobs += [] if scene.cage is None else [_Job(replace(bearings[0], name=None), *seat) for seat in POCKET]
+    for job in jobs:
+        contact_of(job.of.scene, pair=job.pair)
+    return jobs
+
+
+def _contacts(jobs: Sequence[_Job], shares: Array, progress: Progress) -> tuple[ContactSolution, ...]:
+    """The contacts in the order of the jobs, races with their rings; shares : of the progress, one more than jobs"""
+    contacts, rings = [], {}
+    with ThreadPoolExecutor(1) as beside:  # each ring is computed while the next contact is solved
+        for number, (job, (begin, end)) in enumerate(zip(jobs, pairwise(shares), strict=True)):
+            tolerance = job.of.scene.tolerance
+            solved = solve_contact(
+                job.of.scene,
+                pair=job.pair,
+                geometry=job.geometry,
+                tolerance=tolerance,
+                accuracy=ENOUGH * tolerance,
+                progress=part_of(progress, begin, end),
+            )
+            contacts.append(replace(solved, bearing=job.of.name))
+            if job.pair != "pocket":
+                rings[number] = beside.submit(_with_ring_if_known, contacts[-1])
+    return tuple(rings[number].result() if number in rings else contact for number, contact in enumerate(contacts))
+
+
+def _heaviest(contacts: Sequence[ContactSolution]) -> dict[Race, ContactSolution]:
+    """Both races of the bearing with the heaviest ball."""
+    inner, outer = ([each for each in contacts if each.contact.pair == race] for race in RACE_NAMES)
+    both = max(zip(inner, outer, strict=True), key=lambda both: max(each.contact.load for each in both))
+    return dict(zip(RACE_NAMES, both, strict=True))
+
+
+def _films(
+    scene: Scene, bearings: Sequence[OneBearing], friction: FrictionTorque | None, progress: Progress
+) -> tuple[tuple[RaceFilm, ...], Array | None, tuple[str, ...]]:
+    """The lubricated contacts of all races, what they change in the torque, and why something is missing."""
+    films, change, reasons = [], None, []
+    races: list[tuple[OneBearing, Race]] = [(each, race) for each in bearings for race in RACE_NAMES]
+    for number, (each, race) in enumerate(races):
+        part = part_of(progress, number / len(races), (number + 1) / len(races))
+        try:
+            found = film_of(each.scene, pair=race, progress=part)
+        except FembearingError as problem:  # the contacts and the torque are known all the same
+            reasons.append(f"no numerical film on the {race} race{which_bearing(each.name)}: {problem}")
+        else:
+            films.append(replace(found, numbers=replace(found.numbers, bearing=each.name)))
+    if films and friction is not None:
+        try:
+            change = film_change(scene, friction, tuple(films))
+        except FembearingError as problem:
+            reasons.append(f"no torque with the numerical films: {problem}")
+    return tuple(films), change, tuple(reasons)
+
+
+def _creep(
+    bearings: Sequence[OneBearing], friction: FrictionTorque, progress: Progress
+) -> tuple[tuple[SceneCreep, ...], float | None, tuple[str, ...]]:
+    """The numerical friction of the heaviest ball of each bearing, what it changes in the torque, why it is missing.
+
+    The change is that by the heaviest of these balls.
+    """
+    creeps, reasons, loads = [], [], []
+    for number, each in enumerate(bearings):
+        part = part_of(progress, number / len(bearings), (number + 1) / len(bearings))
+        try:
+            found = creep_of(each.scene, tolerance=max(each.scene.tolerance, CREEP_TOLERANCE), progress=part)
+        except FembearingError as problem:  # the contacts and the torque are known all the same
+            reasons.append(f"no numerical friction{which_bearing(each.name)}: {problem}")
+        else:
+            numbers = replace(found.numbers, bearing=each.name)
+            creeps.append(replace(found, numbers=numbers, place=int(each.points[found.place])))
+            loads.append(max(race.load for race in numbers.races.values()))
+    if not creeps:
+        return (), None, tuple(reasons)
+    heaviest, torque = creeps[int(np.argmax(loads))], friction.torque
+    slides = sum(float(part[heaviest.place]) for part in (torque.spin, torque.conformity) if part is not None)
+    change = heaviest.numbers.change * slides / float(torque.total[heaviest.place])
+    return tuple(creeps), change, tuple(reasons)
+
+
+def _seeds(
+    scene: Scene, torque: SceneTorque | None, measured: MeasuredComparison | None, *, cost: bool
+) -> dict[str, Sequence[int]]:
+    """The seeds of all that is random in a check."""
+    cage, surface, friction = scene.cage, scene.surface, None if torque is None else torque.friction
+    seeds: dict[str, Sequence[int]] = {}
+    if cage is not None and friction is not None and friction.cage is not None and any(friction.cage.motion):
+        seeds["motion of the cage"] = range(cage.seeds)
+    if torque is not None and torque.prediction is not None:
+        seeds["samples of the interval"] = (torque.prediction.seed,)
+    if measured is not None:
+        seeds["samples beside the measured torques"] = (measured.seed,)
+    if cost and surface is not None and surface.autocorrelation is not None:
+        seeds["generated surface"] = (SEED,)
+    return seeds
+
+
+def _recorded(scene: Scene, friction: FrictionTorque) -> tuple[CageRecord, ...]:
+    """The motion at the slowest and the fastest point whose cage moved; the torque holds its statistics alone."""
+    moved = [] if friction.cage is None else [point for point, motion in enumerate(friction.cage.motion) if motion]
+    by_speed = sorted(moved, key=lambda point: abs(friction.inner_speed[point]))
+    records = (record_cage(scene, friction, point) for point in dict.fromkeys(by_speed[:1] + by_speed[-1:]))
+    return tuple(record for record in records if record is not None)
+
+
+def _with_ring_if_known(contact: ContactSolution) -> ContactSolution:
+    """A race with its ring's structure, or with a warning why it has none: no contact fails for it."""
+    try:
+        return with_ring(contact)
+    except InputError as problem:
+        return replace(contact, warnings=(*contact.warnings, str(problem)))

@@ -1,0 +1,126 @@
+"""The level that an accuracy needs."""
+
+from dataclasses import fields, replace
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from analytic.progress import silent
+from analytic.scene import Contact
+from fembearing.check.contact.mesh_refinement import (
+    STRIP_LEAST,
+    estimates_of,
+)
+from fembearing.check.contact.meshed_region import has_sides, sides_farther
+from fembearing.check.contact.reference import solve_reference
+from fembearing.check.contact.uncertainty import FARTHER_LEFT, SIDES_LEFT, SIDES_LEFT_IN_OTHERS
+from fembearing.fem.measure import Quantities, ShoulderLoad
+from fembearing.fem.solution import solve_on_mesh
+from fembearing.grid_convergence import CAUTIOUS, FINEST, LEAST
+from fembearing.mesh.recipe import load_recipe
+
+ORDER = 3.0  # of a semi-axis
+
+
+def coarse_and_fine(change: float) -> list[Any]:
+    """The first two levels, a semi-axis apart by `change`."""
+    return [
+        SimpleNamespace(level=1, shoulder=None, quantities=SimpleNamespace(semi_axis_rolling=0.7e-3 * (1 + change))),
+        SimpleNamespace(level=2, shoulder=None, quantities=SimpleNamespace(semi_axis_rolling=0.7e-3)),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("change", "half", "geometry", "needed"),
+    [
+        ({}, False, "real", True),
+        ({}, True, "real", False),  # both sides are meshed already
+        ({}, False, "wall", False),
+        ({"shoulder": 2.9e-3}, False, "real", True),
+        ({"shoulder": 3.77e-3}, False, "real", True),  # equal shoulders, whose lands are tilted
+        ({"shoulder": 3.77e-3, "contact_angle": 0.0}, False, "real", False),
+    ],
+)
+def test_both_sides_are_meshed_where_they_differ(
+    contacts: dict[str, Contact], change: dict[str, float], half: bool, geometry: Any, needed: bool
+) -> None:
+    contact = replace(contacts["inner"], **change)
+    footprint = SimpleNamespace(half=half)
+    for transverse, matters in ((0.93e-3, True), (0.03e-3, False)):  # a small contact has no sides to speak of
+        pair = SimpleNamespace(footprint=footprint, semi_axes=(0.1 * transverse, transverse))
+        mesh: Any = SimpleNamespace(contact=contact, pair=pair)
+        assert has_sides(mesh, recipe=replace(load_recipe("race"), geometry=geometry)) == (needed and matters)
+
+
+@pytest.mark.nightly
+def test_the_sides_of_a_steep_contact_are_those_of_a_finer_mesh(contacts: dict[str, Contact]) -> None:
+    """An outer ring counterbored, at 40 degrees: half of it on the third level, within the stated share."""
+    far = 4.21e-3 * np.sin(0.7)  # the bottom of the groove
+    contact = replace(contacts["outer"], shoulder=1.5e-3, far_shoulder=far, contact_angle=0.7, load=200.0)
+    recipe = load_recipe("race")
+    found = solve_reference(contact, recipe=recipe, accuracy=0.9, progress=silent)
+    axes = found.meshes[1].pair.semi_axes
+    thirds = [
+        solve_on_mesh(contact, recipe=recipe, level=3, semi_axes=axes, sides=sides).quantities
+        for sides in ("even", "both")
+    ]
+    largest = max(abs(getattr(thirds[1], name) / getattr(thirds[0], name) - 1) for name in SIDES_LEFT)
+    left = SIDES_LEFT | {"stiffness": SIDES_LEFT_IN_OTHERS}
+    assert largest > 1e-5
+    # Lands beyond the block change the approach alone, and the stiffness by it. Finer levels cannot mesh them here.
+    lands = sides_farther(contact, recipe=recipe, level=1, semi_axes=axes)
+    assert lands is not None
+    powers = {"approach": 1.0, "stiffness": -1.5}
+    for name, part in found.estimates.items():
+        quarter, half = (getattr(third, name) for third in thirds)
+        power = powers.get(name, 0.0)
+        sides = half / quarter * (1 + lands) ** power - 1
+        # Half differs from the mean of its quarters by 1.5e-5, in the stiffness by more; intervals hold FINEST besides.
+        allowed = left[name] * largest + FINEST / 2 + abs(power) * FARTHER_LEFT * abs(lands)
+        assert abs(part.sides - sides) < allowed, name
+
+
+def level_of(level: int, *, shoulder: ShoulderLoad | None = None, **values: float) -> Any:
+    """A solved level with these in place of the usual quantities."""
+    usual = Quantities(
+        semi_axis_rolling=0.12e-3, semi_axis_transverse=0.7e-3, peak_pressure=2.1e9, approach=6.2e-6, stiffness=2.4e10
+    )
+    pair = SimpleNamespace(semi_axes=(0.12e-3, 0.7e-3))
+    return SimpleNamespace(level=level, quantities=replace(usual, **values), shoulder=shoulder, pair=pair)
+
+
+def test_levels_are_extrapolated_by_the_order_of_each_quantity() -> None:
+    """The approach falls with h^4 and a semi-axis with h^3 to a known limit; the pressure stays that of the finest."""
+    meshes = [
+        level_of(level, approach=6.2e-6 * (1 + 0.02 / level**4), semi_axis_rolling=0.12e-3 * (1 - 0.01 / level**3))
+        for level in (1, 2, 3)
+    ]
+    found = estimates_of(meshes)
+    assert found["approach"].value == pytest.approx(6.2e-6, rel=1e-12)  # round-off
+    assert found["semi_axis_rolling"].value == pytest.approx(0.12e-3, rel=1e-12)
+    assert found["approach"].order == pytest.approx(4.0, rel=1e-9)
+    assert found["peak_pressure"].richardson is None
+
+
+def test_at_a_shoulder_nothing_is_extrapolated_and_the_strip_has_its_least_uncertainty() -> None:
+    """Between two shoulders the centroid is 0 on every mesh: that is certain."""
+    names = [each.name for each in fields(ShoulderLoad)]
+    assert "centroid" in names
+    strips = [name for name in names if name.startswith("strip")]
+    assert strips
+    for change, share in ((1e-4, STRIP_LEAST), (0.05, CAUTIOUS * 0.05 + LEAST + FINEST)):
+        meshes = [
+            level_of(
+                level,
+                shoulder=ShoulderLoad(**{name: 0.0 if name == "centroid" else 0.3 + 0.3 * off for name in names}),
+                approach=6.2e-6 * (1 + 0.02 / level**4),
+            )
+            for level, off in ((2, -change), (3, 0.0))
+        ]
+        found = estimates_of(meshes)
+        assert (found["centroid"].value, found["centroid"].total) == (0.0, 0.0)
+        assert found["approach"].richardson is None
+        for name in strips:
+            assert found[name].mesh == pytest.approx(share, rel=1e-9)  # round-off

@@ -1,0 +1,195 @@
+"""What a larger block says of the far boundary: where the effect of its size is known, and on still larger blocks."""
+
+from dataclasses import replace
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from analytic.progress import silent
+from analytic.scene import Contact
+from fembearing.check.contact import meshed_region
+from fembearing.check.contact.meshed_region import (
+    FADING,
+    Boundary,
+    boundary_effect,
+    boundary_effect_with_twin,
+    with_effect_of_sides,
+)
+from fembearing.check.contact.reference import solve_reference
+from fembearing.check.contact.uncertainty import (
+    LEFT_BY_MESHES,
+    SIDES_COARSE,
+    SIDES_LEFT,
+    SIDES_LEFT_IN_OTHERS,
+    UNCERTAIN,
+)
+from fembearing.fem.guess import expected_semi_axes
+from fembearing.fem.measure import Quantities
+from fembearing.fem.solution import solve_on_mesh
+from fembearing.fem.twin import TwinSolution, twin_factors, twin_on_level
+from fembearing.mesh import race
+from fembearing.mesh.recipe import load_recipe
+from tests.contacts import INNER, STEEL
+
+ENDLESS = Quantities(
+    semi_axis_rolling=0.12e-3, semi_axis_transverse=0.7e-3, peak_pressure=2.1e9, approach=6.2e-6, stiffness=2.4e10
+)
+
+
+def block(size: float) -> Any:
+    """Semi-axes and pressure have a limit, which they near with the assumed power; approach and stiffness have none."""
+    left = 3e-3 * size**-FADING
+    quantities = Quantities(
+        semi_axis_rolling=ENDLESS.semi_axis_rolling * (1 - left),
+        semi_axis_transverse=ENDLESS.semi_axis_transverse * (1 + 2 * left),
+        peak_pressure=ENDLESS.peak_pressure * (1 - 3 * left),
+        approach=ENDLESS.approach * (1 - 2e-3 * np.log(size)),
+        stiffness=ENDLESS.stiffness * (1 + 3e-3 * np.log(size)),
+    )
+    mesh = SimpleNamespace(doflocs=np.array([[0.0, size], [0.3, 0.0]]))
+    return SimpleNamespace(quantities=quantities, shoulder=None, pair=SimpleNamespace(lower=SimpleNamespace(mesh=mesh)))
+
+
+@pytest.mark.parametrize(("size", "further"), [(2.5, 5.0), (3.0, 4.6)])
+def test_semi_axes_and_pressure_are_those_of_an_endless_block(size: float, further: float) -> None:
+    near = block(size)
+    effects = boundary_effect(near, block(further))
+    for name in ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure"):
+        value = getattr(near.quantities, name) * (1 + effects[name].beyond)
+        assert value == pytest.approx(getattr(ENDLESS, name), rel=1e-9)  # round-off
+        assert effects[name].domain == pytest.approx(UNCERTAIN * abs(effects[name].beyond), rel=1e-12)
+
+
+@pytest.mark.parametrize(("size", "further"), [(2.5, 5.0), (3.0, 4.6)])
+def test_the_approach_is_that_of_the_larger_block(size: float, further: float) -> None:
+    near, far = block(size), block(further)
+    effects = boundary_effect(near, far)
+    for name in ("approach", "stiffness"):
+        value = getattr(near.quantities, name) * (1 + effects[name].beyond)
+        assert value == pytest.approx(getattr(far.quantities, name), rel=1e-12)  # round-off
+        assert effects[name].domain == pytest.approx(LEFT_BY_MESHES * abs(effects[name].beyond), rel=1e-12)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("pair", ["outer", "long"])
+def test_the_first_level_predicts_larger_blocks_on_the_second(
+    contacts: dict[str, Contact], monkeypatch: pytest.MonkeyPatch, pair: str
+) -> None:
+    """A block 2.9 times as large for semi-axes and pressure, to their limit; the one twice as large for the approach.
+
+    On the outer race the approach has no limit: the largest block changes it again. The long ellipse has 33 times its
+    width, where the first level is off by what the twins do not correct.
+    """
+    recipe = load_recipe("race")
+    long = replace(contacts["inner"], groove_radius=0.5026 * 2 * contacts["inner"].ball_radius, load=7.3)
+    contact = long if pair == "long" else contacts[pair]
+    coarse = twin_on_level(contact, recipe=recipe, level=1, start=expected_semi_axes(contact, geometry="real"))
+    assert coarse is not None
+    stated = boundary_effect_with_twin(coarse, recipe=recipe)
+
+    def corrected(further: float) -> dict[str, float]:
+        monkeypatch.setattr(race, "FURTHER", further)
+        extended = further > 1
+        mesh = solve_on_mesh(contact, recipe=recipe, level=2, semi_axes=coarse.ellipse, extended=extended)
+        return TwinSolution(mesh=mesh, factors=twin_factors(mesh, recipe=recipe, extended=extended)).corrected
+
+    block, near, far = (corrected(further) for further in (1.0, 2.0, 2.9))
+    for name in ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure"):
+        beyond = (far[name] / block[name] - 1) / (1 - 2.9**-FADING)
+        assert abs(beyond - stated[name].beyond) < stated[name].domain < 5e-4, name
+    approach = stated["approach"]
+    assert abs(near["approach"] / block["approach"] - 1 - approach.beyond) < approach.domain < 5e-4
+    assert pair != "outer" or abs(far["approach"] / near["approach"] - 1) > abs(approach.beyond) / 4
+
+
+def steep(pair: str, *, size: float) -> Contact:
+    """A steel contact at 40 degrees, with a semi-axis of `size` ball radii and lands 0.45 rad beyond it."""
+    angle, radius = 0.698, 3.97e-3
+    inner = pair == "inner"
+    groove = 2 * radius * (0.52 if inner else 0.53)
+    ring = 19.5e-3 / np.cos(angle)
+    contact = Contact(
+        pair="inner" if inner else "outer",
+        ball_radius=radius,
+        groove_radius=groove,
+        rolling_radius=ring - radius if inner else -ring - radius,
+        shoulder=groove * np.sin(np.arcsin(size * radius / groove) + 0.45),
+        far_shoulder=groove * np.sin(angle + 0.5),
+        contact_angle=angle,
+        load=100.0,
+        ball_material=STEEL,
+        race_material=STEEL,
+    )
+    for _ in range(9):  # the ellipse grows a little slower than the cube root of the load
+        across = expected_semi_axes(contact, geometry="real")[1]
+        contact = replace(contact, load=contact.load * (size * radius / across) ** 3)
+    return contact
+
+
+@pytest.mark.parametrize(
+    ("pair", "size", "level"),
+    [
+        pytest.param("outer", 0.25, 2, marks=pytest.mark.nightly),
+        pytest.param("inner", 0.2, 1, marks=pytest.mark.slow),
+    ],
+)
+def test_at_forty_degrees_the_approach_has_its_lands_up_to_the_larger_block(pair: str, size: float, level: int) -> None:
+    """Half of the contact with both lands on the larger block, over the quarter on the block; no sum of two quarters.
+
+    The level is the finest on which no cell of that half is inside out.
+    """
+    contact, recipe = steep(pair, size=size), load_recipe("race")
+    found = solve_reference(contact, recipe=recipe, accuracy=2e-3, progress=silent).estimates["approach"]
+    axes = expected_semi_axes(contact, geometry="real")
+    quarter = solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=axes)
+    half = solve_on_mesh(contact, recipe=recipe, level=level, semi_axes=axes, extended=True, sides="both")
+    change = half.quantities.approach / quarter.quantities.approach
+    assert abs(found.sides) > 4e-4  # the lands count
+    assert abs((1 + found.beyond) * (1 + found.sides) / change - 1) < found.domain < 1e-3
+
+
+def solved(**values: float) -> Any:
+    """A mesh with these in place of the endless block's."""
+    pair = SimpleNamespace(semi_axes=(0.12e-3, 0.7e-3))
+    return SimpleNamespace(quantities=replace(ENDLESS, **values), shoulder=None, pair=pair, contact=CONTACT, level=2)
+
+
+CONTACT = replace(INNER, rolling_radius=15.6e-3, shoulder=3.1e-3, far_shoulder=2.4e-3, contact_angle=0.31)
+
+
+def test_both_sides_give_the_mean_of_their_quarters() -> None:
+    """The approach by 0.2 % and 0.1 % more, the pressure by 0.06 % less and 0.02 % more."""
+    above = solved(approach=1.002 * ENDLESS.approach, peak_pressure=0.9994 * ENDLESS.peak_pressure)
+    below = solved(approach=1.001 * ENDLESS.approach, peak_pressure=1.0002 * ENDLESS.peak_pressure)
+    boundary = dict.fromkeys(vars(ENDLESS), Boundary(beyond=0.03, domain=1e-4))
+    found = meshed_region.with_sides(boundary, solved(), above, below, farther=0.0)
+    expected = {"approach": 1.5e-3, "peak_pressure": -2e-4, "semi_axis_rolling": 0.0}
+    for name, share in expected.items():
+        assert found[name].sides == pytest.approx(share, abs=1e-12), name  # round-off
+        assert found[name].beyond == 0.03
+    # The meshes leave a share of the largest of these effects, that on the approach, and the cells (b/r)^2 of theirs.
+    coarse = SIDES_COARSE * (0.7 / 3.97) ** 2
+    for name, left in (("approach", SIDES_LEFT["approach"]), ("stiffness", SIDES_LEFT_IN_OTHERS)):
+        assert found[name].domain == pytest.approx(1e-4 + left * 1.5e-3 + coarse, rel=1e-9), name
+
+
+def test_lands_on_the_larger_block_move_the_approach_and_the_stiffness_by_its_power() -> None:
+    boundary, sides = dict.fromkeys(vars(ENDLESS), Boundary(domain=1e-4)), dict.fromkeys(vars(ENDLESS), 2e-4)
+    how: Any = {"transverse": 7e-4, "farther": -3e-3}
+    found, less = (with_effect_of_sides(boundary, sides, CONTACT, **how, left=left) for left in (0.25, 0.125))
+    assert found["approach"].sides == pytest.approx(1.0002 * 0.997 - 1, rel=1e-9)  # round-off
+    assert found["stiffness"].sides == pytest.approx(1.0002 * 0.997**-1.5 - 1, rel=1e-9)
+    assert found["peak_pressure"].sides == pytest.approx(2e-4, rel=1e-9)
+    coarse = 1e-4 + SIDES_COARSE * (0.7 / 3.97) ** 2
+    for part, left in ((found, 0.25), (less, 0.125)):
+        lands = np.hypot(SIDES_LEFT["approach"] * 2e-4, left * 3e-3)
+        assert part["approach"].domain == pytest.approx(coarse + lands, rel=1e-9)
+
+
+def test_an_effect_of_a_quantity_that_is_0_is_none() -> None:
+    assert meshed_region.changes({"centroid": 0.0, "load": 4.0}, {"centroid": 3.0, "load": 5.0}) == {
+        "centroid": 0.0,
+        "load": 0.25,
+    }

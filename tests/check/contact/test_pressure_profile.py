@@ -1,0 +1,84 @@
+"""Pressure along the axes: its load, its centre, thinning, and nodes that do not touch."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from analytic.scene import Contact
+from fembearing.check.contact.discrepancy import ContactSolution, compare_contact
+from fembearing.check.contact.hertz import hertz_quantities
+from fembearing.check.contact.pressure_profile import AXES, MOST, Axis, hertz_profile, nodal_profile
+from fembearing.mesh.recipe import load_recipe
+
+
+@pytest.fixture(scope="module")
+def solution(contacts: dict[str, Contact]) -> ContactSolution:
+    return compare_contact(contacts["outer"], recipe=load_recipe("race"), tolerance=0.9)
+
+
+def carried(position: np.ndarray, pressure: np.ndarray, *, along: float, across: float) -> float:
+    """Load of a pressure that is the same on ellipses of one shape: 2 pi (across/along) integral of p s ds, N.
+
+    p^2 is about straight in s^2 there: p s ds is integrated as half p d(s^2), exactly for that from node to node.
+    """
+    square, low, high = position**2, pressure[:-1], pressure[1:]
+    mean = 2 / 3 * (low**2 + low * high + high**2) / np.maximum(low + high, 1e-300)  # of the root of a straight line
+    return float(np.pi * across / along * np.sum(mean * np.diff(square)))
+
+
+@pytest.mark.parametrize("axis", AXES)
+def test_the_pressure_on_either_axis_carries_the_load(solution: ContactSolution, axis: Axis) -> None:
+    profile, measured = nodal_profile(solution.meshes[-1], axis), solution.reference
+    along, across = measured.semi_axis_rolling, measured.semi_axis_transverse
+    if axis == "transverse":
+        along, across = across, along
+    load = carried(np.array(profile.position), np.array(profile.pressure), along=along, across=across)
+    np.testing.assert_allclose(load, solution.contact.load, rtol=0.015)  # nodes scatter by 0.5 %, more at the edge
+    assert profile.position[0] == 0
+    np.testing.assert_allclose(profile.pressure[0], measured.peak_pressure, rtol=5e-3)  # a node, and a fit to many
+    assert np.all(np.diff(profile.position) > 0)
+    assert np.all(np.array(profile.pressure)[np.array(profile.position) > 1.05 * along] == 0)
+    assert along < profile.position[-1] <= 1.2 * solution.meshes[-1].pair.semi_axes[AXES.index(axis)] * 1.01
+
+
+@pytest.mark.parametrize("axis", AXES)
+def test_hertz_carries_the_load_and_ends_at_its_edge(solution: ContactSolution, axis: Axis) -> None:
+    profile, hertz = hertz_profile(solution.hertz, axis), solution.hertz
+    along, across = hertz.semi_axis_rolling, hertz.semi_axis_transverse
+    if axis == "transverse":
+        along, across = across, along
+    load = carried(np.array(profile.position), np.array(profile.pressure), along=along, across=across)
+    np.testing.assert_allclose(load, solution.contact.load, rtol=1e-9)  # exact for an ellipse
+    assert (profile.pressure[0], profile.pressure[-1]) == (hertz.peak_pressure, 0)
+    np.testing.assert_allclose(profile.position[-1], along, rtol=1e-12)
+
+
+def test_the_error_of_the_correction_is_relative_to_the_reference(solution: ContactSolution) -> None:
+    assert solution.corrected is not None
+    for name, error in solution.interpolation_error.items():
+        corrected, reference = (getattr(part, name) for part in (solution.corrected.quantities, solution.reference))
+        assert reference * (1 + error) == pytest.approx(corrected, rel=1e-12), name  # round-off
+    assert set(solution.interpolation_error) == set(vars(solution.reference))
+    assert replace(solution, corrected=None).interpolation_error == {}
+
+
+def test_many_nodes_are_thinned_with_ends_and_centre(solution: ContactSolution) -> None:
+    mesh = solution.meshes[-1]
+    x = np.linspace(-1.1, 1.1, 501) * mesh.semi_axes[0]
+    force = np.ones(501)
+    force[250 + 6] = 0.0  # a node that does not touch, with noise of the fit
+    many = replace(mesh, x=x, y=np.append(np.zeros(500), 1e-3), force=force, pressure=np.arange(501.0))
+    profile = nodal_profile(many, "rolling")
+    assert len(profile.position) <= MOST
+    assert 0.0 in profile.position
+    assert (profile.position[0], profile.position[-1]) == (x[0], x[499])  # the last node is off the axis
+    kept = np.searchsorted(x, profile.position)
+    np.testing.assert_array_equal(profile.pressure, np.where(force[kept] > 0, kept, 0.0))
+    whole = replace(many, x=x[::12], y=np.zeros(42), force=force[::12], pressure=np.arange(42.0))
+    assert len(nodal_profile(whole, "rolling").position) == 42  # few enough
+
+
+def test_a_light_contact_has_profiles_too(contacts: dict[str, Contact]) -> None:
+    hertz = hertz_quantities(replace(contacts["inner"], load=1e-3))
+    assert len(hertz_profile(hertz, "rolling").position) == MOST

@@ -1,0 +1,102 @@
+"""A numerical film beside the formulas: what is compared with what, its verdict, and what it changes in the torque."""
+
+from dataclasses import replace
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from analytic.errors import InputError
+from analytic.scene import Operation, Scene
+from analytic.scenefile.read import parse_scene
+from fembearing.check.film import scene_film
+from fembearing.check.film.closed_forms import ClosedForms
+from fembearing.check.film.scene_film import problem_of
+from fembearing.grid_convergence import Estimate
+from tests.analytic.specimens import present
+from tests.check.film.test_closed_forms import scene_text
+
+
+@pytest.fixture(scope="module")
+def scene() -> Scene:
+    return parse_scene(scene_text("numerical"), origin="here")
+
+
+@pytest.fixture(scope="module")
+def closed(scene: Scene) -> ClosedForms:
+    return problem_of(scene, "outer")[0]
+
+
+def part(value: float, uncertainty: float) -> Estimate:
+    """With 0.8 of its relative uncertainty from the grids and 0.6 from the region."""
+    return Estimate(values=(value,), order=2.1, richardson=None, mesh=0.8 * uncertainty, domain=0.6 * uncertainty)
+
+
+def compared(closed: ClosedForms, *, film: float = 1.0, force: float = 1.0) -> Any:
+    """With so many times the film and the force that production takes."""
+    solution: Any = SimpleNamespace(
+        central_film=part(film * closed.model_film(), 0.01),
+        minimum_film=part(0.7e-7, 0.02),
+        rolling_force=part(force * closed.model_force()[0], 0.03),
+        pressure_centre=part(-3e-6, 0.04),
+        dissipated_force=part(0.013, 0.05),
+        seconds=7.0,
+    )
+    return scene_film._compared(closed, solution, inner_speed=-67.0, tolerance=0.05).numbers
+
+
+def test_each_quantity_stands_beside_its_formula_with_its_uncertainty(closed: ClosedForms) -> None:
+    found = compared(closed, film=0.9, force=1.1)
+    film, force = found.central_film, found.rolling_force
+    assert (film.formula, film.production) == (closed.film(), closed.model_film())
+    assert (force.formula, force.production) == (float(closed.resistance().force), closed.model_force()[0])
+    assert film.discrepancy == pytest.approx(1 / 0.9 - 1, rel=1e-9)
+    assert force.discrepancy == pytest.approx(1 / 1.1 - 1, rel=1e-9)
+    assert found.minimum_film.formula / film.formula == pytest.approx(closed.minimum_ratio(), rel=1e-12)
+    assert found.minimum_film.production / film.production == pytest.approx(closed.minimum_ratio(), rel=1e-12)
+    for name, share in (("central_film", 0.01), ("rolling_force", 0.03), ("pressure_centre", 0.04)):
+        each = found.quantities[name]
+        assert each.relative_uncertainty == pytest.approx(share, rel=1e-12)
+        assert each.uncertainty == pytest.approx(share * abs(each.numerical), rel=1e-12)
+    assert found.worst == ("rolling_force", pytest.approx(0.03, rel=1e-12))  # the centre of pressure is not judged
+    assert (found.inner_speed, found.seconds, found.dissipated_force) == (-67.0, 7.0, 0.013)
+
+
+def test_the_load_off_the_centre_balances_the_moment_of_the_rolling_forces(closed: ClosedForms) -> None:
+    """Both surfaces roll with the same force at the radius of the undeformed gap: 2 F R_x = Q x."""
+    found = compared(closed)
+    for name in ("formula", "production"):
+        force, centre = getattr(found.rolling_force, name), getattr(found.pressure_centre, name)
+        assert centre * found.load == pytest.approx(2 * force * closed.problem.shape.radii[0], rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("film", "force", "verdict"), [(1.0, 1.0, "pass"), (3.0, 1.0, "fail"), (1.0, 3.0, "fail"), (0.3, 1.0, "fail")]
+)
+def test_film_and_force_are_judged_by_the_stated_errors_of_the_model(
+    closed: ClosedForms, film: float, force: float, verdict: str
+) -> None:
+    assert compared(closed, film=film, force=force).verdict == verdict
+
+
+def test_a_contact_takes_the_load_and_the_speed_that_are_asked_for(scene: Scene) -> None:
+    own, speed = problem_of(scene, "inner")
+    assert speed == pytest.approx(640 * np.pi / 30, rel=1e-12)
+    other, faster = problem_of(scene, "inner", load=2.5 * own.contact.load, inner_speed=-3 * speed)
+    assert other.contact.load == 2.5 * own.contact.load
+    assert faster == -3 * speed
+    assert abs(other.problem.speed / own.problem.speed) == pytest.approx(3.0, rel=1e-9)
+    oil, ball = present(scene.lubricant), scene.bearing.ball_diameter / 2
+    for side in ("ahead", "behind"):
+        assert getattr(own.problem.reach, side) == pytest.approx(getattr(oil.reach, side) * ball, rel=1e-12)
+
+
+def test_without_oil_or_motion_there_is_no_film(scene: Scene) -> None:
+    with pytest.raises(InputError, match=r"dry, without a film: add a table \[lubricant\]"):
+        problem_of(replace(scene, lubricant=None), "inner")
+    still = Operation(axial_load=np.array([730.0]), inner_speed=np.array([0.0]))
+    with pytest.raises(InputError, match="at standstill there is no film"):
+        problem_of(replace(scene, operation=still), "inner")
+    with pytest.raises(InputError, match="at standstill"):
+        problem_of(scene, "inner", inner_speed=0.0)

@@ -1,0 +1,104 @@
+"""The main job: which contacts a scene calls for, which of them reach the torque, and what is refused at once."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from analytic.errors import InputError
+from analytic.scene import Scene
+from analytic.scenefile.read import load_scene
+from fembearing.check.torque_change import change_of_torque
+from fembearing.check.validation import Validation, check_scene
+from tests.analytic.specimens import present
+from tests.conftest import Checked
+
+
+def test_a_scene_with_a_cage_has_both_races_and_its_pocket_twice(checked: Validation) -> None:
+    """Without one it has the races alone: tests/cli/test_scenes.py."""
+    assert [(solved.contact.pair, solved.geometry) for solved in checked.contacts] == [
+        ("inner", "real"),
+        ("outer", "real"),
+        ("pocket", "real"),
+        ("pocket", "wall"),
+    ]
+
+
+def test_the_progress_never_goes_back(checked_with_progress: Checked) -> None:
+    """One contact after the other; each solve tells the start of its steps, the last one in the last third."""
+    shares = checked_with_progress.shares
+    assert shares == sorted(shares)
+    assert shares[0] == 0
+    assert 2 / 3 < shares[-1] <= 1
+
+
+def test_each_race_takes_its_own_contact_to_the_torque(checked: Validation) -> None:
+    inner, outer = checked.contacts[:2]
+    production = present(checked.torque).friction
+    found = present(checked.torque_change).corrected.torque.total
+    expected, exchanged = (
+        change_of_torque(checked.scene, production, inner=first, outer=second).corrected.torque.total
+        for first, second in ((inner, outer), (outer, inner))
+    )
+    np.testing.assert_array_equal(found, expected)
+    assert np.all(found != exchanged)
+
+
+def no_room_in_the_pocket(scene: Scene) -> Scene:
+    return replace(scene, cage=replace(present(scene.cage), pocket_diameter=scene.bearing.ball_diameter))
+
+
+@pytest.mark.parametrize(
+    ("spoiled", "words"),
+    [
+        (lambda scene: replace(scene, effects={"rolling": "on"}), "effects.rolling"),  # which the contacts do not see
+        (no_room_in_the_pocket, "pocket_diameter"),  # the third contact, after two that can be solved
+        # Without a coefficient there is no torque and no effect: asking for one is an error, not a wish to pass over
+        (
+            lambda scene: replace(scene, friction_coefficient=None, effects={"cage": "on"}),
+            r"friction\.coefficient is missing",
+        ),
+    ],
+    ids=["effect", "pocket", "no friction"],
+)
+def test_what_is_impossible_is_refused_before_anything_is_solved(spoiled: Callable[[Scene], Scene], words: str) -> None:
+    """A solve tells its progress before it starts."""
+    told: list[str] = []
+    with pytest.raises(InputError, match=words):
+        check_scene(spoiled(load_scene("6205-dry")), progress=lambda _, step: told.append(step))
+    assert told == []
+
+
+def test_the_data_frame_has_a_row_for_each_contact(checked: Validation) -> None:
+    frame = checked.to_dataframe()
+    assert frame["pair"].tolist() == ["inner", "outer", "pocket", "pocket"]
+    assert frame["geometry"].tolist() == ["real", "real", "real", "wall"]
+    for point, contact in enumerate(checked.contacts):
+        assert frame["verdict"][point] == contact.shown_verdict
+        for name, value in contact.columns().items():
+            assert frame[name][point] == pytest.approx(value, nan_ok=True, rel=0, abs=0)
+    assert frame.attrs["units"]["peak_pressure"] == "Pa"
+
+
+def test_warnings_stand_once_and_those_of_a_bearing_name_it(checked: Validation) -> None:
+    own = checked.scene.warnings
+    first = replace(checked.contacts[0], bearing="first", warnings=(*own, "too near"))
+    second = replace(checked.contacts[1], bearing="second", warnings=(*own, "too near"))
+    found = replace(checked, contacts=(first, second), torque=None, torque_change=None, trouble=("no pictures",))
+    assert found.warnings == (*own, "first bearing, too near", "second bearing, too near", "no pictures")
+    alone = replace(found, contacts=(replace(first, bearing=None), replace(second, bearing=None)))
+    assert alone.warnings == (*own, "too near", "no pictures")
+
+
+def test_the_verdict_of_all_contacts_is_the_worst_of_those_that_are_judged(checked: Validation) -> None:
+    seat, sheet = checked.contacts[2:]
+    assert not sheet.judged
+    assert checked.comparison == "pass"
+    tight = [replace(contact, tolerance=1e-9) for contact in checked.contacts]
+    assert replace(checked, contacts=(tight[0], *checked.contacts[1:])).comparison == "fail"
+    assert replace(checked, contacts=(*checked.contacts[:3], tight[3])).comparison == "pass"
+    bare = replace(checked, torque=None).verdicts
+    assert [check.where for check in bare.physical] == ["inner race", "outer race"]
+    assert bare.numerical is None
+    assert seat.judged
