@@ -12,11 +12,11 @@ from typing import Annotated, Literal
 import numpy as np
 from annotated_types import MinLen
 
+from analytic.columns import COORDINATES
 from analytic.contact.geometry import RACES
 from analytic.errors import FembearingError
 from analytic.prediction.evaluation import moved_scene, problem_of, torque_at
 from analytic.prediction.spreads import UncertainInput, uncertain_inputs
-from analytic.result import COORDINATES
 from analytic.rows import OperatingPoint, require_one_length
 from analytic.scene import Array, Scene
 from analytic.torque import friction_torque

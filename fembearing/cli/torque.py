@@ -66,8 +66,8 @@ def torque(
     read = {name: replace(scene, tolerance=read_tolerance(tolerance, scene)) for name, scene in read.items()}
     count = read_samples(samples, with_interval=with_interval)
     from fembearing.cli.console import out, print_json
-    from fembearing.plain_types import plain
-    from fembearing.report.torque import torque_file
+    from fembearing.plain_types import document
+    from fembearing.report.torque import content_of
     from fembearing.report.torque_folder import torque_with_files
 
     results: dict[str, SceneTorque] = {}
@@ -79,7 +79,7 @@ def torque(
                     scene, out=target, force=force, samples=count, keep_going=keep_going, progress=progress
                 )
     if as_json:
-        files = {name: plain(torque_file(result)) for name, result in results.items()}
+        files = {name: document("torque", content_of(result)) for name, result in results.items()}
         print_json(files if len(files) > 1 else files[names[0]])
     else:
         _print(results, talk, details=details)

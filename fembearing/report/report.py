@@ -3,7 +3,7 @@
 import json
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache, cached_property
 from importlib.metadata import version
 from pathlib import Path
@@ -16,6 +16,7 @@ from analytic.errors import InputError
 from analytic.reading import content_of
 from analytic.rows import Count, NotNegative, Positive
 from analytic.scene import Array, Pair, ReportDetails
+from analytic.scene_torque import SceneTorque
 from analytic.verdicts import PhysicalCheck, Summary
 from fembearing.check.cage_record import DrawnMotion
 from fembearing.check.contact.bearings import OfPair
@@ -31,12 +32,14 @@ from fembearing.check.measured.comparison import MeasuredComparison
 from fembearing.check.sensitivity import Sensitivity
 from fembearing.check.torque_change import OF_RACES, TorqueChange
 from fembearing.check.validation import Validation
+from fembearing.plain_types import UNWRITTEN
 from fembearing.provenance import Provenance
 from fembearing.quantities import CONTACT, SYSTEMS, Units
 from fembearing.report.contact import ContactRecord, contact_record
 from fembearing.report.findings import Finding, findings_of
 from fembearing.report.scene_view import SceneView
-from fembearing.report.torque import CageMotionPoint, TorqueRecord, cage_motion, torque_record
+from fembearing.report.torque import CageMotionPoint, TorqueContent, cage_motion
+from fembearing.report.torque import content_of as torque_content
 
 if TYPE_CHECKING:
     from pydantic import TypeAdapter
@@ -192,7 +195,8 @@ class Report:
     verdicts: tuple[VerdictRow, ...]
     uncertainties: Uncertainties
     contacts: Annotated[tuple[ContactRecord, ...], Len(2, 6)]
-    torque: TorqueRecord | None
+    solved: SceneTorque | None = field(metadata=UNWRITTEN)  # the torque, which JSON holds as follows
+    torque: TorqueContent | None
     torque_change: ChangeRecord | None
     cage_motion: tuple[CageMotionPoint, ...] | None
     cage_records: tuple[DrawnMotion, ...]
@@ -298,7 +302,8 @@ def report_of(result: Validation, *, pictures: Sequence[PictureFile] = (), rende
         verdicts=tuple(row for contact in result.contacts if contact.judged for row in _verdicts(contact)),
         uncertainties=Uncertainties(**WHY),
         contacts=contacts,
-        torque=None if torque is None else torque_record(torque, measured=True),
+        solved=torque,
+        torque=None if torque is None else torque_content(torque),
         torque_change=None if change is None else change_record(change),
         cage_motion=None if torque is None else cage_motion(torque),
         cage_records=tuple(record.drawn(most=INSTANTS) for record in result.cage_records),

@@ -12,7 +12,8 @@ import pytest
 
 from analytic.effects import ENTRIES
 from analytic.errors import InputError
-from analytic.result import COLUMNS, FrictionTorque
+from analytic.columns import COLUMNS
+from analytic.result import FrictionTorque
 from analytic.scene import Bearing, ContactAngle, Scene
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque

@@ -11,7 +11,8 @@ import pytest
 from rich.console import Console
 
 from analytic.errors import InputError
-from analytic.result import COORDINATES, FrictionTorque
+from analytic.columns import COORDINATES
+from analytic.result import FrictionTorque
 from analytic.scene import Array
 from analytic.scene_torque import SceneTorque, torque_of_scene
 from fembearing.check.torque_change import TorqueChange

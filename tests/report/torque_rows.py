@@ -9,7 +9,7 @@ import numpy as np
 
 from analytic.cage.torque import CagePoint
 from analytic.left_out import LeftOut
-from analytic.result import FrictionCoefficients, LoadedContact, OnRaces, TorqueParts, TorquePoint, TorqueUncertainty
+from analytic.result import FrictionCoefficients, LoadedContact, OnRaces, TorqueParts, TorqueUncertainty
 from analytic.standing import Standing
 from analytic.verdicts import Verdicts
 from fembearing.report.torque import Band, TorqueRecord
@@ -36,7 +36,7 @@ def point(number: int = 0, **changed: Any) -> TorquePoint:
     return TorquePoint(**given | changed)
 
 
-def loaded(load: float, **changed: float) -> LoadedContact[float]:
+def loaded(load: float, **changed: float) -> LoadedContact:
     given = {"semi_axis_rolling": 0.12e-3, "semi_axis_transverse": 0.88e-3, "peak_pressure": 1.7e9, "approach": 5.3e-6}
     return LoadedContact(load=load, **given | changed)
 

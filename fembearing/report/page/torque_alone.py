@@ -11,31 +11,30 @@ from fembearing.report.tables.inputs import effects_table
 from fembearing.report.tables.prediction import prediction_tables
 from fembearing.report.tables.torque import pair_table, torque_table
 from fembearing.report.tables.verdicts import physical_table
-from fembearing.report.torque import torque_record
 
 
 def torque_page(result: SceneTorque, figure: bytes) -> str:
     """The page;  figure : SVG."""
     friction, verdicts = result.friction, result.verdicts
     assert verdicts.numerical is not None
-    torque, units = torque_record(result, measured=True), SYSTEMS[result.scene.report.units]
-    tables = [torque_table(torque, result.scene.bearing.name, range(len(torque.points)), units)]
-    tables += [] if torque.pair is None else [pair_table(torque.pair, torque.computed, units)]
+    units, computed = SYSTEMS[result.scene.report.units], result.places.computed
+    tables = [torque_table(result, result.scene.bearing.name, range(len(result.points)), units)]
+    tables += [] if friction.pair is None else [pair_table(friction.pair, range(len(computed)), units)]
     return filled(
         "torque_alone.html",
         name=result.scene.name,
         bearing=result.scene.bearing.name,
-        headline=headline_table(result.scene, torque, units),
-        said=[line for line in (film_words(result), makers_words(torque, units)) if line is not None],
-        standing=torque.standing,
-        tables=[*tables, *prediction_tables(torque, torque.computed, units)],
+        headline=headline_table(result, units),
+        said=[line for line in (film_words(result), makers_words(result, units)) if line is not None],
+        standing=result.standing,
+        tables=[*tables, *prediction_tables(result, computed, units)],
         figure=embedded(figure, "svg+xml"),
         notes=result.notes,
         verdict=verdicts.overall,
         numerical=numerical_words(verdicts.numerical),
         physical=physical_table(verdicts.physical, units),
         warnings=friction.warnings,
-        effects=effects_table(torque.effects, torque.measured_points),
+        effects=effects_table(friction.effects, friction.effects.among(computed).points),
         versions=friction.provenance,
         fingerprint=provenance_of(result.scene).scene_sha256,
     )

@@ -82,22 +82,25 @@ def page_of(document: Report, folder: Path, *, plots: dict[str, list[ShownPlot]]
 
 
 def _inputs(document: Report) -> list[Table]:
-    torque = document.torque
+    torque = document.solved
     if torque is None:
         return []
     named = [inputs_table("Sources of the inputs", torque.inputs, document.units)] if torque.inputs else []
-    return [*named, *([effects_table(torque.effects, torque.measured_points)] if torque.effects else [])]
+    return [
+        *named,
+        effects_table(torque.friction.effects, torque.friction.effects.among(torque.places.computed).points),
+    ]
 
 
 def _torque(document: Report) -> list[Table]:
     """Of every operating point; of a long series some balls and intervals."""
-    torque, change, units = document.torque, document.torque_change, document.units
+    torque, change, units = document.solved, document.torque_change, document.units
     if torque is None or change is None:
         return []
     every, some = range(len(torque.points)), shown_places(torque)
     return [
         torque_table(torque, document.scene.bearing.name, every, units),
-        *([] if torque.pair is None else [pair_table(torque.pair, every, units)]),
+        *([] if torque.friction.pair is None else [pair_table(torque.friction.pair, every, units)]),
         ball_table(torque, some, units),
         *prediction_tables(torque, every, units),
         change_table(torque.points, change, every, units),
@@ -105,6 +108,6 @@ def _torque(document: Report) -> list[Table]:
 
 
 def _cage(document: Report) -> list[Table]:
-    torque = document.torque
+    torque = document.solved
     every = () if torque is None else range(len(torque.points))
     return [] if torque is None else cage_tables(document.cage_motion, torque, every, document.units)

@@ -19,44 +19,43 @@ from fembearing.report.tables.prediction import prediction_tables
 from fembearing.report.tables.torque import ball_table, pair_table, torque_table
 from fembearing.report.tables.verdicts import physical_table
 from fembearing.report.terminal.table import show
-from fembearing.report.torque import TorqueRecord, cage_motion, torque_record
+from fembearing.report.torque import cage_motion
 
 
 def print_headline(out: Console, result: SceneTorque) -> None:
     """Print what was computed, the torque with its interval, the film, the makers' formulas, and the verdict."""
-    record = torque_record(result)
     units = SYSTEMS[result.scene.report.units]
-    show(out, headline_table(result.scene, record, units))
-    for line in (film_words(result), makers_words(record, units), f"{record.standing.word}: {record.standing.reason}"):
+    show(out, headline_table(result, units))
+    for line in (film_words(result), makers_words(result, units), f"{result.standing.word}: {result.standing.reason}"):
         if line is not None:
             out.print(line, markup=False)
 
 
 def print_details(out: Console, result: SceneTorque) -> None:
     """Print a friction torque: parts, contacts, cage and effects, and the verdicts, in the last line in a word each."""
-    scene, verdicts, torque = result.scene, result.verdicts, torque_record(result, measured=True)
-    places, units = shown_places(torque), SYSTEMS[scene.report.units]
-    show(out, torque_table(torque, scene.bearing.name, places, units))
-    if torque.clearances is not None:
-        out.print(f"{clearances_of(torque.clearances, units)}\n", markup=False)
-    tables = [*prediction_tables(torque, places, units), ball_table(torque, places, units)]
-    tables += cage_tables(cage_motion(result), torque, places, units)
-    for table in (*([] if torque.pair is None else [pair_table(torque.pair, places, units)]), *tables):
+    scene, friction, verdicts = result.scene, result.friction, result.verdicts
+    places, units = shown_places(result), SYSTEMS[scene.report.units]
+    show(out, torque_table(result, scene.bearing.name, places, units))
+    if friction.clearances is not None:
+        out.print(f"{clearances_of(friction.clearances, units)}\n", markup=False)
+    tables = [*prediction_tables(result, places, units), ball_table(result, places, units)]
+    tables += cage_tables(cage_motion(result), result, places, units)
+    for table in (*([] if friction.pair is None else [pair_table(friction.pair, places, units)]), *tables):
         show(out, table)
-    show(out, effects_table(torque.effects, torque.measured_points))
+    show(out, effects_table(friction.effects, friction.effects.among(result.places.computed).points))
     _print_inputs(out, result, units)
-    names = ("loads", "contacts", "sliding", "kinematics", *(() if result.friction.cage is None else ("cage",)))
-    methods = [f"{name} by {torque.provenance[name]}".replace("_", " ") for name in names]
+    names = ("loads", "contacts", "sliding", "kinematics", *(() if friction.cage is None else ("cage",)))
+    methods = [f"{name} by {friction.provenance[name]}".replace("_", " ") for name in names]
     source = friction_of(coefficient=scene.friction_coefficient, is_lubricated=scene.has_friction)
     law = None if scene.lubricant is None else scene.lubricant.traction
     own = f" Law of traction: {law.origin}." if isinstance(law, OwnTraction) else ""
     out.print(f"Methods: {'; '.join(methods)}. Friction: {source}.{own}\n", markup=False)
-    print_verdicts(out, verdicts.physical, torque, units)
-    out.print(f"{verdicts.summary.words}, {torque.seconds:.2g} s")
+    print_verdicts(out, verdicts.physical, result, units)
+    out.print(f"{verdicts.summary.words}, {friction.seconds:.2g} s")
 
 
 def print_verdicts(
-    out: Console, physical: Sequence[PhysicalCheck], torque: TorqueRecord | None, units: Units = METRIC
+    out: Console, physical: Sequence[PhysicalCheck], torque: SceneTorque | None, units: Units = METRIC
 ) -> None:
     """Print the physical limits; of a torque its notes, and whether it is solved within the tolerance."""
     show(out, physical_table(physical, units))

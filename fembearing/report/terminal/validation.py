@@ -21,10 +21,10 @@ NO_TORQUE = "No torque: no friction coefficient, lubricant or surface is given."
 
 def print_headline(out: Console, document: Report) -> None:
     """Print the torque with its interval, a line for each reference, and last how far to trust the torque."""
-    scene, torque, verdict = document.scene, document.torque, document.verdict
+    scene, torque, verdict = document.scene, document.solved, document.verdict
     first, last = [f"{scene.name}. {NO_TORQUE}"], []
     if torque is not None:
-        first = [headline_title(scene, torque, document.units), torque_words(torque, document.units)]
+        first = [headline_title(torque, document.units), torque_words(torque, document.units)]
         last = [f"{torque.standing.word}: {torque.standing.reason}"]
     first += [] if document.measured is None else [document.measured.conclusions[0]]
     references = f"references {verdict.overall}: {verdict.reason}"
@@ -34,7 +34,7 @@ def print_headline(out: Console, document: Report) -> None:
 
 def print_details(out: Console, document: Report) -> None:
     """Print all tables of a check, and the verdicts, in the last line in a word each."""
-    scene, torque, change = document.scene, document.torque, document.torque_change
+    scene, torque, change = document.scene, document.solved, document.torque_change
     units = document.units
     pocket = pocket_table(document.contacts, units)
     films = [film_table(each, units) for each in document.films]
@@ -47,8 +47,8 @@ def print_details(out: Console, document: Report) -> None:
     else:
         places = shown_places(torque)
         show(out, torque_table(torque, scene.bearing.name, places, units))
-        if torque.pair is not None:
-            show(out, pair_table(torque.pair, places, units))
+        if torque.friction.pair is not None:
+            show(out, pair_table(torque.friction.pair, places, units))
         friction = friction_of(coefficient=scene.friction_coefficient, is_lubricated=scene.is_lubricated)
         out.print(f"Friction: {friction}.\n", markup=False)
         for table in prediction_tables(torque, places, units):

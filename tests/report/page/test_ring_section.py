@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from analytic.loads.ring_state import Balls, Displacement, RingPoint
-from analytic.result import TorquePoint
 from fembearing.quantities import INCH_POUND, METRIC, Units
 from fembearing.report.page.sections.ring import ring_tables
 from tests.report.figures.figure_reader import as_document

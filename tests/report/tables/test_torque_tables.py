@@ -3,16 +3,7 @@
 from dataclasses import replace
 from typing import Any
 
-from analytic.result import (
-    BearingOfPair,
-    FrictionCoefficients,
-    OnRaces,
-    PairPoint,
-    PairRows,
-    TorqueParts,
-    TorquePoint,
-    TorqueUncertainty,
-)
+from analytic.result import BearingOfPair, FrictionCoefficients, OnRaces, PairPoint, TorqueParts, TorqueUncertainty
 from fembearing.report.report import BeforeAndAfter, ChangeByFit, ChangeRecord, PartChanges
 from fembearing.report.tables.torque import ball_table, change_table, pair_table, torque_table
 from fembearing.report.torque import Band

@@ -16,9 +16,10 @@ def facts_of(document: Report) -> Facts:
     """Name and words of what defines the torque, for the summary."""
     scene = document.scene
     facts = list(_facts(scene, document.units))
-    if document.torque is not None and document.torque.pair is not None:
-        pair = document.torque.pair
-        preload = f", preload {document.units.force.written(pair.preload, '.4g')}" if pair.preload else ""
+    pair = None if document.solved is None else document.solved.friction.pair
+    if pair is not None:
+        held = pair.equilibrium.preload
+        preload = f", preload {document.units.force.written(held, '.4g')}" if held else ""
         facts.insert(1, ("arrangement", f"two such bearings, {PAIRS[pair.kind]}{preload}"))
     return facts if document.torque is not None else [*facts, ("operation", _operation(scene, document.units))]
 
