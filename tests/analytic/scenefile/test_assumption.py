@@ -47,13 +47,6 @@ def test_a_setting_replaces_an_assumption(name: str, settings: dict[str, Any], a
     assert not any(each.startswith(replaced) for each in found.usual)
 
 
-def test_a_coefficient_needs_no_surface() -> None:
-    scene = load_scene(
-        "6206", axial_load=300.0, settings={"friction.coefficient": 0.1, "friction.spin_rule": "balanced"}
-    )
-    assert friction_torque(scene).torque.total[0] > 0
-
-
 @pytest.mark.parametrize(
     ("name", "settings", "words"),
     [

@@ -105,12 +105,6 @@ def test_a_series_is_that_of_its_boundary_dimensions() -> None:
     assert bearing(HAND + PLAY).series is None
 
 
-def test_seals_rub_where_one_of_them_touches() -> None:
-    assert named("6206-2RS1").seals_rub
-    assert not named("6206-2Z").seals_rub
-    assert not named("6206").seals_rub
-
-
 def test_own_dimensions_replace_those_of_the_catalogue() -> None:
     row = find_bearing("6208")
     own = named(
@@ -148,25 +142,12 @@ def test_a_free_angle_leaves_given_bottom_radii_and_makes_missing_ones() -> None
     assert (given.inner.bottom_radius, given.outer.bottom_radius) == (20e-3, 30.02e-3)
 
 
-def test_a_clearance_of_ones_own_takes_the_place_of_the_nominal_angle() -> None:
-    own = named("7205 BEP", 'clearance = "30 um"\n')
-    np.testing.assert_allclose(own.diametral_clearance, 30e-6, rtol=1e-8)  # a difference of radii
-    free = named("6205", 'contact_angle = { nominal = "11 deg" }\n')
-    distance = free.groove_centre_distance
-    np.testing.assert_allclose(free.diametral_clearance, 2 * distance * (1 - math.cos(math.radians(11))), rtol=1e-8)
-
-
 def test_thrust_that_seats_too_few_balls_is_named() -> None:
     """tan 40 deg = 0.8391: 1049 N load half of the balls under 1 kN."""
     text = HEAD.replace('"700 N"', '"{} N"\nradial_load = "1 kN"') + 'catalog = "7205 BEP"\n'
     few, half = (scene(text.format(thrust)).warnings for thrust in (1040, 1060))
     assert sum("fewer than half" in warning for warning in few) == 1
     assert not any("fewer than half" in warning for warning in half)
-    moment = scene(text.format(1040).replace("radial_load", 'moment = "-16 N m"\nradial_load')).warnings
-    (tilted,) = (each for each in moment if "fewer than half" in each)
-    (held,) = (each for each in few if "fewer than half" in each)
-    assert held.endswith("the ring is held straight, 1.7 times all")
-    assert tilted.endswith("the ring is held straight, and a ring that tilts freely needs more")
 
 
 def test_a_deep_groove_bearing_carries_a_radial_load_at_any_nominal_angle() -> None:
@@ -236,7 +217,6 @@ def test_grade_d_is_refused_with_what_to_measure() -> None:
             ("bearing.outer.shoulder_diameter = '56 mm'", "says the same as shoulder_height")),
         (HAND + PLAY + 'inner.shoulder_height = "5.4 mm"\n', ("inner.shoulder_height = '5.4 mm'", "5.3 mm")),
         (HAND + PLAY + 'inner.shoulder_diameter = "39 mm"\n', ("shoulder_diameter = '39 mm'", "39.992", "50.592")),
-        (HAND + PLAY + 'outer.shoulder_diameter = "61 mm"\n', ("shoulder_diameter = '61 mm'", "60.008", "49.408")),
         (HAND + PLAY + 'outer.shoulder_diameter = "49 mm"\n', ("shoulder_diameter = '49 mm'", "60.008", "49.408")),
         (
             HAND.replace('pitch_diameter = "50 mm"\n', 'outer.bottom_radius = "30.02 mm"\n')
@@ -252,7 +232,6 @@ def test_grade_d_is_refused_with_what_to_measure() -> None:
             + 'catalog = "7205 BEP"\n', ("axial_load has 2 and operation.radial_load has 3", "equal lengths")),
         (HAND + PLAY + 'inner.bottom_radius = "20 mm"\n', ("outer.bottom_radius is missing", "leave out bearing")),
         (HAND.replace('pitch_diameter = "50 mm"\n', PLAY), ("bearing.pitch_diameter is missing", '"39 mm"')),
-        (HEAD + "catalog = 6206\n", ("bearing.catalog = 6206", "in quotes")),
     ],
 )  # fmt: skip
 def test_what_is_missing_or_said_twice_is_named(text: str, words: tuple[str, ...]) -> None:
@@ -284,13 +263,6 @@ def test_operating_points_from_python() -> None:
             analytic.operation(inner_speed=speed)
     with pytest.raises(InputError, match="shapes"):
         analytic.operation(inner_speed=[30.0, 40.0], radial_load=[1.0, 2.0, 3.0])
-
-
-def test_printed_groove_radii_stay_as_they_are() -> None:
-    """Those of the 6205 of [Paper], 4.13 and 4.21 mm."""
-    paper = analytic.load_scene("paper_6205").bearing
-    assert (paper.inner.groove_radius, paper.outer.groove_radius) == (4.13e-3, 4.21e-3)
-    assert {paper.origins[f"{ring}.conformity"].status for ring in ("inner", "outer")} == {"printed"}
 
 
 @pytest.mark.parametrize(

@@ -50,12 +50,6 @@ def test_a_scene_holds_the_bearing_in_operation_and_its_clearances() -> None:
     assert scene("").clearances is None
 
 
-def test_parts_without_a_temperature_stay_as_they_were_mounted() -> None:
-    found = scene(SEATS + 'mounting_temperature = "35 degC"\n').clearances
-    assert found is not None
-    assert found.operating == found.mounted
-
-
 def test_the_pocket_keeps_its_size() -> None:
     cage = '[cage]\npocket_clearance = "0.2 mm"\nwall_thickness = "0.9 mm"\nmass = "6 g"\nmaterial = "peek"\n'
     cold, warm = (scene(more + cage).cage for more in ("", SEATS + WARM))

@@ -127,13 +127,6 @@ def test_one_line_is_the_scene_that_init_writes(designation: str) -> None:
     same(load_scene(designation, settings=settings), file)  # keys one by one: the second way to the same scene
 
 
-def test_the_torque_of_one_line_is_that_of_its_scene() -> None:
-    file = parse_scene(scene_text("6308", **WRITTEN), origin="here")
-    assert friction_torque("6308", **LINE).torque.total == friction_torque(file).torque.total
-    warmer = friction_torque("6308", **{**LINE, "temperature": "85C"}).torque.total
-    assert warmer < friction_torque("6308", **LINE).torque.total  # thinner oil rolls more easily
-
-
 def test_a_setting_takes_the_place_of_a_key_and_leaves_the_others() -> None:
     usual = load_scene("6308", **LINE)
     changed = load_scene("6308", settings={"bearing.inner.conformity": "0,515", "effects.cage": "off"}, **LINE)
@@ -181,13 +174,6 @@ def test_what_nobody_gave_is_assumed(tmp_path: Any) -> None:
 def test_a_mistake_is_one_line(name: str, given: dict[str, Any], words: tuple[str, ...]) -> None:
     refused(lambda: load_scene(name, **given), *words)
     refused(lambda: friction_torque(name, **given), *words)
-
-
-def test_an_option_takes_the_place_of_its_key_in_any_scene() -> None:
-    given = load_scene("6205-dry", speed="700 rpm", axial_load="310 N")
-    set_ = load_scene("6205-dry", settings={"operation.inner_speed": "700 rpm", "operation.axial_load": "310 N"})
-    np.testing.assert_allclose(given.operation.inner_speed, 700 * np.pi / 30, rtol=1e-12)
-    np.testing.assert_array_equal(given.operation.axial_load, set_.operation.axial_load)
 
 
 def test_a_table_is_set_as_a_remedy_writes_it() -> None:
@@ -244,20 +230,6 @@ def test_a_bearing_with_seals_or_shields_is_greased(designation: str, supply: st
     assert found.lubricant is not None
     assert found.lubricant.supply == supply
     assert found.usual["lubricant.supply"] == supply
-
-
-def test_a_supply_that_is_given_wins_over_the_seals() -> None:
-    for given in ({"supply": "oil_jet"}, {"settings": {"lubricant.supply": "oil_jet"}}):
-        found = load_scene("6206-2RS", **given)
-        assert found.lubricant is not None
-        assert found.lubricant.supply == "oil_jet"
-    assert "lubricant.supply" not in load_scene("6206-2RS", supply="oil_jet").usual
-
-
-def test_another_oil_thickened_is_the_grease() -> None:
-    found = load_scene("6206-2Z", oil="ISO VG 100").lubricant
-    assert found is not None
-    assert (found.supply, found.name) == ("grease", "ISO VG 100 mineral")
 
 
 def test_the_drag_of_seals_is_told_as_assumed() -> None:

@@ -70,13 +70,6 @@ def test_a_catalog_entry_is_overridden_key_by_key() -> None:
     assert (parsed.inner.groove_radius, parsed.inner.bottom_radius, parsed.ball_count) == (4.2e-3, 15.53e-3, 8)
 
 
-def test_seats_and_width_may_be_left_out() -> None:
-    parsed = scene(INLINE).bearing
-    assert (parsed.bore_diameter, parsed.outside_diameter, parsed.width) == (None, None, None)
-    wide = scene(changed('name = "hybrid"', 'name = "hybrid"\nwidth = "0.9 cm"', INLINE)).bearing
-    assert (wide.bore_diameter, wide.width) == (None, 9e-3)
-
-
 def test_radial_load_and_moment_are_read() -> None:
     parsed = scene(changed('"700 N"', '"700 N"\nradial_load = ["-0.4 kN", "0 N"]\nmoment = "300 N mm"'))
     np.testing.assert_array_equal(parsed.operation.radial_load, [-400.0, 0.0])
@@ -145,11 +138,6 @@ def test_the_motion_of_a_cage_is_read() -> None:
     assert cage.sheet_stiffness == pytest.approx(1.3e8, rel=1e-12)
 
 
-def test_no_lubricant_and_no_surface_is_none() -> None:
-    assert scene(PLAIN).lubricant is None
-    assert scene(PLAIN).surface is None
-
-
 def test_a_lubricant_is_read() -> None:
     oil = present(scene(OIL).lubricant)
     assert (oil.viscosity, oil.pressure_viscosity, oil.eyring_stress, oil.traction) == (0.06, 2e-8, 5e6, "eyring_sinh")
@@ -178,20 +166,3 @@ def test_a_surface_is_read(tmp_path: Path) -> None:
     assert measured.height_map is not None
     assert (measured.height_map.path, measured.height_map.spacing) == (str(tmp_path / "race.CSV"), 7e-7)
     assert measured.rms_roughness is None
-
-
-def test_only_steel_has_a_hardness_in_the_catalog() -> None:
-    assert scene(PLAIN).bearing.ball_material.hardness == 7.8e9
-    own = scene(changed("poisson_ratio = 0.27", 'poisson_ratio = 0.27, hardness = "15 GPa"', INLINE)).bearing
-    assert (own.ball_material.hardness, own.outer.material.hardness) == (15e9, None)
-
-
-def test_a_ball_of_the_wrong_mass_gives_a_warning() -> None:
-    (warning,) = scene(changed('catalog = "paper_6205"', 'catalog = "paper_6205"\nball_diameter = "7.5 mm"')).warnings
-    assert "2.04 g" in warning
-    assert "1.734 g" in warning  # pi/6 (7.5 mm)^3 7850 kg/m^3
-
-
-def test_an_elastic_preload_is_accepted() -> None:
-    parsed = scene(changed('catalog = "paper_6205"', 'catalog = "paper_6205"\nball_diameter = "7.96 mm"'))
-    assert parsed.bearing.diametral_clearance < 0
