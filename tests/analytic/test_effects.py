@@ -306,18 +306,3 @@ def test_a_limit_is_warned_of_past_it_and_not_before(load: float, words: str, is
     assert any(words in warning for warning in found.warnings) == is_past
     assert np.all(np.isfinite(found.numerical_uncertainty))
     assert effect_of(found, "plasticity").decision == "off"
-
-
-def warnings_of(scene: Scene) -> str:
-    return "\n".join(friction_torque(scene).warnings)
-
-
-def test_what_a_total_is_without_is_said_and_what_is_off_is_not() -> None:
-    for scene, words in (
-        (OILY, "without the cage"),
-        (BARE, "without the hydrodynamic rolling resistance"),
-        (replace(OILY, bearing=replace(OILY.bearing, seals="2RS1", seals_rub=True)), "without the drag of the seals"),
-    ):
-        off = replace(without(scene, "cage", "rolling"), losses=Losses(seals=0.0))
-        assert words in warnings_of(scene)
-        assert words not in warnings_of(off)

@@ -121,16 +121,6 @@ def test_a_moment_and_a_tilt_are_refused() -> None:
     refused(lambda: operation(inner_speed=3.0, moment=0.0, tilt="1 mrad"), "leave one of them out")
 
 
-def test_a_series_keeps_how_its_ring_tilts() -> None:
-    series = Operation(axial_load=np.array([2.0, 3.0]), inner_speed=np.array([5.0, 7.0]), moment=np.array([0.0, 0.3]))
-    series = series.as_series()
-    assert np.isnan(series.held_tilt)
-    assert np.isnan(series.at(np.array([0])).held_tilt)
-    assert replace(series, moment=0.0).held_tilt == 0
-    assert not replace(series, moment=0.0, tilt=-2e-4).is_thrust
-    assert replace(series, moment=0.0, tilt="free").is_thrust
-
-
 @pytest.mark.parametrize(
     ("more", "tilt"),
     [

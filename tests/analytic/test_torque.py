@@ -10,7 +10,6 @@ from hypothesis import example, given, settings
 
 import analytic
 from analytic.contact.factors import ContactCorrection, ContactFactors
-from analytic.errors import InputError
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.result import FrictionTorque
 from analytic.scene import Bearing, ContactAngle, Decision, Scene, SpinRule
@@ -153,11 +152,6 @@ def test_corrected_semi_axes_reach_the_torque(scene: Scene) -> None:
     ).inner
     product = 2 * np.pi * pressed.semi_axis_rolling * pressed.semi_axis_transverse * pressed.peak_pressure / 3
     np.testing.assert_allclose(product, pressed.load, rtol=1e-14)  # the pressure still carries the load
-
-
-def test_a_factor_must_be_a_positive_number() -> None:
-    with pytest.raises(InputError, match="approach must be positive"):
-        ContactFactors(approach=-1.1)
 
 
 def test_the_builtin_scene_from_its_file() -> None:
