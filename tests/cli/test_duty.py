@@ -104,18 +104,3 @@ def test_a_steady_temperature_is_in_title_json_and_not_among_the_assumptions(com
     assert warm["value"] == pytest.approx(295.15 + 0.8 * power, abs=1e-3)  # the search ends at 1e-4 K
     assert "0.8 K/W" in warm["source"]
     assert "(steady)" in command("duty", *QUICK, *heated[:4]).out
-
-
-@pytest.mark.parametrize(
-    ("words", "parts"),
-    [
-        (("6206", "gone.csv"), ("gone.csv", "No such file", "CSV file of duty steps")),
-        (("gone.toml", EXAMPLE), ("gone.toml",)),
-        ((*QUICK, "--out", "new.png"), ("--out 'new.png'", "writes a folder")),
-    ],
-)
-def test_a_mistake_gives_one_line(command: Run, words: tuple[str, ...], parts: tuple[str, ...]) -> None:
-    ended = command("duty", *words)
-    assert (ended.status, ended.out) == (2, "")
-    assert ended.err.count("\n") == 1
-    assert [part for part in parts if part not in ended.err] == [], ended.err

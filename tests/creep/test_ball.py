@@ -10,17 +10,14 @@ from analytic.errors import InputError
 from analytic.oil.traction import PointLaw
 from analytic.scene import Bearing
 from fembearing.creep.ball import (
-    ROLLS,
     Elasticity,
     Grid,
     TurnedBall,
     TurningBall,
-    _rolling_freely,
     race_motions,
     turn_ball,
 )
 from fembearing.creep.half_space import HalfSpaces
-from fembearing.creep.kinematics import rigid_slip
 from fembearing.creep.place import HeldBall, free_lengths, unit_under
 from fembearing.creep.strips import hertz_pressure
 from tests.analytic.free_ball.specimens import under_thrust
@@ -224,25 +221,6 @@ def test_a_ball_under_hardly_any_thrust_settles() -> None:
     """Torque by spin goes as the power 4/3 of the load; the angle changes by its power 2/3, 1e-4 here."""
     light, lighter = (turn_ball(thrust_ball(0.1, load, speed=1e-6), GRID) for load in (2e-4, 1e-4))
     np.testing.assert_allclose(light.torque / lighter.torque, 2 ** (4 / 3), rtol=2e-3)
-
-
-def test_a_ball_begins_without_slip_on_a_line_of_each_race_and_with_equal_spin() -> None:
-    """Slip along rolling, but for spin, is 0 at y = 0.35 b; the spins on both races are opposite and equal."""
-    held = thrust_ball(0.1, 700.0).held
-    lie = held.at_rest()
-    lie = lie._replace(angles=(lie.angles[0] + 0.02, lie.angles[1]), loads=(lie.loads[0], 1.3 * lie.loads[1]))
-    motions = race_motions(held.bearing)
-    velocity = _rolling_freely(held, motions, lie)
-    spins = []
-    for k, motion in enumerate(motions):
-        slip = rigid_slip(motion, lie.angles[k], lie.orbit, velocity)
-        unit = unit_under(held.bearing, ("inner", "outer")[k], lie.angles[k])
-        line = ROLLS * unit.semi_axis_transverse * lie.loads[k] ** (1 / 3)
-        given = slip.creepages
-        assert given.along + given.along_bend * line**2 == pytest.approx(0.0, abs=1e-12 * abs(given.spin) * line)
-        spins.append(motion.sign * slip.side * given.spin * slip.rolling_speed)
-    assert spins[0] == pytest.approx(-spins[1], rel=1e-9)  # round-off
-    assert velocity[1] == pytest.approx(0.0, abs=1e-15)
 
 
 @pytest.mark.parametrize("material", [STEEL, NITRIDE])

@@ -23,7 +23,6 @@ from fembearing.ehl.solver import (
     Solution,
     Start,
     _Linear,
-    _within,
     require_few_cells,
     solve_on_grids,
 )
@@ -106,20 +105,6 @@ def test_cells_are_counted_without_the_grid() -> None:
     found = on_grid(moes(31.0, 6.0, 0.4), refinement=0.7)
     assert found.cell_count == found.grid.areas.size
     require_few_cells(found.contact, 0.7)
-
-
-@pytest.mark.parametrize(
-    ("start", "end", "places", "sizes"),
-    [
-        (-1.0, 7.0, [-1.0, 0.0, 2.0, 5.0, 7.0], [0.3 + 0.18, 0.3, 0.7, 0.4, 0.4 + 0.36]),
-        (1.0, 3.5, [1.0, 2.0, 3.5], [0.5, 0.7, 0.55]),  # linear between the places
-        (0.0, 5.0, [0.0, 2.0, 5.0], [0.3, 0.7, 0.4]),  # a place at an end is there once
-    ],
-)
-def test_places_end_where_the_oil_does(start: float, end: float, places: list[float], sizes: list[float]) -> None:
-    found = _within([0.0, 2.0, 5.0], [0.3, 0.7, 0.4], start, end)
-    np.testing.assert_allclose(found[0], places)
-    np.testing.assert_allclose(found[1], sizes)
 
 
 # -- starts ----------------------------------------------------------------------------------------------------------

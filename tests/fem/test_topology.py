@@ -85,31 +85,6 @@ def test_assembled_entries_are_those_of_the_cells_added_one_by_one(pairs: list[P
     np.testing.assert_allclose(held.far_force, far, atol=1e-14 * np.abs(far).max() * 1e3, rtol=0)  # cancelling entries
 
 
-def test_numbers_of_nodes_change_nothing() -> None:
-    """One cell among held nodes without cells: few, and so many that the product of two numbers needs 64 bits."""
-    cells: Any = np.random.default_rng(5).permutation(27)[:, None].astype(np.int32)  # as scikit-fem has them
-    held = np.zeros((3, 27), dtype=bool)
-    held[:, [3, 8]] = True
-    entries = np.random.default_rng(6).uniform(-2.0, 3.0, (topology.Topology(cells, held)._place.size,))
-    plain = topology.Topology(cells, held).assembled(entries).toarray()
-    for number, nodes in ((np.arange(27) + 1, 29), (np.arange(27) * 2600 + 4, 70_000)):
-        spread = np.ones((3, nodes), dtype=bool)
-        spread[:, number] = held
-        far: Any = number.astype(np.int32)[cells]
-        moved = topology.Topology(far, spread)
-        np.testing.assert_array_equal(moved.assembled(entries).toarray(), plain)
-
-
-def test_other_held_nodes_are_another_topology(pairs: list[PairMesh], monkeypatch: pytest.MonkeyPatch) -> None:
-    store = kept(monkeypatch)
-    body = pairs[0].lower
-    first = held_stiffness(body, material=STEEL, semi_axes=SIZES[0])
-    other = held_stiffness(replace(body, far=body.far[1:]), material=STEEL, semi_axes=SIZES[0])
-    assert other.topology is not first.topology
-    assert held_stiffness(body, material=NITRIDE, semi_axes=SIZES[1]).topology is first.topology
-    assert len(store) == 2
-
-
 @has_pardiso
 def test_the_memory_is_bounded(pairs: list[PairMesh], monkeypatch: pytest.MonkeyPatch) -> None:
     """Numbers go first, then whole topologies, those used longest ago first; the last one stays, without numbers."""
@@ -216,13 +191,6 @@ def test_superlu_takes_what_a_factor_gives_up() -> None:
     assert (made.memory, first.forgot) == (7, 1)
     with pytest.raises(MemoryError):
         factor.FactorWithSubstitute(GivesUp(MemoryError), substitute=factor.SuperLUFactor()).solution(upper, np.ones(2))
-
-
-def test_a_matrix_without_a_factor_stays_an_error() -> None:
-    """Of both solvers: a row of zeros."""
-    made = factor.FactorWithSubstitute(GivesUp(factor.LinAlgError), substitute=factor.SuperLUFactor())
-    with pytest.raises(RuntimeError, match="singular"):
-        made.solution(csr_matrix([[4.0, 0.0], [0.0, 0.0]]), np.ones(2))
 
 
 @pytest.mark.parametrize("threads", [1, 2])

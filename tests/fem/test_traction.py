@@ -15,7 +15,6 @@ from fembearing.fem.compliance import (
     EVEN,
     WHOLE,
     PairCompliance,
-    _normal_of_race,
     pair_compliance,
     tangent_frame,
     values_of,
@@ -29,7 +28,6 @@ from fembearing.fem.twin import shared_axes
 from fembearing.mesh.bodies import Block, BodyMesh
 from fembearing.mesh.footprint import Footprint
 from fembearing.mesh.half_space import flat_block
-from fembearing.mesh.race import race_height
 from fembearing.mesh.recipe import load_recipe
 from tests.contacts import NITRIDE, PEEK
 
@@ -108,22 +106,6 @@ def test_a_half_space_works_as_on_rectangles(by_rectangles: Array, side: int) ->
     assert np.abs(error[~same]).max() < 0.01
     # Betti holds to the error of the far boundary: forces at nodes act there as the load itself.
     np.testing.assert_allclose(found / np.outer(size, size), found.T / np.outer(size, size), atol=1e-4)
-
-
-def test_a_half_space_adds_nothing_on_either_side() -> None:
-    upper, lower = (
-        worked(
-            body,
-            material=NITRIDE,
-            directions=FRAME * np.array([1, 1, side])[:, None],
-            terms=WHOLE,
-            force=sampled(body),
-            depth=side,
-        )
-        for side in (1, -1)
-        for body in (flat(1, side),)
-    )
-    np.testing.assert_allclose(upper, lower, atol=1e-11 * np.abs(upper).max())  # round-off
 
 
 def axes_of(contact: Contact) -> tuple[float, float]:
@@ -297,28 +279,6 @@ def test_a_contact_that_a_shoulder_cuts_off_is_refused(contacts: dict[str, Conta
     with pytest.raises(InputError, match=r"372 N .* past its shoulder .* or take half spaces") as caught:
         whole(contact, 1)
     assert "\n" not in str(caught.value)
-
-
-def test_only_what_was_sampled_is_known(contacts: dict[str, Contact]) -> None:
-    contact = contacts["outer"]
-    even = pair_compliance(contact, recipe=RECIPE, level=1, semi_axes=expected_semi_axes(contact, geometry="real"))
-    place: tuple[Array, Array] = (np.zeros(1), np.zeros(1))
-    axis: Axis = ALONG
-    with pytest.raises(AssertionError):
-        even.added_influence(place, place, moves=axis, by=axis)
-
-
-@pytest.mark.parametrize("pair", ["inner", "outer"])
-def test_normals_of_a_race_point_away_from_the_circle_of_its_groove(contacts: dict[str, Contact], pair: str) -> None:
-    """That circle lies about the ring's axis, which runs along y through z = -R."""
-    contact = replace(contacts[pair], contact_angle=0.0)
-    x, y = np.array([0.0, 0.7e-3, -0.4e-3, 1.1e-3]), np.array([0.0, 0.9e-3, 1.6e-3, -1.3e-3])
-    place = np.array([x, y, race_height(contact, x, y) + contact.rolling_radius])
-    from_axis = np.hypot(place[0], place[2])
-    circle = abs(contact.rolling_radius) + np.sign(contact.rolling_radius) * contact.groove_radius
-    inwards = place - circle / from_axis * place * np.array([[1.0], [0.0], [1.0]])
-    # Heights over steps of a millionth of the ball's radius have nine digits.
-    np.testing.assert_allclose(_normal_of_race(contact, x, y), inwards / contact.groove_radius, atol=1e-7)
 
 
 def test_a_frame_on_a_surface_is_turned_upright_about_a_level_axis() -> None:
