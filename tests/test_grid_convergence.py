@@ -102,14 +102,6 @@ def test_without_an_order_there_is_no_index(values: tuple[float, ...]) -> None:
     assert estimate(values, SIZES[-len(values) :], formal_order=3.0).grid_convergence_index is None
 
 
-def test_only_the_last_three_meshes_decide() -> None:
-    fine = sequence(7.3, 0.4, 2.7)
-    part, expected = (
-        estimate(values, sizes, formal_order=3.0) for values, sizes in (([99.0, *fine], [1.0, *SIZES]), (fine, SIZES))
-    )
-    assert (part.mesh, part.value) == (expected.mesh, expected.value)
-
-
 def test_the_mesh_may_err_by_what_the_domain_leaves_of_the_accuracy() -> None:
     allowed = mesh_allowed(0.025, domain=0.007)
     np.testing.assert_allclose(allowed, 0.024, rtol=1e-12)  # round-off
@@ -167,11 +159,6 @@ def test_a_singular_quantity_has_three_times_its_last_change() -> None:
     part = estimate((7.0, 7.2, 7.23), SIZES, formal_order=None, singular=True)
     assert part.mesh == pytest.approx(3 * 0.03 / 7.23 + NOT_BY_CHANCE + NOTHING_CLOSER, rel=1e-9)
     assert part.value == 7.23
-
-
-def test_an_order_beyond_all_reason_is_none() -> None:
-    """The last change is a 1e-12th of the one before: an order above 20."""
-    assert observed_order((7.0, 8.0, 8.0 + 1e-12), SIZES) is None
 
 
 def test_what_lies_outside_and_the_sides_raise_the_value_and_not_the_last_mesh() -> None:

@@ -73,12 +73,8 @@ def test_a_unit_changes_with_the_size_of_its_values(unit: str, size: float, name
     ("column", "unit", "name"),
     [
         ("uncertainty_numerical", "1", "%"),
-        ("asperity_share_inner", "1", "%"),
         ("friction_coefficient_inner", "1", ""),
         ("film_inner", "m", "um"),
-        ("semi_axis_rolling_outer", "m", "mm"),
-        ("peak_pressure_inner", "Pa", "GPa"),
-        ("load_outer", "N", "N"),
         ("torque_total", "N m", "N mm"),
         ("inner_speed", "rad/s", "rpm"),
     ],

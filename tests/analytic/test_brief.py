@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from analytic.brief import Brief, points_of, span
+from analytic.brief import points_of, span
 from analytic.declared import Noun
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.scene import Length
@@ -49,14 +49,6 @@ def test_a_noun_shows_what_is_not_usual() -> None:
     assert repr(Shaft(name="bored", holes=4, is_hollow=True, heights=np.array([2.0, 5.0]))) == (
         "Shaft(name=bored, holes=4, is_hollow=True, heights=2 to 5)"
     )
-
-
-@pytest.mark.parametrize(("length", "is_cut"), [(88, False), (89, True)])
-def test_a_line_has_a_hundred_characters_at_most(length: int, is_cut: bool) -> None:
-    line = repr(Shaft(name="x" * length))
-    assert len(line) == 100
-    assert line.endswith("...)") == is_cut
-    assert isinstance(Shaft(name="a"), Brief)
 
 
 def test_a_number_with_a_unit_of_its_own_is_no_number_of_a_noun() -> None:

@@ -182,12 +182,6 @@ def test_rolling_beside_a_given_coefficient(bearing_6205: Bearing) -> None:
         assert (effect.decision, effect.share) == ("on", np.max(found.torque.rolling / found.torque.total))
 
 
-def test_rolling_stops_at_standstill_and_thins_with_heat(scene: Scene) -> None:
-    assert friction_torque(at_rest(scene)).torque.rolling == 0
-    cold, hot = (friction_torque(replace(scene, lubricant=replace(OIL, temperature=t))) for t in (313.15, 341.0))
-    assert np.all(present(hot.torque.rolling) < present(cold.torque.rolling))
-
-
 def test_a_factor_on_the_film_reaches_film_and_torque(scene: Scene) -> None:
     """Smooth, the film is the formula's times the factor; rough, a thinner film leaves asperities more of the load."""
     smooth = replace(scene, surface=replace(FINISH, rms_roughness=0.0, ball_rms_roughness=0.0))

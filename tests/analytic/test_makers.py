@@ -29,7 +29,6 @@ from analytic.scenefile.read import load_scene, parse_scene, scene_of
 from analytic.scenefile.template import scene_text
 from fembearing.plain_types import plain
 from fembearing.report.torque import torque_file
-from tests.refusals import refused, refuses
 
 RINGS = {"bore_diameter": 25e-3, "outside_diameter": 52e-3}
 CASE = {
@@ -273,12 +272,6 @@ def test_palmgren_by_hand() -> None:
         np.testing.assert_allclose(found * 1e3, expected, rtol=1e-12)  # round-off
     still = palmgren(axial_load=0.0, ring_speed=0.0)
     np.testing.assert_allclose(still * 1e3, 160e-7 * 2 * 38.5**3, rtol=1e-12)
-
-
-def test_nonsense_is_refused() -> None:
-    refuses(band, bore_diameter=52e-3, static_rating=0.0, axial_load=-1.0, radial_load=math.nan, ring_speed=-3.0)
-    refuses(band, kinematic_viscosity=0.0)
-    refused(lambda: band(lubrication="oil"), "oil_bath")
 
 
 def oiled(**changed: Any) -> Scene:

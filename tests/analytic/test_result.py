@@ -1,7 +1,6 @@
 """What the result of a friction torque says: parts, effects, JSON, warnings, and what is refused."""
 
 import pickle
-import re
 from collections.abc import Callable
 from copy import copy, deepcopy
 from dataclasses import replace
@@ -79,26 +78,6 @@ def test_a_number_that_is_not_finite_never_becomes_a_result(name: str, value: fl
 def series(scene: Scene) -> FrictionTorque:
     """At 13 operating points, of which a table has one too many rows."""
     return friction_torque(replace(scene, operation=thrust(*np.linspace(300.0, 900.0, 13), speed=2 * np.pi * 25)))
-
-
-def cells_of(result: FrictionTorque, row: int) -> list[str]:
-    """The cells of a row of the table in a notebook, the head being 0."""
-    return re.findall(r"<t[dh]>(.*?)</t[dh]>", result._repr_html_().split("<tr>")[row + 1])
-
-
-def test_a_table_in_a_notebook_has_the_units_of_engineers(series: FrictionTorque) -> None:
-    """Without columns of loads that are 0 or of parts that are left out; an uncertainty that is not known is named."""
-    assert cells_of(series, 0) == [
-        "speed, rpm", "axial load, N", *(f"{name}, N mm" for name in ("total", "race", *DRY_PARTS)), "uncertainty, %"
-    ]  # fmt: skip
-    speed, load, total, *_, unsure = cells_of(series, 1)
-    assert (speed, load) == ("1500", "300")  # 25 turns a second
-    assert float(total) == pytest.approx(1e3 * series.torque.total[0], rel=1e-3)  # four digits
-    assert float(unsure) == pytest.approx(100 * series.numerical_uncertainty[0], rel=0.05)  # two digits
-    values = np.full(13, 0.031)
-    aside = replace(series, radial_load=np.full(13, 7.0), numerical_uncertainty=values)
-    assert cells_of(aside, 0)[2] == "radial load, N"
-    assert (cells_of(aside, 1)[2], cells_of(aside, 1)[-1]) == ("7", "3.1")
 
 
 def test_columns_have_every_number_and_nan_for_what_is_left_out(series: FrictionTorque) -> None:

@@ -7,13 +7,11 @@ import numpy as np
 import pytest
 
 from analytic.scene import (
-    Groove,
     Operation,
     Scene,
 )
 from tests.analytic.specimens import BEARING_6205, OIL, thrust, with_clearance
 from tests.analytic.test_thrust_bearing import BEARING as THRUST_BEARING
-from tests.contacts import INNER, STEEL
 from tests.refusals import refused
 
 
@@ -65,13 +63,6 @@ def test_the_supply_starves_where_nothing_else_is_known() -> None:
         assert oil.starves_by_replenishment(bearing) == starves
 
 
-def test_a_far_shoulder_is_as_far_as_the_near_one_unless_given() -> None:
-    groove = Groove(bottom_radius=15e-3, groove_radius=4e-3, shoulder_half_width=3.1e-3, material=STEEL)
-    assert groove.half_widths == (3.1e-3, 3.1e-3)
-    assert replace(groove, far_shoulder_half_width=0.0).half_widths == (3.1e-3, 0.0)
-    assert replace(groove, shoulder_half_width=None, far_shoulder_half_width=2e-3).half_widths == (None, 2e-3)
-
-
 def test_a_series_has_arrays_of_one_length() -> None:
     series = Operation(axial_load=np.array([310.0, 470.0]), inner_speed=np.array(31.0), moment=0.7).as_series()
     for name, expected in (
@@ -86,13 +77,6 @@ def test_a_series_has_arrays_of_one_length() -> None:
     unlike = Operation(axial_load=np.array([1.0, 2.0]), inner_speed=np.array([1.0, 2.0, 3.0]))
     refused(unlike.as_series, "shapes that do not fit")
     refused(Operation(axial_load=np.array([]), inner_speed=np.array([])).as_series, "is empty")
-
-
-def test_a_contact_leans_by_its_angle_but_on_a_washer_and_has_a_nearer_shoulder() -> None:
-    contact = replace(INNER, shoulder=1.3e-3, far_shoulder=4.2e-3, contact_angle=0.31)
-    assert (contact.tilt, contact.nearer_shoulder) == (0.31, 1.3e-3)
-    assert replace(contact, rolling_radius=np.inf).tilt == 0
-    assert replace(contact, far_shoulder=0.9e-3).nearer_shoulder == 0.9e-3
 
 
 SCENE = Scene(bearing=BEARING_6205, operation=thrust(310.0, 89.0), friction_coefficient=0.08)

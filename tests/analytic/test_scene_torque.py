@@ -35,27 +35,6 @@ def result(oiled: Scene) -> SceneTorque:
     return torque_of_scene(oiled, estimate=False)
 
 
-def test_a_note_says_on_which_side_of_the_band_and_at_how_many_points(result: SceneTorque) -> None:
-    total = result.friction.torque.total
-    for low, high, words in (
-        (total, total, "within the catalogue band"),  # both ends count as within
-        (0.5 * total, 2 * total, "within the catalogue band"),
-        (
-            0.5 * total,
-            np.array([2, 0.9, 0.9]) * total,
-            "outside the catalogue band: above it at 2 of 3 operating points",
-        ),
-        (
-            np.array([1.1, 0.2, 0.3]) * total,
-            np.array([2.0, 0.9, 2.0]) * total,
-            "outside the catalogue band: below it at 1 and above it at 1 of 3 operating points",
-        ),
-    ):
-        found = replace(result, catalogue=band_of(low.tolist(), high.tolist()))
-        assert f"The torque is {words}." in found.notes
-    assert not any("catalogue" in note for note in replace(result, catalogue=BesideCatalogue(band=None, note="")).notes)
-
-
 def test_seals_and_drag_are_not_in_the_formulas_and_not_compared_with_them() -> None:
     """The seals of a 6205-2RS1, 67.9 N mm by SKF's formula, are most of its torque."""
     loads: dict[str, Any] = {"axial_load": "300 N", "radial_load": "200 N"}

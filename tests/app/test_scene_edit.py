@@ -6,7 +6,6 @@ from analytic.errors import InputError
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.scenefile.template import scene_text
 from fembearing.app.scene_edit import (
-    DIMENSIONS,
     FIELDS,
     OPERATION,
     commented_value,
@@ -142,19 +141,6 @@ def test_the_last_key_of_the_seats_takes_their_table_away() -> None:
     without, _ = with_typed(without, "mounting.outer_temperature", "")
     assert not has_table(without, "mounting")
     assert with_typed(without, "mounting.inner_temperature", "75 degC")[0].count("[mounting]") == 1
-
-
-def test_a_dimension_that_is_left_out_is_the_derived_one() -> None:
-    derived = parse_scene(USUAL, origin="here").bearing
-    for key in DIMENSIONS:
-        changed, _ = with_typed(USUAL, key, TYPED[key][0])
-        assert parse_scene(changed, origin="here").bearing != derived
-        without, _ = with_typed(changed, key, "")
-        assert parse_scene(without, origin="here").bearing == derived
-        given, _ = with_typed(USUAL, key, commented_value(USUAL, key))
-        assert key in values_in(given)
-    assert commented_value(USUAL, "bearing.ball_diameter") == "9.525 mm"
-    assert commented_value(USUAL, "bearing.ball_radius") == ""
 
 
 @pytest.mark.parametrize("designation", ["6206", "7208B"])

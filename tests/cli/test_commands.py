@@ -16,7 +16,6 @@ from fembearing.check.cost import contact_ladder, ladder
 from fembearing.check.cost import scene_cost as cost
 from fembearing.fem import solution
 from fembearing.mesh.recipe import Recipe
-from fembearing.sweep import run as sweep_run
 from tests.analytic.scenefile.scene_texts import MINE
 
 COMPARED = {"semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach"}  # held to the asked accuracy
@@ -74,23 +73,6 @@ def test_the_idealisation_meets_hertz_within_its_own_uncertainty(command) -> Non
     found = json.loads(command("contact", "--geometry", "hertzian", "--pair", "outer", "--json").out)
     for name in QUANTITIES:
         assert abs(found["discrepancy"][name]) <= found["uncertainty"][name]
-
-
-@pytest.mark.parametrize(
-    ("there", "words"), [(True, "finished points are in "), (False, "stopped; no point is finished")]
-)
-def test_a_sweep_that_is_stopped_says_what_is_kept(
-    command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, there: bool, words: str
-) -> None:
-    def stopped(*_: Any, out: Path, **__: Any) -> None:
-        if there:
-            out.mkdir()
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr(sweep_run, "run_sweep", stopped)
-    result = command("sweep", str(tmp_path / "grid.toml"), "--out", str(tmp_path / "swept"))
-    assert result.status == 130
-    assert words in " ".join(result.err.split())
 
 
 @pytest.mark.usefixtures("coarse")
@@ -163,14 +145,6 @@ def test_no_command_gives_the_idealisation_a_shoulder(command, tmp_path: Path) -
         found = json.loads(command("contact", str(scene), "--geometry", "hertzian", *arguments, "--json").out)
         assert found["verdict"] == "pass"
         assert not found["warnings"]
-
-
-def test_mesh_files_are_written_and_their_worst_cells_reported(command, tmp_path: Path) -> None:
-    result = command("contact", "--mesh", str(tmp_path / "made"), "--level", "1", "--json")
-    found = json.loads(result.out)
-    assert result.status == 0
-    assert {Path(path).name for path in found["meshes"]} == {"inner-real-upper.vtu", "inner-real-lower.vtu"}
-    assert all(Path(path).is_file() and quality["negative_points"] == 0 for path, quality in found["meshes"].items())
 
 
 @pytest.mark.slow

@@ -34,13 +34,6 @@ def test_a_bearing_of_the_catalogue_needs_no_file(command, place: Path) -> None:
     assert "friction_6206.csv" in again.err
 
 
-def test_lists_are_axes_of_a_bearing_of_the_catalogue(command, place: Path) -> None:
-    lists = ("--speed", '["300 rpm", "450 rpm", "900 rpm"]', "--radial-load", '["1 kN", "3 kN"]')
-    warm = ("--temperature", '["50 degC", "65 degC"]', "--axial-load", "0 N")
-    ended = command("export", "6206", "--to", "csv", "--out", "map.csv", *lists, *warm, *FAST)
-    assert (ended.status, len((place / "map.csv").read_text("utf-8").splitlines())) == (0, 1 + 3 * 2 * 2)
-
-
 def test_the_verdict_is_that_of_the_torque(command, place: Path) -> None:
     """As `torque` has it at the last speed."""
     options = ("--axial-load", "5 N", "--speed", "3000 rpm to 10000 rpm in 3")

@@ -4,7 +4,6 @@ import csv
 import json
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from analytic.scenefile.template import scene_text
@@ -23,22 +22,6 @@ pitch_diameter = "39 mm"
 conformity = 0.52
 contact_angle = { nominal = "30 deg" }
 """
-
-
-def test_json_is_alone_on_standard_output_and_has_the_band(command, tmp_path: Path) -> None:
-    (tmp_path / "a.toml").write_text(SERIES, "utf-8")
-    status, out, err = command("torque", str(tmp_path / "a.toml"), "--json")
-    found = json.loads(out)
-    assert (status, err) == (0, "")
-    assert [point["axial_load"] for point in found["points"]] == [900.0, 400.0]
-    assert found["points"][0]["torque"]["declared"] is None
-    assert 0 < found["points"][0]["uncertainty"]["model"] < 1.0  # 95 % of rolling and shear stress together
-    band = found["catalogue_band"]
-    assert set(band) == {"low", "high", "values", "note"}
-    assert len(band["low"]) == len(band["values"]["SKF"]) == 2
-    assert np.all(np.array(band["low"]) < band["high"])
-    status, out, _ = command("torque", "6205-dry", "--json")
-    assert json.loads(out)["catalogue_band"]["low"] is None
 
 
 @pytest.mark.parametrize(

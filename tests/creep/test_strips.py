@@ -59,19 +59,6 @@ def test_two_strips_meet_where_slip_turns_round_inside_the_ellipse() -> None:
     assert np.all(strips.width > 0)
 
 
-def test_strips_are_narrower_at_the_ends_and_where_slip_turns_round() -> None:
-    """Half of each step is even, half follows a squared sine, which begins and ends level."""
-    for sides, zones in (((), [(-1.0, 1.0)]), ((0.5 * TRANSVERSE,), [(-1.0, 0.5), (0.5, 1.0)])):
-        strips = race_strips(16, 3, sides=sides)
-        borders = np.append(-1.0, (strips.middle + strips.width / 2) / TRANSVERSE)
-        for first, last in zones:
-            inside = (borders >= first - 1e-9) & (borders <= last + 1e-9)
-            place = (borders[inside] - first) / (last - first)
-            even = np.linspace(0.0, 1.0, place.size)
-            np.testing.assert_allclose(place, even / 2 + (1 - np.cos(np.pi * even)) / 4, atol=1e-12)  # round-off
-            assert place.size - 1 == round(8 * (last - first))
-
-
 def test_a_strip_reaches_as_far_as_the_root_mean_square_of_its_ellipse() -> None:
     strips = race_strips(7, 3)
     for number in (0, 3, 5):

@@ -72,13 +72,6 @@ def test_what_is_not_given_follows_from_the_scene() -> None:
     )
 
 
-def test_speeds_that_are_not_given_reach_twice_the_fastest_of_the_scene_either_way_round() -> None:
-    scene = load_scene("6206", radial_load="3 kN", speed="700 rpm")
-    speeds = RPM * np.array([700.0, -900.0, 200.0])
-    series = replace(scene, operation=replace(scene.operation, inner_speed=speeds))
-    assert axes_at(series, {}, whole=True)["speed"][-1] == pytest.approx(1800 * RPM, rel=1e-12)  # a logarithm
-
-
 def test_a_scene_without_an_oil_has_no_temperature() -> None:
     dry = load_scene("6205-dry")
     assert "temperature" not in axes_at(dry, {}, whole=True)

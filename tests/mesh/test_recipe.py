@@ -77,13 +77,6 @@ def test_a_mistake_is_named_in_one_line(tmp_path: Path, fault: str) -> None:
     assert "\n" not in str(caught.value)
 
 
-def test_a_file_that_is_not_text_is_named(tmp_path: Path) -> None:
-    (tmp_path / "race.toml").write_bytes(b"\xff\xfe\x00 geometry")
-    with pytest.raises(InputError, match="mesh recipe race") as caught:
-        parse_recipe(tmp_path / "race.toml", name="race")
-    assert "\n" not in str(caught.value)
-
-
 def test_nothing_is_solved_without_its_recipe(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, scene: Scene) -> None:
     """Recipes are read from a copy of the package's folder, then one is deleted from it: no other source of meshes."""
     shutil.copytree(SHIPPED, tmp_path / "meshes")

@@ -33,11 +33,6 @@ def test_no_usual_load_is_added_to_an_axis_of_loads(
     assert tuple(map(np.max, (operation.axial_load, operation.radial_load, operation.moment))) == loads
 
 
-def test_an_axis_replaces_what_a_bearing_assumes_in_another_way(grid_file: Callable[..., Path]) -> None:
-    grid = load_grid(grid_file('surface.Ra = ["0.05 um", "0.2 um"]', head='scene = "6206"', scene=""))
-    assert grid.first_scene().surface == load_scene("6206", settings={"surface.Ra": 5e-8}).surface
-
-
 def test_values_come_out_in_si_and_in_order(grid_file: Callable[..., Path]) -> None:
     grid = load_grid(
         grid_file(

@@ -41,15 +41,10 @@ def test_one_bearing_has_many_spellings(expected: str, text: str) -> None:
         ("6205/C3", "C3"),
         ("6205-2RSC3", "C3"),
         ("6205 2Z C2", "C2"),
-        ("6205ZZ-C4", "C4"),
-        ("6205 C5", "C5"),
-        ("6205 CN", "CN"),
         ("6205 CNL", "CN"),
         ("6205 C2H", "C2"),
         ("6205 P63", "C3"),
-        ("6205 P5", None),
         ("6205ZZCM", "CN"),
-        ("7205C", None),
         ("7205C C3", None),
     ],
 )
@@ -89,10 +84,8 @@ def test_cages_precision_and_others_are_understood_and_change_nothing(suffix: st
     ("text", "word"),
     [
         ("6205 QXJ77", "QXJ77: suffix not understood"),
-        ("6205 XYZ", "XYZ: suffix not understood"),
         ("6205 CM", "taken as CN"),
         ("6205 C1", "CN is taken: give the length as bearing.clearance"),
-        ("7205C C1", "follows from the contact angle"),
         ("6205 K", "tapered bore"),
         ("W 6205", "stainless steel"),
         ("6205 C2 C4", "C2, C4"),
@@ -130,11 +123,6 @@ def test_ceramic_balls_are_of_silicon_nitride(text: str, sign: str) -> None:
 )
 def test_a_bore_is_no_suffix(text: str) -> None:
     refused(lambda: find_bearing(text), "is not in the catalogue; nearest: ")
-
-
-@pytest.mark.parametrize("text", ["618/5", "618/8-2Z", "619/8", "W 619/4", "685"])
-def test_a_bore_of_the_catalogue_whose_balls_are_not_known_is_refused(text: str) -> None:
-    refused(lambda: find_bearing(text), "do not follow from its ratings")
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,6 @@
 """The drag of seals: SKF's formula by hand in printed units, and which constants a suffix takes."""
 
 import math
-from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -10,7 +9,7 @@ from analytic.catalog.bearing_rows import find_bearing
 from analytic.catalog.seals import seal_spread, seal_torque
 from analytic.effects import Effect
 from analytic.prediction.spreads import uncertain_inputs
-from analytic.scene import Losses, Scene
+from analytic.scene import Scene
 from analytic.scenefile.inputs import stated_inputs
 from analytic.scenefile.read import scene_of
 from analytic.torque import friction_torque
@@ -57,10 +56,6 @@ def test_light_seals_brake_less_and_scatter_more() -> None:
         light, full = (find_bearing(f"{number}-{suffix}") for suffix in ("2RSL", "2RS1"))
         assert seal_torque(light, counterface=1.2 * light.bore) < 0.1 * seal_torque(full, counterface=1.2 * full.bore)
         assert seal_spread(light) > seal_spread(full)
-
-
-def test_a_bearing_without_seals_has_no_estimate() -> None:
-    refused(lambda: seal_torque(find_bearing("6205"), counterface=40e-3), "no seals")
 
 
 def sealed(designation: str, **more: Any) -> Scene:
@@ -127,13 +122,6 @@ def test_seals_of_a_bearing_without_known_shoulders_count_too() -> None:
     assert drag is not None
     least, most = (0.014 * (1e3 * d) ** 2 + 10 for d in (0.070, bearing.pitch_diameter - 0.55 * bearing.ball_diameter))
     assert least < 1e3 * drag < most
-
-
-def test_seals_of_unknown_drag_have_no_bound() -> None:
-    """A scene from Python may say that seals rub, and not how much."""
-    scene = sealed("6205-2RS1")
-    effect = effect_of(replace(scene, losses=Losses()))
-    assert (effect.decision, effect.share) == ("off", None)
 
 
 def test_a_pair_has_the_seals_twice() -> None:

@@ -9,7 +9,7 @@ import pytest
 import analytic
 from analytic.prediction.duty import DutyCycle, duty_cycle
 from analytic.prediction.first_order import first_order_ends
-from analytic.scene import Operation, Scene
+from analytic.scene import Operation
 from analytic.scenefile.read import load_scene
 from tests.refusals import refused
 
@@ -125,12 +125,3 @@ def test_no_usual_load_is_added_to_the_loads_of_the_steps(tmp_path: Path) -> Non
     assert (radial.steps[0].radial_load, radial.steps[0].axial_load) == (-900, 0)
     bare = duty_cycle("6206", cycle_file(tmp_path, "duration [s],inner_speed [rpm]\n7,600\n"), settings=SETTINGS)
     assert bare.steps[0].radial_load == np.max(load_scene("6206").operation.radial_load) > 0
-
-
-def test_a_temperature_is_said_once(tmp_path: Path) -> None:
-    file = cycle_file(tmp_path, "duration [s],temperature [degC]\n5,60\n")
-    settings = {"thermal.resistance": 0.9, "thermal.ambient": 296.0}
-    refused(lambda: duty_cycle("6206", file, settings=settings, **RUN), "cycle.csv", "column temperature", "[thermal]")
-    made = replace(load_scene("6206", **OILED), name="made")
-    assert isinstance(made, Scene)
-    refused(lambda: duty_cycle(made, file), "made", "give the file of the scene")

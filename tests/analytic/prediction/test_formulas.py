@@ -4,13 +4,11 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-import pytest
 
 from analytic.oil.film import FORMULA_UNCERTAINTY
-from analytic.oil.variation import OIL_LOSS_FACTORS, Variation
+from analytic.oil.variation import Variation
 from analytic.prediction.first_order import end_factors, moved_totals
 from analytic.prediction.formulas import with_model_uncertainty
-from analytic.prediction.spreads import DEFAULTS
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.torque import friction_torque
 from tests.analytic.specimens import present
@@ -84,9 +82,3 @@ def test_smooth_oil_of_constant_stress_does_not_care() -> None:
     thin = np.exp(-2 * FORMULA_UNCERTAINTY) * np.minimum(present(plain.film.inner), present(plain.film.outer)) / 1e-9
     assert np.all(parts["film"] <= 20 * np.exp(-thin))
     assert parts["film"][-1] < 1e-9
-
-
-def test_factors_within_which_a_loss_lies_evenly_have_the_deviation_of_an_even_logarithm() -> None:
-    least, most = np.log(OIL_LOSS_FACTORS)
-    every = np.linspace(least, most, 20001)  # evenly: its standard deviation is that of the distribution
-    assert DEFAULTS["model.oil_losses"].deviation == pytest.approx(np.std(every), rel=1e-3)  # 1/20 000 by the ends

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from analytic.prediction.first_order import end_factors
-from analytic.prediction.rows import Interval, PredictedPoint, PredictionRows, SobolIndices, largest_error
+from analytic.prediction.rows import Interval, PredictedPoint, PredictionRows, largest_error
 from analytic.prediction.spreads import UncertainInput
 
 INPUT = UncertainInput(key="lubricant.viscosity", kind="input", value=0.043, unit="Pa*s", deviation=0.003, source="so")
@@ -15,19 +15,6 @@ INPUT = UncertainInput(key="lubricant.viscosity", kind="input", value=0.043, uni
 
 def interval(low: float = 2.0, high: float = 5.0, **errors: float) -> Interval[float]:
     return Interval(low=low, median=3.0, high=high, **({"low_error": 0.01, "high_error": 0.02} | errors))
-
-
-def point(speed: float, nominal: float, total: tuple[float, ...] = (0.5, 0.3, 0.2), **changed: Any) -> PredictedPoint:
-    known: dict[str, Any] = {
-        "total": interval(),
-        "parts": {},
-        "made_of": {"input": (2.0, 5.0), "input.other": (2.1, 4.0)},
-        "indices": SobolIndices(first=total, total=total, first_error=total, total_error=total),
-        "explained": 0.9,
-    }
-    return PredictedPoint(
-        inner_speed=speed, axial_load=310.0, radial_load=0.0, moment=0.0, nominal=nominal, **(known | changed)
-    )
 
 
 def rows(*points: PredictedPoint, **changed: Any) -> PredictionRows:
@@ -43,22 +30,6 @@ def rows(*points: PredictedPoint, **changed: Any) -> PredictionRows:
         "evaluation_seconds": 2.5,
     }
     return PredictionRows(points=points, **(known | changed))
-
-
-def test_the_ends_are_the_slowest_and_the_fastest_point() -> None:
-    slow, fast, other = point(-2.0, 3.0), point(-90.0, 7.0), point(40.0, 5.0)
-    lost = point(900.0, np.nan)
-    assert rows(other, fast, slow, lost).ends == [slow, fast]
-    twin = point(2.0, 4.0)
-    assert rows(slow, twin, other).ends == [slow, other]  # of equal ones the first
-    assert rows(slow, point(50.0, 3.0)).ends == [slow]
-    assert rows(slow).ends == [slow]
-
-
-def test_inputs_are_ranked_by_their_largest_index_at_the_ends() -> None:
-    slow, fast = point(2.0, 3.0, (0.5, 0.3, 0.1)), point(90.0, 7.0, (0.1, 0.2, 0.6))
-    middle = point(40.0, 5.0, (0.0, 0.9, 0.0))
-    assert rows(slow, middle, fast).ranked == [2, 0, 1]
 
 
 def test_the_error_of_a_series_is_that_of_its_worst_end() -> None:

@@ -3,7 +3,6 @@
 import math
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 import analytic
@@ -46,19 +45,6 @@ def test_a_temperature_beside_a_resistance_is_refused() -> None:
     refused(lambda: analytic.steady_scene("6308", settings=heat, temperature=333.0), f"of 6308: {words}")
     both = {**heat, "lubricant.temperature": 333.0}
     refused(lambda: analytic.steady_scene("6308", settings=both), words)
-
-
-def test_without_resistance_the_oil_has_the_ambient_temperature() -> None:
-    assert temperature(heated(0.0)) == AMBIENT
-    rise = temperature(heated(1e-6)) - AMBIENT
-    assert 0 <= rise < 1e-3  # some 100 W of friction at most
-
-
-def test_the_oil_warms_with_resistance_and_with_the_surroundings() -> None:
-    by_resistance = [temperature(heated(each)) for each in (0.2, 0.5, 1.1)]
-    assert all(np.diff(by_resistance) > 1)
-    cool, warm = (temperature(heated(0.5, ambient)) for ambient in (284.0, 314.0))
-    assert 0 < warm - cool < 30  # thinner oil resists less
 
 
 @pytest.mark.parametrize(("decay", "resistance"), [(0.03, 0.4), (0.0, 2.5)])

@@ -148,13 +148,6 @@ def test_what_the_torque_does_not_ask_for_is_not_varied(
     assert different == expected
 
 
-def test_a_dry_scene_varies_neither_oil_nor_surface() -> None:
-    dry = replace(WHOLE, lubricant=None, surface=None, friction_coefficient=0.07, losses=Losses())
-    keys = set(values_of(dry))
-    assert not any(key.startswith(("lubricant", "surface", "losses")) for key in keys)
-    assert {key for key in keys if key.startswith("model")} == {"model.elastic_rolling"}
-
-
 def test_a_thrust_bearing_has_one_groove_and_no_angle_of_its_own() -> None:
     """Both washers are equal, and 90 degrees are its kind."""
     angle = ContactAngle(rule="given", value=np.pi / 2)

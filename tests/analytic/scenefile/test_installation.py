@@ -125,8 +125,3 @@ def test_the_largest_offset_is_that_of_the_shoulder() -> None:
                 scene(more, bearing='inner = { shoulder_half_width = "2 mm" }')
         else:
             scene(more, bearing='inner = { shoulder_half_width = "2 mm" }')
-
-
-def test_a_tandem_needs_a_load() -> None:
-    with pytest.raises(InputError, match="leaves a point without any load"):
-        scene('[arrangement]\nkind = "tandem"\n', load=0)

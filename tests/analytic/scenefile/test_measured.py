@@ -53,12 +53,6 @@ def test_columns_are_read_in_si_in_any_order_and_unit(tmp_path: Path) -> None:
     assert found.radial_load is None
 
 
-def test_a_head_reads_its_unit_by_its_quantity(tmp_path: Path) -> None:
-    found = read_measured(data(tmp_path, "temperature [C],radial_load [KN],torque [N mm]\n62.5,1.5,35.1\n"))
-    np.testing.assert_allclose(found.temperature, [335.65], rtol=1e-15)  # type: ignore[arg-type]
-    np.testing.assert_allclose(found.radial_load, [1500.0], rtol=1e-15)  # type: ignore[arg-type]
-
-
 @pytest.mark.parametrize(
     ("text", "words"),
     [
@@ -125,20 +119,6 @@ def test_a_scene_names_its_file_from_its_folder_and_a_given_one_comes_first(
 def load_scene_text(folder: Path, text: str) -> analytic.Scene:
     (folder / "plain.toml").write_text(text)
     return load_scene(folder / "plain.toml")
-
-
-@pytest.mark.parametrize(
-    ("table", "words"),
-    [
-        ('[measured]\nfile = "gone.csv"', ("gone.csv", "No such file")),
-        ('[measured]\ndata = "data.csv"', ("measured.data", "unknown key")),
-        ("[measured]\nfile = 5", ("measured.file = 5",)),
-        ('measured = "data.csv"', ("measured", "is not a table", 'file = "data.csv"')),
-    ],
-)
-def test_a_wrong_table_is_refused(tmp_path: Path, table: str, words: tuple[str, ...]) -> None:
-    text = f"{MINE}{table}\n" if table.startswith("[") else f"{table}\n{MINE}"
-    refused(lambda: load_scene_text(tmp_path, text), *words)
 
 
 def test_each_temperature_has_the_oil_that_the_scene_has_there(tmp_path: Path) -> None:

@@ -138,10 +138,6 @@ def test_a_slip_is_named_in_one_line(text: str, words: tuple[str, ...]) -> None:
     assert not missing, message
 
 
-def test_a_wall_as_thick_as_the_web_between_pockets_is_accepted() -> None:
-    assert scene(CAGE + 'pocket_diameter = "12.9 mm"\nwall_thickness = "0.44 mm"').cage is not None
-
-
 def test_gravity_has_a_direction_of_any_length() -> None:
     assert scene(changed('"700 N"', '"700 N"\ndown = [3, 0, -4.0]')).down == pytest.approx((0.6, 0.0, -0.8), rel=1e-15)
 
@@ -177,12 +173,6 @@ def test_an_unknown_key_is_answered_in_short(text: str, words: str) -> None:
     message = refusal(text)
     assert words in message
     assert len(message) < 250  # a scene has more than a hundred keys, of 15 letters and more
-
-
-def test_several_mistakes_are_reported_together() -> None:
-    message = refusal(changed('"2 %"', "7", changed('"700 N"', "700")))
-    assert "tolerance = 7" in message
-    assert "operation.axial_load = 700" in message
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ from analytic.errors import InputError
 from analytic.scene import Lubricant
 from analytic.scenefile.keys import scene_key
 from analytic.scenefile.known_oil import assumed_properties
-from tests.analytic.scenefile.scene_texts import OILED, PLAIN, SURFACE, refusal, scene
+from tests.analytic.scenefile.scene_texts import PLAIN, refusal, scene
 from tests.analytic.specimens import present
 
 WARM = 343.15  # K
@@ -49,39 +49,12 @@ def test_no_two_oils_share_a_spelling() -> None:
     assert len(set(spellings)) == len(spellings)
 
 
-def test_python_and_a_scene_read_the_same_oil() -> None:
-    from_python = analytic.lubricant("ISO VG 46", temperature=WARM, limiting_shear=0.055)
-    from_scene = oil('name = "ISO VG 46"\ntemperature = "70 degC"\nlimiting_shear = 0.055')
-    assert from_python == from_scene
-    assert from_python.origins == from_scene.origins
-    assert analytic.lubricant("FVA 3", viscosity=0.03) == oil('name = "FVA 3"\nviscosity = "30 mPa s"')
-
-
 @pytest.mark.parametrize("name", ["ISO VG 46", "FVA 3", "PAO100", "SKF GJN"])
 def test_the_slope_is_the_derivative_of_the_viscosity(name: str) -> None:
     step = 0.02  # K: the third derivative leaves 1e-8 of it, round-off 1e-12
     either = [analytic.lubricant(name, temperature=WARM + side * step).viscosity for side in (-1, 1)]
     slope = float(np.log(either[0] / either[1])) / (2 * step)
     assert analytic.lubricant(name, temperature=WARM).viscosity_temperature == pytest.approx(slope, rel=1e-7)
-
-
-def test_the_torque_is_that_of_the_numbers_written_out() -> None:
-    named = scene(f'{PLAIN}[lubricant]\nname = "ISO VG 46"\ntemperature = "70 degC"\n{SURFACE}')
-    known = present(named.lubricant)
-    numbers = f"""
-viscosity = "{known.viscosity!r} Pa s"
-pressure_viscosity = "{known.pressure_viscosity!r} 1/Pa"
-limiting_shear = {known.limiting_shear!r}
-reference_temperature = "70 degC"
-viscosity_temperature = "{known.viscosity_temperature!r} 1/K"
-thermal_conductivity = "{known.thermal_conductivity!r} W/m/K"
-density = "{known.density!r} kg/m^3"
-"""
-    written = scene(f"{PLAIN}[lubricant]\n{numbers}\n{SURFACE}")
-    assert written.lubricant == known
-    ours, theirs = (analytic.friction_torque(each).torque.total for each in (named, written))
-    np.testing.assert_array_equal(ours, theirs)
-    assert np.all(ours > 0)
 
 
 def test_keys_of_the_scene_win() -> None:
@@ -116,19 +89,6 @@ def test_a_viscosity_of_a_class_has_the_limits_of_the_class() -> None:
     assert measured.status == "printed"
     printed = 1e-5 / (327.7918 + 2.9862 * 40)  # per bar, table A1 of [Schwarz2023]
     assert measured.uncertainty == pytest.approx(0.05 * printed / sqrt(3), rel=1e-4)  # its five digits in kelvin
-
-
-def test_numbers_of_the_scene_are_given_and_the_rest_is_assumed() -> None:
-    origins = present(scene(OILED).lubricant).origins
-    status = {key: origin.status for key, origin in origins.items()}
-    assert status == {
-        "viscosity": "given",
-        "pressure_viscosity": "given",
-        "eyring_stress": "given",
-        "limiting_shear": "assumed",
-        "density": "assumed",
-        "thermal_conductivity": "assumed",
-    }
 
 
 def test_two_viscosities_give_one_at_any_temperature() -> None:
@@ -252,18 +212,6 @@ def test_grease_has_the_surface_tension_of_its_oil() -> None:
     assert "surface_tension" in oil('name = "vg46"\nsupply = "grease"').origins
     for text in ('name = "vg46"', 'name = "SKF GJN"\nsupply = "oil_spot"'):
         assert "surface_tension" not in oil(text).origins
-
-
-def test_the_slope_of_a_given_density_is_that_of_the_line_alone() -> None:
-    """Else the density falls by 0.6 kg/m3 for each kelvin, of 842 at 70 degC."""
-    with_, alone = (analytic.lubricant("ISO VG 46", temperature=WARM, **more) for more in ({}, {"density": 842.0}))
-    assert with_.viscosity == pytest.approx(alone.viscosity, rel=1e-12)
-    difference = with_.viscosity_temperature - alone.viscosity_temperature
-    assert difference == pytest.approx(0.6 / 842.0, rel=1e-9)
-    given = oil('name = "vg46"\nviscosity_temperature = "0.031 1/K"')
-    assert given.viscosity_temperature == 0.031
-    numbers = 'pressure_viscosity = "2e-8 1/Pa"\neyring_stress = "5 MPa"'
-    assert oil(f'viscosity = "60 mPa s"\n{numbers}').viscosity_temperature == 0.045
 
 
 def test_a_dynamic_viscosity_needs_no_density() -> None:

@@ -47,27 +47,18 @@ def same(one: Scene, other: Scene) -> None:
     ("key", "typed", "read"),
     [
         ("lubricant.temperature", "65C", "65 degC"),
-        ("lubricant.temperature", "65 c", "65 degC"),
-        ("lubricant.temperature", "65 °C", "65 degC"),
         ("lubricant.temperature", "140 F", "140 degF"),
-        ("lubricant.temperature", "338 k", "338 K"),
         ("lubricant.temperature", 338, SI(338, "K")),
         ("operation.radial_load", "3KN", "3 kN"),
-        ("operation.radial_load", "-3 kn", "-3 kN"),
         ("operation.radial_load", "2,5 kN", "2.5 kN"),
         ("operation.radial_load", "0,500 kN", "0.500 kN"),  # no thousands begin with 0
-        ("operation.radial_load", "2,5000 kN", "2.5000 kN"),
         ("operation.radial_load", "7 mN", "7 mN"),  # not MN
         ("operation.radial_load", '"3 kN"', "3 kN"),  # as in a scene file
-        ("operation.radial_load", 3000.0, SI(3000.0, "N")),
         ("operation.inner_speed", "2900RPM", "2900 rpm"),
-        ("operation.inner_speed", "2900 1/min", "2900 rpm"),
         ("operation.inner_speed", '["700 rpm", "2900rpm"]', ["700 rpm", "2900 rpm"]),
-        ("operation.inner_speed", ["700 rpm", "2900rpm"], ["700 rpm", "2900 rpm"]),
         ("operation.inner_speed", [70.0, 290.5], [SI(70.0, "rad/s"), SI(290.5, "rad/s")]),
         ("operation.down", "[0, 0, 2]", [0, 0, 2]),
         ("lubricant.compressible", "false", False),
-        ("lubricant.compressible", False, False),
         ("lubricant.supply", "grease", "grease"),
         (
             "lubricant.viscosity",
@@ -76,11 +67,8 @@ def same(one: Scene, other: Scene) -> None:
         ),
         ("bearing.catalog", "6206", "6206"),  # a name, not a number
         ("bearing.clearance", "C3", "C3"),
-        ("bearing.clearance", "12um", "12 um"),
-        ("bearing.ball_count", "9", 9),
         ("report.date", "2026-03-04", "2026-03-04"),
         ("tolerance", "2%", "2 %"),
-        ("friction.hysteresis_loss", "0.005", 0.005),
         ("friction.hysteresis_loss", "0,005", 0.005),
         ("losses.seals", "estimate", "estimate"),
     ],
@@ -214,10 +202,6 @@ def test_a_setting_needs_key_and_value(text: str) -> None:
     refused(lambda: typed_settings([text]), "--set", "KEY=VALUE")
 
 
-def test_a_setting_stands_once() -> None:
-    refused(lambda: typed_settings(["tolerance=1%", "tolerance=2%"]), "tolerance is given twice")
-
-
 @pytest.mark.parametrize(
     ("designation", "supply"),
     [
@@ -230,12 +214,6 @@ def test_a_bearing_with_seals_or_shields_is_greased(designation: str, supply: st
     assert found.lubricant is not None
     assert found.lubricant.supply == supply
     assert found.usual["lubricant.supply"] == supply
-
-
-def test_the_drag_of_seals_is_told_as_assumed() -> None:
-    assert load_scene("6206-2RS").usual["losses.seals"] == "estimate"
-    assert "losses.seals" not in load_scene("6206-2Z").usual
-    assert "losses.seals" not in load_scene("6206-2RS", settings={"losses.seals": "5 N mm"}).usual
 
 
 def test_the_seals_of_a_fast_6204_are_in_its_torque() -> None:

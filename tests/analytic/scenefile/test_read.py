@@ -8,7 +8,7 @@ import pytest
 from analytic import catalog
 from analytic.scene import Land
 from analytic.scenefile.read import load_scene
-from tests.analytic.scenefile.scene_texts import INLINE, OIL, PLAIN, ROUGH, changed, refusal, scene
+from tests.analytic.scenefile.scene_texts import OIL, PLAIN, ROUGH, changed, refusal, scene
 from tests.analytic.specimens import present
 
 
@@ -40,42 +40,12 @@ def test_the_built_in_scenes_are_table_1_of_the_paper(scene_name: str, bearing_6
     assert parsed.warnings == ()
 
 
-def test_units_become_si() -> None:
-    parsed = scene(INLINE)
-    assert parsed.bearing.ball_material.density == 3200.0
-    assert (parsed.bearing.inner.material.name, parsed.bearing.outer.material.name) == ("steel", "peek")
-    assert parsed.bearing.outer.bottom_radius == 18.01e-3
-    np.testing.assert_allclose(parsed.contact_angle.value or 0.0, np.pi / 12, rtol=1e-15)  # one rounding
-    np.testing.assert_allclose(parsed.operation.axial_load, [12 * 9.80665, 1e-12], rtol=1e-15)
-    np.testing.assert_allclose(parsed.operation.inner_speed, [-200 * np.pi / 30, 0], rtol=1e-15)
-    assert parsed.cage is not None
-    assert (parsed.cage.pocket_diameter, parsed.cage.pocket_depth) == (6.3e-3, 3.1e-3)
-    assert parsed.effects["spin"] == "off"
-    assert parsed.effects["rolling"] == "auto"
-    assert parsed.friction_coefficient is None
-
-
 def test_one_quantity_applies_to_the_whole_series() -> None:
     operation = scene(PLAIN).operation
     np.testing.assert_array_equal(operation.axial_load, [700.0, 700.0])
     np.testing.assert_allclose(operation.inner_speed, [10.471975511965978, np.pi / 6], rtol=1e-15)
     with pytest.raises(ValueError, match="read-only"):
         operation.axial_load[0] = 3.0
-
-
-def test_a_catalog_entry_is_overridden_key_by_key() -> None:
-    parsed = scene(
-        changed('catalog = "paper_6205"', 'catalog = "paper_6205"\ninner.groove_radius = "4.2 mm"\nball_count = 8')
-    ).bearing
-    assert (parsed.inner.groove_radius, parsed.inner.bottom_radius, parsed.ball_count) == (4.2e-3, 15.53e-3, 8)
-
-
-def test_radial_load_and_moment_are_read() -> None:
-    parsed = scene(changed('"700 N"', '"700 N"\nradial_load = ["-0.4 kN", "0 N"]\nmoment = "300 N mm"'))
-    np.testing.assert_array_equal(parsed.operation.radial_load, [-400.0, 0.0])
-    np.testing.assert_allclose(parsed.operation.moment, [0.3, 0.3], rtol=1e-15)  # one rounding
-    assert parsed.warnings == ()
-    np.testing.assert_array_equal(scene(PLAIN).operation.radial_load, [0.0, 0.0])
 
 
 @pytest.mark.parametrize("clearance", [13e-6, -7e-6])

@@ -8,7 +8,6 @@ import pytest
 from analytic import catalog, friction_torque
 from analytic.catalog.bearing_rows import bearing_names, find_bearing
 from analytic.errors import InputError
-from analytic.prediction.first_order import first_order_ends
 from analytic.prediction.spreads import uncertain_inputs
 from analytic.scenefile.inputs import stated_inputs
 from analytic.scenefile.read import load_scene
@@ -109,23 +108,8 @@ def test_it_refuses_and_doubts_nothing(settings: dict[str, Any]) -> None:
     assert np.isfinite(found.numerical_uncertainty).all()
 
 
-def test_a_start_moves_it_and_pockets_full_of_oil_replace_it() -> None:
-    moving = present(load_scene("6206", settings={"cage.start": "rest"}).cage)
-    assert (moving.start, moving.gives_way) == ("rest", False)
-    oil = {"losses.pockets.clearance": "0.2 mm", "losses.pockets.thickness": "2 mm"}
-    assert load_scene("6206", settings=oil).cage is None
-
-
 def test_another_word_than_none_is_refused() -> None:
     with pytest.raises(InputError, match=r"cage = 'off' is no cage; give a table \[cage\] .* or cage = \"none\""):
         load_scene("6206", settings={"cage": "off"})
     with pytest.raises(InputError, match=r"effects\.cage = 'on' needs a table"):
         load_scene("6206", settings={"cage": "none", "effects.cage": "on"})
-
-
-def test_its_pockets_follow_balls_of_uncertain_size() -> None:
-    """The balls of a 7208B are known to 6 %, more than the clearance of a pocket."""
-    scene = load_scene("7208B", axial_load=2000.0)
-    ends = first_order_ends(scene, friction_torque(scene))
-    assert ends is not None
-    assert np.all(ends[0] < ends[1])
