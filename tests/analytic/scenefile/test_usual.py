@@ -55,10 +55,3 @@ def test_the_highest_speed_of_a_series_counts_and_the_classes_end() -> None:
     assert name_at(["200 rpm", "-7000 rpm", "3000 rpm"]) == name_at("7000 rpm") != name_at("200 rpm")
     assert name_at("0 rpm") == name_at("3 rpm") == "ISO VG 460 mineral"
     assert name_at("300000 rpm") == "ISO VG 10 mineral"
-
-
-def test_speed_and_temperature_of_settings_count_too() -> None:
-    by_settings = load_scene(
-        "7014C", settings={"operation.inner_speed": "12000 rpm", "lubricant.temperature": "45C"}, axial_load="700 N"
-    )
-    assert by_settings.lubricant == oil_of("7014C", axial_load="700 N", speed="12000 rpm", temperature="45 degC")
