@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from analytic.errors import InputError
-from analytic.reading import content_of, opened, require_regular
+from analytic.reading import content_of, require_regular
 from analytic.scenefile.read import load_scene
 from analytic.surface.heightmap import read_height_map
 from fembearing.mesh.meshfile import read_body
@@ -68,12 +68,6 @@ def test_a_file_that_the_disk_does_not_give_is_an_input_that_cannot_be_read() ->
         pytest.skip("this system has no such file")
     with pytest.raises(InputError, match="cannot be read: Input/output error; give another"):
         content_of("/proc/self/mem", most=7, remedy="give another")
-
-
-def test_errors_of_what_is_done_with_the_file_stay_themselves(tmp_path: Path) -> None:
-    (tmp_path / "there").write_bytes(b"\xff")
-    with pytest.raises(UnicodeDecodeError), opened(tmp_path / "there", most=7, remedy="") as file:
-        file.read().decode()
 
 
 def test_no_file_stays_open(tmp_path: Path) -> None:
