@@ -37,7 +37,7 @@ from analytic.scene import Contact, Material
 from fembearing.check.contact.hertz import hertz_quantities
 from fembearing.check.contact.reference import solve_reference
 from fembearing.mesh.recipe import load_recipe
-from validation.rows import Row, read, write
+from validation.study import Row, read, write
 
 HERE = Path(__file__).parent
 SOLVES, BEARINGS = HERE / "solves.csv", HERE / "bearings.toml"
