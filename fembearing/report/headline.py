@@ -16,7 +16,6 @@ from analytic.scene_torque import MOST_ESTIMATED, SceneTorque
 from analytic.words import percent_of
 from fembearing.quantities import METRIC, QUANTITIES, SYSTEMS, Units
 from fembearing.report.phrases import between, present_loads, rounded, speed_words, tilt_of, varying_loads
-from fembearing.report.scene_view import SceneView
 from fembearing.report.tables.points import point_cells, point_heads
 from fembearing.report.tables.table import Head, Row, Table, table_of
 from fembearing.report.tables.torque import PARTS, RESIDUE
@@ -77,7 +76,7 @@ def torque_headline(result: SceneTorque) -> Headline:
     )
 
 
-def headline_title(scene: Scene | SceneView, record: TorqueRecord, units: Units = METRIC) -> str:
+def headline_title(scene: Scene, record: TorqueRecord, units: Units = METRIC) -> str:
     """Bearing, loads, speed where it is one, oil, temperature and supply."""
     points, oil = record.points, scene.lubricant
     words = [f"{'' if record.pair is None else 'two '}{scene.bearing.name}"]

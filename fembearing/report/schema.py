@@ -1,11 +1,13 @@
 """JSON Schemas of results, from the types that they are written from."""
 
+from dataclasses import make_dataclass
 from typing import Any
 
 from pydantic import TypeAdapter
 from pydantic.json_schema import GenerateJsonSchema
 from pydantic_core.core_schema import FloatSchema
 
+from fembearing.plain_types import written_fields
 from fembearing.report.duty_folder import DutyFile
 from fembearing.report.measured_folder import ComparisonFile
 from fembearing.report.report import Report
@@ -22,7 +24,9 @@ class NumberOrNull(GenerateJsonSchema):
 
 def report_schema() -> dict[str, Any]:
     """Of report.json and `validate --json`."""
-    return TypeAdapter(Report).json_schema()
+    parts = [(part.name, part.type, part) for part in written_fields(Report)]
+    kept = {"__pydantic_config__": {"extra": "forbid"}, "__doc__": Report.__doc__}
+    return TypeAdapter(make_dataclass("Report", parts, kw_only=True, namespace=kept)).json_schema()
 
 
 def torque_schema() -> dict[str, Any]:
