@@ -70,7 +70,7 @@ def _schema_of(file: Schema) -> dict[str, Any]:
         return grid_schema()
     from fembearing.report.schema import schema_of
 
-    return schema_of(file)
+    return schema_of("validation" if file == "report" else file)
 
 
 def _plain(name: str) -> str:

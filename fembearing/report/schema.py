@@ -1,5 +1,6 @@
 """JSON Schemas of results, from the types that they are written from."""
 
+from dataclasses import make_dataclass
 from typing import Any, Literal
 
 from pydantic import TypeAdapter
@@ -9,12 +10,12 @@ from pydantic_core.core_schema import FloatSchema
 from analytic.prediction.duty import DutyCycle
 from analytic.standing import WorstStanding
 from fembearing.check.measured.comparison import MeasuredComparison
-from fembearing.plain_types import FORMAT
+from fembearing.plain_types import FORMAT, written_fields
 from fembearing.report.report import Report
 from fembearing.report.torque import TorqueContent
 
-Kind = Literal["report", "torque", "compare", "duty"]
-TYPES = {"report": Report, "torque": TorqueContent, "compare": MeasuredComparison, "duty": DutyCycle}
+Kind = Literal["validation", "torque", "compare", "duty"]
+TYPES = {"validation": Report, "torque": TorqueContent, "compare": MeasuredComparison, "duty": DutyCycle}
 BESIDE = {"duty": {"standing": WorstStanding}}  # other tables of a file
 
 
@@ -28,7 +29,10 @@ class NumberOrNull(GenerateJsonSchema):
 
 def schema_of(kind: Kind) -> dict[str, Any]:
     """Of what the commands print with --json, and of their files."""
-    schema = TypeAdapter(TYPES[kind]).json_schema(schema_generator=NumberOrNull)
+    parts = [(part.name, part.type, part) for part in written_fields(TYPES[kind])]
+    kept = {"__pydantic_config__": {"extra": "forbid"}, "__doc__": TYPES[kind].__doc__}
+    written = make_dataclass(TYPES[kind].__name__, parts, kw_only=True, namespace=kept)
+    schema = TypeAdapter(written).json_schema(schema_generator=NumberOrNull)
     for name, of in BESIDE.get(kind, {}).items():
         inner = TypeAdapter(of).json_schema(schema_generator=NumberOrNull)
         schema.setdefault("$defs", {}).update(inner.pop("$defs", {}))

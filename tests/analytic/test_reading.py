@@ -10,7 +10,6 @@ from analytic.reading import content_of, require_regular
 from analytic.scenefile.read import load_scene
 from analytic.surface.heightmap import read_height_map
 from fembearing.mesh.meshfile import read_body
-from fembearing.report.report import read_report
 from fembearing.sweep.grid import load_grid
 
 READERS = {  # every face by which a user names a file
@@ -19,7 +18,6 @@ READERS = {  # every face by which a user names a file
     "a.csv": lambda path: read_height_map(path, spacing=2e-6),
     "a.npy": lambda path: read_height_map(path, spacing=2e-6),
     "a.vtu": lambda path: read_body(path, name="ball"),
-    "report.json": read_report,
 }
 
 

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from analytic.columns import COLUMNS
 from analytic.effects import ENTRIES
 from analytic.errors import InputError
-from analytic.columns import COLUMNS
 from analytic.result import FrictionTorque
 from analytic.scene import Bearing, ContactAngle, Scene
 from analytic.scenefile.read import load_scene

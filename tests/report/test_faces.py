@@ -4,14 +4,13 @@ import csv
 import re
 from dataclasses import replace
 from io import StringIO
-from pathlib import Path
 
 import numpy as np
 import pytest
 from rich.console import Console
 
-from analytic.errors import InputError
 from analytic.columns import COORDINATES
+from analytic.errors import InputError
 from analytic.result import FrictionTorque
 from analytic.scene import Array
 from analytic.scene_torque import SceneTorque, torque_of_scene
@@ -19,13 +18,14 @@ from fembearing.check.torque_change import TorqueChange
 from fembearing.check.validation import Validation
 from fembearing.plain_types import document, plain
 from fembearing.provenance import provenance_of
+from fembearing.report.report import report_of
 from fembearing.report.tables.torque import RESIDUE
 from fembearing.report.terminal.torque import print_details
 from fembearing.report.torque import content_of
 from fembearing.report.torque_file import torque_content
 from tests.analytic.specimens import present
 from tests.drawn_scenes import drawn_scene
-from tests.report.page.page_writer import document_of, written_page
+from tests.report.page.page_writer import written_page
 
 EARLIER, SCENES = 12, 40  # of the gate, two of each of six kinds; and of the nightly, which take half a minute
 PARTS = ("spin", "conformity", "hysteresis", "rolling", "cage", "oil", "declared")
@@ -35,7 +35,7 @@ TO_RPM = 30 / np.pi
 
 
 @pytest.mark.parametrize("seeds", [range(EARLIER), pytest.param(range(EARLIER, SCENES), marks=pytest.mark.nightly)])
-def test_every_face_of_a_torque_has_the_same_numbers(made: Validation, tmp_path: Path, seeds: range) -> None:
+def test_every_face_of_a_torque_has_the_same_numbers(made: Validation, seeds: range) -> None:
     refused = 0
     for seed in seeds:
         try:
@@ -45,7 +45,7 @@ def test_every_face_of_a_torque_has_the_same_numbers(made: Validation, tmp_path:
             continue
         for face in (json_agrees, csv_agrees, frame_agrees, terminal_agrees):
             face(result)
-        page_agrees(checked_with(made, result), tmp_path)
+        page_agrees(checked_with(made, result))
     assert refused <= len(seeds) // 10  # loads that no such bearing carries
 
 
@@ -168,15 +168,14 @@ def rows_after(lines: list[str], title: str) -> list[list[str]]:
     return rows
 
 
-def page_agrees(check: Validation, folder: Path) -> None:
+def page_agrees(check: Validation) -> None:
     """report.json to the last digit; the page to the four digits of a part, a total and a contact."""
-    document = document_of(check)
     torque = present(check.torque)
     friction, content = torque.friction, document("torque", content_of(torque))
-    written = plain(document)
+    written = plain(report_of(check))
     for number, point in enumerate(written["torque"]["points"]):
         assert point == content["points"][number]
-    page = written_page(check, folder)
+    page = written_page(check)
     parts, total = known_parts(friction), friction.torque.total
     shown = [*(np.where(part > RESIDUE * total, part, 0.0) for part in parts.values()), total]
     for rows in tables_of(page, "Friction torque of"):

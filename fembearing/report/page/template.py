@@ -1,5 +1,6 @@
 """A template filled: every text is escaped, and a name that is missing is an error."""
 
+from functools import cache
 from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
@@ -19,6 +20,7 @@ def source_of(template: str) -> str:
     return made.loader.get_source(made, template)[0]
 
 
+@cache
 def environment() -> Environment:
     """Of the templates of this folder: every text is escaped."""
     made = Environment(

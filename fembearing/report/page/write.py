@@ -40,7 +40,7 @@ MARK = f'<meta name="generator" content="{GENERATOR}">'  # by which a page of ou
 def page_of(document: Report, folder: Path, *, plots: dict[str, list[ShownPlot]] | None = None) -> str:
     """The page.
 
-    folder : where the pictures of the document lie; the page says which of them is missing
+    folder : where the pictures of the document lie
     plots : of the document, by section, where they are drawn already
     """
     appendices, units = appendices_of(document), document.units
@@ -58,7 +58,6 @@ def page_of(document: Report, folder: Path, *, plots: dict[str, list[ShownPlot]]
         pictures=shown_pictures(document, folder, kinds=("pressure", "section", "view")),
         film_pictures=shown_pictures(document, folder, kinds=("film",)),
         creep_pictures=shown_pictures(document, folder, kinds=("creep",)),
-        trouble=None if document.renderer == "VTK" else document.renderer,
         scene=document.scene,
         phrases=phrases,
         film_factors=FILM_FACTORS,

@@ -49,7 +49,7 @@ def print_details(out: Console, document: Report) -> None:
         show(out, torque_table(torque, scene.bearing.name, places, units))
         if torque.friction.pair is not None:
             show(out, pair_table(torque.friction.pair, places, units))
-        friction = friction_of(coefficient=scene.friction_coefficient, is_lubricated=scene.is_lubricated)
+        friction = friction_of(coefficient=scene.friction_coefficient, is_lubricated=scene.has_friction)
         out.print(f"Friction: {friction}.\n", markup=False)
         for table in prediction_tables(torque, places, units):
             show(out, table)
