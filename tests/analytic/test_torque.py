@@ -12,7 +12,6 @@ from analytic.result import FrictionTorque
 from analytic.scene import Bearing, ContactAngle, Decision, Scene
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
-from fembearing.plain_types import plain
 from tests.analytic.specimens import AS_HERTZ, DRY_PARTS, dry, part, thrust, without
 
 GIVEN = ContactAngle(rule="given", value=0.18)
@@ -61,7 +60,7 @@ def test_without_friction_only_hysteresis_is_left(scene: Scene) -> None:
 
 
 def same(first: FrictionTorque, second: FrictionTorque) -> bool:
-    return plain(first.rows) == plain(second.rows)
+    return first.rows == second.rows
 
 
 @pytest.mark.parametrize("angle", [GIVEN, SOLVED, ContactAngle(rule="solved")])

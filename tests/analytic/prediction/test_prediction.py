@@ -9,7 +9,6 @@ import analytic
 from analytic.errors import InputError
 from analytic.oil.variation import Variation
 from analytic.prediction.prediction import SAMPLES, Prediction, predict, require_samples
-from analytic.prediction.rows import largest_error
 from analytic.prediction.spreads import uncertain_inputs
 from analytic.prediction.variants import varied_scene
 from analytic.scene import Arrangement, ContactAngle, Losses, Scene
@@ -17,7 +16,6 @@ from analytic.scenefile.inputs import uncertain_value
 from analytic.scenefile.keys import UNCERTAIN
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.torque import friction_torque
-from fembearing.plain_types import plain
 from tests.analytic.scenefile.scene_texts import OILED
 from tests.analytic.specimens import present
 
@@ -98,16 +96,17 @@ def test_alone_the_parts_of_the_interval_are_those_of_their_inputs(predicted: Pr
 @pytest.mark.slow
 def test_the_number_of_threads_does_not_change_a_number() -> None:
     scene = dry(**SPREADS)
-    alone, together = (plain(predict(scene, samples=60, seed=9, workers=workers).rows) for workers in (1, 2))
-    times = ("seconds", "evaluation_seconds")
-    assert {k: v for k, v in alone.items() if k not in times} == {k: v for k, v in together.items() if k not in times}
+    alone, together = (predict(scene, samples=60, seed=9, workers=workers) for workers in (1, 2))
+    for one, other in ((alone.columns(), together.columns()), (vars(alone.indices), vars(together.indices))):
+        for name, values in one.items():
+            np.testing.assert_array_equal(values, other[name])
 
 
 def test_samples_are_added_until_the_ends_are_known(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("analytic.prediction.prediction.SAMPLES", 64)
     found = predict(dry(**SPREADS), workers=1)
     assert found.samples > 64
-    assert largest_error(found.total) <= 0.03
+    assert found.total.largest_error <= 0.03
 
 
 @pytest.mark.parametrize("angle", [ContactAngle(rule="given", value=0.02), ContactAngle(rule="solved", free=0.0)])
@@ -228,18 +227,14 @@ def _differs(one: float | None, other: float | None) -> bool:
     return one is not None and other is not None and abs(other - one) > 1e-9 * abs(one)
 
 
-def test_dataset_data_frame_and_line_hold_what_the_json_has(predicted: Prediction) -> None:
-    content, dataset, frame = plain(predicted.rows.points), predicted.to_dataset(), predicted.to_dataframe()
+def test_dataset_data_frame_and_columns_have_the_same_numbers(predicted: Prediction) -> None:
+    columns, dataset, frame = predicted.columns(), predicted.to_dataset(), predicted.to_dataframe()
     assert dataset["index_total"].dims == ("input", "point")
     assert dataset["input"].values.tolist() == [each.key for each in predicted.inputs]
-    for point, row in enumerate(content):
-        for end, value in row["total"].items():
-            assert frame[f"torque_total_{end}"][point] == float(dataset[f"torque_total_{end}"][point]) == value
-        for part, interval in row["parts"].items():
-            assert frame[f"torque_{part}_high"][point] == interval["high"]
-        for cause, (low, high) in row["made_of"].items():
-            found = dataset.sel(cause=cause).isel(point=point)
-            assert (float(found["made_of_low"]), float(found["made_of_high"])) == (low, high)
-        assert dataset["index_total"][:, point].values.tolist() == row["indices"]["total"]
-        assert frame["axial_load"][point] == 800.0
-        assert frame.attrs["units"]["torque_total_low"] == "N m"
+    np.testing.assert_array_equal(dataset["index_total"], predicted.indices.total)
+    for name in ("total_low", "total_high_error", "race_high"):
+        np.testing.assert_array_equal(frame[f"torque_{name}"], columns[name])
+    for cause in predicted.made_of:
+        np.testing.assert_array_equal(dataset.sel(cause=cause)["made_of_high"], columns[f"by_{cause}_high"])
+    assert frame["axial_load"].tolist() == [800.0] * len(frame)
+    assert frame.attrs["units"]["torque_total_low"] == "N m"

@@ -1,43 +1,20 @@
 """What a prediction says of its points as a whole, and the ends of an interval to first order."""
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 import pytest
 
 from analytic.prediction.first_order import end_factors
-from analytic.prediction.rows import Interval, PredictedPoint, PredictionRows, largest_error
-from analytic.prediction.spreads import UncertainInput
-
-INPUT = UncertainInput(key="lubricant.viscosity", kind="input", value=0.043, unit="Pa*s", deviation=0.003, source="so")
-
-
-def interval(low: float = 2.0, high: float = 5.0, **errors: float) -> Interval[float]:
-    return Interval(low=low, median=3.0, high=high, **({"low_error": 0.01, "high_error": 0.02} | errors))
-
-
-def rows(*points: PredictedPoint, **changed: Any) -> PredictionRows:
-    known: dict[str, Any] = {
-        "covered": 0.95,
-        "inputs": (INPUT,) * 3,
-        "not_varied": (),
-        "samples": 256,
-        "failed": 0,
-        "reasons": (),
-        "seed": 3,
-        "seconds": 1.5,
-        "evaluation_seconds": 2.5,
-    }
-    return PredictionRows(points=points, **(known | changed))
+from analytic.prediction.rows import Interval
 
 
 def test_the_error_of_a_series_is_that_of_its_worst_end() -> None:
     ends = {"low": [2.0, -4.0, 0.0], "high": [5.0, 8.0, 3.0]}
     errors = {"low_error": [0.02, 0.4, 0.7], "high_error": [0.5, 0.08, 0.03]}
     series = Interval(median=np.ones(3), **{name: np.array(each) for name, each in (ends | errors).items()})
-    assert largest_error(series) == pytest.approx(0.1, rel=1e-12)
-    assert largest_error(replace(series, high_error=np.array([0.75, 0.08, 0.03]))) == pytest.approx(0.15, rel=1e-12)
+    assert series.largest_error == pytest.approx(0.1, rel=1e-12)
+    assert replace(series, high_error=np.array([0.75, 0.08, 0.03])).largest_error == pytest.approx(0.15, rel=1e-12)
     assert series.ends == (series.low, series.high)
 
 

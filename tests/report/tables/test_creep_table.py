@@ -3,13 +3,14 @@
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
 import pytest
 
 from analytic.rows import OperatingPoint
 from fembearing.check.creep.scene_creep import CreepNumbers, CreepQuantity, RaceNumbers
 from fembearing.report.tables.creep import creep_table
-from tests.report.torque_rows import RPM
 
+RPM = np.pi / 30  # rad/s
 NOTHING = CreepQuantity(formula=0.0, production=0.0, reference=0.0, uncertainty=2e-6)
 SUMS = CreepQuantity(formula=3.1e-3, production=2.9e-3, reference=2.5e-3, uncertainty=1.23e-4)
 

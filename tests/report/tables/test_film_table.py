@@ -2,11 +2,14 @@
 
 from typing import Any
 
+import numpy as np
+
 from fembearing.check.film.scene_film import FilmNumbers, FilmQuantity
 from fembearing.ehl.contact import Reach
 from fembearing.quantities import INCH_POUND
 from fembearing.report.tables.film import film_table
-from tests.report.torque_rows import RPM
+
+RPM = np.pi / 30  # rad/s
 
 
 def quantity(
