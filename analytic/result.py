@@ -17,7 +17,11 @@ from analytic.loads.pair import PairEquilibrium
 from analytic.loads.ring_state import RingPoint, RingState
 from analytic.rows import NotNegative, OperatingPoint, T, row_of
 from analytic.scene import ArrangementKind, Array, Clearances, Operation, Sliding
+from analytic.units import METRIC
 from analytic.words import NEWTON_MILLIMETRE, RPM
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 POINT = "point"  # the dimension of a dataset
 MOST_ROWS = 12  # of the table in a notebook
@@ -417,10 +421,14 @@ class FrictionTorque(Brief):
 
         It lacks the columns that hold nothing, because their part was left out or is not modelled.
         """
-        return dataset_of(
+        given, computed = self._labelled()
+        return dataset_of(computed, coordinates=given, attributes=self.attributes())
+
+    def _labelled(self) -> tuple[dict[str, Labelled], dict[str, Labelled]]:
+        """The operating points as they are given, and what is computed there."""
+        return (
+            {name: Labelled((POINT,), getattr(self, name), column) for name, column in COORDINATES.items()},
             {name: Labelled((POINT,), values, COLUMNS[name]) for name, values in self.columns().items()},
-            coordinates={name: Labelled((POINT,), getattr(self, name), column) for name, column in COORDINATES.items()},
-            attributes=self.attributes(),
         )
 
     def attributes(self) -> dict[str, str]:
@@ -428,8 +436,30 @@ class FrictionTorque(Brief):
         return {**self.provenance, "warnings": "\n".join(self.warnings)}
 
     def to_dataframe(self) -> Any:
-        """A pandas.DataFrame of `to_dataset`: a row for each operating point, SI."""
-        return frame_of(self.to_dataset(), POINT)
+        """A pandas.DataFrame with the columns of `to_dataset`: a row for each operating point, SI."""
+        given, computed = self._labelled()
+        return frame_of(given | computed, POINT)
+
+    def plot(self) -> "Figure":
+        """The torque by effect over the operating points, metric: lines over speed or load, else bars.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            Without the 95 % interval and the makers' formulas, which `SceneTorque.plot` has.
+
+        Raises
+        ------
+        InputError
+            No operating point has a torque.
+        MissingPackageError
+            Matplotlib is not installed.
+        """
+        from analytic.figures.torque import DrawnTorque, torque_figure
+
+        given = {name: getattr(self, name) for name in COORDINATES}
+        title = f"{self.provenance['scene']}, {self.provenance['oil']}"
+        return torque_figure(DrawnTorque(columns=given | self.columns(), makers={}, title=title, units=METRIC))
 
     def _repr_html_(self) -> str:
         """A table for a notebook: a row for each operating point, the torque in N mm by effect."""

@@ -57,6 +57,7 @@ ABOVE = frozenset(
         "any_scene",
         "discs",
         "effects",
+        "figures",
         "function",
         "left_out",
         "limits",
@@ -69,6 +70,7 @@ ABOVE = frozenset(
         "scenefile",
         "standing",
         "torque",
+        "units",
         "verdicts",
     }
 )

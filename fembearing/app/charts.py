@@ -6,13 +6,14 @@ from typing import Any
 
 import numpy as np
 
+from analytic.figures.series_axis import axis_of
+from analytic.figures.style import BLUE, GREY, RED
+from analytic.figures.torque import PARTS
 from analytic.result import LoadedContact, TorquePoint
 from analytic.rows import Two
 from analytic.scene import Contact
 from fembearing.quantities import QUANTITIES, Units
-from fembearing.report.figures.series_axis import axis_of
-from fembearing.report.figures.style import BLUE, GREY, RED
-from fembearing.report.figures.torque import PARTS
+from fembearing.report.figures.torque import columns_of
 from fembearing.report.tables.torque import RESIDUE
 from fembearing.report.torque import TorqueRecord
 
@@ -72,15 +73,14 @@ def curve_options(records: Sequence[TorqueRecord], units: Units, *, marked: floa
     marked : speed of the scene, rad/s; None: not drawn
     """
     rows = [row for record in records for row in _rows(record)]
-    axis, unit = axis_of([point for point, *_ in rows], units), units.torque
-    beside = {id(point): bands for point, *bands in rows}
-    bands = [beside[id(point)] for point in axis.points]
+    axis, unit = axis_of(columns_of([point for point, *_ in rows]), units), units.torque
+    bands = [rows[place][1:] for place in axis.order]
     x = axis.values.tolist() if axis.joined else list(range(1, len(bands) + 1))
     series: list[Options] = []
     for name, ends in zip(BANDS, zip(*bands, strict=True), strict=True):
         if all(each is not None for each in ends):
             series += _band(name, x, ends, units)
-    total = [unit.number(point.torque.total) for point in axis.points]
+    total = unit.number(axis.columns["torque_total"]).tolist()
     look = {"lineStyle": {"width": 2.5, "color": BLUE}, "itemStyle": {"color": BLUE}, "symbol": "circle"}
     line = {**LINE, **look, "symbolSize": 5, "name": "torque", "data": _pairs(x, total)}
     if marked is not None:

@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
-from analytic.errors import InputError
+from analytic.errors import InputError, require_packages
 from analytic.scene_torque import SceneTorque
 from fembearing.plain_types import plain
 from fembearing.provenance import provenance_of
@@ -13,6 +13,7 @@ from fembearing.report.torque import torque_file
 from fembearing.report.torque_table import csv_of
 
 Content = Callable[[SceneTorque], bytes]
+ComparedContent = Callable[[Mapping[str, SceneTorque]], bytes]  # by the name of the scene
 
 
 def content_of(target: Path) -> Content:
@@ -51,7 +52,7 @@ def torque_content(result: SceneTorque, *, ending: str) -> bytes:
 
 def table_file(result: SceneTorque) -> bytes:
     """CSV."""
-    return csv_of(result).encode()
+    return csv_of({result.scene.name: result}).encode()
 
 
 def numbers_file(result: SceneTorque, **more: Any) -> bytes:
@@ -63,25 +64,22 @@ def numbers_file(result: SceneTorque, **more: Any) -> bytes:
 def figure_file(result: SceneTorque) -> bytes:
     """The figure as PNG."""
     from fembearing.report.figures.style import png  # with matplotlib: only a figure pays for it
-    from fembearing.report.figures.torque_alone import figure_of_torque
 
-    return png(figure_of_torque(result))
+    return png(result.plot())
 
 
 def vector_file(result: SceneTorque) -> bytes:
     """The figure as SVG."""
     from fembearing.report.figures.style import svg
-    from fembearing.report.figures.torque_alone import figure_of_torque
 
-    return svg(figure_of_torque(result))
+    return svg(result.plot())
 
 
 def printed_file(result: SceneTorque) -> bytes:
     """The figure as PDF."""
     from fembearing.report.figures.style import pdf
-    from fembearing.report.figures.torque_alone import figure_of_torque
 
-    return pdf(figure_of_torque(result))
+    return pdf(result.plot())
 
 
 def page_file(result: SceneTorque) -> bytes:
@@ -89,6 +87,28 @@ def page_file(result: SceneTorque) -> bytes:
     from fembearing.report.page.torque_alone import torque_page
 
     return torque_page(result, vector_file(result)).encode()
+
+
+def compared_content(target: Path) -> ComparedContent:
+    """What a file of this name holds of several scenes. Raises InputError for any other than table and figure."""
+    from fembearing.report.figures.style import pdf, png, svg
+
+    if target.suffix.casefold() == ".csv":
+        return lambda results: csv_of(results).encode()
+    image = {".png": png, ".svg": svg, ".pdf": pdf}.get(target.suffix.casefold())
+    if image is None:
+        raise InputError(
+            f"--out {str(target)!r} takes one scene: give one, or for several a file that ends with .csv, .png, .svg "
+            "or .pdf"
+        )
+    require_packages(f"--out {str(target)!r}", "matplotlib")
+
+    def content(results: Mapping[str, SceneTorque]) -> bytes:
+        from fembearing.report.figures.torque import compared_figure
+
+        return image(compared_figure({name: result.drawn for name, result in results.items()}))
+
+    return content
 
 
 CONTENTS: Mapping[str, Content] = {

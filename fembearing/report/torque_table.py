@@ -1,6 +1,7 @@
 """The numbers of a torque as a table: a row for each operating point, in the units that people use."""
 
 import csv
+from collections.abc import Mapping
 from io import StringIO
 from typing import NamedTuple
 
@@ -14,6 +15,7 @@ from fembearing.quantities import shown_unit
 
 BEARING = "bearing"  # the last column: its name
 POINT = "point"  # the first column: the number of the operating point, from 1
+SCENE = "scene"  # before it, of several scenes: as the user named it
 
 
 class ShownColumn(NamedTuple):
@@ -35,17 +37,23 @@ def shown_columns(result: SceneTorque) -> dict[str, ShownColumn]:
     return shown
 
 
-def csv_of(result: SceneTorque) -> str:
+def csv_of(results: Mapping[str, SceneTorque]) -> str:
     """The table as CSV, to 15 digits: names as in datasets and JSON, each with its unit in brackets, then the bearing.
 
     A cell is empty where nothing is known.
+    results : by the name of the scene, which is the first column where there are several
     """
-    columns = shown_columns(result)
+    shown = {scene: shown_columns(result) for scene, result in results.items()}
+    heads = {name: each.unit.name or "1" for columns in shown.values() for name, each in columns.items()}
+    several = len(results) > 1
     text = StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow([POINT, *(f"{name} [{each.unit.name or '1'}]" for name, each in columns.items()), BEARING])
-    rows = zip(*(each.values.tolist() for each in columns.values()), strict=True)
-    for number, row in enumerate(rows, start=1):
-        cells = ("" if np.isnan(value) else f"{value:.15g}" for value in row)
-        writer.writerow([number, *cells, result.scene.bearing.name])
+    first = [SCENE, POINT] if several else [POINT]
+    writer.writerow([*first, *(f"{name} [{unit}]" for name, unit in heads.items()), BEARING])
+    for scene, result in results.items():
+        unknown = np.full(result.places.size, np.nan)
+        values = [shown[scene][name].values if name in shown[scene] else unknown for name in heads]
+        for number, row in enumerate(zip(*(each.tolist() for each in values), strict=True), start=1):
+            cells = ("" if np.isnan(value) else f"{value:.15g}" for value in row)
+            writer.writerow([*([scene] if several else []), number, *cells, result.scene.bearing.name])
     return text.getvalue()

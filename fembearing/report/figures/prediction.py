@@ -3,9 +3,9 @@
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from analytic.figures.style import BLACK, BLUE, ORANGE, SKY, WIDTH, lettered
 from analytic.prediction.rows import PredictedPoint, PredictionRows
 from fembearing.quantities import Units
-from fembearing.report.figures.style import BLACK, BLUE, ORANGE, SKY, WIDTH, lettered
 from fembearing.report.phrases import MADE_OF, explained_words, input_name, loads_of, present_loads, speed_words
 from fembearing.report.report import Report
 

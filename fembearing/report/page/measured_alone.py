@@ -1,12 +1,12 @@
 """Measured torques beside the computed ones as one small HTML page: conclusions, figure and table."""
 
+from analytic.figures.style import WIDTH
 from analytic.scene import Scene
 from fembearing.check.measured.comparison import MeasuredComparison
 from fembearing.provenance import provenance_of
 from fembearing.quantities import SYSTEMS
 from fembearing.report.figures.measured import caption_of
 from fembearing.report.figures.page_plots import PIXELS, ShownPlot, embedded
-from fembearing.report.figures.style import WIDTH
 from fembearing.report.page.template import filled
 from fembearing.report.tables.measured import COLUMNS, measured_table
 

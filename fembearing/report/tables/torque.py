@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from analytic.figures.torque import RESIDUE
 from analytic.result import COLUMNS, COORDINATES, PairRows, TorquePoint
 from analytic.words import angle_of
 from fembearing.quantities import CONTACT, METRIC, QUANTITIES, Units
@@ -25,7 +26,6 @@ from fembearing.report.torque import TorqueRecord
 if TYPE_CHECKING:  # a torque alone needs no solver, which the report of a check loads
     from fembearing.report.report import ChangeRecord
 
-RESIDUE = 1e-6  # of the total: a smaller part is what is left of a balance of the balls, not a torque
 PARTS = {  # with their names in a terminal
     "spin": "spin",
     "conformity": "conf.",

@@ -16,6 +16,7 @@ from analytic.oil.own_law import own_traction
 from analytic.scene import Scene
 from analytic.scene_torque import torque_of_scene
 from analytic.scenefile.read import load_scene, parse_scene
+from analytic.words import RPM
 from fembearing.check.contact.discrepancy import ContactSolution
 from fembearing.check.hard_record import HardRecord
 from fembearing.check.torque_change import change_of_torque
@@ -23,7 +24,6 @@ from fembearing.check.validation import Validation
 from fembearing.grid_convergence import CAUTIOUS, FINEST, HALF, LEAST, UNSTEADY
 from fembearing.plain_types import plain
 from fembearing.provenance import provenance_of
-from fembearing.quantities import RPM
 from fembearing.report.figures.page_plots import PLOTS
 from fembearing.report.pictures.draw import Picture
 from fembearing.report.report import report_of
