@@ -58,6 +58,7 @@ ABOVE = frozenset(
         "columns",
         "discs",
         "effects",
+        "figures",
         "function",
         "left_out",
         "limits",
@@ -70,6 +71,7 @@ ABOVE = frozenset(
         "scenefile",
         "standing",
         "torque",
+        "units",
         "verdicts",
     }
 )
