@@ -4,9 +4,8 @@ import numpy as np
 import pytest
 
 from analytic.contact.rolling_contact import ContactNumbers, elliptic_contact
-from analytic.oil.asymptotes import Inflow
 from analytic.oil.ehl_fit import OilSupply, film_correction, fitted_force, regime_of
-from analytic.oil.film import central_film
+from analytic.oil.film import Inflow, central_film
 from fembearing.ehl.film import numerical_film
 from validation.ehl.run import contact_of
 

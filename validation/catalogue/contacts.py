@@ -9,7 +9,7 @@ cores; an interrupted run continues where it stopped.
 """
 
 import argparse
-from dataclasses import fields, replace
+from dataclasses import replace
 from multiprocessing import Pool
 from pathlib import Path
 
@@ -20,7 +20,8 @@ from rich.console import Console
 from rich.progress import track
 from rich.table import Table
 
-from analytic.contact.finite_geometry import ContactShape, contact_shape, finite_geometry_factors
+from analytic.contact.finite_geometry import contact_shape, finite_geometry_factors
+from analytic.contact.finite_geometry_fit import ContactShape
 from analytic.contact.geometry import RACES, Race, with_shoulders
 from analytic.errors import FembearingError
 from analytic.progress import silent
@@ -58,7 +59,7 @@ inner_speed = "0 rpm"
 coefficient = 0.1
 """
 COLUMNS = (
-    *("bearing", "race", "load_over_C0", "load", "ball_radius", *(field.name for field in fields(ContactShape))),
+    *("bearing", "race", "load_over_C0", "load", "ball_radius", *ContactShape._fields),
     *(f"{name}{part}" for name in COMPARED for part in ("", "_uncertainty", "_error", "_stated")),
     *("covered", "warnings", "trouble"),
 )
@@ -103,7 +104,7 @@ def solved(task: tuple[str, Race, float]) -> Row:
     bearing, race, share = task
     scene = scene_of(bearing, share)
     contact = heaviest_contact(scene, race)
-    shape = vars(contact_shape(contact))
+    shape = contact_shape(contact)._asdict()
     row = {"bearing": bearing, "race": race, "load_over_C0": f"{share:.4f}", "load": repr(contact.load)}
     row |= {name: f"{float(value):.9g}" for name, value in shape.items()} | {"ball_radius": repr(contact.ball_radius)}
     try:
@@ -120,7 +121,7 @@ def solved(task: tuple[str, Race, float]) -> Row:
 
 def compared(row: Row) -> Row:
     """The row with the correction's error and its stated uncertainty."""
-    shape = ContactShape(**{field.name: float(row[field.name]) for field in fields(ContactShape)})
+    shape = ContactShape(*(float(row[name]) for name in ContactShape._fields))
     found = finite_geometry_factors(shape)
     row = row | {"covered": str(bool(found.covered)), "warnings": "; ".join(found.warnings)}
     if row["trouble"]:

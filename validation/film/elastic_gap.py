@@ -29,7 +29,7 @@ from rich.table import Table
 from analytic import catalog
 from analytic.scene import Array, Autocorrelation
 from analytic.surface.boundary_elements import pressed
-from analytic.surface.elastic_gap import declared_gap_curve
+from analytic.surface.elastic_gap import declared_gap_curve, elastic_area, elastic_log_gap
 from analytic.surface.roughness import generated_surface
 
 PUBLISHED = Path(__file__).parents[1] / "published" / "elastic_gap.csv"
@@ -137,7 +137,7 @@ def against_published() -> bool:
     table = Table(
         "p/(E* slope)", "gap", "published", "difference", "allowed", "area", "published", "difference", "allowed"
     )
-    gaps, areas = np.exp(ours.log_gap(at)[0]), ours.area_fraction(at)
+    gaps, areas = np.exp(elastic_log_gap(*ours.splines, at)[0]), elastic_area(*ours.splines, at)
     standard_error = ERRORS * np.sqrt(1 / 10 + 1 / surfaces)
     allowed = np.array([FLOOR + standard_error * sd_gap / gap, FLOOR + standard_error * sd_area / area])
     differences = np.array([gaps / gap - 1, areas / area - 1])

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from analytic.contact.rolling_contact import ContactNumbers, elliptic_contact
-from analytic.oil.asymptotes import Inflow
 from analytic.oil.ehl_fit import (
     OilSupply,
     Regime,
@@ -21,7 +20,7 @@ from analytic.oil.ehl_fit import (
     inlet_length,
     regime_of,
 )
-from analytic.oil.film import central_film
+from analytic.oil.film import Inflow, central_film
 from analytic.scene import Bearing, Groove
 from tests.analytic.specimens import BEARING_6205
 from tests.contacts import STEEL

@@ -10,9 +10,8 @@ from analytic.contact.geometry import RACES
 from analytic.contact.hertz import unit_hertz
 from analytic.contact.rolling_contact import ContactNumbers, RollingContact
 from analytic.loads.balls import LoadEffects, thrust_balls
-from analytic.oil.asymptotes import Inflow
 from analytic.oil.ehl_fit import covered, film_correction, fitted_force, inlet_length, regime_of
-from analytic.oil.film import film_asymptotes, inlet_heating_factor, shear_heat
+from analytic.oil.film import Inflow, film_asymptotes, inlet_heating_factor, shear_heat
 from analytic.oil.inlets import InletNumbers, oil_supply, replenishment_exponent, starvation_source
 from analytic.oil.lubrication import (
     LubricatedContact,
