@@ -140,7 +140,7 @@ def law_of_oil(oil: OilNumbers, boundary: float, share: float, area: float, thic
     return PointLaw(boundary, 0.0, limit, stress * area, fluidity, share, alpha, bend, oil.exponent, rises, oil.own)
 
 
-@compiled
+@formula
 def mixed_traction(oil: OilNumbers, boundary_friction: float, shared: MixedContact, factor: float) -> PointLaw:
     """The law of a mixed contact: boundary friction on a share of the load, oil on the rest of load and area.
 

@@ -13,7 +13,7 @@ Source: [Johnson1985] sections 8.5 and 9.2. The moments are derived here. They a
 with each moment in its right place and a continuous limit.
 """
 
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 
@@ -29,6 +29,7 @@ FULL_SPIN = 0.5  # from this |eps| on one pure-rolling line has left the contact
 # Tolerance of the share of spin, and of the moments that it balances: the limit of Newton's quadratic steps.
 ROUND_OFF = 4 * float(np.finfo(np.float64).eps)
 SPIN_STIFFNESS = 0.9163  # d(M_spin/mu Q b)/d eps at eps = 0, its largest value
+HeldSpin = Literal["balanced", "inner_control", "outer_control"]
 RULES: dict[SpinRule, int] = {"balanced": 0, "inner_control": 1, "outer_control": 2}
 MOST_STEPS = 200  # of a balance of spin; 4 to 8 are usual, and halving the bracket alone takes 60
 
@@ -272,7 +273,7 @@ def microslip_torque(
     contacts: tuple[ContactNumbers, ContactNumbers],
     friction_force: tuple[NotNegative, NotNegative],
     spin_difference: NotNegative,
-    spin_rule: SpinRule,
+    spin_rule: HeldSpin,
 ) -> MicroslipTorque:
     """Torque of one ball from its slip on both races, N m; NaN where the spin finds no balance.
 

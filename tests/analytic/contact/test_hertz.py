@@ -156,15 +156,6 @@ def test_a_contact_under_one_newton_gives_that_under_any_load() -> None:
         loaded_contact(contact(), load=-2.0)
 
 
-def test_arguments_broadcast() -> None:
-    curvatures, loads = np.array([[LARGE], [SMALL], [77.0]]), np.array([3.0, 41.0])
-    found = hertz_contact(curvature_x=curvatures, curvature_y=SMALL, load=loads, modulus=MODULUS)
-    for field in FIELDS:
-        values = getattr(found, field)
-        assert values.shape == (3, 2)
-        np.testing.assert_allclose(values[2, 1], getattr(contact(77.0, SMALL, load=41.0), field), rtol=ROUND_OFF)
-
-
 def test_a_bad_argument_is_named() -> None:
     refuses(contact, load=-3.5, curvature_x=0.0, curvature_y=[[5.0, -7.0]], modulus=float("inf"))
     refused(lambda: contact(load=[2.0, float("nan")]), "load", "nan", "index [1]")

@@ -32,8 +32,7 @@ RADIUS, ACROSS, MODULUS = 3.2e-3, 58e-3, 113e9  # R_x, R_y, m; E*, Pa
 
 
 def contact(load: float) -> ContactNumbers:
-    found = elliptic_contact(curvature_rolling=1 / RADIUS, curvature_transverse=1 / ACROSS, load=load, modulus=MODULUS)
-    return ContactNumbers._make([*(float(each) for each in found.fields[:6]), np.nan, np.nan, 1.0])
+    return elliptic_contact(curvature_rolling=1 / RADIUS, curvature_transverse=1 / ACROSS, load=load, modulus=MODULUS)
 
 
 def inflow(speed: float = 0.47) -> Inflow:
@@ -153,16 +152,15 @@ def test_film_and_force_are_those_of_the_numerical_solutions() -> None:
         solved = contact_of(row.loading, row.thickening, row.ellipticity)
         assert solved is not None
         rolling, transverse = (1 / radius for radius in solved.shape.radii)
-        elliptic = elliptic_contact(
+        numbers = elliptic_contact(
             curvature_rolling=rolling, curvature_transverse=transverse, load=solved.load, modulus=solved.modulus
         )
-        numbers = ContactNumbers._make([*(float(each) for each in elliptic.fields[:6]), np.nan, np.nan, 1.0])
         oil = {"viscosity": solved.oil.viscosity, "pressure_viscosity": solved.oil.pressure_viscosity}
         inlet = Inflow(solved.speed, oil["viscosity"], oil["pressure_viscosity"], True, np.inf)
         regime = regime_of(numbers, inlet)
         supply = SUPPLY._replace(ahead=solved.reach.ahead)
         force = fitted_force(numbers, inlet, regime, supply) / solved.force_scale
-        film = central_film(elliptic, entrainment_speed=solved.speed, **oil, compressible=True).thickness
+        film = central_film(numbers, entrainment_speed=solved.speed, **oil, compressible=True).thickness
         height = float(film) / solved.film_scale * np.exp(film_correction(regime))
         errors.append((force / row.rolling_force - 1, height / row.central_film - 1))
     of_force, of_film = np.abs(errors).T

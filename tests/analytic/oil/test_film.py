@@ -9,10 +9,12 @@ from hypothesis import given
 from analytic.errors import InputError
 from analytic.oil.film import (
     CentralFilm,
+    Inflow,
+    asymptotes_of,
     central_film,
     density_ratio,
-    film_asymptotes,
     inlet_heating_factor,
+    log_film_of,
     shear_heat,
 )
 from tests.analytic.specimens import hertzian
@@ -94,11 +96,11 @@ def test_the_slope_by_the_load_that_remains_is_that_of_the_film(
 ) -> None:
     """What sharing the load iterates by, against differences."""
     here = CONTACT | OIL | {"load": load, "entrainment_speed": speed, "pressure_viscosity": alpha}
-    contact, rest = hertzian(here)
-    asymptotes = film_asymptotes(contact, **rest, compressible=compressible)
+    contact, _ = hertzian(here)
+    asymptotes = asymptotes_of(contact, Inflow(speed, OIL["viscosity"], alpha, compressible))
     step = 1e-5
-    (up, _), (down, _) = (asymptotes.log_film(remaining + sign * step) for sign in (1, -1))
-    _, slope = asymptotes.log_film(remaining)
+    (up, _), (down, _) = (log_film_of(asymptotes, remaining + sign * step) for sign in (1, -1))
+    _, slope = log_film_of(asymptotes, remaining)
     np.testing.assert_allclose(slope, (up - down) / (2 * step), rtol=1e-6, atol=1e-8)  # round-off over the step
 
 
@@ -118,8 +120,8 @@ def test_compressible_oil_is_thinner_by_its_density_at_the_peak_pressure(load: f
     circle = {"curvature_transverse": 310.0, "load": load, "entrainment_speed": speed}
     plain, squeezed = film(**circle), film(**circle, compressible=True)
     peak = np.cbrt(6 * load * (1.13e11 * 310.0) ** 2 / np.pi**3)
-    free = ~(plain.capped | squeezed.capped)
-    expected = np.where(free, plain.thickness / density_ratio(peak), squeezed.thickness)
+    free = not (plain.capped or squeezed.capped)
+    expected = plain.thickness / density_ratio(peak) if free else squeezed.thickness
     np.testing.assert_allclose(squeezed.thickness, expected, rtol=1e-12)
     assert squeezed.thickness <= plain.thickness
 
@@ -155,18 +157,9 @@ def test_an_ellipse_outside_the_fit_is_marked(ratio: float, outside: bool) -> No
     assert found.thickness > 0  # the formula still has a value
 
 
-def test_arguments_broadcast() -> None:
-    load, speed = np.array([3.0, 613.0]), np.array([[0.1], [0.37], [0.9]])
-    table = film(load=load, entrainment_speed=speed)
-    assert table.thickness.shape == table.capped.shape == table.ellipticity.shape == (3, 2)
-    for i, j in np.ndindex(3, 2):
-        alone = film(load=float(load[j]), entrainment_speed=float(speed[i, 0])).thickness
-        np.testing.assert_allclose(table.thickness[i, j], alone, rtol=ROUND_OFF)
-
-
 def test_nonsense_is_refused() -> None:
     refuses(film, curvature_rolling=0.0, curvature_transverse=-3.0, load=-1.0, modulus=np.inf, entrainment_speed=np.nan)
-    refuses(film, viscosity=0.0, pressure_viscosity=-1e-8, largest_gap=0.0)
+    refuses(film, viscosity=0.0, pressure_viscosity=-1e-8)
     refused(lambda: film(load=np.ones(3), entrainment_speed=np.ones(2)), "equal lengths")
 
 

@@ -23,6 +23,7 @@ from analytic.oil.race_resistance import (
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.oil.viscosity import oil_numbers
 from analytic.scene import ContactAngle, Scene
+from analytic.surface.gap import SMOOTH_GAP
 from tests.analytic.specimens import BEARING_6205, FINISH, OIL, dry
 from tests.contacts import STEEL
 
@@ -74,9 +75,9 @@ def test_what_counts_is_what_the_scene_has() -> None:
 
 def test_a_gap_law_is_that_of_rough_surfaces_in_oil() -> None:
     bodies = (STEEL, STEEL)
-    assert gap_law_of(SCENE, bodies) is not None
-    assert gap_law_of(replace(SCENE, surface=None), bodies) is None
-    assert gap_law_of(replace(SCENE, friction_coefficient=0.07), bodies) is None
+    assert gap_law_of(SCENE, bodies) is not SMOOTH_GAP
+    assert gap_law_of(replace(SCENE, surface=None), bodies) is SMOOTH_GAP
+    assert gap_law_of(replace(SCENE, friction_coefficient=0.07), bodies) is SMOOTH_GAP
 
 
 @pytest.mark.parametrize("race", [0, 1])

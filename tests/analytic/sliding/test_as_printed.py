@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from numpy.typing import ArrayLike
 
-from analytic.contact.rolling_contact import Pair
+from analytic.contact.rolling_contact import ContactNumbers
 from analytic.errors import InputError
 from analytic.oil.traction import PointLaw
 from analytic.scene import Scene, SpinRule
@@ -65,9 +65,9 @@ def test_nonsense_is_refused() -> None:
 FRICTION = 0.09, 0.07
 
 
-def races(radius: float) -> Pair:
+def races(radius: float) -> tuple[ContactNumbers, ContactNumbers]:
     inner = rolling_contact(load=Q, semi_axis_transverse=1.02e-3, deformed_radius=radius, rolling_rate=2.9)
-    return inner, replace(inner, semi_axis_transverse=0.85e-3, rolling_rate=1.9)
+    return inner, inner._replace(semi_axis_transverse=0.85e-3, rolling_rate=1.9)
 
 
 def printed_slip(spin_rule: SpinRule) -> BallSlip:
