@@ -37,19 +37,28 @@ class Formula(Compiled):
         """
         bound = self._signature.bind(*given, **named)
         bound.apply_defaults()
-        arguments = [(name, self._hints.get(name, Any), value) for name, value in bound.arguments.items()]
-        parts = [part for argument in arguments for part in _parts(*argument)]
-        arrays = [np.asarray(value, SCALARS[kind]) for _, kind, value in parts]
-        shape = _common_shape([name for name, _, _ in parts], arrays)
-        columns = [np.broadcast_to(array, shape).ravel() for array in arrays]
+        taken: list[tuple[Any, Any, bool]] = []  # type and value of each argument, and whether it has arrays
+        varying: list[tuple[str, Array]] = []
+        for name, value in bound.arguments.items():
+            hint = self._hints.get(name, Any)
+            parts = list(_parts(name, hint, value))
+            if varies := any(part.ndim for _, part in parts):
+                varying += parts
+            else:
+                value = _with_numbers(hint, value, (part[()] for _, part in parts))
+            taken.append((hint, value, varies))
+        shape = _common_shape(varying)
 
         def of(numbers: Iterator[Any]) -> Any:
-            return self.interpreted(*(_with_numbers(hint, value, numbers) for _, hint, value in arguments))
+            return self.interpreted(
+                *(_with_numbers(hint, value, numbers) if varies else value for hint, value, varies in taken)
+            )
 
         with np.errstate(all="ignore"):
+            columns = [np.broadcast_to(part, shape).ravel() for _, part in varying]
             found = [of(iter(numbers)) for numbers in zip(*columns, strict=True)]
-            # Without elements one of NaN says what there would be.
-            return _together(found or [of(iter([SCALARS[kind](0) for _, kind, _ in parts]))], shape)
+            # Of numbers alone there is one call; without elements one of zeros says what there would be.
+            return _together(found or [of(part.dtype.type(0) for _, part in varying)], shape)
 
     @cached_property
     def _signature(self) -> Signature:
@@ -65,15 +74,15 @@ def formula(function: Any) -> Formula:
     return Formula(function, {"fastmath": set(), "inline": "never"})
 
 
-def _parts(name: str, hint: Any, value: Any) -> Iterator[tuple[str, type, Any]]:
-    """(name, type, value) of each number or array in an argument, which is in its range."""
+def _parts(name: str, hint: Any, value: Any) -> Iterator[tuple[str, Array]]:
+    """(name, array) of each number or array in an argument, which is in its range."""
     base, *checks = get_args(hint) if get_origin(hint) is Annotated else (hint,)
     if get_origin(base) is Literal and value not in get_args(base):
         raise InputError(f"{name} must be one of {', '.join(get_args(base))}, got {value!r}")
     if base in SCALARS:
         for check in checks:
             check(**{name: value})
-        yield name, base, value
+        yield name, np.asarray(value, SCALARS[base])
     else:
         for (inner, of), each in zip(_fields(name, base), value if _fields(name, base) else (), strict=True):
             yield from _parts(inner, of, each)
@@ -99,11 +108,11 @@ def _with_numbers(hint: Any, value: Any, numbers: Iterator[Any]) -> Any:
     return base(*made) if hasattr(base, "_fields") else tuple(made)
 
 
-def _common_shape(names: list[str], arrays: list[Array]) -> tuple[int, ...]:
+def _common_shape(parts: list[tuple[str, Array]]) -> tuple[int, ...]:
     try:
-        return np.broadcast_shapes(*(array.shape for array in arrays))
+        return np.broadcast_shapes(*(part.shape for _, part in parts))
     except ValueError as problem:
-        given = {name: str(array.shape) for name, array in zip(names, arrays, strict=True) if array.ndim}
+        given = {name: str(part.shape) for name, part in parts if part.ndim}
         raise InputError(f"{', '.join(given)} have shapes {', '.join(given.values())}: give equal lengths") from problem
 
 
