@@ -16,7 +16,6 @@ from analytic.oil.ehl_fit import (
     film_correction,
     fitted_force,
     gap_force,
-    gap_of_force,
     inlet_length,
     regime_of,
 )
@@ -103,12 +102,6 @@ def with_groove(groove: float, width: float) -> Bearing:
         return replace(ring, groove_radius=groove * ball, shoulder_half_width=width * ball, material=STEEL)
 
     return replace(BEARING_6205, inner=changed(BEARING_6205.inner), outer=changed(BEARING_6205.outer))
-
-
-def test_the_gap_of_a_force_is_the_inverse_of_the_force_in_a_gap() -> None:
-    for gap in (2e-6, 3e-5, 4e-4):  # m, wider than the least of 1e-4 radii
-        force = gap_force(0.07, 4.4e-3, 0.031, gap, 3.3e-3)
-        np.testing.assert_allclose(gap_of_force(0.07, 4.4e-3, 0.031, force, 3.3e-3), gap, rtol=1e-12)
 
 
 def test_the_regime_is_that_of_moes() -> None:

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from hypothesis import given
 
-from analytic.errors import InputError
 from analytic.oil.film import (
     CentralFilm,
     Inflow,
@@ -18,7 +17,6 @@ from analytic.oil.film import (
     shear_heat,
 )
 from tests.analytic.specimens import hertzian
-from tests.refusals import refused, refuses
 from tests.validation.hard.lubrication_exact import film as printed_film
 
 ROUND_OFF = 1e-13  # a few hundred roundings of a double
@@ -110,8 +108,6 @@ def test_the_density_of_oil_in_the_digits_given() -> None:
         density_ratio([0.5e9, 1e9, 1.83e9, 2.18e9]), [1.15596, 1.21384, 1.25711, 1.26758], atol=6e-6
     )
     np.testing.assert_allclose(density_ratio([0.0, 1e30]), [1.0, 1.34], rtol=ROUND_OFF)
-    with pytest.raises(InputError, match="pressure must be at least 0"):
-        density_ratio(-1.0)
 
 
 @given(load=loads, speed=speeds)
@@ -157,12 +153,6 @@ def test_an_ellipse_outside_the_fit_is_marked(ratio: float, outside: bool) -> No
     assert found.thickness > 0  # the formula still has a value
 
 
-def test_nonsense_is_refused() -> None:
-    refuses(film, curvature_rolling=0.0, curvature_transverse=-3.0, load=-1.0, modulus=np.inf, entrainment_speed=np.nan)
-    refuses(film, viscosity=0.0, pressure_viscosity=-1e-8)
-    refused(lambda: film(load=np.ones(3), entrainment_speed=np.ones(2)), "equal lengths")
-
-
 def test_inlet_heating() -> None:
     """About 2 % at the inner race of a 6205 at 500 rpm; the printed formula in 40 digits; its limits."""
     loading = shear_heat(0.06, 0.04, 0.49, 0.14)
@@ -182,5 +172,3 @@ def test_inlet_heating() -> None:
     assert growing[-1] == 0
     slipping = inlet_heating_factor(thermal_loading=0.2, **(arguments | {"slide_to_roll": np.linspace(0, 2, 41)}))
     assert np.all(np.diff(slipping) < 0)
-    with pytest.raises(InputError, match="slide_to_roll must be at least 0"):
-        inlet_heating_factor(thermal_loading=0.2, **(arguments | {"slide_to_roll": -0.1}))

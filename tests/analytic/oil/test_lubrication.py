@@ -1,6 +1,5 @@
 """One contact of a 6205 as one formula, against what its parts are defined by."""
 
-from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -9,8 +8,8 @@ import pytest
 from analytic.contact.geometry import RACES
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.loads.balls import LoadEffects, thrust_balls
-from analytic.oil.ehl_fit import covered, film_correction, fitted_force, inlet_length, regime_of
-from analytic.oil.film import Inflow, asymptotes_of, inlet_heating_factor, log_film_of, shear_heat
+from analytic.oil.ehl_fit import covered, film_correction, fitted_force, regime_of
+from analytic.oil.film import Inflow
 from analytic.oil.inlets import InletNumbers, oil_supply, replenishment_exponent, starvation_source
 from analytic.oil.lubrication import (
     LubricatedContact,
@@ -19,21 +18,16 @@ from analytic.oil.lubrication import (
     rolling_force_of,
     rolling_torque_of,
 )
-from analytic.oil.mixed import MixedContact, mixed_contact
 from analytic.oil.race_resistance import SMOOTH_FORM
 from analytic.oil.rolling import (
-    houpert_rolling,
     hydrodynamic_rolling,
-    inlet_shear_factor,
-    replenishment_factor,
 )
-from analytic.oil.starvation import FLOODED, starved_by_degree, starved_by_factor
-from analytic.oil.traction import mean_force, mixed_traction
+from analytic.oil.starvation import FLOODED
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.oil.viscosity import oil_at, oil_numbers, roelands_viscosity
 from analytic.scene import Bearing, ContactAngle, Lubricant, Operation, Surface
 from analytic.scenefile.read import load_scene
-from analytic.surface.gap import SMOOTH_GAP, GapNumbers, gap_forms, gap_law
+from analytic.surface.gap import GapNumbers, gap_forms, gap_law
 from analytic.surface.roughness import gap_roughness
 from tests.analytic.specimens import BEARING_6205, FINISH, OIL, present
 from tests.contacts import STEEL
@@ -76,77 +70,6 @@ def lubricated(
 
 def peak_of(contact: ContactNumbers) -> float:
     return 1.5 * contact.load / (np.pi * contact.semi_axis_rolling * contact.semi_axis_transverse)
-
-
-def by_parts(
-    race: int, point: int, oil: Lubricant, finish: Surface, variation: Variation, **counts: bool
-) -> tuple[MixedContact, float, Callable[[float], float]]:
-    """The mixed contact, the torque by rolling, N m, and the friction, N, at a speed of sliding.
-
-    Film and rolling are what the inlet leaves of flooded isothermal ones.
-    """
-    contact = loaded(race, point)
-    rate, speed, inlet = contact.entrainment, SPEEDS[point], oil_numbers(oil)
-    runs = {"ring_speed": abs(speed), "kinematic_viscosity": inlet.viscosity / oil.density}
-    flow = {"viscosity": inlet.viscosity, "entrainment_speed": speed * rate}
-    thickens = {**flow, "pressure_viscosity": inlet.pressure_viscosity}
-    inflow = Inflow(abs(speed * rate), inlet.viscosity, inlet.pressure_viscosity, oil.compressible)
-    film = asymptotes_of(contact, inflow)
-    film_left, rolling_left = variation.film, variation.rolling
-    if counts["heats"]:
-        slope, conductivity = inlet.viscosity_temperature, oil.thermal_conductivity
-        loading = shear_heat(inlet.viscosity, slope, float(speed * rate), conductivity)
-        peak = peak_of(contact)
-        film_left = film_left * inlet_heating_factor(
-            peak_pressure=peak, modulus=contact.modulus, thermal_loading=loading, slide_to_roll=0.0
-        )
-        rolling_left = rolling_left * inlet_shear_factor(mean_diameter=(BORE + OUTSIDE) / 2, **runs)
-    if counts["starves"]:
-        ahead = oil_supply(BEARING_6205, oil, RACES[race], contact_angle=0.19).ahead
-        length = inlet_length(contact, inflow, regime_of(contact, inflow))
-        flooded = float(np.exp(log_film_of(film, 0.0)[0])), ahead, length
-        if oil.starvation_degree is None:
-            rings = {"bore_diameter": BORE, "outside_diameter": OUTSIDE}
-            replenished = replenishment_factor(**rings, **runs, supply=oil.supply)
-            starved = starved_by_factor(contact, float(replenished), *flooded)
-        else:
-            starved = starved_by_degree(contact, oil.starvation_degree, *flooded)
-        film_left, rolling_left = film_left * starved.film_factor, rolling_left * starved.rolling_factor
-    gap = gap_of(finish, contact) if counts["asperities"] else SMOOTH_GAP
-    varied = {"pressure_factor": variation.asperity_pressure, "share_step": variation.asperity_share}
-    mixed = mixed_contact(contact, film, gap, film_factor=film_left, **varied)
-    resistance = (
-        houpert_rolling(contact, **thickens)
-        if oil.rolling_formula == "houpert"
-        else hydrodynamic_rolling(contact, **flow)
-    )
-    law = mixed_traction(inlet, finish.boundary_friction, mixed, 1.0)
-    torque = rolling_left * 2 * resistance.force * rate
-    return mixed, torque, lambda sliding: mean_force(law, contact, sliding)
-
-
-@pytest.mark.parametrize(
-    ("oil", "finish", "variation", "counts"),
-    [
-        (WARM, ROUGH, NOMINAL, ALL),
-        (replace(CLOSED, starvation_degree=1.2), ELASTIC, VARIED, ALL),
-        (replace(CLOSED, traction="eyring_constant"), ELASTIC, NOMINAL, ALL | {"heats": False, "starves": False}),
-        (WARM, replace(FINISH, rms_roughness=0.0), NOMINAL, ALL | {"starves": False}),
-        (replace(WARM, rolling_formula="houpert"), ROUGH, VARIED, ALL | {"asperities": False}),
-    ],
-)
-def test_one_contact_is_that_of_its_parts(
-    oil: Lubricant, finish: Surface, variation: Variation, counts: dict[str, bool]
-) -> None:
-    for race, point in np.ndindex(2, 3):
-        contact, found = lubricated(BEARING_6205, race, point, oil, finish, variation, **counts)
-        mixed, torque, friction = by_parts(race, point, oil, finish, variation, **counts)
-        close = 1e-12  # round-off of the order of operations
-        for name in ("asperity_share", "boundary_share", "film_thickness", "area_fraction", "without_film", "capped"):
-            np.testing.assert_allclose(getattr(found.mixed, name), getattr(mixed, name), rtol=close)
-        np.testing.assert_allclose(found.rolling_torque, torque, rtol=close)
-        for speed in (0.02, 1.7):
-            np.testing.assert_allclose(mean_force(found.law, contact, speed), friction(speed), rtol=close)
 
 
 def test_the_fit_replaces_both_formulas_within_its_range() -> None:
@@ -246,13 +169,6 @@ def test_a_given_degree_starves_rings_of_unknown_diameter(bore: float | None, ou
     _, flooded = lubricated(bearing, 0, 2, WARM, ROUGH, NOMINAL, **ALL)
     assert starved.mixed.film_thickness < 0.99 * flooded.mixed.film_thickness
     assert starvation_source(bearing, given) == "degree 1.3, given"
-
-
-def test_known_rings_have_their_mean_diameter() -> None:
-    supply = oil_supply(BEARING_6205, WARM, "outer", contact_angle=0.19)
-    assert supply.mean_diameter == pytest.approx((BORE + OUTSIDE) / 2, rel=1e-15)
-    assert supply.tension == -WARM.cavitation_pressure
-    assert starvation_source(BEARING_6205, WARM) == "degree by the replenishment factor of oil_bath"
 
 
 @pytest.mark.parametrize(("name", "constant"), [("6308", 3.1), ("7208 BEP", 4.4), ("thrust", 3.8)])

@@ -1,7 +1,5 @@
 """The shared load: both equations that it solves, and its limits."""
 
-from functools import partial
-
 import hypothesis.strategies as st
 import numpy as np
 import pytest
@@ -16,7 +14,6 @@ from analytic.surface.gap import SMOOTH_GAP, GapNumbers
 from analytic.surface.truncated_gap import log_mean_gap
 from tests.analytic.oil.mixed_contacts import ACCURACY, CONTACT, OIL, E, H, area, mixed, rough, smooth_film, summits_of
 from tests.analytic.specimens import hertzian
-from tests.refusals import refuses
 
 loads, speeds = (st.floats(a, b).map(lambda power: 10.0**power) for a, b in ((-9, 5), (-9, 2)))
 roughnesses = st.sampled_from([3e-9, 0.04e-6, 0.3e-6, 1.1e-6, 7e-6])  # each costs a table
@@ -201,7 +198,3 @@ def test_the_shared_film_is_that_of_less_load_between_softer_bodies(share: float
     np.testing.assert_allclose(slope, (beyond - before) / (2 * step), atol=1e-8)  # round-off of 1e-14 over the step
     full = film._replace(clearance=log_h - 0.1)
     assert log_film_of(full, share) == (full.clearance, 0.0)  # it cannot grow
-
-
-def test_nonsense_is_refused() -> None:
-    refuses(partial(mixed, rough(0.3e-6)), semi_axis_transverse=-1e-4, film_factor=np.nan, load=-3.0, share_step=np.nan)

@@ -10,7 +10,6 @@ import pytest
 from scipy.optimize import brentq
 
 from analytic.free_ball.stress import Shear, flow_at, sheared_by_own, yielding_by_own
-from analytic.numerics.compilation import rows_at
 from analytic.oil.law_table import flow_of, kept_table, law_address, rate_of
 from analytic.oil.own_law import ACCURACY, own_traction
 from analytic.oil.traction import PointLaw, oil_shear_stress, stress_and_slope
@@ -161,8 +160,3 @@ def test_laws_are_equal_where_their_numbers_are() -> None:
     assert sent.traction == first
     np.testing.assert_array_equal(sent.traction.table, first.table)
     assert repr(first) == f"OwnTraction(name=a, sha256={first.sha256})"
-
-
-def test_memory_is_read_where_an_array_is() -> None:
-    rows = np.arange(12.0).reshape(3, 4)
-    np.testing.assert_array_equal(rows_at(float(rows.ctypes.data), 3, 4), rows)

@@ -11,7 +11,6 @@ from scipy.integrate import dblquad
 
 from analytic.contact.geometry import race_curvatures
 from analytic.contact.rolling_contact import ContactNumbers
-from analytic.errors import InputError
 from analytic.oil.rolling import (
     RollingResistance,
     elastic_rolling,
@@ -24,7 +23,7 @@ from analytic.oil.rolling import (
 )
 from analytic.scene import Bearing, Supply
 from tests.analytic.specimens import hertzian, rolling_contact
-from tests.refusals import refused, refuses
+from tests.refusals import refused
 from tests.validation.hard.hertz_exact import hertz
 
 ROUND_OFF = 1e-13  # a few hundred roundings of a double
@@ -153,8 +152,6 @@ def test_the_older_formula_has_the_powers_it_prints() -> None:
     assert houpert(entrainment_speed=0.0).force == houpert(load=0.0).force == 0
     assert houpert(entrainment_speed=-0.37).force == houpert().force
     assert houpert(entrainment_speed=-0.37).power == 2 * 0.37 * houpert().force
-    with pytest.raises(InputError, match="pressure_viscosity must be positive"):
-        houpert(pressure_viscosity=0.0)
 
 
 def test_standstill_no_load_and_backwards() -> None:
@@ -214,11 +211,6 @@ def test_inlets_are_heated_as_skf_has_it() -> None:
     np.testing.assert_allclose(found, 1 / (1 + 1.84e-9 * (n * mean) ** 1.28 * nu**0.64), rtol=1e-12)
     assert 0.5 < found < 0.95
     assert inlet_shear_factor(mean_diameter=43e-3, ring_speed=0.0, kinematic_viscosity=23e-6) == 1
-    refuses(inlet_shear_factor_of, mean_diameter=0.0, ring_speed=-1.0, kinematic_viscosity=0.0)
-
-
-def inlet_shear_factor_of(**changed: float) -> object:
-    return inlet_shear_factor(**({"mean_diameter": 43e-3, "ring_speed": 3.0, "kinematic_viscosity": 2e-5} | changed))
 
 
 @pytest.mark.parametrize(
@@ -259,7 +251,6 @@ def test_slow_rolling_of_dry_contacts_is_snares() -> None:
     dry = slow_rolling_moment(flat, friction_coefficient=0.11)
     np.testing.assert_allclose(dry, 0.00021 * load * diameter, rtol=0.005 / 0.21)  # its last digit
     np.testing.assert_allclose(slow_rolling_moment(flat, friction_coefficient=0.05) / dry, 5 / 11, rtol=1e-12)
-    refused(lambda: slow_rolling_moment(flat, friction_coefficient=-0.05), "friction_coefficient")
 
 
 def test_a_step_leads_from_one_law_of_elastic_rolling_to_the_other() -> None:

@@ -10,7 +10,6 @@ import pytest
 from hypothesis import given
 
 from analytic.contact.rolling_contact import ContactNumbers
-from analytic.oil.ehl_fit import inlet_lengths
 from analytic.oil.film import minimum_ratio
 from analytic.oil.starvation import (
     FLOODED,
@@ -71,13 +70,6 @@ def test_the_film_begins_to_thin_at_the_distance_of_the_fit() -> None:
     assert film_factor(CONTACT, begins * (1 + 1e-9), FILM) == 1
     half = film_factor(CONTACT, 1 + (begins - 1) / 2, FILM)
     np.testing.assert_allclose(half, 2**-0.29, rtol=1e-12)
-
-
-def test_a_flooded_inlet_needs_more_oil_than_any_factor_leaves() -> None:
-    lengths = inlet_lengths(AHEAD, A, LENGTH)
-    found = starved_by_factor(CONTACT, 0.37, FILM, AHEAD, LENGTH)
-    np.testing.assert_allclose(found.degree, 1 + LENGTH * (np.exp(0.37 * lengths) - 1) / A, rtol=1e-12)
-    np.testing.assert_allclose(starved_by_factor(CONTACT, 1.0, FILM, AHEAD, LENGTH).degree, AHEAD / A, rtol=1e-12)
 
 
 @pytest.mark.parametrize("ahead", [0.01 * A, 0.93 * A, A])

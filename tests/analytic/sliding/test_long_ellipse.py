@@ -23,7 +23,6 @@ from analytic.sliding.long_ellipse import (
     pure_rolling_lines,
 )
 from tests.analytic.specimens import rolling_contact, thrust
-from tests.refusals import refused
 
 MU, Q, B, R, ROLL = 0.083, 470.0, 1.27e-3, 4.05e-3, 37.0  # friction, N, m, m, rad/s
 RATIOS = [0.0, 0.05, -0.2, 0.31, 0.45, -0.4999, 0.5, 0.63, -1.7]  # eps
@@ -231,11 +230,3 @@ def test_very_unlike_contacts_balance() -> None:
     found = microslip_torque((inner, outer), friction_force=forces, spin_difference=spin, spin_rule="balanced")
     # Round-off of the share, times the ratio of the lengths: up to 1e5.
     np.testing.assert_allclose(found.inner_spin_moment, -found.outer_spin_moment, rtol=1e-11)
-
-
-def test_a_bad_spin_is_refused() -> None:
-    contacts = rolling_contact(), rolling_contact()
-    refused(lambda: torque(contacts, (0.1, 0.07), -0.2), "spin_difference")
-    refused(lambda: torque(contacts, (0.1, -0.07), 0.2), "friction_force")
-    refused(lambda: torque(contacts, (0.1, 0.07), 0.2, "race_control"), "balanced")  # pyright: ignore
-    refused(lambda: pure_rolling_lines(float("inf")), "spin_to_roll")
