@@ -15,7 +15,7 @@ from analytic.contact.geometry import Race
 from analytic.errors import ConvergenceError, InputError, require_packages
 from analytic.oil.film import FILM_FACTORS
 from analytic.oil.variation import COVERAGE, FIT_SHARE, NOMINAL, ROLLING_SPREAD, Variation
-from analytic.oil.viscosity import inlet_viscosity
+from analytic.oil.viscosity import oil_numbers
 from analytic.prediction.evaluation import parts_of, without_moving_cage
 from analytic.prediction.settled import level_of
 from analytic.progress import Progress, silent
@@ -264,7 +264,7 @@ def problem_of(
     if speed == 0:
         raise InputError("operation.inner_speed = 0: at standstill there is no film; give --speed or another scene")
     oil = Oil(
-        viscosity=float(inlet_viscosity(lubricant).viscosity),
+        viscosity=oil_numbers(lubricant).viscosity,
         pressure_viscosity=float(lubricant.pressure_viscosity),
         compressible=lubricant.compressible,
         cavitation_pressure=float(lubricant.cavitation_pressure),
@@ -321,6 +321,6 @@ def _compared(closed: ClosedForms, solution: NumericalFilm, *, inner_speed: floa
         verdict=_verdict((film, FILM_FACTORS), (rolling_force, (np.exp(-spread), np.exp(spread)))),
         tolerance=tolerance,
         seconds=solution.seconds,
-        warnings=(OUTSIDE,) if share < 1 and resistance.outside_range.any() else (),
+        warnings=(OUTSIDE,) if share < 1 and resistance.outside_range else (),
     )
     return RaceFilm(numbers=numbers, solution=solution)
