@@ -18,7 +18,7 @@ from rich.table import Table
 
 from analytic.cage.motion import CageMotion
 from analytic.cage.statistics import measured_motion
-from analytic.cage.steady import DrivenCage, rest_torque, whirl_force, whirl_speed
+from analytic.cage.steady import STANDARD_GRAVITY, DrivenCage, hanging_torque, whirl_force, whirl_speed
 from analytic.cage.torque import driven_cage
 from analytic.loads.kinematics import ball_kinematics
 from analytic.scene import Cage, CageStart
@@ -49,13 +49,7 @@ def example() -> DrivenCage:
     scene = load_scene("6205-dry")
     bearing, cage = scene.bearing, scene.cage
     assert cage is not None
-    moving = ball_kinematics(
-        inner_speed=SPEED,
-        inner_angle=ANGLE,
-        outer_angle=ANGLE,
-        pitch_diameter=bearing.pitch_diameter,
-        ball_diameter=bearing.ball_diameter,
-    )
+    moving = ball_kinematics(SPEED, ANGLE, ANGLE, bearing.pitch_diameter, bearing.ball_diameter)
     return driven_cage(
         bearing,
         cage,
@@ -137,20 +131,15 @@ def steps(cage: DrivenCage, *, duration: float) -> None:
 
 
 def closed_forms(cage: DrivenCage, *, duration: float) -> None:
-    rate = cage.ball_speed / cage.ring_speed
-    sliding = {
-        "friction_coefficient": cage.friction_coefficient,
-        "ball_rate": rate,
-        "ball_radius": cage.ball_radius,
-        "contact_angle": ANGLE,
-    }
+    weight, rate = cage.mass * STANDARD_GRAVITY, cage.ball_speed / cage.ring_speed
+    hanging = hanging_torque(cage.friction_coefficient, weight, rate * cage.ball_radius, ANGLE)
     table = Table("motion", "quantity", "closed form", "simulated", "difference")
 
     def add(name: str, quantity: str, closed: float, simulated: float) -> None:
         table.add_row(name, quantity, f"{closed:.4g}", f"{simulated:.4g}", f"{simulated / closed - 1:+.2%}")
 
     resting = measured_motion(cage, start="rest", duration=duration)
-    add("rest", "torque, N mm", float(rest_torque(cage_mass=cage.mass, **sliding)) * 1e3, resting.torque * 1e3)
+    add("rest", "torque, N mm", hanging * 1e3, resting.torque * 1e3)
     for name, case, leaning in (
         ("whirl", cage, 0.0),
         ("whirl, tilt locked", replace(cage, transverse_inertia=1.0), ANGLE),

@@ -12,7 +12,6 @@ from rich.console import Console
 from rich.table import Table
 
 from analytic import load_scene
-from analytic.loads.balls import LoadEffects
 from analytic.loads.pair import PairContacts, pair_equilibrium
 from analytic.loads.ring import ring_equilibrium
 from analytic.loads.thrust import thrust_equilibrium
@@ -37,7 +36,7 @@ def thrust_limit() -> None:
     loads = np.geomspace(1e-3, 1e5, 33)
     ring = ring_equilibrium(scene.bearing, scene.contact_angle, axial_load=loads)
     thrust = thrust_equilibrium(scene.bearing, scene.contact_angle, axial_load=loads)
-    worst = np.abs(ring.inner_load / thrust.ball_load[:, None] - 1).max()
+    worst = np.abs(ring.balls["load"][..., 0] / thrust["load"][:, :1] - 1).max()
     out.print(f"pure thrust, 1 mN to 100 kN: ball loads of the ring within {worst:.1e} of the closed form")
 
 
@@ -84,7 +83,7 @@ def axial_rigidity_of_pair(groove: float, preload: np.ndarray) -> np.ndarray:
     bearing = steel_bearing(ball=ball, pitch=38.5e-3, count=13, grooves=(groove, groove), clearance=clearance)
     unloaded = Operation(axial_load=np.zeros(1), inner_speed=np.zeros(1))
     pairs = (Arrangement(kind="O", preload=float(each), distance=WIDTH) for each in preload)
-    contacts = PairContacts(effects=LoadEffects())
+    contacts = PairContacts()
     found = [pair_equilibrium(bearing, SOLVED, pair, unloaded, contacts).stiffness[0] for pair in pairs]
     return np.array(found)
 

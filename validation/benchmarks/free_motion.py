@@ -23,9 +23,9 @@ from analytic.cage.motion import CageMotion, MeanMotion
 from analytic.cage.raceways import Raceways, thrust_raceways
 from analytic.cage.steady import DrivenCage
 from analytic.cage.torque import driven_cage
-from analytic.loads.balls import LoadEffects, thrust_balls
 from analytic.scene import CageStart, ContactAngle, Operation
 from analytic.scenefile.read import load_scene
+from analytic.torque import loaded_balls_of
 from validation.benchmarks.machine import machine, versions
 
 RPM = np.pi / 30  # rad/s
@@ -59,17 +59,17 @@ def example(*, axial_load: float = 1000.0, rpm: float = 500.0, friction: float =
     assert scene.cage is not None
     speed = rpm * RPM
     operation = Operation(axial_load=np.array([axial_load]), inner_speed=np.array([speed]))
-    balls = thrust_balls(scene.bearing, ANGLE, operation, LoadEffects())
+    balls = loaded_balls_of(replace(scene, contact_angle=ANGLE, operation=operation))[0]
     cage = driven_cage(
         scene.bearing,
         scene.cage,
         friction_coefficient=0.1,
         inner_speed=speed,
-        orbit_speed=float(balls.motion.cage_speed[0, 0] * speed),
-        ball_speed=float(balls.motion.ball_speed[0, 0] * speed),
-        contact_angle=float(balls.contact_angle.mean()),
+        orbit_speed=float(balls["motion"]["cage_speed"][0] * speed),
+        ball_speed=float(balls["motion"]["ball_speed"][0] * speed),
+        contact_angle=float(balls["angle"].mean()),
     )
-    return cage, thrust_raceways(scene.bearing, balls, point=0, inner_speed=speed, friction=(friction, friction))
+    return cage, thrust_raceways(scene.bearing, balls, inner_speed=speed, friction=(friction, friction))
 
 
 def times(*, repeats: int) -> None:

@@ -113,13 +113,7 @@ def fitting_coefficient(scene: Scene, *, clearance: float, angle: float, rms_rou
     The force is the closed form of whirl, a few per cent from the motion's.
     """
     bearing, cage = scene.bearing, loose_cage(clearance=clearance, start="whirl", friction_coefficient=None)
-    motion = ball_kinematics(
-        inner_speed=rpm * RPM,
-        inner_angle=angle,
-        outer_angle=angle,
-        pitch_diameter=bearing.pitch_diameter,
-        ball_diameter=bearing.ball_diameter,
-    )
+    motion = ball_kinematics(rpm * RPM, angle, angle, bearing.pitch_diameter, bearing.ball_diameter)
     whirl = whirl_speed(
         ball_speed=motion.ball_speed, ball_radius=bearing.ball_radius, contact_angle=0.0, half_clearance=clearance / 2
     )

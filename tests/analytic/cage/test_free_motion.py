@@ -14,7 +14,6 @@ from analytic.cage.statistics import measured_motion
 from analytic.cage.steady import LandGuidance
 from analytic.contact.geometry import RACES
 from analytic.errors import InputError
-from analytic.loads.balls import LoadEffects
 from analytic.scene import Operation
 from tests.analytic.cage.raceway_specimens import ANGLE, cage_on, races_under, races_under_thrust
 from tests.analytic.cage.specimens import WEIGHTLESS, W
@@ -178,7 +177,7 @@ def test_a_cage_that_slightly_loaded_balls_cannot_drive_slows_down() -> None:
 def test_balls_under_radial_load_lead_without_pressing_a_wide_cage() -> None:
     """A lead of 119 um, and 0.2 mm of clearance: the cage gives way and hangs as at rest."""
     operation = Operation(axial_load=np.array([1000.0]), inner_speed=np.array([W]), radial_load=500.0, tilt="free")
-    races = ring_raceways(BEARING_6205, ANGLE, operation, LoadEffects(), friction=(0.1, 0.1))
+    races = ring_raceways(BEARING_6205, ANGLE, operation, friction=(0.1, 0.1))
     cage = cage_on(races)
     passed = measured(cage, races, "rest", after=0.03, during=0.03, steps=20)
     np.testing.assert_allclose(passed.slip_power / W, 0.062e-3, rtol=0.03)  # of another program, rounded
@@ -187,7 +186,7 @@ def test_balls_under_radial_load_lead_without_pressing_a_wide_cage() -> None:
 
 def test_balls_begin_as_they_run_without_a_cage_at_their_azimuths() -> None:
     operation = Operation(axial_load=np.array([1000.0]), inner_speed=np.array([W]), radial_load=500.0)
-    races = ring_raceways(BEARING_6205, ANGLE, operation, LoadEffects(), friction=(0.1, 0.1))
+    races = ring_raceways(BEARING_6205, ANGLE, operation, friction=(0.1, 0.1))
     found, alone = CageMotion(cage_on(races), races, begin="sudden").ball_speeds, races.alone.speeds
     # Their lead moves them by 6e-3 rad off the even azimuths.
     assert np.all(np.abs(found - alone[:: len(alone) // 9]) <= 0.01 * np.ptp(alone, axis=0))

@@ -9,9 +9,10 @@ from scipy.spatial.transform import Rotation
 
 from analytic.cage import motion as kernel
 from analytic.cage.motion import TOTALS, CageMotion
-from analytic.cage.pocket import Body, friction_force
+from analytic.cage.pocket import Body
 from analytic.cage.steady import LandGuidance
 from analytic.numerics.records import as_record
+from tests.analytic.cage.pocket_by_vectors import friction_force
 from tests.analytic.cage.specimens import CAGE, WEIGHTLESS, W
 
 

@@ -9,7 +9,7 @@ from scipy.optimize import brentq
 
 from analytic.cage.motion import TOTALS, CageMotion, MotionError
 from analytic.cage.pocket import impact
-from analytic.cage.steady import rest_torque, whirl_force, whirl_speed
+from analytic.cage.steady import hanging_torque, whirl_force, whirl_speed
 from analytic.errors import InputError, SingularError
 from tests.analytic.cage.specimens import CAGE, RATE, TABLE_1, WEIGHTLESS, W
 from tests.refusals import refused
@@ -20,9 +20,7 @@ def test_balls_slide_on_a_resting_cage_under_its_weight(begin: Any) -> None:
     motion = CageMotion(CAGE, begin=begin, ramp=0.2, seed=5)  # the ramp is slow enough for gravity to prevail
     motion.advance(0.2)
     passed = motion.advance(0.1)
-    closed = rest_torque(
-        friction_coefficient=0.1, cage_mass=CAGE.mass, ball_rate=RATE, ball_radius=3.97e-3, contact_angle=0.18
-    )
+    closed = hanging_torque(0.1, CAGE.mass * 9.80665, RATE * 3.97e-3, 0.18)
     np.testing.assert_allclose(passed.slip_power / W, closed, rtol=0.02)  # it swings slightly, without damping
     np.testing.assert_allclose(passed.force, CAGE.mass * 9.80665 / np.hypot(1, 0.1), rtol=0.02)
     assert abs(passed.moment) < 1e-3 * passed.slip_power / W  # the mean of the signed moment is 0

@@ -9,8 +9,8 @@ from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
 from analytic.cage.motion import CageMotion
-from analytic.cage.pocket import friction_force, normal_force, penetration
 from analytic.cage.steady import DrivenCage, LandGuidance
+from tests.analytic.cage.pocket_by_vectors import friction_force, normal_force, penetration
 from tests.analytic.cage.specimens import CAGE, RATE, TABLE_1, WEIGHTLESS, W
 
 

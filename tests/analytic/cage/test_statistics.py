@@ -9,7 +9,7 @@ import pytest
 
 from analytic.cage.motion import CageMotion, MeanMotion
 from analytic.cage.statistics import State, _of_mean, _other, _state, _steady_state, measured_motion
-from analytic.cage.steady import LandGuidance, rest_torque
+from analytic.cage.steady import LandGuidance, hanging_torque
 from analytic.scene import CageStart
 from tests.analytic.cage.specimens import CAGE, RATE, W
 from tests.refusals import refused, refuses
@@ -26,9 +26,7 @@ def test_the_start_decides_between_rest_and_whirl() -> None:
     assert (resting.other.start, resting.other.state) == ("whirl", "whirl")
     assert (whirling.other.start, whirling.other.state) == ("rest", "rest")
     np.testing.assert_allclose(resting.other.torque, whirling.torque, rtol=0.02)
-    closed = rest_torque(
-        friction_coefficient=0.1, cage_mass=CAGE.mass, ball_rate=RATE, ball_radius=3.97e-3, contact_angle=0.18
-    )
+    closed = hanging_torque(0.1, CAGE.mass * 9.80665, RATE * 3.97e-3, 0.18)
     np.testing.assert_allclose([resting.torque, whirling.other.torque], closed, rtol=0.02)
     # It goes round by w_b r/nabla + w_c; friction in the pockets slips a little.
     np.testing.assert_allclose(whirling.whirl_speed, CAGE.ball_speed * 39.7 + CAGE.orbit_speed, rtol=0.02)
@@ -51,9 +49,7 @@ def test_torque_at_rest_does_not_depend_on_speed(rpm: float) -> None:
     slower = rpm * np.pi / 30 / W
     driven = {name: slower * getattr(CAGE, name) for name in ("orbit_speed", "ball_speed", "ring_speed")}
     statistics = measured_motion(replace(CAGE, **driven), start="rest", seeds=2, duration=0.02)
-    closed = rest_torque(
-        friction_coefficient=0.1, cage_mass=CAGE.mass, ball_rate=RATE, ball_radius=3.97e-3, contact_angle=0.18
-    )
+    closed = hanging_torque(0.1, CAGE.mass * 9.80665, RATE * 3.97e-3, 0.18)
     np.testing.assert_allclose(statistics.torque, closed, rtol=0.02)  # it swings slightly
     assert statistics.state == "rest"
 

@@ -13,7 +13,7 @@ from analytic.free_ball import kernel, strips, turning
 from analytic.free_ball.rotation import Nodes, _write_nodes, free_quadratures
 from analytic.free_ball.state import QUADRATURE, contact_states, scratch
 from analytic.free_ball.stress import flow_at
-from analytic.loads.kinematics import ball_kinematics
+from analytic.loads.kinematics import ball_kinematics, ball_motion
 from analytic.loads.state import ball_states
 from analytic.numerics.records import Record, as_record
 from analytic.oil.law_table import law_address
@@ -130,15 +130,15 @@ def test_a_fast_ball_obeys_the_closed_kinematics_at_its_own_pitch(load: float, s
     """It nearly obeys those of outer control too where one race presses far harder."""
     bearing, free = STEEP
     balls = under_thrust(bearing, free, load=load, speed=speed, friction=friction)
-    angles = {"inner_angle": balls.angle[0], "outer_angle": balls.angle[1]}
+    inner, outer = (float(angle) for angle in balls.angle)
     radius = balls.motion["inner_radius"] + bearing.ball_radius * np.cos(balls.angle[0])
-    sizes = {"pitch_diameter": 2 * float(radius), "ball_diameter": bearing.ball_diameter}
-    own = ball_kinematics(inner_speed=1.0, **angles, **sizes, pitch=balls.motion["pitch"])
+    sizes = 2 * float(radius), bearing.ball_diameter
+    own = ball_motion(1.0, inner, outer, float(balls.motion["pitch"]), *sizes)
     for name in ("cage_speed", "inner_entrainment", "outer_entrainment", "inner_rolling_rate", "outer_rolling_rate"):
         np.testing.assert_allclose(balls.motion[name], getattr(own, name), rtol=3e-3)  # what slip leaves
     if load == 50.0 and friction == 0.1:
-        outer = ball_kinematics(inner_speed=1.0, **angles, **sizes)
-        np.testing.assert_allclose(balls.motion["cage_speed"], outer.cage_speed, rtol=3e-3)
+        ruled = ball_kinematics(1.0, inner, outer, *sizes)
+        np.testing.assert_allclose(balls.motion["cage_speed"], ruled.cage_speed, rtol=3e-3)
 
 
 def test_a_ball_near_its_limit_pitches_down_and_does_not_turn_across() -> None:

@@ -12,15 +12,15 @@ from analytic.free_ball import kernel, stress, turning
 from analytic.free_ball.rotation import free_quadratures
 from analytic.free_ball.state import contact_states, scratch
 from analytic.free_ball.stress import Shear, flow_at, sheared, yielding
-from analytic.loads.balls import LoadEffects, thrust_balls
 from analytic.loads.numbers import bearing_numbers
 from analytic.loads.race_contacts import unit_contact_on
 from analytic.loads.state import ball_states
+from analytic.loads.thrust import thrust_equilibrium
 from analytic.numerics.records import as_record
 from analytic.oil.traction import PointLaw
-from analytic.scene import Array, Bearing, ContactAngle, Operation
+from analytic.scene import Array, Bearing, ContactAngle
 from tests.analytic.free_ball.specimens import FINE, angular_contact, under_thrust
-from tests.analytic.specimens import BEARING_6205
+from tests.analytic.specimens import BEARING_6205, loaded_contacts
 
 RACES = (-1.0, 1.0)  # which way the contact's normal points out of the ball, radially
 AS_HERTZ = FactorNumbers(1.0, 1.0, 1.0, np.nan)
@@ -174,10 +174,8 @@ def test_the_flexibility_is_that_of_a_6205_by_another_program(creeps: bool, alon
 
     Fitted factors multiply it along and across; surfaces without creep are a thousand times as stiff.
     """
-    operation = Operation(axial_load=np.array([1000.0]), inner_speed=np.array([31.0])).as_series()
-    still = LoadEffects(centrifugal=False, gyroscopic=False)
-    balls = thrust_balls(BEARING_6205, ContactAngle(rule="given", value=0.18), operation, still)
-    peak = balls.contact.peak_pressure[:, 0, 0]
+    ball = thrust_equilibrium(BEARING_6205, ContactAngle(rule="given", value=0.18), axial_load=1000.0)
+    peak = np.array([contact.peak_pressure for contact in loaded_contacts(ball)])
     found = turning.free_numbers(BEARING_6205, orbit=0.02, creeps=creeps, inertia=(True, False))
     np.testing.assert_allclose(np.array(found.flexibility) * peak * 0.1 / along, [0.0020845, 0.0018872], rtol=2e-4)
     assert found.lean == pytest.approx(0.8 / 1.35, rel=1e-12)

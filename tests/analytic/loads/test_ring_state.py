@@ -47,8 +47,8 @@ def test_displacement_and_stiffness_are_those_that_the_equilibrium_solved_for(sc
         moment_y=LOADS["moment"],
         inner_speed=LOADS["inner_speed"],
     )
-    assert np.any(solved.inner_angle < 0)
-    assert np.any(solved.inner_load == 0)
+    assert np.any(solved.balls["angle"][..., 0] < 0)
+    assert np.any(solved.balls["load"][..., 0] == 0)
     # The rounds of the equilibrium end at 1e-12 of the load, and the place is rebuilt from angles and approaches.
     np.testing.assert_allclose(present(ring.displacement), solved.displacement, rtol=1e-8, atol=1e-15)
     scale = np.abs(solved.stiffness).max(axis=(1, 2), keepdims=True)

@@ -9,7 +9,6 @@ import pytest
 from analytic.contact.geometry import RACES
 from analytic.contact.hertz import unit_hertz
 from analytic.contact.rolling_contact import ContactNumbers, RollingContact
-from analytic.loads.balls import LoadEffects, thrust_balls
 from analytic.oil.asymptotes import Inflow
 from analytic.oil.ehl_fit import covered, film_correction, fitted_force, inlet_length, regime_of
 from analytic.oil.film import film_asymptotes, inlet_heating_factor, shear_heat
@@ -36,11 +35,11 @@ from analytic.oil.starvation import FLOODED, starved_by_degree, starved_by_facto
 from analytic.oil.traction import mean_force, mixed_traction
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.oil.viscosity import inlet_viscosity, oil_at, oil_numbers, roelands_viscosity
-from analytic.scene import Array, Bearing, ContactAngle, Lubricant, Operation, Surface
+from analytic.scene import Array, Bearing, ContactAngle, Lubricant, Surface
 from analytic.scenefile.read import load_scene
 from analytic.surface.gap import GapLaw, gap_forms, gap_law
 from analytic.surface.roughness import gap_roughness
-from tests.analytic.specimens import BEARING_6205, FINISH, OIL, present
+from tests.analytic.specimens import BEARING_6205, FINISH, OIL, contacts_under_thrust, present, rolling
 from tests.contacts import STEEL
 from tests.refusals import refuses
 
@@ -50,18 +49,15 @@ ROUGH = replace(FINISH, rms_roughness=0.3e-6, gap="truncated")
 ELASTIC = replace(FINISH, gap="elastic")
 SPEEDS = (0.0, -3.1, 420.0)  # rad/s
 VARIED = Variation(film=0.83, asperity_pressure=1.21, asperity_share=0.6, rolling=0.77)
-STILL = LoadEffects(load_distribution=False, centrifugal=False, gyroscopic=False)
 ALL = {"asperities": True, "heats": True, "starves": True}
 BORE, OUTSIDE = 25e-3, 52e-3  # m
 
 
 def loaded(race: int, point: int) -> tuple[RollingContact, float]:
     """One of three loads, and u/w, m."""
-    operation = Operation(axial_load=np.array([41.0, 230.0, 1700.0]), inner_speed=np.zeros(3))
-    balls = thrust_balls(BEARING_6205, ContactAngle(rule="solved", free=0.19), operation, STILL)
-    fields = {name: float(np.broadcast_to(of, (2, 3, 1))[race, point, 0]) for name, of in vars(balls.contacts).items()}
-    rates = np.broadcast_to(balls.motion.entrainment_speed, (2, 3, 1))
-    return RollingContact(**fields), float(rates[race, point, 0])
+    angle = ContactAngle(rule="solved", free=0.19)
+    contact = contacts_under_thrust(BEARING_6205, angle, (41.0, 230.0, 1700.0)[point])[race]
+    return rolling(contact), contact.entrainment
 
 
 def gap_of(finish: Surface, contact: RollingContact) -> GapLaw | None:

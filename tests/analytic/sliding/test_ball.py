@@ -54,8 +54,7 @@ def running(
 ) -> Running:
     """A ball of a 6205 under thrust at a given contact angle."""
     speed, ball_load = np.asarray(rpm, dtype=np.float64) * np.pi / 30, load / (BALLS * np.sin(angle))
-    geometry = {"inner_angle": angle, "outer_angle": angle, "pitch_diameter": PITCH, "ball_diameter": BALL}
-    rates, motion = ball_kinematics(inner_speed=1.0, **geometry), ball_kinematics(inner_speed=speed, **geometry)
+    rates = ball_kinematics(1.0, angle, angle, PITCH, BALL)
     correlation = Autocorrelation(kind="gaussian", length=length, spacing=length / 20)
     surface = Surface(rms_roughness=sq, autocorrelation=correlation, hardness=HARDNESS, gap="truncated")
     gap = gap_law(surface, gap_roughness(surface), modulus=STEEL, bodies=(materials.STEEL, materials.STEEL))
@@ -74,7 +73,7 @@ def running(
         )
         film = film_asymptotes(
             contact,
-            entrainment_speed=motion.inner_entrainment,
+            entrainment_speed=speed * rates.inner_entrainment,
             viscosity=OIL.viscosity,
             pressure_viscosity=OIL.pressure_viscosity,
         )
