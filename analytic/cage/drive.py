@@ -220,8 +220,8 @@ def race_grip(bearing: Bearing, balls: Records, friction_coefficient: Array | fl
     Creep along rolling has G C11 = pi^2 G/(4 (1 - nu)), the limit of a long ellipse: pi^2 E*/4 for like bodies.
     """
     modulus = [contact_modulus(bearing.ball_material, groove.material) for groove in (bearing.inner, bearing.outer)]
-    area = on_races(balls["semi_axis_rolling"]) * on_races(balls["semi_axis_transverse"])
-    stiffness, friction = np.pi**2 / 4 * np.reshape(modulus, (2, 1, 1)) * area, None
+    along, across = on_races(balls["semi_axis_rolling"]), on_races(balls["semi_axis_transverse"])
+    stiffness, friction = np.pi**2 / 4 * np.reshape(modulus, (2, 1, 1)) * along * across, None
     if friction_coefficient is not None:
         load = on_races(balls["load"])
         friction = np.where(load > 0, friction_coefficient * load, 0.0)
@@ -348,8 +348,8 @@ def cage_drive(
     bearing, cage = scene.bearing, scene.cage
     if cage is None:
         raise InputError("the scene has no [cage] to drive: add an empty table [cage] for the catalog's")
-    motion, angle = balls["motion"], on_races(balls["angle"])
-    side = np.where(angle.sum(axis=0) < 0, -1.0, 1.0)  # a ball that is pressed the other way drives the cage alike
+    motion, angle = balls["motion"], balls["angle"]
+    side = np.where(angle.sum(axis=-1) < 0, -1.0, 1.0)  # a ball that is pressed the other way drives the cage alike
     return CageDrive(
         bearing=bearing,
         cage=cage,
@@ -357,7 +357,7 @@ def cage_drive(
         inner_speed=inner_speed,
         orbit_rate=motion["cage_speed"].mean(axis=1),
         ball_rate=motion["ball_speed"].mean(axis=1),
-        contact_angle=np.abs((side * angle).mean(axis=(0, 2))),
+        contact_angle=np.abs((side * np.moveaxis(angle, -1, 0)).mean(axis=(0, 2))),
         grip=race_grip(bearing, balls, friction_coefficient),
         balls=balls,
         friction_coefficient=friction_coefficient,

@@ -6,17 +6,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-from analytic.cage.drive import LARGEST_GRIP, CageDrive, cage_drive, pocket_stiffness_of, resting_cage
+from analytic.cage.drive import LARGEST_GRIP, CageDrive, cage_drive
 from analytic.cage.steady import hanging_torque, sliding_torque
-from analytic.cage.torque import CageMoves, CagePart, cage_friction, resting_force
-from analytic.contact.hertz import hertz_contact
+from analytic.cage.torque import CageMoves, CagePart, cage_friction
 from analytic.errors import InputError
 from analytic.numerics.elements import mapped
 from analytic.numerics.records import Records
 from analytic.scene import ContactAngle, Land, Operation, Scene
 from tests.analytic.cage.specimens import CAGED, RPM, with_cage
 from tests.analytic.specimens import FINISH, OIL, balls_of, present
-from tests.contacts import STEEL
 
 SPEEDS = np.array([500.0, -740.0, 0.0]) * RPM
 SOLVED = ContactAngle(rule="solved", free=0.18)
@@ -82,26 +80,6 @@ def test_a_cage_is_squeezed_where_the_lead_reaches_its_room() -> None:
     assert led(0.1999, -0.2001, -0.1999).is_squeezed.tolist() == [False, True, False]
     drive = driven_by(ALIKE, land=Land(ring="outer", clearance=0.03e-3, width=9e-3))
     np.testing.assert_allclose(drive.room, 0.115e-3, rtol=1e-9)
-
-
-def test_a_cage_at_rest_has_the_numbers_of_its_scene() -> None:
-    for gravity, along in (("along", True), ("across", False), ("off", False)):
-        drive = driven_by(ALIKE, gravity=gravity, drag=3e-6)
-        cage = resting_cage(drive.bearing, drive.cage)
-        pull = 0.0 if gravity == "off" else 9.80665
-        assert (cage.lies_along, cage.gravity, cage.drag, drive.gravity) == (along, pull, 3e-6, pull)
-        assert cage.pitch_radius == pytest.approx(39.01e-3 / 2, rel=1e-12)
-        # Without gravity a thousandth of the weight presses the film.
-        np.testing.assert_allclose(resting_force(drive), 6.58e-3 * max(pull, 9.80665e-3), rtol=1e-12)
-
-
-def test_the_stiffness_of_a_pocket_is_that_of_hertz_unless_it_is_given() -> None:
-    drive = driven_by(ALIKE)
-    curvature = 2 / 7.94e-3 - 2 / 8.14e-3
-    modulus = STEEL.youngs_modulus / (2 * (1 - STEEL.poisson_ratio**2))
-    hertz = hertz_contact(curvature_x=curvature, curvature_y=curvature, load=2.0, modulus=modulus)
-    assert pocket_stiffness_of(drive.bearing, drive.cage) == pytest.approx(float(hertz.stiffness), rel=1e-9)
-    assert pocket_stiffness_of(drive.bearing, replace(drive.cage, pocket_stiffness=7.7e9)) == 7.7e9
 
 
 def test_balls_squeeze_no_harder_than_their_races_hold_them_where_that_is_known() -> None:

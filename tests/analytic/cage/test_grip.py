@@ -11,10 +11,8 @@ from analytic.cage.drive import (
     SQUEEZE_SPREAD,
     ball_lead,
     carried_force,
-    grip_number,
     race_grip,
     squeeze_force,
-    used_share,
 )
 from analytic.errors import InputError
 from analytic.loads.kinematics import ball_kinematics
@@ -63,11 +61,6 @@ def test_pocket_friction_of_1_leaves_the_outer_race_free() -> None:
     assert carried_force(inner_grip=0.0, outer_grip=5.0, pocket_friction=1.0) == 0.0
     with pytest.raises(InputError, match="inner_grip"):
         carried_force(inner_grip=-1.0, outer_grip=5.0, pocket_friction=0.1)
-
-
-def test_without_grip_any_force_is_too_much() -> None:
-    assert grip_number(whirl_force=3.0, ball_count=9, carried_force=0.0) == np.inf
-    np.testing.assert_array_equal(used_share([0.0, 2.0, 3.0], [0.0, 0.0, 4.0]), [0.0, np.inf, 0.75])
 
 
 def angle_waves(angles: Array, azimuth: Array) -> Array:

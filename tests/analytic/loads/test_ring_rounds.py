@@ -41,16 +41,6 @@ WANTED = (310.0, 540.0, -20.0, 30.0, -11.0)  # N, moments over R
 LOOSE = (np.arange(9) == 4) * 1.0  # the ball that a radial load along x does not reach
 
 
-def test_a_point_does_not_know_the_others(bearing_6205: Bearing) -> None:
-    series = ring_equilibrium(bearing_6205, SOLVED, **SERIES, inner_speed=SPEED)
-    for point in range(3):
-        alone = ring_equilibrium(
-            bearing_6205, SOLVED, **{name: values[point] for name, values in SERIES.items()}, inner_speed=SPEED
-        )
-        np.testing.assert_array_equal(alone.balls["load"][..., 0], series.balls["load"][..., 0][point])
-        np.testing.assert_array_equal(alone.displacement, series.displacement[point])
-
-
 @pytest.mark.parametrize("start", [BY_PLACE, BY_POINT])
 def test_the_equilibrium_does_not_depend_on_the_start(bearing_6205: Bearing, start: int) -> None:
     """From the place, or all, that other factors and loads gave."""
