@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from analytic.loads.finite_geometry import thrust_correction
+from analytic.loads.finite_geometry import corrections_of
+from analytic.loads.thrust import thrust_equilibrium
 from analytic.scene import Scene
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
@@ -146,7 +147,7 @@ def test_the_correction_for_finite_geometry_knows_every_load() -> None:
     low, high = found.relative
     assert high < low < 0  # the contact is shorter across, the more so the larger it is
     bearing, load = FIXED.bearing, FIXED.operation.axial_load
-    factors = thrust_correction(bearing, FIXED.contact_angle, axial_load=load)
+    factors = corrections_of(bearing, thrust_equilibrium(bearing, FIXED.contact_angle, axial_load=load))
     squares = [np.asarray(side.factors.semi_axis_transverse) ** 2 for side in (factors.inner, factors.outer)]
     own, changed = change.own.torque, found.torque.torque
     ratio = present(changed.conformity) / present(own.conformity)
@@ -190,7 +191,7 @@ def test_the_total_is_that_of_the_production_with_what_the_races_change() -> Non
 def test_contacts_that_are_those_of_the_fit_change_nothing_where_the_production_has_it() -> None:
     """At one load, so that the fit has one factor for each race; without the fit they change what it does."""
     one = replace(FIXED, operation=replace(FIXED.operation, axial_load=np.array([900.0]), inner_speed=np.array([9.4])))
-    fit = thrust_correction(one.bearing, one.contact_angle, axial_load=np.array([900.0]))
+    fit = corrections_of(one.bearing, thrust_equilibrium(one.bearing, one.contact_angle, axial_load=np.array([900.0])))
     contacts = {
         race: solution(**{name: float(np.asarray(getattr(side.factors, name))[0]) for name in NAMES})
         for race, side in (("inner", fit.inner), ("outer", fit.outer))

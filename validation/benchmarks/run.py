@@ -147,7 +147,7 @@ ROWS = {
     "ring": Row(
         title="equilibrium of a ring at 500 rad/s", setup="from analytic.loads.ring import ring_equilibrium",
         call="ring_equilibrium(dry.bearing, dry.contact_angle, axial_load=300.0, radial_load_x=500.0, "
-        "inner_speed=500.0).inner_load.max()",
+        "inner_speed=500.0).balls['load'].max()",
     ),
     "first_call": Row(title="first torque of a process", call=f"friction_torque(at({PHYSICAL})).torque.total[0]",
                       goal=0.4, first=True),

@@ -209,14 +209,7 @@ def mixed_coefficient(scene: Scene, cage: Cage, *, force: Array) -> Array:
     cage : gives the pocket;  force : of all balls on their pockets at the scene's speeds, sum, N, (n,)
     """
     bearing, angle = scene.bearing, LOADED
-    motion = ball_kinematics(
-        inner_speed=scene.operation.inner_speed,
-        inner_angle=angle,
-        outer_angle=angle,
-        pitch_diameter=bearing.pitch_diameter,
-        ball_diameter=bearing.ball_diameter,
-    )
+    motion = ball_kinematics(1.0, angle, angle, bearing.pitch_diameter, bearing.ball_diameter)
     oiled = replace(scene, cage=replace(cage, friction_coefficient=None))
-    return friction_in_pocket(
-        oiled, load=force / bearing.ball_count, surface_speed=motion.ball_speed * bearing.ball_radius
-    ).coefficient
+    surface = motion.ball_speed * scene.operation.inner_speed * bearing.ball_radius
+    return friction_in_pocket(oiled, load=force / bearing.ball_count, surface_speed=surface).coefficient

@@ -46,15 +46,10 @@ def printed_jumps(scene: Scene) -> list[Jump]:
         derived = microslip_moments(**outer, deformed_radius=surface, spin_to_roll=ratios)
         for name, ours, theirs in zip(("M_z", "M_r"), derived, printed, strict=True):
             jumps.append(Jump(where=where, quantity=name, unit="N mm", printed=_pair(theirs), derived=_pair(ours)))
-    motion = ball_kinematics(
-        inner_speed=1.0,
-        inner_angle=found.contact_angle,
-        outer_angle=found.contact_angle,
-        pitch_diameter=bearing.pitch_diameter,
-        ball_diameter=bearing.ball_diameter,
-    )
+    angle = float(found.contact_angle[0])
+    motion = ball_kinematics(1.0, angle, angle, bearing.pitch_diameter, bearing.ball_diameter)
     # With a very small spin the outer contact resists rolling; at a given angle nothing else in the scene changes.
-    added = float((bearing.ball_count * jumps[1].printed[1] * motion.outer_rolling_rate)[0])
+    added = float(bearing.ball_count * jumps[1].printed[1] * motion.outer_rolling_rate)
     derived = float(friction_torque(replace(scene, microslip="derived")).torque.total[0])
     printed = float(found.torque.total[0])
     jumps.append(

@@ -47,9 +47,9 @@ def cage_methods(scene: Scene) -> UntimedLadder:
         cage,
         friction_coefficient=float(closed_form().friction_coefficient[0]),
         inner_speed=turning,
-        orbit_speed=turning * float(balls.motion.cage_speed.mean()),
-        ball_speed=turning * float(balls.motion.ball_speed.mean()),
-        contact_angle=float(np.abs(balls.contact_angle).mean()),
+        orbit_speed=turning * float(balls["motion"]["cage_speed"].mean()),
+        ball_speed=turning * float(balls["motion"]["ball_speed"].mean()),
+        contact_angle=float(np.abs(balls["angle"]).mean()),
     )
     driven = replace(level, ball_lead=float(drive.grip.ball_lead[0]))
     start, duration = cage.start or "rest", min(max(DURATION, driven.crossing_time), cage.duration)

@@ -6,6 +6,7 @@ Each function raises InputError, with the reason, for a scene that has nothing t
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
+from typing import Any
 
 import numpy as np
 
@@ -14,10 +15,14 @@ from analytic.contact.hertz_fitted import fitted_error, hertz_contact_fitted
 from analytic.effects import ruled
 from analytic.errors import InputError
 from analytic.free_ball.rotation import LEVELS as FREE_NODES
-from analytic.loads.balls import LoadedBalls, LoadEffects, ring_balls, thrust_balls
-from analytic.loads.inertia import inertia_ratios
+from analytic.loads.inertia import moment_of_turned_axis, outward_force
+from analytic.loads.kinematics import BallMotion, ball_kinematics
 from analytic.loads.numbers import free_angle
-from analytic.loads.thrust import ThrustEquilibrium, thrust_equilibrium, thrust_equilibrium_frozen
+from analytic.loads.ring import ring_equilibrium
+from analytic.loads.state import approaches
+from analytic.loads.thrust import thrust_equilibrium, thrust_equilibrium_frozen
+from analytic.numerics.elements import mapped
+from analytic.numerics.records import Records
 from analytic.scene import Array, Autocorrelation, Contact, Operation, Scene
 from analytic.sliding.ball import LEVELS as ELLIPSE_NODES
 from analytic.surface.heightmap import FEWEST_POINTS, WIDEST, measure
@@ -82,14 +87,23 @@ def load_methods(scene: Scene) -> UntimedLadder:
     operation = scene.operation.as_series()
     axial = operation.axial_load
 
-    def of_thrust(solve: Callable[..., ThrustEquilibrium]) -> Array:
-        return np.stack([solve(bearing, rule, axial_load=axial).ball_load] * 2)
+    def of_thrust(solve: Callable[..., Records], **given: Any) -> Array:
+        return solve(bearing, rule, axial_load=axial, **given)["load"].T
 
     def unloaded() -> Array:
         return np.stack([axial / (bearing.ball_count * np.sin(_free_angle(scene)))] * 2)
 
-    def with_inertia(solve: Callable[..., LoadedBalls]) -> Array:
-        return solve(bearing, rule, operation, LoadEffects()).load.max(axis=2)
+    def of_ring() -> Array:
+        tilt, loads = operation.held_tilt, {"axial_load": axial, "radial_load_x": operation.radial_load}
+        found = ring_equilibrium(
+            bearing,
+            rule,
+            **loads,
+            moment_y=operation.moment,
+            tilts=None if np.isnan(tilt) else (0.0, tilt),
+            inner_speed=operation.inner_speed,
+        )
+        return found.balls["load"].max(axis=1).T
 
     def unequal() -> Array:
         return _bound_without_radial_load(scene, operation)
@@ -109,7 +123,7 @@ def load_methods(scene: Scene) -> UntimedLadder:
         UntimedMethod(name="thrust, solved", run=lambda: of_thrust(thrust_equilibrium), bound=beyond_thrust),
         UntimedMethod(
             name="thrust, at speed",
-            run=lambda: with_inertia(thrust_balls),
+            run=lambda: of_thrust(thrust_equilibrium, inner_speed=operation.inner_speed),
             bound=lambda: float(np.max(unequal())) + SETTLED,
         ),
     )
@@ -120,7 +134,7 @@ def load_methods(scene: Scene) -> UntimedLadder:
             *(of_thrusts if np.all(axial > 0) else ()),
             UntimedMethod(
                 name="equilibrium of the ring",
-                run=lambda: with_inertia(ring_balls),
+                run=of_ring,
                 bound=lambda: ROUND_OFF,
                 may_refer=True,
             ),
@@ -246,7 +260,8 @@ def _bound_at_free_angle(scene: Scene, axial_load: Array) -> float:
     """sin al/sin al0 - 1: at the free angle al0 the load is too large, and so is the angle al that it opens."""
     free = _free_angle(scene)
     bearing, rule = scene.bearing, replace(scene.contact_angle, rule="given", value=free)
-    opened = thrust_equilibrium(bearing, rule, axial_load=axial_load).approach / bearing.groove_centre_distance
+    opened = approaches(thrust_equilibrium(bearing, rule, axial_load=axial_load)).sum(axis=-1)
+    opened = opened / bearing.groove_centre_distance
     return float(np.max(np.sin(np.arccos(np.cos(free) / (1 + opened))) / np.sin(free) - 1))
 
 
@@ -257,13 +272,13 @@ def _bound_of_frozen(scene: Scene, axial_load: Array) -> float:
     """
     bearing = scene.bearing
     frozen = thrust_equilibrium_frozen(bearing, scene.contact_angle, axial_load=axial_load)
-    angle = frozen.contact_angle
-    approaches = [
+    angle, approach = frozen["angle"][..., 0], approaches(frozen).sum(axis=-1)
+    balls = [
         thrust_equilibrium(bearing, replace(scene.contact_angle, rule="given", value=float(each)), axial_load=load)
         for each, load in zip(np.ravel(angle), np.ravel(axial_load), strict=True)
     ]
-    true = np.array([float(each.approach) for each in approaches])
-    return float(np.max(np.abs(frozen.approach / true - 1) * np.cos(angle) ** 2 * 3 / 2))
+    true = np.array([float(approaches(each).sum()) for each in balls])
+    return float(np.max(np.abs(approach / true - 1) * np.cos(angle) ** 2 * 3 / 2))
 
 
 def _bound_without_radial_load(scene: Scene, operation: Operation) -> Array:
@@ -271,7 +286,7 @@ def _bound_without_radial_load(scene: Scene, operation: Operation) -> Array:
     bearing = scene.bearing
     thrust = thrust_equilibrium(bearing, scene.contact_angle, axial_load=operation.axial_load)
     sideways = np.abs(operation.radial_load) + np.abs(operation.moment) / bearing.pitch_diameter
-    unequal = HEAVIEST * sideways / (bearing.ball_count * thrust.ball_load)
+    unequal = HEAVIEST * sideways / (bearing.ball_count * thrust["load"][..., 0])
     return unequal / (1 + unequal)
 
 
@@ -279,13 +294,16 @@ def _bound_without_inertia(scene: Scene, operation: Operation) -> Array:
     """(n,) effect of the balls' inertia on their load under thrust, relative to the true load."""
     bearing = scene.bearing
     thrust = thrust_equilibrium(bearing, scene.contact_angle, axial_load=operation.axial_load)
-    centrifugal, pull = inertia_ratios(
-        bearing,
-        inner_speed=operation.inner_speed,
-        contact_angle=thrust.contact_angle,
-        load=thrust.ball_load,
+    angle, speed = thrust["angle"][..., 0], operation.inner_speed
+    motion = BallMotion._make(
+        mapped(ball_kinematics, speed, angle, angle, bearing.pitch_diameter, bearing.ball_diameter)
     )
-    return PER_CENTRIFUGAL * centrifugal + PER_PULL * pull
+    outward = outward_force(bearing.ball_mass, bearing.pitch_diameter, motion.cage_speed)
+    upright = moment_of_turned_axis(
+        bearing.ball_mass, bearing.ball_diameter, motion.ball_speed, motion.cage_speed, np.pi / 2
+    )
+    pull = upright * np.cos(angle) / bearing.ball_radius  # of the friction that holds the moment, along the axis
+    return (PER_CENTRIFUGAL * outward + PER_PULL * pull) / thrust["load"][..., 0]
 
 
 def _bound_of_generated(correlation: Autocorrelation, size: int) -> float:

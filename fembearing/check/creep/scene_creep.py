@@ -254,7 +254,7 @@ def _scaled_to(scene: Scene, load: float) -> Scene:
     require_positive(ball_load=load)
     with traced_to_load(scene, pair="inner", load=load):
         for _ in range(MOST_SCALINGS):
-            ratio = load / float(balls_of(scene).load.max())
+            ratio = load / float(balls_of(scene)["load"].max())
             if abs(ratio - 1) <= SCALED:
                 return scene
             operation = scene.operation
