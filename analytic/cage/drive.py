@@ -210,7 +210,7 @@ class RaceGrip:
 
 def on_races(of_balls: Array) -> Array:
     """(2, n, m) of each race from (n, m, 2)."""
-    return np.ascontiguousarray(np.moveaxis(of_balls, -1, 0))
+    return np.moveaxis(of_balls, -1, 0)
 
 
 def race_grip(bearing: Bearing, balls: Records, friction_coefficient: Array | float | None) -> RaceGrip:
@@ -220,7 +220,7 @@ def race_grip(bearing: Bearing, balls: Records, friction_coefficient: Array | fl
     Creep along rolling has G C11 = pi^2 G/(4 (1 - nu)), the limit of a long ellipse: pi^2 E*/4 for like bodies.
     """
     modulus = [contact_modulus(bearing.ball_material, groove.material) for groove in (bearing.inner, bearing.outer)]
-    along, across = on_races(balls["semi_axis_rolling"]), on_races(balls["semi_axis_transverse"])
+    along, across = (on_races(balls[f"semi_axis_{name}"]).copy() for name in ("rolling", "transverse"))
     stiffness, friction = np.pi**2 / 4 * np.reshape(modulus, (2, 1, 1)) * along * across, None
     if friction_coefficient is not None:
         load = on_races(balls["load"])
@@ -357,7 +357,7 @@ def cage_drive(
         inner_speed=inner_speed,
         orbit_rate=motion["cage_speed"].mean(axis=1),
         ball_rate=motion["ball_speed"].mean(axis=1),
-        contact_angle=np.abs((side * np.moveaxis(angle, -1, 0)).mean(axis=(0, 2))),
+        contact_angle=np.abs((side * on_races(angle)).mean(axis=(0, 2))),
         grip=race_grip(bearing, balls, friction_coefficient),
         balls=balls,
         friction_coefficient=friction_coefficient,

@@ -47,6 +47,7 @@ def in_pocket(**fields: float) -> Record:
     """A pocket of this stiffness and clearance without losses."""
     cage = np.zeros(1, CAGE)
     cage["half_clearance"], cage["stiffness"], cage["ball_radius"] = CLEARANCE, STIFFNESS, BALL / 2
+    cage["smoothing"] = 1e-3
     for name, value in fields.items():
         cage[name] = value
     return as_record(cage[0])
@@ -66,7 +67,7 @@ def clearance(*, pocket: float = POCKET, depth: float = POCKET / 2) -> tuple[flo
 
 def rubbed(speed: float) -> float:
     """Friction, N, at 7 N and this sliding speed, m/s, with a coefficient of 0.13 and a smoothing of 1 mm/s."""
-    return rubbing(in_pocket(friction=0.13, smoothing=1e-3), 7.0, speed) * speed
+    return rubbing(in_pocket(friction=0.13), 7.0, speed) * speed
 
 
 def thrown(cage: DrivenCage, *, velocity: tuple[float, float, float], turning: float = 0.0) -> CageMotion:
