@@ -27,7 +27,7 @@ progress = Console(stderr=True)
 
 def run(main: Callable[..., object]) -> None:
     """The command line of a program; its help is the program's docstring."""
-    command = typer.Typer(add_completion=False, rich_markup_mode=None)
+    command = typer.Typer(add_completion=False, rich_markup_mode=None, pretty_exceptions_enable=False)
     command.command(help=sys.modules[main.__module__].__doc__)(main)
     command()
 

@@ -4,10 +4,8 @@ Every reading has a friction torque, in which the cage counts with the power of 
 the balls' centres, which are no loss, are compared with the paper's cage torque beside it.
 """
 
-import csv
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
@@ -16,9 +14,9 @@ from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
 from validation.paper.cage import ROUGH, RPM, SMOOTH, at_finish, cage_at, cage_scene, cage_series
 from validation.paper.inputs import assumed_inputs
+from validation.study import SCENES as FILES
+from validation.study import published as published_rows
 
-HERE = Path(__file__).parent
-PUBLISHED = HERE.parent / "published" / "paper_torque.csv"
 SCENES = {  # reading -> file and description
     "as printed": (
         "6205_paper_as_printed.toml",
@@ -121,7 +119,6 @@ class Comparison:
 
 def published() -> list[Point]:
     """The numbers from the paper."""
-    lines = [line for line in PUBLISHED.read_text("utf-8").splitlines() if not line.startswith("#")]
     return [
         Point(
             quantity=row["quantity"],
@@ -131,12 +128,12 @@ def published() -> list[Point]:
             unit=row["unit"],
             note=row["note"],
         )
-        for row in csv.DictReader(lines)
+        for row in published_rows("paper_torque.csv")
     ]
 
 
 def load(name: str) -> Scene:
-    return load_scene(HERE.parent / "scenes" / SCENES[name][0])
+    return load_scene(FILES / SCENES[name][0])
 
 
 def compare(name: str, points: list[Point]) -> Comparison:

@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 from pathlib import Path
 
-import matplotlib as mpl
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
@@ -14,8 +13,8 @@ from analytic.scene import Array, Autocorrelation
 from analytic.surface.roughness import generated_surface
 from validation.paper.cage import ROUGH, RPM, SMOOTH
 from validation.paper.comparison import Comparison, Point, Series
-
-mpl.use("agg")
+from validation.study import figure as empty
+from validation.study import save
 
 FINISHES = (ROUGH, SMOOTH)
 COLOURS = {"as printed": "tab:orange", "calibrated": "tab:blue", "physical": "tab:green"}
@@ -44,12 +43,12 @@ def draw_surfaces(autocorrelation: Autocorrelation, path: Path) -> None:
     axes[2].set(title="middle rows of both, one scale", xlabel="x, mm", ylabel="height, µm", ylim=(-2.2, 3))
     axes[2].legend(frameon=False, loc="upper right", ncols=2)
     axes[2].grid(alpha=0.3)
-    _save(figure, path)
+    save(figure, path, dpi=100)
 
 
 def draw_total(readings: list[Comparison], points: list[Point], path: Path) -> None:
     """Figure 6."""
-    figure = Figure(figsize=(9.0, 4.4), layout="constrained")
+    figure = empty(9.0, 4.4)
     axes = figure.subplots(1, 2, sharey=True)
     for axis, roughness in zip(axes, FINISHES, strict=True):
         _panel(axis, readings, points, roughness, ("", "total_torque", 1e3))
@@ -57,12 +56,12 @@ def draw_total(readings: list[Comparison], points: list[Point], path: Path) -> N
         axis.set(title=f"Sq {roughness * 1e6:g} µm", ylim=(0, 70))
     axes[0].set_ylabel("total friction torque, N mm")
     _legend(figure, axes[0])
-    _save(figure, path)
+    save(figure, path, dpi=100)
 
 
 def draw_coefficients(readings: list[Comparison], path: Path) -> None:
     """Figure 7; the paper has no numbers for it."""
-    figure = Figure(figsize=(10.0, 4.2), layout="constrained")
+    figure = empty(10.0, 4.2)
     axes = figure.subplots(1, 3)
     panels: list[Panel] = [
         ("(a) ball on outer race", "outer_coefficient", 1.0),
@@ -84,12 +83,12 @@ def draw_coefficients(readings: list[Comparison], path: Path) -> None:
     _off_scale(axes[2], readings, "pocket_coefficient", ROUGH, "", 1.0)
     axes[0].set_ylabel("friction coefficient")
     _legend(figure, axes[2])
-    _save(figure, path)
+    save(figure, path, dpi=100)
 
 
 def draw_parts(readings: list[Comparison], points: list[Point], path: Path) -> None:
     """Figure 8."""
-    figure = Figure(figsize=(10.0, 6.6), layout="constrained")
+    figure = empty(10.0, 6.6)
     axes = figure.subplots(2, 3, sharex=True)
     panels: list[Panel] = [
         ("(a) balls on races", "race_torque", 1e3),
@@ -112,12 +111,12 @@ def draw_parts(readings: list[Comparison], points: list[Point], path: Path) -> N
             axis.set_xlabel(axis.get_xlabel() if roughness == SMOOTH else "")
         row[0].set_ylabel("friction torque, N mm")
     _legend(figure, axes[0, 1], axes[0, 2])
-    _save(figure, path)
+    save(figure, path, dpi=100)
 
 
 def draw_forces(readings: list[Comparison], points: list[Point], path: Path) -> None:
     """Figure 9."""
-    figure = Figure(figsize=(9.0, 4.4), layout="constrained")
+    figure = empty(9.0, 4.4)
     axes = figure.subplots(1, 2, sharey=True)
     for axis, roughness in zip(axes, FINISHES, strict=True):
         for one in readings:
@@ -132,14 +131,14 @@ def draw_forces(readings: list[Comparison], points: list[Point], path: Path) -> 
         _off_scale(axis, readings, "cage_max_force", roughness, "N", 1.0)
     axes[0].set_ylabel("largest force of a ball on the cage, N")
     _legend(figure, axes[0])
-    _save(figure, path)
+    save(figure, path, dpi=100)
 
 
 def draw_pocket(
     needed: Mapping[float, Array], mixed: Mapping[tuple[str, float], Array], speeds: Array, path: Path
 ) -> None:
     """The coefficient of ball on pocket that the paper's cage torque needs, and mixed lubrication's; by roughness."""
-    figure = Figure(figsize=(9.0, 4.4), layout="constrained")
+    figure = empty(9.0, 4.4)
     axes = figure.subplots(1, 2, sharey=True)
     names = list(dict.fromkeys(name for name, _ in mixed))
     for axis, roughness in zip(axes, FINISHES, strict=True):
@@ -152,7 +151,7 @@ def draw_pocket(
         axis.set(title=f"Sq {roughness * 1e6:g} µm", yscale="log", ylim=(LEAST["pocket"], 1))
     axes[0].set_ylabel("friction coefficient, ball on pocket")
     _legend(figure, axes[0], columns=2)
-    _save(figure, path)
+    save(figure, path, dpi=100)
 
 
 def _panel(axis: Axes, readings: list[Comparison], points: list[Point], roughness: float, panel: Panel) -> None:
@@ -215,7 +214,3 @@ def _legend(figure: Figure, *axes: Axes, columns: int = 3) -> None:
     labels = sorted(kept, key=lambda label: not label.startswith("paper"))  # stable: the rest keeps its order
     figure.legend([kept[label] for label in labels], labels, loc="outside lower center", ncols=columns, frameon=False,
                   fontsize=9)  # fmt: skip
-
-
-def _save(figure: Figure, path: Path) -> None:
-    figure.savefig(path, dpi=100, metadata={"Software": None})

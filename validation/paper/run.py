@@ -6,7 +6,6 @@ whose inputs were chosen to match is a calibration, which predicts nothing. Take
 the page of docs.py, and writes into this folder its pictures paper_*.png and paper.json (everything, SI).
 """
 
-import argparse
 import json
 import sys
 from dataclasses import asdict
@@ -35,31 +34,28 @@ from validation.paper.docs import page
 from validation.paper.figures import draw_coefficients, draw_forces, draw_parts, draw_pocket, draw_surfaces, draw_total
 from validation.paper.inputs import table_1
 from validation.paper.printed_jumps import printed_jumps
+from validation.study import Out, run
 
 HERE = Path(__file__).parent
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--out", type=Path, default=HERE, help="folder for what is written")
-    folder = parser.parse_args().out
+def main(out: Out = HERE) -> None:
     points = published()
     readings = [compare(name, points) for name in SCENES]
-    folder.mkdir(parents=True, exist_ok=True)
     surface = load("calibrated").surface
     assert surface.autocorrelation is not None
-    draw_surfaces(surface.autocorrelation, folder / "paper_5_surfaces.png")
-    draw_total(readings, points, folder / "paper_6_total.png")
-    draw_coefficients(readings, folder / "paper_7_coefficients.png")
-    draw_parts(readings, points, folder / "paper_8_torques.png")
-    draw_forces(readings, points, folder / "paper_9_forces.png")
+    draw_surfaces(surface.autocorrelation, out / "paper_5_surfaces.png")
+    draw_total(readings, points, out / "paper_6_total.png")
+    draw_coefficients(readings, out / "paper_7_coefficients.png")
+    draw_parts(readings, points, out / "paper_8_torques.png")
+    draw_forces(readings, points, out / "paper_9_forces.png")
     fit = next(one for one in readings if one.name == "calibrated")
     needed = {ROUGH: fit.rough["pocket_coefficient"], SMOOTH: fit.smooth["pocket_coefficient"]}
     mixed = mixed_coefficients(fit)
     free = on_free_balls(cage_scene("calibrated", at_finish(load("calibrated"), SMOOTH), inner_speed=FASTEST))
-    draw_pocket(needed, mixed, fit.rough["inner_speed"], folder / "paper_pocket.png")
+    draw_pocket(needed, mixed, fit.rough["inner_speed"], out / "paper_pocket.png")
     stored = json_of(readings, mixed, free)
-    (folder / "paper.json").write_text(json.dumps(stored, indent=1) + "\n", encoding="utf-8")
+    (out / "paper.json").write_text(json.dumps(stored, indent=1) + "\n", encoding="utf-8")
     sys.stdout.write(page(stored))
 
 
@@ -129,4 +125,4 @@ def _rounded(value: Any) -> Any:
 
 
 if __name__ == "__main__":
-    main()
+    run(main)
