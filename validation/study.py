@@ -2,9 +2,11 @@
 
 import csv
 import os
+import platform
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
+from importlib.metadata import version
 from pathlib import Path
 from typing import Annotated, Any, TypeVar
 
@@ -23,6 +25,13 @@ Out = Annotated[Path, typer.Option(help="Folder of the results.")]
 Jobs = Annotated[int, typer.Option(min=1, help="Processes.")]
 out = Console(width=130, highlight=False, markup=False)
 progress = Console(stderr=True)
+
+
+def machine() -> str:
+    """The machine and versions of a run, for the head of its results."""
+    versions = ", ".join(f"{package} {version(package)}" for package in ("fembearing", "numpy", "scipy"))
+    cores = f"{platform.machine()}, {os.cpu_count()} cores, {platform.system()}"
+    return f"{cores}, Python {platform.python_version()}; {versions}"
 
 
 def run(main: Callable[..., object]) -> None:
