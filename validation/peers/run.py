@@ -1,7 +1,7 @@
 """Our finite elements against other solvers, on cases with an exact answer by Hertz: python validation/peers/run.py
 
 Each solver computes each case with several refinements, each in its own process, all finite elements on one mesh with
-one far field, so that only the solver differs. Prints the errors against exact Hertz with seconds and memory, and writes
+one far field, so that only the solver differs. Prints the errors against exact Hertz with seconds and memory. Writes
 peers.json and peers.png. Unknowns are the free ones of one body. A solver that is not installed is skipped. A solver
 that fails is listed, and the exit status is then 1. --long adds the finest refinement of each solver.
 """
