@@ -91,10 +91,7 @@ def json_of(
                 "file": SCENES[one.name][0],
                 "assumed": dict(one.assumed),
                 "series": {"1e-06": dict(one.rough), "1e-07": dict(one.smooth)},
-                "beside": [asdict(row) | {"deviation": row.deviation} for row in one.points],
-                "curves": [asdict(curve) | {"verdict": curve.verdict} for curve in one.curves],
-                "trends": [asdict(trend) for trend in one.trends],
-                "warnings": list(one.warnings),
+                **{name: getattr(one, name) for name in ("beside", "curves", "trends", "warnings")},
             }
             for one in comparisons
         ],
