@@ -26,7 +26,7 @@ from fembearing.check.contact.mesh_refinement import COMPARED
 from fembearing.check.contact.reference import solve_reference
 from fembearing.fem.solution import fitted_solution, solve_on_mesh
 from fembearing.mesh.recipe import Cells, Depth, Domain, Patch, Recipe, load_recipe
-from validation.intervals.twin import MATERIALS
+from validation.intervals.twin import ball_and_race, drawn_materials, pressed_to
 from validation.study import Jobs, out, progress, run, show
 
 ACCURACIES = (2e-3, 1e-3)
@@ -116,30 +116,12 @@ def random_contact(rng: np.random.Generator, *, pockets: float = SHARE_OF_POCKET
 
     pockets : probability that the contact is one of ball and pocket instead of ball and race
     """
-    radius = 10 ** rng.uniform(-3, np.log10(0.02))
-    groove = 2 * radius * (0.5025 + 0.0975 * rng.random() ** 2)
-    angle = rng.uniform(0, 0.7)
-    ring = radius / rng.uniform(0.06, 0.35) / np.cos(angle)  # half the pitch diameter over the cosine
-    pair = "inner" if rng.random() < 0.5 else "outer"
-    rolling = ring - radius if pair == "inner" else -ring - radius
+    shape = ball_and_race(rng) | {"contact_angle": 0.0}
+    groove = shape["groove_radius"]
     if rng.random() < pockets:
-        pair, rolling, angle = "pocket", -groove * rng.uniform(1.0, 1.5), 0.0
-    ball, race = (MATERIALS[number] for number in rng.choice(4, 2, p=[0.5, 0.2, 0.15, 0.15]))
-    contact = Contact(
-        pair=pair,
-        ball_radius=radius,
-        groove_radius=groove,
-        rolling_radius=rolling,
-        shoulder=0.95 * groove,
-        far_shoulder=0.95 * groove,
-        contact_angle=0.0,
-        load=1.0,
-        ball_material=ball,
-        race_material=race,
-    )
-    unit = hertz_quantities(contact)
-    size = 10 ** rng.uniform(-4, np.log10(0.2)) * radius
-    return replace(contact, load=float((size / max(unit.semi_axis_rolling, unit.semi_axis_transverse)) ** 3))
+        shape |= {"pair": "pocket", "rolling_radius": -groove * rng.uniform(1.0, 1.5)}
+    shape |= {"shoulder": 0.95 * groove, "far_shoulder": 0.95 * groove, **drawn_materials(rng)}
+    return pressed_to(Contact(**shape, load=1.0), 10 ** rng.uniform(-4, np.log10(0.2)) * shape["ball_radius"])
 
 
 def converged(contact: Contact, *, recipe: Recipe, semi_axes: tuple[float, float]) -> dict[str, float]:
