@@ -59,21 +59,6 @@ class Point:
     note: str  # "printed" or "about"
 
 
-@dataclass(frozen=True, kw_only=True)
-class Comparison:
-    """The comparison of one scene with the paper."""
-
-    name: str
-    kind: str
-    assumed: Mapping[str, str]
-    rough: Series
-    smooth: Series
-    beside: list[Stored]  # numbers of the paper beside those of the reading
-    curves: list[Stored]  # how far each quantity over speed is off, by roughness
-    trends: list[Stored]  # conclusions of the paper, and whether they hold
-    warnings: list[str]
-
-
 def published() -> list[Point]:
     """The numbers from the paper."""
     return [
@@ -93,22 +78,25 @@ def load(name: str) -> Scene:
     return load_scene(FILES / SCENES[name][0])
 
 
-def compare(name: str, points: list[Point]) -> Comparison:
+def compare(name: str, points: list[Point]) -> Stored:
+    """One scene beside the paper; its series by Sq, m."""
     scene = load(name)
-    finishes = [at_finish(scene, roughness) for roughness in (ROUGH, SMOOTH)]
-    rough, smooth = (series(name, finish) for finish in finishes)
-    compared = [row for point in points for row in beside(point, rough if point.rms_roughness == ROUGH else smooth)]
-    return Comparison(
-        name=name,
-        kind=SCENES[name][1],
-        assumed=assumed_inputs(name, scene),
-        rough=rough,
-        smooth=smooth,
-        beside=compared,
-        curves=curves(compared),
-        trends=trends(rough, smooth),
-        warnings=list(dict.fromkeys(text for finish in finishes for text in friction_torque(finish).warnings)),
-    )
+    finishes = {roughness: at_finish(scene, roughness) for roughness in (ROUGH, SMOOTH)}
+    found = {roughness: series(name, finish) for roughness, finish in finishes.items()}
+    compared = [row for point in points for row in beside(point, found[point.rms_roughness])]
+    warnings = (text for finish in finishes.values() for text in friction_torque(finish).warnings)
+    file, kind = SCENES[name]
+    return {
+        "name": name,
+        "kind": kind,
+        "file": file,
+        "assumed": assumed_inputs(name, scene),
+        "series": {f"{roughness:g}": values for roughness, values in found.items()},
+        "beside": compared,
+        "curves": curves(compared),
+        "trends": trends(found[ROUGH], found[SMOOTH]),
+        "warnings": list(dict.fromkeys(warnings)),
+    }
 
 
 def series(name: str, scene: Scene) -> Series:

@@ -1,6 +1,5 @@
 """Figures 5 to 9 of [Paper] beside ours. Lines are three readings, marks the numbers that the paper prints."""
 
-from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
@@ -9,10 +8,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 
-from analytic.scene import Array, Autocorrelation
+from analytic.scene import Autocorrelation
 from analytic.surface.roughness import generated_surface
 from validation.paper.cage import ROUGH, RPM, SMOOTH
-from validation.paper.comparison import Comparison, Point, Series
+from validation.paper.comparison import Point, Series, Stored, load, published
 from validation.study import figure as empty
 from validation.study import save
 
@@ -22,6 +21,26 @@ MAP_POINTS, MAP_SEED = 256, 5
 MOMENTS = "calibrated, friction moments in place of power"
 LEAST = {"cage_torque": 0.03, "cage_max_force": 0.5, "pocket_coefficient": 0.02, "pocket": 3e-6}  # of logarithmic axes
 Panel = tuple[str, str, float]  # title, quantity, factor from SI
+Readings = dict[str, dict[float, Series]]  # by name and Sq, m
+
+
+def draw_all(stored: Stored, folder: Path) -> None:
+    """All pictures, from what `run.py` stores."""
+    readings = {
+        one["name"]: {float(sq): _arrays(part) for sq, part in one["series"].items()} for one in stored["readings"]
+    }
+    points, autocorrelation = published(), load("calibrated").surface.autocorrelation
+    assert autocorrelation is not None
+    draw_surfaces(autocorrelation, folder / "paper_5_surfaces.png")
+    draw_total(readings, points, folder / "paper_6_total.png")
+    draw_coefficients(readings, folder / "paper_7_coefficients.png")
+    draw_parts(readings, points, folder / "paper_8_torques.png")
+    draw_forces(readings, points, folder / "paper_9_forces.png")
+    draw_pocket(readings["calibrated"], stored["mixed_pocket_coefficients"], folder / "paper_pocket.png")
+
+
+def _arrays(part: Stored) -> Series:
+    return {name: np.array(values) for name, values in part.items()}
 
 
 def draw_surfaces(autocorrelation: Autocorrelation, path: Path) -> None:
@@ -46,7 +65,7 @@ def draw_surfaces(autocorrelation: Autocorrelation, path: Path) -> None:
     save(figure, path, dpi=100)
 
 
-def draw_total(readings: list[Comparison], points: list[Point], path: Path) -> None:
+def draw_total(readings: Readings, points: list[Point], path: Path) -> None:
     """Figure 6."""
     figure = empty(9.0, 4.4)
     axes = figure.subplots(1, 2, sharey=True)
@@ -59,7 +78,7 @@ def draw_total(readings: list[Comparison], points: list[Point], path: Path) -> N
     save(figure, path, dpi=100)
 
 
-def draw_coefficients(readings: list[Comparison], path: Path) -> None:
+def draw_coefficients(readings: Readings, path: Path) -> None:
     """Figure 7; the paper has no numbers for it."""
     figure = empty(10.0, 4.2)
     axes = figure.subplots(1, 3)
@@ -69,12 +88,12 @@ def draw_coefficients(readings: list[Comparison], path: Path) -> None:
         ("(c) ball on cage", "pocket_coefficient", 1.0),
     ]
     for axis, (title, quantity, _) in zip(axes, panels, strict=True):
-        for one in readings:
-            for values, style, sq in ((one.rough, "-", "1"), (one.smooth, "--", "0.1")):
-                same = quantity != "pocket_coefficient" and one.name == "as printed"
-                if not same:  # the races of this reading have the coefficients of the calibrated one
-                    axis.plot(values["inner_speed"] / RPM, values[quantity], style, color=COLOURS[one.name],
-                              marker=".", label=f"{one.name}, Sq {sq} µm")  # fmt: skip
+        for name, one in readings.items():
+            if quantity != "pocket_coefficient" and name == "as printed":
+                continue  # the races of this reading have the coefficients of the calibrated one
+            for sq, style in ((ROUGH, "-"), (SMOOTH, "--")):
+                axis.plot(one[sq]["inner_speed"] / RPM, one[sq][quantity], style, color=COLOURS[name], marker=".",
+                          label=f"{name}, Sq {sq * 1e6:g} µm")  # fmt: skip
         _speeds(axis)
         axis.set(title=title, ylim=(0, 0.12))
     axes[2].set(yscale="log", ylim=(LEAST["pocket_coefficient"], 0.2), yticks=(0.02, 0.05, 0.1, 0.2))
@@ -86,7 +105,7 @@ def draw_coefficients(readings: list[Comparison], path: Path) -> None:
     save(figure, path, dpi=100)
 
 
-def draw_parts(readings: list[Comparison], points: list[Point], path: Path) -> None:
+def draw_parts(readings: Readings, points: list[Point], path: Path) -> None:
     """Figure 8."""
     figure = empty(10.0, 6.6)
     axes = figure.subplots(2, 3, sharex=True)
@@ -114,16 +133,16 @@ def draw_parts(readings: list[Comparison], points: list[Point], path: Path) -> N
     save(figure, path, dpi=100)
 
 
-def draw_forces(readings: list[Comparison], points: list[Point], path: Path) -> None:
+def draw_forces(readings: Readings, points: list[Point], path: Path) -> None:
     """Figure 9."""
     figure = empty(9.0, 4.4)
     axes = figure.subplots(1, 2, sharey=True)
     for axis, roughness in zip(axes, FINISHES, strict=True):
-        for one in readings:
-            values = _values(one, roughness)
+        for name, one in readings.items():
+            values = one[roughness]
             middle, low, high = (values[f"cage_max_force{end}"] for end in ("", "_low", "_high"))
             axis.errorbar(values["inner_speed"] / RPM, middle, yerr=(middle - low, high - middle), marker=".",
-                          color=COLOURS[one.name], capsize=3, lw=1.5, label=one.name)  # fmt: skip
+                          color=COLOURS[name], capsize=3, lw=1.5, label=name)  # fmt: skip
         _marks(axis, points, "cage_max_force", roughness, 1.0)
         _speeds(axis)
         axis.set(title=f"Sq {roughness * 1e6:g} µm", yscale="log", ylim=(LEAST["cage_max_force"], 400))
@@ -134,19 +153,20 @@ def draw_forces(readings: list[Comparison], points: list[Point], path: Path) -> 
     save(figure, path, dpi=100)
 
 
-def draw_pocket(
-    needed: Mapping[float, Array], mixed: Mapping[tuple[str, float], Array], speeds: Array, path: Path
-) -> None:
+def draw_pocket(calibrated: dict[float, Series], mixed: list[Stored], path: Path) -> None:
     """The coefficient of ball on pocket that the paper's cage torque needs, and mixed lubrication's; by roughness."""
     figure = empty(9.0, 4.4)
     axes = figure.subplots(1, 2, sharey=True)
-    names = list(dict.fromkeys(name for name, _ in mixed))
     for axis, roughness in zip(axes, FINISHES, strict=True):
-        axis.plot(speeds / RPM, needed[roughness], "k-", lw=2.5, label="needed for the paper's cage torque")
-        for name in names:
-            colour = COLOURS["calibrated" if name.startswith("calibrated") else "physical"]
-            style = "--" if "table 1" in name else "-"
-            axis.plot(speeds / RPM, mixed[name, roughness], style, color=colour, marker=".", label=name)
+        values = calibrated[roughness]
+        speeds = values["inner_speed"] / RPM
+        axis.plot(speeds, values["pocket_coefficient"], "k-", lw=2.5, label="needed for the paper's cage torque")
+        for one in mixed:
+            if one["rms_roughness"] == roughness:
+                name = one["pocket"]
+                colour = COLOURS["calibrated" if name.startswith("calibrated") else "physical"]
+                style = "--" if "table 1" in name else "-"
+                axis.plot(speeds, one["coefficient"], style, color=colour, marker=".", label=name)
         _speeds(axis)
         axis.set(title=f"Sq {roughness * 1e6:g} µm", yscale="log", ylim=(LEAST["pocket"], 1))
     axes[0].set_ylabel("friction coefficient, ball on pocket")
@@ -154,12 +174,11 @@ def draw_pocket(
     save(figure, path, dpi=100)
 
 
-def _panel(axis: Axes, readings: list[Comparison], points: list[Point], roughness: float, panel: Panel) -> None:
+def _panel(axis: Axes, readings: Readings, points: list[Point], roughness: float, panel: Panel) -> None:
     _, quantity, factor = panel
-    for one in readings:
-        values = _values(one, roughness)
-        axis.plot(values["inner_speed"] / RPM, values[quantity] * factor, color=COLOURS[one.name], marker=".",
-                  label=one.name)  # fmt: skip
+    for name, one in readings.items():
+        values = one[roughness]
+        axis.plot(values["inner_speed"] / RPM, values[quantity] * factor, color=COLOURS[name], marker=".", label=name)
     _marks(axis, points, quantity, roughness, factor)
     _speeds(axis)
 
@@ -173,31 +192,20 @@ def _marks(axis: Axes, points: list[Point], quantity: str, roughness: float, fac
                       mew=1.5, ms=7, label=label, zorder=4)  # fmt: skip
 
 
-def _moments(axis: Axes, readings: list[Comparison], roughness: float, quantity: str) -> None:
-    for one in readings:
-        if one.name == "calibrated":
-            values = _values(one, roughness)
-            axis.plot(values["inner_speed"] / RPM, values[quantity] * 1e3, ":", color=COLOURS[one.name], lw=2,
-                      label=MOMENTS)  # fmt: skip
+def _moments(axis: Axes, readings: Readings, roughness: float, quantity: str) -> None:
+    values = readings["calibrated"][roughness]
+    speeds, colour = values["inner_speed"] / RPM, COLOURS["calibrated"]
+    axis.plot(speeds, values[quantity] * 1e3, ":", color=colour, lw=2, label=MOMENTS)
 
 
-def _off_scale(
-    axis: Axes, readings: list[Comparison], quantity: str, roughness: float, unit: str, factor: float
-) -> None:
+def _off_scale(axis: Axes, readings: Readings, quantity: str, roughness: float, unit: str, factor: float) -> None:
     """Names readings that lie below a logarithmic axis."""
-    for one in readings:
-        highest = float(_values(one, roughness)[quantity].max()) * factor
+    for name, one in readings.items():
+        highest = float(one[roughness][quantity].max()) * factor
         if highest < axis.get_ylim()[0]:
-            axis.text(0.03, 0.03, f"{one.name}: below {_power_above(highest)} {unit}", color=COLOURS[one.name],
-                      transform=axis.transAxes, fontsize=8)  # fmt: skip
-
-
-def _power_above(value: float) -> str:
-    return f"$10^{{{int(np.ceil(np.log10(value)))}}}$"
-
-
-def _values(one: Comparison, roughness: float) -> Series:
-    return one.rough if roughness == ROUGH else one.smooth
+            power = f"$10^{{{int(np.ceil(np.log10(highest)))}}}$"
+            words = f"{name}: below {power} {unit}"
+            axis.text(0.03, 0.03, words, color=COLOURS[name], transform=axis.transAxes, fontsize=8)
 
 
 def _speeds(axis: Axes) -> None:
