@@ -88,13 +88,13 @@ class Tables:
         return table(("number", "a loss?", "Sq 1 um", "Sq 0.1 um"), rows)
 
     def misses(self) -> str:
-        rows = []
+        rows, reasons = [], self.words["reasons"]
         for one in self.readings:
             verdicts = {(each["ours"], each["rms_roughness"]): each["verdict"] for each in one["curves"]}
             for quantity, words in WORDS.items():
                 both = [verdicts[quantity, finish].removeprefix("within a factor of ") for finish in (1e-6, 1e-7)]
                 is_matched = both == ["matched", "matched"]
-                why = "Inputs were chosen for it." if is_matched else self.words["reasons"][one["name"]][quantity]
+                why = "Inputs were chosen for it." if is_matched else reasons[one["name"]].get(quantity, "Not known.")
                 rows.append((one["name"], words, *both, why))
         return table(("reading", "quantity", "Sq 1 um", "Sq 0.1 um", "why"), rows)
 
