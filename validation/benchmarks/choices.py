@@ -21,9 +21,7 @@ from typing import Annotated
 
 import numpy as np
 import typer
-from rich.console import Console
 from rich.progress import track
-from rich.table import Table
 
 from analytic.errors import FembearingError, InputError
 from analytic.scene import Scene
@@ -32,8 +30,8 @@ from fembearing.check.cost import contact_ladder, formula_ladders, ladder
 from fembearing.check.cost.ladder import Ladder
 from fembearing.check.cost.scene_cost import FORMULA_LADDERS
 from fembearing.mesh.recipe import load_recipe
-from validation.benchmarks.machine import machine, versions
 from validation.benchmarks.random_scenes import random_scene, with_cage
+from validation.study import machine, out, progress, run, show
 
 TOLERANCES = (0.1, 0.01, 0.001)
 FLOOR = 1e-10  # smaller errors are round-off of iterations, and their ratios mean nothing
@@ -64,13 +62,12 @@ def main(
     cages: Annotated[int, typer.Option(help="Of these, the number that get a cage.")] = 20,
     seed: Annotated[int, typer.Option(help="First seed; each scene has its own.")] = 63000,
 ) -> None:
-    out = Console(width=110)
     ladder.FORMULA_REPEATS, ladder.SAMPLE, contact_ladder.MESH_REPEATS = 1, 0.0, 1  # errors matter here, seconds do not
     checks: dict[tuple[str, str], list[Checked]] = defaultdict(list)
     choices: dict[tuple[str, float], list[bool]] = defaultdict(list)
     seconds: dict[str, list[float]] = defaultdict(list)
     absent: dict[str, int] = defaultdict(int)
-    for number in track(range(seed, seed + scenes), console=Console(stderr=True)):
+    for number in track(range(seed, seed + scenes), console=progress):
         formula_ladders.SEED = number  # seed of the generated surfaces
         rng = np.random.default_rng(number)
         scene = random_scene(rng)
@@ -86,8 +83,8 @@ def main(
                 chosen = next((method for method in one.methods if method is one.choose(tolerance)), None)
                 if chosen is not None:
                     choices[one.quantity, tolerance].append((chosen.error or 0.0) <= tolerance)
-    out.print(f"{machine()}; {versions('fembearing', 'numpy', 'scipy')}; seeds {seed} to {seed + scenes - 1}")
-    show(checks, out)
+    out.print(f"{machine()}; seeds {seed} to {seed + scenes - 1}")
+    judge(checks)
     for quantity, count in absent.items():
         out.print(f"{quantity}: {count} scenes lack this ladder")
     for (quantity, tolerance), held in choices.items():
@@ -115,21 +112,23 @@ def ladders_of(scene: Scene, absent: dict[str, int], *, with_meshes: bool, race:
     return ladders
 
 
-def show(checks: dict[tuple[str, str], list[Checked]], out: Console) -> None:
-    table = Table(
-        "quantity", "method", "covers", "bound/error, median", "error, median", "error/bound, worst", "at seed"
-    )
+def judge(checks: dict[tuple[str, str], list[Checked]]) -> None:
+    """Print how often the bound of each method covers its error."""
+    rows = []
     for (quantity, name), checked in checks.items():
         errors, ratios = np.transpose([(each.error, 1 / each.used) for each in checked])
         worst = max(checked, key=lambda each: each.used)
         covers = f"{sum(each.covered for each in checked)} of {len(checked)}"
         numbers = f"{np.median(ratios):.3g}", f"{np.median(errors):.2g}", f"{worst.used:.2g}"
-        table.add_row(quantity, name, covers, *numbers, str(worst.seed))
-    out.print(table)
-    ratios = [1 / each.used for checked in checks.values() for each in checked]
-    covered = sum(each.covered for checked in checks.values() for each in checked)
-    out.print(f"all: {covered} of {len(ratios)} covered; bound over error {np.median(ratios):.3g}, median")
+        rows.append((quantity, name, covers, *numbers, worst.seed))
+    heads = ("quantity", "method", "covers", "bound/error, median", "error, median", "error/bound, worst", "at seed")
+    show(heads, rows)
+    every = [each for checked in checks.values() for each in checked]
+    middle = np.median([1 / each.used for each in every])
+    out.print(
+        f"all: {sum(each.covered for each in every)} of {len(every)} covered; bound over error {middle:.3g}, median"
+    )
 
 
 if __name__ == "__main__":
-    typer.run(main)
+    run(main)

@@ -29,7 +29,7 @@ from validation.measured.anchor import Anchor, first_what_is_missed
 from validation.measured.anchors_page import anchors_page, draw_anchors, write_anchors
 from validation.measured.makers import sliding_page
 from validation.measured.others import measured_resistances, others
-from validation.measured.page import draw, page
+from validation.measured.page import draw, rig_page
 from validation.study import PUBLISHED, SCENES, Out, run, write, write_text
 
 HERE = Path(__file__).parent
@@ -118,7 +118,7 @@ def main(out: Out = HERE) -> None:
     draw(rigs, out / "measured.png")
     write_anchors(anchors, out / "anchors.csv")
     draw_anchors(anchors, out / "anchors.png")
-    pages = {"measured.md": page(rigs), "anchors.md": anchors_page(anchors), "sliding.md": sliding_page()}
+    pages = {"measured.md": rig_page(rigs), "anchors.md": anchors_page(anchors), "sliding.md": sliding_page()}
     for name, lines in pages.items():
         write_text(out / name, lines)
 
