@@ -296,3 +296,15 @@ def test_a_kind_that_nobody_names_has_limits_that_hold_the_known_kinds() -> None
         for name in ("pressure_viscosity", "density", "limiting_shear"):
             half = present(unknown.origins[name].uncertainty) * sqrt(3)
             assert all(abs(getattr(each, name) - getattr(unknown, name)) <= half for each in known), (grade, name)
+
+
+def test_the_slope_of_a_given_density_is_that_of_the_line_alone() -> None:
+    """Else the density falls by 0.6 kg/m3 for each kelvin, of 842 at 70 degC."""
+    with_, alone = (analytic.lubricant("ISO VG 46", temperature=WARM, **more) for more in ({}, {"density": 842.0}))
+    assert with_.viscosity == pytest.approx(alone.viscosity, rel=1e-12)
+    difference = with_.viscosity_temperature - alone.viscosity_temperature
+    assert difference == pytest.approx(0.6 / 842.0, rel=1e-9)
+    given = oil('name = "vg46"\nviscosity_temperature = "0.031 1/K"')
+    assert given.viscosity_temperature == 0.031
+    numbers = 'pressure_viscosity = "2e-8 1/Pa"\neyring_stress = "5 MPa"'
+    assert oil(f'viscosity = "60 mPa s"\n{numbers}').viscosity_temperature == 0.045
