@@ -69,7 +69,7 @@ def test_two_viscosities_give_one_at_any_temperature() -> None:
     kinematic = oil(f'viscosity = ["46 cSt at 40 degC", "6.65 mm2/s at 100 degC"]\ndensity = "842 kg/m^3"\n{numbers}')
     named = analytic.lubricant("ISO VG 46", temperature=WARM)  # has the same two viscosities, and this density
     assert kinematic.viscosity == pytest.approx(named.viscosity, rel=1e-12)
-    assert kinematic.origins["viscosity"].status == "derived"
+    assert (kinematic.origins["viscosity"].status, kinematic.supply) == ("derived", "oil_bath")
     assert (kinematic.reference_temperature, kinematic.temperature) == (WARM, WARM)
     dynamic = oil(
         f'viscosity = ["38.732 mPa s at 40 degC", "5.5993 mPa s at 100 degC"]\ndensity = "842 kg/m^3"\n{numbers}'
