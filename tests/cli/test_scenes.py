@@ -21,7 +21,6 @@ SCENES = {
     + 'catalog = "paper_6205"\ninner = { material = "peek" }\nouter = { material = "peek" }\n'
     + ANGLE
     + OPERATION,
-    "peek cage": HEAD + 'catalog = "paper_6205"\n' + ANGLE + OPERATION + '[cage]\nvariant = "peek"\n',
     "no bore": HEAD
     + 'name = "own"\nball_count = 9\nball_diameter = "7.94 mm"\nball_mass = "2.04 g"\nball_material = "steel"\n'
     + ANGLE
