@@ -94,12 +94,12 @@ def validate(
 
 def write_report(result: Validation, folder: Path) -> Validation:
     """Write report.html, report.json, pictures and meshes into a folder; the result, with what troubled the writing."""
-    from fembearing.report.figures.cost import cost_table
     from fembearing.report.figures.page_plots import PLOTS, plots_of
     from fembearing.report.page.write import page_of  # with matplotlib: half a second that only a report pays for
     from fembearing.report.pictures.creep import creep_pictures
     from fembearing.report.pictures.draw import draw_pictures
     from fembearing.report.report import report_of
+    from fembearing.report.tables.cost import cost_csv
 
     plots = {}
 
@@ -118,7 +118,7 @@ def write_report(result: Validation, folder: Path) -> Validation:
     numbers = json.dumps(plain(document), indent=1, allow_nan=False)
     write(folder / "report.json", numbers)
     write(folder / "report.html", page_of(document, folder, plots=plots))
-    write(folder / "cost.csv", cost_table(document.cost.ladders))
+    write(folder / "cost.csv", cost_csv(document.cost.ladders))
     return result
 
 
@@ -136,10 +136,11 @@ def _film_picture(film: RaceFilm, folder: Path) -> "PictureFile":
 
 def write_cost(cost: Cost, folder: Path) -> None:
     """Write what accuracy costs into a folder: cost.png, cost.csv and cost.json."""
-    from fembearing.report.figures.cost import cost_figures, cost_table
+    from fembearing.report.figures.cost import cost_figures
     from fembearing.report.figures.style import png
+    from fembearing.report.tables.cost import cost_csv
 
     ladders = cost.ladders
     write(folder / "cost.png", png(*cost_figures(ladders, tolerance=cost.tolerance, most=len(ladders) + 1)))
-    write(folder / "cost.csv", cost_table(ladders))
+    write(folder / "cost.csv", cost_csv(ladders))
     write(folder / "cost.json", json.dumps(plain(cost), indent=1, allow_nan=False))
