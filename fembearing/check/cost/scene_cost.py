@@ -122,10 +122,10 @@ def _on_both(found: ThrustEquilibrium) -> Array:
     return np.stack([found.ball_load] * 2)
 
 
-def _thrust(scene: Scene, angle: float | None = None) -> ThrustEquilibrium:
-    """Thrust at every operating point; angle : rad, None: by the scene's rule."""
+def _thrust(scene: Scene, angle: float | None = None, points: int | slice = slice(None)) -> ThrustEquilibrium:
+    """Thrust at operating points, by numbers from 0;  angle : rad, None: by the scene's rule."""
     rule = scene.contact_angle if angle is None else replace(scene.contact_angle, rule="given", value=angle)
-    return thrust_equilibrium(scene.bearing, rule, axial_load=scene.operation.as_series().axial_load)
+    return thrust_equilibrium(scene.bearing, rule, axial_load=scene.operation.as_series().axial_load[points])
 
 
 def _free_angle(scene: Scene) -> float:
@@ -156,7 +156,7 @@ def _softened(scene: Scene, frozen: ThrustEquilibrium) -> float:
     Q falls as sin al rises, and ln(tan al) changes by at most 3/2 of the approach's relative change at any angle.
     """
     angle = frozen.contact_angle
-    true = np.array([_thrust(scene, float(each)).approach[n] for n, each in enumerate(angle)])
+    true = [float(_thrust(scene, float(each), n).approach) for n, each in enumerate(angle)]
     return float(np.max(np.abs(frozen.approach / true - 1) * np.cos(angle) ** 2 * 3 / 2))
 
 

@@ -91,9 +91,15 @@ def _number(panel: Axes, key: Axes, ladder: Ladder) -> None:
         far = [min(np.linalg.norm(point + BESIDE * side - other) for other in taken) for side in SIDES]
         right, up = SIDES[np.argmax(far)]
         taken.append(point + BESIDE * SIDES[np.argmax(far)])
-        alignment = {"ha": "left" if right > 0 else "right", "va": "bottom" if up > 0 else "top"}
-        offset = {"xytext": (4 * right, 3 * up), "textcoords": "offset points"}
-        panel.annotate(f"{number}", place, **offset, **alignment, fontsize=LETTERS)
+        panel.annotate(
+            f"{number}",
+            place,
+            xytext=(4 * right, 3 * up),
+            textcoords="offset points",
+            ha="left" if right > 0 else "right",
+            va="bottom" if up > 0 else "top",
+            fontsize=LETTERS,
+        )
     names = (f"{number} {short_name(method.name)}" for number, method in shown)
     key.text(0, 1, "\n".join(names), va="top", fontsize=LETTERS).set_in_layout(False)
 

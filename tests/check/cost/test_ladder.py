@@ -1,6 +1,7 @@
 """Errors of methods against the reference, and the choice for a tolerance. No test asserts a duration."""
 
 import time
+from functools import partial
 
 import numpy as np
 import pytest
@@ -10,8 +11,11 @@ from fembearing.check.cost.ladder import Candidate, Ladder, deviation, measured
 from tests.analytic.specimens import present
 
 
-def candidate(name: str, answer: list[float], spent: float, bound: float | None = None, **rest: bool) -> Candidate:
-    return Candidate(name, lambda: np.array(answer), bound=bound, once=True, spent=spent, **rest)
+def candidate(
+    name: str, answer: list[float], spent: float, bound: float | None = None, may_refer: bool = False
+) -> Candidate:
+    run = partial(np.array, answer)
+    return Candidate(name, run, bound=bound, may_refer=may_refer, once=True, spent=spent)
 
 
 def refuse() -> None:
