@@ -91,14 +91,6 @@ def shallow() -> "Callable[[str], Recipe]":
     return shallow_recipe
 
 
-def quickly_timed(patch: pytest.MonkeyPatch) -> None:
-    """The fewest timings of formulas, for tests that do not depend on their spread."""
-    from fembearing.check.cost import ladder
-
-    patch.setattr(ladder, "FORMULA_REPEATS", 3)
-    patch.setattr(ladder, "SAMPLE", 0.0)
-
-
 class Checked(NamedTuple):
     validation: "Validation"
     shares: list[float]  # that its progress told
@@ -114,7 +106,6 @@ def checked_with_progress(shallow: "Callable[[str], Recipe]") -> Checked:
     shares: list[float] = []
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(scene_contact, "load_recipe", shallow)
-        quickly_timed(patch)
         scene = load_scene("6205-dry")
         return Checked(check_scene(scene, tolerance=0.9, progress=lambda share, _: shares.append(float(share))), shares)
 

@@ -27,9 +27,8 @@ from fembearing.check.contact.discrepancy import ContactSolution, solve_contact,
 from fembearing.check.contact.scene_contact import balls_of, contact_of
 from fembearing.check.contact.verdict import Verdict, worst
 from fembearing.check.cost.contact_ladder import contact_ladder_of
-from fembearing.check.cost.formula_ladders import SEED
 from fembearing.check.cost.ladder import Ladder
-from fembearing.check.cost.scene_cost import measure_cost
+from fembearing.check.cost.scene_cost import SEED, measure_cost
 from fembearing.check.creep.scene_creep import SceneCreep, creep_of
 from fembearing.check.film.scene_film import RaceFilm, film_change, film_of
 from fembearing.check.hard_record import HardRecord, last_run

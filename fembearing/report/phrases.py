@@ -1,8 +1,6 @@
 """Titles, sentences and numbers as text, which terminal, page and figures share."""
 
 from collections.abc import Mapping, Sequence
-from itertools import groupby
-from operator import attrgetter
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,7 +10,6 @@ from analytic.units import load_words
 from analytic.units import speed_words as speed_words
 from analytic.words import Unit, angle_of, percent_of, rounded
 from fembearing.check.contact.bearings import place_of
-from fembearing.check.cost.ladder import Ladder
 from fembearing.quantities import CONTACT, METRIC, Quantity, Units
 
 if TYPE_CHECKING:
@@ -286,23 +283,6 @@ def interval_words(prediction: "Prediction") -> str:
         f"{prediction.failures} Spreads are mostly judgement; --json and the report give their sources. Not included: "
         f"{'; '.join(prediction.not_varied)}."
     ).replace("  ", " ")
-
-
-def short_name(method: str) -> str:
-    """The name of a method for narrow places."""
-    return method.replace("finite elements, ", "FE, ").replace("corrected for finite geometry", "corrected")
-
-
-def choices_line(ladder: Ladder) -> str:
-    """Which method each of some tolerances takes, and how many times as much the next digit costs."""
-    parts = []
-    for (name, seconds), run in groupby(ladder.choices, key=attrgetter("method", "seconds")):
-        choices = list(run)
-        tolerances = ", ".join(f"{100 * choice.tolerance:g}" for choice in choices)
-        taken = "none" if name is None else f"{short_name(name)}, {seconds:.2g} s"
-        price = choices[0].price
-        parts.append(f"{tolerances} %: {taken}" + ("" if price is None else f", {price:.2g} times as much"))
-    return "; ".join(parts)
 
 
 def shoulder_lines(contact: "ContactRecord", units: Units = METRIC) -> list[str]:

@@ -20,7 +20,6 @@ from fembearing.check.validation import Validation, check_scene
 from fembearing.report.page.write import page_of
 from fembearing.report.report import Report, report_of
 from tests.analytic.specimens import present
-from tests.conftest import quickly_timed
 
 if TYPE_CHECKING:
     from fembearing.mesh.recipe import Recipe
@@ -52,7 +51,6 @@ def scene() -> Scene:
 def pair(scene: Scene, shallow: "Callable[[str], Recipe]") -> Validation:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(scene_contact, "load_recipe", shallow)
-        quickly_timed(patch)
         return check_scene(scene, tolerance=0.9)
 
 
@@ -125,7 +123,6 @@ def test_without_friction_each_bearing_has_its_physical_limits(
     known = iter(pair.contacts)  # which are the same without friction, as their rings
     monkeypatch.setattr(validation, "solve_contact", lambda *_, **__: next(known))
     monkeypatch.setattr(validation, "with_ring", lambda contact: contact)
-    quickly_timed(monkeypatch)
     found = check_scene(replace(scene, friction_coefficient=None), tolerance=0.9)
     assert [check.where for check in found.verdicts.physical] == [
         f"{race} race of the {bearing} bearing" for bearing, race in RACES
