@@ -14,7 +14,7 @@ from hypothesis import settings
 
 if TYPE_CHECKING:
     from analytic.scene import Contact
-    from fembearing.check.contact.discrepancy import ContactSolution
+    from fembearing.check.contact.solution import ContactSolution
     from fembearing.check.validation import Validation
     from fembearing.mesh.recipe import Recipe
 
@@ -66,7 +66,7 @@ def contacts() -> "dict[str, Contact]":
 @pytest.fixture(scope="session")
 def cut_contact(contacts: "dict[str, Contact]") -> "ContactSolution":
     """Half a contact on three meshes: its shoulder cuts it off, Hertz's semi-axis would be 0.946 mm."""
-    from fembearing.check.contact.discrepancy import compare_contact
+    from fembearing.check.contact.solution import compare_contact
 
     narrow = replace(contacts["inner"], shoulder=0.8e-3)
     return compare_contact(narrow, recipe=shallow_recipe("race"), tolerance=0.9)

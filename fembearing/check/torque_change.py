@@ -18,8 +18,8 @@ from analytic.loads.finite_geometry import corrections_of
 from analytic.result import FrictionTorque
 from analytic.scene import Array, Scene
 from analytic.torque import friction_torque
-from fembearing.check.contact.discrepancy import ContactSolution
 from fembearing.check.contact.scene_contact import balls_of
+from fembearing.check.contact.solution import ContactSolution
 from fembearing.check.contact.verdict import Verdict, worst
 
 SAME_LOAD = 0.01  # relative: the ratios change with the load's power 1/3 to 2/3, so by a hundredth of themselves

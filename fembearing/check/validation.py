@@ -23,8 +23,8 @@ from analytic.verdicts import Overall, Verdicts, pressure_check
 from fembearing.check.cage_record import CageRecord, record_cage
 from fembearing.check.contact.bearings import OneBearing, bearings_of, which_bearing
 from fembearing.check.contact.columns import COLUMNS, VERDICT
-from fembearing.check.contact.discrepancy import ContactSolution, solve_contact, with_ring
 from fembearing.check.contact.scene_contact import balls_of, contact_of
+from fembearing.check.contact.solution import ContactSolution, solve_contact, with_ring
 from fembearing.check.contact.verdict import Verdict, worst
 from fembearing.check.cost.contact_ladder import contact_ladder_of
 from fembearing.check.cost.formula_ladders import SEED

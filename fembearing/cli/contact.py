@@ -22,8 +22,8 @@ from fembearing.cli.status import reached
 
 if TYPE_CHECKING:
     from analytic.scene import Scene
-    from fembearing.check.contact.discrepancy import ContactSolution
     from fembearing.check.contact.load_series import LoadSeries
+    from fembearing.check.contact.solution import ContactSolution
     from fembearing.check.contact.subsurface import SubsurfaceComparison
 
 
@@ -86,8 +86,8 @@ def contact(
         return
     if level is not None:
         raise InputError(f"--level {level} goes with --mesh; --tolerance decides on the meshes of a solution")
-    from fembearing.check.contact.discrepancy import solve_contact
     from fembearing.check.contact.load_series import solve_load_series
+    from fembearing.check.contact.solution import solve_contact
     from fembearing.check.contact.subsurface import compare_subsurface
 
     with talk.progress() as progress:
@@ -118,8 +118,8 @@ def _show_contact(
 ) -> dict[str, float]:
     """The relative uncertainties of the quantities that are to be known to the accuracy, by their names."""
     from analytic.words import percent_of
-    from fembearing.check.contact.discrepancy import SHOWN_OF_A_SHEET
-    from fembearing.check.contact.mesh_refinement import COMPARED
+    from fembearing.check.contact.refinement import COMPARED
+    from fembearing.check.contact.solution import SHOWN_OF_A_SHEET
     from fembearing.cli.console import out, print_json
     from fembearing.plain_types import plain
     from fembearing.quantities import SYSTEMS

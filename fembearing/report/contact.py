@@ -8,13 +8,12 @@ from annotated_types import MinLen
 from analytic.rows import Count, NotNegative, Positive, T
 from analytic.scene import Pair
 from analytic.verdicts import Verdict
-from fembearing.check.contact.approach_curve import ApproachCurve
 from fembearing.check.contact.bearings import OfPair
-from fembearing.check.contact.discrepancy import ContactSolution
-from fembearing.check.contact.mesh_refinement import Refinement
-from fembearing.check.contact.pressure_profile import Profiles
-from fembearing.check.contact.ring import RingStructure
+from fembearing.check.contact.hertz import ApproachCurve, Profiles
+from fembearing.check.contact.meshed_region import RingStructure
+from fembearing.check.contact.refinement import Refinement
 from fembearing.check.contact.scene_contact import Shape
+from fembearing.check.contact.solution import ContactSolution
 from fembearing.grid_convergence import Estimate
 
 

@@ -8,8 +8,7 @@ from analytic.scene import Pair
 from analytic.verdicts import Verdict
 from fembearing.check.contact.hertz import hertz_quantities
 from fembearing.check.contact.load_series import LoadPoint, LoadSeries
-from fembearing.check.contact.pocket_law import PocketLaw
-from fembearing.check.contact.power_law import StiffnessLaw
+from fembearing.check.contact.stiffness_law import PocketLaw, StiffnessLaw
 from fembearing.grid_convergence import Estimate
 from fembearing.mesh.recipe import Geometry
 

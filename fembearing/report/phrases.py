@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from analytic.rows import OperatingPoint
     from analytic.scene import Clearances
     from analytic.verdicts import NumericalCheck, PhysicalCheck
-    from fembearing.check.contact.ring import RingStructure
+    from fembearing.check.contact.meshed_region import RingStructure
     from fembearing.report.contact import ContactRecord
 
 AT_THE_CENTRE = CONTACT["peak_pressure"]._replace(name="pressure at y = 0")

@@ -20,8 +20,8 @@ from analytic.verdicts import PhysicalCheck, Summary
 from fembearing.check.cage_record import DrawnMotion
 from fembearing.check.contact.bearings import OfPair
 from fembearing.check.contact.comparison_error import WHY, Comparison
-from fembearing.check.contact.discrepancy import ContactSolution
 from fembearing.check.contact.scene_contact import Shape
+from fembearing.check.contact.solution import ContactSolution
 from fembearing.check.contact.verdict import Verdict, worst
 from fembearing.check.cost.ladder import Ladder
 from fembearing.check.creep.scene_creep import CreepNumbers

@@ -158,7 +158,7 @@ def _is_radial(grid: Grid) -> bool:
 
 def _contact(grid: Grid, scene: Scene, variant: int, _places: NDArray[np.intp]) -> dict[str, Any]:
     """The columns of a contact, and its warnings."""
-    from fembearing.check.contact.discrepancy import solve_contact
+    from fembearing.check.contact.solution import solve_contact
 
     settings: dict[str, Any] = grid.settings(variant)
     solution = solve_contact(

@@ -8,7 +8,7 @@ from rich.console import Console
 from analytic.errors import InputError
 from analytic.scene_torque import SceneTorque, torque_of_scene
 from analytic.scenefile.read import parse_scene
-from fembearing.check.contact.discrepancy import solve_contact
+from fembearing.check.contact.solution import solve_contact
 from fembearing.report.terminal.torque import print_details
 from fembearing.report.torque import torque_record
 

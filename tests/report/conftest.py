@@ -14,8 +14,8 @@ from analytic.scene import Operation
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
 from fembearing.check.cage_record import CageRecord, record_cage
-from fembearing.check.contact.discrepancy import ContactSolution
 from fembearing.check.contact.hertz import CorrectedHertz
+from fembearing.check.contact.solution import ContactSolution
 from fembearing.check.cost.contact_ladder import contact_ladder_of
 from fembearing.check.torque_change import FittedChange, TorqueChange
 from fembearing.check.validation import Validation

@@ -9,7 +9,7 @@ from pydantic import TypeAdapter
 from analytic.scene import Contact
 from fembearing.check.contact.hertz import hertz_quantities
 from fembearing.check.contact.load_series import compare_series
-from fembearing.check.contact.mesh_refinement import FORMAL_ORDERS
+from fembearing.check.contact.refinement import FORMAL_ORDERS
 from fembearing.mesh.recipe import Recipe
 from fembearing.plain_types import plain
 from fembearing.report.load_series import SeriesRecord, series_record

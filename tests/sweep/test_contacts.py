@@ -9,8 +9,8 @@ import pytest
 
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
-from fembearing.check.contact import discrepancy, scene_contact
-from fembearing.check.contact.discrepancy import ContactSolution
+from fembearing.check.contact import scene_contact, solution
+from fembearing.check.contact.solution import ContactSolution
 from fembearing.mesh.recipe import Recipe
 from fembearing.sweep.run import run_sweep
 
@@ -24,8 +24,8 @@ def test_contacts_of_half_spaces_agree_with_hertz(
     """At every point of the sweep, Hertz's exact answer lies within the intervals of the finite elements."""
     monkeypatch.setattr(scene_contact, "load_recipe", shallow)
     solved: list[ContactSolution] = []
-    solve = discrepancy.solve_contact
-    monkeypatch.setattr(discrepancy, "solve_contact", lambda *a, **k: solved.append(solve(*a, **k)) or solved[-1])
+    solve = solution.solve_contact
+    monkeypatch.setattr(solution, "solve_contact", lambda *a, **k: solved.append(solve(*a, **k)) or solved[-1])
     path = grid_file(
         'pair = ["inner", "outer"]\nball_load = ["90 N"]',
         head='what = "contact"\ngeometry = "hertzian"\naccuracy = 0.03',

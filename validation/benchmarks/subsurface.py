@@ -16,8 +16,8 @@ from rich.table import Table
 
 from analytic.scene import Contact
 from analytic.scenefile.read import load_scene
-from fembearing.check.contact.discrepancy import ContactSolution, compare_contact
 from fembearing.check.contact.scene_contact import contact_of
+from fembearing.check.contact.solution import ContactSolution, compare_contact
 from fembearing.check.contact.subsurface import NAMES, compare_subsurface
 from fembearing.fem.solution import solve_on_mesh
 from fembearing.mesh.recipe import load_recipe

@@ -27,8 +27,7 @@ from analytic.progress import silent
 from analytic.scene import Scene
 from analytic.scenefile.read import parse_scene
 from fembearing.check.contact.hertz import hertz_quantities
-from fembearing.check.contact.mesh_refinement import COMPARED
-from fembearing.check.contact.reference import solve_reference
+from fembearing.check.contact.refinement import COMPARED, solve_reference
 from fembearing.check.contact.scene_contact import heaviest_contact
 from fembearing.mesh.recipe import load_recipe
 from validation.rows import Row, read, write

@@ -10,7 +10,7 @@ from validation.peers.peer import Solve, serve
 
 def load() -> Solve:
     from analytic.progress import silent
-    from fembearing.check.contact.reference import solve_reference
+    from fembearing.check.contact.refinement import solve_reference
     from fembearing.mesh.recipe import load_recipe
     from validation.peers.idealised import idealised_contact
 

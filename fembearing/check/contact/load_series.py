@@ -1,7 +1,7 @@
 """A contact under many loads: its stiffness law F = K delta^n by finite elements, and Hertz's F = K delta^1.5.
 
 F: load, N; delta: approach, m. Loads of a true shape that end before the shoulder are solved by the compliance of the
-pair, see `fembearing.check.contact.compliance_series`. Each other approach comes from the second and third level of a
+pair, see `fembearing.check.contact.compliance`. Each other approach comes from the second and third level of a
 recipe, with value and uncertainty as for a single contact. These loads share meshes, and a load whose ellipse differs
 from that of its mesh is more uncertain: see `OFF_MESH`. A load whose approach is then too uncertain for the required
 accuracy is solved again on its own meshes.
@@ -25,14 +25,19 @@ from analytic.progress import Progress, part_of, silent
 from analytic.scene import Contact, Pair, Scene
 from analytic.scenefile.parts import Given, with_tolerance
 from fembearing.check.contact.columns import COLUMNS, VERDICT, require_finite_results
-from fembearing.check.contact.compliance_series import ends_before_shoulder, pair_series
+from fembearing.check.contact.compliance import ends_before_shoulder, pair_series
 from fembearing.check.contact.hertz import hertz_quantities
-from fembearing.check.contact.mesh_refinement import Estimates, estimates_of
 from fembearing.check.contact.meshed_region import Boundary, boundary_effect, has_boundary, has_sides, with_sides
-from fembearing.check.contact.pocket_law import PocketLaw, fit_pocket_law
-from fembearing.check.contact.power_law import LawData, StiffnessLaw, fit_law, fit_tangents
-from fembearing.check.contact.reference import solve_reference
+from fembearing.check.contact.refinement import Estimates, estimates_of, solve_reference
 from fembearing.check.contact.scene_contact import Shape, as_meshed, contact_of, recipe_of, traced_to_load
+from fembearing.check.contact.stiffness_law import (
+    LawData,
+    PocketLaw,
+    StiffnessLaw,
+    fit_law,
+    fit_pocket_law,
+    fit_tangents,
+)
 from fembearing.check.contact.uncertainty import OFF_FROM, OFF_MESH
 from fembearing.check.contact.verdict import Verdict, could_be_decided, verdict_on, worst
 from fembearing.check.contact.warnings import (
@@ -208,7 +213,7 @@ def solve_load_series(
 
     Notes
     -----
-    Sources: those of `solve_contact`; the fit of the law is derived here (`fembearing.check.contact.power_law`).
+    Sources: those of `solve_contact`; the fit of the law is derived here (`fembearing.check.contact.stiffness_law`).
     """
     scene = scene_by(scene, options)
     given = checked_loads(loads)

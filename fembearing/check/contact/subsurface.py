@@ -6,7 +6,7 @@ import numpy as np
 
 from analytic.contact.subsurface import subsurface_maximum
 from fembearing.check.contact.columns import require_finite_results
-from fembearing.check.contact.discrepancy import ContactSolution
+from fembearing.check.contact.solution import ContactSolution
 from fembearing.fem.subsurface import Array, Side, SubsurfaceStress, subsurface_stress
 from fembearing.grid_convergence import FINEST, LEAST, UNSTEADY
 

@@ -8,7 +8,7 @@ import numpy as np
 from analytic.limits import STATIC_LIMIT
 from analytic.scene import Contact
 from analytic.words import MILLIMETRE, percent_of, pressure_of
-from fembearing.check.contact.mesh_refinement import Estimates, Reference
+from fembearing.check.contact.refinement import Estimates, Reference
 from fembearing.fem.pixel_contact import PixelSolution
 from fembearing.fem.solution import MeshSolution
 

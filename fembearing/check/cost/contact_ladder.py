@@ -10,11 +10,10 @@ from analytic.errors import FembearingError, InputError
 from analytic.progress import Progress, silent
 from analytic.scene import Array, Contact
 from fembearing.check.contact.bearings import which_bearing
-from fembearing.check.contact.discrepancy import ContactSolution
 from fembearing.check.contact.hertz import CorrectedHertz, corrected_hertz, hertz_quantities
-from fembearing.check.contact.mesh_refinement import COMPARED, Estimates, Refinement, estimates_of
 from fembearing.check.contact.mesh_seconds import about, predicted_seconds
-from fembearing.check.contact.twin_refinement import solve_by_twin
+from fembearing.check.contact.refinement import COMPARED, Estimates, Refinement, estimates_of, solve_by_twin
+from fembearing.check.contact.solution import ContactSolution
 from fembearing.check.cost.ladder import Ladder, TimedMethod, UntimedMethod, ladder_of, timed
 from fembearing.check.memory import peak_while
 from fembearing.fem.compliance import pair_compliance

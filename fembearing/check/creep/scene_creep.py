@@ -18,7 +18,7 @@ from analytic.progress import Progress, silent
 from analytic.rows import NotNegative, OperatingPoint, Positive
 from analytic.scene import Bearing, Material, Operation, Scene
 from fembearing.check.contact.bearings import OfPair
-from fembearing.check.contact.elastic_bodies import Compliance
+from fembearing.check.contact.compliance import Compliance
 from fembearing.check.contact.scene_contact import balls_of, heaviest_place, traced_to_load
 from fembearing.check.creep.meshed_bodies import with_meshed_bodies
 from fembearing.check.creep.production import (

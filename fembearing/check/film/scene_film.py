@@ -22,7 +22,7 @@ from analytic.progress import Progress, silent
 from analytic.result import FrictionTorque
 from analytic.scene import Array, Contact, Scene
 from fembearing.check.contact.bearings import OfPair
-from fembearing.check.contact.elastic_bodies import Compliance, meshed_pair
+from fembearing.check.contact.compliance import Compliance, meshed_pair
 from fembearing.check.contact.scene_contact import balls_of, contact_at, heaviest_place
 from fembearing.check.film.closed_forms import ClosedForms
 from fembearing.ehl.ball_on_race import lubricated_contact

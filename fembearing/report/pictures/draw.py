@@ -19,7 +19,7 @@ from typing import Any, Literal
 from matplotlib.ticker import MaxNLocator
 
 from analytic.writing import being_written, write
-from fembearing.check.contact.discrepancy import ContactSolution
+from fembearing.check.contact.solution import ContactSolution
 from fembearing.quantities import MILLI, unit_for
 from fembearing.report.contact import contact_record
 from fembearing.report.page.view import read_view, view_page

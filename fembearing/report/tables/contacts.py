@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 
 from fembearing.check.contact.load_series import LoadSeries
-from fembearing.check.contact.pocket_law import PocketLaw
+from fembearing.check.contact.stiffness_law import PocketLaw
 from fembearing.check.contact.subsurface import SubsurfaceComparison
 from fembearing.quantities import METRIC, MICRO, STIFFNESS, STRESSES, TANGENT, Units
 from fembearing.report.contact import ContactRecord, sheet_in_series

@@ -9,7 +9,7 @@ import pytest
 
 from analytic.errors import InputError
 from fembearing.check.contact.load_series import LoadPoint
-from fembearing.check.contact.ring import RingStructure
+from fembearing.check.contact.meshed_region import RingStructure
 from fembearing.check.contact.subsurface import NAMES, comparison_below
 from fembearing.grid_convergence import Estimate
 

@@ -10,7 +10,7 @@ import pytest
 
 from analytic.progress import silent
 from analytic.scene import Contact
-from fembearing.check.contact.compliance_series import (
+from fembearing.check.contact.compliance import (
     APART,
     CURVED_CELLS,
     PairSeries,
@@ -19,10 +19,8 @@ from fembearing.check.contact.compliance_series import (
     sampling_loads,
 )
 from fembearing.check.contact.load_series import compare_series
-from fembearing.check.contact.mesh_refinement import COMPARED
 from fembearing.check.contact.meshed_region import FADING, Boundary
-from fembearing.check.contact.reference import solve_reference
-from fembearing.check.contact.twin_refinement import ORDER, ORDERS
+from fembearing.check.contact.refinement import COMPARED, ORDER, ORDERS, solve_reference
 from fembearing.check.contact.uncertainty import BETWEEN, FEW_SAMPLES, LEAST_WITH_TWIN, LEFT, STIFFNESS
 from fembearing.fem.compliance import pair_compliance
 from fembearing.fem.guess import expected_semi_axes

@@ -13,11 +13,10 @@ from rich.console import Console
 from analytic.errors import InputError
 from analytic.progress import silent
 from analytic.scene import Contact
-from fembearing.check.contact import discrepancy as module
-from fembearing.check.contact.discrepancy import ContactSolution, compare_contact
+from fembearing.check.contact import solution as module
 from fembearing.check.contact.hertz import CorrectedHertz, corrected_hertz, hertz_quantities
-from fembearing.check.contact.mesh_refinement import COMPARED, Reference
-from fembearing.check.contact.reference import solve_reference
+from fembearing.check.contact.refinement import COMPARED, Reference, solve_reference
+from fembearing.check.contact.solution import ContactSolution, compare_contact
 from fembearing.check.contact.warnings import shoulder_warning
 from fembearing.grid_convergence import Estimate
 from fembearing.mesh.recipe import Recipe, load_recipe

@@ -12,11 +12,11 @@ from analytic.progress import silent
 from analytic.scene import Contact
 from analytic.scenefile.read import load_scene
 from fembearing.check.contact import load_series as module
-from fembearing.check.contact.discrepancy import ContactSolution, solve_contact
 from fembearing.check.contact.hertz import hertz_quantities
 from fembearing.check.contact.load_series import LoadSeries, SolvedLoad, compare_series, solve_load_series
-from fembearing.check.contact.power_law import StiffnessLaw
-from fembearing.check.contact.reference import solve_reference
+from fembearing.check.contact.refinement import solve_reference
+from fembearing.check.contact.solution import ContactSolution, solve_contact
+from fembearing.check.contact.stiffness_law import StiffnessLaw
 from fembearing.grid_convergence import CAUTIOUS, LEAST
 from fembearing.mesh.recipe import Geometry, Recipe, load_recipe
 from tests.analytic.specimens import present

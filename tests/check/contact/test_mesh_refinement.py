@@ -9,12 +9,12 @@ import pytest
 
 from analytic.progress import silent
 from analytic.scene import Contact
-from fembearing.check.contact.mesh_refinement import (
+from fembearing.check.contact.meshed_region import has_sides, sides_farther
+from fembearing.check.contact.refinement import (
     STRIP_LEAST,
     estimates_of,
+    solve_reference,
 )
-from fembearing.check.contact.meshed_region import has_sides, sides_farther
-from fembearing.check.contact.reference import solve_reference
 from fembearing.check.contact.uncertainty import FARTHER_LEFT, SIDES_LEFT, SIDES_LEFT_IN_OTHERS
 from fembearing.fem.measure import Quantities, ShoulderLoad
 from fembearing.fem.solution import solve_on_mesh

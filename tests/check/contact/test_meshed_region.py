@@ -17,7 +17,7 @@ from fembearing.check.contact.meshed_region import (
     boundary_effect_with_twin,
     with_effect_of_sides,
 )
-from fembearing.check.contact.reference import solve_reference
+from fembearing.check.contact.refinement import solve_reference
 from fembearing.check.contact.uncertainty import (
     LEFT_BY_MESHES,
     SIDES_COARSE,

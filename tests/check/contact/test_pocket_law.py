@@ -10,11 +10,10 @@ import pytest
 
 from analytic.contact.geometry import pocket_contact
 from analytic.progress import silent
-from fembearing.check.contact.discrepancy import compare_contact
 from fembearing.check.contact.load_series import compare_series
-from fembearing.check.contact.pocket_law import fit_pocket_law
-from fembearing.check.contact.power_law import LawData
-from fembearing.check.contact.reference import solve_reference
+from fembearing.check.contact.refinement import solve_reference
+from fembearing.check.contact.solution import compare_contact
+from fembearing.check.contact.stiffness_law import LawData, fit_pocket_law
 from fembearing.check.contact.warnings import annular_warning
 from fembearing.mesh.recipe import load_recipe
 from tests.analytic.specimens import BEARING_6205, STAMPED_CAGE, present

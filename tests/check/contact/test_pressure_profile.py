@@ -6,9 +6,8 @@ import numpy as np
 import pytest
 
 from analytic.scene import Contact
-from fembearing.check.contact.discrepancy import ContactSolution, compare_contact
-from fembearing.check.contact.hertz import hertz_quantities
-from fembearing.check.contact.pressure_profile import AXES, MOST, Axis, hertz_profile, nodal_profile
+from fembearing.check.contact.hertz import AXES, POSITIONS, Axis, hertz_profile, hertz_quantities, nodal_profile
+from fembearing.check.contact.solution import ContactSolution, compare_contact
 from fembearing.mesh.recipe import load_recipe
 
 
@@ -70,7 +69,7 @@ def test_many_nodes_are_thinned_with_ends_and_centre(solution: ContactSolution) 
     force[250 + 6] = 0.0  # a node that does not touch, with noise of the fit
     many = replace(mesh, x=x, y=np.append(np.zeros(500), 1e-3), force=force, pressure=np.arange(501.0))
     profile = nodal_profile(many, "rolling")
-    assert len(profile.position) <= MOST
+    assert len(profile.position) <= POSITIONS
     assert 0.0 in profile.position
     assert (profile.position[0], profile.position[-1]) == (x[0], x[499])  # the last node is off the axis
     kept = np.searchsorted(x, profile.position)
@@ -81,4 +80,4 @@ def test_many_nodes_are_thinned_with_ends_and_centre(solution: ContactSolution) 
 
 def test_a_light_contact_has_profiles_too(contacts: dict[str, Contact]) -> None:
     hertz = hertz_quantities(replace(contacts["inner"], load=1e-3))
-    assert len(hertz_profile(hertz, "rolling").position) == MOST
+    assert len(hertz_profile(hertz, "rolling").position) == POSITIONS

@@ -7,9 +7,9 @@ import pytest
 
 from analytic.errors import InputError
 from analytic.scenefile.read import load_scene, parse_scene
-from fembearing.check.contact import ring as module
-from fembearing.check.contact.discrepancy import solve_contact
-from fembearing.check.contact.ring import structure_of_ring
+from fembearing.check.contact import meshed_region as module
+from fembearing.check.contact.meshed_region import structure_of_ring
+from fembearing.check.contact.solution import solve_contact
 from fembearing.grid_convergence import Estimate
 from fembearing.mesh.recipe import load_recipe
 

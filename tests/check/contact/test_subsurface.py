@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from analytic.contact.subsurface import subsurface_maximum
 from analytic.scene import Contact, Material
 from fembearing.check.contact import subsurface as module
-from fembearing.check.contact.discrepancy import ContactSolution, compare_contact
+from fembearing.check.contact.solution import ContactSolution, compare_contact
 from fembearing.check.contact.subsurface import NAMES, compare_subsurface, comparison_below
 from fembearing.fem.subsurface import Array, Side, SubsurfaceStress, subsurface_stress
 from fembearing.mesh.recipe import load_recipe

@@ -8,10 +8,16 @@ import pytest
 
 from analytic.progress import silent
 from analytic.scene import Contact
-from fembearing.check.contact.discrepancy import ContactSolution, compare_contact
-from fembearing.check.contact.mesh_refinement import COMPARED, FORMAL_ORDERS
-from fembearing.check.contact.reference import solve_reference
-from fembearing.check.contact.twin_refinement import ORDER, ORDERS, SHAPED, estimates_with_twin
+from fembearing.check.contact.refinement import (
+    COMPARED,
+    FORMAL_ORDERS,
+    ORDER,
+    ORDERS,
+    SHAPED,
+    estimates_with_twin,
+    solve_reference,
+)
+from fembearing.check.contact.solution import ContactSolution, compare_contact
 from fembearing.check.contact.uncertainty import (
     BETWEEN,
     CURVED,

@@ -7,9 +7,9 @@ from typing import Any
 import pytest
 
 from analytic.scene import Contact
-from fembearing.check.contact import reference
-from fembearing.check.contact.discrepancy import ContactSolution, compare_contact
+from fembearing.check.contact import refinement
 from fembearing.check.contact.mesh_seconds import about, predicted_seconds
+from fembearing.check.contact.solution import ContactSolution, compare_contact
 from fembearing.check.cost import contact_ladder
 from fembearing.check.cost.contact_ladder import LEVEL_BOUNDS, contact_ladder_of
 from fembearing.mesh.recipe import Recipe, load_recipe
@@ -25,7 +25,7 @@ def coarse() -> Recipe:
 def solved(contacts: dict[str, Contact], coarse: Recipe) -> ContactSolution:
     """On plain levels."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(reference, "solve_by_twin", lambda *_, **__: None)
+        patch.setattr(refinement, "solve_by_twin", lambda *_, **__: None)
         return compare_contact(contacts["inner"], recipe=coarse, tolerance=0.01)
 
 

@@ -11,7 +11,7 @@ from matplotlib.collections import PolyCollection
 from matplotlib.container import ErrorbarContainer
 from matplotlib.lines import Line2D
 
-from fembearing.check.contact.discrepancy import ContactSolution
+from fembearing.check.contact.solution import ContactSolution
 from fembearing.check.validation import Validation
 from fembearing.quantities import METRIC
 from fembearing.report.contact import ContactRecord, contact_record

@@ -16,7 +16,7 @@ from analytic.oil.own_law import own_traction
 from analytic.scene import Scene
 from analytic.scene_torque import torque_of_scene
 from analytic.scenefile.read import load_scene, parse_scene
-from fembearing.check.contact.discrepancy import ContactSolution
+from fembearing.check.contact.solution import ContactSolution
 from fembearing.check.hard_record import HardRecord
 from fembearing.check.torque_change import change_of_torque
 from fembearing.check.validation import Validation

@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from fembearing.check.contact.discrepancy import ContactSolution
+from fembearing.check.contact.solution import ContactSolution
 from fembearing.check.validation import Validation
 from fembearing.report.pictures import draw
 from fembearing.report.pictures.draw import Kind, Picture

@@ -11,7 +11,7 @@ import pytest
 import pyvista as pv
 from scipy.spatial import cKDTree
 
-from fembearing.check.contact.discrepancy import ContactSolution
+from fembearing.check.contact.solution import ContactSolution
 from fembearing.check.validation import Validation
 from fembearing.report.pictures import draw as module
 from fembearing.report.pictures.draw import Picture, draw_pictures

@@ -17,7 +17,7 @@ import pytest
 import pyvista as pv
 from numpy.typing import NDArray
 
-from fembearing.check.contact.discrepancy import ContactSolution
+from fembearing.check.contact.solution import ContactSolution
 from fembearing.check.validation import Validation
 from fembearing.report.page.view import script_hash
 from fembearing.report.pictures.draw import Picture, draw_pictures

@@ -10,7 +10,7 @@ import pytest
 from rich.console import Console
 
 from fembearing.check.contact.load_series import LoadPoint, LoadSeries
-from fembearing.check.contact.power_law import StiffnessLaw
+from fembearing.check.contact.stiffness_law import StiffnessLaw
 from fembearing.check.contact.subsurface import NAMES, comparison_below
 from fembearing.check.validation import Validation
 from fembearing.grid_convergence import Estimate

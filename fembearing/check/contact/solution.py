@@ -17,15 +17,20 @@ from analytic.given import SceneOptions
 from analytic.progress import Progress, silent
 from analytic.scene import Contact, Pair, Scene
 from analytic.scenefile.parts import Given, with_tolerance
-from fembearing.check.contact.approach_curve import ApproachCurve, approach_over_load
 from fembearing.check.contact.bearings import OfPair
 from fembearing.check.contact.columns import COLUMNS, VERDICT, contact_dataset, contact_html, require_finite_results
 from fembearing.check.contact.comparison_error import Comparison, comparison_of
-from fembearing.check.contact.hertz import CorrectedHertz, corrected_hertz, hertz_quantities
-from fembearing.check.contact.mesh_refinement import COMPARED, FORMAL_ORDERS, Estimates, Refinement
-from fembearing.check.contact.pressure_profile import Profiles, profiles_of
-from fembearing.check.contact.reference import solve_reference
-from fembearing.check.contact.ring import RingStructure, structure_of_ring
+from fembearing.check.contact.hertz import (
+    ApproachCurve,
+    CorrectedHertz,
+    Profiles,
+    approach_over_load,
+    corrected_hertz,
+    hertz_quantities,
+    profiles_of,
+)
+from fembearing.check.contact.meshed_region import RingStructure, structure_of_ring
+from fembearing.check.contact.refinement import COMPARED, FORMAL_ORDERS, Estimates, Refinement, solve_reference
 from fembearing.check.contact.scene_contact import Shape, as_meshed, contact_of, recipe_of, traced_to_load
 from fembearing.check.contact.verdict import Verdict, could_be_decided, verdict_on, worst
 from fembearing.check.contact.warnings import (
