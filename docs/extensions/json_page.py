@@ -24,7 +24,7 @@ uncertainties and discrepancies are relative. `null` stands where something is n
 - `compare.json` and `compare --json`: [MeasuredComparison](#measuredcomparison) with `kind` and `format`; the file has
   `run` as well.
 - `duty.json` and `duty --json`: [DutyCycle](#dutycycle) with `kind` and `format`; the file has `run` as well.
-- `contact --json`: [ContactRecord](#contactrecord), with the stresses below the surface.
+- `contact --json`: [ContactNumbers](#contactnumbers), with the stresses below the surface.
 """
 PLAIN = {float: "number", int: "whole number", str: "text", bool: "`true` or `false`", type(None): "`null`", Any: "any"}
 

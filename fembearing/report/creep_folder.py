@@ -8,7 +8,7 @@ from analytic.writing import write
 from fembearing.check.creep.scene_creep import CreepNumbers, SceneCreep
 from fembearing.plain_types import plain
 
-KIND, FORMAT = "fembearing creep", 1
+KIND, FORMAT = "fembearing creep", 2
 
 
 def write_creep(creep: SceneCreep, folder: Path) -> str | None:

@@ -8,7 +8,7 @@ from analytic.writing import write
 from fembearing.check.film.scene_film import FilmNumbers, RaceFilm
 from fembearing.plain_types import plain
 
-KIND, FORMAT = "fembearing film", 1
+KIND, FORMAT = "fembearing film", 2
 
 
 def write_film(film: RaceFilm, folder: Path) -> None:

@@ -18,11 +18,10 @@ from analytic.rows import Count, NotNegative, Positive
 from analytic.scene import Array, Pair, ReportDetails
 from analytic.verdicts import PhysicalCheck, Summary
 from fembearing.check.cage_record import DrawnMotion
+from fembearing.check.comparison import ShownVerdict, worst
 from fembearing.check.contact.bearings import OfPair
-from fembearing.check.contact.comparison_error import WHY, Comparison
 from fembearing.check.contact.scene_contact import Shape
-from fembearing.check.contact.solution import ContactSolution
-from fembearing.check.contact.verdict import Verdict, worst
+from fembearing.check.contact.solution import ContactNumbers
 from fembearing.check.cost.ladder import Ladder
 from fembearing.check.creep.scene_creep import CreepNumbers
 from fembearing.check.film.scene_film import FilmNumbers
@@ -33,7 +32,6 @@ from fembearing.check.torque_change import OF_RACES, TorqueChange
 from fembearing.check.validation import Validation
 from fembearing.provenance import Provenance
 from fembearing.quantities import CONTACT, SYSTEMS, Units
-from fembearing.report.contact import ContactRecord, contact_record
 from fembearing.report.findings import Finding, findings_of
 from fembearing.report.scene_view import SceneView
 from fembearing.report.torque import CageMotionPoint, TorqueRecord, cage_motion, torque_record
@@ -41,7 +39,7 @@ from fembearing.report.torque import CageMotionPoint, TorqueRecord, cage_motion,
 if TYPE_CHECKING:
     from pydantic import TypeAdapter
 
-KIND, FORMAT = "fembearing validation", 7  # what the JSON is; the number rises when a key changes its name or meaning
+KIND, FORMAT = "fembearing validation", 8  # what the JSON is; the number rises when a key changes its name or meaning
 INSTANTS = 400  # of a cage's motion that are kept
 LARGEST = 1e200  # SI; a larger number is damage, and may be too large in the unit in which it is shown
 LARGEST_FILE = 256_000_000  # bytes: ten times a series of thousand points
@@ -63,37 +61,6 @@ FAULTS = {  # pydantic's names
 FILE_NAME = r"^\w[\w.-]*$"
 Floats = tuple[float, ...]
 Optionals = tuple[float | None, ...]
-
-
-@dataclass(frozen=True, kw_only=True)
-class VerdictRow:
-    """One quantity of one contact, judged."""
-
-    pair: Pair
-    geometry: Shape
-    quantity: Literal["approach", "semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "stiffness"]
-    production: float
-    reference: Positive
-    discrepancy: float  # relative
-    uncertainty: NotNegative  # relative
-    exceeds_uncertainty: bool
-    comparison: Comparison  # in the unit of the quantity
-    verdict: Verdict
-    bearing: OfPair | None = None  # of a pair
-
-    @property
-    def relative_uncertainty(self) -> float:
-        """u_val over the reference."""
-        return self.comparison.total / abs(self.reference)
-
-
-@dataclass(frozen=True, kw_only=True)
-class Uncertainties:
-    """Where each uncertainty of a comparison comes from, in words."""
-
-    numerical: str
-    input: str
-    reference: str
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -137,7 +104,7 @@ class ChangeRecord:
     uncertainty: NotNegative  # of the total's change
     uncertainties: dict[str, NotNegative]  # of each part's relative change
     finite_geometry: ChangeByFit | None  # None: it is in the production's contacts
-    verdict: Verdict
+    verdict: ShownVerdict
     note: str
 
     @property
@@ -183,15 +150,13 @@ class Report:
     __pydantic_config__: ClassVar[dict[str, Any]] = {"strict": True, "extra": "forbid", "allow_inf_nan": False}
 
     kind: Literal["fembearing validation"] = KIND
-    format: Literal[7] = FORMAT
+    format: Literal[8] = FORMAT
     verdict: Summary
     findings: Annotated[tuple[Finding, ...], MinLen(1)]
     physical: Annotated[tuple[PhysicalCheck, ...], MinLen(1)]
     report: ReportDetails
     tolerance: Positive
-    verdicts: tuple[VerdictRow, ...]
-    uncertainties: Uncertainties
-    contacts: Annotated[tuple[ContactRecord, ...], Len(2, 6)]
+    contacts: Annotated[tuple[ContactNumbers, ...], Len(2, 6)]
     torque: TorqueRecord | None
     torque_change: ChangeRecord | None
     cage_motion: tuple[CageMotionPoint, ...] | None
@@ -219,10 +184,9 @@ class Report:
             if self.contact_of(picture) is None:
                 raise ValueError(f"has no contact for the picture {picture.file}")
         for contact in self.contacts:
-            rows = self._rows_on(contact)
-            if contact.judged and sorted(row.quantity for row in rows) != sorted(CONTACT):
+            if sorted(contact.quantities) != sorted(CONTACT):
                 raise ValueError(f"has no verdict on every quantity of {contact.pair}, once")
-        if self.verdict.comparison != worst(row.verdict for row in self.verdicts):
+        if self.verdict.comparison != worst(contact.verdict for contact in self.contacts):
             raise ValueError("has another verdict on the comparison than the worst on a contact")
         for name in self._names:
             if "$" in name:
@@ -253,7 +217,7 @@ class Report:
             yield from (each.key for each in self.torque.prediction.inputs)
             yield from self.torque.prediction.points[0].made_of
 
-    def contact_of(self, picture: PictureFile) -> ContactRecord | None:
+    def contact_of(self, picture: PictureFile) -> ContactNumbers | None:
         """The contact that a picture shows; None where there is none."""
         return next((each for each in self.contacts if _place_of(each) == _place_of(picture)), None)
 
@@ -272,21 +236,14 @@ class Report:
         """The load of the pocket, N, as the page says it."""
         return f"{self.contacts[-1].load:g}"
 
-    def verdicts_on(self, contact: ContactRecord) -> dict[str, VerdictRow]:
-        """The verdicts on one contact, by quantity."""
-        return {row.quantity: row for row in self._rows_on(contact)}
 
-    def _rows_on(self, contact: ContactRecord) -> list[VerdictRow]:
-        return [row for row in self.verdicts if _place_of(row) == _place_of(contact)]
-
-
-def _place_of(part: ContactRecord | VerdictRow | PictureFile) -> tuple[OfPair | None, Pair, Shape]:
+def _place_of(part: ContactNumbers | PictureFile) -> tuple[OfPair | None, Pair, Shape]:
     return part.bearing, part.pair, part.geometry
 
 
 def report_of(result: Validation, *, pictures: Sequence[PictureFile] = (), renderer: str | None = None) -> Report:
     """The report of a check;  renderer : what drew the pictures; VTK without it."""
-    verdicts, contacts = result.verdicts, tuple(contact_record(contact) for contact in result.contacts)
+    verdicts, contacts = result.verdicts, tuple(contact.numbers for contact in result.contacts)
     films, creep = tuple(film.numbers for film in result.films), tuple(creep.numbers for creep in result.creep)
     torque, change = result.torque, result.torque_change
     return Report(
@@ -295,8 +252,6 @@ def report_of(result: Validation, *, pictures: Sequence[PictureFile] = (), rende
         physical=verdicts.physical,
         report=result.scene.report,
         tolerance=result.tolerance,
-        verdicts=tuple(row for contact in result.contacts if contact.judged for row in _verdicts(contact)),
-        uncertainties=Uncertainties(**WHY),
         contacts=contacts,
         torque=None if torque is None else torque_record(torque, measured=True),
         torque_change=None if change is None else change_record(change),
@@ -317,24 +272,6 @@ def report_of(result: Validation, *, pictures: Sequence[PictureFile] = (), rende
         pictures=tuple(pictures),
         renderer=renderer or "VTK",
     )
-
-
-def _verdicts(contact: ContactSolution) -> Iterator[VerdictRow]:
-    """A row for each quantity of a contact."""
-    for name, part in contact.estimates.items():
-        yield VerdictRow(
-            pair=contact.contact.pair,
-            geometry=contact.geometry,
-            quantity=name,  # pyright: ignore[reportArgumentType]
-            production=getattr(contact.hertz, name),
-            reference=part.value,
-            discrepancy=contact.discrepancy[name],
-            uncertainty=part.total,
-            exceeds_uncertainty=contact.exceeds_uncertainty[name],
-            comparison=contact.comparisons[name],
-            verdict=contact.verdicts[name],
-            bearing=contact.bearing,
-        )
 
 
 def change_record(change: TorqueChange) -> ChangeRecord:

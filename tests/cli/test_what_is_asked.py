@@ -66,7 +66,7 @@ def test_load_and_tolerance_are_the_scenes_unless_they_are_given(asked, command_
 
 
 def test_one_load_is_a_contact_and_several_are_a_series(asked) -> None:
-    single, series = "discrepancy.solve_contact", "load_series.solve_load_series"
+    single, series = "solution.solve_contact", "load_series.solve_load_series"
     place = "fembearing.check.contact"
     assert asked(f"{place}.{single}", "contact", "6205-dry")["load"] is None
     assert asked(f"{place}.{single}", "contact", "6205-dry", "--load", "70 N")["load"] == 70.0

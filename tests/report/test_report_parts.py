@@ -18,13 +18,10 @@ PICTURE = PictureFile(file="inner-pressure.png", kind="pressure", pair="inner", 
     ("change", "words"),
     [
         (lambda _: {"pictures": (replace(PICTURE, geometry="wall"),)}, "no contact for the picture inner-pressure.png"),
-        (lambda d: {"verdicts": d.verdicts[1:]}, "no verdict on every quantity of inner, once"),
-        (lambda d: {"verdicts": (*d.verdicts, d.verdicts[0])}, "no verdict on every quantity of inner, once"),
         (
             lambda d: {"verdict": replace(d.verdict, comparison=None)},
             "verdict on the comparison than the worst on a contact",
         ),
-        (lambda d: {"verdicts": [replace(row, verdict="pass") for row in d.verdicts]}, "verdict on the comparison"),
         (lambda _: {"torque": None}, "torque without torque_change, or the other way round"),
         (lambda _: {"torque_change": None}, "torque without torque_change, or the other way round"),
         (lambda d: {"physical": (replace(d.physical[0], point=3),)}, "a physical verdict on a point beyond the 3"),

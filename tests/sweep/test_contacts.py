@@ -44,11 +44,11 @@ def test_contacts_of_half_spaces_agree_with_hertz(
     alone = solved[0].to_dataset()
     assert alone.attrs["pair"] == "inner"
     for name in QUANTITIES:
-        assert float(alone[name]) == float(found[name][0]) == solved[0].estimates[name].value
-        assert float(alone[f"hertz_{name}"]) == getattr(solved[0].hertz, name)
+        assert float(alone[name]) == float(found[name][0]) == solved[0].numbers.quantities[name].reference
+        assert float(alone[f"hertz_{name}"]) == solved[0].numbers.quantities[name].production
         assert alone[name].attrs["units"]
     table = solved[0]._repr_html_()
-    assert f"<td>{solved[0].estimates['approach'].value:.5g}</td>" in table
+    assert f"<td>{solved[0].numbers.reference.approach:.5g}</td>" in table
     assert table.count("<tr>") == 6
 
 

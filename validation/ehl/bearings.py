@@ -34,12 +34,13 @@ def main() -> None:
                     inner_speed=speed / RPM.factor,
                     tolerance=TOLERANCE,
                 ).numbers
+                force, film = (found.quantities[name] for name in ("rolling_force", "central_film"))
                 errors = (
                     each
-                    for part in (found.rolling_force, found.central_film)
-                    for each in (part.formula / part.numerical - 1, part.discrepancy, part.relative_uncertainty)
+                    for part in (force, film)
+                    for each in (part.formula / part.reference - 1, part.discrepancy, part.relative_uncertainty)
                 )
-                values = 1e3 * found.rolling_force.numerical, 1e6 * found.central_film.numerical
+                values = 1e3 * force.reference, 1e6 * film.reference
                 row = (race, load, speed, viscosity, *(f"{each:.4g}" for each in values))
                 writer.writerow((*row, *(f"{each:+.4f}" for each in errors)))
                 file.flush()

@@ -6,20 +6,22 @@ import time
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Unpack
+from typing import Annotated, Any, Literal, Unpack
 
 import numpy as np
+from annotated_types import MinLen
 
 from analytic.any_scene import scene_by
 from analytic.brief import Brief
 from analytic.errors import require_non_negative
 from analytic.given import SceneOptions
 from analytic.progress import Progress, silent
+from analytic.rows import Count, NotNegative, Positive
 from analytic.scene import Contact, Pair, Scene
 from analytic.scenefile.parts import Given, with_tolerance
+from fembearing.check.comparison import Comparison, ShownVerdict, compared_with, could_be_decided, verdict_on, worst
 from fembearing.check.contact.bearings import OfPair
 from fembearing.check.contact.columns import COLUMNS, VERDICT, contact_dataset, contact_html, require_finite_results
-from fembearing.check.contact.comparison_error import Comparison, comparison_of
 from fembearing.check.contact.hertz import (
     ApproachCurve,
     CorrectedHertz,
@@ -30,13 +32,18 @@ from fembearing.check.contact.hertz import (
     profiles_of,
 )
 from fembearing.check.contact.meshed_region import RingStructure, structure_of_ring
-from fembearing.check.contact.refinement import COMPARED, FORMAL_ORDERS, Estimates, Refinement, solve_reference
+from fembearing.check.contact.refinement import (
+    COMPARED,
+    FORMAL_ORDERS,
+    Estimates,
+    Reference,
+    Refinement,
+    solve_reference,
+)
 from fembearing.check.contact.scene_contact import Shape, as_meshed, contact_of, recipe_of, traced_to_load
-from fembearing.check.contact.verdict import Verdict, could_be_decided, verdict_on, worst
 from fembearing.check.contact.warnings import (
-    annular_warning,
     near_shoulder,
-    sheet_warning,
+    sheet_warnings,
     shoulder_warning,
     solve_warnings,
 )
@@ -45,39 +52,123 @@ from fembearing.fem.measure import STRIP, Quantities
 from fembearing.fem.nodal_stress import stress_at_nodes, von_mises
 from fembearing.fem.solution import MeshSolution
 from fembearing.fem.subsurface import Side, body_displacement, body_of
-from fembearing.grid_convergence import Estimate
 from fembearing.mesh.meshfile import write_body
-from fembearing.mesh.recipe import Recipe
+from fembearing.mesh.recipe import Geometry, Recipe
 from fembearing.mesh.ring import known_ring
 
 SHOWN_OF_A_SHEET = ("approach",)  # what its bending changes; the stiffness follows from it
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class ContactSolution(Brief):
-    """A contact by the production formula and by finite elements.
+@dataclass(frozen=True, kw_only=True)
+class MeshCost:
+    """One mesh of a contact."""
 
-    Estimates, discrepancies and verdicts are keyed by the field names of `Quantities`. The verdicts are on uncorrected
-    Hertz: the torque is built on it, and the correction was fitted to these same finite elements.
+    level: int
+    unknowns: Count
+    seconds: NotNegative
+
+
+@dataclass(frozen=True, kw_only=True)
+class AtShoulder:
+    """A quantity at a shoulder, by finite elements."""
+
+    reference: float
+    relative_uncertainty: NotNegative  # 95 %
+    values: tuple[float, ...]  # coarse to fine
+    order: float | None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Shoulder:
+    """What a contact does at the shoulder that cuts it off, the nearer one of two."""
+
+    sides: dict[Literal["above", "below"], float]  # distance of each shoulder from y = 0, m
+    half: bool  # whether half of the contact is meshed, not a quarter
+    peak_pressure_at: float  # y, m: where peak pressures are compared, not the largest, which is at the edge
+    strip_width: float  # of the strip beside the shoulder whose load is shown, m
+    hertz_line_load: Positive  # greatest of Hertz's ellipse, 3 Q/(4 b), N/m: pressure summed along rolling, at y = 0
+    centroid: AtShoulder  # y of the load's centroid, m
+    strip_share: AtShoulder  # of the load
+    strip_line_load: AtShoulder  # mean over the strip, N/m
+
+    @property
+    def cuts(self) -> list[float]:
+        """y of each shoulder that cuts the contact off, the nearer one first, m."""
+        return sorted((y if side == "above" else -y for side, y in self.sides.items()), key=abs)
+
+
+@dataclass(frozen=True, kw_only=True)
+class ContactNumbers:
+    """One contact by Hertz and by finite elements, SI; keyed by quantity: the names of `Quantities`.
+
+    The verdicts are on uncorrected Hertz: the correction was fitted to these same finite elements.
     """
 
-    contact: Contact
+    pair: Pair
     geometry: Shape  # which shapes were meshed
-    tolerance: float  # of the verdicts, relative
-    hertz: Quantities
-    estimates: dict[str, Estimate]
-    shoulder: dict[str, Estimate]  # keyed by the names of `ShoulderLoad`; empty where the contact ends before it
-    meshes: tuple[MeshSolution, ...]  # coarse to fine
-    seconds: float
-    warnings: tuple[str, ...]  # one line each
-    valid: bool  # whether the verdicts count: no sheet, and no contact beyond its shoulder
+    load: Positive  # of the ball, N
+    contact_angle: float  # rad
+    tolerance: NotNegative  # of the verdicts, relative
+    quantities: dict[str, Comparison]
+    formal_order: dict[str, float | None]  # of convergence; None at a shoulder, as a cut edge has none
+    corrected: CorrectedHertz | None  # for finite geometry; None outside the range of the fit
+    interpolation_error: dict[str, float]  # corrected Hertz over finite elements, less one; empty outside that range
+    verdict: ShownVerdict  # the worst; shown: a sheet, which Hertz's half space does not describe
+    method: str  # how the reference was computed, in words
+    refinement: Refinement  # how the error of the meshes was removed
+    meshes: Annotated[tuple[MeshCost, ...], MinLen(2)]  # coarse to fine
     ring: RingStructure | None = None  # part of no quantity and not judged; None where not computed
-    corrected: CorrectedHertz | None = None  # None outside the range of the correction's fit
-    approach_curve: ApproachCurve
     pressure_profile: Profiles
-    refinement: Refinement = "levels"  # how the error of the meshes was removed
-    peak_memory: int | None  # of the process when the contact was solved, bytes
+    approach_curve: ApproachCurve
+    shoulder: Shoulder | None  # None where the contact ends before it
+    seconds: NotNegative
+    peak_memory: Count | None  # of the process when the contact was solved, bytes
+    warnings: tuple[str, ...]  # one line each
     bearing: OfPair | None = None  # of a pair; None: there is one, or both have this contact
+
+    @property
+    def judged(self) -> bool:
+        """False for a sheet: it is shown with the thick seat only."""
+        return self.geometry != "wall"
+
+    @property
+    def hertz(self) -> Quantities:
+        """By Hertz."""
+        return Quantities(**{name: each.production for name, each in self.quantities.items()})
+
+    @property
+    def reference(self) -> Quantities:
+        """By finite elements, extrapolated from all meshes."""
+        return Quantities(**{name: each.reference for name, each in self.quantities.items()})
+
+    @property
+    def estimates(self) -> Estimates:
+        """Each quantity on its meshes."""
+        return {name: each.study for name, each in self.quantities.items() if each.study is not None}
+
+
+@dataclass(frozen=True, kw_only=True)
+class SheetInSeries:
+    """What the sheet of a pocket adds to the contact with a thick seat, as a spring in series."""
+
+    stiffness: float  # k, N/m: load over the approach that the sheet adds
+    uncertainty: float  # relative, 95 %
+
+
+def sheet_in_series(seat: ContactNumbers, sheet: ContactNumbers) -> SheetInSeries | None:
+    """From both models of a pocket under one load; None where the sheet adds no more than is uncertain."""
+    thick, thin = (each.quantities["approach"] for each in (seat, sheet))
+    added, off = thin.reference - thick.reference, thin.uncertainty + thick.uncertainty
+    return SheetInSeries(stiffness=seat.load / added, uncertainty=off / added) if added > off else None
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ContactSolution(Brief):
+    """The numbers of a contact, and the meshes on which it was solved."""
+
+    numbers: ContactNumbers
+    contact: Contact
+    meshes: tuple[MeshSolution, ...]  # coarse to fine
 
     def __post_init__(self) -> None:
         """Raises InputError for a number that is not finite."""
@@ -85,104 +176,20 @@ class ContactSolution(Brief):
         require_finite_results(found, of=f"{self.contact.pair} under {self.contact.load:g} N")
 
     def _facts(self) -> Iterator[str]:
-        yield from (self.contact.pair, self.geometry, f"{self.contact.load:.4g} N", self.shown_verdict)
-        yield f"approach {1e6 * self.reference.approach:.5g} um, Hertz {100 * self.discrepancy['approach']:+.2f} %"
+        found = self.numbers
+        approach = found.quantities["approach"]
+        yield from (found.pair, found.geometry, f"{found.load:.4g} N", found.verdict)
+        yield f"approach {1e6 * approach.reference:.5g} um, Hertz {100 * approach.difference:+.2f} %"
 
-    @property
-    def reference(self) -> Quantities:
-        """The finite-element values, extrapolated from all meshes."""
-        return Quantities(**{name: part.value for name, part in self.estimates.items()})
-
-    @property
-    def discrepancy(self) -> dict[str, float]:
-        """The production value over the reference, less one."""
-        return {name: getattr(self.hertz, name) / part.value - 1 for name, part in self.estimates.items()}
-
-    @property
-    def interpolation_error(self) -> dict[str, float]:
-        """Corrected Hertz over the reference, less one; not a contact of the fit's data. Empty outside its range."""
-        if self.corrected is None:
-            return {}
-        values = vars(self.corrected.quantities)
-        return {name: values[name] / part.value - 1 for name, part in self.estimates.items()}
-
-    @property
-    def comparisons(self) -> dict[str, Comparison]:
-        """Hertz's value against the reference, in the unit of the quantity."""
-        return {name: comparison_of(getattr(self.hertz, name), part) for name, part in self.estimates.items()}
-
-    @property
-    def exceeds_uncertainty(self) -> dict[str, bool]:
-        """Whether the discrepancy is larger than the uncertainty of the reference."""
-        return {name: abs(self.discrepancy[name]) > part.total for name, part in self.estimates.items()}
-
-    @property
-    def formal_orders(self) -> dict[str, float | None]:
-        """The order at which each quantity should converge; None at a shoulder, as a cut edge has none."""
-        return {name: None if self.shoulder else FORMAL_ORDERS[name] for name in self.estimates}
-
-    @property
-    def verdicts(self) -> dict[str, Verdict]:
-        """The verdict on each of the five quantities, by its name."""
-        return {
-            name: verdict_on(getattr(self.hertz, name), part, tolerance=self.tolerance, valid=self.valid)
-            for name, part in self.estimates.items()
-        }
-
-    @property
-    def verdict(self) -> Verdict:
-        """The worst verdict of all quantities."""
-        return worst(self.verdicts.values())
-
-    @property
-    def judged(self) -> bool:
-        """False for a sheet, which Hertz's half space does not describe: it is shown with the thick seat only."""
-        return self.geometry != "wall"
-
-    @property
-    def shown_verdict(self) -> str:
-        """The verdict; "shown" for a contact that is not judged."""
-        return self.verdict if self.judged else "shown"
-
-    @property
-    def method(self) -> str:
-        """How the reference was computed, in words."""
-        part = "half of the contact, " if self.meshes[-1].pair.footprint.half else ""
-        way = "corrected by a half-space twin, " if self.refinement == "twin" else ""
-        return f"finite elements, {self.geometry}, {part}{way}{self.meshes[-1].unknowns} unknowns"
-
-    @property
-    def centroid(self) -> float:
-        """y of the load's centroid, m: not 0 where one shoulder cuts the contact off."""
-        return self.shoulder["centroid"].value if self.shoulder else 0.0
-
-    @property
-    def shoulders(self) -> tuple[float, ...]:
-        """y of the shoulders that cut the contact off, m."""
-        if not self.shoulder:
-            return ()
-        below, above = self.meshes[-1].pair.footprint.shoulders
-        return tuple(y for y in (-below, above) if math.isfinite(y))
-
-    @property
-    def sides(self) -> dict[str, float]:
-        """Distance from y = 0, m, of each shoulder that cuts the contact off: "above" and "below"."""
-        return {"above" if y > 0 else "below": abs(y) for y in self.shoulders}
-
-    @property
-    def strip_width(self) -> float:
-        """Width of the strip next to the nearer shoulder whose load is shown, m."""
-        return STRIP * self.contact.nearer_shoulder
-
-    @property
-    def hertz_line_load(self) -> float:
-        """Greatest line load of Hertz's ellipse, 3 Q/(4 b), N/m: the pressure summed along rolling, at its centre."""
-        return 3 * self.contact.load / (4 * self.hertz.semi_axis_transverse)
+    def with_numbers(self, **changes: Any) -> "ContactSolution":
+        """The same with some of its numbers changed;  changes : fields of `ContactNumbers`"""
+        return replace(self, numbers=replace(self.numbers, **changes))
 
     @property
     def stem(self) -> str:
         """How the names of its files begin."""
-        return f"{f'{self.bearing}-' if self.bearing else ''}{self.contact.pair}-{self.geometry}"
+        found = self.numbers
+        return f"{f'{found.bearing}-' if found.bearing else ''}{found.pair}-{found.geometry}"
 
     def write_meshes(self, folder: Path) -> dict[str, Path]:
         """Write both bodies of the finest mesh with pressure and stress, Pa, and displacement, m, as .vtu.
@@ -216,31 +223,34 @@ class ContactSolution(Brief):
 
     def columns(self) -> dict[str, float]:
         """The values of `fembearing.check.contact.columns.COLUMNS`, SI."""
+        compared = self.numbers.quantities
         return {
             "load": self.contact.load,
             "contact_angle": self.contact.contact_angle,
-            **vars(self.reference),
-            **{f"uncertainty_{name}": part.total for name, part in self.estimates.items()},
-            **{f"hertz_{name}": value for name, value in vars(self.hertz).items()},
-            **{f"discrepancy_{name}": value for name, value in self.discrepancy.items()},
+            **{name: each.reference for name, each in compared.items()},
+            **{f"uncertainty_{name}": each.uncertainty / abs(each.reference) for name, each in compared.items()},
+            **{f"hertz_{name}": each.production for name, each in compared.items()},
+            **{f"discrepancy_{name}": each.difference for name, each in compared.items()},
             "unknowns": float(self.meshes[-1].unknowns),
         }
 
     def to_dataset(self) -> Any:
         """An xarray.Dataset of what is compared, with units."""
+        found = self.numbers
         attributes = {
-            "pair": self.contact.pair,
-            "geometry": self.geometry,
-            "rung": self.method,
-            "tolerance": self.tolerance,
-            VERDICT: self.shown_verdict,
-            "warnings": "\n".join(self.warnings),
+            "pair": found.pair,
+            "geometry": found.geometry,
+            "rung": found.method,
+            "tolerance": found.tolerance,
+            VERDICT: found.verdict,
+            "warnings": "\n".join(found.warnings),
         }
         return contact_dataset(self.columns(), attributes)
 
     def _repr_html_(self) -> str:
         """A table in a notebook."""
-        caption = f"{self.contact.pair}, {self.geometry}, {self.contact.load:.4g} N: {self.shown_verdict}"
+        found = self.numbers
+        caption = f"{found.pair}, {found.geometry}, {found.load:.4g} N: {found.verdict}"
         return contact_html(self.columns(), caption)
 
 
@@ -306,14 +316,14 @@ def solve_contact(
         solution = compare_contact(contact, recipe=recipe, tolerance=tolerance, accuracy=accuracy, progress=progress)
         if geometry == "ring":
             progress(1.0, f"{pair}: ring")
-            solution = replace(with_ring(solution), geometry=geometry)
-    return replace(solution, warnings=(*scene.warnings, *solution.warnings))
+            solution = with_ring(solution).with_numbers(geometry=geometry)
+    return solution.with_numbers(warnings=(*scene.warnings, *solution.numbers.warnings))
 
 
 def with_ring(solution: ContactSolution) -> ContactSolution:
     """A solved race contact with what its ring adds. Raises InputError if the ring is not known or cannot be meshed."""
-    recipe = recipe_of("ring", pair=solution.contact.pair)
-    return replace(solution, ring=structure_of_ring(solution.meshes, solution.estimates["approach"], recipe=recipe))
+    recipe, approach = recipe_of("ring", pair=solution.contact.pair), solution.numbers.estimates["approach"]
+    return solution.with_numbers(ring=structure_of_ring(solution.meshes, approach, recipe=recipe))
 
 
 def compare_contact(
@@ -338,42 +348,79 @@ def compare_contact(
         )
 
     reference = solve_reference(
-        contact,
-        recipe=recipe,
-        accuracy=accuracy,
-        quantities=quantities,
-        undecided=undecided,
-        progress=progress,
+        contact, recipe=recipe, accuracy=accuracy, quantities=quantities, undecided=undecided, progress=progress
     )
-    meshes, estimates = reference.meshes, reference.estimates
-    overrun = near_shoulder(meshes[-1], contact)
-    annular = annular_warning(meshes[-1], hertz=hertz.peak_pressure) if thin else ""
+    overrun = near_shoulder(reference.meshes[-1], contact)
     warnings = (
-        *((sheet_warning(contact),) if thin else ()),
-        *((annular,) if annular else ()),
+        *(sheet_warnings(reference.meshes[-1], hertz=hertz.peak_pressure) if thin else ()),
         *((shoulder_warning(contact, reference),) if overrun else ()),
-        *solve_warnings([(meshes[-1], estimates)], accuracy=accuracy, quantities=quantities, thin=thin),
+        *solve_warnings(
+            [(reference.meshes[-1], reference.estimates)], accuracy=accuracy, quantities=quantities, thin=thin
+        ),
     )
-    corrected, beyond = None, ()
-    correctable = is_correctable(contact, recipe.geometry)
-    if correctable:
-        corrected, beyond = corrected_hertz(contact, hertz=hertz)
-    return ContactSolution(
-        contact=contact,
-        geometry=recipe.geometry,
+    compared = {}
+    for name, part in reference.estimates.items():
+        formula = getattr(hertz, name)
+        verdict = "shown" if thin else verdict_on(formula, part, tolerance=tolerance, valid=not overrun)
+        compared[name] = compared_with(part, formula, verdict=verdict)
+    numbers = _numbers(contact, recipe.geometry, reference, compared, tolerance=tolerance)
+    numbers = replace(numbers, warnings=(*warnings, *numbers.warnings), seconds=time.perf_counter() - start)
+    return ContactSolution(numbers=numbers, contact=contact, meshes=reference.meshes)
+
+
+def _numbers(
+    contact: Contact, geometry: Geometry, reference: Reference, compared: dict[str, Comparison], *, tolerance: float
+) -> ContactNumbers:
+    """The numbers of a solved contact; the warnings are those of the correction."""
+    hertz, meshes = hertz_quantities(contact), reference.meshes
+    correctable = is_correctable(contact, geometry)
+    corrected, beyond = corrected_hertz(contact, hertz=hertz) if correctable else (None, ())
+    values = {} if corrected is None else vars(corrected.quantities)
+    part = "half of the contact, " if meshes[-1].pair.footprint.half else ""
+    way = "corrected by a half-space twin, " if reference.refinement == "twin" else ""
+    return ContactNumbers(
+        pair=contact.pair,
+        geometry=geometry,
+        load=contact.load,
+        contact_angle=contact.contact_angle,
         tolerance=tolerance,
-        hertz=hertz,
-        estimates=estimates,
-        shoulder=reference.shoulder,
-        meshes=meshes,
-        seconds=time.perf_counter() - start,
-        warnings=(*warnings, *beyond),
+        quantities=compared,
+        formal_order={name: None if reference.shoulder else FORMAL_ORDERS[name] for name in compared},
         corrected=corrected,
-        approach_curve=approach_over_load(contact, hertz=hertz, correctable=correctable),
-        pressure_profile=profiles_of(meshes[-1], hertz),
+        interpolation_error={name: value / compared[name].reference - 1 for name, value in values.items()},
+        verdict=worst(each.verdict for each in compared.values()),
+        method=f"finite elements, {geometry}, {part}{way}{meshes[-1].unknowns} unknowns",
         refinement=reference.refinement,
+        meshes=tuple(MeshCost(level=mesh.level, unknowns=mesh.unknowns, seconds=mesh.seconds) for mesh in meshes),
+        pressure_profile=profiles_of(meshes[-1], hertz),
+        approach_curve=approach_over_load(contact, hertz=hertz, correctable=correctable),
+        shoulder=_shoulder(contact, reference, hertz),
+        seconds=sum(mesh.seconds for mesh in meshes),
         peak_memory=peak_memory(),
-        valid=not thin and not overrun,
+        warnings=beyond,
+    )
+
+
+def _shoulder(contact: Contact, reference: Reference, hertz: Quantities) -> Shoulder | None:
+    """The contact at the nearer shoulder that cuts it off; None where it ends before it."""
+    if not reference.shoulder:
+        return None
+    footprint = reference.meshes[-1].pair.footprint
+    ends: list[tuple[Literal["above", "below"], float]] = list(
+        zip(("below", "above"), footprint.shoulders, strict=True)
+    )
+    return Shoulder(
+        sides={side: y for side, y in ends if math.isfinite(y)},
+        half=footprint.half,
+        peak_pressure_at=0.0,
+        strip_width=STRIP * contact.nearer_shoulder,
+        hertz_line_load=3 * contact.load / (4 * hertz.semi_axis_transverse),
+        **{
+            name: AtShoulder(
+                reference=part.value, relative_uncertainty=part.total, values=part.values, order=part.order
+            )
+            for name, part in reference.shoulder.items()
+        },
     )
 
 

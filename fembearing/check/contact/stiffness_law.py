@@ -29,11 +29,7 @@ class StiffnessLaw:
     stiffness_uncertainty: float | None  # of K, relative half-width, 95 %: large, as 1 m is far from any approach
     misfit: float | None  # of the exponent, from the deviation of the loads from a power law
     propagated: float  # of the exponent, from uncertain approaches
-
-    @property
-    def exponent_uncertainty(self) -> float | None:
-        """Half-width of the exponent, 95 %, absolute: the sum of both parts, as they may depend on each other."""
-        return None if self.misfit is None else self.misfit + self.propagated
+    exponent_uncertainty: float | None  # absolute, 95 %: the sum of both parts, as they may depend on each other
 
     def load(self, approach: ArrayLike) -> Array:
         """Load of the fitted law.
@@ -88,12 +84,15 @@ def fit_law(data: LawData) -> StiffnessLaw | None:
     exponent = 1 / slope
     logarithm = -intercept * exponent  # of K
     _, moves, _, uncertain = _fitted(data, basis, of=np.array([[-exponent, -logarithm * exponent]]))  # d ln K
+    propagation = float(exponent**2 * propagated[0])
+    misfit = float(exponent**2 * deviation * np.linalg.norm(weights)) if data.redundant else None
     return StiffnessLaw(
         stiffness=float(np.exp(logarithm)),
         exponent=float(exponent),
         stiffness_uncertainty=float(deviation * np.linalg.norm(moves) + uncertain[0]) if data.redundant else None,
-        misfit=float(exponent**2 * deviation * np.linalg.norm(weights)) if data.redundant else None,
-        propagated=float(exponent**2 * propagated[0]),
+        misfit=misfit,
+        propagated=propagation,
+        exponent_uncertainty=None if misfit is None else misfit + propagation,
     )
 
 

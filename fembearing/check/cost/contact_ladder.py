@@ -122,14 +122,15 @@ def _with_twin(contact: Contact, recipe: Recipe) -> list[TimedMethod]:
 
 def contact_ladder_of(solution: ContactSolution) -> Ladder:
     """The contact ladder of a solution: formulas are timed here, each mesh has the seconds of its one solve."""
+    found = solution.numbers
     meshes = [_mesh_method(mesh, seconds=(mesh.seconds,)) for mesh in solution.meshes]
-    methods = [*_formulas(solution.contact), *meshes, *_extrapolated(solution.estimates, meshes, solution.refinement)]
-    reference = _reference(solution.meshes, solution.estimates)
+    methods = [*_formulas(solution.contact), *meshes, *_extrapolated(found.estimates, meshes, found.refinement)]
+    reference = _reference(solution.meshes, found.estimates)
     return ladder_of(
-        f"{_quantity(solution.contact)}{which_bearing(solution.bearing)}",
+        f"{_quantity(solution.contact)}{which_bearing(found.bearing)}",
         reference,
         methods,
-        tolerance=solution.tolerance,
+        tolerance=found.tolerance,
     )
 
 

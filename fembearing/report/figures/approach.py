@@ -6,8 +6,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from fembearing.check.contact.solution import ContactNumbers
 from fembearing.quantities import Units
-from fembearing.report.contact import ContactRecord
 from fembearing.report.figures.style import BLACK, BLUE, RED, contact_columns
 from fembearing.report.phrases import contact_place
 from fembearing.report.report import Report
@@ -26,16 +26,16 @@ def approach_plot(document: Report) -> tuple[Figure | None, str]:
     return contact_columns(document.contacts, _curve, _apart, units=units, labels=labels), CAPTION
 
 
-def _curve(panel: Axes, contact: ContactRecord, units: Units) -> None:
+def _curve(panel: Axes, contact: ContactNumbers, units: Units) -> None:
     """Load over approach, with the solved point."""
-    curve, solved = contact.approach_curve, contact.fe.approach
+    curve, solved = contact.approach_curve, contact.quantities["approach"]
     load, small = units.force.factor * np.array(curve.load), units.small_length.factor
     panel.plot(small * np.array(curve.hertz), load, color=BLACK, label="Hertz")
     panel.plot(small * _known(curve.corrected), load, "--", color=BLUE, label="Hertz, corrected for finite geometry")
     panel.errorbar(
-        small * solved,
+        small * solved.reference,
         units.force.number(contact.load),
-        xerr=small * solved * contact.uncertainty.approach,
+        xerr=small * solved.uncertainty,
         fmt="o",
         color=RED,
         markersize=5,
@@ -46,9 +46,9 @@ def _curve(panel: Axes, contact: ContactRecord, units: Units) -> None:
     panel.set(xlabel=f"approach, {units.small_length.name}", xlim=(0, None), ylim=(0, None))
 
 
-def _apart(panel: Axes, contact: ContactRecord, units: Units) -> None:
+def _apart(panel: Axes, contact: ContactNumbers, units: Units) -> None:
     """Departure from Hertz's approach, per cent."""
-    curve, solved = contact.approach_curve, contact.fe.approach
+    curve, solved = contact.approach_curve, contact.quantities["approach"]
     load, hertz = units.force.factor * np.array(curve.load), np.array(curve.hertz)
     corrected, half = _known(curve.corrected), _known(curve.uncertainty)
     panel.axhline(0, color=BLACK)
@@ -56,11 +56,11 @@ def _apart(panel: Axes, contact: ContactRecord, units: Units) -> None:
         low, high = (100 * (corrected * (1 + side * half) / hertz - 1) for side in (-1, 1))
         panel.fill_between(load, low, high, color=BLUE, alpha=0.2, linewidth=0)
         panel.plot(load, 100 * (corrected / hertz - 1), "--", color=BLUE)
-    ratio = solved / contact.hertz.approach
+    ratio, uncertain = (part / solved.production for part in (solved.reference, solved.uncertainty))
     panel.errorbar(
         units.force.number(contact.load),
         100 * (ratio - 1),
-        yerr=100 * ratio * contact.uncertainty.approach,
+        yerr=100 * uncertain,
         fmt="o",
         color=RED,
         markersize=5,

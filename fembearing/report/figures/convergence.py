@@ -7,8 +7,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullFormatter
 
+from fembearing.check.contact.solution import ContactNumbers
 from fembearing.quantities import CONTACT
-from fembearing.report.contact import ContactRecord
 from fembearing.report.figures.style import GREY, LETTERS, WIDTH, lettered, look_of
 from fembearing.report.phrases import place_of
 from fembearing.report.report import Report
@@ -53,11 +53,11 @@ def convergence_plot(document: Report) -> tuple[Figure | None, str]:
     return lettered(figure), CAPTION
 
 
-def _convergence(panel: Axes, contact: ContactRecord, name: str) -> None:
+def _convergence(panel: Axes, contact: ContactNumbers, name: str) -> None:
     """Distance of one quantity from its extrapolated value over the unknowns."""
     colour, mark = look_of(contact.pair, contact.geometry)
     unknowns, distance = _distances(contact, name)
-    study = contact.convergence[name]
+    study = contact.estimates[name]
     panel.plot(
         *(unknowns, distance, mark),
         linestyle="--" if study.richardson is None else "-",
@@ -68,7 +68,7 @@ def _convergence(panel: Axes, contact: ContactRecord, name: str) -> None:
     )
 
 
-def _short(contact: ContactRecord) -> str:
+def _short(contact: ContactNumbers) -> str:
     """The place of a contact for a narrow key."""
     return (
         place_of(contact.pair, contact.geometry, contact.bearing)
@@ -77,9 +77,9 @@ def _short(contact: ContactRecord) -> str:
     )
 
 
-def _distances(contact: ContactRecord, name: str) -> tuple[np.ndarray, np.ndarray]:
+def _distances(contact: ContactNumbers, name: str) -> tuple[np.ndarray, np.ndarray]:
     """Unknowns and distance from the limit, %, mesh by mesh."""
-    study = contact.convergence[name]
+    study = contact.estimates[name]
     values, limit = np.array(study.values), study.richardson
     unknowns = np.array([mesh.unknowns for mesh in contact.meshes])
     if limit is None:  # its own finest mesh is the limit
@@ -87,7 +87,7 @@ def _distances(contact: ContactRecord, name: str) -> tuple[np.ndarray, np.ndarra
     return unknowns, 100 * np.maximum(np.abs(values / limit - 1), SAME)
 
 
-def _formal_slope(panel: Axes, contacts: Sequence[ContactRecord], name: str) -> None:
+def _formal_slope(panel: Axes, contacts: Sequence[ContactNumbers], name: str) -> None:
     """Below all points of the contacts that have a formal order in this quantity."""
     ordered = [contact for contact in contacts if contact.formal_order[name] is not None]
     order = ordered[0].formal_order[name] if ordered else None  # one for all contacts

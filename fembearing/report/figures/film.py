@@ -32,7 +32,8 @@ def film_figure(film: RaceFilm, units: Units = METRIC) -> Figure:
     figure = Figure(figsize=(WIDTH, HEIGHT), layout="constrained")
     grid = figure.add_gridspec(2, 2, height_ratios=(1.25, 1.0))
     across, small = units.length, units.small_length
-    thin = 0.9 * numbers.minimum_film.numerical, THICKEST * numbers.central_film.numerical
+    least, central = (numbers.quantities[name].reference for name in ("minimum_film", "central_film"))
+    thin = 0.9 * least, THICKEST * central
     for column, (values, ends, unit, name, colours) in enumerate(
         (
             (pressure, (0.0, pressure.max()), units.pressure, "pressure", "viridis"),
@@ -67,7 +68,8 @@ def _along_rolling(panel: Axes, film: RaceFilm, pressure: Array, height: Array, 
     other = panel.twinx()
     small = units.small_length
     other.plot(x / a, height * small.factor, color=RED, label="film")
-    other.set(ylim=(0, 4 * film.numbers.central_film.numerical * small.factor), ylabel=f"film, {small.name}")
+    central = film.numbers.quantities["central_film"].reference
+    other.set(ylim=(0, 4 * central * small.factor), ylabel=f"film, {small.name}")
     handles = [*panel.get_legend_handles_labels()[0], *other.get_legend_handles_labels()[0]]
     panel.legend(
         handles, [str(each.get_label()) for each in handles], loc="center left", frameon=False, fontsize=LETTERS

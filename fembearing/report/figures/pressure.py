@@ -5,8 +5,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from analytic.scene import Array
+from fembearing.check.contact.solution import ContactNumbers
+from fembearing.fem.measure import Quantities
 from fembearing.quantities import CONTACT, Units
-from fembearing.report.contact import ContactRecord, OfQuantities
 from fembearing.report.figures.style import BLACK, BLUE, RED, contact_columns
 from fembearing.report.phrases import contact_place
 from fembearing.report.report import Report
@@ -39,12 +40,12 @@ def pressure_plot(document: Report) -> tuple[Figure | None, str]:
     return figure, CAPTION + (CUT if cut else "")
 
 
-def _profile(panel: Axes, contact: ContactRecord, units: Units) -> None:
+def _profile(panel: Axes, contact: ContactNumbers, units: Units) -> None:
     """Pressure along both axes, with Hertz's semi-ellipse."""
     hertz, factor = contact.hertz, units.pressure.factor
     for axis, (name, words, colour, mark, _) in ALONG.items():
         nodes = getattr(contact.pressure_profile, axis).fe
-        position = np.array(nodes.position) / hertz[name]
+        position = np.array(nodes.position) / getattr(hertz, name)
         pressure = factor * np.array(nodes.pressure)
         panel.plot(position, pressure, mark, color=colour, markersize=4, markerfacecolor="white", label=words)
     line = contact.pressure_profile.rolling.hertz  # both axes are one line in semi-axes
@@ -60,38 +61,39 @@ def _profile(panel: Axes, contact: ContactRecord, units: Units) -> None:
     panel.set_ylim(0, min(panel.get_ylim()[1], HIGHEST * factor * hertz.peak_pressure))
 
 
-def _difference(panel: Axes, contact: ContactRecord, units: Units) -> None:  # noqa: ARG001
+def _difference(panel: Axes, contact: ContactNumbers, units: Units) -> None:  # noqa: ARG001
     """The nodes less Hertz, per cent of Hertz's peak."""
-    hertz, computed, largest = contact.hertz, contact.fe, 0.0
+    hertz, computed, largest = contact.hertz, contact.reference, 0.0
     for axis, (name, _, colour, mark, line) in ALONG.items():
         nodes = getattr(contact.pressure_profile, axis).fe
         position = np.array(nodes.position)
         apart = 100 * (np.array(nodes.pressure) - _semi_ellipse(position, hertz, name)) / hertz.peak_pressure
         edge = min(map(abs, _shoulders(contact)), default=np.inf) if axis == "transverse" else np.inf
-        inside = np.abs(position) <= EDGE * min(hertz[name], edge)
+        semi_axis = getattr(hertz, name)
+        inside = np.abs(position) <= EDGE * min(semi_axis, edge)
         largest = max(largest, float(np.abs(apart[inside]).max(initial=0.0)))
-        panel.plot(position / hertz[name], apart, mark, color=colour, markersize=4, markerfacecolor="white")
+        panel.plot(position / semi_axis, apart, mark, color=colour, markersize=4, markerfacecolor="white")
         if contact.shoulder:  # a cut contact is no semi-ellipse
             continue
         fine = np.linspace(position.min(), position.max(), 400)
         expected = _semi_ellipse(fine, computed, name) - _semi_ellipse(fine, hertz, name)
-        panel.plot(fine / hertz[name], 100 * expected / hertz.peak_pressure, line, color=colour, linewidth=1)
+        panel.plot(fine / semi_axis, 100 * expected / hertz.peak_pressure, line, color=colour, linewidth=1)
     panel.axhline(0, color=BLACK, linewidth=1)
     panel.set_ylim(-2.5 * max(largest, 0.4), 2.5 * max(largest, 0.4))
     panel.set_xlabel("position, semi-axes")
 
 
-def _semi_ellipse(position: Array, quantities: OfQuantities[float], semi_axis: str) -> Array:
-    inside = 1 - (position / quantities[semi_axis]) ** 2
+def _semi_ellipse(position: Array, quantities: Quantities, semi_axis: str) -> Array:
+    inside = 1 - (position / getattr(quantities, semi_axis)) ** 2
     return quantities.peak_pressure * np.sqrt(np.maximum(inside, 0.0))
 
 
-def _is_whole(contact: ContactRecord) -> bool:
+def _is_whole(contact: ContactNumbers) -> bool:
     """Whether both transverse sides of the centre are meshed: where a shoulder cuts the contact off."""
     return contact.shoulder is not None and contact.shoulder.half
 
 
-def _shoulders(contact: ContactRecord) -> list[float]:
+def _shoulders(contact: ContactNumbers) -> list[float]:
     """y of the shoulders that cut it off, m, on the sides that are drawn."""
     cuts = [] if contact.shoulder is None else contact.shoulder.cuts
     return [y for y in cuts if y > 0 or _is_whole(contact)]

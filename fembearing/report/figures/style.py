@@ -13,7 +13,7 @@ if TYPE_CHECKING:  # charts in a browser take the colours alone
     from matplotlib.axis import Axis
     from matplotlib.figure import Figure
 
-    from fembearing.report.contact import ContactRecord
+    from fembearing.check.contact.solution import ContactNumbers
 
 BLUE, ORANGE, GREEN, RED = "#0072B2", "#E69F00", "#009E73", "#D55E00"  # the palette of M. Okabe and K. Ito
 PURPLE, SKY, YELLOW = "#CC79A7", "#56B4E9", "#F0E442"
@@ -30,7 +30,7 @@ TITLE, LETTERS = 9, 8  # points
 SIDE_BY_SIDE = 4  # panels at most
 UPPER, LOWER = 1.6, 1.2  # inches: heights of the two panels of a contact
 HEADS = 0.7  # inches: titles of a row of contacts, and names of its axes
-DrawContact = Callable[["Axes", "ContactRecord", Units], None]
+DrawContact = Callable[["Axes", "ContactNumbers", Units], None]
 DOTS = 192  # per inch: twice those of a screen
 MANY = 25  # points on a line: more have no marks
 
@@ -75,7 +75,11 @@ def look_of(pair: str, geometry: str) -> tuple[str, str]:
 
 
 def contact_columns(
-    contacts: "Sequence[ContactRecord]", *rows: DrawContact, units: Units, labels: tuple[str, str], shared: bool = False
+    contacts: "Sequence[ContactNumbers]",
+    *rows: DrawContact,
+    units: Units,
+    labels: tuple[str, str],
+    shared: bool = False,
 ) -> "Figure":
     """Two panels for each contact, one above the other, contacts side by side, with one legend for all.
 

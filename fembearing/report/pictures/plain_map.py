@@ -41,15 +41,16 @@ def pressure_map(contact: ContactSolution, *, title: str, frame: Frame, shown: P
         part = Triangulation(horizontal, vertical, triangles)
         axes.tricontourf(part, np.clip(pressure, 0, peak), levels=levels, cmap=scale.cmap, norm=scale.norm)
     angle = np.linspace(0, 2 * np.pi, 721)
+    found, shoulder = contact.numbers, contact.numbers.shoulder
     for quantities, centre, colour, width in (
-        (contact.reference, contact.centroid, "black", 1.0),
-        (contact.hertz, 0.0, "red", 1.5),
+        (found.reference, 0.0 if shoulder is None else shoulder.centroid.reference, "black", 1.0),
+        (found.hertz, 0.0, "red", 1.5),
     ):
         along = quantities.semi_axis_rolling * np.cos(angle), centre + quantities.semi_axis_transverse * np.sin(angle)
         axes.plot(*(along if frame.rolling_is_horizontal else along[::-1]), color=colour, linewidth=width)
-    for shoulder in contact.shoulders:
+    for cut in () if shoulder is None else shoulder.cuts:
         mark = axes.axhline if frame.rolling_is_horizontal else axes.axvline
-        mark(shoulder, color="darkorange", linewidth=1.5)
+        mark(cut, color="darkorange", linewidth=1.5)
         figure.text(380 / frame.width, 1 - 52 / frame.height, "orange: shoulder", fontsize=10, color="darkorange")
     figure.text(12 / frame.width, 1 - 28 / frame.height, title, fontsize=12)
     figure.text(12 / frame.width, 1 - 52 / frame.height, "red: Hertz's ellipse", fontsize=10, color="red")

@@ -47,9 +47,10 @@ def test_a_measured_ladder_agrees_with_that_of_a_solution(
     monkeypatch.setattr(contact_ladder, "fitted_solution", None)
     taken = contact_ladder_of(solved)
     names = ("semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")
-    quantities = [solved.hertz, present(solved.corrected).quantities, *(mesh.quantities for mesh in solved.meshes)]
+    numbers = solved.numbers
+    quantities = [numbers.hertz, present(numbers.corrected).quantities, *(mesh.quantities for mesh in solved.meshes)]
     for number, found in enumerate(quantities):
-        expected = max(abs(getattr(found, name) / solved.estimates[name].limit - 1) for name in names)
+        expected = max(abs(getattr(found, name) / numbers.estimates[name].limit - 1) for name in names)
         assert taken.methods[number].error == pytest.approx(expected, rel=1e-12)  # round-off
         assert run.methods[number].error == pytest.approx(expected, rel=1e-6)  # round-off of the factorisation
     assert taken.methods[-1].error is None
@@ -70,10 +71,11 @@ def test_a_measured_ladder_agrees_with_that_of_a_solution(
 
 def test_corrected_hertz_is_much_closer_than_hertz(solved: ContactSolution) -> None:
     """On a contact outside the fit, within the uncertainties of fit and meshes; Hertz is far outside of them."""
-    corrected = present(solved.corrected)
-    for name, error in solved.interpolation_error.items():
-        allowed = corrected.uncertainty[name] + solved.estimates[name].total
-        assert abs(error) < allowed < abs(solved.discrepancy[name]), name
+    numbers = solved.numbers
+    corrected = present(numbers.corrected)
+    for name, error in numbers.interpolation_error.items():
+        allowed = corrected.uncertainty[name] + numbers.estimates[name].total
+        assert abs(error) < allowed < abs(numbers.quantities[name].difference), name
     methods = contact_ladder_of(solved).methods
     assert methods[0].error is not None
     assert methods[1].error is not None

@@ -11,10 +11,9 @@ from matplotlib.collections import PolyCollection
 from matplotlib.container import ErrorbarContainer
 from matplotlib.lines import Line2D
 
-from fembearing.check.contact.solution import ContactSolution
+from fembearing.check.contact.solution import ContactNumbers, ContactSolution
 from fembearing.check.validation import Validation
 from fembearing.quantities import METRIC
-from fembearing.report.contact import ContactRecord, contact_record
 from fembearing.report.figures.approach import approach_plot
 from fembearing.report.figures.convergence import convergence_plot
 from fembearing.report.figures.pressure import pressure_plot
@@ -27,7 +26,7 @@ from tests.report.figures.figure_reader import labels_of, line_of, points_of, re
 PLACES = ("inner race", "outer race", "thick seat", "sheet on its rim")
 
 
-def report_with(*contacts: ContactRecord) -> Report:
+def report_with(*contacts: ContactNumbers) -> Report:
     """Nothing but these contacts."""
     return cast(Report, SimpleNamespace(contacts=contacts, units=METRIC))
 
@@ -91,7 +90,7 @@ def test_every_contact_is_in_every_panel(panels: dict[str, Axes]) -> None:
 
 
 def test_a_cut_contact_has_no_formal_order(cut_contact: ContactSolution) -> None:
-    figure, _ = convergence_plot(report_with(contact_record(cut_contact)))
+    figure, _ = convergence_plot(report_with(cut_contact.numbers))
     assert not any("formal order" in drawn_in(axes) for axes in present(figure).axes)
     require_legible(present(figure))
     assert labels_of(present(figure).axes[-1]) == ["inner race"]
@@ -165,7 +164,7 @@ def test_pressure_is_drawn_in_semi_axes_and_less_hertz(checked: Validation) -> N
             ("transverse", "semi_axis_transverse", "transverse"),
         ):
             nodes = getattr(contact.pressure_profile, axis).fe
-            position = np.array(nodes.position) / contact.hertz[name]
+            position = np.array(nodes.position) / getattr(contact.hertz, name)
             drawn = points_of(line_of(above, label))
             np.testing.assert_allclose(drawn, np.column_stack([position, 1e-9 * np.array(nodes.pressure)]))
             ellipse = np.sqrt(np.maximum(0, 1 - position**2))
@@ -175,8 +174,8 @@ def test_pressure_is_drawn_in_semi_axes_and_less_hertz(checked: Validation) -> N
             lines = [line for line in below.get_lines() if line.get_color() == apart.get_color()]
             (fitted,) = (line for line in lines if line is not apart)
             place, height = points_of(fitted).T
-            ratio = contact.fe[name] / contact.hertz[name]
-            ellipses = contact.fe.peak_pressure / peak * np.sqrt(np.maximum(0, 1 - (place / ratio) ** 2))
+            ratio = getattr(contact.reference, name) / getattr(contact.hertz, name)
+            ellipses = contact.reference.peak_pressure / peak * np.sqrt(np.maximum(0, 1 - (place / ratio) ** 2))
             np.testing.assert_allclose(height, 100 * (ellipses - np.sqrt(np.maximum(0, 1 - place**2))), atol=1e-5)
         line = points_of(line_of(above, "Hertz"))
         np.testing.assert_allclose(line[:, 1], 1e-9 * peak * np.sqrt(np.maximum(0, 1 - line[:, 0] ** 2)), atol=1e-7)
@@ -187,9 +186,9 @@ def test_pressure_is_drawn_in_semi_axes_and_less_hertz(checked: Validation) -> N
 
 
 def test_a_cut_contact_is_drawn_on_both_sides_up_to_its_shoulder(cut_contact: ContactSolution) -> None:
-    figure, caption = pressure_plot(report_with(contact_record(cut_contact)))
+    figure, caption = pressure_plot(report_with(cut_contact.numbers))
     above, below = present(figure).axes
-    semi_axis = cut_contact.hertz.semi_axis_transverse
+    semi_axis = cut_contact.numbers.hertz.semi_axis_transverse
     across = points_of(line_of(above, "transverse"))
     assert across[0, 0] < -0.9
     hertz = [points_of(line) for line in above.get_lines() if line.get_color() == BLACK]
@@ -198,11 +197,11 @@ def test_a_cut_contact_is_drawn_on_both_sides_up_to_its_shoulder(cut_contact: Co
     assert np.all(across[across[:, 0] > 1.001 * 0.8e-3 / semi_axis, 1] == 0)  # nothing touches beyond
     (shoulder,) = (line for line in above.get_lines() if line.get_linestyle() == ":")
     np.testing.assert_allclose(np.asarray(shoulder.get_xdata(), dtype=float), 0.8e-3 / semi_axis, rtol=1e-12)
-    assert above.get_ylim()[1] < 1.51e-9 * cut_contact.hertz.peak_pressure
+    assert above.get_ylim()[1] < 1.51e-9 * cut_contact.numbers.hertz.peak_pressure
     assert below.get_ylim()[1] < 30  # %: not that of the shoulder's node, some 200 %
     assert "Dotted: shoulder" in caption
     require_legible(present(figure))
-    record = contact_record(cut_contact)
+    record = cut_contact.numbers
     half = replace(present(record.shoulder), half=False, sides={"above": 0.8e-3, "below": 0.7e-3})
     figure, _ = pressure_plot(report_with(replace(record, shoulder=half)))
     lines = present(figure).axes[0].get_lines()
@@ -216,7 +215,7 @@ def test_differences_beyond_nine_tenths_of_the_edge_do_not_set_the_scale(documen
     contact = document.contacts[0]
     axes = {}
     for axis, name in (("rolling", "semi_axis_rolling"), ("transverse", "semi_axis_transverse")):
-        semi_axis, peak = contact.hertz[name], contact.hertz.peak_pressure
+        semi_axis, peak = getattr(contact.hertz, name), contact.hertz.peak_pressure
         share = np.array([0.0, 0.5, 0.89, 0.95])
         pressure = peak * (np.sqrt(1 - share**2) + np.array([0.03, 0.02, 0.01, 0.4]))
         profile = getattr(contact.pressure_profile, axis)

@@ -139,12 +139,12 @@ def test_every_picture_is_inside(page: Page) -> None:
 
 
 def test_the_numbers_are_those_of_the_result(checked: Validation, page: Page) -> None:
-    for contact in checked.contacts:
+    for contact in (each.numbers for each in checked.contacts):
         if contact.judged:
-            for name, part in contact.estimates.items():
-                assert f"{contact.discrepancy[name]:+.2%}" in page.text
-                assert f"{part.total:.2%}" in page.text
-    seat, sheet = checked.contacts[2:]
+            for each in contact.quantities.values():
+                assert f"{each.discrepancy:+.2%}" in page.text
+                assert f"{each.relative_uncertainty:.2%}" in page.text
+    seat, sheet = (each.numbers for each in checked.contacts[2:])
     for stiffness in (seat.hertz.stiffness, seat.reference.stiffness, sheet.reference.stiffness):
         assert f"{1e-9 * stiffness:.4g}" in page.text
     assert checked.torque_change is not None

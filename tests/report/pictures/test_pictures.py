@@ -113,7 +113,7 @@ def test_a_pressure_picture_shows_the_mesh(drawn: dict[str, Picture], pair: str)
 
 def test_the_words_of_a_map_are_in_it_and_apart(checked: Validation, cut_contact: ContactSolution) -> None:
     for contact in (*checked.contacts, cut_contact):
-        sizes = {name: getattr(contact.hertz, name) for name in ("semi_axis_rolling", "semi_axis_transverse")}
+        sizes = {name: getattr(contact.numbers.hertz, name) for name in ("semi_axis_rolling", "semi_axis_transverse")}
         scale = PressureScale(unit="GPa", factor=1e-9, peak=2.0, ticks=[0.0, 1.0, 2.0])
         require_legible(pressure_map(contact, title="a contact", frame=frame_of(**sizes), shown=scale))
 
@@ -210,9 +210,9 @@ def test_the_colour_bar_is_labelled_in_round_numbers_up_to_its_end(checked: Vali
 def test_the_reader_sees_an_ellipse_of_the_wrong_size(checked: Validation, tmp_path: Path) -> None:
     """The pictures' test, tested: Hertz a tenth too large is drawn where it does not belong."""
     contact = checked.contacts[0]
-    stretched = replace(
-        contact, hertz=replace(contact.hertz, semi_axis_transverse=contact.hertz.semi_axis_transverse * 0.9)
-    )
+    found = contact.numbers.quantities
+    across = replace(found["semi_axis_transverse"], production=0.9 * found["semi_axis_transverse"].production)
+    stretched = contact.with_numbers(quantities=found | {"semi_axis_transverse": across})
     (picture,), _ = draw_pictures([stretched], tmp_path, renderer=DIES)
     with pytest.raises(AssertionError):
         check_ellipse(replace(picture, contact=contact))
@@ -241,7 +241,7 @@ def test_every_way_to_fail_is_named(
 def test_captions_say_what_to_see(checked: Validation, drawn: dict[str, Picture]) -> None:
     """The groove closes in on the ball: Hertz reaches further across."""
     contact: ContactSolution = checked.contacts[0]
-    share = contact.hertz.semi_axis_transverse / contact.reference.semi_axis_transverse - 1
+    share = contact.numbers.quantities["semi_axis_transverse"].difference
     assert share > 0
     assert f"transverse semi-axis {share:.1%} larger" in drawn["inner-real-pressure"].caption
     assert "Grey: mesh" in drawn["inner-real-pressure"].caption
@@ -271,7 +271,8 @@ def test_a_job_has_room_for_both_ellipses_and_names_the_body_near_the_contact(
     for contact, body in ((checked.contacts[0], "race"), (checked.contacts[2], "pocket")):
         for computed, hertz in (((1.2, 1.1), (0.9, 1.3)), ((0.8, 1.4), (1.6, 0.7))):
             odd = with_ellipses(contact, computed=computed, hertz=hertz)
-            longer, wider = (odd.reference, odd.hertz) if computed[0] > hertz[0] else (odd.hertz, odd.reference)
+            by_fe, by_hertz = odd.numbers.reference, odd.numbers.hertz
+            longer, wider = (by_fe, by_hertz) if computed[0] > hertz[0] else (by_hertz, by_fe)
             frame = frame_of(
                 semi_axis_rolling=longer.semi_axis_rolling, semi_axis_transverse=wider.semi_axis_transverse
             )

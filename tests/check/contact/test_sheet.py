@@ -6,17 +6,15 @@ from typing import Any
 
 import pytest
 
+from fembearing.check.comparison import compared
 from fembearing.check.contact import solution
-from fembearing.check.contact.solution import ContactSolution
-from fembearing.report.contact import sheet_in_series
+from fembearing.check.contact.solution import ContactSolution, sheet_in_series
 from tests.analytic.specimens import present
 
 
 def pocket(approach: float, uncertainty: float) -> Any:
     """A pocket under 28 N."""
-    return SimpleNamespace(
-        load=28.0, fe=SimpleNamespace(approach=approach), uncertainty=SimpleNamespace(approach=uncertainty)
-    )
+    return SimpleNamespace(load=28.0, quantities={"approach": compared(0.6e-6, approach, uncertainty * approach)})
 
 
 def test_the_sheet_is_softer_by_what_it_adds_to_the_approach() -> None:
