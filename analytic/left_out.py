@@ -7,9 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from analytic.columns import COORDINATES
 from analytic.errors import FembearingError
 from analytic.prediction.formulas import with_model_uncertainty
-from analytic.result import COORDINATES, FrictionTorque
+from analytic.result import FrictionTorque
 from analytic.rows import OperatingPoint
 from analytic.scene import Array, Scene
 from analytic.torque import friction_torque
@@ -44,7 +45,7 @@ class Places:
         for name, values in computed.items():
             whole[name][self.computed] = values
         for each in self.left_out:
-            for name in COORDINATES:
+            for name in COORDINATES & whole.keys():
                 whole[name][each.point] = getattr(each, name)
         return whole
 

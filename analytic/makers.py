@@ -389,7 +389,7 @@ def beside_catalogue(scene: Scene, pair: PairPart | None = None) -> BesideCatalo
     return BesideCatalogue(band=band, note=note)
 
 
-def of_open_bearing(torque: TorqueParts[Array]) -> tuple[Array, str]:
+def of_open_bearing(torque: TorqueParts) -> tuple[Array, str]:
     """The torque to compare with the band, N m, and what it is without, in words; empty: it is the total.
 
     No model has seals, and SKF's has no drag of the oil outside the contacts. Palmgren's and that of ISO 15312 have the

@@ -2,20 +2,20 @@
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
-from typing import TYPE_CHECKING, Any, Generic
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from analytic.brief import Brief, points_of, span
-from analytic.cage.torque import CagePart, CagePoint
+from analytic.cage.torque import CagePart
+from analytic.columns import COLUMNS, COORDINATES, MODEL_PARTS, OF_MODEL, Point, rows_of, without_residue
 from analytic.effects import Effects
 from analytic.errors import FembearingError, InputError
-from analytic.labelled import Column, Labelled, dataset_of, frame_of, html_table
+from analytic.labelled import Labelled, dataset_of, frame_of, html_table
 from analytic.limits import LimitNumbers
 from analytic.loads.pair import PairEquilibrium
-from analytic.loads.ring_state import RingPoint, RingState
-from analytic.rows import NotNegative, OperatingPoint, T, row_of
+from analytic.loads.ring_state import RingState
 from analytic.scene import ArrangementKind, Array, Clearances, Operation, Sliding
 from analytic.words import NEWTON_MILLIMETRE, RPM
 
@@ -23,149 +23,47 @@ POINT = "point"  # the dimension of a dataset
 MOST_ROWS = 12  # of the table in a notebook
 
 
-# An operating point, as it is given.
-COORDINATES: dict[str, Column] = {
-    "inner_speed": Column("rad/s", "speed of the inner ring"),
-    "axial_load": Column("N", "axial load", "Fa"),
-    "radial_load": Column("N", "radial load", "Fr"),
-    "moment": Column("N m", "moment", "M"),
-}
-# What is computed there.
-COLUMNS: dict[str, Column] = {
-    "torque_total": Column("N m", "friction torque"),
-    "torque_race": Column("N m", "friction torque of balls on races"),
-    "torque_spin": Column("N m", "part of the friction torque by spin"),
-    "torque_conformity": Column("N m", "part of the friction torque by conformity"),
-    "torque_hysteresis": Column("N m", "part of the friction torque by elastic hysteresis"),
-    "torque_rolling": Column("N m", "part of the friction torque by hydrodynamic rolling"),
-    "torque_cage": Column("N m", "part of the friction torque by the cage"),
-    "torque_oil": Column("N m", "part of the friction torque by oil that flows through, is sheared and stirred"),
-    "torque_declared": Column("N m", "part of the friction torque that the scene declares for seals and drag"),
-    "uncertainty_numerical": Column("1", "numerical uncertainty of the friction torque, relative"),
-    "uncertainty_model": Column("1", "uncertainty of the friction torque by the model's formulas, relative, 95 %"),
-    "contact_angle": Column("rad", "contact angle of the heaviest ball", "al"),
-    "ball_load": Column("N", "load of the heaviest ball on the race where it is larger", "Q"),
-    "tilt": Column("rad", "tilt of the inner ring about y under unequal loads"),
-    "holding_moment": Column("N m", "moment about y that holds the inner ring at its tilt"),
-    **{
-        f"{name}_{race}": Column(unit, f"{meaning}, {race} race", symbol)
-        for name, unit, meaning, symbol in (
-            ("friction_coefficient", "1", "friction coefficient", "mu"),
-            ("film", "m", "mean gap that the oil fills", "h"),
-            ("asperity_share", "1", "share of the load on asperities", "s"),
-            ("boundary_share", "1", "share of the load with boundary friction", "s_b"),
-            ("load", "N", "load of the heaviest ball", "Q"),
-            ("semi_axis_rolling", "m", "semi-axis of the contact along rolling", "a"),
-            ("semi_axis_transverse", "m", "transverse semi-axis of the contact", "b"),
-            ("peak_pressure", "Pa", "peak pressure", "p0"),
-            ("approach", "m", "approach of ball and race", "delta"),
-        )
-        for race in ("inner", "outer")
-    },
-    "friction_coefficient_pocket": Column("1", "friction coefficient of ball on cage pocket", "mu"),
-}
+@dataclass(frozen=True, kw_only=True, eq=False)
+class TorqueParts(Brief):
+    """N m, each (n,); None where a part was left out or is not modelled."""
+
+    total: Array  # the sum of what was computed and declared
+    race: Array  # spin + conformity + hysteresis + rolling, as far as computed
+    spin: Array | None
+    conformity: Array | None
+    hysteresis: Array | None
+    rolling: Array | None = None
+    cage: Array | None = None  # sliding on balls and land, and drag
+    oil: Array | None = None  # outside the contacts: it flows through, is sheared at the cage, and holds the balls back
+    declared: Array | None = None  # seals and drag, as the scene gives them
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class TorqueParts(Brief, Generic[T]):
-    """N m, each (n,), or at one operating point; None where a part was left out or is not modelled."""
+class FrictionCoefficients(Brief):
+    """Of each contact, (n,); None: no such contact, or nothing that slides was computed."""
 
-    total: T  # the sum of what was computed and declared
-    race: T  # spin + conformity + hysteresis + rolling, as far as computed
-    spin: T | None
-    conformity: T | None
-    hysteresis: T | None
-    rolling: T | None = None
-    cage: T | None = None  # sliding on balls and land, and drag
-    oil: T | None = None  # outside the contacts: it flows through, is sheared at the cage, and holds the balls back
-    declared: T | None = None  # seals and drag, as the scene gives them
+    inner: Array | None  # coefficient of ball on inner race
+    outer: Array | None  # coefficient of ball on outer race
+    pocket: Array | None  # coefficient of ball on pocket
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class FrictionCoefficients(Brief, Generic[T]):
-    """Of each contact, (n,), or at one operating point; None: no such contact, or nothing that slides was computed."""
+class OnRaces(Brief):
+    """A quantity of the contacts on both races, each (n,); None where it is not known."""
 
-    inner: T | None  # coefficient of ball on inner race
-    outer: T | None  # coefficient of ball on outer race
-    pocket: T | None  # coefficient of ball on pocket
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class OnRaces(Brief, Generic[T]):
-    """A quantity of the contacts on both races, each (n,), or at one operating point; None where it is not known."""
-
-    inner: T  # on the inner race, in the unit of the quantity
-    outer: T  # on the outer race, in the unit of the quantity
+    inner: Array | None  # on the inner race, in the unit of the quantity
+    outer: Array | None  # on the outer race, in the unit of the quantity
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class LoadedContact(Brief, Generic[T]):
-    """One ball on one race, each (n,), or at one operating point."""
+class LoadedContact(Brief):
+    """One ball on one race, each (n,)."""
 
-    load: T  # Q, N
-    semi_axis_rolling: T  # a, m
-    semi_axis_transverse: T  # b, m
-    peak_pressure: T  # p0, Pa
-    approach: T  # delta, m
-
-
-@dataclass(frozen=True, kw_only=True)
-class TorqueUncertainty:
-    """Of the total at one operating point, relative; None where it is not known."""
-
-    numerical: NotNegative | None
-    model: NotNegative | None  # 95 %
-    model_parts: dict[str, NotNegative] | None  # of the model's, by the formula that is varied
-
-
-@dataclass(frozen=True, kw_only=True)
-class TorquePoint(OperatingPoint):
-    """The torque at one operating point."""
-
-    contact_angle: float  # rad
-    torque: TorqueParts[float]
-    friction_coefficient: FrictionCoefficients[float]
-    film: OnRaces[float | None]  # m
-    asperity_share: OnRaces[float | None]
-    boundary_share: OnRaces[float | None]
-    contact: OnRaces[LoadedContact[NotNegative]]  # the heaviest ball
-    uncertainty: TorqueUncertainty
-    cage: CagePoint
-    ring: RingPoint | None  # None for a pair
-
-
-@dataclass(frozen=True, kw_only=True)
-class BearingOfPair:
-    """One bearing of a pair at one operating point, in its own frame."""
-
-    axial_load: float  # N
-    radial_load: float  # N
-    moment: float  # N m
-    ball_load: float  # of its heaviest, N
-    is_pressed: bool  # whether its inner ring presses
-    is_relieved: bool  # whether the loads leave its balls room
-    torque: float  # N m
-
-
-@dataclass(frozen=True, kw_only=True)
-class PairPoint:
-    """A pair at one operating point."""
-
-    displacement: float  # of the shaft along its axis, m
-    tilt: float  # rad
-    stiffness: float  # axial, N/m
-    bearings: tuple[BearingOfPair, BearingOfPair]
-
-
-@dataclass(frozen=True, kw_only=True)
-class PairRows:
-    """A pair with a row for each operating point."""
-
-    kind: ArrangementKind
-    preload: float  # at standstill, N
-    offset: float  # closed by it, m
-    distance: float  # of the middles, m
-    points: tuple[PairPoint, ...]
+    load: Array  # Q, N
+    semi_axis_rolling: Array  # a, m
+    semi_axis_transverse: Array  # b, m
+    peak_pressure: Array  # p0, Pa
+    approach: Array  # delta, m
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -178,38 +76,20 @@ class PairPart(Brief):
     points: tuple[NDArray[np.intp], NDArray[np.intp]]  # numbers of the points at which each inner ring presses
     total: Array  # (2, n) torque of each bearing, N m
 
-    @property
-    def rows(self) -> PairRows:
-        """The pair with a row for each operating point; loads in each bearing's own frame."""
+    def columns(self) -> dict[str, Array]:
+        """The numbers of the pair and, in its own frame, of each bearing, (n,), SI; flags are 0 or 1."""
         found = self.equilibrium
-        return PairRows(
-            kind=self.kind,
-            preload=found.preload,
-            offset=found.offset,
-            distance=found.distance,
-            points=tuple(self._point(index) for index in range(self.total.shape[1])),
-        )
-
-    def _point(self, index: int) -> PairPoint:
-        found = self.equilibrium
-        loads = ("axial_load", "radial_load", "moment", "ball_load")
-        first, second = (
-            BearingOfPair(
-                **{name: float(getattr(found, name)[bearing, index]) for name in loads},
-                is_pressed=bool(found.is_pressed[bearing, index]),
-                is_relieved=bool(found.is_relieved[bearing, index]),
-                torque=float(self.total[bearing, index]),
-            )
-            for bearing in range(2)
-        )
-        return PairPoint(
-            displacement=float(found.displacement[index]),
-            tilt=float(found.tilt[index]),
-            stiffness=float(found.stiffness[index]),
-            bearings=(first, second),
-        )
+        shaft = {f"shaft_{name}": getattr(found, name) for name in ("displacement", "tilt", "stiffness")}
+        of_bearings = {name: getattr(found, name) for name in OF_BEARING} | {"torque": self.total}
+        return shaft | {
+            f"{name}_{bearing}": np.asarray(values[place], dtype=float)
+            for place, bearing in enumerate(BEARINGS)
+            for name, values in of_bearings.items()
+        }
 
 
+OF_BEARING = ("axial_load", "radial_load", "moment", "ball_load", "is_pressed", "is_relieved")  # of a pair
+BEARINGS = ("first", "second")
 OF_POINTS = ("torque", "film", "asperity_share", "boundary_share", "inner", "outer")
 
 
@@ -226,16 +106,16 @@ class FrictionTorque(Brief):
     moment: Array  # N m
     contact_angle: Array  # al, loaded, the mean of both races, rad; this and what follows of the heaviest ball
     ball_load: Array  # Q, on the race where it is larger, N
-    torque: TorqueParts[Array]
+    torque: TorqueParts
     # Of the total, relative: twice what doubling the nodes of sliding changes, the residual of the equilibrium, the
     # interval of a moving cage, and a tenth of the tolerance
     numerical_uncertainty: Array
-    friction_coefficient: FrictionCoefficients[Array]
-    film: OnRaces[Array | None]  # h, mean gap that the oil fills, m; None without a lubrication model
-    asperity_share: OnRaces[Array | None]  # s, of the load, 0 to 1; likewise
-    boundary_share: OnRaces[Array | None]  # s_b: s, and the part of the oil that is only a molecule thick; likewise
-    inner: LoadedContact[Array]
-    outer: LoadedContact[Array]
+    friction_coefficient: FrictionCoefficients
+    film: OnRaces  # h, mean gap that the oil fills, m; None without a lubrication model
+    asperity_share: OnRaces  # s, of the load, 0 to 1; likewise
+    boundary_share: OnRaces  # s_b: s, and the part of the oil that is only a molecule thick; likewise
+    inner: LoadedContact
+    outer: LoadedContact
     limits: LimitNumbers  # of the worst ball of all
     effects: Effects
     cage: CagePart | None  # what its torque comes from; None: left out
@@ -388,18 +268,15 @@ class FrictionTorque(Brief):
         """
         return self.effects.decisions.get(name) == "on"
 
-    @property
-    def rows(self) -> tuple[TorquePoint, ...]:
-        """A row for each operating point."""
-        return tuple(self.row(index) for index in range(self.inner_speed.size))
-
     def columns(self) -> dict[str, Array]:
-        """The values of COLUMNS, each (n,), SI; NaN where a part was left out or is not modelled."""
-        values = {f"torque_{name}": part for name, part in vars(self.torque).items()}
+        """The values of COORDINATES and COLUMNS that a torque alone has, each (n,), SI; NaN: left out, not modelled."""
+        values = {name: getattr(self, name) for name in COORDINATES}
+        values |= {f"torque_{name}": part for name, part in vars(self.torque).items()}
         ring = None if self.ring is None or self.ring.is_loaded_alike else self.ring
         values |= {
             "uncertainty_numerical": self.numerical_uncertainty,
             "uncertainty_model": self.model_uncertainty,
+            **{f"{OF_MODEL}{name}": (self.model_parts or {}).get(name) for name in MODEL_PARTS},
             "contact_angle": self.contact_angle,
             "ball_load": self.ball_load,
             "tilt": None if ring is None else ring.tilt,
@@ -410,16 +287,23 @@ class FrictionTorque(Brief):
         for race in ("inner", "outer"):
             values |= {f"{name}_{race}": part for name, part in vars(getattr(self, race)).items()}
         nothing = np.full(self.inner_speed.shape, np.nan)
-        return {name: nothing if values[name] is None else np.asarray(values[name]) for name in COLUMNS}
+        found = {name: nothing if part is None else np.asarray(part, dtype=float) for name, part in values.items()}
+        return {name: without_residue(name, each) for name, each in found.items()}
+
+    @property
+    def rows(self) -> tuple[Point, ...]:
+        """A row for each operating point, by the names of `columns`."""
+        return rows_of(self.columns())
 
     def to_dataset(self) -> Any:
         """An xarray.Dataset over the operating points, with units and meanings as attributes.
 
         It lacks the columns that hold nothing, because their part was left out or is not modelled.
         """
+        columns = self.columns()
         return dataset_of(
-            {name: Labelled((POINT,), values, COLUMNS[name]) for name, values in self.columns().items()},
-            coordinates={name: Labelled((POINT,), getattr(self, name), column) for name, column in COORDINATES.items()},
+            {name: Labelled((POINT,), columns[name], COLUMNS[name]) for name in COLUMNS if name in columns},
+            coordinates={name: Labelled((POINT,), columns[name], column) for name, column in COORDINATES.items()},
             attributes=self.attributes(),
         )
 
@@ -463,38 +347,6 @@ class FrictionTorque(Brief):
         more = self.inner_speed.size - shown
         return html_table(head, rows, f"friction torque, {more} more points" if more else "friction torque")
 
-    def row(self, point: int) -> TorquePoint:
-        """One operating point.
-
-        Parameters
-        ----------
-        point : int
-            Its number, from 0.
-
-        Returns
-        -------
-        TorquePoint
-            SI; None where a part was left out or is not modelled.
-        """
-        model, parts = self.model_uncertainty, self.model_parts
-        return TorquePoint(
-            **{name: float(getattr(self, name)[point]) for name in COORDINATES},
-            contact_angle=float(self.contact_angle[point]),
-            torque=row_of(self.torque, point),
-            friction_coefficient=row_of(self.friction_coefficient, point),
-            film=row_of(self.film, point),
-            asperity_share=row_of(self.asperity_share, point),
-            boundary_share=row_of(self.boundary_share, point),
-            contact=OnRaces(inner=row_of(self.inner, point), outer=row_of(self.outer, point)),
-            uncertainty=TorqueUncertainty(
-                numerical=_finite(self.numerical_uncertainty[point]),
-                model=None if model is None else float(model[point]),
-                model_parts=None if parts is None else {name: float(part[point]) for name, part in parts.items()},
-            ),
-            cage=CagePoint() if self.cage is None else self.cage.row(point),
-            ring=None if self.ring is None else self.ring.row(point),
-        )
-
 
 def _rows(value: Any, points: NDArray[np.intp]) -> Any:
     """The rows of arrays of one row for each operating point, also within groups; all else as it is."""
@@ -517,7 +369,3 @@ def _without(value: Any, at: NDArray[np.intp]) -> Any:
     elif isinstance(value, TorqueParts | FrictionCoefficients | OnRaces | LoadedContact):
         value = replace(value, **{name: _without(part, at) for name, part in vars(value).items()})
     return value
-
-
-def _finite(value: float) -> float | None:
-    return float(value) if np.isfinite(value) else None

@@ -1,8 +1,8 @@
 """Rows of a result, one for each operating point: what JSON holds of arrays, and what is known of its numbers."""
 
 from collections.abc import Sized
-from dataclasses import dataclass, replace
-from typing import Annotated, Any, TypeVar
+from dataclasses import dataclass
+from typing import Annotated, TypeVar
 
 from annotated_types import Ge, Gt, Lt
 
@@ -21,25 +21,6 @@ class OperatingPoint:
     axial_load: float  # N
     radial_load: float  # N
     moment: float  # N m
-
-
-def row_of(series: Any, point: int) -> Any:
-    """One operating point of a group of numbers.
-
-    Parameters
-    ----------
-    series : dataclass
-        Whose fields are arrays, (n,), or None.
-    point : int
-        Number of the point, from 0.
-
-    Returns
-    -------
-    dataclass
-        Of the same type, whose fields are floats, or None.
-    """
-    rows = {name: None if values is None else float(values[point]) for name, values in vars(series).items()}
-    return replace(series, **rows)
 
 
 def require_one_length(*lists: Sized) -> None:

@@ -1,7 +1,7 @@
 """The friction torque of a scene, as the command `torque` computes it, with what is shown next to it."""
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal, Unpack
@@ -10,14 +10,15 @@ import numpy as np
 
 from analytic.any_scene import scene_by
 from analytic.brief import Brief, span
+from analytic.columns import COLUMNS, COORDINATES, Point, rows_of
 from analytic.errors import FembearingError, InputError
 from analytic.given import SceneOptions
-from analytic.labelled import Column, Labelled, dataset_of, frame_of
+from analytic.labelled import Labelled, dataset_of, frame_of
 from analytic.left_out import LeftOut, Places, torque_where_it_is
 from analytic.makers import BesideCatalogue, CatalogueBand, beside_catalogue, of_open_bearing
 from analytic.prediction.formulas import with_model_uncertainty
 from analytic.progress import Progress, silent
-from analytic.result import COLUMNS, COORDINATES, POINT, FrictionTorque
+from analytic.result import POINT, FrictionTorque
 from analytic.scene import Array, Bearing, Scene
 from analytic.scenefile.inputs import StatedInput, stated_inputs
 from analytic.standing import Standing, standing_of
@@ -28,12 +29,6 @@ from analytic.words import MICROMETRE, NEWTON_MILLIMETRE
 if TYPE_CHECKING:  # with SciPy's statistics, which take half a second to import
     from analytic.prediction.prediction import Prediction
 
-BESIDE: dict[str, Column] = {  # what stands beside the torque, one number at each operating point
-    "interval_low": Column("N m", "lower end of the 95 % interval of the friction torque"),
-    "interval_high": Column("N m", "upper end of the 95 % interval of the friction torque"),
-    "catalogue_low": Column("N m", "lower end of the catalogue band"),
-    "catalogue_high": Column("N m", "upper end of the catalogue band"),
-}
 MOST_ESTIMATED = 50  # operating points with an interval to first order, which costs some 40 torques
 Samples = int | Literal["enough"] | None  # of an interval: a number, until its ends are known well enough, or none
 
@@ -59,7 +54,7 @@ class SceneTorque(Brief):
         for name, values in self._beside():
             if not np.isfinite(values).all():
                 raise InputError(
-                    f"the {BESIDE[name].meaning} is {values[~np.isfinite(values)][0]:g} N m: the numbers of the scene "
+                    f"the {COLUMNS[name].meaning} is {values[~np.isfinite(values)][0]:g} N m: the numbers of the scene "
                     "are outside the computable range; give usual ones"
                 )
 
@@ -125,12 +120,18 @@ class SceneTorque(Brief):
 
         NaN at the points that have no torque.
         """
-        given = {name: (getattr(self.friction, name), column) for name, column in COORDINATES.items()}
-        computed = {name: (values, COLUMNS[name]) for name, values in self.friction.columns().items()}
-        beside = {name: (values, BESIDE[name]) for name, values in self._beside()}
-        every = given | computed | beside
-        whole = self.places.columns({name: values for name, (values, _) in every.items()})
-        return {name: Labelled((POINT,), whole[name], column) for name, (_, column) in every.items()}
+        known = self.places.columns(self.friction.columns() | dict(self._beside()))
+        return {name: Labelled((POINT,), values, (COORDINATES | COLUMNS)[name]) for name, values in known.items()}
+
+    @cached_property
+    def points(self) -> tuple[Point, ...]:
+        """A row for each operating point of the scene, by the names of `columns`."""
+        return rows_of({name: each.values for name, each in self.columns().items()})
+
+    @cached_property
+    def makers(self) -> Mapping[str, Array]:
+        """(n,) N m by each maker's formula, by its name; NaN where it does not hold."""
+        return {} if self.catalogue.band is None else self.places.columns(dict(self.catalogue.band.values))
 
     def _beside(self) -> Iterator[tuple[str, Array]]:
         if self.interval is not None:

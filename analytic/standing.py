@@ -44,7 +44,7 @@ class Standing:
 def standing_of(
     scene: Scene,
     *,
-    torque: TorqueParts[Array],
+    torque: TorqueParts,
     effects: Iterable[Effect],
     verdicts: Verdicts,
     band: CatalogueBand | None,
@@ -61,7 +61,7 @@ def standing_of(
 def _standing(
     scene: Scene,
     *,
-    torque: TorqueParts[Array],
+    torque: TorqueParts,
     effects: Iterable[Effect],
     verdicts: Verdicts,
     band: CatalogueBand | None,
@@ -178,7 +178,7 @@ def _verdicts(scene: Scene, friction: FrictionTorque) -> Verdicts:
     return Verdicts(numerical=numerical_check(friction, tolerance=scene.tolerance), physical=physical_checks(friction))
 
 
-def _joined_parts(series: Sequence[TorqueParts[Array]]) -> TorqueParts[Array]:
+def _joined_parts(series: Sequence[TorqueParts]) -> TorqueParts:
     """A part that one series does not have is 0 there."""
     joined = {}
     for name in (field.name for field in fields(TorqueParts)):

@@ -49,13 +49,7 @@ from analytic.oil.inlets import starvation_source
 from analytic.oil.losses import estimated_loss, oil_parts, stirred_oil
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.pair import pair_in_series, pair_torque
-from analytic.result import (
-    FrictionCoefficients,
-    FrictionTorque,
-    LoadedContact,
-    OnRaces,
-    TorqueParts,
-)
+from analytic.result import FrictionCoefficients, FrictionTorque, LoadedContact, OnRaces, TorqueParts
 from analytic.scene import Array, Bearing, Decision, Operation, OwnTraction, Scene, Sliding
 from analytic.scenefile.fit import crowding
 from analytic.solve.failures import failures_of, require_settled, undistributed
@@ -409,7 +403,7 @@ def _torque_of(races: Races, started: float) -> FrictionTorque:
     )
 
 
-def _coefficients(races: Races) -> FrictionCoefficients[Array]:
+def _coefficients(races: Races) -> FrictionCoefficients:
     of_races = _on_races(races.heaviest, "friction_coefficient", races.slides)
     return FrictionCoefficients(**of_races, pocket=None if races.cage is None else races.cage.friction_coefficient)
 
@@ -657,7 +651,7 @@ def _on_races(balls: Records, name: str, is_known: bool) -> dict[str, Array | No
     return {race: balls[name][:, index].copy() if is_known else None for index, race in enumerate(RACES)}
 
 
-def _loaded(balls: Records, race: int) -> LoadedContact[Array]:
+def _loaded(balls: Records, race: int) -> LoadedContact:
     names = ("load", "semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach")
     return LoadedContact(**{name: balls[name][:, race].copy() for name in names})
 

@@ -7,8 +7,8 @@ which knows nothing of this package.
 from dataclasses import dataclass, fields
 from typing import NamedTuple
 
+from analytic.columns import COLUMNS, COORDINATES
 from analytic.given import UnitSystem
-from analytic.result import COLUMNS, COORDINATES
 from analytic.words import (
     DEGREE,
     GIGAPASCAL,

@@ -37,6 +37,10 @@ settings.register_profile("gate", deadline=None, print_blob=True, derandomize=Tr
 settings.load_profile(PROFILE)
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--renew", action="store_true", help="write the golden texts of tests/report/golden again")
+
+
 def pytest_report_header() -> str:
     return f"hypothesis profile: {PROFILE}"
 

@@ -83,14 +83,6 @@ def test_every_picture_says_what_it_shows() -> None:
     assert [page for page, words in pictures if len(words.split()) < 4] == []
 
 
-def test_readme_is_short_and_begins_with_a_bearing_and_its_interval() -> None:
-    lines = (ROOT / "README.md").read_text("utf-8").splitlines()
-    assert len(lines) <= 120
-    first = "\n".join(lines[:60])
-    assert "fembearing init 6206" in first
-    assert "95 % interval" in first
-
-
 def test_every_number_of_readme_is_run_or_stands_on_a_page() -> None:
     """Those of the pages have the command that measures them beside them."""
     readme = (ROOT / "README.md").read_text("utf-8")

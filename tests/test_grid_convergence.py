@@ -97,32 +97,9 @@ def test_below_the_formal_order_roaches_index_is_three_times_the_error(formal: f
     np.testing.assert_allclose(present(part.grid_convergence_index), 3 * abs(7.3 / part.values[-1] - 1), rtol=1e-5)
 
 
-@pytest.mark.parametrize(("formal", "order"), [(3.0, 4.4), (None, 3.9)])
-def test_above_the_formal_order_roaches_index_does_not_trust_it(formal: float | None, order: float) -> None:
-    values = sequence(7.3, 0.4, order)
-    part = estimate(values, SIZES, formal_order=formal)
-    cautious = 3 * abs(values[-1] - values[-2]) / values[-1] / ((5 / 3) ** 3 - 1)
-    np.testing.assert_allclose(present(part.grid_convergence_index), cautious, rtol=1e-9)  # round-off of a change
-
-
 @pytest.mark.parametrize("values", [(1.3, 1.1, 1.2), (7.2, 7.3)])
 def test_without_an_order_there_is_no_index(values: tuple[float, ...]) -> None:
     assert estimate(values, SIZES[-len(values) :], formal_order=3.0).grid_convergence_index is None
-
-
-def test_only_the_last_three_meshes_decide() -> None:
-    fine = sequence(7.3, 0.4, 2.7)
-    part, expected = (
-        estimate(values, sizes, formal_order=3.0) for values, sizes in (([99.0, *fine], [1.0, *SIZES]), (fine, SIZES))
-    )
-    assert (part.mesh, part.value) == (expected.mesh, expected.value)
-
-
-def test_an_infinite_region_changes_the_value_and_is_uncertain_by_itself() -> None:
-    part = estimate(sequence(7.3, 0.4, 3.0), SIZES, formal_order=3.0)
-    moved = replace(part, beyond=0.02, domain=0.01)
-    np.testing.assert_allclose(moved.value, 1.02 * 7.3, rtol=1e-12)  # round-off
-    assert replace(moved, mesh=0.024, domain=0.007).total == 0.025  # the sides of a right triangle
 
 
 def test_the_mesh_may_err_by_what_the_domain_leaves_of_the_accuracy() -> None:
@@ -159,17 +136,6 @@ def test_factor_and_order_of_the_grid_convergence_index_change_at_their_limits(o
     assert index == pytest.approx(expected, rel=1e-12)
 
 
-def test_a_sequence_that_converges_slowly_is_as_uncertain_as_its_error_or_its_spread() -> None:
-    """Three times the larger of the two; the error is known, as the sequence has one order."""
-    for order, slope in ((0.2, 0.4), (0.3, -0.4)):
-        values = sequence(7.3, slope, order)
-        part = estimate(values, SIZES, formal_order=3.0)
-        assert not part.settled
-        error, widest = abs(values[-1] - 7.3), max(values) - min(values)
-        assert error > widest
-        assert part.mesh == pytest.approx(3 * error / values[-1] + NOTHING_CLOSER, rel=1e-6)  # of the order's root
-
-
 @pytest.mark.parametrize(("formal", "singular"), [(4.0, False), (None, False), (None, True)])
 def test_a_quantity_below_0_is_as_uncertain_as_its_mirror_image(formal: float | None, singular: bool) -> None:
     values = sequence(7.3, 0.4, 3.1)
@@ -193,11 +159,6 @@ def test_a_singular_quantity_has_three_times_its_last_change() -> None:
     part = estimate((7.0, 7.2, 7.23), SIZES, formal_order=None, singular=True)
     assert part.mesh == pytest.approx(3 * 0.03 / 7.23 + NOT_BY_CHANCE + NOTHING_CLOSER, rel=1e-9)
     assert part.value == 7.23
-
-
-def test_an_order_beyond_all_reason_is_none() -> None:
-    """The last change is a 1e-12th of the one before: an order above 20."""
-    assert observed_order((7.0, 8.0, 8.0 + 1e-12), SIZES) is None
 
 
 def test_what_lies_outside_and_the_sides_raise_the_value_and_not_the_last_mesh() -> None:

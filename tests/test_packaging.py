@@ -56,14 +56,6 @@ def test_data_is_found_as_package_data(package: str, folder: str) -> None:
     assert list(data.rglob("*.toml"))
 
 
-def test_the_tables_of_the_catalog_are_package_data() -> None:
-    assert {path.name for path in Path(str(files("analytic") / "catalog")).glob("*.csv")} == {
-        "base_oils.csv",
-        "finishes.csv",
-        "oils.csv",
-    }
-
-
 def test_a_version_is_exact_and_has_no_address() -> None:
     for pin in PINNED.values():
         assert re.fullmatch(r"==[^,*]+", str(pin.specifier)), pin

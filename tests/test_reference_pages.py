@@ -12,7 +12,7 @@ from docs.extensions.json_page import json_page
 from docs.extensions.keys_page import keys_page
 from fembearing.cli import COMMANDS
 from fembearing.plain_types import plain
-from fembearing.report.torque import torque_record
+from fembearing.report.torque import content_of
 
 
 def cells(page: str, heading: str) -> dict[str, list[str]]:
@@ -59,9 +59,10 @@ def test_a_key_has_its_unit_range_and_default() -> None:
 
 def test_the_keys_of_a_torque_in_json_are_there() -> None:
     page = json_page()
-    torque = plain(torque_record(torque_of_scene(analytic.load_scene("6205-dry"))))
-    assert set(torque) <= {name.strip("`") for name in cells(page, "TorqueRecord")}
-    assert cells(page, "TorquePoint")["`axial_load`"][:2] == ["number", "N"]
+    torque = plain(content_of(torque_of_scene(analytic.load_scene("6205-dry"))))
+    assert set(torque) == {name.strip("`") for name in cells(page, "TorqueContent")}
+    assert set(torque["points"][0]) <= {name.strip("`") for name in cells(page, "Columns")}
+    assert cells(page, "Columns")["`axial_load`"][:2] == ["Fa", "N"]
     links = re.findall(r"\]\(#([\w-]+)\)", page)
     headings = {heading.lower().replace(" ", "-") for heading in re.findall(r"^## (.+)$", page, re.MULTILINE)}
     assert set(links) <= headings

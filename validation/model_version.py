@@ -5,20 +5,18 @@ a torque; it is our own output and validates nothing. Whoever changes a torque r
 analytic/torque.py, copies the table that this program prints into CHANGELOG.md, and runs it with --write.
 """
 
-import argparse
-import csv
 from collections.abc import Iterator
 from pathlib import Path
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
-from rich.console import Console
+import typer
 
 from analytic import catalog
 from analytic.scenefile.read import load_scene
 from analytic.torque import MODEL_VERSION, friction_torque
 from analytic.words import RPM
+from validation.study import SCENES, markdown, out, read, run, write
 
-SCENES = Path(__file__).parent / "scenes"
 STORED = Path(__file__).with_name("model_version.csv")
 HEAD = ("model_version", "scene", "inner_speed_rad_s", "total_N_m")
 
@@ -42,33 +40,25 @@ def computed() -> Iterator[Row]:
 
 def stored() -> list[Row]:
     """The torques of the table."""
-    with STORED.open(encoding="utf-8", newline="") as file:
-        rows = csv.reader(line for line in file if not line.startswith("#"))
-        next(rows)
-        return [Row(int(version), scene, float(speed), float(total)) for version, scene, speed, total in rows]
+    rows = ([row[name] for name in HEAD] for row in read(STORED))
+    return [Row(int(version), scene, float(speed), float(total)) for version, scene, speed, total in rows]
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--write", action="store_true", help="store the torques of this version")
-    write = parser.parse_args().write
-    before = {(row.scene, row.inner_speed): row for row in (stored() if STORED.exists() else [])}
-    rows = list(computed())
-    out = Console(highlight=False, soft_wrap=True, markup=False)
-    out.print(f"| scene | speed, rpm | old, N mm | new, N mm (model version {MODEL_VERSION}) | change |")
-    out.print("| --- | --- | --- | --- | --- |")
+def main(store: Annotated[bool, typer.Option("--write", help="Store the torques of this version.")] = False) -> None:
+    before = {(row.scene, row.inner_speed): row for row in stored()}
+    rows, shown = list(computed()), []
     for row in rows:
         old = before.get((row.scene, row.inner_speed))
         was = "-" if old is None else f"{old.total * 1e3:.5g} (version {old.version})"
         change = "-" if old is None else f"{row.total / old.total - 1:+.2%}"
-        out.print(f"| {row.scene} | {row.inner_speed * RPM.factor:.5g} | {was} | {row.total * 1e3:.5g} | {change} |")
-    if write:
-        with STORED.open("w", encoding="utf-8", newline="") as file:
-            file.write("# A detector of changes, our own output: see validation/model_version.py, which writes it.\n")
-            writer = csv.writer(file, lineterminator="\n")
-            writer.writerow(HEAD)
-            writer.writerows((row.version, row.scene, repr(row.inner_speed), repr(row.total)) for row in rows)
+        shown.append((row.scene, f"{row.inner_speed * RPM.factor:.5g}", was, f"{row.total * 1e3:.5g}", change))
+    new = f"new, N mm (model version {MODEL_VERSION})"
+    for line in markdown(("scene", "speed, rpm", "old, N mm", new, "change"), shown):
+        out.print(line, soft_wrap=True)
+    if store:
+        about = ("A detector of changes, our own output: see validation/model_version.py, which writes it.",)
+        write((dict(zip(HEAD, row, strict=True)) for row in rows), STORED, HEAD, about=about, form="")
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -55,6 +55,7 @@ UNUSED = 30 * 24 * 3600.0  # s after which a file of another version is deleted
 ABOVE = frozenset(
     {
         "any_scene",
+        "columns",
         "discs",
         "effects",
         "function",

@@ -101,7 +101,7 @@ def torque_at(problem: Problem, score: Array) -> Array:
     return torque
 
 
-def parts_of(scene: Scene, variation: Variation, level: int) -> TorqueParts[Array]:
+def parts_of(scene: Scene, variation: Variation, level: int) -> TorqueParts:
     """The parts of the torque, (n,) each, of a scene whose cage does not move.
 
     variation, level : as in `settled_parts`. Raises InputError, and ConvergenceError of a point that does not settle.

@@ -15,7 +15,7 @@ POINTS = 2**10  # base points; the regression is evaluated at (d + 2) times as m
 SEED = 2
 
 
-def indices_of(regression: Regression, scores: Array, values: Array) -> SobolIndices[Array]:
+def indices_of(regression: Regression, scores: Array, values: Array) -> SobolIndices:
     """The indices of the quantities of a regression, in the variance that it explains.
 
     scores, values : of the samples, (N, d) and (N, n), which it was fitted to

@@ -28,7 +28,7 @@ def normal_points(inputs: int) -> Array:
     return ndtri(qmc.Sobol(inputs, rng=np.random.default_rng(SEED)).random(POINTS))
 
 
-def interval_of(regression: Regression, scores: Array, values: Array) -> Interval[Array]:
+def interval_of(regression: Regression, scores: Array, values: Array) -> Interval:
     """The interval of the quantities of a regression.
 
     scores : normal_points;  values : (N, n) samples that the regression was fitted to

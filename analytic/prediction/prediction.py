@@ -13,6 +13,7 @@ from scipy.special import ndtri
 
 from analytic.any_scene import scene_by
 from analytic.brief import Brief, span
+from analytic.columns import COORDINATES
 from analytic.errors import InputError
 from analytic.given import Quantity, SceneOptions
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
@@ -24,16 +25,12 @@ from analytic.prediction.rows import (
     COVERED,
     ENDS,
     Interval,
-    PredictedPoint,
-    PredictionRows,
     SobolIndices,
-    largest_error,
 )
 from analytic.prediction.sampling import sampled
 from analytic.prediction.spreads import NUMERICAL, UncertainInput, uncertain_inputs
 from analytic.progress import Progress, silent
-from analytic.result import COORDINATES, POINT, FrictionTorque
-from analytic.rows import row_of
+from analytic.result import POINT, FrictionTorque
 from analytic.scene import Array, Scene
 from analytic.scenefile.parts import with_tolerance
 from analytic.torque import friction_torque
@@ -63,12 +60,12 @@ class Prediction(Brief):
 
     nominal: FrictionTorque  # with the inputs as they are
     inputs: tuple[UncertainInput, ...]  # d of them, "numerical" the last one where it is known and not 0
-    total: Interval[Array]
-    parts: Mapping[str, Interval[Array]]  # by the parts of the torque, as far as they are computed
+    total: Interval
+    parts: Mapping[str, Interval]  # by the parts of the torque, as far as they are computed
     # Each (2, n), N m: the interval of the total if nothing else were uncertain. By numerical, input, model, and each
     # formula, "model.film"; they do not add up to the whole.
     made_of: Mapping[str, Array]
-    indices: SobolIndices[Array]
+    indices: SobolIndices
     explained: Array  # (n,) share of the variance of the total that the regression predicts for samples left out
     samples: int  # number that was drawn
     failed: int  # number of them without a torque
@@ -95,14 +92,27 @@ class Prediction(Brief):
         return NOT_VARIED
 
     @property
-    def rows(self) -> PredictionRows:
-        """The prediction with a row for each operating point."""
-        shared = ("inputs", "not_varied", "samples", "failed", "reasons", "seed", "seconds", "evaluation_seconds")
-        return PredictionRows(
-            covered=COVERED,
-            points=tuple(self._point(point) for point in range(self.total.low.size)),
-            **{name: getattr(self, name) for name in shared},
-        )
+    def ends(self) -> list[int]:
+        """The slowest and the fastest operating point, by their numbers, of equal ones the first; one if they agree."""
+        total = self.nominal.torque.total
+        known = np.flatnonzero(np.isfinite(total))
+        by_speed = known[np.argsort(np.abs(self.nominal.inner_speed[known]), kind="stable")].tolist()
+        first, last = by_speed[0], by_speed[-1]
+        return [first] if total[first] == total[last] else [first, last]
+
+    @property
+    def failures(self) -> str:
+        """How many samples failed and why, in words; empty where none did."""
+        words = f"{self.failed} of {self.samples} samples have no torque and are left out: {'; '.join(self.reasons)}."
+        return words if self.failed else ""
+
+    def columns(self) -> dict[str, Array]:
+        """The intervals of the total and of its parts, and what the total's is made of, each (n,), N m."""
+        intervals = {"total": self.total, **self.parts}
+        found = {f"{name}_{end}": values for name, each in intervals.items() for end, values in vars(each).items()}
+        for name, (low, high) in self.made_of.items():
+            found |= {f"by_{name}_low": low, f"by_{name}_high": high}
+        return found | {"explained": self.explained}
 
     def to_dataset(self) -> Any:
         """An xarray.Dataset over operating points and inputs, SI, with units and meanings as attributes."""
@@ -135,18 +145,6 @@ class Prediction(Brief):
     def to_dataframe(self) -> Any:
         """A pandas.DataFrame of the intervals: a row for each operating point, SI. Inputs stand in `to_dataset`."""
         return frame_of(self.to_dataset(), POINT)
-
-    def _point(self, point: int) -> PredictedPoint:
-        indices = {name: tuple(map(float, values[:, point])) for name, values in vars(self.indices).items()}
-        return PredictedPoint(
-            **{name: float(getattr(self.nominal, name)[point]) for name in COORDINATES},
-            nominal=float(self.nominal.torque.total[point]),
-            total=row_of(self.total, point),
-            parts={name: row_of(part, point) for name, part in self.parts.items()},
-            made_of={name: (float(ends[0, point]), float(ends[1, point])) for name, ends in self.made_of.items()},
-            indices=SobolIndices(**indices),
-            explained=float(self.explained[point]),
-        )
 
 
 def predict(
@@ -211,7 +209,7 @@ def predict(
     found = sampled(problem, count=first, seed=(seed, 0), workers=workers, progress=progress)
     while samples is None and found.count < MOST_SAMPLES:
         totals = found.torque[:, 0]
-        error = largest_error(interval_of(regression_of(found.scores, totals), scores, totals))
+        error = interval_of(regression_of(found.scores, totals), scores, totals).largest_error
         if error <= ENOUGH:
             break
         # The error falls with the root of the number; a tenth more, so that the next round is the last one.
@@ -241,7 +239,7 @@ def predict(
     )
 
 
-def predicted_interval(scene: Scene, nominal: FrictionTorque, *, samples: int) -> Interval[Array]:
+def predicted_interval(scene: Scene, nominal: FrictionTorque, *, samples: int) -> Interval:
     """The interval of the total alone, computed in this process; nominal, errors : as in `predict`."""
     problem = _problem(scene, nominal, samples)
     found = sampled(problem, count=samples, seed=(SEED, 0), workers=1, progress=silent)

@@ -7,14 +7,14 @@ from analytic.oil.losses import stirred_oil
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.oil.viscosity import oil_numbers
 from analytic.result import TorqueParts
-from analytic.scene import Array, Scene
+from analytic.scene import Scene
 from analytic.solve.model import Model, model_of
 from analytic.solve.solution import points_of, solved
 
 PARTS = ("spin", "conformity", "hysteresis", "rolling", "cage")
 
 
-def settled_parts(scene: Scene, variation: Variation, level: int) -> TorqueParts[Array] | None:
+def settled_parts(scene: Scene, variation: Variation, level: int) -> TorqueParts | None:
     """The torque at the operating points of the scene; each part (n,), N m.
 
     variation : of the formulas;  level : of the nodes of sliding, one for all scenes, so that their error is common

@@ -1,29 +1,31 @@
-"""The page of the keys in JSON, from the dataclasses that a report is written from and read into."""
+"""The page of the keys in JSON, from the dataclasses that results are written from, and the registry of columns."""
 
 import types
 from collections.abc import Mapping
-from dataclasses import fields, is_dataclass
+from dataclasses import is_dataclass
 from typing import Annotated, Any, Literal, TypeVar, Union, get_args, get_origin, get_type_hints
 
+from analytic.columns import COLUMNS, COORDINATES
 from analytic.prediction.duty import DutyCycle
 from docs.extensions.annotations import with_parts
 from docs.extensions.source import field_comments
 from docs.extensions.tables import code, table
+from fembearing.plain_types import written_fields
 from fembearing.quantities import QUANTITIES
 from fembearing.report.report import Report
 
 HEAD = """\
 # Keys in JSON
 
-Made from the types that `report.json` is written from and read into. Numbers are SI: m, N, Pa, rad, rad/s, N m, K, s;
-uncertainties and discrepancies are relative. `null` stands where something is not known or was not computed.
+Made from the types that results are written from. Every file begins with `kind` and `format`; the number of the format
+is the same for all files, and rises when a key changes its name or meaning. Numbers are SI: m, N, Pa, rad, rad/s, N m,
+K, s; discrepancies are relative. `null` stands where something is not known or was not computed.
 
 - `report.json` of `fembearing validate`, and `validate --json`: [Report](#report).
-- `torque.json` and `torque --json`: [TorqueRecord](#torquerecord) with `kind` and `format`; the file has `run`, where
-  it comes from, and the folder's `cage_motion`, the files of moving cages, as well.
-- `compare.json` and `compare --json`: [MeasuredComparison](#measuredcomparison) with `kind` and `format`; the file has
-  `run` as well.
-- `duty.json` and `duty --json`: [DutyCycle](#dutycycle) with `kind` and `format`; the file has `run` as well.
+- `torque.json` and `torque --json`: [TorqueContent](#torquecontent); the file has `run`, where it comes from, and the
+  folder's `cage_motion`, the files of moving cages, as well.
+- `compare.json` and `compare --json`: [MeasuredComparison](#measuredcomparison); the file has `run` as well.
+- `duty.json` and `duty --json`: [DutyCycle](#dutycycle) with `standing`; the file has `run` as well.
 - `contact --json`: [ContactNumbers](#contactnumbers), with the stresses below the surface.
 """
 PLAIN = {float: "number", int: "whole number", str: "text", bool: "`true` or `false`", type(None): "`null`", Any: "any"}
@@ -37,13 +39,20 @@ def json_page() -> str:
         each: each.__name__ if names.count(each.__name__) == 1 else f"{each.__name__} in {file_of(each)}"
         for each in found
     }
-    return "\n".join([HEAD, *(section(each, headings) for each in found)])
+    return "\n".join([HEAD, *(section(each, headings) for each in found), columns()])
+
+
+def columns() -> str:
+    """The registry of the numbers of an operating point."""
+    rows = [[code(name), each.symbol, each.unit, each.meaning] for name, each in (COORDINATES | COLUMNS).items()]
+    about = "Of an operating point, a step or a measured torque; CSV, datasets and data frames have the same names."
+    return f"## Columns\n\n{about}\n\n" + table(["key", "symbol", "unit", "meaning"], rows)
 
 
 def keys_of(of: type) -> dict[str, Any]:
     """The type of each key of a table."""
     hints = get_type_hints(of, include_extras=True)
-    return {field.name: hints[field.name] for field in fields(of)}
+    return {field.name: hints[field.name] for field in written_fields(of)}
 
 
 def tables(of: type, seen: list[type]) -> list[type]:

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from analytic.result import LoadedContact, TorquePoint
+from analytic.result import LoadedContact
 from analytic.rows import Two
 from analytic.scene import Contact
 from fembearing.quantities import QUANTITIES, Units
@@ -131,7 +131,7 @@ def ring_options(point: TorquePoint, units: Units) -> Options | None:
     }
 
 
-def ellipse_options(contact: Contact, ellipse: LoadedContact[float], units: Units) -> Options:
+def ellipse_options(contact: Contact, ellipse: LoadedContact, units: Units) -> Options:
     """The contact ellipse across its groove, with the shoulders."""
     unit = units.length
     half, across = unit.number(ellipse.semi_axis_rolling), unit.number(ellipse.semi_axis_transverse)

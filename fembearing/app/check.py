@@ -9,10 +9,14 @@ from dataclasses import dataclass, field
 from multiprocessing.connection import Connection
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from analytic.errors import FembearingError
+from analytic.writing import new_folder
 from fembearing.app.scene_edit import ORIGIN
+
+if TYPE_CHECKING:
+    from fembearing.report.report import Report
 
 SPAWNED = multiprocessing.get_context("spawn")  # a fork would copy threads and locks of the server
 PATIENCE = 5.0  # s that a killed process has to be gone
@@ -28,7 +32,7 @@ class Check:
     share: float = 0.0  # that is done, 0 to 1
     step: str = "waits for the check of another tab"
     problem: str = ""  # why there is no report; empty: none so far
-    is_done: bool = False  # whether the report is written
+    report: "Report | None" = None  # what is written
     token: str = field(default_factory=lambda: secrets.token_urlsafe(16))  # in the addresses of its files
     _room: TemporaryDirectory[str] = field(default_factory=lambda: TemporaryDirectory(prefix="fembearing-app-"))
     _process: Any = None
@@ -38,6 +42,11 @@ class Check:
     def folder(self) -> Path:
         """Of the report, once it is done."""
         return Path(self._room.name) / "report"
+
+    @property
+    def is_done(self) -> bool:
+        """Whether the report is written."""
+        return self.report is not None
 
     @property
     def has_ended(self) -> bool:
@@ -58,7 +67,7 @@ class Check:
         is_gone = not self._process.is_alive()  # before the pipe is read: nothing comes after
         with suppress(EOFError, OSError):
             while self._told.poll():
-                self.share, self.step, self.problem, self.is_done = self._told.recv()
+                self.share, self.step, self.problem, self.report = self._told.recv()
         if is_gone and not self.has_ended:
             self.problem = f"the process of the check ended with status {self._process.exitcode}; start it again"
 
@@ -78,19 +87,23 @@ class Check:
 
 
 def run(text: str, folder: str, tells: Connection) -> None:
-    """Check the scene, and tell (share, step, problem, whether it is done). The process of a `Check` runs it."""
+    """Check the scene, and tell (share, step, problem, report). The process of a `Check` runs it."""
     if GROUPED:
         os.setpgid(0, 0)  # so that the process that draws the pictures ends with it
     try:
         from analytic.scenefile.read import parse_scene
-        from fembearing.report.folder import validate
+        from fembearing.check.validation import check_scene
+        from fembearing.report.folder import CHECKED, write_report
 
         scene = parse_scene(text, origin=ORIGIN)
-        validate(scene, out=folder, progress=lambda share, step: tells.send((share, step, "", False)))
+        with new_folder(Path(folder), force=False) as made:
+            result = check_scene(scene, progress=lambda share, step: tells.send((CHECKED * share, step, "", None)))
+            tells.send((CHECKED, "report", "", None))
+            _, report = write_report(result, made)
     except FembearingError as problem:
-        tells.send((0.0, "", str(problem), False))
+        tells.send((0.0, "", str(problem), None))
     except Exception as problem:  # the page says it; a traceback would go to the terminal of the server
         words = f"a defect of fembearing, not of your input: {type(problem).__name__}: {problem}; please report it"
-        tells.send((0.0, "", words, False))
+        tells.send((0.0, "", words, None))
     else:
-        tells.send((1.0, "checked", "", True))
+        tells.send((1.0, "checked", "", report))

@@ -6,12 +6,11 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 from nicegui import ui
 
-from analytic.errors import FembearingError
 from fembearing.app.check import Check
 from fembearing.app.computing import computed
 
 if TYPE_CHECKING:
-    from fembearing.report.report import PictureFile
+    from fembearing.report.report import PictureFile, Report
 
 LOOK = 0.2  # s between two looks at a check
 ABOUT = (
@@ -102,23 +101,18 @@ class CheckPanel:
         self.saves.set_enabled(self.page.evaluation is not None)
         self.said.text = "" if check is None else check.problem or check.step
         self.report.clear()
-        if check is not None and check.is_done:
+        if check is not None and check.report is not None:
             with self.report:
-                try:
-                    _show_report(check)
-                except FembearingError as problem:
-                    self.said.text = str(problem)
+                _show_report(check.report, f"/check/{check.token}")
 
 
-def _show_report(check: Check) -> None:
+def _show_report(report: "Report", address: str) -> None:
     """Verdict, pictures and tables as the report itself has them, and where it is."""
     from fembearing.report.page.template import filled
-    from fembearing.report.report import read_report
     from fembearing.report.tables.contacts import contacts_of
     from fembearing.report.tables.creep import creep_table
     from fembearing.report.tables.film import film_table
 
-    report, address = read_report(check.folder / "report.json"), f"/check/{check.token}"
     ui.label(report.verdict.words)
     ui.link("The whole report", f"{address}/report.html", new_tab=True)
     with ui.element("div").classes("pictures"):

@@ -10,8 +10,8 @@ from pathlib import Path
 import numpy as np
 
 from analytic import parse_scene
+from analytic.columns import Point
 from analytic.errors import FembearingError
-from analytic.result import TorquePoint
 from analytic.scene import Array, Contact, Scene
 from analytic.scene_torque import with_interval
 from analytic.words import pressure_of
@@ -20,7 +20,6 @@ from fembearing.app.scene_edit import ORIGIN
 from fembearing.check.contact.scene_contact import contact_of
 from fembearing.quantities import SYSTEMS, Units
 from fembearing.report.tables.points import point_name
-from fembearing.report.torque import TorqueRecord, torque_record
 
 SPEEDS = np.array([0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1.0, 1.2, 1.4, 1.6, 1.8, 2.0])  # of the curve, over the scene's own
 SLICES = 6  # of the curve: between two of them it ends where the scene has changed
@@ -33,20 +32,19 @@ class Evaluation:
 
     text: str  # of the scene
     result: SceneTorque
-    record: TorqueRecord
     point: int  # with the highest torque, from 0
     contacts: dict[str, Contact]  # of the heaviest ball there, by race; empty where they are not known
     no_contact: str  # why they are not known; empty: they are
 
     @property
-    def row(self) -> TorquePoint:
+    def row(self) -> Point:
         """The point with the highest torque."""
-        return self.record.points[self.point]
+        return self.result.points[self.point]
 
     @property
     def is_series(self) -> bool:
         """Whether the scene has several operating points."""
-        return len(self.record.points) > 1
+        return len(self.result.points) > 1
 
     @property
     def units(self) -> Units:
@@ -57,7 +55,7 @@ class Evaluation:
     def lines(self) -> dict[str, str]:
         """The lines that `fembearing torque` prints first, and captions, by their places on the page."""
         head, row = torque_headline(self.result), self.row
-        where = f"At {point_name(self.record.points, self.point, self.units)}, the highest torque: "
+        where = f"At {point_name(self.result.points, self.point, self.units)}, the highest torque: "
         lines = {
             "title": head.title,
             "torque": head.torque,
@@ -69,16 +67,15 @@ class Evaluation:
             "split": f"{where}{head.split}" if self.is_series else "",
             "film": head.film or "film: not computed without oil and surface",
             "makers": head.makers,
-            "warnings": "\n".join(self.record.warnings),
+            "warnings": "\n".join(self.result.friction.warnings),
             "ring": "Azimuth from the radial load, which points down."
-            if row.ring
+            if self.result.friction.ring
             else "Balls of a pair: `fembearing torque --details`.",
             "contact": self.no_contact or "Different scales of both axes.",
         }
         for race in RACES:
-            contact = getattr(row.contact, race)
-            load = self.units.force.written(contact.load, ".4g")
-            lines[race] = f"{race} race: {load}, {pressure_of(contact.peak_pressure)}"
+            load = self.units.force.written(row[f"load_{race}"], ".4g")
+            lines[race] = f"{race} race: {load}, {pressure_of(row[f'peak_pressure_{race}'])}"
         return lines
 
     def number(self, key: str) -> float | None:
@@ -86,7 +83,7 @@ class Evaluation:
         table, _, name = key.partition(".")
         oil = self.result.scene.lubricant
         if table == "operation":
-            return getattr(self.row, name)
+            return self.row[name]
         return None if oil is None else getattr(oil, name)
 
 
@@ -100,14 +97,12 @@ def at_once(text: str) -> Evaluation:
         contacts = {race: contact_of(_at(scene, here), pair=race) for race in RACES}
     except FembearingError as problem:  # the torque is known all the same
         reason = str(problem)
-    record = torque_record(result)
-    return Evaluation(text=text, result=result, record=record, point=point, contacts=contacts, no_contact=reason)
+    return Evaluation(text=text, result=result, point=point, contacts=contacts, no_contact=reason)
 
 
 def completed(found: Evaluation) -> Evaluation:
     """The same with its interval, which takes three times as long as all else."""
-    result = with_interval(found.result)
-    return replace(found, result=result, record=torque_record(result))
+    return replace(found, result=with_interval(found.result))
 
 
 def curve_scenes(found: Evaluation) -> list[Scene]:
@@ -125,9 +120,9 @@ def curve_scenes(found: Evaluation) -> list[Scene]:
     return [_at(scene, each) for each in slices]
 
 
-def series_record(scene: Scene) -> TorqueRecord:
+def series_of(scene: Scene) -> SceneTorque:
     """The torque at the points of a scene that have one, with intervals. Raises InputError where none has."""
-    return torque_record(torque_of_scene(scene, keep_going=True))
+    return torque_of_scene(scene, keep_going=True)
 
 
 def drawing_of(found: Evaluation) -> str:

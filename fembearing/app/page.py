@@ -239,7 +239,7 @@ class Page:
     async def _follow_speed(self, found: Any) -> None:
         """Compute the curve in slices, until it is complete or something has changed."""
         from fembearing.app.charts import curve_options
-        from fembearing.app.evaluation import curve_scenes, series_record
+        from fembearing.app.evaluation import curve_scenes, series_of
 
         await asyncio.sleep(PAUSE)
         records, words = [], ""
@@ -248,7 +248,7 @@ class Page:
             if not self._is_shown(found):
                 return
             try:
-                records.append(await computed(series_record, scene))
+                records.append(await computed(series_of, scene))
             except FembearingError as problem:  # other speeds have a torque
                 words = str(problem)
             if records and self._is_shown(found):

@@ -43,9 +43,9 @@ def compare(
     require_scene_first("compare", scene, data)
     from fembearing.check.measured.comparison import compare_measured
     from fembearing.cli.console import out, print_json, tell_assumed
-    from fembearing.plain_types import plain
+    from fembearing.plain_types import document
     from fembearing.quantities import SYSTEMS
-    from fembearing.report.measured_folder import ComparisonFile, write_comparison
+    from fembearing.report.measured_folder import write_comparison
     from fembearing.report.tables.measured import measured_table
     from fembearing.report.terminal.table import show
 
@@ -55,7 +55,7 @@ def compare(
         if place is not None:
             write_comparison(result, read, place)
     if as_json:
-        print_json(plain(ComparisonFile(**vars(result))))
+        print_json(document("compare", result))
     else:
         show(out, measured_table(result, SYSTEMS[read.report.units]))
         tell_assumed(read.usual)

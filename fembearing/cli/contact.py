@@ -121,14 +121,14 @@ def _show_contact(
     from fembearing.check.contact.refinement import COMPARED
     from fembearing.check.contact.solution import SHOWN_OF_A_SHEET
     from fembearing.cli.console import out, print_json
-    from fembearing.plain_types import plain
+    from fembearing.plain_types import document
     from fembearing.quantities import SYSTEMS
     from fembearing.report.tables.contacts import contact_table, subsurface_table
     from fembearing.report.terminal.table import show
 
     found = result.numbers
     if as_json:
-        print_json(plain(found) | {"accuracy": accuracy, "subsurface": plain(below)})
+        print_json(document("contact", found, accuracy=accuracy, subsurface=below))
     else:
         units = SYSTEMS[read.report.units]
         show(out, contact_table([found], units))
@@ -142,15 +142,14 @@ def _show_contact(
 
 def _show_series(result: "LoadSeries", read: "Scene", talk: Talk, *, as_json: bool) -> dict[str, float]:
     from analytic.words import percent_of
-    from fembearing.check.contact.load_series import FORMAT, KIND
     from fembearing.cli.console import out, print_json
-    from fembearing.plain_types import plain
+    from fembearing.plain_types import document
     from fembearing.quantities import SYSTEMS
     from fembearing.report.tables.contacts import series_table
     from fembearing.report.terminal.table import show
 
     if as_json:
-        print_json({"kind": KIND, "format": FORMAT} | plain(result))
+        print_json(document("load series", result))
     else:
         show(out, series_table(result, SYSTEMS[read.report.units]))
         verdict = "no verdict" if result.verdict == "shown" else result.verdict

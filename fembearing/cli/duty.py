@@ -39,8 +39,8 @@ def duty(
     from analytic.scenefile.cycle import read_cycle
     from analytic.standing import worst_standing
     from fembearing.cli.console import out, print_json, tell_assumed
-    from fembearing.plain_types import plain
-    from fembearing.report.duty_folder import duty_file, write_duty
+    from fembearing.plain_types import document
+    from fembearing.report.duty_folder import write_duty
     from fembearing.report.tables.duty import cycle_table, steps_table
     from fembearing.report.terminal.table import show
 
@@ -52,7 +52,7 @@ def duty(
         if place is not None:
             write_duty(result, standing, found.scene, place)
     if as_json:
-        print_json(plain(duty_file(result, standing)))
+        print_json(document("duty", result, standing=standing))
     else:
         show(out, steps_table(result))
         show(out, cycle_table(result))

@@ -68,10 +68,9 @@ def _schema_of(file: Schema) -> dict[str, Any]:
         from fembearing.sweep.schema import grid_schema
 
         return grid_schema()
-    from fembearing.report.schema import comparison_schema, duty_schema, report_schema, torque_schema
+    from fembearing.report.schema import schema_of
 
-    results = {"report": report_schema, "torque": torque_schema, "compare": comparison_schema, "duty": duty_schema}
-    return results[file]()
+    return schema_of("validation" if file == "report" else file)
 
 
 def _plain(name: str) -> str:

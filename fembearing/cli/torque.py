@@ -66,8 +66,8 @@ def torque(
     read = {name: replace(scene, tolerance=read_tolerance(tolerance, scene)) for name, scene in read.items()}
     count = read_samples(samples, with_interval=with_interval)
     from fembearing.cli.console import out, print_json
-    from fembearing.plain_types import plain
-    from fembearing.report.torque import torque_file
+    from fembearing.plain_types import document
+    from fembearing.report.torque import content_of
     from fembearing.report.torque_folder import torque_with_files
 
     results: dict[str, SceneTorque] = {}
@@ -79,7 +79,7 @@ def torque(
                     scene, out=target, force=force, samples=count, keep_going=keep_going, progress=progress
                 )
     if as_json:
-        files = {name: plain(torque_file(result)) for name, result in results.items()}
+        files = {name: document("torque", content_of(result)) for name, result in results.items()}
         print_json(files if len(files) > 1 else files[names[0]])
     else:
         _print(results, talk, details=details)
@@ -118,19 +118,20 @@ def _print(results: "Mapping[str, SceneTorque]", talk: Talk, *, details: bool) -
     from fembearing.cli.console import out, tell_assumed
     from fembearing.quantities import SYSTEMS
     from fembearing.report.headline import side_by_side
+    from fembearing.report.sections.torque import headline_section, torque_sections
+    from fembearing.report.terminal.sections import print_sections
     from fembearing.report.terminal.table import show
-    from fembearing.report.terminal.torque import print_details, print_headline
 
     if len(results) > 1:
         show(out, side_by_side(results, SYSTEMS[next(iter(results.values())).scene.report.units]))
     for name, result in results.items():
         before = f"{name}: " if len(results) > 1 else ""
         if not before:
-            print_headline(out, result)
+            print_sections(out, [headline_section(result)])
         tell_assumed(result.scene.usual, before=before)
         if details:
             out.print()
-            print_details(out, result)
+            print_sections(out, torque_sections(result))
         said = {warning: f"{before}{warning}" for warning in result.friction.warnings}
         talk.warn(said.values(), read=[said[each] for each in result.scene.warnings if each in said])
 

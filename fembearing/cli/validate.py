@@ -70,7 +70,7 @@ def validate(
     read = signed.of(given.scene(scene))
     limit = read_tolerance(tolerance, read)
     from fembearing.cli.console import out, print_json
-    from fembearing.plain_types import plain
+    from fembearing.plain_types import document
     from fembearing.report.folder import validate as run
     from fembearing.report.report import report_of
     from fembearing.report.terminal.validation import print_details, print_headline
@@ -87,14 +87,14 @@ def validate(
             creep=not no_creep,
             progress=progress,
         )
-    document = report_of(result)
+    report = report_of(result)
     if as_json:
-        print_json(plain(document))
+        print_json(document("validation", report))
     else:
-        print_headline(out, document)
+        print_headline(out, report)
         if details:
             out.print()
-            print_details(out, document)
+            print_details(out, report)
         talk.warn(result.warnings, read=read.warnings)
         if output.folder is not None:
             out.tell(f"report: {output.folder / 'report.html'}")

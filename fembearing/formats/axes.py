@@ -5,10 +5,10 @@ from typing import Any
 
 import numpy as np
 
+from analytic.columns import COORDINATES
 from analytic.errors import InputError, real_numbers
 from analytic.given import KEYS
 from analytic.quantity import MOST, Range, range_of
-from analytic.result import COORDINATES
 from analytic.scene import Array, Scene
 from analytic.scenefile.by_temperature import SceneByTemperature
 from analytic.scenefile.keys import scene_key

@@ -6,9 +6,7 @@ from typing import Any
 
 from analytic.writing import write
 from fembearing.check.creep.scene_creep import CreepNumbers, SceneCreep
-from fembearing.plain_types import plain
-
-KIND, FORMAT = "fembearing creep", 2
+from fembearing.plain_types import document
 
 
 def write_creep(creep: SceneCreep, folder: Path) -> str | None:
@@ -26,4 +24,4 @@ def write_creep(creep: SceneCreep, folder: Path) -> str | None:
 
 def creep_content(numbers: CreepNumbers) -> dict[str, Any]:
     """What creep.json and `creep --json` hold, SI."""
-    return {"kind": KIND, "format": FORMAT} | plain(numbers)
+    return document("creep", numbers)

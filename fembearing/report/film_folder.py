@@ -6,9 +6,7 @@ from typing import Any
 
 from analytic.writing import write
 from fembearing.check.film.scene_film import FilmNumbers, RaceFilm
-from fembearing.plain_types import plain
-
-KIND, FORMAT = "fembearing film", 2
+from fembearing.plain_types import document
 
 
 def write_film(film: RaceFilm, folder: Path) -> None:
@@ -23,4 +21,4 @@ def write_film(film: RaceFilm, folder: Path) -> None:
 
 def film_content(numbers: FilmNumbers) -> dict[str, Any]:
     """What film.json and `film --json` hold, SI."""
-    return {"kind": KIND, "format": FORMAT} | plain(numbers)
+    return document("film", numbers)

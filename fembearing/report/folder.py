@@ -1,6 +1,5 @@
 """The main job with its report in a folder."""
 
-import json
 import os
 from contextlib import nullcontext
 from dataclasses import replace
@@ -17,10 +16,10 @@ from analytic.writing import new_folder, write
 from fembearing.check.cost.scene_cost import Cost
 from fembearing.check.film.scene_film import RaceFilm
 from fembearing.check.validation import Validation, check_scene
-from fembearing.plain_types import plain
+from fembearing.plain_types import json_of
 
 if TYPE_CHECKING:
-    from fembearing.report.report import PictureFile
+    from fembearing.report.report import PictureFile, Report
 
 CHECKED = 0.75  # of the whole job, when the contacts are solved and the report is still to be written
 
@@ -88,12 +87,15 @@ def validate(
         )
         if folder is not None:
             progress(CHECKED, "report")
-            result = write_report(result, folder)
+            result, _ = write_report(result, folder)
     return result
 
 
-def write_report(result: Validation, folder: Path) -> Validation:
-    """Write report.html, report.json, pictures and meshes into a folder; the result, with what troubled the writing."""
+def write_report(result: Validation, folder: Path) -> "tuple[Validation, Report]":
+    """Write report.html, report.json, pictures and meshes into a folder.
+
+    Gives the result, with what troubled the writing, and the report that is written.
+    """
     from fembearing.report.figures.cost import cost_table
     from fembearing.report.figures.page_plots import PLOTS, plots_of
     from fembearing.report.page.write import page_of  # with matplotlib: half a second that only a report pays for
@@ -111,15 +113,14 @@ def write_report(result: Validation, folder: Path) -> Validation:
         result.contacts, folder, besides=[each.job for each in slipping], meanwhile=draw_plots
     )
     if trouble:
-        result = replace(result, trouble=(f"the pictures are maps by matplotlib: {trouble}",))
+        result = replace(result, trouble=(f"there are no pictures of contacts and friction: {trouble}",))
     listed = [*(picture.listed for picture in pictures), *(_film_picture(film, folder) for film in result.films)]
     listed += [each.listed for each in slipping if not trouble]
-    document = report_of(result, pictures=listed, renderer=trouble)
-    numbers = json.dumps(plain(document), indent=1, allow_nan=False)
-    write(folder / "report.json", numbers)
+    document = report_of(result, pictures=listed)
+    write(folder / "report.json", json_of("validation", document))
     write(folder / "report.html", page_of(document, folder, plots=plots))
     write(folder / "cost.csv", cost_table(document.cost.ladders))
-    return result
+    return result, document
 
 
 def _film_picture(film: RaceFilm, folder: Path) -> "PictureFile":
@@ -142,4 +143,4 @@ def write_cost(cost: Cost, folder: Path) -> None:
     ladders = cost.ladders
     write(folder / "cost.png", png(*cost_figures(ladders, tolerance=cost.tolerance, most=len(ladders) + 1)))
     write(folder / "cost.csv", cost_table(ladders))
-    write(folder / "cost.json", json.dumps(plain(cost), indent=1, allow_nan=False))
+    write(folder / "cost.json", json_of("cost", cost))

@@ -2,25 +2,21 @@
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
-from math import isfinite
 from typing import NamedTuple
 
 import numpy as np
 
+from analytic.columns import COORDINATES, Point
 from analytic.effects import DECLARED
 from analytic.limits import MOST_STARVED
 from analytic.makers import NO_BAND, WITHOUT_LOSSES
-from analytic.result import COORDINATES, TorquePoint
-from analytic.scene import Scene
 from analytic.scene_torque import MOST_ESTIMATED, SceneTorque
 from analytic.words import percent_of
 from fembearing.quantities import METRIC, QUANTITIES, SYSTEMS, Units
 from fembearing.report.phrases import between, present_loads, rounded, speed_words, tilt_of, varying_loads
-from fembearing.report.scene_view import SceneView
 from fembearing.report.tables.points import point_cells, point_heads
 from fembearing.report.tables.table import Head, Row, Table, table_of
 from fembearing.report.tables.torque import PARTS, RESIDUE
-from fembearing.report.torque import TorqueRecord, torque_record
 
 MOST_ROWS = 6  # points of a series in the headline
 FULL, BOUNDARY = 0.01, 0.9  # share of the load on asperities: below a full film, above boundary lubrication
@@ -61,32 +57,32 @@ def torque_headline(result: SceneTorque) -> Headline:
     Headline
         In the system of units of the scene.
     """
-    record, units = torque_record(result), SYSTEMS[result.scene.report.units]
-    found = span_of(record, units)
+    units = SYSTEMS[result.scene.report.units]
+    found = span_of(result, units)
     return Headline(
-        title=headline_title(result.scene, record, units),
+        title=headline_title(result, units),
         torque=found.torque,
         unit=units.torque.name,
         interval=found.interval,
         power=found.power,
         split=found.split,
         film=film_words(result) or "",
-        makers=makers_words(record, units),
-        verdict=record.standing.word,
-        reason=record.standing.reason,
+        makers=makers_words(result, units),
+        verdict=result.standing.word,
+        reason=result.standing.reason,
     )
 
 
-def headline_title(scene: Scene | SceneView, record: TorqueRecord, units: Units = METRIC) -> str:
+def headline_title(result: SceneTorque, units: Units = METRIC) -> str:
     """Bearing, loads, speed where it is one, oil, temperature and supply."""
-    points, oil = record.points, scene.lubricant
-    words = [f"{'' if record.pair is None else 'two '}{scene.bearing.name}"]
-    fixed = [name for name in present_loads(points) if name not in varying_loads(points) and getattr(points[0], name)]
+    scene, points, oil = result.scene, result.points, result.scene.lubricant
+    words = [f"{'' if result.friction.pair is None else 'two '}{scene.bearing.name}"]
+    fixed = [name for name in present_loads(points) if name not in varying_loads(points) and points[0][name]]
     for name in fixed:
-        load = QUANTITIES[name].in_units(units).shown.written(getattr(points[0], name), ".5g")
+        load = QUANTITIES[name].in_units(units).shown.written(points[0][name], ".5g")
         words.append(f"{COORDINATES[name].meaning.removesuffix(' load')} {load}")
-    words += [tilt_of(points, units)] if tilt_of(points, units) else []
-    speeds = {point.inner_speed for point in points}
+    words += [tilt_of(result, units)] if tilt_of(result, units) else []
+    speeds = {point["inner_speed"] for point in points}
     words += [speed_words(speeds.pop(), units)] if len(speeds) == 1 else []
     if oil is None:
         words.append(
@@ -103,9 +99,9 @@ def headline_title(scene: Scene | SceneView, record: TorqueRecord, units: Units 
     return ", ".join(words)
 
 
-def headline_table(scene: Scene, record: TorqueRecord, units: Units = METRIC) -> Table:
+def headline_table(result: SceneTorque, units: Units = METRIC) -> Table:
     """One row for each point, at most six: torque, interval, power and the largest parts."""
-    points, computed = record.points, record.computed
+    points, computed = result.points, result.places.computed
     places = (
         computed
         if len(computed) <= MOST_ROWS
@@ -116,22 +112,22 @@ def headline_table(scene: Scene, record: TorqueRecord, units: Units = METRIC) ->
     rows = [
         [
             *point_cells(points, place, units),
-            rounded(units.torque.number(points[place].torque.total), 4),
-            ABSENT if (ends := record.interval[place]) is None else between(ends, units.torque),
-            rounded(points[place].torque.total * abs(points[place].inner_speed), 3),
-            split_of(points[place], declared_by(record)),
+            rounded(units.torque.number(points[place]["torque_total"]), 4),
+            ABSENT if (ends := ends_of(points[place])) is None else between(ends, units.torque),
+            rounded(points[place]["torque_total"] * abs(points[place]["inner_speed"]), 3),
+            split_of(points[place], declared_by(result)),
         ]
         for place in places
     ]
     notes = []
     if len(places) < len(computed):
         notes.append(f"{len(places)} of {len(computed)} operating points; --json and --out have all.")
-    if all(record.interval[place] is None for place in places):
+    if all(ends_of(points[place]) is None for place in places):
         is_long = len(computed) > MOST_ESTIMATED
         why = f"more than {MOST_ESTIMATED} points" if is_long else "no torque at the bound of an input"
         notes.append(f"No interval: {why}; try --interval.")
-    notes += [f"{len(record.left_out)} points without a torque are skipped."] if record.left_out else []
-    return table_of(headline_title(scene, record, units), heads, _in_a_line(heads, rows, len(heads) - 1), notes)
+    notes += [f"{len(result.left_out)} points without a torque are skipped."] if result.left_out else []
+    return table_of(headline_title(result, units), heads, _in_a_line(heads, rows, len(heads) - 1), notes)
 
 
 def side_by_side(results: Mapping[str, SceneTorque], units: Units = METRIC) -> Table:
@@ -143,11 +139,10 @@ def side_by_side(results: Mapping[str, SceneTorque], units: Units = METRIC) -> T
     heads += [Head("power, W", fixed=True), Head("made of", "text"), Head("verdict", "verdict")]
     rows, notes = [], []
     for name, result in results.items():
-        record = torque_record(result)
-        rows.append([name, *span_of(record, units), record.standing.word])
-        count = len(record.computed)
+        rows.append([name, *span_of(result, units), result.standing.word])
+        count = len(result.places.computed)
         series = "" if count == 1 else f"{count} points, made of: at the highest torque; "
-        notes.append(f"{name}: {series}{record.standing.reason}")
+        notes.append(f"{name}: {series}{result.standing.reason}")
     return table_of("Friction torque", heads, _in_a_line(heads, rows, len(heads) - 2), notes)
 
 
@@ -178,38 +173,38 @@ class Span(NamedTuple):
     split: str  # at the highest torque
 
 
-def span_of(record: TorqueRecord, units: Units = METRIC) -> Span:
+def span_of(result: SceneTorque, units: Units = METRIC) -> Span:
     """Torque, interval, power and the largest parts."""
-    points = [record.points[place] for place in record.computed]
-    ends = [each for place in record.computed if (each := record.interval[place]) is not None]
+    points = [result.points[place] for place in result.places.computed]
+    ends = [each for point in points if (each := ends_of(point)) is not None]
     known = len(ends) == len(points)
     return Span(
-        torque=_span([units.torque.number(point.torque.total) for point in points], 4, "-"),
+        torque=_span([units.torque.number(point["torque_total"]) for point in points], 4, "-"),
         interval=between((min(ends)[0], max(high for _, high in ends)), units.torque) if known else ABSENT,
-        power=_span([point.torque.total * abs(point.inner_speed) for point in points], 3, "-"),
-        split=split_of(max(points, key=lambda point: point.torque.total), declared_by(record)),
+        power=_span([point["torque_total"] * abs(point["inner_speed"]) for point in points], 3, "-"),
+        split=split_of(max(points, key=lambda point: point["torque_total"]), declared_by(result)),
     )
 
 
-def torque_words(record: TorqueRecord, units: Units = METRIC) -> str:
+def torque_words(result: SceneTorque, units: Units = METRIC) -> str:
     """Torque, interval, power and the largest parts in a line."""
-    found, count, name = span_of(record, units), len(record.computed), units.torque.name
+    found, count, name = span_of(result, units), len(result.places.computed), units.torque.name
     series = "" if count == 1 else f" at {count} points"
     return f"torque {found.torque} {name}{series}, 95 % {found.interval}, {found.power} W: {found.split}"
 
 
-def declared_by(record: TorqueRecord) -> str:
+def declared_by(result: SceneTorque) -> str:
     """What the declared part of the torque is of: seals, drag or both."""
-    return "+".join(each.name for each in record.effects if each.name in DECLARED and each.share)
+    return "+".join(each.name for each in result.friction.effects.unmeasured if each.name in DECLARED and each.share)
 
 
-def split_of(point: TorquePoint, declared: str) -> str:
+def split_of(point: Point, declared: str) -> str:
     """The parts of the torque, from the largest, in per cent; declared : name of the declared part."""
-    total = point.torque.total
+    total = point["torque_total"]
     parts = {
         short: value
         for name, short in (PARTS | {"declared": declared}).items()
-        if (value := getattr(point.torque, name)) is not None and value > RESIDUE * total
+        if (value := point[f"torque_{name}"]) is not None and value > RESIDUE * total
     }
     largest = sorted(parts, key=parts.__getitem__, reverse=True)[:MOST_PARTS]
     shares = [(name, parts[name] / total) for name in largest]
@@ -239,20 +234,25 @@ def film_words(result: SceneTorque) -> str | None:
     return f"film: lambda {', '.join(ratios)}; asperities carry {load}: {regime}{state}"
 
 
-def makers_words(record: TorqueRecord, units: Units = METRIC) -> str:
+def makers_words(result: SceneTorque, units: Units = METRIC) -> str:
     """What the formulas of each maker give, over all points; beside losses, that they are without them."""
-    band = record.catalogue_band
     makers: dict[str, list[float]] = {}
-    for name, series in band.values.items():  # a maker may have two constants: "Palmgren, z = 0.0004"
-        known = (each for each in series if each is not None and isfinite(each))
+    for name, series in result.makers.items():  # a maker may have two constants: "Palmgren, z = 0.0004"
+        known = series[np.isfinite(series)].tolist()
         makers.setdefault(name.partition(",")[0], []).extend(known)
     shown = {name: [units.torque.number(each) for each in known] for name, known in makers.items() if known}
     numbers = [f"{name} {_span(each, 3, '-')}" for name, each in shown.items()]
     if not numbers:
-        why = band.note.removeprefix(NO_BAND) if band.note.startswith(NO_BAND) else "not for this load"
+        why = note.removeprefix(NO_BAND) if (note := result.catalogue.note).startswith(NO_BAND) else "not for this load"
         return f"makers: no formula: {why}"
-    losses = any(point.torque.declared is not None or point.torque.oil is not None for point in record.points)
+    losses = result.friction.torque.declared is not None or result.friction.torque.oil is not None
     return f"makers: {', '.join(numbers)} {units.torque.name}{f', {WITHOUT_LOSSES}' if losses else ''}"
+
+
+def ends_of(point: Point) -> tuple[float, float] | None:
+    """Both ends of the 95 % interval, N m; None: not known."""
+    low, high = point.get("interval_low"), point.get("interval_high")
+    return None if low is None or high is None else (low, high)
 
 
 def _span(values: Collection[float] | np.ndarray, count: int = 2, joined: str = " to ") -> str:

@@ -7,35 +7,22 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from analytic.columns import MODEL_PARTS, Point
 from analytic.words import Unit, angle_of, percent_of
 from fembearing.check.contact.bearings import which_bearing
 from fembearing.check.cost.ladder import Ladder
 from fembearing.quantities import CONTACT, METRIC, Quantity, Units
 
 if TYPE_CHECKING:
-    from analytic.prediction.rows import PredictionRows
-    from analytic.result import PairRows, TorquePoint
-    from analytic.rows import OperatingPoint
+    from analytic.prediction.prediction import Prediction
+    from analytic.result import PairPart
     from analytic.scene import Clearances
+    from analytic.scene_torque import SceneTorque
     from analytic.verdicts import NumericalCheck, PhysicalCheck
     from fembearing.check.contact.meshed_region import RingStructure
     from fembearing.check.contact.solution import ContactNumbers
 
 AT_THE_CENTRE = CONTACT["peak_pressure"]._replace(name="pressure at y = 0")
-VARIED = {  # the parts of the model's uncertainty
-    "film": "film formula",
-    "traction": "shear stress of the oil",
-    "gap": "law of the load on asperities",
-    "surfaces": "spread of surfaces",
-    "rolling": "formula of rolling",
-    "reach": "reach of the oil",
-    "heating": "heating of the inlets",
-    "starvation": "starved or flooded inlets",
-    "elastic_rolling": "law of elastic rolling",
-    "grease_film": "films with grease",
-    "unloaded_balls": "unloaded balls",
-    "oil_losses": "losses of the oil",
-}
 PAIRS = {"O": "back to back (O)", "X": "face to face (X)", "tandem": "in tandem"}
 MILLION = 1e6
 NOTHING = 1e-8  # share of the torque that is printed as 0: 1e-6 %
@@ -45,7 +32,7 @@ MADE_OF = {  # the parts of the 95 % interval
     "numerical": "numerical alone",
     "input": "inputs alone",
     "model": "formulas alone",
-    **{f"model.{name}": f"of them: {words}" for name, words in VARIED.items()},
+    **{f"model.{name}": f"of them: {words}" for name, words in MODEL_PARTS.items()},
 }
 CHECKS = {  # the physical verdicts
     "peak_pressure": "peak pressure",
@@ -103,18 +90,20 @@ def ring_line(ring: "RingStructure", units: Units = METRIC) -> str:
     )
 
 
-def loads_of(point: "OperatingPoint", names: Sequence[str], units: Units = METRIC) -> str:
+def loads_of(point: Point, names: Sequence[str], units: Units = METRIC) -> str:
     """The loads of these names at an operating point, for example "1000 N axial, 50 N radial"."""
     words = {"axial_load": "axial", "radial_load": "radial", "moment": "moment"}
     shown = {name: units.torque if name == "moment" else units.force for name in names}
-    return ", ".join(f"{shown[name].written(getattr(point, name), '.6g')} {words[name]}" for name in names)
+    return ", ".join(f"{shown[name].written(point[name], '.6g')} {words[name]}" for name in names)
 
 
-def tilt_of(points: Sequence["TorquePoint"], units: Units = METRIC) -> str:
+def tilt_of(torque: "SceneTorque", units: Units = METRIC) -> str:
     """How the inner ring of a single bearing is held or tilts, at most; empty: nothing tilts it."""
-    rings = [point.ring for point in points if point.ring is not None]
-    holding = [ring.holding_moment for ring in rings if ring.holding_moment is not None]
-    tilts = [ring.displacement.tilt_y for ring in rings if ring.displacement is not None]
+    ring = torque.friction.ring
+    if ring is None:
+        return ""
+    holding = [] if ring.holding_moment is None else ring.holding_moment.tolist()
+    tilts = [] if ring.displacement is None or ring.tilt is None else ring.tilt.tolist()
     tilt = max(tilts, key=abs, default=0.0)
     leans = f"{1e3 * abs(tilt):.3g} mrad" if abs(tilt) > NO_TILT else ""
     if not holding:
@@ -124,14 +113,14 @@ def tilt_of(points: Sequence["TorquePoint"], units: Units = METRIC) -> str:
     return f"{held} by {units.torque.written(moment, '.4g')}" if leans or moment > NO_MOMENT else ""
 
 
-def varying_loads(points: Sequence["OperatingPoint"]) -> list[str]:
+def varying_loads(points: Sequence[Point]) -> list[str]:
     """The names of the loads that differ between operating points."""
-    return [name for name in LOADS if len({getattr(point, name) for point in points}) > 1]
+    return [name for name in LOADS if len({point[name] for point in points}) > 1]
 
 
-def present_loads(points: Sequence["OperatingPoint"]) -> list[str]:
+def present_loads(points: Sequence[Point]) -> list[str]:
     """The axial load, and the names of the other loads that are not 0 at every operating point."""
-    return [name for name in LOADS if name == "axial_load" or any(getattr(point, name) for point in points)]
+    return [name for name in LOADS if name == "axial_load" or any(point[name] for point in points)]
 
 
 def capital(words: str) -> str:
@@ -227,7 +216,7 @@ def uncertainty_of(model: float | None, parts: Mapping[str, float]) -> str:
     """
     if model is None:
         return f"Model uncertainty: not known without oil. {MEASURED}"
-    named = ", ".join(f"{VARIED[name]} {100 * part:.2g} %" for name, part in parts.items() if part > 0)
+    named = ", ".join(f"{MODEL_PARTS[name]} {100 * part:.2g} %" for name, part in parts.items() if part > 0)
     return (
         f"Model uncertainty, 95 %: up to {100 * model:.2g} % of the total, by {named}. Not included: oil data "
         f"and inputs. {MEASURED}"
@@ -275,42 +264,44 @@ def clearances_of(found: "Clearances", units: Units = METRIC) -> str:
     return f"Clearance on the diameter: {way}{left}. In operation: {', '.join(seats)}."
 
 
-def pair_of(pair: "PairRows", units: Units = METRIC) -> str:
+def pair_of(pair: "PairPart", units: Units = METRIC) -> str:
     """What the columns of a pair's table mean, and its preload."""
     held = (
         "Both bearings carry the axial load, without preload"
         if pair.kind == "tandem"
-        else f"Preload {units.force.written(pair.preload, '.4g')} at standstill, by closing "
-        f"{units.small_length.written(pair.offset, '.3g')}; the axial load presses on the first bearing"
+        else f"Preload {units.force.written(pair.equilibrium.preload, '.4g')} at standstill, by closing "
+        f"{units.small_length.written(pair.equilibrium.offset, '.3g')}; the axial load presses on the first bearing"
     )
     return (
         f"{held}. Loads of each bearing along and across its own axis; ball: load of its heaviest; middles "
-        f"{units.length.written(pair.distance, '.4g')} apart; dFa/dz: axial stiffness of the pair."
+        f"{units.length.written(pair.equilibrium.distance, '.4g')} apart; dFa/dz: axial stiffness of the pair."
     )
 
 
 def input_name(key: str) -> str:
     """The name of an uncertain input for narrow places: its key in words."""
     if key.startswith("model."):
-        return VARIED[key.partition(".")[2]]
+        return MODEL_PARTS[key.partition(".")[2]]
     table, _, rest = key.partition(".")
     words = rest.replace(".", " ").replace("_", " ") or "numerical uncertainty"
     return f"{words} (cage)" if table == "cage" else words
 
 
-def explained_words(prediction: "PredictionRows") -> str:
+def explained_words(prediction: "Prediction") -> str:
     """How far to trust the shares of the inputs, in a sentence."""
-    known = f"The regression for the shares explains {100 * prediction.explained:.0f} % or more of the variance"
-    if prediction.explained < LEAST_EXPLAINED:
+    explained = max(0.0, float(np.nanmin(prediction.explained)))
+    known = f"The regression for the shares explains {100 * explained:.0f} % or more of the variance"
+    if explained < LEAST_EXPLAINED:
         return f"{known}: the ranking of the inputs is not known; use more samples or smaller spreads."
     return f"{known}; the rest is attributed to no input and not included in the standard errors."
 
 
-def interval_words(prediction: "PredictionRows") -> str:
+def interval_words(prediction: "Prediction") -> str:
     """How the interval was computed and what it does not include, in sentences."""
     return (
         f"95 % interval by {prediction.samples} Latin hypercube samples, seed {prediction.seed}, in "
-        f"{prediction.seconds:.0f} s; the standard error of an end is at most {100 * prediction.largest_error:.2g} %. "
+        f"{prediction.seconds:.0f} s; the standard error of an end is at most "
+        f"{100 * prediction.total.largest_error:.2g} %. "
         f"{prediction.failures} Spreads are mostly judgement; --json and the report give their sources. Not included: "
         f"{'; '.join(prediction.not_varied)}."
     ).replace("  ", " ")

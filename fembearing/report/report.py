@@ -1,24 +1,18 @@
-"""The report of a check: one type is written, read, drawn and shown."""
+"""The report of a check: one type is written, drawn and shown."""
 
-import json
-import re
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from functools import cache, cached_property
-from importlib.metadata import version
-from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, NoReturn
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from annotated_types import Len, MinLen
 
-from analytic.errors import InputError
-from analytic.reading import content_of
 from analytic.rows import Count, NotNegative, Positive
-from analytic.scene import Array, Pair, ReportDetails
+from analytic.scene import Array, Pair, ReportDetails, Scene
+from analytic.scene_torque import SceneTorque
 from analytic.verdicts import PhysicalCheck, Summary
 from fembearing.check.cage_record import DrawnMotion
-from fembearing.check.comparison import ShownVerdict, worst
+from fembearing.check.comparison import ShownVerdict
 from fembearing.check.contact.bearings import OfPair
 from fembearing.check.contact.scene_contact import Shape
 from fembearing.check.contact.solution import ContactNumbers
@@ -30,35 +24,14 @@ from fembearing.check.measured.comparison import MeasuredComparison
 from fembearing.check.sensitivity import Sensitivity
 from fembearing.check.torque_change import OF_RACES, TorqueChange
 from fembearing.check.validation import Validation
+from fembearing.plain_types import UNWRITTEN
 from fembearing.provenance import Provenance
-from fembearing.quantities import CONTACT, SYSTEMS, Units
+from fembearing.quantities import SYSTEMS, Units
 from fembearing.report.findings import Finding, findings_of
-from fembearing.report.scene_view import SceneView
-from fembearing.report.torque import CageMotionPoint, TorqueRecord, cage_motion, torque_record
+from fembearing.report.torque import CageMotionPoint, TorqueContent, cage_motion
+from fembearing.report.torque import content_of as torque_content
 
-if TYPE_CHECKING:
-    from pydantic import TypeAdapter
-
-KIND, FORMAT = "fembearing validation", 8  # what the JSON is; the number rises when a key changes its name or meaning
 INSTANTS = 400  # of a cage's motion that are kept
-LARGEST = 1e200  # SI; a larger number is damage, and may be too large in the unit in which it is shown
-LARGEST_FILE = 256_000_000  # bytes: ten times a series of thousand points
-POCKETS = ([], ["real", "wall"])  # models of a cage pocket: no cage, or the thick seat and the sheet
-SHOWN = 60  # characters of a value in a message
-FAULTS = {  # pydantic's names
-    "missing": "is missing",
-    "float_type": "is no number",
-    "int_type": "is no whole number",
-    "bool_type": "is neither true nor false",
-    "string_type": "is no text",
-    "tuple_type": "is no list",
-    "list_type": "is no list",
-    "dict_type": "is no table",
-    "dataclass_type": "is no table",
-    "finite_number": "is not finite",
-    "unexpected_keyword_argument": "is not known",
-}
-FILE_NAME = r"^\w[\w.-]*$"
 Floats = tuple[float, ...]
 Optionals = tuple[float | None, ...]
 
@@ -107,14 +80,6 @@ class ChangeRecord:
     verdict: ShownVerdict
     note: str
 
-    @property
-    def lengths(self) -> set[int]:
-        """The numbers of points of its lists: one, where they belong together."""
-        both, fitted = (self.contact_angle, self.torque), self.finite_geometry
-        series = [*(side.production for side in both), *(side.corrected for side in both), self.change.total]
-        series += [] if fitted is None else [fitted.change, fitted.uncertainty]
-        return {len(each) for each in series}
-
 
 @dataclass(frozen=True, kw_only=True)
 class Cost:
@@ -130,34 +95,27 @@ class Cost:
 class PictureFile:
     """A picture of a contact, in a file beside report.json."""
 
-    file: str  # beside report.json, never elsewhere
+    file: str  # name
     kind: Literal["pressure", "section", "view", "film", "creep"]
     pair: Pair
     geometry: Shape
     caption: str
     bearing: OfPair | None = None  # of a pair
 
-    def __post_init__(self) -> None:
-        """Raises ValueError for a name that may lead elsewhere."""
-        if not re.fullmatch(FILE_NAME, self.file):
-            raise ValueError(f"has a picture {self.file!r}, which is no plain name")
-
 
 @dataclass(frozen=True, kw_only=True)
 class Report:
     """The check of a scene. Numbers are SI, uncertainties and discrepancies relative."""
 
-    __pydantic_config__: ClassVar[dict[str, Any]] = {"strict": True, "extra": "forbid", "allow_inf_nan": False}
-
-    kind: Literal["fembearing validation"] = KIND
-    format: Literal[8] = FORMAT
+    scene: Scene = field(metadata=UNWRITTEN)  # in SI it is part of the provenance
     verdict: Summary
     findings: Annotated[tuple[Finding, ...], MinLen(1)]
     physical: Annotated[tuple[PhysicalCheck, ...], MinLen(1)]
     report: ReportDetails
     tolerance: Positive
     contacts: Annotated[tuple[ContactNumbers, ...], Len(2, 6)]
-    torque: TorqueRecord | None
+    solved: SceneTorque | None = field(metadata=UNWRITTEN)  # the torque, which JSON holds as follows
+    torque: TorqueContent | None
     torque_change: ChangeRecord | None
     cage_motion: tuple[CageMotionPoint, ...] | None
     cage_records: tuple[DrawnMotion, ...]
@@ -172,59 +130,6 @@ class Report:
     warnings: tuple[str, ...]
     provenance: Provenance
     pictures: tuple[PictureFile, ...] = ()
-    renderer: str = "VTK"
-
-    def __post_init__(self) -> None:
-        """Raises ValueError for parts that do not belong together."""
-        if len({_place_of(contact) for contact in self.contacts}) < len(self.contacts):
-            raise ValueError("has a contact twice")
-        if sorted(contact.geometry for contact in self.contacts if contact.pair == "pocket") not in POCKETS:
-            raise ValueError(f"has a pocket of other models than {' and '.join(POCKETS[1])}")
-        for picture in self.pictures:
-            if self.contact_of(picture) is None:
-                raise ValueError(f"has no contact for the picture {picture.file}")
-        for contact in self.contacts:
-            if sorted(contact.quantities) != sorted(CONTACT):
-                raise ValueError(f"has no verdict on every quantity of {contact.pair}, once")
-        if self.verdict.comparison != worst(contact.verdict for contact in self.contacts):
-            raise ValueError("has another verdict on the comparison than the worst on a contact")
-        for name in self._names:
-            if "$" in name:
-                raise ValueError(f"has a name {name!r}, in which a formula begins where a figure shows it")
-        if (self.torque is None) != (self.torque_change is None):
-            raise ValueError("has torque without torque_change, or the other way round")
-        if self.torque is not None and self.torque_change is not None:
-            count = len(self.torque.points)
-            if any(check.point >= count for check in self.physical):
-                raise ValueError(f"has a physical verdict on a point beyond the {count} points of torque")
-            if self.film_change is not None and len(self.film_change) != count:
-                raise ValueError(f"has a film_change of other than the {count} points of torque")
-            if self.torque_change.lengths != {count}:
-                raise ValueError(f"has a torque_change of other than the {count} points of torque")
-            if self.cage_motion is not None and len(self.cage_motion) != count:
-                raise ValueError(f"has a cage_motion of other than the {count} points of torque")
-            if self.torque.left_out or self.torque.verdicts.numerical is None:
-                raise ValueError("has a torque with points left out")
-
-    @property
-    def _names(self) -> Iterator[str]:
-        """Names that stand in figures."""
-        for ladder in self.cost.ladders:
-            yield from (ladder.quantity, *(method.name for method in ladder.methods))
-        if self.sensitivity is not None:
-            yield from (name for each in self.sensitivity.inputs for name in (each.name, each.unit))
-        if self.torque is not None and self.torque.prediction is not None:
-            yield from (each.key for each in self.torque.prediction.inputs)
-            yield from self.torque.prediction.points[0].made_of
-
-    def contact_of(self, picture: PictureFile) -> ContactNumbers | None:
-        """The contact that a picture shows; None where there is none."""
-        return next((each for each in self.contacts if _place_of(each) == _place_of(picture)), None)
-
-    @cached_property
-    def scene(self) -> SceneView:
-        """The scene, as far as the page tells of it. Raises ValueError for a scene of another kind."""
-        return _adapter(SceneView).validate_json(json.dumps(self.provenance.scene_content))
 
     @property
     def units(self) -> Units:
@@ -236,24 +141,30 @@ class Report:
         """The load of the pocket, N, as the page says it."""
         return f"{self.contacts[-1].load:g}"
 
+    def contact_of(self, picture: PictureFile) -> ContactNumbers:
+        """The contact that a picture shows."""
+        return next(each for each in self.contacts if _place_of(each) == _place_of(picture))
+
 
 def _place_of(part: ContactNumbers | PictureFile) -> tuple[OfPair | None, Pair, Shape]:
     return part.bearing, part.pair, part.geometry
 
 
-def report_of(result: Validation, *, pictures: Sequence[PictureFile] = (), renderer: str | None = None) -> Report:
-    """The report of a check;  renderer : what drew the pictures; VTK without it."""
+def report_of(result: Validation, *, pictures: Sequence[PictureFile] = ()) -> Report:
+    """The report of a check."""
     verdicts, contacts = result.verdicts, tuple(contact.numbers for contact in result.contacts)
     films, creep = tuple(film.numbers for film in result.films), tuple(creep.numbers for creep in result.creep)
     torque, change = result.torque, result.torque_change
     return Report(
+        scene=result.scene,
         verdict=verdicts.summary,
         findings=tuple(findings_of(contacts, films, creep, change)),
         physical=verdicts.physical,
         report=result.scene.report,
         tolerance=result.tolerance,
         contacts=contacts,
-        torque=None if torque is None else torque_record(torque, measured=True),
+        solved=torque,
+        torque=None if torque is None else torque_content(torque),
         torque_change=None if change is None else change_record(change),
         cage_motion=None if torque is None else cage_motion(torque),
         cage_records=tuple(record.drawn(most=INSTANTS) for record in result.cage_records),
@@ -270,7 +181,6 @@ def report_of(result: Validation, *, pictures: Sequence[PictureFile] = (), rende
         warnings=result.warnings,
         provenance=result.provenance,
         pictures=tuple(pictures),
-        renderer=renderer or "VTK",
     )
 
 
@@ -296,103 +206,3 @@ def change_record(change: TorqueChange) -> ChangeRecord:
 def _listed(values: Array | None) -> Any:
     """Numbers of a series, None for NaN."""
     return None if values is None else tuple(None if np.isnan(value) else value for value in values.tolist())
-
-
-def read_report(path: Path) -> Report:
-    """The report in a report.json.
-
-    Raises InputError, in one line, for what is no regular file, is too large, is no such report or is damaged.
-    """
-    text = _text_of(path)
-    try:
-        content = json.loads(text, parse_constant=_no_number)
-        json.dumps(content, ensure_ascii=False).encode()  # half a character, as an escape lets it in, is refused here
-    except (ValueError, RecursionError) as problem:
-        raise InputError(
-            f"{str(path)!r} is no JSON, or cut off: {problem}; run `fembearing validate` again"
-        ) from problem
-    if not isinstance(content, dict) or content.get("kind") != KIND:
-        raise InputError(f"{str(path)!r} is JSON, but no report of `fembearing validate`; give the report.json of one")
-    if content.get("format") != FORMAT:
-        raise InputError(
-            f"{str(path)!r} is of fembearing {_writer(content) or 'unknown'}, format {content.get('format')!r}; this "
-            f"fembearing {_ours()} reads format {FORMAT}: take that version, or run `fembearing validate` again"
-        )
-    try:
-        return report_in(content)
-    except ValueError as problem:
-        raise InputError(f"{str(path)!r}: {_fault(problem)}; {_remedy(content)}") from problem
-
-
-def report_in(content: dict[str, Any]) -> Report:
-    """The report in the content of a report.json. Raises ValueError, mostly pydantic's, for any other."""
-    _require_usual_numbers(content)
-    report = _adapter(Report).validate_json(json.dumps(content))
-    _ = report.scene  # damage to it is found here, and not where it is shown
-    return report
-
-
-@cache
-def _adapter(of: type) -> "TypeAdapter[Any]":
-    from pydantic import TypeAdapter  # only what reads a report pays for it
-
-    return TypeAdapter(of)
-
-
-def _require_usual_numbers(node: Any, where: str = "it") -> None:
-    if isinstance(node, dict | list):
-        parts = node.items() if isinstance(node, dict) else enumerate(node)
-        for name, part in parts:
-            _require_usual_numbers(part, f"{where}.{name}".removeprefix("it."))
-    elif isinstance(node, float) and abs(node) > LARGEST:
-        raise ValueError(f"{where} {node:g} is larger than {LARGEST:g}")
-
-
-def _text_of(path: Path) -> bytes:
-    try:
-        return content_of(path, most=LARGEST_FILE, remedy="give the report.json of a report")
-    except InputError as problem:
-        raise InputError(f"{str(path)!r}: {problem}") from problem
-
-
-def _no_number(name: str) -> NoReturn:
-    raise ValueError(f"{name} is no number of JSON")
-
-
-def _fault(problem: ValueError) -> str:
-    """The first fault, in words."""
-    from pydantic import ValidationError
-
-    if not isinstance(problem, ValidationError):
-        return str(problem)
-    first, *others = problem.errors(include_url=False)
-    above = ("provenance", "scene_content") if problem.title == SceneView.__name__ else ()
-    where = ".".join(map(str, (*above, *first["loc"]))) or "it"
-    words = FAULTS.get(first["type"], first["msg"].removeprefix("Value error, "))
-    shown = "" if first["type"] in ("missing", "value_error") else f" = {_shortened(first['input'])}"
-    more = f" (and {len(others)} more)" if others else ""
-    return f"{where}{shown} {words}{more}"
-
-
-def _shortened(value: object) -> str:
-    text = repr(value)
-    return text if len(text) <= SHOWN else f"{text[: SHOWN // 2]}...{text[-SHOWN // 2 :]}"
-
-
-def _remedy(content: dict[str, Any]) -> str:
-    """What to do about a damaged report, with the versions that wrote and read it."""
-    wrote = _writer(content)
-    other = "" if wrote in (None, _ours()) else f" or was written by fembearing {wrote}, this is {_ours()}"
-    return f"it was changed{other}: run `fembearing validate` again"
-
-
-def _writer(content: dict[str, Any]) -> str | None:
-    """The version that wrote a report; None where it does not say."""
-    origin = content.get("provenance")
-    versions = origin.get("versions") if isinstance(origin, dict) else None
-    wrote = versions.get("fembearing") if isinstance(versions, dict) else None
-    return wrote if isinstance(wrote, str) else None
-
-
-def _ours() -> str:
-    return version("fembearing")

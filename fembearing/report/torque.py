@@ -1,36 +1,38 @@
 """The record of a torque: a row for each operating point, and all that is said of it, as JSON holds it."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
-from typing import Annotated, Any, Literal
+from dataclasses import dataclass
+from typing import Annotated
 
 from annotated_types import MinLen
 
 from analytic.cage.statistics import OtherStart
 from analytic.cage.torque import CagePoint
+from analytic.columns import rows_of
 from analytic.effects import Effect
-from analytic.left_out import LeftOut, Places
-from analytic.prediction.rows import PredictionRows
-from analytic.result import PairRows, TorquePoint
-from analytic.rows import NotNegative, Positive, Two
-from analytic.scene import CageStart, Clearances
+from analytic.left_out import LeftOut
+from analytic.loads.ring_state import RingPoint
+from analytic.prediction.prediction import Prediction
+from analytic.prediction.rows import COVERED
+from analytic.prediction.spreads import UncertainInput
+from analytic.result import PairPart
+from analytic.rows import Count, NotNegative, Positive
+from analytic.scene import ArrangementKind, CageStart, Clearances
 from analytic.scene_torque import SceneTorque
 from analytic.scenefile.inputs import StatedInput
 from analytic.standing import Standing
 from analytic.verdicts import Verdicts
 from fembearing.plain_types import plain
 
-KIND, FORMAT = "fembearing torque", 6  # what the JSON is; the number rises when a key changes its name or meaning
+Points = tuple[Mapping[str, float | None], ...]  # the numbers of each operating point by the names of `COLUMNS`
 
 
 @dataclass(frozen=True, kw_only=True)
-class Band:
-    """The catalogue band at each point, N m; None where there is none."""
+class MakersContent:
+    """What the makers' formulas give."""
 
-    low: tuple[float, ...] | None
-    high: tuple[float, ...] | None
-    values: Mapping[str, tuple[float | None, ...]]  # by name of the model; None where it does not hold
-    note: str
+    note: str  # whose models hold, or why none does
+    torque: Mapping[str, tuple[float | None, ...]]  # at each point, N m, by the name of the model; None: does not hold
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -39,54 +41,62 @@ class OtherCandidate:
 
     ball_count: int
     ball_diameter: Positive  # m
-    total: tuple[float, ...]  # N m
+    total: tuple[float | None, ...]  # N m
 
 
 @dataclass(frozen=True, kw_only=True)
-class TorqueRecord:
-    """The friction torque that `fembearing torque` computes; SI."""
+class PairContent:
+    """A pair of bearings."""
 
-    points: Annotated[tuple[TorquePoint, ...], MinLen(1)]
+    kind: ArrangementKind
+    preload: float  # at standstill, N
+    offset: float  # closed by it, m
+    distance: float  # of the middles, m
+    points: Points  # of the shaft, m, rad and N/m, and of each bearing in its own frame, N, N m; flags are 0 or 1
+
+
+@dataclass(frozen=True, kw_only=True)
+class PredictionContent:
+    """The 95 % interval by samples."""
+
+    covered: float  # probability
+    points: Points  # ends, median and standard errors of the total, of its parts, and by each cause alone, N m
+    # Sobol indices of the total and their standard errors: of each input, at each point that has a torque
+    indices: Mapping[str, tuple[tuple[float, ...], ...]]
+    inputs: tuple[UncertainInput, ...]
+    not_varied: tuple[str, ...]  # what the interval does not know, in words
+    samples: Count
+    failed: int  # of them
+    reasons: tuple[str, ...]  # why
+    seed: int
+    seconds: NotNegative
+    evaluation_seconds: NotNegative
+
+
+@dataclass(frozen=True, kw_only=True)
+class TorqueContent:
+    """What JSON holds of a friction torque; SI."""
+
+    points: Annotated[Points, MinLen(1)]
+    cage: tuple[CagePoint | None, ...] | None  # at each point; None: it does not count
+    ring: tuple[RingPoint | None, ...] | None  # None for a pair
     gap_roughness: Positive | None  # m
     clearances: Clearances | None
-    pair: PairRows | None
+    pair: PairContent | None
     effects: tuple[Effect, ...]
     warnings: tuple[str, ...]
     measured_points: tuple[int, ...]  # at which shares of effects are measured, from 0
     provenance: Mapping[str, str]
     seconds: NotNegative
     tolerance: Positive
-    catalogue_band: Band
+    makers: MakersContent
     verdicts: Verdicts
     notes: tuple[str, ...]  # none of them is judged
     inputs: tuple[StatedInput, ...]
     other_candidate: OtherCandidate | None
-    interval: tuple[Two | None, ...]  # ends of 95 % at each point, N m, by samples or to first order; None: not known
-    prediction: PredictionRows | None
+    prediction: PredictionContent | None
     standing: Standing  # how far the torque can be trusted, in one word
     left_out: tuple[LeftOut, ...]  # points without a torque: their numbers are null
-
-    def __post_init__(self) -> None:
-        """Raises ValueError for half a catalogue band, and for what belongs to other points."""
-        band, count = self.catalogue_band, len(self.points)
-        if (band.low is None) != (band.high is None):
-            raise ValueError("has half a catalogue_band")
-        for side in (band.low, band.high):
-            if side is not None and len(side) != count:
-                raise ValueError(f"has {len(side)} values of catalogue_band at {count} points")
-        for series in (self.interval, *band.values.values()):
-            if len(series) != count:
-                raise ValueError(f"has {len(series)} intervals, or values of a maker, at {count} points")
-        for check in self.verdicts.physical:
-            if check.point >= count:
-                raise ValueError(f"has a verdict on point {check.point}, and {count} points")
-        if self.prediction is not None and len(self.prediction.points) != count:
-            raise ValueError(f"has a prediction of {len(self.prediction.points)} points, and {count} points")
-
-    @property
-    def computed(self) -> list[int]:
-        """The numbers of the points that have a torque, from 0."""
-        return Places(size=len(self.points), left_out=self.left_out).computed
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -100,66 +110,44 @@ class CageMotionPoint(CagePoint):
     other: OtherStart | None
 
 
-@dataclass(frozen=True, kw_only=True)
-class TorqueFile(TorqueRecord):
-    """What `torque --json` prints."""
-
-    kind: Literal["fembearing torque"] = KIND
-    format: Literal[6] = FORMAT
-
-
-def torque_record(result: SceneTorque, *, measured: bool = False) -> TorqueRecord:
-    """The record of a torque; measured : whether with the shares of effects that take another solution"""
-    return TorqueRecord(**_content(result, measured=measured))
-
-
-def torque_file(result: SceneTorque) -> TorqueFile:
-    """The record with its kind and format."""
-    return TorqueFile(**_content(result, measured=True))
-
-
-def _content(result: SceneTorque, *, measured: bool) -> dict[str, Any]:
-    friction, rows, effects = result.friction, result.places.rows, result.friction.effects
-    pair = None if friction.pair is None else friction.pair.rows
-    prediction = None if result.prediction is None else result.prediction.rows
+def content_of(result: SceneTorque) -> TorqueContent:
+    """What JSON holds of a torque. A number that is not known is None, also at a point without a torque."""
+    friction, places, rows = result.friction, result.places, result.places.rows
+    cage, ring, count = friction.cage, friction.ring, range(friction.inner_speed.size)
+    makers = {name: tuple(plain(values)) for name, values in result.makers.items()}
     of_torque = ("gap_roughness", "clearances", "warnings", "provenance", "seconds")
-    return {
-        "points": rows(friction.rows),
-        "pair": pair and replace(pair, points=rows(pair.points)),
-        "effects": tuple(effects) if measured else effects.unmeasured,
-        "measured_points": effects.among(result.places.computed).points,
+    return TorqueContent(
+        points=result.points,
+        cage=None if cage is None else rows([cage.row(point) for point in count]),
+        ring=None if ring is None else rows([ring.row(point) for point in count]),
+        pair=None if friction.pair is None else _pair(friction.pair, result),
+        effects=tuple(friction.effects),
+        measured_points=friction.effects.among(places.computed).points,
         **{name: getattr(friction, name) for name in of_torque},
-        "tolerance": result.scene.tolerance,
-        "catalogue_band": _band(result),
-        "verdicts": result.verdicts,
-        "notes": result.notes,
-        "inputs": result.inputs,
-        "other_candidate": _other(result),
-        "interval": rows(_interval(result)),
-        "standing": result.standing,
-        "prediction": prediction and replace(prediction, points=rows(prediction.points)),
-        "left_out": result.left_out,
-    }
+        tolerance=result.scene.tolerance,
+        makers=MakersContent(note=result.catalogue.note, torque=makers),
+        verdicts=result.verdicts,
+        notes=result.notes,
+        inputs=result.inputs,
+        other_candidate=_other(result),
+        prediction=None if result.prediction is None else _prediction(result.prediction, result),
+        standing=result.standing,
+        left_out=result.left_out,
+    )
 
 
-def _interval(result: SceneTorque) -> list[Two | None]:
-    """Both ends at each operating point that has a torque."""
-    if result.interval is None:
-        return [None] * result.friction.inner_speed.size
-    return [(float(low), float(high)) for low, high in result.interval.T]
+def _pair(pair: PairPart, result: SceneTorque) -> PairContent:
+    of_pair = {name: getattr(pair.equilibrium, name) for name in ("preload", "offset", "distance")}
+    return PairContent(kind=pair.kind, **of_pair, points=rows_of(result.places.columns(pair.columns())))
 
 
-def _band(result: SceneTorque) -> Band:
-    """The catalogue band at every point."""
-    band, note = result.catalogue.band, result.catalogue.note
-    if band is None:
-        return Band(low=None, high=None, values={}, note=note)
-    rows = result.places.rows
-    return Band(
-        low=rows(band.low.tolist()),
-        high=rows(band.high.tolist()),
-        values={name: rows(plain(each)) for name, each in band.values.items()},
-        note=note,
+def _prediction(prediction: Prediction, result: SceneTorque) -> PredictionContent:
+    same = ("inputs", "not_varied", "samples", "failed", "reasons", "seed", "seconds", "evaluation_seconds")
+    return PredictionContent(
+        covered=COVERED,
+        points=rows_of(result.places.columns(prediction.columns())),
+        indices={name: tuple(map(tuple, values.tolist())) for name, values in vars(prediction.indices).items()},
+        **{name: getattr(prediction, name) for name in same},
     )
 
 
@@ -168,8 +156,10 @@ def _other(result: SceneTorque) -> OtherCandidate | None:
     other = result.scene.bearing.other_candidate
     if other is None or result.other_candidate is None:
         return None
-    total = result.places.rows(result.other_candidate.torque.total.tolist())
-    return OtherCandidate(ball_count=other.ball_count, ball_diameter=other.ball_diameter, total=total)
+    total = result.places.columns({"total": result.other_candidate.torque.total})["total"]
+    return OtherCandidate(
+        ball_count=other.ball_count, ball_diameter=other.ball_diameter, total=tuple(plain(total.tolist()))
+    )
 
 
 def cage_motion(torque: SceneTorque) -> tuple[CageMotionPoint, ...] | None:

@@ -1,21 +1,24 @@
 """One file of a torque: the table, the numbers, the figure or a page, by the ending of its name."""
 
-import json
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from analytic.errors import InputError
 from analytic.scene_torque import SceneTorque
-from fembearing.plain_types import plain
+from fembearing.csv_text import csv_of_columns
+from fembearing.plain_types import json_of
 from fembearing.provenance import provenance_of
-from fembearing.report.torque import torque_file
-from fembearing.report.torque_table import csv_of
+from fembearing.quantities import shown_unit
+from fembearing.report.document import Bullets, Section
+from fembearing.report.torque import content_of
 
 Content = Callable[[SceneTorque], bytes]
 
 
-def content_of(target: Path) -> Content:
+def writer_of(target: Path) -> Content:
     """What a file of this name holds. Raises InputError for an ending that is not known, with those that are."""
     content = CONTENTS.get(target.suffix.casefold())
     if content is None:
@@ -46,18 +49,23 @@ def torque_content(result: SceneTorque, *, ending: str) -> bytes:
     InputError
         An unknown ending, with the known ones.
     """
-    return content_of(Path(f"torque{ending}"))(result)
+    return writer_of(Path(f"torque{ending}"))(result)
 
 
 def table_file(result: SceneTorque) -> bytes:
-    """CSV."""
-    return csv_of(result).encode()
+    """CSV: a row for each operating point, and the name of the bearing last; columns that hold nothing are left out."""
+    columns = {}
+    for name, (_, values, column) in result.columns().items():
+        known = np.where(np.isfinite(values), values, np.nan)  # an uncertainty that is not known is infinite
+        if not np.isnan(known).all():
+            columns[name] = (shown_unit(name, column.unit), known)
+    bearing = [result.scene.bearing.name] * len(result.points)
+    return csv_of_columns(columns, number="point", words={"bearing": bearing}).encode()
 
 
 def numbers_file(result: SceneTorque, **more: Any) -> bytes:
     """JSON, SI; more : what else it holds."""
-    content = plain(torque_file(result)) | more | {"run": plain(provenance_of(result.scene))}
-    return json.dumps(content, indent=1, allow_nan=False).encode()
+    return json_of("torque", content_of(result), **more, run=provenance_of(result.scene)).encode()
 
 
 def figure_file(result: SceneTorque) -> bytes:
@@ -86,9 +94,14 @@ def printed_file(result: SceneTorque) -> bytes:
 
 def page_file(result: SceneTorque) -> bytes:
     """The page."""
-    from fembearing.report.page.torque_alone import torque_page
+    from fembearing.report.figures.page_plots import embedded
+    from fembearing.report.page.document import page_of_sections
+    from fembearing.report.sections.torque import headline_section, torque_sections
 
-    return torque_page(result, vector_file(result)).encode()
+    sections = [headline_section(result), *torque_sections(result, figure=embedded(vector_file(result), "svg+xml"))]
+    warnings = [Section("Warnings", [Bullets(result.friction.warnings)])] if result.friction.warnings else []
+    title = f"{result.scene.name}: friction torque"
+    return page_of_sections(title, [*sections, *warnings], provenance_of(result.scene)).encode()
 
 
 CONTENTS: Mapping[str, Content] = {

@@ -17,7 +17,7 @@ from analytic.scene import Scene
 from analytic.scene_torque import Samples, SceneTorque, torque_of_scene
 from analytic.writing import being_written, new_file, new_folder, require_utf8, write
 from fembearing.quantities import METRIC
-from fembearing.report.torque_file import content_of, figure_file, numbers_file, table_file, vector_file
+from fembearing.report.torque_file import figure_file, numbers_file, table_file, vector_file, writer_of
 
 if TYPE_CHECKING:
     from analytic.prediction.prediction import Prediction
@@ -55,7 +55,7 @@ def torque_with_files(
 
     if out is None:
         return computed(1.0), None
-    content = content_of(out) if out.suffix else None
+    content = writer_of(out) if out.suffix else None
     if out.suffix.casefold() not in WITHOUT_FIGURE:
         require_packages(f"--out {str(out)!r}", "matplotlib")
     if content is not None:

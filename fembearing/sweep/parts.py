@@ -17,10 +17,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from analytic.columns import COLUMNS
 from analytic.errors import FembearingError
 from analytic.labelled import Column
 from analytic.prediction.formulas import with_model_uncertainty
-from analytic.result import COLUMNS
 from analytic.scene import Scene
 from analytic.torque import friction_torque
 from fembearing.check.contact import columns as of_contact

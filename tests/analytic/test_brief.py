@@ -5,10 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from analytic.brief import Brief, points_of, span
+from analytic.brief import points_of, span
 from analytic.declared import Noun
-from analytic.labelled import Column, Labelled, dataset_of, frame_of, html_table
-from analytic.rows import require_one_length, row_of
+from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.scene import Length
 from tests.refusals import refused
 
@@ -26,10 +25,6 @@ from tests.refusals import refused
 )
 def test_numbers_span_from_the_least_to_the_largest(values: object, words: str) -> None:
     assert span(values) == words
-
-
-def test_a_span_has_its_factor() -> None:
-    assert span([2 * np.pi * 25, 4 * np.pi * 25], 30 / np.pi) == "1500 to 3000"
 
 
 def test_a_series_is_told_by_its_speeds_and_by_loads_that_are_not_0() -> None:
@@ -56,14 +51,6 @@ def test_a_noun_shows_what_is_not_usual() -> None:
     )
 
 
-@pytest.mark.parametrize(("length", "is_cut"), [(88, False), (89, True)])
-def test_a_line_has_a_hundred_characters_at_most(length: int, is_cut: bool) -> None:
-    line = repr(Shaft(name="x" * length))
-    assert len(line) == 100
-    assert line.endswith("...)") == is_cut
-    assert isinstance(Shaft(name="a"), Brief)
-
-
 def test_a_number_with_a_unit_of_its_own_is_no_number_of_a_noun() -> None:
     class Quantity:
         magnitude, units = 3.0, "mm"
@@ -73,31 +60,6 @@ def test_a_number_with_a_unit_of_its_own_is_no_number_of_a_noun() -> None:
 
     refused(lambda: Shaft(name="a", length=Quantity()), "Shaft.length = 3.0 mm has a unit", "number in m")  # pyright: ignore[reportArgumentType]
     refused(lambda: Shaft(name="a", heights=[1.0, Quantity()]), "Shaft.heights")  # pyright: ignore[reportArgumentType]
-
-
-@dataclass(frozen=True, kw_only=True)
-class Numbers:
-    load: object
-    film: object
-
-
-def test_a_row_has_the_numbers_of_one_point() -> None:
-    series = Numbers(load=np.array([3.0, 5.0, 7.0]), film=None)
-    assert row_of(series, 1) == Numbers(load=5.0, film=None)
-
-
-def test_lists_that_belong_together_have_one_length() -> None:
-    require_one_length()
-    require_one_length([1, 2], "ab", (3, 4))
-    with pytest.raises(ValueError, match="lists of 2 and 3 values"):
-        require_one_length([1, 2], "abc", (3, 4))
-
-
-def test_a_table_has_its_cells_as_text() -> None:
-    assert html_table(["load, N", "a<b"], [["3", "5"], ["7", "&"]], "of <all>") == (
-        "<table><caption>of &lt;all&gt;</caption><thead><tr><th>load, N</th><th>a&lt;b</th></tr></thead>"
-        "<tbody><tr><td>3</td><td>5</td></tr><tr><td>7</td><td>&amp;</td></tr></tbody></table>"
-    )
 
 
 def test_a_dataset_lacks_what_holds_nothing_and_a_frame_what_is_not_of_its_rows() -> None:

@@ -7,7 +7,7 @@ from typing import Any, Literal
 import pytest
 
 from analytic.declared import Noun, declarations, nothing
-from analytic.scene import Autocorrelation, ReportDetails, Scene, Surface
+from analytic.scene import Scene
 from tests.analytic.specimens import BEARING_6205, FINISH, OIL, thrust
 from tests.refusals import refused
 
@@ -18,16 +18,11 @@ SCENE = Scene(bearing=BEARING_6205, operation=thrust(310.0, 89.0), friction_coef
     ("noun", "changed", "words"),
     [
         (OIL, {"rolling_formula": "Houpert"}, ('must be "numerical", "biboulet" or "houpert", got \'Houpert\'',)),
-        (OIL, {"film_formula": "x"}, ('must be "numerical" or "nijenbanning"',)),
         (OIL, {"supply": None}, ('"grease", got None',)),
         (OIL, {"traction": "x"}, ('"eyring_sinh", "eyring_constant" or OwnTraction, got',)),
-        (FINISH, {"gap": "x"}, ('must be "elastic" or "truncated"',)),
         (FINISH, {"asperities": ["greenwood_williamson"]}, ("got ['greenwood_williamson']",)),
-        (BEARING_6205, {"kind": "roller"}, ('must be "radial" or "thrust"',)),
         (BEARING_6205, {"grade": "a"}, ('"C", "D" or None, got \'a\'',)),
-        (SCENE, {"elastic_rolling": "Houpert"}, ('must be "hysteresis" or "houpert"',)),
         (SCENE, {"spin_rule": {"free": 2}}, ("got {'free': 2}",)),
-        (ReportDetails(), {"units": "imperial"}, ('must be "metric" or "inch"',)),
     ],
 )
 def test_an_unknown_word_is_refused_with_those_that_are_known(noun: Any, changed: dict, words: tuple[str, ...]) -> None:
@@ -47,14 +42,6 @@ def test_a_decision_on_an_effect_is_a_known_word(wrong: Any) -> None:
 @pytest.mark.parametrize("wrong", ["off", None, ["rolling"]])
 def test_effects_are_a_mapping(wrong: Any) -> None:
     refused(lambda: replace(SCENE, effects=wrong), "Scene.effects must be a mapping of names to", f"got {wrong!r}")
-
-
-def test_known_words_are_taken() -> None:
-    for word in ("numerical", "biboulet", "houpert"):
-        assert replace(OIL, rolling_formula=word).rolling_formula == word
-    assert replace(BEARING_6205, grade=None).grade is None
-    assert replace(SCENE, effects={"rolling": "off"}).effects == {"rolling": "off"}
-    assert Surface(autocorrelation=Autocorrelation(kind="exponential", length=3e-5, spacing=2e-6)).gap == "elastic"
 
 
 Colour = Literal["red", "green"]

@@ -129,20 +129,6 @@ def test_shares_of_a_pair_are_those_of_both_bearings() -> None:
     assert effect_of(found, "rolling").share == pytest.approx((found.torque.rolling / found.torque.total)[0], rel=1e-12)
 
 
-def test_a_share_names_points_of_the_whole_series_where_one_has_no_torque() -> None:
-    found = friction_torque(loaded(DRY, [6e5, 410.0, 300.0], 52.0))  # the first climbs over its shoulder
-    assert set(found.failures) == {0}
-    assert found.effects.points == (1, 2)
-
-
-def test_the_largest_load_may_be_a_moment() -> None:
-    """30 N m over half of 39 mm is more than 800 N."""
-    operation = Operation(
-        axial_load=np.array([500.0, 800.0, 600.0]), inner_speed=np.full(3, 90.0), moment=np.array([30.0, 0.0, 0.0])
-    )
-    assert friction_torque(replace(OILY, operation=operation)).effects.points == (0, 2)
-
-
 def test_a_part_has_its_share_and_its_loss_is_in_the_total() -> None:
     found = friction_torque(replace(RADIAL, losses=Losses(seals=5e-3, drag=2e-3)))
     plain = friction_torque(RADIAL)
@@ -306,18 +292,3 @@ def test_a_limit_is_warned_of_past_it_and_not_before(load: float, words: str, is
     assert any(words in warning for warning in found.warnings) == is_past
     assert np.all(np.isfinite(found.numerical_uncertainty))
     assert effect_of(found, "plasticity").decision == "off"
-
-
-def warnings_of(scene: Scene) -> str:
-    return "\n".join(friction_torque(scene).warnings)
-
-
-def test_what_a_total_is_without_is_said_and_what_is_off_is_not() -> None:
-    for scene, words in (
-        (OILY, "without the cage"),
-        (BARE, "without the hydrodynamic rolling resistance"),
-        (replace(OILY, bearing=replace(OILY.bearing, seals="2RS1", seals_rub=True)), "without the drag of the seals"),
-    ):
-        off = replace(without(scene, "cage", "rolling"), losses=Losses(seals=0.0))
-        assert words in warnings_of(scene)
-        assert words not in warnings_of(off)

@@ -62,6 +62,24 @@ def test_a_thrust_bearing_and_a_given_angle() -> None:
             function(**given, radial_load=80.0)
 
 
+PAIR = Arrangement(kind="X", preload=130.0, distance=0.03)
+OTHERS: list[tuple[str, dict[str, Any], dict[str, float], float]] = [
+    ("6205_physical", {"down": (0.6, -0.8, 0.0)}, {"radial_load": 60.0, "inner_speed": 140.0}, ROUND_OFF),
+    ("6205_physical", {"down": (0.6, -0.8, 0.0)}, {"radial_load": 60.0, "inner_speed": 0.0}, ROUND_OFF),
+    ("6205_physical", {"arrangement": PAIR}, {"inner_speed": 33.0}, 0.0),  # a series at each call
+    ("6205_paper_as_printed", {}, {"inner_speed": 33.0}, 1e-9),
+]
+
+
+@pytest.mark.parametrize(("name", "changed", "loads", "close"), OTHERS)
+def test_weight_pairs_and_printed_moments_are_those_of_the_series(
+    name: str, changed: dict[str, Any], loads: dict[str, float], close: float
+) -> None:
+    rule = {} if "printed" in name else {"spin_rule": "balanced"}
+    function, given = torque_function(scene_of(name, **rule, **changed)), {"axial_load": 230.0, **loads}
+    np.testing.assert_allclose(function(**given), by_series(function, **given), rtol=close)
+
+
 def test_the_oil_s_temperature() -> None:
     """Cold oil resists more; the viscosity is that of the lubricant at that temperature."""
     function = torque_function(scene_of("6205_physical", spin_rule="balanced"))
@@ -72,13 +90,6 @@ def test_the_oil_s_temperature() -> None:
     assert cold > own > warm > 0
     np.testing.assert_allclose(own, function(**given), rtol=0)
     np.testing.assert_allclose(cold, by_series(function, **given, temperature=scene_s - 21.0), rtol=ROUND_OFF)
-
-
-def test_the_weight_of_the_balls_and_standstill() -> None:
-    function = torque_function(scene_of("6205_physical", spin_rule="balanced", down=(0.6, -0.8, 0.0)))
-    for speed in (0.0, 140.0):
-        given = {"axial_load": 230.0, "radial_load": 60.0, "inner_speed": speed}
-        np.testing.assert_allclose(function(**given), by_series(function, **given), rtol=ROUND_OFF)
 
 
 @pytest.mark.parametrize("radial", [0.0, 320.0])
@@ -92,22 +103,6 @@ def test_what_was_called_before_moves_no_torque(radial: float) -> None:
     assert function(**first) == cold
     assert function.copy()(**other) == away
     assert abs(away / cold - 1) > 0.02
-
-
-def test_a_pair_is_a_series_at_each_call() -> None:
-    scene = scene_of("6205_physical", spin_rule="balanced")
-    scene = replace(scene, arrangement=Arrangement(kind="X", preload=130.0, distance=0.03))
-    function = torque_function(scene)
-    assert function.model is None
-    given = {"axial_load": 210.0, "inner_speed": 33.0}
-    assert function(**given) == by_series(function, **given)
-
-
-def test_the_paper_s_printed_moments_are_compiled() -> None:
-    scene = scene_of("6205_paper_as_printed")
-    function = torque_function(scene)
-    given = {"axial_load": 930.0, "inner_speed": 33.0}
-    np.testing.assert_allclose(function(**given), by_series(function, **given), rtol=1e-9)
 
 
 STEPS = {"axial_load": 8.0, "inner_speed": 0.9, "radial_load": 8.0, "moment": 0.05, "temperature": 1.5}

@@ -1,33 +1,17 @@
 """Operating points without a torque keep their places in columns and in JSON."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from analytic.errors import FembearingError
 from analytic.left_out import LeftOut, Places, torque_where_it_is
-from analytic.rows import OperatingPoint
 from analytic.scene import Operation, Scene
 from analytic.scenefile.read import load_scene
-from fembearing.plain_types import plain
-
-
-@dataclass(frozen=True, kw_only=True)
-class Prediction(OperatingPoint):
-    """A row with numbers in groups, and a text."""
-
-    made_of: dict[str, tuple[float, float]]
-    reason: str = "known"
-
 
 LOST = LeftOut(point=1, inner_speed=30.0, axial_load=5e9, radial_load=2.0, moment=0.3, reason="too heavy")
 PLACES = Places(size=4, left_out=(LOST,))
-
-
-def test_the_points_with_a_torque_keep_their_numbers() -> None:
-    assert PLACES.computed == [0, 2, 3]
-    assert Places(size=3, left_out=()).computed == [0, 1, 2]
 
 
 def test_columns_know_the_loads_of_every_point_and_nothing_else_of_a_lost_one() -> None:
@@ -37,20 +21,6 @@ def test_columns_know_the_loads_of_every_point_and_nothing_else_of_a_lost_one() 
     assert whole["axial_load"].tolist() == [100.0, 5e9, 300.0, 700.0]
     assert whole["moment"].tolist() == [0.0, 0.3, 0.0, 0.0]
     assert whole["torque_total"].tolist() == pytest.approx([3e-3, np.nan, 5e-3, 8e-3], nan_ok=True)
-
-
-def test_rows_have_the_same_keys_and_no_values_at_a_lost_point() -> None:
-    rows = [
-        Prediction(
-            inner_speed=20.0, axial_load=load, radial_load=0.0, moment=0.0, made_of={"input": (0.2 * load, 0.7 * load)}
-        )
-        for load in (100.0, 300.0, 700.0)
-    ]
-    whole = PLACES.rows(rows)
-    assert [whole[place] for place in PLACES.computed] == rows
-    point = {name: getattr(LOST, name) for name in ("inner_speed", "axial_load", "radial_load", "moment")}
-    assert plain(whole[1]) == point | {"made_of": {"input": [None, None]}, "reason": None}
-    assert plain(PLACES.rows([2.0, 3.0, 7.0])) == [2.0, None, 3.0, 7.0]
 
 
 def series_of(*loads: float) -> Scene:

@@ -17,7 +17,6 @@ from analytic.scene import Bearing, ContactAngle, Decision, Operation, Reach, Sc
 from analytic.surface.asperity import separation_at
 from analytic.surface.roughness import gap_roughness
 from analytic.torque import RACES, friction_torque
-from fembearing.plain_types import plain
 from tests.analytic import specimens
 from tests.analytic.specimens import present
 from tests.refusals import refused
@@ -147,14 +146,6 @@ def test_a_smooth_surface_slides_on_oil_alone(scene: Scene) -> None:
     np.testing.assert_allclose(found.torque.total, found.torque.total[0], rtol=1e-6)
 
 
-def test_what_does_not_slide_needs_no_film(scene: Scene) -> None:
-    found = friction_torque(replace(scene, hysteresis_loss=0.006, effects={"spin": "off", "conformity": "off"}))
-    point = plain(found.row(0))
-    assert point["film"] == point["asperity_share"] == {"inner": None, "outer": None}
-    assert point["friction_coefficient"]["inner"] is None
-    assert np.all(found.torque.total > 0)
-
-
 def test_what_does_not_fit_together_is_refused(scene: Scene) -> None:
     for change, word in (
         ({"friction_coefficient": 0.07}, "friction.coefficient = 0.07"),
@@ -189,20 +180,6 @@ def test_rolling_beside_a_given_coefficient(bearing_6205: Bearing) -> None:
         np.testing.assert_allclose(found.torque.total, summed, rtol=1e-15)
         effect = {effect.name: effect for effect in found.effects}["rolling"]
         assert (effect.decision, effect.share) == ("on", np.max(found.torque.rolling / found.torque.total))
-
-
-def test_rolling_stops_at_standstill_and_thins_with_heat(scene: Scene) -> None:
-    assert friction_torque(at_rest(scene)).torque.rolling == 0
-    cold, hot = (friction_torque(replace(scene, lubricant=replace(OIL, temperature=t))) for t in (313.15, 341.0))
-    assert np.all(present(hot.torque.rolling) < present(cold.torque.rolling))
-
-
-def test_rolling_is_left_out_where_the_scene_says_so(scene: Scene) -> None:
-    with_it = friction_torque(replace(scene, effects=PLAIN | {"rolling": "on"})).torque
-    found = friction_torque(replace(scene, effects=PLAIN | {"rolling": "off"}))
-    assert found.torque.rolling is None
-    np.testing.assert_allclose(found.torque.total, with_it.total - present(with_it.rolling), rtol=1e-12)  # round-off
-    assert {effect.name: effect.reason for effect in found.effects}["rolling"].startswith("off in the scene")
 
 
 def test_a_factor_on_the_film_reaches_film_and_torque(scene: Scene) -> None:

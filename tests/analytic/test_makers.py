@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from analytic.catalog.bearing_rows import bearing_names, find_bearing, series_of_size
+from analytic.catalog.bearing_rows import bearing_names, find_bearing
 from analytic.errors import InputError
 from analytic.makers import (
     CatalogueBand,
@@ -29,7 +29,6 @@ from analytic.scenefile.read import load_scene, parse_scene, scene_of
 from analytic.scenefile.template import scene_text
 from fembearing.plain_types import plain
 from fembearing.report.torque import torque_file
-from tests.refusals import refused, refuses
 
 RINGS = {"bore_diameter": 25e-3, "outside_diameter": 52e-3}
 CASE = {
@@ -243,44 +242,6 @@ def test_a_pair_has_the_sum_over_both_bearings_at_their_own_loads() -> None:
     assert "summed over both" in result.catalogue.note
 
 
-@pytest.mark.parametrize(
-    ("designation", "series"),
-    [
-        ("6205-2RS1", "62"),
-        ("60/28", "60"),
-        ("625", "62"),
-        ("16010", "160"),
-        ("6806", "618"),
-        ("61906", "619"),
-        ("KOYO 6305R", "63"),
-        ("7208 BEP", "72 B"),
-        ("7014 A5", "NSK 70 A5"),
-        ("GMN S 6205 C TA", "GMN S"),
-    ],
-)
-def test_a_designation_says_the_series(designation: str, series: str) -> None:
-    assert find_bearing(designation).series == series
-
-
-def test_dimensions_say_the_series_of_a_bearing_by_hand() -> None:
-    """Boundary dimensions of ISO 15, typed in; 60 and 160 differ in width alone."""
-    for sizes, series in (
-        ((25, 52, 15), "62"),
-        ((25, 62, 17), "63"),
-        ((25, 80, 21), "64"),
-        ((25, 47, 12), "60"),
-        ((25, 47, 8), "160"),
-        ((25, 47, None), "60"),
-        ((25, 37, 7), "618"),
-        ((25, 42, 9), "619"),
-        ((25, 53, 15), None),
-    ):
-        bore, outside, width = (None if size is None else size * 1e-3 for size in sizes)
-        assert bore is not None
-        assert outside is not None
-        assert series_of_size(bore, outside, width) == series
-
-
 def test_a_bearing_of_the_catalogue_knows_its_series() -> None:
     def of(**own: Any) -> Bearing:
         operation = {"axial_load": "100 N", "inner_speed": "300 rpm"}
@@ -311,12 +272,6 @@ def test_palmgren_by_hand() -> None:
         np.testing.assert_allclose(found * 1e3, expected, rtol=1e-12)  # round-off
     still = palmgren(axial_load=0.0, ring_speed=0.0)
     np.testing.assert_allclose(still * 1e3, 160e-7 * 2 * 38.5**3, rtol=1e-12)
-
-
-def test_nonsense_is_refused() -> None:
-    refuses(band, bore_diameter=52e-3, static_rating=0.0, axial_load=-1.0, radial_load=math.nan, ring_speed=-3.0)
-    refuses(band, kinematic_viscosity=0.0)
-    refused(lambda: band(lubrication="oil"), "oil_bath")
 
 
 def oiled(**changed: Any) -> Scene:
@@ -371,11 +326,3 @@ def test_beyond_the_static_rating_there_is_no_band(rating: str, has_band: bool) 
     if not has_band:
         assert "900 N exceeds the static load rating" in result.catalogue.note
     json.dumps(plain(torque_file(result)), allow_nan=False)
-
-
-def test_a_band_that_is_no_number_is_shown_nowhere() -> None:
-    result = torque_of_scene(parse_scene(scene_text("6206"), origin="here"))
-    band = result.catalogue.band
-    assert band is not None
-    with pytest.raises(InputError, match="upper end of the catalogue band is nan N m"):
-        replace(result, catalogue=replace(result.catalogue, band=replace(band, high=band.high * np.nan)))

@@ -41,12 +41,6 @@ def by(scene: Scene, law: OwnTraction) -> Scene:
     return replace(scene, lubricant=replace(OIL, traction=law))
 
 
-def loaded(scene: Scene, **loads: float) -> Scene:
-    return replace(
-        scene, operation=Operation(inner_speed=np.array([83.0]), **{k: np.array([v]) for k, v in loads.items()})
-    )
-
-
 CASES: dict[str, dict[str, Any]] = {
     "over the ellipse": {"spin_rule": "balanced"},
     "of one race": {"spin_rule": "outer_control"},
@@ -66,12 +60,6 @@ def test_eyrings_law_as_a_users_law_gives_the_torque_of_the_built_in_one(scene: 
     assert abs(other.torque.race[0] / built_in.torque.race[0] - 1) > 1e-3
     assert built_in.provenance["traction"] == "eyring_sinh"
     assert own.provenance["traction"] == f"eyring, SHA-256 {EYRING.sha256[:12]}"
-
-
-def test_the_same_under_a_radial_load(scene: Scene) -> None:
-    one = loaded(scene, axial_load=410.0, radial_load=300.0)
-    own, built_in = (friction_torque(each).torque.total for each in (by(one, EYRING), one))
-    np.testing.assert_allclose(own, built_in, rtol=ACCURACY)
 
 
 def test_a_function_of_time_steps_has_the_law(scene: Scene) -> None:

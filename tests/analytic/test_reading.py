@@ -6,11 +6,10 @@ from pathlib import Path
 import pytest
 
 from analytic.errors import InputError
-from analytic.reading import content_of, opened, require_regular
+from analytic.reading import content_of, require_regular
 from analytic.scenefile.read import load_scene
 from analytic.surface.heightmap import read_height_map
 from fembearing.mesh.meshfile import read_body
-from fembearing.report.report import read_report
 from fembearing.sweep.grid import load_grid
 
 READERS = {  # every face by which a user names a file
@@ -19,7 +18,6 @@ READERS = {  # every face by which a user names a file
     "a.csv": lambda path: read_height_map(path, spacing=2e-6),
     "a.npy": lambda path: read_height_map(path, spacing=2e-6),
     "a.vtu": lambda path: read_body(path, name="ball"),
-    "report.json": read_report,
 }
 
 
@@ -68,12 +66,6 @@ def test_a_file_that_the_disk_does_not_give_is_an_input_that_cannot_be_read() ->
         pytest.skip("this system has no such file")
     with pytest.raises(InputError, match="cannot be read: Input/output error; give another"):
         content_of("/proc/self/mem", most=7, remedy="give another")
-
-
-def test_errors_of_what_is_done_with_the_file_stay_themselves(tmp_path: Path) -> None:
-    (tmp_path / "there").write_bytes(b"\xff")
-    with pytest.raises(UnicodeDecodeError), opened(tmp_path / "there", most=7, remedy="") as file:
-        file.read().decode()
 
 
 def test_no_file_stays_open(tmp_path: Path) -> None:

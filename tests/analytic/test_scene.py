@@ -7,17 +7,11 @@ import numpy as np
 import pytest
 
 from analytic.scene import (
-    Arrangement,
-    Groove,
-    Losses,
     Operation,
-    OwnTraction,
     Scene,
-    ShearedPockets,
 )
-from tests.analytic.specimens import BEARING_6205, FINISH, OIL, thrust, with_clearance
+from tests.analytic.specimens import BEARING_6205, OIL, thrust, with_clearance
 from tests.analytic.test_thrust_bearing import BEARING as THRUST_BEARING
-from tests.contacts import INNER, STEEL
 from tests.refusals import refused
 
 
@@ -69,49 +63,6 @@ def test_the_supply_starves_where_nothing_else_is_known() -> None:
         assert oil.starves_by_replenishment(bearing) == starves
 
 
-def test_a_far_shoulder_is_as_far_as_the_near_one_unless_given() -> None:
-    groove = Groove(bottom_radius=15e-3, groove_radius=4e-3, shoulder_half_width=3.1e-3, material=STEEL)
-    assert groove.half_widths == (3.1e-3, 3.1e-3)
-    assert replace(groove, far_shoulder_half_width=0.0).half_widths == (3.1e-3, 0.0)
-    assert replace(groove, shoulder_half_width=None, far_shoulder_half_width=2e-3).half_widths == (None, 2e-3)
-
-
-@pytest.mark.parametrize(
-    ("given", "words"),
-    [
-        ({"kind": "tandem", "preload": 130.0}, 'preload does not go with kind = "tandem"'),
-        ({"kind": "tandem", "offset": 2e-6}, 'offset does not go with kind = "tandem"'),
-        ({"kind": "O", "preload": 130.0, "offset": 2e-6}, "leave one of them out"),
-        ({"kind": "X"}, "needs one of preload and offset"),
-    ],
-)
-def test_an_arrangement_has_one_clamping_or_is_a_tandem(given: dict[str, Any], words: str) -> None:
-    refused(lambda: Arrangement(**given), words)
-
-
-def test_clamped_pairs_and_tandems_are_arrangements() -> None:
-    assert Arrangement(kind="O", preload=0.0).preload == 0
-    assert Arrangement(kind="X", offset=2e-6).preload is None
-    assert Arrangement(kind="tandem").offset is None
-
-
-def test_declared_losses_are_those_of_seals_and_drag() -> None:
-    assert Losses().total is None
-    assert Losses(seals=3e-3).total == 3e-3
-    assert Losses(seals=3e-3, drag=0.8e-3).total == pytest.approx(3.8e-3, rel=1e-12)
-    assert not Losses(seals=3e-3, drag=0.8e-3).has_oil
-    pockets = ShearedPockets(clearance=2e-4, thickness=9e-4)
-    for name, value in (("oil_flow", 0.0), ("oil_share", 0.02), ("pockets", pockets)):
-        assert Losses(**{name: value}).has_oil  # pyright: ignore[reportArgumentType]
-
-
-def test_thrust_has_neither_a_radial_load_nor_a_moment() -> None:
-    pure = thrust(310.0, 470.0)
-    assert pure.is_thrust
-    assert not replace(pure, radial_load=np.array([0.0, 3.0])).is_thrust
-    assert not replace(pure, moment=-0.2).is_thrust
-
-
 def test_a_series_has_arrays_of_one_length() -> None:
     series = Operation(axial_load=np.array([310.0, 470.0]), inner_speed=np.array(31.0), moment=0.7).as_series()
     for name, expected in (
@@ -126,47 +77,6 @@ def test_a_series_has_arrays_of_one_length() -> None:
     unlike = Operation(axial_load=np.array([1.0, 2.0]), inner_speed=np.array([1.0, 2.0, 3.0]))
     refused(unlike.as_series, "shapes that do not fit")
     refused(Operation(axial_load=np.array([]), inner_speed=np.array([])).as_series, "is empty")
-
-
-@pytest.mark.parametrize(
-    ("given", "has_friction"),
-    [
-        ({}, False),
-        ({"lubricant": OIL}, False),
-        ({"surface": FINISH}, False),
-        ({"lubricant": OIL, "surface": FINISH}, True),
-        ({"friction_coefficient": 0.0}, True),
-    ],
-)
-def test_friction_is_given_or_follows_from_oil_and_surface(given: dict[str, Any], has_friction: bool) -> None:
-    assert Scene(bearing=BEARING_6205, operation=thrust(310.0), **given).has_friction == has_friction
-
-
-def test_a_loss_factor_that_is_not_given_is_the_usual_one() -> None:
-    scene = Scene(bearing=BEARING_6205, operation=thrust(310.0))
-    assert scene.loss_factor == 0.007
-    assert replace(scene, hysteresis_loss=0.0).loss_factor == 0
-
-
-def test_a_law_of_the_user_names_its_package_and_its_table() -> None:
-    table = np.ones((2, 7))
-    own = OwnTraction(name="carreau", sha256="0123456789abcdef", rows=table)
-    assert own.origin == "carreau, SHA-256 0123456789ab"
-    packed = OwnTraction(name="carreau", sha256="0123456789abcdef", distribution="oils", version="2.1", rows=table)
-    assert packed.origin == "carreau of oils 2.1, SHA-256 0123456789ab"
-    assert own.table is table
-
-
-def test_a_contact_leans_by_its_angle_but_on_a_washer_and_has_a_nearer_shoulder() -> None:
-    contact = replace(INNER, shoulder=1.3e-3, far_shoulder=4.2e-3, contact_angle=0.31)
-    assert (contact.tilt, contact.nearer_shoulder) == (0.31, 1.3e-3)
-    assert replace(contact, rolling_radius=np.inf).tilt == 0
-    assert replace(contact, far_shoulder=0.9e-3).nearer_shoulder == 0.9e-3
-
-
-def test_a_scene_shows_what_identifies_it_in_one_line() -> None:
-    scene = Scene(bearing=BEARING_6205, operation=thrust(310.0, 470.0, speed=[10.0, 20.0]), name="rig", tolerance=0.03)
-    assert repr(scene) == "Scene(rig, 6205, 2 points, 95.49 to 191 rpm, 310 to 470 N axial, tolerance 0.03)"
 
 
 SCENE = Scene(bearing=BEARING_6205, operation=thrust(310.0, 89.0), friction_coefficient=0.08)

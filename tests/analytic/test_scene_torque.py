@@ -7,21 +7,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from analytic import scene_torque as module
 from analytic.errors import InputError
 from analytic.left_out import LeftOut
-from analytic.makers import BesideCatalogue, CatalogueBand, beside_catalogue
-from analytic.scene import Operation, Scene
+from analytic.makers import BesideCatalogue, CatalogueBand
+from analytic.scene import Scene
 from analytic.scene_torque import (
-    BESIDE,
-    Samples,
     SceneTorque,
     torque_of_scene,
-    with_interval,
 )
 from analytic.scenefile.read import load_scene
 from tests.analytic.scenefile.scene_texts import OILED, SPEEDS, changed, scene
-from tests.analytic.specimens import present
 
 
 def band_of(low: list[float], high: list[float]) -> BesideCatalogue:
@@ -39,36 +34,6 @@ def result(oiled: Scene) -> SceneTorque:
     return torque_of_scene(oiled, estimate=False)
 
 
-def test_a_note_says_on_which_side_of_the_band_and_at_how_many_points(result: SceneTorque) -> None:
-    total = result.friction.torque.total
-    for low, high, words in (
-        (total, total, "within the catalogue band"),  # both ends count as within
-        (0.5 * total, 2 * total, "within the catalogue band"),
-        (
-            0.5 * total,
-            np.array([2, 0.9, 0.9]) * total,
-            "outside the catalogue band: above it at 2 of 3 operating points",
-        ),
-        (
-            np.array([1.1, 0.2, 0.3]) * total,
-            np.array([2.0, 0.9, 2.0]) * total,
-            "outside the catalogue band: below it at 1 and above it at 1 of 3 operating points",
-        ),
-    ):
-        found = replace(result, catalogue=band_of(low.tolist(), high.tolist()))
-        assert f"The torque is {words}." in found.notes
-    assert not any("catalogue" in note for note in replace(result, catalogue=BesideCatalogue(band=None, note="")).notes)
-
-
-def test_one_point_is_below_or_above_the_band(oiled: Scene) -> None:
-    operation = Operation(inner_speed=np.array([47.0]), axial_load=np.array([700.0]))
-    alone = torque_of_scene(replace(oiled, operation=operation), estimate=False)
-    (total,) = alone.friction.torque.total
-    for low, high, word in ((0.5, 0.9, "above"), (1.1, 1.9, "below")):
-        found = replace(alone, catalogue=band_of([low * total], [high * total]))
-        assert f"The torque is {word} the catalogue band." in found.notes
-
-
 def test_seals_and_drag_are_not_in_the_formulas_and_not_compared_with_them() -> None:
     """The seals of a 6205-2RS1, 67.9 N mm by SKF's formula, are most of its torque."""
     loads: dict[str, Any] = {"axial_load": "300 N", "radial_load": "200 N"}
@@ -84,21 +49,10 @@ def test_seals_and_drag_are_not_in_the_formulas_and_not_compared_with_them() -> 
     assert sealed.standing.reason.startswith("inside the makers' formulas, without seals and drag; ")
 
 
-def test_the_film_ratio_is_the_film_over_the_roughness_from_least_to_largest(result: SceneTorque) -> None:
-    (note,) = (each for each in result.notes if each.startswith("Film ratio"))
-    roughness = result.friction.gap_roughness
-    assert roughness is not None
-    for race in ("inner", "outer"):
-        ratio = getattr(result.friction.film, race) / roughness
-        assert f"{ratio.min():.2g} to {ratio.max():.2g} on the {race}" in note
-    dry = torque_of_scene(replace(load_scene("6205-dry"), friction_coefficient=0.07, cage=None), estimate=False)
-    assert not any("Film ratio" in each for each in dry.notes)
-
-
 def test_columns_hold_what_is_known_beside_the_torque_and_nothing_at_lost_points(result: SceneTorque) -> None:
     total = result.friction.torque.total
     bare = replace(result, catalogue=BesideCatalogue(band=None, note=""))
-    assert not set(BESIDE) & set(bare.columns())
+    assert not {"interval_low", "catalogue_high"} & bare.columns().keys()
     lost = LeftOut(point=1, inner_speed=30.0, axial_load=5e9, radial_load=2.0, moment=0.3, reason="too heavy")
     found = replace(
         bare,
@@ -121,51 +75,3 @@ def test_a_verdict_keeps_the_number_of_its_point_where_others_are_lost(result: S
 def test_an_interval_that_is_no_number_is_shown_nowhere(result: SceneTorque) -> None:
     with pytest.raises(InputError, match=r"lower end of the 95 % interval of the friction torque is nan N m"):
         replace(result, interval=np.full((2, 3), np.nan))
-
-
-def test_an_estimate_is_made_for_few_points_and_where_it_is_asked_for(
-    oiled: Scene, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    from analytic.prediction import first_order
-
-    monkeypatch.setattr(
-        first_order, "first_order_ends", lambda _, found: np.array([0.8, 1.3])[:, None] * found.torque.total
-    )
-    bare = torque_of_scene(oiled, estimate=False)
-    assert bare.interval is None
-    expected = np.array([0.8, 1.3])[:, None] * bare.friction.torque.total
-    for most, known in ((3, True), (2, False)):  # there are three points
-        monkeypatch.setattr(module, "MOST_ESTIMATED", most)
-        for found in (torque_of_scene(oiled), with_interval(bare)):
-            if known:
-                np.testing.assert_array_equal(present(found.interval), expected)
-            else:
-                assert found.interval is None
-
-
-def test_the_note_of_the_band_names_the_models_that_hold_somewhere(oiled: Scene) -> None:
-    def note(radial: Any) -> str:
-        operation = Operation(axial_load=np.full(3, 10.0), radial_load=np.array(radial), inner_speed=np.full(3, 47.0))
-        return beside_catalogue(replace(oiled, operation=operation)).note
-
-    iso = "models of SKF, Palmgren and ISO 15312 (under radial load) for an open bearing of series 62"
-    assert iso in note([900.0, 900.0, 900.0])
-    assert iso in note([0.0, 900.0, 0.0])
-    assert "models of SKF and Palmgren for an open bearing" in note([0.0, 0.0, 0.0])
-
-
-def test_samples_give_the_interval_of_the_prediction(oiled: Scene, monkeypatch: pytest.MonkeyPatch) -> None:
-    from analytic.prediction import prediction
-
-    asked: list[Any] = []
-    ends = np.array([[1e-3] * 3, [2e-3] * 3])
-
-    def predicted(_: Scene, **how: Any) -> Any:
-        asked.append(how["samples"])
-        return type("Sampled", (), {"total": type("Total", (), {"ends": ends})})()
-
-    monkeypatch.setattr(prediction, "predict", predicted)
-    every: tuple[Samples, ...] = (300, "enough")
-    for samples in every:
-        np.testing.assert_array_equal(present(torque_of_scene(oiled, samples=samples).interval), ends)
-    assert asked == [300, None]  # None: until its ends are known well enough

@@ -110,11 +110,6 @@ def test_what_is_there_and_of_unknown_size_makes_a_torque_incomplete(scene: Scen
         assert reason in standing.reason
 
 
-def test_an_effect_that_the_scene_switches_off_is_not_missing(scene: Scene) -> None:
-    off = replace(scene, effects={"cage": "off"}, spin_rule="balanced")
-    assert found(off, shares={"cage": 0.31, "creep": 0.56}).word == "check"
-
-
 def test_a_speed_beyond_usual_practice_is_named_with_every_word(scene: Scene) -> None:
     """n d_m of a 6205, 39 mm, is 5.5e6 mm/min at 14 700 rad/s."""
     fast = replace(scene, operation=replace(scene.operation, inner_speed=0 * scene.operation.inner_speed + 14.7e3))

@@ -13,7 +13,6 @@ from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact
 from analytic.contact.rolling_contact import RollingContact
 from analytic.errors import InputError
 from analytic.loads.balls import LoadedBalls, LoadEffects, thrust_balls
-from analytic.loads.ring import ring_equilibrium
 from analytic.loads.thrust import thrust_equilibrium
 from analytic.oil.rolling import hydrodynamic_rolling
 from analytic.scene import Autocorrelation, Bearing, ContactAngle, Groove, Operation, Scene, Surface
@@ -171,10 +170,3 @@ def test_a_ball_touches_the_bottom_of_both_washers_only() -> None:
 )
 def test_what_it_does_not_carry_is_refused(changed: dict[str, Any], words: str) -> None:
     refused(lambda: friction_torque(replace(scene_of(thrust(500.0), friction_coefficient=0.1), **changed)), words)
-
-
-def test_it_has_neither_clearance_nor_an_equilibrium_of_the_ring() -> None:
-    with pytest.raises(InputError, match="no radial clearance"):
-        _ = BEARING.diametral_clearance
-    with pytest.raises(InputError, match="rule 'given'"):
-        ring_equilibrium(BEARING, RIGHT, axial_load=100.0)

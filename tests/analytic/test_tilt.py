@@ -90,16 +90,6 @@ def test_equal_balls_that_stand_for_unequal_ones_hold_the_ring_by_its_stiffness(
     np.testing.assert_allclose(present(rings[0].displacement)[:, 4], 0.0, atol=1e-20)  # round-off
 
 
-def test_columns_have_tilt_and_moment_where_balls_differ() -> None:
-    held, free = torque().columns(), torque(tilt="free").columns()
-    np.testing.assert_array_equal(held["tilt"], 0.0)
-    assert np.all(held["holding_moment"] < -0.1)
-    assert np.all(free["tilt"] > 1e-4)
-    assert np.isnan(free["holding_moment"]).all()
-    alike = torque(radial_load=0.0).columns()
-    assert np.isnan(alike["tilt"]).all()
-
-
 def checked(found: FrictionTorque) -> PhysicalCheck | None:
     return next((each for each in physical_checks(found) if each.name == "tilt"), None)
 
@@ -121,16 +111,6 @@ def test_a_moment_and_a_tilt_are_refused() -> None:
     refused(lambda: operation(inner_speed=3.0, moment=0.0, tilt="1 mrad"), "leave one of them out")
 
 
-def test_a_series_keeps_how_its_ring_tilts() -> None:
-    series = Operation(axial_load=np.array([2.0, 3.0]), inner_speed=np.array([5.0, 7.0]), moment=np.array([0.0, 0.3]))
-    series = series.as_series()
-    assert np.isnan(series.held_tilt)
-    assert np.isnan(series.at(np.array([0])).held_tilt)
-    assert replace(series, moment=0.0).held_tilt == 0
-    assert not replace(series, moment=0.0, tilt=-2e-4).is_thrust
-    assert replace(series, moment=0.0, tilt="free").is_thrust
-
-
 @pytest.mark.parametrize(
     ("more", "tilt"),
     [
@@ -145,20 +125,6 @@ def test_a_series_keeps_how_its_ring_tilts() -> None:
 def test_a_scene_says_how_its_ring_tilts(more: str, tilt: object) -> None:
     text = changed('"700 N"', f'"700 N"\n{more}').replace('"given", value', '"solved", free')
     assert scene(text).operation.tilt == tilt
-
-
-@pytest.mark.parametrize(
-    ("more", "words"),
-    [
-        ('moment = "2 N m"\ntilt = "0 mrad"', "operation.moment tilts it; leave one of them out"),
-        ('tilt = "held"', "or by the loads: free"),
-        ('tilt = "1 rad"', "operation.tilt"),
-    ],
-)
-def test_a_tilt_that_does_not_fit_is_refused_in_one_line(more: str, words: str) -> None:
-    said = refusal(changed('"700 N"', f'"700 N"\n{more}'))
-    assert words in said
-    assert "\n" not in said
 
 
 def test_a_tilt_goes_with_a_single_bearing_whose_angles_follow_from_it() -> None:

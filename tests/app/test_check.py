@@ -63,5 +63,8 @@ def test_a_check_writes_the_report() -> None:
         shares.append(check.share)
     assert check.problem == ""
     assert shares == sorted(shares)
-    assert {"report.html", "report.json", "inner-real-pressure.png"} <= {each.name for each in check.folder.iterdir()}
+    files = {each.name for each in check.folder.iterdir()}
+    assert {"report.html", "report.json", "inner-real-pressure.png"} <= files
+    assert check.report is not None
+    assert {picture.file for picture in check.report.pictures} <= files
     check.close()

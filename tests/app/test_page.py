@@ -23,7 +23,8 @@ from fembearing.app.evaluation import Evaluation, at_once, completed
 from fembearing.app.page import Page
 from fembearing.app.scene_edit import CATALOG, with_value
 from fembearing.app.server import add_report
-from fembearing.report.terminal.torque import print_headline
+from fembearing.report.sections.torque import headline_section
+from fembearing.report.terminal.sections import print_sections
 
 LOAD, SPEED = "operation.radial_load", "operation.inner_speed"
 
@@ -53,7 +54,7 @@ def test_the_headline_is_that_of_the_command(run_story, settled, monkeypatch: py
         await settled(page)
         out = StringIO()
         result = torque_of_scene(load_scene("6206", radial_load="2 kN", speed="1500 rpm"))
-        print_headline(Console(file=out, width=500), result)
+        print_sections(Console(file=out, width=500), [headline_section(result)])
         title, _, _, row, *rest = [line.strip() for line in out.getvalue().splitlines() if line.strip()]
         shown = words(page)
         assert title in shown
@@ -206,47 +207,6 @@ def test_the_cage_and_the_seats_change_the_torque(run_story, settled) -> None:
         page.fields["mounting.shaft_interference"].value = ""
         await settled(page)
         assert page.evaluation.row.torque.total == pytest.approx(first.total, rel=1e-9)  # round-off of the equilibrium
-
-    run_story(story)
-
-
-@pytest.mark.usefixtures("no_curve")
-def test_the_drawing_is_that_of_the_open_panel(run_story, settled, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Drawn by its scene; matplotlib has tests of its own."""
-    drawn: list[Evaluation] = []
-    monkeypatch.setattr(evaluation, "drawing_of", lambda found: drawn.append(found) or "<svg></svg>")
-
-    async def story(opened) -> None:
-        _, page = await opened()
-        await settled(page)
-        assert drawn == []
-        page.drawing.is_open = True
-        page.fields["bearing.ball_diameter"].value = "9.4 mm"
-        await settled(page)
-        (found,) = drawn
-        assert found.result.scene.bearing.ball_diameter == pytest.approx(9.4e-3)
-        assert page.drawing.picture.content == "<svg></svg>"
-        page.fields["bearing.ball_diameter"].value = "94 mm"
-        await settled(page)
-        assert "bearing" in page.lines["problem"].text
-        assert any(field.error for field in page.fields.values())
-
-    run_story(story)
-
-
-@pytest.mark.usefixtures("no_curve")
-def test_two_tabs_do_not_mix(run_story, settled) -> None:
-    async def story(opened) -> None:
-        (_, first), (_, second) = await opened(), await opened()
-        first.fields[CATALOG].value = "6308"
-        second.fields[SPEED].value = "730 rpm"
-        await settled(first)
-        await settled(second)
-        assert (first.fields[CATALOG].value, first.fields[SPEED].value) == ("6308", "1000 rpm")
-        assert (second.fields[CATALOG].value, second.fields[SPEED].value) == ("6206", "730 rpm")
-        for page in (first, second):
-            torque = torque_of_scene(parse_scene(page.text, origin="here"), estimate=False).friction.torque.total[0]
-            assert page.lines["torque"].text == f"{1e3 * torque:.4g}"
 
     run_story(story)
 

@@ -1,21 +1,17 @@
 """Fields that change the text of a scene: what is read afterwards, and that all else of the text stays."""
 
-import re
-
 import pytest
 
 from analytic.errors import InputError
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.scenefile.template import scene_text
 from fembearing.app.scene_edit import (
-    DIMENSIONS,
     FIELDS,
     OPERATION,
     commented_value,
     field_in,
     has_table,
     of_bearing,
-    shown_value,
     values_in,
     with_cage,
     with_dimensions,
@@ -107,11 +103,6 @@ def test_a_key_that_stands_in_another_way_is_not_changed(text: str) -> None:
         with_typed(text, "operation.inner_speed", "730 rpm")
 
 
-def test_a_mark_of_a_comment_in_a_text_is_none() -> None:
-    changed = with_value('[lubricant]\nname = "oil # 3"  # of the drum', "lubricant.name", "oil # 4")
-    assert re.sub(" +", " ", changed) == '[lubricant]\nname = "oil # 4" # of the drum'
-
-
 def test_another_bearing_keeps_what_was_changed() -> None:
     changed, _ = with_typed(USUAL, "operation.inner_speed", "730 rpm")
     moved = of_bearing("6308", changed)
@@ -152,27 +143,6 @@ def test_the_last_key_of_the_seats_takes_their_table_away() -> None:
     assert with_typed(without, "mounting.inner_temperature", "75 degC")[0].count("[mounting]") == 1
 
 
-def test_a_dimension_that_is_left_out_is_the_derived_one() -> None:
-    derived = parse_scene(USUAL, origin="here").bearing
-    for key in DIMENSIONS:
-        changed, _ = with_typed(USUAL, key, TYPED[key][0])
-        assert parse_scene(changed, origin="here").bearing != derived
-        without, _ = with_typed(changed, key, "")
-        assert parse_scene(without, origin="here").bearing == derived
-        given, _ = with_typed(USUAL, key, commented_value(USUAL, key))
-        assert key in values_in(given)
-    assert commented_value(USUAL, "bearing.ball_diameter") == "9.525 mm"
-    assert commented_value(USUAL, "bearing.ball_radius") == ""
-
-
-def test_an_unknown_bearing_is_refused_in_the_words_of_the_catalogue() -> None:
-    with pytest.raises(InputError, match="6299") as shown:
-        of_bearing("6299", USUAL)
-    with pytest.raises(InputError) as told:
-        scene_text("6299")
-    assert str(shown.value) == str(told.value)
-
-
 @pytest.mark.parametrize("designation", ["6206", "7208B"])
 def test_dimensions_to_edit_are_those_of_the_bearing(designation: str) -> None:
     text = scene_text(designation)
@@ -207,12 +177,6 @@ def test_only_comments_and_lines_of_the_own_table_count() -> None:
     assert with_value(text, "surface.finish", None) == text  # nothing to leave out
 
 
-def test_the_table_that_counts_stands_before_the_comment_that_has_it() -> None:
-    text = '#[cage]\n#mass = "3 g"\n[cage]\nmass = "5 g"\n'
-    assert values_in(with_value(text, "cage.mass", "7 g")) == {"cage.mass": "7 g"}
-    assert '#mass = "3 g"' in with_value(text, "cage.mass", "7 g")
-
-
 def test_a_key_that_is_set_counts_before_its_comment_and_the_first_of_each() -> None:
     text = '[lubricant]\n#name = "a"\nname = "b"\n#name = "c"\n'
     assert with_value(text, "lubricant.name", "d").split("\n")[1:4] == ['#name = "a"', 'name = "d"', '#name = "c"']
@@ -220,14 +184,3 @@ def test_a_key_that_is_set_counts_before_its_comment_and_the_first_of_each() -> 
     bare = '[lubricant]\n#name = "a"\n#name = "c"\ntemperature = "50 degC"\n'
     assert with_value(bare, "lubricant.name", "d").split("\n")[1:3] == ['name = "d"', '#name = "c"']
     assert with_value("[lubricant]\n", "lubricant.name", "d").startswith('[lubricant]\nname = "d"\n')
-
-
-def test_a_value_is_shown_as_it_is_typed_and_a_series_as_a_list() -> None:
-    assert [shown_value(value) for value in ("2 kN", 0.52, ["1 N", "2 N"])] == ["2 kN", "0.52", '["1 N", "2 N"]']
-
-
-def test_dimensions_stand_below_the_head_of_the_bearing_alone() -> None:
-    text = '#a = 1\n[bearing]\n#ball_count = 9\n# a note\nname = "x"\n[other]\n#ball_count = 7\n'
-    assert (
-        with_dimensions(text) == '#a = 1\n[bearing]\nball_count = 9\n# a note\nname = "x"\n[other]\n#ball_count = 7\n'
-    )

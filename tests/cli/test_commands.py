@@ -10,17 +10,12 @@ from typing import Any
 
 import pytest
 
-from analytic.scenefile.read import load_scene
 from analytic.writing import LISTING
-from fembearing.check import validation
 from fembearing.check.contact import scene_contact
 from fembearing.check.cost import contact_ladder, ladder
 from fembearing.check.cost import scene_cost as cost
-from fembearing.cli.status import reached
 from fembearing.fem import solution
 from fembearing.mesh.recipe import Recipe
-from fembearing.provenance import provenance_of
-from fembearing.sweep import run as sweep_run
 from tests.analytic.scenefile.scene_texts import MINE
 
 COMPARED = {"semi_axis_rolling", "semi_axis_transverse", "peak_pressure", "approach"}  # held to the asked accuracy
@@ -80,29 +75,6 @@ def test_the_idealisation_meets_hertz_within_its_own_uncertainty(command) -> Non
         assert abs(each["discrepancy"]) <= each["relative_uncertainty"]
 
 
-@pytest.mark.parametrize(
-    ("there", "words"), [(True, "finished points are in "), (False, "stopped; no point is finished")]
-)
-def test_a_sweep_that_is_stopped_says_what_is_kept(
-    command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, there: bool, words: str
-) -> None:
-    def stopped(*_: Any, out: Path, **__: Any) -> None:
-        if there:
-            out.mkdir()
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr(sweep_run, "run_sweep", stopped)
-    result = command("sweep", str(tmp_path / "grid.toml"), "--out", str(tmp_path / "swept"))
-    assert result.status == 130
-    assert words in " ".join(result.err.split())
-
-
-def test_an_uncertainty_just_beyond_the_accuracy_is_not_solved(capsys: pytest.CaptureFixture[str]) -> None:
-    assert reached(0.0014, "peak_pressure", 0.0013) == 0
-    assert reached(0.0012, "peak_pressure", 0.0013) == 3
-    assert "not solved to 0.12 %: the peak pressure has an uncertainty of 0.13 %" in capsys.readouterr().err
-
-
 @pytest.mark.usefixtures("coarse")
 def test_a_sheet_is_shown_and_not_judged(command, tmp_path: Path) -> None:
     """And the pocket of the printed table cannot be made: the result has a warning."""
@@ -153,14 +125,6 @@ def test_several_loads_make_a_series_with_its_law(command) -> None:
     assert "\N{HORIZONTAL ELLIPSIS}" not in table.out
 
 
-def test_a_series_of_two_loads_states_its_assumption(command) -> None:
-    result = command("contact", "--geometry", "hertzian", "--load", "310 N", "--load", "120 N")
-    assert result.status == 0
-    words = " ".join(result.out.split())
-    assert re.search(r"F = K delta\^n: K \S+ GN/m\^1\.\d+, n 1\.\d+ \(power law assumed\) by finite elements", words)
-    assert "two loads fit any power law" in result.err
-
-
 @pytest.mark.usefixtures("coarse")
 def test_no_command_gives_the_idealisation_a_shoulder(command, tmp_path: Path) -> None:
     """A narrow groove: the ellipse of 700 N reaches beyond its shoulder."""
@@ -181,45 +145,6 @@ def test_no_command_gives_the_idealisation_a_shoulder(command, tmp_path: Path) -
         found = json.loads(command("contact", str(scene), "--geometry", "hertzian", *arguments, "--json").out)
         assert found["verdict"] == "pass"
         assert not found["warnings"]
-
-
-def test_mesh_files_are_written_and_their_worst_cells_reported(command, tmp_path: Path) -> None:
-    result = command("contact", "--mesh", str(tmp_path / "made"), "--level", "1", "--json")
-    found = json.loads(result.out)
-    assert result.status == 0
-    assert {Path(path).name for path in found["meshes"]} == {"inner-real-upper.vtu", "inner-real-lower.vtu"}
-    assert all(Path(path).is_file() and quality["negative_points"] == 0 for path, quality in found["meshes"].items())
-
-
-@pytest.mark.usefixtures("coarse")
-def test_the_table_names_axes_and_units_within_80_columns(command) -> None:
-    """The width without a terminal; these loads give the longest verdict and the smallest numbers."""
-    for arguments in (["--load", "1e-9 N"], ["--load", "1500 N", "--tolerance", "99 %"]):
-        told = command("contact", "--geometry", "hertzian", *arguments).out
-        for words in ("Hertz", "FE", "GPa", "a along rolling", "b transverse", "um", "order", "shear", "von Mises"):
-            assert words in told
-        assert max(map(len, told.splitlines())) <= 80
-        assert "\N{HORIZONTAL ELLIPSIS}" not in told
-
-
-@pytest.mark.slow
-@pytest.mark.usefixtures("coarse")
-def test_cost_is_measured_with_validate(command, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    measured = cost.Cost(
-        tolerance=0.9,
-        ladders=(),
-        cost=cost.Spent(seconds=0.5, peak_memory=None),
-        warnings=(),
-        provenance=provenance_of(load_scene("6205-dry")),
-    )
-    monkeypatch.setattr(validation, "measure_cost", lambda *_, **__: measured)
-    scene = tmp_path / "scene.toml"
-    scene.write_text(MINE)
-    result = command("validate", str(scene), "--tolerance", "90 %", "--cost", "--json")
-    assert result.status == 0
-    document = json.loads(result.out)
-    assert (document["cost"]["measured"], document["cost"]["ladders"]) == (True, [])
-    assert {contact["pair"] for contact in document["contacts"]} == {"inner", "outer"}  # no [cage], no pocket solve
 
 
 @pytest.mark.slow
@@ -257,8 +182,3 @@ def test_cost_shows_error_and_time_of_each_method(
     assert found["ladders"] == told["ladders"]
     for one in found["ladders"]:
         assert one["absent"] or {"name", "error", "seconds", "memory", "chosen"} <= set(one["methods"][0])
-
-
-def test_help_shows_an_example(command) -> None:
-    for name in ("validate", "contact", "duty", "cost"):
-        assert "Example: fembearing" in command(name, "--help").out

@@ -107,10 +107,3 @@ def test_units_change_what_is_shown_and_no_number_of_json(command) -> None:
     assert float(other[2]) == pytest.approx(float(row[2]) * 1e-3 / (POUND * INCH), rel=1e-3)  # four digits are shown
     found = [json.loads(command("torque", "6206", "--units", system, "--json").out) for system in ("metric", "inch")]
     assert found[0] | {"seconds": None} == found[1] | {"seconds": None}
-
-
-def test_a_list_in_inches(command) -> None:
-    (line,) = (
-        line for line in command("list", "bearings", "6205", "--units", "inch").out.splitlines() if "6205 " in line
-    )
-    assert line.split()[2:5] == ["0.9843", "2.047", "0.5906"]  # 25, 52 and 15 mm

@@ -1,7 +1,6 @@
 """The way in: version, help, completion, lists, and the scene of a bearing of the catalogue."""
 
 import json
-import math
 import os
 import re
 import subprocess
@@ -10,17 +9,13 @@ import tomllib
 from importlib.metadata import version
 from pathlib import Path
 
-import numpy as np
 import pytest
 from jsonschema import Draft7Validator
 
-import analytic
 from analytic import catalog
 from analytic.catalog.bearing_rows import bearing_names, find_bearing
 from analytic.effects import TABLE
-from analytic.scenefile.read import load_scene
 from fembearing import cli
-from fembearing.cli.options import bearing_names_like, scene_names_like
 
 COMMANDS = tuple(cli.COMMANDS)
 
@@ -112,23 +107,6 @@ def test_a_shell_completes_commands_topics_and_scenes(tmp_path: Path) -> None:
     assert "7208A5" in bearing
 
 
-def test_names_for_completion(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "part").mkdir()
-    (tmp_path / "part" / "own.toml").touch()
-    assert scene_names_like("pa") == ["part/", "paper_6205"]
-    assert scene_names_like("part/") == ["part/own.toml"]
-    assert bearing_names_like("Gmn s") == [name for name in bearing_names() if name.startswith("GMN S")] != []
-
-
-@pytest.mark.parametrize("topic", ["bearings", "oils", "materials", "scenes", "effects"])
-def test_a_list_fits_the_screen(command, topic: str) -> None:
-    told = command("list", topic)
-    assert (told.status, told.err) == (0, "")
-    assert max(map(len, told.out.splitlines())) <= 80
-    assert "\N{HORIZONTAL ELLIPSIS}" not in told.out
-
-
 def test_lists_are_whole(command) -> None:
     def names(topic: str, key: str) -> list[str]:
         return [row[key] for row in json.loads(command("list", topic, "--json").out)[topic]]
@@ -163,19 +141,6 @@ def test_init_writes_a_scene_and_its_schema(command, tmp_path: Path, monkeypatch
     assert directive
     schema = json.loads((tmp_path / directive[1]).read_text("utf-8"))
     assert list(Draft7Validator(schema).iter_errors(tomllib.loads(text))) == []
-
-
-def test_init_takes_loads_speed_and_oil(command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    settings = ("--radial-load", "5 kN", "--speed", "730 rpm", "--oil", "VG 32 PAO", "--temperature", "81 degC")
-    command("init", "6310/C3", *settings, "--out", "mine.toml")
-    made = load_scene("mine.toml")
-    assert (np.ravel(made.operation.radial_load)[0], made.operation.axial_load[0]) == (5000.0, 0.0)
-    assert made.operation.inner_speed[0] == pytest.approx(730 * math.pi / 30, rel=1e-12)
-    assert made.lubricant == analytic.lubricant("ISO VG 32 PAO", temperature=273.15 + 81)
-    refused = command("init", "6310", "--radial-load", "5 kg", "--out", "wrong.toml")
-    assert (refused.status, "operation.radial_load = '5 kg'" in refused.err) == (2, True)
-    assert not Path("wrong.toml").exists()
 
 
 def test_init_replaces_nothing(command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -34,19 +34,6 @@ def test_a_bearing_of_the_catalogue_needs_no_file(command, place: Path) -> None:
     assert "friction_6206.csv" in again.err
 
 
-def test_lists_are_axes_of_a_bearing_of_the_catalogue(command, place: Path) -> None:
-    lists = ("--speed", '["300 rpm", "450 rpm", "900 rpm"]', "--radial-load", '["1 kN", "3 kN"]')
-    warm = ("--temperature", '["50 degC", "65 degC"]', "--axial-load", "0 N")
-    ended = command("export", "6206", "--to", "csv", "--out", "map.csv", *lists, *warm, *FAST)
-    assert (ended.status, len((place / "map.csv").read_text("utf-8").splitlines())) == (0, 1 + 3 * 2 * 2)
-
-
-def test_a_scene_file_takes_ranges_too(command, place: Path) -> None:
-    ended = command("export", "scene.toml", "--to", "csv", "-o", "map.csv", "--speed", "0 rpm to 90 rpm in 3", *FAST)
-    assert ended.status == 0
-    assert (place / "map.csv").exists()
-
-
 def test_the_verdict_is_that_of_the_torque(command, place: Path) -> None:
     """As `torque` has it at the last speed."""
     options = ("--axial-load", "5 N", "--speed", "3000 rpm to 10000 rpm in 3")
@@ -61,15 +48,6 @@ def test_the_verdict_is_that_of_the_torque(command, place: Path) -> None:
     assert line.split(": ")[1] in " ".join(alone.out.split())
     warned = {each.split(",")[0] for each in alone.err.splitlines()}  # before a share
     assert warned <= {each.split(",")[0] for each in ended.err.splitlines()}
-
-
-def test_the_verdict_counts_the_points_that_fail(command, place: Path) -> None:
-    """Of 10, 25 and 40 kN at two temperatures the two larger loads."""
-    over = ("--radial-load", "10 kN to 40 kN in 3", "--speed", "1000 rpm", "--temperature", "50C to 60C in 2")
-    ended = command("export", "6206", "--to", "csv", "--out", "map.csv", *over, *FAST)
-    assert ended.status == 1
-    assert ended.out.splitlines()[-1].startswith("fail at 4 of 6 points: the peak pressure exceeds the static limit")
-    assert (place / "map.csv").exists()
 
 
 def test_a_cage_of_a_table_rests_and_a_warning_says_so(command, place: Path) -> None:
@@ -88,10 +66,8 @@ def test_a_cage_of_a_table_rests_and_a_warning_says_so(command, place: Path) -> 
         (["--to", "xlsx"], ["--to", "xlsx", "netcdf"]),
         ([], ["--to"]),
         (["--to", "csv", "--speed", "0 rpm to 60 rpm in 1"], ["has 1 values"]),
-        (["--to", "csv", "--speed", "1000 rpm to 2000 rpm"], ["speed = '1000 rpm to", "in COUNT"]),
         (["--to", "csv", "--out", "scene.toml"], ["scene.toml", ".csv"]),
         (["--to", "modelica", "--radial-load", "1 kN to 2 kN in 3"], ["radial_load has 3 values", "modelica"]),
-        (["--to", "csv", "--axial-load", "3 mm to 5 mm in 3"], ["axial_load", "5 mm", "N"]),
     ],
 )
 def test_a_mistake_gets_one_line(command, place: Path, arguments: list[str], words: list[str]) -> None:

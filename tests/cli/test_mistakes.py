@@ -17,31 +17,16 @@ GRID = 'scene = "6206"\n[axes]\noperation.radial_load = ["300 N", "500 N"]\n'
 # A command line, another text of the file in it, and words that the line on standard error has. "s.toml" is the usual
 # scene, "g.toml" a grid, "d.csv" has measured torques. The scene's own slips are in tests/analytic/scenefile.
 CASES: tuple[tuple[str, str | None, tuple[str, ...]], ...] = (
-    ("torque s.toml", USUAL.replace(RADIAL, "560"), ("operation.radial_load = 560 has no unit", '"0.5 kN"')),
     ("torque s.toml", USUAL.replace(RADIAL, "560 N"), ("not TOML", 'in quotes: "560 N"')),
-    ("torque s.toml", USUAL.replace("[lubricant]", "[oil]"), ("oil = ", "did you mean lubricant?")),
     ("torque 6206 --radial-load 500", None, ("operation.radial_load = 500 has no unit",)),
-    ("torque 6206 --radial-load 2,500N", None, ("ambiguous", "write 2500 N or 2.5 N")),
     ("film 6206 --load 2,500N", None, ("--load = '2,500N' is ambiguous",)),
-    ("torque 6206 --radial-load '1 200 N'", None, ("'1 200 N'", "write 1200 without spaces")),
     ("torque 6206 --tolerance 5", None, ("--tolerance = 5 is out of range", '"5 %"')),
     ("torque 6206 --speed fast", None, ("operation.inner_speed = 'fast'", "rpm")),
-    ("torque 6206 --set operation.radial_load=nanN", None, ("operation.radial_load = 'nanN'",)),
     ("torque 6206 --set radial_load=2kN", None, ("did you mean operation.radial_load?",)),
-    ("torque 6206 --set oil=VG46", None, ("did you mean lubricant.name?",)),
-    ("torque 6206 --set lubricant=VG46", None, ("is a table", "lubricant.name")),
-    ("torque 6206 --set bearing.ball_diameter=30mm", None, ("ball_diameter = '30 mm' does not fit",)),
-    ("torque nu205", None, ("'nu205' is a cylindrical roller bearing", "6205")),
-    ("torque 51105", None, ("thrust ball bearing", 'kind = "thrust"')),
-    ("torque 7208", None, ("does not say its contact angle", "7208")),
-    ("torque 7208B --radial-load 500N", None, ("slide apart", "thrust")),
     ("init 6399", None, ("'6399' is not in the catalogue", "nearest: ")),
-    ("torque 6206 --oil 'SAE 30'", None, ("is not an oil of the catalog", "viscosity = [")),
-    ("list ball", None, ("'ball' is not one of 'bearings'",)),
     ("list oils shell-tellus", None, ("none of the oils begins with", "fembearing list oils")),
     ("list", None, ("give a topic", "--schema scene")),
     ("torque gone.toml", None, ("gone.toml", "No such file", "give the path of a scene file")),
-    ("compare 6206 gone.csv", None, ("gone.csv", "No such file")),
     ("torque 6206 --out s.csv", None, ("--out 's.csv' exists already", "--force")),
     ("torque 6206 --out there --force", None, ("'there' is not replaced", "no folder that fembearing made")),
     ("torque 6206 --out new.doc", None, ("'.doc'", ".csv, .json")),
@@ -51,6 +36,7 @@ CASES: tuple[tuple[str, str | None, tuple[str, ...]], ...] = (
     ("torque 6206 --units imperial", None, ("--units", "imperial", "inch")),
     ("torque 6206 --set speed", None, ("--set 'speed'", "KEY=VALUE")),
     ("contact 6206 --mesh new --level two", None, ("--level", "integer")),
+    ("contact 7205C --set arrangement.kind=O --set arrangement.preload=250N", None, ("has two bearings",)),
     ("contact 6206 --level 2", None, ("--level 2 goes with --mesh",)),
     ("contact 6206 --mesh new --tolerance 1%", None, ("--tolerance '1%' does not go with --mesh",)),
     ("torque s.toml --speed 5rpm --set operation.inner_speed=5rpm", None, ("are the same: leave one of them out",)),
@@ -59,13 +45,10 @@ CASES: tuple[tuple[str, str | None, tuple[str, ...]], ...] = (
     ("torque s.toml 6308 -o new", None, ("--out 'new'", "there are 2")),
     ("torque 6308 s.toml --set 'operation.radial_load=90000 kN'", None, ("6308: the radial load", "lower the load")),
     ("init 6206 --out no/6206.toml", None, ("no/6206.toml", "cannot be made in")),
-    ("torque no/scene", None, ("no/scene", "No such file")),
     ("compare 6206 d.csv", CSV.replace(" [rpm]", ""), ("inner_speed has no unit", "inner_speed [rpm]")),
     ("compare d.csv 6206", None, ("give the scene first: fembearing compare 6206 d.csv",)),
     ("duty d.csv 6206", None, ("give the scene first: fembearing duty 6206 d.csv",)),
     ("sweep g.toml --out new", GRID.replace("[axes]", "[axis]"), ("axis = ", "did you mean axes?")),
-    ("sweep g.toml --out new", GRID.replace('"300 N"', "300"), ("axes.operation.radial_load[0] = 300 has no unit",)),
-    ("sweep g.toml --out new", GRID.replace("radial_load", "load"), ("operation.load is no key", "radial_load")),
 )
 
 
@@ -89,27 +72,18 @@ def test_a_slip_gets_one_line_with_its_remedy(
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (["validate", "nowhere.toml"], ["nowhere.toml"]),
         (["validate", "scene.toml", "--tolerance", "-1 %"], ["--tolerance", "-1 %", "0.0001 to 100 %"]),
-        (["contact", "--load", "620"], ["--load", "620", "N"]),
-        (["contact", "--load", "nan N"], ["--load", "nan N"]),
         (["contact", "--load", "3 mm"], ["--load", "3 mm", "N"]),
         (["contact", "--load", "3 N", "--load", "-5 N"], ["--load", "-5 N"]),
         (["contact", "--geometry", "wall", "--load", "3 N", "--load", "5 N"], ["geometry 'wall'", "pocket", "inner"]),
         (["contact", "--geometry", "wall", "--mesh", "m"], ["geometry 'wall'", "pocket", "inner"]),
-        (["contact", "--load", "3 N", "--load", "90 kN"], ["load = 90000 N", "inner", "groove_radius"]),
         (["contact", "--load", "90 kN"], ["load = 90000 N", "inner", "groove_radius"]),  # plastic long before: no mesh
         (["validate", "heavy.toml"], ["operation.axial_load = 700000 N", "shoulder"]),
         (["validate", "wide.toml"], ["operation.axial_load = 90000 N", "too wide"]),
-        (["validate", "--out", "scene"], ["--out", "scene", "exists already"]),
         (["validate", "--out", "new.csv"], ["--out 'new.csv'", "writes a folder"]),
         (["cost", "--out", "new.HTML"], ["--out 'new.HTML'", "writes a folder"]),
-        (["sweep", "grid.toml", "--out", "new.nc"], ["--out 'new.nc'", "writes a folder"]),
         (["sweep", "grid.toml", "--out", "o\udce9ut"], ["--out 'o\\udce9ut'", "not UTF-8"]),
         (["torque", "caged.toml", "--out", "o\udce9ut"], ["--out 'o\\udce9ut'", "not UTF-8"]),
-        (["validate", "--out", "no/report"], ["--out", "no/report", "cannot be made"]),
-        (["validate", "tight.toml"], ["cage.pocket_diameter", "7.9 mm", "7.94 mm"]),
-        (["validate", "deep.toml"], ["cage.pocket_depth", "4.5 mm", "4.07 mm"]),
         (["contact", "--mesh", "scene"], ["--mesh", "scene", "folder"]),
         (["contact", "--mesh", "scene.toml"], ["scene.toml", "writes a folder"]),
         (["contact", "--mesh", "new", "--level", "77"], ["--level", "77", "1, 2, 3, 4"]),
@@ -122,8 +96,6 @@ def test_a_mistake_gets_one_line_and_status_2(
     (tmp_path / "scene.toml").write_text(MINE)
     (tmp_path / "heavy.toml").write_text(MINE.replace("700 N", "700000 N").replace('"given", value', '"solved", free'))
     (tmp_path / "wide.toml").write_text(MINE.replace("700 N", "90000 N"))
-    (tmp_path / "tight.toml").write_text(MINE + '[cage]\npocket_diameter = "7.9 mm"')
-    (tmp_path / "deep.toml").write_text(MINE + '[cage]\npocket_depth = "4.5 mm"')
     (tmp_path / "caged.toml").write_text(MINE + "[cage]")
     (tmp_path / "grid.toml").write_text('scene = "scene.toml"\n[axes]\noperation.axial_load = ["300 N", "500 N"]')
     (tmp_path / "scene").touch()
@@ -142,8 +114,6 @@ def test_a_mistake_gets_one_line_and_status_2(
         (["contact", "--pair", "left"], ["--pair", "left", "inner", "outer"]),
         (["contact", "--frobnicate"], ["--frobnicate"]),
         (["compare"], ["Missing argument 'SCENE'; for example fembearing compare bearing.toml data.csv"]),
-        (["init"], ["for example fembearing init 6206"]),
-        (["judge"], ["judge"]),
         (["list", "foo"], ["TOPIC", "'foo' is not one of 'bearings', 'oils', 'materials', 'scenes', 'effects'"]),
         (["validate", "a.toml", "b.toml"], ["b.toml"]),
     ],

@@ -53,13 +53,6 @@ def test_what_is_assumed_is_told_and_a_setting_takes_its_place(command) -> None:
     assert "assumed: " not in command("torque", "6205-dry").out
 
 
-def test_a_speed_without_a_unit_is_told_on_standard_error(command, tmp_path: Path) -> None:
-    words = "operation.inner_speed = 700 has no unit and is read as 700 rpm"
-    assert words in command("torque", "6308", "--speed", "700").err
-    assert words in command("init", "6308", "--speed", "700", "-o", str(tmp_path / "a.toml")).err
-    assert 'inner_speed = "700 rpm"' in (tmp_path / "a.toml").read_text("utf-8")
-
-
 def test_scenes_side_by_side(command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """One row each, with the torque that each has alone; a series from its lowest to its highest."""
     monkeypatch.chdir(tmp_path)
@@ -79,11 +72,6 @@ def test_scenes_side_by_side(command, tmp_path: Path, monkeypatch: pytest.Monkey
         assert alone["standing"]["word"] in rows[name]
     assert "6308: assumed: " in ended.out
     assert "a.toml: assumed: " not in ended.out
-
-
-def test_options_count_for_every_bearing(command) -> None:
-    found = json.loads(command("torque", "6308", "6208", *OPTIONS, "--json").out)
-    assert [each["points"][0]["radial_load"] for each in found.values()] == [3000.0, 3000.0]
 
 
 def test_a_scene_from_standard_input(command, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -109,11 +97,6 @@ def test_a_scene_from_standard_input(command, monkeypatch: pytest.MonkeyPatch) -
         assert words in ended.err
     option = given(text, "--speed", "2900 rpm", "--json").out
     assert without_time(option) == without_time(faster_text)
-
-
-def test_o_is_out(command, tmp_path: Path) -> None:
-    assert command("torque", "6205-dry", "-o", str(tmp_path / "new.csv")).status == 0
-    assert (tmp_path / "new.csv").read_text("utf-8").startswith("point,")
 
 
 def test_without_a_command_there_is_help(command) -> None:

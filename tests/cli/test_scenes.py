@@ -80,16 +80,6 @@ def test_a_race_of_other_materials_is_as_stiff_as_its_modulus(
     assert other["verdict"] == "pass"
 
 
-@pytest.mark.usefixtures("coarse")
-def test_a_pocket_of_peek_is_solved(run) -> None:
-    found = solved(run, "peek cage", "--pair", "pocket", "--load", "3 N")
-    assert found["warnings"] == []
-    # 5 %: that a pocket is a cavity of a tenth wider than the ball, not a half space
-    stiffness = found["quantities"]["stiffness"]
-    assert stiffness["reference"] == pytest.approx(stiffness["production"], rel=0.05)
-    assert 0 < found["quantities"]["peak_pressure"]["reference"] < 30e6  # Pa: far below what PEEK bears
-
-
 @pytest.mark.slow
 @pytest.mark.usefixtures("coarse")
 def test_without_its_bore_everything_but_the_ring_is_checked(run) -> None:

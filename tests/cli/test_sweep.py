@@ -45,16 +45,6 @@ def test_a_sweep_writes_its_files_and_a_second_run_keeps_them(
     }
 
 
-def test_what_is_assumed_of_a_bearing_is_told_but_for_the_axes(sweep: Callable[..., Any], grid_file: Write) -> None:
-    axes = 'operation.axial_load = ["300 N", "500 N"]\n'
-    status, told, _ = sweep(grid_file(axes, head='scene = "6206"', scene=""))
-    assert status == 0
-    (line,) = (line for line in told.splitlines() if line.startswith("assumed: "))
-    assert "operation.radial_load = 0 N, operation.inner_speed = 1000 rpm" in line
-    assert "operation.axial_load" not in line
-    assert line.endswith("; change in a scene file: fembearing init 6206")
-
-
 def test_maps_are_complete_or_drawn_again(
     sweep: Callable[..., Any], grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -86,14 +76,6 @@ def test_failed_points_end_with_status_3_and_their_reasons(
     assert (status, complaint) == (3, "")
     assert "24 points: 24 computed, 0 from before, 12 failed" in told
     assert told.count("failed: ") == 1
-
-
-def test_a_mistake_ends_with_status_2_and_one_line(sweep: Callable[..., Any], grid_file: Write) -> None:
-    for axes in ("operation.axial_load = []", "lode = [3]", 'operation.axial_load = ["3 mm"]'):
-        status, told, complaint = sweep(grid_file(axes))
-        assert (status, told, complaint.count("\n")) == (2, "", 1)
-    assert sweep(grid_file(AXES), "--workers", "0")[0] == 2
-    assert sweep(Path("nowhere.toml"))[2].startswith("fembearing: nowhere.toml: No such file or directory; give")
 
 
 @pytest.mark.usefixtures("in_process")

@@ -10,17 +10,14 @@ from analytic.errors import InputError
 from analytic.oil.traction import PointLaw
 from analytic.scene import Bearing
 from fembearing.creep.ball import (
-    ROLLS,
     Elasticity,
     Grid,
     TurnedBall,
     TurningBall,
-    _rolling_freely,
     race_motions,
     turn_ball,
 )
 from fembearing.creep.half_space import HalfSpaces
-from fembearing.creep.kinematics import rigid_slip
 from fembearing.creep.place import HeldBall, free_lengths, unit_under
 from fembearing.creep.strips import hertz_pressure
 from tests.analytic.free_ball.specimens import under_thrust
@@ -226,25 +223,6 @@ def test_a_ball_under_hardly_any_thrust_settles() -> None:
     np.testing.assert_allclose(light.torque / lighter.torque, 2 ** (4 / 3), rtol=2e-3)
 
 
-def test_a_ball_begins_without_slip_on_a_line_of_each_race_and_with_equal_spin() -> None:
-    """Slip along rolling, but for spin, is 0 at y = 0.35 b; the spins on both races are opposite and equal."""
-    held = thrust_ball(0.1, 700.0).held
-    lie = held.at_rest()
-    lie = lie._replace(angles=(lie.angles[0] + 0.02, lie.angles[1]), loads=(lie.loads[0], 1.3 * lie.loads[1]))
-    motions = race_motions(held.bearing)
-    velocity = _rolling_freely(held, motions, lie)
-    spins = []
-    for k, motion in enumerate(motions):
-        slip = rigid_slip(motion, lie.angles[k], lie.orbit, velocity)
-        unit = unit_under(held.bearing, ("inner", "outer")[k], lie.angles[k])
-        line = ROLLS * unit.semi_axis_transverse * lie.loads[k] ** (1 / 3)
-        given = slip.creepages
-        assert given.along + given.along_bend * line**2 == pytest.approx(0.0, abs=1e-12 * abs(given.spin) * line)
-        spins.append(motion.sign * slip.side * given.spin * slip.rolling_speed)
-    assert spins[0] == pytest.approx(-spins[1], rel=1e-9)  # round-off
-    assert velocity[1] == pytest.approx(0.0, abs=1e-15)
-
-
 @pytest.mark.parametrize("material", [STEEL, NITRIDE])
 def test_surfaces_meet_where_the_stiffer_body_keeps_more_of_its_curvature(material: Any) -> None:
     bearing = replace(BEARING_6205, ball_material=material)
@@ -260,24 +238,3 @@ def test_surfaces_meet_where_the_stiffer_body_keeps_more_of_its_curvature(materi
 @pytest.fixture(scope="module")
 def turned() -> TurnedBall:
     return turn_ball(thrust_ball(0.09, 600.0), ROUGH)
-
-
-def test_moments_and_forces_are_sums_over_the_maps(turned: TurnedBall) -> None:
-    for race, motion in zip(turned.races, race_motions(BEARING_6205), strict=True):
-        strips, (t_x, t_y) = race.friction.strips, race.friction.traction * race.friction.strips.area
-        spin = np.sum(strips.x * t_y - strips.y * t_x)
-        assert race.spin_moment == pytest.approx(race.side * spin, rel=1e-9)
-        rolling = np.sum(t_x * strips.y**2 / 2 - t_y * strips.x * strips.y) / motion.surface_radius
-        assert race.rolling_moment == pytest.approx(rolling, rel=1e-9)
-        assert race.transverse_force == pytest.approx(np.sum(t_y), rel=1e-9)
-        given, speed = race.friction.creepages, race.rolling_speed
-        slip_x = given.along + given.along_bend * strips.y**2 - given.spin * strips.y
-        slip_y = given.across + (given.spin - 2 * given.along_bend * strips.y) * strips.x
-        assert race.torque == pytest.approx(-speed * np.sum(t_x * slip_x + t_y * slip_y), rel=1e-9)
-        assert race.spin_torque == pytest.approx(-speed * given.spin * spin, rel=1e-9)
-        unit = unit_under(BEARING_6205, "inner" if motion.sign < 0 else "outer", race.angle)
-        size = race.load ** (1 / 3)
-        # Half-lengths of the strips are those of the start, whose load and angle differ by little.
-        assert race.semi_axis_rolling == pytest.approx(size * unit.semi_axis_rolling, rel=2e-3)
-        assert race.semi_axis_transverse == pytest.approx(np.sum(strips.width) / 2, rel=2e-2)
-    assert turned.torque == pytest.approx(sum(race.torque for race in turned.races))

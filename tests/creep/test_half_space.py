@@ -6,10 +6,9 @@ from scipy.integrate import dblquad
 
 from analytic.errors import InputError
 from fembearing.creep.half_space import HalfSpaces
-from fembearing.creep.rolling import rolling_surfaces
 from fembearing.creep.strips import Strips
 from tests.contacts import STEEL
-from tests.creep.bodies import HYBRID, of_modulus, race_strips
+from tests.creep.bodies import HYBRID, of_modulus
 
 ONE = Strips(
     middle=np.array([0.3e-4]),
@@ -88,19 +87,6 @@ def test_equal_tractions_on_all_rectangles_are_those_of_the_whole() -> None:
     x, y = np.array([2.3e-4, -0.2e-4]), np.array([1.1e-4, 5.3e-4])
     expected = influence.by_traction(whole, x, y)[..., 0]
     np.testing.assert_allclose(influence.by_traction(parts, x, y).sum(axis=-1), expected, rtol=1e-10)  # round-off
-
-
-def test_a_rigid_shift_of_all_strips_changes_nothing() -> None:
-    strips = race_strips(5, 4)
-    moved = Strips(
-        middle=strips.middle + 3e-3,
-        width=strips.width,
-        rear=strips.rear - 2e-3,
-        front=strips.front - 2e-3,
-        cells=strips.cells,
-    )
-    here, there = (rolling_surfaces(each, HYBRID).gradient for each in (strips, moved))
-    np.testing.assert_allclose(there, here, rtol=1e-7, atol=1e-9 * np.max(np.abs(here)))  # round-off of 30 lengths
 
 
 def test_an_impossible_material_is_refused() -> None:

@@ -29,11 +29,6 @@ def test_two_grids_that_agree_by_chance_do_not_hide_the_change_before() -> None:
     assert found.uncertainty > 0.1
 
 
-def test_a_quantity_that_is_0_by_symmetry_is_known_to_be_so() -> None:
-    found = estimate((0.0, 0.0, 0.0), (1 / 8, 1 / 12, 1 / 16))
-    assert (found.value, found.uncertainty) == (0.0, 0.0)
-
-
 def test_grids_become_finer_until_the_torque_is_certain() -> None:
     ball = thrust_ball(0.08, 250.0)
     rough, fine = creep_reference(ball, tolerance=0.05), creep_reference(ball, tolerance=1e-6)

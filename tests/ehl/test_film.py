@@ -1,7 +1,6 @@
 """The numerical film against limits in closed form, invariants, and two other codes."""
 
 import math
-import time
 from functools import cache
 from types import SimpleNamespace
 from typing import Any
@@ -9,7 +8,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from fembearing.ehl import film as module
 from fembearing.ehl.film import LEAST, OF_FILM, NumericalFilm, estimates_of, extrapolation, numerical_film
 from fembearing.ehl.solver import solve_on_grids
 from tests.ehl.contacts import moes
@@ -142,22 +140,6 @@ def test_a_sequence_of_known_order_is_extrapolated_to_its_limit() -> None:
     assert found.order == pytest.approx(2.0, rel=1e-9)
 
 
-@pytest.mark.parametrize("order", [1.2, 1.6, 2.7])
-def test_the_interval_holds_the_limit_of_a_sequence_of_another_order(order: float) -> None:
-    sizes = (1.7, 1.2, 1.2**2 / 1.7)
-    found = extrapolation(tuple(3.1 - 0.02 * size**order for size in sizes), sizes)
-    assert abs(found.value - 3.1) <= found.total * found.value
-
-
-def test_values_that_turn_back_are_uncertain_by_their_last_change_at_least() -> None:
-    """Without an order the correction says little: 3.0, 3.2, 3.1, where cells shrink by 1.4."""
-    sizes = (1.96, 1.4, 1.0)
-    for values, least in (((3.0, 3.2, 3.1), 0.1), ((3.0, 3.9, 3.8), 0.9 / 1.4**2)):  # the change before, one grid finer
-        found = extrapolation(values, sizes)
-        assert found.order is None
-        assert found.total * found.value >= least
-
-
 def test_a_force_whose_errors_cancel_is_as_uncertain_as_its_film_tells() -> None:
     """On three grids of one contact the force hardly moves, although the film has an error of 6 % on the last one."""
     films, forces, least = (0.786, 0.883, 0.940), (1.006, 1.0043, 0.9977), (0.77, 0.86, 0.91)
@@ -210,24 +192,3 @@ def test_changes_that_grow_are_noted() -> None:
 def test_an_uncertainty_has_a_least() -> None:
     values, sizes = sequence(2.0)
     assert extrapolation(values, sizes, least=0.07).mesh == 0.07
-
-
-def test_a_film_takes_three_grids_of_one_ratio_and_the_maps_of_the_last(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Grids with given middle cells; the two ways to the force give 2 and 2.1 N, a twentieth apart."""
-    asked: list[tuple[float, ...]] = []
-
-    def solve(_: Any, refinements: tuple[float, ...]) -> Any:
-        asked.append(refinements)
-        for number in range(3):
-            grid = SimpleNamespace(x=number, y=10 + number)
-            numbers = dict.fromkeys(("central_film", "minimum_film", "pressure_centre"), 0.3)
-            forces = {"rolling_force": 2.0, "dissipated_force": 2.1}
-            yield SimpleNamespace(grid=grid, pressure=20 + number, film=30 + number, **numbers, **forces)
-
-    monkeypatch.setattr(module, "solve_on_grids", solve)
-    begun = time.perf_counter()
-    found = numerical_film(moes(20.0, 5.0), refinement=0.7)
-    assert 0 < found.seconds <= time.perf_counter() - begun
-    np.testing.assert_allclose(asked, [(0.7 / 1.45, 0.7, 0.7 * 1.45)])
-    assert (found.x, found.y, found.pressure, found.film) == (2, 12, 22, 32)
-    assert found.disagreement == pytest.approx(0.05)

@@ -23,7 +23,6 @@ from fembearing.ehl.solver import (
     Solution,
     Start,
     _Linear,
-    _within,
     require_few_cells,
     solve_on_grids,
 )
@@ -55,12 +54,6 @@ def test_the_likely_film_of_a_rigid_contact_is_that_of_its_load(ellipticity: flo
     """H M^2 is 35.35 for a ball on a plane, and for others [3 + 2 lambda]^-2 lambda^-1 times 25 of it."""
     found = on_grid(moes(0.02, 0.0, ellipticity)).likely_film
     assert found * 0.02**2 == pytest.approx(35.35 * 25 / (3 + 2 * ellipticity) ** 2 / ellipticity, rel=0.01)
-
-
-def test_the_likely_film_of_thick_oil_is_within_a_factor_of_two() -> None:
-    """Of the films of other codes: H 4.15 at M 20, L 10, and 3.63 at M 200."""
-    for loading, film in ((20.0, 4.15), (200.0, 3.63)):
-        assert 0.5 < on_grid(moes(loading, 10.0)).likely_film / film < 2
 
 
 def sizes(found: Discretised) -> tuple[Array, Array]:
@@ -106,20 +99,6 @@ def test_cells_are_counted_without_the_grid() -> None:
     found = on_grid(moes(31.0, 6.0, 0.4), refinement=0.7)
     assert found.cell_count == found.grid.areas.size
     require_few_cells(found.contact, 0.7)
-
-
-@pytest.mark.parametrize(
-    ("start", "end", "places", "sizes"),
-    [
-        (-1.0, 7.0, [-1.0, 0.0, 2.0, 5.0, 7.0], [0.3 + 0.18, 0.3, 0.7, 0.4, 0.4 + 0.36]),
-        (1.0, 3.5, [1.0, 2.0, 3.5], [0.5, 0.7, 0.55]),  # linear between the places
-        (0.0, 5.0, [0.0, 2.0, 5.0], [0.3, 0.7, 0.4]),  # a place at an end is there once
-    ],
-)
-def test_places_end_where_the_oil_does(start: float, end: float, places: list[float], sizes: list[float]) -> None:
-    found = _within([0.0, 2.0, 5.0], [0.3, 0.7, 0.4], start, end)
-    np.testing.assert_allclose(found[0], places)
-    np.testing.assert_allclose(found[1], sizes)
 
 
 # -- starts ----------------------------------------------------------------------------------------------------------
@@ -316,19 +295,3 @@ def test_a_balance_has_the_slopes_of_its_excess(speed: float) -> None:
         expected = (there - back) / (2 * step)
         # Round-off of the excess, 1e-16 over the step.
         np.testing.assert_allclose(slope @ along, expected, atol=1e-7 * np.abs(expected).max())
-
-
-def test_a_faster_contact_has_thinner_oil_of_the_same_number_of_moes() -> None:
-    """At n times the speed the pressure flows 1/n as easily, and oil thickens by the power -1/4 of n."""
-    place = on_grid(moes(30.0, 6.0, 0.5), refinement=0.3)
-    contact, count = place.contact, place.grid.areas.size
-    softer = replace(contact.oil, law="barus", pressure_viscosity=contact.oil.pressure_viscosity * 16**-0.25)
-    barus = replace(contact, oil=replace(contact.oil, law="barus"))
-    faster = replace(contact, oil=softer, speed=16 * contact.speed)
-    random = np.random.default_rng(9)
-    pressure, film = random.uniform(0.1, 0.3, count), random.uniform(0.3, 0.5, count)
-    own, fast = replace(place, contact=barus), replace(place, contact=faster)
-    for each in (own, fast):
-        vars(each)["grid"] = place.grid  # else that of its own film
-    expected, found = fast.balanced(pressure, film, 1.0), own.balanced(pressure, film, 16.0)
-    np.testing.assert_allclose(found.excess, expected.excess, rtol=1e-9, atol=1e-12 * np.abs(found.excess).max())

@@ -11,13 +11,10 @@ from analytic.scene import Contact
 from fembearing.fem.elasticity import strip_integrals, surface_mass
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.measure import (
-    STRIP,
     nodal_pressure,
     peak_pressure,
     semi_axis,
-    shoulder_load,
     uncut_semi_axes,
-    within_ellipse,
 )
 from fembearing.mesh.pair import PairMesh, pair_mesh
 from fembearing.mesh.recipe import load_recipe
@@ -110,22 +107,6 @@ def test_a_strip_has_the_area_of_its_part_of_the_ellipse(pair: PairMesh) -> None
     assert found @ y[inside] / found.sum() == pytest.approx((low + high) / 2, rel=0.01)  # as good
 
 
-@pytest.mark.parametrize("square", [1.0, 0.5])
-def test_an_ellipse_ends_where_its_equation_says(square: float) -> None:
-    angle = np.linspace(0.1, 6.2, 23)
-    x, y = A * np.cos(angle) * square**0.5, B * np.sin(angle) * square**0.5
-    for size, inside in ((0.999, True), (1.001, False)):
-        assert (within_ellipse(size * x, size * y, (A, B), square=square) == inside).all()
-    assert not within_ellipse(np.array([A]), np.array([0.0]), (A, B))[0]  # its edge is outside
-
-
-def test_an_axis_is_measured_from_the_centre_of_the_force() -> None:
-    """A force that lies aside has the same axis about its own centroid."""
-    step = (np.arange(400) + 0.5) / 200 - 1
-    force = 1 - step**2  # line load of an ellipse
-    np.testing.assert_allclose(semi_axis(B * step + 0.2e-3, force, centre=0.2e-3), B, rtol=1e-5)  # 400 steps
-
-
 def test_the_uncut_side_alone_tells_the_ellipse() -> None:
     """Twice that side, with nodes on y = 0 counted once: the forces on the other side do not matter."""
     random = np.random.default_rng(6)
@@ -139,12 +120,3 @@ def test_the_uncut_side_alone_tells_the_ellipse() -> None:
     for share in (1.0, 3.0):  # of the forces beyond y = 0
         found = uncut_semi_axes(x, y, np.where(y > 0, share * force, force))
         np.testing.assert_allclose(found, expected, rtol=1e-12)  # round-off
-
-
-def test_a_strip_of_an_even_line_load_has_its_share() -> None:
-    """q N/m from -s to s: a strip of 0.1 s has a twentieth of it, half on one side of x = 0."""
-    line, shoulder = 3.1e5, 0.7e-3
-    load = 2 * shoulder * line
-    found = shoulder_load(centroid=-0.1e-3, strip_force=line * STRIP * shoulder / 2, shoulder=shoulder, load=load)
-    np.testing.assert_allclose((found.strip_share, found.strip_line_load), (STRIP / 2, line), rtol=1e-12)
-    assert found.centroid == -0.1e-3

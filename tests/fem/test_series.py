@@ -2,8 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import replace
-from types import SimpleNamespace
-from typing import Any
 
 import numpy as np
 import pytest
@@ -178,19 +176,3 @@ def test_the_farther_shoulder_splits_a_band_too(contacts: dict[str, Contact], sh
     series = solve_series(contact, recipe=shallow("hertzian"), level=2, loads=loads)
     ends = [tuple(np.isfinite(part.pair.footprint.shoulders)) for part in series]
     assert ends == [(False, False), (False, True), (True, True)]
-
-
-def test_a_series_far_from_its_shoulder_needs_no_further_mesh(
-    contacts: dict[str, Contact], condensed: list[str]
-) -> None:
-    counts = []
-    for shoulder in (2.14e-3, np.inf):
-        condensed.clear()
-        solve_series(replace(contacts["inner"], shoulder=shoulder), recipe=IDEAL, level=1, loads=[150.0, 372.0, 9.0])
-        counts.append(len(condensed))
-    assert counts[0] == counts[1]
-
-
-def measured(ellipse: tuple[float, float], mesh: tuple[float, float], **parts: Any) -> Any:
-    """A solution with this ellipse on a mesh for that one, mm."""
-    return SimpleNamespace(semi_axes=ellipse, pair=SimpleNamespace(semi_axes=mesh, **parts))

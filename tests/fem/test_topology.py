@@ -85,31 +85,6 @@ def test_assembled_entries_are_those_of_the_cells_added_one_by_one(pairs: list[P
     np.testing.assert_allclose(held.far_force, far, atol=1e-14 * np.abs(far).max() * 1e3, rtol=0)  # cancelling entries
 
 
-def test_numbers_of_nodes_change_nothing() -> None:
-    """One cell among held nodes without cells: few, and so many that the product of two numbers needs 64 bits."""
-    cells: Any = np.random.default_rng(5).permutation(27)[:, None].astype(np.int32)  # as scikit-fem has them
-    held = np.zeros((3, 27), dtype=bool)
-    held[:, [3, 8]] = True
-    entries = np.random.default_rng(6).uniform(-2.0, 3.0, (topology.Topology(cells, held)._place.size,))
-    plain = topology.Topology(cells, held).assembled(entries).toarray()
-    for number, nodes in ((np.arange(27) + 1, 29), (np.arange(27) * 2600 + 4, 70_000)):
-        spread = np.ones((3, nodes), dtype=bool)
-        spread[:, number] = held
-        far: Any = number.astype(np.int32)[cells]
-        moved = topology.Topology(far, spread)
-        np.testing.assert_array_equal(moved.assembled(entries).toarray(), plain)
-
-
-def test_other_held_nodes_are_another_topology(pairs: list[PairMesh], monkeypatch: pytest.MonkeyPatch) -> None:
-    store = kept(monkeypatch)
-    body = pairs[0].lower
-    first = held_stiffness(body, material=STEEL, semi_axes=SIZES[0])
-    other = held_stiffness(replace(body, far=body.far[1:]), material=STEEL, semi_axes=SIZES[0])
-    assert other.topology is not first.topology
-    assert held_stiffness(body, material=NITRIDE, semi_axes=SIZES[1]).topology is first.topology
-    assert len(store) == 2
-
-
 @has_pardiso
 def test_the_memory_is_bounded(pairs: list[PairMesh], monkeypatch: pytest.MonkeyPatch) -> None:
     """Numbers go first, then whole topologies, those used longest ago first; the last one stays, without numbers."""
@@ -158,32 +133,6 @@ def test_complement_and_solution_by_hand() -> None:
     np.testing.assert_allclose(made.solution(upper, np.array([0.3, -1.7])), inverse @ [0.3, -1.7], rtol=1e-14)
 
 
-def failing(phase: int, words: str) -> type:
-    """PARDISO whose `phase` fails once, as the package says it."""
-
-    class Failing(factor.PardisoSolver):
-        fails = True
-
-        def run_phase_into(self, asked: int, right: Array, found: Array) -> None:
-            if asked == phase and self.fails:
-                self.fails = False
-                raise RuntimeError(f"PARDISO phase {phase} failed: {words}")
-            super().run_phase_into(asked, right, found)
-
-    return Failing
-
-
-@has_pardiso
-@pytest.mark.parametrize(("words", "error"), [("not enough memory", MemoryError), ("zero pivot", factor.LinAlgError)])
-def test_pardisos_errors_get_a_kind(words: str, error: type[Exception], monkeypatch: pytest.MonkeyPatch) -> None:
-    upper = csr_matrix([[4.0, 1.0], [0.0, 3.0]])
-    monkeypatch.setattr(factor, "PardisoSolver", failing(factor.NUMBERS, words))
-    made = factor.PardisoFactor(upper, csr_matrix((2, 0)))
-    with pytest.raises(error, match=words):
-        made.solution(upper, np.ones(2))
-    np.testing.assert_allclose(made.solution(upper, np.ones(2)), [2 / 11, 3 / 11], rtol=1e-14)  # as good as before
-
-
 class GivesUp:
     """A factor that fails for every matrix, and holds 7 bytes."""
 
@@ -218,13 +167,6 @@ def test_superlu_takes_what_a_factor_gives_up() -> None:
         factor.FactorWithSubstitute(GivesUp(MemoryError), substitute=factor.SuperLUFactor()).solution(upper, np.ones(2))
 
 
-def test_a_matrix_without_a_factor_stays_an_error() -> None:
-    """Of both solvers: a row of zeros."""
-    made = factor.FactorWithSubstitute(GivesUp(factor.LinAlgError), substitute=factor.SuperLUFactor())
-    with pytest.raises(RuntimeError, match="singular"):
-        made.solution(csr_matrix([[4.0, 0.0], [0.0, 0.0]]), np.ones(2))
-
-
 @pytest.mark.parametrize("threads", [1, 2])
 def test_threads_do_not_change_a_bit(
     contacts: dict[str, Contact], threads: int, monkeypatch: pytest.MonkeyPatch
@@ -245,27 +187,3 @@ def test_threads_do_not_change_a_bit(
     with ThreadPoolExecutor(len(chosen)) as pool:
         for one, together in zip(alone, pool.map(solve, chosen), strict=True):
             np.testing.assert_array_equal(together, one)
-
-
-@has_pardiso
-@pytest.mark.parametrize(
-    ("given", "threads"),
-    [
-        ({"MKL_NUM_THREADS": "3", "OMP_NUM_THREADS": "5"}, 3),
-        ({"OMP_NUM_THREADS": "5"}, 5),
-        ({"MKL_NUM_THREADS": "0", "OMP_NUM_THREADS": " 2,4"}, 2),  # of nested threads the outer ones
-        ({"MKL_NUM_THREADS": "many", "OMP_NUM_THREADS": "1"}, 1),
-        ({}, None),
-    ],
-)
-def test_threads_are_those_that_the_environment_gives(
-    given: dict[str, str], threads: int | None, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    for name in ("MKL_NUM_THREADS", "OMP_NUM_THREADS"):
-        monkeypatch.delenv(name, raising=False)
-    for name, value in given.items():
-        monkeypatch.setenv(name, value)
-    monkeypatch.setattr("os.sched_getaffinity", lambda _: set(range(7)), raising=False)
-    assert factor.solver_threads() == (7 if threads is None else threads)
-    monkeypatch.setattr(factor, "PardisoSolver", None)
-    assert factor.solver_threads() == 1

@@ -39,18 +39,13 @@ def test_one_value_and_lists_are_axes_too() -> None:
     ("name", "given", "words"),
     [
         ("speed", "1000 rpm to 2000 rpm", ["is no range", "FIRST to LAST in COUNT"]),
-        ("temperature", "40C to 50C in", ["is no range"]),
         ("speed", "0 rpm to 6000 rpm in 1", ["speed", "has 1 values", "2 or more"]),
         ("speed", "300 rpm to 300 rpm in 4", ["one value 4 times"]),
         ("speed", "0 rpm to 6000 rpm in 5 log", ["no equal ratios"]),
         ("speed", "-20 rpm to 60 rpm in 5", ["speed begins at -20 rpm"]),
-        ("speed", "0 rpm to 6000 N in 5", ["6000 N", "rpm"]),
         ("axial_load", "2 kN to 100 N in 5", ["does not ascend"]),
-        ("axial_load", [120.0, 120.0], ["does not ascend"]),
         ("axial_load", "100 N to 200 N in 100001", ["more than 100000"]),
         ("axial_load", [], ["no list"]),
-        ("temperature", "60 degC to 900 degC in 3", ["900 degC", "out of range"]),
-        ("radial_load", "much", ["radial_load", "much"]),
         ("moment", "3 N m", ["moment is no axis", "speed, axial_load"]),
     ],
 )
@@ -77,23 +72,10 @@ def test_what_is_not_given_follows_from_the_scene() -> None:
     )
 
 
-def test_speeds_that_are_not_given_reach_twice_the_fastest_of_the_scene_either_way_round() -> None:
-    scene = load_scene("6206", radial_load="3 kN", speed="700 rpm")
-    speeds = RPM * np.array([700.0, -900.0, 200.0])
-    series = replace(scene, operation=replace(scene.operation, inner_speed=speeds))
-    assert axes_at(series, {}, whole=True)["speed"][-1] == pytest.approx(1800 * RPM, rel=1e-12)  # a logarithm
-
-
 def test_a_scene_without_an_oil_has_no_temperature() -> None:
     dry = load_scene("6205-dry")
     assert "temperature" not in axes_at(dry, {}, whole=True)
     refused(lambda: axes_at(dry, {"temperature": "50 degC"}, whole=True), "temperature", "no", "oil")
-
-
-def test_several_values_of_the_scene_are_no_axis_of_a_curve() -> None:
-    scene = load_scene("6206", radial_load=["1 kN", "2 kN"], speed="700 rpm")
-    refused(lambda: axes_at(scene, {}, whole=False), "radial load has 2 values", "give radial_load")
-    np.testing.assert_array_equal(axes_at(scene, {}, whole=True)["radial_load"][[0, -1]], [1000.0, 2000.0])
 
 
 def test_a_load_with_several_values_in_the_scene_spans_them_in_a_map_and_is_asked_for_in_a_curve() -> None:
@@ -121,11 +103,3 @@ def test_a_negative_load_has_its_range_in_ascending_order() -> None:
     pulled = replace(scene, operation=replace(scene.operation, axial_load=np.array([-600.0])))
     loads = axes_at(pulled, {}, whole=True)["axial_load"]
     np.testing.assert_allclose(loads, [-1200, -600 * 2**0.5, -600, -600 / 2**0.5, -300], rtol=1e-12)
-
-
-def test_a_list_has_at_most_so_many_values_and_the_speeds_begin_at_0_or_above() -> None:
-    assert axis_values("speed", np.arange(100_000.0)).size == 100_000
-    refused(lambda: axis_values("speed", np.arange(100_001.0)), "no list of 1 to 100000 values")
-    refused(lambda: axis_values("axial_load", np.ones((2, 2))), "no list")
-    assert axis_values("speed", "0 rpm to 60 rpm in 2").tolist() == [0.0, 60 * RPM]
-    refused(lambda: axis_values("axial_load", "0 N to 60 N in 3 log"), "from 0 or through 0, which has no equal ratios")

@@ -51,19 +51,6 @@ def test_a_modelica_package_has_the_table_of_bearing_friction(scene: Scene, curv
     assert text.count("extends Modelica.Mechanics.Rotational.Components.BearingFriction(") == 3
 
 
-def test_a_parser_of_modelica_reads_the_package(scene: Scene, curve: TorqueMap, tmp_path: Path) -> None:
-    parser = pytest.importorskip("pymoca.parser", reason="an optional tool, which parses Modelica")
-    made = export(scene, to="modelica", out=tmp_path / "friction_6206.mo", over=OVER)
-    package = parser.parse(made.file.read_text("utf-8")).classes["friction_6206"]
-    assert list(package.classes) == ["Low", "Friction", "High"]
-    for model in package.classes.values():
-        (base,) = model.extends
-        assert str(base.component) == "Modelica.Mechanics.Rotational.Components.BearingFriction"
-        names = [change.value.component.name for change in base.class_modification.arguments]
-        assert names == ["tau_pos", "peak"]
-    assert curve.nominal.size > 7
-
-
 def test_a_script_of_matlab_has_both_directions_and_no_jump(scene: Scene, curve: TorqueMap, tmp_path: Path) -> None:
     made = export(scene, to="simscape", out=tmp_path / "friction.m", over=OVER)
     text = made.file.read_text("utf-8")

@@ -123,15 +123,6 @@ def test_a_thousand_steps_have_the_torque_within_the_stated_error(made: Made, un
         np.testing.assert_allclose(values, again, rtol=1e-12)
 
 
-def test_fmpy_simulates_it(made: Made) -> None:
-    time = np.array([0.0, 0.4, 1.0])
-    given = np.array(list(zip(time, [10.0, 40.0, -90.0], strict=True)), dtype=[("time", float), ("speed", float)])
-    found = fmpy.simulate_fmu(str(made.file), stop_time=1.0, output_interval=0.1, input=given, output=list(OUTPUTS))
-    assert len(found) == 11
-    assert np.isfinite(np.array([found[name] for name in OUTPUTS])).all()
-    assert (found["torque"] > 0).all()
-
-
 def test_the_state_comes_back_and_reset_begins_again(units: tuple[Unit, Unit]) -> None:
     unit = units[0]
     begun = unit.take(*INPUTS, *OUTPUTS)

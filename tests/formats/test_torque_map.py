@@ -3,7 +3,6 @@
 import csv
 from dataclasses import replace
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -14,7 +13,6 @@ from analytic.prediction.first_order import first_order_ends
 from analytic.scene import Operation, Scene
 from analytic.scenefile.by_temperature import SceneByTemperature
 from analytic.scenefile.read import any_by_temperature, load_by_temperature, load_scene, parse_by_temperature
-from fembearing.formats import torque_map as module
 from fembearing.formats.axes import axes_of
 from fembearing.formats.choice import export, export_of
 from fembearing.formats.torque_map import TorqueMap, from_standstill, mapped_torque
@@ -59,20 +57,6 @@ def test_the_torque_is_that_of_the_function_at_each_node(table: TorqueMap) -> No
         np.testing.assert_allclose(table.nominal[*at, 1], function(**given), rtol=1e-10)  # two starts of the ring
     assert table.scene.lubricant is not None
     assert warm[1] == pytest.approx(table.scene.lubricant.temperature)
-
-
-def test_the_oil_is_that_of_the_catalogue_at_each_temperature(table: TorqueMap) -> None:
-    there = load_scene(
-        "6206",
-        speed="1500 rpm",
-        radial_load="900 N",
-        oil="ISO VG 68",
-        temperature="75 degC",
-        settings={"friction.spin_rule": "balanced"},
-    )
-    settled = replace(table.law.found.scene, lubricant=there.lubricant)
-    right = torque_function(settled)(inner_speed=table.axes["speed"][4], axial_load=400.0, radial_load=900.0)
-    assert table.nominal[4, 1, 0, 2] == pytest.approx(right, rel=1e-10)
 
 
 @pytest.mark.parametrize("name", OWN_OILS)
@@ -167,15 +151,6 @@ def test_csv_and_netcdf_have_the_map(found: SceneByTemperature, table: TorqueMap
     np.testing.assert_allclose(np.unique(numbers[:, 3]), [45, 60, 75], rtol=1e-12)
 
 
-def test_a_dry_bearing_has_a_map_without_a_temperature(tmp_path: Path) -> None:
-    scene = replace(load_scene("6205-dry"), spin_rule="balanced")
-    made = export(scene, to="csv", out=tmp_path / "dry.csv", over={"speed": [0.0, 20.0], "axial_load": "400 N"})
-    head, *rows = csv.reader(made.file.read_text("utf-8").splitlines())
-    assert head[:3] == ["inner_speed [rpm]", "axial_load [N]", "radial_load [N]"]
-    assert len(rows) == 2
-    assert all(float(cell) >= 0 for row in rows for cell in row)
-
-
 def test_free_balls_have_the_interval_of_balanced_ones() -> None:
     """The ends over the torque, as the map has them: within 10 %, where they are 0.47 to 3.8 of it."""
     scene = load_scene("6206", speed="1500 rpm", radial_load="2 kN")
@@ -203,10 +178,3 @@ def test_mistakes_are_refused_in_one_line(scene: Scene, tmp_path: Path) -> None:
         refused(lambda to=to, name=name: export(scene, to=to, out=tmp_path / name, over=OVER), *words)  # pyright: ignore[reportArgumentType]
     refused(lambda: export(scene, to="csv", out=tmp_path / "map.csv", over={"load": "3 N"}), "load is no axis")
     assert [path.name for path in tmp_path.iterdir()] == ["there.csv"]
-
-
-def test_where_nothing_resists_the_interval_has_no_width(monkeypatch: pytest.MonkeyPatch, scene: Scene) -> None:
-    nominal = SimpleNamespace(torque=SimpleNamespace(total=np.array([0.0, 2.0])))
-    monkeypatch.setattr(module, "friction_torque", lambda _: nominal)
-    monkeypatch.setattr(module, "first_order_ends", lambda *_: np.array([[0.0, 1.0], [0.0, 3.0]]))
-    np.testing.assert_allclose(module._logarithms(scene), np.log([[1, 0.5], [1, 1.5]]), rtol=1e-12)

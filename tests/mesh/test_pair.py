@@ -225,19 +225,6 @@ def test_levels_divide_every_cell_in_the_same_number(contacts: dict[str, Contact
                 np.testing.assert_allclose(new[::level], old, atol=1e-11 * old[-1])
 
 
-@pytest.mark.parametrize("recipe", RECIPES)
-def test_the_corners_of_a_coarse_mesh_are_corners_of_the_finer(contacts: dict[str, Contact], recipe: str) -> None:
-    """Refinement by one ratio divides the same cells, which observed orders require."""
-    coarse, fine = made(contacts, "outer", recipe, 1), made(contacts, "outer", recipe, 3)
-    for side in ("upper", "lower"):
-        few, many = (getattr(m, side).mesh for m in (coarse, fine))
-        corners, others = few.doflocs[:, np.unique(few.t)], many.doflocs[:, np.unique(many.t)]
-        size = np.abs(others).max()
-        distance = np.abs(corners[:, :, None] - others[:, None, :]).max(axis=0).min(axis=1)
-        # columns of a race start where a Newton step and its finite difference stop
-        assert distance.max() < 1e-11 * size
-
-
 @pytest.mark.parametrize("level", [1, 3])
 @pytest.mark.parametrize("recipe", RECIPES)
 def test_a_ring_of_cell_faces_lies_on_the_expected_ellipse(

@@ -29,30 +29,21 @@ def test_the_shipped_recipes_are_sound(name: str, geometry: str) -> None:
 
 
 FAULTS = {  # what is replaced, by what, and what the message must name
-    "no toml": ("geometry =", "geometry = =", "race"),
     "unknown key": ('geometry = "real"', 'geometry = "real"\nsmoothing = 3', "smoothing"),
     "other geometry": ('"real"', '"cylinder"', "'cylinder', accepted: real, hertzian, wall"),
     "levels not rising": ("[1, 2, 3, 4]", "[4, 5, 6]", r"\[4, 5, 6\].*1.3 times"),
-    "levels falling": ("[1, 2, 3, 4]", "[4, 3, 2]", r"\[4, 3, 2\].*1.3 times"),
     "two levels": ("[1, 2, 3, 4]", "[2, 4]", "three or more"),
     "level zero": ("[1, 2, 3, 4]", "[0, 2, 3]", r"levels = \[0, 2, 3\]"),
-    "broken level": ("[1, 2, 3, 4]", "[1, 2, 3.5]", "whole numbers"),
-    "levels no list": ("[1, 2, 3, 4]", "7", "levels = 7"),
     "text for a number": ("core_size = 0.6", 'core_size = "0.6"', "core_size = '0.6'"),
     "flag for a number": ("core = 1", "core = true", "cells.core = True"),
     "broken cell count": ("depth = 3", "depth = 2.5", "cells.depth = 2.5"),
-    "no cells": ("inside = 1", "inside = 0", "cells.inside = 0"),
-    "negative": ("layer = 0.8", "layer = -0.8", "depth.layer = -0.8"),
     "not a number": ("extent = 4.0", "extent = nan", "domain.extent = nan"),
-    "infinite": ("extent = 4.0", "extent = inf", "domain.extent = inf"),
-    "margin inside the contact": ("margin_size = 1.4", "margin_size = 0.9", "margin_size = 0.9"),
     "margin on the contact": ("margin_size = 1.4", "margin_size = 1", "margin_size = 1, .* more than 1, to 1000"),
     "growth of nothing": ("growth = 8.0", "growth = 1.0", "domain.growth = 1.0"),
     "size of nothing": ("core_size = 0.6", "core_size = 0.0", "core_size = 0.0, accepted: a number, more than 0"),
     "bulge inwards": ("core_bulge = 0.5", "core_bulge = -0.1", "core_bulge = -0.1, accepted: a number, 0 or more"),
     "too many cells": ("depth = 3", "depth = 1001", "depth = 1001, accepted: a whole number, 1 or more, to 1000"),
     "levels too near": ("[1, 2, 3, 4]", "[10, 20, 25]", "1.3 times"),
-    "unknown in a section": ("edge_grading = 1.5", "edge_gradin = 1.5", r"\[patch\].*edge_grading"),
     "missing section": ("[depth]", "[depht]", "depht"),
     "section no table": ("[domain]", "[[domain]]", r"\[domain\]"),
 }
@@ -82,13 +73,6 @@ def test_a_mistake_is_named_in_one_line(tmp_path: Path, fault: str) -> None:
     assert old in text
     (tmp_path / "race.toml").write_text(text.replace(old, new, 1), "utf-8")
     with pytest.raises(InputError, match=f"mesh recipe race.*{named}") as caught:
-        parse_recipe(tmp_path / "race.toml", name="race")
-    assert "\n" not in str(caught.value)
-
-
-def test_a_file_that_is_not_text_is_named(tmp_path: Path) -> None:
-    (tmp_path / "race.toml").write_bytes(b"\xff\xfe\x00 geometry")
-    with pytest.raises(InputError, match="mesh recipe race") as caught:
         parse_recipe(tmp_path / "race.toml", name="race")
     assert "\n" not in str(caught.value)
 

@@ -113,26 +113,6 @@ def test_touching_nodes_are_those_of_the_race(contact: Contact) -> None:
     np.testing.assert_array_equal(piece.side, np.sign(np.where(np.abs(places[1]) < 1e-12 * AXES[0], 0.0, places[1])))
 
 
-@BOTH
-def test_layers_under_the_contact_are_as_thick_as_those_of_the_race(contact: Contact) -> None:
-    """They scale with the thickness of the ring at the contact, a few per cent other than at the groove's bottom."""
-    body = ring_piece(contact, RACE, 2, AXES).body
-    race = race_block(contact, RACE, 2, Footprint(semi_axes=AXES, half=True), False)
-    middle = np.argmin(np.hypot(*race.mesh.doflocs[:2, race.touching]))
-
-    def depths(across: np.ndarray, along: np.ndarray, first: int) -> np.ndarray:
-        below = np.hypot(*(across - across[:, [first]])) < 1e-9
-        return np.sort(np.abs(along[below] - along[first]))[1:5]
-
-    place = body.mesh.doflocs
-    radius = radii(contact, place)
-    turned = np.array([place[0] / radius * radius[body.touching[middle]], place[1]])
-    found = depths(turned, radius, body.touching[middle])
-    expected = depths(race.mesh.doflocs[:2], race.mesh.doflocs[2], race.touching[middle])
-    assert found.size == expected.size == 4
-    np.testing.assert_allclose(found, expected, rtol=0.1)
-
-
 def test_the_frames_differ_by_a_rotation() -> None:
     turned = into_ring(INNER, np.eye(3))
     np.testing.assert_allclose(turned @ turned.T, np.eye(3), atol=1e-15)

@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 
-from fembearing.mesh.footprint import is_symmetric
 from fembearing.mesh.race import race_height
 from tests.contacts import INNER
 
@@ -21,8 +20,3 @@ def test_a_washer_is_the_limit_of_ever_larger_rings() -> None:
         np.testing.assert_allclose(height, ring, atol=1e-8)  # x^2/2R is 2e-9 m, rise^2/2R less
     profile = 4.2e-3 - np.sqrt(4.2e-3**2 - np.clip(y, -1.4e-3, 1.7e-3) ** 2)
     np.testing.assert_allclose(height, profile, rtol=1e-9, atol=1e-15)  # round-off of a small difference
-
-
-def test_equal_shoulders_make_it_symmetric() -> None:
-    assert not is_symmetric(WASHER)
-    assert is_symmetric(replace(WASHER, far_shoulder=1.7e-3))

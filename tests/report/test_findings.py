@@ -1,6 +1,5 @@
 """The headline of a check: the largest difference from each reference, and the verdict with its reason."""
 
-import json
 from dataclasses import replace
 from io import StringIO
 
@@ -9,9 +8,8 @@ from rich.console import Console
 
 from fembearing.check.validation import Validation
 from fembearing.cli.status import STATUS
-from fembearing.plain_types import plain
 from fembearing.report.findings import Finding
-from fembearing.report.report import Report, report_in
+from fembearing.report.report import Report
 from fembearing.report.terminal.validation import print_headline
 from tests.analytic.specimens import present
 from tests.report.test_measured import TWO
@@ -67,10 +65,6 @@ def test_what_measured_torques_miss_stands_before_the_references(document: Repor
 def test_without_friction_there_is_no_torque(document: Report) -> None:
     lines = printed(replace(document, torque=None, torque_change=None))
     assert "No torque:" in " ".join(lines)
-
-
-def test_findings_are_read_again(document: Report) -> None:
-    assert report_in(json.loads(json.dumps(plain(document)))).findings == document.findings
 
 
 def test_the_command_prints_tables_with_details_alone(

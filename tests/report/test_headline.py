@@ -1,9 +1,7 @@
 """The headline of a torque: its words and numbers against those of the result."""
 
-from collections.abc import Sequence
 from dataclasses import replace
 from io import StringIO
-from typing import Any
 
 import numpy as np
 import pytest
@@ -15,17 +13,16 @@ from fembearing.report.headline import (
     declared_by,
     film_words,
     headline_table,
-    headline_title,
     side_by_side,
     span_of,
     split_of,
     torque_headline,
     torque_words,
 )
+from fembearing.report.sections.torque import headline_section
 from fembearing.report.tables.table import Table
+from fembearing.report.terminal.sections import print_sections
 from fembearing.report.terminal.table import show
-from fembearing.report.terminal.torque import print_headline
-from fembearing.report.torque import Band, TorqueRecord, torque_record
 from tests.analytic.specimens import present
 
 
@@ -36,7 +33,7 @@ def result() -> SceneTorque:
 
 def lines_of(result: SceneTorque) -> list[str]:
     out = StringIO()
-    print_headline(Console(file=out, width=80), result)
+    print_sections(Console(file=out, width=80), [headline_section(result)])
     return out.getvalue().splitlines()
 
 
@@ -93,58 +90,42 @@ def test_scenes_side_by_side_have_one_row_each(result: SceneTorque) -> None:
     assert [line.split()[0] for line in out.getvalue().splitlines()[3:5]] == list(names)
 
 
-def record_of(result: SceneTorque, *, totals: Sequence[float], **changed: Any) -> TorqueRecord:
-    """The record with one point for each of these totals, N m, at 10, 20, ... rad/s, each with the same shares."""
-    record = torque_record(result)
-    (point,) = record.points
-    own = point.torque.total
-    points = []
-    for number, total in enumerate(totals, start=1):
-        parts = {name: value and value * total / own for name, value in vars(point.torque).items()}
-        torque = replace(point.torque, **parts)
-        points.append(replace(point, inner_speed=10.0 * number, torque=torque))
-    count = len(points)
-    band = Band(low=None, high=None, values={}, note="")
-    usual: dict[str, Any] = {"points": tuple(points), "interval": (None,) * count, "catalogue_band": band}
-    return replace(record, **(usual | changed))
-
-
 def cells_of(table: Table) -> list[list[str]]:
     return [[str(cell) for cell in row] for group in table.groups for row in group.rows]
 
 
-def test_a_long_series_is_told_by_six_of_its_points_with_both_ends(result: SceneTorque) -> None:
-    for count, places in ((6, range(6)), (7, (0, 1, 2, 4, 5, 6)), (11, range(0, 11, 2))):
-        record = record_of(result, totals=[1e-3 * (20 + number) for number in range(count)])
-        table = headline_table(result.scene, record)
-        column = [head.text for head in table.heads].index("torque, N mm")
-        assert [row[column] for row in cells_of(table)] == [f"{20 + place}" for place in places]
-        said = " ".join(table.notes)
-        assert (f"6 of {count} operating points" in said) == (count > 6)
-        assert "No interval" in said
-        assert "skipped" not in said
+@pytest.fixture(scope="module")
+def series() -> SceneTorque:
+    loads = [f"{load} N" for load in range(300, 1000, 100)]
+    return torque_of_scene(load_scene("6205-dry", axial_load=loads, speed="400 rpm"))
 
 
-def test_a_series_is_told_from_its_least_to_its_greatest(result: SceneTorque) -> None:
-    record = record_of(result, totals=[0.05, 0.02, 0.03], interval=((0.04, 0.07), (0.01, 0.03), (0.02, 0.09)))
-    found = span_of(record)
-    assert (found.torque, found.interval, found.power) == ("20-50", "10-90", "0.4-0.9")  # W at 10, 20 and 30 rad/s
-    assert span_of(replace(record, interval=(None, (0.01, 0.03), (0.02, 0.09)))).interval == "not known"
-    assert torque_words(record).startswith("torque 20-50 N mm at 3 points, 95 % 10-90, 0.4-0.9 W: ")
-    alone = record_of(result, totals=[0.05], interval=((0.04, 0.07),))
-    assert torque_words(alone).startswith("torque 50 N mm, 95 % 40-70, 0.5 W: ")
+def test_a_long_series_is_told_by_six_of_its_points_with_both_ends(series: SceneTorque) -> None:
+    table = headline_table(series)
+    assert [row[0] for row in cells_of(table)] == ["1", "2", "3", "5", "6", "7"]
+    assert "6 of 7 operating points" in " ".join(table.notes)
+    assert "No interval" in " ".join(headline_table(replace(series, interval=None)).notes)
+
+
+def test_a_series_is_told_from_its_least_to_its_greatest(series: SceneTorque) -> None:
+    found, totals = span_of(series), 1e3 * series.friction.torque.total
+    low, high = 1e3 * present(series.interval)
+    assert found.torque == f"{totals.min():.4g}-{totals.max():.4g}"
+    assert found.interval == f"{low.min():.3g}-{high.max():.3g}"
+    assert torque_words(series).startswith(f"torque {found.torque} N mm at 7 points, 95 % {found.interval}, ")
 
 
 def test_the_parts_are_shares_of_the_total_from_the_largest_and_none_of_0_per_cent(result: SceneTorque) -> None:
-    (point,) = torque_record(result).points
-    parts = dict.fromkeys(vars(point.torque))
+    (point,) = result.points
+    parts = dict.fromkeys((name for name in point if name.startswith("torque_")), None)
     for values, words in (
         ({"rolling": 0.012, "hysteresis": 0.002, "conformity": 0.006}, "roll. 60 %, conf. 30 %, hyst. 10 %"),
         ({"rolling": 0.0199, "hysteresis": 0.00009}, "roll. 100 %"),
         ({"rolling": 0.0198, "hysteresis": 0.00012}, "roll. 99 %, hyst. 1 %"),
         ({"rolling": 0.002, "declared": 0.018}, "seals 90 %, roll. 10 %"),
     ):
-        shares = split_of(replace(point, torque=replace(point.torque, **(parts | values | {"total": 0.02}))), "seals")
+        given = {f"torque_{name}": value for name, value in (values | {"total": 0.02}).items()}
+        shares = split_of({**point, **parts, **given}, "seals")
         assert shares == words
 
 
@@ -157,7 +138,7 @@ def test_the_parts_are_shares_of_the_total_from_the_largest_and_none_of_0_per_ce
 )
 def test_seals_and_drag_are_named_as_what_they_are(losses: dict[str, str], words: str) -> None:
     scene = load_scene("6206", settings={f"losses.{key}": value for key, value in losses.items()})
-    assert declared_by(torque_record(torque_of_scene(scene))) == words
+    assert declared_by(torque_of_scene(scene, estimate=False)) == words
 
 
 def test_the_film_is_full_mixed_or_boundary_by_what_the_asperities_carry(result: SceneTorque) -> None:
@@ -183,18 +164,3 @@ def test_the_film_is_full_mixed_or_boundary_by_what_the_asperities_carry(result:
         {"asperity_share": replace(friction.asperity_share, inner=None)},
     ):
         assert film_words(replace(result, friction=replace(friction, **lacking))) is None
-
-
-def test_the_title_has_the_loads_and_the_speed_that_are_the_same_everywhere(result: SceneTorque) -> None:
-    scene = result.scene
-    record = record_of(result, totals=[0.02, 0.03])
-    words = "6206, radial 2000 N, ISO VG 46"
-    assert headline_title(scene, record).startswith(words)  # two speeds
-    first, second = record.points
-    alike = replace(record, points=(first, replace(second, inner_speed=first.inner_speed)))
-    assert "radial 2000 N, 95.493 rpm, ISO VG 46" in headline_title(scene, alike)
-    other = replace(record, points=(first, replace(second, radial_load=900.0, axial_load=0.0)))
-    assert headline_title(scene, other).startswith("6206, ISO VG 46")
-    assert headline_title(replace(scene, lubricant=None), alike).endswith("95.493 rpm, dry")
-    dry = replace(scene, lubricant=None, friction_coefficient=0.08)
-    assert headline_title(dry, alike).endswith("95.493 rpm, friction coefficient 0.08")

@@ -1,6 +1,5 @@
 """Measured torques in a report: its section, its figure, its table, and report.json read again."""
 
-import json
 from dataclasses import replace
 from io import StringIO
 from pathlib import Path
@@ -8,11 +7,10 @@ from pathlib import Path
 import pytest
 from rich.console import Console
 
-from fembearing.plain_types import plain
 from fembearing.report.figures.page_plots import PLOTS
 from fembearing.report.page import write as page_module
 from fembearing.report.page.write import page_of
-from fembearing.report.report import Report, report_in
+from fembearing.report.report import Report
 from fembearing.report.terminal.validation import print_details
 from tests.report.measured_rows import TWO
 
@@ -32,11 +30,6 @@ def test_the_section_stands_in_the_page_and_the_summary_says_what_is_missed(
     assert page.count('alt="Measured and computed torque"') == 1
     assert "too high" in page
     assert "Measured torques</h2>" not in page_of(document, tmp_path)
-
-
-def test_report_json_is_read_again(with_measured: Report) -> None:
-    again = report_in(json.loads(json.dumps(plain(with_measured))))
-    assert again.measured == TWO
 
 
 def test_the_terminal_prints_the_table(with_measured: Report) -> None:

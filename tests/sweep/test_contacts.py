@@ -1,14 +1,10 @@
 """Contacts in a sweep, and results as datasets and as tables of a notebook."""
 
-import re
 from collections.abc import Callable
 from pathlib import Path
 
-import numpy as np
 import pytest
 
-from analytic.scenefile.read import load_scene
-from analytic.torque import friction_torque
 from fembearing.check.contact import scene_contact, solution
 from fembearing.check.contact.solution import ContactSolution
 from fembearing.mesh.recipe import Recipe
@@ -50,18 +46,3 @@ def test_contacts_of_half_spaces_agree_with_hertz(
     table = solved[0]._repr_html_()
     assert f"<td>{solved[0].numbers.reference.approach:.5g}</td>" in table
     assert table.count("<tr>") == 6
-
-
-def test_a_torque_becomes_a_dataset_and_a_table() -> None:
-    result = friction_torque(load_scene("6205-dry"))
-    found = result.to_dataset()
-    np.testing.assert_array_equal(found["torque_total"], result.torque.total)
-    np.testing.assert_array_equal(found["peak_pressure_outer"], result.outer.peak_pressure)
-    np.testing.assert_array_equal(found["inner_speed"], result.inner_speed)
-    assert "film_inner" not in found  # no lubricant
-    assert {part.attrs["units"] for part in found.values()} == {"N m", "1", "rad", "N", "m", "Pa"}
-    table = result._repr_html_()
-    assert table.count("<tr>") == 6
-    assert f"<td>{1e3 * result.torque.total[0]:.4g}</td>" in table
-    assert "<td>100</td>" in table  # rpm
-    assert re.fullmatch(r"<table>.*</table>", table)

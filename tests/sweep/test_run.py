@@ -12,11 +12,9 @@ import numpy as np
 import pytest
 import xarray
 
-from analytic import catalog
 from analytic.errors import InputError, StorageError
 from analytic.prediction.prediction import predict
 from analytic.scenefile.law_packages import installed_law
-from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
 from fembearing.sweep import parts
 from fembearing.sweep.grid import Grid, load_grid
@@ -70,56 +68,6 @@ def test_every_point_is_the_torque_of_its_own_scene(grid_file: Write, tmp_path: 
         equal = 1e-3 if free else 1e-9  # friction across the grooves is a tenth of the load, and its error a hundredth
         np.testing.assert_allclose(float(here["contact_angle"]), alone.contact_angle[0], rtol=equal)
         np.testing.assert_allclose(float(here["load_outer"]), alone.outer.load[0], rtol=equal)
-
-
-@pytest.mark.usefixtures("in_process")
-def test_bearings_oils_and_surfaces_are_those_that_a_user_would_write(
-    grid_file: Write, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    other = catalog.path("bearings", "paper_6205").read_text("utf-8").replace("ball_count = 9", "ball_count = 8")
-    (tmp_path / "6299.toml").write_text(other, "utf-8")
-    places, names = catalog.path, catalog.names
-    monkeypatch.setattr(catalog, "path", lambda k, name: tmp_path / "6299.toml" if name == "6299" else places(k, name))
-    monkeypatch.setattr(catalog, "names", lambda kind: (*names(kind), *(["6299"] if kind == "bearings" else [])))
-    oiled = changed(SPEEDS, '"300 rpm"', OILED)
-    (tmp_path / "oiled.toml").write_text(oiled, "utf-8")
-    axes = {
-        "bearing.catalog": ["paper_6205", "6299"],
-        "lubricant.viscosity": ["0.013 Pa s", "77 mPa s"],
-        "surface.rms_roughness": ["0.05 um", "310 nm"],
-    }
-    lines = "\n".join(f"{key} = {values}" for key, values in axes.items())
-    found = run_sweep(grid_file(lines, head='scene = "oiled.toml"', scene=""), out=tmp_path / "out").to_dataset()
-    assert found["torque_total"].dims == ("bearing", "viscosity", "rms_roughness")
-    assert found["bearing"].values.tolist() == axes["bearing.catalog"]
-    np.testing.assert_array_equal(found["viscosity"], [0.013, 0.077])
-    np.testing.assert_array_equal(found["rms_roughness"], [5e-8, 3.1e-7])
-    for point in np.ndindex(2, 2, 2):
-        text = oiled
-        for before, values, index in zip(("paper_6205", "60 mPa s", "0.1 um"), axes.values(), point, strict=True):
-            text = text.replace(f'"{before}"', f'"{values[index]}"')
-        alone = friction_torque(parse_scene(text, origin="written"))
-        for name, expected in (("torque_total", alone.torque.total), ("film_inner", alone.film.inner)):
-            assert expected is not None
-            # 1e-12: the values are the same, computed in the same way, but for the round-off of their units
-            np.testing.assert_allclose(found[name].values[point], expected[0], rtol=1e-12)
-
-
-@pytest.mark.usefixtures("in_process")
-def test_the_dataset_has_units_and_its_origin(grid_file: Write, tmp_path: Path) -> None:
-    path = grid_file(AXES)
-    found = run_sweep(path, out=tmp_path / "out").to_dataset()
-    assert found["torque_total"].attrs["units"] == "N m"
-    assert found["inner_speed"].attrs == {
-        "units": "rad/s",
-        "long_name": "speed of the inner ring",
-        "key": "operation.inner_speed",
-    }
-    assert found["coefficient"].attrs["units"] == "1"
-    for name, variable in found.data_vars.items():
-        assert variable.attrs["long_name"], name
-    assert found.attrs["grid"] == path.read_text("utf-8")
-    assert {"title", "date", "command", "versions", "scene_sha256", "fembearing", "warnings"} <= set(found.attrs)
 
 
 @pytest.mark.usefixtures("short_pieces")
@@ -347,13 +295,6 @@ def test_a_bug_is_raised_when_all_other_points_are_done(
 
 
 @pytest.mark.usefixtures("in_process")
-def test_a_scene_that_fails_everywhere_is_a_mistake(grid_file: Write, tmp_path: Path) -> None:
-    path = grid_file('bearing.ball_material.hardness = ["6 GPa", "7 GPa"]')  # the catalog's word is no table
-    with pytest.raises(InputError, match=r"bearing\.ball_material\.youngs_modulus is missing"):
-        run_sweep(path, out=tmp_path / "out")
-
-
-@pytest.mark.usefixtures("in_process")
 def test_a_grid_with_samples_has_the_interval_of_each_point(grid_file: Write, tmp_path: Path) -> None:
     axes = 'operation.axial_load = ["300 N", "700 N"]\nfriction.coefficient = [0.05, 0.1]\n'
     path = grid_file(axes, head="samples = 48")
@@ -370,15 +311,6 @@ def test_a_grid_with_samples_has_the_interval_of_each_point(grid_file: Write, tm
 
 
 @pytest.mark.usefixtures("in_process")
-def test_too_few_samples_are_refused_before_any_point(grid_file: Write, tmp_path: Path) -> None:
-    path = grid_file("friction.coefficient = [0.05]\n", head="samples = 9")
-    with pytest.raises(
-        InputError, match=r"toml: samples = 9: an interval of 95 % with \d uncertain inputs needs at lea"
-    ):
-        run_sweep(path, out=tmp_path / "out")
-
-
-@pytest.mark.usefixtures("in_process")
 def test_a_point_without_its_interval_keeps_its_torque_and_counts_as_failed(grid_file: Write, tmp_path: Path) -> None:
     """An angle that is so uncertain passes the shoulder in many samples, which then have no torque."""
     axes = 'uncertainty.bearing.contact_angle.free = ["0.02 rad", "1 rad"]'
@@ -388,19 +320,6 @@ def test_a_point_without_its_interval_keeps_its_torque_and_counts_as_failed(grid
     assert re.match(r"no interval: \d+ of 64 samples have no torque", run.reasons[0])
     assert np.all(np.isfinite(found["torque_total"]))
     np.testing.assert_array_equal(np.isfinite(found["torque_low"]), [True, False])
-
-
-@pytest.mark.parametrize(
-    ("head", "complaint"),
-    [
-        ("samples = 0", "samples = 0 is not a number of samples; give a whole number from 1"),
-        ("samples = true", "samples = True is not a number of samples"),
-        ('samples = 64\nwhat = "contact"', "samples are of the interval of a torque"),
-    ],
-)
-def test_wrong_samples_give_one_line(grid_file: Write, head: str, complaint: str) -> None:
-    with pytest.raises(InputError, match=complaint):
-        load_grid(grid_file("friction.coefficient = [0.05]\n", head=head))
 
 
 @pytest.mark.usefixtures("in_process")

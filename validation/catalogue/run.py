@@ -22,7 +22,7 @@ from pathlib import Path
 import numpy as np
 
 from analytic.contact.hertz import hertz_contact
-from validation.rows import read
+from validation.study import read
 
 HERE = Path(__file__).parent
 ROWS = HERE.parents[1] / "analytic" / "catalog" / "bearings"

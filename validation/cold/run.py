@@ -5,22 +5,18 @@ interval, the torque with SKF's replenishment factor and without starvation, and
 writes cold.md and draws cold.png into this folder.
 """
 
-import argparse
 from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
-import matplotlib as mpl
 import numpy as np
-from matplotlib.figure import Figure
 
 from analytic.makers import scene_band
 from analytic.oil.variation import Variation
 from analytic.prediction.first_order import first_order_ends
 from analytic.scenefile.read import load_scene
 from analytic.torque import friction_torque
-
-mpl.use("agg")
+from validation.study import Out, figure, markdown, run, save, write_text
 
 HERE = Path(__file__).parent
 BEARING, OIL, LOAD, SPEED = "6206", "ISO VG 68", "2 kN", "1500 rpm"
@@ -62,20 +58,25 @@ def at(temperature: float) -> Cold:
 
 def table(found: list[Cold]) -> Iterator[str]:
     """Torques over the temperature, Markdown."""
-    makers = list(found[0].makers)
-    yield "| oil, degC | left of rolling | torque | 95 % | flooded | " + " | ".join(makers) + " |"
-    yield "| --- " * (5 + len(makers)) + "|"
-    for each in found:
-        torques = (each.torque, each.flooded, *each.makers.values())
-        torque, flooded, *others = (f"{value:.3g}" if value < 1e3 else f"{value:.0f}" for value in torques)
-        cells = [f"{each.temperature}", f"{each.left:.2g}", torque, f"{each.low:.3g} to {each.high:.4g}", flooded]
-        yield "| " + " | ".join([*cells, *others]) + " |"
+
+    def shown(torque: float) -> str:
+        return f"{torque:.3g}" if torque < 1e3 else f"{torque:.0f}"
+
+    heads = ("oil, degC", "left of rolling", "torque", "95 %", "flooded", *found[0].makers)
+    yield from markdown(
+        heads,
+        (
+            (each.temperature, f"{each.left:.2g}", shown(each.torque), f"{each.low:.3g} to {each.high:.4g}",
+             shown(each.flooded), *map(shown, each.makers.values()))
+            for each in found
+        ),
+    )  # fmt: skip
 
 
 def draw(found: list[Cold], path: Path) -> None:
     """Torques over the temperature, with the interval as a band."""
-    figure = Figure(figsize=(8, 4.6), layout="constrained")
-    axis, places = figure.subplots(), [each.temperature for each in found]
+    drawn = figure(8, 4.6)
+    axis, places = drawn.subplots(), [each.temperature for each in found]
     band = ([each.low for each in found], [each.high for each in found])
     axis.fill_between(places, *band, color="0.88", label="95 % interval")
     axis.plot(places, [each.torque for each in found], "k-", label="torque: starved as a running bearing")
@@ -86,20 +87,14 @@ def draw(found: list[Cold], path: Path) -> None:
     axis.grid(which="both", color="0.93")
     axis.legend(fontsize=9)
     axis.set_title(f"{BEARING}, {LOAD} radial, {SPEED}, {OIL}, oil bath", fontsize=10)
-    figure.savefig(path, dpi=120)
+    save(drawn, path, dpi=120)
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--out", type=Path, default=HERE, help="folder for cold.md and cold.png")
-    folder = parser.parse_args().out
+def main(out: Out = HERE) -> None:
     found = [at(temperature) for temperature in TEMPERATURES]
-    lines = list(table(found))
-    folder.mkdir(parents=True, exist_ok=True)
-    (folder / "cold.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
-    print("\n".join(lines))  # noqa: T201
-    draw(found, folder / "cold.png")
+    write_text(out / "cold.md", table(found))
+    draw(found, out / "cold.png")
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -7,11 +7,10 @@ size until the block is as large as the ball, and is therefore defined as that o
 in `fembearing.check.contact.meshed_region` were chosen on seeds 300 to 344. Takes four minutes.
 """
 
-import argparse
+from typing import Annotated
 
-from rich.console import Console
+import typer
 from rich.progress import track
-from rich.table import Table
 
 from analytic.errors import FembearingError
 from analytic.scene import Contact
@@ -22,25 +21,25 @@ from fembearing.fem.twin import TwinSolution, twin_factors, twin_on_level
 from fembearing.mesh import race
 from fembearing.mesh.recipe import load_recipe
 from validation.intervals.twin import random_contact
+from validation.study import progress, run, show
 
 RECIPE, TIMES = load_recipe("race"), (2.0, 4.0, 8.0)
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--contacts", type=int, default=45, help="number of contacts")
-    parser.add_argument("--seed", type=int, default=300, help="first seed")
-    given = parser.parse_args()
-    table = Table("seed", "pair", "b/r", "groove/block", *(f"{times:g} times" for times in TIMES))
-    table.title = "change of a, b, peak pressure and approach, 1e-5"
-    for seed in track(range(given.seed, given.seed + given.contacts), console=Console(stderr=True)):
+def main(
+    contacts: Annotated[int, typer.Option(help="Number of contacts.")] = 45,
+    first: Annotated[int, typer.Option("--seed", help="First seed.")] = 300,
+) -> None:
+    rows = []
+    for seed in track(range(first, first + contacts), console=progress):
         contact = random_contact(seed)
         try:
             shape, changes = changes_with_size(contact)
         except FembearingError as problem:
             shape, changes = ("", ""), [str(problem)[:40]]
-        table.add_row(str(seed), contact.pair, *shape, *changes)
-    Console(width=170).print(table)
+        rows.append((seed, contact.pair, *shape, *changes))
+    heads = ("seed", "pair", "b/r", "groove/block", *(f"{times:g} times" for times in TIMES))
+    show(heads, rows, "change of a, b, peak pressure and approach, 1e-5")
 
 
 def changes_with_size(contact: Contact) -> tuple[tuple[str, str], list[str]]:
@@ -81,4 +80,4 @@ def changes_with_size(contact: Contact) -> tuple[tuple[str, str], list[str]]:
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

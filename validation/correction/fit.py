@@ -15,13 +15,12 @@ from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
-from rich.console import Console
-from rich.table import Table
 
 from analytic import catalog
 from analytic.contact.finite_geometry import ContactShape, shape_bases
 from analytic.contact.finite_geometry_fit import OFF_SHOULDER, SMALL
 from validation.correction.solve import BOX, HERE, QUANTITIES, RANGE, read_rows
+from validation.study import numbers, run, show
 
 STORED = catalog.path("corrections", "finite_geometry")
 MOST_TERMS = 40
@@ -30,7 +29,6 @@ LEAST_UNCERTAINTY = 3e-4  # half-width of a solve; below it the misfit of the fi
 NOISE = 0.25  # mean square error of a solve in units of its 95 % half-width, which is two standard deviations
 Array = NDArray[np.float64]
 Powers = dict[str, int]
-out = Console(width=120)
 
 
 def monomial(bases: Mapping[str, Array], powers: Mapping[str, int]) -> Array:
@@ -73,15 +71,15 @@ def main() -> None:
     STORED.parent.mkdir(exist_ok=True)
     STORED.write_text("\n".join(toml(fits, fitted, held_out, bearings)) + "\n", "utf-8")
     heads = ("quantity", "terms", "set", "contacts", "Hertz rms", "rms", "95 %", "worst", "solves +-")
-    table = Table(*heads, title="Relative error of the corrected Hertz against finite elements")
+    shown = []
     for name, fit in fits.items():
         sets = (("left out", fitted, fit.left_out), ("held out", held_out, None), ("bearing", bearings, None))
         for group, solves, known in sets:
             error = fit.error(solves, name) if known is None else known
             each = (rms(solves.ratio[name] - 1), *spread(error).values(), float(np.median(solves.uncertainty[name])))
             terms = str(len(fit.terms)) if known is not None else ""
-            table.add_row(name, terms, group, str(error.size), *(f"{100 * value:.3f} %" for value in each))
-    out.print(table)
+            shown.append((name, terms, group, error.size, *(f"{100 * value:.3f} %" for value in each)))
+    show(heads, shown, "Relative error of the corrected Hertz against finite elements")
 
 
 def solves_of(*groups: str) -> Solves:
@@ -90,14 +88,10 @@ def solves_of(*groups: str) -> Solves:
     if "beyond" not in groups:
         rows = [row for row in rows if float(row["size"]) <= BOX["size"][1]]
         rows = [row for row in rows if float(row["shoulder"]) >= OFF_SHOULDER * float(row["size"])]
-
-    def column(name: str) -> Array:
-        return np.array([float(row[name]) for row in rows])
-
     return Solves(
-        shape=ContactShape(**{name: column(name) for name in (*BOX, "far_shoulder", "contact_angle")}),
-        ratio={name: column(name) for name in QUANTITIES},
-        uncertainty={name: column(f"{name}_uncertainty") for name in QUANTITIES},
+        shape=ContactShape(**{name: numbers(rows, name) for name in (*BOX, "far_shoulder", "contact_angle")}),
+        ratio={name: numbers(rows, name) for name in QUANTITIES},
+        uncertainty={name: numbers(rows, f"{name}_uncertainty") for name in QUANTITIES},
         name=[row["name"] for row in rows],
         solver={row["solver"] for row in rows},
     )
@@ -230,4 +224,4 @@ def size_of(solves: Solves) -> int:
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -7,18 +7,18 @@ from quarter to half, at the angle and without it; then the mean of two quarters
 `--fine` adds the change of the first on the third level. Takes two minutes, with `--fine` ten.
 """
 
-import argparse
 from dataclasses import replace
+from typing import Annotated
 
 import numpy as np
-from rich.console import Console
-from rich.table import Table
+import typer
 
 from analytic.scene import Array, Contact
 from fembearing.fem.solution import fitted_solution, solve_on_mesh
 from fembearing.mesh.footprint import Sides
 from fembearing.mesh.recipe import load_recipe
-from validation.correction.solve import QUANTITIES, contact_of_shape
+from validation.correction.solve import QUANTITIES, STEEL, contact_of_shape
+from validation.study import run, show
 
 # Rolling curvature r/R, contact angle in degrees, size b/r, and both shoulders over r
 CASES = (
@@ -34,19 +34,15 @@ CASES = (
     (-0.17, 40, 0.13, 0.34, 0.69),
     (-0.17, 40, 0.3, 0.4, 0.9),
 )
-STEEL = {"conformity": 0.52, "ball_poisson_ratio": 0.3, "race_poisson_ratio": 0.3, "ball_share": 0.5}
 RECIPE = load_recipe("race")
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--fine", action="store_true", help="the third level too")
-    fine = parser.parse_args().fine
+def main(fine: Annotated[bool, typer.Option(help="The third level too.")] = False) -> None:
     columns = ("half over quarter", "the same at 0 degrees", "mean of two quarters over half")
-    table = Table("r/R", "angle", "b/r", "shoulders", *columns, *(("the first, level 3",) if fine else ()))
-    table.title = "a, b, peak pressure and approach, changes in 1e-5"
+    heads = ("r/R", "angle", "b/r", "shoulders", *columns, *(("the first, level 3",) if fine else ()))
+    rows = []
     for curvature, degrees, size, shoulder, far_shoulder in CASES:
-        shape = STEEL | {"rolling_curvature": curvature, "size": size, "shoulder": shoulder}
+        shape = STEEL | {"conformity": 0.52, "rolling_curvature": curvature, "size": size, "shoulder": shoulder}
         shape |= {"far_shoulder": far_shoulder, "contact_angle": np.radians(degrees)}
         tilted = contact_of_shape(shape)
         flat = replace(tilted, contact_angle=0.0)
@@ -58,8 +54,8 @@ def main() -> None:
         if fine:
             found.append(solved(tilted, semi_axes, sides="both", level=3) / solved(tilted, semi_axes, level=3))
         words = (", ".join(f"{1e5 * (ratio - 1):.1f}" for ratio in ratios) for ratios in found)
-        table.add_row(f"{curvature:g}", f"{degrees:g}", f"{size:g}", f"{shoulder:g}, {far_shoulder:g}", *words)
-    Console(width=150).print(table)
+        rows.append((curvature, degrees, size, f"{shoulder:g}, {far_shoulder:g}", *words))
+    show(heads, rows, "a, b, peak pressure and approach, changes in 1e-5")
 
 
 def solved(contact: Contact, semi_axes: tuple[float, float], *, sides: Sides = "even", level: int = 2) -> Array:
@@ -69,4 +65,4 @@ def solved(contact: Contact, semi_axes: tuple[float, float], *, sides: Sides = "
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -25,8 +25,6 @@ from typing import Annotated
 
 import numpy as np
 import typer
-from rich.console import Console
-from rich.progress import track
 from scipy.stats import qmc
 
 from analytic.contact.finite_geometry_fit import OFF_SHOULDER
@@ -37,7 +35,7 @@ from analytic.scene import Contact, Material
 from fembearing.check.contact.hertz import hertz_quantities
 from fembearing.check.contact.refinement import solve_reference
 from fembearing.mesh.recipe import load_recipe
-from validation.rows import Row, read, write
+from validation.study import Row, continued, read, run
 
 HERE = Path(__file__).parent
 SOLVES, BEARINGS = HERE / "solves.csv", HERE / "bearings.toml"
@@ -80,6 +78,8 @@ MATERIALS = {  # E, nu; typical values
     "silicon nitride": (310e9, 0.26),
     "peek": (3.6e9, 0.38),
 }
+STEEL = {"ball_poisson_ratio": 0.3, "race_poisson_ratio": 0.3, "ball_share": 0.5}
+Drawn = tuple[str, int, str, dict[str, float]]  # set, number, name, shape
 RADIUS, MODULUS = 5e-3, 113e9  # r, m; E*, Pa; the ratios do not depend on them
 
 
@@ -91,8 +91,6 @@ def main(
     shoulders: Annotated[int, typer.Option(help="Contacts of the set `shoulders`.")] = 88,
     shoulders_held_out: Annotated[int, typer.Option(help="Contacts of the set `shoulders held out`.")] = 44,
 ) -> None:
-    rows = read_rows()
-    done = {(row["set"], row["number"]) for row in rows}
     wanted = [
         *drawn("fit", fit),
         *drawn("held out", held_out),
@@ -102,14 +100,16 @@ def main(
         *under_catalogue_loads(shoulders_held_out),
     ]
     origin = {"solver": solver_commit(), "date": datetime.now(UTC).date().isoformat()}
-    ahead = [each for each in wanted if (each[0], str(each[1])) not in done]
-    for group, number, name, shape in track(ahead, console=Console(stderr=True)):
-        rows.append({"set": group, "number": str(number), "name": name} | origin | solved(shape))
-        write(rows, SOLVES, COLUMNS, about=provenance())
-    write(rows, SOLVES, COLUMNS, about=provenance())
+
+    def row_of(task: Drawn) -> list[Row]:
+        group, number, name, shape = task
+        return [{"set": group, "number": str(number), "name": name} | origin | solved(shape)]
+
+    tasks = {(group, str(number)): (group, number, name, shape) for group, number, name, shape in wanted}
+    continued(SOLVES, COLUMNS, tasks, row_of, about=provenance())
 
 
-def drawn(group: str, count: int) -> Iterator[tuple[str, int, str, dict[str, float]]]:
+def drawn(group: str, count: int) -> Iterator[Drawn]:
     """Shapes in the box: evenly spread for the fit, random for the held-out set."""
     if group == "fit":
         units = qmc.Sobol(len(BOX), rng=np.random.default_rng(SEED)).random_base2(int(np.ceil(np.log2(max(count, 1)))))
@@ -122,7 +122,7 @@ def drawn(group: str, count: int) -> Iterator[tuple[str, int, str, dict[str, flo
         yield group, number, "", shape | {"shoulder": low + share["shoulder"] * (high - low)}
 
 
-def of_bearings() -> Iterator[tuple[str, int, str, dict[str, float]]]:
+def of_bearings() -> Iterator[Drawn]:
     """Both races of each bearing, each under two random loads."""
     rng, number = np.random.default_rng(SEED + 2), 0
     for bearing in tomllib.loads(BEARINGS.read_text("utf-8"))["bearing"]:
@@ -148,7 +148,7 @@ def of_bearings() -> Iterator[tuple[str, int, str, dict[str, float]]]:
                 number += 1
 
 
-def with_near_shoulders(count: int) -> Iterator[tuple[str, int, str, dict[str, float]]]:
+def with_near_shoulders(count: int) -> Iterator[Drawn]:
     """Outside the box: two of three with shoulders nearer than it allows, one of three nearer than 1.15 semi-axes.
 
     Those from the number KEPT_BACK on are larger than the box allows, one of three.
@@ -161,17 +161,16 @@ def with_near_shoulders(count: int) -> Iterator[tuple[str, int, str, dict[str, f
         else:
             size = rng.uniform(0.35, 0.48) if number < KEPT_BACK else rng.uniform(0.45, 0.5)
             shoulder = size * rng.uniform(1.0, OFF_SHOULDER)
-        steel = {"ball_poisson_ratio": 0.3, "race_poisson_ratio": 0.3, "ball_share": 0.5}
-        shape = {
+        shape = STEEL | {
             "conformity": rng.uniform(0.508, 0.55),
             "rolling_curvature": rng.uniform(-0.2, 0.35),
             "size": size,
             "shoulder": max(shoulder, size),
         }
-        yield "beyond", number, "", shape | steel
+        yield "beyond", number, "", shape
 
 
-def with_unequal_shoulders(count: int) -> Iterator[tuple[str, int, str, dict[str, float]]]:
+def with_unequal_shoulders(count: int) -> Iterator[Drawn]:
     """Shapes of the box with two shoulders and a contact angle; the shoulders are spread evenly in their logarithm."""
     names = [*BOX, "far_shoulder", "contact_angle"]
     units = qmc.Sobol(len(names), rng=np.random.default_rng(SEED + 4)).random_base2(
@@ -196,19 +195,16 @@ def placed_shoulders(shape: dict[str, float], share: dict[str, float]) -> dict[s
     return placed | {"far_shoulder": max(placed["far_shoulder"], bottom)}
 
 
-def under_catalogue_loads(count: int) -> Iterator[tuple[str, int, str, dict[str, float]]]:
+def under_catalogue_loads(count: int) -> Iterator[Drawn]:
     """Random steel contacts of both races in turn, with conformities and loads of catalogue bearings."""
     rng = np.random.default_rng(SEED + 5)
     for number in range(count):
         angle, sign = rng.uniform(*SIDES["contact_angle"]), (1, -1)[number % 2]
         gamma = rng.uniform(0.1, 0.3) * np.cos(angle)
-        shape = {
+        shape = STEEL | {
             "conformity": rng.uniform(0.515, 0.535),
             "rolling_curvature": sign * gamma / (1 - sign * gamma),
             "size": 0.1,
-            "ball_poisson_ratio": 0.3,
-            "race_poisson_ratio": 0.3,
-            "ball_share": 0.5,
             "shoulder": 0.5,
             "contact_angle": angle,
         }
@@ -271,14 +267,16 @@ def read_rows() -> list[Row]:
     ]
 
 
-def provenance() -> Iterator[str]:
-    yield "Contacts of ball and race: finite elements over Hertz, and relative half-widths of their 95 % intervals"
-    yield "generator: python validation/correction/solve.py"
-    yield f"seeds: {SEED} (fit, scrambled Sobol), {SEED + 1} (held out), {SEED + 2} (bearing), {SEED + 3} (beyond)"
-    yield f"seeds_of_shoulders: {SEED + 4} (shoulders, scrambled Sobol), {SEED + 5} (shoulders held out)"
-    yield f"mesh: recipe race, levels {', '.join(map(str, LEVELS))}, extrapolated"
+def provenance() -> list[str]:
     versions = (f"{package} {version(package)}" for package in ("fembearing", "numpy", "scipy", "scikit-fem"))
-    yield f"versions: {', '.join(versions)}"
+    return [
+        "Contacts of ball and race: finite elements over Hertz, and relative half-widths of their 95 % intervals",
+        "generator: python validation/correction/solve.py",
+        f"seeds: {SEED} (fit, scrambled Sobol), {SEED + 1} (held out), {SEED + 2} (bearing), {SEED + 3} (beyond)",
+        f"seeds_of_shoulders: {SEED + 4} (shoulders, scrambled Sobol), {SEED + 5} (shoulders held out)",
+        f"mesh: recipe race, levels {', '.join(map(str, LEVELS))}, extrapolated",
+        f"versions: {', '.join(versions)}",
+    ]
 
 
 def solver_commit() -> str:
@@ -293,4 +291,4 @@ def solver_commit() -> str:
 
 
 if __name__ == "__main__":
-    typer.run(main)
+    run(main)

@@ -5,14 +5,12 @@ force of a paraboloid of the same curvatures whose oil reaches as far as X_eff a
 sides. ln(X_eff/X) depends on four ratios of lengths; it is computed for drawn grooves and fitted by a polynomial.
 """
 
-import argparse
 import json
 from collections.abc import Callable
 from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
-from rich.console import Console
 from scipy.sparse import csr_array
 from scipy.sparse.linalg import spsolve
 from scipy.stats.qmc import Halton
@@ -21,6 +19,7 @@ from analytic.scene import Array
 from fembearing.ehl.contact import Shape
 from fembearing.ehl.grid import Grid, graded_faces
 from fembearing.ehl.shape import BallOnRace, Paraboloid
+from validation.study import out, run
 
 FIT = Path(__file__).parent / "effective_reach.json"
 SEED, COUNT, FRESH = 21, 1200, 200
@@ -121,7 +120,6 @@ def drawn(count: int, seed: int) -> Array:
 
 def main() -> None:
     """Solve, fit, and print the error at fresh grooves."""
-    argparse.ArgumentParser(description=__doc__).parse_args()
     points, fresh = drawn(COUNT, SEED), drawn(FRESH, SEED + 1)
     values = np.array([log_ratio(*each) for each in points])
     terms = powers()
@@ -140,8 +138,8 @@ def main() -> None:
         "fresh_largest": float(np.abs(error).max()),
     }
     FIT.write_text(json.dumps(result | {"coefficients": coefficients.tolist()}) + "\n")
-    Console().print({name: each for name, each in result.items() if name != "powers"})
+    out.print({name: each for name, each in result.items() if name != "powers"})
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

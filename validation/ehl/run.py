@@ -5,19 +5,17 @@ where it stopped. Then it fits rolling force and central film and prints the err
 seen. --fit only fits.
 """
 
-import argparse
-import csv
 import json
 import subprocess
 import sys
 import time
-from concurrent.futures import ProcessPoolExecutor, as_completed
-from dataclasses import asdict, dataclass, fields
+from collections.abc import Iterator
+from dataclasses import dataclass, fields
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
-from rich.console import Console
+import typer
 from scipy.stats.qmc import Halton
 
 from analytic.contact.rolling_contact import elliptic_contact
@@ -29,6 +27,7 @@ from fembearing.ehl.film import numerical_film
 from fembearing.ehl.oil import Oil
 from fembearing.ehl.shape import Paraboloid
 from fembearing.fem.half_space import hertz_ellipse
+from validation.study import Jobs, continued, out, read, run
 
 HERE = Path(__file__).parent
 TABLE, FIT, REACHES = HERE / "solutions.csv", HERE / "fit.json", HERE / "effective_reach.json"
@@ -71,12 +70,22 @@ class Row:
     trouble: str  # why there is no solution
 
 
+COLUMNS = [field.name for field in fields(Row)]
+
+
 def drawn(count: int, *, seed: int = SEED) -> Array:
     """(count, 3) M, L and lambda: the first draws of a Halton sequence whose pressure a bearing can have."""
     lower, upper = np.log(np.array(list(RANGES.values()))).T
     points = np.exp(lower + (upper - lower) * Halton(3, seed=seed).random(4 * count))
     found = [each for each in points if contact_of(*each) is not None]
     return np.array(found[:count])
+
+
+def fitted_draws(count: int, *, seed: int) -> list[tuple[float, float, float]]:
+    """The first draws within the range of the fit; their M sqrt(lambda) is, too."""
+    lowest, highest = FITTED["loading"]
+    within = [tuple(each) for each in drawn(4 * count, seed=seed) if lowest <= each[0] * each[2] ** 0.5 <= highest]
+    return within[:count]
 
 
 def contact_of(loading: float, thickening: float, ellipticity: float) -> LubricatedContact | None:
@@ -98,70 +107,39 @@ def contact_of(loading: float, thickening: float, ellipticity: float) -> Lubrica
     )
 
 
-def solved(number: int, point: tuple[float, float, float]) -> Row:
-    """The row of one draw."""
+def solved(task: tuple[int, tuple[float, float, float]]) -> Iterator[dict[str, Any]]:
+    """The row of one draw, by its number."""
+    number, point = task
     contact = contact_of(*point)
     assert contact is not None
     begun = time.perf_counter()
-    given = {
-        "number": number,
-        "version": VERSION,
-        "loading": point[0],
-        "thickening": point[1],
-        "ellipticity": point[2],
+    given = dict(
+        zip(("number", "version", "loading", "thickening", "ellipticity"), (number, VERSION, *point), strict=True)
+    )
+    given |= {
         "peak_pressure": contact.peak_pressure,
         "reach": contact.reach.ahead / (RADIUS * contact.relative_speed**0.25),
     }
     try:
         film = numerical_film(contact, refinement=REFINEMENT)
     except ConvergenceError as trouble:
-        missing = {field.name: np.nan for field in fields(Row) if field.name not in given}
-        return Row(**{**given, **missing, "seconds": time.perf_counter() - begun, "trouble": str(trouble)})
-    central, least, force = film.central_film, film.minimum_film, film.rolling_force
-    return Row(
-        **given,
-        central_film=central.value / contact.film_scale,
-        central_film_uncertainty=central.total,
-        central_film_order=central.order or np.nan,
-        minimum_film=least.value / contact.film_scale,
-        minimum_film_uncertainty=least.total,
-        rolling_force=force.value / contact.force_scale,
-        rolling_force_uncertainty=force.total,
-        rolling_force_order=force.order or np.nan,
-        dissipated_force=film.dissipated_force.value / contact.force_scale,
-        seconds=time.perf_counter() - begun,
-        trouble="",
-    )
+        missing = {field.name: np.nan for field in fields(Row)}
+        yield missing | given | {"seconds": time.perf_counter() - begun, "trouble": str(trouble)}
+        return
+    for name, scale in (("central_film", contact.film_scale), ("minimum_film", contact.film_scale),
+                        ("rolling_force", contact.force_scale)):  # fmt: skip
+        part = getattr(film, name)
+        given |= {name: part.value / scale, f"{name}_uncertainty": part.total, f"{name}_order": part.order or np.nan}
+    del given["minimum_film_order"]
+    given["dissipated_force"] = film.dissipated_force.value / contact.force_scale
+    yield given | {"seconds": time.perf_counter() - begun, "trouble": ""}
 
 
 def known() -> list[Row]:
     """The rows of this version in the table."""
-    if not TABLE.exists():
-        return []
-    kinds: dict[str, Any] = dict.fromkeys((field.name for field in fields(Row)), float)
-    kinds |= {"number": int, "version": int, "trouble": str}
-    with TABLE.open(newline="") as file:
-        rows = [Row(**{name: kinds[name](text) for name, text in row.items()}) for row in csv.DictReader(file)]
+    kinds: dict[str, Any] = dict.fromkeys(COLUMNS, float) | {"number": int, "version": int, "trouble": str}
+    rows = [Row(**{name: kinds[name](text) for name, text in row.items()}) for row in read(TABLE)]
     return [row for row in rows if row.version == VERSION]
-
-
-def extend(count: int, processes: int) -> None:
-    """Solve what is missing of the first `count` draws."""
-    done = {row.number for row in known()}
-    points = drawn(count)
-    missing = [number for number in range(count) if number not in done]
-    new = not TABLE.exists()
-    with TABLE.open("a", newline="") as file, ProcessPoolExecutor(processes) as pool:
-        writer = csv.DictWriter(file, [field.name for field in fields(Row)])
-        if new:
-            writer.writeheader()
-        jobs = [pool.submit(solved, number, tuple(points[number])) for number in missing]
-        for job in as_completed(jobs):
-            row = {
-                name: f"{each:.6g}" if isinstance(each, float) else each for name, each in asdict(job.result()).items()
-            }
-            writer.writerow(row)
-            file.flush()
 
 
 def loading_of(row: Row) -> float:
@@ -259,22 +237,18 @@ def write_production(result: dict[str, Any]) -> None:
     subprocess.run([sys.executable, "-m", "ruff", "format", "--quiet", PRODUCTION], check=True)
 
 
-def main() -> None:
-    """Solve what is missing, then fit."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--count", type=int, default=COUNT, help="solutions of the whole table")
-    parser.add_argument("--processes", type=int, default=1)
-    parser.add_argument("--fit", action="store_true", help="only fit the solutions that are there")
-    given = parser.parse_args()
-    if not given.fit:
-        extend(given.count, given.processes)
+def main(count: int = COUNT, processes: Jobs = 1, fit_only: Annotated[bool, typer.Option("--fit")] = False) -> None:
+    """Solve what is missing of the first `count` draws, then fit."""
+    if not fit_only:
+        draws = {(str(n), str(VERSION)): (n, tuple(point)) for n, point in enumerate(drawn(count))}
+        continued(TABLE, COLUMNS, draws, solved, jobs=processes)
     lowest, highest = FITTED["loading"]
     rows = [row for row in known() if not row.trouble and lowest <= loading_of(row) <= highest]
     result = fit(rows)
     FIT.write_text(json.dumps(result, indent=1) + "\n")
     write_production(result)
-    Console().print_json(data=result)
+    out.print_json(data=result)
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -5,12 +5,10 @@ true shape by finite elements; writes true_shapes.csv. Both are solved on the sa
 the difference; its own uncertainty is how much it changes between the two finest grids.
 """
 
-import csv
 import time
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
-from typing import NamedTuple
 
 from analytic.contact.geometry import RACES
 from analytic.scene import Scene
@@ -22,6 +20,7 @@ from fembearing.check.film.scene_film import problem_of
 from fembearing.ehl.contact import LubricatedContact
 from fembearing.ehl.film import numerical_film
 from fembearing.grid_convergence import Estimate
+from validation.study import run, write
 
 TABLE = Path(__file__).parent / "true_shapes.csv"
 LOAD, SPEED, REFINEMENT = 372.0, 500 / RPM.factor, 0.95  # N, rad/s, of the middle grid
@@ -30,23 +29,14 @@ FILM = ("central_film", "minimum_film", "rolling_force")
 OF_A_RACE = ("spin_moment", "rolling_moment", "transverse_force", "slip_share")
 ACCURACY = 2e-3  # of the torque by sliding
 BEARINGS = ("6205", "7208B")
+Row = dict[str, object]
 
 
-class Row(NamedTuple):
-    """One quantity in SI."""
-
-    race: str
-    quantity: str
-    values: tuple[Estimate, Estimate]  # on half spaces, and on meshed bodies
-    seconds: tuple[float, float]
-
-    def cells(self, bearing: str) -> tuple[object, ...]:
-        plain, meshed = self.values
-        changes = [new / old - 1 for old, new in zip(plain.values, meshed.values, strict=True)]
-        uncertainty = abs(changes[-1] - changes[-2])
-        values = (f"{each.value:.5g}" for each in self.values)
-        seconds = (f"{each:.1f}" for each in self.seconds)
-        return (bearing, self.race, self.quantity, *values, f"{changes[-1]:+.5f}", f"{uncertainty:.5f}", *seconds)
+def row_of(race: str, quantity: str, values: tuple[Estimate, Estimate], seconds: tuple[float, float]) -> Row:
+    """One quantity in SI; values, seconds : on half spaces, and on meshed bodies."""
+    changes = [new / old - 1 for old, new in zip(*(each.values for each in values), strict=True)]
+    cells = (*(each.value for each in values), f"{changes[-1]:+.5f}", f"{abs(changes[-1] - changes[-2]):.5f}")
+    return dict(zip(HEAD[1:], (race, quantity, *cells, *(f"{each:.1f}" for each in seconds)), strict=True))
 
 
 def scene_of(bearing: str) -> Scene:
@@ -68,7 +58,7 @@ def films(scene: Scene) -> Iterator[Row]:
         plain, true = (numerical_film(each, refinement=REFINEMENT) for each in (closed.problem, meshed))
         for name in FILM:
             values = getattr(plain, name), getattr(true, name)
-            yield Row(race, name, values, (plain.seconds, true.seconds + sampled))
+            yield row_of(race, name, values, (plain.seconds, true.seconds + sampled))
 
 
 def frictions(scene: Scene) -> Iterator[Row]:
@@ -78,22 +68,18 @@ def frictions(scene: Scene) -> Iterator[Row]:
     seconds = plain.numbers.seconds, true.numbers.seconds
     for race in RACES:
         for name in OF_A_RACE:
-            values = (getattr(getattr(each.reference, race), name) for each in (plain, true))
-            first, second = values
-            yield Row(race, name, (first, second), seconds)
-    yield Row("both", "torque of a ball by sliding", (plain.reference.torque, true.reference.torque), seconds)
+            first, second = (getattr(getattr(each.reference, race), name) for each in (plain, true))
+            yield row_of(race, name, (first, second), seconds)
+    yield row_of("both", "torque of a ball by sliding", (plain.reference.torque, true.reference.torque), seconds)
 
 
 def main() -> None:
-    with TABLE.open("w", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(HEAD)
-        for bearing in BEARINGS:
-            scene = scene_of(bearing)
-            for row in (*frictions(scene), *films(scene)):
-                writer.writerow(row.cells(bearing))
-            file.flush()
+    rows: list[Row] = []
+    for bearing in BEARINGS:
+        scene = scene_of(bearing)
+        rows += [{"bearing": bearing, **row} for row in (*frictions(scene), *films(scene))]
+        write(rows, TABLE, HEAD, form=".5g")
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -5,12 +5,10 @@ of the ball's radius and between the shoulders, true circles of ball and race. B
 writes wide_gap.csv with the formula of production, and prints its error.
 """
 
-import csv
 from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
-from rich.console import Console
 from scipy.sparse.linalg import spsolve
 
 from analytic.contact.geometry import RACES, Race
@@ -22,8 +20,10 @@ from fembearing.ehl.contact import Shape
 from fembearing.ehl.grid import Grid, graded_faces
 from fembearing.ehl.shape import BallOnRace
 from validation.ehl.effective_reach import pressure_operator
+from validation.study import out, run, write
 
 TABLE = Path(__file__).parent / "wide_gap.csv"
+COLUMNS = ("bearing", "race", "ratio_of_radii", "gap_over_Rx", "force", "change_by_cells", "formula")
 DESIGNATIONS = ("625", "6004", "6204", "6205", "6209", "6310", "7206 B")
 GAPS = (1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2)  # over R_x
 REACH, WIDEST = 0.9, 0.98  # of the oil, over the ball's radius: ahead, and to the sides at most
@@ -108,25 +108,21 @@ def formula(bearing: Bearing, race: Race, shape: BallOnRace, gap: float) -> floa
 
 
 def main() -> None:
-    errors = []
-    with TABLE.open("w", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(("bearing", "race", "ratio_of_radii", "gap_over_Rx", "force", "change_by_cells", "formula"))
-        for designation in DESIGNATIONS:
-            bearing = load_scene(designation).bearing
-            for race in RACES:
-                shape, reach, side = ball_on(bearing, race)
-                for gap in GAPS:
-                    force, change = extrapolated(shape, gap, reach=reach, side=side)
-                    ours = formula(bearing, race, shape, gap)
-                    errors.append(ours / force - 1)
-                    ratio = shape.radii[1] / shape.radii[0]
-                    numbers = (f"{each:.5g}" for each in (ratio, gap, force, change, ours))
-                    writer.writerow((designation, race, *numbers))
-    out = Console(highlight=False)
-    out.print(f"formula over numerical solution - 1: {min(errors):+.1%} to {max(errors):+.1%}, {len(errors)} gaps")
-    out.print(f"rms {np.sqrt(np.mean(np.square(errors))):.1%}")
+    rows = []
+    for designation in DESIGNATIONS:
+        bearing = load_scene(designation).bearing
+        for race in RACES:
+            shape, reach, side = ball_on(bearing, race)
+            for gap in GAPS:
+                force, change = extrapolated(shape, gap, reach=reach, side=side)
+                ours = formula(bearing, race, shape, gap)
+                numbers = (shape.radii[1] / shape.radii[0], gap, force, change, ours)
+                rows.append(dict(zip(COLUMNS, (designation, race, *numbers), strict=True)))
+    write(rows, TABLE, COLUMNS, form=".5g")
+    errors = np.array([row["formula"] / row["force"] - 1 for row in rows])
+    out.print(f"formula over numerical solution - 1: {errors.min():+.1%} to {errors.max():+.1%}, {errors.size} gaps")
+    out.print(f"rms {np.sqrt(np.mean(errors**2)):.1%}")
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -10,29 +10,26 @@ With --check nothing is written. It compares the stored gaussian curve with an i
 status 1 if a difference is larger than its tolerance. It also prints what mirror images in place of periods change.
 """
 
-import argparse
 import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from importlib.metadata import version
-from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 os.environ.setdefault("OMP_NUM_THREADS", "1")  # before numpy loads its threads
 
 import numpy as np
-from rich.console import Console
+import typer
 from rich.progress import track
-from rich.table import Table
 
 from analytic import catalog
 from analytic.scene import Array, Autocorrelation
 from analytic.surface.boundary_elements import pressed
 from analytic.surface.elastic_gap import declared_gap_curve
 from analytic.surface.roughness import generated_surface
+from validation.study import Jobs, numbers, out, progress, published, run, show
 
-PUBLISHED = Path(__file__).parents[1] / "published" / "elastic_gap.csv"
 WIDTH = 20  # correlation lengths
 SEED = 4000
 KINDS = (("gaussian", 32, 20), ("exponential", 10, 20), ("exponential", 20, 20))  # points per length, surfaces
@@ -48,18 +45,16 @@ ERRORS, FLOOR = 3.0, 0.005
 SAME_GAP, SAME_AREA = 1e-3, 5e-3
 TAMAAS_TOLERANCE = 1e-10  # of the complementarity that Tamaas calls its error
 TAMAAS_PRESSURES = (0.7, 0.3, 0.1, 0.02)
-out = Console(width=118)
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--check", action="store_true", help="compare the stored table; write nothing")
-    parser.add_argument("--jobs", type=int, default=1, help="processes")
-    arguments = parser.parse_args()
-    if arguments.check:
+def main(
+    check: Annotated[bool, typer.Option("--check", help="Compare the stored table; write nothing.")] = False,
+    jobs: Jobs = 1,
+) -> None:
+    if check:
         print_mirror_effect()
         sys.exit(not all([against_published(), against_tamaas(periodic=True), against_tamaas(periodic=False)]))
-    write([mean_curve(*kind, jobs=arguments.jobs) for kind in KINDS])
+    write([mean_curve(*kind, jobs=jobs) for kind in KINDS])
 
 
 def surface(kind: Any, points: int, seed: int, width: int = WIDTH) -> Array:
@@ -84,7 +79,7 @@ def mean_curve(kind: str, points: int, surfaces: int, *, jobs: int) -> dict[str,
             workers.map(gaps_and_areas, todo),
             total=surfaces,
             description=f"{kind}, {points} points a length",
-            console=Console(stderr=True),
+            console=progress,
         )
         gap, area = np.moveaxis(np.array(list(done))[:, ::-1], 2, 0)
     return {
@@ -120,7 +115,7 @@ def write(curves: list[dict[str, Any]]) -> None:
         lines += [f"{name} = {curve[name]}" for name in ("points", "surfaces")]
         lines += [f"{name} = {_numbers(curve[name])}" for name in ("gap", "spread", "area_fraction")]
     path.write_text("\n".join(lines) + "\n", "utf-8")
-    out.print(path.read_text("utf-8"), markup=False, highlight=False, soft_wrap=True)
+    out.print(path.read_text("utf-8"), soft_wrap=True)
 
 
 def _numbers(values: Array) -> str:
@@ -131,21 +126,15 @@ def against_published() -> bool:
     """The stored gaussian curve against the independent code's, at its pressures."""
     ours = declared_gap_curve(Autocorrelation(kind="gaussian", length=32.0, spacing=1.0))
     surfaces = next(c["surfaces"] for c in catalog.entry("corrections", "elastic_gap")["curve"])
-    lines = (line for line in PUBLISHED.read_text("utf-8").splitlines() if line[0].isdigit())
-    pressure, gap, sd_gap, area, sd_area = np.array([line.split(",") for line in lines], dtype=float).T
+    rows = published("elastic_gap.csv")
+    pressure, gap, sd_gap, area, sd_area = (numbers(rows, name) for name in rows[0])
     at = np.log(pressure)
-    table = Table(
-        "p/(E* slope)", "gap", "published", "difference", "allowed", "area", "published", "difference", "allowed"
-    )
     gaps, areas = np.exp(ours.log_gap(at)[0]), ours.area_fraction(at)
     standard_error = ERRORS * np.sqrt(1 / 10 + 1 / surfaces)
     allowed = np.array([FLOOR + standard_error * sd_gap / gap, FLOOR + standard_error * sd_area / area])
     differences = np.array([gaps / gap - 1, areas / area - 1])
-    for row in zip(
-        pressure, gaps, gap, differences[0], allowed[0], areas, area, differences[1], allowed[1], strict=True
-    ):
-        table.add_row(f"{row[0]:g}", *_compared(*row[1:5]), *_compared(*row[5:]))
-    out.print("Stored gaussian curve against the independent code", table)
+    columns = (pressure, gaps, gap, differences[0], allowed[0], areas, area, differences[1], allowed[1])
+    _show("published", zip(*columns, strict=True), "Stored gaussian curve against the independent code")
     return _judged(bool(np.all(np.abs(differences) < allowed)))
 
 
@@ -158,18 +147,15 @@ def against_tamaas(*, periodic: bool) -> bool:
     if not periodic:
         half = np.concatenate([heights, heights[::-1]])
         heights = np.concatenate([half, half[:, ::-1]], axis=1)
-    table = Table("p/(E* slope)", "gap", "Tamaas", "difference", "allowed", "area", "Tamaas", "difference", "allowed")
+    rows = []
     agrees = True
     others = tamaas_contacts(heights, [pressure * slope for pressure in TAMAAS_PRESSURES])
     for pressure, state, (gap, area) in zip(TAMAAS_PRESSURES, states, others, strict=True):
         differences = state.mean_gap / gap - 1, state.area_fraction / area - 1
         agrees &= abs(differences[0]) < SAME_GAP and abs(differences[1]) < SAME_AREA
-        table.add_row(
-            f"{pressure:g}",
-            *_compared(state.mean_gap, gap, differences[0], SAME_GAP),
-            *_compared(state.area_fraction, area, differences[1], SAME_AREA),
-        )
-    out.print(f"One surface of 200 by 200 points, {'periodic' if periodic else 'mirrored'}, against Tamaas", table)
+        by_area = (state.area_fraction, area, differences[1], SAME_AREA)
+        rows.append((pressure, state.mean_gap, gap, differences[0], SAME_GAP, *by_area))
+    _show("Tamaas", rows, f"One surface of 200 by 200 points, {'periodic' if periodic else 'mirrored'}")
     return _judged(agrees)
 
 
@@ -180,11 +166,9 @@ def print_mirror_effect() -> None:
         [[[s.mean_gap for s in pressed(z, PRESSURES, periodic=p)] for p in (False, True)] for z in surfaces]
     )
     change = np.log(gaps[:, 0] / gaps[:, 1])
-    table = Table("p/(E* slope)", "change of the gap", "standard error", title="Mirror images, 8 surfaces of 200 x 200")
-    for pressure, column in zip(PRESSURES, change.T, strict=True):
-        error = column.std(ddof=1) / np.sqrt(len(column))
-        table.add_row(f"{pressure:g}", f"{100 * column.mean():+.2f} %", f"{100 * error:.2f} %")
-    out.print(table)
+    errors = change.std(axis=0, ddof=1) / np.sqrt(len(change))
+    rows = zip(PRESSURES, (f"{each:+.2%}" for each in change.mean(axis=0)), (f"{e:.2%}" for e in errors), strict=True)
+    show(("p/(E* slope)", "change of the gap", "standard error"), rows, "Mirror images, 8 surfaces of 200 x 200")
 
 
 def tamaas_contacts(heights: Array, pressures: list[float]) -> Iterator[tuple[float, float]]:
@@ -202,8 +186,11 @@ def tamaas_contacts(heights: Array, pressures: list[float]) -> Iterator[tuple[fl
         yield float(gap.mean() - gap[touching].mean()), float(touching.mean())
 
 
-def _compared(ours: float, other: float, difference: float, allowed: float) -> tuple[str, ...]:
-    return f"{ours:.4f}", f"{other:.4f}", f"{100 * difference:+.2f} %", f"{100 * allowed:.2f} %"
+def _show(other: str, rows: Iterable[tuple[float, ...]], title: str) -> None:
+    """Pressures, and gap and area: ours, theirs, difference and what is allowed."""
+    heads = ("p/(E* slope)", *(head for what in ("gap", "area") for head in (what, other, "difference", "allowed")))
+    form = ("g", *2 * (".4f", ".4f", "+.2%", ".2%"))
+    show(heads, ([f"{value:{each}}" for value, each in zip(row, form, strict=True)] for row in rows), title)
 
 
 def _judged(agrees: bool) -> bool:
@@ -212,4 +199,4 @@ def _judged(agrees: bool) -> bool:
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -6,26 +6,22 @@ u_val = sqrt(u_num^2 + u_input^2 + u_D^2). All uncertainties are standard ones. 
 conclusions for the formula, and draws film.png into this folder.
 """
 
-import argparse
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Annotated
 
-import matplotlib as mpl
 import numpy as np
-from matplotlib.figure import Figure
-from rich.console import Console
-from rich.table import Table
+import typer
 from scipy.optimize import brentq
 
 from analytic.contact.rolling_contact import ContactNumbers, elliptic_contact
 from analytic.oil.asymptotes import FITTED_ELLIPTICITY, Inflow
 from analytic.oil.ehl_fit import film_correction, regime_of
 from analytic.oil.film import FILM_FACTORS, FORMULA_UNCERTAINTY, central_film
-
-mpl.use("agg")
+from validation.study import PUBLISHED, figure, out, run, save, show
 
 HERE = Path(__file__).parent
-DATA = HERE.parent / "published" / "film_measured_25C.csv"
+DATA = PUBLISHED / "film_measured_25C.csv"
 RADIUS, LOAD = 9.525e-3, 20.0  # m, N
 YOUNGS_MODULI, POISSON_RATIOS = (200e9, 70e9), (0.25, 0.21)  # of steel and glass, Pa
 INPUTS = {
@@ -92,13 +88,9 @@ class Spread:
     covered: int  # points within FILM_FACTORS
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--out", type=Path, default=HERE, help="folder for film.png")
-    folder = parser.parse_args().out
+def main(folder: Annotated[Path, typer.Option("--out", help="Folder for film.png.")] = HERE) -> None:
     found = compare()
-    report(found, Console(width=110))
-    folder.mkdir(parents=True, exist_ok=True)
+    report(found)
     draw(found, folder / "film.png")
 
 
@@ -133,19 +125,18 @@ def compare() -> Comparison:
     )
 
 
-def report(found: Comparison, out: Console) -> None:
-    table = Table(*("u, m/s", "D, nm", "S, nm", "E/D, %", "u_D, %", "u_input, %", "u_val, %", "|E|/u_val", ""))
-    for row in range(found.speed.size):
-        d = found.measured[row]
-        parts = (found.error, found.measurement_uncertainty, found.input_uncertainty, found.uncertainty)
-        error, u_d, u_input, u_val = (100 * part[row] / d for part in parts)
-        ratio = abs(error) / u_val
+def report(found: Comparison) -> None:
+    rows = []
+    parts = (found.error, found.measurement_uncertainty, found.input_uncertainty, found.uncertainty)
+    for row, d in enumerate(found.measured):
+        error, *uncertainties = (100 * part[row] / d for part in parts)
+        ratio = abs(error) / uncertainties[-1]
         note = "within u_val" if ratio <= 1 else "within 2 u_val" if ratio <= 2 else "beyond 2 u_val"
-        table.add_row(
+        rows.append((
             f"{found.speed[row]:.4f}", f"{1e9 * d:.1f}", f"{1e9 * found.computed[row]:.1f}", f"{error:+.1f}",
-            f"{u_d:.1f}", f"{u_input:.1f}", f"{u_val:.1f}", f"{ratio:.2f}", note if found.judged[row] else "scatters",
-        )  # fmt: skip
-    out.print(table)
+            *(f"{each:.1f}" for each in uncertainties), f"{ratio:.2f}", note if found.judged[row] else "scatters",
+        ))  # fmt: skip
+    show(("u, m/s", "D, nm", "S, nm", "E/D, %", "u_D, %", "u_input, %", "u_val, %", "|E|/u_val", ""), rows)
     judged = found.judged
     relative, ratio = found.relative[judged], np.abs(found.error / found.uncertainty)[judged]
     measured_power, computed_power = (
@@ -183,8 +174,8 @@ def report(found: Comparison, out: Console) -> None:
 
 
 def draw(found: Comparison, path: Path) -> None:
-    figure = Figure(figsize=(6.4, 6.4), layout="constrained")
-    films, errors = figure.subplots(2, 1, sharex=True, height_ratios=(3, 2))
+    drawn = figure(6.4, 6.4)
+    films, errors = drawn.subplots(2, 1, sharex=True, height_ratios=(3, 2))
     low, high = found.computed - 2 * found.input_uncertainty, found.computed + 2 * found.input_uncertainty
     films.fill_between(found.speed, 1e9 * low, 1e9 * high, color="C0", alpha=0.25, lw=0, label="its inputs, 95 %")
     films.loglog(found.speed, 1e9 * found.computed, color="C0", label="formula")
@@ -200,8 +191,8 @@ def draw(found: Comparison, path: Path) -> None:
     errors.axvline(LEAST_SPEED, color="0.5", lw=0.7, ls=":")
     errors.set(xlabel="entrainment speed, m/s", ylabel="E/D, %", ylim=(-80, 100))
     errors.legend(frameon=False)
-    figure.savefig(path, dpi=130, metadata={"Software": None})
+    save(drawn, path)
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -10,16 +10,14 @@ share near 95 % would not prove the interval; a small one says that model or for
 It writes makers.csv and makers.png into this folder, in two minutes.
 """
 
-import argparse
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Annotated
 
-import matplotlib as mpl
 import numpy as np
+import typer
 from matplotlib.figure import Figure
-from rich.console import Console
-from rich.table import Table
 
 from analytic.catalog.bearing_rows import CatalogBearing, bearing_names, find_bearing
 from analytic.errors import InputError
@@ -30,9 +28,7 @@ from analytic.torque import friction_torque
 from validation.catalogue.torque import CASES, GRADES, scene_at
 from validation.measured import run as measured
 from validation.measured.fag import fag_torque
-from validation.rows import Row, write
-
-mpl.use("agg")
+from validation.study import Out, Row, figure, numbers, run, save, show, write
 
 HERE = Path(__file__).parent
 MAKERS = {  # column: name of the model in the band
@@ -94,21 +90,17 @@ def rig_coverage() -> Iterator[tuple[str, Array, Array, Array, Array]]:
         yield f"measured, balls of {diameter:g} mm [Balan2015]", rig.measured, rig.computed, ends[0], ends[1]
 
 
-def report(rows: Sequence[Row], out: Console) -> None:
+def coverage(rows: Sequence[Row]) -> Iterator[tuple[str, ...]]:
     """Shares inside, and the width of the intervals, by load and source."""
-    table = Table("load", "source", "inside", "below", "above", "source over ours, median", "high over low, median")
     for words, torque, ours, low, high in rig_coverage():
-        table.add_row("thrust rig", words, *_counts(torque, low, high), _median(torque / ours), _median(high / low))
+        yield "thrust rig", words, *_counts(torque, low, high), _median(torque / ours), _median(high / low)
     for case in CASES:
         for key, name in MAKERS.items():
             own = [row for row in rows if row["case"] == case and row.get(key) and row.get("low")]
             if own:
-                torque, low, high, ours = (
-                    np.array([float(row[c]) for row in own]) for c in (key, "low", "high", "torque")
-                )
+                torque, low, high, ours = (numbers(own, column) for column in (key, "low", "high", "torque"))
                 counts = _counts(torque, low, high)
-                table.add_row(case, f"formula: {name}", *counts, _median(torque / ours), _median(high / low))
-    out.print(table)
+                yield case, f"formula: {name}", *counts, _median(torque / ours), _median(high / low)
 
 
 def _counts(torque: Array, low: Array, high: Array) -> tuple[str, str, str]:
@@ -123,18 +115,16 @@ def _median(values: Array) -> str:
 
 def draw(rows: Sequence[Row]) -> Figure:
     """All over the computed torque: the interval, and the formulas."""
-    figure = Figure(figsize=(10, 7), layout="constrained")
-    panels = figure.subplots(2, 1, sharex=True, sharey=True)
+    drawn = figure(10, 7)
+    panels = drawn.subplots(2, 1, sharex=True, sharey=True)
     for axes, case in zip(panels, CASES, strict=True):
-        own = sorted(
-            (row for row in rows if row["case"] == case and row.get("low")), key=lambda row: float(row["torque"])
-        )
-        ours = np.array([float(row["torque"]) for row in own])
-        low, high = (np.array([float(row[end]) for row in own]) / ours for end in ("low", "high"))
+        own = [row for row in rows if row["case"] == case and row.get("low")]
+        own.sort(key=lambda row: float(row["torque"]))
+        ours = numbers(own, "torque")
+        low, high = (numbers(own, end) / ours for end in ("low", "high"))
         axes.fill_between(ours, low, high, color="0.85", lw=0, label="95 % interval to first order")
         for number, (key, name) in enumerate(MAKERS.items()):
-            theirs = np.array([float(row.get(key) or "nan") for row in own])
-            axes.plot(ours, theirs / ours, ".", ms=4, color=f"C{number}", label=name)
+            axes.plot(ours, numbers(own, key) / ours, ".", ms=4, color=f"C{number}", label=name)
         axes.axhline(1, color="k", lw=0.8)
         axes.set(xscale="log", yscale="log", ylabel="over the computed torque")
         ticks = [0.5, 1, 2, 4]
@@ -143,20 +133,16 @@ def draw(rows: Sequence[Row]) -> Figure:
         axes.set_title("0.05 C radial" if case == "radial" else "0.02 C0 axial", fontsize=10)
     panels[-1].set_xlabel("computed torque, N mm")
     panels[-1].legend(fontsize=8, ncols=3, loc="upper left")
-    return figure
+    return drawn
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--bearings", type=int, default=200, help="number of bearings")
-    parser.add_argument("--out", type=Path, default=HERE, help="folder of the results")
-    given = parser.parse_args()
-    rows = [compared(bearing, case) for case in CASES for bearing in chosen(given.bearings)]
-    given.out.mkdir(parents=True, exist_ok=True)
-    write(rows, given.out / "makers.csv", COLUMNS, about=("Torques in N mm at 1000 rpm; see makers.py.",))
-    draw(rows).savefig(given.out / "makers.png", dpi=110, metadata={"Software": None})
-    report(rows, Console(width=140, highlight=False))
+def main(bearings: Annotated[int, typer.Option(help="Number of bearings.")] = 200, out: Out = HERE) -> None:
+    rows = [compared(bearing, case) for case in CASES for bearing in chosen(bearings)]
+    write(rows, out / "makers.csv", COLUMNS, about=("Torques in N mm at 1000 rpm; see makers.py.",))
+    save(draw(rows), out / "makers.png", dpi=110)
+    heads = ("load", "source", "inside", "below", "above", "source over ours, median", "high over low, median")
+    show(heads, coverage(rows))
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

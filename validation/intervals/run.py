@@ -10,14 +10,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from rich.console import Console
-from rich.table import Table
 
 from analytic.oil.film import FORMULA_UNCERTAINTY
 from analytic.oil.variation import COVERAGE
 from analytic.prediction.prediction import predict
+from analytic.scene import Array
 from validation.film import run as film
 from validation.measured import run as measured
+from validation.study import out, run, show
 
 SEEN = "its spread was chosen with these films in view"
 ONE_RIG = "the spread of rolling was judged with these torques known, and is centred at the formula"
@@ -30,11 +30,15 @@ class Coverage:
     source: str
     what: str
     interval: str  # what it is made of
-    points: int
-    covered: int
-    below: int  # measured below the interval
-    above: int
+    below: Array  # (n,) bool, measured below the interval
+    above: Array
     note: str
+
+    @property
+    def row(self) -> tuple[object, ...]:
+        below, above = int(self.below.sum()), int(self.above.sum())
+        inside = f"{self.below.size - below - above} of {self.below.size}"
+        return self.source, self.what, self.interval, inside, below, above
 
 
 def coverages() -> Iterator[Coverage]:
@@ -61,10 +65,8 @@ def films() -> Iterator[Coverage]:
                 source="[Wittek]",
                 what=what,
                 interval=name,
-                points=int(np.count_nonzero(rows)),
-                covered=int(np.count_nonzero((np.abs(ratio) <= half)[rows])),
-                below=int(np.count_nonzero((ratio < -half)[rows])),
-                above=int(np.count_nonzero((ratio > half)[rows])),
+                below=(ratio < -half)[rows],
+                above=(ratio > half)[rows],
                 note=SEEN,
             )
 
@@ -76,31 +78,24 @@ def torques() -> Iterator[Coverage]:
         interval = predict(rig.scene).total
         wide = COVERAGE * rig.measurement
         for name, half in (("inputs and formulas", np.zeros_like(wide)), ("inputs and formulas, scatter", wide)):
-            below, above = rig.measured < interval.low - half, rig.measured > interval.high + half
             yield Coverage(
                 source="[Balan2015]",
                 what=f"torque, balls of {diameter:g} mm",
                 interval=name,
-                points=below.size,
-                covered=int(np.count_nonzero(~below & ~above)),
-                below=int(np.count_nonzero(below)),
-                above=int(np.count_nonzero(above)),
+                below=rig.measured < interval.low - half,
+                above=rig.measured > interval.high + half,
                 note=ONE_RIG,
             )
 
 
 def main() -> None:
-    out = Console(width=120, highlight=False)
-    table = Table("source", "measured", "interval of 95 %", "inside", "below", "above")
     found = list(coverages())
-    for each in found:
-        inside = f"{each.covered} of {each.points}"
-        table.add_row(each.source, each.what, each.interval, inside, str(each.below), str(each.above))
-    out.print(table)
+    heads = ("source", "measured", "interval of 95 %", "inside", "below", "above")
+    show(heads, (each.row for each in found))
     for line in dict.fromkeys(f"{each.source}: {each.note}." for each in found):
-        out.print(line, markup=False)
+        out.print(line)
     out.print("No measured torque of a whole bearing with complete conditions was found, so none is in this table.")
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

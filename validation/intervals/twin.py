@@ -13,17 +13,14 @@ The constants of `fembearing.check.contact.uncertainty` were chosen on seeds 100
 others test them. Plain levels are themselves uncertain by some 0.02 %.
 """
 
-import argparse
 import time
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Annotated
 
 import numpy as np
-from rich.console import Console
-from rich.progress import track
-from rich.table import Table
+import typer
 
 from analytic.errors import FembearingError
 from analytic.scene import Contact, Material
@@ -34,7 +31,7 @@ from fembearing.fem.solution import MeshSolution, solve_on_mesh
 from fembearing.fem.twin import TwinSolution, twin_on_level
 from fembearing.grid_convergence import UNSTEADY, observed_order
 from fembearing.mesh.recipe import load_recipe
-from validation.rows import Row, read, write
+from validation.study import Row, continued, numbers, out, run, show
 
 HERE = Path(__file__).parent
 RECIPE = load_recipe("race")
@@ -59,21 +56,13 @@ ACCURACIES = (2e-3, 1e-3, 5e-4)
 ORDERS = (2.5, 5.0)  # least and greatest order with which plain levels are extrapolated
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--out", type=Path, default=HERE, help="folder for the table")
-    parser.add_argument("--contacts", type=int, default=240, help="number of contacts")
-    parser.add_argument("--seed", type=int, default=50060, help="first seed")
-    given = parser.parse_args()
-    given.out.mkdir(parents=True, exist_ok=True)
-    path = given.out / "twin_coverage.csv"
-    rows = read(path)
-    done = {row["seed"] for row in rows}
-    ahead = [seed for seed in range(given.seed, given.seed + given.contacts) if str(seed) not in done]
-    for seed in track(ahead, console=Console(stderr=True)):
-        rows.append(compared(seed))
-        write(rows, path, COLUMNS)
-    report(rows, Console(width=120))
+def main(
+    contacts: Annotated[int, typer.Option(help="Number of contacts.")] = 240,
+    seed: Annotated[int, typer.Option(help="First seed.")] = 50060,
+    folder: Annotated[Path, typer.Option("--out", help="Folder of the table.")] = HERE,
+) -> None:
+    seeds = {(str(each),): each for each in range(seed, seed + contacts)}
+    report(continued(folder / "twin_coverage.csv", COLUMNS, seeds, lambda each: [compared(each)]))
 
 
 def random_contact(seed: int) -> Contact:
@@ -160,53 +149,44 @@ def extrapolated(meshes: Sequence[MeshSolution]) -> dict[str, float]:
     return truth
 
 
-def report(rows: list[Row], out: Console) -> None:
+def report(rows: list[Row]) -> None:
     solved = [row for row in rows if not row["trouble"]]
+    heads = ("quantity", "interval holds", "error, median", "90 %", "worst", "stated, median", "worst error/stated")
     for level in (2, 3):
-        heads = ("quantity", "interval holds", "error, median", "90 %", "worst", "stated, median", "worst error/stated")
-        table = Table(*heads, title=f"level {level} with twin: {len(solved)} contacts")
-        hold = np.ones(len(solved), dtype=bool)
+        hold, shown = np.ones(len(solved), dtype=bool), []
         for name in COMPARED:
-            counted = [row["pair"] != "pocket" or name != "approach" for row in solved]
-            error = np.abs(column(solved, f"{name}_error_{level}"))
-            stated = column(solved, f"{name}_stated_{level}")
-            held = (error <= stated) | ~np.array(counted)
-            hold &= held
-            error, stated = error[counted], stated[counted]
-            table.add_row(
-                name.replace("_", " "),
-                f"{np.sum(error <= stated)} of {error.size}",
-                *(f"{part:.3%}" for part in (*np.quantile(error, (0.5, 0.9, 1.0)), np.median(stated))),
-                f"{np.max(error / stated):.2f}",
-            )
-        out.print(table)
+            error, stated = counted(solved, name, level)
+            hold &= ~(error > stated)
+            error, stated = error[~np.isnan(error)], stated[~np.isnan(error)]
+            parts = (*np.quantile(error, (0.5, 0.9, 1.0)), np.median(stated))
+            shares = f"{np.sum(error <= stated)} of {error.size}", *(f"{part:.3%}" for part in parts)
+            shown.append((name.replace("_", " "), *shares, f"{np.max(error / stated):.2f}"))
+        show(heads, shown, f"level {level} with twin: {len(solved)} contacts")
         out.print(f"all four hold in {hold.sum()} of {hold.size}")
     for accuracy in ACCURACIES:
-        out.print(f"{accuracy:.2%} asked: {held_at(solved, accuracy)}")
+        out.print(f"{accuracy:.2%} asked: {'; '.join(held_at(solved, accuracy))} contacts on the third level")
     for row in rows:
         if row["trouble"]:
             out.print(f"seed {row['seed']}, {row['pair']}: {row['trouble']}")
 
 
-def held_at(rows: list[Row], accuracy: float) -> str:
+def counted(rows: list[Row], name: str, level: int) -> tuple[np.ndarray, np.ndarray]:
+    """Error, NaN where it does not count, and stated uncertainty of a quantity on a level, each (n,)."""
+    pocket = np.array([row["pair"] == "pocket" and name == "approach" for row in rows])
+    error = np.where(pocket, np.nan, np.abs(numbers(rows, f"{name}_error_{level}")))
+    return error, numbers(rows, f"{name}_stated_{level}")
+
+
+def held_at(rows: list[Row], accuracy: float) -> Iterator[str]:
     """How often each interval holds on the second level, or on the third where the second's is wider than asked."""
-    held, counted = dict.fromkeys(COMPARED, 0), dict.fromkeys(COMPARED, 0)
-    third = 0
-    for row in rows:
-        level = 2 if all(float(row[f"{name}_stated_2"]) <= accuracy for name in COMPARED) else 3
-        third += level == 3
-        for name in COMPARED:
-            if row["pair"] == "pocket" and name == "approach":
-                continue
-            counted[name] += 1
-            held[name] += abs(float(row[f"{name}_error_{level}"])) <= float(row[f"{name}_stated_{level}"])
-    words = (f"{name.replace('_', ' ')} {held[name]} of {counted[name]}" for name in COMPARED)
-    return f"{', '.join(words)}; {third} contacts on the third level"
-
-
-def column(rows: list[Row], name: str) -> Any:
-    return np.array([float(row[name]) for row in rows])
+    second = np.all([numbers(rows, f"{name}_stated_2") <= accuracy for name in COMPARED], axis=0)
+    for name in COMPARED:
+        error, stated = (
+            np.where(second, *both) for both in zip(*(counted(rows, name, n) for n in (2, 3)), strict=True)
+        )
+        yield f"{name.replace('_', ' ')} {np.sum(error <= stated)} of {np.sum(~np.isnan(error))}"
+    yield str(np.sum(~second))
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -20,14 +20,13 @@ from typing import Annotated
 
 import numpy as np
 import typer
-from rich.console import Console
 from rich.progress import track
 
 from analytic import friction_torque
 from analytic.catalog.bearing_rows import find_bearing
 from analytic.errors import FembearingError
 from analytic.scenefile.read import parse_scene
-from validation.rows import Row, write
+from validation.study import Row, markdown, numbers, out, progress, run, write
 
 HERE = Path(__file__).parent
 GROUPS = {
@@ -77,40 +76,39 @@ def drawn_row(seed: int) -> Row:
     }
 
 
-def table(rows: list[Row]) -> Iterator[str]:
-    """Differences of closed kinematics from free balls, Markdown."""
-    yield "| bearing | loads | scenes | 5 % | median | 95 % | extreme | free balls, s | closed, s |"
-    yield "| --- " * 9 + "|"
+def groups(rows: list[Row]) -> Iterator[tuple[object, ...]]:
+    """Differences of closed kinematics from free balls, by group of bearings and kind of load."""
     for group in (*GROUPS, "all"):
         for kind in ("all",) if group == "all" else LOADS:
             some = [
-                row for row in rows if row["ratio"] and group in (row["group"], "all") and kind in (row["loads"], "all")
+                row
+                for row in rows
+                if "ratio" in row and group in (row["group"], "all") and kind in (row["loads"], "all")
             ]
             if not some:
                 continue
-            change = 100 * (np.array([float(row["ratio"]) for row in some]) - 1)
-            low, middle, high = np.quantile(change, (0.05, 0.5, 0.95))
-            numbers = " | ".join(f"{value:+.1f} %" for value in (low, middle, high, change[np.abs(change).argmax()]))
-            times = " | ".join(f"{np.median([float(row[key]) for row in some]):.2g}" for key in ("free_s", "closed_s"))
-            yield f"| {group} | {kind} | {len(some)} | {numbers} | {times} |"
+            change = 100 * (numbers(some, "ratio") - 1)
+            ends = (*np.quantile(change, (0.05, 0.5, 0.95)), change[np.abs(change).argmax()])
+            times = (f"{np.median(numbers(some, key)):.2g}" for key in ("free_s", "closed_s"))
+            yield group, kind, len(some), *(f"{value:+.1f} %" for value in ends), *times
 
 
 def main(
     scenes: Annotated[int, typer.Option(min=1, help="Scenes to draw.")] = 300,
     seed: Annotated[int, typer.Option(help="Of the first scene.")] = 50000,
-    out: Annotated[Path, typer.Option(help="Folder for kinematics.csv.")] = HERE,
+    folder: Annotated[Path, typer.Option("--out", help="Folder for kinematics.csv.")] = HERE,
 ) -> None:
     """Compare both, and print the table."""
-    shown = Console(highlight=False, soft_wrap=True, markup=False)
     drawn_row(seed)  # compiles
-    rows = [drawn_row(each) for each in track(range(seed, seed + scenes), console=Console(stderr=True))]
-    write([{name: row.get(name, "") for name in COLUMNS} for row in rows], out / "kinematics.csv", COLUMNS)
-    for line in table([{"ratio": "", **row} for row in rows]):
-        shown.print(line)
+    rows = [drawn_row(each) for each in track(range(seed, seed + scenes), console=progress)]
+    write(rows, folder / "kinematics.csv", COLUMNS)
+    heads = ("bearing", "loads", "scenes", "5 %", "median", "95 %", "extreme", "free balls, s", "closed, s")
+    for line in markdown(heads, groups(rows)):
+        out.print(line)
     failures = Counter(re.sub(r"[0-9.]+", "#", row["failure"])[:LINE] for row in rows if row.get("failure"))
     for failure, count in failures.most_common():
-        shown.print(f"{count} without a torque: {failure}")
+        out.print(f"{count} without a torque: {failure}")
 
 
 if __name__ == "__main__":
-    typer.run(main)
+    run(main)

@@ -1,17 +1,15 @@
 """A number that the model is compared with, beside its own."""
 
-import csv
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.scene import Array
+from validation.study import numbers, published
 
-PUBLISHED = Path(__file__).parents[1] / "published"
 Kind = Literal["measured", "second hand", "maker's formula", "formula", "trend"]
 
 
@@ -58,13 +56,7 @@ def first_what_is_missed(anchors: Iterable[Anchor]) -> list[Anchor]:
     return sorted(anchors, key=order)
 
 
-def published_rows(name: str) -> Iterator[dict[str, str]]:
-    """The rows of a file of validation/published."""
-    with (PUBLISHED / name).open(encoding="utf-8", newline="") as file:
-        yield from csv.DictReader(line for line in file if not line.startswith("#"))
-
-
 def published_columns(name: str) -> dict[str, Array]:
     """The columns of a file of numbers alone, NaN where a cell is empty."""
-    rows = list(published_rows(name))
-    return {key: np.array([float(row[key] or "nan") for row in rows]) for key in rows[0]}
+    rows = published(name)
+    return {key: numbers(rows, key) for key in rows[0]}

@@ -1,31 +1,23 @@
 """Table and figure of all numbers that the model is compared with."""
 
-import csv
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-import matplotlib as mpl
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 
 from validation.measured.anchor import Anchor
-
-mpl.use("agg")
+from validation.study import figure, markdown, save, write
 
 COLOURS = {"measured": "C0", "second hand": "C2", "maker's formula": "C1", "formula": "0.5", "trend": "C4"}
-RANGES = ("theirs", "ours", "E_percent", "u_val_percent")
+HEADS = ("what", "from", "kind", "theirs", "ours", "E, %", "u_val, %", "beyond 2 u_val", "what it is worth")
+RANGES = [f"{name}_{end}" for name in ("theirs", "ours", "E_percent", "u_val_percent") for end in ("low", "high")]
+COLUMNS = ("what", "source", "kind", "unit", "points", *RANGES, "beyond_2_u_val", "worth")
 
 
-def anchors_page(anchors: Sequence[Anchor]) -> str:
-    """anchors.md, in markdown; every number in it is computed."""
-    return "\n".join(_lines(anchors)) + "\n"
-
-
-def _lines(anchors: Sequence[Anchor]) -> Iterator[str]:
-    yield "# All anchors"
-    yield ""
+def anchors_page(anchors: Sequence[Anchor]) -> Iterator[str]:
+    """anchors.md, in Markdown; every number in it is computed."""
+    yield from ("# All anchors", "")
     yield (
         "Ranges over the points of a source, E = ours - theirs over theirs, u_val standard. First what is missed by "
         "more than 2 u_val; then what has no stated uncertainty, from the largest ratio on; then what is within. "
@@ -33,18 +25,16 @@ def _lines(anchors: Sequence[Anchor]) -> Iterator[str]:
         "comparisons validates the torque of a whole bearing."
     )
     yield ""
-    yield "| what | from | kind | theirs | ours | E, % | u_val, % | beyond 2 u_val | what it is worth |"
-    yield "| --- " * 9 + "|"
-    for each in anchors:
-        unit = "" if each.unit == "1" else f" {each.unit}"
-        error, u_val = 100 * each.error, each.relative_uncertainty
-        judged = "- | -" if u_val is None else f"{_ends(100 * u_val, '.1f')} | {each.missed} of {error.size}"
-        yield (
-            f"| {each.what} | {each.source} | {each.kind} | {_ends(each.theirs)}{unit} | {_ends(each.ours)}{unit} | "
-            f"{_ends(error, '+.1f')} | {judged} | {each.worth} |"
-        )
-    yield ""
-    yield "![Ours over theirs for every number that the model is compared with](anchors.png)"
+    yield from markdown(HEADS, map(_cells, anchors))
+    yield from ("", "![Ours over theirs for every number that the model is compared with](anchors.png)")
+
+
+def _cells(each: Anchor) -> tuple[str, ...]:
+    unit = "" if each.unit == "1" else f" {each.unit}"
+    error, u_val = 100 * each.error, each.relative_uncertainty
+    judged = ("-", "-") if u_val is None else (_ends(100 * u_val, ".1f"), f"{each.missed} of {error.size}")
+    values = f"{_ends(each.theirs)}{unit}", f"{_ends(each.ours)}{unit}", _ends(error, "+.1f")
+    return each.what, each.source, each.kind, *values, *judged, each.worth
 
 
 def _ends(values: ArrayLike, form: str = ".4g") -> str:
@@ -53,25 +43,20 @@ def _ends(values: ArrayLike, form: str = ".4g") -> str:
 
 def write_anchors(anchors: Sequence[Anchor], path: Path) -> None:
     """One row for each anchor; ranges over its points, E and u_val over theirs."""
-    with path.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file)
-        columns = (f"{name}_{end}" for name in RANGES for end in ("low", "high"))
-        writer.writerow(("what", "source", "kind", "unit", "points", *columns, "beyond_2_u_val", "worth"))
-        for each in anchors:
-            u_val = each.relative_uncertainty
-            found = [each.theirs, each.ours, 100 * each.error] + ([] if u_val is None else [100 * u_val])
-            ends = [f"{end:.4g}" for values in found for end in (np.nanmin(values), np.nanmax(values))]
-            judged = ["", "", ""] if u_val is None else [each.missed]
-            writer.writerow((each.what, each.source, each.kind, each.unit, each.error.size, *ends, *judged, each.worth))
+    rows = []
+    for each in anchors:
+        u_val = each.relative_uncertainty
+        found = [each.theirs, each.ours, 100 * each.error] + ([] if u_val is None else [100 * u_val])
+        ends = (float(end) for values in found for end in (np.nanmin(values), np.nanmax(values)))
+        row = {name: getattr(each, name) for name in ("what", "source", "kind", "unit", "worth")}
+        row |= {"points": each.error.size, **dict(zip(RANGES, ends, strict=False)), "beyond_2_u_val": each.missed}
+        rows.append(row)
+    write(rows, path, COLUMNS, form=".4g")
 
 
 def draw_anchors(anchors: Sequence[Anchor], path: Path) -> None:
-    figure = Figure(figsize=(11, 14), layout="constrained")
-    _draw(figure.subplots(), anchors)
-    figure.savefig(path, dpi=110, metadata={"Software": None})
-
-
-def _draw(axes: Axes, anchors: Sequence[Anchor]) -> None:
+    drawn = figure(11, 14)
+    axes = drawn.subplots()
     for place, each in enumerate(reversed(anchors)):
         ratio, u_val = 1 + each.error, each.relative_uncertainty
         if u_val is not None:
@@ -90,3 +75,4 @@ def _draw(axes: Axes, anchors: Sequence[Anchor]) -> None:
     axes.grid(visible=True, axis="x", color="0.9")
     axes.set_axisbelow(True)
     axes.set_xlabel("ours over theirs; grey: 2 u_val; cross: missed")
+    save(drawn, path, dpi=110)

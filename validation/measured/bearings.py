@@ -9,7 +9,8 @@ from analytic.oil.variation import OIL_LOSS_FACTORS, Variation
 from analytic.scene import Array, Scene
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
-from validation.measured.anchor import Anchor, published_columns, published_rows
+from validation.measured.anchor import Anchor, published_columns
+from validation.study import published
 
 UNIFORM = 3**-0.5  # standard deviation over half the width of a uniform distribution
 # Standard, relative: bulk modulus and reflection; the inputs' part, of the power 0.67 and 0.53 of the film
@@ -112,7 +113,7 @@ def whole_bearings() -> Iterator[Anchor]:
 
 def film_6016() -> Iterator[Anchor]:
     """Central film at the heaviest ball of a 6016, outer race, and the load of that ball."""
-    row = next(published_rows("film_6016.csv"))
+    row = published("film_6016.csv")[0]
     found = friction_torque(parse_scene(FILM_6016.format(**row), origin="6016"))
     assert found.film.outer is not None
     measured = float(row["film_um"])
@@ -192,7 +193,7 @@ def heat_with_oil(speeds: Array) -> tuple[Array, Array]:
 
 def cage_speeds() -> Iterator[Anchor]:
     """Cage speed over that of balls at zero contact angle that roll without slip."""
-    rows = list(published_rows("cage_speed.csv"))
+    rows = published("cage_speed.csv")
     for known, words, worth in (
         (True, "6203, 400 and 1000 N radial", "bounds the mean slip of the balls, 0 in the model, to some 0.5 %"),
         (False, "6205 and 6203, load unknown", "tests no slip: a contact angle of 8 to 9 degrees would explain it"),

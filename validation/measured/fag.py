@@ -6,7 +6,7 @@ from analytic.errors import InputError
 from analytic.makers import ANGULAR_SERIES, CatalogueCase
 from analytic.oil.rolling import per_minute, ring_diameters, square_millimetres
 from analytic.scene import Array
-from validation.measured.anchor import published_rows
+from validation.study import published
 
 LEAST_STIRRED = 2000.0  # nu n, mm2/s 1/min: below, M_0 has another form
 
@@ -43,5 +43,5 @@ def fag_torque(case: CatalogueCase) -> tuple[Array, Array]:
 def fag_factors(series: str) -> dict[str, float]:
     """The factors of a series of bearings, by column of fag_friction.csv."""
     kind = series if series in ANGULAR_SERIES else "deep groove"
-    row = next(row for row in published_rows("fag_friction.csv") if row["kind"] == kind)
+    row = next(row for row in published("fag_friction.csv") if row["kind"] == kind)
     return {name: float(value) for name, value in row.items() if name != "kind"}

@@ -12,6 +12,7 @@ from analytic.torque import friction_torque
 from validation.catalogue.torque import scene_at
 from validation.measured.anchor import Anchor
 from validation.measured.fag import fag_torque
+from validation.study import markdown
 
 BEARINGS = ("6004", "6204", "6205", "6208", "6212", "6305", "6310")
 LOADS = {"radial": "0.05 C radial", "axial": "0.02 C0 axial"}
@@ -64,14 +65,13 @@ def _skf(scenes: list[Scene], words: str) -> Iterator[Anchor]:
         )
 
 
-def sliding_page() -> str:
-    """sliding.md, in markdown: what the ratio of our sliding to SKF's sliding part is made of."""
-    return "\n".join(_split()) + "\n"
+def sliding_page() -> Iterator[str]:
+    """sliding.md, in Markdown: what the ratio of our sliding to SKF's sliding part is made of."""
+    parts = ("= friction coefficient over 0.05", "x geometry", "x 0.05 over SKF's coefficient")
+    yield from markdown(("load", "ours over SKF's", *parts), _split())
 
 
-def _split() -> Iterator[str]:
-    yield "| load | ours over SKF's | = friction coefficient over 0.05 | x geometry | x 0.05 over SKF's coefficient |"
-    yield "| --- " * 5 + "|"
+def _split() -> Iterator[tuple[str, ...]]:
     for case, load in LOADS.items():
         scenes = [scene_at(find_bearing(name), case) for name in BEARINGS]
         at_film_friction = [replace(each, surface=None, friction_coefficient=SKF_FILM) for each in scenes]
@@ -83,8 +83,7 @@ def _split() -> Iterator[str]:
         )
         ours, same_coefficient = slips(scenes), slips(at_film_friction)
         factors = ours / theirs, ours / same_coefficient, same_coefficient / in_film, in_film / theirs
-        ranges = (f"{np.min(each):.2f} to {np.max(each):.2f}" for each in factors)
-        yield f"| {load} | {' | '.join(ranges)} |"
+        yield load, *(f"{np.min(each):.2f} to {np.max(each):.2f}" for each in factors)
 
 
 def slips(scenes: list[Scene]) -> Array:

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 
@@ -21,13 +20,13 @@ from analytic.oil.viscosity import inlet_viscosity
 from analytic.scene import Array, Operation, Scene
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.torque import friction_torque
-from validation.benchmarks.equilibrium import GROOVES, axial_rigidity_of_pair
+from validation.benchmarks.rigidity import GROOVES, axial_rigidity_of_pair
 from validation.film import run as film
-from validation.measured.anchor import Anchor, published_columns, published_rows
+from validation.measured.anchor import Anchor, published_columns
 from validation.measured.bearings import whole_bearings
 from validation.measured.makers import makers_parts
+from validation.study import SCENES, published
 
-HERE = Path(__file__).parent
 # SKF's constants of all thrust ball bearings, in the Russian text of its catalogue of 2016; mm, N, N mm
 SKF_THRUST = (1.03e-6, 0.016)  # R_1, S_1
 # Base oil and surface tension, N/m, of the two measured greases
@@ -115,7 +114,7 @@ def _catalogues() -> Iterator[Anchor]:
         ("6205_radial", "6205, 1500 N radial and 200 N axial, 100 to 1500 rpm"),
         ("6205_physical", "6205, 1000 N axial, races of Sq 1 um, 100 to 500 rpm"),
     ):
-        scene = load_scene(HERE.parent / "scenes" / f"{name}.toml")
+        scene = load_scene(SCENES / f"{name}.toml")
         total = friction_torque(replace(scene, cage=None)).torque.total
         for model, values in scene_band(scene).values.items():
             if np.isfinite(values).any():
@@ -169,7 +168,7 @@ def _rolling_formulas() -> Iterator[Anchor]:
         ("thrust_rig_6mm", "rig, balls of 6.35 mm"),
         ("6205_radial", "6205, 1500 N radial and 200 N axial"),
     ):
-        scene = load_scene(HERE.parent / "scenes" / f"{name}.toml")
+        scene = load_scene(SCENES / f"{name}.toml")
         assert scene.lubricant is not None
         ours, other = (
             friction_torque(replace(scene, lubricant=replace(scene.lubricant, rolling_formula=formula))).torque.rolling
@@ -192,7 +191,7 @@ def _slow_rolling() -> Iterator[Anchor]:
     """Both laws of elastic rolling against measured resistances to slow rolling."""
     laws: dict[str, list[Array]] = {"hysteresis, loss factor 0.007": [], "Houpert's law, mu = 0.05": []}
     for name in ("thrust_rig_3mm", "thrust_rig_6mm", "6205_physical"):
-        scene = load_scene(HERE.parent / "scenes" / f"{name}.toml")
+        scene = load_scene(SCENES / f"{name}.toml")
         contacts, scale = _contacts(scene), scene.bearing.ball_diameter
         moments = (
             hysteresis_moment(contacts, hysteresis_loss=scene.loss_factor),
@@ -244,7 +243,7 @@ def _greased() -> Iterator[Anchor]:
 
 def measured_resistances() -> Iterator[tuple[str, str, float]]:
     """Source, case, and moment over load and ball diameter."""
-    for row in published_rows("slow_rolling_resistance.csv"):
+    for row in published("slow_rolling_resistance.csv"):
         yield row["source"], row["case"], float(row["moment_over_load_diameter"])
 
 

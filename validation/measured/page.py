@@ -6,22 +6,20 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import matplotlib as mpl
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
+
+from validation.study import figure, markdown, save
 
 if TYPE_CHECKING:
     from validation.measured.run import Rig
 
-mpl.use("agg")
-
 DRY_SHARE = (0.02, 0.12)  # of the lubricated torque, as stated
 
 
-def page(rigs: Sequence[Rig]) -> str:
-    """measured.md, in markdown; every number in it is computed."""
-    return "\n".join((*_verdict(rigs), *_points(rigs), *_mechanisms(rigs))) + "\n"
+def page(rigs: Sequence[Rig]) -> Iterator[str]:
+    """measured.md, in Markdown; every number in it is computed."""
+    yield from (*_verdict(rigs), *_points(rigs), *_mechanisms(rigs))
 
 
 def _verdict(rigs: Sequence[Rig]) -> Iterator[str]:
@@ -55,16 +53,8 @@ def _points(rigs: Sequence[Rig]) -> Iterator[str]:
             "uncertainty (95 %)."
         )
         yield ""
-        yield "| rpm | runs | D | S | E | E/D | u_D | u_num | u_input | u_val | \\|E\\|/u_val | free balls |"
-        yield "| --- " * 12 + "|"
-        parts = rig.measured, rig.computed, rig.error, rig.measurement, rig.numerical, rig.input, rig.validation
-        for point, rpm in enumerate(_rpm(rig)):
-            d, s, e, u_d, u_num, u_input, u_val = (1e6 * part[point] for part in parts)
-            free, unsure = 1e6 * rig.free[point], 1e6 * rig.free_numerical[point]
-            yield (
-                f"| {rpm:.0f} | {rig.count[point]} | {d:.1f} | {s:.1f} | {e:+.1f} | {100 * e / d:+.0f} % | {u_d:.1f} | "
-                f"{u_num:.2f} | {u_input:.1f} | {u_val:.1f} | {abs(e) / u_val:.1f} | {free:.1f} +- {unsure:.1f} |"
-            )
+        heads = ("rpm", "runs", "D", "S", "E", "E/D", "u_D", "u_num", "u_input", "u_val")
+        yield from markdown((*heads, "\\|E\\|/u_val", "free balls"), _point_rows(rig))
         yield ""
         largest = {name: 100 * float(np.max(part / rig.computed)) for name, part in rig.inputs.items()}
         yield "Parts of u_input, largest over the speeds, of S: " + ", ".join(
@@ -73,26 +63,33 @@ def _points(rigs: Sequence[Rig]) -> Iterator[str]:
         yield ""
 
 
+def _point_rows(rig: Rig) -> Iterator[tuple[str, ...]]:
+    parts = rig.measured, rig.computed, rig.error, rig.measurement, rig.numerical, rig.input, rig.validation
+    for point, rpm in enumerate(_rpm(rig)):
+        d, s, e, u_d, u_num, u_input, u_val = (1e6 * part[point] for part in parts)
+        yield (
+            f"{rpm:.0f}", str(rig.count[point]), f"{d:.1f}", f"{s:.1f}", f"{e:+.1f}", f"{100 * e / d:+.0f} %",
+            f"{u_d:.1f}", f"{u_num:.2f}", f"{u_input:.1f}", f"{u_val:.1f}", f"{abs(e) / u_val:.1f}",
+            f"{1e6 * rig.free[point]:.1f} +- {1e6 * rig.free_numerical[point]:.1f}",
+        )  # fmt: skip
+
+
 def _mechanisms(rigs: Sequence[Rig]) -> Iterator[str]:
     yield "## What is missing, and what known mechanisms supply"
     yield ""
     yield "Ranges over the speeds, uN m; negative: the mechanism lowers the torque."
     yield ""
-    yield "| | " + " | ".join(f"balls of {1e3 * rig.ball_diameter:g} mm" for rig in rigs) + " |"
-    yield "| --- " * (1 + len(rigs)) + "|"
-    yield "| missing, D - S | " + " | ".join(_range(-1e6 * rig.error) for rig in rigs) + " |"
-    for name in rigs[0].supplied:
-        yield f"| {name} | " + " | ".join(_range(1e6 * rig.supplied[name]) for rig in rigs) + " |"
-    dry = [_range(1e6 * np.outer(DRY_SHARE, rig.measured)) for rig in rigs]
-    yield f"| the whole dry torque as stated, 2 to 12 % of D | {' | '.join(dry)} |"
-    needed = " | ".join(_range(rig.viscosity_needed, digits=2) for rig in rigs)
-    yield f"| factor on the viscosity that would supply it | {needed} |"
-    yield "| missing, as a force on both surfaces of each contact, mN | " + " | ".join(
-        _range(1e3 * rig.lack_per_contact, digits=2) for rig in rigs
-    ) + " |"  # fmt: skip
-    yield "| 2 gamma d of an oil meniscus, gamma 0.03 N/m, mN | " + " | ".join(
-        f"{1e3 * rig.meniscus:.2f}" for rig in rigs
-    ) + " |"  # fmt: skip
+    force = "missing, as a force on both surfaces of each contact, mN"
+    rows = {
+        "missing, D - S": [_range(-1e6 * rig.error) for rig in rigs],
+        **{name: [_range(1e6 * rig.supplied[name]) for rig in rigs] for name in rigs[0].supplied},
+        "the whole dry torque as stated, 2 to 12 % of D": [_range(1e6 * np.outer(DRY_SHARE, r.measured)) for r in rigs],
+        "factor on the viscosity that would supply it": [_range(rig.viscosity_needed, digits=2) for rig in rigs],
+        force: [_range(1e3 * rig.lack_per_contact, digits=2) for rig in rigs],
+        "2 gamma d of an oil meniscus, gamma 0.03 N/m, mN": [f"{1e3 * rig.meniscus:.2f}" for rig in rigs],
+    }
+    balls = (f"balls of {1e3 * rig.ball_diameter:g} mm" for rig in rigs)
+    yield from markdown(("", *balls), ((name, *cells) for name, cells in rows.items()))
     yield ""
     yield (
         "No mechanism of the model supplies what is missing. The last line is a weak hypothesis: a force of an oil "
@@ -113,10 +110,10 @@ def _rpm(rig: Rig) -> np.ndarray:
 
 
 def draw(rigs: Sequence[Rig], path: Path) -> None:
-    figure = Figure(figsize=(10, 4.4), layout="constrained")
-    for axes, rig in zip(figure.subplots(1, len(rigs)), rigs, strict=True):
+    drawn = figure(10, 4.4)
+    for axes, rig in zip(drawn.subplots(1, len(rigs)), rigs, strict=True):
         _draw_rig(axes, rig)
-    figure.savefig(path, dpi=130, metadata={"Software": None})
+    save(drawn, path)
 
 
 def _draw_rig(axes: Axes, rig: Rig) -> None:

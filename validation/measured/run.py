@@ -8,8 +8,6 @@ measured.csv and measured.png into this folder; and anchors.md, anchors.csv and 
 model is compared with, first what is missed. It takes half a minute.
 """
 
-import argparse
-import csv
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -17,7 +15,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from rich.console import Console
 from scipy.special import ellipe
 
 from analytic.loads.balls import LoadedBalls, LoadEffects, thrust_balls
@@ -30,9 +27,10 @@ from validation.measured.anchors_page import anchors_page, draw_anchors, write_a
 from validation.measured.makers import sliding_page
 from validation.measured.others import measured_resistances, others
 from validation.measured.page import draw, page
+from validation.study import PUBLISHED, SCENES, Out, run, write, write_text
 
 HERE = Path(__file__).parent
-DATA = HERE.parent / "published" / "balan2015.csv"
+DATA = PUBLISHED / "balan2015.csv"
 RIGS = {3.0: "thrust_rig_3mm.toml", 6.35: "thrust_rig_6mm.toml"}  # ball diameter, mm: scene
 RPM = (60, 90, 120, 150, 180, 210)
 # Standard uncertainties, relative. Judgement: the moment of inertia by which a spin-down becomes a torque, and that of
@@ -110,21 +108,16 @@ class Rig:
         return -self.error / (self.scene.bearing.ball_count * self.scene.bearing.pitch_diameter)
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--out", type=Path, default=HERE, help="folder of the results")
-    folder = parser.parse_args().out
+def main(out: Out = HERE) -> None:
     rigs = [compare(diameter) for diameter in RIGS]
     anchors = first_what_is_missed([*map(spin_down_anchor, rigs), *others()])
-    folder.mkdir(parents=True, exist_ok=True)
-    texts = {"measured.md": page(rigs), "anchors.md": anchors_page(anchors), "sliding.md": sliding_page()}
-    write(rigs, folder / "measured.csv")
-    draw(rigs, folder / "measured.png")
-    write_anchors(anchors, folder / "anchors.csv")
-    draw_anchors(anchors, folder / "anchors.png")
-    for name, text in texts.items():
-        (folder / name).write_text(text, encoding="utf-8")
-        Console(width=120).print(text, markup=False, highlight=False)
+    write_points(rigs, out / "measured.csv")
+    draw(rigs, out / "measured.png")
+    write_anchors(anchors, out / "anchors.csv")
+    draw_anchors(anchors, out / "anchors.png")
+    pages = {"measured.md": page(rigs), "anchors.md": anchors_page(anchors), "sliding.md": sliding_page()}
+    for name, lines in pages.items():
+        write_text(out / name, lines)
 
 
 def spin_down_anchor(rig: Rig) -> Anchor:
@@ -152,7 +145,7 @@ def spin_downs(diameter: float) -> Array:
 
 def compare(diameter: float) -> Rig:
     """diameter : of the balls, mm."""
-    scene = load_scene(HERE.parent / "scenes" / RIGS[diameter])
+    scene = load_scene(SCENES / RIGS[diameter])
     result, free = friction_torque(scene), friction_torque(replace(scene, spin_rule="free"))
     return Rig(
         ball_diameter=diameter * 1e-3,
@@ -255,22 +248,22 @@ def dry_pivoting(scene: Scene) -> float:
     return float(2 * scene.bearing.ball_count * moment / 2)
 
 
-def write(rigs: list[Rig], path: Path) -> None:
+def write_points(rigs: list[Rig], path: Path) -> None:
     """One row for each point, uN m."""
-    with path.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file)
-        writer.writerow(
-            ("ball_diameter_mm", "rpm", "runs", "D_uN_m", "S_uN_m", "E_uN_m", "E_over_D", "u_D_uN_m", "u_num_uN_m",
-             "u_input_uN_m", "u_val_uN_m", "abs_E_over_u_val", "S_free_balls_uN_m", "free_balls_numerical_95_uN_m")
-        )  # fmt: skip
-        for rig in rigs:
-            micro = [1e6 * part for part in (rig.measured, rig.computed, rig.error, rig.error / rig.measured * 1e-6,
-                     rig.measurement, rig.numerical, rig.input, rig.validation,
-                     np.abs(rig.error) / rig.validation * 1e-6, rig.free, rig.free_numerical)]  # fmt: skip
-            for point, rpm in enumerate(RPM):
-                values = (f"{part[point]:.5g}" for part in micro)
-                writer.writerow((f"{1e3 * rig.ball_diameter:g}", rpm, int(rig.count[point]), *values))
+    rows: list[dict[str, object]] = []
+    for rig in rigs:
+        micro = {
+            "D_uN_m": rig.measured, "S_uN_m": rig.computed, "E_uN_m": rig.error,
+            "E_over_D": rig.error / rig.measured * 1e-6, "u_D_uN_m": rig.measurement, "u_num_uN_m": rig.numerical,
+            "u_input_uN_m": rig.input, "u_val_uN_m": rig.validation,
+            "abs_E_over_u_val": np.abs(rig.error) / rig.validation * 1e-6,
+            "S_free_balls_uN_m": rig.free, "free_balls_numerical_95_uN_m": rig.free_numerical,
+        }  # fmt: skip
+        for point, rpm in enumerate(RPM):
+            known = {"ball_diameter_mm": 1e3 * rig.ball_diameter, "rpm": rpm, "runs": int(rig.count[point])}
+            rows.append(known | {name: float(1e6 * part[point]) for name, part in micro.items()})
+    write(rows, path, list(rows[0]), form=".5g")
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -7,15 +7,10 @@ slope at which the elastic law itself would carry the measured share, and draws 
 those of published/load_sharing.csv.
 """
 
-import argparse
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-import matplotlib as mpl
 import numpy as np
-from matplotlib.figure import Figure
-from rich.console import Console
-from rich.table import Table
 from scipy.special import erf, erfc, ndtri
 
 from analytic import parse_scene
@@ -29,12 +24,9 @@ from analytic.oil.variation import GAP_SPREAD
 from analytic.scene import Array, Surface
 from analytic.surface.gap import GapLaw, gap_law
 from analytic.surface.roughness import gap_roughness
-from validation import rows
-
-mpl.use("agg")
+from validation.study import Out, figure, published, run, save, show
 
 HERE = Path(__file__).parent
-LAWS = HERE.parent / "published" / "load_sharing.csv"
 FINISHES = ("ground", "ground and honed")
 LAMBDAS = (0.25, 0.5, 0.95, 1.3, 1.8, 2.3, 3.0)
 LOAD = 4.37 * 2000 / 9  # N, of the heaviest of nine balls [Stribeck1907]
@@ -86,7 +78,7 @@ def laws() -> list[Law]:
             last=float(row["to"]),
             kind=row["kind"],
         )
-        for row in rows.read(LAWS)
+        for row in published("load_sharing.csv")
     ]
 
 
@@ -145,36 +137,30 @@ def rough_contact(finish: str) -> RoughContact:
     )
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--out", type=Path, default=HERE, help="folder for mixed.png")
-    folder = parser.parse_args().out
-    contacts, out = [rough_contact(finish) for finish in FINISHES], Console(width=118)
-    report(contacts, out)
-    folder.mkdir(parents=True, exist_ok=True)
-    draw(contacts, folder / "mixed.png")
+def main(out: Out = HERE) -> None:
+    contacts = [rough_contact(finish) for finish in FINISHES]
+    report(contacts)
+    draw(contacts, out / "mixed.png")
 
 
-def report(contacts: list[RoughContact], out: Console) -> None:
+def report(contacts: list[RoughContact]) -> None:
     film_ratio = np.array(LAMBDAS)
-    table = Table("lambda", *(f"{each:g}" for each in LAMBDAS), title="Share of the load on asperities, %")
+    heads, rows = ("lambda", *(f"{each:g}" for each in LAMBDAS)), []
     for each in contacts:
-        own = each.share(film_ratio)
-        table.add_section()
-        table.add_row(each.finish, *_percent(own))
-        table.add_row("  interval, low", *_percent(each.share(film_ratio, -END)))
-        table.add_row("  interval, high", *_percent(each.share(film_ratio, END)))
-        table.add_row("  truncated", *_percent(each.share(film_ratio, truncated=True)))
-    table.add_section()
-    for law in laws():
-        table.add_row(law.short, *_percent(law.share(film_ratio)))
-    out.print(table)
-    needed = Table("lambda", *(f"{each:g}" for each in LAMBDAS), title="rms slope for the share of T&S Gauss")
+        rows += [
+            (each.finish, *_percent(each.share(film_ratio))),
+            ("  interval, low", *_percent(each.share(film_ratio, -END))),
+            ("  interval, high", *_percent(each.share(film_ratio, END))),
+            ("  truncated", *_percent(each.share(film_ratio, truncated=True))),
+        ]
+    rows += [(law.short, *_percent(law.share(film_ratio))) for law in laws()]
+    show(heads, rows, "Share of the load on asperities, %")
     measured = laws()[1].share(film_ratio)
-    for each in contacts:
-        slopes = each.slope * measured / each.share(film_ratio)
-        needed.add_row(f"{each.finish}, has {each.slope:.4f}", *(f"{slope:.2g}" for slope in slopes))
-    out.print(needed)
+    slopes = [
+        (f"{each.finish}, has {each.slope:.4f}", *(f"{s:.2g}" for s in each.slope * measured / each.share(film_ratio)))
+        for each in contacts
+    ]
+    show(heads, slopes, "rms slope for the share of T&S Gauss")
 
 
 def _percent(shares: Array) -> list[str]:
@@ -182,10 +168,10 @@ def _percent(shares: Array) -> list[str]:
 
 
 def draw(contacts: list[RoughContact], path: Path) -> None:
-    figure = Figure(figsize=(8.4, 4.6), layout="constrained")
+    drawn = figure(8.4, 4.6)
     film_ratio = np.linspace(0.05, 3.0, 200)
     styles = {"measured friction": ("C3", "-"), "measured contact resistance": ("C1", "-"), "quoted": ("0.45", ":")}
-    for axes, each in zip(figure.subplots(1, 2, sharey=True), contacts, strict=True):
+    for axes, each in zip(drawn.subplots(1, 2, sharey=True), contacts, strict=True):
         low, high = (100 * each.share(film_ratio, step) for step in (-END, END))
         axes.fill_between(film_ratio, low, high, color="C0", alpha=0.2, lw=0, label="95 % of model.gap")
         axes.semilogy(film_ratio, 100 * each.share(film_ratio), color="C0", lw=2, label="product")
@@ -197,10 +183,10 @@ def draw(contacts: list[RoughContact], path: Path) -> None:
             axes.plot(film_ratio, 100 * law.share(film_ratio), color=colour, ls=dashed, lw=1.3, label=label)
         axes.set(title=each.finish, xlabel="lambda, smooth film over rms height", xlim=(0, 3), ylim=(0.01, 110))
         axes.grid(alpha=0.25)
-    figure.axes[0].set_ylabel("load on asperities, %")
-    figure.axes[0].legend(frameon=False, loc="lower left", fontsize=8)
-    figure.savefig(path, dpi=130, metadata={"Software": None})
+    drawn.axes[0].set_ylabel("load on asperities, %")
+    drawn.axes[0].legend(frameon=False, loc="lower left", fontsize=8)
+    save(drawn, path)
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

@@ -4,7 +4,6 @@ Each row is one command of fembearing torque, whose result in JSON fills it; ord
 formulas are fits to unpublished tests: none is a measured torque of these bearings.
 """
 
-import argparse
 import json
 import shlex
 import subprocess
@@ -12,6 +11,8 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
+
+from validation.study import Out, markdown, run, write_text
 
 HERE = Path(__file__).parent
 PLAIN = '--speed 1500rpm --oil "ISO VG 46" --temperature 70C'
@@ -38,33 +39,22 @@ def computed(words: str) -> dict[str, Any]:
     return json.loads(done.stdout)
 
 
-def rows() -> Iterator[str]:
-    """The table, Markdown."""
-    yield "| case | torque, N mm | 95 % | makers, N mm | verdict |"
-    yield "| --- | --- | --- | --- | --- |"
+def rows() -> Iterator[tuple[str, ...]]:
+    """Of each case its name, torque, interval, makers' torques and verdict."""
     for name, words in CASES:
         found = computed(words)
-        ends = found["interval"]
-        interval = (
-            "not known" if ends is None or ends[0] is None else " to ".join(f"{1e3 * end:.3g}" for end in ends[0])
-        )
+        ends = (found["interval"] or [None])[0]
+        interval = "not known" if ends is None else " to ".join(f"{1e3 * end:.3g}" for end in ends)
         band = (found["catalogue_band"] or {}).get("values") or {}
         held = {maker: value[0] for maker, value in band.items() if value[0] is not None}
         makers = ", ".join(f"{maker} {1e3 * value:.3g}" for maker, value in held.items()) or "no formula"
         total = 1e3 * found["points"][0]["torque"]["total"]
-        standing = found["standing"]
-        yield f"| {name} | {total:.3g} | {interval} | {makers} | {standing['word']} |"
+        yield name, f"{total:.3g}", interval, makers, found["standing"]["word"]
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--out", type=Path, default=HERE, help="folder of ordinary.md")
-    folder = parser.parse_args().out
-    folder.mkdir(parents=True, exist_ok=True)
-    text = "\n".join(rows()) + "\n"
-    (folder / "ordinary.md").write_text(text, encoding="utf-8")
-    print(text)  # noqa: T201
+def main(out: Out = HERE) -> None:
+    write_text(out / "ordinary.md", markdown(("case", "torque, N mm", "95 %", "makers, N mm", "verdict"), rows()))
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

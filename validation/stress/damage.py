@@ -1,22 +1,17 @@
 """Files of every kind that a user names, damaged at random, and what reads them.
 
 A file is changed at a few places: values of scenes and grids become absurd, lines vanish or double, bytes are cut,
-inserted or replaced. Tables of torques and cycles get other cells, rows and units. Of a report its numbers and its
-pictures are damaged.
+inserted or replaced. Tables of torques and cycles get other cells, rows and units.
 """
 
 import io
-import json
 import os
 import re
 import shutil
 import tempfile
 from collections.abc import Callable
 from dataclasses import replace
-from functools import cache
 from pathlib import Path
-from typing import Any
-from unittest.mock import patch
 
 import meshio
 import numpy as np
@@ -27,16 +22,10 @@ from analytic.scenefile.cycle import read_cycle
 from analytic.scenefile.read import load_by_temperature
 from analytic.standing import worst_standing
 from analytic.surface.heightmap import measure, read_height_map
-from fembearing.check.contact import scene_contact
 from fembearing.check.measured.comparison import compare_measured
-from fembearing.check.validation import Validation, check_scene
 from fembearing.mesh.meshfile import read_body
-from fembearing.mesh.recipe import Recipe, load_recipe
 from fembearing.plain_types import plain
 from fembearing.report.duty_folder import duty_file
-from fembearing.report.page.pictures import shown_pictures
-from fembearing.report.page.write import page_of
-from fembearing.report.report import read_report
 from fembearing.sweep.grid import load_grid
 from validation.stress.extreme import require_finite_numbers
 from validation.stress.watched import Input
@@ -54,10 +43,6 @@ JUNK = (
 HEADS = (
     *("duration [s]", "duration [h]", "inner_speed [rad/s]", "axial_load [kN]", "radial_load [lbf]", "torque [N m]"),
     *("temperature [degC]", "uncertainty [%]", "inner_speed", "axial_load [rpm]", "torque []", "[N]", "=1+1 [N]"),
-)
-JSON_JUNK: tuple[Any, ...] = (
-    *(None, True, 0, -1, 1e308, -1e308, 1e-308, 10**400, "", "a" * 300, "\0", "../../etc/passwd", "<script>1</script>"),
-    *([], {}, [[]], float("inf"), float("nan")),
 )
 BYTES = (
     *(b"\x00", b"\xff\xfe", b"\xef\xbb\xbf", b"\r", b"\n", b"'''", b'"""'),
@@ -88,14 +73,10 @@ inner_speed [rpm],axial_load [N],torque [N mm],uncertainty [%]
 
 
 class Files:
-    """Makes damaged inputs; folder : for the files, report : a folder with an intact report."""
+    """Makes damaged inputs; folder : for the files."""
 
-    def __init__(self, folder: Path, report: Path) -> None:
-        self.folder, self.report = folder, report
-        self.numbers = (report / "report.json").read_bytes()
-        self.document = read_report(report / "report.json")
-        self.pictures = [path.name for path in sorted(report.iterdir()) if path.suffix in (".png", ".html")]
-        self.pictures.remove("report.html")
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
 
     @property
     def place(self) -> Path:
@@ -111,12 +92,6 @@ class Files:
             ("grid", changed_grid, lambda path: load_grid(path).first_scene()),
             ("cycle", lambda rng: ("cycle.csv", changed_table(CYCLE, rng)), read_duty),
             ("measured torques", lambda rng: ("measured.csv", changed_table(MEASURED, rng)), read_torques),
-            ("report", self.changed_report, read_page),
-            (
-                "picture",
-                self.changed_picture,
-                lambda path: shown_pictures(self.document, path.parent, kinds=("pressure", "section", "view")),
-            ),
         )
         kind, change, read = kinds[seed % len(kinds)]
         name, content = change(rng)
@@ -126,32 +101,6 @@ class Files:
         path = self.place / name
         path.write_bytes(content)
         return Input(kind, content, lambda: read(path))
-
-    def changed_report(self, rng: np.random.Generator) -> tuple[str, bytes]:
-        if rng.random() < 0.3:
-            return "report.json", changed_bytes(self.numbers, rng)
-        document = json.loads(self.numbers)
-        for _ in range(changes(rng)):
-            change_at_random_place(document, rng)
-        return "report.json", json.dumps(document).encode("utf-8", "surrogatepass")
-
-    def changed_picture(self, rng: np.random.Generator) -> tuple[str, bytes]:
-        name = self.pictures[rng.integers(len(self.pictures))]
-        content = (self.report / name).read_bytes()
-        return name, changed_bytes(content, rng) if rng.random() < 0.8 else rng.bytes(int(rng.integers(0, 100)))
-
-
-def solved_contacts() -> Validation:
-    """The contacts of the built-in dry scene on coarse meshes."""
-    with patch.object(scene_contact, "load_recipe", shallow):
-        return check_scene(load_scene("6205-dry"), tolerance=0.9)
-
-
-@cache
-def shallow(name: str) -> Recipe:
-    """Meshes of few cells."""
-    recipe = load_recipe(name)
-    return replace(recipe, cells=replace(recipe.cells, depth=1, outside=min(recipe.cells.outside, 1)))
 
 
 def read_scene(path: Path) -> None:
@@ -172,37 +121,6 @@ def read_duty(path: Path) -> None:
 def read_torques(path: Path) -> None:
     """Read measured torques, and compare the torque of a scene with them."""
     require_finite_numbers(plain(compare_measured(load_scene("6205-dry"), path, samples=FEW)))
-
-
-def read_page(path: Path) -> None:
-    """Read the numbers of a report, and make its page."""
-    page = page_of(read_report(path), path.parent)
-    words = re.search(r">\s*[-+]?(nan|inf)\b", page)
-    if words:
-        raise ArithmeticError(f"the page shows {words.group()}")
-
-
-def change_at_random_place(node: Any, rng: np.random.Generator) -> None:
-    """Change, remove or double one value anywhere in lists and dicts."""
-    while True:
-        names = list(node) if isinstance(node, dict) else list(range(len(node)))
-        if not names:
-            return
-        name = names[rng.integers(len(names))]
-        inside = node[name]
-        if isinstance(inside, dict | list) and inside and rng.random() < 0.9:
-            node = inside
-            continue
-        match rng.integers(4):
-            case 0:
-                del node[name]
-            case 1 if type(inside) in (int, float) and abs(inside) < 1e300:  # a larger integer is no float
-                node[name] = -inside if rng.random() < 0.5 else inside * 10 ** rng.uniform(-300, 300)
-            case 2 if isinstance(node, list):
-                node.insert(name, inside)
-            case _:
-                node[name] = JSON_JUNK[rng.integers(len(JSON_JUNK))]
-        return
 
 
 def changed_scene(rng: np.random.Generator) -> tuple[str, bytes]:

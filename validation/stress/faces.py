@@ -63,8 +63,6 @@ def damaged_through_commands(seeds: Iterable[int], files: Files, base: float) ->
     """The commands that read a file of each kind, of scenes all; of a mesh the reader, as no command takes one."""
     for seed in seeds:
         given = files.input(seed)
-        if given.kind in ("report", "picture"):  # no command reads one
-            continue
         place = files.place
         if given.kind == "height map":
             name = next(place.iterdir()).name

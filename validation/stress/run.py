@@ -1,7 +1,7 @@
 """Does anything get through? python validation/stress/run.py [--short] [PARTS]
 
     scenes    extreme but valid scenes: their torque in this process, and through every command of a scene
-    damaged   damaged scenes, grids, height maps, meshes, reports and pictures, in this process and through commands
+    damaged   damaged scenes, grids, height maps and meshes, in this process and through commands
     limits    memory, file size, full disk, permissions, home, locale, streams, files that are none
     page      extreme and damaged scenes in the page of `fembearing app`
     growth    memory of a process after many calls
@@ -33,9 +33,8 @@ from typing import TypeVar
 
 import numpy as np
 
-from fembearing.report.folder import write_report
 from validation.stress.commands import ROOT, run
-from validation.stress.damage import Files, solved_contacts
+from validation.stress.damage import Files
 from validation.stress.extreme import scene_input
 from validation.stress.faces import damaged_through_commands, scenes_through_faces
 from validation.stress.growth import FUNCTIONS, growth_of
@@ -155,14 +154,6 @@ class Place:
         return tried(make, self.seeds(count), jobs=self.options.jobs)
 
     @cached_property
-    def report(self) -> Path:
-        """A folder with a report, made once."""
-        made = self.folder / "report"
-        made.mkdir()
-        write_report(solved_contacts(), made)
-        return made
-
-    @cached_property
     def base(self) -> float:
         """Memory of a command that does little, bytes."""
         return run(("torque", "6205-dry"), self.folder).memory
@@ -181,7 +172,7 @@ def scenes(place: Place) -> Iterator[Row]:
 
 
 def damaged(place: Place) -> Iterator[Row]:
-    files = Files(place.folder, place.report)
+    files = Files(place.folder)
     if place.budget.inputs:
         yield gathered("damaged, one process", place.tries(files.input, place.budget.inputs), place)
     if place.budget.commands:

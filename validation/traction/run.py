@@ -6,31 +6,27 @@ product takes both at each point, without heating. The program prints a table of
 traction.png into this folder.
 """
 
-import argparse
-import csv
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
-import matplotlib as mpl
 import numpy as np
-from matplotlib.figure import Figure
 
 from analytic import lubricant, traction_coefficient
 from analytic.oil.viscosity import viscosity_under_pressure
 from analytic.scene import Lubricant
-
-mpl.use("agg")
+from validation.study import PUBLISHED, Out, figure, markdown, read, run, save, write_text
 
 HERE = Path(__file__).parent
-DATA = HERE.parent / "published" / "twin_disc_traction.csv"
+DATA = PUBLISHED / "twin_disc_traction.csv"
 PRESSURE, TEMPERATURE = 1e9, 333.15  # Pa, K: of the tests
-SLIPS = (
-    0.01,
-    0.05,
-)  # least and largest of the comparison: beyond, the oil heats by up to 56 K, which the product leaves out
+SLIPS = (0.01, 0.05)  # of the comparison: beyond, the oil heats by up to 56 K, which the product leaves out
 STATED = 0.005  # largest difference of the reference from measured coefficients, as stated
+HEADS = (
+    *("oil", "slip", "product over reference, mean and range"),
+    *("stress at the Hertz pressure", "Roelands' viscosity"),
+)
 COLOURS = {"N100": "tab:green", "M100": "tab:blue", "PAO100": "tab:red"}
 KINDS = {"N100": "naphthenic", "M100": "paraffinic mineral", "PAO100": "PAO"}
 
@@ -56,9 +52,7 @@ def at_hertz_pressure(oil: Lubricant) -> Lubricant:
 
 def tests() -> Iterator[Test]:
     """Those of the table, computed."""
-    with DATA.open(encoding="utf-8", newline="") as file:
-        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
-    for row in rows:
+    for row in read(DATA):
         oil = lubricant(row["oil"], temperature=TEMPERATURE)
         speed, slip, film = float(row["rolling_speed [m/s]"]), float(row["slip"]), float(row["film [um]"]) * 1e-6
         found = (
@@ -75,20 +69,15 @@ def geometric(ratios: list[float]) -> float:
     return float(np.exp(np.mean(np.log(ratios))))
 
 
-def table(found: list[Test]) -> Iterator[str]:
-    """Ratios to the reference, Markdown."""
-    yield "| oil | slip | product over reference, mean and range | stress at the Hertz pressure | Roelands' viscosity |"
-    yield "| --- | --- | --- | --- | --- |"
+def table(found: list[Test]) -> Iterator[tuple[str, ...]]:
+    """Ratios to the reference."""
     for oil, kind in KINDS.items():
         for slip in sorted({each.slip for each in found}):
             here = [each for each in found if (each.oil, each.slip) == (oil, slip)]
             ratios = [each.computed / each.reference for each in here]
             others = (geometric([getattr(e, name) / e.reference for e in here]) for name in ("hertz", "roelands"))
-            shown = " | ".join(f"{each:.2f}" for each in others)
-            yield (
-                f"| {oil}, {kind} | {slip:.0%} | {geometric(ratios):.2f}, {min(ratios):.2f} to {max(ratios):.2f} "
-                f"| {shown} |"
-            )
+            span = f"{geometric(ratios):.2f}, {min(ratios):.2f} to {max(ratios):.2f}"
+            yield f"{oil}, {kind}", f"{slip:.0%}", span, *(f"{each:.2f}" for each in others)
 
 
 def mean_ratio(found: list[Test], *oils: str) -> float:
@@ -99,9 +88,9 @@ def mean_ratio(found: list[Test], *oils: str) -> float:
 
 def draw(found: list[Test], path: Path) -> None:
     """Coefficients over the slip at the slowest and the fastest speed."""
-    figure = Figure(figsize=(9.5, 4.2), layout="constrained")
+    drawn = figure(9.5, 4.2)
     speeds = sorted({each.speed for each in found})
-    axes = figure.subplots(1, 2, sharey=True)
+    axes = drawn.subplots(1, 2, sharey=True)
     slips = np.geomspace(0.002, 0.12, 60)
     for axis, speed in zip(axes, (speeds[0], speeds[-1]), strict=True):
         for oil, colour in COLOURS.items():
@@ -124,27 +113,18 @@ def draw(found: list[Test], path: Path) -> None:
         axis.grid(which="major", color="0.9")
     axes[0].set_ylabel("traction coefficient")
     title = "lines: fembearing; points: the law of [Arana2019], whose distance from measured traction is below 0.005"
-    figure.legend(*axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=3, fontsize=9, title=title)
-    figure.savefig(path, dpi=120)
+    drawn.legend(*axes[0].get_legend_handles_labels(), loc="outside lower center", ncols=3, fontsize=9, title=title)
+    save(drawn, path, dpi=120)
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--out", type=Path, default=HERE, help="folder for traction.md and traction.png")
-    folder = parser.parse_args().out
+def main(out: Out = HERE) -> None:
     found = list(tests())
-    lines = [*table(found), ""]
     means = {"mineral and naphthenic": mean_ratio(found, "M100", "N100"), "PAO": mean_ratio(found, "PAO100")}
-    lines += [
-        f"Geometric mean at {SLIPS[0]:.0%} to {SLIPS[1]:.0%} slip: "
-        + ", ".join(f"{value:.2f} of {name}" for name, value in means.items())
-        + "."
-    ]
-    folder.mkdir(parents=True, exist_ok=True)
-    (folder / "traction.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
-    print("\n".join(lines))  # noqa: T201
-    draw(found, folder / "traction.png")
+    words = ", ".join(f"{value:.2f} of {name}" for name, value in means.items())
+    lines = [*markdown(HEADS, table(found)), "", f"Geometric mean at {SLIPS[0]:.0%} to {SLIPS[1]:.0%} slip: {words}."]
+    write_text(out / "traction.md", lines)
+    draw(found, out / "traction.png")
 
 
 if __name__ == "__main__":
-    main()
+    run(main)

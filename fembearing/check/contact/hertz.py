@@ -12,7 +12,7 @@ from annotated_types import MinLen
 
 from analytic.contact.finite_geometry import contact_shape, finite_geometry_factors
 from analytic.contact.hertz import contact_modulus, hertz_contact, relative_curvatures
-from analytic.rows import NotNegative, Positive, require_one_length
+from analytic.rows import NotNegative, Positive
 from analytic.scene import Array, Contact
 from fembearing.fem.measure import Quantities
 
@@ -76,10 +76,6 @@ class ApproachCurve:
     corrected: tuple[Positive | None, ...]  # m
     uncertainty: tuple[NotNegative | None, ...]  # of the corrected approach, relative half-width, 95 %
 
-    def __post_init__(self) -> None:
-        """Raises ValueError for lists of different lengths."""
-        require_one_length(*vars(self).values())
-
 
 def approach_over_load(contact: Contact, *, hertz: Quantities, correctable: bool) -> ApproachCurve:
     """The curve from 0.05 to 1.5 times the contact's load.
@@ -122,10 +118,6 @@ class PressureProfile:
 
     position: Annotated[tuple[float, ...], MinLen(1)]  # m from the contact's centre, ascending
     pressure: tuple[float, ...]  # Pa
-
-    def __post_init__(self) -> None:
-        """Raises ValueError for lists of different lengths."""
-        require_one_length(self.position, self.pressure)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -55,8 +55,6 @@ from fembearing.fem.solution import MeshSolution
 from fembearing.grid_convergence import Estimate, mesh_allowed
 from fembearing.mesh.recipe import Geometry, Recipe
 
-KIND, FORMAT = "fembearing load series", 2  # of its JSON; the number rises when a key changes its name or meaning
-
 
 class SolvedLoad(NamedTuple):
     """One load of a series."""

@@ -13,18 +13,18 @@ from numpy.typing import NDArray
 
 from analytic.any_scene import scene_by
 from analytic.brief import Brief
+from analytic.columns import COLUMNS, COORDINATES
 from analytic.errors import InputError
 from analytic.given import SceneOptions
 from analytic.labelled import Column, Labelled, dataset_of, frame_of
 from analytic.progress import Progress, part_of, silent
-from analytic.result import COORDINATES
 from analytic.rows import Count, NotNegative
 from analytic.scene import MeasuredTorque, Operation, Scene
 from analytic.scenefile.columns import operating_points, require_loads
 from analytic.scenefile.measured import read_measured
 from analytic.verdicts import Overall
 from fembearing.check.measured.conclusions import conclusions_of, notes_of
-from fembearing.check.measured.rows import COLUMNS, MeasuredRow, row_of
+from fembearing.check.measured.rows import OF_ROW, MeasuredRow, row_of
 
 if TYPE_CHECKING:  # with SciPy's statistics, which take half a second to import
     from analytic.prediction.prediction import Prediction
@@ -62,9 +62,11 @@ class MeasuredComparison(Brief):
 
     def columns(self) -> dict[str, Labelled]:
         """Every number of the rows, SI, NaN where it is not known."""
-        found = {name: [getattr(row, name) for row in self.rows] for name in COLUMNS}
+        found = {name: [getattr(row, name) for row in self.rows] for name in OF_ROW}
         return {
-            name: Labelled((ROW,), np.array([np.nan if each is None else each for each in values]), COLUMNS[name])
+            name: Labelled(
+                (ROW,), np.array([np.nan if each is None else each for each in values]), (COORDINATES | COLUMNS)[name]
+            )
             for name, values in found.items()
         }
 

@@ -16,8 +16,7 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from analytic.labelled import Column
-from analytic.result import COORDINATES
+from analytic.columns import COORDINATES
 from analytic.rows import NotNegative, OperatingPoint, Positive
 from analytic.scene import MeasuredTorque, Scene
 
@@ -26,23 +25,23 @@ if TYPE_CHECKING:  # with SciPy's statistics, which take half a second to import
 
 COVERAGE = NormalDist().inv_cdf(0.975)  # standard uncertainties to a half-width of 95 %
 Inside = Literal["inside", "model too low", "model too high"]
-COLUMNS: dict[str, Column] = {
-    **COORDINATES,
-    "temperature": Column("K", "temperature of the oil"),
-    "measured": Column("N m", "measured friction torque"),
-    "computed": Column("N m", "computed friction torque"),
-    "error": Column("N m", "computed less measured friction torque"),
-    "numerical": Column("N m", "standard uncertainty of the solver"),
-    "input": Column("N m", "standard uncertainty by the inputs"),
-    "measurement": Column("N m", "standard uncertainty of the measured torque"),
-    "validation": Column("N m", "validation uncertainty, of solver, inputs and measurement"),
-    "formulas": Column("N m", "standard uncertainty by the formulas"),
-    "computed_low": Column("N m", "lower end of the 95 % interval of the computed friction torque"),
-    "computed_high": Column("N m", "upper end of the 95 % interval of the computed friction torque"),
-    "low": Column("N m", "lower end of the 95 % interval of the measured friction torque"),
-    "high": Column("N m", "upper end of the 95 % interval of the measured friction torque"),
-    "beyond": Column("N m", "distance of the measured torque from its 95 % interval"),
-}
+OF_ROW = (
+    *COORDINATES,
+    "temperature",
+    "measured",
+    "computed",
+    "error",
+    "numerical",
+    "input",
+    "measurement",
+    "validation",
+    "formulas",
+    "computed_low",
+    "computed_high",
+    "low",
+    "high",
+    "beyond",
+)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -22,7 +22,6 @@ from fembearing.report.figures.bearing_section import (
 )
 from fembearing.report.figures.style import BLUE, GREY, LETTERS, RED, TITLE, WIDTH
 from fembearing.report.report import Report
-from fembearing.report.scene_view import GivenAngle
 
 STEEL, BALL, LINE, CENTRE = "#e3e8ed", "#cfe0ef", "#1b1f23", (0, (9, 2, 1.5, 2))
 HIGH, ROW, FOOT, HEAD = 3.2, 0.152, 0.38, 0.36  # inches: of the views, of a row of the table, of the ends
@@ -73,7 +72,7 @@ def bearing_plot(document: Report) -> tuple[Figure | None, str]:
     """The drawing of a report's bearing, without its table."""
     scene = document.scene
     angle, pocket = scene.contact_angle, None if scene.cage is None else scene.cage.pocket_diameter
-    given = angle.value if isinstance(angle, GivenAngle) else angle.free
+    given = angle.value if angle.rule == "given" else angle.free
     figure = drawing_of(shown_bearing(scene.bearing, angle.rule, given, pocket=pocket), document.units, table=False)
     if figure is None:
         return None, NOT_DRAWABLE

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from analytic.result import TorquePoint
 from analytic.scene import Array
 from fembearing.quantities import QUANTITIES, Units
 from fembearing.report.figures.style import DECADE, MANY, plain_numbers, plain_ticks

@@ -8,7 +8,6 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from analytic.result import TorquePoint
 from analytic.scene_torque import SceneTorque
 from fembearing.quantities import QUANTITIES, SYSTEMS, Units
 from fembearing.report.figures.series_axis import SeriesAxis, axis_of

@@ -1,5 +1,6 @@
 """A template filled: every text is escaped, and a name that is missing is an error."""
 
+from functools import cache
 from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
@@ -19,6 +20,7 @@ def source_of(template: str) -> str:
     return made.loader.get_source(made, template)[0]
 
 
+@cache
 def environment() -> Environment:
     """Of the templates of this folder: every text is escaped."""
     made = Environment(
@@ -28,5 +30,5 @@ def environment() -> Environment:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    made.filters |= {"shown": shown, "listed": listed}
+    made.filters |= {"shown": shown, "listed": listed, "kind": lambda block: type(block).__name__}
     return made

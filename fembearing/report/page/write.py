@@ -40,7 +40,7 @@ MARK = f'<meta name="generator" content="{GENERATOR}">'  # by which a page of ou
 def page_of(document: Report, folder: Path, *, plots: dict[str, list[ShownPlot]] | None = None) -> str:
     """The page.
 
-    folder : where the pictures of the document lie; the page says which of them is missing
+    folder : where the pictures of the document lie
     plots : of the document, by section, where they are drawn already
     """
     appendices, units = appendices_of(document), document.units
@@ -58,7 +58,6 @@ def page_of(document: Report, folder: Path, *, plots: dict[str, list[ShownPlot]]
         pictures=shown_pictures(document, folder, kinds=("pressure", "section", "view")),
         film_pictures=shown_pictures(document, folder, kinds=("film",)),
         creep_pictures=shown_pictures(document, folder, kinds=("creep",)),
-        trouble=None if document.renderer == "VTK" else document.renderer,
         scene=document.scene,
         phrases=phrases,
         film_factors=FILM_FACTORS,
@@ -82,22 +81,25 @@ def page_of(document: Report, folder: Path, *, plots: dict[str, list[ShownPlot]]
 
 
 def _inputs(document: Report) -> list[Table]:
-    torque = document.torque
+    torque = document.solved
     if torque is None:
         return []
     named = [inputs_table("Sources of the inputs", torque.inputs, document.units)] if torque.inputs else []
-    return [*named, *([effects_table(torque.effects, torque.measured_points)] if torque.effects else [])]
+    return [
+        *named,
+        effects_table(torque.friction.effects, torque.friction.effects.among(torque.places.computed).points),
+    ]
 
 
 def _torque(document: Report) -> list[Table]:
     """Of every operating point; of a long series some balls and intervals."""
-    torque, change, units = document.torque, document.torque_change, document.units
+    torque, change, units = document.solved, document.torque_change, document.units
     if torque is None or change is None:
         return []
     every, some = range(len(torque.points)), shown_places(torque)
     return [
         torque_table(torque, document.scene.bearing.name, every, units),
-        *([] if torque.pair is None else [pair_table(torque.pair, every, units)]),
+        *([] if torque.friction.pair is None else [pair_table(torque.friction.pair, every, units)]),
         ball_table(torque, some, units),
         *prediction_tables(torque, every, units),
         change_table(torque.points, change, every, units),
@@ -105,6 +107,6 @@ def _torque(document: Report) -> list[Table]:
 
 
 def _cage(document: Report) -> list[Table]:
-    torque = document.torque
+    torque = document.solved
     every = () if torque is None else range(len(torque.points))
     return [] if torque is None else cage_tables(document.cage_motion, torque, every, document.units)

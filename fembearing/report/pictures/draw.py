@@ -1,14 +1,14 @@
 """Pictures of the contacts, made without a screen.
 
 VTK draws them in a child process (`fembearing.report.pictures.render`), which also gives the numbers of the view that
-turns in a browser. Where VTK cannot draw, a plain map of the pressure takes their place, and the page says so.
+turns in a browser. Where VTK cannot draw, there are no pictures, and the report says why.
 """
 
 import json
 import re
 import subprocess
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import asdict, dataclass
@@ -18,13 +18,12 @@ from typing import Any, Literal
 
 from matplotlib.ticker import MaxNLocator
 
-from analytic.writing import being_written, write
+from analytic.writing import write
 from fembearing.check.contact.solution import ContactSolution
 from fembearing.quantities import MILLI, unit_for
-from fembearing.report.page.view import read_view, view_page
+from fembearing.report.page.view import view_page
 from fembearing.report.phrases import AXES, place_of, shoulder_lines, title_of
 from fembearing.report.pictures.framing import Frame, PressureScale, frame_of
-from fembearing.report.pictures.plain_map import DOTS, pressure_map
 from fembearing.report.report import PictureFile
 
 RENDERER = (sys.executable, "-m", "fembearing.report.pictures.render")
@@ -72,38 +71,28 @@ def draw_pictures(
     renderer : the command that draws; it reads the jobs from standard input
     besides : other jobs
     meanwhile : called while the renderer draws in a process of its own
-    Gives the pictures, and why VTK could not draw them where it could not: then there are maps in place of its
-    pressure pictures, no sections and no views.
+    Gives the pictures; where VTK could not draw, none, and why.
     """
-    jobs = [*(job for contact in contacts for job in _jobs(contact, folder)), *besides]
+    jobs = [*(job for contact in contacts for job in contact_jobs(contact, folder)), *besides]
     with ThreadPoolExecutor(1) as beside:
         drawn = beside.submit(rendered, jobs, renderer)
         meanwhile()
         trouble = drawn.result()
-    pictures = []
-    for contact in contacts:
-        frame = _frame(contact)
-        file = _file(contact, "pressure", folder)
-        if trouble:
-            figure = pressure_map(contact, title=_title(contact), frame=frame, shown=_scale(contact))
-            with being_written(file):
-                figure.savefig(file, dpi=DOTS)
-        pictures.append(
-            Picture(
-                file=file,
-                kind="pressure",
-                contact=contact,
-                frame=frame,
-                caption=_pressure_caption(contact, mesh=not trouble),
-            )
-        )
-        if not trouble:
-            others: dict[Kind, str] = {"section": _section_caption(contact), "view": _view_caption(contact)}
-            pictures += [
-                Picture(file=_file(contact, kind, folder), kind=kind, contact=contact, frame=None, caption=caption)
-                for kind, caption in others.items()
-            ]
-    return pictures, trouble
+    return [] if trouble else [
+        picture for contact in contacts for picture in contact_pictures(contact, folder)
+    ], trouble
+
+
+def contact_pictures(contact: ContactSolution, folder: Path) -> Iterator[Picture]:
+    """The pictures of one contact."""
+    captions: dict[Kind, str] = {
+        "pressure": _pressure_caption(contact),
+        "section": _section_caption(contact),
+        "view": _view_caption(contact),
+    }
+    for kind, caption in captions.items():
+        frame = _frame(contact) if kind == "pressure" else None
+        yield Picture(file=_file(contact, kind, folder), kind=kind, contact=contact, frame=frame, caption=caption)
 
 
 def rendered(jobs: list[dict[str, Any]], renderer: Sequence[str]) -> str | None:
@@ -117,10 +106,10 @@ def rendered(jobs: list[dict[str, Any]], renderer: Sequence[str]) -> str | None:
     status, said = ended
     if status == 0 and all(Path(job["file"]).is_file() for job in jobs):
         for file in (Path(job["file"]) for job in jobs if job["kind"] == "view"):
-            write(file, view_page(read_view(file.read_bytes())))
+            write(file, view_page(json.loads(file.read_bytes())))
         return None
     for job in jobs:
-        Path(job["file"]).unlink(missing_ok=True)  # one kind of picture in a report, not a mixture
+        Path(job["file"]).unlink(missing_ok=True)  # all pictures, or none
     how = f"signal {-status}" if status < 0 else f"status {status}"
     return f"VTK ended with {how}" + (f": {said[-1]}" if said else "")
 
@@ -149,7 +138,7 @@ def _run(renderer: Sequence[str], jobs: bytes) -> tuple[int, list[str]] | None:
     return None if late.is_set() else (status, COLOURS.sub("", said).strip().splitlines())
 
 
-def _jobs(contact: ContactSolution, folder: Path) -> list[dict[str, Any]]:
+def contact_jobs(contact: ContactSolution, folder: Path) -> list[dict[str, Any]]:
     """What the renderer draws of one contact: pressure, section and view."""
     meshes = {side: str(path) for side, path in contact.write_meshes(folder).items()}
     found, shoulder = contact.numbers, contact.numbers.shoulder
@@ -217,12 +206,12 @@ def _scale(contact: ContactSolution) -> PressureScale:
     return PressureScale(unit, factor, peak * factor, [float(tick) for tick in ticks if tick <= peak * factor])
 
 
-def _pressure_caption(contact: ContactSolution, *, mesh: bool) -> str:
+def _pressure_caption(contact: ContactSolution) -> str:
     """What the pressure picture shows, and how far Hertz's ellipse is off."""
     across = contact.numbers.quantities["semi_axis_transverse"].difference
     return (
         f"Contact pressure by finite elements, seen along the load and drawn to scale, {_place(contact)}. "
-        f"{'Grey: mesh. Red' if mesh else 'Red'}: Hertz's ellipse, transverse semi-axis {abs(across):.1%} "
+        f"Grey: mesh. Red: Hertz's ellipse, transverse semi-axis {abs(across):.1%} "
         f"{'larger' if across > 0 else 'smaller'} than the computed one (black). The painted edge is as sharp as one "
         f"cell. {_shoulder_caption(contact)}{AXES}."
     )

@@ -3,10 +3,11 @@
 from collections.abc import Collection, Mapping, Sequence
 
 from analytic.cage.drive import LARGEST_GRIP
+from analytic.scene_torque import SceneTorque
 from fembearing.quantities import METRIC, Units
 from fembearing.report.phrases import between, percent, shown
 from fembearing.report.tables.table import Head, Table, table_of
-from fembearing.report.torque import CageMotionPoint, TorqueRecord
+from fembearing.report.torque import CageMotionPoint
 
 Moved = Mapping[int, CageMotionPoint]  # by the number of the operating point
 MOTION = (
@@ -23,13 +24,13 @@ REGIME = (
 
 
 def cage_tables(
-    motion: Sequence[CageMotionPoint] | None, torque: TorqueRecord, places: Collection[int], units: Units = METRIC
+    motion: Sequence[CageMotionPoint] | None, torque: SceneTorque, places: Collection[int], units: Units = METRIC
 ) -> list[Table]:
     """Forces and regime at those of the points where a cage moved; none where none did.
 
     motion : at each point that has a torque
     """
-    points = zip(torque.computed, motion or (), strict=motion is not None)
+    points = zip(torque.places.computed, motion or (), strict=motion is not None)
     moved = {place + 1: point for place, point in points if place in places and point.torque is not None}
     return [motion_table(moved, units), regime_table(moved, units)] if moved else []
 

@@ -19,16 +19,17 @@ NOTES = (
 def steps_table(cycle: DutyCycle, units: Units = METRIC) -> Table:
     """A row for each step; of a long cycle those with the most energy, in their order."""
     steps = cycle.steps
+    points = [vars(step) for step in steps]
     chosen = sorted(sorted(range(len(steps)), key=lambda place: -steps[place].energy)[:MOST_ROWS])
     temperatures = {step.temperature for step in steps}
-    heads = point_heads(steps, units)
+    heads = point_heads(points, units)
     heads[1:1] = [Head("duration, s", short="s")]
     heads += [Head(f"oil, {units.temperature.name}", short=units.temperature.name)] if len(temperatures) > 1 else []
     heads += [Head(f"torque, {units.torque.name}", short=units.torque.name), Head("95 %", fixed=True)]
     heads += [Head("power, W", short="W"), Head("energy, J", short="J"), Head("share, %", short="%")]
 
     def cells(place: int, step: DutyStep) -> Row:
-        number, *point = point_cells(steps, place, units)
+        number, *point = point_cells(points, place, units)
         warm = step.temperature
         oil = [] if len(temperatures) < 2 or warm is None else [f"{units.temperature.number(warm):.4g}"]
         return [
@@ -43,7 +44,7 @@ def steps_table(cycle: DutyCycle, units: Units = METRIC) -> Table:
             f"{100 * step.energy / cycle.energy.value:.3g}" if cycle.energy.value else "-",
         ]
 
-    words = [f"Steps of {cycle.file}", *fixed_loads(steps, units)]
+    words = [f"Steps of {cycle.file}", *fixed_loads(points, units)]
     if len(temperatures) == 1 and (warm := steps[0].temperature) is not None:
         steady = "" if cycle.steady is None else " (steady)"
         words.append(f"oil at {units.temperature.written(warm, '.4g')}{steady}")

@@ -19,9 +19,10 @@ COLUMNS = (
 def measured_table(comparison: MeasuredComparison, units: Units = METRIC) -> Table:
     """A row for each measured torque, and below it what the rows show."""
     rows, torque = comparison.rows, units.torque
+    points = [vars(row) for row in rows]
     varying = [name for name in OPERATING if len({getattr(row, name) for row in rows}) > 1]
     heated = "temperature" in varying
-    heads = point_heads(rows, units)
+    heads = point_heads(points, units)
     heads += [Head(f"oil, {units.temperature.name}", short=units.temperature.name)] if heated else []
     heads += [Head("measured", short="meas."), Head("+-", wide=len(varying) > MOST_VARYING)]
     heads += [Head("computed", short="comp."), Head("95 %", fixed=True)]
@@ -32,7 +33,7 @@ def measured_table(comparison: MeasuredComparison, units: Units = METRIC) -> Tab
     def cells(place: int, row: MeasuredRow) -> Row:
         oil = [] if row.temperature is None or not heated else [f"{units.temperature.number(row.temperature):.4g}"]
         return [
-            *point_cells(rows, place, units),
+            *point_cells(points, place, units),
             *oil,
             digits(row.measured, torque.factor, 4),
             "-" if row.measurement is None else f"{torque.number(row.measurement):.2g}",
@@ -45,7 +46,7 @@ def measured_table(comparison: MeasuredComparison, units: Units = METRIC) -> Tab
             row.verdict.removeprefix("model "),
         ]
 
-    fixed = fixed_loads(rows, units)
+    fixed = fixed_loads(points, units)
     if "inner_speed" not in varying:
         fixed.append(f"inner speed {speed_words(rows[0].inner_speed, units)}")
     if rows[0].temperature is not None and not heated:

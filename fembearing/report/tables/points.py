@@ -2,17 +2,16 @@
 
 from collections.abc import Sequence
 
-from analytic.result import COORDINATES, TorquePoint
-from analytic.rows import OperatingPoint
+from analytic.columns import COORDINATES, Point
+from analytic.scene_torque import SceneTorque
 from fembearing.quantities import QUANTITIES, Units
 from fembearing.report.phrases import LOADS, loads_of, present_loads, rounded, speed_words, varying_loads
 from fembearing.report.tables.table import Head
-from fembearing.report.torque import TorqueRecord
 
 MOST = 12  # points of a long series that are shown
 
 
-def point_heads(points: Sequence[OperatingPoint], units: Units) -> list[Head]:
+def point_heads(points: Sequence[Point], units: Units) -> list[Head]:
     """Number, speed and loads: the first columns of a table over operating points.
 
     A terminal has no column for a load that is the same at all of them: `fixed_loads` has it in words.
@@ -25,47 +24,47 @@ def point_heads(points: Sequence[OperatingPoint], units: Units) -> list[Head]:
     return [Head("#"), Head(f"speed, {units.speed.name}", short=units.speed.name), *loads]
 
 
-def point_cells(points: Sequence[OperatingPoint], index: int, units: Units) -> list[str]:
+def point_cells(points: Sequence[Point], index: int, units: Units) -> list[str]:
     """The cells below `point_heads`."""
     point = points[index]
     shown = {name: QUANTITIES[name].in_units(units).shown for name in present_loads(points)}
-    loads = [f"{unit.number(getattr(point, name)):.5g}" for name, unit in shown.items()]
-    return [str(index + 1), rounded(units.speed.number(point.inner_speed), 5), *loads]
+    loads = [f"{unit.number(point[name]):.5g}" for name, unit in shown.items()]
+    return [str(index + 1), rounded(units.speed.number(point["inner_speed"]), 5), *loads]
 
 
-def fixed_loads(points: Sequence[OperatingPoint], units: Units) -> list[str]:
+def fixed_loads(points: Sequence[Point], units: Units) -> list[str]:
     """The loads that are the same at every point, in words."""
     varying = varying_loads(points)
     return [
-        f"{COORDINATES[name].meaning} {QUANTITIES[name].in_units(units).shown.written(getattr(points[0], name), '.5g')}"
+        f"{COORDINATES[name].meaning} {QUANTITIES[name].in_units(units).shown.written(points[0][name], '.5g')}"
         for name in present_loads(points)
         if name not in varying
     ]
 
 
-def point_name(points: Sequence[OperatingPoint], index: int, units: Units) -> str:
+def point_name(points: Sequence[Point], index: int, units: Units) -> str:
     """An operating point in words, with its number where there are several."""
     point = points[index]
     number = f"point {index + 1}: " if len(points) > 1 else ""
-    named = [name for name in present_loads(points) if getattr(point, name)] or LOADS[:1]
-    return f"{number}{loads_of(point, named, units)}, {speed_words(point.inner_speed, units)}"
+    named = [name for name in present_loads(points) if point[name]] or LOADS[:1]
+    return f"{number}{loads_of(point, named, units)}, {speed_words(point['inner_speed'], units)}"
 
 
-def heaviest_point(points: Sequence[TorquePoint]) -> int:
+def heaviest_point(points: Sequence[Point]) -> int:
     """The point with the heaviest ball, whose contacts are solved; the first of equal ones."""
-    loads = [max(point.contact.inner.load, point.contact.outer.load) for point in points]
+    loads = [max(point["load_inner"], point["load_outer"]) for point in points]
     return loads.index(max(loads))
 
 
-def shown_places(torque: TorqueRecord) -> list[int]:
+def shown_places(torque: SceneTorque) -> list[int]:
     """At most 12 points with a torque and 12 without one, in their order.
 
     Of many with a torque: both ends, smallest and largest total, and an even choice of the others.
     """
-    known, lost = torque.computed, [each.point for each in torque.left_out[:MOST]]
+    known, lost = torque.places.computed, [each.point for each in torque.left_out[:MOST]]
     if len(known) <= MOST:
         return sorted([*known, *lost])
-    totals = {torque.points[place].torque.total: place for place in reversed(known)}  # the first of equal ones
+    totals = {torque.points[place]["torque_total"]: place for place in reversed(known)}  # the first of equal ones
     chosen = {known[0], known[-1], totals[min(totals)], totals[max(totals)]}
     others, free = [place for place in known if place not in chosen], MOST - len(chosen)
     chosen |= {others[round(number * (len(others) - 1) / (free - 1))] for number in range(free)}

@@ -1,47 +1,51 @@
 """The 95 % interval of a torque, what it is made of, and the inputs that make it."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
-from analytic.prediction.rows import PredictionRows
+from analytic.prediction.prediction import Prediction
+from analytic.scene_torque import SceneTorque
 from fembearing.quantities import METRIC, Units
 from fembearing.report.phrases import MADE_OF, between, digits, explained_words, input_name, interval_words, speed_words
 from fembearing.report.tables.table import Head, Table, table_of
-from fembearing.report.torque import TorqueRecord
 
 MOST_INPUTS = 8
 PARTS = {"numerical": "numerical", "input": "inputs", "model": "formulas"}
 
 
-def prediction_tables(torque: TorqueRecord, places: Sequence[int], units: Units = METRIC) -> list[Table]:
+def prediction_tables(torque: SceneTorque, places: Sequence[int], units: Units = METRIC) -> list[Table]:
     """The interval at those of the points that have a torque, and what makes it; none without an interval."""
     if torque.prediction is None:
         return []
-    known = set(torque.computed)
-    shown = [place for place in places if place in known]
+    numbers = torque.places.computed
+    shown = {place: numbers.index(place) for place in places if place in numbers}
     return [interval_table(torque.prediction, shown, units), shares_table(torque.prediction, units)]
 
 
-def interval_table(prediction: PredictionRows, places: Sequence[int], units: Units = METRIC) -> Table:
-    """The interval at each point, and the interval of each part alone; places : of the points that are shown."""
+def interval_table(prediction: Prediction, shown: Mapping[int, int], units: Units = METRIC) -> Table:
+    """The interval at each point, and the interval of each part alone.
+
+    shown : by the number of a point in the scene, that in the prediction
+    """
     torque = units.torque
     heads = [Head("#"), *(Head(name, fixed=True) for name in ("total", "95 %")), *map(Head, ("+-", *PARTS.values()))]
     rows = []
-    for place in places:
-        point = prediction.points[place]
+    total = prediction.total
+    for place, at in shown.items():
+        alone = {kind: ends[:, at].tolist() for kind, ends in prediction.made_of.items()}
         rows.append(
             [
                 str(place + 1),
-                digits(point.nominal, torque.factor, 4),
-                between(point.total.ends, torque),
-                f"{torque.number(point.total.low_error):.1g}, {torque.number(point.total.high_error):.1g}",
-                *(between(point.made_of.get(kind), torque) for kind in PARTS),
+                digits(float(prediction.nominal.torque.total[at]), torque.factor, 4),
+                between((total.low[at], total.high[at]), torque),
+                f"{torque.number(total.low_error[at]):.1g}, {torque.number(total.high_error[at]):.1g}",
+                *(between(alone.get(kind), torque) for kind in PARTS),
             ]
         )
     ends = prediction.ends
     formulas = [
         f"{MADE_OF[name].removeprefix('of them: ')} "
-        f"{' and '.join(between(point.made_of[name], torque) for point in ends)}"
-        for name in ends[0].made_of
+        f"{' and '.join(between(prediction.made_of[name][:, at].tolist(), torque) for at in ends)}"
+        for name in prediction.made_of
         if name.startswith("model.")
     ]
     notes = ["+-: standard errors of both ends. Numerical, inputs, formulas: the interval of each alone."]
@@ -49,14 +53,14 @@ def interval_table(prediction: PredictionRows, places: Sequence[int], units: Uni
     return table_of(f"95 % interval of the total, {torque.name}", heads, rows, [*notes, interval_words(prediction)])
 
 
-def shares_table(prediction: PredictionRows, units: Units = METRIC) -> Table:
+def shares_table(prediction: Prediction, units: Units = METRIC) -> Table:
     """The inputs that make the interval, at its slowest and its fastest point."""
     ends = prediction.ends
-    speeds = [speed_words(point.inner_speed, units) for point in ends]
+    speeds = [speed_words(float(prediction.nominal.inner_speed[at]), units) for at in ends]
     heads = [Head("input", "name"), *(Head(f"{words}, {speed}") for speed in speeds for words in ("alone", "in all"))]
     shares = [
-        (getattr(point.indices, kind), getattr(point.indices, f"{kind}_error"))
-        for point in ends
+        (getattr(prediction.indices, kind)[:, at], getattr(prediction.indices, f"{kind}_error")[:, at])
+        for at in ends
         for kind in ("first", "total")
     ]
     rows = [

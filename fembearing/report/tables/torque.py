@@ -3,7 +3,11 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from analytic.result import COLUMNS, COORDINATES, PairRows, TorquePoint
+import numpy as np
+
+from analytic.columns import COLUMNS, COORDINATES, Point
+from analytic.result import BEARINGS, PairPart
+from analytic.scene_torque import SceneTorque
 from analytic.words import angle_of
 from fembearing.quantities import CONTACT, METRIC, QUANTITIES, Units
 from fembearing.report.phrases import (
@@ -20,7 +24,6 @@ from fembearing.report.phrases import (
 )
 from fembearing.report.tables.points import fixed_loads, point_cells, point_heads
 from fembearing.report.tables.table import Head, Row, Table, table_of
-from fembearing.report.torque import TorqueRecord
 
 if TYPE_CHECKING:  # a torque alone needs no solver, which the report of a check loads
     from fembearing.report.report import ChangeRecord
@@ -37,56 +40,58 @@ PARTS = {  # with their names in a terminal
 }
 
 
-def torque_table(torque: TorqueRecord, bearing: str, places: Sequence[int], units: Units = METRIC) -> Table:
+def torque_table(torque: SceneTorque, bearing: str, places: Sequence[int], units: Units = METRIC) -> Table:
     """Parts, total, its uncertainties, its interval and the catalogue band.
 
     places : of the points that are shown; one without a torque has no numbers
     """
-    points, predicted, band = torque.points, torque.prediction, torque.catalogue_band
-    parts = [name for name in PARTS if getattr(points[0].torque, name) is not None]
-    model = any(point.uncertainty.model is not None for point in points)
+    points, predicted, band = torque.points, torque.prediction, torque.catalogue.band
+    parts = [name for name in PARTS if getattr(torque.friction.torque, name) is not None]
+    model = torque.friction.model_uncertainty is not None
     after = [Head("+-", fixed=True), *([Head("+- of formulas, 95 %", wide=True)] if model else [])]
     after += [] if predicted is None else [Head("95 %", fixed=True)]
-    after += [] if band.low is None else [Head("catalogue", fixed=True)]
+    after += [] if band is None else [Head("catalogue", fixed=True)]
     heads = [*point_heads(points, units), *(Head(name, short=PARTS[name]) for name in parts)]
     heads += [Head("total", fixed=True), *after]
 
     def row(place: int) -> Row:
-        point, torque = points[place], points[place].torque
+        point = points[place]
         if place not in computed:
             return [*point_cells(points, place, units), *("" for _ in parts), "left out", *("" for _ in after)]
-        values = [getattr(torque, name) for name in parts]
-        cells = [digits(each, units.torque.factor, 4) if each > RESIDUE * torque.total else "0" for each in values]
-        cells += [digits(torque.total, units.torque.factor, 4), percent(point.uncertainty.numerical)]
-        cells += [percent(point.uncertainty.model)] if model else []
-        cells += [] if predicted is None else [between(predicted.points[place].total.ends, units.torque)]
-        ends = () if band.low is None or band.high is None else (band.low[place], band.high[place])
+        values, total = [point[f"torque_{name}"] for name in parts], point["torque_total"]
+        cells = [digits(each, units.torque.factor, 4) if each > RESIDUE * total else "0" for each in values]
+        cells += [digits(total, units.torque.factor, 4), percent(point["uncertainty_numerical"])]
+        cells += [percent(point["uncertainty_model"])] if model else []
+        cells += [] if predicted is None else [between((point["interval_low"], point["interval_high"]), units.torque)]
+        ends = () if band is None else (point["catalogue_low"], point["catalogue_high"])
         return [*point_cells(points, place, units), *cells, *([between(ends, units.torque)] if ends else [])]
 
-    computed = set(torque.computed)
-    words = [f"Friction torque of {'' if torque.pair is None else 'two '}{bearing}", *fixed_loads(points, units)]
+    computed = set(torque.places.computed)
+    words = [
+        f"Friction torque of {'' if torque.friction.pair is None else 'two '}{bearing}",
+        *fixed_loads(points, units),
+    ]
     return table_of(", ".join(words), heads, [row(place) for place in places], _torque_notes(torque, places, units))
 
 
-def _torque_notes(torque: TorqueRecord, places: Sequence[int], units: Units) -> list[str]:
+def _torque_notes(torque: SceneTorque, places: Sequence[int], units: Units) -> list[str]:
     """What the columns are, which points are there, and how uncertain the model is at its worst point."""
-    known = [torque.points[place].uncertainty for place in torque.computed]
-    parts = [each.model_parts or {} for each in known]
-    largest = {name: max(each.get(name, 0.0) for each in parts) for name in dict.fromkeys(n for e in parts for n in e)}
-    model = max((each.model for each in known if each.model is not None), default=None)
+    whole, parts = torque.friction.model_uncertainty, torque.friction.model_parts or {}
+    largest = {name: float(np.max(values)) for name, values in parts.items()}
+    model = None if whole is None else float(np.max(whole))
     count = len(torque.points)
     some = f"{len(places)} of {count} operating points, with the least and the largest total; the JSON has all."
     return [
         *([some] if len(places) < count else []),
         f"In {units.torque.name} about the bearing axis; +-: solver error.",
         uncertainty_of(model, largest),
-        f"{capital(torque.catalogue_band.note)}.",
+        f"{capital(torque.catalogue.note)}.",
     ]
 
 
-def ball_table(torque: TorqueRecord, places: Sequence[int], units: Units = METRIC) -> Table:
+def ball_table(torque: SceneTorque, places: Sequence[int], units: Units = METRIC) -> Table:
     """The ball that presses hardest, on both races."""
-    computed, gap = torque.computed, torque.gap_roughness
+    computed, gap = torque.places.computed, torque.friction.gap_roughness
     points = [torque.points[place] for place in computed]
     shapes = ("peak_pressure", "semi_axis_rolling", "semi_axis_transverse")
     contact = {name: CONTACT[name].in_units(units) for name in shapes}
@@ -97,41 +102,40 @@ def ball_table(torque: TorqueRecord, places: Sequence[int], units: Units = METRI
         ("film", Head("film/roughness", wide=True), 1 / gap if gap else 0.0),
         ("asperity_share", Head("asperities, %"), 100.0),
     ]
-    known = [each for each in columns if getattr(points[0], each[0]).inner is not None]
+    known = [each for each in columns if points[0][f"{each[0]}_inner"] is not None]
     heads = [Head("#"), Head("race", "name"), Head(f"load, {units.force.name}")]
     heads += [Head(f"{each.symbol}, {each.shown.name}") for each in contact.values()]
     heads += [*(head for _, head, _ in known), Head("contact angle, deg (rad)", wide=True)]
 
     def row(place: int, race: str) -> Row:
         point = torque.points[place]
-        pressed = getattr(point.contact, race)
         return [
             str(place + 1),
             race,
-            digits(pressed.load, units.force.factor, 4),
-            *(digits(getattr(pressed, name), each.shown.factor, 4) for name, each in contact.items()),
-            *(digits(getattr(getattr(point, name), race), factor, 3) for name, _, factor in known),
-            angle_cell(point.contact_angle) if race == "inner" else "",
+            digits(point[f"load_{race}"], units.force.factor, 4),
+            *(digits(point[f"{name}_{race}"], each.shown.factor, 4) for name, each in contact.items()),
+            *(digits(point[f"{name}_{race}"], factor, 3) for name, _, factor in known),
+            angle_cell(point["contact_angle"]) if race == "inner" else "",
         ]
 
     rows = [row(place, race) for place in places if place in computed for race in ("inner", "outer")]
-    angles = [point.contact_angle for point in points]
+    angles = [point["contact_angle"] for point in points]
     angle = " to ".join(dict.fromkeys((angle_of(min(angles)), angle_of(max(angles)))))
-    share = "; asperities: their share of the load" if points[0].asperity_share.inner is not None else ""
+    share = "; asperities: their share of the load" if points[0]["asperity_share_inner"] is not None else ""
     notes = [f"Contact angle {angle}, mean of both races. a along rolling, b transverse{share}."]
-    pocket = [each for point in points if (each := point.friction_coefficient.pocket) is not None]
+    pocket = [each for point in points if (each := point["friction_coefficient_pocket"]) is not None]
     notes += [f"Friction coefficient of ball on pocket: {listed(pocket)}."] if pocket else []
     return table_of("Heaviest ball", heads, rows, notes)
 
 
-def pair_table(pair: PairRows, places: Sequence[int], units: Units = METRIC) -> Table:
+def pair_table(pair: PairPart, places: Sequence[int], units: Units = METRIC) -> Table:
     """The loads and the torque of each bearing of a pair, and the pair's stiffness; places : as `torque_table`."""
-    every = [bearing for point in pair.points for bearing in point.bearings]
+    found = pair.columns()
     loads = {"axial_load": COORDINATES["axial_load"].symbol, "radial_load": "Fr", "moment": "M"}
     shown_loads = {
         name: QUANTITIES[name].in_units(units).shown
         for name in loads
-        if name == "axial_load" or any(getattr(each, name) for each in every)
+        if name == "axial_load" or any(np.any(found[f"{name}_{bearing}"]) for bearing in BEARINGS)
     }
     heads = [Head("#"), Head("bearing", "name")]
     heads += [Head(f"{loads[name]}, {unit.name}") for name, unit in shown_loads.items()]
@@ -140,20 +144,20 @@ def pair_table(pair: PairRows, places: Sequence[int], units: Units = METRIC) -> 
     rows = [
         [
             str(place + 1),
-            f"{name}, relieved" if bearing.is_relieved else name,
-            *(f"{unit.number(getattr(bearing, load)):.4g}" for load, unit in shown_loads.items()),
-            f"{units.force.number(bearing.ball_load):.4g}",
-            f"{units.torque.number(bearing.torque):.4g}",
-            f"{units.tangent.number(pair.points[place].stiffness):.4g}" if name == "first" else "",
+            f"{name}, relieved" if found[f"is_relieved_{name}"][place] else name,
+            *(f"{unit.number(found[f'{load}_{name}'][place]):.4g}" for load, unit in shown_loads.items()),
+            f"{units.force.number(found[f'ball_load_{name}'][place]):.4g}",
+            f"{units.torque.number(found[f'torque_{name}'][place]):.4g}",
+            f"{units.tangent.number(found['shaft_stiffness'][place]):.4g}" if name == "first" else "",
         ]
         for place in places
-        for name, bearing in zip(("first", "second"), pair.points[place].bearings, strict=True)
+        for name in BEARINGS
     ]
     return table_of(f"Bearings of the pair, {PAIRS[pair.kind]}", heads, rows, [pair_of(pair, units)])
 
 
 def change_table(
-    points: Sequence[TorquePoint], change: "ChangeRecord", places: Sequence[int], units: Units = METRIC
+    points: Sequence[Point], change: "ChangeRecord", places: Sequence[int], units: Units = METRIC
 ) -> Table:
     """Angle and total of the production and with contacts of finite elements, and the relative changes."""
     angles, totals, fitted = change.contact_angle, change.torque, change.finite_geometry

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from analytic.catalog.origins import INNER_CONFORMITY, OUTER_CONFORMITY, half_width, origins_of
+from analytic.catalog.origins import INNER_CONFORMITY, OUTER_CONFORMITY, origins_of
 from analytic.scene import Origin
 from tests.analytic.specimens import present
 
@@ -33,7 +33,6 @@ ROW = {
     "shoulder_status": "derived",
 }
 PUBLISHED = Path(__file__).parents[3] / "validation" / "published"
-FAR = {"inner.far_shoulder_half_width", "outer.far_shoulder_half_width"}
 
 
 def origins(*, scaled: bool = False, **changed: str) -> dict[str, Origin]:
@@ -56,24 +55,6 @@ def test_balls_are_as_uncertain_as_their_grade(grade: str, count: float, share: 
         assert found[name].status == "derived"
         assert trust in found[name].source
     assert ("right in about" in found["ball_count"].source) == (grade != "C")
-
-
-def test_the_source_of_the_balls_has_the_ratings_that_they_follow_from() -> None:
-    found = origins()["ball_count"].source
-    assert found.startswith("NSK's C 14.3 kN, C0 7.9 kN, f0 13.2; residuals C -0.7 %, C0 0.4 %; supported by SKF")
-    assert "next best" not in found
-    bare = origins(f0="", static_residual_percent="", second_ball_count="9", second_ball_diameter_mm="8.3341")
-    words = bare["ball_count"].source
-    assert "f0" not in words
-    assert "residuals" not in words
-    assert words.endswith("next best 9 x 8.334 mm")
-
-
-@pytest.mark.parametrize(("status", "rounded"), [("printed", False), ("printed inch", True)])
-def test_printed_balls_are_of_a_catalogue(status: str, rounded: bool) -> None:
-    found = origins(ball_status=status, grade="printed")["ball_diameter"]
-    assert (found.status, found.source.startswith("catalogue of NSK")) == ("printed", True)
-    assert ("the nearest inch size is taken" in found.source) == rounded
 
 
 @pytest.mark.parametrize("ring", ["inner", "outer"])
@@ -146,26 +127,3 @@ def test_a_shoulder_is_as_uncertain_as_its_height(
     assert words in found.source
     if status == "assumed":
         assert f"height {height / 8.7e-3:.2f} ball diameters" in found.source
-
-
-def test_a_shoulder_that_nobody_prints_is_not_known() -> None:
-    found = origins(shoulder_height_inner_mm="")
-    assert (found["inner.shoulder_half_width"].status, found["inner.shoulder_half_width"].uncertainty) == (
-        "not known",
-        None,
-    )
-    assert found["outer.shoulder_half_width"].status == "derived"
-
-
-def test_far_shoulders_are_assumed_where_one_side_is_printed() -> None:
-    one_sided = origins(shoulder_status="loaded side only")
-    assert {key for key in one_sided if "far" in key} == FAR
-    assert {one_sided[key].status for key in FAR} == {"assumed"}
-    assert not FAR & set(origins())
-
-
-def test_a_half_width_is_a_chord_of_the_groove() -> None:
-    found = half_width(1.9e-3, 4.5e-3)
-    assert found is not None
-    np.testing.assert_allclose((4.5e-3 - 1.9e-3) ** 2 + found**2, 4.5e-3**2, rtol=1e-12)  # round-off
-    assert half_width(None, 4.5e-3) is None

@@ -50,7 +50,3 @@ def test_words_for_the_kind_say_nothing_more(beside: str, number: str) -> None:
     plain, found = find_bearing(number), find_bearing(beside.format(number))
     assert found == plain
     assert found.clearance_group == "C3"
-
-
-def test_a_number_that_is_nothing_known_has_its_neighbours() -> None:
-    refused(lambda: find_bearing("6299"), "not in the catalogue", "nearest: ")

@@ -1,7 +1,6 @@
 """The drag of seals: SKF's formula by hand in printed units, and which constants a suffix takes."""
 
 import math
-from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -10,7 +9,7 @@ from analytic.catalog.bearing_rows import find_bearing
 from analytic.catalog.seals import seal_spread, seal_torque
 from analytic.effects import Effect
 from analytic.prediction.spreads import uncertain_inputs
-from analytic.scene import Losses, Scene
+from analytic.scene import Scene
 from analytic.scenefile.inputs import stated_inputs
 from analytic.scenefile.read import scene_of
 from analytic.torque import friction_torque
@@ -23,17 +22,14 @@ ROUND_OFF = 1e-12
     ("designation", "diameter", "expected"),
     [  # mm, N mm: both seals of a bearing
         ("6205-2RS1", 31.3, 0.023 * 31.3**2.25 + 2),
-        ("6205-RS1", 31.3, (0.023 * 31.3**2.25 + 2) / 2),
         ("6205-2RSH", 31.3, 0.028 * 31.3**2.25 + 2),
         ("6205-2RSL", 31.3, 0.0018 * 31.3**2.25),
-        ("NSK 6205 DDU", 31.3, 0.023 * 31.3**2.25 + 2),
         ("6206-2RS1", 36.9, 0.023 * 36.9**2.25 + 2),  # 62 mm belongs to the smaller row
         ("6208-2RS1", 52.6, 0.018 * 52.6**2.25 + 20),
         ("6210-2RS1", 62.5, 0.018 * 62.5**2.25 + 15),
         ("6212-2RS1", 75.5, 0.018 * 75.5**2.25),
         ("7208 BEP-2RS1", 56.1, 0.014 * 56.1**2 + 10),
         ("6205-2Z", 31.3, 0.0),
-        ("6205-2RZ", 31.3, 0.0),
     ],
 )
 def test_the_formula_by_hand(designation: str, diameter: float, expected: float) -> None:
@@ -45,7 +41,6 @@ def test_the_formula_by_hand(designation: str, diameter: float, expected: float)
     ("designation", "alike"),
     [
         ("6210-2RSH", "6210-2RS1"),
-        ("6310-DDU", "6310-2RS1"),
         ("7208 BEP-2RSH", "7208 BEP-2RS1"),
         ("6310-LLH", "6310-2RSL"),
     ],
@@ -61,10 +56,6 @@ def test_light_seals_brake_less_and_scatter_more() -> None:
         light, full = (find_bearing(f"{number}-{suffix}") for suffix in ("2RSL", "2RS1"))
         assert seal_torque(light, counterface=1.2 * light.bore) < 0.1 * seal_torque(full, counterface=1.2 * full.bore)
         assert seal_spread(light) > seal_spread(full)
-
-
-def test_a_bearing_without_seals_has_no_estimate() -> None:
-    refused(lambda: seal_torque(find_bearing("6205"), counterface=40e-3), "no seals")
 
 
 def sealed(designation: str, **more: Any) -> Scene:
@@ -87,14 +78,7 @@ def effect_of(scene: Scene) -> Effect:
     return effect
 
 
-CONTACT = (
-    *("RS", "RS1", "2RS", "2RS1", "2RSH", "2RSR", "2HRS", "HRS", "DU", "DDU", "LU", "LLU", "EE", "PP"),
-    *("2RSL", "DDW", "LLH"),
-)
-FREE = ("Z", "ZZ", "2Z", "RZ", "2RZ", "V", "VV", "LB", "LLB", "2BRS")
-
-
-@pytest.mark.parametrize("suffix", CONTACT)
+@pytest.mark.parametrize("suffix", ["RS1", "2RSL", "DDW"])
 def test_seals_that_rub_count_by_the_formula(suffix: str) -> None:
     """The whole estimate, assumed, in the total and among the uncertain inputs."""
     scene, plain = sealed(f"6205-{suffix}"), sealed("6205")
@@ -114,7 +98,7 @@ def test_seals_that_rub_count_by_the_formula(suffix: str) -> None:
     assert "is assumed: SKF's formula" in warning
 
 
-@pytest.mark.parametrize("suffix", FREE)
+@pytest.mark.parametrize("suffix", ["2Z", "2RZ"])
 def test_shields_and_seals_that_do_not_touch_say_nothing(suffix: str) -> None:
     scene = sealed(f"6205-{suffix}")
     assert scene.losses.seals is None
@@ -130,10 +114,6 @@ def test_a_drag_that_is_given_wins(given: str, expected: float) -> None:
     assert not said_of_seals(scene)
 
 
-def test_an_estimate_that_is_asked_for_is_the_default() -> None:
-    assert sealed("6205-2RS1", losses={"seals": "estimate"}).losses == sealed("6205-2RS1").losses
-
-
 def test_seals_of_a_bearing_without_known_shoulders_count_too() -> None:
     """NSK's 7014C has no shoulder in the catalogue: RS1 seals between the bore and the middle of the shoulder."""
     scene = sealed("7014C-2RS")
@@ -144,13 +124,6 @@ def test_seals_of_a_bearing_without_known_shoulders_count_too() -> None:
     assert least < 1e3 * drag < most
 
 
-def test_seals_of_unknown_drag_have_no_bound() -> None:
-    """A scene from Python may say that seals rub, and not how much."""
-    scene = sealed("6205-2RS1")
-    effect = effect_of(replace(scene, losses=Losses()))
-    assert (effect.decision, effect.share) == ("off", None)
-
-
 def test_a_pair_has_the_seals_twice() -> None:
     single = sealed("7208 BEP-2RS1")
     pair = sealed("7208 BEP-2RS1", arrangement={"kind": "O", "preload": "300 N"})
@@ -158,19 +131,6 @@ def test_a_pair_has_the_seals_twice() -> None:
     assert single.losses.seals is not None
     assert found is not None
     assert math.isclose(found[0], 2 * single.losses.seals, rel_tol=1e-12)  # one sum
-
-
-def test_an_estimate_takes_the_inner_shoulder() -> None:
-    """A shoulder diameter of 34 mm, given: 0.023 34^2.25 + 2 N mm."""
-    bearing = {"catalog": "6205-2RS1", "inner": {"shoulder_diameter": "34 mm"}}
-    scene = sealed("6205", bearing=bearing, losses={"seals": "estimate"})
-    expected = 1e-3 * (0.023 * 34**2.25 + 2)
-    assert scene.losses.seals is not None
-    assert math.isclose(scene.losses.seals, expected, rel_tol=1e-10)  # the shoulder passes through its half-width
-    assert "SKF's formula for RS1 seals [SKFSeals], on a diameter of 34 mm" in said_of_seals(scene)[0]
-    without = friction_torque(sealed("6205", bearing=bearing, losses={"seals": "off"})).torque
-    found = friction_torque(scene).torque
-    assert math.isclose(found.total[0] - without.total[0], expected, rel_tol=1e-9)  # a small difference
 
 
 def test_an_impossible_estimate_is_refused_in_one_line() -> None:

@@ -1,9 +1,6 @@
 """The interval of real scenes: closed forms where the torque is linear, workers, spreads and messages."""
 
-import re
-from collections.abc import Mapping
 from dataclasses import replace
-from math import ceil
 
 import numpy as np
 import pytest
@@ -11,18 +8,14 @@ import pytest
 import analytic
 from analytic.errors import InputError
 from analytic.oil.variation import Variation
-from analytic.prediction import evaluation
-from analytic.prediction import prediction as module
 from analytic.prediction.prediction import SAMPLES, Prediction, predict, require_samples
-from analytic.prediction.rows import largest_error
-from analytic.prediction.spreads import UncertainInput, uncertain_inputs
+from analytic.prediction.spreads import uncertain_inputs
 from analytic.prediction.variants import varied_scene
 from analytic.scene import Arrangement, ContactAngle, Losses, Scene
 from analytic.scenefile.inputs import uncertain_value
 from analytic.scenefile.keys import UNCERTAIN
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.torque import friction_torque
-from fembearing.plain_types import plain
 from tests.analytic.scenefile.scene_texts import OILED
 from tests.analytic.specimens import present
 
@@ -103,44 +96,17 @@ def test_alone_the_parts_of_the_interval_are_those_of_their_inputs(predicted: Pr
 @pytest.mark.slow
 def test_the_number_of_threads_does_not_change_a_number() -> None:
     scene = dry(**SPREADS)
-    alone, together = (plain(predict(scene, samples=60, seed=9, workers=workers).rows) for workers in (1, 2))
-    times = ("seconds", "evaluation_seconds")
-    assert {k: v for k, v in alone.items() if k not in times} == {k: v for k, v in together.items() if k not in times}
+    alone, together = (predict(scene, samples=60, seed=9, workers=workers) for workers in (1, 2))
+    for one, other in ((alone.columns(), together.columns()), (vars(alone.indices), vars(together.indices))):
+        for name, values in one.items():
+            np.testing.assert_array_equal(values, other[name])
 
 
 def test_samples_are_added_until_the_ends_are_known(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("analytic.prediction.prediction.SAMPLES", 64)
     found = predict(dry(**SPREADS), workers=1)
     assert found.samples > 64
-    assert largest_error(found.total) <= 0.03
-
-
-def test_a_spread_comes_from_the_scene_else_from_the_origin_else_from_the_default() -> None:
-    text = OILED.partition("[bearing]")[0] + '[bearing]\ncatalog = "6206"\n'
-    text += '[operation]\naxial_load = "700 N"\ninner_speed = "500 rpm"\n[lubricant]\nname = "ISO VG 46"\n'
-    text += 'eyring_stress = "6 MPa"\n'
-    text += '[surface]\nfinish = "ground and honed"\n[uncertainty]\nlubricant.eyring_stress = "12 %"\n'
-    scene = parse_scene(text, origin="here")
-    found = {each.key: each for each in uncertain_inputs(scene)}
-    assert scene.lubricant is not None
-    assert found["lubricant.eyring_stress"].deviation == pytest.approx(0.12 * 6e6)
-    assert found["lubricant.eyring_stress"].source == "the scene"
-    assert found["bearing.clearance"].deviation == scene.bearing.origins["clearance"].uncertainty
-    assert "ISO5753" in found["bearing.clearance"].source
-    assert found["model.film"].deviation == 0.15
-    assert "bearing.width" not in found
-
-
-def test_a_wrong_spread_from_python_gives_one_line() -> None:
-    scene = dry(**SPREADS)
-    for spreads, complaint in (
-        ({"oil.viscosity": 0.1}, "uncertainty.oil.viscosity is of no input that varies; known: "),
-        ({"losses.drag": 0.1}, "uncertainty.losses.drag is of an input that this scene does not have"),
-        ({"losses.seals": -1e-3}, "uncertainty.losses.seals = -0.001 N m: give a standard deviation of at least 0"),
-        ({"losses.seals": 13e-3}, "uncertainty.losses.seals = 0.013 N m: is more than 300 % of the value, 0.012 N m"),
-    ):
-        with pytest.raises(InputError, match=re.escape(complaint)):
-            uncertain_inputs(replace(scene, uncertainty=spreads))
+    assert found.total.largest_error <= 0.03
 
 
 @pytest.mark.parametrize("angle", [ContactAngle(rule="given", value=0.02), ContactAngle(rule="solved", free=0.0)])
@@ -168,44 +134,6 @@ def test_too_few_samples_are_refused_with_the_least_number() -> None:
         predict(dry(**SPREADS), samples=39, workers=1)
     with pytest.raises(InputError, match="workers = 0: give a whole number from 1"):
         predict(dry(**SPREADS), workers=0)
-
-
-def test_samples_without_a_torque_are_counted_and_too_many_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    seals = 4e-3 * np.exp(1.5 / 4 * np.array([2.4, 1.0]))  # beyond them 0.8 % and 16 % of the samples
-
-    def failing(limit: float) -> None:
-        def varied(scene: Scene, values: Mapping[str, float]) -> tuple[Scene, Variation]:
-            if values["losses.seals"] > limit:
-                raise InputError("the seal is stuck")
-            return varied_scene(scene, values)
-
-        monkeypatch.setattr(evaluation, "varied_scene", varied)
-
-    failing(seals[0])
-    found = predict(dry(**SPREADS), samples=128, workers=1)
-    assert found.failed == 1  # 0.8 % of 128, evenly spread
-    assert found.reasons == ("the seal is stuck (1 times)",)
-    failing(seals[1])
-    with pytest.raises(InputError, match=r"20 of 128 samples have no torque, limit 1 %.*the seal is stuck"):
-        predict(dry(**SPREADS), samples=128, workers=1)
-
-
-@pytest.mark.parametrize(
-    ("errors", "count"),  # errors of the ends after each round, over the least, 0.03
-    [
-        ((0.99,), 512),
-        ((1.5, 0.9), 1024),  # at most as many again
-        ((1.2, 0.9), 512 + ceil(512 * (1.1 * 1.2**2 - 1))),  # the error falls with the root of the number
-        ((9.0, 9.0, 9.0, 9.0), 4096),
-    ],
-)
-def test_more_samples_are_taken_until_the_ends_are_known(
-    monkeypatch: pytest.MonkeyPatch, errors: tuple[float, ...], count: int
-) -> None:
-    left = iter(errors)
-    monkeypatch.setattr(module, "largest_error", lambda _: 0.03 * next(left))
-    found = predict(dry(**SPREADS), seed=3, workers=1)
-    assert found.samples == count
 
 
 def test_the_scene_with_the_values_that_it_has_is_the_same() -> None:
@@ -299,27 +227,14 @@ def _differs(one: float | None, other: float | None) -> bool:
     return one is not None and other is not None and abs(other - one) > 1e-9 * abs(one)
 
 
-def test_a_lognormal_input_stays_above_its_floor_and_a_normal_one_is_even() -> None:
-    groove = UncertainInput(key="k", kind="input", value=0.52, unit="", deviation=0.004, source="s", floor=0.5)
-    score = np.array([-6.0, -1.0, 0.0, 1.0])
-    assert np.all(groove.at(score) > 0.5)
-    np.testing.assert_allclose(groove.at(score)[2:], [0.52, 0.5 + 0.02 * np.exp(0.2)])
-    heat = UncertainInput(key="k", kind="input", value=313.0, unit="K", deviation=2.0, source="s", floor=None)
-    np.testing.assert_allclose(heat.at(score), 313.0 + 2 * score)
-
-
-def test_dataset_data_frame_and_line_hold_what_the_json_has(predicted: Prediction) -> None:
-    content, dataset, frame = plain(predicted.rows.points), predicted.to_dataset(), predicted.to_dataframe()
+def test_dataset_data_frame_and_columns_have_the_same_numbers(predicted: Prediction) -> None:
+    columns, dataset, frame = predicted.columns(), predicted.to_dataset(), predicted.to_dataframe()
     assert dataset["index_total"].dims == ("input", "point")
     assert dataset["input"].values.tolist() == [each.key for each in predicted.inputs]
-    for point, row in enumerate(content):
-        for end, value in row["total"].items():
-            assert frame[f"torque_total_{end}"][point] == float(dataset[f"torque_total_{end}"][point]) == value
-        for part, interval in row["parts"].items():
-            assert frame[f"torque_{part}_high"][point] == interval["high"]
-        for cause, (low, high) in row["made_of"].items():
-            found = dataset.sel(cause=cause).isel(point=point)
-            assert (float(found["made_of_low"]), float(found["made_of_high"])) == (low, high)
-        assert dataset["index_total"][:, point].values.tolist() == row["indices"]["total"]
-        assert frame["axial_load"][point] == 800.0
-        assert frame.attrs["units"]["torque_total_low"] == "N m"
+    np.testing.assert_array_equal(dataset["index_total"], predicted.indices.total)
+    for name in ("total_low", "total_high_error", "race_high"):
+        np.testing.assert_array_equal(frame[f"torque_{name}"], columns[name])
+    for cause in predicted.made_of:
+        np.testing.assert_array_equal(dataset.sel(cause=cause)["made_of_high"], columns[f"by_{cause}_high"])
+    assert frame["axial_load"].tolist() == [800.0] * len(frame)
+    assert frame.attrs["units"]["torque_total_low"] == "N m"

@@ -68,16 +68,6 @@ def test_torques_belong_to_their_scores_however_they_are_shared_out() -> None:
         assert found.seconds == pytest.approx(0.5 * len(sizes))
 
 
-def test_progress_ends_with_all_samples() -> None:
-    told: list[Any] = []
-    drawn(told=told)
-    shares = [share for share, _ in told]
-    assert shares == sorted(shares)
-    assert len(shares) > 10
-    assert told[0][1].startswith("13 of 200 samples, ")
-    assert told[-1] == (1.0, "200 of 200 samples, 0 s left")
-
-
 def test_a_hundredth_of_the_samples_may_have_no_torque() -> None:
     found, _ = drawn(lost=2)
     assert (found.count, found.failed, len(found.scores), len(found.torque)) == (200, 2, 198, 198)

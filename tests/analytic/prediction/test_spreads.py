@@ -62,10 +62,6 @@ def test_an_origin_goes_before_a_default_and_the_scene_before_both() -> None:
     ].deviation == pytest.approx(0.0021, rel=1e-12)
 
 
-def test_an_input_without_spread_does_not_vary() -> None:
-    assert "lubricant.viscosity" not in by_key(replace(SCENE, uncertainty={"lubricant.viscosity": 0.0}))
-
-
 def test_a_spread_of_no_input_is_refused() -> None:
     for key, words in (("lubricant.colour", "no input that varies"), ("friction.coefficient", "does not have")):
         refused(lambda: uncertain_inputs(replace(SCENE, uncertainty={key: 0.01})), f"uncertainty.{key}", words)  # noqa: B023
@@ -94,10 +90,3 @@ def test_oil_fills_at_most_the_whole_space() -> None:
     np.testing.assert_allclose(
         found.at(np.array([-1.3, 0.0, 0.9, 4.0])), [0.7 * np.exp(-0.65), 0.7, 1.0, 1.0], rtol=1e-14
     )
-
-
-def test_what_has_no_floor_is_normal() -> None:
-    warm = UncertainInput(
-        key="lubricant.temperature", kind="input", value=313.0, unit="K", deviation=2.3, source="", floor=None
-    )
-    np.testing.assert_allclose(warm.at(np.array([-2.0, 0.0, 1.5])), [308.4, 313.0, 316.45], rtol=1e-14)

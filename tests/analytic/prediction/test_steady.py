@@ -3,11 +3,10 @@
 import math
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 import analytic
-from analytic.errors import ConvergenceError, InputError
+from analytic.errors import ConvergenceError
 from analytic.prediction.steady import steady_temperature
 from analytic.scene import Thermal
 from tests.refusals import refused
@@ -46,19 +45,6 @@ def test_a_temperature_beside_a_resistance_is_refused() -> None:
     refused(lambda: analytic.steady_scene("6308", settings=heat, temperature=333.0), f"of 6308: {words}")
     both = {**heat, "lubricant.temperature": 333.0}
     refused(lambda: analytic.steady_scene("6308", settings=both), words)
-
-
-def test_without_resistance_the_oil_has_the_ambient_temperature() -> None:
-    assert temperature(heated(0.0)) == AMBIENT
-    rise = temperature(heated(1e-6)) - AMBIENT
-    assert 0 <= rise < 1e-3  # some 100 W of friction at most
-
-
-def test_the_oil_warms_with_resistance_and_with_the_surroundings() -> None:
-    by_resistance = [temperature(heated(each)) for each in (0.2, 0.5, 1.1)]
-    assert all(np.diff(by_resistance) > 1)
-    cool, warm = (temperature(heated(0.5, ambient)) for ambient in (284.0, 314.0))
-    assert 0 < warm - cool < 30  # thinner oil resists less
 
 
 @pytest.mark.parametrize(("decay", "resistance"), [(0.03, 0.4), (0.0, 2.5)])
@@ -124,11 +110,7 @@ ambient = "25 degC"
             ("[lubricant]", '[lubricant]\nviscosity = "60 mPa s"\npressure_viscosity = "2e-8 1/Pa"\n'),
             ("lubricant.viscosity", "one temperature alone", "46 cSt at 40 degC"),
         ),
-        (('"0.4 K/W"', '"0.4 K"'), ("thermal.resistance", "K/W")),
-        (('"0.4 K/W"', '"-1 K/W"'), ("thermal.resistance", "out of range")),
-        (('ambient = "25 degC"\n', ""), ("thermal.ambient is missing",)),
         (('"900 rpm"', '["900 rpm", "500 rpm"]'), ("2 operating points", "fembearing duty")),
-        (('"25 degC"', '"-60 degC"'), ("oil at -60 degC", "temperature must be -40")),
     ],
 )
 def test_what_does_not_fit_is_refused_in_one_line(tmp_path: Path, change: tuple[str, str], words: tuple[str]) -> None:
@@ -137,11 +119,3 @@ def test_what_does_not_fit_is_refused_in_one_line(tmp_path: Path, change: tuple[
     assert change[0] in text
     file.write_text(text.replace(*change))
     refused(lambda: analytic.steady_scene(file), *words)
-
-
-def test_other_readers_refuse_a_temperature_that_friction_settles(tmp_path: Path) -> None:
-    file = tmp_path / "warm.toml"
-    file.write_text(OILED + 'name = "ISO VG 46"\n')
-    refused(lambda: analytic.load_scene(file), "warm.toml", "[thermal]", "analytic.steady_scene")
-    with pytest.raises(InputError, match="steady_scene"):
-        analytic.friction_torque(file)

@@ -22,27 +22,6 @@ def test_an_assumed_input_has_its_value_and_its_source() -> None:
     assert all(told[key] == plain[key] for key in plain)
 
 
-def test_a_value_of_the_catalogue_keeps_its_standard_deviation() -> None:
-    text = OILED + '[assumed]\nsurface.rms_roughness = "a drawing"\n'
-    plain, told = ({each.key: each for each in stated_inputs(scene(one))} for one in (OILED, text))
-    before, after = plain["surface.rms_roughness"], told["surface.rms_roughness"]
-    assert (after.value, after.uncertainty) == (before.value, before.uncertainty)
-    assert (after.status, after.source) == ("assumed", "a drawing")
-    assert list(told) == list(plain)  # in its place
-
-
-def test_a_loss_factor_that_nobody_gives_is_assumed() -> None:
-    plain, given, other = (
-        {each.key: each for each in stated_inputs(scene(f"{OILED}{friction}"))}
-        for friction in ("", "[friction]\nhysteresis_loss = 0.006\n", '[friction]\nelastic_rolling = "houpert"\n')
-    )
-    usual = plain["friction.hysteresis_loss"]
-    assert (usual.value, usual.status) == (0.007, "assumed")
-    assert "0.003 to 0.025" in usual.source
-    assert "friction.hysteresis_loss" not in given  # as all that the scene gives
-    assert "friction.hysteresis_loss" not in other  # it has no part there
-
-
 @pytest.mark.parametrize(
     ("line", "words"),
     [

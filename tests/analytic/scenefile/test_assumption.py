@@ -47,13 +47,6 @@ def test_a_setting_replaces_an_assumption(name: str, settings: dict[str, Any], a
     assert not any(each.startswith(replaced) for each in found.usual)
 
 
-def test_a_coefficient_needs_no_surface() -> None:
-    scene = load_scene(
-        "6206", axial_load=300.0, settings={"friction.coefficient": 0.1, "friction.spin_rule": "balanced"}
-    )
-    assert friction_torque(scene).torque.total[0] > 0
-
-
 @pytest.mark.parametrize(
     ("name", "settings", "words"),
     [
@@ -133,16 +126,6 @@ def test_an_assumed_oil_makes_room_for_a_given_one(settings: dict[str, Any], tab
     assert given.lubricant == file.lubricant
     assert given.lubricant is not None
     assert not given.lubricant.name  # so that no headline names an oil that is not computed
-
-
-def test_a_base_oil_alone_keeps_the_viscosities_of_the_assumed_class() -> None:
-    mineral = load_scene("6309", radial_load="4 kN").lubricant
-    ester = load_scene("6309", radial_load="4 kN", settings={"lubricant.base_oil": "PAO"}).lubricant
-    assert mineral is not None
-    assert ester is not None
-    kinematic = mineral.viscosity / mineral.density
-    assert ester.viscosity / ester.density == pytest.approx(kinematic, rel=2e-3)  # four digits at 40 and 100 degC
-    assert ester.limiting_shear != mineral.limiting_shear
 
 
 def test_a_name_that_someone_gives_is_no_assumption() -> None:

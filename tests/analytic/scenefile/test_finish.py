@@ -7,7 +7,7 @@ import pytest
 
 from analytic import catalog
 from analytic.scene import Surface
-from tests.analytic.scenefile.scene_texts import PLAIN, ROUGH, refusal, scene
+from tests.analytic.scenefile.scene_texts import PLAIN, refusal, scene
 from tests.analytic.specimens import present
 
 
@@ -24,14 +24,6 @@ def test_ra_becomes_the_rms_of_gaussian_heights() -> None:
     assert read.origins["rms_roughness"].status == "given"
     assert read.origins["autocorrelation.length"].status == "assumed"
     assert read.ball_rms_roughness is None
-
-
-def test_a_given_autocorrelation_goes_with_ra_and_with_a_finish() -> None:
-    given = 'autocorrelation = { kind = "exponential", length = "33 um", spacing = "3 um" }'
-    for way in ('Ra = "0.07 um"', 'finish = "ground"'):
-        read = surface(f"{way}\n{given}")
-        assert (present(read.autocorrelation).length, present(read.autocorrelation).kind) == (33e-6, "exponential")
-        assert read.origins["autocorrelation.length"].status == "given"
 
 
 def test_a_finish_is_within_its_limits_and_says_that_it_is_assumed() -> None:
@@ -52,19 +44,10 @@ def test_a_finish_is_within_its_limits_and_says_that_it_is_assumed() -> None:
         assert (read.ball_rms_roughness, read.origins["ball_rms_roughness"].status) == (0.011e-6, "given")
 
 
-def test_the_ball_of_a_finish_is_smoother_than_a_ground_race() -> None:
-    read = surface('finish = "ground and honed"')
-    assert 0 < present(read.ball_rms_roughness) < present(read.rms_roughness)
-    assert present(read.ball_rms_roughness) == pytest.approx(0.02e-6 * sqrt(pi / 2), rel=1e-12)  # grade 10 of ISO 3290
-    assert read.origins["ball_rms_roughness"].status == "assumed"
-
-
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ('finish = "ground"\nRa = "0.1 um"', ("exactly one of", "Ra and finish")),
         ('finish = "mirror"', ("surface.finish = 'mirror'", "ground, ground and honed, superfinished")),
-        ("Ra = 0.1", ("surface.Ra = 0.1", "no unit", '"0.1 um"')),
         ('rms_roughness = "0.1 um"', ("surface.autocorrelation is missing", "Ra or finish")),
         ("", ("exactly one of rms_roughness, Ra, finish and height_map",)),
         ('Ra = "0.1 um"\nasperities = "greenwood_williamson"', ("asperities", "leave it out")),
@@ -82,16 +65,3 @@ def test_a_mistake_is_named_in_one_line(text: str, words: tuple[str, ...]) -> No
     message = refusal(f"{PLAIN}[surface]\n{text}")
     assert message.isprintable()
     assert [word for word in words if word not in message] == [], message
-
-
-def test_truncated_summits_may_have_their_law() -> None:
-    read = surface('Ra = "0.1 um"\ngap = "truncated"\nasperities = "greenwood_williamson"')
-    assert (read.gap, read.asperities) == ("truncated", "greenwood_williamson")
-
-
-def test_declared_statistics_are_given() -> None:
-    origins = present(scene(ROUGH).surface).origins
-    assert {key: origin.status for key, origin in origins.items()} == {
-        "rms_roughness": "given",
-        "autocorrelation.length": "given",
-    }

@@ -148,13 +148,6 @@ def test_what_the_torque_does_not_ask_for_is_not_varied(
     assert different == expected
 
 
-def test_a_dry_scene_varies_neither_oil_nor_surface() -> None:
-    dry = replace(WHOLE, lubricant=None, surface=None, friction_coefficient=0.07, losses=Losses())
-    keys = set(values_of(dry))
-    assert not any(key.startswith(("lubricant", "surface", "losses")) for key in keys)
-    assert {key for key in keys if key.startswith("model")} == {"model.elastic_rolling"}
-
-
 def test_a_thrust_bearing_has_one_groove_and_no_angle_of_its_own() -> None:
     """Both washers are equal, and 90 degrees are its kind."""
     angle = ContactAngle(rule="given", value=np.pi / 2)
@@ -176,14 +169,6 @@ def test_a_deviation_is_at_least_0_and_at_most_three_times_the_value(key: str, v
         assert checked_deviation(key, value, deviation) == deviation
     for deviation in (-0.01, np.inf, np.nan):
         refused(lambda: checked_deviation(key, value, deviation), f"uncertainty.{key}", "at least 0")  # noqa: B023
-
-
-def test_a_deviation_that_is_too_large_is_refused_with_the_largest_one() -> None:
-    refused(lambda: checked_deviation("operation.axial_load", 470.0, 1411.0), "1411 N", "300 % of the value, 1410 N")
-    refused(
-        lambda: checked_deviation("bearing.outer.conformity", 0.53, 0.091),
-        "= 0.091: is more than 300 % of the value above 0.5, 0.09;",
-    )
 
 
 def test_an_input_without_an_origin_is_given_by_the_scene() -> None:

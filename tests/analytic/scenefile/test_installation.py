@@ -50,24 +50,10 @@ def test_a_scene_holds_the_bearing_in_operation_and_its_clearances() -> None:
     assert scene("").clearances is None
 
 
-def test_parts_without_a_temperature_stay_as_they_were_mounted() -> None:
-    found = scene(SEATS + 'mounting_temperature = "35 degC"\n').clearances
-    assert found is not None
-    assert found.operating == found.mounted
-
-
 def test_the_pocket_keeps_its_size() -> None:
     cage = '[cage]\npocket_clearance = "0.2 mm"\nwall_thickness = "0.9 mm"\nmass = "6 g"\nmaterial = "peek"\n'
     cold, warm = (scene(more + cage).cage for more in ("", SEATS + WARM))
     assert cold == warm
-
-
-def test_the_other_candidate_of_the_catalogue_is_mounted_too() -> None:
-    text = SCENE.format(bearing="", load=500).replace('"6205"', '"7205 BEP"')
-    plain, found = (parse_scene(text + more, origin="here").bearing.other_candidate for more in ("", SEATS))
-    assert plain is not None
-    assert found is not None
-    np.testing.assert_allclose(found.inner.bottom_radius - plain.inner.bottom_radius, 5e-6, atol=1e-6)  # most of 6 um
 
 
 def test_a_nominal_angle_gives_the_clearance_that_the_seats_change() -> None:
@@ -131,8 +117,3 @@ def test_the_largest_offset_is_that_of_the_shoulder() -> None:
                 scene(more, bearing='inner = { shoulder_half_width = "2 mm" }')
         else:
             scene(more, bearing='inner = { shoulder_half_width = "2 mm" }')
-
-
-def test_a_tandem_needs_a_load() -> None:
-    with pytest.raises(InputError, match="leaves a point without any load"):
-        scene('[arrangement]\nkind = "tandem"\n', load=0)

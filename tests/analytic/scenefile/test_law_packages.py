@@ -9,7 +9,7 @@ import pytest
 import analytic
 from analytic.scene import OwnTraction
 from analytic.scenefile.law_packages import installed_law
-from tests.analytic.scenefile.scene_texts import OIL, changed, refusal, scene
+from tests.analytic.scenefile.scene_texts import OIL, refusal, scene
 from tests.analytic.specimens import present
 from tests.traction_packages import install, install_example
 
@@ -62,12 +62,3 @@ def test_a_name_that_two_packages_give_is_refused(packages: Path) -> None:
     assert "first-laws 1.0" in message
     assert "second-laws 1.0" in message
     assert "remove all but one" in message
-
-
-def test_an_unknown_name_is_refused_with_the_known_ones(packages: Path) -> None:
-    install(packages, "some-laws", "1.0", {"mine": "math:asinh"})
-    message = refusal(by("barus"))
-    for word in ("lubricant.traction = 'barus'", "eyring_sinh, eyring_constant, mine", "fembearing.traction"):
-        assert word in message
-    assert "\n" not in message
-    assert "lubricant.traction = 7" in refusal(changed('"eyring_sinh"', "7", OIL))

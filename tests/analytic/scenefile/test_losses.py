@@ -6,7 +6,6 @@ from analytic import catalog
 from analytic.errors import InputError
 from analytic.scene import Losses, Scene, ShearedLand, ShearedPockets
 from analytic.scenefile.read import parse_scene
-from tests.analytic.scenefile.scene_texts import changed
 
 PLAIN = catalog.path("scenes", "6205-dry").read_text("utf-8")
 SEALED = """
@@ -62,14 +61,3 @@ def test_estimated_seals_touch_the_inner_shoulder() -> None:
     origin = found.losses.origins["seals"]
     assert origin.status == "assumed"
     assert origin.source == "SKF's formula for RS1 seals [SKFSeals], on a diameter of 34 mm"
-
-
-def test_estimated_shields_have_no_drag_and_no_warning() -> None:
-    found = read(changed("2RS1", "2Z", SEALED))
-    assert found.losses.seals == 0
-    assert not any("seals" in each for each in found.warnings)
-
-
-def test_an_estimate_needs_a_designation() -> None:
-    with pytest.raises(InputError, match=r"losses\.seals = 'estimate' is refused: it needs seals by a designation"):
-        read(changed("6205-2RS1", "paper_6205", SEALED))

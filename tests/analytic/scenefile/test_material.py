@@ -23,13 +23,6 @@ def test_a_named_material_is_that_of_the_prints() -> None:
     assert analytic.material("Si3N4") != analytic.material("silicon_nitride")
 
 
-def test_the_older_names_keep_their_values() -> None:
-    steel, nitride, peek = (analytic.material(name) for name in ("steel", "silicon_nitride", "peek"))
-    assert (steel.youngs_modulus, steel.hardness, nitride.youngs_modulus) == (206e9, 7.8e9, 310e9)
-    assert steel.thermal_expansion == pytest.approx(12.5e-6, rel=1e-12)
-    assert (peek.youngs_modulus, peek.thermal_expansion) == (3.6e9, None)  # 15 to 52 ppm/K over variants: not shipped
-
-
 def test_a_table_completes_a_material_of_the_catalog() -> None:
     completed = ball('{ name = "440C", poisson_ratio = 0.284, thermal_expansion = "9.9e-6 1/K" }')
     assert (completed.youngs_modulus, completed.poisson_ratio, completed.density) == (200e9, 0.284, 7680.0)
@@ -45,15 +38,6 @@ def test_a_material_that_lacks_a_constant_names_it() -> None:
     assert "poisson_ratio is missing" in refusal(changed(BEARING, f'{BEARING}\nball_material = {{ name = "M50" }}'))
     with pytest.raises(InputError, match="material 'brass' has no sourced poisson_ratio"):
         analytic.material("brass")
-
-
-def test_mistakes_from_python_are_named() -> None:
-    with pytest.raises(InputError, match="material 'mithril' is not a material; give one of 100Cr6"):
-        analytic.material("mithril")
-    with pytest.raises(InputError, match=r"poisson_ratio = 0.6 is out of range"):
-        analytic.material("440C", poisson_ratio=0.6)
-    with pytest.raises(InputError, match="is not a number"):
-        analytic.material("440C", poisson_ratio="0.3")
 
 
 @pytest.mark.parametrize("name", catalog.names("materials"))

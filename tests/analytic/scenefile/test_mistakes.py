@@ -35,28 +35,20 @@ SLIPS = [  # of people: text, and words of the message
     (changed('"700 N"', '"700 newtonn"'), ("operation.axial_load", "'newtonn'", '"1 kN"')),
     (changed('"700 N"', '"1.200,7 N"'), ("operation.axial_load = '1.200,7 N'", "decimal point")),
     (changed('"700 N"', '"2,500 N"'), ("operation.axial_load = '2,500 N'", "ambiguous", "write 2500 N or 2.5 N")),
-    (changed('"700 N"', '"9**9**9**9 N"'), ("operation.axial_load = '9**9**9**9 N'", '"1 kN"')),
     (changed('"700 N"', '"700 N"\ndown = [1, inf, 0]'), ("operation.down", "is no direction", "[1, 0, 0]")),
     (changed('"700 N"', '"700 N"\nradial_load = []'), ("operation.radial_load = []", "empty")),
     (changed('"700 N"', '["5 N", "6 N", 7]'), ("operation.axial_load[2] = 7", "no unit")),
     (changed('"700 N"', '["5 N", "6 N", "7 N"]'), ("axial_load has 3", "inner_speed has 2", "equal lengths")),
     (changed('"100 rpm"', '"100 Hz"'), ("inner_speed[0] = '100 Hz'", "Hz may count turns or radians: write rpm")),
     (changed('"700 N"', '"70 kg"'), ("operation.axial_load = '70 kg'", "kg is a mass: write kgf")),
-    (changed('"700 N"', '"10² N"'), ("operation.axial_load = '10² N'", "not a number and a unit")),
     (changed('"700 N"', '"700 N"\nmoment = "3 Nmm"'), ("operation.moment = '3 Nmm'", "units stand apart: write N mm")),
     (changed('axial_load = "700 N"', ""), ("operation.axial_load leaves a point without any load", '"1000 N"')),
-    (changed('"2 %"', '"0.02"'), ("tolerance = '0.02'", "no quotes")),
     (changed('"2 %"', "0x" + "f" * 6000), ("tolerance", "a number of some 7225 digits", "too large")),
     (changed('name = "a series"', ""), ("name is missing", "give a name")),
     (changed('name = "a series"', 'name = "a"\n"odd\\nkey" = 5'), ("'odd\\nkey' = 5", "unknown key")),
     (changed("tolerance", "tolerence"), (" tolerence = '2 %'", "did you mean tolerance?")),
-    (PLAIN + '[lubricant]\nviscosity = "0.06 Pa s"', ("lubricant.pressure_viscosity is missing", "2e-8 1/Pa")),
-    (PLAIN + "[surface]", ("surface", "exactly one of rms_roughness, Ra, finish and height_map")),
-    (ROUGH + 'asperities = "zhao_maietta_chang"', ("surface.asperities", 'gap = "truncated"', "leave it out")),
-    (ROUGH.partition("autocorrelation")[0], ("surface.autocorrelation is missing", "goes with rms_roughness")),
     (PLAIN + f"[surface]\nheight_map = {MAP}", ("surface.height_map.path = 'a.npy'", "not a file")),
     (PLAIN + f"[surface]\nheight_map = {MAP}".replace("npy", "pkl"), ("path = 'a.pkl'", ".npy, .csv")),
-    (PLAIN + '[surface]\nheight_map = { path = "a.npy" }', ("surface.height_map.spacing is missing", '"2 um"')),
     (ROUGH + 'gap = "truncated"\n[cage]\nmaterial = "peek"\n[lubricant]\nname = "vg46"',
         ("surface.hardness is missing, and peek has none",)),
     (PLAIN + '[effects]\ncage_dynamics = "on"', ("effects.cage_dynamics = 'on' needs a table [cage]",)),
@@ -69,30 +61,21 @@ SLIPS = [  # of people: text, and words of the message
     (with_bearing('ball_material = "stel"'), ("bearing.ball_material = 'stel'", "peek, silicon_nitride, steel")),
     (with_bearing('inner.groove_radius = "3.97 mm"'),
         ("bearing.inner.groove_radius = '3.97 mm'", "ball radius 3.97 mm", "line")),
-    (with_bearing('outer.shoulder_half_width = "4.3 mm"'), ("bearing.outer.shoulder_half_width = '4.3 mm'", "4.21 mm")),
     (with_bearing('outer.bottom_radius = "23.9 mm"'),
         ("bearing.outer.bottom_radius = '23.9 mm'", "clearance of 0.86 mm", "0.8 mm")),
-    (with_bearing('inner.bottom_radius = "16.1 mm"'), ("bearing.outer.bottom_radius", "7.38 mm", "7.94 mm", "preload")),
-    (with_bearing('outer.groove_radius = "24 mm"'),
-        ("bearing.outer.groove_radius = '24 mm'", "bottom_radius 23.48 mm")),
     (with_bearing('inner.shoulder_half_width = "4.129 mm"\nouter.shoulder_half_width = "4.2 mm"'),
         ("bearing.inner.shoulder_half_width = '4.129 mm'", "19.5691 mm", "19.56 mm", "the rings touch")),
     (changed(BEARING, 'catalog = "6205"\nclearance = "-600 um"'),
         ("bearing.clearance = '-600 um'", "7.638 mm", "at least -0.3969 mm")),
     (changed(BEARING, 'catalog = "6205"\npitch_diameter = "60 mm"'),
         ("bearing.pitch_diameter = '60 mm'", "outer groove's bottom at 67.9442 mm", "outside diameter of 52 mm")),
-    (changed(BEARING, 'catalog = "6205"\npitch_diameter = "32.8 mm"\nball_count = 7'),
-        ("bearing.pitch_diameter = '32.8 mm'", "inner groove's bottom at 24.8558 mm", "bore of 25 mm")),
     (with_bearing('bore_diameter = "31.06 mm"'), ("bearing.bore_diameter = '31.06 mm'", "below", "31.06 mm")),
-    (with_bearing('width = "6.1 mm"'), ("bearing.width = '6.1 mm'", "exceed", "6.2 mm")),
     (changed('"solved"', '"given"'), ("bearing.contact_angle.value", '"0.18 rad"')),
     (changed('"solved"', '"solved", value = "0.3 rad"'), ("bearing.contact_angle.value = '0.3 rad'", "free")),
     (changed('"solved"', '"given", value = "48 deg"'), ("bearing.contact_angle.value = '48 deg'", "0.8276 rad")),
     (CAGE + 'pocket_clearance = "5.5 mm"', ("cage.pocket_clearance = '5.5 mm'", "13.44 mm", "13.3422 mm")),
-    (CAGE + 'pocket_depth = "4.1 mm"', ("cage.pocket_depth = '4.1 mm'", "4.07 mm")),
     (CAGE + 'pocket_diameter = "12.9 mm"\nwall_thickness = "0.45 mm"',
         ("cage.wall_thickness = '0.45 mm'", "at most the web between pockets, 0.442206 mm")),
-    (CAGE + 'variant = "printed"', ("cage.variant = 'printed'", "as_printed")),
     (CAGE + 'variant = "as_printed"\npocket_depth = "5 mm"', ("cage.pocket_depth = '5 mm'", "cage.variant")),
     (CAGE + 'pocket_diameter = "9 mm"\npocket_clearance = "1 mm"', ("cage", "exactly one of", "pocket_clearance")),
     (changed('mass = "3 g"', "", INLINE), ("cage.mass is missing", '"2.04 g"')),
@@ -155,10 +138,6 @@ def test_a_slip_is_named_in_one_line(text: str, words: tuple[str, ...]) -> None:
     assert not missing, message
 
 
-def test_a_wall_as_thick_as_the_web_between_pockets_is_accepted() -> None:
-    assert scene(CAGE + 'pocket_diameter = "12.9 mm"\nwall_thickness = "0.44 mm"').cage is not None
-
-
 def test_gravity_has_a_direction_of_any_length() -> None:
     assert scene(changed('"700 N"', '"700 N"\ndown = [3, 0, -4.0]')).down == pytest.approx((0.6, 0.0, -0.8), rel=1e-15)
 
@@ -194,12 +173,6 @@ def test_an_unknown_key_is_answered_in_short(text: str, words: str) -> None:
     message = refusal(text)
     assert words in message
     assert len(message) < 250  # a scene has more than a hundred keys, of 15 letters and more
-
-
-def test_several_mistakes_are_reported_together() -> None:
-    message = refusal(changed('"2 %"', "7", changed('"700 N"', "700")))
-    assert "tolerance = 7" in message
-    assert "operation.axial_load = 700" in message
 
 
 @pytest.mark.parametrize(

@@ -47,27 +47,18 @@ def same(one: Scene, other: Scene) -> None:
     ("key", "typed", "read"),
     [
         ("lubricant.temperature", "65C", "65 degC"),
-        ("lubricant.temperature", "65 c", "65 degC"),
-        ("lubricant.temperature", "65 °C", "65 degC"),
         ("lubricant.temperature", "140 F", "140 degF"),
-        ("lubricant.temperature", "338 k", "338 K"),
         ("lubricant.temperature", 338, SI(338, "K")),
         ("operation.radial_load", "3KN", "3 kN"),
-        ("operation.radial_load", "-3 kn", "-3 kN"),
         ("operation.radial_load", "2,5 kN", "2.5 kN"),
         ("operation.radial_load", "0,500 kN", "0.500 kN"),  # no thousands begin with 0
-        ("operation.radial_load", "2,5000 kN", "2.5000 kN"),
         ("operation.radial_load", "7 mN", "7 mN"),  # not MN
         ("operation.radial_load", '"3 kN"', "3 kN"),  # as in a scene file
-        ("operation.radial_load", 3000.0, SI(3000.0, "N")),
         ("operation.inner_speed", "2900RPM", "2900 rpm"),
-        ("operation.inner_speed", "2900 1/min", "2900 rpm"),
         ("operation.inner_speed", '["700 rpm", "2900rpm"]', ["700 rpm", "2900 rpm"]),
-        ("operation.inner_speed", ["700 rpm", "2900rpm"], ["700 rpm", "2900 rpm"]),
         ("operation.inner_speed", [70.0, 290.5], [SI(70.0, "rad/s"), SI(290.5, "rad/s")]),
         ("operation.down", "[0, 0, 2]", [0, 0, 2]),
         ("lubricant.compressible", "false", False),
-        ("lubricant.compressible", False, False),
         ("lubricant.supply", "grease", "grease"),
         (
             "lubricant.viscosity",
@@ -76,11 +67,8 @@ def same(one: Scene, other: Scene) -> None:
         ),
         ("bearing.catalog", "6206", "6206"),  # a name, not a number
         ("bearing.clearance", "C3", "C3"),
-        ("bearing.clearance", "12um", "12 um"),
-        ("bearing.ball_count", "9", 9),
         ("report.date", "2026-03-04", "2026-03-04"),
         ("tolerance", "2%", "2 %"),
-        ("friction.hysteresis_loss", "0.005", 0.005),
         ("friction.hysteresis_loss", "0,005", 0.005),
         ("losses.seals", "estimate", "estimate"),
     ],
@@ -125,13 +113,6 @@ def test_one_line_is_the_scene_that_init_writes(designation: str) -> None:
     same(load_scene(designation, **LINE), file)
     settings = {KEYS[name]: value for name, value in LINE.items()}
     same(load_scene(designation, settings=settings), file)  # keys one by one: the second way to the same scene
-
-
-def test_the_torque_of_one_line_is_that_of_its_scene() -> None:
-    file = parse_scene(scene_text("6308", **WRITTEN), origin="here")
-    assert friction_torque("6308", **LINE).torque.total == friction_torque(file).torque.total
-    warmer = friction_torque("6308", **{**LINE, "temperature": "85C"}).torque.total
-    assert warmer < friction_torque("6308", **LINE).torque.total  # thinner oil rolls more easily
 
 
 def test_a_setting_takes_the_place_of_a_key_and_leaves_the_others() -> None:
@@ -183,13 +164,6 @@ def test_a_mistake_is_one_line(name: str, given: dict[str, Any], words: tuple[st
     refused(lambda: friction_torque(name, **given), *words)
 
 
-def test_an_option_takes_the_place_of_its_key_in_any_scene() -> None:
-    given = load_scene("6205-dry", speed="700 rpm", axial_load="310 N")
-    set_ = load_scene("6205-dry", settings={"operation.inner_speed": "700 rpm", "operation.axial_load": "310 N"})
-    np.testing.assert_allclose(given.operation.inner_speed, 700 * np.pi / 30, rtol=1e-12)
-    np.testing.assert_array_equal(given.operation.axial_load, set_.operation.axial_load)
-
-
 def test_a_table_is_set_as_a_remedy_writes_it() -> None:
     given = {"surface.rms_roughness": "0.06um"}
     refused(lambda: load_scene("6206", settings=given), '{ kind = "gaussian", length = "60 um", spacing = "2 um" }')
@@ -228,10 +202,6 @@ def test_a_setting_needs_key_and_value(text: str) -> None:
     refused(lambda: typed_settings([text]), "--set", "KEY=VALUE")
 
 
-def test_a_setting_stands_once() -> None:
-    refused(lambda: typed_settings(["tolerance=1%", "tolerance=2%"]), "tolerance is given twice")
-
-
 @pytest.mark.parametrize(
     ("designation", "supply"),
     [
@@ -244,26 +214,6 @@ def test_a_bearing_with_seals_or_shields_is_greased(designation: str, supply: st
     assert found.lubricant is not None
     assert found.lubricant.supply == supply
     assert found.usual["lubricant.supply"] == supply
-
-
-def test_a_supply_that_is_given_wins_over_the_seals() -> None:
-    for given in ({"supply": "oil_jet"}, {"settings": {"lubricant.supply": "oil_jet"}}):
-        found = load_scene("6206-2RS", **given)
-        assert found.lubricant is not None
-        assert found.lubricant.supply == "oil_jet"
-    assert "lubricant.supply" not in load_scene("6206-2RS", supply="oil_jet").usual
-
-
-def test_another_oil_thickened_is_the_grease() -> None:
-    found = load_scene("6206-2Z", oil="ISO VG 100").lubricant
-    assert found is not None
-    assert (found.supply, found.name) == ("grease", "ISO VG 100 mineral")
-
-
-def test_the_drag_of_seals_is_told_as_assumed() -> None:
-    assert load_scene("6206-2RS").usual["losses.seals"] == "estimate"
-    assert "losses.seals" not in load_scene("6206-2Z").usual
-    assert "losses.seals" not in load_scene("6206-2RS", settings={"losses.seals": "5 N mm"}).usual
 
 
 def test_the_seals_of_a_fast_6204_are_in_its_torque() -> None:

@@ -8,7 +8,7 @@ import pytest
 from analytic import catalog
 from analytic.scene import Land
 from analytic.scenefile.read import load_scene
-from tests.analytic.scenefile.scene_texts import INLINE, OIL, PLAIN, ROUGH, changed, refusal, scene
+from tests.analytic.scenefile.scene_texts import OIL, PLAIN, ROUGH, changed, refusal, scene
 from tests.analytic.specimens import present
 
 
@@ -38,51 +38,6 @@ def test_the_built_in_scenes_are_table_1_of_the_paper(scene_name: str, bearing_6
     assert parsed.cage is not None
     assert (parsed.cage.pocket_diameter, parsed.cage.pocket_depth, parsed.cage.mass) == (8.14e-3, 4.07e-3, 6.58e-3)
     assert parsed.warnings == ()
-
-
-def test_units_become_si() -> None:
-    parsed = scene(INLINE)
-    assert parsed.bearing.ball_material.density == 3200.0
-    assert (parsed.bearing.inner.material.name, parsed.bearing.outer.material.name) == ("steel", "peek")
-    assert parsed.bearing.outer.bottom_radius == 18.01e-3
-    np.testing.assert_allclose(parsed.contact_angle.value or 0.0, np.pi / 12, rtol=1e-15)  # one rounding
-    np.testing.assert_allclose(parsed.operation.axial_load, [12 * 9.80665, 1e-12], rtol=1e-15)
-    np.testing.assert_allclose(parsed.operation.inner_speed, [-200 * np.pi / 30, 0], rtol=1e-15)
-    assert parsed.cage is not None
-    assert (parsed.cage.pocket_diameter, parsed.cage.pocket_depth) == (6.3e-3, 3.1e-3)
-    assert parsed.effects["spin"] == "off"
-    assert parsed.effects["rolling"] == "auto"
-    assert parsed.friction_coefficient is None
-
-
-def test_one_quantity_applies_to_the_whole_series() -> None:
-    operation = scene(PLAIN).operation
-    np.testing.assert_array_equal(operation.axial_load, [700.0, 700.0])
-    np.testing.assert_allclose(operation.inner_speed, [10.471975511965978, np.pi / 6], rtol=1e-15)
-    with pytest.raises(ValueError, match="read-only"):
-        operation.axial_load[0] = 3.0
-
-
-def test_a_catalog_entry_is_overridden_key_by_key() -> None:
-    parsed = scene(
-        changed('catalog = "paper_6205"', 'catalog = "paper_6205"\ninner.groove_radius = "4.2 mm"\nball_count = 8')
-    ).bearing
-    assert (parsed.inner.groove_radius, parsed.inner.bottom_radius, parsed.ball_count) == (4.2e-3, 15.53e-3, 8)
-
-
-def test_seats_and_width_may_be_left_out() -> None:
-    parsed = scene(INLINE).bearing
-    assert (parsed.bore_diameter, parsed.outside_diameter, parsed.width) == (None, None, None)
-    wide = scene(changed('name = "hybrid"', 'name = "hybrid"\nwidth = "0.9 cm"', INLINE)).bearing
-    assert (wide.bore_diameter, wide.width) == (None, 9e-3)
-
-
-def test_radial_load_and_moment_are_read() -> None:
-    parsed = scene(changed('"700 N"', '"700 N"\nradial_load = ["-0.4 kN", "0 N"]\nmoment = "300 N mm"'))
-    np.testing.assert_array_equal(parsed.operation.radial_load, [-400.0, 0.0])
-    np.testing.assert_allclose(parsed.operation.moment, [0.3, 0.3], rtol=1e-15)  # one rounding
-    assert parsed.warnings == ()
-    np.testing.assert_array_equal(scene(PLAIN).operation.radial_load, [0.0, 0.0])
 
 
 @pytest.mark.parametrize("clearance", [13e-6, -7e-6])
@@ -145,11 +100,6 @@ def test_the_motion_of_a_cage_is_read() -> None:
     assert cage.sheet_stiffness == pytest.approx(1.3e8, rel=1e-12)
 
 
-def test_no_lubricant_and_no_surface_is_none() -> None:
-    assert scene(PLAIN).lubricant is None
-    assert scene(PLAIN).surface is None
-
-
 def test_a_lubricant_is_read() -> None:
     oil = present(scene(OIL).lubricant)
     assert (oil.viscosity, oil.pressure_viscosity, oil.eyring_stress, oil.traction) == (0.06, 2e-8, 5e6, "eyring_sinh")
@@ -178,20 +128,3 @@ def test_a_surface_is_read(tmp_path: Path) -> None:
     assert measured.height_map is not None
     assert (measured.height_map.path, measured.height_map.spacing) == (str(tmp_path / "race.CSV"), 7e-7)
     assert measured.rms_roughness is None
-
-
-def test_only_steel_has_a_hardness_in_the_catalog() -> None:
-    assert scene(PLAIN).bearing.ball_material.hardness == 7.8e9
-    own = scene(changed("poisson_ratio = 0.27", 'poisson_ratio = 0.27, hardness = "15 GPa"', INLINE)).bearing
-    assert (own.ball_material.hardness, own.outer.material.hardness) == (15e9, None)
-
-
-def test_a_ball_of_the_wrong_mass_gives_a_warning() -> None:
-    (warning,) = scene(changed('catalog = "paper_6205"', 'catalog = "paper_6205"\nball_diameter = "7.5 mm"')).warnings
-    assert "2.04 g" in warning
-    assert "1.734 g" in warning  # pi/6 (7.5 mm)^3 7850 kg/m^3
-
-
-def test_an_elastic_preload_is_accepted() -> None:
-    parsed = scene(changed('catalog = "paper_6205"', 'catalog = "paper_6205"\nball_diameter = "7.96 mm"'))
-    assert parsed.bearing.diametral_clearance < 0

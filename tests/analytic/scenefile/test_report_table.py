@@ -1,11 +1,9 @@
 """The table [report]: kept as it is written, refused by its key, and without any effect on numbers."""
 
-import pytest
-
 from analytic.scene import ReportDetails
 from analytic.torque import friction_torque
 from fembearing.provenance import provenance_of
-from tests.analytic.scenefile.scene_texts import MINE, refusal, scene
+from tests.analytic.scenefile.scene_texts import MINE, scene
 
 SIGNED = MINE + '[report]\nauthor = "A. <b>Noether</b>"\nchecker = "E. B."\nrevision = "C"\ndate = "2026-03-01"\n'
 
@@ -16,23 +14,6 @@ def test_names_are_kept_as_they_are_written() -> None:
     )
     assert scene(MINE).report == ReportDetails()
     assert scene(MINE + '[report]\nunits = "inch"\n').report == ReportDetails(units="inch")
-
-
-@pytest.mark.parametrize(
-    ("line", "words"),
-    [
-        ("author = 3", "report.author = 3 is no name"),
-        ('checker = "two\\nlines"', "report.checker"),
-        (f'revision = "{201 * "x"}"', "1 to 200 characters"),
-        ("date = 2026-03-01", "report.date"),  # a date of TOML, without quotes
-        ('units = "imperial"', "report.units = 'imperial' is not a word known here"),
-        ('autor = "me"', "did you mean author?"),
-    ],
-)
-def test_what_no_key_takes_is_refused_in_one_line(line: str, words: str) -> None:
-    told = refusal(f"{MINE}[report]\n{line}\n")
-    assert words in told
-    assert "\n" not in told
 
 
 def test_a_signature_changes_neither_torque_nor_hash() -> None:

@@ -14,7 +14,7 @@ from analytic import catalog
 from analytic.scenefile.keys import scene_table
 from analytic.scenefile.schema import scene_schema
 from fembearing.sweep.schema import grid_schema
-from tests.analytic.scenefile.scene_texts import INLINE, OILED, PLAIN, changed
+from tests.analytic.scenefile.scene_texts import PLAIN, changed
 
 ROOT = Path(__file__).parents[3]
 SCENES = [
@@ -22,11 +22,6 @@ SCENES = [
     *(catalog.path("scenes", n) for n in catalog.names("scenes")),
 ]
 SWEEP = {"scene": "my.toml", "axes": {"operation": {"axial_load": ["1 N", "2 N"]}}}
-
-
-TWO_VISCOSITIES = (
-    PLAIN + '[lubricant]\nbase_oil = "mineral"\nviscosity = ["46 cSt at 40 degC", "6.8 cSt at 100 degC"]\n'
-)
 
 
 GRID, SCENE = grid_schema(), scene_schema()
@@ -44,13 +39,6 @@ def complaints(document: dict[str, Any], schema: dict[str, Any] = SCENE) -> list
 @pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.name)
 def test_scenes_of_the_project_are_valid(scene: Path) -> None:
     assert complaints(tomllib.loads(scene.read_text("utf-8"))) == []
-
-
-@pytest.mark.parametrize(
-    "text", [PLAIN, INLINE, OILED, TWO_VISCOSITIES, changed('"100 rpm"', '"100 1/min"'), changed('"2 %"', "0.02")]
-)
-def test_what_the_reader_takes_is_valid(text: str) -> None:
-    assert complaints(tomllib.loads(text)) == []
 
 
 @pytest.mark.parametrize(

@@ -1,17 +1,10 @@
 """The ring's part of the approach from its meshes, and the message where there is none."""
 
-from types import SimpleNamespace
-from typing import Any
-
 import pytest
 
 from analytic.errors import InputError
 from analytic.scenefile.read import load_scene, parse_scene
-from fembearing.check.contact import meshed_region as module
-from fembearing.check.contact.meshed_region import structure_of_ring
 from fembearing.check.contact.solution import solve_contact
-from fembearing.grid_convergence import Estimate
-from fembearing.mesh.recipe import load_recipe
 from tests.analytic.specimens import present
 
 UNSEATED = """
@@ -30,27 +23,6 @@ outer = { bottom_radius = "23.48 mm", groove_radius = "4.21 mm", shoulder_half_w
 axial_load = "900 N"
 inner_speed = "100 rpm"
 """
-
-
-def test_the_infinite_half_space_takes_the_place_of_the_block(monkeypatch: pytest.MonkeyPatch) -> None:
-    """By hand: ring less block -0.25 um; an infinite region softens the contact by 2 % of 5 um more, -0.35 um."""
-    rings = {("free", 1): 1.7e-6, ("held", 1): 1.69e-6, ("free", 2): 1.75e-6}
-    blocks = {1: 1.92e-6, 2: 2e-6}
-
-    def ring(mesh: Any, *, end: str = "free", **_: object) -> float:
-        return rings[end, mesh.level]
-
-    monkeypatch.setattr(module, "ring_compression", ring)
-    monkeypatch.setattr(module, "block_compression", lambda mesh: blocks[mesh.level])
-    meshes: Any = [SimpleNamespace(level=level) for level in (1, 2, 3)]
-    approach = Estimate(values=(4e-6, 4.9e-6, 5.1e-6), order=3.0, richardson=5e-6, mesh=0.1, beyond=0.02, domain=0.01)
-    structure = structure_of_ring(meshes, approach, recipe=load_recipe("race"))
-    assert structure.approach == pytest.approx(-0.35e-6, rel=1e-9)  # round-off of differences
-    assert structure.share == pytest.approx(-0.35 / 5.1, rel=1e-9)
-    assert structure.mesh == pytest.approx(0.01e-6, rel=1e-9)  # a third of -0.25 less -0.22
-    assert structure.domain == pytest.approx(0.051e-6, rel=1e-9)  # 1 % of 5.1
-    assert structure.reach == pytest.approx(0.01e-6, rel=1e-9)
-    assert structure.uncertainty == pytest.approx(0.071e-6, rel=1e-9)
 
 
 @pytest.mark.slow

@@ -2,8 +2,6 @@
 
 import time
 from dataclasses import replace
-from types import SimpleNamespace
-from typing import Any
 
 import numpy as np
 import pytest
@@ -215,9 +213,3 @@ def test_a_scene_needs_friction_and_motion() -> None:
     with pytest.raises(InputError, match=r"at standstill nothing rolls; give --speed"):
         scene_at_heaviest(scene, inner_speed=0.0)
     assert scene_at_heaviest(replace(scene, friction_coefficient=None), friction=0.04)[0].friction_coefficient == 0.04
-
-
-def balls_of_torque(*torques: float, number: int = 1) -> Any:
-    """Production with such balls, N m each, all alike in `number`s."""
-    balls = tuple(SimpleNamespace(torque=torque, number=number, turning=torque) for torque in torques)
-    return SimpleNamespace(scene=None, balls=balls, torque=number * sum(torques))

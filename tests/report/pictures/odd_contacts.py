@@ -6,8 +6,7 @@ from typing import Any
 
 from fembearing.check.contact.solution import ContactSolution
 from fembearing.check.validation import Validation
-from fembearing.report.pictures import draw
-from fembearing.report.pictures.draw import Kind, Picture
+from fembearing.report.pictures.draw import Kind, Picture, contact_jobs, contact_pictures
 
 
 @dataclass(frozen=True)
@@ -32,14 +31,8 @@ def odd_pictures(checked: Validation, cut: ContactSolution, folder: Path) -> dic
     for name, (contact, kind) in contacts.items():
         place = folder / name
         place.mkdir()
-        (job,) = (job for job in draw._jobs(contact, place) if job["kind"] == kind)
-        picture = Picture(
-            file=Path(job["file"]),
-            kind=kind,
-            contact=contact,
-            frame=draw._frame(contact) if kind == "pressure" else None,
-            caption=draw._pressure_caption(contact, mesh=True) if kind == "pressure" else "",
-        )
+        (job,) = (job for job in contact_jobs(contact, place) if job["kind"] == kind)
+        (picture,) = (picture for picture in contact_pictures(contact, place) if picture.kind == kind)
         made[name] = OddPicture(picture, job)
     return made
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from fembearing.check.cage_record import CageRecord
-from fembearing.report.pictures.cage import cage_job, picture_caption, view_of
+from fembearing.report.pictures.cage import cage_job, view_of
 from fembearing.report.pictures.draw import RENDERER, rendered
 from fembearing.report.pictures.render_cage import cage_parts
 from tests.report.pictures.picture_reader import Pixels, half_sizes, is_red, longest_run, pixels_of
@@ -158,45 +158,6 @@ def test_a_bar_of_the_cage_begins_and_ends_in_the_middle_of_a_pockets_wall() -> 
         along = (bar.points - place) @ (following - place) / length
         # single precision of the points
         np.testing.assert_allclose((along.min(), along.max()), (6.7, length - 6.7), rtol=1e-5)
-
-
-def test_words_tell_instant_regime_and_what_is_not_to_scale(known: CageRecord) -> None:
-    job, caption = cage_job(known, Path("nowhere.png")), picture_caption(known)
-    time = f"{1e3 * known.series.time[-7]:.4g} ms"
-    said = " ".join([*job["title"], *job["lines"]])
-    for word in ('regime "rest"', "500 rpm, counterclockwise", time, "the largest 3 N", "10 times as far as computed"):
-        assert word in said
-    assert max(map(len, job["lines"])) < 88  # characters that the width holds
-    for word in (time, "3 N", "10 times as large", "Regime of all seeds: rest"):
-        assert word in caption
-    assert job["pull"]["label"] == "gravity"
-    backwards = replace(known, cage=replace(known.cage, ring_speed=-52.4, gravity=(0.0, 0.0, -9.8)))
-    job = cage_job(backwards, Path("nowhere.png"))
-    assert ", clockwise" in job["title"][0]
-    assert (job["pull"]["label"], job["pull"]["length"]) == ("gravity away from you", 0)
-
-
-def test_a_job_has_forces_and_places_to_scale(known: CageRecord) -> None:
-    """Balls of 3.97 mm: the longest arrow 1.8 of that; 2.3 of it around the pitch circle in 900 pixels."""
-    job, radius = cage_job(known, Path("nowhere.png")), 3.97e-3
-    balls, tails, arrows = (np.array(job[name]) for name in ("balls", "tails", "arrows"))
-    np.testing.assert_allclose(np.linalg.norm(balls, axis=1), 19.505e-3, rtol=1e-9)
-    expected = np.zeros((9, 3))
-    expected[1, 1], expected[6, 0] = 1.8 * radius, -0.9 * radius
-    np.testing.assert_allclose(arrows, expected, rtol=1e-9)
-    expected[1, 1], expected[6, 0] = radius, -radius
-    np.testing.assert_allclose(tails - balls, expected, atol=1e-12)  # m: rounding of places of 20 mm
-    np.testing.assert_allclose(np.array(job["pockets"]) - balls, np.tile([0.8e-3, -0.4e-3, 0.0], (9, 1)), atol=1e-12)
-    np.testing.assert_allclose(job["centre"], [0.8e-3, -0.4e-3, 0.0], rtol=1e-9)
-    assert job["scale"] == pytest.approx(900 / (2 * (19.505e-3 + 2.3 * radius)))
-    assert (job["width"], job["height"]) == (900, 900 + 90 + 28 * len(job["title"] + job["lines"]))
-    assert job["pocket_radius"] == pytest.approx(radius + 1e-3)  # ten times 0.1 mm
-    assert job["wall"] == pytest.approx(0.12 * radius)
-    assert job["force_scale"]["length"] == pytest.approx(1.2 * radius)  # 2 N of 3
-    assert job["length_scale"]["length"] == pytest.approx(10e-3)
-    right, up, eye = np.array(job["axes"])
-    np.testing.assert_allclose(np.cross(right, up), eye, atol=1e-15)  # rounding
-    np.testing.assert_allclose((up[2], eye[2]), (np.sin(np.radians(20)), np.cos(np.radians(20))))
 
 
 def test_a_cage_that_nothing_touches_has_arrows_without_a_length(known: CageRecord) -> None:

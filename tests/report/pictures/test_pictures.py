@@ -14,12 +14,10 @@ from scipy.spatial import cKDTree
 from fembearing.check.contact.solution import ContactSolution
 from fembearing.check.validation import Validation
 from fembearing.report.pictures import draw as module
-from fembearing.report.pictures.draw import Picture, draw_pictures
-from fembearing.report.pictures.framing import BAR, PressureScale, frame_of
-from fembearing.report.pictures.plain_map import pressure_map
+from fembearing.report.pictures.draw import Picture, contact_jobs, draw_pictures
+from fembearing.report.pictures.framing import BAR, frame_of
 from fembearing.report.pictures.render_mesh import ROUND, cell_edges, loaded_face, scaled
 from tests.analytic.specimens import present
-from tests.report.figures.figure_reader import require_legible
 from tests.report.pictures.odd_contacts import with_ellipses
 from tests.report.pictures.picture_reader import (
     CORNER,
@@ -29,14 +27,12 @@ from tests.report.pictures.picture_reader import (
     check_scale_bar,
     half_sizes,
     lines_of_map,
-    on_screen,
     pixels_of,
     share_of_lines,
 )
 
 PAIRS = ("inner-real", "outer-real", "pocket-real", "pocket-wall")
 WARNS = r"import os, sys; os.write(2, b'\x1b[33mno GL\x1b[0m\n'); os.abort()"  # as VTK without GL does
-DIES = (sys.executable, "-c", WARNS)
 
 
 @pytest.fixture(scope="module")
@@ -44,32 +40,67 @@ def drawn(pictures: list[Picture]) -> dict[str, Picture]:
     return {picture.file.stem: picture for picture in pictures}
 
 
-@pytest.fixture(scope="module")
-def mapped(checked: Validation, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Picture]:
-    found, trouble = draw_pictures(checked.contacts, tmp_path_factory.mktemp("maps"), renderer=DIES)
-    assert trouble == "VTK ended with signal 6: no GL"
-    return {picture.file.stem: picture for picture in found}
-
-
 @pytest.mark.parametrize("pair", PAIRS)
-def test_vtk_draws_hertz_ellipse_to_scale(drawn: dict[str, Picture], pair: str) -> None:
-    check_ellipse(drawn[f"{pair}-pressure"])
+def test_a_pressure_picture_is_to_scale(drawn: dict[str, Picture], pair: str) -> None:
+    """Hertz's ellipse, the painted pressure, both bars and the lines of the mesh."""
+    picture = drawn[f"{pair}-pressure"]
+    check_ellipse(picture)
+    check_pressure(picture)
+    check_scale_bar(picture)
+    check_colour_bar(pixels_of(picture.file)[-BAR:, -CORNER:])
+    assert min(lines_of_map(picture)) > 0.005  # found: 0.014 and more; without lines 0
 
 
-@pytest.mark.parametrize("pair", PAIRS)
-def test_vtk_paints_the_pressure_where_the_contact_is(drawn: dict[str, Picture], pair: str) -> None:
-    check_pressure(drawn[f"{pair}-pressure"])
+def test_the_reader_sees_an_ellipse_of_the_wrong_size(drawn: dict[str, Picture]) -> None:
+    """The test of pictures, tested."""
+    picture = drawn["inner-real-pressure"]
+    other = with_ellipses(picture.contact, computed=(1.0, 1.0), hertz=(1.0, 0.9))
+    with pytest.raises(AssertionError):
+        check_ellipse(replace(picture, contact=other))
 
 
-@pytest.mark.parametrize("pair", PAIRS)
-def test_a_renderer_that_dies_leaves_a_map_that_says_the_same(mapped: dict[str, Picture], pair: str) -> None:
-    check_ellipse(mapped[f"{pair}-pressure"])
-    check_pressure(mapped[f"{pair}-pressure"])
+@pytest.mark.parametrize("name", ["race", "pocket"])
+def test_the_computed_ellipse_is_drawn_beside_hertz(odd_by_vtk: dict[str, Picture], name: str) -> None:
+    """Both outside the painted pressure and apart: one is longer, the other wider."""
+    check_ellipse(odd_by_vtk[name])
+    check_ellipse(odd_by_vtk[name], computed=True)
 
 
-def test_there_is_no_section_without_vtk(mapped: dict[str, Picture]) -> None:
-    assert {name.rpartition("-")[2] for name in mapped} == {"pressure"}
-    assert not list(next(iter(mapped.values())).file.parent.glob("*section*"))
+def test_pressure_ends_at_the_shoulder_and_only_there(odd_by_vtk: dict[str, Picture]) -> None:
+    """On its own side of the line, not mirrored over it."""
+    picture = odd_by_vtk["cut"]
+    frame, pixels = present(picture.frame), pixels_of(picture.file)
+    left, top = frame.centre
+    row = pixels[round(top) - 12 : round(top) + 12]  # along the middle of the contact
+    painted = (np.ptp(row, axis=2) > 0.2).mean(axis=0) > 0.5  # in colours; lines are thinner than half of the row
+    across = (np.flatnonzero(painted) + 0.5 - left) / frame.scale
+    assert across.max() == pytest.approx(0.8e-3, abs=6e-6)  # m: the line's width, three pixels
+    assert across.min() < -0.9e-3
+    assert np.diff(across).max() < 0.05e-3  # nothing bare between
+    red, green, blue = np.moveaxis(pixels, -1, 0)
+    orange = np.flatnonzero(((red > 0.7) & (green > 0.3) & (green < 0.8) & (blue < 0.4)).mean(axis=0) > 0.5)
+    assert (orange.mean() + 0.5 - left) / frame.scale == pytest.approx(0.8e-3, abs=3e-6)
+    assert "y = 0.8 mm, on one side" in picture.caption
+
+
+@pytest.mark.parametrize(
+    ("renderer", "words"),
+    [
+        ((sys.executable, "-c", WARNS), "VTK ended with signal 6: no GL"),
+        ((sys.executable, "-c", "raise SystemExit('no GL here')"), "status 1: no GL here"),
+        ((sys.executable, "-c", ""), "status 0"),  # ends well and draws nothing
+        (("/nowhere/python",), "could not be started"),
+        ((sys.executable, "-c", "import time; time.sleep(60)"), "did not finish within"),
+    ],
+)
+def test_every_way_to_fail_is_named_and_leaves_no_picture(
+    checked: Validation, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, renderer: tuple[str, ...], words: str
+) -> None:
+    monkeypatch.setattr(module, "PATIENCE", 5 if "sleep" not in renderer[-1] else 0.5)
+    found, trouble = draw_pictures(checked.contacts[:1], tmp_path, renderer=renderer)
+    assert words in present(trouble)
+    assert found == []
+    assert {path.suffix for path in tmp_path.iterdir()} == {".vtu"}
 
 
 @pytest.mark.parametrize("pair", PAIRS)
@@ -91,36 +122,10 @@ def test_a_section_shows_two_bodies_and_the_pressure_between(drawn: dict[str, Pi
 
 
 @pytest.mark.parametrize("pair", PAIRS)
-@pytest.mark.parametrize("renderer", ["drawn", "mapped"])
-def test_both_bars_of_a_pressure_picture_are_right(request: pytest.FixtureRequest, renderer: str, pair: str) -> None:
-    pictures: dict[str, Picture] = request.getfixturevalue(renderer)
-    picture = pictures[f"{pair}-pressure"]
-    check_scale_bar(picture)
-    check_colour_bar(pixels_of(picture.file)[-BAR:, -CORNER:])
-
-
-@pytest.mark.parametrize("pair", PAIRS)
 def test_a_section_has_a_colour_bar(drawn: dict[str, Picture], pair: str) -> None:
     pixels = pixels_of(drawn[f"{pair}-section"].file)
     height, width, _ = pixels.shape
     check_colour_bar(pixels[int(0.9 * height) :, width // 2 :])
-
-
-@pytest.mark.parametrize("pair", PAIRS)
-def test_a_pressure_picture_shows_the_mesh(drawn: dict[str, Picture], pair: str) -> None:
-    assert min(lines_of_map(drawn[f"{pair}-pressure"])) > 0.005  # found: 0.014 and more; without lines 0
-
-
-def test_the_words_of_a_map_are_in_it_and_apart(checked: Validation, cut_contact: ContactSolution) -> None:
-    for contact in (*checked.contacts, cut_contact):
-        sizes = {name: getattr(contact.numbers.hertz, name) for name in ("semi_axis_rolling", "semi_axis_transverse")}
-        scale = PressureScale(unit="GPa", factor=1e-9, peak=2.0, ticks=[0.0, 1.0, 2.0])
-        require_legible(pressure_map(contact, title="a contact", frame=frame_of(**sizes), shown=scale))
-
-
-@pytest.mark.parametrize("pair", PAIRS)
-def test_a_map_has_no_mesh_that_could_be_taken_for_lines(mapped: dict[str, Picture], pair: str) -> None:
-    assert max(lines_of_map(mapped[f"{pair}-pressure"])) < 0.001
 
 
 @pytest.mark.parametrize("pair", PAIRS)
@@ -133,21 +138,6 @@ def test_a_section_shows_the_cells_of_both_bodies(drawn: dict[str, Picture], pai
     free = (down > 0.05 * height) & (down < 0.85 * height)  # of title and colour bar
     for body in (ball & left, lower & left, lower & ~left):
         assert share_of_lines(pixels, body & free, 0.02) > 0.02  # found: 0.05 and more; without lines 0.003
-
-
-@pytest.mark.parametrize("renderer", ["vtk", "map"])
-def test_the_computed_ellipse_is_drawn_beside_hertz(
-    odd_by_vtk: dict[str, Picture], tmp_path: Path, renderer: str
-) -> None:
-    """Both outside the painted pressure and apart: one is longer, the other wider."""
-    found = [odd_by_vtk[name] for name in ("race", "pocket")]
-    if renderer == "map":
-        found, trouble = draw_pictures([picture.contact for picture in found], tmp_path, renderer=DIES)
-        assert trouble
-        assert {picture.kind for picture in found} == {"pressure"}
-    for picture in found:
-        check_ellipse(picture)
-        check_ellipse(picture, computed=True)
 
 
 @pytest.mark.parametrize("pair", PAIRS)
@@ -197,45 +187,14 @@ def test_a_small_body_under_a_large_ball_is_still_seen(odd_by_vtk: dict[str, Pic
     assert not (red > blue + 0.08)[[0, -1]].any()  # the body is whole
 
 
-def test_the_colour_bar_is_labelled_in_round_numbers_up_to_its_end(checked: Validation) -> None:
+def test_the_colour_bar_is_labelled_in_round_numbers_up_to_its_end(checked: Validation, tmp_path: Path) -> None:
     for contact in checked.contacts:
-        scale = module._scale(contact)
-        ticks = np.array(scale.ticks)
+        job, *_ = contact_jobs(contact, tmp_path)
+        ticks = np.array(job["ticks"])
         assert ticks[0] == 0
-        assert 0.7 * scale.peak < ticks[-1] <= scale.peak
+        assert 0.7 * job["peak"] < ticks[-1] <= job["peak"]
         assert len({f"{step:.6g}" for step in np.diff(ticks)}) == 1
         assert max(len(f"{tick:g}".replace(".", "").lstrip("0")) for tick in ticks) <= 3
-
-
-def test_the_reader_sees_an_ellipse_of_the_wrong_size(checked: Validation, tmp_path: Path) -> None:
-    """The pictures' test, tested: Hertz a tenth too large is drawn where it does not belong."""
-    contact = checked.contacts[0]
-    found = contact.numbers.quantities
-    across = replace(found["semi_axis_transverse"], production=0.9 * found["semi_axis_transverse"].production)
-    stretched = contact.with_numbers(quantities=found | {"semi_axis_transverse": across})
-    (picture,), _ = draw_pictures([stretched], tmp_path, renderer=DIES)
-    with pytest.raises(AssertionError):
-        check_ellipse(replace(picture, contact=contact))
-
-
-@pytest.mark.parametrize(
-    ("renderer", "words"),
-    [
-        ((sys.executable, "-c", "raise SystemExit('no GL here')"), "status 1: no GL here"),
-        ((sys.executable, "-c", ""), "status 0"),  # ends well and draws nothing
-        (("/nowhere/python",), "could not be started"),
-        ((sys.executable, "-c", "import time; time.sleep(60)"), "did not finish within"),
-    ],
-)
-def test_every_way_to_fail_is_named(
-    checked: Validation, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, renderer: tuple[str, ...], words: str
-) -> None:
-    monkeypatch.setattr(module, "PATIENCE", 5 if "sleep" not in renderer[-1] else 0.5)
-    found, trouble = draw_pictures(checked.contacts[:1], tmp_path, renderer=renderer)
-    assert words in present(trouble)
-    assert [picture.file.name for picture in found] == ["inner-real-pressure.png"]
-    assert found[0].file.is_file()
-    assert "Grey: mesh" not in found[0].caption  # a map has no mesh
 
 
 def test_captions_say_what_to_see(checked: Validation, drawn: dict[str, Picture]) -> None:
@@ -250,20 +209,6 @@ def test_captions_say_what_to_see(checked: Validation, drawn: dict[str, Picture]
         assert f"from above the {body} is solid" in drawn[name].caption
 
 
-@pytest.mark.parametrize(
-    ("rolling", "transverse"), [(1.1e-4, 9.3e-4), (9.3e-4, 1.1e-4), (3.1e-4, 3.0e-4), (2e-7, 9e-7)]
-)
-def test_a_frame_holds_its_contact(rolling: float, transverse: float) -> None:
-    frame = frame_of(semi_axis_rolling=rolling, semi_axis_transverse=transverse)
-    width, height = on_screen(frame, rolling, transverse)
-    assert width >= 0.999 * height  # a circle to within a thousandth lies as it likes
-    assert width < min(frame.centre[0], frame.width - frame.centre[0])
-    assert height < min(frame.centre[1], frame.height - frame.centre[1]) - 40  # title and colour bar
-    assert max(width / frame.width, height / frame.height) > 0.2  # and fills it
-    assert f"{frame.bar:.0e}"[0] in "125"
-    assert 100 < frame.bar * frame.scale <= 260
-
-
 def test_a_job_has_room_for_both_ellipses_and_names_the_body_near_the_contact(
     checked: Validation, tmp_path: Path
 ) -> None:
@@ -276,7 +221,7 @@ def test_a_job_has_room_for_both_ellipses_and_names_the_body_near_the_contact(
             frame = frame_of(
                 semi_axis_rolling=longer.semi_axis_rolling, semi_axis_transverse=wider.semi_axis_transverse
             )
-            pressure, section, _ = module._jobs(odd, tmp_path)
+            pressure, section, _ = contact_jobs(odd, tmp_path)
             assert pressure["frame"] == asdict(frame)
             assert section["near"] == f"The {body} near the contact"
             width = float(contact.meshes[-1].pair.lower.mesh.doflocs[1].max())

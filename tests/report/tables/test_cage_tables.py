@@ -2,15 +2,14 @@
 
 from dataclasses import replace
 
-import pytest
+import numpy as np
 
 from analytic.cage.statistics import OtherStart
 from analytic.cage.torque import CageIntervals
-from fembearing.report.tables.cage import cage_tables, motion_table, regime_table
+from fembearing.report.tables.cage import motion_table, regime_table
 from fembearing.report.torque import CageMotionPoint
-from tests.report.torque_rows import RPM, lost, point, record
 
-RESTS = CageMotionPoint(inner_speed=600 * RPM, torque=None, start=None, block=None, other=None, mean_force=0.065)
+RPM = np.pi / 30  # rad/s
 MOVES = CageMotionPoint(
     inner_speed=900 * RPM,
     torque=2.13e-3,
@@ -30,17 +29,6 @@ MOVES = CageMotionPoint(
     grip_number=0.83,
     race_excess=0.31e-3,
 )
-
-
-def test_a_cage_has_rows_where_it_moves_at_the_points_that_are_shown() -> None:
-    """At the first point it rests, the second has no torque, the fourth is not shown."""
-    torque = record(*map(point, range(4)), left_out=(lost(1),))
-    tables = cage_tables((RESTS, MOVES, MOVES), torque, {0, 1, 2})
-    assert [[row[:3] for row in table.groups[0].rows] for table in tables] == [[["3", "900", "irregular"]]] * 2
-    assert cage_tables((RESTS, MOVES, MOVES), torque, {0, 1}) == []
-    assert cage_tables(None, torque, {0, 1, 2}) == []
-    with pytest.raises(ValueError, match="shorter"):
-        cage_tables((RESTS, MOVES), torque, {0, 1, 2})
 
 
 def test_forces_and_torque_of_a_cage_have_their_intervals() -> None:

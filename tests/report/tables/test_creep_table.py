@@ -3,14 +3,15 @@
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
 import pytest
 
 from analytic.rows import OperatingPoint
 from fembearing.check.comparison import Comparison, compared
 from fembearing.check.creep.scene_creep import CreepNumbers, RaceNumbers
 from fembearing.report.tables.creep import creep_table
-from tests.report.torque_rows import RPM
 
+RPM = np.pi / 30  # rad/s
 NOTHING = compared(0.0, 0.0, 2e-6, formula=0.0)
 SUMS = compared(2.9e-3, 2.5e-3, 1.23e-4, formula=3.1e-3)
 

@@ -2,13 +2,16 @@
 
 from typing import Any
 
+import numpy as np
+
 from fembearing.check.comparison import Comparison, compared
 from fembearing.check.film.scene_film import FilmNumbers
 from fembearing.ehl.contact import Reach
 from fembearing.grid_convergence import Estimate
 from fembearing.quantities import INCH_POUND
 from fembearing.report.tables.film import film_table
-from tests.report.torque_rows import RPM
+
+RPM = np.pi / 30  # rad/s
 
 
 def quantity(formula: float, production: float, numerical: float, uncertainty: float, order: Any = 2.13) -> Comparison:

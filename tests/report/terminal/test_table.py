@@ -6,21 +6,19 @@ from pathlib import Path
 
 import pytest
 from rich.console import Console
+from tests.report.page.test_page_numbers import Tables
 
 from fembearing.check.validation import Validation
 from fembearing.report.page.template import environment
 from fembearing.report.report import Report, report_of
 from fembearing.report.tables.contacts import contacts_of, pocket_table
 from fembearing.report.tables.cost import cost_table
-from fembearing.report.tables.prediction import interval_table, shares_table
 from fembearing.report.tables.table import Group, Head, Table, table_of
 from fembearing.report.tables.torque import ball_table, change_table, torque_table
 from fembearing.report.terminal.table import MANY, printed, show
 from fembearing.report.terminal.validation import print_details
 from tests.analytic.specimens import present
 from tests.report.page.page_writer import written_page
-from tests.report.page.test_page_numbers import Tables
-from tests.report.prediction_rows import content, prediction_of
 
 ROOMY = 400  # columns: no cell is broken into lines
 Rows = list[list[str]]
@@ -58,7 +56,7 @@ def html_of(table: Table) -> Tables:
 
 @pytest.fixture(scope="module")
 def tables(document: Report) -> dict[str, Table]:
-    torque, change, prediction = present(document.torque), present(document.torque_change), prediction_of(content())
+    torque, change = present(document.solved), present(document.torque_change)
     made = (
         torque_table(torque, "6205", range(3)),
         ball_table(torque, range(3)),
@@ -66,8 +64,6 @@ def tables(document: Report) -> dict[str, Table]:
         contacts_of(document),
         present(pocket_table(document.contacts)),
         cost_table(document.cost.ladders),
-        interval_table(prediction, range(2)),
-        shares_table(prediction),
     )
     return {table.label: table for table in made}
 
@@ -81,8 +77,6 @@ def tables(document: Report) -> dict[str, Table]:
         "Contacts",
         "Cage pocket: F = K_pb delta^1.5, at 28.5 N",
         "Methods",
-        "95 % interval of the total, N mm",
-        "Share of each input in the variance of the total, %",
     ],
 )
 def test_text_and_page_have_the_same_cells(tables: dict[str, Table], label: str) -> None:

@@ -2,12 +2,13 @@
 
 from collections.abc import Iterator
 
-from analytic.scene import Groove
+import numpy as np
+
+from analytic.scene import Array, Cage, Groove, Material, OwnTraction, Scene, Surface
 from analytic.words import angle_of
 from fembearing.quantities import QUANTITIES, Units
 from fembearing.report.phrases import LOADS, PAIRS, clearances_of, friction_of, listed
 from fembearing.report.report import Report
-from fembearing.report.scene_view import Cage, OwnLaw, SceneView
 
 Facts = list[tuple[str, str]]
 
@@ -16,9 +17,10 @@ def facts_of(document: Report) -> Facts:
     """Name and words of what defines the torque, for the summary."""
     scene = document.scene
     facts = list(_facts(scene, document.units))
-    if document.torque is not None and document.torque.pair is not None:
-        pair = document.torque.pair
-        preload = f", preload {document.units.force.written(pair.preload, '.4g')}" if pair.preload else ""
+    pair = None if document.solved is None else document.solved.friction.pair
+    if pair is not None:
+        held = pair.equilibrium.preload
+        preload = f", preload {document.units.force.written(held, '.4g')}" if held else ""
         facts.insert(1, ("arrangement", f"two such bearings, {PAIRS[pair.kind]}{preload}"))
     return facts if document.torque is not None else [*facts, ("operation", _operation(scene, document.units))]
 
@@ -36,7 +38,7 @@ def details_of(document: Report) -> Facts:
             each.name,
             f"E {units.pressure.written(each.youngs_modulus, '.4g')}, nu {each.poisson_ratio:.3g}; {each.source}",
         )
-        for each in scene.materials
+        for each in _materials(scene)
     ]
     if torque is not None and torque.clearances is not None:
         details.append(("seats", clearances_of(torque.clearances, units)))
@@ -45,7 +47,7 @@ def details_of(document: Report) -> Facts:
     return [*details, ("calibration", chosen)]
 
 
-def _facts(scene: SceneView, units: Units) -> Iterator[tuple[str, str]]:
+def _facts(scene: Scene, units: Units) -> Iterator[tuple[str, str]]:
     bearing, angle = scene.bearing, scene.contact_angle
     pitch = bearing.inner.bottom_radius + bearing.outer.bottom_radius
     gap = 2 * (bearing.outer.bottom_radius - bearing.inner.bottom_radius - bearing.ball_diameter)
@@ -58,7 +60,7 @@ def _facts(scene: SceneView, units: Units) -> Iterator[tuple[str, str]]:
         f"{bearing.name}: {bearing.ball_count} balls of {diameter} ({material}), pitch diameter "
         f"{units.length.written(pitch, '.5g')}{clearance}",
     )
-    if angle.rule == "given":
+    if angle.value is not None:
         yield "contact angle", f"given, {angle_of(angle.value)}"
     else:
         free = "that of the clearance" if angle.free is None else angle_of(angle.free)
@@ -77,12 +79,12 @@ def _facts(scene: SceneView, units: Units) -> Iterator[tuple[str, str]]:
             f"{_own_law(oil.traction)}",
         )
     if scene.surface is not None:
-        yield "surfaces", _surface(scene, units)
+        yield "surfaces", _surface(scene.surface, units)
     yield "cage", "none in the scene: no pocket contact" if scene.cage is None else _cage(scene.cage, units)
-    yield "friction", friction_of(coefficient=scene.friction_coefficient, is_lubricated=scene.is_lubricated)
+    yield "friction", friction_of(coefficient=scene.friction_coefficient, is_lubricated=scene.has_friction)
 
 
-def _own_law(law: str | OwnLaw) -> str:
+def _own_law(law: str | OwnTraction) -> str:
     """Name, package and digest of a user's law of traction."""
     if isinstance(law, str):
         return ""
@@ -90,29 +92,41 @@ def _own_law(law: str | OwnLaw) -> str:
     return f", own law of traction {law.name}{package}, SHA-256 {law.sha256[:12]}"
 
 
-def _operation(scene: SceneView, units: Units) -> str:
+def _operation(scene: Scene, units: Units) -> str:
     """Loads and speeds, where no torque has them."""
     given = scene.operation
     words = []
     for name in LOADS:
         quantity = QUANTITIES[name].in_units(units)
-        values = listed(getattr(given, name), quantity.shown.factor)
+        values = listed(_series(getattr(given, name)), quantity.shown.factor)
         if name == "axial_load" or values not in ("0", "-0"):
             words.append(f"{quantity.name} {values} {quantity.shown.name}")
-    return ", ".join([*words, f"inner speed {listed(given.inner_speed, units.speed.factor)} {units.speed.name}"])
+    return ", ".join(
+        [*words, f"inner speed {listed(_series(given.inner_speed), units.speed.factor)} {units.speed.name}"]
+    )
 
 
-def _surface(scene: SceneView, units: Units) -> str:
-    surface = scene.surface
-    assert surface is not None
+def _series(values: Array | float) -> list[float]:
+    return np.atleast_1d(values).tolist()
+
+
+def _materials(scene: Scene) -> list[Material]:
+    """Each material once: of the balls, the rings and the cage."""
+    bearing = scene.bearing
+    bodies = [bearing.ball_material, bearing.inner.material, bearing.outer.material]
+    bodies += [] if scene.cage is None else [scene.cage.material]
+    return [material for number, material in enumerate(bodies) if material not in bodies[:number]]
+
+
+def _surface(surface: Surface, units: Units) -> str:
+    words, heights = "", surface.autocorrelation
     if surface.height_map is not None:
         words = f"height map {surface.height_map.path}"
-    else:
-        heights = surface.autocorrelation
+    elif surface.rms_roughness is not None and heights is not None:
         words = (
             f"rms roughness {units.small_length.written(surface.rms_roughness, '.3g')} of each race, {heights.kind} "
+            f"autocorrelation of {units.small_length.written(heights.length, '.3g')}"
         )
-        words += f"autocorrelation of {units.small_length.written(heights.length, '.3g')}"
     return f"{words}, boundary friction {surface.boundary_friction:g}"
 
 

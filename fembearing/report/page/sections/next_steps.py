@@ -24,8 +24,8 @@ class NextSection(NamedTuple):
 
 def next_section(document: Report) -> NextSection:
     """What to do next for each contact."""
-    points = [] if document.torque is None else document.torque.points
-    numerical = [point.uncertainty.numerical for point in points]
+    points = () if document.solved is None else document.solved.points
+    numerical = [point["uncertainty_numerical"] for point in points]
     return NextSection(
         steps=[step for each in document.contacts if each.judged for step in _of_contact(document, each)],
         uncertain=any(part is None or part > document.tolerance for part in numerical),

@@ -4,8 +4,8 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from analytic.columns import Point
 from analytic.loads.ring_state import Balls, Displacement, RingPoint
-from analytic.result import TorquePoint
 from fembearing.quantities import Units
 from fembearing.report.phrases import angle_cell, digits
 from fembearing.report.report import Report
@@ -21,9 +21,10 @@ def ring_tables(document: Report) -> list[Table]:
 
     None of them without a torque.
     """
-    points = [] if document.torque is None else document.torque.points
-    units = document.units
-    shown = [(index, ring) for index in _ends(points) if (ring := points[index].ring) is not None]
+    torque, units = document.solved, document.units
+    points = () if torque is None else torque.points
+    state = None if torque is None else torque.friction.ring
+    shown = [] if state is None else [(index, state.row(index)) for index in _ends(points)]
     if not shown:
         return []
     placed = [(index, ring.displacement) for index, ring in shown if ring.displacement is not None]
@@ -36,12 +37,12 @@ def ring_tables(document: Report) -> list[Table]:
     ]
 
 
-def _ends(points: Sequence[TorquePoint]) -> list[int]:
+def _ends(points: Sequence[Point]) -> list[int]:
     """The first and the last point."""
     return sorted({0, len(points) - 1}) if points else []
 
 
-def _displacement(points: Sequence[TorquePoint], placed: Sequence[tuple[int, Displacement]], units: Units) -> Table:
+def _displacement(points: Sequence[Point], placed: Sequence[tuple[int, Displacement]], units: Units) -> Table:
     lengths = [Head(f"{name}, {units.small_length.name}") for name in AXES]
     tilts = [Head(f"tilt about {name}, deg (rad)") for name in "xy"]
     rows = [

@@ -4,12 +4,14 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from analytic.scene_torque import SceneTorque
 from analytic.scenefile.inputs import StatedInput
 from analytic.standing import Standing
 from analytic.verdicts import NumericalCheck
 from fembearing.check.contact.bearings import which_bearing
 from fembearing.check.contact.solution import ContactNumbers
 from fembearing.quantities import CONTACT, Units
+from fembearing.report.headline import ends_of
 from fembearing.report.page.sections.bearing import Facts, facts_of
 from fembearing.report.phrases import (
     angle_cell,
@@ -23,7 +25,6 @@ from fembearing.report.tables.points import heaviest_point, point_name, shown_pl
 from fembearing.report.tables.table import Head, Table, table_of
 from fembearing.report.tables.torque import torque_table
 from fembearing.report.tables.verdicts import POINT, failures, physical_table
-from fembearing.report.torque import TorqueRecord
 
 MOST_NAMED = 8  # assumed inputs that the summary names
 OTHER_LOADS = (
@@ -80,7 +81,7 @@ class Summary(NamedTuple):
 
 def summary_of(document: Report) -> Summary:
     """The summary of a report."""
-    torque = document.torque
+    torque = document.solved
     measured = [] if document.measured is None else [document.measured.conclusions[0]]  # what is missed
     notes = [*failures(document.physical), *measured, *([] if torque is None else torque.notes), *document.warnings]
     boxes = _boxes(document)
@@ -107,10 +108,10 @@ def summary_of(document: Report) -> Summary:
     )
 
 
-def _figures(torque: TorqueRecord, units: Units) -> list[Figure]:
+def _figures(torque: SceneTorque, units: Units) -> list[Figure]:
     """The total: the one, or the largest and the smallest of a series."""
     points = torque.points
-    totals = [point.torque.total for point in points]
+    totals = [point["torque_total"] for point in points]
     largest, smallest = totals.index(max(totals)), totals.index(min(totals))
     if len(points) == 1:
         return [_figure("Friction torque", torque, 0, units)]
@@ -123,19 +124,19 @@ def _figures(torque: TorqueRecord, units: Units) -> list[Figure]:
     return [_figure("Largest friction torque", torque, largest, units), _figure("Smallest", torque, smallest, units)]
 
 
-def _figure(name: str, torque: TorqueRecord, index: int, units: Units) -> Figure:
+def _figure(name: str, torque: SceneTorque, index: int, units: Units) -> Figure:
     point = torque.points[index]
-    ends = torque.interval[index] if torque.prediction is None else torque.prediction.points[index].total.ends
-    power = point.torque.total * abs(point.inner_speed)
+    ends = ends_of(point)
+    power = point["torque_total"] * abs(point["inner_speed"])
     spread = "not known" if ends is None else f"{between(ends, units.torque)} {units.torque.name}"
     spread = f"95 % interval {spread}; {power:.3g} W"
-    value = f"{digits(point.torque.total, units.torque.factor, 4)} {units.torque.name}"
+    value = f"{digits(point['torque_total'], units.torque.factor, 4)} {units.torque.name}"
     return Figure(name, value, spread, point_name(torque.points, index, units))
 
 
 def _boxes(document: Report) -> list[Box]:
     """Each kind of verdict in a word and a sentence."""
-    verdict, torque = document.verdict, document.torque
+    verdict, torque = document.verdict, document.solved
     judged = (contact for contact in document.contacts if contact.judged)
     compared = Counter(each.verdict for contact in judged for each in contact.quantities.values())
     words = f"Hertz against finite elements, tolerance {percent(document.tolerance)}: {_counted(compared)}."
@@ -167,7 +168,7 @@ def _status_of(inputs: Sequence[StatedInput]) -> str:
     return f"{len(inputs)} inputs: {words}. Assumed: {', '.join(assumed[:MOST_NAMED])}{more}."
 
 
-def _torque(document: Report, torque: TorqueRecord) -> Table:
+def _torque(document: Report, torque: SceneTorque) -> Table:
     """The torque at most 12 operating points, without what is said of it in the appendix."""
     places = shown_places(torque)
     table = torque_table(torque, document.scene.bearing.name, places, document.units)
@@ -208,10 +209,10 @@ def _contact(document: Report, contact: ContactNumbers) -> list[str]:
 
 def _contacts_at(document: Report) -> str:
     """Which ball and which operating point the contacts belong to."""
-    if document.torque is None:
+    if document.solved is None:
         return "Races: the heaviest ball of all operating points."
-    points = document.torque.points
-    if document.torque.pair is not None:
+    points = document.solved.points
+    if document.solved.friction.pair is not None:
         return "Races: the heaviest ball of each bearing, at any operating point. Ball loads are for Hertz's contacts."
     place = f"Races: the heaviest ball, at {point_name(points, heaviest_point(points), document.units)}."
     change = document.torque_change

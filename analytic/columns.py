@@ -1,0 +1,124 @@
+"""The registry of what a torque shows at an operating point: every number once, with its unit, meaning and symbol.
+
+CSV, JSON, datasets, data frames and tables read it.
+"""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from analytic.labelled import Column
+from analytic.scene import Array
+
+Point = Mapping[
+    str, Any
+]  # the numbers of one operating point by their names, SI; None: left out, not modelled or not known
+# SI unit -> size below which a number is what rounding leaves of 0.
+ROUNDING = {"N m": 1e-15, "rad": 1e-12, "m": 1e-15}
+OF_MODEL = "uncertainty_model_"  # how the names of the parts of the model's uncertainty begin
+MODEL_PARTS = {  # of the uncertainty by the formulas: what is varied
+    "film": "film formula",
+    "traction": "shear stress of the oil",
+    "gap": "law of the load on asperities",
+    "surfaces": "spread of surfaces",
+    "rolling": "formula of rolling",
+    "reach": "reach of the oil",
+    "heating": "heating of the inlets",
+    "starvation": "starved or flooded inlets",
+    "elastic_rolling": "law of elastic rolling",
+    "grease_film": "films with grease",
+    "unloaded_balls": "unloaded balls",
+    "oil_losses": "losses of the oil",
+}
+# An operating point, as it is given.
+COORDINATES: dict[str, Column] = {
+    "inner_speed": Column("rad/s", "speed of the inner ring"),
+    "axial_load": Column("N", "axial load", "Fa"),
+    "radial_load": Column("N", "radial load", "Fr"),
+    "moment": Column("N m", "moment", "M"),
+}
+# What is computed there.
+COLUMNS: dict[str, Column] = {
+    "torque_total": Column("N m", "friction torque"),
+    "torque_race": Column("N m", "friction torque of balls on races"),
+    "torque_spin": Column("N m", "part of the friction torque by spin"),
+    "torque_conformity": Column("N m", "part of the friction torque by conformity"),
+    "torque_hysteresis": Column("N m", "part of the friction torque by elastic hysteresis"),
+    "torque_rolling": Column("N m", "part of the friction torque by hydrodynamic rolling"),
+    "torque_cage": Column("N m", "part of the friction torque by the cage"),
+    "torque_oil": Column("N m", "part of the friction torque by oil that flows through, is sheared and stirred"),
+    "torque_declared": Column("N m", "part of the friction torque that the scene declares for seals and drag"),
+    "uncertainty_numerical": Column("1", "numerical uncertainty of the friction torque, relative"),
+    "uncertainty_model": Column("1", "uncertainty of the friction torque by the model's formulas, relative, 95 %"),
+    **{
+        f"{OF_MODEL}{name}": Column("1", f"part of this uncertainty: {words}, relative")
+        for name, words in MODEL_PARTS.items()
+    },
+    "contact_angle": Column("rad", "contact angle of the heaviest ball", "al"),
+    "ball_load": Column("N", "load of the heaviest ball on the race where it is larger", "Q"),
+    "tilt": Column("rad", "tilt of the inner ring about y under unequal loads"),
+    "holding_moment": Column("N m", "moment about y that holds the inner ring at its tilt"),
+    **{
+        f"{name}_{race}": Column(unit, f"{meaning}, {race} race", symbol)
+        for name, unit, meaning, symbol in (
+            ("friction_coefficient", "1", "friction coefficient", "mu"),
+            ("film", "m", "mean gap that the oil fills", "h"),
+            ("asperity_share", "1", "share of the load on asperities", "s"),
+            ("boundary_share", "1", "share of the load with boundary friction", "s_b"),
+            ("load", "N", "load of the heaviest ball", "Q"),
+            ("semi_axis_rolling", "m", "semi-axis of the contact along rolling", "a"),
+            ("semi_axis_transverse", "m", "transverse semi-axis of the contact", "b"),
+            ("peak_pressure", "Pa", "peak pressure", "p0"),
+            ("approach", "m", "approach of ball and race", "delta"),
+        )
+        for race in ("inner", "outer")
+    },
+    "friction_coefficient_pocket": Column("1", "friction coefficient of ball on cage pocket", "mu"),
+    "interval_low": Column("N m", "lower end of the 95 % interval of the friction torque"),
+    "interval_high": Column("N m", "upper end of the 95 % interval of the friction torque"),
+    "catalogue_low": Column("N m", "lower end of the catalogue band"),
+    "catalogue_high": Column("N m", "upper end of the catalogue band"),
+    "temperature": Column("K", "temperature of the oil"),
+    # Of a step of a duty cycle.
+    "duration": Column("s", "duration"),
+    "torque": Column("N m", "friction torque"),
+    "torque_low": Column("N m", "lower end of the 95 % interval of the friction torque"),
+    "torque_high": Column("N m", "upper end of the 95 % interval of the friction torque"),
+    "power": Column("W", "power of friction"),
+    "energy": Column("J", "energy of friction"),
+    # Of a measured torque beside the computed one.
+    "measured": Column("N m", "measured friction torque"),
+    "computed": Column("N m", "computed friction torque"),
+    "error": Column("N m", "computed less measured friction torque"),
+    "numerical": Column("N m", "standard uncertainty of the solver"),
+    "input": Column("N m", "standard uncertainty by the inputs"),
+    "measurement": Column("N m", "standard uncertainty of the measured torque"),
+    "validation": Column("N m", "validation uncertainty, of solver, inputs and measurement"),
+    "formulas": Column("N m", "standard uncertainty by the formulas"),
+    "computed_low": Column("N m", "lower end of the 95 % interval of the computed friction torque"),
+    "computed_high": Column("N m", "upper end of the 95 % interval of the computed friction torque"),
+    "low": Column("N m", "lower end of the 95 % interval of the measured friction torque"),
+    "high": Column("N m", "upper end of the 95 % interval of the measured friction torque"),
+    "beyond": Column("N m", "distance of the measured torque from its 95 % interval"),
+}
+
+
+def rows_of(columns: Mapping[str, ArrayLike]) -> tuple[Point, ...]:
+    """The rows of columns; None in the place of a number that is not finite.
+
+    columns : each (n,)
+    """
+    listed = {name: np.where(np.isfinite(each), each, np.nan).tolist() for name, each in columns.items()}
+    names = tuple(listed)
+    return tuple(
+        {name: None if value != value else value for name, value in zip(names, row, strict=True)}
+        for row in zip(*listed.values(), strict=True)
+    )
+
+
+def without_residue(name: str, values: Array) -> Array:
+    """The numbers of a column with 0 in place of what rounding leaves of it, as a spin torque of 1e-33 N m."""
+    least = ROUNDING.get((COORDINATES | COLUMNS)[name].unit, 0.0)
+    return np.where(np.abs(values) < least, 0.0, values)

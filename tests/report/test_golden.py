@@ -1,0 +1,142 @@
+"""Texts of eight scenes as they were read once by eye: terminal, page and JSON. `--renew` writes them again.
+
+    python -m pytest tests/report/test_golden.py --renew
+
+Words must be the same; a number may differ by one in its last digit, which depends on the processor.
+"""
+
+import json
+import re
+from html.parser import HTMLParser
+from io import StringIO
+from itertools import zip_longest
+from pathlib import Path
+from typing import Any
+
+import pytest
+from rich.console import Console
+
+from analytic.scene_torque import SceneTorque, torque_of_scene
+from analytic.scenefile.read import load_scene
+from fembearing.plain_types import document
+from fembearing.report.sections.torque import headline_section, torque_sections
+from fembearing.report.terminal.sections import print_sections
+from fembearing.report.torque import content_of
+from fembearing.report.torque_file import torque_content
+
+GOLDEN = Path(__file__).parent / "golden"
+SCENES: dict[str, tuple[str, dict[str, Any], dict[str, Any]]] = {  # name, what is given, and how it is computed
+    "dry": ("6205-dry", {}, {}),
+    "paper": ("paper_6205", {"settings": {"report.units": "inch", "effects.cage_dynamics": "off"}}, {}),
+    "radial": ("6206", {"radial_load": "2 kN", "speed": "1500 rpm"}, {"samples": 128}),
+    "sealed": ("6204-2RS", {"radial_load": "300 N", "speed": "5000 rpm", "supply": "grease"}, {}),
+    "pair": (
+        "7014C",
+        {"speed": "12000 rpm", "supply": "grease", "axial_load": "400 N"}
+        | {"settings": {"arrangement.kind": "O", "arrangement.preload": "300 N"}},
+        {},
+    ),
+    "thrust": (
+        "51105",
+        {"axial_load": "1 kN", "speed": "500 rpm"}
+        | {"settings": {"bearing.ball_count": 18, "bearing.ball_diameter": "5.556 mm"}},
+        {},
+    ),
+    "tilted": ("6309", {"radial_load": "3 kN", "speed": "2900 rpm", "settings": {"operation.moment": "20 N m"}}, {}),
+    "series": (
+        "7206B",
+        {"axial_load": ["100 N", "900 N", "200 kN"], "radial_load": "500 N", "speed": "3000 rpm"},
+        {"keep_going": True},
+    ),
+}
+VOLATILE = {"seconds", "evaluation_seconds", "provenance", "fembearing", "numpy", "scipy", "python"}
+NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?!\w)")
+
+
+@pytest.fixture(scope="module", params=SCENES)
+def result(request: pytest.FixtureRequest) -> tuple[str, SceneTorque]:
+    name, given, how = SCENES[request.param]
+    return request.param, torque_of_scene(load_scene(name, **given), **how)
+
+
+def test_the_terminal_says(result: tuple[str, SceneTorque], pytestconfig: pytest.Config) -> None:
+    name, torque = result
+    out = Console(file=StringIO(), width=80)
+    print_sections(out, [headline_section(torque)])
+    out.print()
+    print_sections(out, torque_sections(torque))
+    text = re.sub(r", [\d.e-]+ s$|in \d+ s;", "", out.file.getvalue(), flags=re.MULTILINE)  # pyright: ignore
+    compare(f"{name}-terminal", text, pytestconfig)
+
+
+def test_the_page_says(result: tuple[str, SceneTorque], pytestconfig: pytest.Config) -> None:
+    name, torque = result
+    compare(f"{name}-page", text_of(torque_content(torque, ending=".html").decode()), pytestconfig)
+
+
+def test_the_numbers_are(result: tuple[str, SceneTorque], pytestconfig: pytest.Config) -> None:
+    name, torque = result
+    content = short(document("torque", content_of(torque)))
+    lines = json.dumps(content, indent=1)
+    compare(f"{name}-json", re.sub(r"\[[^][{}]*\]", lambda found: " ".join(found[0].split()), lines), pytestconfig)
+
+
+def short(node: Any) -> Any:
+    """Numbers to five digits, without times and versions."""
+    if isinstance(node, dict):
+        return {name: short(part) for name, part in node.items() if name not in VOLATILE}
+    if isinstance(node, list):
+        return [short(part) for part in node]
+    return float(f"{node:.5g}") if isinstance(node, float) and abs(node) > 1e-12 else node
+
+
+class Words(HTMLParser):
+    """The text of a page, a line for each cell and paragraph."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.lines: list[str] = []
+        self.silent = 0
+
+    def handle_starttag(self, tag: str, _attrs: object) -> None:
+        """Leave out what is not read."""
+        self.silent += tag in ("style", "script", "svg")
+
+    def handle_endtag(self, tag: str) -> None:
+        """The end of what is not read."""
+        self.silent -= tag in ("style", "script", "svg")
+
+    def handle_data(self, data: str) -> None:
+        """One piece of text."""
+        if not self.silent and data.strip():
+            self.lines.append(" ".join(data.split()))
+
+
+def text_of(page: str) -> str:
+    words = Words()
+    words.feed(page)
+    kept = [line for line in words.lines if not re.search(r"SHA-256|^[\d.]+(?:\.\w+)+$|^\d+\.\d+ s$", line)]
+    return "\n".join(kept) + "\n"
+
+
+def compare(name: str, text: str, config: pytest.Config) -> None:
+    file = GOLDEN / f"{name}.txt"
+    if config.getoption("--renew"):
+        file.write_text(text, "utf-8")
+    for number, (was, now) in enumerate(zip_longest(file.read_text("utf-8").splitlines(), text.splitlines()), start=1):
+        assert same(was, now), f"{file.name}:{number}: was {was!r}, is {now!r}"
+
+
+def same(was: str | None, now: str | None) -> bool:
+    """Whether two lines have the same words, and numbers that differ by one in the last digit at most."""
+    if was is None or now is None or NUMBER.sub("#", was).split() != NUMBER.sub("#", now).split():
+        return was == now
+    return all(close(a, b) for a, b in zip(NUMBER.findall(was), NUMBER.findall(now), strict=True))
+
+
+def close(was: str, now: str) -> bool:
+    if was == now:
+        return True
+    mantissa, _, power = max(was, now, key=len).partition("e")
+    last = 10.0 ** (int(power or 0) - len(mantissa.partition(".")[2]))
+    return abs(float(was) - float(now)) <= 1.001 * last

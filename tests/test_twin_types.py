@@ -1,0 +1,35 @@
+"""Types that declare the same thing twice: pairs of classes of four fields or more that share 70 % of their names.
+
+python -m tests.twin_types
+"""
+
+import ast
+from collections.abc import Iterator
+from itertools import combinations
+from pathlib import Path
+
+FEWEST, SHARED = 4, 0.7  # fields; share of the names of both together
+ROOT = Path(__file__).parents[1]
+
+
+def fields_of(package: str) -> Iterator[tuple[str, frozenset[str]]]:
+    """Each class of a package with the names of its own annotated fields."""
+    for file in sorted((ROOT / package).rglob("*.py")):
+        for node in ast.walk(ast.parse(file.read_text("utf-8"))):
+            if isinstance(node, ast.ClassDef):
+                names = {
+                    part.target.id
+                    for part in node.body
+                    if isinstance(part, ast.AnnAssign) and isinstance(part.target, ast.Name)
+                }
+                yield f"{file.relative_to(ROOT)}:{node.name}", frozenset(names)
+
+
+def twins() -> list[tuple[str, str]]:
+    """The pairs, in the order of their files."""
+    classes = [each for package in ("analytic", "fembearing") for each in fields_of(package) if len(each[1]) >= FEWEST]
+    return [(a, b) for (a, one), (b, two) in combinations(classes, 2) if len(one & two) >= SHARED * len(one | two)]
+
+
+def test_no_two_types_declare_the_same() -> None:
+    assert twins() == []
