@@ -2,7 +2,7 @@
 
 Each line names a constant, its value and the new measurement, on random contacts of `intervals.py` as half spaces,
 where Hertz is exact, or against boundary elements. Not repeated here: `HALF`, `FINEST`, `UNSTEADY` and `LEAST`, which
-`intervals.py` tests, and `FADING`, which tests/check/contact/test_discrepancy.py tests.
+`intervals.py` tests, and `FADING`, which tests/check/contact/test_solution.py tests.
 """
 
 from dataclasses import replace

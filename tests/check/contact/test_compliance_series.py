@@ -2,8 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import replace
-from types import SimpleNamespace
-from typing import Any
 
 import numpy as np
 import pytest
@@ -19,15 +17,15 @@ from fembearing.check.contact.compliance import (
 )
 from fembearing.check.contact.load_series import compare_series
 from fembearing.check.contact.meshed_region import FADING
-from fembearing.check.contact.refinement import COMPARED, ORDER, ORDERS, solve_reference
+from fembearing.check.contact.refinement import COMPARED, solve_reference
 from fembearing.check.contact.uncertainty import BETWEEN, STIFFNESS
 from fembearing.fem.compliance import pair_compliance
-from fembearing.fem.measure import Quantities
 from fembearing.fem.pixel_contact import press_pair
 from fembearing.fem.twin import shared_axes
 from fembearing.grid_convergence import CAUTIOUS, LEAST
 from fembearing.mesh.race import WIDEST_BLOCK
 from fembearing.mesh.recipe import Recipe, load_recipe
+from tests.analytic.specimens import present
 
 RECIPE = load_recipe("race")
 ENDS = (95.0, 560.0)
@@ -113,20 +111,10 @@ def test_loads_near_the_shoulder_are_solved_on_meshes(
     loads = [70.0, 200.0, 400.0]  # ellipses of 0.53, 0.76 and 0.96 mm
     assert [ends_before_shoulder(replace(contact, load=load)) for load in loads] == [True, True, False]
     found = compare_series(contact, recipe=shallow("race"), loads=loads, tolerance=0.9)
-    assert [len(point.others) for point in found.points] == [4, 4, 0]
+    assert [len(point.quantities) for point in found.points] == [5, 5, 1]
     assert found.law is not None
-    assert [point.verdict for point in found.points] == ["pass", "pass", "outside validity"]
+    assert [point.approach.verdict for point in found.points] == ["pass", "pass", "outside validity"]
     assert "from 400 N on the contact reaches its shoulder" in " ".join(found.warnings)
-    over = found.points[2].approach
+    over = present(found.points[2].approach.study)
     assert over.richardson is None  # there no order is assumed
     assert over.mesh >= CAUTIOUS * abs(1 - over.values[0] / over.values[1]) + LEAST
-
-
-def on_level(level: int) -> Any:
-    """Quantities that are off by a power of the cells of this level."""
-    exact = {"semi_axis_rolling": 0.12e-3, "semi_axis_transverse": 0.7e-3, "peak_pressure": 2.1e9, "approach": 6.2e-6}
-    off = {"semi_axis_rolling": 3e-3, "semi_axis_transverse": -7e-3, "peak_pressure": 2e-3, "approach": 11e-3}
-    values = {name: value * (1 + off[name] / level ** ORDERS.get(name, ORDER)) for name, value in exact.items()}
-    quantities = Quantities(**values, stiffness=372.0 / values["approach"] ** 1.5)
-    contact = SimpleNamespace(load=372.0, ball_radius=3.97e-3)
-    return SimpleNamespace(level=level, quantities=quantities, contact=contact)

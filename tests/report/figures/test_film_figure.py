@@ -26,7 +26,8 @@ def solved() -> Any:
         x=x, y=y, contact=contact, pressure=PEAK * np.sqrt(np.clip(1 - outside, 0, None)), film=CENTRAL * (1 + outside)
     )
     films = {"central_film": CENTRAL, "minimum_film": THINNEST}
-    numbers = SimpleNamespace(**{name: SimpleNamespace(numerical=value) for name, value in films.items()})
+    found = {name: SimpleNamespace(reference=value) for name, value in films.items()}
+    numbers = SimpleNamespace(quantities=found)
     return SimpleNamespace(solution=solution, numbers=numbers)
 
 
