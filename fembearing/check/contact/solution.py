@@ -6,21 +6,22 @@ import time
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Annotated, Any, Literal, Unpack
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Unpack
 
 import numpy as np
 from annotated_types import MinLen
 
 from analytic.any_scene import scene_by
 from analytic.brief import Brief
-from analytic.errors import require_non_negative
+from analytic.errors import require_non_negative, require_packages
 from analytic.given import SceneOptions
 from analytic.progress import Progress, silent
 from analytic.rows import Count, NotNegative, Positive
 from analytic.scene import Contact, Pair, Scene
 from analytic.scenefile.parts import Given, with_tolerance
+from analytic.units import METRIC
 from fembearing.check.comparison import Comparison, ShownVerdict, compared_with, could_be_decided, verdict_on, worst
-from fembearing.check.contact.bearings import OfPair
+from fembearing.check.contact.bearings import OfPair, place_of
 from fembearing.check.contact.columns import COLUMNS, VERDICT, contact_dataset, contact_html, require_finite_results
 from fembearing.check.contact.hertz import (
     ApproachCurve,
@@ -55,6 +56,9 @@ from fembearing.fem.subsurface import Side, body_displacement, body_of
 from fembearing.mesh.meshfile import write_body
 from fembearing.mesh.recipe import Geometry, Recipe
 from fembearing.mesh.ring import known_ring
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 SHOWN_OF_A_SHEET = ("approach",)  # what its bending changes; the stiffness follows from it
 
@@ -190,6 +194,34 @@ class ContactSolution(Brief):
         """How the names of its files begin."""
         found = self.numbers
         return f"{f'{found.bearing}-' if found.bearing else ''}{found.pair}-{found.geometry}"
+
+    def plot(self) -> "Figure":
+        """Pressure along both axes by finite elements and by Hertz, as the report has it.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            GPa over the position in semi-axes; below, the nodes less Hertz.
+
+        Raises
+        ------
+        MissingPackageError
+            Matplotlib is not installed.
+        """
+        require_packages("a figure", "matplotlib")
+        from fembearing.check.contact.figure import DrawnPressure, pressure_figure
+
+        found, shoulder = self.numbers, self.numbers.shoulder
+        place = place_of(found.pair, found.geometry, found.bearing)
+        drawn = DrawnPressure(
+            title=f"{place.capitalize()}\n{METRIC.force.written(found.load, '.4g')}",
+            profiles=found.pressure_profile,
+            hertz=found.hertz,
+            fe=found.reference,
+            shoulders=() if shoulder is None else tuple(shoulder.cuts),
+            is_half=self.meshes[-1].pair.footprint.half,
+        )
+        return pressure_figure([drawn], METRIC)
 
     def write_meshes(self, folder: Path) -> dict[str, Path]:
         """Write both bodies of the finest mesh with pressure and stress, Pa, and displacement, m, as .vtu.

@@ -7,9 +7,9 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.projections.polar import PolarAxes
 from matplotlib.ticker import MaxNLocator
 
+from analytic.figures.style import BLUE, LETTERS, RED, WIDTH, lettered
 from analytic.loads.ring_state import Balls
 from fembearing.quantities import Units
-from fembearing.report.figures.style import BLUE, LETTERS, RED, WIDTH, lettered
 from fembearing.report.figures.torque import NO_TORQUE
 from fembearing.report.phrases import loads_of, present_loads, speed_words
 from fembearing.report.report import Report
@@ -23,11 +23,11 @@ QUARTER = 90  # degrees between ticks of the azimuth
 
 def ring_plot(document: Report) -> tuple[Figure | None, str]:
     """Polar plots of the loads, and beside them the angles, at the first and the last operating point."""
-    if document.torque is None:
+    if document.solved is None:
         return None, NO_TORQUE
-    points, units = document.torque.points, document.units
-    ends = [points[0], *points[1:][-1:]]
-    shown = [(point, point.ring.balls) for point in ends if point.ring is not None]
+    points, units, ring = document.solved.points, document.units, document.solved.friction.ring
+    ends = dict.fromkeys((0, len(points) - 1))
+    shown = [] if ring is None else [(points[place], ring.row(place).balls) for place in ends]
     if not shown:
         return None, "Pair of bearings: ring and balls of each bearing are available from Python."
     loads = present_loads(points)
@@ -37,7 +37,7 @@ def ring_plot(document: Report) -> tuple[Figure | None, str]:
     for column, (point, balls) in enumerate(shown):
         polar = figure.add_subplot(grid[column], projection="polar")
         assert isinstance(polar, PolarAxes)
-        words = [speed_words(point.inner_speed, units), *(loads_of(point, [name], units) for name in loads)]
+        words = [speed_words(point["inner_speed"], units), *(loads_of(point, [name], units) for name in loads)]
         _loads(polar, balls, units)
         angles = figure.add_subplot(grid[len(shown) + column])
         _angles(angles, balls)

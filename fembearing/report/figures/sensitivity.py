@@ -6,9 +6,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from analytic.figures.style import BLACK, BLUE, LETTERS, ORANGE, WIDTH, lettered
 from fembearing.check.sensitivity import Input, Output, Sensitivity
 from fembearing.quantities import CONTACT, Units
-from fembearing.report.figures.style import BLACK, BLUE, LETTERS, ORANGE, WIDTH, lettered
 from fembearing.report.phrases import loads_of, present_loads
 from fembearing.report.report import Report
 
@@ -76,8 +76,8 @@ def _title(output: Output, outputs: Sequence[Output], units: Units) -> str:
     """The output and its value."""
     if output.point is None:
         return f"ball on {output.pair} race: {units.pressure.written(output.value, '.4g')}"
-    points = [each.point for each in outputs if each.point is not None]
-    loads = loads_of(output.point, present_loads(points), units)
+    points = [vars(each.point) for each in outputs if each.point is not None]
+    loads = loads_of(vars(output.point), present_loads(points), units)
     speed, torque = units.speed.written(output.point.inner_speed, ".5g"), units.torque.written(output.value, ".4g")
     return f"{speed}, {loads}:\n{torque}"
 
