@@ -14,7 +14,7 @@ from hypothesis import settings
 
 if TYPE_CHECKING:
     from analytic.scene import Contact
-    from fembearing.check.contact.discrepancy import ContactSolution
+    from fembearing.check.contact.solution import ContactSolution
     from fembearing.check.validation import Validation
     from fembearing.mesh.recipe import Recipe
 
@@ -25,7 +25,8 @@ SHARE_CHECKED = (  # files and folders of tests that use `checked` or `cut_conta
     "tests/report/",
     "tests/fem/test_shoulder.py",
     "tests/test_brief.py",
-    "tests/check/contact/test_discrepancy.py",
+    "tests/check/contact/test_sheet.py",
+    "tests/check/contact/test_solution.py",
     "tests/check/contact/test_twin_refinement.py",
     "tests/check/test_validation.py",
 )
@@ -70,7 +71,7 @@ def contacts() -> "dict[str, Contact]":
 @pytest.fixture(scope="session")
 def cut_contact(contacts: "dict[str, Contact]") -> "ContactSolution":
     """Half a contact on three meshes: its shoulder cuts it off, Hertz's semi-axis would be 0.946 mm."""
-    from fembearing.check.contact.discrepancy import compare_contact
+    from fembearing.check.contact.solution import compare_contact
 
     narrow = replace(contacts["inner"], shoulder=0.8e-3)
     return compare_contact(narrow, recipe=shallow_recipe("race"), tolerance=0.9)

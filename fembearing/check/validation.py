@@ -21,11 +21,11 @@ from analytic.scene_torque import Samples, SceneTorque, torque_of_scene
 from analytic.scenefile.parts import Given, with_tolerance
 from analytic.verdicts import Overall, Verdicts, pressure_check
 from fembearing.check.cage_record import CageRecord, record_cage
+from fembearing.check.comparison import Verdict, worst
 from fembearing.check.contact.bearings import OneBearing, bearings_of, which_bearing
 from fembearing.check.contact.columns import COLUMNS, VERDICT
-from fembearing.check.contact.discrepancy import ContactSolution, solve_contact, with_ring
 from fembearing.check.contact.scene_contact import balls_of, contact_of
-from fembearing.check.contact.verdict import Verdict, worst
+from fembearing.check.contact.solution import ContactSolution, solve_contact, with_ring
 from fembearing.check.cost.contact_ladder import contact_ladder_of
 from fembearing.check.cost.ladder import Ladder
 from fembearing.check.cost.scene_cost import SEED, measure_cost
@@ -97,15 +97,18 @@ class Validation(Brief):
     @property
     def comparison(self) -> Verdict:
         """The worst of all quantities that are judged."""
-        return worst(verdict for contact in self.contacts if contact.judged for verdict in contact.verdicts.values())
+        judged: list[Verdict] = [
+            verdict for contact in self.contacts if (verdict := contact.numbers.verdict) != "shown"
+        ]
+        return worst(judged)
 
     @property
     def verdicts(self) -> Verdicts:
         """Comparison, numerical and physical; without a torque the physical ones are peak pressures of contacts."""
         if self.torque is not None:
             return replace(self.torque.verdicts, comparison=self.comparison)
-        races = (contact for contact in self.contacts if contact.contact.pair != "pocket")
-        checks = [(race.bearing, pressure_check(race.contact.pair, race.hertz.peak_pressure)) for race in races]
+        races = (contact.numbers for contact in self.contacts if contact.numbers.pair != "pocket")
+        checks = [(race.bearing, pressure_check(race.pair, race.hertz.peak_pressure)) for race in races]
         physical = tuple(replace(check, where=f"{check.where}{which_bearing(of)}") for of, check in checks)
         return Verdicts(numerical=None, physical=physical, comparison=self.comparison)
 
@@ -120,9 +123,11 @@ class Validation(Brief):
         """Those of the scene, of all contacts, of the torque and of the report, each once."""
         own = self.scene.warnings
         contacts = (
-            f"{contact.bearing} bearing, {warning}" if contact.bearing and warning not in own else warning
+            f"{contact.numbers.bearing} bearing, {warning}"
+            if contact.numbers.bearing and warning not in own
+            else warning
             for contact in self.contacts
-            for warning in contact.warnings
+            for warning in contact.numbers.warnings
         )
         torque = () if self.torque is None else self.torque.friction.warnings
         fitted = () if self.torque_change is None else self.torque_change.fitting_warnings
@@ -141,10 +146,10 @@ class Validation(Brief):
         """What each contact is, and its numbers."""
         rows = [contact.columns() for contact in self.contacts]
         words = {
-            "pair": ("body that the ball presses", [contact.contact.pair for contact in self.contacts]),
-            "geometry": ("shape of the meshes", [contact.geometry for contact in self.contacts]),
+            "pair": ("body that the ball presses", [contact.numbers.pair for contact in self.contacts]),
+            "geometry": ("shape of the meshes", [contact.numbers.geometry for contact in self.contacts]),
             **({} if self.scene.arrangement is None else {"bearing": ("of the pair", self._bearings)}),
-            VERDICT: ("on uncorrected Hertz", [contact.shown_verdict for contact in self.contacts]),
+            VERDICT: ("on uncorrected Hertz", [contact.numbers.verdict for contact in self.contacts]),
         }
         return (
             {name: Labelled(("contact",), values, Column("", meaning)) for name, (meaning, values) in words.items()},
@@ -153,7 +158,7 @@ class Validation(Brief):
 
     @property
     def _bearings(self) -> list[str]:
-        return [contact.bearing or "both" for contact in self.contacts]
+        return [contact.numbers.bearing or "both" for contact in self.contacts]
 
     def to_dataframe(self) -> Any:
         """A pandas.DataFrame with the columns of `to_dataset`: a row for each contact, SI."""
@@ -224,7 +229,7 @@ def check_scene(
         hard=last_run(),
         ladders=measure_cost(scene, tolerance=scene.tolerance, progress=part_of(progress, shares[-1], 1.0)).ladders
         if cost
-        else tuple(contact_ladder_of(contact) for contact in contacts if contact.judged),
+        else tuple(contact_ladder_of(contact) for contact in contacts if contact.numbers.judged),
         measured=cost,
         measured_torques=measured_torques,
         sensitivity=sensitivity_of(scene),
@@ -258,7 +263,7 @@ def _contacts(jobs: Sequence[_Job], shares: Array, progress: Progress) -> tuple[
                 accuracy=ENOUGH * tolerance,
                 progress=part_of(progress, begin, end),
             )
-            contacts.append(replace(solved, bearing=job.of.name))
+            contacts.append(solved.with_numbers(bearing=job.of.name))
             if job.pair != "pocket":
                 rings[number] = beside.submit(_with_ring_if_known, contacts[-1])
     return tuple(rings[number].result() if number in rings else contact for number, contact in enumerate(contacts))
@@ -349,4 +354,4 @@ def _with_ring_if_known(contact: ContactSolution) -> ContactSolution:
     try:
         return with_ring(contact)
     except InputError as problem:
-        return replace(contact, warnings=(*contact.warnings, str(problem)))
+        return contact.with_numbers(warnings=(*contact.numbers.warnings, str(problem)))

@@ -13,8 +13,8 @@ from analytic.loads.thrust import thrust_equilibrium
 from analytic.scene import Scene
 from analytic.scenefile.read import parse_scene
 from analytic.torque import friction_torque
+from fembearing.check.comparison import compared
 from fembearing.check.torque_change import TorqueChange, change_of_torque
-from fembearing.grid_convergence import Estimate
 from fembearing.report.report import change_record
 from tests.analytic.scenefile.scene_texts import LUBRICANT, SURFACE
 from tests.analytic.specimens import present
@@ -42,14 +42,8 @@ NAMES = ("semi_axis_rolling", "semi_axis_transverse", "approach")
 
 def solution(uncertainty: float = 0.0, **ratios: float) -> Any:
     """All that is read of a solved contact; `ratios` are finite elements over Hertz."""
-    return SimpleNamespace(
-        verdict="pass",
-        discrepancy={name: 1 / ratios.get(name, 1.0) - 1 for name in NAMES},
-        estimates={
-            name: Estimate(values=(1.3,), order=2.0, richardson=None, mesh=0.8 * uncertainty, domain=0.6 * uncertainty)
-            for name in NAMES
-        },
-    )
+    found = {name: compared(1.3, 1.3 * ratios.get(name, 1.0), 1.3 * uncertainty) for name in NAMES}
+    return SimpleNamespace(numbers=SimpleNamespace(verdict="pass", quantities=found))
 
 
 def change_in(scene: Scene, **contacts: Any) -> TorqueChange:
@@ -135,7 +129,7 @@ def test_nothing_is_claimed_at_loads_that_were_not_solved() -> None:
 
 def test_the_change_carries_the_worse_verdict_of_its_contacts() -> None:
     sound, bad = solution(), solution()
-    bad.verdict = "outside validity"
+    bad.numbers.verdict = "outside validity"
     for inner, outer in ((sound, bad), (bad, sound)):
         assert change_record(change_in(FIXED, inner=inner, outer=outer)).verdict == "outside validity"
 

@@ -37,8 +37,8 @@ def test_a_contact_within_its_accuracy_is_a_success_whatever_the_error_of_hertz(
     scene.write_text(MINE.replace("4 %", "0.5 %"))
     result = command("contact", str(scene), "--load", "620 N", "--tolerance", "0.3 %", "--json")
     found = json.loads(result.out)
-    assert max(found["uncertainty"][name] for name in COMPARED) <= found["accuracy"] == 0.003
-    assert 0.01 < max(map(abs, found["discrepancy"].values())) < 0.03
+    assert max(found["quantities"][name]["relative_uncertainty"] for name in COMPARED) <= found["accuracy"] == 0.003
+    assert 0.01 < max(abs(each["discrepancy"]) for each in found["quantities"].values()) < 0.03
     assert (found["verdict"], result.status, result.err) == ("fail", 0, "")
 
 
@@ -59,17 +59,17 @@ def test_json_is_alone_on_standard_output(command) -> None:
     result = command("contact", "--geometry", "hertzian", "--load", "51 N", "--json")
     found = json.loads(result.out)
     assert found["load"] == 51.0
-    assert set(found["fe"]) == set(found["hertz"]) == set(found["uncertainty"]) == QUANTITIES
-    # 0.300 for a line, 0.310 for a circle
-    assert 0.3 < found["subsurface"]["fe"]["max_shear"] / found["fe"]["peak_pressure"] < 0.33
+    assert set(found["quantities"]) == QUANTITIES
+    shear, peak = found["subsurface"]["quantities"]["max_shear"], found["quantities"]["peak_pressure"]
+    assert 0.3 < shear["reference"] / peak["reference"] < 0.33  # 0.300 for a line, 0.310 for a circle
     assert result.status == 0
     assert result.err == ""  # no progress where there is no terminal
 
 
 def test_the_idealisation_meets_hertz_within_its_own_uncertainty(command) -> None:
     found = json.loads(command("contact", "--geometry", "hertzian", "--pair", "outer", "--json").out)
-    for name in QUANTITIES:
-        assert abs(found["discrepancy"][name]) <= found["uncertainty"][name]
+    for each in found["quantities"].values():
+        assert abs(each["discrepancy"]) <= each["relative_uncertainty"]
 
 
 @pytest.mark.usefixtures("coarse")
@@ -114,7 +114,7 @@ def test_several_loads_make_a_series_with_its_law(command) -> None:
     told = command("contact", "--geometry", "hertzian", *arguments, "--json")
     found = json.loads(told.out)
     assert table.status == told.status == 0
-    assert [part["load"] for part in found["loads"]] == [310.0, 1e-6, 120.0]
+    assert [part["load"] for part in found["points"]] == [310.0, 1e-6, 120.0]
     rows = [line.split()[0] for line in table.out.splitlines() if re.match(r" *[0-9]\S* +[0-9]", line)]
     assert rows[:3] == ["310", "1e-06", "120"]
     assert f"n {found['law']['exponent']:.4f} +- {found['exponent_uncertainty']:.4f}" in table.out

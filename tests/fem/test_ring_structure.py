@@ -9,8 +9,7 @@ from numpy.typing import NDArray
 from scipy.integrate import quad
 
 from analytic.scene import Contact, Material, Ring
-from fembearing.check.contact.meshed_region import boundary_effect
-from fembearing.check.contact.ring import structure_of_ring
+from fembearing.check.contact.meshed_region import boundary_effect, structure_of_ring
 from fembearing.fem.ring_structure import _on_both_sides, block_compression, ring_compression
 from fembearing.fem.solution import MeshSolution, fitted_solution, solve_on_mesh
 from fembearing.grid_convergence import Estimate

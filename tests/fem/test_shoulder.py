@@ -11,7 +11,7 @@ from skfem import MeshHex2
 from analytic.contact.geometry import cut_off_share
 from analytic.errors import InputError
 from analytic.scene import Contact
-from fembearing.check.contact.discrepancy import ContactSolution
+from fembearing.check.contact.solution import ContactSolution
 from fembearing.fem.condensation import held_stiffness, middle_plane
 from fembearing.fem.farfield import point_load, pressed_ellipse
 from fembearing.fem.measure import STRIP

@@ -2,7 +2,7 @@
 
 Each line names a constant, its value and the new measurement, on random contacts of `intervals.py` as half spaces,
 where Hertz is exact, or against boundary elements. Not repeated here: `HALF`, `FINEST`, `UNSTEADY` and `LEAST`, which
-`intervals.py` tests, and `FADING`, which tests/check/contact/test_discrepancy.py tests.
+`intervals.py` tests, and `FADING`, which tests/check/contact/test_solution.py tests.
 """
 
 from dataclasses import replace
@@ -17,7 +17,7 @@ from analytic.contact.hertz import contact_modulus, relative_curvatures
 from analytic.scene import Contact
 from analytic.scenefile.read import load_scene
 from fembearing.check.contact.hertz import hertz_quantities
-from fembearing.check.contact.mesh_refinement import COMPARED, FORMAL_ORDERS, STRIP_LEAST
+from fembearing.check.contact.refinement import COMPARED, FORMAL_ORDERS, STRIP_LEAST
 from fembearing.check.contact.uncertainty import OFF_MESH
 from fembearing.fem.guess import MAJOR_SHRINKS, MINOR_GROWS, expected_semi_axes
 from fembearing.fem.measure import STRIP

@@ -22,8 +22,7 @@ from analytic.errors import FembearingError
 from analytic.progress import silent
 from analytic.scene import Contact
 from fembearing.check.contact.hertz import hertz_quantities
-from fembearing.check.contact.mesh_refinement import COMPARED
-from fembearing.check.contact.reference import solve_reference
+from fembearing.check.contact.refinement import COMPARED, solve_reference
 from fembearing.fem.solution import fitted_solution, solve_on_mesh
 from fembearing.mesh.recipe import Cells, Depth, Domain, Patch, Recipe, load_recipe
 from validation.intervals.twin import ball_and_race, drawn_materials, pressed_to

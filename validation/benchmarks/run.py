@@ -205,7 +205,7 @@ def ruled(scene):
 
 def solve(load=620.0, **options):
     from fembearing import solve_contact
-    return solve_contact(dry, load=load, **options).reference.approach
+    return solve_contact(dry, load=load, **options).numbers.reference.approach
 
 def grid(points):
     text = (f'scene = {json.dumps(file("6205_physical"))}\\n[axes]\\noperation.inner_speed = ["500 rpm", "1500 rpm"]\\n'

@@ -15,8 +15,8 @@ from rich.progress import track
 
 from analytic.scene import Contact
 from analytic.scenefile.read import load_scene
-from fembearing.check.contact.discrepancy import ContactSolution, compare_contact
 from fembearing.check.contact.scene_contact import contact_of
+from fembearing.check.contact.solution import ContactSolution, compare_contact
 from fembearing.check.contact.subsurface import NAMES, compare_subsurface
 from fembearing.fem.solution import solve_on_mesh
 from fembearing.mesh.recipe import load_recipe
@@ -63,13 +63,15 @@ def random_contact(rng: np.random.Generator) -> Contact:
 
 def add_errors(solution: ContactSolution, errors: dict[str, list[float]], held: dict[str, int]) -> None:
     """Append the errors of both bodies and count the intervals that hold; depths in minor semi-axes."""
-    minor = min(solution.hertz.semi_axis_rolling, solution.hertz.semi_axis_transverse)
+    hertz = solution.numbers.hertz
+    minor = min(hertz.semi_axis_rolling, hertz.semi_axis_transverse)
     for side in ("upper", "lower"):
         stresses = compare_subsurface(solution, side=side)
         for name in NAMES:
-            scale = minor if "depth" in name else stresses.hertz[name]
-            errors[name].append(abs(stresses.fe[name] - stresses.hertz[name]) / scale)
-            held[name] += not stresses.exceeds_uncertainty[name]
+            each = stresses.quantities[name]
+            scale = minor if "depth" in name else each.production
+            errors[name].append(abs(each.reference - each.production) / scale)
+            held[name] += not each.resolved
 
 
 if __name__ == "__main__":

@@ -16,7 +16,7 @@ from analytic.loads.thrust import thrust_equilibrium, thrust_equilibrium_frozen
 from analytic.progress import silent
 from analytic.scene import Bearing, Contact, ContactAngle
 from fembearing.check.contact.hertz import hertz_quantities
-from fembearing.check.contact.reference import solve_reference
+from fembearing.check.contact.refinement import solve_reference
 from fembearing.check.contact.scene_contact import as_meshed
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.measure import Quantities

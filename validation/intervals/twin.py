@@ -25,8 +25,7 @@ import typer
 from analytic.errors import FembearingError
 from analytic.scene import Contact, Material
 from fembearing.check.contact.hertz import hertz_quantities
-from fembearing.check.contact.mesh_refinement import COMPARED
-from fembearing.check.contact.twin_refinement import estimates_with_twin
+from fembearing.check.contact.refinement import COMPARED, estimates_with_twin
 from fembearing.fem.guess import expected_semi_axes
 from fembearing.fem.solution import MeshSolution, solve_on_mesh
 from fembearing.fem.twin import TwinSolution, twin_on_level

@@ -11,10 +11,9 @@ from analytic.errors import InputError
 from analytic.progress import silent
 from analytic.scene import Array, Contact
 from fembearing.check.contact.bearings import which_bearing
-from fembearing.check.contact.discrepancy import ContactSolution
 from fembearing.check.contact.hertz import CorrectedHertz, corrected_hertz, hertz_quantities
-from fembearing.check.contact.mesh_refinement import COMPARED, Estimates, estimates_of
-from fembearing.check.contact.twin_refinement import solve_by_twin
+from fembearing.check.contact.refinement import COMPARED, Estimates, estimates_of, solve_by_twin
+from fembearing.check.contact.solution import ContactSolution
 from fembearing.check.cost.ladder import Candidate, Ladder, clocked, measured
 from fembearing.fem.compliance import pair_compliance
 from fembearing.fem.measure import Quantities
@@ -75,14 +74,15 @@ def measured_contact(contact: Contact, *, recipe: Recipe, **how: Any) -> Ladder:
 
 def contact_ladder_of(solution: ContactSolution) -> Ladder:
     """The contact ladder of a solution: formulas are timed here, each mesh has the seconds of its one solve."""
+    found = solution.numbers
     levels = [
         _level(solution.contact, mesh.level, partial(lambda mesh: mesh, mesh))._replace(once=True, spent=mesh.seconds)
         for mesh in solution.meshes
     ]
-    name = "finite elements, with twin" if solution.refinement == "twin" else "finite elements, extrapolated"
-    last = Candidate(name, lambda: solution.estimates)
-    ladder = _ladder(solution.contact, levels, [], last, tolerance=solution.tolerance)
-    return replace(ladder, quantity=f"{ladder.quantity}{which_bearing(solution.bearing)}")
+    name = "finite elements, with twin" if found.refinement == "twin" else "finite elements, extrapolated"
+    last = Candidate(name, lambda: found.estimates)
+    ladder = _ladder(solution.contact, levels, [], last, tolerance=found.tolerance)
+    return replace(ladder, quantity=f"{ladder.quantity}{which_bearing(found.bearing)}")
 
 
 def _ladder(
