@@ -94,10 +94,10 @@ def test_warnings_stand_once_and_those_of_a_bearing_name_it(checked: Validation)
 def test_the_verdict_of_all_contacts_is_the_worst_of_those_that_are_judged(checked: Validation) -> None:
     seat, sheet = checked.contacts[2:]
     assert not sheet.judged
-    assert checked.comparison == "pass"
+    assert checked.compared == {"contacts": "pass", "friction": "pass"}
     tight = [replace(contact, tolerance=1e-9) for contact in checked.contacts]
-    assert replace(checked, contacts=(tight[0], *checked.contacts[1:])).comparison == "fail"
-    assert replace(checked, contacts=(*checked.contacts[:3], tight[3])).comparison == "pass"
+    assert replace(checked, contacts=(tight[0], *checked.contacts[1:])).verdicts.comparison == "fail"
+    assert replace(checked, contacts=(*checked.contacts[:3], tight[3])).verdicts.comparison == "pass"
     bare = replace(checked, torque=None).verdicts
     assert [check.where for check in bare.physical] == ["inner race", "outer race"]
     assert bare.numerical is None
