@@ -118,19 +118,20 @@ def _print(results: "Mapping[str, SceneTorque]", talk: Talk, *, details: bool) -
     from fembearing.cli.console import out, tell_assumed
     from fembearing.quantities import SYSTEMS
     from fembearing.report.headline import side_by_side
+    from fembearing.report.sections.torque import headline_section, torque_sections
+    from fembearing.report.terminal.sections import print_sections
     from fembearing.report.terminal.table import show
-    from fembearing.report.terminal.torque import print_details, print_headline
 
     if len(results) > 1:
         show(out, side_by_side(results, SYSTEMS[next(iter(results.values())).scene.report.units]))
     for name, result in results.items():
         before = f"{name}: " if len(results) > 1 else ""
         if not before:
-            print_headline(out, result)
+            print_sections(out, [headline_section(result)])
         tell_assumed(result.scene.usual, before=before)
         if details:
             out.print()
-            print_details(out, result)
+            print_sections(out, torque_sections(result))
         said = {warning: f"{before}{warning}" for warning in result.friction.warnings}
         talk.warn(said.values(), read=[said[each] for each in result.scene.warnings if each in said])
 

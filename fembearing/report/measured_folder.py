@@ -14,8 +14,10 @@ from fembearing.quantities import SYSTEMS, unit_for
 def write_comparison(comparison: MeasuredComparison, scene: Scene, folder: Path) -> None:
     """Write compare.html, compare.json, compare.csv, compare.png and compare.svg into a folder."""
     from fembearing.report.figures.measured import measured_figure
+    from fembearing.report.figures.page_plots import embedded
     from fembearing.report.figures.style import png, svg
-    from fembearing.report.page.measured_alone import comparison_page
+    from fembearing.report.page.document import page_of_sections
+    from fembearing.report.sections.measured import measured_sections
 
     figure = measured_figure(comparison, SYSTEMS[scene.report.units])
     picture, origin = (
@@ -26,7 +28,8 @@ def write_comparison(comparison: MeasuredComparison, scene: Scene, folder: Path)
     write(folder / "compare.csv", csv_of(comparison))
     write(folder / "compare.png", picture)
     write(folder / "compare.svg", svg(figure))
-    write(folder / "compare.html", comparison_page(comparison, scene, picture))
+    sections = measured_sections(comparison, SYSTEMS[scene.report.units], figure=embedded(picture))
+    write(folder / "compare.html", page_of_sections("Measured and computed torque", sections, origin))
 
 
 def csv_of(comparison: MeasuredComparison) -> str:

@@ -12,6 +12,7 @@ from fembearing.csv_text import csv_of_columns
 from fembearing.plain_types import json_of
 from fembearing.provenance import provenance_of
 from fembearing.quantities import shown_unit
+from fembearing.report.document import Bullets, Section
 from fembearing.report.torque import content_of
 
 Content = Callable[[SceneTorque], bytes]
@@ -93,9 +94,14 @@ def printed_file(result: SceneTorque) -> bytes:
 
 def page_file(result: SceneTorque) -> bytes:
     """The page."""
-    from fembearing.report.page.torque_alone import torque_page
+    from fembearing.report.figures.page_plots import embedded
+    from fembearing.report.page.document import page_of_sections
+    from fembearing.report.sections.torque import headline_section, torque_sections
 
-    return torque_page(result, vector_file(result)).encode()
+    sections = [headline_section(result), *torque_sections(result, figure=embedded(vector_file(result), "svg+xml"))]
+    warnings = [Section("Warnings", [Bullets(result.friction.warnings)])] if result.friction.warnings else []
+    title = f"{result.scene.name}: friction torque"
+    return page_of_sections(title, [*sections, *warnings], provenance_of(result.scene)).encode()
 
 
 CONTENTS: Mapping[str, Content] = {

@@ -23,7 +23,8 @@ from fembearing.app.evaluation import Evaluation, at_once, completed
 from fembearing.app.page import Page
 from fembearing.app.scene_edit import CATALOG, with_value
 from fembearing.app.server import add_report
-from fembearing.report.terminal.torque import print_headline
+from fembearing.report.sections.torque import headline_section
+from fembearing.report.terminal.sections import print_sections
 
 LOAD, SPEED = "operation.radial_load", "operation.inner_speed"
 
@@ -53,7 +54,7 @@ def test_the_headline_is_that_of_the_command(run_story, settled, monkeypatch: py
         await settled(page)
         out = StringIO()
         result = torque_of_scene(load_scene("6206", radial_load="2 kN", speed="1500 rpm"))
-        print_headline(Console(file=out, width=500), result)
+        print_sections(Console(file=out, width=500), [headline_section(result)])
         title, _, _, row, *rest = [line.strip() for line in out.getvalue().splitlines() if line.strip()]
         shown = words(page)
         assert title in shown

@@ -19,8 +19,9 @@ from fembearing.check.validation import Validation
 from fembearing.plain_types import document, plain
 from fembearing.provenance import provenance_of
 from fembearing.report.report import report_of
+from fembearing.report.sections.torque import torque_sections
 from fembearing.report.tables.torque import RESIDUE
-from fembearing.report.terminal.torque import print_details
+from fembearing.report.terminal.sections import print_sections
 from fembearing.report.torque import content_of
 from fembearing.report.torque_file import torque_content
 from tests.analytic.specimens import present
@@ -129,7 +130,7 @@ def frame_agrees(result: SceneTorque) -> None:
 def terminal_agrees(result: SceneTorque) -> None:
     """To the four digits that are printed, of a part that counts."""
     out = StringIO()
-    print_details(Console(file=out, width=300), result)
+    print_sections(Console(file=out, width=300), torque_sections(result))
     lines = out.getvalue().splitlines()
     friction = result.friction
     parts, total = known_parts(friction), friction.torque.total

@@ -19,8 +19,10 @@ from rich.console import Console
 from analytic.scene_torque import SceneTorque, torque_of_scene
 from analytic.scenefile.read import load_scene
 from fembearing.plain_types import document
-from fembearing.report.terminal.torque import print_details, print_headline
+from fembearing.report.sections.torque import headline_section, torque_sections
+from fembearing.report.terminal.sections import print_sections
 from fembearing.report.torque import content_of
+from fembearing.report.torque_file import torque_content
 
 GOLDEN = Path(__file__).parent / "golden"
 SCENES: dict[str, tuple[str, dict[str, Any], dict[str, Any]]] = {  # name, what is given, and how it is computed
@@ -60,16 +62,16 @@ def result(request: pytest.FixtureRequest) -> tuple[str, SceneTorque]:
 def test_the_terminal_says(result: tuple[str, SceneTorque], pytestconfig: pytest.Config) -> None:
     name, torque = result
     out = Console(file=StringIO(), width=80)
-    print_headline(out, torque)
+    print_sections(out, [headline_section(torque)])
     out.print()
-    print_details(out, torque)
+    print_sections(out, torque_sections(torque))
     text = re.sub(r", [\d.e-]+ s$|in \d+ s;", "", out.file.getvalue(), flags=re.MULTILINE)  # pyright: ignore
     compare(f"{name}-terminal", text, pytestconfig)
 
 
 def test_the_page_says(result: tuple[str, SceneTorque], pytestconfig: pytest.Config) -> None:
     name, torque = result
-    compare(f"{name}-page", text_of(torque_page(torque, b"")), pytestconfig)
+    compare(f"{name}-page", text_of(torque_content(torque, ending=".html").decode()), pytestconfig)
 
 
 def test_the_numbers_are(result: tuple[str, SceneTorque], pytestconfig: pytest.Config) -> None:

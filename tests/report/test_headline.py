@@ -19,9 +19,10 @@ from fembearing.report.headline import (
     torque_headline,
     torque_words,
 )
+from fembearing.report.sections.torque import headline_section
 from fembearing.report.tables.table import Table
+from fembearing.report.terminal.sections import print_sections
 from fembearing.report.terminal.table import show
-from fembearing.report.terminal.torque import print_headline
 from tests.analytic.specimens import present
 
 
@@ -32,7 +33,7 @@ def result() -> SceneTorque:
 
 def lines_of(result: SceneTorque) -> list[str]:
     out = StringIO()
-    print_headline(Console(file=out, width=80), result)
+    print_sections(Console(file=out, width=80), [headline_section(result)])
     return out.getvalue().splitlines()
 
 

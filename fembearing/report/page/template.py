@@ -30,5 +30,5 @@ def environment() -> Environment:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    made.filters |= {"shown": shown, "listed": listed}
+    made.filters |= {"shown": shown, "listed": listed, "kind": lambda block: type(block).__name__}
     return made

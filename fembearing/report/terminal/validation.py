@@ -4,7 +4,7 @@ from rich.console import Console
 
 from analytic.words import percent_of
 from fembearing.report.headline import headline_title, torque_words
-from fembearing.report.phrases import creep_change_words, film_change_words, friction_of
+from fembearing.report.phrases import creep_change_words, film_change_words, friction_of, numerical_words
 from fembearing.report.report import Report
 from fembearing.report.tables.contacts import contacts_of, pocket_table
 from fembearing.report.tables.creep import creep_table
@@ -13,8 +13,8 @@ from fembearing.report.tables.measured import measured_table
 from fembearing.report.tables.points import shown_places
 from fembearing.report.tables.prediction import prediction_tables
 from fembearing.report.tables.torque import change_table, pair_table, torque_table
+from fembearing.report.tables.verdicts import physical_table
 from fembearing.report.terminal.table import show
-from fembearing.report.terminal.torque import print_verdicts
 
 NO_TORQUE = "No torque: no friction coefficient, lubricant or surface is given."
 
@@ -60,6 +60,10 @@ def print_details(out: Console, document: Report) -> None:
         out.print(f"{film_change_words(document.film_change)}\n")
     if document.creep_change is not None:
         out.print(f"{creep_change_words(document.creep_change)}\n")
-    print_verdicts(out, document.physical, torque, units)
+    show(out, physical_table(document.physical, units))
+    numerical = None if torque is None else torque.verdicts.numerical
+    if torque is not None and numerical is not None:
+        for note in (*torque.notes, numerical_words(numerical)):
+            out.print(note, markup=False)
     out.print(f"Tolerance {percent_of(document.tolerance)}, {document.cost.seconds:.1f} s.")
     out.print(document.verdict.words)

@@ -14,8 +14,8 @@ from analytic.result import FrictionTorque
 from analytic.scene import ContactAngle, Operation
 from analytic.scene_torque import SceneTorque, torque_of_scene
 from analytic.torque import friction_torque
-from analytic.verdicts import pressure_check
-from fembearing.report.terminal.torque import print_details, print_verdicts
+from fembearing.report.sections.torque import torque_sections
+from fembearing.report.terminal.sections import print_sections
 from tests.analytic.cage.specimens import CAGED, with_cage
 from tests.analytic.scenefile.scene_texts import OILED, SPEEDS, changed, scene
 
@@ -76,7 +76,7 @@ def test_texts_of_a_cage_have_none() -> None:
 
 def check(result: SceneTorque) -> None:
     out = StringIO()
-    print_details(Console(file=out, width=200), result)
+    print_sections(Console(file=out, width=200), torque_sections(result))
     for text in (*texts_of(result.friction), *result.notes, *out.getvalue().splitlines()):
         for what, form in FORBIDDEN.items():
             assert not re.search(form, text), f"{what}: {text}"
@@ -95,11 +95,3 @@ def test_refusals_have_none_either(text: str) -> None:
         friction_torque(scene(text))
     for what, form in FORBIDDEN.items():
         assert not re.search(form, str(caught.value)), f"{what}: {caught.value}"
-
-
-def test_a_check_without_a_torque_prints_its_limits_alone() -> None:
-    text = StringIO()
-    print_verdicts(Console(file=text, width=80), [pressure_check("inner", 4.31e9)], None)
-    assert "4.31 GPa" in text.getvalue()
-    assert "fail" in text.getvalue()
-    assert "Numerical" not in text.getvalue()

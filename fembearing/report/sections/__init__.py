@@ -1,0 +1,1 @@
+"""The sections of documents: what is said of each topic, for terminal and page."""
