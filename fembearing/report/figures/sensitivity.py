@@ -78,8 +78,8 @@ def _title(output: Output, outputs: Sequence[Output], units: Units) -> str:
     """The output and its value."""
     if output.point is None:
         return f"ball on {output.pair} race: {units.pressure.written(output.value, '.4g')}"
-    points = [each.point for each in outputs if each.point is not None]
-    loads = loads_of(output.point, present_loads(points), units)
+    points = [vars(each.point) for each in outputs if each.point is not None]
+    loads = loads_of(vars(output.point), present_loads(points), units)
     speed, torque = units.speed.written(output.point.inner_speed, ".5g"), units.torque.written(output.value, ".4g")
     return f"{speed}, {loads}:\n{torque}"
 

@@ -103,7 +103,8 @@ def _parts(torque: SceneTorque, units: Units) -> Facts:
     if torque.friction.pair is None:
         facts.append(("tilt of the ring", tilt or "none"))
     if cage:
-        facts.append(("torque of the cage", f"{units.torque.written(max(cage), '.4g')} at most"))
+        ends = " to ".join(dict.fromkeys(units.torque.written(end, ".4g") for end in (min(cage), max(cage))))
+        facts.append(("torque of the cage", ends))
     elif scene.cage is not None:
         facts.append(("torque of the cage", "not in the total"))
     return facts
