@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 
 from analytic.errors import InputError, require_non_negative, require_positive
 from analytic.oil.traction import oil_shear_stress
+from analytic.oil.viscosity import oil_numbers
 from analytic.scene import Array, Lubricant
 from analytic.scenefile.parts import lubricant
 
@@ -69,5 +70,5 @@ def traction_coefficient(
     share = np.cos(angle)  # of the Hertz pressure, at the distance sin(angle) from the middle
     area = share * weight if contact == "line" else 2 * share * np.sin(angle) * weight
     peak, rolling, ratio, thickness = (np.asarray(each, float)[..., None] for each in (pressure, speed, slip, film))
-    stress = oil_shear_stress(known, pressure=peak * share, speed=np.abs(ratio) * rolling, film_thickness=thickness)
+    stress = oil_shear_stress(oil_numbers(known), peak * share, np.abs(ratio) * rolling, thickness)
     return np.sign(slip) * (stress @ area) / (np.asarray(pressure) * (share @ area))

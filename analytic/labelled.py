@@ -47,15 +47,22 @@ def dataset_of(
     )
 
 
-def frame_of(dataset: Any, dimension: str) -> Any:
-    """A pandas.DataFrame with a row for each element of one dimension, coordinates first; `attrs["units"]` has units.
+def frame_of(columns: Mapping[str, Labelled], dimension: str) -> Any:
+    """A pandas.DataFrame with a row for each element of one dimension, in the order of the columns.
 
-    Variables that have other dimensions are left out.
+    It lacks columns that have other dimensions or hold nothing. `attrs["units"]` has the units.
+    Raises MissingPackageError without pandas.
     """
-    rows = dataset.drop_dims([name for name in dataset.dims if name != dimension])
-    coordinates = [name for name in rows.coords if name not in rows.indexes]
-    frame = rows.to_dataframe()[[*coordinates, *rows.data_vars]]
-    frame.attrs["units"] = {name: rows[name].attrs["units"] for name in frame.columns if "units" in rows[name].attrs}
+    require_packages("a data frame", "pandas")
+    import pandas  # on demand, as xarray
+
+    kept = {
+        name: each for name, each in columns.items() if each.dimensions == (dimension,) and not _is_empty(each.values)
+    }
+    frame = pandas.DataFrame({name: np.asarray(each.values) for name, each in kept.items()})
+    frame.index.name = dimension
+    frame = frame.set_index(dimension) if dimension in kept else frame
+    frame.attrs["units"] = {name: each.column.unit for name, each in kept.items() if name in frame}
     return frame
 
 

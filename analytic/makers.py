@@ -31,7 +31,7 @@ from analytic.oil.rolling import (
     ring_diameters,
     square_millimetres,
 )
-from analytic.oil.viscosity import inlet_viscosity
+from analytic.oil.viscosity import oil_numbers
 from analytic.result import PairPart, TorqueParts
 from analytic.scene import Array, Bearing, Scene, Supply
 
@@ -156,7 +156,7 @@ def case_of(scene: Scene) -> CatalogueCase:
         axial_load=axial,
         radial_load=radial,
         ring_speed=np.abs(operation.inner_speed),
-        kinematic_viscosity=inlet_viscosity(oil).viscosity / oil.density,
+        kinematic_viscosity=oil_numbers(oil).viscosity / oil.density,
         free_angle=_free_angle(bearing),
     )
 

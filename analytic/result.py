@@ -17,7 +17,11 @@ from analytic.limits import LimitNumbers
 from analytic.loads.pair import PairEquilibrium
 from analytic.loads.ring_state import RingState
 from analytic.scene import ArrangementKind, Array, Clearances, Operation, Sliding
+from analytic.units import METRIC
 from analytic.words import NEWTON_MILLIMETRE, RPM
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 POINT = "point"  # the dimension of a dataset
 MOST_ROWS = 12  # of the table in a notebook
@@ -300,11 +304,15 @@ class FrictionTorque(Brief):
 
         It lacks the columns that hold nothing, because their part was left out or is not modelled.
         """
-        columns = self.columns()
-        return dataset_of(
-            {name: Labelled((POINT,), columns[name], COLUMNS[name]) for name in COLUMNS if name in columns},
-            coordinates={name: Labelled((POINT,), columns[name], column) for name, column in COORDINATES.items()},
-            attributes=self.attributes(),
+        given, computed = self._labelled()
+        return dataset_of(computed, coordinates=given, attributes=self.attributes())
+
+    def _labelled(self) -> tuple[dict[str, Labelled], dict[str, Labelled]]:
+        """The operating points as they are given, and what is computed there."""
+        known = self.columns()
+        return (
+            {name: Labelled((POINT,), known[name], column) for name, column in COORDINATES.items()},
+            {name: Labelled((POINT,), known[name], column) for name, column in COLUMNS.items() if name in known},
         )
 
     def attributes(self) -> dict[str, str]:
@@ -312,8 +320,30 @@ class FrictionTorque(Brief):
         return {**self.provenance, "warnings": "\n".join(self.warnings)}
 
     def to_dataframe(self) -> Any:
-        """A pandas.DataFrame of `to_dataset`: a row for each operating point, SI."""
-        return frame_of(self.to_dataset(), POINT)
+        """A pandas.DataFrame with the columns of `to_dataset`: a row for each operating point, SI."""
+        given, computed = self._labelled()
+        return frame_of(given | computed, POINT)
+
+    def plot(self) -> "Figure":
+        """The torque by effect over the operating points, metric: lines over speed or load, else bars.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            Without the 95 % interval and the makers' formulas, which `SceneTorque.plot` has.
+
+        Raises
+        ------
+        InputError
+            No operating point has a torque.
+        MissingPackageError
+            Matplotlib is not installed.
+        """
+        from analytic.figures.torque import DrawnTorque, torque_figure
+
+        given = {name: getattr(self, name) for name in COORDINATES}
+        title = f"{self.provenance['scene']}, {self.provenance['oil']}"
+        return torque_figure(DrawnTorque(columns=given | self.columns(), makers={}, title=title, units=METRIC))
 
     def _repr_html_(self) -> str:
         """A table for a notebook: a row for each operating point, the torque in N mm by effect."""

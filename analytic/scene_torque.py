@@ -23,10 +23,14 @@ from analytic.scene import Array, Bearing, Scene
 from analytic.scenefile.inputs import StatedInput, stated_inputs
 from analytic.standing import Standing, standing_of
 from analytic.torque import friction_torque
+from analytic.units import SYSTEMS, oil_words
 from analytic.verdicts import Verdicts, numerical_check, physical_checks
 from analytic.words import MICROMETRE, NEWTON_MILLIMETRE
 
-if TYPE_CHECKING:  # with SciPy's statistics, which take half a second to import
+if TYPE_CHECKING:  # with SciPy's statistics, which take half a second to import, and Matplotlib
+    from matplotlib.figure import Figure
+
+    from analytic.figures.torque import DrawnTorque
     from analytic.prediction.prediction import Prediction
 
 MOST_ESTIMATED = 50  # operating points with an interval to first order, which costs some 40 torques
@@ -146,8 +150,43 @@ class SceneTorque(Brief):
         return dataset_of(columns, coordinates=coordinates, attributes=self.friction.attributes())
 
     def to_dataframe(self) -> Any:
-        """A pandas.DataFrame of `to_dataset`: a row for each operating point, SI."""
-        return frame_of(self.to_dataset(), POINT)
+        """A pandas.DataFrame with the columns of `to_dataset`: a row for each operating point, SI."""
+        return frame_of(self.columns(), POINT)
+
+    @property
+    def drawn(self) -> "DrawnTorque":
+        """What its figure shows."""
+        from analytic.figures.torque import DrawnTorque
+
+        bearing, units = self.scene.bearing.name, SYSTEMS[self.scene.report.units]
+        band, computed = self.catalogue.band, self.places.computed
+        return DrawnTorque(
+            columns={name: np.asarray(each.values)[computed] for name, each in self.columns().items()},
+            makers={} if band is None else band.values,
+            title=f"{bearing if self.friction.pair is None else f'two {bearing}'}, "
+            f"{oil_words(self.scene.lubricant, units)}",
+            units=units,
+        )
+
+    def plot(self) -> "Figure":
+        """The torque by effect over the operating points, with its 95 % interval and the makers' formulas.
+
+        Lines over speed or load where that alone varies, on logarithmic axes from a decade on; else bars. The figure
+        is that of the report and of `fembearing torque --out`, in the units of the scene.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            In a notebook it shows itself; `savefig` writes it.
+
+        Raises
+        ------
+        MissingPackageError
+            Matplotlib is not installed.
+        """
+        from analytic.figures.torque import torque_figure
+
+        return torque_figure(self.drawn)
 
 
 def _balls(bearing: Bearing) -> str:

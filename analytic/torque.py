@@ -57,6 +57,7 @@ from analytic.solve.model import Model, model_of
 from analytic.solve.solution import Solution, points_of, solved
 from analytic.solve.steady_states import other_states
 from analytic.surface.roughness import GapRoughness, gap_roughness
+from analytic.units import METRIC, oil_words
 from analytic.words import NEWTON, NEWTON_MILLIMETRE, speed_of, torque_of
 
 # Rises whenever a formula changes a torque; CHANGELOG.md then has the old and the new torque of each shipped scene.
@@ -663,6 +664,7 @@ def _provenance(races: Races) -> Mapping[str, str]:
     return MappingProxyType(
         {
             "scene": scene.name,
+            "oil": oil_words(scene.lubricant, METRIC),
             "contact_angle": scene.contact_angle.rule,
             "spin_rule": scene.spin_rule,
             "microslip": scene.microslip,

@@ -36,6 +36,7 @@ DEGREE, PERCENT = Unit("deg", 180 / np.pi), Unit("%", 100.0)
 SHORT = 9e-5  # m: what is shorter is shown in micrometres
 LEVEL = 1e-9  # rad: a smaller angle is rounding of 0
 MOST_BITS = 2000  # of a whole number in a message
+MILLION = 1e6
 FAST = 1e5  # rpm: faster has no digits after the point and no power of ten
 
 
@@ -68,6 +69,12 @@ def angle_of(radians: float) -> str:
 def percent_of(share: float, digits: int = 3) -> str:
     """A relative number in per cent."""
     return PERCENT.written(share, ".0f" if abs(share) * PERCENT.factor >= 10**digits else f".{digits}g")
+
+
+def rounded(value: float, digits: int) -> str:
+    """A number to its significant digits, up to a million without a power of ten."""
+    text = f"{value:.{digits}g}"
+    return f"{float(text):.0f}" if "e+" in text and abs(value) < MILLION else text
 
 
 class ShortRepr(reprlib.Repr):

@@ -12,8 +12,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Arc, Circle, Ellipse
 
+from analytic.figures.style import BLUE, GREEN, GREY, ORANGE, RED
 from analytic.writing import replaced_file
-from fembearing.report.figures.style import BLUE, GREEN, GREY, ORANGE, RED, svg
+from fembearing.report.figures.style import svg
 
 FOLDER = Path(__file__).resolve().parent / "pictures"
 INK, STEEL, BALL, OIL = "#1b1f23", "#e3e8ed", "#cfe0ef", "#fbe6bd"

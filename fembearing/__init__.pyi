@@ -13,7 +13,7 @@ from .production import load_scene as load_scene
 from .production import predict as predict
 from .production import torque_function as torque_function
 from .production import torque_of_scene as torque_of_scene
-from .report.drawing import draw_bearing as draw_bearing
+from .report.figures.bearing import draw_bearing as draw_bearing
 from .report.folder import validate as validate
 from .report.headline import Headline as Headline
 from .report.headline import torque_headline as torque_headline

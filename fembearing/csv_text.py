@@ -3,32 +3,32 @@
 import csv
 from collections.abc import Mapping, Sequence
 from io import StringIO
+from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.words import Unit
 
+Words = Mapping[str, Sequence[str | int]]
+NONE: Words = MappingProxyType({})
 
-def csv_of_columns(
-    columns: Mapping[str, tuple[Unit, ArrayLike]], *, number: str = "", words: Mapping[str, Sequence[str]] | None = None
-) -> str:
+
+def csv_of_columns(columns: Mapping[str, tuple[Unit, ArrayLike]], *, first: Words = NONE, last: Words = NONE) -> str:
     """A line for each row, to 15 digits; heads have the unit in brackets. A cell is empty where nothing is known.
 
-    columns : the unit that is shown, and the numbers in SI, each (n,);  number : head of a first column with the number
-    of the row, from 1; empty: none;  words : columns of text, the last ones
+    columns : the unit that is shown, and the numbers in SI, each (n,);  first, last : other columns as they are
     """
-    heads = [f"{name} [{unit.name or '1'}]" for name, (unit, _) in columns.items()]
-    cells = [
-        ["" if np.isnan(value) else f"{value:.15g}" for value in unit.number(np.asarray(values, dtype=float)).tolist()]
-        for unit, values in columns.values()
-    ]
-    if number:
-        heads, cells = [number, *heads], [[str(row) for row in range(1, len(cells[0]) + 1)], *cells]
-    for name, texts in (words or {}).items():
-        heads, cells = [*heads, name], [*cells, list(texts)]
+    numbers = {
+        f"{name} [{unit.name or '1'}]": [
+            "" if np.isnan(value) else f"{value:.15g}"
+            for value in unit.number(np.asarray(values, dtype=float)).tolist()
+        ]
+        for name, (unit, values) in columns.items()
+    }
+    every = {**first, **numbers, **last}
     text = StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(heads)
-    writer.writerows(zip(*cells, strict=True))
+    writer.writerow(every)
+    writer.writerows(zip(*every.values(), strict=True))
     return text.getvalue()

@@ -5,14 +5,8 @@ from math import pi
 
 import pytest
 
-from fembearing.quantities import (
-    INCH_POUND,
-    METRIC,
-    SYSTEMS,
-    Units,
-    shown_unit,
-    unit_for,
-)
+from analytic.units import INCH_POUND, METRIC, SYSTEMS, Units, unit_for
+from fembearing.quantities import shown_unit
 
 POUND, INCH = 4.4482216152605, 25.4e-3  # N and m, by definition
 SAME = 1e-14  # a few round-offs

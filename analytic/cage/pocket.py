@@ -30,13 +30,13 @@ from analytic.numerics.compilation import compiled
 from analytic.numerics.elements import rows_of
 from analytic.numerics.machine_code import entry
 from analytic.numerics.records import dtype_of, record_of
-from analytic.oil.asymptotes import Inflow, asymptotes_of
-from analytic.oil.mixed import LAST_STEP, MOST_STEPS, mixed_of, oil_beside
+from analytic.oil.film import Inflow, asymptotes_of
+from analytic.oil.mixed import LAST_STEP, MOST_STEPS, mixed_contact
 from analytic.oil.race_resistance import NO_OIL, SMOOTH_FORM, gap_law_of
-from analytic.oil.traction import law_of_oil, mean_force
+from analytic.oil.traction import mean_force, mixed_traction
 from analytic.oil.viscosity import OilNumbers, oil_numbers
 from analytic.scene import Array, Cage, Scene
-from analytic.surface.gap import GapForm, GapLaw, GapNumbers, gap_forms
+from analytic.surface.gap import SMOOTH_GAP, GapForm, GapNumbers, gap_forms
 
 FAST = frozenset(("contract", "reassoc", "arcp", "nsz", "afn"))  # NaN and infinity keep their meaning
 SATURATED = 20.0  # |v|/v0 from where tanh is 1 in double precision
@@ -349,10 +349,10 @@ class PocketFriction:
     warnings: tuple[str, ...] = ()
 
 
-def pocket_gap(scene: Scene, cage: Cage) -> GapLaw | None:
-    """The gap law of ball and pocket; None: smooth, or their friction coefficient is given."""
+def pocket_gap(scene: Scene, cage: Cage) -> GapNumbers:
+    """The gap law of ball and pocket; smooth too where their friction coefficient is given."""
     if cage.friction_coefficient is not None:
-        return None
+        return SMOOTH_GAP
     return gap_law_of(scene, (scene.bearing.ball_material, cage.material))
 
 
@@ -393,9 +393,8 @@ def pocket_coefficient(
         contact, Inflow(surface_speed / 2, oil.viscosity, oil.pressure_viscosity, oil.compressible, pocket.largest_gap)
     )
     gap = GapNumbers(pocket.gap.kind, cubics, pocket.gap.truncated, pocket.gap.elastic)
-    mixed = mixed_of(contact, film, gap, 1.0, 1.0, 0.0)
-    area, thickness = oil_beside(mixed.area_fraction, mixed.film_thickness, mixed.without_film)
-    law = law_of_oil(oil, pocket.boundary_friction * mixed.boundary_share, 1.0 - mixed.asperity_share, area, thickness)
+    mixed = mixed_contact(contact, film, gap, 1.0, 1.0, 0.0)
+    law = mixed_traction(oil, pocket.boundary_friction, mixed, 1.0)
     return mean_force(law, contact, surface_speed) / load, mixed.capped
 
 

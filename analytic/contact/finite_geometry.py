@@ -12,19 +12,16 @@ from numpy.typing import ArrayLike, NDArray
 
 from analytic.contact.factors import ContactCorrection, ContactFactors, FactorNumbers
 from analytic.contact.finite_geometry_fit import (
-    BASES,
     OFF_SHOULDER,
     POWERS,
-    SIDES,
-    ShapeNumbers,
-    bases_of,
+    ContactShape,
+    GeometryNumbers,
+    fit_numbers,
     fit_record,
     geometries_on,
     geometry_of,
     limits,
-    put_geometry,
     shape_on,
-    unit_of,
 )
 from analytic.contact.geometry import (
     USUAL_SHOULDERS,
@@ -34,25 +31,10 @@ from analytic.contact.geometry import (
     with_shoulders,
 )
 from analytic.contact.hertz import ball_share, contact_modulus, hertz_contact
-from analytic.numerics.elements import mapped, rows_of
+from analytic.numerics.elements import rows_of
 from analytic.numerics.records import record_of
 from analytic.scene import Array, Bearing, Contact
 from analytic.words import DEGREE, Unit, percent_of
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class ContactShape:
-    """The ratios that the correction depends on; the fields broadcast."""
-
-    conformity: ArrayLike  # r_g/D
-    rolling_curvature: ArrayLike  # r/R: radius of the ball over rolling radius of the race, negative on an outer race
-    size: ArrayLike  # b/r: Hertz's transverse semi-axis over the ball's radius
-    ball_poisson_ratio: ArrayLike
-    race_poisson_ratio: ArrayLike
-    ball_share: ArrayLike  # share of the ball in the compliance 1/E*
-    shoulder: ArrayLike  # distance of the shoulder that the contact has moved towards from its centre, over r
-    far_shoulder: ArrayLike | None = None  # likewise of the other shoulder; None: as `shoulder`
-    contact_angle: ArrayLike = 0.0  # rad: the lands beyond the shoulders are parallel to the axis of the bearing
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -86,20 +68,12 @@ class RaceCorrections:
 
 
 def finite_geometry_factors(shape: ContactShape) -> CorrectedGeometry:
-    """Semi-axes, peak pressure and approach of the true shape over Hertz's, with their uncertainty.
+    """`geometry_of` shapes whose ratios broadcast, with the warnings.
 
     The range of each ratio is that of the file, and both shoulders are at least 1.15 Hertz semi-axes b away. Smaller
-    sizes are accepted too: there the correction fades to 1. Outside the range the change of Hertz is that at the
-    border, times b/r (approach) or (b/r)^2 over that there, and its uncertainty grows. Two steps of `steps_beyond` away
-    the factors are 1, and the uncertainty holds all of that change. The warnings say which ratios lie outside.
+    sizes are accepted too: there the correction fades to 1. The warnings say which ratios lie outside.
     """
-
-    def of_numbers(*ratios: float) -> Array:
-        fields = np.empty(10)
-        put_geometry(geometry_of(fit_record(), ShapeNumbers(*ratios), np.empty(POWERS)), fields)
-        return fields
-
-    return _corrected(mapped(of_numbers, *_ratios(shape)), lambda: shape)
+    return _corrected(geometry_of(fit_numbers(), shape, np.empty(POWERS)), lambda: shape)
 
 
 def race_geometry(bearing: Bearing, race: Race, *, contact_angle: ArrayLike, ball_load: ArrayLike) -> CorrectedGeometry:
@@ -113,8 +87,9 @@ def race_geometry(bearing: Bearing, race: Race, *, contact_angle: ArrayLike, bal
     given, of = rows_of(contact_angle, ball_load)
     fields, taken = np.empty((10, given.shape[1])), with_shoulders(bearing, USUAL_SHOULDERS[1])
     geometries_on(fit_record(), record_of(numbers), given, np.empty(POWERS), fields)
+    each = fields.reshape(len(fields), *of)
     found = _corrected(
-        fields.reshape(len(fields), *of),
+        GeometryNumbers(FactorNumbers(*each[:4]), FactorNumbers(*each[4:8]), each[8], each[9]),
         lambda: race_shape(taken, race, contact_angle=contact_angle, ball_load=ball_load),
     )
     if not np.isnan(numbers.near_shoulder):
@@ -128,10 +103,8 @@ def race_shape(bearing: Bearing, race: Race, *, contact_angle: ArrayLike, ball_l
     contact_angle (al, rad, in [-pi/2, pi/2], see `shoulder_distances`) and ball_load (Q, N, >= 0) broadcast.
     """
     require_contact_angle(bearing, np.abs(contact_angle))
-    numbers = record_of(race_numbers(bearing, race))
-    shoulders = numbers.near_shoulder, numbers.far_shoulder
-    shapes = mapped(lambda angle, load: shape_on(numbers, shoulders, angle, load), contact_angle, ball_load)
-    return ContactShape(**dict(zip(ShapeNumbers._fields, shapes, strict=True)))
+    numbers = race_numbers(bearing, race)
+    return shape_on(numbers, (numbers.near_shoulder, numbers.far_shoulder), contact_angle, ball_load)
 
 
 def contact_shape(contact: Contact) -> ContactShape:
@@ -146,7 +119,7 @@ def contact_shape(contact: Contact) -> ContactShape:
     return ContactShape(
         conformity=contact.groove_radius / (2 * radius),
         rolling_curvature=radius / contact.rolling_radius,
-        size=hertz.semi_axis_y / radius,
+        size=float(hertz.semi_axis_y / radius),
         ball_poisson_ratio=ball.poisson_ratio,
         race_poisson_ratio=race.poisson_ratio,
         ball_share=ball_share(ball, race),
@@ -156,38 +129,16 @@ def contact_shape(contact: Contact) -> ContactShape:
     )
 
 
-def shape_bases(shape: ContactShape) -> dict[str, Array]:
-    """The bases of the terms by name, see `Bases`: those of a shoulder (2, ...), near and far, the others (...)."""
-
-    def of_numbers(*ratios: float) -> list[tuple[float, float]]:
-        each = ShapeNumbers(*ratios)
-        unit, slope = unit_of(each), float(np.tan(each.contact_angle))
-        near, far = bases_of(each, unit, each.shoulder, -slope), bases_of(each, unit, each.far_shoulder, slope)
-        return list(zip(near, far, strict=True))
-
-    bases = dict(zip(BASES, mapped(of_numbers, *_ratios(shape)), strict=True))
-    return {name: sides if name in SIDES else sides[0] for name, sides in bases.items()}
-
-
-def _corrected(fields: Array, shape: Callable[[], ContactShape]) -> CorrectedGeometry:
-    """The correction from the fields of `_put`; shape : that it was applied to, of the same dimensions."""
-    quantities, size = FactorNumbers._fields, len(FactorNumbers._fields)
-    factors, uncertainty = (dict(zip(quantities, fields[first : first + size], strict=True)) for first in (0, size))
-    beyond, applied = fields[-2:]
+def _corrected(found: GeometryNumbers, shape: Callable[[], ContactShape]) -> CorrectedGeometry:
+    """The correction with its warnings; shape : that it was applied to, of the same dimensions."""
+    outside = np.asarray(found.beyond) > 0
     return CorrectedGeometry(
-        factors=ContactFactors(**factors),
-        uncertainty=MappingProxyType(uncertainty),
-        covered=beyond == 0,
-        applied=applied,
-        warnings=tuple(_outside(shape(), applied)) if beyond.any() else (),
+        factors=ContactFactors(**found.factors._asdict()),
+        uncertainty=MappingProxyType(found.uncertainty._asdict()),
+        covered=~outside,
+        applied=np.asarray(found.applied),
+        warnings=tuple(_outside(shape(), np.asarray(found.applied))) if outside.any() else (),
     )
-
-
-def _ratios(shape: ContactShape) -> list[ArrayLike]:
-    """The ratios in the order of `ShapeNumbers`."""
-    if shape.far_shoulder is None:
-        shape = replace(shape, far_shoulder=shape.shoulder)
-    return [getattr(shape, name) for name in ShapeNumbers._fields]
 
 
 def _range(name: str, value: float, low: float, high: float) -> str:
@@ -199,7 +150,7 @@ def _range(name: str, value: float, low: float, high: float) -> str:
 
 def _outside(shape: ContactShape, applied: Array) -> Iterator[str]:
     """Which ratios lie outside the range, and what the correction does there."""
-    values = dict(zip(ShapeNumbers._fields, np.broadcast_arrays(*_ratios(shape)), strict=True))
+    values = dict(zip(ContactShape._fields, np.broadcast_arrays(*shape), strict=True))
 
     def done(least: float) -> str:
         if least == 1:

@@ -2,7 +2,7 @@
 
 Hertz assumes that both bodies are half spaces and that the gap is a paraboloid. In a bearing the ball ends at its
 middle plane, the surfaces under the contact are curved, and the groove encloses the ball and ends at its shoulders. In
-linear elasticity the ratio of each quantity to Hertz's depends only on the ratios in a `ShapeNumbers`. The fit is
+linear elasticity the ratio of each quantity to Hertz's depends only on the ratios in a `ContactShape`. The fit is
     1 + sum of coefficient * (product of powers of the bases below)
 with the coefficients of catalog/corrections/finite_geometry.toml, whose head says how they were obtained. Every term
 vanishes with the size of the contact, so a small contact is Hertz's.
@@ -26,6 +26,7 @@ from analytic.contact.factors import FactorNumbers
 from analytic.contact.geometry import USUAL_SHOULDERS, RaceNumbers, distances_to_shoulders, rolling_curvature
 from analytic.contact.hertz import HertzNumbers, unit_hertz
 from analytic.numerics.compilation import compiled
+from analytic.numerics.elements import formula
 from analytic.numerics.machine_code import entry
 from analytic.numerics.records import Record, dtype_of
 from analytic.numerics.root import cube_root
@@ -56,18 +57,18 @@ MOST_FACTORS = 4  # powers of bases in a term
 TINIEST = 1e-300  # replaces a size of 0 in the logarithm, which is multiplied by the size
 
 
-class ShapeNumbers(NamedTuple):
-    """The ratios of one contact; `ContactShape` says what they are."""
+class ContactShape(NamedTuple):
+    """The ratios that the correction depends on."""
 
-    conformity: float
-    rolling_curvature: float
-    size: float
+    conformity: float  # r_g/D
+    rolling_curvature: float  # r/R: radius of the ball over rolling radius of the race, negative on an outer race
+    size: float  # b/r: Hertz's transverse semi-axis over the ball's radius
     ball_poisson_ratio: float
     race_poisson_ratio: float
-    ball_share: float
-    shoulder: float
-    far_shoulder: float
-    contact_angle: float
+    ball_share: float  # share of the ball in the compliance 1/E*
+    shoulder: float  # distance of the shoulder that the contact has moved towards from its centre, over r
+    far_shoulder: float  # likewise of the other shoulder
+    contact_angle: float = 0.0  # rad: the lands beyond the shoulders are parallel to the axis of the bearing
 
 
 class Bases(NamedTuple):
@@ -96,7 +97,7 @@ POWERS = CHANGES + 4  # numbers in the table
 
 
 class FitNumbers(NamedTuple):
-    """The stored fit; quantities in the order of `FactorNumbers`, ratios in that of `ShapeNumbers`."""
+    """The stored fit; quantities in the order of `FactorNumbers`, ratios in that of `ContactShape`."""
 
     low: Array  # (9,) least of each ratio
     high: Array  # (9,)
@@ -141,11 +142,11 @@ def fit_numbers() -> FitNumbers:
         if curvature or slope:
             places.add(SIDED + curvature * EXPONENTS + slope)
         factors[row, : len(places)] = sorted(places)
-    ranges = [limits()[name] for name in ShapeNumbers._fields]
+    ranges = [limits()[name] for name in ContactShape._fields]
     return FitNumbers(
         low=np.array([low for low, _ in ranges], dtype=np.float64),
         high=np.array([high for _, high in ranges], dtype=np.float64),
-        step=np.array([STEP[name] for name in ShapeNumbers._fields]),
+        step=np.array([STEP[name] for name in ContactShape._fields]),
         coefficients=np.array([term["coefficient"] for term in terms]),
         factors=factors,
         first=np.cumsum([0, *(len(quantity["terms"]) for quantity in quantities)], dtype=np.intp),
@@ -163,7 +164,7 @@ def fit_record() -> Record:
 
 
 @compiled
-def steps_beyond(fit: FitNumbers, shape: ShapeNumbers) -> float:
+def steps_beyond(fit: FitNumbers, shape: ContactShape) -> float:
     """How far a shape lies outside the range of the fit, in steps of each ratio; the largest of these, 0 within.
 
     0 without load, where nothing is to be corrected.
@@ -178,12 +179,12 @@ def steps_beyond(fit: FitNumbers, shape: ShapeNumbers) -> float:
 
 
 @compiled
-def held_shape(fit: FitNumbers, shape: ShapeNumbers) -> ShapeNumbers:
+def held_shape(fit: FitNumbers, shape: ContactShape) -> ContactShape:
     """The nearest shape within the range."""
     low, high = fit.low, fit.high
     size = min(max(shape.size, low[2]), high[2])
     nearest = OFF_SHOULDER * size
-    return ShapeNumbers(
+    return ContactShape(
         min(max(shape.conformity, low[0]), high[0]),
         min(max(shape.rolling_curvature, low[1]), high[1]),
         size,
@@ -196,15 +197,19 @@ def held_shape(fit: FitNumbers, shape: ShapeNumbers) -> ShapeNumbers:
     )
 
 
-@compiled
-def unit_of(shape: ShapeNumbers) -> HertzNumbers:
-    """The contact of the shape with r = 1 and E* = 1, under the load 1."""
-    return unit_hertz(1 + shape.rolling_curvature, 1 - 0.5 / shape.conformity, 1.0)
+@formula
+def shape_bases(shape: ContactShape) -> tuple[Bases, Bases]:
+    """The bases at the near and at the far side."""
+    unit, slope = unit_hertz(1 + shape.rolling_curvature, 1 - 0.5 / shape.conformity, 1.0), np.tan(shape.contact_angle)
+    return _bases_of(shape, unit, shape.shoulder, -slope), _bases_of(shape, unit, shape.far_shoulder, slope)
 
 
 @compiled
-def bases_of(shape: ShapeNumbers, unit: HertzNumbers, shoulder: float, land_slope: float) -> Bases:
-    """The bases at one side; unit : `unit_of` the shape;  shoulder : its distance over r;  land_slope : see `Bases`."""
+def _bases_of(shape: ContactShape, unit: HertzNumbers, shoulder: float, land_slope: float) -> Bases:
+    """The bases at one side; shoulder : its distance over r;  land_slope : see `Bases`.
+
+    unit : the contact of the shape with r = 1 and E* = 1, under the load 1
+    """
     openness, ball, race = 1 - 0.5 / shape.conformity, shape.ball_share, 1 - shape.ball_share
     of_ball, of_race = shape.ball_poisson_ratio, shape.race_poisson_ratio
     ball_drift, race_drift = ball * (1 - 2 * of_ball) / (1 - of_ball), race * (1 - 2 * of_race) / (1 - of_race)
@@ -257,13 +262,17 @@ def _change(fit: FitNumbers, quantity: int, powers: Array) -> float:
     return change
 
 
-@compiled
-def geometry_of(fit: FitNumbers, shape: ShapeNumbers, powers: Array) -> GeometryNumbers:
-    """`finite_geometry_factors` of one contact; powers : (POWERS,), overwritten"""
+@formula
+def geometry_of(fit: FitNumbers, shape: ContactShape, powers: Array) -> GeometryNumbers:
+    """Semi-axes, peak pressure and approach of the true shape over Hertz's; powers : (POWERS,), overwritten
+
+    Outside the range the change of Hertz is that at the border, times b/r (approach) or (b/r)^2 over that there, and
+    its uncertainty grows. Two steps of `steps_beyond` away the factors are 1, and the uncertainty holds all of that
+    change.
+    """
     held = held_shape(fit, shape)
     grown = shape.size / held.size if held.size > 0 else 1.0
-    unit, slope = unit_of(held), np.tan(held.contact_angle)
-    near, far = bases_of(held, unit, held.shoulder, -slope), bases_of(held, unit, held.far_shoulder, slope)
+    near, far = shape_bases(held)
     _fill_powers(near, far, powers)
     for quantity in range(4):
         powers[CHANGES + quantity] = _change(fit, quantity, powers) * grown ** fit.size_power[quantity]
@@ -286,8 +295,8 @@ def geometry_of(fit: FitNumbers, shape: ShapeNumbers, powers: Array) -> Geometry
     )
 
 
-@compiled
-def shape_on(race: RaceNumbers, shoulders: tuple[float, float], contact_angle: float, load: float) -> ShapeNumbers:
+@formula
+def shape_on(race: RaceNumbers, shoulders: tuple[float, float], contact_angle: float, load: float) -> ContactShape:
     """The shape of ball on race.
 
     shoulders : angles of the near and the far one on the profile, rad
@@ -296,7 +305,7 @@ def shape_on(race: RaceNumbers, shoulders: tuple[float, float], contact_angle: f
     curvature = rolling_curvature(race, contact_angle)
     unit = unit_hertz(curvature, race.curvature_transverse, race.modulus)
     towards, away = distances_to_shoulders(race, shoulders, contact_angle)
-    return ShapeNumbers(
+    return ContactShape(
         race.groove_radius / (2 * race.ball_radius),
         race.ball_radius * curvature - 1,
         unit.semi_axis_y * cube_root(load) / race.ball_radius,
@@ -318,19 +327,12 @@ def shoulders_of(race: RaceNumbers, height: float) -> tuple[float, float]:
     return near, near if np.isnan(race.far_shoulder) else race.far_shoulder
 
 
-@compiled
-def put_geometry(found: GeometryNumbers, fields: Array) -> None:
-    """Write factors, their uncertainty, steps beyond the range and the share applied: (10,) numbers."""
-    for k in range(4):
-        fields[k], fields[4 + k] = found.factors[k], found.uncertainty[k]
-    fields[8], fields[9] = found.beyond, found.applied
-
-
 @entry(lambda: {"fit": fit_record().dtype, "race": dtype_of(RaceNumbers), "given": 2, "powers": 1, "fields": 2})
 def geometries_on(fit: FitNumbers, race: RaceNumbers, given: Array, powers: Array, fields: Array) -> None:
     """Write the corrections of n balls on a race; of shoulders that are not known, those of a typical height.
 
-    given : (2, n) contact angles, rad, and loads, N;  powers : as `geometry_of`;  fields : (10, n) of `put_geometry`
+    given : (2, n) contact angles, rad, and loads, N;  powers : as `geometry_of`
+    fields : (10, n) factors, their uncertainty, steps beyond the range and the share applied
     The uncertainty of a typical height reaches to the factors of a low and of a high shoulder.
     """
     known = not np.isnan(race.near_shoulder)
@@ -340,7 +342,9 @@ def geometries_on(fit: FitNumbers, race: RaceNumbers, given: Array, powers: Arra
             shape = shape_on(race, shoulders_of(race, height), given[0, i], given[1, i])
             found = geometry_of(fit, shape, powers)
             if number == 0:
-                put_geometry(found, fields[:, i])
+                for k in range(4):
+                    fields[k, i], fields[4 + k, i] = found.factors[k], found.uncertainty[k]
+                fields[8, i], fields[9, i] = found.beyond, found.applied
                 continue
             for k in range(4):
                 away = abs(found.factors[k] - fields[k, i])

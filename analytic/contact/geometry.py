@@ -6,7 +6,7 @@ Source: [Harris2007] section 2.
 """
 
 from dataclasses import replace
-from functools import lru_cache, partial
+from functools import lru_cache
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -16,9 +16,7 @@ from analytic.contact.hertz import ball_share, contact_modulus
 from analytic.contact.rolling_contact import deformed_radius
 from analytic.errors import InputError, require_non_negative
 from analytic.numerics.compilation import compiled
-from analytic.numerics.elements import mapped
-from analytic.numerics.machine_code import entry
-from analytic.numerics.records import dtype_of, record_of
+from analytic.numerics.elements import formula
 from analytic.scene import Array, Bearing, Cage, Contact, Groove, Ring, Wall
 from analytic.words import angle_of, length_of
 
@@ -61,7 +59,7 @@ def race_numbers(bearing: Bearing, race: Race) -> RaceNumbers:
         groove_radius=groove.groove_radius,
         curvature_transverse=(groove.groove_radius - radius) / (radius * groove.groove_radius),
         modulus=contact_modulus(ball, groove.material),
-        deformed_radius=deformed_radius(groove_radius=groove.groove_radius, ball_diameter=bearing.ball_diameter),  # pyright: ignore
+        deformed_radius=deformed_radius(groove_radius=groove.groove_radius, ball_diameter=bearing.ball_diameter),
         bottom_angle=np.pi / 2 if bearing.kind == "thrust" else 0.0,
         near_shoulder=near,
         far_shoulder=far,
@@ -83,17 +81,28 @@ def curvature_of_race(race: RaceNumbers, contact_angle: float) -> float:
     return race.side * cosine / (race.pitch_diameter / 2 - race.side * race.ball_radius * cosine)
 
 
-@compiled
+@formula
 def rolling_curvature(race: RaceNumbers, contact_angle: float) -> float:
-    """Relative curvature 1/R_x of ball and race in the direction of rolling, 1/m; al in [-pi/2, pi/2], rad."""
+    """Relative curvature 1/R_x of ball and race in the direction of rolling, 1/m; al in [-pi/2, pi/2], rad.
+
+    1/r + cos(al)/(d_m/2 - r cos(al)) on the inner race, 1/r - cos(al)/(d_m/2 + r cos(al)) on the outer
+    """
     return 1 / race.ball_radius + curvature_of_race(race, contact_angle)
 
 
-@compiled
+@formula
 def distances_to_shoulders(
     race: RaceNumbers, shoulders: tuple[float, float], contact_angle: float
 ) -> tuple[float, float]:
-    """`shoulder_distances` of one contact, m; shoulders : angles of the near and the far one on the profile, rad."""
+    """Distances from the contact's centre to both shoulders in the tangent plane, m.
+
+    shoulders : angles asin(w/r_g) of the near and the far one on the profile from the groove's bottom, rad, where w is
+        the half-width of the groove
+    contact_angle : al, rad, in [-pi/2, pi/2]; negative where a moment presses the ball on the far side of the groove;
+        pi/2 in a thrust bearing, whose balls touch the bottom of the groove
+    First the shoulder that the contact has moved towards, then the other: r_g sin(asin(w/r_g) -+ |al|), at most r_g. If
+    one is negative, the centre lies beyond that shoulder.
+    """
     near, far = shoulders
     angle = abs(contact_angle) - race.bottom_angle
     towards, away = (far, near) if contact_angle < 0 else (near, far)
@@ -114,43 +123,22 @@ def cut_off_share(distance: float, semi_axis: float) -> float:
     return (1 - t) ** 2 * (2 + t) / 4
 
 
-@entry(lambda: {"race": dtype_of(RaceNumbers), "angles": 1, "curvatures": 1})
-def put_rolling_curvatures(race: RaceNumbers, angles: Array, curvatures: Array) -> None:
-    """Write (n,) of `rolling_curvature`."""
-    for i in range(angles.size):
-        curvatures[i] = rolling_curvature(race, angles[i])
-
-
 def race_curvatures(bearing: Bearing, race: Race, *, contact_angle: ArrayLike) -> tuple[Array, Array]:
     """Relative curvatures (rolling, transverse) of ball on race, 1/m, each with the shape of contact_angle.
 
     contact_angle : al, rad, in [0, pi/2]; pi/2 in a thrust bearing
-        rolling = 1/r + cos(al)/(d_m/2 - r cos(al)) on the inner race, 1/r - cos(al)/(d_m/2 + r cos(al)) on the outer
-        transverse = 1/r - 1/r_g
+    Along rolling as `rolling_curvature`; transverse 1/r - 1/r_g.
     Raises InputError if contact_angle is out of its range or the groove is no wider than the ball.
     """
-    angle = require_contact_angle(bearing, contact_angle)
-    numbers = race_numbers(bearing, race)
-    rolling = np.empty(angle.size)
-    put_rolling_curvatures(record_of(numbers), np.ravel(angle), rolling)
-    return rolling.reshape(angle.shape), np.full_like(angle, numbers.curvature_transverse)
+    angle, numbers = require_contact_angle(bearing, contact_angle), race_numbers(bearing, race)
+    return rolling_curvature(numbers, angle), np.full_like(angle, numbers.curvature_transverse)
 
 
 def shoulder_distances(bearing: Bearing, race: Race, *, contact_angle: ArrayLike) -> tuple[Array, Array]:
-    """Distances from the contact's centre to both shoulders in the tangent plane, m; each the shape of contact_angle.
-
-    contact_angle : al, rad, in [-pi/2, pi/2]; negative where a moment presses the ball on the far side of the groove;
-        pi/2 in a thrust bearing, whose balls touch the bottom of the groove
-    First the shoulder that the contact has moved towards, then the other. A shoulder has the profile angle asin(w/r_g)
-    from the groove's bottom, where w is its half-width. The distances are r_g sin(asin(w/r_g) -+ |al|), at most r_g; if
-    one is negative, the centre lies beyond that shoulder. NaN where the half-width is not known.
-    Raises InputError as race_curvatures does.
-    """
+    """`distances_to_shoulders` of a race, m; NaN where the half-width is not known. Raises as race_curvatures."""
     require_contact_angle(bearing, np.abs(contact_angle))
     numbers = race_numbers(bearing, race)
-    shoulders = numbers.near_shoulder, numbers.far_shoulder
-    towards, away = mapped(partial(distances_to_shoulders, record_of(numbers), shoulders), contact_angle)
-    return towards, away
+    return distances_to_shoulders(numbers, (numbers.near_shoulder, numbers.far_shoulder), contact_angle)
 
 
 def with_shoulders(bearing: Bearing, height: float) -> Bearing:
@@ -204,7 +192,7 @@ def race_contact(bearing: Bearing, race: Race, *, contact_angle: float, ball_loa
                 f"{length_of(groove.groove_radius)}): "
                 "lower the load, reduce the clearance or raise shoulder_half_width"
             )
-    curvature = float(curvature_of_race(record_of(race_numbers(bearing, race)), float(angle)))
+    curvature = float(curvature_of_race(race_numbers(bearing, race), float(angle)))
     return Contact(
         pair=race,
         ball_radius=bearing.ball_radius,

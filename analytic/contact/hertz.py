@@ -14,10 +14,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.brief import Brief
-from analytic.errors import ConvergenceError, InputError, require_non_negative, require_positive
+from analytic.errors import ConvergenceError, InputError, require_positive
 from analytic.numerics.compilation import compiled
-from analytic.numerics.elements import rows_of
-from analytic.numerics.machine_code import entry
+from analytic.numerics.elements import NotNegative, Positive, formula
 from analytic.numerics.root import cube_root
 from analytic.scene import Array, Contact, Material
 
@@ -125,9 +124,17 @@ def ellipse_of(log_curvature_ratio: float) -> Ellipse:
     return Ellipse(np.nan, np.nan, np.nan)
 
 
-@compiled
-def unit_hertz(curvature_x: float, curvature_y: float, modulus: float) -> HertzNumbers:
-    """The contact under 1 N, by the formulas of `hertz_contact`; NaN where the ellipse does not settle."""
+@formula
+def unit_hertz(curvature_x: Positive, curvature_y: Positive, modulus: Positive) -> HertzNumbers:
+    """The contact under 1 N; NaN where the ellipse does not settle.
+
+    curvature_x, curvature_y : relative, along and across rolling, 1/m, > 0;  modulus : E*, Pa, > 0
+    With s = (minor/major)^2 and the elliptic integrals K(m), D(m) = (K - E)/m and B(m) = K - D at m = 1 - s:
+        B/(s D) = larger over smaller curvature
+        major^3 = 3 Q D/(pi E* smaller curvature),  minor = sqrt(s) major
+        p0 = 3 Q/(2 pi major minor),  delta = 3 Q K/(2 pi E* major)
+    Curvature ratios from 1 (a circle, exactly) to 1e6 agree with 50-digit arithmetic to 1e-14.
+    """
     x_is_minor = curvature_x >= curvature_y
     larger, smaller = max(curvature_x, curvature_y), min(curvature_x, curvature_y)
     ellipse = ellipse_of(np.log(larger / smaller))
@@ -143,9 +150,12 @@ def unit_hertz(curvature_x: float, curvature_y: float, modulus: float) -> HertzN
     )
 
 
-@compiled
-def loaded_hertz(unit: HertzNumbers, load: float) -> HertzNumbers:
-    """The contact under a load, N, from that under 1 N: axes and pressure grow as Q^(1/3), the approach as Q^(2/3)."""
+@formula
+def loaded_hertz(unit: HertzNumbers, load: NotNegative) -> HertzNumbers:
+    """The contact under a load Q, N, >= 0, from that under 1 N: the ellipse keeps its shape.
+
+    Semi-axes and pressure grow as Q^(1/3), the approach as Q^(2/3).
+    """
     root = cube_root(load)
     return HertzNumbers(
         unit.semi_axis_x * root,
@@ -156,13 +166,9 @@ def loaded_hertz(unit: HertzNumbers, load: float) -> HertzNumbers:
     )
 
 
-@entry(lambda: {"rows": 2, "fields": 2})
-def put_contacts(rows: Array, fields: Array) -> None:
-    """Write (5, n) fields of contacts; rows : (4, n) curvatures along and across rolling, modulus and load"""
-    for i in range(rows.shape[1]):
-        contact = loaded_hertz(unit_hertz(rows[0, i], rows[1, i], rows[2, i]), rows[3, i])
-        for k in range(5):
-            fields[k, i] = contact[k]
+@formula
+def _hertz(curvature_x: Positive, curvature_y: Positive, load: NotNegative, modulus: Positive) -> HertzNumbers:
+    return loaded_hertz(unit_hertz(curvature_x, curvature_y, modulus), load)
 
 
 def hertz_contact(
@@ -191,20 +197,9 @@ def hertz_contact(
 
     Notes
     -----
-    With s = (minor/major)^2 and the elliptic integrals K(m), D(m) = (K - E)/m and B(m) = K - D at m = 1 - s::
-
-        B/(s D) = larger over smaller curvature
-        major^3 = 3 Q D/(pi E* smaller curvature),  minor = sqrt(s) major
-        p0 = 3 Q/(2 pi major minor),  delta = 3 Q K/(2 pi E* major)
-
-    Curvature ratios from 1 (a circle, exactly) to 1e6 agree with 50-digit arithmetic to 1e-14.
-    Source: [Johnson1985] section 4.2.
+    The formulas of `unit_hertz`. Source: [Johnson1985] section 4.2.
     """
-    contact_arguments(curvature_x=curvature_x, curvature_y=curvature_y, load=load, modulus=modulus)
-    rows, shape = rows_of(curvature_x, curvature_y, modulus, load)
-    fields = np.empty((5, rows.shape[1]))
-    put_contacts(rows, fields)
-    return hertz_fields(fields.reshape(len(fields), *shape))
+    return hertz_fields(np.array(_hertz(curvature_x, curvature_y, load, modulus)))
 
 
 def hertz_fields(fields: Array) -> HertzContact:
@@ -222,33 +217,8 @@ def hertz_fields(fields: Array) -> HertzContact:
 
 
 def loaded_contact(unit: HertzContact, *, load: ArrayLike) -> HertzContact:
-    """The contact under any load, from the same contact under 1 N; load broadcasts with the fields of `unit`.
-
-    load : Q, N, >= 0
-    Semi-axes and pressure grow as Q^(1/3), the approach as Q^(2/3): the ellipse keeps its shape.
-    Raises InputError if a load is negative or not finite.
-    """
-    require_non_negative(load=load)
-    root = np.cbrt(load)
-    growth = dict(zip(HertzNumbers._fields, (root, root, root, root**2, np.ones_like(root)), strict=True))
-    return HertzContact(**{name: getattr(unit, name) * by for name, by in growth.items()})
-
-
-def contact_arguments(
-    *, curvature_x: ArrayLike, curvature_y: ArrayLike, load: ArrayLike, modulus: ArrayLike
-) -> tuple[Array, Array, Array, Array]:
-    """(curvature_x, curvature_y, load, modulus) as arrays of one shape; raises what hertz_contact raises."""
-    require_positive(curvature_x=curvature_x, curvature_y=curvature_y, modulus=modulus)
-    require_non_negative(load=load)
-    given = [np.asarray(value, dtype=np.float64) for value in (curvature_x, curvature_y, load, modulus)]
-    try:
-        rolling, transverse, force, stiff = np.broadcast_arrays(*given, subok=False)
-    except ValueError as problem:
-        shapes = ", ".join(str(value.shape) for value in given)
-        raise InputError(
-            f"curvature_x, curvature_y, load, modulus have shapes {shapes}: give equal lengths"
-        ) from problem
-    return rolling, transverse, force, stiff
+    """`loaded_hertz` of contacts under 1 N; load : Q, N, >= 0, broadcasts with their fields."""
+    return hertz_fields(np.array(loaded_hertz(HertzNumbers(**vars(unit)), load)))
 
 
 @lru_cache(maxsize=64)  # every step of an equilibrium needs it

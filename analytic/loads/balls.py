@@ -5,9 +5,7 @@ races have an axis of two in front, inner and outer; n operating points and m ba
 """
 
 from dataclasses import dataclass, replace
-from functools import cached_property
-from operator import itemgetter
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,12 +14,11 @@ from analytic.brief import Brief
 from analytic.contact.factors import ContactCorrection
 from analytic.contact.geometry import RACES, race_curvatures
 from analytic.contact.hertz import HertzContact, contact_modulus
-from analytic.contact.rolling_contact import Pair, RollingContact, deformed_radius
+from analytic.contact.rolling_contact import ContactNumbers, deformed_radius
 from analytic.loads.kinematics import BallKinematics
 from analytic.loads.ring import ring_equilibrium
 from analytic.loads.thrust import thrust_at_speed, thrust_equilibrium
 from analytic.loads.turning import RuledTurning
-from analytic.numerics.elements import elements_of
 from analytic.scene import STANDARD_GRAVITY, Array, Bearing, ContactAngle, Operation
 
 
@@ -56,24 +53,20 @@ class LoadedBalls(Brief):
     deformed_radius: Array  # (2, 1, 1) R, of the contact surface in the transverse direction, m
     motion: BallKinematics  # (n, m), per unit ring speed: the torque exists at standstill too
 
-    @cached_property
-    def contacts(self) -> RollingContact:
-        """The contacts on both races, (2, n, m) or broadcasting to it: the only place where they are made."""
-        return RollingContact(
-            load=self.load,
-            semi_axis_rolling=self.contact.semi_axis_x,
-            semi_axis_transverse=self.contact.semi_axis_y,
-            curvature_rolling=self.curvature_rolling,
-            curvature_transverse=self.curvature_transverse,
-            modulus=self.modulus,
-            deformed_radius=self.deformed_radius,
-            rolling_rate=np.stack([self.motion.inner_rolling_rate, self.motion.outer_rolling_rate]),
-        )
-
-    @cached_property
-    def races(self) -> Pair:
-        """The contacts on the inner and on the outer race, each (n, m) or broadcasting to it."""
-        return elements_of(self.contacts, itemgetter(0)), elements_of(self.contacts, itemgetter(1))
+    @property
+    def contacts(self) -> ContactNumbers:
+        """The contacts on both races, (2, n, m) or broadcasting to it."""
+        fields: dict[str, Any] = {
+            "load": self.load,
+            "semi_axis_rolling": self.contact.semi_axis_x,
+            "semi_axis_transverse": self.contact.semi_axis_y,
+            "curvature_rolling": self.curvature_rolling,
+            "curvature_transverse": self.curvature_transverse,
+            "modulus": self.modulus,
+            "deformed_radius": self.deformed_radius,
+            "rolling_rate": np.stack([self.motion.inner_rolling_rate, self.motion.outer_rolling_rate]),
+        }
+        return ContactNumbers(**fields)
 
     def total(self, of_contact: Array) -> Array:
         """(n,) sum over all balls, and over both races where there is an axis for them."""

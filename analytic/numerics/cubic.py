@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from analytic.numerics.compilation import compiled
+from analytic.numerics.elements import formula
 from analytic.scene import Array
 
 
@@ -23,7 +23,7 @@ class Pieces(NamedTuple):
     beyond: int  # the row after the last
 
 
-@compiled
+@formula
 def cubic_at(rows: Array, pieces: Pieces, x: float) -> tuple[float, float]:
     """Value and slope at x."""
     piece, beyond = pieces.first, pieces.beyond

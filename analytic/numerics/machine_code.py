@@ -42,8 +42,6 @@ ENTRIES = (  # of a wheel, the longest one first
     "analytic.free_ball.strips.march_strips",
     "analytic.cage.pocket.put_pocket_coefficients",
     "analytic.cage.steady.put_resting_torques",
-    "analytic.contact.geometry.put_rolling_curvatures",
-    "analytic.contact.hertz.put_contacts",
 )
 BUILDER = "analytic.numerics.building"
 PACKAGE = Path(__file__).parents[1]
@@ -58,6 +56,7 @@ ABOVE = frozenset(
         "columns",
         "discs",
         "effects",
+        "figures",
         "function",
         "left_out",
         "limits",
@@ -70,6 +69,7 @@ ABOVE = frozenset(
         "scenefile",
         "standing",
         "torque",
+        "units",
         "verdicts",
     }
 )

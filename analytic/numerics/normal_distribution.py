@@ -9,6 +9,7 @@ from math import erfc
 import numpy as np
 
 from analytic.numerics.compilation import compiled
+from analytic.numerics.elements import formula
 
 FAR = 10.0  # from here on the terms of the series fall below round-off
 TERMS = 22
@@ -40,7 +41,7 @@ def mean_excess(t: float) -> float:
     return _left_by_series(t) if t > FAR else 1.0 - t * mills_ratio(t)
 
 
-@compiled
+@formula
 def log_upper_tail(t: float) -> float:
     """ln Q(t) for any t."""
     if t < 0.0:

@@ -13,6 +13,7 @@ Outside the range of the solutions, N 6 to 4000, L 2 to 20 and lambda 0.02 to 1,
 blended over a factor of 1.5 in each number.
 """
 
+from itertools import product
 from typing import NamedTuple
 
 import numpy as np
@@ -21,7 +22,7 @@ from analytic.contact.geometry import Race
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.numerics.compilation import compiled
 from analytic.oil import ehl_coefficients as fitted
-from analytic.oil.asymptotes import Inflow
+from analytic.oil.film import Inflow
 from analytic.scene import Array, Bearing
 
 BLEND = float(np.log(1.5))  # over which a number of Moes leaves the range
@@ -34,6 +35,8 @@ MIDDLE_N, MIDDLE_L, MIDDLE_LAMBDA = (float(np.log(each)) for each in fitted.MIDD
 GAP_CONSTANT = 7.5
 LEAST_GAP = 1e-4  # over R_x, of these solutions: a narrower gap counts as this one
 UNKNOWN_WIDTH = 0.8  # of a groove over the ball's radius, where the scene has no shoulders: a height of 0.2 D
+# Of the four numbers in each term of the reach, as `validation/ehl/effective_reach.py` orders them
+REACH_POWERS = np.array([powers for powers in product(range(5), repeat=4) if sum(powers) <= 4])
 ROLLING, FILM = np.array(fitted.ROLLING), np.array(fitted.FILM)
 
 
@@ -186,5 +189,5 @@ def effective_reach(bearing: Bearing, race: Race, *, reach: float, contact_angle
     for each in (lower, upper, inside):
         each[1:3] = np.log(each[1:3])
     scaled = (2 * inside - lower - upper) / (upper - lower)
-    terms = np.prod(scaled ** np.array(fitted.REACH_POWERS), axis=1)
+    terms = np.prod(scaled**REACH_POWERS, axis=1)
     return float(reach * ball * np.exp(terms @ np.array(fitted.REACH)))

@@ -10,11 +10,17 @@ import numpy as np
 from analytic.contact.geometry import Race
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.numerics.compilation import compiled
-from analytic.oil.asymptotes import FilmAsymptotes, Inflow, log_film_of
 from analytic.oil.ehl_fit import OilSupply, Regime, effective_reach, inlet_length
-from analytic.oil.film import heated_part, shear_heat
+from analytic.oil.film import FilmAsymptotes, Inflow, inlet_heating_factor, log_film_of, shear_heat
 from analytic.oil.grease import log_greased_film
-from analytic.oil.rolling import ANGULAR_CONTACT, DEEP_GROOVE, THRUST, heated_rolling, replenished, replenishment_rate
+from analytic.oil.rolling import (
+    ANGULAR_CONTACT,
+    DEEP_GROOVE,
+    THRUST,
+    inlet_shear_factor,
+    replenished,
+    replenishment_rate,
+)
 from analytic.oil.starvation import (
     FLOODED,
     StarvedNumbers,
@@ -23,7 +29,7 @@ from analytic.oil.starvation import (
     starved_by_factor,
     starved_by_film,
 )
-from analytic.oil.viscosity import OilNumbers, inlet_viscosity
+from analytic.oil.viscosity import OilNumbers, oil_numbers
 from analytic.scene import Array, Bearing, Lubricant
 
 
@@ -74,8 +80,8 @@ def inlet_of(
         else:
             starved = starved_by_degree(contact, supply.degree, height, supply.ahead, length)
     return InletNumbers(
-        heated_part(peak_pressure, contact.modulus, loading, 0.0),
-        heated_rolling(supply.mean_diameter, abs(ring_speed), kinematic),
+        inlet_heating_factor(peak_pressure, contact.modulus, loading, 0.0),
+        inlet_shear_factor(supply.mean_diameter, abs(ring_speed), kinematic),
         starved,
     )
 
@@ -121,7 +127,7 @@ def replenishment_exponent(bearing: Bearing, lubricant: Lubricant, ring_speed: A
     """-ln phi_rs of `replenishment_factor` at each ring speed, rad/s; None: it does not decide on starvation."""
     if not lubricant.starves_by_replenishment(bearing):
         return None
-    kinematic = inlet_viscosity(lubricant).viscosity / lubricant.density
+    kinematic = oil_numbers(lubricant).viscosity / lubricant.density
     return replenishment_of(bearing, lubricant) * kinematic * np.abs(ring_speed)
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from analytic.numerics.compilation import compiled, rows_at
 from analytic.numerics.cubic import Pieces, cubic_at
-from analytic.numerics.elements import mapped
+from analytic.numerics.elements import formula
 from analytic.scene import Array, OwnTraction
 
 # Columns after the five of a cubic: rate x and stress f where a piece begins. The first row holds the number of rows.
@@ -25,7 +25,7 @@ def law_rows(law: float) -> Array:
     return rows_at(law, int(rows_at(law, 1, 1)[0, 0]), COLUMNS)
 
 
-@compiled
+@formula
 def flow_of(law: float, rate: float) -> tuple[float, float]:
     """f and f' at the rate x >= 0; law : address of a table."""
     rows = law_rows(law)
@@ -81,11 +81,6 @@ def rate_of(law: float, share: float, softness: float, asked: float) -> float:
         if step <= LAST_STEP:
             break
     return np.exp(at)
-
-
-def flows_of(law: float, rates: Array) -> Array:
-    """(2, n) f and f' at rates (n,); law : address of a table"""
-    return mapped(lambda rate: flow_of(law, rate), rates)
 
 
 def kept_table(law: OwnTraction) -> Array:

@@ -5,16 +5,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from analytic.contact.hertz import HertzNumbers
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.numerics.compilation import compiled
-from analytic.oil.asymptotes import FITTED_ELLIPTICITY, Inflow, asymptotes_of, thinned
 from analytic.oil.ehl_coefficients import RANGES
 from analytic.oil.ehl_fit import OilSupply, Regime, covered, film_correction, fitted_force, regime_of
+from analytic.oil.film import FITTED_ELLIPTICITY, Inflow, asymptotes_of, thinned
 from analytic.oil.inlets import InletNumbers, inflow_of, inlet_of
-from analytic.oil.mixed import MixedNumbers, mixed_of, oil_beside
-from analytic.oil.rolling import biboulet_force, houpert_force, rolling_groups
-from analytic.oil.traction import PointLaw, law_of_oil
+from analytic.oil.mixed import MixedContact, mixed_contact
+from analytic.oil.rolling import houpert_rolling, hydrodynamic_rolling
+from analytic.oil.traction import PointLaw, mixed_traction
 from analytic.oil.variation import FIT_SHARE, Variation
 from analytic.oil.viscosity import OilNumbers
 from analytic.scene import Array, Lubricant
@@ -50,7 +49,7 @@ class Lubrication(NamedTuple):
 class LubricatedContact(NamedTuple):
     """A contact at its speed."""
 
-    mixed: MixedNumbers
+    mixed: MixedContact
     law: PointLaw
     inlet: InletNumbers
     rolling_torque: float  # about the bearing axis, N m
@@ -62,34 +61,32 @@ class LubricatedContact(NamedTuple):
 @compiled
 def rolling_force_of(
     contact: ContactNumbers,
-    unit: HertzNumbers,
     inflow: Inflow,
     regime: Regime,
     supply: OilSupply,
     fitted: bool,
     houpert: bool,
 ) -> tuple[float, float, bool]:
-    """f of a flooded, isothermal contact, N; the share of the fit in it; whether rigid bodies resist less.
+    """f of a flooded, isothermal contact, N; the share of the fit in it; whether the closed formula is extrapolated.
 
     fitted, houpert : as `Lubrication` has them;  the other arguments as in `rolling_torque_of`
     """
     share = covered(regime) if fitted else 0.0
-    force, too_fast = 0.0, False
+    force, outside = 0.0, False
     if share < 1.0:
-        group = rolling_groups(contact, unit, inflow.viscosity, inflow.speed)
         if houpert:
-            force = houpert_force(group, inflow.pressure_viscosity)
+            found = houpert_rolling(contact, inflow.viscosity, inflow.pressure_viscosity, inflow.speed)
         else:
-            force, too_fast = biboulet_force(contact, group)
+            found = hydrodynamic_rolling(contact, inflow.viscosity, inflow.speed)
+        force, outside = found.force, found.outside_range
     if share > 0.0:
         force += share * (fitted_force(contact, inflow, regime, supply) - force)
-    return force, share, too_fast
+    return force, share, outside
 
 
 @compiled
 def rolling_torque_of(
     contact: ContactNumbers,
-    unit: HertzNumbers,
     oil: OilNumbers,
     inlet: InletNumbers,
     lubrication: Lubrication,
@@ -101,8 +98,8 @@ def rolling_torque_of(
     regime : of the contact at its speed; the other arguments as in `lubricated_contact`
     """
     inflow = inflow_of(contact, oil, ring_speed)
-    force, share, too_fast = rolling_force_of(
-        contact, unit, inflow, regime, lubrication.supply, lubrication.rolling_is_fitted, lubrication.houpert
+    force, share, outside = rolling_force_of(
+        contact, inflow, regime, lubrication.supply, lubrication.rolling_is_fitted, lubrication.houpert
     )
     left = lubrication.rolling * lubrication.rolling_error ** (1 - share * (1 - FIT_SHARE))
     if lubrication.heats:
@@ -111,13 +108,12 @@ def rolling_torque_of(
         left *= inlet.starvation.rolling_factor
     longer = contact.curvature_rolling < contact.curvature_transverse
     short = share > 0.0 and lubrication.supply.ahead < SHORTEST * contact.semi_axis_rolling
-    return left * 2.0 * force * contact.entrainment, too_fast or longer or short
+    return left * 2.0 * force * contact.entrainment, outside or longer or short
 
 
 @compiled
 def lubricated_contact(
     contact: ContactNumbers,
-    unit: HertzNumbers,
     peak_pressure: float,
     oil: OilNumbers,
     lubrication: Lubrication,
@@ -127,8 +123,7 @@ def lubricated_contact(
     """A contact of a ball with its race in oil.
 
     cubics : the splines of the gap law
-    unit : under 1 N by Hertz alone, as the formula for rolling has it;  peak_pressure : p0, Pa
-    ring_speed : w, rad/s, of either sign
+    peak_pressure : p0, Pa;  ring_speed : w, rad/s, of either sign
     mixed.asperity_share of NaN: the root was not found
     """
     inflow = inflow_of(contact, oil, ring_speed)
@@ -143,13 +138,11 @@ def lubricated_contact(
         thinner *= inlet.starvation.film_factor
     kind = lubrication.gap.kind if lubrication.asperities else SMOOTH
     gap = GapNumbers(kind, cubics, lubrication.gap.truncated, lubrication.gap.elastic)
-    mixed = mixed_of(contact, film, gap, thinner, lubrication.asperity_pressure, lubrication.share_step)
-    area, thickness = oil_beside(mixed.area_fraction, mixed.film_thickness, mixed.without_film)
-    boundary = lubrication.boundary_friction * mixed.boundary_share
-    rolling, rolling_extrapolated = rolling_torque_of(contact, unit, oil, inlet, lubrication, regime, ring_speed)
+    mixed = mixed_contact(contact, film, gap, thinner, lubrication.asperity_pressure, lubrication.share_step)
+    rolling, rolling_extrapolated = rolling_torque_of(contact, oil, inlet, lubrication, regime, ring_speed)
     return LubricatedContact(
         mixed,
-        law_of_oil(oil, boundary, 1.0 - mixed.asperity_share, lubrication.traction * area, thickness),
+        mixed_traction(oil, lubrication.boundary_friction, mixed, lubrication.traction),
         inlet,
         rolling,
         film.ellipticity > FITTED_ELLIPTICITY[1]

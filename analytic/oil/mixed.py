@@ -6,31 +6,17 @@ molecule lubricates no more: it leaves boundary friction.
 Source: the shared load of [Johnson1972]; that the oil fills the mean gap follows from the flow, u times this gap.
 """
 
-from dataclasses import dataclass
-from functools import cached_property
 from math import erfc
-from operator import itemgetter
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
-from analytic.contact.rolling_contact import ContactNumbers, EllipticContact
-from analytic.errors import ConvergenceError, InputError, require_finite, require_non_negative, require_positive
+from analytic.contact.rolling_contact import ContactNumbers
+from analytic.errors import ConvergenceError
 from analytic.numerics.compilation import compiled
-from analytic.numerics.elements import elements_of, mapped
-from analytic.oil.asymptotes import FilmAsymptotes, log_film_of, thinned
-from analytic.scene import Array
-from analytic.surface.gap import (
-    SMOOTH,
-    GapLaw,
-    GapNumbers,
-    area_of,
-    gap_numbers,
-    log_gap_of,
-    log_sigma_of,
-    rough_log_pressure,
-)
+from analytic.numerics.elements import Finite, NotNegative, Positive, formula
+from analytic.oil.film import FilmAsymptotes, log_film_of, thinned
+from analytic.surface.gap import SMOOTH, GapNumbers, area_of, log_gap_of, log_sigma_of, rough_log_pressure
 
 # Thickness over which a film turns into a layer of molecules that shears like a boundary film, a choice of this model:
 # measured films follow the formula for films down to about 1 nm [Johnston1991].
@@ -42,15 +28,15 @@ NEARLY_ALL = 40.0  # s is 1 in double precision
 MOST_STEPS = 200  # each halves the bracket or the step before the last; 4 to 8 are usual
 
 
-class MixedNumbers(NamedTuple):
-    """One `MixedContact` in numbers, for compiled formulas; an asperity_share of NaN: the root was not found."""
+class MixedContact(NamedTuple):
+    """A lubricated rough contact; an asperity_share of NaN: the root was not found."""
 
-    asperity_share: float  # s
-    boundary_share: float  # s_b
-    film_thickness: float  # h, m
-    area_fraction: float  # A_a/A_H
-    capped: bool
-    without_film: bool
+    asperity_share: float  # s, of the load, 0 to 1
+    boundary_share: float  # s_b = s + (1 - s) exp(-h/h_m), of the load, 0 to 1
+    film_thickness: float  # h, mean gap that the oil fills, m, >= 0
+    area_fraction: float  # A_a/A_H, of the contact's area that asperities touch, 0 to 1
+    capped: bool  # the film fills the clearance
+    without_film: bool  # standstill
 
 
 class SharedLoad(NamedTuple):
@@ -150,97 +136,19 @@ def stepped_share(share: float, film_ratio: float, step: float) -> float:
     return min(share * (measured / share) ** min(max(step, -1.0), 1.0), 1.0)
 
 
-@compiled
-def mixed_of(
+@formula
+def mixed_contact(
     contact: ContactNumbers,
     film: FilmAsymptotes,
     gap: GapNumbers,
-    film_factor: float,
-    pressure_factor: float,
-    share_step: float,
-) -> MixedNumbers:
-    """The contact of `mixed_contact`."""
-    factored = thinned(film, np.log(film_factor))
-    area = np.pi * contact.semi_axis_rolling * contact.semi_axis_transverse
-    log_softness = np.log(area * pressure_factor) - np.log(contact.load) if contact.load > 0.0 else 0.0
-    share, log_height, touched = shared_load(factored, gap, log_softness, contact.load)
-    if share_step != 0.0 and share > 0.0 and gap.kind != SMOOTH:
-        film_ratio = np.exp(log_film_of(factored, 0.0)[0] - log_sigma_of(gap))
-        share = stepped_share(share, film_ratio, share_step)
-    height, without = np.exp(log_height), factored.rigid == -np.inf
-    boundary = share + (1.0 - share) * np.exp(-height / MOLECULAR_FILM)
-    capped = not without and height >= np.exp(film.clearance)
-    return MixedNumbers(share, boundary, height, touched, capped, without)
-
-
-@compiled
-def oil_beside(area_fraction: float, film_thickness: float, without_film: bool) -> tuple[float, float]:
-    """Share of the area where oil shears, and its thickness there, m: `oil_area`, `oil_thickness` of `MixedContact`."""
-    beside = 1.0 - area_fraction
-    area = 0.0 if without_film else beside * -np.expm1(-film_thickness / MOLECULAR_FILM)
-    return area, film_thickness / beside if beside > 0.0 else 0.0
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class MixedContact:
-    """One or many lubricated rough contacts; every field has the broadcast shape of the arguments."""
-
-    asperity_share: Array  # s, of the load, 0 to 1
-    boundary_share: Array  # s_b = s + (1 - s) exp(-h/h_m), of the load, 0 to 1
-    film_thickness: Array  # h, mean gap that the oil fills, m, >= 0
-    area_fraction: Array  # A_a/A_H, of the contact's area that asperities touch, 0 to 1
-    capped: NDArray[np.bool_]  # the film fills the clearance
-    outside_range: NDArray[np.bool_]  # the film formula is extrapolated in ellipticity
-    without_film: NDArray[np.bool_]  # standstill
-
-    @property
-    def oil_area(self) -> Array:
-        """Share of the contact's area where oil shears: neither touched by asperities nor only a molecule thick."""
-        return self._oil_beside[0]
-
-    @property
-    def oil_thickness(self) -> Array:
-        """Thickness of the oil beside the touching area, m: h/(1 - A_a/A_H)."""
-        return self._oil_beside[1]
-
-    @cached_property
-    def _oil_beside(self) -> Array:
-        def of_numbers(touched: float, thickness: float, without_film: float) -> tuple[float, float]:
-            return oil_beside(touched, thickness, without_film != 0)
-
-        return mapped(of_numbers, self.area_fraction, self.film_thickness, self.without_film)
-
-    def race(self, race: int) -> "MixedContact":
-        """The contacts of one race, where the first axis counts races."""
-        return elements_of(self, itemgetter(race))
-
-
-def no_shared_load() -> ConvergenceError:
-    """Of a contact whose film and asperities find no common load."""
-    return ConvergenceError(
-        iterations=MOST_STEPS,
-        residual=np.nan,
-        tolerance=LAST_STEP,
-        unit="of ln(s/(1 - s))",
-        problem="the load shared by film and asperities",
-        remedy="Check that load, speed, viscosity and roughness are of ordinary size.",
-    )
-
-
-def mixed_contact(
-    contact: EllipticContact,
-    film: FilmAsymptotes,
-    *,
-    gap: GapLaw | None,
-    film_factor: ArrayLike = 1.0,
-    pressure_factor: float = 1.0,
-    share_step: float = 0.0,
+    film_factor: NotNegative = 1.0,
+    pressure_factor: Positive = 1.0,
+    share_step: Finite = 0.0,
 ) -> MixedContact:
-    """The share of the load that asperities carry, and the film thickness; fields and arguments broadcast.
+    """The share of the load that asperities carry, and the film thickness.
 
-    contact : smooth, with the area A_H = pi a b of its semi-axes
-    film : film_asymptotes of this contact
-    gap : of both surfaces together, one law for all contacts; None: smooth
+    contact : smooth, with the area A_H = pi a b of its semi-axes;  film : `asymptotes_of` it
+    gap : of both surfaces together
     film_factor : on the film, >= 0, for a heated or starved inlet and for the uncertainty of the film
     pressure_factor : on the asperities' pressure at any gap, > 0, for the uncertainty of the surfaces
     share_step : from this share to a measured law, for its uncertainty, see `stepped_share`; film and touched area
@@ -252,36 +160,38 @@ def mixed_contact(
     they do so at the largest gap that bodies and surroundings allow. Without load there is no share. A smooth contact
     has a share only without speed, where h = 0 and s = 1.
     The boundary share counts the oil's part too as far as its film is only a molecule thick: h_m = 1 nm.
-    Raises InputError if a factor has the wrong sign, if shapes do not broadcast, or if a semi-axis is 0 under load.
     """
-    require_non_negative(film_factor=film_factor)
-    require_positive(pressure_factor=pressure_factor)
-    require_finite(share_step=share_step)
-    if np.any((contact.area == 0) & (np.asarray(contact.load) > 0)):
-        raise InputError(
-            "semi_axis_rolling or semi_axis_transverse is 0 under load: give the semi-axes of the smooth contact"
-        )
-    law = gap_numbers(gap)
+    factored = thinned(film, np.log(film_factor))
+    area = np.pi * contact.semi_axis_rolling * contact.semi_axis_transverse
+    log_softness = np.log(area * pressure_factor) - np.log(contact.load) if contact.load > 0.0 else 0.0
+    share, log_height, touched = shared_load(factored, gap, log_softness, contact.load)
+    if share_step != 0.0 and share > 0.0 and gap.kind != SMOOTH:
+        film_ratio = np.exp(log_film_of(factored, 0.0)[0] - log_sigma_of(gap))
+        share = stepped_share(share, film_ratio, share_step)
+    height, without = np.exp(log_height), factored.rigid == -np.inf
+    boundary = share + (1.0 - share) * np.exp(-height / MOLECULAR_FILM)
+    capped = not without and height >= np.exp(film.clearance)
+    return MixedContact(share, boundary, height, touched, capped, without)
 
-    def of_numbers(*given: float) -> MixedNumbers:
-        films, contacts, factor = FilmAsymptotes(*given[:8]), ContactNumbers(*given[8:17]), given[17]
-        return mixed_of(contacts, films, law, factor, float(pressure_factor), float(share_step))
 
-    try:
-        fields = mapped(of_numbers, *film, *contact.fields, film_factor)
-    except ValueError as problem:
-        raise InputError(
-            "the arguments of a mixed contact have shapes that do not fit together: give equal lengths"
-        ) from problem
-    share, boundary_share, thickness, touched, capped, without_film = fields
-    if np.isnan(share).any():
-        raise no_shared_load()
-    return MixedContact(
-        asperity_share=share,
-        boundary_share=boundary_share,
-        film_thickness=thickness,
-        area_fraction=touched,
-        capped=capped != 0,
-        outside_range=np.broadcast_to(film.outside_range, share.shape),
-        without_film=without_film != 0,
+@formula
+def oil_beside(mixed: MixedContact) -> tuple[float, float]:
+    """Share of the contact's area where oil shears, and its thickness there, m: h/(1 - A_a/A_H).
+
+    Oil shears where neither asperities touch nor its film is only a molecule thick.
+    """
+    beside = 1.0 - mixed.area_fraction
+    area = 0.0 if mixed.without_film else beside * -np.expm1(-mixed.film_thickness / MOLECULAR_FILM)
+    return area, mixed.film_thickness / beside if beside > 0.0 else 0.0
+
+
+def no_shared_load() -> ConvergenceError:
+    """Of a contact whose film and asperities find no common load."""
+    return ConvergenceError(
+        iterations=MOST_STEPS,
+        residual=np.nan,
+        tolerance=LAST_STEP,
+        unit="of ln(s/(1 - s))",
+        problem="the load shared by film and asperities",
+        remedy="Check that load, speed, viscosity and roughness are of ordinary size.",
     )

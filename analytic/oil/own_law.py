@@ -6,13 +6,11 @@ f(0) = 0, f has the slope 1 at 0 and never falls.
 
 import hashlib
 from collections.abc import Callable
-from functools import partial
 
 import numpy as np
 
 from analytic.errors import InputError
 from analytic.numerics.cubic import Pieces, cubic_at, monotone_cubic
-from analytic.numerics.elements import mapped
 from analytic.oil.law_table import COLUMNS
 from analytic.scene import Array, OwnTraction
 
@@ -78,7 +76,9 @@ def law_table(name: str, function: Callable[[float], float]) -> Array:
     while True:
         cubic = monotone_cubic(places, logs_at(places))
         between = (places[:-1, None] + np.diff(places)[:, None] * [0.25, 0.5, 0.75]).ravel()
-        misses = np.abs(np.expm1(_at(cubic, between) - logs_at(between))) > ACCURACY / 2  # between these places too
+        misses = (
+            np.abs(np.expm1(cubic_at(cubic, Pieces(0, len(cubic)), between)[0] - logs_at(between))) > ACCURACY / 2
+        )  # between these places too
         _require_rising(name, known)
         if not misses.any():
             return _with_ends(cubic, places[-1], known[float(places[-1])])
@@ -126,10 +126,6 @@ def _require_rising(name: str, known: dict[float, float]) -> None:
             f"law of traction {name}: f falls from {more:.6g} at x = {slow:.4g} to {less:.6g} at x = {fast:.4g}; give "
             "a law that never falls"
         )
-
-
-def _at(cubic: Array, places: Array) -> Array:
-    return mapped(partial(cubic_at, cubic, Pieces(0, len(cubic))), places)[0]
 
 
 def _with_ends(cubic: Array, last: float, log_stress: float) -> Array:

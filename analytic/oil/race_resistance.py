@@ -6,24 +6,24 @@ from typing import NamedTuple
 import numpy as np
 
 from analytic.contact.geometry import RACES
-from analytic.contact.hertz import contact_modulus, unit_hertz
+from analytic.contact.hertz import contact_modulus
 from analytic.contact.rolling_contact import ContactNumbers
 from analytic.loads.numbers import play_and_free_angle
 from analytic.numerics.compilation import compiled
 from analytic.oil.ehl_fit import OilSupply, gap_force, gap_of_force
 from analytic.oil.inlets import oil_supply
 from analytic.oil.lubrication import Lubrication, lubricated_contact, lubrication_of
-from analytic.oil.mixed import MixedNumbers
+from analytic.oil.mixed import MixedContact
 from analytic.oil.rolling import elastic_rolling, replenished
 from analytic.oil.traction import PointLaw
 from analytic.oil.variation import Variation
 from analytic.oil.viscosity import OilNumbers
 from analytic.scene import Array, Material, Scene
-from analytic.surface.gap import GapForm, GapLaw, gap_forms, gap_law
+from analytic.surface.gap import SMOOTH_GAP, GapForm, GapNumbers, gap_forms, gap_law
 from analytic.surface.roughness import gap_roughness
 
 NO_OIL = OilNumbers(300.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 0.0, True, False, 0.0)
-SMOOTH_FORM = gap_forms(None)[0][0]
+SMOOTH_FORM = gap_forms(SMOOTH_GAP)[0][0]
 NO_SUPPLY = OilSupply(mean_diameter=1.0, degree=np.nan, rate=np.nan, ahead=1.0, behind=1.0, tension=0.0)
 DRY = Lubrication(
     SMOOTH_FORM, 0.0, NO_SUPPLY, False, False, False, 1.0, 1.0, 1.0, 0.0, 1.0, 1.0, 1.0, False, False, False
@@ -50,7 +50,7 @@ class ResistedContact(NamedTuple):
 
     contact: ContactNumbers
     law: PointLaw
-    mixed: MixedNumbers  # NaN without oil and surface
+    mixed: MixedContact  # NaN without oil and surface
     rolling_torque: float  # hydrodynamic, about the bearing axis, N m
     hysteresis_torque: float  # likewise, by elastic rolling
     starvation_degree: float  # of the inlet
@@ -58,7 +58,7 @@ class ResistedContact(NamedTuple):
     rolling_extrapolated: bool
 
 
-NOT_MIXED = MixedNumbers(np.nan, np.nan, np.nan, np.nan, False, False)
+NOT_MIXED = MixedContact(np.nan, np.nan, np.nan, np.nan, False, False)
 
 
 @compiled
@@ -79,9 +79,8 @@ def resisted_contact(
     law, rolling, lost = PointLaw(resistance.coefficient, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0, 0.0
     mixed, degree, thin, fast = NOT_MIXED, 1.0, False, False
     if resistance.has_oil:
-        alone = unit_hertz(contact.curvature_rolling, contact.curvature_transverse, contact.modulus)
         lubrication = resistance.inner if race == 0 else resistance.outer
-        oiled = lubricated_contact(contact, alone, peak_pressure, oil, lubrication, cubics, ring_speed)
+        oiled = lubricated_contact(contact, peak_pressure, oil, lubrication, cubics, ring_speed)
         degree = oiled.inlet.starvation.degree
         if resistance.rolls:
             rolling, fast = oiled.rolling_torque, oiled.rolling_extrapolated
@@ -183,9 +182,9 @@ def resistance_of(
     )
 
 
-def gap_law_of(scene: Scene, bodies: tuple[Material, Material]) -> GapLaw | None:
-    """The gap law of the scene's surfaces on two bodies; None: smooth, or its friction coefficient is given."""
+def gap_law_of(scene: Scene, bodies: tuple[Material, Material]) -> GapNumbers:
+    """The gap law of the scene's surfaces on two bodies; smooth too where its friction coefficient is given."""
     if scene.surface is None or scene.friction_coefficient is not None:
-        return None
+        return SMOOTH_GAP
     modulus = float(contact_modulus(*bodies))
     return gap_law(scene.surface, gap_roughness(scene.surface), modulus=modulus, bodies=bodies)

@@ -4,20 +4,19 @@ Oil: pressure builds up ahead of the contact and is not given back behind it, so
 formula assumes pure rolling, oil of constant viscosity, a fully flooded and isothermal inlet, a contact that is not
 longer in the direction of rolling than transverse to it, and a speed so low that rigid bodies resist more than elastic
 ones. Heating and starvation of the inlet reduce it by the factors of [SKF2018].
+Power over ring speed w, 2 f u/w, is the torque about the bearing axis.
 """
 
-from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from analytic.contact.hertz import HertzNumbers, elliptic_integrals, unit_hertz
-from analytic.contact.rolling_contact import ContactNumbers, EllipticContact, RollingContact
-from analytic.errors import InputError, require_finite, require_non_negative, require_positive
+from analytic.contact.hertz import elliptic_integrals, unit_hertz
+from analytic.contact.rolling_contact import ContactNumbers
+from analytic.errors import InputError, require_positive
 from analytic.numerics.compilation import compiled
-from analytic.numerics.elements import mapped
+from analytic.numerics.elements import Finite, NotNegative, Positive, formula
 from analytic.numerics.root import cube_root
 from analytic.scene import Array, Supply
 
@@ -31,13 +30,12 @@ HYSTERESIS_LOSS = (0.003, 0.025)
 SLOW_ROLLING, OILED_FRICTION, DRY_FRICTION = 0.00042, 0.05, 0.11
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class RollingResistance:
-    """The resistance of one or many contacts; every field has the broadcast shape of the arguments."""
+class RollingResistance(NamedTuple):
+    """The resistance of a contact."""
 
-    force: Array  # f, on each of the two surfaces, against its motion, N, >= 0
-    power: Array  # 2 |u| f, W, >= 0
-    outside_range: NDArray[np.bool_]  # longer in rolling than transverse, or so fast that rigid bodies resist less
+    force: float  # f, on each of the two surfaces, against its motion, N, >= 0
+    power: float  # 2 |u| f, that both lose, W, >= 0
+    outside_range: bool  # longer in rolling than transverse, or so fast that rigid bodies resist less
 
 
 class RollingGroups(NamedTuple):
@@ -62,9 +60,10 @@ def _power_three_quarters(x: float) -> float:
 
 
 @compiled
-def rolling_groups(contact: ContactNumbers, unit: HertzNumbers, viscosity: float, speed: float) -> RollingGroups:
-    """unit : Hertz's contact of this one under 1 N;  viscosity : eta_0, Pa s;  speed : |u|, m/s"""
+def rolling_groups(contact: ContactNumbers, viscosity: float, speed: float) -> RollingGroups:
+    """viscosity : eta_0, Pa s;  speed : |u|, m/s"""
     rolling, transverse, stiffness = contact.curvature_rolling, contact.curvature_transverse, 2 * contact.modulus
+    unit = unit_hertz(rolling, transverse, contact.modulus)
     slenderness = unit.semi_axis_x / unit.semi_axis_y  # the same at every load
     squared = min(slenderness, 1 / slenderness) ** 2
     integral_k, share = elliptic_integrals(squared)
@@ -99,70 +98,9 @@ def truncation(group: RollingGroups, reach: float) -> float:
     return 1 / (1 + np.exp(weaker))
 
 
-@compiled
-def biboulet_force(contact: ContactNumbers, group: RollingGroups) -> tuple[float, bool]:
-    """f of `hydrodynamic_rolling`, N, and whether rigid bodies resist less than elastic ones."""
-    rising = 0.77 / cube_root(group.beta) * group.slenderness**0.12 * cube_root(group.speed) ** 2
-    level = 1.8 / np.sqrt(np.sqrt(group.beta)) * _power_three_quarters(group.speed)
-    width = 2 * group.semi_axis * group.stiffness * group.radius
-    diameter = 2 / (1 / contact.deformed_radius + contact.curvature_transverse / 2)  # as RollingContact.ball_diameter
-    cut = truncation(group, min(2 * group.semi_axis / diameter, 1.0))
-    return cut * width * (group.rigid * rising + (1 - group.rigid) * level), rising < level
-
-
-@compiled
-def houpert_force(group: RollingGroups, pressure_viscosity: float) -> float:
-    """f of `houpert_rolling`, N."""
-    rigid = 0.835 * group.ellipticity**-0.358 * group.speed**0.636 * group.load**0.364
-    elastic = 1.544 * cube_root(group.beta) * group.slenderness**-0.577 * group.speed**0.656 * group.load**0.466
-    elastic *= (pressure_viscosity * group.stiffness) ** 0.022
-    return group.stiffness * group.radius**2 * (group.rigid * rigid + (1 - group.rigid) * elastic)
-
-
-@compiled
-def heated_rolling(mean_diameter: float, ring_speed: float, kinematic_viscosity: float) -> float:
-    """phi_ish of `inlet_shear_factor`; arguments in SI as there."""
-    surface = PER_MINUTE * ring_speed * mean_diameter * 1e3  # n d_m, mm/min
-    return 1 / (1 + 1.84e-9 * (surface**2 * SQUARE_MILLIMETRES * kinematic_viscosity) ** 0.64)
-
-
-@compiled
-def replenished(rate: float, ring_speed: float, kinematic_viscosity: float) -> float:
-    """phi_rs of `replenishment_factor`; rate : of `replenishment_rate`; the others in SI as there."""
-    return np.exp(-rate * kinematic_viscosity * ring_speed)
-
-
-@compiled
-def hysteresis(contact: ContactNumbers, loss: float) -> float:
-    """M_h of `hysteresis_moment`, N m; loss : alpha'."""
-    return 3 / 16 * loss * contact.load * contact.semi_axis_rolling
-
-
-@compiled
-def slow_rolling(contact: ContactNumbers, friction: float) -> float:
-    """M of `slow_rolling_moment`, N m."""
-    return SLOW_ROLLING * contact.load / contact.curvature_rolling * friction / DRY_FRICTION
-
-
-@compiled
-def elastic_rolling(contact: ContactNumbers, loss: float, by_houpert: bool, step: float) -> float:
-    """Moment by elastic rolling by one of two laws, N m.
-
-    loss : alpha' of the law of hysteresis;  by_houpert : the law of slow rolling counts, in oil
-    step : 0: the law that counts; 1: the other one; between and beyond, powers of their ratio, up to that of dry
-        contacts
-    """
-    hysteretic, slow = hysteresis(contact, loss), slow_rolling(contact, OILED_FRICTION)
-    own, other = (slow, hysteretic) if by_houpert else (hysteretic, slow)
-    if step == 0.0 or own == 0.0 or other == 0.0:
-        return own
-    return min(own * (other / own) ** step, max(own, slow_rolling(contact, DRY_FRICTION)))
-
-
-def hydrodynamic_rolling(
-    contact: RollingContact, *, viscosity: ArrayLike, entrainment_speed: ArrayLike
-) -> RollingResistance:
-    """Rolling force on each surface and the power that both lose; fields and arguments broadcast.
+@formula
+def hydrodynamic_rolling(contact: ContactNumbers, viscosity: Positive, entrainment_speed: Finite) -> RollingResistance:
+    """Rolling force on each surface and the power that both lose.
 
     contact : with the load Q and the curvatures 1/R_x (rolling) and 1/R_y (transverse); its semi-axes are not used,
         because the formula takes those of Hertz. The ball's diameter D follows from deformed_radius and 1/R_y
@@ -179,19 +117,28 @@ def hydrodynamic_rolling(
         C = 1/[1 + (1/c - 1) r^((2 - kappa) (0.0018 M + 1.33))],  r = min(2 b/D, 1)
         c = 0.85/[1 + 4.72 M^-0.39 kappa^(0.484 M^0.165)]
     It is above 0.997 in a 6205 at 1000 N. It is 1 without load. A kappa above 1 counts in it as 1.
-    Raises InputError if an argument has the wrong sign or is not finite, or if shapes do not broadcast.
     Source: equations 32, 35 and 36 of [Biboulet2010].
     """
-    force, too_fast = _of_groups(biboulet_force, contact, viscosity, entrainment_speed)
-    return _resistance(contact, force, entrainment_speed, too_fast=too_fast != 0)
+    speed = abs(entrainment_speed)
+    group = rolling_groups(contact, viscosity, speed)
+    rising = 0.77 / cube_root(group.beta) * group.slenderness**0.12 * cube_root(group.speed) ** 2
+    level = 1.8 / np.sqrt(np.sqrt(group.beta)) * _power_three_quarters(group.speed)
+    width = 2 * group.semi_axis * group.stiffness * group.radius
+    # The ball is convex, so 2/D is the mean curvature 1/R of both bodies and half their difference 1/R_y.
+    diameter = 2 / (1 / contact.deformed_radius + contact.curvature_transverse / 2)
+    cut = truncation(group, min(2 * group.semi_axis / diameter, 1.0))
+    force = cut * width * (group.rigid * rising + (1 - group.rigid) * level)
+    longer = contact.curvature_rolling < contact.curvature_transverse
+    return RollingResistance(force, 2 * speed * force, longer or rising < level)
 
 
+@formula
 def houpert_rolling(
-    contact: EllipticContact, *, viscosity: ArrayLike, pressure_viscosity: ArrayLike, entrainment_speed: ArrayLike
+    contact: ContactNumbers, viscosity: Positive, pressure_viscosity: Positive, entrainment_speed: Finite
 ) -> RollingResistance:
-    """The same by an older formula, whose elastic bodies have oil that thickens under pressure; all broadcast.
+    """The same by an older formula, whose elastic bodies have oil that thickens under pressure.
 
-    pressure_viscosity : alpha_p, 1/Pa, > 0; the other arguments, symbols and errors are those of hydrodynamic_rolling
+    pressure_viscosity : alpha_p, 1/Pa, > 0; the other arguments and symbols are those of hydrodynamic_rolling
     With G = alpha_p E':
         rigid bodies:   f = E' R_x^2 0.835 (R_x/R_y)^-0.358 U^0.636 W^0.364
         elastic bodies: f = E' R_x^2 1.544 beta^(1/3) kappa^-0.577 U^0.656 W^0.466 G^0.022
@@ -199,97 +146,68 @@ def houpert_rolling(
     100 1/min and 0.98 times at 3000 1/min.
     Source: [Houpert1987], in the notation of [Biboulet2010].
     """
-    require_positive(pressure_viscosity=pressure_viscosity)
-
-    def of_group(_: ContactNumbers, group: RollingGroups, alpha: float) -> float:
-        return houpert_force(group, alpha)
-
-    force = _of_groups(of_group, contact, viscosity, entrainment_speed, pressure_viscosity)
-    return _resistance(contact, force, entrainment_speed)
-
-
-def _of_groups(
-    formula: Callable[..., Any],
-    contact: EllipticContact,
-    viscosity: ArrayLike,
-    entrainment_speed: ArrayLike,
-    *others: ArrayLike,
-) -> Array:
-    """The formula of each contact, of its groups and of others."""
-    require_positive(viscosity=viscosity)
-    require_finite(entrainment_speed=entrainment_speed)
-
-    def of_numbers(*given: float) -> Any:
-        each, (eta, speed, *rest) = ContactNumbers(*given[:9]), given[9:]
-        unit = unit_hertz(each.curvature_rolling, each.curvature_transverse, each.modulus)
-        return formula(each, rolling_groups(each, unit, eta, speed), *rest)
-
-    try:
-        return mapped(of_numbers, *contact.fields, viscosity, np.abs(entrainment_speed), *others)
-    except ValueError as problem:
-        raise InputError(
-            "the arguments of a rolling resistance have shapes that do not fit together: give equal lengths"
-        ) from problem
+    speed = abs(entrainment_speed)
+    group = rolling_groups(contact, viscosity, speed)
+    rigid = 0.835 * group.ellipticity**-0.358 * group.speed**0.636 * group.load**0.364
+    elastic = 1.544 * cube_root(group.beta) * group.slenderness**-0.577 * group.speed**0.656 * group.load**0.466
+    elastic *= (pressure_viscosity * group.stiffness) ** 0.022
+    force = group.stiffness * group.radius**2 * (group.rigid * rigid + (1 - group.rigid) * elastic)
+    return RollingResistance(force, 2 * speed * force, contact.curvature_rolling < contact.curvature_transverse)
 
 
-def _resistance(
-    contact: EllipticContact, force: Array, entrainment_speed: ArrayLike, *, too_fast: NDArray[np.bool_] | bool = False
-) -> RollingResistance:
-    longer = np.asarray(contact.curvature_rolling) < np.asarray(contact.curvature_transverse)
-    return RollingResistance(
-        force=force,
-        power=2 * np.abs(np.asarray(entrainment_speed)) * force,
-        outside_range=np.broadcast_to(longer | too_fast, force.shape),
-    )
-
-
-def rolling_torque(resistance: RollingResistance, *, entrainment_rate: ArrayLike) -> Array:
-    """Torque of each contact about the bearing axis, N m: power over ring speed, 2 f u/w.
-
-    entrainment_rate : u/w, m, >= 0, entrainment speed per unit ring speed, the same on both races; broadcasts with the
-        forces
-    So the torque exists at standstill, where it is 0. Like every torque it opposes w.
-    """
-    require_non_negative(entrainment_rate=entrainment_rate)
-    return 2 * resistance.force * np.asarray(entrainment_rate)
-
-
-def hysteresis_moment(contact: EllipticContact, *, hysteresis_loss: ArrayLike) -> Array:
-    """M_h = (3/16) alpha' Q a, N m: the moment that resists rolling because the bodies lose elastic energy.
-
-    hysteresis_loss : alpha', share of the elastic energy that is lost in each cycle, >= 0; broadcasts with the contact
-    a is the semi-axis in the direction of rolling.
-    Source: equation 8 of [Paper], from [Johnson1985] p. 285.
-    """
-    require_non_negative(hysteresis_loss=hysteresis_loss)
-    return mapped(lambda *given: hysteresis(ContactNumbers(*given[:-1]), given[-1]), *contact.fields, hysteresis_loss)
-
-
-def slow_rolling_moment(contact: EllipticContact, *, friction_coefficient: ArrayLike) -> Array:
-    """M = 0.00042 Q R_x mu/0.11, N m: the moment that resists the slow rolling of a ball on a race.
-
-    friction_coefficient : mu, 0.05 in oil to 0.11 of dry contacts, >= 0; broadcasts with the contact
-    1/R_x is the curvature along rolling. With mu = 0.11 and R_x = D/2 it is Snare's measured resistance of dry
-    contacts, 0.00021 Q D. It is attributed to creep, which conformity counts too in part.
-    Source: equation 8 of [Houpert2002].
-    """
-    require_non_negative(friction_coefficient=friction_coefficient)
-
-    def of_numbers(*given: float) -> float:
-        return slow_rolling(ContactNumbers(*given[:-1]), given[-1])
-
-    return mapped(of_numbers, *contact.fields, friction_coefficient)
-
-
-def inlet_shear_factor(*, mean_diameter: ArrayLike, ring_speed: ArrayLike, kinematic_viscosity: ArrayLike) -> Array:
+@formula
+def inlet_shear_factor(mean_diameter: Positive, ring_speed: NotNegative, kinematic_viscosity: Positive) -> float:
     """phi_ish = 1/[1 + 1.84e-9 (n d_m)^1.28 nu^0.64]: SKF's factor on the rolling torque for inlet heating, 0 to 1.
 
     mean_diameter : d_m = (d + D)/2, m, > 0;  ring_speed : rad/s, >= 0;  kinematic_viscosity : nu, m^2/s, > 0
     The formula takes n in 1/min, d_m in mm and nu in mm^2/s. Source: [SKF2018].
     """
-    require_positive(mean_diameter=mean_diameter, kinematic_viscosity=kinematic_viscosity)
-    require_non_negative(ring_speed=ring_speed)
-    return mapped(heated_rolling, mean_diameter, ring_speed, kinematic_viscosity)
+    surface = PER_MINUTE * ring_speed * mean_diameter * 1e3  # n d_m, mm/min
+    return 1 / (1 + 1.84e-9 * (surface**2 * SQUARE_MILLIMETRES * kinematic_viscosity) ** 0.64)
+
+
+@formula
+def replenished(rate: float, ring_speed: NotNegative, kinematic_viscosity: Positive) -> float:
+    """phi_rs of `replenishment_factor`; rate : of `replenishment_rate`; the others in SI as there."""
+    return np.exp(-rate * kinematic_viscosity * ring_speed)
+
+
+@formula
+def hysteresis_moment(contact: ContactNumbers, hysteresis_loss: NotNegative) -> float:
+    """M_h = (3/16) alpha' Q a, N m: the moment that resists rolling because the bodies lose elastic energy.
+
+    hysteresis_loss : alpha', share of the elastic energy that is lost in each cycle, >= 0
+    a is the semi-axis in the direction of rolling.
+    Source: equation 8 of [Paper], from [Johnson1985] p. 285.
+    """
+    return 3 / 16 * hysteresis_loss * contact.load * contact.semi_axis_rolling
+
+
+@formula
+def slow_rolling_moment(contact: ContactNumbers, friction_coefficient: NotNegative) -> float:
+    """M = 0.00042 Q R_x mu/0.11, N m: the moment that resists the slow rolling of a ball on a race.
+
+    friction_coefficient : mu, 0.05 in oil to 0.11 of dry contacts, >= 0
+    1/R_x is the curvature along rolling. With mu = 0.11 and R_x = D/2 it is Snare's measured resistance of dry
+    contacts, 0.00021 Q D. It is attributed to creep, which conformity counts too in part.
+    Source: equation 8 of [Houpert2002].
+    """
+    return SLOW_ROLLING * contact.load / contact.curvature_rolling * friction_coefficient / DRY_FRICTION
+
+
+@compiled
+def elastic_rolling(contact: ContactNumbers, loss: float, by_houpert: bool, step: float) -> float:
+    """Moment by elastic rolling by one of two laws, N m.
+
+    loss : alpha' of the law of hysteresis;  by_houpert : the law of slow rolling counts, in oil
+    step : 0: the law that counts; 1: the other one; between and beyond, powers of their ratio, up to that of dry
+        contacts
+    """
+    hysteretic, slow = hysteresis_moment(contact, loss), slow_rolling_moment(contact, OILED_FRICTION)
+    own, other = (slow, hysteretic) if by_houpert else (hysteretic, slow)
+    if step == 0.0 or own == 0.0 or other == 0.0:
+        return own
+    return min(own * (other / own) ** step, max(own, slow_rolling_moment(contact, DRY_FRICTION)))
 
 
 def replenishment_factor(
@@ -309,12 +227,10 @@ def replenishment_factor(
     The factor is 0 to 1. The formula takes n in 1/min, the diameters in mm and nu in mm^2/s.
     Source: [SKF2018].
     """
-    require_positive(kinematic_viscosity=kinematic_viscosity)
-    require_non_negative(ring_speed=ring_speed)
     rate = replenishment_rate(
         bore_diameter=bore_diameter, outside_diameter=outside_diameter, supply=supply, geometry=geometry
     )
-    return mapped(replenished, rate, ring_speed, kinematic_viscosity)
+    return replenished(rate, ring_speed, kinematic_viscosity)
 
 
 def replenishment_rate(

@@ -12,24 +12,17 @@ its limit, as that of mineral oil, and much with PAO. Shear heating within the f
 where sliding is fast.
 """
 
-from abc import ABC, abstractmethod
-from collections.abc import Callable
-from dataclasses import dataclass
-from functools import cached_property, partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from analytic.contact.rolling_contact import ContactNumbers, EllipticContact
-from analytic.errors import InputError, require_non_negative
+from analytic.contact.rolling_contact import ContactNumbers
 from analytic.numerics.compilation import compiled
-from analytic.numerics.elements import mapped
-from analytic.oil.law_table import FASTEST, flow_of
-from analytic.oil.law_table import flows_of as flows_of  # for the reference of friction
-from analytic.oil.mixed import MixedContact
-from analytic.oil.viscosity import OilNumbers, oil_numbers, thickening_at
-from analytic.scene import Array, Lubricant
+from analytic.numerics.elements import Finite, NotNegative, formula
+from analytic.oil.law_table import FASTEST
+from analytic.oil.law_table import flow_of as flow_of  # for the reference of friction
+from analytic.oil.mixed import MixedContact, oil_beside
+from analytic.oil.viscosity import OilNumbers, thickening_at
 
 LEAST_THICKENING = 1e-25  # 1/Pa, of alpha: an oil that does not thicken is Newtonian up to its limit
 
@@ -40,20 +33,20 @@ class PointLaw(NamedTuple):
         boundary p + plain + min(rise eyring f(fluidity v eta/eta_0/rise), limit p), f = asinh or a user's law
 
     with eta/eta_0 and alpha over its secant, rise, by `thickening_at` at the pressure share p; the rise of a given
-    Eyring stress is 1. The fields are numbers in compiled code; elsewhere they broadcast.
+    Eyring stress is 1.
     """
 
-    boundary: Any = 0.0
-    plain: Any = 0.0  # Pa
-    limit: Any = 0.0
-    eyring: Any = 0.0  # Pa, at ambient pressure; 0: nothing depends on the speed
-    fluidity: Any = 0.0  # s/m, at ambient pressure; infinite: the oil shears at its limit
-    share: Any = 0.0  # of the pressure, in the oil
-    alpha: Any = 0.0  # 1/Pa, at ambient pressure
-    bend: Any = 0.0  # 1/Pa
-    exponent: Any = 0.0
-    rises: Any = 0.0  # 1: the Eyring stress follows the pressure;  0: it is given
-    own: Any = 0.0  # address of the table of a user's law, see `analytic.oil.law_table`; 0: Eyring's law
+    boundary: float = 0.0
+    plain: float = 0.0  # Pa
+    limit: float = 0.0
+    eyring: float = 0.0  # Pa, at ambient pressure; 0: nothing depends on the speed
+    fluidity: float = 0.0  # s/m, at ambient pressure; infinite: the oil shears at its limit
+    share: float = 0.0  # of the pressure, in the oil
+    alpha: float = 0.0  # 1/Pa, at ambient pressure
+    bend: float = 0.0  # 1/Pa
+    exponent: float = 0.0
+    rises: float = 0.0  # 1: the Eyring stress follows the pressure;  0: it is given
+    own: float = 0.0  # address of the table of a user's law, see `analytic.oil.law_table`; 0: Eyring's law
 
 
 LAW = len(PointLaw._fields)  # numbers of a law
@@ -76,9 +69,9 @@ def thickened(law: PointLaw, pressure: float) -> PointLaw:
     return PointLaw(law.boundary, law.plain, law.limit, eyring, fluidity, law.share, 0.0, 0.0, 0.0, 0.0, law.own)
 
 
-@compiled
+@formula
 def stress_and_slope(law: PointLaw, pressure: float, speed: float) -> tuple[float, float]:
-    """Stress of a `PointLaw`, Pa, and its slope over the speed, Pa s/m; pressure : p, Pa;  speed : v, m/s; numbers.
+    """Stress of a `PointLaw`, Pa, and its slope over the speed, Pa s/m; pressure : p, Pa;  speed : v, m/s.
 
     Loops choose between both functions themselves: what LLVM makes of Eyring's law then stays as quick as it was.
     """
@@ -121,7 +114,7 @@ def with_numbers(law: PointLaw, boundary: float, fluidity: float) -> PointLaw:
     return PointLaw(boundary, law.plain, law.limit, law.eyring, fluidity, *oil)
 
 
-@compiled
+@formula
 def mean_force(law: PointLaw, contact: ContactNumbers, speed: float) -> float:
     """Friction of a contact that slides everywhere at the speed |v|, m/s, under its mean pressure, N."""
     area = np.pi * contact.semi_axis_rolling * contact.semi_axis_transverse
@@ -147,115 +140,22 @@ def law_of_oil(oil: OilNumbers, boundary: float, share: float, area: float, thic
     return PointLaw(boundary, 0.0, limit, stress * area, fluidity, share, alpha, bend, oil.exponent, rises, oil.own)
 
 
-def _stress(law: PointLaw, pressure: ArrayLike, speed: ArrayLike) -> Array:
-    """Stress, Pa; numbers of the law, pressure and speed broadcast."""
-    return mapped(lambda *given: stress_and_slope(PointLaw(*given[:LAW]), *given[LAW:])[0], *law, pressure, speed)
+@formula
+def mixed_traction(oil: OilNumbers, boundary_friction: float, shared: MixedContact, factor: float) -> PointLaw:
+    """The law of a mixed contact: boundary friction on a share of the load, oil on the rest of load and area.
 
-
-class _Law(ABC):
-    @property
-    @abstractmethod
-    def point_law(self) -> PointLaw: ...
-
-    def stress(self, pressure: ArrayLike, speed: ArrayLike) -> Array:
-        """Stress, Pa; pressure : p, Pa, >= 0;  speed : |v|, m/s, >= 0; both broadcast with the fields."""
-        return _stress(self.point_law, pressure, speed)
-
-    def force(self, contact: EllipticContact) -> Callable[[ArrayLike], Array]:
-        """Friction of a contact that slides everywhere at one speed under its mean pressure, N, over |v| in m/s.
-
-        The contact broadcasts with the fields. It is a force because the coefficient has no limit at Q = 0.
-        """
-        law, fields = self.point_law, contact.fields
-
-        def of_numbers(*given: float) -> float:
-            return mean_force(PointLaw(*given[:LAW]), ContactNumbers(*given[LAW:-1]), given[-1])
-
-        return lambda speed: mapped(of_numbers, *law, *fields, speed)
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class CoulombTraction(_Law):
-    """mu times the pressure, at any speed."""
-
-    friction_coefficient: Array | float  # mu, >= 0
-
-    def __post_init__(self) -> None:
-        require_non_negative(friction_coefficient=self.friction_coefficient)
-
-    @property
-    def depends_on_speed(self) -> bool:
-        return False
-
-    @property
-    def point_law(self) -> PointLaw:
-        return PointLaw(boundary=self.friction_coefficient)
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class MixedTraction(_Law):
-    """Boundary friction on a share of the load, oil on the rest of load and area; the fields broadcast.
-
-    The oil carries the share 1 - s of the pressure, which determines its viscosity and its limit.
-    `mixed_traction` makes one from a mixed contact.
+    The oil shears where neither asperities touch nor its film is a molecule thick. It carries the share 1 - s of the
+    pressure, which determines its viscosity and its limit.
+    boundary_friction : mu_b, >= 0;  factor : on the shear stress of the oil
     """
-
-    lubricant: Lubricant
-    boundary_friction: Array | float  # mu_b, >= 0
-    asperity_share: Array | float  # s, 0 to 1
-    boundary_share: Array | float  # s_b, 0 to 1
-    oil_area: Array | float  # share of the area where oil shears, 0 to 1
-    oil_thickness: Array | float  # of the oil there, m; at 0 and below it shears at its limit
-
-    def __post_init__(self) -> None:
-        parts = {
-            "asperity_share": self.asperity_share,
-            "boundary_share": self.boundary_share,
-            "oil_area": self.oil_area,
-        }
-        require_non_negative(boundary_friction=self.boundary_friction, **parts)
-        for name, part in parts.items():
-            if np.any(np.asarray(part) > 1):
-                raise InputError(f"{name} must be at most 1, got {np.max(part):g}: it is a part of a whole")
-
-    @property
-    def depends_on_speed(self) -> bool:
-        return self.lubricant.traction != "eyring_constant"
-
-    @property
-    def point_law(self) -> PointLaw:
-        return self._point_law
-
-    @cached_property
-    def _point_law(self) -> PointLaw:
-        return _oiled(
-            self.lubricant,
-            boundary=np.asarray(self.boundary_friction) * self.boundary_share,
-            share=1 - np.asarray(self.asperity_share),
-            area=self.oil_area,
-            thickness=self.oil_thickness,
-        )
+    area, thickness = oil_beside(shared)
+    boundary = boundary_friction * shared.boundary_share
+    return law_of_oil(oil, boundary, 1.0 - shared.asperity_share, factor * area, thickness)
 
 
-def mixed_traction(lubricant: Lubricant, boundary_friction: float, shared: MixedContact) -> MixedTraction:
-    """The law of a mixed contact: oil shears where neither asperities touch nor its film is a molecule thick."""
-    return MixedTraction(
-        lubricant=lubricant,
-        boundary_friction=boundary_friction,
-        asperity_share=shared.asperity_share,
-        boundary_share=shared.boundary_share,
-        oil_area=shared.oil_area,
-        oil_thickness=shared.oil_thickness,
-    )
-
-
-Traction = CoulombTraction | MixedTraction
-
-
-def oil_shear_stress(
-    lubricant: Lubricant, *, pressure: ArrayLike, speed: ArrayLike, film_thickness: ArrayLike
-) -> Array:
-    """Shear stress tau of the oil between surfaces that slide past each other, Pa; the arguments broadcast.
+@formula
+def oil_shear_stress(oil: OilNumbers, pressure: NotNegative, speed: NotNegative, film_thickness: Finite) -> float:
+    """Shear stress tau of the oil between surfaces that slide past each other, Pa.
 
     pressure : p, of the oil, Pa, >= 0;  speed : |v|, m/s, >= 0;  film_thickness : h, m; at 0 and below there is no film
     `eyring_constant`: the given tau_E at any speed, and in the limit of no sliding too.
@@ -267,16 +167,4 @@ def oil_shear_stress(
     and the most that the law gives.
     Source and range: see the module.
     """
-    require_non_negative(pressure=pressure, speed=speed)
-    law = _oiled(lubricant, boundary=0.0, share=1.0, area=1.0, thickness=film_thickness)
-    try:
-        return _stress(law, pressure, speed)
-    except ValueError as problem:
-        raise InputError("pressure, speed and film have shapes that do not fit: give equal lengths") from problem
-
-
-def _oiled(
-    lubricant: Lubricant, *, boundary: ArrayLike, share: ArrayLike, area: ArrayLike, thickness: ArrayLike
-) -> PointLaw:
-    """`law_of_oil` of arguments that broadcast."""
-    return PointLaw(*mapped(partial(law_of_oil, oil_numbers(lubricant)), boundary, share, area, thickness))
+    return stress_and_slope(law_of_oil(oil, 0.0, 1.0, 1.0, film_thickness), pressure, speed)[0]

@@ -11,18 +11,17 @@ oils to about 1 GPa within their scatter, and is 2.6 times too thin for M100 at 
 eta_0 exp(alpha_p p) departs from measured oils above some 0.5 GPa and is not offered.
 """
 
-from dataclasses import dataclass
 from functools import lru_cache
-from typing import NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.errors import InputError, require_non_negative, require_positive
 from analytic.numerics.compilation import compiled
-from analytic.numerics.elements import mapped
+from analytic.numerics.elements import NotNegative, formula
 from analytic.oil.law_table import law_address
-from analytic.scene import Array, Lubricant
+from analytic.scene import Lubricant
 
 LOG_POLE_VISCOSITY = -9.67  # ln of the viscosity in Pa s to which every oil tends
 POLE_PRESSURE = 1 / 5.1e-9  # Pa
@@ -30,13 +29,30 @@ POLE_TEMPERATURE = 138.0  # K
 MOST_THICKENING = 600.0  # in the logarithm: such an oil is solid
 
 
-@dataclass(frozen=True, kw_only=True)
-class InletViscosity:
-    """The oil at the inlet's temperature and ambient pressure, as the film formula needs it."""
+def require_liquid(**temperatures: ArrayLike) -> None:
+    """Raise InputError unless every temperature is finite and above 138 K."""
+    require_positive(**temperatures)
+    for name, value in temperatures.items():
+        if np.min(value) <= POLE_TEMPERATURE:
+            raise InputError(
+                f"{name} must be above {POLE_TEMPERATURE:g} K, where Roelands' oil is solid, got "
+                f"{float(np.min(value))!r}; give it in K"
+            )
 
-    viscosity: float  # eta_0, Pa s
-    pressure_viscosity: float  # alpha_p, 1/Pa
-    viscosity_temperature: float  # beta, 1/K
+
+def require_thick(**viscosities: ArrayLike) -> None:
+    """Raise InputError unless every viscosity is finite and above 6.3e-5 Pa s."""
+    require_positive(**viscosities)
+    for name, value in viscosities.items():
+        if np.min(np.log(value)) <= LOG_POLE_VISCOSITY:
+            raise InputError(
+                f"{name} must be above {np.exp(LOG_POLE_VISCOSITY):.2g} Pa s, the thinnest oil that "
+                f"Roelands' formula knows, got {float(np.min(value))!r}; oils have 1e-3 to 10 Pa s"
+            )
+
+
+LiquidTemperature = Annotated[float, require_liquid]
+OilViscosity = Annotated[float, require_thick]
 
 
 class OilNumbers(NamedTuple):
@@ -58,7 +74,7 @@ class OilNumbers(NamedTuple):
     own: float  # address of the table of a user's law of traction, see `analytic.oil.law_table`; 0: none
 
 
-@compiled
+@formula
 def thickening_at(alpha: float, bend: float, exponent: float, pressure: float) -> tuple[float, float]:
     """ln(eta(p)/eta(0)), and the slope alpha over the secant ln(eta(p)/eta(0))/p.
 
@@ -111,25 +127,16 @@ def oil_at(oil: OilNumbers, temperature: float) -> OilNumbers:
     )
 
 
-@compiled
-def _viscosity_at(
-    pressure: float, temperature: float, viscosity: float, alpha: float, reference: float, beta: float
-) -> float:
-    exponent = alpha * POLE_PRESSURE / (np.log(viscosity) - LOG_POLE_VISCOSITY)
-    ambient, left = warmed(viscosity, beta, reference, temperature)
-    return ambient * np.exp(thickening_at(alpha * left, 0.0, exponent, pressure)[0])
-
-
+@formula
 def roelands_viscosity(
-    *,
-    pressure: ArrayLike,
-    temperature: ArrayLike,
-    viscosity: ArrayLike,
-    pressure_viscosity: ArrayLike,
-    reference_temperature: ArrayLike,
-    viscosity_temperature: ArrayLike,
-) -> Array:
-    """eta(p, T), Pa s; the arguments broadcast.
+    pressure: NotNegative,
+    temperature: LiquidTemperature,
+    viscosity: OilViscosity,
+    pressure_viscosity: NotNegative,
+    reference_temperature: LiquidTemperature,
+    viscosity_temperature: NotNegative,
+) -> float:
+    """eta(p, T), Pa s.
 
     pressure : p, Pa, >= 0;  temperature : T, K, > 138;  viscosity : eta_0, Pa s, > 6.3e-5
     pressure_viscosity : alpha_p, 1/Pa, >= 0;  viscosity_temperature : beta, 1/K, >= 0;  reference_temperature : T_0, K
@@ -138,31 +145,22 @@ def roelands_viscosity(
     The formula fits mineral oils to about 1 GPa within their scatter and is extrapolated above. Z of an oil is 0.4 to
     0.8; with Z above 1 the viscosity would grow faster than by Barus's law.
     """
-    require_non_negative(pressure=pressure)
-    _require_liquid(
-        temperature=temperature,
-        viscosity=viscosity,
-        reference_temperature=reference_temperature,
-        viscosity_temperature=viscosity_temperature,
-    )
-    require_non_negative(pressure_viscosity=pressure_viscosity)
-    others = pressure_viscosity, reference_temperature, viscosity_temperature
-    return mapped(_viscosity_at, pressure, temperature, viscosity, *others)
+    exponent = pressure_viscosity * POLE_PRESSURE / (np.log(viscosity) - LOG_POLE_VISCOSITY)
+    ambient, left = warmed(viscosity, viscosity_temperature, reference_temperature, temperature)
+    return ambient * np.exp(thickening_at(pressure_viscosity * left, 0.0, exponent, pressure)[0])
 
 
 @lru_cache(maxsize=64)
 def oil_numbers(lubricant: Lubricant) -> OilNumbers:
-    """A lubricant at its temperature in numbers. Raises InputError as `inlet_viscosity` does, or for a stress.
+    """A lubricant at its temperature in numbers, with Roelands' viscosity and its logarithmic slopes there.
 
-    A constant Eyring stress does not need the limiting shear, but that must have a meaning too.
+    Raises InputError if a temperature is not above 138 K, the viscosity not above 6.3e-5 Pa s, or for a stress. A
+    constant Eyring stress does not need the limiting shear, but that must have a meaning too.
     """
-    _require_liquid(
-        temperature=lubricant.temperature,
-        viscosity=lubricant.viscosity,
-        reference_temperature=lubricant.reference_temperature,
-        viscosity_temperature=lubricant.viscosity_temperature,
-    )
-    require_non_negative(pressure_viscosity=lubricant.pressure_viscosity, limiting_shear=lubricant.limiting_shear)
+    require_thick(viscosity=lubricant.viscosity)
+    require_liquid(temperature=lubricant.temperature, reference_temperature=lubricant.reference_temperature)
+    for name in ("viscosity_temperature", "pressure_viscosity", "limiting_shear"):
+        require_non_negative(**{name: getattr(lubricant, name)})
     require_positive(thermal_conductivity=lubricant.thermal_conductivity, density=lubricant.density)
     stress = lubricant.eyring_stress
     if stress is not None:
@@ -191,50 +189,3 @@ def oil_numbers(lubricant: Lubricant) -> OilNumbers:
         own=law_address(lubricant.traction),
     )
     return oil_at(reference, float(lubricant.temperature))
-
-
-def viscosity_under_pressure(lubricant: Lubricant, *, pressure: ArrayLike) -> Array:
-    """eta(p), Pa s, of a lubricant at its temperature by its law of thickening.
-
-    pressure : p, Pa, >= 0, any shape. Raises InputError as `oil_numbers`.
-    """
-    require_non_negative(pressure=pressure)
-    oil = oil_numbers(lubricant)
-    slopes = oil.pressure_viscosity, oil.rise * oil.pressure_viscosity, oil.exponent
-    return oil.viscosity * np.exp(mapped(thickening_at, *slopes, pressure)[0])
-
-
-def inlet_viscosity(lubricant: Lubricant) -> InletViscosity:
-    """The oil as it enters a contact: Roelands' viscosity and its logarithmic slopes at the lubricant's temperature.
-
-    Raises InputError if a temperature is not above 138 K or the viscosity not above 6.3e-5 Pa s.
-    """
-    oil = oil_numbers(lubricant)
-    return InletViscosity(
-        viscosity=oil.viscosity,
-        pressure_viscosity=oil.pressure_viscosity,
-        viscosity_temperature=oil.viscosity_temperature,
-    )
-
-
-def _require_liquid(
-    *,
-    temperature: ArrayLike,
-    viscosity: ArrayLike,
-    reference_temperature: ArrayLike,
-    viscosity_temperature: ArrayLike,
-) -> None:
-    require_positive(viscosity=viscosity)
-    require_non_negative(viscosity_temperature=viscosity_temperature)
-    for name, value in {"temperature": temperature, "reference_temperature": reference_temperature}.items():
-        require_positive(**{name: value})
-        if np.min(value) <= POLE_TEMPERATURE:
-            raise InputError(
-                f"{name} must be above {POLE_TEMPERATURE:g} K, where Roelands' oil is solid, got "
-                f"{float(np.min(value))!r}; give it in K"
-            )
-    if np.min(np.log(viscosity)) <= LOG_POLE_VISCOSITY:
-        raise InputError(
-            f"viscosity must be above {np.exp(LOG_POLE_VISCOSITY):.2g} Pa s, the thinnest oil that "
-            f"Roelands' formula knows, got {float(np.min(viscosity))!r}; oils have 1e-3 to 10 Pa s"
-        )

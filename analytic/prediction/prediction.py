@@ -116,7 +116,24 @@ class Prediction(Brief):
 
     def to_dataset(self) -> Any:
         """An xarray.Dataset over operating points and inputs, SI, with units and meanings as attributes."""
-        points = {name: Labelled((POINT,), getattr(self.nominal, name), each) for name, each in COORDINATES.items()}
+        return dataset_of(
+            self._columns,
+            coordinates=self._points
+            | {
+                "input": Labelled(("input",), [each.key for each in self.inputs], Column("", "uncertain input")),
+                "cause": Labelled(("cause",), list(self.made_of), Column("", "what alone is uncertain")),
+            },
+            attributes={**self.nominal.provenance, "samples": self.samples, "failed": self.failed, "seed": self.seed},
+        )
+
+    @property
+    def _points(self) -> dict[str, Labelled]:
+        """The operating points."""
+        return {name: Labelled((POINT,), getattr(self.nominal, name), each) for name, each in COORDINATES.items()}
+
+    @property
+    def _columns(self) -> dict[str, Labelled]:
+        """What is known at them and of the inputs."""
         torque = "friction torque"
         rows = {"torque_total": Labelled((POINT,), self.nominal.torque.total, Column("N m", torque))}
         for name, interval in {"total": self.total, **self.parts}.items():
@@ -131,20 +148,12 @@ class Prediction(Brief):
             kind, _, error = name.partition("_")
             meaning = f"{'standard error of the ' if error else ''}Sobol index of the {torque}, {kind}"
             rows[f"index_{name}"] = Labelled(("input", POINT), values, Column("1", meaning))
-        return dataset_of(
-            rows
-            | {"explained": Labelled((POINT,), self.explained, Column("1", "variance that the regression predicts"))},
-            coordinates=points
-            | {
-                "input": Labelled(("input",), [each.key for each in self.inputs], Column("", "uncertain input")),
-                "cause": Labelled(("cause",), list(self.made_of), Column("", "what alone is uncertain")),
-            },
-            attributes={**self.nominal.provenance, "samples": self.samples, "failed": self.failed, "seed": self.seed},
-        )
+        explained = Column("1", "variance that the regression predicts")
+        return rows | {"explained": Labelled((POINT,), self.explained, explained)}
 
     def to_dataframe(self) -> Any:
         """A pandas.DataFrame of the intervals: a row for each operating point, SI. Inputs stand in `to_dataset`."""
-        return frame_of(self.to_dataset(), POINT)
+        return frame_of(self._points | self._columns, POINT)
 
 
 def predict(

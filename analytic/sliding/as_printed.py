@@ -9,30 +9,22 @@ net force.
 """
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from analytic.contact.rolling_contact import ContactNumbers
-from analytic.errors import require_non_negative, require_positive
 from analytic.numerics.compilation import compiled
-from analytic.numerics.elements import mapped
-from analytic.scene import Array
-from analytic.sliding.long_ellipse import (
-    FULL_SPIN,
-    Slip,
-    half_distance,
-    spin_to_roll,
-)
+from analytic.numerics.elements import NotNegative, Positive, formula
+from analytic.sliding.long_ellipse import FULL_SPIN, Slip, half_distance, spin_to_roll
 
 
-@compiled
-def printed_moments(
-    friction_force: float, semi_axis_transverse: float, ball_radius: float, ratio: float
+@formula
+def as_printed_moments(
+    friction_force: NotNegative, semi_axis_transverse: NotNegative, ball_radius: Positive, spin_to_roll: NotNegative
 ) -> tuple[float, float]:
     """(M_z, M_r), N m, under their names in the paper.
 
     friction_force : mu F_n, N, >= 0;  semi_axis_transverse : b, m, >= 0
     ball_radius : r_b, m, > 0, as equation 11 uses it; the corrected form has the radius of the contact surface instead
-    ratio : eps, >= 0; the paper does not treat negative ones
+    spin_to_roll : eps, >= 0; the paper does not treat negative ones
         eps = 0:        M_z = mu F_n b^2/(4 r_b),  M_r = 0                                            (2, 3)
         0 < eps < 1/2:  M_z = (3/4) mu F_n b [g1^2 (1 - g1^2/2) - g2^2 (1 - g2^2/2)]                  (4)
                         M_r = mu F_n b^2/(4 r_b) [2/5 + g1^3 (1 - 3 g1^2/5) - g2^3 (1 - 3 g2^2/5)]    (5)
@@ -40,12 +32,12 @@ def printed_moments(
     """
     pull = friction_force * semi_axis_transverse
     curved = pull * semi_axis_transverse / (4 * ball_radius)
-    if ratio == 0.0:
+    if spin_to_roll == 0.0:
         return curved, 0.0
-    if ratio >= FULL_SPIN:
+    if spin_to_roll >= FULL_SPIN:
         return 0.0, 0.375 * pull
-    d = half_distance(ratio)
-    g1, g2 = -ratio - d, -ratio + d
+    d = half_distance(spin_to_roll)
+    g1, g2 = -spin_to_roll - d, -spin_to_roll + d
     spin_bracket = g1**2 * (1 - g1**2 / 2) - g2**2 * (1 - g2**2 / 2)
     roll_bracket = 2 / 5 + g1**3 * (1 - 3 * g1**2 / 5) - g2**3 * (1 - 3 * g2**2 / 5)
     return 0.75 * pull * spin_bracket, curved * roll_bracket
@@ -62,23 +54,5 @@ def as_printed_slip(contact: ContactNumbers, slip: Slip, ball_radius: float) -> 
     """
     ratio = abs(spin_to_roll(contact, slip.spin_rate))
     force = slip.coefficient * contact.load
-    spin, roll = printed_moments(force, contact.semi_axis_transverse, ball_radius, ratio)
+    spin, roll = as_printed_moments(force, contact.semi_axis_transverse, ball_radius, ratio)
     return Slip(slip.spin_rate, np.copysign(spin, slip.spin_rate), roll, slip.coefficient, slip.slip_speed, slip.creep)
-
-
-def as_printed_moments(
-    *,
-    friction_force: ArrayLike,
-    semi_axis_transverse: ArrayLike,
-    ball_radius: ArrayLike,
-    spin_to_roll: ArrayLike,
-) -> tuple[Array, Array]:
-    """`printed_moments` of many contacts, N m; the arguments broadcast. Raises InputError for one below 0."""
-    require_non_negative(
-        friction_force=friction_force,
-        semi_axis_transverse=semi_axis_transverse,
-        spin_to_roll=spin_to_roll,
-    )
-    require_positive(ball_radius=ball_radius)
-    printed_z, printed_r = mapped(printed_moments, friction_force, semi_axis_transverse, ball_radius, spin_to_roll)
-    return printed_z, printed_r

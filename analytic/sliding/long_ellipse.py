@@ -13,24 +13,23 @@ Source: [Johnson1985] sections 8.5 and 9.2. The moments are derived here. They a
 with each moment in its right place and a continuous limit.
 """
 
-from dataclasses import dataclass, replace
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from analytic.contact.rolling_contact import ContactNumbers, Pair
-from analytic.errors import ConvergenceError, InputError, require_finite, require_non_negative, require_positive
+from analytic.contact.rolling_contact import ContactNumbers
+from analytic.errors import ConvergenceError
 from analytic.numerics.compilation import compiled
-from analytic.numerics.elements import mapped
+from analytic.numerics.elements import Finite, NotNegative, Positive, formula
 from analytic.oil.traction import PointLaw, eyring_stress, own_stress, thickened
-from analytic.scene import Array, SpinRule
+from analytic.scene import SpinRule
 
 LARGEST = float(np.finfo(np.float64).max)
 FULL_SPIN = 0.5  # from this |eps| on one pure-rolling line has left the contact and the other is its centre
 # Tolerance of the share of spin, and of the moments that it balances: the limit of Newton's quadratic steps.
 ROUND_OFF = 4 * float(np.finfo(np.float64).eps)
 SPIN_STIFFNESS = 0.9163  # d(M_spin/mu Q b)/d eps at eps = 0, its largest value
+HeldSpin = Literal["balanced", "inner_control", "outer_control"]
 RULES: dict[SpinRule, int] = {"balanced": 0, "inner_control": 1, "outer_control": 2}
 MOST_STEPS = 200  # of a balance of spin; 4 to 8 are usual, and halving the bracket alone takes 60
 
@@ -222,22 +221,22 @@ def no_spin_balance() -> ConvergenceError:
     )
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class MicroslipTorque:
-    """Friction torque of one ball about the bearing axis, with its moments and rates; arrays of one shape."""
+class MicroslipTorque(NamedTuple):
+    """Friction torque of one ball about the bearing axis, with its moments and rates."""
 
-    spin: Array  # N m
-    conformity: Array  # N m
-    inner_spin_rate: Array  # w_s,i/w, >= 0
-    outer_spin_rate: Array  # w_s,o/w, <= 0
-    inner_spin_moment: Array  # N m, with the sign of the spin
-    outer_spin_moment: Array  # N m, with the sign of the spin
-    inner_rolling_moment: Array  # N m, >= 0
-    outer_rolling_moment: Array  # N m, >= 0
+    spin: float  # N m
+    conformity: float  # N m
+    inner_spin_rate: float  # w_s,i/w, >= 0
+    outer_spin_rate: float  # w_s,o/w, <= 0
+    inner_spin_moment: float  # N m, with the sign of the spin
+    outer_spin_moment: float  # N m, with the sign of the spin
+    inner_rolling_moment: float  # N m, >= 0
+    outer_rolling_moment: float  # N m, >= 0
 
 
-def pure_rolling_lines(spin_to_roll: ArrayLike) -> tuple[Array, Array]:
-    """(g1, g2) with g1 <= g2: the points of the major axis without sliding, in units of b; shapes of spin_to_roll.
+@formula
+def pure_rolling_lines(spin_to_roll: Finite) -> tuple[float, float]:
+    """(g1, g2) with g1 <= g2: the points of the major axis without sliding, in units of b.
 
     spin_to_roll : eps = (w_s/w_roll)(R/b), any finite number
         g1 + g2 = -2 eps,  H(g2) - H(g1) = 2/3 with H(g) = g - g^3/3 (no net force)
@@ -245,20 +244,16 @@ def pure_rolling_lines(spin_to_roll: ArrayLike) -> tuple[Array, Array]:
         d = 2 p sin(arcsin(1/(2 p^3))/3)
     For |eps| >= 1/2 it is d = |eps|: one line stays at the centre, and the other has left the contact.
     """
-    require_finite(spin_to_roll=spin_to_roll)
-    ratio = np.asarray(spin_to_roll, dtype=np.float64)
-    distance = np.where(np.abs(ratio) < FULL_SPIN, _numbers(ratio)[2], np.abs(ratio))
-    return -ratio - distance, -ratio + distance
+    eps = abs(spin_to_roll)
+    d = half_distance(eps) if eps < FULL_SPIN else eps
+    return -spin_to_roll - d, -spin_to_roll + d
 
 
+@formula
 def microslip_moments(
-    *,
-    friction_force: ArrayLike,
-    semi_axis_transverse: ArrayLike,
-    deformed_radius: ArrayLike,
-    spin_to_roll: ArrayLike,
-) -> tuple[Array, Array]:
-    """(spin moment, rolling moment) of one contact, N m; the arguments broadcast.
+    friction_force: NotNegative, semi_axis_transverse: NotNegative, deformed_radius: Positive, spin_to_roll: Finite
+) -> tuple[float, float]:
+    """(spin moment, rolling moment) of one contact, N m.
 
     friction_force : mu Q, N, >= 0;  semi_axis_transverse : b, m, >= 0;  deformed_radius : R, m, > 0
     spin_to_roll : eps = (w_s/w_roll)(R/b), any finite number; the spin moment is odd in it, the rolling moment even
@@ -267,27 +262,22 @@ def microslip_moments(
     with the pure-rolling lines g1, g2. Without spin they are 0 and 0.0806 mu Q b^2/R; for |eps| >= 1/2 they are
     (3/8) mu Q b and 0. The contact loses the power M_spin w_s + M_roll w_roll, whose derivative by w_s is M_spin.
     """
-    require_non_negative(friction_force=friction_force, semi_axis_transverse=semi_axis_transverse)
-    require_positive(deformed_radius=deformed_radius)
-    require_finite(spin_to_roll=spin_to_roll)
-    ratio, half_length = np.asarray(spin_to_roll), np.asarray(semi_axis_transverse)
-    friction = np.asarray(friction_force)
-    spin, rolling, _ = _numbers(ratio)
-    return friction * half_length * np.sign(ratio) * spin, friction * half_length**2 / np.asarray(
-        deformed_radius
-    ) * rolling
+    eps, pull = abs(spin_to_roll), friction_force * semi_axis_transverse
+    d = half_distance(eps)
+    curved = friction_force * semi_axis_transverse**2 / deformed_radius
+    return pull * np.sign(spin_to_roll) * spin_moment(eps, d), curved * rolling_moment(eps, d)
 
 
+@formula
 def microslip_torque(
-    contacts: Pair,
-    *,
-    friction_force: tuple[ArrayLike, ArrayLike],
-    spin_difference: ArrayLike,
-    spin_rule: SpinRule,
+    contacts: tuple[ContactNumbers, ContactNumbers],
+    friction_force: tuple[NotNegative, NotNegative],
+    spin_difference: NotNegative,
+    spin_rule: HeldSpin,
 ) -> MicroslipTorque:
-    """Torque of one ball from its slip on both races, N m; all fields and arguments broadcast.
+    """Torque of one ball from its slip on both races, N m; NaN where the spin finds no balance.
 
-    contacts : on the inner and the outer race;  friction_force : mu Q on both, N, >= 0
+    contacts : on the inner and the outer race, which roll;  friction_force : mu Q on both, N, >= 0
     spin_difference : (w_s,i - w_s,o)/w, >= 0; sin(al) if the contact angles are equal
     spin_rule `balanced`: the ball is free about the contact normal and takes the spin that leaves no moment on it,
         M_spin,i(w_s,i) + M_spin,o(w_s,o) = 0
@@ -295,44 +285,17 @@ def microslip_torque(
     The slip power of both contacts over w is the sum of
         spin = M_spin,i w_s,i/w + M_spin,o w_s,o/w,  conformity = M_roll,i w_roll,i/w + M_roll,o w_roll,o/w
     For Z equal balls these are Z |M_spin| sin(al) (equation 10) and Z (M_ri R_o + M_ro R_i)/(2 r) (equation 11).
-    Raises InputError for a negative spin_difference or friction_force, a contact that does not roll, an unknown rule.
     """
-    require_non_negative(spin_difference=spin_difference)
-    for contact, force in zip(contacts, friction_force, strict=True):
-        require_positive(rolling_rate=contact.rolling_rate)
-        require_non_negative(friction_force=force)
-    if spin_rule not in RULES:
-        raise InputError(f'spin_rule must be "balanced", "inner_control" or "outer_control", got {spin_rule!r}')
-    inner, outer = (replace(contact, load=force) for contact, force in zip(contacts, friction_force, strict=True))
     law = PointLaw(boundary=1.0)
-
-    def of_numbers(*given: float) -> tuple[float, ...]:
-        numbers = ContactNumbers(*given[:9]), ContactNumbers(*given[9:18])
-        of_inner, of_outer = line_slips(numbers, (law, law), 0.0, given[18], RULES[spin_rule])
-        return *of_inner[:3], *of_outer[:3]
-
-    found = mapped(of_numbers, *inner.fields, *outer.fields, spin_difference)
-    if np.isnan(found[0]).any():
-        raise no_spin_balance()
-    inner_rate, inner_spin, inner_roll, outer_rate, outer_spin, outer_roll = found
+    pressed = contacts[0]._replace(load=friction_force[0]), contacts[1]._replace(load=friction_force[1])
+    inner, outer = line_slips(pressed, (law, law), 0.0, spin_difference, RULES[spin_rule])
     return MicroslipTorque(
-        spin=inner_spin * inner_rate + outer_spin * outer_rate,
-        conformity=inner_roll * inner.rolling_rate + outer_roll * outer.rolling_rate,
-        inner_spin_rate=inner_rate,
-        outer_spin_rate=outer_rate,
-        inner_spin_moment=inner_spin,
-        outer_spin_moment=outer_spin,
-        inner_rolling_moment=inner_roll,
-        outer_rolling_moment=outer_roll,
+        inner.spin_moment * inner.spin_rate + outer.spin_moment * outer.spin_rate,
+        inner.rolling_moment * contacts[0].rolling_rate + outer.rolling_moment * contacts[1].rolling_rate,
+        inner.spin_rate,
+        outer.spin_rate,
+        inner.spin_moment,
+        outer.spin_moment,
+        inner.rolling_moment,
+        outer.rolling_moment,
     )
-
-
-def _numbers(ratio: Array) -> tuple[Array, Array, Array]:
-    """(spin moment over mu Q b, rolling moment R/(mu Q b^2), d) at |eps|."""
-
-    def of_number(eps: float) -> tuple[float, float, float]:
-        d = half_distance(eps)
-        return spin_moment(eps, d), rolling_moment(eps, d), d
-
-    spin, rolling, distance = mapped(of_number, np.abs(ratio))
-    return spin, rolling, distance

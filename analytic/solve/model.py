@@ -29,7 +29,7 @@ from analytic.oil.viscosity import OilNumbers, oil_numbers
 from analytic.scene import Array, Cage, Lubricant, Operation, OwnTraction, Scene
 from analytic.sliding.ball import NODES
 from analytic.sliding.long_ellipse import RULES
-from analytic.surface.gap import GapLaw, gap_forms
+from analytic.surface.gap import SMOOTH_GAP, GapNumbers, gap_forms
 
 
 class Counted(NamedTuple):
@@ -272,8 +272,8 @@ def _counted_of(counted: Mapping[str, bool]) -> Counted:
     return Counted(*(bool(counted.get(name, False)) for name in Counted._fields))
 
 
-def _gap_laws(scene: Scene, cage: Cage | None) -> list[GapLaw | None]:
+def _gap_laws(scene: Scene, cage: Cage | None) -> list[GapNumbers]:
     """Of the balls on inner race, outer race and cage pockets."""
     bearing, ball = scene.bearing, scene.bearing.ball_material
     races = [gap_law_of(scene, (ball, groove.material)) for groove in (bearing.inner, bearing.outer)]
-    return [*races, None if cage is None else pocket_gap(scene, cage)]
+    return [*races, SMOOTH_GAP if cage is None else pocket_gap(scene, cage)]

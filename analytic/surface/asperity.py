@@ -9,13 +9,12 @@ and its real area is given by the same integral of A. The film thickness h separ
 Source: [Zhao2000]; in the elastic limit [Greenwood1966].
 """
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from analytic.errors import InputError, require_finite, require_non_negative, require_positive
-from analytic.numerics.root import Sought, bracketed_root
 from analytic.scene import Array, Material, Surface
 from analytic.surface.moments import Summits
 
@@ -31,19 +30,15 @@ BACK, REACH = 6.2, 7.0
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(30)
 BLOCK = 1024  # elements at a time, so that the tables stay in the cache of the processor
 
-LAST_STEP = 1e-9  # of the separation, in standard deviations: not below the error of the integrals
 
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Asperity:
+class Asperity(NamedTuple):
     """Contact of one summit; every field has the broadcast shape of the arguments."""
 
     load: Array  # F, N
     area: Array  # A, m^2
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class AsperityContact:
+class AsperityContact(NamedTuple):
     """Contact of a nominal area; every field has the broadcast shape of the arguments."""
 
     pressure: Array  # p_a, load over the nominal area, Pa
@@ -101,25 +96,6 @@ def asperity_contact(
         area_fraction=np.where(wall, 1.0, np.minimum(scale * decay * area, 1.0)),
         pressure_slope=-per_metre * decay * slope,
     )
-
-
-def separation_at(*, pressure: ArrayLike, summits: Summits, modulus: ArrayLike, hardness: ArrayLike) -> Array:
-    """Film thickness h at which the summits alone carry a nominal pressure, m; the arguments broadcast.
-
-    pressure : p_a, Pa, >= 0; at 0 nothing holds the surfaces together and h is infinite
-    This is the inverse of asperity_contact, with an error below 1e-8 standard deviations of summit height. h < 0 under
-    a very large pressure; h = 0 for a smooth surface under any pressure.
-    """
-    require_non_negative(pressure=pressure)
-    _, yielding, scale, reference = _arguments(pressure, summits, modulus, hardness)
-    rough = scale > 0
-    carried = np.broadcast_to(np.asarray(pressure, dtype=np.float64), scale.shape)
-    target = np.divide(carried, scale * reference, out=np.zeros_like(scale), where=rough)
-    loaded = target > 0
-    t = np.zeros_like(scale)
-    t[loaded] = _solved(np.log(target[loaded]), yielding[loaded])
-    height = np.asarray(summits.mean_height) + np.asarray(summits.height_deviation) * t
-    return np.where(loaded, height, np.where(rough | (carried == 0), np.inf, 0.0))
 
 
 def softer_hardness(surface: Surface, first: Material, second: Material) -> float:
@@ -236,34 +212,3 @@ def _block(t: Array, yielding: Array) -> Array:
         total[1, here] += WEIGHTS @ weight
         total[2, here] += WEIGHTS @ (load * x)
     return total
-
-
-def _solved(log_target: Array, yielding: Array) -> Array:
-    """t at which ln of the first integral is log_target, by Newton in a bracket.
-
-    In units of the integral the force is at least k y min(1, sqrt(y/w_1)) and at most 2 y. Half of all summits are
-    above the mean, which gives the lower bound of t. With 2 y the integral is at most exp(-t^2/2) sqrt(2/pi) for t > 0
-    and 2 |t| + sqrt(2/pi) for t < 0, which gives the upper bound.
-    """
-    target, tail = np.exp(log_target), np.log(2 / np.pi) / 2
-    needed = 2 * target / YIELD_SHARE
-    low = -np.maximum(needed, np.cbrt(needed**2 * yielding))
-    high = np.where(log_target < tail, np.sqrt(2 * np.maximum(tail - log_target, 0.0)), -(target - np.exp(tail)) / 2)
-
-    def excess(t: Array) -> tuple[Array, Array]:
-        load, _, slope = summit_integrals(t, yielding)
-        return log_target - np.log(load) + np.maximum(t, 0.0) ** 2 / 2, slope / load
-
-    return bracketed_root(
-        excess,
-        start=high,
-        low=low,
-        high=high,
-        relative=LAST_STEP,
-        absolute=LAST_STEP,
-        sought=Sought(
-            unit="standard deviations of summit height",
-            problem="the separation of the rough surfaces",
-            remedy="Check that pressure, hardness and roughness are of ordinary size.",
-        ),
-    )

@@ -5,17 +5,14 @@ known in closed form. Its logarithm is subtracted from those of pressure and are
 is nearly linear in asinh(t) at both ends of the table. It is extrapolated there as a straight line, which is its limit.
 """
 
-from dataclasses import dataclass
-from functools import lru_cache, partial
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from analytic.errors import InputError, require_positive
-from analytic.numerics.compilation import compiled
 from analytic.numerics.cubic import Pieces, cubic_at, smooth_cubic, together
-from analytic.numerics.elements import mapped
+from analytic.numerics.elements import formula
 from analytic.numerics.normal_distribution import log_upper_tail
 from analytic.scene import Array
 from analytic.surface.asperity import PLASTIC_RATIO, first_yield, summit_integrals
@@ -28,7 +25,7 @@ KINK_REACH, KINK_STEP = 9.0, 0.06  # in t, around where the highest summits reac
 
 
 class SummitNumbers(NamedTuple):
-    """An `AsperityTable` in numbers, for compiled formulas; the splines are in its cubics."""
+    """Pressure and area of one rough surface; the splines are in an array that formulas take beside."""
 
     mean_height: float  # of the summits, m
     height_deviation: float  # of the summits, m
@@ -39,55 +36,33 @@ class SummitNumbers(NamedTuple):
     height: Pieces  # asinh(t) over asinh(ln p - log_scale), which is straight where t is large
 
 
-@compiled
+@formula
 def log_pressure_at(cubics: Array, table: SummitNumbers, film_thickness: float) -> float:
-    """ln of p_a in Pa."""
+    """ln of p_a in Pa, also where p_a itself underflows to 0; film_thickness : m, any finite number."""
     t = (film_thickness - table.mean_height) / table.height_deviation
     return table.log_scale + log_upper_tail(t) + cubic_at(cubics, table.pressure, np.arcsinh(t))[0]
 
 
-@compiled
+@formula
 def separation_of(cubics: Array, table: SummitNumbers, log_pressure: float) -> tuple[float, float]:
-    """Where ln p_a is this: h, m, and its derivative by ln p_a."""
+    """The inverse of log_pressure_at: h, m, and its derivative by ln p_a."""
     q = log_pressure - table.log_scale
     v, slope = cubic_at(cubics, table.height, np.arcsinh(q))
     deviation = table.height_deviation
     return table.mean_height + deviation * np.sinh(v), deviation * np.cosh(v) * slope / np.hypot(1.0, q)
 
 
-@compiled
+@formula
 def summit_area(cubics: Array, table: SummitNumbers, film_thickness: float) -> float:
-    """Real over nominal area, at most 1."""
+    """Real over nominal area, at most 1; film_thickness : m, any finite number."""
     t = (film_thickness - table.mean_height) / table.height_deviation
     log_area = table.log_area_scale + log_upper_tail(t) + cubic_at(cubics, table.area, np.arcsinh(t))[0]
     return np.exp(min(log_area, 0.0))
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class AsperityTable:
-    """Pressure and area of one rough surface; build it with `tabulated_asperities`."""
-
-    summits: Summits
-    cubics: Array  # of `analytic.numerics.cubic.Pieces`
-    numbers: SummitNumbers
-
-    def log_pressure(self, film_thickness: ArrayLike) -> Array:
-        """ln of p_a in Pa, also where p_a itself underflows to 0; film_thickness : m, any finite number."""
-        return mapped(partial(log_pressure_at, self.cubics, self.numbers), film_thickness)
-
-    def separation(self, log_pressure: ArrayLike) -> tuple[Array, Array]:
-        """The inverse of log_pressure: h, m, and its derivative by ln p_a."""
-        height, slope = mapped(partial(separation_of, self.cubics, self.numbers), log_pressure)
-        return height, slope
-
-    def area_fraction(self, film_thickness: ArrayLike) -> Array:
-        """Real over nominal area, at most 1; film_thickness : m, any finite number."""
-        return mapped(partial(summit_area, self.cubics, self.numbers), film_thickness)
-
-
 @lru_cache(maxsize=64)
-def tabulated_asperities(*, summits: Summits, modulus: float, hardness: float) -> AsperityTable:
-    """Splines of asperity_contact with a relative error of 1e-8 up to w_1 = 1000 sigma_s.
+def tabulated_asperities(*, summits: Summits, modulus: float, hardness: float) -> tuple[Array, SummitNumbers]:
+    """Splines of asperity_contact, (rows, 5) and numbers, with a relative error of 1e-8 up to w_1 = 1000 sigma_s.
 
     summits : of one rough surface, numbers;  modulus : E*, Pa, > 0;  hardness : H, of the softer body, Pa, > 0
     Raises InputError for a smooth or nearly smooth surface, which has no such table.
@@ -111,7 +86,7 @@ def tabulated_asperities(*, summits: Summits, modulus: float, hardness: float) -
     v = v[np.diff(v, prepend=-np.inf) > 1e-6]  # one of two knots that nearly coincide
     t = np.sinh(v)
     load, area, _ = summit_integrals(t, np.full_like(t, yielding))
-    higher, scaled = mapped(log_upper_tail, t), np.maximum(t, 0.0) ** 2 / 2
+    higher, scaled = log_upper_tail(t), np.maximum(t, 0.0) ** 2 / 2
     log_load, log_area = np.log(load) - scaled, np.log(area) - scaled
     falling = np.arcsinh(log_load)
     log_area_scale = float(np.log(np.pi * summits.radius * summits.density * deviation))
@@ -120,16 +95,12 @@ def tabulated_asperities(*, summits: Summits, modulus: float, hardness: float) -
         smooth_cubic(v, log_area - higher),
         smooth_cubic(falling[::-1], v[::-1]),
     )
-    return AsperityTable(
-        summits=summits,
-        cubics=cubics,
-        numbers=SummitNumbers(
-            mean_height=float(summits.mean_height),
-            height_deviation=deviation,
-            log_scale=log_area_scale + float(np.log(hardness)),
-            log_area_scale=log_area_scale,
-            pressure=pressure_pieces,
-            area=area_pieces,
-            height=height_pieces,
-        ),
+    return cubics, SummitNumbers(
+        mean_height=float(summits.mean_height),
+        height_deviation=deviation,
+        log_scale=log_area_scale + float(np.log(hardness)),
+        log_area_scale=log_area_scale,
+        pressure=pressure_pieces,
+        area=area_pieces,
+        height=height_pieces,
     )

@@ -9,17 +9,15 @@ Gaps are over sigma, the rms height; pressures over E* slope, with slope = sqrt(
 """
 
 from dataclasses import dataclass
-from functools import cache, cached_property, lru_cache, partial
+from functools import cache, cached_property, lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from analytic import catalog
 from analytic.errors import require_positive
-from analytic.numerics.compilation import compiled
 from analytic.numerics.cubic import Pieces, cubic_at, monotone_cubic, together
-from analytic.numerics.elements import mapped
+from analytic.numerics.elements import formula
 from analytic.scene import Array, Autocorrelation
 from analytic.surface.boundary_elements import NO_GAP, pressed
 from analytic.surface.heightmap import HeightMap, levelled, measure
@@ -34,7 +32,7 @@ LONGEST = 0.5  # of the side of a map: a correlation length that the map does no
 
 
 class ElasticNumbers(NamedTuple):
-    """An `ElasticGap` in numbers, for compiled formulas; the splines are in its cubics.
+    """The gap between two surfaces; the splines are in an array that formulas take beside.
 
     Below the first knot p_1 the gap over sigma is e + sqrt(a^2 + 2 ln(p_1/p)).
     """
@@ -50,9 +48,12 @@ class ElasticNumbers(NamedTuple):
     offset: float  # e
 
 
-@compiled
+@formula
 def elastic_log_gap(cubics: Array, law: ElasticNumbers, log_pressure: float) -> tuple[float, float]:
-    """ln of the mean gap in m, and its derivative by ln p; log_pressure : ln of p in Pa."""
+    """ln of the mean gap in m, and its derivative by ln p, below 0; log_pressure : ln of p in Pa.
+
+    p is the nominal pressure that asperities carry.
+    """
     at = log_pressure - law.log_scale
     if at < law.first:
         root = np.sqrt(law.start * law.start + 2.0 * (law.first - at))
@@ -66,9 +67,9 @@ def elastic_log_gap(cubics: Array, law: ElasticNumbers, log_pressure: float) -> 
     return law.log_sigma + value, slope
 
 
-@compiled
+@formula
 def elastic_area(cubics: Array, law: ElasticNumbers, log_pressure: float) -> float:
-    """Real over nominal area, 0 to 1; log_pressure : ln of p in Pa."""
+    """Real over nominal area, rising with p from 0 to 1: proportional to p where small; log_pressure as above."""
     at = log_pressure - law.log_scale
     inside = min(max(at, law.first), law.last)
     outside = min(at - law.first, 0.0) + 2.0 * max(at - law.last, 0.0)
@@ -77,7 +78,7 @@ def elastic_area(cubics: Array, law: ElasticNumbers, log_pressure: float) -> flo
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class GapCurve:
-    """Mean gap and real area of a kind of rough surfaces over pressure; methods take and return arrays of any shape.
+    """Mean gap and real area of a kind of rough surfaces over pressure.
 
     Between the knots ln gap is a monotone cubic. Below the first one the gap is that of the summits of a Gaussian
     surface, where it grows like sqrt(-2 ln p). Above the last one ln gap falls like p^2 [Persson2001]. Value and slope
@@ -90,14 +91,6 @@ class GapCurve:
     areas: Array  # real over nominal area
     width: float  # of those surfaces, in correlation lengths
 
-    def log_gap(self, log_pressure: ArrayLike) -> tuple[Array, Array]:
-        """ln of the mean gap over sigma, and its derivative by ln p, below 0; log_pressure : ln of p/(E* slope)."""
-        return self._dimensionless.log_gap(log_pressure)
-
-    def area_fraction(self, log_pressure: ArrayLike) -> Array:
-        """Real over nominal area, rising with p from 0 to 1: proportional to p where small."""
-        return self._dimensionless.area_fraction(log_pressure)
-
     def spread(self, log_pressure: Array) -> Array:
         """Standard deviation of ln gap between surfaces of this width, each with its own sigma and slope.
 
@@ -105,13 +98,9 @@ class GapCurve:
         """
         return np.interp(log_pressure, self.knots, self.spreads)
 
-    @property
-    def _dimensionless(self) -> "ElasticGap":
-        return ElasticGap(curve=self, sigma=1.0, log_scale=0.0)
-
     @cached_property
     def splines(self) -> tuple[Array, ElasticNumbers]:
-        """Cubics, and the numbers in units of sigma and of E* slope."""
+        """(rows, 5) cubics, and the numbers in units of sigma and of E* slope."""
         gap = monotone_cubic(self.knots, self.gaps)
         cubics, (gap_pieces, area_pieces) = together(gap, monotone_cubic(self.knots, np.log(-np.log1p(-self.areas))))
         height = float(np.exp(self.gaps[0]))
@@ -127,44 +116,19 @@ class GapCurve:
             start=start,
             offset=height - start,
         )
-        inverse = monotone_cubic(mapped(partial(elastic_log_gap, cubics, numbers), INVERSE)[0, ::-1], INVERSE[::-1])
+        inverse = monotone_cubic(elastic_log_gap(cubics, numbers, INVERSE)[0][::-1], INVERSE[::-1])
         return np.concatenate([cubics, inverse]), numbers
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class ElasticGap:
-    """The gap between two surfaces; log_pressure : ln of the nominal pressure that asperities carry, Pa."""
-
-    curve: GapCurve
-    sigma: float  # rms height of both surfaces, m
-    log_scale: float  # ln of E* slope, Pa
-
-    @property
-    def cubics(self) -> Array:
-        return self.curve.splines[0]
-
-    @property
-    def numbers(self) -> ElasticNumbers:
-        return self.curve.splines[1]._replace(log_sigma=float(np.log(self.sigma)), log_scale=self.log_scale)
-
-    def log_gap(self, log_pressure: ArrayLike) -> tuple[Array, Array]:
-        """ln of the mean gap in m, and its derivative by ln p, below 0."""
-        value, slope = mapped(partial(elastic_log_gap, self.cubics, self.numbers), log_pressure)
-        return value, slope
-
-    def area_fraction(self, log_pressure: ArrayLike) -> Array:
-        """Real over nominal area."""
-        return mapped(partial(elastic_area, self.cubics, self.numbers), log_pressure)
-
-
-def gap_between(curve: GapCurve, *, moments: SpectralMoments, modulus: float) -> ElasticGap:
-    """The gap of surfaces with these moments, the sum of both; modulus : E*, Pa, > 0.
+def gap_between(curve: GapCurve, *, moments: SpectralMoments, modulus: float) -> tuple[Array, ElasticNumbers]:
+    """Splines, (rows, 5), and numbers of surfaces with these moments, the sum of both; modulus : E*, Pa, > 0.
 
     Raises InputError for a smooth surface, whose gap is 0.
     """
     require_positive(height=moments.height, slope=moments.slope, modulus=modulus)
+    cubics, numbers = curve.splines
     scale = float(np.log(modulus) + np.log(2 * moments.slope) / 2)
-    return ElasticGap(curve=curve, sigma=moments.rms_roughness, log_scale=scale)
+    return cubics, numbers._replace(log_sigma=float(np.log(moments.rms_roughness)), log_scale=scale)
 
 
 def declared_gap_curve(autocorrelation: Autocorrelation) -> GapCurve:

@@ -1,15 +1,15 @@
 """The gap law of a scene's surfaces: how much room they leave for the oil while asperities carry a pressure."""
 
-from functools import lru_cache
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from analytic.numerics.compilation import compiled
 from analytic.numerics.cubic import Pieces, cubic_at
+from analytic.numerics.elements import formula
 from analytic.scene import Array, Material, Surface
 from analytic.surface.asperity import first_yield, softer_hardness
-from analytic.surface.asperity_table import SummitNumbers, tabulated_asperities
+from analytic.surface.asperity_table import SummitNumbers
 from analytic.surface.elastic_gap import (
     ElasticNumbers,
     declared_gap_curve,
@@ -22,8 +22,6 @@ from analytic.surface.roughness import GapRoughness
 from analytic.surface.truncated_gap import TruncatedNumbers, truncated_area, truncated_law, truncated_log_gap
 
 NEVER_YIELDS = 400.0  # standard deviations of height that a summit of [Greenwood1966] can be pressed in
-
-
 SMOOTH, TRUNCATED, ELASTIC = 0, 1, 2  # kinds of GapNumbers
 NO_PIECES = Pieces(0, 1)
 NOT_TRUNCATED = TruncatedNumbers(SummitNumbers(0.0, 1.0, 0.0, 0.0, NO_PIECES, NO_PIECES, NO_PIECES), 1.0, NO_PIECES)
@@ -47,15 +45,18 @@ class GapForm(NamedTuple):
     elastic: ElasticNumbers
 
 
-@compiled
+@formula
 def log_gap_of(gap: GapNumbers, log_pressure: float) -> tuple[float, float]:
-    """ln of the mean gap in m, and its derivative by ln p; log_pressure : ln of the asperities' pressure in Pa."""
+    """ln of the mean gap in m, and its derivative by ln p, < 0.
+
+    log_pressure : ln of the nominal pressure p in Pa that the asperities carry
+    """
     if gap.kind == TRUNCATED:
         return truncated_log_gap(gap.cubics, gap.truncated, log_pressure)
     return elastic_log_gap(gap.cubics, gap.elastic, log_pressure)
 
 
-@compiled
+@formula
 def area_of(gap: GapNumbers, log_pressure: float) -> float:
     """Real over nominal area, 0 to 1."""
     if gap.kind == TRUNCATED:
@@ -79,78 +80,45 @@ def log_sigma_of(gap: GapNumbers) -> float:
     return np.log(gap.truncated.deviation) if gap.kind == TRUNCATED else gap.elastic.log_sigma
 
 
-class GapLaw(Protocol):
-    """How much room rough surfaces leave for the oil, for one pair of surfaces."""
-
-    @property
-    def cubics(self) -> Array:
-        """The splines of the numbers."""
-        ...
-
-    @property
-    def numbers(self) -> TruncatedNumbers | ElasticNumbers:
-        """The law for compiled formulas; see `gap_numbers`."""
-        ...
-
-    def log_gap(self, log_pressure: Array) -> tuple[Array, Array]:
-        """ln of the mean gap in m, and its derivative by ln p, < 0.
-
-        log_pressure : ln of the nominal pressure p in Pa that the asperities carry
-        """
-        ...
-
-    def area_fraction(self, log_pressure: Array) -> Array:
-        """Real over nominal area at this pressure, 0 to 1."""
-        ...
+SMOOTH_GAP = GapNumbers(SMOOTH, np.zeros((1, 5)), NOT_TRUNCATED, NOT_ELASTIC)
 
 
 def gap_law(
     surface: Surface, roughness: GapRoughness, *, modulus: float, bodies: tuple[Material, Material]
-) -> GapLaw | None:
-    """The law that `surface.gap` names, for both bodies together; None: both are smooth.
+) -> GapNumbers:
+    """The law that `surface.gap` names, for both bodies together.
 
     roughness : gap_roughness(surface);  modulus : E*, Pa
     Raises InputError if a summit's hardness is needed and not known, or for nearly smooth surfaces.
     """
     if roughness.rms_roughness == 0:
-        return None
+        return SMOOTH_GAP
     if surface.gap == "elastic":
         if roughness.height_map is not None:
             curve = measured_gap_curve(roughness.height_map)
         else:
             assert surface.autocorrelation is not None
             curve = declared_gap_curve(surface.autocorrelation)
-        return gap_between(curve, moments=roughness.ball + roughness.race, modulus=modulus)
+        cubics, elastic = gap_between(curve, moments=roughness.ball + roughness.race, modulus=modulus)
+        return GapNumbers(ELASTIC, cubics, NOT_TRUNCATED, elastic)
     summits = roughness.summits
     if surface.asperities == "greenwood_williamson":
         depth = NEVER_YIELDS * float(summits.height_deviation)
         hardness = float(np.sqrt(depth / first_yield(summits.radius, modulus, 1.0)))  # first yield grows as H^2
     else:
         hardness = softer_hardness(surface, *bodies)
-    return truncated_law(
-        tabulated_asperities(summits=summits, modulus=modulus, hardness=hardness), roughness.rms_roughness
+    cubics, truncated = truncated_law(
+        summits=summits, modulus=modulus, hardness=hardness, deviation=roughness.rms_roughness
     )
+    return GapNumbers(TRUNCATED, cubics, truncated, NOT_ELASTIC)
 
 
-@lru_cache(maxsize=64)
-def gap_numbers(law: GapLaw | None) -> GapNumbers:
-    """A law in numbers; None: smooth."""
-    if law is None:
-        return GapNumbers(SMOOTH, np.zeros((1, 5)), NOT_TRUNCATED, NOT_ELASTIC)
-    numbers = law.numbers
-    if isinstance(numbers, TruncatedNumbers):
-        return GapNumbers(TRUNCATED, law.cubics, numbers, NOT_ELASTIC)
-    return GapNumbers(ELASTIC, law.cubics, NOT_TRUNCATED, numbers)
-
-
-@lru_cache(maxsize=64)
-def gap_forms(*laws: GapLaw | None) -> tuple[list[GapForm], Array]:
-    """Laws as parts of a record, and the splines of all of them in one array; None: smooth."""
+def gap_forms(*laws: GapNumbers) -> tuple[list[GapForm], Array]:
+    """Laws as parts of a record, and the splines of all of them in one array."""
     forms, rows = [], []
     for law in laws:
-        numbers, before = gap_numbers(law), sum(map(len, rows))
-        forms.append(_behind(GapForm(numbers.kind, numbers.truncated, numbers.elastic), before))
-        rows.append(numbers.cubics)
+        forms.append(_behind(GapForm(law.kind, law.truncated, law.elastic), sum(map(len, rows))))
+        rows.append(law.cubics)
     return forms, np.concatenate(rows)
 
 

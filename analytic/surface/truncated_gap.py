@@ -6,34 +6,36 @@ The pressure at d is that of independent summits (`analytic.surface.asperity`).
 Source: the average gap of [Patir1978].
 """
 
-from dataclasses import dataclass
-from functools import cached_property, lru_cache, partial
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from analytic.numerics.compilation import compiled
 from analytic.numerics.cubic import Pieces, monotone_cubic
-from analytic.numerics.elements import mapped
+from analytic.numerics.elements import formula
 from analytic.numerics.normal_distribution import LOG_PEAK, mean_excess, mills_ratio
 from analytic.scene import Array
-from analytic.surface.asperity_table import AsperityTable, SummitNumbers, separation_of, summit_area
+from analytic.surface.asperity_table import SummitNumbers, separation_of, summit_area, tabulated_asperities
+from analytic.surface.moments import Summits
 
 INVERSE = -np.sinh(np.linspace(np.arcsinh(700.0), -np.arcsinh(5.0), 60))  # ln p over the tables' scale
 
 
 class TruncatedNumbers(NamedTuple):
-    """A `TruncatedGap` in numbers, for compiled formulas; the splines are in its cubics."""
+    """The gap law of truncated surfaces whose summits deform independently; the splines are in an array beside."""
 
     summits: SummitNumbers
-    deviation: float  # sigma, m
+    deviation: float  # sigma, of the heights of both surfaces, m
     inverse: Pieces  # ln p over ln of the mean gap, roughly
 
 
-@compiled
-def log_gap_at(separation: float) -> tuple[float, float]:
-    """ln[phi(x) + x Phi(x)] and its derivative, at x = d/sigma; phi, Phi : normal density and distribution."""
+@formula
+def log_mean_gap(separation: float) -> tuple[float, float]:
+    """ln[phi(x) + x Phi(x)] and its derivative, for any finite x; phi, Phi : normal density and distribution.
+
+    separation : x = d/sigma, of the mean planes. The result is ln of <max(x - z, 0)> for a standard normal z, in
+    logarithms throughout: the gap itself falls below the smallest number at x = -38.
+    """
     x = separation
     if x < 0.0:  # both divided by phi
         excess = mean_excess(-x)
@@ -44,65 +46,30 @@ def log_gap_at(separation: float) -> tuple[float, float]:
     return np.log(gap), below / gap
 
 
-@compiled
+@formula
 def truncated_log_gap(cubics: Array, law: TruncatedNumbers, log_pressure: float) -> tuple[float, float]:
     """ln of the mean gap in m, and its derivative by ln p; log_pressure : ln of the asperities' pressure in Pa."""
     separation, slope = separation_of(cubics, law.summits, log_pressure)
-    log_gap, steepness = log_gap_at(separation / law.deviation)
+    log_gap, steepness = log_mean_gap(separation / law.deviation)
     return np.log(law.deviation) + log_gap, steepness * slope / law.deviation
 
 
-@compiled
+@formula
 def truncated_area(cubics: Array, law: TruncatedNumbers, log_pressure: float) -> float:
     """Real over nominal area, 0 to 1."""
     return summit_area(cubics, law.summits, separation_of(cubics, law.summits, log_pressure)[0])
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class TruncatedGap:
-    """The gap law of truncated surfaces whose summits deform independently."""
-
-    asperities: AsperityTable
-    deviation: float  # sigma, of the heights of both surfaces, m
-
-    @cached_property
-    def splines(self) -> tuple[Array, TruncatedNumbers]:
-        """Cubics and numbers; the pressures of the inverse are some that the law itself gives."""
-        own, log_pressure = self.asperities.cubics, self.asperities.numbers.log_scale + INVERSE
-        inverse = Pieces(len(own), len(own) + INVERSE.size - 1)
-        numbers = TruncatedNumbers(self.asperities.numbers, self.deviation, inverse)
-        log_gap = mapped(partial(truncated_log_gap, own, numbers), log_pressure)[0]
-        return np.concatenate([own, monotone_cubic(log_gap[::-1], log_pressure[::-1])]), numbers
-
-    @property
-    def cubics(self) -> Array:
-        return self.splines[0]
-
-    @property
-    def numbers(self) -> TruncatedNumbers:
-        return self.splines[1]
-
-    def log_gap(self, log_pressure: ArrayLike) -> tuple[Array, Array]:
-        """ln of the mean gap in m, and its derivative by ln p; log_pressure : ln of the asperities' pressure in Pa."""
-        value, slope = mapped(partial(truncated_log_gap, *self.splines), log_pressure)
-        return value, slope
-
-    def area_fraction(self, log_pressure: ArrayLike) -> Array:
-        """Real over nominal area, 0 to 1."""
-        return mapped(partial(truncated_area, *self.splines), log_pressure)
-
-
 @lru_cache(maxsize=64)
-def truncated_law(asperities: AsperityTable, deviation: float) -> TruncatedGap:
-    """The law of a surface, whose splines are made once; arguments as the fields."""
-    return TruncatedGap(asperities=asperities, deviation=deviation)
+def truncated_law(
+    *, summits: Summits, modulus: float, hardness: float, deviation: float
+) -> tuple[Array, TruncatedNumbers]:
+    """Splines, (rows, 5), and numbers of a law; the pressures of the inverse are some that the law itself gives.
 
-
-def log_mean_gap(separation: ArrayLike) -> tuple[Array, Array]:
-    """ln[phi(x) + x Phi(x)] and its derivative, for any finite x; phi, Phi : normal density and distribution.
-
-    separation : x = d/sigma, of the mean planes. The result is ln of <max(x - z, 0)> for a standard normal z, in
-    logarithms throughout: the gap itself falls below the smallest number at x = -38.
+    deviation : sigma, m; the others and errors as `tabulated_asperities`
     """
-    value, slope = mapped(log_gap_at, separation)
-    return value, slope
+    cubics, table = tabulated_asperities(summits=summits, modulus=modulus, hardness=hardness)
+    numbers = TruncatedNumbers(table, deviation, Pieces(len(cubics), len(cubics) + INVERSE.size - 1))
+    log_pressure = table.log_scale + INVERSE
+    log_gap, _ = truncated_log_gap(cubics, numbers, log_pressure)
+    return np.concatenate([cubics, monotone_cubic(log_gap[::-1], log_pressure[::-1])]), numbers

@@ -6,15 +6,16 @@ from typing import Any
 
 import numpy as np
 
-from analytic.result import LoadedContact
+from analytic.columns import COORDINATES, Point
+from analytic.figures.series_axis import axis_of
+from analytic.figures.style import BLUE, GREY, RED
+from analytic.figures.torque import PARTS
+from analytic.loads.ring_state import RingState
 from analytic.rows import Two
 from analytic.scene import Contact
+from analytic.scene_torque import SceneTorque
 from fembearing.quantities import QUANTITIES, Units
-from fembearing.report.figures.series_axis import axis_of
-from fembearing.report.figures.style import BLUE, GREY, RED
-from fembearing.report.figures.torque import PARTS
 from fembearing.report.tables.torque import RESIDUE
-from fembearing.report.torque import TorqueRecord
 
 Options = dict[str, Any]
 NEUTRAL = "#8a8f98"  # seen on a light and on a dark page
@@ -30,9 +31,9 @@ AXIS = {"type": "value", "nameLocation": "middle", "axisLine": {"lineStyle": {"c
 BANDS = {"makers' formulas": NEUTRAL, "95 %": BLUE}
 
 
-def part_options(point: TorquePoint, units: Units) -> Options:
+def part_options(point: Point, units: Units) -> Options:
     """A bar of the parts of the torque at one operating point."""
-    unit, total = units.torque, point.torque.total
+    unit, total = units.torque, point["torque_total"]
     series = [
         {"name": words, "data": [_short(unit.number(value))], "itemStyle": {"color": _css(colour)}}
         | {"type": "bar", "stack": "torque", "barWidth": 28}
@@ -48,9 +49,9 @@ def part_options(point: TorquePoint, units: Units) -> Options:
     }
 
 
-def part_legend(point: TorquePoint, units: Units) -> str:
+def part_legend(point: Point, units: Units) -> str:
     """The parts with their colours, shares and values, as HTML."""
-    unit, total = units.torque, point.torque.total
+    unit, total = units.torque, point["torque_total"]
     entries = [
         f'<li><i style="background: {_css(colour)}"></i>{escape(words)} <b>{100 * value / total:.0f} %</b>, '
         f"{unit.written(value, '.3g')}</li>"
@@ -59,28 +60,28 @@ def part_legend(point: TorquePoint, units: Units) -> str:
     return f'<ul class="legend">{"".join(entries)}</ul>'
 
 
-def _parts(point: TorquePoint) -> list[tuple[str, str, float]]:
+def _parts(point: Point) -> list[tuple[str, str, float]]:
     """Words, colour and value (N m) of each part that is seen."""
-    values = [(words, colour, getattr(point.torque, part)) for part, (words, colour) in PARTS.items()]
-    least = RESIDUE * point.torque.total
+    values = [(words, colour, point[f"torque_{part}"]) for part, (words, colour) in PARTS.items()]
+    least = RESIDUE * point["torque_total"]
     return [(words, colour, value) for words, colour, value in values if value is not None and value > least]
 
 
-def curve_options(records: Sequence[TorqueRecord], units: Units, *, marked: float | None) -> Options:
-    """The torque with its interval and the makers' formulas over the axis of all points of the records.
+def curve_options(results: Sequence[SceneTorque], units: Units, *, marked: float | None) -> Options:
+    """The torque with its interval and the makers' formulas over the axis of all points of the results.
 
     marked : speed of the scene, rad/s; None: not drawn
     """
-    rows = [row for record in records for row in _rows(record)]
-    axis, unit = axis_of([point for point, *_ in rows], units), units.torque
-    beside = {id(point): bands for point, *bands in rows}
-    bands = [beside[id(point)] for point in axis.points]
+    known = [point for each in results for point in each.points if point["torque_total"] is not None]
+    columns = {name: np.array([point[name] for point in known], dtype=float) for name in (*COORDINATES, "torque_total")}
+    axis, unit = axis_of(columns, units), units.torque
+    bands = [[_ends(known[place], "catalogue"), _ends(known[place], "interval")] for place in axis.order]
     x = axis.values.tolist() if axis.joined else list(range(1, len(bands) + 1))
     series: list[Options] = []
     for name, ends in zip(BANDS, zip(*bands, strict=True), strict=True):
         if all(each is not None for each in ends):
             series += _band(name, x, ends, units)
-    total = [unit.number(point.torque.total) for point in axis.points]
+    total = unit.number(axis.columns["torque_total"]).tolist()
     look = {"lineStyle": {"width": 2.5, "color": BLUE}, "itemStyle": {"color": BLUE}, "symbol": "circle"}
     line = {**LINE, **look, "symbolSize": 5, "name": "torque", "data": _pairs(x, total)}
     if marked is not None:
@@ -99,18 +100,18 @@ def curve_options(records: Sequence[TorqueRecord], units: Units, *, marked: floa
     }
 
 
-def ring_options(point: TorquePoint, units: Units) -> Options | None:
+def ring_options(ring: RingState | None, place: int, units: Units) -> Options | None:
     """The loads of the balls around the ring; the radial load points down. None for a pair of bearings.
 
     Angles of the chart begin at its top, where its scale does not cross the loaded balls.
     """
-    if point.ring is None:
+    if ring is None:
         return None
-    unit, balls = units.force, point.ring.balls
-    turned = (np.degrees(balls.azimuth) + 180.0).tolist()
+    unit = units.force
+    turned = (np.degrees(ring.azimuth) + 180.0).tolist()
     series = []
-    for race, colour, kind in (("inner", BLUE, "solid"), ("outer", RED, "dashed")):
-        load = [_short(unit.number(each)) for each in getattr(balls, f"{race}_load")]
+    for side, (race, colour, kind) in enumerate((("inner", BLUE, "solid"), ("outer", RED, "dashed"))):
+        load = [_short(unit.number(each)) for each in ring.load[place, side].tolist()]
         look = {"lineStyle": {"color": colour, "type": kind, "width": 2}, "itemStyle": {"color": colour}}
         points = [*_pairs(load, turned), [load[0], turned[0] + 360]]
         polar = {"coordinateSystem": "polar", "symbol": "circle", "symbolSize": 7}
@@ -131,10 +132,11 @@ def ring_options(point: TorquePoint, units: Units) -> Options | None:
     }
 
 
-def ellipse_options(contact: Contact, ellipse: LoadedContact, units: Units) -> Options:
+def ellipse_options(contact: Contact, point: Point, units: Units) -> Options:
     """The contact ellipse across its groove, with the shoulders."""
     unit = units.length
-    half, across = unit.number(ellipse.semi_axis_rolling), unit.number(ellipse.semi_axis_transverse)
+    axes = (point[f"semi_axis_{name}_{contact.pair}"] for name in ("rolling", "transverse"))
+    half, across = map(unit.number, axes)
     sides = [-unit.number(contact.far_shoulder), unit.number(contact.shoulder)]
     edges = [side if np.isfinite(side) else np.sign(side) * 2 * across for side in sides]
     turn = np.sin(np.linspace(-np.pi / 2, np.pi / 2, OUTLINE))  # dense where the outline is steep
@@ -159,14 +161,10 @@ def ellipse_options(contact: Contact, ellipse: LoadedContact, units: Units) -> O
     }
 
 
-def _rows(record: TorqueRecord) -> list[tuple[TorquePoint, Two | None, Two | None]]:
-    """Each point that has a torque, with the ends of the makers' band and of the interval, N m; None: not known."""
-    band = record.catalogue_band
-    makers: Sequence[Two | None] = [None] * len(record.points)
-    if band.low is not None and band.high is not None:
-        makers = [*zip(band.low, band.high, strict=True)]
-    whole = [*zip(record.points, makers, record.interval, strict=True)]
-    return [whole[place] for place in record.computed]
+def _ends(point: Point, name: str) -> Two | None:
+    """Both ends of the interval, or of the makers' band, N m; None: not known."""
+    low, high = point.get(f"{name}_low"), point.get(f"{name}_high")
+    return None if low is None or high is None else (low, high)
 
 
 def _band(name: str, x: Sequence[float], ends: Sequence[Two], units: Units) -> list[Options]:

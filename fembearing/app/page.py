@@ -252,7 +252,7 @@ class Page:
             except FembearingError as problem:  # other speeds have a torque
                 words = str(problem)
             if records and self._is_shown(found):
-                marked = None if found.is_series else found.row.inner_speed
+                marked = None if found.is_series else found.row["inner_speed"]
                 self._draw("curve", curve_options(records, found.units, marked=marked))
                 self.lines["curve"].text = words if number == len(scenes) else "computing more speeds"
         if not records and self._is_shown(found):
@@ -272,10 +272,10 @@ class Page:
         self.warned.set_visibility(bool(lines["warnings"]))
         self._draw("parts", part_options(found.row, found.units))
         self.legend.content = part_legend(found.row, found.units)
-        self._draw("ring", ring_options(found.row, found.units))
+        self._draw("ring", ring_options(found.result.friction.ring, found.point, found.units))
         for race in ("inner", "outer"):
-            contact, row = found.contacts.get(race), getattr(found.row.contact, race)
-            self._draw(race, None if contact is None else ellipse_options(contact, row, found.units))
+            contact = found.contacts.get(race)
+            self._draw(race, None if contact is None else ellipse_options(contact, found.row, found.units))
         rating = found.result.scene.bearing.static_load_rating
         self.inputs.slide_to({key: found.number(key) for key in self.sliders}, rating)
         self.check.follow(self.text)

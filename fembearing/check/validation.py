@@ -156,6 +156,12 @@ class Validation(Brief):
 
     def to_dataset(self) -> Any:
         """The contacts as an xarray.Dataset over `contact`, SI, with units and meanings; `torque` has its own."""
+        words, numbers = self._labelled()
+        attributes = {"scene": self.scene.name, "tolerance": self.tolerance, VERDICT: self.verdict}
+        return dataset_of(numbers, coordinates=words, attributes=attributes)
+
+    def _labelled(self) -> tuple[dict[str, Labelled], dict[str, Labelled]]:
+        """What each contact is, and its numbers."""
         rows = [contact.columns() for contact in self.contacts]
         words = {
             "pair": ("body that the ball presses", [contact.contact.pair for contact in self.contacts]),
@@ -163,12 +169,9 @@ class Validation(Brief):
             **({} if self.scene.arrangement is None else {"bearing": ("of the pair", self._bearings)}),
             VERDICT: ("on uncorrected Hertz", [contact.shown_verdict for contact in self.contacts]),
         }
-        return dataset_of(
+        return (
+            {name: Labelled(("contact",), values, Column("", meaning)) for name, (meaning, values) in words.items()},
             {name: Labelled(("contact",), [row[name] for row in rows], each) for name, each in COLUMNS.items()},
-            coordinates={
-                name: Labelled(("contact",), values, Column("", meaning)) for name, (meaning, values) in words.items()
-            },
-            attributes={"scene": self.scene.name, "tolerance": self.tolerance, VERDICT: self.verdict},
         )
 
     @property
@@ -176,8 +179,9 @@ class Validation(Brief):
         return [contact.bearing or "both" for contact in self.contacts]
 
     def to_dataframe(self) -> Any:
-        """A pandas.DataFrame of `to_dataset`: a row for each contact, SI."""
-        return frame_of(self.to_dataset(), "contact")
+        """A pandas.DataFrame with the columns of `to_dataset`: a row for each contact, SI."""
+        words, numbers = self._labelled()
+        return frame_of(words | numbers, "contact")
 
 
 def check_scene(

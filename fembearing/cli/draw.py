@@ -22,7 +22,7 @@ def draw(
     """Draw the bearing of a scene to scale, with dimensions and their origins, to find input errors."""
     read = given.scene(scene)
     from fembearing.cli.console import out
-    from fembearing.report.drawing import draw_bearing
+    from fembearing.report.figures.bearing import draw_bearing
 
     target = Path(re.sub(r"[^\w.+-]+", "-", read.bearing.name.strip()) + ".svg") if file is None else file
     draw_bearing(read, out=target, force=force)

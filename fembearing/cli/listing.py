@@ -173,7 +173,7 @@ COLUMNS: dict[Topic, Sequence[Column]] = {
 
 def _bearing_columns(system: UnitSystem) -> Sequence[Column]:
     """The columns of bearings, in mm and kN or in inches and 1000 lbf."""
-    from fembearing.quantities import INCH, POUND
+    from analytic.units import INCH, POUND
 
     length, force, unit, heavy = (
         (1e3, 1e-3, "mm", "kN") if system == "metric" else (1 / INCH, 1e-3 / POUND, "in", "klbf")

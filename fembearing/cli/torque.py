@@ -1,7 +1,7 @@
 """`fembearing torque`."""
 
 from collections.abc import Collection, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -33,7 +33,7 @@ Target = Annotated[
         "--out",
         "-o",
         help="New folder for torque.json, torque.csv, torque.png and time series; or one file: .csv, .json, .png, "
-        ".svg, .pdf, .html.",
+        ".svg, .pdf, .html. Several scenes: .csv, .png, .svg, .pdf.",
     ),
 ]
 
@@ -61,23 +61,32 @@ def torque(
     assumed and printed. --speed 0rpm gives the starting torque.
     """
     names = scenes or [BUILTIN]
-    _require_fitting(names, target)
+    _require_different(names)
     read = {name: given.scene(name) for name in names}
     read = {name: replace(scene, tolerance=read_tolerance(tolerance, scene)) for name, scene in read.items()}
     count = read_samples(samples, with_interval=with_interval)
     from fembearing.cli.console import out, print_json
     from fembearing.plain_types import document
     from fembearing.report.torque import content_of
+    from fembearing.report.torque_file import compared_content
     from fembearing.report.torque_folder import torque_with_files
 
+    content = compared_content(target) if target is not None and len(read) > 1 else None
     results: dict[str, SceneTorque] = {}
     lacking = None
-    with talk.progress() as progress:
+    with talk.progress() as progress, _file_of_all(target if content else None, force=force) as file:
         for name, scene in read.items():
             with _named(name if len(read) > 1 else None):
                 results[name], lacking = torque_with_files(
-                    scene, out=target, force=force, samples=count, keep_going=keep_going, progress=progress
+                    scene,
+                    out=None if content else target,
+                    force=force,
+                    samples=count,
+                    keep_going=keep_going,
+                    progress=progress,
                 )
+        if content is not None and file is not None:
+            file.write_bytes(content(results))
     if as_json:
         files = {name: document("torque", content_of(result)) for name, result in results.items()}
         print_json(files if len(files) > 1 else files[names[0]])
@@ -90,17 +99,20 @@ def torque(
     raise typer.Exit(_status(results.values()))
 
 
-def _require_fitting(names: list[str], target: Path | None) -> None:
-    """Raises InputError for a scene that stands twice, and for files of several scenes."""
+def _file_of_all(target: Path | None, *, force: bool) -> AbstractContextManager[Path | None]:
+    """A file for several scenes, which must not exist yet; none for one scene."""
+    from analytic.writing import new_file
+
+    return nullcontext() if target is None else new_file(target, force=force)
+
+
+def _require_different(names: list[str]) -> None:
+    """Raises InputError for a scene that stands twice."""
     from analytic.errors import InputError
 
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
         raise InputError(f"the scene {twice!r} is given twice: leave one of them out")
-    if target is not None and len(names) > 1:
-        raise InputError(
-            f"--out {str(target)!r} takes one scene, and there are {len(names)}: leave out --out, or give one"
-        )
 
 
 @contextmanager

@@ -11,7 +11,7 @@ import numpy as np
 from scipy.linalg import lu_factor, lu_solve
 
 from analytic.errors import ConvergenceError
-from analytic.oil.traction import PointLaw, flow_under, flows_of
+from analytic.oil.traction import PointLaw, flow_of, flow_under
 from analytic.scene import Array
 
 MOST_STEPS = 60  # 5 to 20 are usual
@@ -72,7 +72,7 @@ class SlidingLaw:
         slides = reach > self.steady
         asked = np.where(slides, reach - self.steady, 0.0) * self.fluidity / stiffness
         softness = self.eyring * self.fluidity / stiffness
-        flow, steepness = flows_of(self.own, _rates(asked, softness, self.own))
+        flow, steepness = flow_of(self.own, _rates(asked, softness, self.own))
         oil = np.minimum(self.eyring * flow, self.limit)
         yields = softness * steepness / (1 + softness * steepness)
         flows = slides & (self.eyring * flow < self.limit)
@@ -86,7 +86,7 @@ def _rates(asked: Array, softness: Array, own: float) -> Array:
     at = high
     for _ in range(MOST_BISECTIONS):
         rates = np.exp(at)
-        flow, steepness = flows_of(own, rates)
+        flow, steepness = flow_of(own, rates)
         with np.errstate(over="ignore", invalid="ignore"):  # of solid oil: infinity is too high, and bisected
             left = rates + softness * flow - asked
             step = left / (rates * (1 + softness * steepness))

@@ -37,6 +37,5 @@ def csv_of(cycle: DutyCycle) -> str:
     ]
     known = COORDINATES | COLUMNS
     columns = {name: np.array([row[name] for row in rows], dtype=float) for name in OF_STEP}
-    return csv_of_columns(
-        {name: (unit_for(known[name].unit, 0.0), values) for name, values in columns.items()}, number="step"
-    )
+    shown = {name: (unit_for(known[name].unit, 0.0), values) for name, values in columns.items()}
+    return csv_of_columns(shown, first={"step": range(1, len(rows) + 1)})

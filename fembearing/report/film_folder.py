@@ -11,10 +11,10 @@ from fembearing.plain_types import document
 
 def write_film(film: RaceFilm, folder: Path) -> None:
     """Write the numbers with the caption of the picture, and the picture, into a folder."""
-    from fembearing.report.figures.film import CAPTION, film_figure
+    from fembearing.check.film.figure import CAPTION
     from fembearing.report.figures.style import png
 
-    write(folder / "film.png", png(film_figure(film)))
+    write(folder / "film.png", png(film.plot()))
     content = film_content(film.numbers) | {"picture": {"file": "film.png", "caption": CAPTION}}
     write(folder / "film.json", json.dumps(content, indent=1, allow_nan=False).encode())
 

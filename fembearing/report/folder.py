@@ -125,13 +125,13 @@ def write_report(result: Validation, folder: Path) -> "tuple[Validation, Report]
 
 def _film_picture(film: RaceFilm, folder: Path) -> "PictureFile":
     """Write the picture of a film beside report.json."""
-    from fembearing.report.figures.film import CAPTION, film_figure
+    from fembearing.check.film.figure import CAPTION
     from fembearing.report.figures.style import png
     from fembearing.report.report import PictureFile
 
     pair, bearing = film.numbers.pair, film.numbers.bearing
     file = f"{f'{bearing}-' if bearing else ''}{pair}-film.png"
-    write(folder / file, png(film_figure(film)))
+    write(folder / file, png(film.plot()))
     return PictureFile(file=file, kind="film", pair=pair, geometry="real", caption=CAPTION, bearing=bearing)
 
 

@@ -35,4 +35,8 @@ def write_comparison(comparison: MeasuredComparison, scene: Scene, folder: Path)
 def csv_of(comparison: MeasuredComparison) -> str:
     """A line for each row, with its verdict."""
     columns = {name: (unit_for(column.unit, 0.0), values) for name, (_, values, column) in comparison.columns().items()}
-    return csv_of_columns(columns, number=ROW, words={"verdict": [row.verdict for row in comparison.rows]})
+    return csv_of_columns(
+        columns,
+        first={ROW: range(1, len(comparison.rows) + 1)},
+        last={"verdict": [row.verdict for row in comparison.rows]},
+    )

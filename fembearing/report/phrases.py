@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from analytic.columns import MODEL_PARTS, Point
-from analytic.words import Unit, angle_of, percent_of
-from fembearing.check.contact.bearings import which_bearing
+from analytic.units import load_words
+from analytic.units import speed_words as speed_words
+from analytic.words import Unit, angle_of, percent_of, rounded
+from fembearing.check.contact.bearings import place_of
 from fembearing.check.cost.ladder import Ladder
 from fembearing.quantities import CONTACT, METRIC, Quantity, Units
 
@@ -24,7 +26,6 @@ if TYPE_CHECKING:
 
 AT_THE_CENTRE = CONTACT["peak_pressure"]._replace(name="pressure at y = 0")
 PAIRS = {"O": "back to back (O)", "X": "face to face (X)", "tandem": "in tandem"}
-MILLION = 1e6
 NOTHING = 1e-8  # share of the torque that is printed as 0: 1e-6 %
 CLEARANCES = ("unmounted", "mounted", "operating")
 MADE_OF = {  # the parts of the 95 % interval
@@ -58,13 +59,6 @@ def quantities_of(contact: "ContactRecord", units: Units = METRIC) -> dict[str, 
     return {name: quantity.in_units(units) for name, quantity in named.items()}
 
 
-def place_of(pair: str, geometry: str, bearing: str | None = None) -> str:
-    """Where the ball sits, for example "ball on inner race"; bearing : "first" or "second" of a pair"""
-    if pair == "pocket":
-        return "ball in cage pocket, " + ("sheet on its rim" if geometry == "wall" else "thick seat")
-    return f"ball on {pair} race{which_bearing(bearing)}" + (", idealised" if geometry == "hertzian" else "")
-
-
 def title_of(pair: str, geometry: str, contact_angle: float, load: str, bearing: str | None = None) -> str:
     """Place and load, for the head of a table or a picture."""
     angle = "" if pair == "pocket" else f" at {angle_of(contact_angle)}"
@@ -92,9 +86,7 @@ def ring_line(ring: "RingStructure", units: Units = METRIC) -> str:
 
 def loads_of(point: Point, names: Sequence[str], units: Units = METRIC) -> str:
     """The loads of these names at an operating point, for example "1000 N axial, 50 N radial"."""
-    words = {"axial_load": "axial", "radial_load": "radial", "moment": "moment"}
-    shown = {name: units.torque if name == "moment" else units.force for name in names}
-    return ", ".join(f"{shown[name].written(point[name], '.6g')} {words[name]}" for name in names)
+    return ", ".join(load_words(name, point[name], units) for name in names)
 
 
 def tilt_of(torque: "SceneTorque", units: Units = METRIC) -> str:
@@ -131,17 +123,6 @@ def capital(words: str) -> str:
 def digits(value: float | None, factor: float = 1.0, count: int = 5, *, absent: str = "-") -> str:
     """A value with its significant digits, zeros at the end included: numbers below each other are as exact."""
     return absent if value is None else f"{value * factor:#.{count}g}".removesuffix(".")
-
-
-def rounded(value: float, count: int) -> str:
-    """A number to its significant digits, up to a million without a power of ten."""
-    text = f"{value:.{count}g}"
-    return f"{float(text):.0f}" if "e+" in text and abs(value) < MILLION else text
-
-
-def speed_words(speed: float, units: Units) -> str:
-    """A speed, rad/s, in words."""
-    return f"{rounded(units.speed.number(speed), 5)} {units.speed.name}"
 
 
 def shown(value: float | None, form: str, factor: float = 1.0, unit: str = "", *, absent: str = "-") -> str:

@@ -6,7 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from analytic.errors import InputError
+from analytic.columns import COLUMNS, COORDINATES
+from analytic.errors import InputError, require_packages
+from analytic.scene import Array
 from analytic.scene_torque import SceneTorque
 from fembearing.csv_text import csv_of_columns
 from fembearing.plain_types import json_of
@@ -16,6 +18,7 @@ from fembearing.report.document import Bullets, Section
 from fembearing.report.torque import content_of
 
 Content = Callable[[SceneTorque], bytes]
+ComparedContent = Callable[[Mapping[str, SceneTorque]], bytes]  # by the name of the scene
 
 
 def writer_of(target: Path) -> Content:
@@ -53,14 +56,8 @@ def torque_content(result: SceneTorque, *, ending: str) -> bytes:
 
 
 def table_file(result: SceneTorque) -> bytes:
-    """CSV: a row for each operating point, and the name of the bearing last; columns that hold nothing are left out."""
-    columns = {}
-    for name, (_, values, column) in result.columns().items():
-        known = np.where(np.isfinite(values), values, np.nan)  # an uncertainty that is not known is infinite
-        if not np.isnan(known).all():
-            columns[name] = (shown_unit(name, column.unit), known)
-    bearing = [result.scene.bearing.name] * len(result.points)
-    return csv_of_columns(columns, number="point", words={"bearing": bearing}).encode()
+    """CSV."""
+    return csv_of({result.scene.name: result}).encode()
 
 
 def numbers_file(result: SceneTorque, **more: Any) -> bytes:
@@ -71,25 +68,22 @@ def numbers_file(result: SceneTorque, **more: Any) -> bytes:
 def figure_file(result: SceneTorque) -> bytes:
     """The figure as PNG."""
     from fembearing.report.figures.style import png  # with matplotlib: only a figure pays for it
-    from fembearing.report.figures.torque_alone import figure_of_torque
 
-    return png(figure_of_torque(result))
+    return png(result.plot())
 
 
 def vector_file(result: SceneTorque) -> bytes:
     """The figure as SVG."""
     from fembearing.report.figures.style import svg
-    from fembearing.report.figures.torque_alone import figure_of_torque
 
-    return svg(figure_of_torque(result))
+    return svg(result.plot())
 
 
 def printed_file(result: SceneTorque) -> bytes:
     """The figure as PDF."""
     from fembearing.report.figures.style import pdf
-    from fembearing.report.figures.torque_alone import figure_of_torque
 
-    return pdf(figure_of_torque(result))
+    return pdf(result.plot())
 
 
 def page_file(result: SceneTorque) -> bytes:
@@ -104,6 +98,28 @@ def page_file(result: SceneTorque) -> bytes:
     return page_of_sections(title, [*sections, *warnings], provenance_of(result.scene)).encode()
 
 
+def compared_content(target: Path) -> ComparedContent:
+    """What a file of this name holds of several scenes. Raises InputError for any other than table and figure."""
+    from fembearing.report.figures.style import pdf, png, svg
+
+    if target.suffix.casefold() == ".csv":
+        return lambda results: csv_of(results).encode()
+    image = {".png": png, ".svg": svg, ".pdf": pdf}.get(target.suffix.casefold())
+    if image is None:
+        raise InputError(
+            f"--out {str(target)!r} takes one scene: give one, or for several a file that ends with .csv, .png, .svg "
+            "or .pdf"
+        )
+    require_packages(f"--out {str(target)!r}", "matplotlib")
+
+    def content(results: Mapping[str, SceneTorque]) -> bytes:
+        from fembearing.report.figures.torque import compared_figure
+
+        return image(compared_figure({name: result.drawn for name, result in results.items()}))
+
+    return content
+
+
 CONTENTS: Mapping[str, Content] = {
     ".csv": table_file,
     ".json": numbers_file,
@@ -112,3 +128,28 @@ CONTENTS: Mapping[str, Content] = {
     ".pdf": printed_file,
     ".html": page_file,
 }
+
+
+def csv_of(results: Mapping[str, SceneTorque]) -> str:
+    """A row for each operating point, and the name of the bearing last; columns that hold nothing are left out.
+
+    results : by the name of the scene, which is the first column where there are several
+    """
+    known: dict[str, list[Array]] = {}
+    sizes = {name: len(result.points) for name, result in results.items()}
+    for scene, result in results.items():
+        for name, (_, values, _) in result.columns().items():
+            found = np.asarray(values, dtype=float)
+            if np.isfinite(found).any():  # an uncertainty that is not known is infinite
+                known.setdefault(name, [np.full(size, np.nan) for size in sizes.values()])
+                known[name][list(results).index(scene)] = np.where(np.isfinite(found), found, np.nan)
+    shown = COORDINATES | COLUMNS
+    columns = {
+        name: (shown_unit(name, column.unit), np.concatenate(known[name]))
+        for name, column in shown.items()
+        if name in known
+    }
+    first = {"scene": [name for name, size in sizes.items() for _ in range(size)]} if len(results) > 1 else {}
+    points = [number for size in sizes.values() for number in range(1, size + 1)]
+    bearings = [result.scene.bearing.name for result in results.values() for _ in result.points]
+    return csv_of_columns(columns, first=first | {"point": points}, last={"bearing": bearings})

@@ -108,7 +108,7 @@ def _write_prediction(prediction: "Prediction", folder: Path) -> None:
     from fembearing.report.figures.prediction import interval_figure
     from fembearing.report.figures.style import png
 
-    write(folder / "interval.png", png(interval_figure(prediction.rows, METRIC)))
+    write(folder / "interval.png", png(interval_figure(prediction, METRIC)))
 
 
 def _write_motions(

@@ -1,11 +1,11 @@
 """Specimens of the tests: the bearing 6205 with its cage, an oil, a finish, contacts, operating points and scenes."""
 
-from dataclasses import fields, replace
+from dataclasses import replace
 from typing import Any, TypeVar
 
 import numpy as np
 
-from analytic.contact.rolling_contact import EllipticContact, RollingContact, elliptic_contact
+from analytic.contact.rolling_contact import ContactNumbers, elliptic_contact
 from analytic.effects import COMPUTED, Effect
 from analytic.result import FrictionTorque, TorqueParts
 from analytic.scene import (
@@ -63,7 +63,7 @@ AS_HERTZ: dict[str, Decision] = {"finite_geometry": "off", "spin": "on"}
 EVERYTHING: dict[str, Any] = {name: "on" for name in COMPUTED if name not in ("weight", "creep")}
 
 
-def rolling_contact(**changed: Any) -> RollingContact:
+def rolling_contact(**changed: Any) -> ContactNumbers:
     """A ball that rolls on a race like the inner one of a 6205, with some fields changed."""
     values = {
         "load": 613.0,
@@ -75,16 +75,16 @@ def rolling_contact(**changed: Any) -> RollingContact:
         "deformed_radius": 4.05e-3,
         "rolling_rate": 2.45,
     }
-    return RollingContact(**(values | changed))
+    return ContactNumbers(**(values | changed))
 
 
-def hertzian(values: dict[str, Any]) -> tuple[EllipticContact, dict[str, Any]]:
+def hertzian(values: dict[str, Any]) -> tuple[ContactNumbers, dict[str, Any]]:
     """The contact that some of the values describe, and the others; Hertz gives semi-axes that are not among them."""
-    names = {field.name for field in fields(EllipticContact)}
+    names = ContactNumbers._fields
     given = {name: value for name, value in values.items() if name in names}
     axes = {name: given.pop(name) for name in ("semi_axis_rolling", "semi_axis_transverse") if name in given}
     rest = {name: value for name, value in values.items() if name not in names}
-    return replace(elliptic_contact(**given), **axes), rest
+    return elliptic_contact(**given)._replace(**axes), rest
 
 
 def with_clearance(bearing: Bearing, clearance: float, *, ball_count: int = 9) -> Bearing:

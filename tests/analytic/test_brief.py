@@ -65,20 +65,22 @@ def test_a_number_with_a_unit_of_its_own_is_no_number_of_a_noun() -> None:
 def test_a_dataset_lacks_what_holds_nothing_and_a_frame_what_is_not_of_its_rows() -> None:
     xarray = pytest.importorskip("xarray")
     newton = Column("N", "load")
-    found = dataset_of(
-        {
-            "load": Labelled(("point",), [3.0, np.nan], newton),
-            "none": Labelled(("point",), [np.nan, np.nan], newton),
-            "empty": Labelled(("other",), np.zeros(0), newton),
-            "name": Labelled(("point",), ["a", "b"], Column("", "name")),
-            "table": Labelled(("point", "ball"), np.ones((2, 3)), newton),
-        },
-        coordinates={"speed": Labelled(("point",), [1.5, 2.5], Column("rad/s", "speed"))},
-        attributes={"by": "test"},
-    )
+    speed = {"speed": Labelled(("point",), [1.5, 2.5], Column("rad/s", "speed"))}
+    columns = {
+        "load": Labelled(("point",), [3.0, np.nan], newton),
+        "none": Labelled(("point",), [np.nan, np.nan], newton),
+        "empty": Labelled(("other",), np.zeros(0), newton),
+        "name": Labelled(("point",), ["a", "b"], Column("", "name")),
+        "table": Labelled(("point", "ball"), np.ones((2, 3)), newton),
+    }
+    found = dataset_of(columns, coordinates=speed, attributes={"by": "test"})
     assert isinstance(found, xarray.Dataset)
     assert set(found.data_vars) == {"load", "empty", "name", "table"}
     assert (found["load"].attrs, found.attrs) == ({"units": "N", "long_name": "load"}, {"by": "test"})
-    frame = frame_of(found, "point")
+    frame = frame_of(speed | columns, "point")
     assert list(frame.columns) == ["speed", "load", "name"]
+    assert frame.index.name == "point"
     assert frame.attrs["units"] == {"speed": "rad/s", "load": "N", "name": ""}
+    own = frame_of(columns, "other")
+    assert own.empty
+    assert frame_of({"point": speed["speed"]} | columns, "point").index.tolist() == [1.5, 2.5]

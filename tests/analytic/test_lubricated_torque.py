@@ -14,7 +14,7 @@ from analytic.errors import InputError
 from analytic.oil.film import central_film, inlet_heating_factor
 from analytic.oil.variation import Variation
 from analytic.scene import Bearing, ContactAngle, Decision, Operation, Reach, Scene
-from analytic.surface.asperity import separation_at
+from analytic.surface.asperity_table import separation_of, tabulated_asperities
 from analytic.surface.roughness import gap_roughness
 from analytic.torque import RACES, friction_torque
 from tests.analytic import specimens
@@ -92,7 +92,8 @@ def test_film_and_share_carry_the_load_together(scene: Scene, temperature: float
         summits, sigma = gap_roughness(FINISH).summits, np.hypot(0.31e-6, 0.13e-6)
         area = np.pi * contact.semi_axis_rolling * contact.semi_axis_transverse
         assert np.all((share > 0) & (share < 1))
-        d = separation_at(pressure=share * contact.load / area, summits=summits, modulus=modulus, hardness=7.3e9)
+        table = tabulated_asperities(summits=summits, modulus=modulus, hardness=7.3e9)
+        d, _ = separation_of(*table, np.log(share * contact.load / area))
         mean_gap = sigma * norm.pdf(d / sigma) + d * norm.cdf(d / sigma)
         np.testing.assert_allclose(film, mean_gap, rtol=1e-6)
         # A film of a molecule resists like the asperities.

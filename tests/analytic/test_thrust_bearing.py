@@ -10,7 +10,7 @@ from scipy.special import ellipe
 from analytic.contact.finite_geometry import race_geometry, race_shape
 from analytic.contact.geometry import race_contact, race_curvatures, shoulder_distances
 from analytic.contact.hertz import HertzContact, contact_modulus, hertz_contact
-from analytic.contact.rolling_contact import RollingContact
+from analytic.contact.rolling_contact import ContactNumbers
 from analytic.errors import InputError
 from analytic.loads.balls import LoadedBalls, LoadEffects, thrust_balls
 from analytic.loads.thrust import thrust_equilibrium
@@ -109,7 +109,7 @@ def test_rolling_is_the_sum_over_the_contacts() -> None:
     effects = {"finite_geometry": "off", "inlet_heating": "off"}
     rolling = part(friction_torque(replace(scene, effects=effects)).torque, "rolling")
     by_hand = contact_by_hand(axial / COUNT)
-    contact = RollingContact(
+    contact = ContactNumbers(
         load=axial / COUNT,
         semi_axis_rolling=by_hand.semi_axis_x,
         semi_axis_transverse=by_hand.semi_axis_y,

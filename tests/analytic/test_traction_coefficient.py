@@ -10,6 +10,7 @@ from scipy.integrate import quad
 
 from analytic import lubricant, traction_coefficient
 from analytic.oil.traction import oil_shear_stress
+from analytic.oil.viscosity import oil_numbers
 from validation.traction import run
 
 PEAK, SPEED, SLIP, FILM, WARM = 0.93e9, 3.7, 0.013, 0.42e-6, 333.15
@@ -18,7 +19,7 @@ KNOWN: dict[str, Any] = {"pressure": PEAK, "speed": SPEED, "slip": SLIP, "film":
 
 
 def stress(pressure: float) -> float:
-    return float(oil_shear_stress(OIL, pressure=pressure, speed=SLIP * SPEED, film_thickness=FILM))
+    return float(oil_shear_stress(oil_numbers(OIL), pressure=pressure, speed=SLIP * SPEED, film_thickness=FILM))
 
 
 def test_it_is_the_integral_of_the_stress_over_the_contact() -> None:

@@ -8,8 +8,8 @@ import pytest
 
 from analytic.given import KEYS
 from analytic.scenefile.template import scene_text
+from analytic.units import INCH, POUND
 from fembearing.cli import COMMANDS, command_of
-from fembearing.quantities import INCH, POUND
 
 
 def test_options_of_the_same_name_are_the_same_in_every_command() -> None:

@@ -3,10 +3,9 @@
 import numpy as np
 import pytest
 
-from analytic.contact.rolling_contact import ContactNumbers, elliptic_contact
-from analytic.oil.asymptotes import Inflow
+from analytic.contact.rolling_contact import elliptic_contact
 from analytic.oil.ehl_fit import OilSupply, film_correction, fitted_force, regime_of
-from analytic.oil.film import central_film
+from analytic.oil.film import Inflow, central_film
 from fembearing.ehl.film import numerical_film
 from validation.ehl.run import contact_of
 
@@ -27,12 +26,11 @@ def test_the_fit_meets_fresh_solutions(point: tuple[float, float, float]) -> Non
     smooth = elliptic_contact(
         curvature_rolling=1 / rolling, curvature_transverse=1 / across, load=problem.load, modulus=problem.modulus
     )
-    numbers = ContactNumbers._make([*(float(each) for each in smooth.fields[:6]), np.nan, np.nan, 1.0])
     inflow = Inflow(problem.speed, problem.oil.viscosity, problem.oil.pressure_viscosity, True, np.inf)
-    regime = regime_of(numbers, inflow)
+    regime = regime_of(smooth, inflow)
     supply = OilSupply(1.0, np.nan, np.nan, ahead=problem.reach.ahead, behind=1.0, tension=0.0)
     force = found.rolling_force
-    assert fitted_force(numbers, inflow, regime, supply) == pytest.approx(force.value, rel=0.008 + force.total)
+    assert fitted_force(smooth, inflow, regime, supply) == pytest.approx(force.value, rel=0.008 + force.total)
     formula = central_film(
         smooth,
         entrainment_speed=problem.speed,

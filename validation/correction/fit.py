@@ -17,8 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from analytic import catalog
-from analytic.contact.finite_geometry import ContactShape, shape_bases
-from analytic.contact.finite_geometry_fit import OFF_SHOULDER, SMALL
+from analytic.contact.finite_geometry_fit import OFF_SHOULDER, SMALL, Bases, ContactShape, shape_bases
 from validation.correction.solve import BOX, HERE, QUANTITIES, RANGE, read_rows
 from validation.study import numbers, run, show
 
@@ -31,12 +30,10 @@ Array = NDArray[np.float64]
 Powers = dict[str, int]
 
 
-def monomial(bases: Mapping[str, Array], powers: Mapping[str, int]) -> Array:
+def monomial(bases: tuple[Bases, Bases], powers: Mapping[str, int]) -> Array:
     """The product of the bases named in `powers`, each to its power, averaged over both sides."""
-    product = np.ones((2, *bases["size"].shape))
-    for name, power in powers.items():
-        product = product * bases[name] ** power
-    return product.mean(axis=0)
+    products = [np.prod([getattr(side, name) ** power for name, power in powers.items()], axis=0) for side in bases]
+    return np.mean(products, axis=0)
 
 
 @dataclass(frozen=True)

@@ -229,7 +229,6 @@ def write_production(result: dict[str, Any]) -> None:
         "FILM": tuple(result["central_film"]["coefficients"]),
         "REACH_LOWER": tuple(reach["lower"]),
         "REACH_UPPER": tuple(reach["upper"]),
-        "REACH_POWERS": tuple(tuple(each) for each in reach["powers"]),
         "REACH": tuple(round(each, 7) for each in reach["coefficients"]),
     }
     text = '"""Coefficients of `analytic.oil.ehl_fit`, written by `python validation/ehl/run.py`."""\n\n'

@@ -12,10 +12,10 @@ from pathlib import Path
 import numpy as np
 from rich.progress import track
 
-from analytic.contact.rolling_contact import ContactNumbers, elliptic_contact
+from analytic.contact.rolling_contact import elliptic_contact
 from analytic.errors import FembearingError
-from analytic.oil.asymptotes import Inflow
 from analytic.oil.ehl_fit import inlet_length, regime_of
+from analytic.oil.film import Inflow
 from analytic.oil.starvation import starved_by_degree
 from fembearing.ehl.contact import LubricatedContact, Reach
 from fembearing.ehl.film import numerical_film
@@ -69,10 +69,9 @@ def rows_of(point: tuple[float, float, float]) -> Iterator[dict[str, float]]:
 def factors(whole: LubricatedContact, degree: float, film: float) -> tuple[float, float]:
     """Of film and rolling by production; film : flooded, m."""
     rolling, across = whole.shape.radii
-    smooth = elliptic_contact(
+    contact = elliptic_contact(
         curvature_rolling=1 / rolling, curvature_transverse=1 / across, load=whole.load, modulus=whole.modulus
     )
-    contact = ContactNumbers._make([*(float(each) for each in smooth.fields[:6]), np.nan, np.nan, 1.0])
     inflow = Inflow(whole.speed, whole.oil.viscosity, whole.oil.pressure_viscosity, True, np.inf)
     length = inlet_length(contact, inflow, regime_of(contact, inflow))
     starved = starved_by_degree(contact, degree, film, whole.reach.ahead, length)

@@ -26,7 +26,7 @@ from rich.progress import track
 from analytic import catalog
 from analytic.scene import Array, Autocorrelation
 from analytic.surface.boundary_elements import pressed
-from analytic.surface.elastic_gap import declared_gap_curve
+from analytic.surface.elastic_gap import declared_gap_curve, elastic_area, elastic_log_gap
 from analytic.surface.roughness import generated_surface
 from validation.study import Jobs, numbers, out, progress, published, run, show
 
@@ -129,7 +129,7 @@ def against_published() -> bool:
     rows = published("elastic_gap.csv")
     pressure, gap, sd_gap, area, sd_area = (numbers(rows, name) for name in rows[0])
     at = np.log(pressure)
-    gaps, areas = np.exp(ours.log_gap(at)[0]), ours.area_fraction(at)
+    gaps, areas = np.exp(elastic_log_gap(*ours.splines, at)[0]), elastic_area(*ours.splines, at)
     standard_error = ERRORS * np.sqrt(1 / 10 + 1 / surfaces)
     allowed = np.array([FLOOR + standard_error * sd_gap / gap, FLOOR + standard_error * sd_area / area])
     differences = np.array([gaps / gap - 1, areas / area - 1])

@@ -14,10 +14,9 @@ import numpy as np
 import typer
 from scipy.optimize import brentq
 
-from analytic.contact.rolling_contact import ContactNumbers, elliptic_contact
-from analytic.oil.asymptotes import FITTED_ELLIPTICITY, Inflow
+from analytic.contact.rolling_contact import elliptic_contact
 from analytic.oil.ehl_fit import film_correction, regime_of
-from analytic.oil.film import FILM_FACTORS, FORMULA_UNCERTAINTY, central_film
+from analytic.oil.film import FILM_FACTORS, FITTED_ELLIPTICITY, FORMULA_UNCERTAINTY, Inflow, central_film
 from validation.study import PUBLISHED, figure, out, run, save, show
 
 HERE = Path(__file__).parent
@@ -102,8 +101,7 @@ def film(speed: np.ndarray, **changed: float) -> np.ndarray:
     )
     oil = {"viscosity": inputs["viscosity"], "pressure_viscosity": inputs["pressure_viscosity"]}
     closed = central_film(contact, entrainment_speed=speed, compressible=True, **oil).thickness
-    numbers = ContactNumbers(*(float(each) for each in contact.fields[:6]), np.nan, np.nan, 1.0)
-    regimes = [regime_of(numbers, Inflow(float(u), *oil.values(), True, np.inf)) for u in speed]
+    regimes = [regime_of(contact, Inflow(float(u), *oil.values(), True, np.inf)) for u in speed]
     return closed * np.exp([film_correction(regime) for regime in regimes])
 
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from analytic.contact.rolling_contact import RollingContact
+from analytic.contact.rolling_contact import ContactNumbers
 from analytic.loads.ring import ring_equilibrium
 from analytic.result import FrictionTorque
 from analytic.scene import Bearing, ContactAngle, Operation
@@ -64,7 +64,7 @@ def preloaded(load: float) -> float:
 
 def balanced(spin_difference: float) -> MicroslipTorque:
     """One ball with balanced spin between races that differ in the last digit of a semi-axis."""
-    inner = RollingContact(
+    inner = ContactNumbers(
         load=530.0,
         semi_axis_rolling=0.11e-3,
         semi_axis_transverse=0.9e-3,
@@ -74,7 +74,7 @@ def balanced(spin_difference: float) -> MicroslipTorque:
         deformed_radius=3.7e-3,
         rolling_rate=2.9,
     )
-    outer = replace(inner, semi_axis_transverse=math.nextafter(0.9e-3, 1.0))
+    outer = inner._replace(semi_axis_transverse=math.nextafter(0.9e-3, 1.0))
     forces = 0.07 * 530.0, 0.07 * 530.0
     return microslip_torque(
         (inner, outer), friction_force=forces, spin_difference=spin_difference, spin_rule="balanced"

@@ -4,18 +4,17 @@ import math
 from dataclasses import replace
 from typing import Any
 
-import numpy as np
-
-from analytic.contact.rolling_contact import EllipticContact, elliptic_contact
-from analytic.oil.film import central_film, film_asymptotes
+from analytic.contact.rolling_contact import ContactNumbers, elliptic_contact
+from analytic.oil.film import Inflow, asymptotes_of, central_film
 from analytic.oil.mixed import MixedContact, mixed_contact
-from analytic.oil.traction import mixed_traction, oil_shear_stress
-from analytic.oil.viscosity import roelands_viscosity
+from analytic.oil.traction import mean_force, mixed_traction, oil_shear_stress
+from analytic.oil.viscosity import oil_numbers, roelands_viscosity
 from analytic.result import FrictionTorque
 from analytic.scene import Lubricant, Reach, Surface
-from analytic.surface.truncated_gap import TruncatedGap
+from analytic.surface.gap import NOT_ELASTIC, SMOOTH_GAP, TRUNCATED, GapNumbers
+from analytic.surface.truncated_gap import truncated_law
 from validation.hard.case import HardCase
-from validation.hard.roughness import CORRELATION, HARDNESS, rough
+from validation.hard.roughness import CORRELATION, HARDNESS, summits
 from validation.hard.specimens import LARGE, LOAD, MODULUS, SMALL, bearing, exponent, torque_6205
 
 RACES = ("inner", "outer")
@@ -53,7 +52,7 @@ def film(**changed: Any) -> float:
     return float(central.thickness) if bool(central.outside_range) != fitted else math.nan
 
 
-def contact(load: float = LOAD, curvature_transverse: float = SMALL) -> EllipticContact:
+def contact(load: float = LOAD, curvature_transverse: float = SMALL) -> ContactNumbers:
     """A ball on a race."""
     return elliptic_contact(
         curvature_rolling=LARGE, curvature_transverse=curvature_transverse, load=load, modulus=MODULUS
@@ -63,18 +62,15 @@ def contact(load: float = LOAD, curvature_transverse: float = SMALL) -> Elliptic
 def shared(rms_roughness: float, *, load: float = LOAD, speed: float = SPEED, film_factor: float = 1.0) -> MixedContact:
     """Oil and asperities of two surfaces, each of this roughness, m; 0: smooth."""
     here = contact(load)
-    oil: dict[str, Any] = {"viscosity": OIL.viscosity, "pressure_viscosity": OIL.pressure_viscosity}
-    return mixed_contact(
-        here,
-        film_asymptotes(here, entrainment_speed=speed, **oil),
-        gap=truncated(rms_roughness) if rms_roughness else None,
-        film_factor=film_factor,
-    )
+    film = asymptotes_of(here, Inflow(speed, OIL.viscosity, OIL.pressure_viscosity))
+    return mixed_contact(here, film, truncated(rms_roughness) if rms_roughness else SMOOTH_GAP, film_factor)
 
 
-def truncated(rms_roughness: float) -> TruncatedGap:
+def truncated(rms_roughness: float) -> GapNumbers:
     """The gap between these surfaces; what overlaps is cut off."""
-    return TruncatedGap(asperities=rough(rms_roughness), deviation=math.sqrt(2) * rms_roughness)
+    deviation = math.sqrt(2) * rms_roughness
+    cubics, law = truncated_law(summits=summits(rms_roughness), modulus=MODULUS, hardness=HARDNESS, deviation=deviation)
+    return GapNumbers(TRUNCATED, cubics, law, NOT_ELASTIC)
 
 
 def share(rms_roughness: float, **changed: float) -> float:
@@ -84,7 +80,8 @@ def share(rms_roughness: float, **changed: float) -> float:
 
 def friction(oil: Lubricant, mixed: MixedContact, *, load: float, slip: float) -> float:
     """Friction, N, of a contact that slides with slip, m/s."""
-    return float(mixed_traction(oil, BOUNDARY_FRICTION, mixed).force(contact(load))(np.asarray(slip)))
+    law = mixed_traction(oil_numbers(oil), BOUNDARY_FRICTION, mixed, 1.0)
+    return float(mean_force(law, contact(load), slip))
 
 
 def light_friction(load: float) -> float:
@@ -111,7 +108,7 @@ def thickened(
 
 def shear(speed: float, *, oil: Lubricant = OIL, pressure: float = 0.9e9, film_thickness: float = 0.23e-6) -> float:
     """Shear stress, Pa, of oil that slides with speed, m/s."""
-    return float(oil_shear_stress(oil, pressure=pressure, speed=speed, film_thickness=film_thickness))
+    return float(oil_shear_stress(oil_numbers(oil), pressure=pressure, speed=speed, film_thickness=film_thickness))
 
 
 def oiled(

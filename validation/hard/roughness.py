@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 
-from analytic.scene import Autocorrelation
-from analytic.surface.asperity import asperity_load, separation_at
-from analytic.surface.asperity_table import AsperityTable, tabulated_asperities
+from analytic.scene import Array, Autocorrelation
+from analytic.surface.asperity import asperity_load
+from analytic.surface.asperity_table import SummitNumbers, log_pressure_at, separation_of, tabulated_asperities
 from analytic.surface.heightmap import read_height_map
 from analytic.surface.moments import Summits, mccool_summits
 from analytic.surface.roughness import spectral_moments
@@ -37,7 +37,7 @@ def summits(rms_roughness: float) -> Summits:
     return mccool_summits(one + one)
 
 
-def rough(rms_roughness: float) -> AsperityTable:
+def rough(rms_roughness: float) -> tuple[Array, SummitNumbers]:
     """Asperities of two surfaces, each of this roughness, m."""
     return tabulated_asperities(summits=summits(rms_roughness), modulus=MODULUS, hardness=HARDNESS)
 
@@ -50,9 +50,8 @@ def summit(interference: float) -> float:
 
 def apart(deviations: float) -> float:
     """ln of the pressure in Pa on asperities at a separation of so many deviations above their mean height."""
-    table = rough(0.3e-6)
-    height = table.summits.mean_height + deviations * table.summits.height_deviation
-    return float(table.log_pressure(np.asarray(height)))
+    cubics, table = rough(0.3e-6)
+    return float(log_pressure_at(cubics, table, table.mean_height + deviations * table.height_deviation))
 
 
 def mapped(height: float) -> float:
@@ -79,7 +78,7 @@ ROUGHNESS_CASES: tuple[HardCase, ...] = (  # name, problem, answer, evaluation, 
         tolerance=(1e-11, "1e-8 of the pressure, of a logarithm of 1793")),
     HardCase("asperities: pressed flat", "the separation under 1e15 Pa, 1e5 times the hardness",
         "mean height - p/(2 pi R density H), by 40 digits: all summits flow, whatever their height",
-        lambda: float(separation_at(pressure=1e15, summits=summits(0.3e-6), modulus=MODULUS, hardness=HARDNESS)),
+        lambda: float(separation_of(*rough(0.3e-6), math.log(1e15))[0]),
         -0.24550238899485787844,
         tolerance=(1e-8, "integrals and their inverse as good as that; summits not yet flowing are too few to see")),
     HardCase("surface: exponential, tiny spacing",
@@ -91,7 +90,7 @@ ROUGHNESS_CASES: tuple[HardCase, ...] = (  # name, problem, answer, evaluation, 
         "a refusal that names the key: the curvature depends on the spacing", lambda: parsed(WITHOUT_SPACING),
         refusal="surface.autocorrelation.spacing is missing"),
     HardCase("surface: nearly flat", "Sq of 1e-18 m: the loads of summits are too small for a double",
-        "a refusal that names 0 as the remedy", lambda: rough(1e-18).numbers.log_scale,
+        "a refusal that names 0 as the remedy", lambda: rough(1e-18)[1].log_scale,
         refusal="all but flat: give a rougher surface, or an rms_roughness of 0"),
     HardCase("surface: heights near the largest double",
         "a height map of +-1.7e308 m, seen in damaged files: their span exceeds a double",

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from analytic.contact.rolling_contact import RollingContact
+from analytic.contact.rolling_contact import ContactNumbers
 from analytic.loads.balls import LoadEffects, thrust_balls
 from analytic.makers import scene_band
 from analytic.oil.rolling import (
@@ -16,7 +16,7 @@ from analytic.oil.rolling import (
     slow_rolling_moment,
     square_millimetres,
 )
-from analytic.oil.viscosity import inlet_viscosity
+from analytic.oil.viscosity import oil_numbers
 from analytic.scene import Array, Operation, Scene
 from analytic.scenefile.read import load_scene, parse_scene
 from analytic.torque import friction_torque
@@ -152,7 +152,7 @@ def skf_thrust_torque(scene: Scene) -> Array:
     assert bearing.bore_diameter is not None
     assert bearing.outside_diameter is not None
     mean = (bearing.bore_diameter + bearing.outside_diameter) / 2
-    kinematic = inlet_viscosity(oil).viscosity / oil.density
+    kinematic = oil_numbers(oil).viscosity / oil.density
     moved = per_minute(operation.inner_speed) * square_millimetres(kinematic)
     heated = inlet_shear_factor(mean_diameter=mean, ring_speed=operation.inner_speed, kinematic_viscosity=kinematic)
     rolling = heated * SKF_THRUST[0] * (1e3 * mean) ** 1.83 * operation.axial_load**0.54 * moved**0.6
@@ -247,7 +247,7 @@ def measured_resistances() -> Iterator[tuple[str, str, float]]:
         yield row["source"], row["case"], float(row["moment_over_load_diameter"])
 
 
-def _contacts(scene: Scene) -> RollingContact:
+def _contacts(scene: Scene) -> ContactNumbers:
     operation = scene.operation.as_series()
     first = operation.at(np.array([0]))
     return thrust_balls(

@@ -16,13 +16,12 @@ from scipy.special import erf, erfc, ndtri
 from analytic import parse_scene
 from analytic.contact.geometry import race_curvatures
 from analytic.contact.hertz import contact_modulus
-from analytic.contact.rolling_contact import EllipticContact, elliptic_contact
-from analytic.oil.asymptotes import FilmAsymptotes
-from analytic.oil.film import film_asymptotes
+from analytic.contact.rolling_contact import ContactNumbers, elliptic_contact
+from analytic.oil.film import FilmAsymptotes, Inflow, asymptotes_of
 from analytic.oil.mixed import mixed_contact
 from analytic.oil.variation import GAP_SPREAD
 from analytic.scene import Array, Surface
-from analytic.surface.gap import GapLaw, gap_law
+from analytic.surface.gap import SMOOTH_GAP, GapNumbers, gap_law
 from analytic.surface.roughness import gap_roughness
 from validation.study import Out, figure, published, run, save, show
 
@@ -87,9 +86,9 @@ class RoughContact:
     """The inner race in one finish."""
 
     finish: str
-    contact: EllipticContact
-    gap: GapLaw
-    truncated: GapLaw  # the other law of the gap
+    contact: ContactNumbers
+    gap: GapNumbers
+    truncated: GapNumbers  # the other law of the gap
     rms: float  # of both surfaces, m
     slope: float  # rms gradient of both
     viscosity: float  # Pa s
@@ -97,12 +96,11 @@ class RoughContact:
 
     def film(self, speed: Array) -> FilmAsymptotes:
         """Of smooth surfaces; speed : of entrainment, m/s."""
-        oil = {"viscosity": self.viscosity, "pressure_viscosity": self.pressure_viscosity}
-        return film_asymptotes(self.contact, entrainment_speed=speed, compressible=True, **oil)
+        return asymptotes_of(self.contact, Inflow(speed, self.viscosity, self.pressure_viscosity, compressible=True))
 
     def share(self, film_ratio: Array, step: float = 0.0, *, truncated: bool = False) -> Array:
         """s at lambda; step : of model.gap."""
-        smooth = mixed_contact(self.contact, self.film(SPEEDS), gap=None).film_thickness
+        smooth = mixed_contact(self.contact, self.film(SPEEDS), SMOOTH_GAP).film_thickness
         speed = np.exp(np.interp(np.log(film_ratio * self.rms), np.log(smooth), np.log(SPEEDS)))
         gap = self.truncated if truncated else self.gap
         return mixed_contact(self.contact, self.film(speed), gap=gap, share_step=step).asperity_share
@@ -119,10 +117,8 @@ def rough_contact(finish: str) -> RoughContact:
     contact = elliptic_contact(curvature_rolling=rolling, curvature_transverse=transverse, load=LOAD, modulus=modulus)
     roughness = gap_roughness(surface)
 
-    def law(of: Surface) -> GapLaw:
-        found = gap_law(of, roughness, modulus=modulus, bodies=(bearing.ball_material, bearing.inner.material))
-        assert found is not None
-        return found
+    def law(of: Surface) -> GapNumbers:
+        return gap_law(of, roughness, modulus=modulus, bodies=(bearing.ball_material, bearing.inner.material))
 
     both = roughness.ball + roughness.race
     return RoughContact(

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from analytic import lubricant, traction_coefficient
-from analytic.oil.viscosity import viscosity_under_pressure
+from analytic.oil.viscosity import oil_numbers, thickening_at
 from analytic.scene import Lubricant
 from validation.study import PUBLISHED, Out, figure, markdown, read, run, save, write_text
 
@@ -46,7 +46,9 @@ class Test(NamedTuple):
 
 def at_hertz_pressure(oil: Lubricant) -> Lubricant:
     """The oil with 2 Lambda/alpha at the Hertz pressure as its Eyring stress everywhere."""
-    growth = np.log(viscosity_under_pressure(oil, pressure=PRESSURE) / viscosity_under_pressure(oil, pressure=0.0))
+    numbers = oil_numbers(oil)
+    alpha = numbers.pressure_viscosity
+    growth, _ = thickening_at(alpha, numbers.rise * alpha, numbers.exponent, PRESSURE)
     return replace(oil, eyring_stress=float(2 * oil.limiting_shear * PRESSURE / growth))
 
 

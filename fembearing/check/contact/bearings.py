@@ -19,6 +19,13 @@ def which_bearing(name: str | None) -> str:
     return "" if name is None else f" of the {name} bearing"
 
 
+def place_of(pair: str, geometry: str, bearing: str | None = None) -> str:
+    """Where the ball sits, for example "ball on inner race"; bearing : "first" or "second" of a pair"""
+    if pair == "pocket":
+        return "ball in cage pocket, " + ("sheet on its rim" if geometry == "wall" else "thick seat")
+    return f"ball on {pair} race{which_bearing(bearing)}" + (", idealised" if geometry == "hertzian" else "")
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class OneBearing:
     """One bearing at the operating points at which its inner ring presses."""

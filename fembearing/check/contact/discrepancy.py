@@ -6,19 +6,20 @@ import time
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Unpack
+from typing import TYPE_CHECKING, Any, Unpack
 
 import numpy as np
 
 from analytic.any_scene import scene_by
 from analytic.brief import Brief
-from analytic.errors import require_non_negative
+from analytic.errors import require_non_negative, require_packages
 from analytic.given import SceneOptions
 from analytic.progress import Progress, silent
 from analytic.scene import Contact, Pair, Scene
 from analytic.scenefile.parts import Given, with_tolerance
+from analytic.units import METRIC
 from fembearing.check.contact.approach_curve import ApproachCurve, approach_over_load
-from fembearing.check.contact.bearings import OfPair
+from fembearing.check.contact.bearings import OfPair, place_of
 from fembearing.check.contact.columns import COLUMNS, VERDICT, contact_dataset, contact_html, require_finite_results
 from fembearing.check.contact.comparison_error import Comparison, comparison_of
 from fembearing.check.contact.hertz import CorrectedHertz, corrected_hertz, hertz_quantities
@@ -44,6 +45,9 @@ from fembearing.grid_convergence import Estimate
 from fembearing.mesh.meshfile import write_body
 from fembearing.mesh.recipe import Recipe
 from fembearing.mesh.ring import known_ring
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 SHOWN_OF_A_SHEET = ("approach",)  # what its bending changes; the stiffness follows from it
 
@@ -178,6 +182,33 @@ class ContactSolution(Brief):
     def stem(self) -> str:
         """How the names of its files begin."""
         return f"{f'{self.bearing}-' if self.bearing else ''}{self.contact.pair}-{self.geometry}"
+
+    def plot(self) -> "Figure":
+        """Pressure along both axes by finite elements and by Hertz, as the report has it.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            GPa over the position in semi-axes; below, the nodes less Hertz.
+
+        Raises
+        ------
+        MissingPackageError
+            Matplotlib is not installed.
+        """
+        require_packages("a figure", "matplotlib")
+        from fembearing.check.contact.figure import DrawnPressure, pressure_figure
+
+        place = place_of(self.contact.pair, self.geometry, self.bearing)
+        drawn = DrawnPressure(
+            title=f"{place.capitalize()}\n{METRIC.force.written(self.contact.load, '.4g')}",
+            profiles=self.pressure_profile,
+            hertz=self.hertz,
+            fe=self.reference,
+            shoulders=self.shoulders,
+            is_half=self.meshes[-1].pair.footprint.half,
+        )
+        return pressure_figure([drawn], METRIC)
 
     def write_meshes(self, folder: Path) -> dict[str, Path]:
         """Write both bodies of the finest mesh with pressure and stress, Pa, and displacement, m, as .vtu.

@@ -130,8 +130,12 @@ class LoadSeries(Brief):
         """The verdict; "shown" for a contact that is not judged."""
         return self.verdict if self.judged else "shown"
 
-    def to_dataset(self) -> Any:
-        """An xarray.Dataset over the loads, SI, with units and meanings as attributes."""
+    @property
+    def _loads(self) -> Labelled:
+        return Labelled(("load",), [point.load for point in self.points], COLUMNS["load"])
+
+    def _columns(self) -> dict[str, Labelled]:
+        """What is computed at each load, SI."""
         described = {name: COLUMNS[name] for name in COLUMNS if name.endswith("approach")} | {
             "tangent": Column("N/m", "dF/d(approach), finite elements"),
             "uncertainty_tangent": Column("1", "numerical uncertainty of dF/d(approach), relative"),
@@ -151,15 +155,19 @@ class LoadSeries(Brief):
             }
             for point in self.points
         ]
+        return {name: Labelled(("load",), [row[name] for row in rows], column) for name, column in described.items()}
+
+    def to_dataset(self) -> Any:
+        """An xarray.Dataset over the loads, SI, with units and meanings as attributes."""
         return dataset_of(
-            {name: Labelled(("load",), [row[name] for row in rows], column) for name, column in described.items()},
-            coordinates={"load": Labelled(("load",), [point.load for point in self.points], COLUMNS["load"])},
+            self._columns(),
+            coordinates={"load": self._loads},
             attributes={"pair": self.contact.pair, "geometry": self.geometry, "tolerance": self.tolerance},
         )
 
     def to_dataframe(self) -> Any:
-        """A pandas.DataFrame of `to_dataset`: a row for each load, SI."""
-        return frame_of(self.to_dataset(), "load")
+        """A pandas.DataFrame with the columns of `to_dataset`: a row for each load, SI."""
+        return frame_of({"load": self._loads} | self._columns(), "load")
 
 
 def solve_load_series(

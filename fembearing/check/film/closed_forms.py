@@ -6,11 +6,9 @@ from functools import cached_property
 import numpy as np
 
 from analytic.contact.geometry import Race
-from analytic.contact.hertz import unit_hertz
-from analytic.contact.rolling_contact import ContactNumbers, RollingContact, deformed_radius
-from analytic.oil.asymptotes import Inflow
+from analytic.contact.rolling_contact import ContactNumbers, deformed_radius
 from analytic.oil.ehl_fit import Regime, film_correction, regime_of
-from analytic.oil.film import central_film, minimum_ratio
+from analytic.oil.film import Inflow, central_film, minimum_ratio
 from analytic.oil.inlets import oil_supply
 from analytic.oil.lubrication import rolling_force_of
 from analytic.oil.rolling import RollingResistance, hydrodynamic_rolling
@@ -28,11 +26,11 @@ class ClosedForms:
     problem: LubricatedContact  # what the numerical solution solves
 
     @cached_property
-    def smooth(self) -> RollingContact:
+    def smooth(self) -> ContactNumbers:
         """The contact as formulas take it."""
         (a, b), (rolling, transverse) = self.problem.semi_axes, self.problem.shape.radii
         contact = self.contact
-        return RollingContact(
+        return ContactNumbers(
             load=contact.load,
             semi_axis_rolling=a,
             semi_axis_transverse=b,
@@ -41,6 +39,7 @@ class ClosedForms:
             modulus=self.problem.modulus,
             deformed_radius=deformed_radius(groove_radius=contact.groove_radius, ball_diameter=2 * contact.ball_radius),
             rolling_rate=1.0,
+            entrainment=1.0,
         )
 
     @cached_property
@@ -49,15 +48,10 @@ class ClosedForms:
         oil = self.problem.oil
         return Inflow(self.problem.speed, oil.viscosity, oil.pressure_viscosity, oil.compressible, np.inf)
 
-    @cached_property
-    def numbers(self) -> ContactNumbers:
-        """The contact as compiled formulas take it."""
-        return ContactNumbers._make([*(float(each) for each in self.smooth.fields[:8]), 1.0])
-
     @property
     def regime(self) -> Regime:
         """Moes's numbers."""
-        return regime_of(self.numbers, self.inflow)
+        return regime_of(self.smooth, self.inflow)
 
     def film(self, *, compressible: bool = False) -> float:
         """Central film by [Nijenbanning1994], m."""
@@ -94,10 +88,9 @@ class ClosedForms:
         """Rolling force as the torque takes it, N, and the share of the fit in it, 0 to 1."""
         lubricant = self.scene.lubricant
         assert lubricant is not None
-        numbers, formula = self.numbers, lubricant.rolling_formula
-        alone = unit_hertz(numbers.curvature_rolling, numbers.curvature_transverse, numbers.modulus)
+        formula = lubricant.rolling_formula
         supply = oil_supply(self.scene.bearing, lubricant, self.pair, contact_angle=self.contact.contact_angle)
         force, share, _ = rolling_force_of(
-            numbers, alone, self.inflow, self.regime, supply, formula == "numerical", formula == "houpert"
+            self.smooth, self.inflow, self.regime, supply, formula == "numerical", formula == "houpert"
         )
         return force, share

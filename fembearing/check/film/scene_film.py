@@ -6,16 +6,16 @@ sides have the same oil, the same load and the same speed, without heat of the i
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
 from analytic.brief import Brief
 from analytic.contact.geometry import Race
-from analytic.errors import ConvergenceError, InputError
+from analytic.errors import ConvergenceError, InputError, require_packages
 from analytic.oil.film import FILM_FACTORS
 from analytic.oil.variation import COVERAGE, FIT_SHARE, NOMINAL, ROLLING_SPREAD, Variation
-from analytic.oil.viscosity import inlet_viscosity
+from analytic.oil.viscosity import oil_numbers
 from analytic.prediction.evaluation import parts_of, without_moving_cage
 from analytic.prediction.settled import level_of
 from analytic.progress import Progress, silent
@@ -31,6 +31,9 @@ from fembearing.ehl.film import RATIO, NumericalFilm, numerical_film
 from fembearing.ehl.oil import Oil
 from fembearing.ehl.solver import require_few_cells
 from fembearing.grid_convergence import Estimate
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 REFINEMENTS = (0.75, 0.95, 1.2)  # of the middle grid, until the tolerance is reached
 OUTSIDE = "the formula of the rolling force is outside its range: rigid bodies would resist less than elastic ones"
@@ -104,6 +107,24 @@ class RaceFilm(Brief):
     def _facts(self) -> Iterator[str]:
         found = self.numbers
         yield from (found.pair, f"{found.load:.4g} N", f"film {1e6 * found.central_film.numerical:.4g} um")
+
+    def plot(self) -> "Figure":
+        """Maps of pressure and film, and both along the line of rolling, as the report has them.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            GPa, um and mm.
+
+        Raises
+        ------
+        MissingPackageError
+            Matplotlib is not installed.
+        """
+        require_packages("a figure", "matplotlib")
+        from fembearing.check.film.figure import film_figure
+
+        return film_figure(self.solution)
 
 
 def film_of(
@@ -243,7 +264,7 @@ def problem_of(
     if speed == 0:
         raise InputError("operation.inner_speed = 0: at standstill there is no film; give --speed or another scene")
     oil = Oil(
-        viscosity=float(inlet_viscosity(lubricant).viscosity),
+        viscosity=oil_numbers(lubricant).viscosity,
         pressure_viscosity=float(lubricant.pressure_viscosity),
         compressible=lubricant.compressible,
         cavitation_pressure=float(lubricant.cavitation_pressure),
@@ -300,6 +321,6 @@ def _compared(closed: ClosedForms, solution: NumericalFilm, *, inner_speed: floa
         verdict=_verdict((film, FILM_FACTORS), (rolling_force, (np.exp(-spread), np.exp(spread)))),
         tolerance=tolerance,
         seconds=solution.seconds,
-        warnings=(OUTSIDE,) if share < 1 and resistance.outside_range.any() else (),
+        warnings=(OUTSIDE,) if share < 1 and resistance.outside_range else (),
     )
     return RaceFilm(numbers=numbers, solution=solution)

@@ -72,18 +72,23 @@ class MeasuredComparison(Brief):
 
     def to_dataset(self) -> Any:
         """An xarray.Dataset over the rows, SI, with units and meanings as attributes."""
-        columns = self.columns()
-        words = Labelled((ROW,), [row.verdict for row in self.rows], Column("", "place of the measured torque"))
+        columns = self._labelled()
         coordinates = {name: columns.pop(name) for name in COORDINATES}
         return dataset_of(
-            columns | {"verdict": words},
+            columns,
             coordinates=coordinates,
             attributes={"scene": self.scene, "file": self.file, "samples": self.samples, "seed": self.seed},
         )
 
     def to_dataframe(self) -> Any:
-        """A pandas.DataFrame of `to_dataset`: a row for each measured torque, SI."""
-        return frame_of(self.to_dataset(), ROW)
+        """A pandas.DataFrame with the columns of `to_dataset`: a row for each measured torque, SI."""
+        return frame_of(self._labelled(), ROW)
+
+    def _labelled(self) -> dict[str, Labelled]:
+        """Numbers and verdicts of the rows, the operating points first."""
+        columns, verdicts = self.columns(), [row.verdict for row in self.rows]
+        words = {"verdict": Labelled((ROW,), verdicts, Column("", "place of the measured torque"))}
+        return {name: columns[name] for name in COORDINATES} | columns | words
 
 
 def compare_measured(

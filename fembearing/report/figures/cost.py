@@ -11,8 +11,8 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import LogLocator, NullFormatter
 
+from analytic.figures.style import BLUE, LETTERS, SIDE_BY_SIDE, WIDTH, lettered
 from fembearing.check.cost.ladder import Ladder, Method
-from fembearing.report.figures.style import BLUE, LETTERS, SIDE_BY_SIDE, WIDTH, lettered
 from fembearing.report.phrases import capital, short_name
 
 LEAST, MOST = 1e-4, 500.0  # %: what is nearer to the reference, or farther off, is drawn here

@@ -7,29 +7,19 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from analytic.figures.style import BLACK, BLUE, GREEN, GREY, LETTERS, ORANGE, PURPLE, RED, WIDTH, lettered, scaled
+from analytic.figures.torque import logarithmic_torques
 from analytic.scene import Array
 from analytic.scenefile.measured import OPERATING
 from analytic.words import Unit
 from fembearing.check.measured.comparison import MeasuredComparison
 from fembearing.check.measured.rows import COVERAGE, MeasuredRow
 from fembearing.quantities import METRIC, QUANTITIES, Units
-from fembearing.report.figures.style import (
-    BLACK,
-    BLUE,
-    GREEN,
-    GREY,
-    LETTERS,
-    ORANGE,
-    PURPLE,
-    RED,
-    WIDTH,
-    lettered,
-    scaled,
-)
 from fembearing.report.report import Report
 
 COLOURS = (BLUE, GREEN, ORANGE, PURPLE)  # of curves; more of them are drawn as points
 HEIGHT = 4.8  # inches
+TORQUES = ("computed", "computed_low", "computed_high", "measured")
 NAMES = {"inner_speed": "inner speed", "temperature": "temperature of the oil"}
 
 
@@ -79,7 +69,10 @@ def measured_figure(comparison: MeasuredComparison, units: Units = METRIC) -> Fi
     _torques(above, rows, axis, units.torque)
     _errors(below, rows, axis)
     scaled(below, axis.values, axis="x")
+    if below.get_xscale() == "log":
+        logarithmic_torques(above, units.torque.factor * np.concatenate([_of(rows, name) for name in TORQUES]))
     below.set_xlabel(axis.label)
+    above.set_title(comparison.scene)
     for panel in (above, below):
         panel.grid(alpha=0.3)
     handles, words = above.get_legend_handles_labels()
@@ -88,7 +81,10 @@ def measured_figure(comparison: MeasuredComparison, units: Units = METRIC) -> Fi
 
 
 def axis_of(rows: Sequence[MeasuredRow], units: Units) -> Axis:
-    """Over speed, load or temperature, the first that varies; the others tell curves apart. Else row by row."""
+    """Over the speed or load with the most values, else the temperature; the others tell curves apart.
+
+    Row by row where nothing varies.
+    """
     shown = {name: QUANTITIES[name].in_units(units).shown for name in OPERATING[:-1]} | {
         "temperature": units.temperature
     }
@@ -96,7 +92,8 @@ def axis_of(rows: Sequence[MeasuredRow], units: Units) -> Axis:
     varying = [name for name in OPERATING if len({*known[name]}) > 1]
     if not varying:
         return Axis(label="row", values=np.arange(1.0, len(rows) + 1), curves={"computed": [*range(len(rows))]})
-    over, *others = varying
+    over = max(varying, key=lambda name: 0 if name == "temperature" else len({*known[name]}))
+    others = [name for name in varying if name != over]
     values = np.array(known[over]) if over == "temperature" else np.abs(known[over])
     curves: dict[str, list[int]] = {}
     for place in np.argsort(values, kind="stable").tolist():

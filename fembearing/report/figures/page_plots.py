@@ -8,19 +8,16 @@ from typing import Literal, NamedTuple
 from matplotlib.figure import Figure
 
 from analytic.words import percent_of
-from fembearing.report.figures.approach import approach_plot
-from fembearing.report.figures.bearing_drawing import bearing_plot
+from fembearing.report.figures.bearing import bearing_plot
 from fembearing.report.figures.cage import cage_plot
-from fembearing.report.figures.convergence import convergence_plot
+from fembearing.report.figures.contacts import approach_plot, convergence_plot, pressure_plot
 from fembearing.report.figures.cost import cost_figures
-from fembearing.report.figures.friction import friction_plot
 from fembearing.report.figures.measured import measured_plot
 from fembearing.report.figures.prediction import prediction_plot
-from fembearing.report.figures.pressure import pressure_plot
 from fembearing.report.figures.ring import ring_plot
 from fembearing.report.figures.sensitivity import sensitivity_plot
 from fembearing.report.figures.style import svg
-from fembearing.report.figures.torque import torque_plot
+from fembearing.report.figures.torque import friction_plot, torque_plot
 from fembearing.report.report import Report
 
 PIXELS = 96  # of a page, per inch

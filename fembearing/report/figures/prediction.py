@@ -1,11 +1,12 @@
 """What the 95 % interval of the torque is made of, and the inputs that make it."""
 
+import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from analytic.prediction.rows import PredictedPoint, PredictionRows
+from analytic.figures.style import BLACK, BLUE, ORANGE, SKY, WIDTH, lettered
+from analytic.prediction.prediction import Prediction
 from fembearing.quantities import Units
-from fembearing.report.figures.style import BLACK, BLUE, ORANGE, SKY, WIDTH, lettered
 from fembearing.report.phrases import MADE_OF, explained_words, input_name, loads_of, present_loads, speed_words
 from fembearing.report.report import Report
 
@@ -16,7 +17,7 @@ LEAST = 0.005  # total index of an input that is drawn
 
 def prediction_plot(document: Report) -> tuple[Figure | None, str]:
     """The figure of the torque's interval, and its caption; no words where no interval was asked for."""
-    prediction = None if document.torque is None else document.torque.prediction
+    prediction = None if document.solved is None else document.solved.prediction
     if prediction is None:
         return None, ""
     return interval_figure(prediction, document.units), (
@@ -28,22 +29,21 @@ def prediction_plot(document: Report) -> tuple[Figure | None, str]:
     )
 
 
-def interval_figure(prediction: PredictionRows, units: Units) -> Figure:
+def interval_figure(prediction: Prediction, units: Units) -> Figure:
     """What the interval is made of, and the inputs; a column for the slowest and one for the fastest point."""
-    points = prediction.ends
-    drawn = [
-        place for place in prediction.ranked[:MOST] if max(point.indices.total[place] for point in points) >= LEAST
-    ]
-    parts = list(points[0].made_of)
+    points, nominal = prediction.ends, prediction.nominal
+    largest = prediction.indices.total[:, points].max(axis=1)
+    drawn = [place for place in np.argsort(-largest, kind="stable").tolist()[:MOST] if largest[place] >= LEAST]
+    parts = list(prediction.made_of)
     figure = Figure(figsize=(WIDTH, HEADS + ROW * (len(parts) + 1 + len(drawn))), layout="constrained")
     ratios = (len(parts) + 2, len(drawn) + 1)
     panels = figure.subplots(2, len(points), squeeze=False, sharey="row", height_ratios=ratios)
     for column, point in zip(panels.T, points, strict=True):
-        _ends(column[0], point, parts, units)
-        _indices(column[1], point, drawn)
-        loads = loads_of(point, present_loads(prediction.points), units)
+        _ends(column[0], prediction, point, units)
+        _indices(column[1], prediction, point, drawn)
+        loads = loads_of(nominal.rows[point], present_loads(nominal.rows), units)
         column[1].sharex(panels[1, 0])
-        column[0].set_title(f"{speed_words(point.inner_speed, units)}, {loads}")
+        column[0].set_title(f"{speed_words(float(nominal.inner_speed[point]), units)}, {loads}")
     names = [MADE_OF.get(name, name) for name in ("total", *parts)]
     inputs = [input_name(prediction.inputs[place].key) for place in drawn]
     for panel, rows in zip(panels[:, 0], (names, inputs), strict=True):
@@ -52,24 +52,26 @@ def interval_figure(prediction: PredictionRows, units: Units) -> Figure:
     return lettered(figure)
 
 
-def _ends(panel: Axes, point: PredictedPoint, parts: list[str], units: Units) -> None:
+def _ends(panel: Axes, prediction: Prediction, point: int, units: Units) -> None:
     """A bar from end to end for the whole and for each part."""
-    ends = [[point.total.low, point.total.high], *(point.made_of[name] for name in parts)]
+    every = [prediction.total.ends, *prediction.made_of.values()]
+    ends = [(low[point], high[point]) for low, high in every]
     factor = units.torque.factor
     for row, (low, high) in enumerate(ends):
         panel.barh(row, (high - low) * factor, 0.6, left=low * factor, color=BLUE if row == 0 else SKY)
     panel.use_sticky_edges = False
     panel.margins(x=0.05)
-    panel.axvline(point.nominal * factor, color=BLACK, linewidth=0.8)
+    panel.axvline(prediction.nominal.torque.total[point] * factor, color=BLACK, linewidth=0.8)
     panel.set_xlabel(f"total torque, {units.torque.name}")
     panel.grid(alpha=0.3, axis="x")
 
 
-def _indices(panel: Axes, point: PredictedPoint, drawn: list[int]) -> None:
+def _indices(panel: Axes, prediction: Prediction, point: int, drawn: list[int]) -> None:
     """Two bars for each input."""
+    found = prediction.indices
     for row, place in enumerate(drawn):
-        error = 200 * point.indices.total_error[place]
-        panel.barh(row, 100 * point.indices.total[place], 0.7, color=ORANGE, alpha=0.5, xerr=error)
-        panel.barh(row, 100 * point.indices.first[place], 0.4, color=ORANGE)
+        error = 200 * found.total_error[place, point]
+        panel.barh(row, 100 * found.total[place, point], 0.7, color=ORANGE, alpha=0.5, xerr=error)
+        panel.barh(row, 100 * found.first[place, point], 0.4, color=ORANGE)
     panel.set_xlabel("share of the variance, %")
     panel.grid(alpha=0.3, axis="x")

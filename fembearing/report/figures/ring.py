@@ -7,9 +7,9 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.projections.polar import PolarAxes
 from matplotlib.ticker import MaxNLocator
 
+from analytic.figures.style import BLUE, LETTERS, RED, WIDTH, lettered
 from analytic.loads.ring_state import Balls
 from fembearing.quantities import Units
-from fembearing.report.figures.style import BLUE, LETTERS, RED, WIDTH, lettered
 from fembearing.report.figures.torque import NO_TORQUE
 from fembearing.report.phrases import loads_of, present_loads, speed_words
 from fembearing.report.report import Report

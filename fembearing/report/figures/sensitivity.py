@@ -6,9 +6,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from analytic.figures.style import BLACK, BLUE, LETTERS, ORANGE, WIDTH, lettered
 from fembearing.check.sensitivity import Input, Output, Sensitivity
 from fembearing.quantities import CONTACT, Units
-from fembearing.report.figures.style import BLACK, BLUE, LETTERS, ORANGE, WIDTH, lettered
 from fembearing.report.phrases import input_name, loads_of, present_loads
 from fembearing.report.report import Report
 

@@ -16,10 +16,11 @@ from matplotlib.figure import Figure
 from matplotlib.patheffects import withStroke
 from matplotlib.ticker import LogLocator, MaxNLocator
 
+from analytic.figures.style import DECADE, plain_numbers
 from analytic.scene import Array
 from analytic.writing import write
 from fembearing.quantities import METRIC, QUANTITIES, Unit, unit_for
-from fembearing.report.figures.style import plain_numbers, png
+from fembearing.report.figures.style import png
 
 PLOTTED = ("torque_total", "peak_pressure_inner", "peak_pressure", "discrepancy_peak_pressure")
 MOST_PANELS, MOST_LINES = 6, 8
@@ -132,7 +133,9 @@ def _draw_lines(variable: Any, across: list[str], others: list[str], unit: Unit)
         label = ", ".join(_place(variable[d], value) for d, value in chosen.items())
         panel.plot(_shown_axis(part[horizontal]), unit.number(part.values), "o-", markersize=3, label=label)
     _set_axis(panel, panel.xaxis, variable[horizontal])
-    if isinstance(_norm(unit.number(variable.values)), LogNorm):
+    known = variable.values[np.isfinite(variable.values)]
+    is_wide = panel.get_xscale() == "log" and panel.get_xlim()[1] > DECADE * panel.get_xlim()[0]
+    if isinstance(_norm(unit.number(variable.values)), LogNorm) or (is_wide and known.min() > 0):
         panel.set_yscale("log")
         plain_numbers(panel.yaxis)
     panel.set(xlabel=_label(variable[horizontal]), ylabel=f"{_name(variable)}, {unit.name}")

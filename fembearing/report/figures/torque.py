@@ -1,178 +1,184 @@
-"""The friction torque over the operating points, split by effect, with its 95 % interval and the makers' formulas."""
+"""Torque, friction coefficients and films over the operating points, and the torques of several scenes."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from analytic.scene import Array
-from fembearing.quantities import QUANTITIES
-from fembearing.report.figures.series_axis import SeriesAxis, axis_of
-from fembearing.report.figures.style import (
-    BLACK,
-    BLUE,
-    GREEN,
-    GREY,
-    LETTERS,
-    ORANGE,
-    PURPLE,
-    RED,
-    SKY,
-    WIDTH,
-    YELLOW,
-    lettered,
+from analytic.errors import require_packages
+from analytic.figures.series_axis import SeriesAxis
+from analytic.figures.style import BLUE, DECADE, GREEN, GREY, LETTERS, ORANGE, PURPLE, RED, SKY, WIDTH, lettered, scaled
+from analytic.figures.torque import (
+    BAR,
+    HIGH,
+    DrawnTorque,
+    bars_figure,
+    finish,
+    is_logarithmic,
+    lengths,
+    logarithmic_torques,
+    panel_of,
+    torque_figure,
 )
-from fembearing.report.torque import TorqueRecord
+from analytic.scene import Array
+from analytic.units import coordinate_unit
+from fembearing.report.report import Report
 
-if TYPE_CHECKING:  # charts in a browser take the parts alone
+if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from fembearing.report.report import Report
-
-PARTS = {  # from the bottom, with words for the legend
-    "spin": ("spin", BLUE),
-    "conformity": ("conformity slip", SKY),
-    "hysteresis": ("hysteresis", GREEN),
-    "rolling": ("rolling against the oil", ORANGE),
-    "cage": ("cage", PURPLE),
-    "oil": ("oil outside the contacts", YELLOW),
-    "declared": ("declared: seals, drag", GREY),
-}
-MAKERS: Mapping[str, tuple[str, str]] = {"SKF": ("-", "s"), "Palmgren": (":", "v"), "ISO 15312": ("-.", "D")}
-OF_MAKERS = RED  # line and mark of each, in one colour
-BAR = 0.6  # width
-HIGH = 3.4  # inches
 NO_TORQUE = "No torque: the scene has neither a friction coefficient nor both lubricant and surface."
-INTERVAL, UNCERTAINTY = "95 % interval", "its uncertainty"
+NOTHING_SLIDES = "No friction coefficient: no sliding was computed."
+LOOKS = {"inner": (BLUE, "o", "-"), "outer": (RED, "s", "--"), "pocket": (GREEN, "^", ":")}  # lines may lie on another
+PARTED = 3.0  # film over roughness, from which hardly a summit touches: a rule of thumb
+FRICTION_HIGH = 2.6  # inches
+BESIDE = 0.08  # of the distance of two operating points, between scenes
+OF_SCENES = [(colour, line) for line in ("-", "--", ":") for colour in (BLUE, RED, GREEN, ORANGE, PURPLE, SKY)]
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Beside:
-    """What stands beside the torque of each operating point, in the order of the points; N m, NaN: not known."""
-
-    interval: Array  # (2, n) both ends
-    makers: Mapping[str, Array]  # (2, n) least and greatest of the formulas of each maker
-
-    @property
-    def has_interval(self) -> bool:
-        """Whether any point has one."""
-        return bool(np.isfinite(self.interval).any())
-
-    def along(self, axis: SeriesAxis) -> "Beside":
-        """The same in the order and in the unit of an axis."""
-        factor = axis.units.torque.factor
-        makers = {name: factor * values[:, axis.order] for name, values in self.makers.items()}
-        return Beside(interval=factor * self.interval[:, axis.order], makers=makers)
+def torque_plot(document: Report) -> "tuple[Figure | None, str]":
+    """The torque by effect over the operating points, as `fembearing torque --out` draws it."""
+    if document.solved is None:
+        return None, NO_TORQUE
+    if len(document.solved.points) == 1:
+        return None, ""  # a table says it
+    drawn = document.solved.drawn.known
+    band = "Band" if is_logarithmic(drawn) else "Dashed" if drawn.axis.joined else "Bars"
+    caption = "Parts of the torque and their total. " if band == "Band" else "Stacked parts of the torque. "
+    known = "its 95 % interval from solver, inputs and formulas" if drawn.has_interval else "its uncertainty"
+    caption += f"{band}: {known}."
+    caption += " The part of the cage includes its motion." if document.cage_records else ""
+    if drawn.bands:
+        caption += f" Red: {', '.join(drawn.bands)}, the makers' formulas for an open bearing of this size."
+    return torque_figure(drawn), caption
 
 
-def beside_of(record: TorqueRecord) -> Beside:
-    """What a record has beside the torque, at the points that have one."""
-    places = range(len(record.points)) if not record.left_out else record.computed
-    ends = [record.interval[place] or (np.nan, np.nan) for place in places]
-    makers: dict[str, list[Array]] = {}
-    for name, series in record.catalogue_band.values.items():  # a maker may have two constants: "Palmgren, z = 0.0004"
-        values = np.array([np.nan if series[place] is None else series[place] for place in places], dtype=float)
-        if np.isfinite(values).any():
-            makers.setdefault(name.partition(",")[0], []).append(values)
-    return Beside(
-        interval=np.array(ends, dtype=float).T,
-        makers={name: np.array([np.min(series, axis=0), np.max(series, axis=0)]) for name, series in makers.items()},
+def compared_figure(scenes: Mapping[str, DrawnTorque]) -> "Figure":
+    """The torques of several scenes: a line for each over speed or load, with its 95 % interval.
+
+    Where each has one operating point, a bar of parts for each.
+    scenes : by name; the figure has the units of the first
+    """
+    require_packages("a figure", "matplotlib")
+    units = next(iter(scenes.values())).units
+    known = {name: replace(each.known, units=units) for name, each in scenes.items()}
+    labels = {
+        name: each.title if each.title.startswith(f"{name},") else f"{name}: {each.title}"
+        for name, each in known.items()
+    }
+    if all(each.total.size == 1 for each in known.values()):
+        names = [label.replace(", ", ",\n", 1) for label in labels.values()]
+        return bars_figure(_together(known), names, "Torques of several scenes")
+    series = [each.axis for each in known.values() if each.total.size > 1]
+    over = series[0].over if len({axis.over for axis in series}) == 1 else ""
+    figure, panel = panel_of(HIGH + BAR * len(known))
+    places, torques = [], []
+    for number, (name, each) in enumerate(known.items()):
+        colour, line = OF_SCENES[number % len(OF_SCENES)]
+        x = np.arange(1.0, 1 + each.total.size) + BESIDE * number
+        if over:
+            x = coordinate_unit(over, units).number(np.abs(each.axis.columns[over]))
+        if over and x.size > 1:
+            panel.plot(x, each.total, line + each.axis.mark, color=colour, markersize=4, label=labels[name])
+            panel.fill_between(x, *each.ends, color=colour, alpha=0.12, linewidth=0)
+        else:
+            look = {"fmt": "o", "color": colour, "capsize": 3, "markersize": 4}
+            panel.errorbar(x, each.total, lengths(each), label=labels[name], **look)
+        places.append(x)
+        torques += [each.total, *each.ends]
+    _scale(panel, np.concatenate(places), np.concatenate(torques), joined=bool(over))
+    panel.set_xlabel(series[0].label if over else "operating point")
+    panel.set_ylabel(next(iter(known.values())).heading)
+    panel.grid(alpha=0.3)
+    finish(figure, "Torques of several scenes, with 95 % intervals", columns=1)
+    return figure
+
+
+def _scale(panel: "Axes", x: Array, torques: Array, *, joined: bool) -> None:
+    """Logarithmic axes over a decade of speed or load; else torques from 0, over numbers of points if not joined."""
+    if joined and x.min() > 0 and x.max() >= DECADE * x.min() * (1 - 1e-9):  # round-off of a unit
+        scaled(panel, x, axis="x")
+        logarithmic_torques(panel, torques)
+        return
+    panel.set_ylim(0, None)
+    if not joined:
+        panel.set_xticks(np.arange(1, 1 + int(x.max())))
+
+
+def _together(scenes: Mapping[str, DrawnTorque]) -> DrawnTorque:
+    """The first point of each scene as one series."""
+    first = next(iter(scenes.values()))
+    names = {name: None for each in scenes.values() for name in each.columns}
+    makers = {name: None for each in scenes.values() for name in each.makers}
+    unknown = np.array([np.nan])
+
+    def joined(name: str, of: Sequence[Mapping[str, Array]]) -> Array:
+        return np.concatenate([each.get(name, unknown)[:1] for each in of])
+
+    columns, formulas = [each.columns for each in scenes.values()], [each.makers for each in scenes.values()]
+    return replace(
+        first,
+        columns={name: joined(name, columns) for name in names},
+        makers={name: joined(name, formulas) for name in makers},
     )
 
 
-def torque_plot(document: "Report") -> "tuple[Figure | None, str]":
-    """Parts stacked up to the total, with its interval and the makers' formulas."""
-    if document.torque is None:
+def friction_plot(document: Report) -> "tuple[Figure | None, str]":
+    """Coefficients; where a film was computed, its thickness over the roughness, and the load on asperities."""
+    if document.solved is None:
         return None, NO_TORQUE
-    if len(document.torque.points) == 1:
+    if len(document.solved.points) == 1:
         return None, ""  # a table says it
-    axis = axis_of(document.torque.points, document.units)
-    beside = beside_of(document.torque).along(axis)
+    axis = document.solved.drawn.known.axis
+    gap = document.solved.friction.gap_roughness
+    coefficients = {name: values for name in LOOKS if (values := axis.of(f"friction_coefficient_{name}")) is not None}
+    if not coefficients:
+        return None, NOTHING_SLIDES
+    races = ("inner", "outer")
+    films = {name: values / gap for name in races if gap and (values := axis.of(f"film_{name}")) is not None}
+    shares = {name: 100 * values for name in races if (values := axis.of(f"asperity_share_{name}")) is not None}
+    shown = [(coefficients, "friction coefficient", "Friction")]
+    caption = "Friction coefficient of the heaviest ball on each race"
+    caption += ", and of ball on pocket." if "pocket" in coefficients else "."
+    if films:
+        shown.append((films, "film over roughness", "Film"))
+        caption += (
+            " Film: central thickness over the rms roughness of both surfaces together; few asperities touch above "
+            f"{PARTED:g}."
+        )
+    if shares:
+        shown.append((shares, "load on asperities, %", "Asperities"))
+        caption += " Asperities: share of the load on asperities, with boundary friction."
+    if not films and not shares:
+        caption += " No film: the scene gives a constant coefficient of the races."
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(WIDTH, HIGH), layout="constrained")
-    panel = figure.subplots()
-    draw_parts(panel, axis)
-    known = draw_total(panel, axis, beside)
-    draw_makers(panel, axis, beside)
-    axis.apply(panel)
-    panel.set_ylabel(QUANTITIES["torque"].in_units(document.units).heading)
-    panel.set_title(axis.fixed)
-    panel.set_ylim(0, None)
-    panel.grid(alpha=0.3)
-    handles, words = panel.get_legend_handles_labels()
-    figure.legend(handles, words, loc="outside right upper", frameon=False, fontsize=LETTERS)
-    caption = f"Stacked parts of the torque; upper edge: total. {known}"
-    caption += " The part of the cage includes its motion." if document.cage_records else ""
-    if beside.makers:
-        caption += f" Red: {', '.join(beside.makers)}, the makers' formulas for an open bearing of this size."
+    figure = Figure(figsize=(WIDTH, FRICTION_HIGH), layout="constrained")
+    panels = figure.subplots(1, len(shown), squeeze=False)[0]
+    for panel, (curves, label, title) in zip(panels, shown, strict=True):
+        _curves(panel, axis, curves)
+        panel.set_ylabel(label)
+        panel.set_title(title)
+        if title == "Film" and panel.get_ylim()[0] < PARTED < panel.get_ylim()[1]:
+            panel.axhline(PARTED, color=GREY, linewidth=1, linestyle="-.", label="summits part, about")
+    handles = {words: line for panel in panels for line, words in zip(*panel.get_legend_handles_labels(), strict=True)}
+    figure.legend(
+        handles.values(), handles.keys(), loc="outside lower center", ncols=4, frameon=False, fontsize=LETTERS
+    )
     return lettered(figure), caption
 
 
-def draw_parts(panel: "Axes", axis: SeriesAxis) -> None:
-    """Draw the parts, stacked."""
-    below = np.zeros(axis.values.size)
-    for name, (words, colour) in PARTS.items():
-        part = axis.of("torque", name)
-        if part is None:
-            continue
-        above = below + axis.units.torque.factor * part
-        if axis.joined:
-            panel.fill_between(axis.values, below, above, color=colour, alpha=0.75, linewidth=0, label=words)
-        else:
-            panel.bar(axis.values, above - below, BAR, bottom=below, color=colour, alpha=0.75, label=words)
-        below = above
-
-
-def total_of(axis: SeriesAxis, beside: Beside) -> tuple[Array, Array]:
-    """(n,) the total as it is shown, and (2, n) the ends of its interval, else of its uncertainty as far as known."""
-    total = axis.of("torque", "total")
-    assert total is not None  # the total is always there
-    total = axis.units.torque.factor * total
-    if beside.has_interval:
-        return total, beside.interval
-    parts = [part for name in ("numerical", "model") if (part := axis.of("uncertainty", name)) is not None]
-    half = np.sum(parts, axis=0) * np.ones_like(total)
-    return total, np.array([total * (1 - half), total * (1 + half)])
-
-
-def draw_total(panel: "Axes", axis: SeriesAxis, beside: Beside) -> str:
-    """Draw the total with its interval; a sentence on what is drawn.
-
-    beside : along the axis
-    """
-    total, ends = total_of(axis, beside)
-    words = INTERVAL if beside.has_interval else UNCERTAINTY
-    if axis.joined:
-        for number, edge in enumerate(ends):
-            label = "_" if number else words
-            panel.plot(axis.values, edge, "--", color=BLACK, linewidth=0.8, label=label)
-        panel.plot(axis.values, total, "-" + axis.mark, color=BLACK, markersize=4, label="total")
-    else:
-        apart = np.maximum([total - ends[0], ends[1] - total], 0.0)  # skewed ends may cross
-        look: dict[str, Any] = {"fmt": "o", "color": BLACK, "capsize": 4, "markersize": 4}
-        panel.errorbar(axis.values, total, apart, label=f"total, {words.removeprefix('its ')}", **look)
-    drawn = "Dashed" if axis.joined else "Bars"
-    if beside.has_interval:
-        return f"{drawn}: its 95 % interval from solver, inputs and formulas."
-    known = {"numerical": "numerical", "model": "of the model's formulas at 95 %"}
-    named = [known[name] for name in known if axis.of("uncertainty", name) is not None]
-    return f"{drawn}: its uncertainty, {' and '.join(named) or 'not known'}."
-
-
-def draw_makers(panel: "Axes", axis: SeriesAxis, beside: Beside) -> None:
-    """Draw what the formulas of each maker give; beside : along the axis."""
-    for name, (low, high) in beside.makers.items():
-        line, mark = MAKERS.get(name, ("--", "x"))
-        if axis.joined:
-            panel.plot(axis.values, high, line, color=OF_MAKERS, linewidth=1.1, label=name)
-            if np.nanmax(high - low) > 0:
-                panel.plot(axis.values, low, line, color=OF_MAKERS, linewidth=1.1, label="_")
-                panel.fill_between(axis.values, low, high, color=OF_MAKERS, alpha=0.12, linewidth=0)
-        else:
-            place = axis.values + BAR / 2 + 0.08
-            panel.vlines(place, low, high, color=OF_MAKERS, linewidth=1)
-            panel.plot(place, high, mark, color=OF_MAKERS, markersize=4, label=name)
-            panel.plot(place, low, mark, color=OF_MAKERS, markersize=4, label="_")
+def _curves(panel: "Axes", axis: SeriesAxis, curves: dict[str, Array]) -> None:
+    """One line for each contact, on a scale that fits all of them."""
+    for name, values in curves.items():
+        colour, mark, line = LOOKS[name]
+        style = f"{line if axis.joined else ''}{mark if axis.mark else ''}"
+        panel.plot(axis.values, values, style, color=colour, markersize=5, label=name)
+    every = np.concatenate(list(curves.values()))
+    scaled(panel, every)
+    if panel.get_yscale() == "linear":
+        panel.set_ylim(0, 1.15 * max(float(np.nanmax(every)), 1e-12))
+    axis.apply(panel)
+    panel.grid(alpha=0.3)

@@ -2,10 +2,11 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from analytic.units import METRIC, MICRO, STIFFNESS, TANGENT, Units
 from fembearing.check.contact.load_series import LoadSeries
 from fembearing.check.contact.pocket_law import PocketLaw
 from fembearing.check.contact.subsurface import SubsurfaceComparison
-from fembearing.quantities import METRIC, MICRO, STIFFNESS, STRESSES, TANGENT, Units
+from fembearing.quantities import STRESSES
 from fembearing.report.contact import ContactRecord, sheet_in_series
 from fembearing.report.phrases import (
     AXES,

@@ -2,6 +2,8 @@
 
 from collections.abc import Mapping, Sequence
 
+import numpy as np
+
 from analytic.prediction.prediction import Prediction
 from analytic.scene_torque import SceneTorque
 from fembearing.quantities import METRIC, Units
@@ -68,7 +70,7 @@ def shares_table(prediction: Prediction, units: Units = METRIC) -> Table:
             input_name(prediction.inputs[place].key),
             *(f"{100 * index[place]:.0f} +- {100 * error[place]:.1g}" for index, error in shares),
         ]
-        for place in prediction.ranked[:MOST_INPUTS]
+        for place in np.argsort(-prediction.indices.total[:, ends].max(axis=1), kind="stable").tolist()[:MOST_INPUTS]
     ]
     note = f"In all: with interactions. +-: standard errors. {explained_words(prediction)}"
     return table_of("Share of each input in the variance of the total, %", heads, rows, [note])

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from analytic.columns import COLUMNS, COORDINATES, Point
+from analytic.figures.torque import RESIDUE
 from analytic.result import BEARINGS, PairPart
 from analytic.scene_torque import SceneTorque
 from analytic.words import angle_of
@@ -28,7 +29,6 @@ from fembearing.report.tables.table import Head, Row, Table, table_of, without_z
 if TYPE_CHECKING:  # a torque alone needs no solver, which the report of a check loads
     from fembearing.report.report import ChangeRecord
 
-RESIDUE = 1e-6  # of the total: a smaller part is what is left of a balance of the balls, not a torque
 PARTS = {  # with their names in a terminal
     "spin": "spin",
     "conformity": "conf.",

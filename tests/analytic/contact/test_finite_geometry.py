@@ -1,6 +1,6 @@
 """The correction for finite geometry: its limits, its range, and finite elements outside its fit."""
 
-from dataclasses import fields, replace
+from dataclasses import replace
 from functools import cache
 from importlib import import_module
 from typing import Any
@@ -11,14 +11,8 @@ from numpy.typing import NDArray
 from scipy.special import ellipk
 
 from analytic.contact.factors import ContactFactors, FactorNumbers, corrected, factor_fields
-from analytic.contact.finite_geometry import (
-    ContactShape,
-    contact_shape,
-    finite_geometry_factors,
-    race_shape,
-    shape_bases,
-)
-from analytic.contact.finite_geometry_fit import SMALL, stored_fit
+from analytic.contact.finite_geometry import contact_shape, finite_geometry_factors, race_shape
+from analytic.contact.finite_geometry_fit import SMALL, ContactShape, shape_bases, stored_fit
 from analytic.contact.geometry import race_contact
 from analytic.contact.hertz import hertz_contact, loaded_hertz, unit_hertz
 from analytic.scene import Bearing, Contact, Material
@@ -32,6 +26,7 @@ SHAPE = ContactShape(
     race_poisson_ratio=0.31,
     ball_share=0.43,
     shoulder=0.61,
+    far_shoulder=0.61,
 )
 
 
@@ -49,8 +44,8 @@ def factors(shape: ContactShape) -> dict[str, NDArray[np.float64]]:
 def test_a_point_contact_is_hertz() -> None:
     """Deviations fade at least in proportion to the size times its logarithm, and are 0 at size 0."""
     sizes = np.array([0.0, 1e-12, 1e-6, 1e-3])
-    for shape in (SHAPE, replace(SHAPE, rolling_curvature=-0.17, ball_share=0.9)):
-        for factor in factors(replace(shape, size=sizes)).values():
+    for shape in (SHAPE, SHAPE._replace(rolling_curvature=-0.17, ball_share=0.9)):
+        for factor in factors(shape._replace(size=sizes)).values():
             assert factor[0] == 1
             assert (np.abs(factor[1:] - 1) < 0.3 * sizes[1:] * -np.log(sizes[1:])).all()
     assert all(
@@ -76,21 +71,10 @@ def test_only_ratios_matter(contacts: dict[str, Contact]) -> None:
         race_material=stiffer(plain.race_material),
     )
     one, other = contact_shape(plain), contact_shape(scaled)
-    for field in fields(ContactShape):
-        np.testing.assert_allclose(getattr(one, field.name), getattr(other, field.name), rtol=1e-12)  # round-off
+    np.testing.assert_allclose(one, other, rtol=1e-12)  # round-off
     assert one.ball_share == pytest.approx(0.5, rel=1e-12)
     assert one.conformity == pytest.approx(4.13 / 7.94, rel=1e-12)
     assert one.rolling_curvature == pytest.approx(3.97 / 16.47, rel=1e-12)
-
-
-def test_the_softer_body_has_the_greater_share(contacts: dict[str, Contact]) -> None:
-    plain = contacts["outer"]
-    ball = replace(plain.ball_material, youngs_modulus=310e9, poisson_ratio=0.26)
-    race = replace(plain.race_material, youngs_modulus=110e9, poisson_ratio=0.34)
-    found = contact_shape(replace(plain, ball_material=ball, race_material=race))
-    of_ball, of_race = (1 - 0.26**2) / 310, (1 - 0.34**2) / 110
-    assert found.ball_share == pytest.approx(of_ball / (of_ball + of_race), rel=1e-12)  # round-off
-    assert (found.ball_poisson_ratio, found.race_poisson_ratio) == (0.26, 0.34)
 
 
 @pytest.mark.parametrize("race", ["inner", "outer"])
@@ -99,23 +83,21 @@ def test_a_race_at_an_angle_is_its_contact(bearing_6205: Bearing, race: Any) -> 
     many = race_shape(bearing_6205, race, contact_angle=angles, ball_load=loads)
     for number, (angle, load) in enumerate(zip(angles, loads, strict=True)):
         one = contact_shape(race_contact(bearing_6205, race, contact_angle=float(angle), ball_load=float(load)))
-        for field in fields(ContactShape):
-            value = np.broadcast_to(getattr(many, field.name), angles.shape)[number]
-            np.testing.assert_allclose(value, getattr(one, field.name), rtol=1e-12)  # round-off
+        np.testing.assert_allclose([ratio[number] for ratio in many], one, rtol=1e-12)  # round-off
 
 
 def test_the_bases_agree_with_their_definitions() -> None:
     """By the elliptic integral of the ellipse, and by hand."""
-    found = shape_bases(SHAPE)
-    ratio = float(found["axis_ratio"])
+    found, _ = shape_bases(SHAPE)
+    ratio = float(found.axis_ratio)
     hertz = hertz_contact(curvature_x=1.27, curvature_y=1 - 1 / 1.042, load=0.3, modulus=2.0)
     assert ratio == pytest.approx(float(hertz.semi_axis_x / hertz.semi_axis_y), rel=1e-12)  # round-off
-    assert found["relative_load"] == pytest.approx(2 * np.pi * 0.23 / (3 * ellipk(1 - ratio**2)), rel=1e-12)
+    assert found.relative_load == pytest.approx(2 * np.pi * 0.23 / (3 * ellipk(1 - ratio**2)), rel=1e-12)
     ball, race = 0.43 * 0.46**2 / 0.73, 0.57 * 0.38**2 / 0.69
     expected = (ball + race * (0.27 - 1 / 1.042) / 2) * np.log(0.23)
-    assert found["log_drift"] == pytest.approx(expected, rel=1e-12)
-    assert found["race_drift"] == pytest.approx(0.57 * 0.38 / 0.69, rel=1e-12)
-    assert found["ball_bulk"] == pytest.approx(0.43 / (1 - 0.27**2), rel=1e-12)
+    assert found.log_drift == pytest.approx(expected, rel=1e-12)
+    assert found.race_drift == pytest.approx(0.57 * 0.38 / 0.69, rel=1e-12)
+    assert found.ball_bulk == pytest.approx(0.43 / (1 - 0.27**2), rel=1e-12)
 
 
 def test_the_logarithm_of_the_approach_is_that_of_theory() -> None:
@@ -143,16 +125,16 @@ def test_the_logarithm_of_the_approach_is_that_of_theory() -> None:
     ],
 )
 def test_beyond_the_range_the_correction_is_held_with_a_warning(name: str, value: float) -> None:
-    base = replace(SHAPE, size=0.05) if "shoulder" in name else SHAPE
-    base = replace(base, far_shoulder=0.83, contact_angle=0.31)
+    base = SHAPE._replace(size=0.05) if "shoulder" in name else SHAPE
+    base = base._replace(far_shoulder=0.83, contact_angle=0.31)
     inside = getattr(base, name)
-    found = finite_geometry_factors(replace(base, **{name: np.array([inside, value, inside])}))
+    found = finite_geometry_factors(base._replace(**{name: np.array([inside, value, inside])}))
     np.testing.assert_array_equal(found.covered, [True, False, True])
     (warning,) = found.warnings
     assert name.replace("_", " ") in warning
     assert f"{np.rad2deg(value) if name == 'contact_angle' else value:.4g}" in warning
     border = stored_fit()["range"][name.removeprefix("far_")][int(value > inside)]
-    held = finite_geometry_factors(replace(base, **{name: np.array(border)}))
+    held = finite_geometry_factors(base._replace(**{name: np.array(border)}))
     for quantity in NAMES:
         grown = 1.0 if name != "size" else (value / border) ** (1 if quantity == "approach" else 2)
         change, there = (np.asarray(getattr(each.factors, quantity)) - 1 for each in (found, held))
@@ -170,8 +152,8 @@ def test_beyond_the_range_the_correction_is_held_with_a_warning(name: str, value
 )
 def test_beyond_the_range_nothing_jumps_and_two_steps_away_hertz_stays(name: str, border: float, step: float) -> None:
     """From within the range to far outside, in steps of which each changes little."""
-    base = replace(SHAPE, size=0.03 if "shoulder" in name else 0.1, shoulder=0.7, far_shoulder=0.8)
-    found = finite_geometry_factors(replace(base, **{name: border + step * np.linspace(-0.1, 2.1, 2201)}))
+    base = SHAPE._replace(size=0.03 if "shoulder" in name else 0.1, shoulder=0.7, far_shoulder=0.8)
+    found = finite_geometry_factors(base._replace(**{name: border + step * np.linspace(-0.1, 2.1, 2201)}))
     for quantity in NAMES:
         factor, uncertainty = np.asarray(getattr(found.factors, quantity)), found.uncertainty[quantity]
         change = np.max(np.abs(factor - 1))
@@ -184,13 +166,16 @@ def test_beyond_the_range_nothing_jumps_and_two_steps_away_hertz_stays(name: str
 
 def test_a_contact_near_its_shoulder_is_held() -> None:
     name = "approach"
-    near, far = (finite_geometry_factors(replace(SHAPE, size=0.4, shoulder=0.4 * ratio)) for ratio in (1.14, 1.16))
+    near, far = (
+        finite_geometry_factors(SHAPE._replace(size=0.4, shoulder=0.4 * ratio, far_shoulder=0.4 * ratio))
+        for ratio in (1.14, 1.16)
+    )
     assert not near.covered
     assert "nearer to the shoulder" in near.warnings[0]
     assert far.covered
     assert far.warnings == ()
     assert getattr(near.factors, name) == pytest.approx(float(getattr(far.factors, name)), abs=1e-4)
-    cut = finite_geometry_factors(replace(SHAPE, size=0.4, shoulder=0.4 * 0.84))
+    cut = finite_geometry_factors(SHAPE._replace(size=0.4, shoulder=0.4 * 0.84, far_shoulder=0.4 * 0.84))
     assert getattr(cut.factors, name) == 1  # past the shoulder the pressure is not Hertz's
     assert cut.uncertainty[name] > abs(float(getattr(far.factors, name)) - 1)
 
@@ -209,17 +194,17 @@ def test_a_correction_brings_its_own_peak_pressure() -> None:
 
 def test_the_nearer_shoulder_decides_whether_the_contact_is_covered() -> None:
     for near, far, covered in ((0.3, 0.9, True), (0.3, 0.26, False), (0.26, 0.9, False)):
-        found = finite_geometry_factors(replace(SHAPE, shoulder=near, far_shoulder=far))  # 1.15 * 0.23 is 0.2645
+        found = finite_geometry_factors(SHAPE._replace(shoulder=near, far_shoulder=far))  # 1.15 * 0.23 is 0.2645
         assert found.covered == covered
         assert bool(found.warnings) != covered
-    cut = finite_geometry_factors(replace(SHAPE, shoulder=0.8, far_shoulder=0.19))
+    cut = finite_geometry_factors(SHAPE._replace(shoulder=0.8, far_shoulder=0.19))
     assert cut.factors.approach == 1
     assert "is nearer to the shoulder" in cut.warnings[0]
 
 
 def test_a_contact_without_load_is_hertz_wherever_it_is() -> None:
     """At the bottom of a counterbored groove, at its shoulder, for example."""
-    found = finite_geometry_factors(replace(SHAPE, size=np.array([0.0, 0.1]), far_shoulder=0.0))
+    found = finite_geometry_factors(SHAPE._replace(size=np.array([0.0, 0.1]), far_shoulder=0.0))
     np.testing.assert_array_equal(found.covered, [True, False])
     assert np.asarray(found.factors.approach)[0] == 1
 

@@ -107,16 +107,6 @@ def test_the_last_step_to_the_ellipse_takes_its_integrals_along(log_ratio: float
     np.testing.assert_allclose(np.log(ratio), log_ratio, rtol=1e-13, atol=1e-14)
 
 
-def test_a_ball_on_a_flat_is_the_circular_closed_form() -> None:
-    radius = 1 / LARGE  # [Johnson1985] equations 4.22 to 4.24
-    a = (3 * LOAD * radius / (4 * MODULUS)) ** (1 / 3)
-    found = contact(LARGE, LARGE)
-    np.testing.assert_allclose([found.semi_axis_x, found.semi_axis_y], a, rtol=ROUND_OFF)
-    np.testing.assert_allclose(found.approach, a**2 / radius, rtol=ROUND_OFF)
-    np.testing.assert_allclose(found.peak_pressure, 3 * LOAD / (2 * np.pi * a**2), rtol=ROUND_OFF)
-    np.testing.assert_allclose(found.stiffness, 4 / 3 * MODULUS * np.sqrt(radius), rtol=ROUND_OFF)
-
-
 @pytest.mark.parametrize("curvatures", [(LARGE, SMALL), (SMALL, LARGE), (LARGE, 0.93 * LARGE)])
 def test_the_pressure_closes_the_gap_and_carries_the_load(curvatures: tuple[float, float]) -> None:
     found = contact(*curvatures)
@@ -141,12 +131,6 @@ def test_harris_table() -> None:
     np.testing.assert_allclose(found.approach / (unit**2 * curvature_sum / 2), table["delta_star"], rtol=rounding)
 
 
-def test_zero_load_is_no_contact_of_finite_stiffness() -> None:
-    found = contact(load=0.0)
-    assert [float(getattr(found, field)) for field in FIELDS[:4]] == [0, 0, 0, 0]
-    np.testing.assert_allclose(found.stiffness, contact().stiffness, rtol=ROUND_OFF)
-
-
 def test_a_contact_under_one_newton_gives_that_under_any_load() -> None:
     loads = np.array([0.0, 3.7e-5, LOAD])
     scaled, direct = loaded_contact(contact(load=1.0), load=loads), contact(load=loads)  # pyright: ignore[reportArgumentType]
@@ -154,15 +138,6 @@ def test_a_contact_under_one_newton_gives_that_under_any_load() -> None:
         np.testing.assert_allclose(getattr(scaled, field), getattr(direct, field), rtol=ROUND_OFF, err_msg=field)
     with pytest.raises(InputError, match="load must be at least 0"):
         loaded_contact(contact(), load=-2.0)
-
-
-def test_arguments_broadcast() -> None:
-    curvatures, loads = np.array([[LARGE], [SMALL], [77.0]]), np.array([3.0, 41.0])
-    found = hertz_contact(curvature_x=curvatures, curvature_y=SMALL, load=loads, modulus=MODULUS)
-    for field in FIELDS:
-        values = getattr(found, field)
-        assert values.shape == (3, 2)
-        np.testing.assert_allclose(values[2, 1], getattr(contact(77.0, SMALL, load=41.0), field), rtol=ROUND_OFF)
 
 
 def test_a_bad_argument_is_named() -> None:

@@ -1,13 +1,10 @@
 """The fitted formulas against the exact contact: their errors are those of the docstring."""
 
-from typing import Any
-
 import numpy as np
 import pytest
 
 from analytic.contact.hertz import hertz_contact
 from analytic.contact.hertz_fitted import fitted_error, hertz_contact_fitted
-from tests.refusals import refused, refuses
 
 LOAD, MODULUS, SMALL = 613.0, 1.13e11, 9.7  # N, Pa, 1/m
 RATIOS = np.geomspace(1, 100, 801)
@@ -48,16 +45,6 @@ def test_pressure_carries_the_load_and_stiffness_fits_the_approach() -> None:
     np.testing.assert_allclose(carried, [[3.0, 41.0]] * 2, rtol=1e-13)  # round-off
     np.testing.assert_allclose(fitted.stiffness * fitted.approach**1.5, [[3.0, 41.0]] * 2, rtol=1e-13)
     assert np.all((fitted.semi_axis_x < fitted.semi_axis_y) == [[True], [False]])
-
-
-def test_a_bad_argument_is_named() -> None:
-    good = {"curvature_x": 310.0, "curvature_y": SMALL, "load": LOAD, "modulus": MODULUS}
-
-    def fitted(**changed: Any) -> object:
-        return hertz_contact_fitted(**good | changed)
-
-    refuses(fitted, load=-3.5, curvature_x=float("nan"))
-    refused(lambda: fitted(load=[1.5, 2.5], curvature_y=[3.0, 4.0, 5.0]), "(2,)", "(3,)", "equal lengths")
 
 
 def test_the_bound_covers_the_error_and_is_at_most_half_larger() -> None:

@@ -157,10 +157,6 @@ def test_low_poisson_ratio_brings_the_maximum_under_a_line_to_the_surface() -> N
     assert maximum(semi_axis_y=1e9 * A, poisson_ratio=-0.2).max_shear_depth == 0  # only the surface is left
 
 
-def test_no_load_no_stress() -> None:
-    assert maximum(peak_pressure=0.0).max_shear == 0
-
-
 def test_nonsense_is_refused() -> None:
     refuses(maximum, peak_pressure=-2.0, semi_axis_x=0.0, semi_axis_y=np.inf, poisson_ratio=0.51)
     refuses(maximum, poisson_ratio=np.nan)

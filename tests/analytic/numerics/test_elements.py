@@ -1,84 +1,81 @@
-"""Chosen elements of contacts and laws, and formulas of each element."""
+"""Formulas of each element: broadcasting, named tuples, ranges, and what refuses; and results of plain functions."""
 
-from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 import pytest
 
-from analytic.contact.rolling_contact import RollingContact
 from analytic.errors import InputError
-from analytic.numerics.elements import elements_of, mapped
-from analytic.oil.traction import MixedTraction
-from tests.analytic.specimens import OIL
-
-CONTACT = RollingContact(
-    load=np.array([[3.0], [170.0]]),
-    semi_axis_rolling=np.array([[2e-5], [9e-5]]),
-    semi_axis_transverse=np.array([[2e-4], [8e-4]]),
-    curvature_rolling=np.array([[310.0], [220.0]]),
-    curvature_transverse=9.7,
-    modulus=1.13e11,
-    deformed_radius=4.1e-3,
-    rolling_rate=np.array([[1.9], [2.3]]),
-)
+from analytic.numerics.elements import Finite, NotNegative, Positive, formula, mapped
+from analytic.scene import Array, SpinRule
+from tests.refusals import refused
 
 
-def test_chosen_elements_are_those_of_a_contact_that_is_made_anew() -> None:
-    chosen = elements_of(CONTACT, lambda value: np.broadcast_to(value, (2, 1))[1])
-    anew = RollingContact(**{name: np.broadcast_to(value, (2, 1))[1] for name, value in vars(CONTACT).items()})
-    for name, value in vars(anew).items():
-        np.testing.assert_array_equal(getattr(chosen, name), value)
-    np.testing.assert_array_equal(chosen.mean_pressure, CONTACT.mean_pressure[1])
-    with pytest.raises(InputError, match="load"):
-        replace(chosen, load=-1.0)
+class Inner(NamedTuple):
+    a: Positive
+    flag: bool = False
 
 
-def test_what_is_neither_array_nor_number_stays_and_nothing_known_of_the_whole_is_kept() -> None:
-    shares = np.array([[0.2], [0.7]])
-    law = MixedTraction(
-        lubricant=OIL,
-        boundary_friction=0.11,
-        asperity_share=shares,
-        boundary_share=1.1 * shares,
-        oil_area=1 - shares,
-        oil_thickness=3e-7 * shares,
-    )
-    whole = law.point_law  # remembered by the law
-    chosen = elements_of(law, lambda value: np.broadcast_to(value, (2, 1))[0])
-    assert chosen.lubricant is OIL
-    for part, of_all in zip(chosen.point_law, whole, strict=True):
-        np.testing.assert_array_equal(part, np.broadcast_to(of_all, (2, 1))[0])
+class Outer(NamedTuple):
+    b: float
+    inner: Inner
 
 
-def test_a_function_of_numbers_is_called_for_each_element() -> None:
-    """Plain floats, so that a compiled function meets one type of them."""
-    given = []
-
-    def difference(a: float, b: float) -> float:
-        given.append((a, b))
-        return a - b
-
-    found = mapped(difference, [[7], [9]], np.array([2.0, 3.0, 5.0], np.float32))
-    np.testing.assert_array_equal(found, [[5, 4, 2], [7, 6, 4]])
-    assert found.dtype == np.float64
-    assert {type(number) for numbers in given for number in numbers} == {float}
-    assert np.shape(mapped(difference, 7, 2)) == ()
+@formula
+def whole(outer: Outer, table: Array, x: NotNegative = 2.0, rule: SpinRule = "balanced") -> tuple[Outer, float, bool]:
+    """The fields again, changed, a sum and a comparison."""
+    total = outer.b * table[1] + x * outer.inner.a
+    again = Outer(2 * outer.b, Inner(outer.inner.a / 5, not outer.inner.flag))
+    return again, total if rule == "balanced" else -total, outer.b > x
 
 
-def test_results_that_belong_together_are_the_first_axes() -> None:
-    halves, roots = mapped(lambda x: (x / 2, x**0.5), [[4.0, 9.0, 25.0]])
-    np.testing.assert_array_equal(halves, [[2.0, 4.5, 12.5]])
-    np.testing.assert_array_equal(roots, [[2.0, 3.0, 5.0]])
-    pairs = mapped(lambda x, y: ((x, 2 * x, 3 * x), (y, 2 * y, 3 * y)), [2.0, 7.0, 11.0, 13.0], 5.0)
-    np.testing.assert_array_equal(pairs[0, 2], [6.0, 21.0, 33.0, 39.0])
-    np.testing.assert_array_equal(pairs[1, 1], np.full(4, 10.0))
+@formula
+def inverse(x: Finite) -> float:
+    return 1 / x
+
+
+OUTER = Outer(np.array([[3.0], [5.0]]), Inner(np.array([7.0, 11.0, 13.0]), True))  # pyright: ignore[reportArgumentType]
+TABLE = np.array([0.0, 100.0])
+
+
+def test_a_formula_is_taken_of_each_element_of_arrays_in_named_tuples() -> None:
+    again, total, larger = whole(OUTER, TABLE, x=[4.0, 2.0, 3.0])
+    np.testing.assert_array_equal(total, [[328, 322, 339], [528, 522, 539]])
+    np.testing.assert_array_equal(larger, [[False, True, False], [True, True, True]])
+    np.testing.assert_array_equal(again.b, [[6.0] * 3, [10.0] * 3])
+    np.testing.assert_array_equal(again.inner.a, [[1.4, 2.2, 2.6]] * 2)
+    assert not again.inner.flag.any()
+    assert (total.dtype, larger.dtype, type(again.inner)) == (np.float64, np.bool_, Inner)
+
+
+def test_numbers_give_numbers_and_defaults_count() -> None:
+    one = Outer(3.0, Inner(7.0))
+    again, total, larger = whole(one, TABLE)
+    assert (total, larger, again) == (314.0, True, Outer(6.0, Inner(1.4, True)))
+    assert whole(outer=one, table=TABLE, rule="inner_control")[1] == -314.0
+    assert np.shape(total) == ()
+    assert inverse(0) == np.inf  # as compiled formulas divide
 
 
 def test_no_elements_give_none_of_each_result() -> None:
-    assert mapped(lambda x, y: x - y, np.empty((0, 3)), 2.0).shape == (0, 3)
+    again, total, larger = whole(OUTER, TABLE, x=np.empty((0, 2, 3)))
+    assert again.inner.a.shape == total.shape == larger.shape == (0, 2, 3)
+
+
+def test_what_is_out_of_its_range_or_does_not_fit_is_named() -> None:
+    refused(lambda: whole(OUTER._replace(inner=Inner(-7.0)), TABLE), "a must be positive", "-7")
+    refused(lambda: whole(OUTER, TABLE, x=[2.0, -1.0, 3.0]), "x must be at least 0", "-1")
+    refused(lambda: inverse(np.nan), "x must be finite")
+    refused(lambda: whole(OUTER, TABLE, rule="either"), "rule must be one of", "balanced", "'either'")
+    with pytest.raises(InputError, match=r"b, a, x have shapes \(2, 1\), \(3,\), \(4,\): give equal lengths"):
+        whole(OUTER, TABLE, x=np.full(4, 2.0))
+
+
+def test_results_of_a_plain_function_that_belong_together_are_the_first_axes() -> None:
+    found = mapped(lambda a, b: a - b, [[7], [9]], np.array([2.0, 3.0, 5.0], np.float32))
+    np.testing.assert_array_equal(found, [[5, 4, 2], [7, 6, 4]])
+    pairs = mapped(lambda x, y: ((x, 2 * x, 3 * x), (y, 2 * y, 3 * y)), [2.0, 7.0, 11.0, 13.0], 5.0)
+    np.testing.assert_array_equal(pairs[0, 2], [6.0, 21.0, 33.0, 39.0])
     assert mapped(lambda x: (x, 2 * x), []).shape == (2, 0)
-
-
-def test_shapes_that_do_not_fit_are_refused() -> None:
     with pytest.raises(ValueError, match="broadcast"):
         mapped(lambda x, y: x - y, [2.0, 3.0], [5.0, 7.0, 11.0])

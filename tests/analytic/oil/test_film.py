@@ -6,17 +6,17 @@ import numpy as np
 import pytest
 from hypothesis import given
 
-from analytic.errors import InputError
 from analytic.oil.film import (
     CentralFilm,
+    Inflow,
+    asymptotes_of,
     central_film,
     density_ratio,
-    film_asymptotes,
     inlet_heating_factor,
+    log_film_of,
     shear_heat,
 )
 from tests.analytic.specimens import hertzian
-from tests.refusals import refused, refuses
 from tests.validation.hard.lubrication_exact import film as printed_film
 
 ROUND_OFF = 1e-13  # a few hundred roundings of a double
@@ -94,11 +94,11 @@ def test_the_slope_by_the_load_that_remains_is_that_of_the_film(
 ) -> None:
     """What sharing the load iterates by, against differences."""
     here = CONTACT | OIL | {"load": load, "entrainment_speed": speed, "pressure_viscosity": alpha}
-    contact, rest = hertzian(here)
-    asymptotes = film_asymptotes(contact, **rest, compressible=compressible)
+    contact, _ = hertzian(here)
+    asymptotes = asymptotes_of(contact, Inflow(speed, OIL["viscosity"], alpha, compressible))
     step = 1e-5
-    (up, _), (down, _) = (asymptotes.log_film(remaining + sign * step) for sign in (1, -1))
-    _, slope = asymptotes.log_film(remaining)
+    (up, _), (down, _) = (log_film_of(asymptotes, remaining + sign * step) for sign in (1, -1))
+    _, slope = log_film_of(asymptotes, remaining)
     np.testing.assert_allclose(slope, (up - down) / (2 * step), rtol=1e-6, atol=1e-8)  # round-off over the step
 
 
@@ -108,8 +108,6 @@ def test_the_density_of_oil_in_the_digits_given() -> None:
         density_ratio([0.5e9, 1e9, 1.83e9, 2.18e9]), [1.15596, 1.21384, 1.25711, 1.26758], atol=6e-6
     )
     np.testing.assert_allclose(density_ratio([0.0, 1e30]), [1.0, 1.34], rtol=ROUND_OFF)
-    with pytest.raises(InputError, match="pressure must be at least 0"):
-        density_ratio(-1.0)
 
 
 @given(load=loads, speed=speeds)
@@ -118,8 +116,8 @@ def test_compressible_oil_is_thinner_by_its_density_at_the_peak_pressure(load: f
     circle = {"curvature_transverse": 310.0, "load": load, "entrainment_speed": speed}
     plain, squeezed = film(**circle), film(**circle, compressible=True)
     peak = np.cbrt(6 * load * (1.13e11 * 310.0) ** 2 / np.pi**3)
-    free = ~(plain.capped | squeezed.capped)
-    expected = np.where(free, plain.thickness / density_ratio(peak), squeezed.thickness)
+    free = not (plain.capped or squeezed.capped)
+    expected = plain.thickness / density_ratio(peak) if free else squeezed.thickness
     np.testing.assert_allclose(squeezed.thickness, expected, rtol=1e-12)
     assert squeezed.thickness <= plain.thickness
 
@@ -155,21 +153,6 @@ def test_an_ellipse_outside_the_fit_is_marked(ratio: float, outside: bool) -> No
     assert found.thickness > 0  # the formula still has a value
 
 
-def test_arguments_broadcast() -> None:
-    load, speed = np.array([3.0, 613.0]), np.array([[0.1], [0.37], [0.9]])
-    table = film(load=load, entrainment_speed=speed)
-    assert table.thickness.shape == table.capped.shape == table.ellipticity.shape == (3, 2)
-    for i, j in np.ndindex(3, 2):
-        alone = film(load=float(load[j]), entrainment_speed=float(speed[i, 0])).thickness
-        np.testing.assert_allclose(table.thickness[i, j], alone, rtol=ROUND_OFF)
-
-
-def test_nonsense_is_refused() -> None:
-    refuses(film, curvature_rolling=0.0, curvature_transverse=-3.0, load=-1.0, modulus=np.inf, entrainment_speed=np.nan)
-    refuses(film, viscosity=0.0, pressure_viscosity=-1e-8, largest_gap=0.0)
-    refused(lambda: film(load=np.ones(3), entrainment_speed=np.ones(2)), "equal lengths")
-
-
 def test_inlet_heating() -> None:
     """About 2 % at the inner race of a 6205 at 500 rpm; the printed formula in 40 digits; its limits."""
     loading = shear_heat(0.06, 0.04, 0.49, 0.14)
@@ -189,5 +172,3 @@ def test_inlet_heating() -> None:
     assert growing[-1] == 0
     slipping = inlet_heating_factor(thermal_loading=0.2, **(arguments | {"slide_to_roll": np.linspace(0, 2, 41)}))
     assert np.all(np.diff(slipping) < 0)
-    with pytest.raises(InputError, match="slide_to_roll must be at least 0"):
-        inlet_heating_factor(thermal_loading=0.2, **(arguments | {"slide_to_roll": -0.1}))

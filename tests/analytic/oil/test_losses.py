@@ -121,35 +121,6 @@ def test_what_counts_twice_or_has_no_oil_is_refused(scene: Scene) -> None:
         refused(lambda: stirred_oil(given, losses), words)  # noqa: B023
 
 
-def test_a_loss_that_counts_once_is_taken(scene: Scene) -> None:
-    """Beside a drag that is declared, a cage without drag, or a cage whose pockets do not shear."""
-    caged = load_scene("paper_6205")
-    braked = replace(caged, cage=replace(present(caged.cage), drag=1e-6))
-    for given, losses in (
-        (scene, Losses(oil_share=0.03)),
-        (scene, Losses(oil_share=1.0)),
-        (scene, Losses(drag=2e-3, oil_flow=1e-5)),
-        (replace(scene, cage=None), Losses(pockets=OIL.pockets, land=OIL.land)),
-        (caged, Losses(land=OIL.land)),
-        (braked, Losses(oil_share=0.03)),
-    ):
-        found = present(stirred_oil(given, losses))
-        assert (found.share, found.land, found.pockets) == (losses.oil_share or 0.0, losses.land, losses.pockets)
-        assert found.flow == (losses.oil_flow or 0.0)
-    assert stirred_oil(scene, Losses(drag=2e-3)) is None
-
-
-def test_parts_of_no_size_are_refused(scene: Scene) -> None:
-    land, pockets = present(OIL.land), present(OIL.pockets)
-    for losses, name in (
-        (Losses(land=replace(land, clearance=0.0)), "losses.land.clearance"),
-        (Losses(land=replace(land, width=-1e-3)), "losses.land.width"),
-        (Losses(pockets=replace(pockets, thickness=0.0)), "losses.pockets.thickness"),
-        (Losses(oil_share=-0.1), "losses.oil_share must be at least 0"),
-    ):
-        refused(lambda: stirred_oil(scene, losses), name)  # noqa: B023
-
-
 def test_a_land_lies_on_its_ring(scene: Scene) -> None:
     """A 6206 has a bore of 30 mm, a pitch diameter of 46 mm and an outside diameter of 62 mm."""
     land, angle = present(OIL.land), ContactAngle(rule="given", value=0.3)

@@ -1,18 +1,15 @@
 """One contact of a 6205 as one formula, against what its parts are defined by."""
 
-from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from analytic.contact.geometry import RACES
-from analytic.contact.hertz import unit_hertz
-from analytic.contact.rolling_contact import ContactNumbers, RollingContact
+from analytic.contact.rolling_contact import ContactNumbers
 from analytic.loads.balls import LoadEffects, thrust_balls
-from analytic.oil.asymptotes import Inflow
-from analytic.oil.ehl_fit import covered, film_correction, fitted_force, inlet_length, regime_of
-from analytic.oil.film import film_asymptotes, inlet_heating_factor, shear_heat
+from analytic.oil.ehl_fit import covered, film_correction, fitted_force, regime_of
+from analytic.oil.film import Inflow
 from analytic.oil.inlets import InletNumbers, oil_supply, replenishment_exponent, starvation_source
 from analytic.oil.lubrication import (
     LubricatedContact,
@@ -21,24 +18,16 @@ from analytic.oil.lubrication import (
     rolling_force_of,
     rolling_torque_of,
 )
-from analytic.oil.mixed import MixedContact, mixed_contact
 from analytic.oil.race_resistance import SMOOTH_FORM
 from analytic.oil.rolling import (
-    biboulet_force,
-    houpert_rolling,
     hydrodynamic_rolling,
-    inlet_shear_factor,
-    replenishment_factor,
-    rolling_groups,
-    rolling_torque,
 )
-from analytic.oil.starvation import FLOODED, starved_by_degree, starved_by_factor
-from analytic.oil.traction import mean_force, mixed_traction
+from analytic.oil.starvation import FLOODED
 from analytic.oil.variation import NOMINAL, Variation
-from analytic.oil.viscosity import inlet_viscosity, oil_at, oil_numbers, roelands_viscosity
-from analytic.scene import Array, Bearing, ContactAngle, Lubricant, Operation, Surface
+from analytic.oil.viscosity import oil_at, oil_numbers, roelands_viscosity
+from analytic.scene import Bearing, ContactAngle, Lubricant, Operation, Surface
 from analytic.scenefile.read import load_scene
-from analytic.surface.gap import GapLaw, gap_forms, gap_law
+from analytic.surface.gap import GapNumbers, gap_forms, gap_law
 from analytic.surface.roughness import gap_roughness
 from tests.analytic.specimens import BEARING_6205, FINISH, OIL, present
 from tests.contacts import STEEL
@@ -55,102 +44,32 @@ ALL = {"asperities": True, "heats": True, "starves": True}
 BORE, OUTSIDE = 25e-3, 52e-3  # m
 
 
-def loaded(race: int, point: int) -> tuple[RollingContact, float]:
-    """One of three loads, and u/w, m."""
+def loaded(race: int, point: int) -> ContactNumbers:
+    """Under one of three loads."""
     operation = Operation(axial_load=np.array([41.0, 230.0, 1700.0]), inner_speed=np.zeros(3))
     balls = thrust_balls(BEARING_6205, ContactAngle(rule="solved", free=0.19), operation, STILL)
-    fields = {name: float(np.broadcast_to(of, (2, 3, 1))[race, point, 0]) for name, of in vars(balls.contacts).items()}
-    rates = np.broadcast_to(balls.motion.entrainment_speed, (2, 3, 1))
-    return RollingContact(**fields), float(rates[race, point, 0])
+    contacts = balls.contacts._replace(entrainment=balls.motion.entrainment_speed)
+    return ContactNumbers(*(float(np.broadcast_to(of, (2, 3, 1))[race, point, 0]) for of in contacts))
 
 
-def gap_of(finish: Surface, contact: RollingContact) -> GapLaw | None:
-    return gap_law(finish, gap_roughness(finish), modulus=float(contact.modulus), bodies=(STEEL, STEEL))
+def gap_of(finish: Surface, contact: ContactNumbers) -> GapNumbers:
+    return gap_law(finish, gap_roughness(finish), modulus=contact.modulus, bodies=(STEEL, STEEL))
 
 
 def lubricated(
     bearing: Bearing, race: int, point: int, oil: Lubricant, finish: Surface, variation: Variation, **counts: bool
 ) -> tuple[ContactNumbers, LubricatedContact]:
-    contact, rate = loaded(race, point)
+    contact = loaded(race, point)
     (form,), cubics = gap_forms(gap_of(finish, contact))
     names = {"asperities": "asperities", "inlet_heating": "heats", "starvation": "starves"}
     given = {"boundary_friction": finish.boundary_friction, "variation": variation}
     supply = oil_supply(bearing, oil, RACES[race], contact_angle=0.19)
     lubrication = lubrication_of(form, supply, oil, is_on=lambda name: counts[names[name]], **given)  # pyright: ignore[reportArgumentType]
-    numbers = ContactNumbers._make((*contact.fields[:8], rate))
-    unit = unit_hertz(numbers.curvature_rolling, numbers.curvature_transverse, numbers.modulus)
-    peak = 1.5 * float(contact.mean_pressure)
-    return numbers, lubricated_contact(numbers, unit, peak, oil_numbers(oil), lubrication, cubics, SPEEDS[point])
+    return contact, lubricated_contact(contact, peak_of(contact), oil_numbers(oil), lubrication, cubics, SPEEDS[point])
 
 
-def by_parts(
-    race: int, point: int, oil: Lubricant, finish: Surface, variation: Variation, **counts: bool
-) -> tuple[MixedContact, Array, Callable[[float], Array]]:
-    """The mixed contact, the torque by rolling, N m, and the friction, N, at a speed of sliding.
-
-    Film and rolling are what the inlet leaves of flooded isothermal ones.
-    """
-    contact, rate = loaded(race, point)
-    speed, inlet = SPEEDS[point], inlet_viscosity(oil)
-    runs = {"ring_speed": abs(speed), "kinematic_viscosity": inlet.viscosity / oil.density}
-    flow = {"viscosity": inlet.viscosity, "entrainment_speed": speed * rate}
-    thickens = {**flow, "pressure_viscosity": inlet.pressure_viscosity}
-    film = film_asymptotes(contact, **thickens, compressible=oil.compressible)
-    film_left, rolling_left = variation.film, variation.rolling
-    if counts["heats"]:
-        slope, conductivity = inlet.viscosity_temperature, oil.thermal_conductivity
-        loading = shear_heat(inlet.viscosity, slope, float(speed * rate), conductivity)
-        peak = 1.5 * contact.mean_pressure
-        film_left = film_left * inlet_heating_factor(
-            peak_pressure=peak, modulus=contact.modulus, thermal_loading=loading, slide_to_roll=0.0
-        )
-        rolling_left = rolling_left * inlet_shear_factor(mean_diameter=(BORE + OUTSIDE) / 2, **runs)
-    if counts["starves"]:
-        numbers = ContactNumbers._make((*(float(each) for each in contact.fields[:8]), rate))
-        inflow = Inflow(abs(speed * rate), inlet.viscosity, inlet.pressure_viscosity, oil.compressible, np.inf)
-        ahead = oil_supply(BEARING_6205, oil, RACES[race], contact_angle=0.19).ahead
-        flooded = float(np.exp(film.log_film(0.0)[0])), ahead, inlet_length(numbers, inflow, regime_of(numbers, inflow))
-        if oil.starvation_degree is None:
-            rings = {"bore_diameter": BORE, "outside_diameter": OUTSIDE}
-            replenished = replenishment_factor(**rings, **runs, supply=oil.supply)
-            starved = starved_by_factor(numbers, float(replenished), *flooded)
-        else:
-            starved = starved_by_degree(numbers, oil.starvation_degree, *flooded)
-        film_left, rolling_left = film_left * starved.film_factor, rolling_left * starved.rolling_factor
-    gap = gap_of(finish, contact) if counts["asperities"] else None
-    varied = {"pressure_factor": variation.asperity_pressure, "share_step": variation.asperity_share}
-    mixed = mixed_contact(contact, film, gap=gap, film_factor=film_left, **varied)
-    resistance = (
-        houpert_rolling(contact, **thickens)
-        if oil.rolling_formula == "houpert"
-        else hydrodynamic_rolling(contact, **flow)
-    )
-    torque = rolling_left * rolling_torque(resistance, entrainment_rate=rate)
-    return mixed, torque, mixed_traction(oil, finish.boundary_friction, mixed).force(contact)
-
-
-@pytest.mark.parametrize(
-    ("oil", "finish", "variation", "counts"),
-    [
-        (WARM, ROUGH, NOMINAL, ALL),
-        (replace(CLOSED, starvation_degree=1.2), ELASTIC, VARIED, ALL),
-        (replace(CLOSED, traction="eyring_constant"), ELASTIC, NOMINAL, ALL | {"heats": False, "starves": False}),
-        (WARM, replace(FINISH, rms_roughness=0.0), NOMINAL, ALL | {"starves": False}),
-        (replace(WARM, rolling_formula="houpert"), ROUGH, VARIED, ALL | {"asperities": False}),
-    ],
-)
-def test_one_contact_is_that_of_its_parts(
-    oil: Lubricant, finish: Surface, variation: Variation, counts: dict[str, bool]
-) -> None:
-    for race, point in np.ndindex(2, 3):
-        contact, found = lubricated(BEARING_6205, race, point, oil, finish, variation, **counts)
-        mixed, torque, friction = by_parts(race, point, oil, finish, variation, **counts)
-        close = 1e-12  # round-off of the order of operations
-        for name in ("asperity_share", "boundary_share", "film_thickness", "area_fraction", "without_film", "capped"):
-            np.testing.assert_allclose(getattr(found.mixed, name), getattr(mixed, name), rtol=close)
-        np.testing.assert_allclose(found.rolling_torque, torque, rtol=close)
-        for speed in (0.02, 1.7):
-            np.testing.assert_allclose(mean_force(found.law, contact, speed), friction(speed), rtol=close)
+def peak_of(contact: ContactNumbers) -> float:
+    return 1.5 * contact.load / (np.pi * contact.semi_axis_rolling * contact.semi_axis_transverse)
 
 
 def test_the_fit_replaces_both_formulas_within_its_range() -> None:
@@ -175,18 +94,17 @@ def test_the_fit_replaces_both_formulas_within_its_range() -> None:
 def test_at_the_ends_of_the_fit_both_formulas_count_by_its_share() -> None:
     """Under a light load, and with an error of the closed formula, of which the fit takes its part of the power."""
     oil = replace(OIL, compressible=True)
-    contact, rate = loaded(0, 2)
-    numbers = ContactNumbers._make((*contact.fields[:8], rate))
+    numbers = loaded(0, 2)
+    rate = numbers.entrainment
     numbers_of_oil, inflow = oil_numbers(oil), Inflow(420.0 * rate, oil.viscosity, oil.pressure_viscosity, True, np.inf)
     light = numbers._replace(load=4.7 / float(np.exp(regime_of(numbers, inflow).loading)) * numbers.load)  # N of 4.7
-    unit = unit_hertz(light.curvature_rolling, light.curvature_transverse, light.modulus)
     regime = regime_of(light, inflow)
     share, supply = covered(regime), oil_supply(BEARING_6205, oil, "inner", contact_angle=0.19)
     assert 0.1 < share < 0.9
     fit = fitted_force(light, inflow, regime, supply)
-    closed, _ = biboulet_force(light, rolling_groups(light, unit, inflow.viscosity, inflow.speed))
+    closed = hydrodynamic_rolling(light, inflow.viscosity, inflow.speed).force
     assert closed != pytest.approx(fit, rel=0.02)
-    force, of_fit, _ = rolling_force_of(light, unit, inflow, regime, supply, True, False)
+    force, of_fit, _ = rolling_force_of(light, inflow, regime, supply, True, False)
     assert (force, of_fit) == (pytest.approx(share * fit + (1 - share) * closed, rel=1e-12), share)
     inlet = InletNumbers(1.0, 0.83, FLOODED)
     for error in (1.0, 1.7):
@@ -194,7 +112,7 @@ def test_at_the_ends_of_the_fit_both_formulas_count_by_its_share() -> None:
         lubrication = lubrication_of(
             SMOOTH_FORM, supply, oil, boundary_friction=0.1, is_on=lambda _: True, variation=varied
         )
-        torque, _ = rolling_torque_of(light, unit, numbers_of_oil, inlet, lubrication, regime, 420.0)
+        torque, _ = rolling_torque_of(light, numbers_of_oil, inlet, lubrication, regime, 420.0)
         power = 0.12 * share + 1 - share
         assert torque == pytest.approx(0.9 * error**power * 0.83**1.4 * 2 * force * rate, rel=1e-12)
 
@@ -211,11 +129,9 @@ def test_at_the_ends_of_the_fit_both_formulas_count_by_its_share() -> None:
 def test_rolling_is_extrapolated_beyond_what_its_formula_knows(
     ahead: float, oil: Lubricant, shape: float, is_said: bool
 ) -> None:
-    contact, rate = loaded(0, 2)
-    numbers = ContactNumbers._make((*contact.fields[:8], rate))
+    numbers = loaded(0, 2)
     numbers = numbers._replace(curvature_transverse=shape * numbers.curvature_transverse)
-    unit = unit_hertz(numbers.curvature_rolling, numbers.curvature_transverse, numbers.modulus)
-    inflow = Inflow(420.0 * rate, oil.viscosity, oil.pressure_viscosity, True, np.inf)
+    inflow = Inflow(420.0 * numbers.entrainment, oil.viscosity, oil.pressure_viscosity, True, np.inf)
     supply = oil_supply(BEARING_6205, oil, "inner", contact_angle=0.19)._replace(
         ahead=ahead * numbers.semi_axis_rolling
     )
@@ -223,7 +139,7 @@ def test_rolling_is_extrapolated_beyond_what_its_formula_knows(
         SMOOTH_FORM, supply, oil, boundary_friction=0.1, is_on=lambda _: False, variation=NOMINAL
     )
     inlet, regime = InletNumbers(1.0, 1.0, FLOODED), regime_of(numbers, inflow)
-    assert rolling_torque_of(numbers, unit, oil_numbers(oil), inlet, lubrication, regime, 420.0)[1] == is_said
+    assert rolling_torque_of(numbers, oil_numbers(oil), inlet, lubrication, regime, 420.0)[1] == is_said
 
 
 def test_the_heat_of_the_inlets_counts_by_its_power() -> None:
@@ -255,13 +171,6 @@ def test_a_given_degree_starves_rings_of_unknown_diameter(bore: float | None, ou
     assert starvation_source(bearing, given) == "degree 1.3, given"
 
 
-def test_known_rings_have_their_mean_diameter() -> None:
-    supply = oil_supply(BEARING_6205, WARM, "outer", contact_angle=0.19)
-    assert supply.mean_diameter == pytest.approx((BORE + OUTSIDE) / 2, rel=1e-15)
-    assert supply.tension == -WARM.cavitation_pressure
-    assert starvation_source(BEARING_6205, WARM) == "degree by the replenishment factor of oil_bath"
-
-
 @pytest.mark.parametrize(("name", "constant"), [("6308", 3.1), ("7208 BEP", 4.4), ("thrust", 3.8)])
 def test_each_kind_of_bearing_has_its_constant_of_replenishment(name: str, constant: float) -> None:
     """SKF's formula in its own units: n in 1/min, diameters in mm, nu in mm^2/s."""
@@ -269,7 +178,7 @@ def test_each_kind_of_bearing_has_its_constant_of_replenishment(name: str, const
     bearing = replace(bearing, kind="thrust") if name == "thrust" else bearing
     bore, outside = (1e3 * present(each) for each in (bearing.bore_diameter, bearing.outside_diameter))
     rate = 3e-8 * (bore + outside) * np.sqrt(constant / (2 * (outside - bore)))
-    expected = rate * 1e6 * inlet_viscosity(oil).viscosity / oil.density * 70 * 60 / (2 * np.pi)
+    expected = rate * 1e6 * oil_numbers(oil).viscosity / oil.density * 70 * 60 / (2 * np.pi)
     found = replenishment_exponent(bearing, oil, np.array([-70.0, 0.0]))
     np.testing.assert_allclose(present(found), [expected, 0.0], rtol=1e-12)
     # 1e6: nu in mm^2/s; the rate of the kernel is per m^2/s and rad/s

@@ -1,7 +1,5 @@
 """The shared load: both equations that it solves, and its limits."""
 
-from functools import partial
-
 import hypothesis.strategies as st
 import numpy as np
 import pytest
@@ -9,23 +7,24 @@ from hypothesis import example, given
 from scipy.optimize import brentq
 from scipy.special import erfc
 
-from analytic.oil.film import film_asymptotes
-from analytic.oil.mixed import MOLECULAR_FILM
+from analytic.oil.film import Inflow, asymptotes_of, log_film_of
+from analytic.oil.mixed import MOLECULAR_FILM, oil_beside
 from analytic.surface.asperity import asperity_contact
-from analytic.surface.truncated_gap import TruncatedGap, log_mean_gap
-from tests.analytic.oil.mixed_contacts import ACCURACY, CONTACT, OIL, E, H, area, mixed, rough, smooth_film
+from analytic.surface.gap import SMOOTH_GAP, GapNumbers
+from analytic.surface.truncated_gap import log_mean_gap
+from tests.analytic.oil.mixed_contacts import ACCURACY, CONTACT, OIL, E, H, area, mixed, rough, smooth_film, summits_of
 from tests.analytic.specimens import hertzian
-from tests.refusals import refused, refuses
 
 loads, speeds = (st.floats(a, b).map(lambda power: 10.0**power) for a, b in ((-9, 5), (-9, 2)))
 roughnesses = st.sampled_from([3e-9, 0.04e-6, 0.3e-6, 1.1e-6, 7e-6])  # each costs a table
 
 
-def separation(height: float, gap: TruncatedGap) -> float:
+def separation(height: float, gap: GapNumbers) -> float:
     """d, m, at which the mean gap is this: not by the table's inverse, from which the height follows."""
-    wanted = np.log(height / gap.deviation)
-    low, high = -np.sqrt(2 * max(-wanted, 0.0)) - 2, height / gap.deviation + 1
-    return gap.deviation * float(brentq(lambda x: float(log_mean_gap(np.array(x))[0]) - wanted, low, high, xtol=1e-15))  # pyright: ignore[reportArgumentType]
+    deviation = gap.truncated.deviation
+    wanted = np.log(height / deviation)
+    low, high = -np.sqrt(2 * max(-wanted, 0.0)) - 2, height / deviation + 1
+    return deviation * float(brentq(lambda x: float(log_mean_gap(x)[0]) - wanted, low, high, xtol=1e-15))  # pyright: ignore[reportArgumentType]
 
 
 @given(load=loads, speed=speeds, sq=roughnesses, alpha=st.sampled_from([0.0, 2.1e-8]), room=st.floats(-7, 0))
@@ -41,8 +40,7 @@ def test_both_equations_hold(load: float, speed: float, sq: float, alpha: float,
     np.testing.assert_allclose(found.boundary_share, share + (1 - share) * np.exp(-h / 1e-9), rtol=1e-15)
     if h > 1e-300:  # far below, it is no double
         d = separation(h, gap)
-        summits = gap.asperities.summits
-        at = asperity_contact(film_thickness=d, summits=summits, modulus=E, hardness=H)
+        at = asperity_contact(film_thickness=d, summits=summits_of(sq), modulus=E, hardness=H)
         carried = float(at.pressure) * area(load)
         if share > 0:
             # The table's 1e-8, and that of d as pressure and area amplify it.
@@ -58,7 +56,7 @@ def test_both_equations_hold(load: float, speed: float, sq: float, alpha: float,
 
 def test_smooth_and_all_but_smooth_surfaces_leave_the_film_alone() -> None:
     film = smooth_film()
-    smooth, almost = mixed(None), mixed(rough(1e-10))
+    smooth, almost = mixed(SMOOTH_GAP), mixed(rough(1e-10))
     assert smooth.asperity_share == almost.asperity_share == 0
     np.testing.assert_allclose([smooth.film_thickness, almost.film_thickness], film, rtol=1e-15)
     assert smooth.area_fraction == almost.area_fraction == 0
@@ -73,10 +71,10 @@ def test_standstill_is_the_limit_of_slow_running() -> None:
     still = mixed(gap, entrainment_speed=0.0)
     assert still.without_film
     assert still.asperity_share == still.boundary_share == 1
-    assert still.oil_area == 0
+    assert oil_beside(still)[0] == 0
     pressure = CONTACT["load"] / area()
     d = separation(float(still.film_thickness), gap)
-    borne = asperity_contact(film_thickness=d, summits=gap.asperities.summits, modulus=E, hardness=H)
+    borne = asperity_contact(film_thickness=d, summits=summits_of(0.4e-6), modulus=E, hardness=H)
     np.testing.assert_allclose(borne.pressure, pressure, rtol=ACCURACY)
     np.testing.assert_allclose(borne.area_fraction, still.area_fraction, rtol=ACCURACY)
     speeds = 10.0 ** np.arange(-3, -250, -13)
@@ -85,26 +83,28 @@ def test_standstill_is_the_limit_of_slow_running() -> None:
     assert np.all(np.diff(slow.asperity_share) >= 0)
     for name in ("asperity_share", "boundary_share", "film_thickness", "area_fraction"):
         np.testing.assert_allclose(getattr(slow, name)[-1], getattr(still, name), rtol=1e-12)
-    np.testing.assert_allclose(slow.oil_area[-1], (1 - still.area_fraction) * still.film_thickness / 1e-9, rtol=1e-3)
+    np.testing.assert_allclose(
+        oil_beside(slow)[0][-1], (1 - still.area_fraction) * still.film_thickness / 1e-9, rtol=1e-3
+    )
     heated = mixed(gap, film_factor=0.0)
     assert heated.without_film
     assert heated.film_thickness == still.film_thickness
     assert heated.boundary_share == 1
-    wall = mixed(None, entrainment_speed=0.0)
+    wall = mixed(SMOOTH_GAP, entrainment_speed=0.0)
     assert (wall.asperity_share, wall.film_thickness, wall.area_fraction) == (1, 0, 1)
-    assert (wall.boundary_share, wall.oil_area, wall.oil_thickness) == (1, 0, 0)
+    assert (wall.boundary_share, *oil_beside(wall)) == (1, 0, 0)
 
 
 def test_oil_shears_beside_the_asperities_alone() -> None:
     found = mixed(rough(0.4e-6, 20e-6), entrainment_speed=np.array([1e-4, 1e-2, 1.0]))
-    area_fraction, h = found.area_fraction, found.film_thickness
+    area_fraction, h, (sheared, thickness) = found.area_fraction, found.film_thickness, oil_beside(found)
     assert np.all(area_fraction > 0.05)
-    np.testing.assert_allclose(found.oil_area, (1 - area_fraction) * (1 - np.exp(-h / 1e-9)), rtol=1e-12)
-    np.testing.assert_allclose(found.oil_thickness * (1 - area_fraction), h, rtol=1e-14)  # the same volume
-    assert found.oil_area[0] < 0.9 * found.oil_area[-1]
+    np.testing.assert_allclose(sheared, (1 - area_fraction) * (1 - np.exp(-h / 1e-9)), rtol=1e-12)
+    np.testing.assert_allclose(thickness * (1 - area_fraction), h, rtol=1e-14)  # the same volume
+    assert sheared[0] < 0.9 * sheared[-1]
     full = mixed(rough(0.05e-6, 300e-6), load=3000.0, entrainment_speed=0.0)
     assert full.area_fraction == 1
-    assert full.oil_thickness == full.oil_area == 0
+    assert oil_beside(full) == (0, 0)
 
 
 @pytest.mark.parametrize("sq", [0.2e-6, 0.6e-6])
@@ -113,7 +113,7 @@ def test_a_step_leads_to_the_measured_share(sq: float) -> None:
     gap, speeds = rough(sq), np.geomspace(1e-6, 2.0, 60)
     own = mixed(gap, entrainment_speed=speeds)
     assert np.all(own.asperity_share > 0)
-    film_ratio = smooth_film(entrainment_speed=speeds) / gap.deviation
+    film_ratio = smooth_film(entrainment_speed=speeds) / gap.truncated.deviation
     shares = {step: mixed(gap, entrainment_speed=speeds, share_step=step) for step in (-7.0, -1.0, -0.3, 0.4, 1.0, 7.0)}
     wanted = erfc(film_ratio / 2)
     np.testing.assert_allclose(shares[1.0].asperity_share, wanted, rtol=1e-12)  # round-off of the film's logarithm
@@ -142,7 +142,7 @@ def test_both_laws_of_the_share_have_the_same_limits() -> None:
         np.testing.assert_allclose(slow.asperity_share, 1.0, rtol=1e-12)
         # A film of 20 rms heights: what a power of the ratio leaves of a share below 1e-40.
         assert mixed(gap, entrainment_speed=1e4, share_step=step).asperity_share < 1e-15
-        assert mixed(None, entrainment_speed=0.3, share_step=step).asperity_share == 0
+        assert mixed(SMOOTH_GAP, entrainment_speed=0.3, share_step=step).asperity_share == 0
         assert mixed(gap, load=0.0, share_step=step).asperity_share == 0
 
 
@@ -183,49 +183,18 @@ def test_a_pocket_keeps_the_film_within_its_clearance() -> None:
     assert tight.capped
 
 
-def test_one_and_many_agree() -> None:
-    """More than one block, and every broadcast shape."""
-    gap, load = rough(0.3e-6), np.geomspace(0.01, 4e3, 5003)
-    many = mixed(gap, load=load)
-    for index in (0, 4095, 4096, 5002):
-        np.testing.assert_allclose(many.asperity_share[index], mixed(gap, load=load[index]).asperity_share, rtol=1e-9)
-    grid = mixed(gap, load=load[:3], entrainment_speed=np.array([[0.1], [0.7]]))
-    assert grid.film_thickness.shape == grid.capped.shape == grid.outside_range.shape == (2, 3)
-    np.testing.assert_allclose(
-        grid.asperity_share[1, 2], mixed(gap, load=load[2], entrainment_speed=0.7).asperity_share, rtol=1e-9
-    )
-    assert mixed(gap, load=np.zeros(0)).asperity_share.shape == (0,)
-    assert mixed(gap, curvature_transverse=np.array([14.7, 500.0])).outside_range.tolist() == [False, True]
-
-
 @given(share=st.floats(-30, -1e-6), speed=speeds, load=loads)
 def test_the_shared_film_is_that_of_less_load_between_softer_bodies(share: float, speed: float, load: float) -> None:
-    given = CONTACT | OIL | {"load": load, "entrainment_speed": speed}
-    left = np.exp(share)
-    softer = given | {"load": load * left, "modulus": E * left}
-    # Without a limit by the clearance, which would hide the rest.
-    contacts = (hertzian(each) for each in (softer, given))
-    reduced, asymptotes = (film_asymptotes(contact, **rest)._replace(clearance=np.inf) for contact, rest in contacts)
-    log_h, slope = asymptotes.log_film(share)
-    np.testing.assert_allclose(log_h, reduced.log_film(0.0)[0], atol=1e-12)  # round-off of logarithms up to 100
+    left, films = np.exp(share), []
+    for factor in (left, 1.0):
+        contact, _ = hertzian(CONTACT | {"load": load * factor, "modulus": E * factor})
+        # Without a limit by the clearance, which would hide the rest.
+        films.append(asymptotes_of(contact, Inflow(speed, **OIL))._replace(clearance=np.inf))
+    reduced, film = films
+    log_h, slope = log_film_of(film, share)
+    np.testing.assert_allclose(log_h, log_film_of(reduced, 0.0)[0], atol=1e-12)  # round-off of logarithms up to 100
     step = 1e-5
-    beyond, before = (asymptotes.log_film(share + d)[0] for d in (step, -step))
+    beyond, before = (log_film_of(film, share + d)[0] for d in (step, -step))
     np.testing.assert_allclose(slope, (beyond - before) / (2 * step), atol=1e-8)  # round-off of 1e-14 over the step
-    full = asymptotes._replace(clearance=log_h - 0.1)
-    assert full.log_film(share) == (full.clearance, 0.0)  # it cannot grow
-
-
-def test_nonsense_is_refused() -> None:
-    gap = rough(0.3e-6)
-    refuses(
-        partial(mixed, gap),
-        semi_axis_transverse=-1e-4,
-        film_factor=np.nan,
-        largest_gap=0.0,
-        load=-3.0,
-        share_step=np.nan,
-    )
-    for name in ("semi_axis_rolling", "semi_axis_transverse"):
-        refused(lambda: mixed(gap, **{name: 0.0}), "is 0 under load")  # noqa: B023
-    for name in ("film_factor", "semi_axis_rolling"):
-        refused(lambda: mixed(gap, load=np.ones(3), **{name: np.ones(2)}), "equal lengths")  # noqa: B023
+    full = film._replace(clearance=log_h - 0.1)
+    assert log_film_of(full, share) == (full.clearance, 0.0)  # it cannot grow

@@ -8,7 +8,8 @@ from scipy.optimize import brentq
 
 from analytic.oil.mixed import _inverse_cubic, likely_share
 from analytic.scene import AsperityLaw
-from tests.analytic.oil.mixed_contacts import ACCURACY, CONTACT, OIL, E, area, mixed, rough
+from analytic.surface.asperity_table import separation_of
+from tests.analytic.oil.mixed_contacts import ACCURACY, CONTACT, OIL, E, area, mixed, rough, summits_of
 from tests.analytic.specimens import hertzian
 from tests.validation.hard.lubrication_exact import film, log_over_summits, mean_gap
 
@@ -63,10 +64,10 @@ def test_the_root_of_the_printed_equations_in_40_digits(sq: float, changed: dict
     gap, given = rough(sq), CONTACT | OIL | changed
     found = mixed(gap, **changed)
     log_pressure = np.log(found.asperity_share * given["load"] / area(given["load"]))
-    start, slope = (float(part) for part in gap.asperities.separation(log_pressure))
+    start, slope = (float(part) for part in separation_of(gap.cubics, gap.truncated.summits, log_pressure))
     step = -0.1 * slope * (1 - float(found.asperity_share))  # a tenth of 1 - s
     with mpmath.workdps(40):
-        nominal, summits = mpf(area(given["load"])), gap.asperities.summits
+        nominal, summits = mpf(area(given["load"])), summits_of(sq)
         of = tuple(
             mpf(float(each))
             for each in (summits.density, summits.radius, summits.height_deviation, summits.mean_height)
@@ -76,7 +77,7 @@ def test_the_root_of_the_printed_equations_in_40_digits(sq: float, changed: dict
             return mpmath.exp(log_over_summits((d - of[3]) / of[2], of, modulus=E)) * nominal / given["load"]
 
         def excess(d: mpf) -> mpf:
-            return mpmath.log(mean_gap(d, mpf(gap.deviation)) / film_of(share(d), given))
+            return mpmath.log(mean_gap(d, mpf(gap.truncated.deviation)) / film_of(share(d), given))
 
         with mpmath.workdps(20):
             d = mpmath.findroot(excess, (start + step, start + step / 2), solver="secant", tol=1e-24)
@@ -163,14 +164,16 @@ def test_the_values_of_another_program(law: AsperityLaw, sq: float, length: floa
     np.testing.assert_allclose(
         np.array([contact.semi_axis_rolling, contact.semi_axis_transverse]), [0.120952e-3, 1.122238e-3], rtol=5e-6
     )
-    separation = gap.asperities.separation(np.log(found.asperity_share * contact.mean_pressure))[0]
-    table = np.array([found.asperity_share, found.film_thickness * 1e6, separation * 1e6]).T
+    mean_pressure = contact.load / (np.pi * contact.semi_axis_rolling * contact.semi_axis_transverse)
+    table = gap.cubics, gap.truncated.summits
+    separation = separation_of(*table, np.log(found.asperity_share * mean_pressure))[0]
+    numbers = np.array([found.asperity_share, found.film_thickness * 1e6, separation * 1e6]).T
     printed = np.array(PRINTED[law, sq, length])
     known = np.isfinite(printed)
-    np.testing.assert_allclose(table[known], printed[known], rtol=5e-5)
+    np.testing.assert_allclose(numbers[known], printed[known], rtol=5e-5)
     if law == "zhao_maietta_chang":
         still = mixed(gap, **given, entrainment_speed=0.0)
-        d = float(gap.asperities.separation(np.log(contact.mean_pressure))[0])
+        d = float(separation_of(*table, np.log(mean_pressure))[0])
         separation, touching = DRY[sq, length]
         np.testing.assert_allclose(1e6 * d, separation, rtol=5e-5)
         np.testing.assert_allclose(still.area_fraction, touching, atol=5e-4)  # three digits

@@ -11,7 +11,6 @@ from analytic.contact.rolling_contact import ContactNumbers
 from analytic.loads.numbers import free_angle
 from analytic.oil.ehl_fit import effective_reach, gap_force
 from analytic.oil.race_resistance import (
-    DRY,
     SMOOTH_FORM,
     RaceResistance,
     gap_law_of,
@@ -23,6 +22,7 @@ from analytic.oil.race_resistance import (
 from analytic.oil.variation import NOMINAL, Variation
 from analytic.oil.viscosity import oil_numbers
 from analytic.scene import ContactAngle, Scene
+from analytic.surface.gap import SMOOTH_GAP
 from tests.analytic.specimens import BEARING_6205, FINISH, OIL, dry
 from tests.contacts import STEEL
 
@@ -55,28 +55,11 @@ def test_the_reach_of_the_oil_is_that_at_the_unloaded_angle(rule: ContactAngle, 
         assert getattr(found, race).supply.ahead == pytest.approx(reach, rel=1e-12)
 
 
-def test_what_counts_is_what_the_scene_has() -> None:
-    found = resistance()
-    assert (found.has_oil, found.rolls, found.elastic, found.by_houpert) == (True, True, True, False)
-    assert np.isnan(found.coefficient)
-    assert found.hysteresis_loss == SCENE.hysteresis_loss
-    assert found.inner.boundary_friction == FINISH.boundary_friction
-    assert (found.inner.asperities, found.inner.heats, found.inner.starves) == (True, True, True)
-    left = resistance(rolling=0, hysteresis=0, inlet_heating=0)
-    assert (left.rolls, left.elastic, left.inner.heats, left.inner.starves) == (False, False, False, True)
-    given = resistance(replace(SCENE, friction_coefficient=0.07, surface=None, elastic_rolling="houpert"))
-    assert (given.coefficient, given.by_houpert, given.inner.boundary_friction) == (0.07, True, 0.0)
-    dry = resistance(replace(SCENE, lubricant=None))
-    assert (dry.has_oil, dry.inner, dry.outer) == (False, DRY, DRY)
-    varied = resistance(variation=Variation(unloaded_balls=1.3, elastic_rolling=0.4))
-    assert (varied.unloaded, varied.elastic_step) == (1.3, 0.4)
-
-
 def test_a_gap_law_is_that_of_rough_surfaces_in_oil() -> None:
     bodies = (STEEL, STEEL)
-    assert gap_law_of(SCENE, bodies) is not None
-    assert gap_law_of(replace(SCENE, surface=None), bodies) is None
-    assert gap_law_of(replace(SCENE, friction_coefficient=0.07), bodies) is None
+    assert gap_law_of(SCENE, bodies) is not SMOOTH_GAP
+    assert gap_law_of(replace(SCENE, surface=None), bodies) is SMOOTH_GAP
+    assert gap_law_of(replace(SCENE, friction_coefficient=0.07), bodies) is SMOOTH_GAP
 
 
 @pytest.mark.parametrize("race", [0, 1])

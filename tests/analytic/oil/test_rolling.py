@@ -10,8 +10,7 @@ from hypothesis import given
 from scipy.integrate import dblquad
 
 from analytic.contact.geometry import race_curvatures
-from analytic.contact.rolling_contact import ContactNumbers, RollingContact, deformed_radius
-from analytic.errors import InputError
+from analytic.contact.rolling_contact import ContactNumbers
 from analytic.oil.rolling import (
     RollingResistance,
     elastic_rolling,
@@ -20,12 +19,11 @@ from analytic.oil.rolling import (
     hysteresis_moment,
     inlet_shear_factor,
     replenishment_factor,
-    rolling_torque,
     slow_rolling_moment,
 )
 from analytic.scene import Bearing, Supply
 from tests.analytic.specimens import hertzian, rolling_contact
-from tests.refusals import refused, refuses
+from tests.refusals import refused
 from tests.validation.hard.hertz_exact import hertz
 
 ROUND_OFF = 1e-13  # a few hundred roundings of a double
@@ -43,11 +41,11 @@ speeds = st.floats(-4, 2).map(lambda power: 10.0**power)
 ratios = st.floats(0.003, 0.9)
 
 
-def on_ball(changed: dict[str, object]) -> tuple[RollingContact, dict[str, Any]]:
+def on_ball(changed: dict[str, object]) -> tuple[ContactNumbers, dict[str, Any]]:
     """The contact of a ball of that diameter, and the arguments besides."""
     contact, rest = hertzian(CASE | changed)
     mean_curvature = 2 / np.asarray(rest.pop("ball_diameter")) - np.asarray(contact.curvature_transverse) / 2
-    return RollingContact(**vars(contact), deformed_radius=1 / mean_curvature, rolling_rate=2.45), rest
+    return contact._replace(deformed_radius=1 / mean_curvature), rest
 
 
 def rolling(**changed: object) -> RollingResistance:
@@ -137,29 +135,8 @@ def test_both_formulas_by_another_program(
     }
     found = rolling(**case)
     np.testing.assert_allclose(found.force, 1e-3 * millinewton * truncation, rtol=6e-5)  # half of the last digit given
-    speed = rpm * 2 * np.pi / 60
-    torque = rolling_torque(found, entrainment_rate=case["entrainment_speed"] / speed)
-    np.testing.assert_allclose(torque * speed, found.power, rtol=ROUND_OFF)
     assert not found.outside_range
     np.testing.assert_allclose(houpert(**case).force, 1e-3 * millinewton * ratio, rtol=6e-5)
-
-
-@pytest.mark.parametrize("name", ["curvature_rolling", "curvature_transverse", "modulus"])
-def test_a_neighbour_of_another_shape_has_an_ellipse_of_its_own(name: str) -> None:
-    values = CASE[name] * np.array([1.1, 1.1, 1.3, 0.8])
-    for formula in (rolling, houpert):
-        alone = [float(formula(**{name: value}).force) for value in values]
-        np.testing.assert_allclose(formula(**{name: values}).force, alone, rtol=ROUND_OFF)
-
-
-def test_the_contact_knows_its_ball(bearing_6205: Bearing) -> None:
-    """Out of the curvatures of both grooves alone; and of a ball in a groove far wider than itself."""
-    for groove in (bearing_6205.inner.groove_radius, bearing_6205.outer.groove_radius, 1e6):
-        contact = rolling_contact(
-            curvature_transverse=2 / 7.94e-3 - 1 / groove,
-            deformed_radius=deformed_radius(groove_radius=groove, ball_diameter=7.94e-3),
-        )
-        np.testing.assert_allclose(contact.ball_diameter, 7.94e-3, rtol=ROUND_OFF)
 
 
 def test_the_older_formula_has_the_powers_it_prints() -> None:
@@ -175,10 +152,6 @@ def test_the_older_formula_has_the_powers_it_prints() -> None:
     assert houpert(entrainment_speed=0.0).force == houpert(load=0.0).force == 0
     assert houpert(entrainment_speed=-0.37).force == houpert().force
     assert houpert(entrainment_speed=-0.37).power == 2 * 0.37 * houpert().force
-    with pytest.raises(InputError, match="pressure_viscosity must be positive"):
-        houpert(pressure_viscosity=0.0)
-    with pytest.raises(InputError, match="give equal lengths"):
-        houpert(pressure_viscosity=np.full(2, 1e-8), load=np.ones(3))
 
 
 def test_standstill_no_load_and_backwards() -> None:
@@ -238,11 +211,6 @@ def test_inlets_are_heated_as_skf_has_it() -> None:
     np.testing.assert_allclose(found, 1 / (1 + 1.84e-9 * (n * mean) ** 1.28 * nu**0.64), rtol=1e-12)
     assert 0.5 < found < 0.95
     assert inlet_shear_factor(mean_diameter=43e-3, ring_speed=0.0, kinematic_viscosity=23e-6) == 1
-    refuses(inlet_shear_factor_of, mean_diameter=0.0, ring_speed=-1.0, kinematic_viscosity=0.0)
-
-
-def inlet_shear_factor_of(**changed: float) -> object:
-    return inlet_shear_factor(**({"mean_diameter": 43e-3, "ring_speed": 3.0, "kinematic_viscosity": 2e-5} | changed))
 
 
 @pytest.mark.parametrize(
@@ -264,12 +232,6 @@ def test_inlets_are_replenished_as_skf_has_it(supply: Supply, constant: float) -
     refused(lambda: replenishment_factor(**rings, **runs, supply=unknown), "supply must be one of oil_bath", "'pump'")
 
 
-def test_nonsense_is_refused() -> None:
-    refuses(rolling, curvature_rolling=0.0, load=-1.0, modulus=np.inf, entrainment_speed=np.nan, viscosity=0.0)
-    refused(lambda: rolling(load=np.ones(3), entrainment_speed=np.ones(2)), "equal lengths")
-    refused(lambda: rolling_torque(rolling(), entrainment_rate=-0.01), "entrainment_rate")
-
-
 def test_hysteresis_takes_its_share_of_the_work_of_the_front_half() -> None:
     """Pressing down the surface ahead of the centre takes the moment of the pressure there, 3/16 Q a."""
     load, a, loss = 470.0, 0.12e-3, 0.0063
@@ -289,25 +251,23 @@ def test_slow_rolling_of_dry_contacts_is_snares() -> None:
     dry = slow_rolling_moment(flat, friction_coefficient=0.11)
     np.testing.assert_allclose(dry, 0.00021 * load * diameter, rtol=0.005 / 0.21)  # its last digit
     np.testing.assert_allclose(slow_rolling_moment(flat, friction_coefficient=0.05) / dry, 5 / 11, rtol=1e-12)
-    refused(lambda: slow_rolling_moment(flat, friction_coefficient=-0.05), "friction_coefficient")
 
 
 def test_a_step_leads_from_one_law_of_elastic_rolling_to_the_other() -> None:
     """One step is the other law, half of it their geometric mean; no step passes the law of dry contacts."""
     contact = rolling_contact(load=370.0, semi_axis_rolling=0.11e-3)
-    numbers = ContactNumbers(*(float(each) for each in contact.fields))
     laws = [float(hysteresis_moment(contact, hysteresis_loss=0.0063))]
     laws += [float(slow_rolling_moment(contact, friction_coefficient=mu)) for mu in (0.05, 0.11)]
     assert laws == sorted(laws)
 
     def moment(by_houpert: bool, step: float) -> float:
-        return float(elastic_rolling(numbers, 0.0063, by_houpert, step))
+        return float(elastic_rolling(contact, 0.0063, by_houpert, step))
 
     for by_houpert, own, other in ((False, *laws[:2]), (True, laws[1], laws[0])):
         assert moment(by_houpert, 0.0) == own
         np.testing.assert_allclose(moment(by_houpert, 1.0), other, rtol=1e-12)
         np.testing.assert_allclose(moment(by_houpert, 0.5), np.sqrt(own * other), rtol=1e-12)
     assert moment(True, -3.0) == moment(False, 7.0) == laws[2]
-    assert elastic_rolling(numbers, 0.0, False, 1.0) == 0.0  # a scene without loss has none
+    assert elastic_rolling(contact, 0.0, False, 1.0) == 0.0  # a scene without loss has none
     given = 2 * laws[2] / laws[0] * 0.0063  # a loss factor beyond that of dry contacts
-    np.testing.assert_allclose(elastic_rolling(numbers, given, False, 0.0), 2 * laws[2], rtol=1e-12)
+    np.testing.assert_allclose(elastic_rolling(contact, given, False, 0.0), 2 * laws[2], rtol=1e-12)

@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 from functools import partial
-from typing import Any
 
 import hypothesis.strategies as st
 import mpmath
@@ -11,10 +10,17 @@ import pytest
 from hypothesis import given
 
 from analytic.errors import InputError
-from analytic.oil.film import film_asymptotes
+from analytic.oil.film import Inflow, asymptotes_of
 from analytic.oil.mixed import mixed_contact
-from analytic.oil.traction import CoulombTraction, MixedTraction, mixed_traction, oil_shear_stress, thickened
-from analytic.oil.viscosity import oil_numbers, viscosity_under_pressure
+from analytic.oil.traction import (
+    law_of_oil,
+    mean_force,
+    mixed_traction,
+    oil_shear_stress,
+    stress_and_slope,
+    thickened,
+)
+from analytic.oil.viscosity import oil_numbers, thickening_at
 from analytic.scenefile.parts import lubricant
 from analytic.surface.gap import gap_law
 from analytic.surface.roughness import gap_roughness
@@ -28,7 +34,7 @@ OIL = replace(specimens.OIL, temperature=329.0)
 
 def shear(pressure: object, speed: object, film: object, **changed: object) -> np.ndarray:
     oil = replace(OIL, **changed)  # pyright: ignore[reportArgumentType]
-    return oil_shear_stress(oil, pressure=pressure, speed=speed, film_thickness=film)  # pyright: ignore[reportArgumentType]
+    return oil_shear_stress(oil_numbers(oil), pressure=pressure, speed=speed, film_thickness=film)  # pyright: ignore[reportArgumentType]
 
 
 @pytest.mark.parametrize(("p", "v", "h"), [(0.31e9, 1.7e-3, 0.21e-6), (0.7e9, 2.3e-5, 40e-9), (1e5, 0.9, 80e-9)])
@@ -85,7 +91,10 @@ def test_the_kinds_of_oil_are_in_the_measured_order() -> None:
     pressures, speeds = np.array([0.7e9, 1e9, 1.9e9]), np.array([[3e-3], [0.08], [0.9]])
     order = [
         oil_shear_stress(
-            lubricant(name, temperature=temperature), pressure=pressures, speed=speeds, film_thickness=0.4e-6
+            oil_numbers(lubricant(name, temperature=temperature)),
+            pressure=pressures,
+            speed=speeds,
+            film_thickness=0.4e-6,
         )
         for name in ("N100", "M100", "PAO100")
         for temperature in (313.15, 333.15, 363.15)
@@ -97,14 +106,14 @@ def test_the_kinds_of_oil_are_in_the_measured_order() -> None:
 
 def test_the_printed_numbers_of_m100() -> None:
     """[Arana2019] at 60 degC and 1 GPa: A + B p of table 2 is 76.5 MPa, so alpha is 13.1 1/GPa and tau_E 7.2 MPa."""
-    oil = lubricant("M100", temperature=333.15)
-    law = MixedTraction(
-        lubricant=oil, boundary_friction=0.1, asperity_share=0.0, boundary_share=0.0, oil_area=1.0, oil_thickness=1e-6
-    ).point_law
+    oil = oil_numbers(lubricant("M100", temperature=333.15))
+    law = law_of_oil(oil, 0.0, 1.0, 1.0, 1e-6)
     assert thickened(law, 1e9).eyring == pytest.approx(2 * 0.047 * 76.5e6, rel=1e-3)  # digits of 76.5
     # K exp(C/(D + T)) exp(p/(A + B p)) at 0.785 GPa is 1.88 kPa s; the viscosity of the catalog at ambient pressure
     # goes through the printed ones at 40 and 100 degC and is 4 % larger at 60.
-    assert viscosity_under_pressure(oil, pressure=0.785e9) == pytest.approx(1.88e3, rel=0.05)
+    alpha = oil.pressure_viscosity
+    growth, _ = thickening_at(alpha, oil.rise * alpha, oil.exponent, 0.785e9)
+    assert oil.viscosity * np.exp(growth) == pytest.approx(1.88e3, rel=0.05)
 
 
 def test_a_constant_stress_depends_on_nothing_and_without_a_film_oil_shears_at_its_limit() -> None:
@@ -125,28 +134,18 @@ def test_it_never_falls_with_the_speed_and_is_always_a_number(p: float, v: float
     assert stress[0] == 0
 
 
-def test_a_mixed_contact_adds_boundary_friction_and_oil() -> None:
-    law = MixedTraction(
-        lubricant=OIL,
-        boundary_friction=0.13,
-        asperity_share=0.3,
-        boundary_share=0.37,
-        oil_area=0.91,
-        oil_thickness=60e-9,
-    )
+def test_oil_and_boundary_friction_add() -> None:
+    law = law_of_oil(oil_numbers(OIL), 0.13 * 0.37, 1 - 0.3, 0.91, 60e-9)
     p, v = np.array([0.4e9, 0.9e9]), 2.1e-4
     oil = shear(0.7 * p, v, 60e-9)  # the load on the asperities does not press on the oil
-    np.testing.assert_allclose(law.stress(p, np.asarray(v)), 0.13 * 0.37 * p + 0.91 * oil, rtol=1e-14)
+    np.testing.assert_allclose(stress_and_slope(law, p, v)[0], 0.13 * 0.37 * p + 0.91 * oil, rtol=1e-14)
     contact, area = rolling_contact(load=310.0), np.pi * 0.12e-3 * 1.1e-3
     expected = 0.13 * 0.37 * 310 + shear(0.7 * 310 / area, v, 60e-9) * 0.91 * area
-    np.testing.assert_allclose(law.force(contact)(np.asarray(v)), expected, rtol=1e-13)
+    np.testing.assert_allclose(mean_force(law, contact, v), expected, rtol=1e-13)
     unloaded = rolling_contact(load=0.0, semi_axis_rolling=0.0, semi_axis_transverse=0.0)
-    assert law.force(unloaded)(np.asarray(v)) == 0
-    dry = replace(law, asperity_share=1.0, boundary_share=1.0, oil_thickness=0.0)
-    np.testing.assert_allclose(dry.stress(p, np.asarray(v)), 0.13 * p, rtol=1e-15)
-    coulomb = CoulombTraction(friction_coefficient=0.08)
-    np.testing.assert_array_equal(coulomb.stress(p, np.asarray(v)), 0.08 * p)
-    assert coulomb.force(contact)(np.asarray(v)) == 0.08 * 310
+    assert mean_force(law, unloaded, v) == 0
+    dry = law_of_oil(oil_numbers(OIL), 0.13, 0.0, 0.91, 0.0)
+    np.testing.assert_allclose(stress_and_slope(dry, p, v)[0], 0.13 * p, rtol=1e-15)
 
 
 @pytest.mark.parametrize("traction", ["eyring_sinh", "eyring_constant"])
@@ -156,16 +155,16 @@ def test_the_law_of_a_mixed_contact(traction: str) -> None:
     gap = gap_law(surface, gap_roughness(surface), modulus=1.13e11, bodies=(STEEL, STEEL))
     contact, oil, p, v = rolling_contact(), replace(OIL, traction=traction), 0.7e9, 3e-3  # pyright: ignore[reportArgumentType]
     speeds = np.array([0.0, 1e-3, 1.3])
-    film = film_asymptotes(contact, entrainment_speed=speeds, viscosity=0.06, pressure_viscosity=2e-8)
-    shared = mixed_contact(contact, film, gap=gap)
-    law = mixed_traction(oil, 0.13, shared)
+    film = asymptotes_of(contact, Inflow(speeds, 0.06, 2e-8))
+    shared = mixed_contact(contact, film, gap)
+    law = mixed_traction(oil_numbers(oil), 0.13, shared, 1.0)
     s, h, touching = shared.asperity_share, shared.film_thickness, shared.area_fraction
     molecular = np.exp(-h / 1e-9) * [0, 1, 1] + [1, 0, 0]  # at standstill nothing flows into the gap
     assert 0.01 < molecular[1] < 0.99
     stress = shear((1 - s) * p, v, h / (1 - touching), traction=traction)
     expected = 0.13 * p * (s + (1 - s) * molecular) + stress * (1 - touching) * (1 - molecular)
-    np.testing.assert_allclose(law.stress(np.asarray(p), np.asarray(v)), expected, rtol=1e-12)
-    np.testing.assert_allclose(law.force(contact)(np.asarray(v))[0], 0.13 * contact.load, rtol=1e-15)
+    np.testing.assert_allclose(stress_and_slope(law, p, v)[0], expected, rtol=1e-12)
+    np.testing.assert_allclose(mean_force(law, contact, v)[0], 0.13 * contact.load, rtol=1e-15)
 
 
 def test_nonsense_is_refused() -> None:
@@ -173,8 +172,3 @@ def test_nonsense_is_refused() -> None:
     with pytest.raises(InputError, match="eyring_stress is missing"):
         shear(1e9, 0.1, 1e-7, traction="eyring_constant", eyring_stress=None)
     refused(lambda: shear(1e9, -0.1, 1e-7), "speed")
-    parts = {"asperity_share": 0.2, "boundary_share": 0.3, "oil_area": 0.9}
-    for value in (1.2, -0.1):
-        known: dict[str, Any] = {"lubricant": OIL, "boundary_friction": 0.1, "oil_thickness": 1e-7} | parts
-        refuses(lambda **wrong: MixedTraction(**known | wrong), **dict.fromkeys(parts, value))  # noqa: B023
-    refuses(CoulombTraction, friction_coefficient=-0.1)

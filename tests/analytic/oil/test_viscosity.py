@@ -8,7 +8,7 @@ import mpmath
 import numpy as np
 from hypothesis import given
 
-from analytic.oil.viscosity import inlet_viscosity, roelands_viscosity
+from analytic.oil.viscosity import oil_numbers, roelands_viscosity
 from analytic.scene import Lubricant
 from tests.refusals import refused, refuses
 
@@ -54,7 +54,7 @@ def test_the_oil_at_the_inlet() -> None:
         **OIL, supply="grease", temperature=347.0, thermal_conductivity=0.13, density=860.0, eyring_stress=5e6,
         limiting_shear=0.07, traction="eyring_sinh",
     )  # fmt: skip
-    found = inlet_viscosity(oil)
+    found = oil_numbers(oil)
     np.testing.assert_allclose(found.viscosity, viscosity(0.0, 347.0), rtol=ROUND_OFF)
     with mpmath.workdps(40):
         t = mpmath.mpf(347)
@@ -64,11 +64,6 @@ def test_the_oil_at_the_inlet() -> None:
     np.testing.assert_allclose(found.viscosity_temperature, -float(by_temperature), rtol=1e-9)
     assert found.pressure_viscosity < ALPHA
     assert found.viscosity < ETA
-
-
-def test_no_pressure_and_no_temperature_effect() -> None:
-    flat = viscosity(np.array([0.0, 3e9]), np.array([300.0, 400.0]), pressure_viscosity=0.0, viscosity_temperature=0.0)
-    np.testing.assert_array_equal(flat, ETA)
 
 
 def test_nonsense_is_refused() -> None:

@@ -5,8 +5,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from analytic.contact.rolling_contact import ContactNumbers, Pair, RollingContact
-from analytic.oil.traction import LAW, PointLaw
+from analytic.contact.rolling_contact import ContactNumbers
+from analytic.oil.traction import PointLaw
 from analytic.scene import Array, SpinRule
 from analytic.sliding.as_printed import as_printed_slip
 from analytic.sliding.ball import slips_over_contacts
@@ -31,7 +31,7 @@ class BallSlip(NamedTuple):
 
 
 def ball_slip(
-    contacts: Pair,
+    contacts: tuple[ContactNumbers, ContactNumbers],
     laws: tuple[PointLaw, PointLaw],
     *,
     ring_speed: ArrayLike,
@@ -46,8 +46,8 @@ def ball_slip(
     line : by one friction coefficient along the axis;  printed_radius : of the ball, m: the moments are those that
         are printed
     """
-    given = (*contacts[0].fields, *contacts[1].fields, *laws[0], *laws[1], ring_speed, spin_difference)
-    second, end = 18 + LAW, 18 + 2 * LAW
+    given = (*contacts[0], *contacts[1], *laws[0], *laws[1], ring_speed, spin_difference)
+    second, end = 18 + len(laws[0]), 18 + 2 * len(laws[0])
     numbers = np.broadcast_arrays(*given)
     fields = np.empty((13, *numbers[0].shape))
     for at in np.ndindex(numbers[0].shape):
@@ -68,7 +68,7 @@ def ball_slip(
     return BallSlip(inner, outer, spin, np.asarray(rolls), fields[12])
 
 
-def contact_slip(contact: RollingContact, law: PointLaw, spin_rate: float, **given: Any) -> Slip:
+def contact_slip(contact: ContactNumbers, law: PointLaw, spin_rate: float, **given: Any) -> Slip:
     """Of one contact that takes this spin, w_s/w, of either sign: one race of a ball whose other race does not spin."""
     rule: SpinRule = "inner_control" if spin_rate < 0 else "outer_control"
     found = ball_slip((contact, contact), (law, law), spin_difference=abs(spin_rate), spin_rule=rule, **given)

@@ -8,12 +8,13 @@ import pytest
 from hypothesis import given, settings
 from scipy.optimize import brentq
 
-from analytic.contact.rolling_contact import Pair, RollingContact, deformed_radius, elliptic_contact
+from analytic.contact.rolling_contact import ContactNumbers, deformed_radius, elliptic_contact
 from analytic.loads.kinematics import ball_kinematics
-from analytic.oil.film import film_asymptotes
+from analytic.oil.film import Inflow, asymptotes_of
 from analytic.oil.mixed import mixed_contact
 from analytic.oil.rolling import hysteresis_moment
-from analytic.oil.traction import CoulombTraction, MixedTraction, PointLaw, Traction, mixed_traction
+from analytic.oil.traction import PointLaw, law_of_oil, mean_force, mixed_traction, stress_and_slope
+from analytic.oil.viscosity import oil_numbers
 from analytic.scene import Array, Autocorrelation, SpinRule, Surface
 from analytic.sliding.ball import at_ring_speed
 from analytic.sliding.long_ellipse import microslip_torque
@@ -24,7 +25,8 @@ from tests.analytic import specimens
 from tests.analytic.sliding.slips import BallSlip, ball_slip
 from tests.analytic.specimens import rolling_contact
 
-COULOMB = CoulombTraction(friction_coefficient=0.083)
+Pair = tuple[ContactNumbers, ContactNumbers]
+COULOMB = PointLaw(boundary=0.083)
 BALLS, BALL, PITCH = 9, 7.94e-3, 39.01e-3  # m, of a 6205
 STEEL, HARDNESS = 206e9 / (2 * (1 - 0.3**2)), 7.8e9  # Pa
 OIL = replace(specimens.OIL, viscosity=0.06, pressure_viscosity=2e-8, eyring_stress=5e6, traction="eyring_constant")
@@ -33,14 +35,13 @@ OIL = replace(specimens.OIL, viscosity=0.06, pressure_viscosity=2e-8, eyring_str
 @dataclass(frozen=True)
 class Running:
     contacts: Pair
-    traction: tuple[Traction, Traction]  # on inner and outer race
+    traction: tuple[PointLaw, PointLaw]  # on inner and outer race
     ring_speed: Array
     spin_difference: Array
 
     def friction(self, *, line: bool = False) -> BallSlip:
-        laws = self.traction[0].point_law, self.traction[1].point_law
         given = {"ring_speed": self.ring_speed, "spin_difference": self.spin_difference, "line": line}
-        return ball_slip(self.contacts, laws, **given)  # pyright: ignore[reportArgumentType]
+        return ball_slip(self.contacts, self.traction, **given)  # pyright: ignore[reportArgumentType]
 
 
 def running(
@@ -60,26 +61,21 @@ def running(
     surface = Surface(rms_roughness=sq, autocorrelation=correlation, hardness=HARDNESS, gap="truncated")
     gap = gap_law(surface, gap_roughness(surface), modulus=STEEL, bodies=(materials.STEEL, materials.STEEL))
 
-    def race(groove: float, side: int, radius: Array, rolling_rate: Array) -> tuple[RollingContact, Traction]:
+    def race(groove: float, side: int, radius: Array, rolling_rate: Array) -> tuple[ContactNumbers, PointLaw]:
         ellipse = elliptic_contact(
             curvature_rolling=2 / BALL + side * np.cos(angle) / radius,
             curvature_transverse=2 / BALL - 1 / groove,
             load=ball_load,
             modulus=STEEL,
         )
-        contact = RollingContact(
-            **vars(ellipse),
+        contact = ellipse._replace(
             deformed_radius=deformed_radius(groove_radius=groove, ball_diameter=BALL),
             rolling_rate=rolling_rate,
         )
-        film = film_asymptotes(
-            contact,
-            entrainment_speed=motion.inner_entrainment,
-            viscosity=OIL.viscosity,
-            pressure_viscosity=OIL.pressure_viscosity,
-        )
-        shared = mixed_contact(contact, film, gap=gap)
-        return contact, mixed_traction(replace(OIL, traction=traction), 0.12, shared)  # pyright: ignore[reportArgumentType]
+        inflow = Inflow(np.abs(motion.inner_entrainment), OIL.viscosity, OIL.pressure_viscosity)
+        shared = mixed_contact(contact, asymptotes_of(contact, inflow), gap)
+        oil = oil_numbers(replace(OIL, traction=traction))  # pyright: ignore[reportArgumentType]
+        return contact, mixed_traction(oil, 0.12, shared, 1.0)
 
     inner, inner_law = race(4.13e-3, 1, rates.inner_radius, rates.inner_rolling_rate)
     outer, outer_law = race(4.21e-3, -1, rates.outer_radius, rates.outer_rolling_rate)
@@ -120,9 +116,9 @@ def pair(**changed: object) -> Pair:
     return rolling_contact(**changed), rolling_contact(**(outer | changed))
 
 
-def friction(contacts: Pair, law: Traction, **changed: object) -> BallSlip:
+def friction(contacts: Pair, law: PointLaw, **changed: object) -> BallSlip:
     given = {"ring_speed": 31.0, "spin_difference": 0.179} | changed
-    return ball_slip(contacts, (law.point_law, law.point_law), **given)  # pyright: ignore[reportArgumentType]
+    return ball_slip(contacts, (law, law), **given)  # pyright: ignore[reportArgumentType]
 
 
 @pytest.mark.parametrize("rule", ["balanced", "inner_control", "outer_control"])
@@ -168,7 +164,7 @@ def test_the_torque_is_the_power_lost_at_every_point(traction: str) -> None:
 
         def stress(c: float) -> tuple[Array, Array]:
             speed = np.hypot(slide - c, across)  # noqa: B023
-            return law.stress(pressure, case.ring_speed * speed), speed  # noqa: B023
+            return stress_and_slope(law, pressure, case.ring_speed * speed)[0], speed  # noqa: B023
 
         def force(c: float) -> float:
             tau, speed = stress(c)
@@ -199,7 +195,7 @@ def test_a_coefficient_along_the_axis_belongs_to_its_own_speed(traction: str) ->
         (found.inner.slip_speed, found.outer.slip_speed),
         strict=True,
     ):
-        np.testing.assert_allclose(mu * race.load, law.force(race)(speed), rtol=1e-12)  # round-off
+        np.testing.assert_allclose(mu * race.load, mean_force(law, race, speed), rtol=1e-12)  # round-off
         power += mu * race.load * speed
     # Torque times w is the power, friction force times mean speed.
     np.testing.assert_allclose(found.torque * case.ring_speed, power, rtol=1e-12)
@@ -207,9 +203,7 @@ def test_a_coefficient_along_the_axis_belongs_to_its_own_speed(traction: str) ->
 
 def test_the_balance_of_spin_takes_few_sums() -> None:
     """By Newton's slopes, 4 to 19 for both contacts; by halves of a bracket alone each would take dozens."""
-    oil = MixedTraction(
-        lubricant=OIL, boundary_friction=0.11, asperity_share=0.2, boundary_share=0.21, oil_area=0.9, oil_thickness=9e-8
-    )
+    oil = law_of_oil(oil_numbers(OIL), 0.11 * 0.21, 1 - 0.2, 0.9, 9e-8)
     for law in (COULOMB, oil):
         for spin in (1e-9, 0.01, 0.179, 0.4, 0.9):
             assert 2 <= friction(pair(), law, spin_difference=spin).sums <= 24
@@ -226,19 +220,12 @@ def test_standstill() -> None:
 def test_without_load_there_is_no_friction() -> None:
     point = {"load": np.array([0.0, 613.0]), "semi_axis_rolling": np.array([0.0, 0.12e-3])}
     point["semi_axis_transverse"] = np.array([0.0, 1.1e-3])
-    law = MixedTraction(
-        lubricant=OIL,
-        boundary_friction=0.11,
-        asperity_share=0.2,
-        boundary_share=0.21,
-        oil_area=0.99,
-        oil_thickness=90e-9,
-    )
+    law = law_of_oil(oil_numbers(OIL), 0.11 * 0.21, 1 - 0.2, 0.99, 90e-9)
     found = friction(pair(**point), law)
     assert found.torque[0] == found.inner.coefficient[0] == found.outer.slip_speed[0] == 0
     assert found.torque[1] > 0
     inner, outer = pair(**{name: values[1] for name, values in point.items()})
-    lifted = replace(inner, load=0.0, semi_axis_rolling=0.0, semi_axis_transverse=0.0)
+    lifted = inner._replace(load=0.0, semi_axis_rolling=0.0, semi_axis_transverse=0.0)
     # The ball follows the outer race, to the tolerance of the spin's share; the contact can hold 0.1 N mm.
     assert friction((lifted, outer), law).outer.spin_moment == pytest.approx(0, abs=1e-8)
 
@@ -253,14 +240,8 @@ def test_without_load_there_is_no_friction() -> None:
     traction=st.sampled_from(["eyring_constant", "eyring_sinh"]),
 )
 def test_always_a_number(load: float, speed: float, spin: float, share: float, film: float, traction: str) -> None:
-    law = MixedTraction(
-        lubricant=replace(OIL, traction=traction),  # pyright: ignore[reportArgumentType]
-        boundary_friction=0.12,
-        asperity_share=share,
-        boundary_share=share**0.7,
-        oil_area=1 - share / 9,
-        oil_thickness=10.0**film,
-    )
+    oil = oil_numbers(replace(OIL, traction=traction))  # pyright: ignore[reportArgumentType]
+    law = law_of_oil(oil, 0.12 * share**0.7, 1 - share, 1 - share / 9, 10.0**film)
     size = np.cbrt(10.0**load / 613.0)
     contacts = pair(load=10.0**load, semi_axis_rolling=0.13e-3 * size, semi_axis_transverse=1.04e-3 * size)
     found = friction(contacts, law, ring_speed=10.0**speed, spin_difference=10.0**spin)

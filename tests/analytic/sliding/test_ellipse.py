@@ -7,7 +7,7 @@ import pytest
 from scipy.optimize import brentq
 from scipy.special import ellipe
 
-from analytic.contact.rolling_contact import ContactNumbers, RollingContact
+from analytic.contact.rolling_contact import ContactNumbers
 from analytic.oil.traction import PointLaw
 from analytic.sliding.ellipse import SlipSums, quadrature_of, slider_of, slip_sums
 from analytic.sliding.long_ellipse import Slip, microslip_moments
@@ -23,7 +23,7 @@ COULOMB = PointLaw(boundary=MU)
 SINH = PointLaw(limit=0.06, eyring=5e6, fluidity=1e3)  # Eyring's law, capped by a share of the pressure
 
 
-def contact(k: float, **changed: Any) -> RollingContact:
+def contact(k: float, **changed: Any) -> ContactNumbers:
     """Of the ellipticity b/a, under the load Q."""
     axes = {"semi_axis_rolling": B / k, "semi_axis_transverse": B}
     return rolling_contact(**({"load": Q, **axes, "deformed_radius": R, "rolling_rate": ROLL} | changed))
@@ -38,7 +38,7 @@ def spin_of(eps: float) -> float:
     return eps * ROLL * B / R
 
 
-def slip(contact: RollingContact, law: PointLaw, spin_rate: float, nodes: int = 16) -> Slip:
+def slip(contact: ContactNumbers, law: PointLaw, spin_rate: float, nodes: int = 16) -> Slip:
     """With so many nodes a side."""
     return contact_slip(contact, law, spin_rate, ring_speed=SPEED, nodes=(nodes, nodes))
 

@@ -10,7 +10,7 @@ from hypothesis import example, given
 from scipy.integrate import quad
 from scipy.optimize import brentq, minimize_scalar
 
-from analytic.contact.rolling_contact import ContactNumbers, RollingContact
+from analytic.contact.rolling_contact import ContactNumbers
 from analytic.loads.balls import LoadEffects, thrust_balls
 from analytic.loads.kinematics import ball_kinematics
 from analytic.oil.traction import PointLaw
@@ -23,7 +23,6 @@ from analytic.sliding.long_ellipse import (
     pure_rolling_lines,
 )
 from tests.analytic.specimens import rolling_contact, thrust
-from tests.refusals import refused
 
 MU, Q, B, R, ROLL = 0.083, 470.0, 1.27e-3, 4.05e-3, 37.0  # friction, N, m, m, rad/s
 RATIOS = [0.0, 0.05, -0.2, 0.31, 0.45, -0.4999, 0.5, 0.63, -1.7]  # eps
@@ -80,7 +79,7 @@ def test_the_lines_of_pure_rolling_leave_no_force(eps: float) -> None:
     assert first <= second
     np.testing.assert_allclose(first + second, -2 * eps, rtol=1e-15, atol=1e-15)  # round-off
 
-    def below(line: np.ndarray) -> float:
+    def below(line: float) -> float:
         y = np.clip(line, -1, 1)
         return float(y - y**3 / 3)
 
@@ -99,24 +98,23 @@ def test_the_slope_of_a_spin_moment_is_its_derivative(spin: float) -> None:
     )  # without spin of the four digits of its stiffness
 
 
-def both_contacts(bearing: Bearing, *, angle: float) -> tuple[RollingContact, RollingContact]:
+def both_contacts(bearing: Bearing, *, angle: float) -> tuple[ContactNumbers, ContactNumbers]:
     """Inner and outer race of the 6205 at a given angle under 1000 N."""
     still = LoadEffects(load_distribution=False, centrifugal=False, gyroscopic=False)
     balls = thrust_balls(bearing, ContactAngle(rule="given", value=angle), thrust(1000.0), still)
     return tuple(  # pyright: ignore[reportReturnType]
-        RollingContact(**{name: np.asarray(value).item() for name, value in vars(balls.races[race]).items()})
-        for race in (0, 1)
+        ContactNumbers(*(np.broadcast_to(value, (2, 1, 1))[race].item() for value in balls.contacts)) for race in (0, 1)
     )
 
 
 def torque(
-    contacts: tuple[RollingContact, RollingContact], mu: tuple[Any, Any], spin: Any, rule: SpinRule = "balanced"
+    contacts: tuple[ContactNumbers, ContactNumbers], mu: tuple[Any, Any], spin: Any, rule: SpinRule = "balanced"
 ) -> MicroslipTorque:
     forces = mu[0] * contacts[0].load, mu[1] * contacts[1].load
     return microslip_torque(contacts, friction_force=forces, spin_difference=spin, spin_rule=rule)
 
 
-def slip_power(contact: RollingContact, mu: float, *, roll: float, spin: float) -> float:
+def slip_power(contact: ContactNumbers, mu: float, *, roll: float, spin: float) -> float:
     """By quadrature, W; a contact that rolls and spins in the opposite direction loses the same."""
     direction = np.sign(roll)
     _, _, power = slid(
@@ -203,8 +201,7 @@ def test_every_limit_is_finite_and_balanced_loses_least(
     inner, outer = (rolling_contact(load=q, semi_axis_transverse=half) for q, half in zip(load, b, strict=True))
     found = {rule: torque((inner, outer), mu, spin, rule) for rule in RULES}
     for each in found.values():
-        for values in vars(each).values():
-            assert np.all(np.isfinite(values))
+        assert np.all(np.isfinite(each))
         assert each.spin >= 0
         assert each.conformity >= 0
 
@@ -221,9 +218,9 @@ def test_every_limit_is_finite_and_balanced_loses_least(
 def test_very_unlike_contacts_balance() -> None:
     """Both roll, both spin in full, or one of each; a step outside the bracket would warn or be NaN."""
     draw = np.random.default_rng(20)
-    count = 30_000
+    count = 3000
 
-    def contact() -> tuple[np.ndarray, RollingContact]:
+    def contact() -> tuple[np.ndarray, ContactNumbers]:
         mu, load, half = (10 ** draw.uniform(low, high, count) for low, high in ((-2, 0), (0, 3), (-7, -2)))
         return mu * load, rolling_contact(load=load, semi_axis_transverse=half)
 
@@ -233,12 +230,3 @@ def test_very_unlike_contacts_balance() -> None:
     found = microslip_torque((inner, outer), friction_force=forces, spin_difference=spin, spin_rule="balanced")
     # Round-off of the share, times the ratio of the lengths: up to 1e5.
     np.testing.assert_allclose(found.inner_spin_moment, -found.outer_spin_moment, rtol=1e-11)
-
-
-def test_a_bad_spin_is_refused() -> None:
-    contacts = rolling_contact(), rolling_contact()
-    refused(lambda: torque(contacts, (0.1, 0.07), -0.2), "spin_difference")
-    refused(lambda: torque(contacts, (0.1, -0.07), 0.2), "friction_force")
-    refused(lambda: torque((contacts[0], rolling_contact(rolling_rate=0.0)), (0.1, 0.07), 0.2), "rolling_rate")
-    refused(lambda: torque(contacts, (0.1, 0.07), 0.2, "race_control"), '"balanced"')  # pyright: ignore
-    refused(lambda: pure_rolling_lines(float("inf")), "spin_to_roll")

@@ -1,19 +1,17 @@
-"""Rough contact against its defining integrals in 40 digits, Greenwood and Williamson's limit, and its inverse."""
+"""Rough contact against its defining integrals in 40 digits, and Greenwood and Williamson's limit."""
 
 from dataclasses import replace
 from functools import cache, partial
 
-import hypothesis.strategies as st
 import mpmath
 import numpy as np
 import pytest
-from hypothesis import given
 from mpmath import mpf
 from scipy.special import erfc, pbdv
 
 from analytic.errors import InputError
 from analytic.scene import Material, Surface
-from analytic.surface.asperity import AsperityContact, asperity_contact, asperity_load, separation_at, softer_hardness
+from analytic.surface.asperity import AsperityContact, asperity_contact, asperity_load, softer_hardness
 from analytic.surface.moments import Summits
 from tests.refusals import refused, refuses
 from tests.validation.hard.lubrication_exact import log_over_summits, summit
@@ -27,10 +25,6 @@ ROUND_OFF = 1e-13
 def contact(h: object, summits: Summits = SUMMITS, **changed: object) -> AsperityContact:
     arguments = {"modulus": E, "hardness": H} | changed
     return asperity_contact(film_thickness=h, summits=summits, **arguments)  # pyright: ignore[reportArgumentType]
-
-
-def separation(pressure: object, summits: Summits = SUMMITS, **changed: object) -> np.ndarray:
-    return separation_at(pressure=pressure, summits=summits, **({"modulus": E, "hardness": H} | changed))  # pyright: ignore
 
 
 def with_yield_at(ratio: float) -> Summits:
@@ -124,23 +118,6 @@ def test_the_slope_is_the_derivative(h: float, ratio: float) -> None:
     np.testing.assert_allclose(contact(h, summits).pressure_slope, (beyond - before) / (2 * step), rtol=1e-5)
 
 
-@given(power=st.floats(-290, 3), ratio=st.floats(-5, 5))
-def test_the_separation_is_the_inverse(power: float, ratio: float) -> None:
-    summits, pressure = with_yield_at(10.0**ratio), 10.0**power * 1e9
-    computed = separation(pressure, summits)
-    # An error of 1e-9 in t = 36 or less is 36 times as much in ln p.
-    np.testing.assert_allclose(contact(computed, summits).pressure, pressure, rtol=1e-7)
-
-
-def test_separation_of_an_array_and_at_zero_pressure() -> None:
-    pressures = np.geomspace(1e-250, 1e13, 997)
-    computed = separation(pressures)
-    assert np.all(np.diff(computed) < 0)
-    assert computed[0] > 1.3e-6 > 0 > computed[-1]
-    assert separation(0.0) == np.inf
-    np.testing.assert_allclose(separation(3e8), computed[np.argmin(abs(pressures - 3e8))], atol=0.1e-6)
-
-
 def test_pressure_vanishes_smoothly_with_separation() -> None:
     computed = contact(1.3e-6 + 0.8e-6 * np.linspace(0, 60, 6001))
     assert np.all(np.diff(computed.pressure) <= 0)
@@ -158,12 +135,10 @@ def test_a_smooth_surface_is_a_wall() -> None:
     np.testing.assert_array_equal(computed.pressure, [np.inf, np.inf, 0, 0])
     np.testing.assert_array_equal(computed.area_fraction, [1, 1, 0, 0])
     np.testing.assert_array_equal(computed.pressure_slope, 0)
-    np.testing.assert_array_equal(separation(np.array([0.0, 3e-9, 2e9]), smooth), [np.inf, 0, 0])
     no_summits = Summits(density=0.0, radius=np.inf, height_deviation=0.3e-6, mean_height=0.0)
     np.testing.assert_array_equal(contact(np.array([-1e-9, 2e-7]), no_summits).pressure[1:], 0)
     # A thousandth of the roughness is near this limit.
     almost = Summits(density=5e8, radius=50e-3, height_deviation=0.8e-9, mean_height=1.3e-9)
-    assert abs(separation(1e9, almost)) < 2e-7  # 1e9 Pa: elastic at the depth (3 p/(4 density E* sqrt(R_a)))^(2/3)
     assert contact(0.1e-6, almost).pressure == 0
 
 
@@ -189,4 +164,3 @@ def test_nonsense_is_refused() -> None:
     refused(lambda: contact(np.ones(3), SUMMITS, modulus=np.ones(2)), "equal lengths")
     for wrong in ({"density": -5e8}, {"radius": 0.0}):
         refused(lambda: contact(1e-6, replace(SUMMITS, **wrong)), *wrong)  # noqa: B023
-    refused(lambda: separation(-1.0), "pressure")

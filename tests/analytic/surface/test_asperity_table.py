@@ -4,8 +4,15 @@ import numpy as np
 import pytest
 
 from analytic.errors import InputError
-from analytic.surface.asperity import asperity_contact, first_yield, separation_at
-from analytic.surface.asperity_table import AsperityTable, tabulated_asperities
+from analytic.scene import Array
+from analytic.surface.asperity import asperity_contact, first_yield
+from analytic.surface.asperity_table import (
+    SummitNumbers,
+    log_pressure_at,
+    separation_of,
+    summit_area,
+    tabulated_asperities,
+)
 from analytic.surface.moments import Summits
 
 E, H = 113.187e9, 7.8e9  # Pa
@@ -13,7 +20,7 @@ DEVIATION, MEAN = 0.8e-6, 1.3e-6  # m
 ACCURACY = 1e-8  # as documented
 
 
-def table(ratio: float) -> tuple[AsperityTable, Summits]:
+def table(ratio: float) -> tuple[tuple[Array, SummitNumbers], Summits]:
     """Table and summits of a surface whose summits yield at w_1 = ratio standard deviations."""
     radius = ratio * DEVIATION / float(first_yield(1.0, E, H))
     summits = Summits(density=5e8, radius=radius, height_deviation=DEVIATION, mean_height=MEAN)
@@ -29,32 +36,33 @@ def test_table_agrees_with_the_integrals(ratio: float) -> None:
     h = MEAN + DEVIATION * np.concatenate([near, far, *kinks])
     h = h[(h - MEAN) / DEVIATION < 36]  # where the pressure itself is a double
     exact = asperity_contact(film_thickness=h, summits=summits, modulus=E, hardness=H)
-    np.testing.assert_allclose(np.exp(made.log_pressure(h)), exact.pressure, rtol=ACCURACY)
-    np.testing.assert_allclose(made.area_fraction(h), exact.area_fraction, rtol=ACCURACY)
+    np.testing.assert_allclose(np.exp(log_pressure_at(*made, h)), exact.pressure, rtol=ACCURACY)
+    np.testing.assert_allclose(summit_area(*made, h), exact.area_fraction, rtol=ACCURACY)
 
 
 @pytest.mark.parametrize("ratio", [3e-3, 0.26, 10.0])
-def test_separation_is_the_inverse(ratio: float) -> None:
+def test_separation_is_the_inverse_of_the_integrals(ratio: float) -> None:
     made, summits = table(ratio)
-    pressure = np.geomspace(1e-250, 1e12, 397)
-    computed, slope = made.separation(np.log(pressure))
-    exact = separation_at(pressure=pressure, summits=summits, modulus=E, hardness=H)
-    t = (exact - MEAN) / DEVIATION
-    assert np.all(np.abs(computed - exact) < 3e-8 * DEVIATION * (1 + np.abs(t)))  # separation_at: 1e-8 of a deviation
+    log_pressure = np.log(np.geomspace(1e-250, 1e12, 397))
+    height, slope = separation_of(*made, log_pressure)
+    exact = asperity_contact(film_thickness=height, summits=summits, modulus=E, hardness=H)
+    t = np.abs(height - MEAN) / DEVIATION
+    # An error of 3e-8 (1 + |t|) in t is as much in ln p times its slope there, |t| + 1 at most.
+    assert np.all(np.abs(np.log(exact.pressure) - log_pressure) < 3e-8 * (1 + t) ** 2)
     step = 1e-4
-    beyond, before = (made.separation(np.log(pressure) + d)[0] for d in (step, -step))
+    beyond, before = (separation_of(*made, log_pressure + d)[0] for d in (step, -step))
     np.testing.assert_allclose(slope, (beyond - before) / (2 * step), rtol=2e-6)  # third derivatives of a spline
 
 
 def test_table_extrapolates_to_the_limits() -> None:
     made, _ = table(0.26)
     t = np.array([37.0, 1e3, 1e5, 1e6])
-    log_pressure = made.log_pressure(MEAN + DEVIATION * t)
+    log_pressure = log_pressure_at(*made, MEAN + DEVIATION * t)
     # Elastic summits at a large separation: p ~ exp(-t^2/2) t^(-5/2), which underflows.
     np.testing.assert_allclose(np.diff(log_pressure + t**2 / 2 + 2.5 * np.log(t)), 0, atol=0.2)  # t^2/2 to 1e-16
-    deep = made.log_pressure(MEAN - DEVIATION * np.array([1e4, 3e6]))
+    deep = log_pressure_at(*made, MEAN - DEVIATION * np.array([1e4, 3e6]))
     np.testing.assert_allclose(np.diff(deep), np.log(300), rtol=1e-4)  # plastic: proportional to the depth
-    assert made.area_fraction(np.array([-1.0])) == 1
+    assert summit_area(*made, np.array([-1.0])) == 1
 
 
 def test_table_is_cached_and_impossible_input_is_refused() -> None:
@@ -85,4 +93,4 @@ def test_a_surface_that_is_flat_to_the_limit_has_a_falling_pressure(deviation: f
     summits = Summits(density=1.5e9, radius=27526.7, height_deviation=deviation, mean_height=5e-15)
     made = tabulated_asperities(summits=summits, modulus=MODULUS, hardness=SOFT)
     height = summits.mean_height + deviation * np.sinh(np.linspace(-30.0, 15.9, 1000))
-    assert np.all(np.diff(made.log_pressure(height)) < 0)
+    assert np.all(np.diff(log_pressure_at(*made, height)) < 0)

@@ -6,12 +6,8 @@ from typing import cast
 
 import numpy as np
 import pytest
-from matplotlib.artist import Artist
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 from matplotlib.text import Annotation
-from matplotlib.transforms import BboxBase
 
 from fembearing.check.cage_record import CageRecord, DrawnMotion, exceedance
 from fembearing.plain_types import plain
@@ -25,38 +21,6 @@ from tests.report.figures.figure_reader import as_document, line_of, points_of, 
 def motion_of(record: CageRecord) -> DrawnMotion:
     """As the document has it."""
     return record.drawn()
-
-
-@pytest.fixture(scope="module")
-def panels(record: CageRecord) -> list[Axes]:
-    return orbit_figure(motion_of(record), METRIC).axes
-
-
-def test_the_orbit_is_x_to_the_right_and_y_up_inside_the_room(record: CageRecord, panels: list[Axes]) -> None:
-    orbit = panels[0]
-    drawn = points_of(line_of(orbit, "measured"))
-    after = record.series.time > 0.01
-    np.testing.assert_allclose(drawn, 1e6 * record.series.centre[after, :2], rtol=1e-12)
-    x, y = drawn[-1]
-    assert -101 < y < -98  # hangs in a room of 100 um
-    assert 8 < x < 12  # friction of 0.1 holds it to the side, towards which balls turning against the orbit push
-    room = points_of(line_of(orbit, "edge of its clearance"))
-    np.testing.assert_allclose(np.linalg.norm(room, axis=1), 100, rtol=1e-9)
-    assert points_of(line_of(orbit, "start-up")).shape[0] == np.sum(~after)
-    assert (orbit.get_xlabel(), orbit.get_ylabel()) == ("x, um", "y, um")
-    assert orbit.get_aspect() == 1
-
-
-def test_forces_are_drawn_over_time_in_ms(record: CageRecord, panels: list[Axes]) -> None:
-    forces = panels[1]
-    drawn = points_of(line_of(forces, "largest of one ball"))
-    pressed = record.series.max_force > 0
-    expected = np.column_stack([1e3 * record.series.time, record.series.max_force])
-    np.testing.assert_allclose(drawn[pressed], expected[pressed], rtol=1e-12)
-    assert np.isnan(drawn[~pressed, 1]).all()  # nothing touches: nothing on a logarithmic scale
-    total = points_of(line_of(forces, "sum over all balls"))[-1, 1]
-    np.testing.assert_allclose(total, 6.58e-3 * 9.80665, rtol=0.05)  # weight; the forces fan out over three balls
-    assert (forces.get_xlabel(), forces.get_ylabel()) == ("time, ms", "force on the cage, N")
 
 
 def test_the_axis_of_forces_reaches_below_the_least_of_them(record: CageRecord) -> None:
@@ -89,18 +53,6 @@ def test_an_exceedance_counts_what_is_above(record: CageRecord) -> None:
     assert (excess.get_xlabel(), excess.get_ylabel()) == ("largest force of one ball, N", "exceeded in, %")
 
 
-@pytest.mark.parametrize("state", ["rest", "whirl", "irregular", "mixed"])
-def test_the_plot_names_regime_and_torque_and_nothing_overlaps(record: CageRecord, state: str) -> None:
-    figure = orbit_figure(
-        motion_of(replace(record, statistics=replace(record.statistics, state=state))), METRIC, captioned=True
-    )
-    title = " ".join(figure.get_suptitle().split())
-    assert f'6205 at 500 rpm: regime "{state}", started "rest"' in title
-    assert f"cage torque {1e3 * record.statistics.torque:.3g} N mm" in title
-    require_legible(figure)
-    check_apart(figure)
-
-
 def test_a_document_keeps_the_extremes_of_a_thinned_motion(record: CageRecord) -> None:
     few = record.drawn(most=60)
     whole, thin = plain(record.drawn()), plain(few)
@@ -125,7 +77,6 @@ def test_a_document_keeps_the_extremes_of_a_thinned_motion(record: CageRecord) -
     np.testing.assert_allclose(points_of(orbit), 1e6 * np.array(thin["orbit"]["measured"]), rtol=1e-12)
     assert orbit.get_linestyle() == "None"  # neighbours in the list are none in time
     require_legible(figure)
-    check_apart(figure)
 
 
 def test_a_group_of_instants_is_told_by_its_greatest(record: CageRecord) -> None:
@@ -157,31 +108,6 @@ def test_a_cage_at_rest_by_its_closed_form_has_a_reason_in_place_of_a_figure() -
         cage_plot(as_document({"cage_records": [], "torque": None}))[1]
         == "No motion of the cage: the scene has no torque."
     )
-
-
-def box_of(part: Artist | None) -> BboxBase:
-    return present(present(part).get_tightbbox())
-
-
-def check_apart(figure: Figure) -> None:
-    """Titles, labels, legends and caption keep off each other and inside the figure."""
-    legends = [axes.get_legend() for axes in figure.axes]
-    texts = [*figure.texts, *(text for part in figure.subfigs for text in part.texts)]
-    for axes, legend in zip(figure.axes, legends, strict=True):
-        assert not box_of(axes.xaxis).overlaps(box_of(legend))
-        for text in texts:
-            assert not box_of(text).overlaps(box_of(axes))
-    for part in (*figure.axes, *legends, *texts):
-        assert box_of(part).x0 >= 0
-        assert box_of(part).x1 <= figure.bbox.x1 + 1  # pixel
-
-
-def test_time_begins_at_0_and_start_up_is_its_first_half(record: CageRecord, panels: list[Axes]) -> None:
-    assert panels[1].get_xlim() == pytest.approx((0, 1e3 * 2 * record.start_up), rel=1e-12)  # ms
-    spans = [patch for patch in panels[1].patches if isinstance(patch, Rectangle)]
-    assert [(span.get_x(), span.get_width()) for span in spans] == [
-        (0, pytest.approx(1e3 * record.start_up, rel=1e-12))
-    ]
 
 
 def test_an_arrow_shows_where_gravity_pulls(record: CageRecord) -> None:
@@ -217,10 +143,3 @@ def test_forces_over_a_wide_range_have_a_logarithmic_scale(record: CageRecord) -
         assert (band.get_x(), band.get_x() + band.get_width()) == pytest.approx((1.1, 1.3), rel=1e-12)
         instants = points_of(line_of(panel, "instants of this motion"))
         np.testing.assert_allclose(instants, np.column_stack([force, 100 * np.array(share)]), rtol=1e-12)
-
-
-def test_a_caption_stands_below_a_higher_figure(record: CageRecord) -> None:
-    bare, captioned = (orbit_figure(motion_of(record), METRIC, captioned=each) for each in (False, True))
-    assert captioned.get_figheight() > bare.get_figheight()
-    assert bare.get_supxlabel() == ""
-    assert captioned.get_supxlabel().startswith("The cage rests")

@@ -1,6 +1,5 @@
 """Maps of a sweep's dataset: lines for one axis, colours for two, panels for more."""
 
-import json
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +9,6 @@ from matplotlib.colors import LogNorm
 from matplotlib.contour import ContourSet
 
 from fembearing.report.figures.sweep_maps import map_figure, write_maps
-from tests.report.figures.figure_reader import require_legible
 
 
 def made(**axes: Any) -> xarray.Dataset:
@@ -31,42 +29,10 @@ def test_one_axis_gives_lines_and_words_their_names() -> None:
     assert [text.get_text() for text in panel.get_xticklabels()] == ["inner", "outer"]
 
 
-def test_values_out_of_order_make_the_same_map() -> None:
-    mixed = made(load=[300.0, 100.0, 900.0, 500.0], speed=[90.0, 50.0, 500.0])
-    for dataset in (mixed, mixed.sortby(["load", "speed"])):
-        panel = map_figure(dataset, "torque_total").axes[0]
-        (mesh,) = (part for part in panel.collections if type(part).__name__ == "QuadMesh")
-        shown = np.asarray(mesh.get_array()).reshape(4, 3)
-        np.testing.assert_array_equal(shown, 1e3 * mixed["torque_total"].sortby(["load", "speed"]))
-        assert panel.get_ylim() == (100.0, 900.0)
-        assert mesh.get_clim() == (shown.min(), shown.max())
-        require_legible(map_figure(dataset, "torque_total"))
-
-
 def test_an_axis_is_logarithmic_where_it_is_wide_and_its_steps_grow() -> None:
     for speeds, scale in (([1.0, 3.0, 10.0, 31.0], "log"), ([1.0, 1.1, 1.21, 1.33], "linear"), ([1, 11, 21], "linear")):
         (panel,) = map_figure(made(speed=speeds), "torque_total").axes
         assert panel.get_xscale() == scale
-
-
-def test_two_values_of_an_axis_are_two_lines() -> None:
-    (panel,) = map_figure(made(roughness=[0.1, 0.3], load=[1.0, 2.0, 3.0]), "torque_total").axes
-    assert [line.get_label() for line in panel.lines] == ["roughness 0.1", "roughness 0.3"]
-
-
-def test_the_title_names_what_no_axis_changes() -> None:
-    """SI: 333.15 K are 60 degrees Celsius, 157.08 rad/s are 1500 rpm."""
-    scene = {
-        "bearing": {"name": "6205"},
-        "lubricant": {"name": "ISO VG 68", "temperature": 333.15},
-        "operation": {"axial_load": [300.0, 500.0], "radial_load": [750.0], "inner_speed": [157.07963]},
-    }
-    dataset = made(load=[100.0, 300.0, 500.0], viscosity=[0.1, 0.2, 0.3]).assign_attrs(first_scene=json.dumps(scene))
-    assert map_figure(dataset, "torque_total").get_suptitle().splitlines()[1] == (
-        "6205, ISO VG 68, 60 degC, radial 750 N, inner 1500 rpm"
-    )
-    dataset["viscosity"].attrs["key"] = "lubricant.temperature"
-    assert "degC" not in map_figure(dataset, "torque_total").get_suptitle()
 
 
 def test_a_map_with_failures_keeps_its_cells() -> None:
@@ -135,13 +101,6 @@ def test_contours_stand_at_round_values_inside_the_range() -> None:
     ]
 
 
-def test_dots_stand_at_every_computed_point() -> None:
-    dataset = made(load=[100.0, 300.0, 500.0, 900.0], speed=[50.0, 90.0, 500.0])
-    (dots,) = map_figure(dataset, "torque_total").axes[0].get_lines()
-    found = {(float(x), float(y)) for x, y in np.asarray(dots.get_xydata())}
-    assert found == {(speed, load) for load in (100.0, 300.0, 500.0, 900.0) for speed in (50.0, 90.0, 500.0)}
-
-
 def test_cells_of_a_logarithmic_axis_end_in_the_middle_of_the_logarithm() -> None:
     dataset = made(load=[10.0, 40.0, 160.0, 640.0], speed=[50.0, 90.0, 130.0])
     dataset["torque_total"][1, 1] = np.nan
@@ -161,17 +120,6 @@ def test_too_many_lines_are_thinned_evenly_with_both_ends() -> None:
     assert panel.get_legend() is not None
     (alone,) = map_figure(made(load=[1.0, 2.0, 3.0]), "torque_total").axes
     assert alone.get_legend() is None
-
-
-def test_values_that_are_missing_from_lines_are_gaps() -> None:
-    dataset = made(load=[1.0, 2.0, 3.0, 4.0])
-    dataset["torque_total"][1] = np.nan
-    assert map_figure(dataset, "torque_total").get_suptitle() == "friction torque (gaps: failed)"
-
-
-def test_an_axis_of_one_value_stands_in_the_title() -> None:
-    dataset = made(speed=[50.0], load=[1.0, 2.0, 3.0])
-    assert map_figure(dataset, "torque_total").get_suptitle() == "friction torque, speed 50"
 
 
 def test_discrepancies_are_shown_in_per_cent() -> None:

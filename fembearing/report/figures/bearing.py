@@ -1,16 +1,24 @@
 """A bearing drawn to scale: a section through a ball, the view along the axis, and its dimensions with their origin."""
 
+import os
 import re
 import textwrap
-from collections.abc import Iterator, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple, Unpack
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Polygon
 
-from analytic.scene import ArrangementKind, Array
+from analytic.any_scene import scene_by
+from analytic.errors import InputError
+from analytic.figures.style import BLUE, GREY, LETTERS, RED, TITLE, WIDTH
+from analytic.given import SceneOptions
+from analytic.scene import ArrangementKind, Array, Scene
+from analytic.units import SYSTEMS
+from analytic.writing import new_file
 from fembearing.quantities import METRIC, Units
 from fembearing.report.figures.bearing_section import (
     DrawnBearing,
@@ -20,7 +28,7 @@ from fembearing.report.figures.bearing_section import (
     section_of,
     unloaded_angle,
 )
-from fembearing.report.figures.style import BLUE, GREY, LETTERS, RED, TITLE, WIDTH
+from fembearing.report.figures.style import pdf, png, svg
 from fembearing.report.report import Report
 
 STEEL, BALL, LINE, CENTRE = "#e3e8ed", "#cfe0ef", "#1b1f23", (0, (9, 2, 1.5, 2))
@@ -28,6 +36,8 @@ HIGH, ROW, FOOT, HEAD = 3.2, 0.152, 0.38, 0.36  # inches: of the views, of a row
 SOURCE = 66  # letters of a source: `fembearing torque SCENE --details` has them whole
 NOT_DRAWABLE = "No drawing: the dimensions of the bearing contradict each other."
 SMALL = 7  # points, letters of the table
+ARROW = {"linewidth": 0.6, "color": LINE, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 7}
+CONTENTS: Mapping[str, Callable[[Figure], bytes]] = {".svg": svg, ".png": png, ".pdf": pdf}  # by the ending of a file
 ANGLES = {"solved": "unloaded contact angle", "given": "contact angle, loaded, given", "thrust": "contact angle"}
 
 
@@ -66,6 +76,75 @@ def shown_bearing(bearing: DrawnBearing, rule: str, angle: float | None, *, pock
     return Shown(
         bearing=bearing, name=bearing.name, angle=own, angle_name=ANGLES[rule], angle_origin=origin, pocket=pocket
     )
+
+
+def draw_bearing(
+    scene: Scene | str | os.PathLike[str],
+    *,
+    out: Path | str | None = None,
+    force: bool = False,
+    **options: Unpack[SceneOptions],
+) -> Figure:
+    """Draw the bearing of a scene to scale, with its dimensions and where they come from.
+
+    Parameters
+    ----------
+    scene : Scene, str or path
+        Of one bearing, or of a pair, which is drawn in its arrangement.
+    out : str or path, optional
+        File that ends with .svg, .png or .pdf. None writes nothing.
+    force : bool
+        The file takes the place of one that exists.
+    **options : float, str, list or mapping
+        With a name, the other arguments of `load_scene`: radial_load="3 kN", speed="3000 rpm", settings.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        A section through a ball, the view along the axis, and a table of dimensions, in the scene's system of units.
+        Each view has its own scale. A dimension that the scene lacks is drawn at a guess, dashed.
+
+    Raises
+    ------
+    InputError
+        The file exists, cannot be written or has another ending; or the bearing has more than 500 balls.
+
+    Notes
+    -----
+    The rings are drawn in operation, after mounting, without load: the ball touches both races at the unloaded contact
+    angle al0, cos al0 = 1 - P_d/(2 A0), with the diametral clearance P_d and the distance A0 of the groove centres
+    [Harris2007].
+    """
+    scene = scene_by(scene, options)
+    content = None if out is None else _content_of(Path(out))
+    given = scene.contact_angle
+    shown = shown_bearing(
+        scene.bearing,
+        given.rule,
+        given.value if given.rule == "given" else given.free,
+        pocket=None if scene.cage is None else scene.cage.pocket_diameter,
+    )
+    if scene.bearing.name == "unnamed":
+        shown = shown._replace(name=scene.name)
+    if scene.arrangement is not None:
+        shown = shown._replace(arrangement=scene.arrangement.kind, distance=scene.arrangement.distance)
+    figure = drawing_of(shown, SYSTEMS[scene.report.units])
+    if figure is None:
+        raise InputError(f"{scene.bearing.name}: {NOT_DRAWABLE} It takes at most 500 balls, and lengths in proportion")
+    if out is not None and content is not None:
+        with new_file(Path(out), force=force) as file:
+            file.write_bytes(content(figure))
+    return figure
+
+
+def _content_of(target: Path) -> Callable[[Figure], bytes]:
+    """What a file of this name holds. Raises InputError for an ending that is not known."""
+    content = CONTENTS.get(target.suffix.casefold())
+    if content is None:
+        raise InputError(
+            f"--out {str(target)!r} ends with {target.suffix!r}: give a file that ends with {', '.join(CONTENTS)}"
+        )
+    return content
 
 
 def bearing_plot(document: Report) -> tuple[Figure | None, str]:
@@ -258,14 +337,7 @@ def _diameter(panel: Axes, head: tuple[float, float], floor: float, edge: float,
         "",
         xy=head,
         xytext=(head[0], floor),
-        arrowprops={
-            "arrowstyle": "-|>",
-            "linewidth": 0.6,
-            "color": LINE,
-            "shrinkA": 0,
-            "shrinkB": 0,
-            "mutation_scale": 7,
-        },
+        arrowprops=ARROW | {"arrowstyle": "-|>"},
     )
     _write(panel, head[0], floor, f" {words}", rotation=90, ha="right", va="bottom", fontsize=LETTERS)
 
@@ -279,14 +351,7 @@ def _across(panel: Axes, ends: Sequence[float], edge: float, span: float, words:
         "",
         xy=(ends[0], height),
         xytext=(ends[1], height),
-        arrowprops={
-            "arrowstyle": "<|-|>",
-            "linewidth": 0.6,
-            "color": LINE,
-            "shrinkA": 0,
-            "shrinkB": 0,
-            "mutation_scale": 7,
-        },
+        arrowprops=ARROW | {"arrowstyle": "<|-|>"},
     )
     _write(panel, sum(ends) / 2, height + 0.03 * span, words, ha="center", va="bottom", fontsize=LETTERS)
 

@@ -1,4 +1,4 @@
-"""How the meshes of each contact converge, with the formal order as a slope to compare with."""
+"""The contacts by finite elements beside Hertz: pressure, stiffness, and how their meshes converge."""
 
 from collections.abc import Sequence
 
@@ -7,23 +7,114 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullFormatter
 
-from fembearing.quantities import CONTACT
+from analytic.figures.style import BLACK, BLUE, GREEN, GREY, LETTERS, PURPLE, RED, WIDTH, lettered
+from fembearing.check.contact.figure import CAPTION, CUT, DrawnPressure, contact_columns, pressure_figure
+from fembearing.fem.measure import Quantities
+from fembearing.quantities import CONTACT, Units
 from fembearing.report.contact import ContactRecord
-from fembearing.report.figures.style import GREY, LETTERS, WIDTH, lettered, look_of
-from fembearing.report.phrases import place_of
+from fembearing.report.phrases import contact_place, place_of
 from fembearing.report.report import Report
 
+LOOKS = {  # pair and geometry -> colour and mark
+    ("inner", "real"): (BLUE, "o"),
+    ("outer", "real"): (RED, "s"),
+    ("pocket", "real"): (GREEN, "^"),
+    ("pocket", "wall"): (PURPLE, "D"),
+}
+APPROACHES = (
+    "Above: load of the ball over its approach by Hertz, by Hertz corrected for finite geometry in the range of the "
+    "fit, and by finite elements at the solved load. Below: approach over Hertz's, less one, with the 95 % intervals "
+    "of the fit and of the finite elements; negative: stiffer than Hertz."
+)
 SAME = 1e-6  # relative: what is nearer to its limit is drawn here
 BELOW = 0.4  # of the least point of a panel: where the slope to compare with ends
 HIGH = 3.5  # inches
 SHORT = 100.0  # from the least unknowns to the most: beyond, ticks at 3, 30, 300 run into their neighbours
 DIMENSIONS = 3  # cells of size h are as h^-3 unknowns
-CAPTION = (
+CONVERGENCE = (
     "Distance of each quantity from its extrapolated value over the number of unknowns; dash-dotted: slope of the "
     "formal order in the cell size. The extrapolation assumes this order for the last two meshes, so the test is the "
     "distance of the coarser meshes from the slope, and the observed order of the last three. Dashed: not "
     "extrapolated; distance from the finest mesh, which is not drawn."
 )
+
+
+def pressure_plot(document: Report) -> tuple[Figure | None, str]:
+    """A column for each contact."""
+    units = document.units
+    drawn = [
+        DrawnPressure(
+            title=f"{_title(contact)}\n{units.force.written(contact.load, '.4g')}",
+            profiles=contact.pressure_profile,
+            hertz=Quantities(**vars(contact.hertz)),
+            fe=Quantities(**vars(contact.fe)),
+            shoulders=[] if contact.shoulder is None else contact.shoulder.cuts,
+            is_half=contact.shoulder is not None and contact.shoulder.half,
+        )
+        for contact in document.contacts
+    ]
+    cut = any(contact.shoulder for contact in document.contacts)
+    return pressure_figure(drawn, units), CAPTION + (CUT if cut else "")
+
+
+def _title(contact: ContactRecord) -> str:
+    """The place of a contact in short lines."""
+    return contact_place(contact).replace(", ", ",\n").replace(" of the", "\nof the")
+
+
+def approach_plot(document: Report) -> tuple[Figure | None, str]:
+    """A column for each contact."""
+    units = document.units
+    labels = (f"load, {units.force.name}", "approach over\nHertz's, less 1, %")
+    return contact_columns(document.contacts, _curve, _apart, units=units, labels=labels), APPROACHES
+
+
+def _curve(panel: Axes, contact: ContactRecord, units: Units) -> None:
+    """Load over approach, with the solved point."""
+    curve, solved = contact.approach_curve, contact.fe.approach
+    load, small = units.force.factor * np.array(curve.load), units.small_length.factor
+    panel.plot(small * np.array(curve.hertz), load, color=BLACK, label="Hertz")
+    panel.plot(small * _known(curve.corrected), load, "--", color=BLUE, label="Hertz, corrected for finite geometry")
+    panel.errorbar(
+        small * solved,
+        units.force.number(contact.load),
+        xerr=small * solved * contact.uncertainty.approach,
+        fmt="o",
+        color=RED,
+        markersize=5,
+        label="finite elements",
+    )
+    panel.set_title(_title(contact))
+    panel.margins(0.1)
+    panel.set(xlabel=f"approach, {units.small_length.name}", xlim=(0, None), ylim=(0, None))
+
+
+def _apart(panel: Axes, contact: ContactRecord, units: Units) -> None:
+    """Departure from Hertz's approach, per cent."""
+    curve, solved = contact.approach_curve, contact.fe.approach
+    load, hertz = units.force.factor * np.array(curve.load), np.array(curve.hertz)
+    corrected, half = _known(curve.corrected), _known(curve.uncertainty)
+    panel.axhline(0, color=BLACK)
+    if np.isfinite(corrected).any():
+        low, high = (100 * (corrected * (1 + side * half) / hertz - 1) for side in (-1, 1))
+        panel.fill_between(load, low, high, color=BLUE, alpha=0.2, linewidth=0)
+        panel.plot(load, 100 * (corrected / hertz - 1), "--", color=BLUE)
+    ratio = solved / contact.hertz.approach
+    panel.errorbar(
+        units.force.number(contact.load),
+        100 * (ratio - 1),
+        yerr=100 * ratio * contact.uncertainty.approach,
+        fmt="o",
+        color=RED,
+        markersize=5,
+        capsize=4,
+    )
+    panel.margins(x=0.1, y=0.25)
+    panel.set(xlabel=f"load, {units.force.name}", xlim=(0, None))
+
+
+def _known(values: Sequence[float | None]) -> np.ndarray:
+    return np.array([np.nan if value is None else value for value in values])
 
 
 def convergence_plot(document: Report) -> tuple[Figure | None, str]:
@@ -50,12 +141,12 @@ def convergence_plot(document: Report) -> tuple[Figure | None, str]:
     panels[-1].set_axis_off()
     key = dict(zip(*reversed(panels[0].get_legend_handles_labels()), strict=True))
     panels[-1].legend(key.values(), key.keys(), loc="center left", frameon=False, fontsize=LETTERS)
-    return lettered(figure), CAPTION
+    return lettered(figure), CONVERGENCE
 
 
 def _convergence(panel: Axes, contact: ContactRecord, name: str) -> None:
     """Distance of one quantity from its extrapolated value over the unknowns."""
-    colour, mark = look_of(contact.pair, contact.geometry)
+    colour, mark = LOOKS.get((contact.pair, contact.geometry), (BLACK, "x"))
     unknowns, distance = _distances(contact, name)
     study = contact.convergence[name]
     panel.plot(

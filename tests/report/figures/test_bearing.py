@@ -1,25 +1,30 @@
-"""The dimensions in the drawing of a bearing: lines are as long as their numbers, and leaders end at what they name."""
+"""The drawing of a bearing: lines are as long as their numbers, leaders end at what they name, words are legible."""
 
 import re
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any, cast
 
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Circle
 from matplotlib.text import Annotation, Text
 
+from analytic.errors import InputError
+from analytic.figures.style import BLUE, RED
 from analytic.scene import Arrangement, ArrangementKind, Array, Bearing, Groove, Scene
 from analytic.scenefile.read import load_scene
 from fembearing.quantities import METRIC
-from fembearing.report.drawing import draw_bearing
-from fembearing.report.figures.bearing_drawing import dimensions_of, shown_bearing
-from fembearing.report.figures.bearing_section import Section, is_drawable, section_of
-from fembearing.report.figures.style import BLUE, GREY, RED
+from fembearing.report.figures.bearing import NOT_DRAWABLE, bearing_plot, dimensions_of, draw_bearing, shown_bearing
+from fembearing.report.figures.bearing_section import Section, section_of
+from fembearing.report.report import Report
+from fembearing.report.scene_view import GivenAngle, SolvedAngle
 from tests.analytic.specimens import present
-from tests.report.figures.figure_reader import points_of
+from tests.report.figures.figure_reader import points_of, require_legible
 
 RIG = str(Path(__file__).resolve().parents[3] / "examples/thrust_rig_3mm.toml")
 PAIRS: dict[str, tuple[ArrangementKind, float | None]] = {
@@ -213,26 +218,6 @@ def test_a_pair_is_the_same_bearing_twice_turned_round_by_its_arrangement(name: 
         assert np.hypot(*along) > 1.2 * bearing.ball_diameter  # past both contacts
 
 
-@pytest.mark.parametrize("name", ["6205", "paper_6205", RIG, "6205, X"])
-def test_centre_lines_and_pockets_belong_to_their_ball(name: str) -> None:
-    scene = scene_of(name)
-    panel, diameter = section_panel(scene), scene.bearing.ball_diameter
-    for ball in circles(panel, filled=True):
-        assert ball.radius == pytest.approx(diameter / 2, rel=1e-12)
-        crossed = [points for _, points in lines_of(panel, 2, GREY)]
-        own = [ends for ends in crossed if np.allclose(ends.mean(axis=0), ball.center, rtol=1e-9, atol=1e-12)]
-        lengths = np.sort([np.ptp(ends, axis=0) for ends in own], axis=0)
-        np.testing.assert_allclose(lengths, [[0, 0], [1.16 * diameter] * 2], rtol=1e-9, atol=1e-12)  # past the ball
-    pockets = [points_of(line) for line in panel.get_lines() if line.get_linestyle() == ":"]
-    assert len(pockets) == (0 if scene.cage is None else 2 * len(circles(panel, filled=True)))  # two arcs a ball
-    balls = [each.center for each in circles(panel, filled=True)]
-    for (ball, side), arc in zip(((ball, side) for ball in balls for side in (-1, 1)), pockets, strict=False):
-        off = arc - ball
-        np.testing.assert_allclose(np.hypot(*off.T), present(scene.cage).pocket_diameter / 2, rtol=1e-12)
-        assert np.all(side * off[:, 0] > 0)
-        np.testing.assert_allclose(off[:, 1], -off[::-1, 1], atol=1e-12)  # as far up as down
-
-
 def rise(groove: Groove, half_width: float | None) -> float:
     """Height of a shoulder, m."""
     return groove.groove_radius - float(np.sqrt(groove.groove_radius**2 - present(half_width) ** 2))
@@ -303,18 +288,82 @@ def test_balls_that_would_overlap_have_a_gap_in_red() -> None:
         assert (value.get_color() == RED) == value.get_text().startswith("-") == is_red
 
 
-def test_lengths_far_from_the_ball_are_not_drawn() -> None:
-    bearing = load_scene("6205").bearing
-    size = bearing.ball_diameter
-    assert is_drawable(bearing)
-    for known, changed in (
-        (True, {"width": 9.9e3 * size}),
-        (False, {"width": 1.01e4 * size}),
-        (False, {"width": -1e-3}),
-        (True, {"ball_count": 500}),
-        (False, {"ball_count": 501}),
-        (False, {"ball_count": 0}),
-        (False, {"inner": replace(bearing.inner, bottom_radius=0.0)}),
-        (False, {"outer": replace(bearing.outer, groove_radius=0.0)}),
+def test_a_guess_is_dashed_and_said_to_be_one() -> None:
+    scene = load_scene("7208B")
+    bearing = scene.bearing
+    for unknown, dashed in (
+        ({}, False),
+        ({"width": None}, True),
+        ({"inner": replace(bearing.inner, shoulder_half_width=None)}, True),
     ):
-        assert is_drawable(replace(bearing, **changed)) == known  # pyright: ignore[reportArgumentType]
+        guessed = replace(scene, bearing=replace(bearing, **unknown))  # pyright: ignore[reportArgumentType]
+        section = draw_bearing(guessed).axes[0]
+        assert (
+            "Dashed: guess, as the scene has no such dimension." in draw_bearing(guessed).texts[-1].get_text()
+        ) == dashed
+        assert any(line.get_color() == RED for line in section.get_lines()) == dashed
+
+
+def test_a_page_has_the_drawing_without_its_table_or_says_that_there_is_none() -> None:
+    scene = load_scene("6205-dry")
+    table, angle = draw_bearing(scene), SolvedAngle(rule="solved", free=scene.contact_angle.free)
+
+    def drawn(**changed: Any) -> tuple[Figure | None, str]:
+        known = {"bearing": scene.bearing, "cage": scene.cage, "contact_angle": angle} | changed
+        return bearing_plot(cast(Report, SimpleNamespace(scene=SimpleNamespace(**known), units=METRIC)))
+
+    figure, caption = drawn()
+    assert figure is not None
+    assert "Without load" in caption
+    for one, other in zip(figure.axes, table.axes, strict=True):
+        assert [text.get_text() for text in one.texts] == [text.get_text() for text in other.texts]
+        np.testing.assert_allclose([one.get_xlim(), one.get_ylim()], [other.get_xlim(), other.get_ylim()], rtol=1e-12)
+    assert "gap between balls" in [text.get_text() for text in table.texts]
+    assert "gap between balls" not in [text.get_text() for text in figure.texts]
+    assert figure.get_figheight() < table.get_figheight()
+    require_legible(figure)
+    bare, _ = drawn(cage=None)
+    assert bare is not None
+    assert not any("cage pocket" in text.get_text() for text in bare.axes[0].texts)
+    assert any("cage pocket" in text.get_text() for text in figure.axes[0].texts)
+    loaded, _ = drawn(contact_angle=GivenAngle(rule="given", value=0.31))
+    assert loaded is not None
+    assert any("contact angle, loaded, given\n17.76 deg" in text.get_text() for text in loaded.axes[0].texts)
+    assert drawn(bearing=replace(scene.bearing, width=-1e-3)) == (None, NOT_DRAWABLE)
+
+
+def test_a_clearance_that_can_be_seen_is_not_called_too_small() -> None:
+    scene = load_scene("6205")
+    bearing, ball = scene.bearing, scene.bearing.ball_diameter
+    for share, small in ((0.019, True), (0.021, False)):
+        outer = bearing.inner.bottom_radius + ball + share * ball / 2
+        wide = replace(bearing, outer=replace(bearing.outer, bottom_radius=outer))
+        texts = [text.get_text() for text in draw_bearing(replace(scene, bearing=wide)).axes[0].texts]
+        (words,) = (each for each in texts if each.startswith("radial clearance"))
+        assert ("too small to see" in words) == small
+
+
+@pytest.mark.parametrize("name", [*EVERY, "608"])
+def test_no_words_lie_on_others_or_leave_the_page(name: str) -> None:
+    require_legible(draw_bearing(scene_of(name)))
+
+
+def test_the_file_is_the_same_in_every_run_and_replaces_nothing(tmp_path: Path) -> None:
+    scene = load_scene("6205")
+    for name in ("one.svg", "two.svg", "three.png", "four.pdf"):
+        draw_bearing(scene, out=tmp_path / name)
+    first = (tmp_path / "one.svg").read_bytes()
+    assert first == (tmp_path / "two.svg").read_bytes()
+    assert b"<svg" in first
+    assert (tmp_path / "three.png").read_bytes().startswith(b"\x89PNG")
+    assert (tmp_path / "four.pdf").read_bytes().startswith(b"%PDF-")
+    with pytest.raises(InputError, match="exists"):
+        draw_bearing(scene, out=tmp_path / "one.svg")
+    with pytest.raises(InputError, match=r"ends with '\.docx': give a file that ends with \.svg, \.png, \.pdf"):
+        draw_bearing(scene, out=tmp_path / "my.docx")
+
+
+def test_more_balls_than_are_drawn_are_refused() -> None:
+    scene = load_scene("6205")
+    with pytest.raises(InputError, match=r"6205: .*at most 500 balls"):
+        draw_bearing(replace(scene, bearing=replace(scene.bearing, ball_count=501)))

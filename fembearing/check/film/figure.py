@@ -6,10 +6,9 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Ellipse
 from matplotlib.ticker import MaxNLocator
 
-from analytic.scene import Array
-from fembearing.check.film.scene_film import RaceFilm
-from fembearing.quantities import METRIC, Units
-from fembearing.report.figures.style import BLACK, BLUE, GREY, LETTERS, RED, WIDTH, lettered
+from analytic.figures.style import BLACK, BLUE, GREY, LETTERS, RED, WIDTH, lettered
+from analytic.units import METRIC
+from fembearing.ehl.film import NumericalFilm
 
 SEEN = 1.45  # semi-axes that a map shows to each side
 HEIGHT = 5.6  # inches
@@ -23,16 +22,16 @@ CAPTION = (
 )
 
 
-def film_figure(film: RaceFilm, units: Units = METRIC) -> Figure:
-    """The figure of a solved contact."""
-    solution, numbers, contact = film.solution, film.numbers, film.solution.contact
+def film_figure(solution: NumericalFilm) -> Figure:
+    """The figure of a solved contact, metric."""
+    contact, units = solution.contact, METRIC
     a, b = contact.semi_axes
     x, y = solution.x, np.concatenate([-solution.y[::-1], solution.y])
     pressure, height = (np.concatenate([each[:, ::-1], each], axis=1) for each in (solution.pressure, solution.film))
     figure = Figure(figsize=(WIDTH, HEIGHT), layout="constrained")
     grid = figure.add_gridspec(2, 2, height_ratios=(1.25, 1.0))
     across, small = units.length, units.small_length
-    thin = 0.9 * numbers.minimum_film.numerical, THICKEST * numbers.central_film.numerical
+    thin = 0.9 * solution.minimum_film.value, THICKEST * solution.central_film.value
     for column, (values, ends, unit, name, colours) in enumerate(
         (
             (pressure, (0.0, pressure.max()), units.pressure, "pressure", "viridis"),
@@ -49,13 +48,14 @@ def film_figure(film: RaceFilm, units: Units = METRIC) -> Figure:
         bar = figure.colorbar(map_, ax=panel, label=f"{name}, {unit.name}", ticks=MaxNLocator(6))
         bar.ax.yaxis.label.set_fontsize(LETTERS)
     panel = figure.add_subplot(grid[1, :])
-    _along_rolling(panel, film, solution.pressure[:, 0], solution.film[:, 0], units)
+    _along_rolling(panel, solution)
     return lettered(figure)
 
 
-def _along_rolling(panel: Axes, film: RaceFilm, pressure: Array, height: Array, units: Units) -> None:
+def _along_rolling(panel: Axes, solution: NumericalFilm) -> None:
     """Pressure, Hertz's semi-ellipse and film along the line of rolling through the centre."""
-    contact, x = film.solution.contact, film.solution.x
+    contact, x, units = solution.contact, solution.x, METRIC
+    pressure, height = solution.pressure[:, 0], solution.film[:, 0]
     a = contact.semi_axes[0]
     fine = np.linspace(-1, 1, 400)
     peak = contact.peak_pressure * units.pressure.factor
@@ -67,7 +67,7 @@ def _along_rolling(panel: Axes, film: RaceFilm, pressure: Array, height: Array, 
     other = panel.twinx()
     small = units.small_length
     other.plot(x / a, height * small.factor, color=RED, label="film")
-    other.set(ylim=(0, 4 * film.numbers.central_film.numerical * small.factor), ylabel=f"film, {small.name}")
+    other.set(ylim=(0, 4 * solution.central_film.value * small.factor), ylabel=f"film, {small.name}")
     handles = [*panel.get_legend_handles_labels()[0], *other.get_legend_handles_labels()[0]]
     panel.legend(
         handles, [str(each.get_label()) for each in handles], loc="center left", frameon=False, fontsize=LETTERS

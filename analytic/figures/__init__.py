@@ -1,0 +1,1 @@
+"""Figures of a torque, and what all figures share."""
