@@ -4,8 +4,8 @@ The two say different things and are never mixed: a torque that is solved to the
 yields. What the scene does not have, as a cage or oil, is not checked, and does not pass.
 """
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -173,10 +173,21 @@ Verdict = Literal["pass", "fail", "undecided", "outside validity"]
 Physical = Literal["pass", "fail", "unknown"]
 Overall = Literal["pass", "fail", "undecided"]
 FAILS, IS_OPEN = ("fail", "outside validity"), ("undecided", "not reached", "unknown")
-COMPARISON = {
-    "fail": "Hertz differs from finite elements by more than the tolerance",
-    "outside validity": "a contact is outside the validity of Hertz",
-    "undecided": "a contact is undecided by finite elements",
+Compared = Literal["contacts", "film", "friction"]  # with a numerical reference
+COMPARED: dict[Compared, dict[Verdict, str]] = {  # why a comparison does not pass
+    "contacts": {
+        "fail": "Hertz differs from finite elements by more than the tolerance",
+        "outside validity": "a contact is outside the validity of Hertz",
+        "undecided": "a contact is undecided by finite elements",
+    },
+    "film": {
+        "fail": "film or rolling force differs from the numerical one by more than its stated error",
+        "undecided": "film or rolling force is undecided by the numerical one",
+    },
+    "friction": {
+        "fail": "numerical friction changes the torque by more than the tolerance",
+        "undecided": "the friction of a ball is undecided by the numerical one",
+    },
 }
 PHYSICAL = {
     "peak_pressure": "the peak pressure exceeds the static limit",
@@ -195,7 +206,13 @@ class Verdicts:
 
     numerical: NumericalCheck | None  # None: there is no torque
     physical: Annotated[tuple[PhysicalCheck, ...], MinLen(1)]
-    comparison: Verdict | None = None  # of contacts against finite elements; None: nothing was compared
+    compared: Mapping[Compared, Verdict] = field(default_factory=dict)  # the worst of each; of a torque alone none
+
+    @property
+    def comparison(self) -> Verdict | None:
+        """The most serious verdict on what was compared; None: nothing was."""
+        order: tuple[Verdict, ...] = ("fail", "outside validity", "undecided", "pass")
+        return min(self.compared.values(), key=order.index, default=None)
 
     @property
     def worst_physical(self) -> Physical:
@@ -218,13 +235,12 @@ class Verdicts:
 
     def _reasons(self) -> Iterator[str]:
         if self.overall == "pass":
-            solved = {"contacts": self.comparison, "solver error": self.numerical}
-            within = " and ".join(name for name, part in solved.items() if part is not None)
-            yield f"{within} within the tolerance, no physical limit exceeded"
+            solved = [*self.compared, *([] if self.numerical is None else ["solver error"])]
+            named = " and ".join(filter(None, (", ".join(solved[:-1]), *solved[-1:])))
+            yield f"{named} within the tolerance, no physical limit exceeded"
             return
         which = FAILS if self.overall == "fail" else IS_OPEN
-        if self.comparison is not None and self.comparison in which:
-            yield COMPARISON[self.comparison]
+        yield from (COMPARED[name][verdict] for name, verdict in self.compared.items() if verdict in which)
         numerical = self.numerical
         if numerical is not None and numerical.verdict in which:
             error = percent_of(numerical.uncertainty, 2)
@@ -251,7 +267,7 @@ class Verdicts:
 class Summary:
     """One word for each kind of verdict, and one for all."""
 
-    comparison: Verdict | None  # None: nothing was compared
+    comparison: Verdict | None  # of contacts, film and friction; None: nothing was compared
     numerical: Literal["pass", "not reached"] | None  # None: there is no torque
     physical: Physical
     overall: Overall

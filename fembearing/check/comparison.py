@@ -82,10 +82,14 @@ def verdict_on(production: float, study: Estimate, *, tolerance: float, valid: b
         return "outside validity"
     if not study.settled and study.spread > AGREE * tolerance:
         return "undecided"
-    discrepancy = abs(production / study.value - 1)
-    if discrepancy + study.total <= tolerance:
+    return verdict_within(production / study.value - 1, study.total, tolerance=tolerance)
+
+
+def verdict_within(difference: float, uncertainty: float, *, tolerance: float) -> Verdict:
+    """Whether a difference is within the tolerance for certain; all relative."""
+    if abs(difference) + uncertainty <= tolerance:
         return "pass"
-    return "fail" if discrepancy - study.total > tolerance else "undecided"
+    return "fail" if abs(difference) - uncertainty > tolerance else "undecided"
 
 
 def could_be_decided(production: float, study: Estimate, *, tolerance: float) -> bool:

@@ -19,9 +19,9 @@ from analytic.result import FrictionTorque
 from analytic.scene import Array, Pair, Scene
 from analytic.scene_torque import Samples, SceneTorque, torque_of_scene
 from analytic.scenefile.parts import Given, with_tolerance
-from analytic.verdicts import Overall, Verdicts, pressure_check
+from analytic.verdicts import Compared, Overall, Verdict, Verdicts, pressure_check
 from fembearing.check.cage_record import CageRecord, record_cage
-from fembearing.check.comparison import Verdict, worst
+from fembearing.check.comparison import verdict_within, worst
 from fembearing.check.contact.bearings import OneBearing, bearings_of, which_bearing
 from fembearing.check.contact.columns import COLUMNS, VERDICT
 from fembearing.check.contact.scene_contact import balls_of, contact_of
@@ -95,22 +95,33 @@ class Validation(Brief):
         return self.scene.tolerance
 
     @property
-    def comparison(self) -> Verdict:
-        """The worst of all quantities that are judged."""
-        judged: list[Verdict] = [
-            verdict for contact in self.contacts if (verdict := contact.numbers.verdict) != "shown"
-        ]
-        return worst(judged)
+    def compared(self) -> dict[Compared, Verdict]:
+        """The worst verdict on contacts, on films, and on the friction of balls, as far as they were solved."""
+        judged: list[Verdict] = [each for contact in self.contacts if (each := contact.numbers.verdict) != "shown"]
+        found: dict[Compared, Verdict] = {"contacts": worst(judged)}
+        if self.films:
+            found["film"] = worst(film.numbers.verdict for film in self.films)
+        if self.creep and self.creep_change is not None:
+            found["friction"] = self._friction
+        return found
+
+    @property
+    def _friction(self) -> Verdict:
+        """Whether the numerical friction of the heaviest ball changes the torque by less than the tolerance."""
+        heaviest = max(self.creep, key=lambda creep: max(race.load for race in creep.numbers.races.values())).numbers
+        change = self.creep_change or 0.0
+        share = change / heaviest.change if heaviest.change else 0.0  # of sliding in the torque
+        return verdict_within(change, share * heaviest.relative_uncertainty, tolerance=self.tolerance)
 
     @property
     def verdicts(self) -> Verdicts:
         """Comparison, numerical and physical; without a torque the physical ones are peak pressures of contacts."""
         if self.torque is not None:
-            return replace(self.torque.verdicts, comparison=self.comparison)
+            return replace(self.torque.verdicts, compared=self.compared)
         races = (contact.numbers for contact in self.contacts if contact.numbers.pair != "pocket")
         checks = [(race.bearing, pressure_check(race.pair, race.hertz.peak_pressure)) for race in races]
         physical = tuple(replace(check, where=f"{check.where}{which_bearing(of)}") for of, check in checks)
-        return Verdicts(numerical=None, physical=physical, comparison=self.comparison)
+        return Verdicts(numerical=None, physical=physical, compared=self.compared)
 
     @property
     def verdict(self) -> Overall:

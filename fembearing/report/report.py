@@ -1,6 +1,6 @@
 """The report of a check: one type is written, drawn and shown."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Annotated, Any, Literal
 
@@ -10,7 +10,7 @@ from annotated_types import Len, MinLen
 from analytic.rows import Count, NotNegative, Positive
 from analytic.scene import Array, Pair, ReportDetails, Scene
 from analytic.scene_torque import SceneTorque
-from analytic.verdicts import PhysicalCheck, Summary
+from analytic.verdicts import Compared, PhysicalCheck, Summary, Verdict
 from fembearing.check.cage_record import DrawnMotion
 from fembearing.check.comparison import ShownVerdict
 from fembearing.check.contact.bearings import OfPair
@@ -114,6 +114,7 @@ class Report:
     report: ReportDetails
     tolerance: Positive
     contacts: Annotated[tuple[ContactNumbers, ...], Len(2, 6)]
+    compared: Mapping[Compared, Verdict]  # the worst verdict on contacts, film and friction
     solved: SceneTorque | None = field(metadata=UNWRITTEN)  # the torque, which JSON holds as follows
     torque: TorqueContent | None
     torque_change: ChangeRecord | None
@@ -163,6 +164,7 @@ def report_of(result: Validation, *, pictures: Sequence[PictureFile] = ()) -> Re
         report=result.scene.report,
         tolerance=result.tolerance,
         contacts=contacts,
+        compared=result.compared,
         solved=torque,
         torque=None if torque is None else torque_content(torque),
         torque_change=None if change is None else change_record(change),

@@ -18,21 +18,23 @@ OPEN = physical("unknown", "cage_force", "cage")
 
 
 @pytest.mark.parametrize(
-    ("comparison", "numerical", "checks", "overall", "causes"),
+    ("compared", "numerical", "checks", "overall", "causes"),
     [
-        (None, SOLVED, (GOOD,), "pass", 1),
-        ("pass", None, (GOOD, GOOD), "pass", 1),
-        ("outside validity", SOLVED, (GOOD,), "fail", 1),
-        ("undecided", SOLVED, (GOOD,), "undecided", 1),
-        (None, LOOSE, (GOOD,), "undecided", 1),
-        (None, SOLVED, (OPEN, GOOD), "undecided", 1),
-        ("fail", LOOSE, (GOOD, BAD, OPEN, BAD), "fail", 2),  # the failures alone, each once
-        ("undecided", LOOSE, (GOOD, OPEN), "undecided", 3),
+        ({}, SOLVED, (GOOD,), "pass", 1),
+        ({"contacts": "pass", "film": "pass"}, None, (GOOD, GOOD), "pass", 1),
+        ({"contacts": "outside validity"}, SOLVED, (GOOD,), "fail", 1),
+        ({"contacts": "undecided"}, SOLVED, (GOOD,), "undecided", 1),
+        ({"contacts": "pass", "film": "undecided"}, SOLVED, (GOOD,), "undecided", 1),
+        ({"contacts": "undecided", "film": "pass", "friction": "fail"}, SOLVED, (GOOD,), "fail", 1),
+        ({}, LOOSE, (GOOD,), "undecided", 1),
+        ({}, SOLVED, (OPEN, GOOD), "undecided", 1),
+        ({"contacts": "fail"}, LOOSE, (GOOD, BAD, OPEN, BAD), "fail", 2),  # the failures alone, each once
+        ({"contacts": "undecided", "film": "undecided"}, LOOSE, (GOOD, OPEN), "undecided", 4),
     ],
 )
 def test_the_most_serious_verdict_counts_with_its_causes(
-    comparison: Any, numerical: NumericalCheck | None, checks: tuple[PhysicalCheck, ...], overall: str, causes: int
+    compared: Any, numerical: NumericalCheck | None, checks: tuple[PhysicalCheck, ...], overall: str, causes: int
 ) -> None:
-    found = Verdicts(numerical=numerical, physical=checks, comparison=comparison)
+    found = Verdicts(numerical=numerical, physical=checks, compared=compared)
     assert found.overall == overall
     assert len(found.reason.split("; ")) == causes

@@ -94,9 +94,9 @@ def test_warnings_stand_once_and_those_of_a_bearing_name_it(checked: Validation)
 def test_the_verdict_of_all_contacts_is_the_worst_of_those_that_are_judged(checked: Validation) -> None:
     *_, seat, sheet = (contact.numbers for contact in checked.contacts)
     assert (sheet.judged, sheet.verdict) == (False, "shown")
-    assert checked.comparison == "pass"
+    assert checked.compared == {"contacts": "pass", "friction": "pass"}
     failed = checked.contacts[0].with_numbers(verdict="fail")
-    assert replace(checked, contacts=(failed, *checked.contacts[1:])).comparison == "fail"
+    assert replace(checked, contacts=(failed, *checked.contacts[1:])).verdicts.comparison == "fail"
     bare = replace(checked, torque=None).verdicts
     assert [check.where for check in bare.physical] == ["inner race", "outer race"]
     assert bare.numerical is None

@@ -4,6 +4,7 @@ import json
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from analytic.prediction.prediction import predict
@@ -25,7 +26,8 @@ def document(checked: Validation) -> Report:
     """With a cage that moved, an interval, and measured torques."""
     scene = parse_scene(MOVING, origin="here")
     record = present(record_cage(scene, friction_torque(scene), 0))
-    torque = replace(present(checked.torque), prediction=predict(checked.scene, samples=64, workers=1))
+    prediction = predict(checked.scene, samples=64, workers=1)
+    torque = replace(present(checked.torque), prediction=prediction, interval=np.array(prediction.total.ends))
     return report_of(replace(checked, cage_records=(record,), torque=torque, measured_torques=TWO))
 
 
@@ -44,11 +46,11 @@ def test_every_plot_is_drawn_from_the_document(document: Report) -> None:
 
 
 def test_the_page_begins_with_the_torque_and_its_interval(document: Report) -> None:
-    torque = present(document.torque)
-    point, interval = torque.points[0], present(torque.prediction).points[0].total
-    low, high = (f"{end * 1e3:.3g}" for end in (interval.low, interval.high))
+    point = present(document.solved).points[0]
+    total = 1e3 * present(point["torque_total"])
+    low, high = (f"{1e3 * present(point[name]):.3g}" for name in ("interval_low", "interval_high"))
     text = page_of(document, Path(), plots={})
     begin = text.partition("Bearing and operation")[0]
-    assert f"<strong>{point.torque.total * 1e3:#.4g} N mm</strong>" in begin
+    assert f"<strong>{total:#.4g} N mm</strong>" in begin
     assert f"95 % interval {low}-{high} N mm" in begin
     assert f'<td class="number">{low}-{high}</td>' in text

@@ -18,36 +18,42 @@ LOOKS = {"inner": (BLUE, "o", "-"), "outer": (RED, "s", "--")}  # the lines may 
 HIGH, LINE = 2.4, 0.17  # inches, without the loads in the titles, and for each of them
 PAD = 0.1  # inches above and below: the layout counts a little too little for the title of a polar panel
 LEAST_SPAN = 0.1  # degrees, of the angles: closer ones are alike, and their round-off is not to be seen
+NO_ANGLE = 1e-9  # rad: round-off
 QUARTER = 90  # degrees between ticks of the azimuth
 
 
 def ring_plot(document: Report) -> tuple[Figure | None, str]:
     """Polar plots of the loads, and beside them the angles, at the first and the last operating point."""
-    if document.solved is None:
+    torque, units = document.solved, document.units
+    if torque is None:
         return None, NO_TORQUE
-    points, units, ring = document.solved.points, document.units, document.solved.friction.ring
-    ends = dict.fromkeys((0, len(points) - 1))
-    shown = [] if ring is None else [(points[place], ring.row(place).balls) for place in ends]
-    if not shown:
+    points, state = torque.points, torque.friction.ring
+    if state is None:
         return None, "Pair of bearings: ring and balls of each bearing are available from Python."
+    shown = [(points[place], state.row(place).balls) for place in sorted({0, len(points) - 1})]
+    angles = [angle for _, balls in shown for angle in (*balls.inner_angle, *balls.outer_angle) if angle is not None]
+    leans = max(map(abs, angles), default=0.0) > NO_ANGLE
     loads = present_loads(points)
     layout = ConstrainedLayoutEngine(h_pad=PAD)
     figure = Figure(figsize=(WIDTH, HIGH + LINE * len(loads)), layout=layout)
-    grid = figure.add_gridspec(1, 2 * len(shown))
+    grid = figure.add_gridspec(1, (1 + leans) * len(shown))
     for column, (point, balls) in enumerate(shown):
         polar = figure.add_subplot(grid[column], projection="polar")
         assert isinstance(polar, PolarAxes)
         words = [speed_words(point["inner_speed"], units), *(loads_of(point, [name], units) for name in loads)]
         _loads(polar, balls, units)
-        angles = figure.add_subplot(grid[len(shown) + column])
-        _angles(angles, balls)
-        for panel in (polar, angles):
+        panels: list[Axes] = [polar]
+        if leans:
+            panels.append(figure.add_subplot(grid[len(shown) + column]))
+            _angles(panels[1], balls)
+        for panel in panels:
             panel.set_title("\n".join(words))
     handles, labels = figure.axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=2, frameon=False, fontsize=LETTERS)
+    right = ", and right: its contact angle" if leans else ""
     caption = (
-        f"Load of every ball, {units.force.name}, and right: its contact angle, around the bearing. 0 degrees: "
-        "direction of the radial load, x. A ball at the centre is unloaded."
+        f"Load of every ball, {units.force.name}{right}, around the bearing. 0 degrees: direction of the radial load, "
+        f"x. A ball at the centre is unloaded.{'' if leans else ' All contact angles are 0.'}"
     )
     return lettered(figure), caption
 

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from analytic.figures.style import BLACK, BLUE, LETTERS, ORANGE, WIDTH, lettered
 from fembearing.check.sensitivity import Input, Output, Sensitivity
 from fembearing.quantities import CONTACT, Units
-from fembearing.report.phrases import loads_of, present_loads
+from fembearing.report.phrases import input_name, loads_of, present_loads
 from fembearing.report.report import Report
 
 NAMES = {"total_torque": "total torque", "peak_pressure": CONTACT["peak_pressure"].name}
@@ -28,8 +28,8 @@ def sensitivity_plot(document: Report) -> tuple[Figure | None, str]:
         return None, NOT_COMPUTED
     units = document.units
     every = [each for each in sensitivity.inputs if each.swing >= LEAST]
-    moving, less = every[:MOST], [each.name for each in every[MOST:]]
-    still = [each.name for each in sensitivity.inputs if each.swing < LEAST and not each.refused]
+    moving, less = every[:MOST], [input_name(each.name) for each in every[MOST:]]
+    still = [input_name(each.name) for each in sensitivity.inputs if each.swing < LEAST and not each.refused]
     outputs = sensitivity.outputs
     quantity = NAMES[outputs[0].quantity]
     figure = Figure(figsize=(WIDTH, HEADS + ROW * len(moving)), layout="constrained")
@@ -39,7 +39,9 @@ def sensitivity_plot(document: Report) -> tuple[Figure | None, str]:
             _bars(panel, row, each, number, units)
         panel.axvline(0, color=BLACK, linewidth=0.8)
         panel.set_title(_title(output, outputs, units))
-        panel.set_yticks(range(len(moving)), [f"{each.name}, {_shown(each, each.value, units)}" for each in moving])
+        panel.set_yticks(
+            range(len(moving)), [f"{input_name(each.name)}, {_shown(each, each.value, units)}" for each in moving]
+        )
         panel.set_ylim(len(moving) - 0.4, -0.6)
         panel.margins(x=0.85)  # for the labels
         panel.grid(alpha=0.3, axis="x")
@@ -84,7 +86,7 @@ def _title(output: Output, outputs: Sequence[Output], units: Units) -> str:
 
 def _caption(sensitivity: Sensitivity, quantity: str, *, still: list[str], less: list[str]) -> str:
     """What is varied, what moves nothing, and what was refused."""
-    refused = [f"{each.name}, {reason}" for each in sensitivity.inputs for reason in each.refused]
+    refused = [f"{input_name(each.name)}, {reason}" for each in sensitivity.inputs for reason in each.refused]
     caption = (
         f"Change of the {quantity} if one input goes from the scene's value (beside its name) to the low (blue) or "
         "high (orange) end of its 95 % range, by the production model, "

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
 Row = Sequence[str]
+NO_ANGLE = ("", "-", "0.00 (0.0000)")  # as `phrases.angle_cell` writes it
 
 
 class Head(NamedTuple):
@@ -31,6 +32,18 @@ class Table(NamedTuple):
     heads: Sequence[Head]
     groups: Sequence[Group]
     notes: Sequence[str] = ()  # sentences below it
+
+
+def without_zero_angles(table: Table) -> Table:
+    """Without the columns of angles that are 0, or none, in every row."""
+    rows = [row for group in table.groups for row in group.rows]
+    kept = [
+        number
+        for number, head in enumerate(table.heads)
+        if "angle" not in head.text or any(row[number] not in NO_ANGLE for row in rows)
+    ]
+    groups = [each._replace(rows=[[row[number] for number in kept] for row in each.rows]) for each in table.groups]
+    return table._replace(heads=[table.heads[number] for number in kept], groups=groups)
 
 
 def table_of(label: str, heads: Sequence[Head], rows: Sequence[Row], notes: Sequence[str] = ()) -> Table:

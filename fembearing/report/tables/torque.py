@@ -24,7 +24,7 @@ from fembearing.report.phrases import (
     uncertainty_of,
 )
 from fembearing.report.tables.points import fixed_loads, point_cells, point_heads
-from fembearing.report.tables.table import Head, Row, Table, table_of
+from fembearing.report.tables.table import Head, Row, Table, table_of, without_zero_angles
 
 if TYPE_CHECKING:  # a torque alone needs no solver, which the report of a check loads
     from fembearing.report.report import ChangeRecord
@@ -125,7 +125,7 @@ def ball_table(torque: SceneTorque, places: Sequence[int], units: Units = METRIC
     notes = [f"Contact angle {angle}, mean of both races. a along rolling, b transverse{share}."]
     pocket = [each for point in points if (each := point["friction_coefficient_pocket"]) is not None]
     notes += [f"Friction coefficient of ball on pocket: {listed(pocket)}."] if pocket else []
-    return table_of("Heaviest ball", heads, rows, notes)
+    return without_zero_angles(table_of("Heaviest ball", heads, rows, notes))
 
 
 def pair_table(pair: PairPart, places: Sequence[int], units: Units = METRIC) -> Table:
@@ -176,7 +176,9 @@ def change_table(
         ]
         for place in places
     ]
-    return table_of("Changes by finite-element contacts", heads, rows, _change_notes(change, units))
+    return without_zero_angles(
+        table_of("Changes by finite-element contacts", heads, rows, _change_notes(change, units))
+    )
 
 
 def _change_notes(change: "ChangeRecord", units: Units) -> list[str]:

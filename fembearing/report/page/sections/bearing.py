@@ -5,9 +5,10 @@ from collections.abc import Iterator
 import numpy as np
 
 from analytic.scene import Array, Cage, Groove, Material, OwnTraction, Scene, Surface
+from analytic.scene_torque import SceneTorque
 from analytic.words import angle_of
 from fembearing.quantities import QUANTITIES, Units
-from fembearing.report.phrases import LOADS, PAIRS, clearances_of, friction_of, listed
+from fembearing.report.phrases import LOADS, PAIRS, clearances_of, friction_of, listed, tilt_of
 from fembearing.report.report import Report
 
 Facts = list[tuple[str, str]]
@@ -22,7 +23,9 @@ def facts_of(document: Report) -> Facts:
         held = pair.equilibrium.preload
         preload = f", preload {document.units.force.written(held, '.4g')}" if held else ""
         facts.insert(1, ("arrangement", f"two such bearings, {PAIRS[pair.kind]}{preload}"))
-    return facts if document.torque is not None else [*facts, ("operation", _operation(scene, document.units))]
+    if document.solved is None:
+        return [*facts, ("operation", _operation(scene, document.units))]
+    return [*facts, *_parts(document.solved, document.units)]
 
 
 def details_of(document: Report) -> Facts:
@@ -80,8 +83,31 @@ def _facts(scene: Scene, units: Units) -> Iterator[tuple[str, str]]:
         )
     if scene.surface is not None:
         yield "surfaces", _surface(scene.surface, units)
-    yield "cage", "none in the scene: no pocket contact" if scene.cage is None else _cage(scene.cage, units)
+    yield (
+        "cage",
+        "none in the scene: neither pocket contact nor torque" if scene.cage is None else _cage(scene.cage, units),
+    )
     yield "friction", friction_of(coefficient=scene.friction_coefficient, is_lubricated=scene.has_friction)
+
+
+def _parts(torque: SceneTorque, units: Units) -> Facts:
+    """What cage and seals add to the torque, and how the ring stands: each named, also where there is none."""
+    scene, tilt = torque.scene, tilt_of(torque, units)
+    cage = [part for point in torque.points if (part := point["torque_cage"]) is not None]
+    seals, drag = scene.bearing.seals or "none named", scene.losses.seals
+    if drag is not None:
+        seals = f"{seals}; {units.torque.written(drag, '.4g')} of the torque"
+    elif scene.bearing.seals_rub:
+        seals = f"{seals}; their drag is not in the torque: give losses.seals"
+    facts = [("seals", seals)]
+    if torque.friction.pair is None:
+        facts.append(("tilt of the ring", tilt or "none"))
+    if cage:
+        ends = " to ".join(dict.fromkeys(units.torque.written(end, ".4g") for end in (min(cage), max(cage))))
+        facts.append(("torque of the cage", ends))
+    elif scene.cage is not None:
+        facts.append(("torque of the cage", "not in the total"))
+    return facts
 
 
 def _own_law(law: str | OwnTraction) -> str:

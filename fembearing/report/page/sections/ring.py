@@ -10,7 +10,7 @@ from fembearing.quantities import Units
 from fembearing.report.phrases import angle_cell, digits
 from fembearing.report.report import Report
 from fembearing.report.tables.points import point_cells, point_heads, point_name
-from fembearing.report.tables.table import Group, Head, Row, Table, table_of
+from fembearing.report.tables.table import Group, Head, Row, Table, table_of, without_zero_angles
 
 AXES = ("axially", "along x", "along y")
 ROUND_OFF = 1e-9  # of the diagonal, below which an entry is none
@@ -33,7 +33,7 @@ def ring_tables(document: Report) -> list[Table]:
     return [
         *([_displacement(points, placed, units)] if placed else []),
         Table("Stiffness: what moves the ring by one unit", [Head("", "name"), *_freedoms(units)], stiffness),
-        Table("Load and contact angle of every ball", _heads_of_balls(units), balls),
+        without_zero_angles(Table("Load and contact angle of every ball", _heads_of_balls(units), balls)),
     ]
 
 

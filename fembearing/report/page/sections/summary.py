@@ -22,7 +22,7 @@ from fembearing.report.phrases import (
 )
 from fembearing.report.report import Report
 from fembearing.report.tables.points import heaviest_point, point_name, shown_places
-from fembearing.report.tables.table import Head, Table, table_of
+from fembearing.report.tables.table import Head, Table, table_of, without_zero_angles
 from fembearing.report.tables.torque import torque_table
 from fembearing.report.tables.verdicts import POINT, failures, physical_table
 
@@ -139,9 +139,10 @@ def _boxes(document: Report) -> list[Box]:
     verdict, torque = document.verdict, document.solved
     judged = (contact for contact in document.contacts if contact.judged)
     compared = Counter(each.verdict for contact in judged for each in contact.quantities.values())
-    words = f"Hertz against finite elements, tolerance {percent(document.tolerance)}: {_counted(compared)}."
-    assert verdict.comparison is not None  # `Report` requires it
-    boxes = [Box("Comparison", verdict.comparison, words)]
+    words = f"Contacts, Hertz against finite elements, tolerance {percent(document.tolerance)}: {_counted(compared)}."
+    others = (f"{name.capitalize()}: {word}." for name, word in document.compared.items() if name != "contacts")
+    assert verdict.comparison is not None  # contacts are always compared
+    boxes = [Box("Comparison", verdict.comparison, " ".join([words, *others]))]
     check = None if torque is None else torque.verdicts.numerical
     if check is not None and verdict.numerical is not None:
         boxes.append(Box("Numerical", verdict.numerical, _numerical(check)))
@@ -188,7 +189,8 @@ def _contacts(document: Report) -> Table:
         *(Head(f"{quantity.name}, %") for quantity in CONTACT.values()),
         Head("verdict", "verdict"),
     ]
-    return table_of("contacts", heads, [_contact(document, each) for each in document.contacts if each.judged])
+    rows = [_contact(document, each) for each in document.contacts if each.judged]
+    return without_zero_angles(table_of("contacts", heads, rows))
 
 
 def _contact(document: Report, contact: ContactNumbers) -> list[str]:
