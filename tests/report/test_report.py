@@ -16,15 +16,13 @@ from analytic.torque import friction_torque
 from fembearing.check.cage_record import record_cage
 from fembearing.check.validation import Validation
 from fembearing.plain_types import plain
-from fembearing.report.figures.approach import approach_plot
 from fembearing.report.figures.cage import cage_plot
-from fembearing.report.figures.friction import friction_plot
+from fembearing.report.figures.contacts import approach_plot, pressure_plot
 from fembearing.report.figures.measured import measured_plot
 from fembearing.report.figures.page_plots import PLOTS
 from fembearing.report.figures.prediction import prediction_plot
-from fembearing.report.figures.pressure import pressure_plot
 from fembearing.report.figures.sensitivity import sensitivity_plot
-from fembearing.report.figures.torque import torque_plot
+from fembearing.report.figures.torque import friction_plot, torque_plot
 from fembearing.report.page.write import page_of
 from fembearing.report.report import report_in, report_of
 from tests.analytic.scenefile.scene_texts import MOVING
