@@ -10,7 +10,7 @@ from analytic.scene_torque import SceneTorque
 from fembearing.plain_types import plain
 from fembearing.provenance import provenance_of
 from fembearing.report.torque import torque_file
-from fembearing.report.torque_table import csv_of
+from fembearing.report.torque_table import compared_csv, csv_of
 
 Content = Callable[[SceneTorque], bytes]
 ComparedContent = Callable[[Mapping[str, SceneTorque]], bytes]  # by the name of the scene
@@ -52,7 +52,7 @@ def torque_content(result: SceneTorque, *, ending: str) -> bytes:
 
 def table_file(result: SceneTorque) -> bytes:
     """CSV."""
-    return csv_of({result.scene.name: result}).encode()
+    return csv_of(result).encode()
 
 
 def numbers_file(result: SceneTorque, **more: Any) -> bytes:
@@ -94,7 +94,7 @@ def compared_content(target: Path) -> ComparedContent:
     from fembearing.report.figures.style import pdf, png, svg
 
     if target.suffix.casefold() == ".csv":
-        return lambda results: csv_of(results).encode()
+        return lambda results: compared_csv(results).encode()
     image = {".png": png, ".svg": svg, ".pdf": pdf}.get(target.suffix.casefold())
     if image is None:
         raise InputError(

@@ -37,12 +37,16 @@ def shown_columns(result: SceneTorque) -> dict[str, ShownColumn]:
     return shown
 
 
-def csv_of(results: Mapping[str, SceneTorque]) -> str:
+def csv_of(result: SceneTorque) -> str:
     """The table as CSV, to 15 digits: names as in datasets and JSON, each with its unit in brackets, then the bearing.
 
     A cell is empty where nothing is known.
-    results : by the name of the scene, which is the first column where there are several
     """
+    return compared_csv({result.scene.name: result})
+
+
+def compared_csv(results: Mapping[str, SceneTorque]) -> str:
+    """The same of several scenes, by their names, which are the first column where there are several."""
     shown = {scene: shown_columns(result) for scene, result in results.items()}
     heads = {name: each.unit.name or "1" for columns in shown.values() for name, each in columns.items()}
     several = len(results) > 1
