@@ -44,7 +44,8 @@ def plain_numbers(axis: "Axis") -> None:
     from matplotlib.ticker import LogLocator, NullFormatter
 
     low, high = axis.get_view_interval()
-    subs = (1.0, 2.0, 5.0) if high < 15 * low else (1.0, 3.0) if high < 100 * low else (1.0,)
+    fine = (1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0)
+    subs = next((subs for most, subs in ((3, fine), (15, (1, 2, 5)), (100, (1, 3))) if high < most * low), (1,))
     axis.set_major_locator(LogLocator(subs=subs))
     axis.set_major_formatter("{x:g}")
     axis.set_minor_formatter(NullFormatter())

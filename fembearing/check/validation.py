@@ -99,8 +99,9 @@ class Validation(Brief):
         """The worst verdict on contacts, on films, and on the friction of balls, as far as they were solved."""
         judged: list[Verdict] = [each for contact in self.contacts if (each := contact.numbers.verdict) != "shown"]
         found: dict[Compared, Verdict] = {"contacts": worst(judged)}
-        if self.films:
-            found["film"] = worst(film.numbers.verdict for film in self.films)
+        films: list[Verdict] = [each for film in self.films if (each := film.numbers.verdict) != "shown"]
+        if films:
+            found["film"] = worst(films)
         if self.creep and self.creep_change is not None:
             found["friction"] = self._friction
         return found

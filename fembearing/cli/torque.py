@@ -62,16 +62,19 @@ def torque(
     """
     names = scenes or [BUILTIN]
     _require_different(names)
+    content = None
+    if target is not None and len(names) > 1:
+        from fembearing.report.torque_file import compared_content
+
+        content = compared_content(target)
     read = {name: given.scene(name) for name in names}
     read = {name: replace(scene, tolerance=read_tolerance(tolerance, scene)) for name, scene in read.items()}
     count = read_samples(samples, with_interval=with_interval)
     from fembearing.cli.console import out, print_json
     from fembearing.plain_types import document
     from fembearing.report.torque import content_of
-    from fembearing.report.torque_file import compared_content
     from fembearing.report.torque_folder import torque_with_files
 
-    content = compared_content(target) if target is not None and len(read) > 1 else None
     results: dict[str, SceneTorque] = {}
     lacking = None
     with talk.progress() as progress, _file_of_all(target if content else None, force=force) as file:

@@ -42,7 +42,7 @@ CASES: tuple[tuple[str, str | None, tuple[str, ...]], ...] = (
     ("torque s.toml --speed 5rpm --set operation.inner_speed=5rpm", None, ("are the same: leave one of them out",)),
     ("torque s.toml s.toml", None, ("'s.toml' is given twice",)),
     ("torque 6206 --samples 64", None, ("--samples 64 goes with --interval",)),
-    ("torque s.toml 6308 -o new", None, ("--out 'new'", "there are 2")),
+    ("torque s.toml 6308 -o new", None, ("--out 'new'", "takes one scene")),
     ("torque 6308 s.toml --set 'operation.radial_load=90000 kN'", None, ("6308: the radial load", "lower the load")),
     ("init 6206 --out no/6206.toml", None, ("no/6206.toml", "cannot be made in")),
     ("compare 6206 d.csv", CSV.replace(" [rpm]", ""), ("inner_speed has no unit", "inner_speed [rpm]")),

@@ -1,6 +1,5 @@
 """`fembearing torque` as a user sees it: tables of 80 characters, JSON, exit status, one line for each mistake."""
 
-import csv
 import json
 from pathlib import Path
 
@@ -124,3 +123,23 @@ def test_a_series_loses_only_its_bad_points(command, tmp_path: Path, monkeypatch
     assert [float(totals[0]), float(totals[2])] == pytest.approx(
         [1e3 * each["torque"]["total"] for each in good["points"]]
     )
+
+
+def test_several_scenes_are_one_table_with_their_names_and_one_figure(command, tmp_path: Path) -> None:
+    (tmp_path / "series.toml").write_text(SERIES, "utf-8")
+    scenes = (str(tmp_path / "series.toml"), "6205-dry")
+    for ending in ("csv", "png"):
+        assert command("torque", *scenes, "--out", str(tmp_path / f"two.{ending}")).status == DONE
+    rows = list(csv.DictReader((tmp_path / "two.csv").read_text("utf-8").splitlines()))
+    names = [(row["scene"], row["point"]) for row in rows]
+    assert names[:2] == [(scenes[0], "1"), (scenes[0], "2")]
+    assert {scene for scene, _ in names} == {*scenes}
+    for name in scenes:
+        alone = tmp_path / "alone.csv"
+        command("torque", name, "--out", str(alone), "--force")
+        for row in csv.DictReader(alone.read_text("utf-8").splitlines()):
+            (both,) = (each for each in rows if (each["scene"], each["point"]) == (name, row["point"]))
+            assert row.items() <= both.items()
+            assert not any(both[column] for column in both.keys() - row.keys() - {"scene"})
+    assert (tmp_path / "two.png").read_bytes().startswith(b"\x89PNG")
+    assert command("torque", *scenes, "--out", str(tmp_path / "two.csv")).status == INPUT_AT_FAULT  # it exists

@@ -33,7 +33,7 @@ from fembearing.report.report import Report
 
 STEEL, BALL, LINE, CENTRE = "#e3e8ed", "#cfe0ef", "#1b1f23", (0, (9, 2, 1.5, 2))
 HIGH, ROW, FOOT, HEAD = 3.2, 0.152, 0.38, 0.36  # inches: of the views, of a row of the table, of the ends
-SOURCE = 66  # letters of a source: `fembearing torque SCENE --details` has them whole
+SOURCE = 65  # letters of a source: `fembearing torque SCENE --details` has them whole
 NOT_DRAWABLE = "No drawing: the dimensions of the bearing contradict each other."
 SMALL = 7  # points, letters of the table
 ARROW = {"linewidth": 0.6, "color": LINE, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 7}
@@ -445,7 +445,7 @@ def _circles(bearing: DrawnBearing, section: Section) -> list[tuple[float, bool]
 
 def _table(figure: Figure, rows: Sequence[tuple[str, str, str]], high: float) -> None:
     """Dimensions with their origin, below the views."""
-    places = (0.012, 0.21, 0.47)
+    places = (0.012, 0.205, 0.48)
     top = (ROW * (len(rows) + 1) + FOOT - 0.04) / high
     for x, words in zip(places, ("dimension", "value", "origin"), strict=True):
         _write(figure, x, top, words, fontsize=SMALL, weight="bold", va="top")

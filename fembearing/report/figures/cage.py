@@ -85,7 +85,7 @@ def orbit_figure(motion: DrawnMotion, units: Units, *, captioned: bool = False) 
         wrap=True,
     )
     if captioned:
-        figure.supxlabel(textwrap.fill(cage_caption(motion), 118), x=0.01, ha="left", fontsize=LETTERS)
+        figure.supxlabel(textwrap.fill(cage_caption(motion), 114), x=0.01, ha="left", fontsize=LETTERS)
     return lettered(figure)
 
 

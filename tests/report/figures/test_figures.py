@@ -90,7 +90,7 @@ def torque_at(speeds: str, *, loads: str = '"700 N"', units: str = "metric") -> 
     return torque_of_scene(parse_scene(f'{text}[report]\nunits = "{units}"\n', origin="here"))
 
 
-def over_a_decade(_: Sources) -> Drawn:
+def over_a_decade(_sources: Sources) -> Drawn:
     """The total and its interval are lines on logarithmic axes, with room below the least of them."""
     result = torque_at('["30 rpm", "10 rpm", "300 rpm"]')
     figure = result.plot()
@@ -115,7 +115,7 @@ def over_a_decade(_: Sources) -> Drawn:
     )
 
 
-def below_a_decade(_: Sources) -> Drawn:
+def below_a_decade(_sources: Sources) -> Drawn:
     """Parts are stacked up to the total, in the units of the scene."""
     result = torque_at('["300 rpm", "700 rpm"]', units="inch")
     figure = result.plot()
@@ -138,7 +138,7 @@ def below_a_decade(_: Sources) -> Drawn:
     )
 
 
-def point_by_point(_: Sources) -> Drawn:
+def point_by_point(_sources: Sources) -> Drawn:
     """Where speed and load change, the bars of a point add up to its total."""
     result = torque_at('["300 rpm", "700 rpm"]', loads='["900 N", "400 N"]')
     figure = result.plot()
@@ -157,7 +157,7 @@ def point_by_point(_: Sources) -> Drawn:
     )
 
 
-def one_point(_: Sources) -> Drawn:
+def one_point(_sources: Sources) -> Drawn:
     """A bar for each part and one for the total, with numbers."""
     result = torque_at('"300 rpm"')
     figure = result.plot()
@@ -176,7 +176,7 @@ def one_point(_: Sources) -> Drawn:
     )
 
 
-def without_interval(_: Sources) -> Drawn:
+def without_interval(_sources: Sources) -> Drawn:
     """A torque alone has its uncertainties, and bearing, oil and temperature in the title."""
     result = torque_at('["300 rpm", "700 rpm"]').friction
     figure = result.plot()
@@ -194,7 +194,7 @@ def without_interval(_: Sources) -> Drawn:
     )
 
 
-def several_scenes(_: Sources) -> Drawn:
+def several_scenes(_sources: Sources) -> Drawn:
     """A line for each scene; one at one speed is a mark at this speed."""
     scenes = {"a.toml": torque_at('["10 rpm", "300 rpm"]'), "b.toml": torque_at('"100 rpm"')}
     figure = compared_figure({name: each.drawn for name, each in scenes.items()})
@@ -213,7 +213,7 @@ def several_scenes(_: Sources) -> Drawn:
     )
 
 
-def several_points(_: Sources) -> Drawn:
+def several_points(_sources: Sources) -> Drawn:
     """Scenes of one operating point each have a bar of parts each."""
     scenes = {name: torque_at(f'"{name} rpm"') for name in ("100", "300")}
     figure = compared_figure({name: each.drawn for name, each in scenes.items()})
@@ -300,7 +300,7 @@ def ring(sources: Sources) -> Drawn:
     return Drawn(present(figure), [(np.asarray(polar.get_lines()[0].get_ydata())[:-1], balls.inner_load)])
 
 
-def interval(_: Sources) -> Drawn:
+def interval(_sources: Sources) -> Drawn:
     """Ends of the whole, of the parts, and the indices of the inputs that matter."""
     torque = SimpleNamespace(prediction=prediction_of(content()))
     figure, _ = prediction_plot(cast(Report, SimpleNamespace(torque=torque, units=METRIC)))
@@ -311,7 +311,7 @@ def interval(_: Sources) -> Drawn:
     return Drawn(present(figure), [(ends, expected), (widths, [61, 55, 14, 11])])
 
 
-def measured(_: Sources) -> Drawn:
+def measured(_sources: Sources) -> Drawn:
     figure, _ = measured_plot(cast(Report, SimpleNamespace(measured=TWO, units=METRIC)))
     above, below = present(figure).axes
     marks = [
@@ -330,7 +330,7 @@ def bearing(sources: Sources) -> Drawn:
     return Drawn(present(figure), [(texts[0], title), ("gap between balls" in texts, False)])
 
 
-def bearing_alone(_: Sources) -> Drawn:
+def bearing_alone(_sources: Sources) -> Drawn:
     figure = draw_bearing(load_scene("7208B"))
     return Drawn(figure, [("gap between balls" in [text.get_text() for text in figure.texts], True)])
 
@@ -356,7 +356,7 @@ def cage_with_caption(sources: Sources) -> Drawn:
     return Drawn(figure, [(figure.get_supxlabel().startswith("The cage moves irregularly"), True)])
 
 
-def duty(_: Sources) -> Drawn:
+def duty(_sources: Sources) -> Drawn:
     """Steps of 20, 50 and 30 s, the second without an interval."""
     torques, powers, durations = np.array([5e-3, 8e-3, 3e-3]), np.array([0.7, 1.9, 0.4]), (20.0, 50.0, 30.0)
     steps = [
@@ -393,7 +393,7 @@ def duty(_: Sources) -> Drawn:
     )
 
 
-def film(_: Sources) -> Drawn:
+def film(_sources: Sources) -> Drawn:
     """Hertz's pressure, and a film that grows outside of its ellipse."""
     a, b, peak, central = 0.13e-3, 0.71e-3, 1.7e9, 0.31e-6  # m, m, Pa, m
     x, y = np.linspace(-2.3 * a, 1.7 * a, 41), np.linspace(0.02 * b, 1.8 * b, 19)
@@ -433,7 +433,7 @@ def swept(**axes: list[float]) -> xarray.Dataset:
     return found.assign_attrs(first_scene=json.dumps(scene))
 
 
-def sweep_map(_: Sources) -> Drawn:
+def sweep_map(_sources: Sources) -> Drawn:
     dataset = swept(axial_load=[100.0, 300.0, 900.0, 500.0], inner_speed=[50.0, 90.0, 500.0])
     figure = map_figure(dataset, "torque_total")
     (mesh,) = (part for part in figure.axes[0].collections if type(part).__name__ == "QuadMesh")
@@ -441,7 +441,7 @@ def sweep_map(_: Sources) -> Drawn:
     return Drawn(figure, [(np.asarray(mesh.get_array()).reshape(4, 3), expected)])
 
 
-def sweep_lines(_: Sources) -> Drawn:
+def sweep_lines(_sources: Sources) -> Drawn:
     dataset = swept(inner_speed=[10.0, 30.0, 90.0, 300.0], axial_load=[300.0, 500.0])
     figure = map_figure(dataset, "torque_total")
     (panel,) = figure.axes

@@ -32,7 +32,7 @@ def report_with(*contacts: Any) -> Report:
 def torque_drawn(count: int = 2, **columns: Any) -> DrawnTorque:
     """Points at which speed and load change, N m."""
     zero = np.zeros(count)
-    known = {"inner_speed": 30.0 + np.arange(count), "radial_load": 500.0 + np.arange(count)}
+    known: dict[str, Any] = {"inner_speed": 30.0 + np.arange(count), "radial_load": 500.0 + np.arange(count)}
     given = {"axial_load": zero, "moment": zero, "torque_total": np.full(count, 0.02), "torque_rolling": zero + 0.02}
     every = known | given | {name: np.array(values) for name, values in columns.items()}
     return DrawnTorque(columns=every, makers={}, title="6205", units=METRIC)
