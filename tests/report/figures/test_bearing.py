@@ -16,13 +16,12 @@ from matplotlib.text import Annotation, Text
 
 from analytic.errors import InputError
 from analytic.figures.style import BLUE, RED
-from analytic.scene import Arrangement, ArrangementKind, Array, Bearing, Groove, Scene
+from analytic.scene import Arrangement, ArrangementKind, Array, Bearing, ContactAngle, Groove, Scene
 from analytic.scenefile.read import load_scene
 from fembearing.quantities import METRIC
 from fembearing.report.figures.bearing import NOT_DRAWABLE, bearing_plot, dimensions_of, draw_bearing, shown_bearing
 from fembearing.report.figures.bearing_section import Section, section_of
 from fembearing.report.report import Report
-from fembearing.report.scene_view import GivenAngle, SolvedAngle
 from tests.analytic.specimens import present
 from tests.report.figures.figure_reader import points_of, require_legible
 
@@ -306,7 +305,7 @@ def test_a_guess_is_dashed_and_said_to_be_one() -> None:
 
 def test_a_page_has_the_drawing_without_its_table_or_says_that_there_is_none() -> None:
     scene = load_scene("6205-dry")
-    table, angle = draw_bearing(scene), SolvedAngle(rule="solved", free=scene.contact_angle.free)
+    table, angle = draw_bearing(scene), scene.contact_angle
 
     def drawn(**changed: Any) -> tuple[Figure | None, str]:
         known = {"bearing": scene.bearing, "cage": scene.cage, "contact_angle": angle} | changed
@@ -326,7 +325,7 @@ def test_a_page_has_the_drawing_without_its_table_or_says_that_there_is_none() -
     assert bare is not None
     assert not any("cage pocket" in text.get_text() for text in bare.axes[0].texts)
     assert any("cage pocket" in text.get_text() for text in figure.axes[0].texts)
-    loaded, _ = drawn(contact_angle=GivenAngle(rule="given", value=0.31))
+    loaded, _ = drawn(contact_angle=ContactAngle(rule="given", value=0.31))
     assert loaded is not None
     assert any("contact angle, loaded, given\n17.76 deg" in text.get_text() for text in loaded.axes[0].texts)
     assert drawn(bearing=replace(scene.bearing, width=-1e-3)) == (None, NOT_DRAWABLE)
