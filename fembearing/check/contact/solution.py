@@ -186,7 +186,18 @@ class ContactSolution(Brief):
         yield f"approach {1e6 * approach.reference:.5g} um, Hertz {100 * approach.difference:+.2f} %"
 
     def with_numbers(self, **changes: Any) -> "ContactSolution":
-        """The same with some of its numbers changed;  changes : fields of `ContactNumbers`"""
+        """The same contact with some of its numbers changed.
+
+        Parameters
+        ----------
+        **changes : any
+            Fields of `ContactNumbers`, SI.
+
+        Returns
+        -------
+        ContactSolution
+            On the same meshes.
+        """
         return replace(self, numbers=replace(self.numbers, **changes))
 
     @property
