@@ -1,5 +1,6 @@
 """`fembearing torque` as a user sees it: tables of 80 characters, JSON, exit status, one line for each mistake."""
 
+import csv
 import json
 from pathlib import Path
 
